@@ -48,14 +48,17 @@ std::map<std::string, QString> criteriaOf(const lessons::Lesson& lesson)
     return names;
 }
 
-/// Students with the same name have their login's behind it, so that nobody takes one for the other.
+/// Students with the same name have their login's behind it, so that nobody takes one for the other; who has none is
+/// called by it.
 database::ClassOverview toldApart(database::ClassOverview overview)
 {
     std::map<std::string, int> bearers;
     for (const database::MatrixStudent& student : overview.students)
         ++bearers[student.fullName];
     for (database::MatrixStudent& student : overview.students)
-        if (bearers[student.fullName] > 1)
+        if (student.fullName.empty())
+            student.fullName = student.username;
+        else if (bearers[student.fullName] > 1)
             student.fullName += " (" + student.username + ")";
     return overview;
 }

@@ -191,7 +191,8 @@ void PresetDesk::tellKept(const core::Result<FeelPreset>& kept)
                                      : tr("Not kept: %1").arg(QString::fromStdString(kept.error().detail)));
         return;
     }
-    const ReadPreset one{{}, *kept, {}};
+    // Named, as what lies in a file or in the school is: only what is shipped has no place.
+    const ReadPreset one{QString::fromStdString(kept->name), *kept, {}};
     const bool isThere = std::any_of(m_all.begin(), m_all.end(), [&kept](const ReadPreset& other) {
         return other.preset && other.preset->hash == kept->hash;
     });

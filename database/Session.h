@@ -43,7 +43,7 @@ public:
     /// What audit and files call the person; empty for a guest.
     [[nodiscard]] const std::string& uid() const { return m_uid; }
     [[nodiscard]] const std::string& username() const { return m_username; }
-    /// "Ada Lovelace".
+    /// "Ada Lovelace"; the login name of who has no other.
     [[nodiscard]] const std::string& fullName() const { return m_fullName; }
     /// When the session began; for the window, which shows that role's pages.
     [[nodiscard]] Role role() const { return m_role; }

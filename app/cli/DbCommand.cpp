@@ -323,10 +323,10 @@ int makeUpSchool(const QCommandLineParser& parser, const Address& address)
                                                                password, database::PasswordCost{});
     if (!admin)
         return failed(admin.error());
-    std::vector<std::string> lessons;
+    std::vector<lessons::Lesson> lessons;
     for (const lessons::CatalogEntry& entry : lessons::readCatalog({}))
         if (entry.read.lesson)
-            lessons.push_back(entry.read.lesson->id);
+            lessons.push_back(*entry.read.lesson);
     const bool tells = isatty(STDERR_FILENO) != 0;
     const auto made = database::sql::makeSample(*open->school, *admin, size, lessons, [tells](std::int64_t done) {
         if (tells)
@@ -337,8 +337,9 @@ int makeUpSchool(const QCommandLineParser& parser, const Address& address)
     if (!made)
         return failed(made.error());
     return answer(parser,
-                  QStringLiteral("A school of %1 students with %2 attempts was made up in %3. Log in as admin with the "
-                                 "password %4.")
+                  QStringLiteral("A school of %1 students with %2 attempts was made up in %3. Log in as \"admin\"; "
+                                 "the students and teachers have no passwords yet (\"cusp user reset NAME\" gives one "
+                                 "a code). The password of admin: %4")
                       .arg(size.students)
                       .arg(size.attempts)
                       .arg(address.shown(), QString::fromStdString(password)),

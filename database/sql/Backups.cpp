@@ -33,6 +33,7 @@ using core::ErrorCode;
 constexpr int kPagesAtOnce = 2000;
 constexpr int kBusyRestMs = 50;
 constexpr int kMostBusyRests = 200;
+constexpr std::size_t kWholeDays = 2;
 constexpr std::size_t kDays = 12;
 constexpr std::size_t kWeeks = 10;
 constexpr std::size_t kMonths = 9;
@@ -304,10 +305,13 @@ QStringList tooMany(const QStringList& files)
         const auto isFirst = [](std::set<QString>& seen, std::size_t most, const QString& when) {
             return seen.size() < most && seen.insert(when).second;
         };
+        const bool isOfOneDay = days.contains(made.date().toString(Qt::ISODate));
         const bool forDay = isFirst(days, kDays, made.date().toString(Qt::ISODate));
         const bool forWeek = isFirst(weeks, kWeeks, QStringLiteral("%1-%2").arg(year).arg(week));
         const bool forMonth = isFirst(months, kMonths, made.date().toString(QStringLiteral("yyyy-MM")));
-        if (!forDay && !forWeek && !forMonth)
+        // Whoever backs up after an accident must not lose the copy from before it.
+        const bool isYoung = isOfOneDay && days.size() <= kWholeDays;
+        if (!isYoung && !forDay && !forWeek && !forMonth)
             gone += file;
     }
     return gone;

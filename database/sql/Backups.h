@@ -37,8 +37,8 @@ using BackupProgress = std::function<bool(int done, int all)>;
 /// The backups in a folder, newest first.
 [[nodiscard]] QStringList backupsIn(const QString& folder);
 
-/// Of names as backUp() gives them, those to delete: kept are the newest of each of the last 12 days, 10 weeks and 9
-/// months that have one.
+/// Of names as backUp() gives them, those to delete: kept are all of the last 2 days that have one, and the newest of
+/// each of the last 12 days, 10 weeks and 9 months.
 [[nodiscard]] QStringList tooMany(const QStringList& files);
 
 /// The newest backup of a database's own folder that verifyBackup() finds whole; empty: there is none.

@@ -299,7 +299,7 @@ core::Result<Session> Logins::login(const School& school, const std::string& use
     session.m_person = person.id;
     session.m_uid = person.uid;
     session.m_username = person.username;
-    session.m_fullName = person.fullName();
+    session.m_fullName = person.fullName().empty() ? person.username : person.fullName();
     session.m_role = person.role;
     return session;
 }

@@ -21,13 +21,10 @@ namespace {
 
 const std::string kDoing = "make up a school";
 constexpr std::int64_t kAttemptsAtOnce = 5000;
-constexpr int kPassMarkTenths = 750;
 constexpr int kDays = 180;
 constexpr std::array kGiven{"Ada", "Ben", "Chloe", "Dan", "Emi", "Finn", "Grace", "Hugo", "Ines", "Jun", "Kim", "Lea"};
 constexpr std::array kFamily{"Abe",  "Bauer", "Costa",  "Diaz", "Endo",  "Fischer", "Garcia",
                              "Hart", "Ito",   "Jansen", "Kato", "Lopez", "Meyer",   "Nowak"};
-constexpr std::array kCriteria{std::pair("outline", 200), std::pair("depth", 300), std::pair("floor", 200),
-                               std::pair("walls", 200), std::pair("time", 100)};
 
 struct Student
 {
@@ -42,7 +39,7 @@ class SampleMaker
 {
 public:
     SampleMaker(const School& school, const Session& admin, const SampleSize& size,
-                const std::vector<std::string>& lessons)
+                const std::vector<lessons::Lesson>& lessons)
         : m_school(school), m_admin(admin), m_size(size), m_lessons(lessons), m_rng(size.seed)
     {}
 
@@ -72,7 +69,7 @@ private:
             if (k % m_size.classSize == 0) {
                 const std::string teacherName = QStringLiteral("teacher%1").arg(k / m_size.classSize + 1).toStdString();
                 const auto made = classNamed(m_school, m_admin.uid(),
-                                             QStringLiteral("Class %1").arg(k / m_size.classSize + 1).toStdString());
+                                             QStringLiteral("Year %1").arg(k / m_size.classSize + 1).toStdString());
                 const auto teacher =
                     enter(m_school, m_admin.uid(), {teacherName, "Tess", teacherName, Role::Instructor}, {});
                 if (!made || !teacher)
@@ -108,20 +105,22 @@ private:
                                  .addSecs(static_cast<qint64>(-86400.0 * kDays * (1.0 - share)))
                                  .toString(Qt::ISODate)
                                  .toStdString();
-        record.tooth = "36";
-        record.lessonId = m_lessons[lesson];
-        record.lessonHash = std::string(64, '1');
-        record.rubricHash = std::string(64, '2');
+        const lessons::Lesson& of = m_lessons[lesson];
+        const auto* made = std::get_if<lessons::MadeTooth>(&of.tooth);
+        record.tooth = made != nullptr ? std::to_string(made->fdi) : "block";
+        record.lessonId = of.id;
+        record.lessonHash = of.hash;
+        record.rubricHash = of.rubric.hash;
         int total = 1000;
-        for (const auto& [id, weight] : kCriteria) {
+        for (const lessons::CriterionRule& rule : of.rubric.criteria) {
             const double loss = std::clamp((1.0 - skill) * (0.5 + 1.2 * uniform()), 0.0, 1.0);
-            const int lost = static_cast<int>(std::lround(loss * weight));
-            record.criteria.push_back({id, lost, weight});
+            const int lost = static_cast<int>(std::lround(loss * rule.weightTenths));
+            record.criteria.push_back({rule.id, lost, rule.weightTenths});
             total -= lost;
         }
         record.scoreTenths = total;
-        record.passMarkTenths = kPassMarkTenths;
-        record.passed = total >= kPassMarkTenths;
+        record.passMarkTenths = of.rubric.passMarkTenths;
+        record.passed = total >= of.rubric.passMarkTenths;
         record.expectedTenths = std::clamp(total + static_cast<int>(200.0 * (uniform() - 0.4)), 0, 1000);
         record.durationMs = static_cast<std::int64_t>(120'000.0 + 480'000.0 * (1.1 - skill) * (0.6 + 0.8 * uniform()));
         record.scoreSheetJson = "{\"format\":2,\"sample\":true}";
@@ -162,7 +161,7 @@ private:
     const School& m_school;
     const Session& m_admin;
     const SampleSize& m_size;
-    const std::vector<std::string>& m_lessons;
+    const std::vector<lessons::Lesson>& m_lessons;
     core::Rng m_rng;
     std::vector<Student> m_students;
 };
@@ -170,7 +169,7 @@ private:
 }  // namespace
 
 core::Status makeSample(const School& school, const Session& admin, const SampleSize& size,
-                        const std::vector<std::string>& lessons, const std::function<void(std::int64_t)>& progress)
+                        const std::vector<lessons::Lesson>& lessons, const std::function<void(std::int64_t)>& progress)
 {
     for (const Operation operation : {Operation::AddPerson, Operation::ChangeClasses})
         if (auto who = admit(school, admin, operation); !who)

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "database/sql/School.h"
+#include "lessons/Lesson.h"
 
 namespace database::sql {
 
@@ -22,9 +23,9 @@ struct SampleSize
 /// Fills a school that has its first admin and nothing else: students "s0001" ... in classes with a teacher each
 /// ("teacher1" ...), assignments, and attempts at these lessons in which students get better, faster and more sure,
 /// each in his own measure. The same seed gives the same school but for uids.
-/// @param lessons  ids
+/// @param lessons  by whose rubrics the points are lost
 [[nodiscard]] core::Status makeSample(const School& school, const Session& admin, const SampleSize& size,
-                                      const std::vector<std::string>& lessons,
+                                      const std::vector<lessons::Lesson>& lessons,
                                       const std::function<void(std::int64_t attempts)>& progress = {});
 
 }  // namespace database::sql

@@ -4,6 +4,7 @@
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QLocale>
 #include <QPlainTextEdit>
 #include <QPushButton>
@@ -116,9 +117,12 @@ void TestFeel::aPresetIsTriedOnABlockAndKept()
     QTest::mouseClick(card->findChild<QPushButton*>("trialBack"), Qt::LeftButton);
     QTRY_VERIFY(page().isVisible());
     QCOMPARE(page().draft().enamelRate, 0.175);
+    QCOMPARE(child<ui::presets::PresetsPage>()->findChild<QSlider*>("dial0")->value(), enamel->maximum());
     QTest::mouseClick(child<QPushButton>("presetSave"), Qt::LeftButton);
     QCOMPARE(page().draft().version, 2);
     QVERIFY(child<ui::shell::MessageBar>()->sentence().contains("natural, version 2"));
+    auto* list = child<QListWidget>("presetList");
+    QVERIFY(list->count() == 2 && !list->item(0)->text().contains("shipped"));
     QTest::mouseClick(child<QPushButton>("presetUse"), Qt::LeftButton);
     emit m_application->window().toothChosen(26);
     waitForTooth("Tooth 26");
@@ -175,9 +179,18 @@ void TestFeel::twoPresetsAreComparedBlind()
     auto* card = child<ui::presets::TrialCard>();
     QVERIFY(card->isVisible() && !card->tuned());
     QVERIFY(answer("set force.friction 0.2").contains("compared blind"));
-    QTest::mouseClick(card->findChild<QPushButton*>("trialB"), Qt::LeftButton);
+    const auto cutWith = [card](const char* letter) {
+        QTest::mouseClick(card->findChild<QPushButton*>(letter), Qt::LeftButton);
+        card->follow(1, 0, 0.0);
+        card->follow(1, 0, 0.1);
+    };
+    cutWith("trialA");
+    cutWith("trialB");
     QTRY_VERIFY_WITH_TIMEOUT(recording().isRetuned(), 10000);
     QTest::mouseClick(card->findChild<QPushButton*>("trialSaysA"), Qt::LeftButton);
+    QVERIFY(!card->findChild<QPushButton*>("trialSaysNone")->isEnabled());
+    cutWith("trialA");
+    cutWith("trialB");
     QTest::mouseClick(card->findChild<QPushButton*>("trialSaysNone"), Qt::LeftButton);
     QVERIFY(card->findChild<QPushButton*>("trialCsv")->isVisible());
     QVERIFY(card->findChild<QLabel*>("trialWords")->text().contains("No difference: 1 time"));

@@ -2700,16 +2700,23 @@ void TestMainWindow::nothingIsClipped()
     check("console");
     a->console->trigger();
     const core::settings::FeelPreset preset = lessons::shippedPresets().front();
-    emit window.findChild<ui::presets::PresetsPage*>()->tryWanted(preset);
+    emit window.findChild<ui::presets::PresetsPage*>()->tryWanted(preset, preset);
     window.beginTrial();
     check("trial");
     emit window.findChild<ui::presets::PresetsPage*>()->compareWanted(preset, preset, 2);
     window.beginTrial();
     check("blind");
-    window.findChild<QPushButton*>("trialSaysA")->click();
-    window.findChild<QPushButton*>("trialSaysA")->click();
+    auto* trial = window.findChild<ui::presets::TrialCard*>();
+    for (int answers = 0; answers < 2; ++answers) {
+        for (const char* letter : {"trialA", "trialB"}) {
+            trial->findChild<QPushButton*>(letter)->click();
+            trial->follow(1, 0, 0.0);
+            trial->follow(1, 0, 0.1);
+        }
+        trial->findChild<QPushButton*>("trialSaysA")->click();
+    }
     check("compared");
-    window.findChild<ui::presets::TrialCard*>()->hide();
+    trial->hide();
     window.setPresets({{{}, preset, {}}}, preset);
     a->presets->trigger();
     check("presets");

@@ -86,6 +86,7 @@ class TestPresetsPage : public QObject
 private slots:
     void initTestCase();
     void dialsTurnWhatTheySay();
+    void dialsAreFoundAgain();
     void noDialGoesBeyondTheBound();
     void binomialIsExact_data();
     void binomialIsExact();
@@ -120,6 +121,24 @@ void TestPresetsPage::dialsTurnWhatTheySay()
     QCOMPARE(harder.dentinRate, base.dentinRate);
     QCOMPARE(presets::turned(base, dials(Dial::Touch, 1.0)).enamelFromN, 0.6);
     QCOMPARE(presets::turned(base, dials(Dial::Wall, -1.0)).stiffnessNPerMm, 1.0);
+}
+
+void TestPresetsPage::dialsAreFoundAgain()
+{
+    const FeelPreset base;
+    for (int step = -presets::kDialSteps; step <= presets::kDialSteps; ++step) {
+        presets::Dials all{};
+        for (std::size_t k = 0; k < presets::kDials; ++k)
+            all[k] =
+                static_cast<double>((step * static_cast<int>(k + 1)) % (presets::kDialSteps + 1)) / presets::kDialSteps;
+        const FeelPreset there = presets::turned(base, all);
+        const auto found = presets::dialsFor(base, there);
+        QVERIFY(found);
+        QVERIFY(presets::turned(base, *found) == there);
+    }
+    FeelPreset byHand = base;
+    byHand.dentinRate = 1.234;
+    QVERIFY(!presets::dialsFor(base, byHand));
 }
 
 void TestPresetsPage::noDialGoesBeyondTheBound()
@@ -219,7 +238,8 @@ void TestPresetsPage::aChangedNumberCanBeTriedAndKept()
     QVERIFY(room.find<QLabel>("presetVersion")->text().contains("changed from natural, version 1"));
     QTest::mouseClick(room.find<QPushButton>("presetTry"), Qt::LeftButton);
     QCOMPARE(tried.size(), 1);
-    QCOMPARE(tried[0][0].value<FeelPreset>().enamelRate, 0.6);
+    QCOMPARE(tried[0][0].value<FeelPreset>().enamelRate, 0.7);
+    QCOMPARE(tried[0][1].value<FeelPreset>().enamelRate, 0.6);
     QVERIFY(!room.find<QPushButton>("presetExport")->isEnabled());  // only what has a version leaves the house
     QTest::mouseClick(room.find<QPushButton>("presetSave"), Qt::LeftButton);
     QCOMPARE(saved[0][0].value<FeelPreset>().version, 0);
@@ -263,8 +283,14 @@ void TestPresetsPage::slidersAndNumbersAreOnePreset()
     QCOMPARE(room.find<QDoubleSpinBox>("enamel.rate_mm3_per_ns")->value(), 0.175);
     room.find<QDoubleSpinBox>("dentin.rate_mm3_per_ns")->setValue(1.0);
     QTest::mouseClick(room.find<QPushButton>("presetSimple"), Qt::LeftButton);
-    QCOMPARE(slider->value(), 0);  // from here on
+    QCOMPARE(slider->value(), 0);  // from here on: no slider reaches these numbers
     slider->setValue(slider->minimum());
+    // As often as the panels are changed, and after a trial, they stand where they were left.
+    for (int round = 0; round < 3; ++round) {
+        QTest::mouseClick(room.find<QPushButton>("presetExpert"), Qt::LeftButton);
+        QTest::mouseClick(room.find<QPushButton>("presetSimple"), Qt::LeftButton);
+        room.page.setDraft(FeelPreset(room.page.draft()));
+    }
     QCOMPARE(room.page.draft().enamelRate, 0.7);
     QCOMPARE(room.page.draft().dentinRate, 1.0);
 }
@@ -289,7 +315,18 @@ void TestPresetsPage::comparesWithTheChosenOne()
     QSignalSpy compared(&room.page, &presets::PresetsPage::compareWanted);
     auto* other = room.find<QComboBox>("presetOther");
     QCOMPARE(other->count(), 3);  // what cannot be read is no choice
+    // Nothing is compared with itself: another is offered, or what was changed.
+    auto* compare = room.find<QPushButton>("presetCompare");
+    QVERIFY(compare->isEnabled() && !other->currentText().startsWith("natural"));
+    other->setCurrentText("natural v1");
+    emit other->activated(other->currentIndex());
+    QVERIFY(!compare->isEnabled());
+    auto* slider = room.find<QSlider>("dial0");
+    slider->setValue(slider->maximum());
+    QVERIFY(compare->isEnabled());
+    slider->setValue(0);
     other->setCurrentIndex(1);
+    emit other->activated(1);
     QTest::mouseClick(room.find<QPushButton>("presetCompare"), Qt::LeftButton);
     QCOMPARE(compared[0][0].value<FeelPreset>().name, std::string("natural"));
     QVERIFY(compared[0][1].value<FeelPreset>() == named("hard", 1, 0.5));
@@ -305,13 +342,18 @@ void TestPresetsPage::trialCardTunesAndTellsApart()
     QSignalSpy felt(&card, &presets::TrialCard::felt);
     QSignalSpy fresh(&card, &presets::TrialCard::freshBlockWanted);
     QSignalSpy csv(&card, &presets::TrialCard::csvWanted);
-    card.tune(FeelPreset{});
+    card.tune(FeelPreset{}, FeelPreset{});
     card.findChild<QSlider*>("dial0")->setValue(10);
     QCOMPARE(felt.size(), 1);
     QVERIFY(felt[0][0].value<FeelPreset>().enamelRate < 0.7);
     QVERIFY(card.tuned()->enamelRate < 0.7);
     QTest::mouseClick(card.findChild<QPushButton*>("trialReset"), Qt::LeftButton);
     QVERIFY(*card.tuned() == FeelPreset{});
+    // The feed is drawn as it is turned.
+    card.findChild<QSlider*>("dial0")->setValue(10);
+    auto* feed = card.findChild<presets::FeedChart*>();
+    QVERIFY(feed->isVisible() && feed->words(1.0).contains("Enamel 0.4 mm/s"));
+    QVERIFY(card.findChild<QLabel*>("feedWords")->text().contains("dashed"));
 
     felt.clear();
     const FeelPreset first = named("hard", 1, 0.3);
@@ -320,8 +362,16 @@ void TestPresetsPage::trialCardTunesAndTellsApart()
     QVERIFY(!card.tuned());
     for (int trial = 0; trial < 4; ++trial) {
         const auto a = felt.back()[0].value<FeelPreset>();
+        // Who has not cut with both has nothing to say.
+        card.follow(1, 0, 0.0);
+        card.follow(1, 0, 0.2);
+        QVERIFY(!card.findChild<QPushButton*>("trialSaysA")->isEnabled());
         QTest::mouseClick(card.findChild<QPushButton*>("trialB"), Qt::LeftButton);
         QVERIFY(!(felt.back()[0].value<FeelPreset>() == a));
+        card.follow(1, 0, 0.2);
+        QVERIFY(!card.findChild<QPushButton*>("trialSaysA")->isEnabled());
+        card.follow(1, 0, 0.3);
+        QVERIFY(card.findChild<QPushButton*>("trialSaysA")->isEnabled());
         // Nothing in the window tells which is which.
         for (const QLabel* label : card.findChildren<QLabel*>())
             QVERIFY2(!label->isVisible() || !(label->text().contains("hard") || label->text().contains("soft ")),
@@ -330,7 +380,7 @@ void TestPresetsPage::trialCardTunesAndTellsApart()
     }
     QCOMPARE(fresh.size(), 3);
     const QString said = card.findChild<QLabel*>("trialWords")->text();
-    QVERIFY2(said.contains("chosen 4 time") && said.contains("0.125"), qPrintable(said));
+    QVERIFY2(said.contains("chosen 4 time") && said.contains("13 time(s) in 100"), qPrintable(said));
     QTest::mouseClick(card.findChild<QPushButton*>("trialCsv"), Qt::LeftButton);
     QCOMPARE(csv.size(), 1);
 }

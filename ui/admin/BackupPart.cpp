@@ -131,8 +131,8 @@ void BackupPart::tell()
             ? tr("The school's data are on a server: %1. Its administrator makes the backups; \"cusp db copy\" brings "
                  "all of it into a file.")
                   .arg(m_where)
-            : tr("The school's data are in %1. A backup is made every day the program is used, and kept of the last "
-                 "12 days, 10 weeks and 9 months.")
+            : tr("The school's data are in %1. A backup is made every day the program is used. All of the last two "
+                 "days are kept, then one for each of 12 days, 10 weeks and 9 months.")
                   .arg(m_where));
     for (QWidget* one : {static_cast<QWidget*>(m_backUp), static_cast<QWidget*>(m_drill),
                          static_cast<QWidget*>(m_table), static_cast<QWidget*>(m_restore)})

@@ -348,7 +348,9 @@ void PeoplePart::showForm()
     // What is being typed outlives news of what others have entered.
     const bool isTyped =
         std::exchange(m_inForm, m_chosen) == m_chosen && (m_given->isModified() || m_family->isModified());
-    m_title->setText(person == nullptr ? tr("New person") : QString::fromStdString(person->fullName()));
+    m_title->setText(person == nullptr
+                         ? tr("New person")
+                         : QString::fromStdString(person->fullName().empty() ? person->username : person->fullName()));
     m_username->setReadOnly(person != nullptr);
     if (person != nullptr && !isTyped) {
         m_username->setText(QString::fromStdString(person->username));

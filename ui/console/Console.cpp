@@ -262,8 +262,13 @@ QStringList Console::candidates(const QString& line) const
     } else if (!kOfNames.contains(line.left(space)) || line.count(u' ') != 1) {
         return {};
     }
-    if (space >= 0 || !begun.isEmpty())
-        for (const core::settings::Parameter* parameter : m_parameters.beginningWith(begun.toStdString()))
+    if (begun.isEmpty() && space < 0)
+        return found;
+    for (const core::settings::Parameter* parameter : m_parameters.beginningWith(begun.toStdString()))
+        found << QString::fromStdString(parameter->name);
+    // A search finds what stands within a name as well.
+    if (found.isEmpty())
+        for (const core::settings::Parameter* parameter : m_parameters.matching(begun.toStdString()))
             found << QString::fromStdString(parameter->name);
     return found;
 }
@@ -273,8 +278,12 @@ QString Console::completed(const QString& line) const
     const QStringList found = candidates(line);
     if (found.isEmpty())
         return line;
-    const QString before = line.left(line.lastIndexOf(u' ') + 1);
-    return before + commonBeginning(found) + (found.size() == 1 ? QStringLiteral(" ") : QString());
+    const qsizetype begin = line.lastIndexOf(u' ') + 1;
+    const QString common = commonBeginning(found);
+    // What several names hold in their middle must not be taken away for what they begin with.
+    if (found.size() > 1 && !common.contains(line.mid(begin)))
+        return line;
+    return line.left(begin) + common + (found.size() == 1 ? QStringLiteral(" ") : QString());
 }
 
 /// What the line may become, or what the parameter that it names is.
@@ -289,11 +298,7 @@ void Console::hint()
                                      QString::fromStdString(parameter->help())));
             return;
         }
-    QStringList found = line.isEmpty() ? kCommands : candidates(line);
-    // A search finds what stands within a name as well.
-    if (found.isEmpty() && words.size() == 2 && kOfNames.contains(words.front()))
-        for (const auto* parameter : m_parameters.matching(words.back().toStdString()))
-            found << QString::fromStdString(parameter->name);
+    const QStringList found = line.isEmpty() ? kCommands : candidates(line);
     const bool areMore = found.size() > kMostHinted && !line.isEmpty();
     m_hint->setText((areMore ? found.mid(0, kMostHinted) << QStringLiteral("…") : found).join(QStringLiteral("   ")));
 }
@@ -328,8 +333,9 @@ bool Console::eventFilter(QObject* watched, QEvent* event)
             recall(key->key() == Qt::Key_Up ? -1 : 1);
             return true;
         case Qt::Key_Tab:
-            // With nothing to complete Tab walks on, as everywhere.
-            if (m_line->text().isEmpty() || completed(m_line->text()) == m_line->text())
+            // From an empty line it walks on, as everywhere; but never away from what is being typed, the rest of which
+            // would be taken for shortcuts.
+            if (m_line->text().isEmpty())
                 break;
             m_line->setText(completed(m_line->text()));
             return true;

@@ -61,7 +61,7 @@ QString needWord(Need need)
 
 QString nameOf(const MatrixStudent& student)
 {
-    return QString::fromStdString(student.fullName.empty() ? student.username : student.fullName);
+    return QString::fromStdString(student.fullName);
 }
 
 void ClassModel::setOverview(const database::ClassOverview& overview, const QDateTime& now)

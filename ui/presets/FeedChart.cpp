@@ -86,16 +86,28 @@ void FeedChart::setPreset(const FeelPreset& preset, const FeelPreset& was)
     draw();
 }
 
-void FeedChart::setBur(std::size_t index)
+void FeedChart::setTool(std::size_t bur, std::size_t handpiece)
 {
-    m_bur = std::min(index, core::drilling::burs().size() - 1);
-    draw();
+    bur = std::min(bur, core::drilling::burs().size() - 1);
+    handpiece = std::min(handpiece, core::settings::handpieces().size() - 1);
+    const bool isOther = bur != m_bur || handpiece != m_handpiece;
+    m_bur = bur;
+    m_handpiece = handpiece;
+    if (isOther)
+        draw();
 }
 
 double FeedChart::feed(const FeelPreset& preset, Substance substance, double newtons) const
 {
     return core::drilling::feedMmPerS(core::settings::hardnessOf(preset, substance), preset.axialShare,
-                                      core::settings::handpieces().front(), core::drilling::burs()[m_bur], newtons);
+                                      core::settings::handpieces()[m_handpiece], core::drilling::burs()[m_bur],
+                                      newtons);
+}
+
+bool FeedChart::differsIn(Substance substance) const
+{
+    return m_was.axialShare != m_preset.axialShare ||
+           core::settings::hardnessOf(m_was, substance) != core::settings::hardnessOf(m_preset, substance);
 }
 
 QString FeedChart::figure(Substance substance, double newtons) const
@@ -165,8 +177,7 @@ void FeedChart::draw()
         const QColor colour = dark ? line.onDark : line.onLight;
         QColor faint = colour;
         faint.setAlphaF(0.6F);
-        if (m_was.axialShare != m_preset.axialShare ||
-            core::settings::hardnessOf(m_was, line.substance) != core::settings::hardnessOf(m_preset, line.substance))
+        if (differsIn(line.substance))
             put(m_was, line, QPen(faint, 1.4, Qt::DashLine));
         put(m_preset, line, QPen(colour, 2.2));
     }
@@ -183,6 +194,10 @@ void FeedChart::point(double newtons)
         parts << QStringLiteral("<span style=\"color:%1\"><b>━━</b></span>&nbsp;%2")
                      .arg((dark ? line.onDark : line.onLight).name(),
                           figure(line.substance, newtons).toHtmlEscaped().replace(u' ', QStringLiteral("&nbsp;")));
+    const bool differs =
+        std::any_of(kLines.begin(), kLines.end(), [this](const Line& line) { return differsIn(line.substance); });
+    if (differs)
+        parts << tr("dashed: as it was kept").toHtmlEscaped().replace(u' ', QStringLiteral("&nbsp;"));
     m_words->setText(QStringLiteral("<b>%1</b><br>%2")
                          //: %1 is a force
                          .arg(tr("Straight down with %1 N").arg(text::number(newtons, 1)).toHtmlEscaped(),

@@ -12,7 +12,7 @@ class QLabel;
 namespace ui::presets {
 
 /// How fast the chosen bur sinks into each material over the force that presses it, mm/s: what hardness means to the
-/// hand. Dashed: another preset, to compare with. Tells the figures under the pointer.
+/// hand. Dashed: the preset that it was made of. Tells the figures under the pointer.
 class FeedChart : public QWidget
 {
     Q_OBJECT
@@ -20,8 +20,9 @@ public:
     explicit FeedChart(QWidget* parent);
 
     void setPreset(const core::settings::FeelPreset& preset, const core::settings::FeelPreset& was);
-    /// @param index  into core::drilling::burs()
-    void setBur(std::size_t index);
+    /// @param bur        into core::drilling::burs()
+    /// @param handpiece  into core::settings::handpieces()
+    void setTool(std::size_t bur, std::size_t handpiece = 0);
     /// "At 1.0 N: enamel 0.8 mm/s, ...".
     [[nodiscard]] QString words(double newtons) const;
     [[nodiscard]] QSize minimumSizeHint() const override { return {300, 200}; }
@@ -33,6 +34,7 @@ protected:
 private:
     void draw();
     void point(double newtons);
+    [[nodiscard]] bool differsIn(core::settings::Substance substance) const;
     [[nodiscard]] QString figure(core::settings::Substance substance, double newtons) const;
     [[nodiscard]] double feed(const core::settings::FeelPreset& preset, core::settings::Substance substance,
                               double newtons) const;
@@ -43,6 +45,7 @@ private:
     core::settings::FeelPreset m_preset;
     core::settings::FeelPreset m_was;
     std::size_t m_bur = 1;
+    std::size_t m_handpiece = 0;
 };
 
 }  // namespace ui::presets

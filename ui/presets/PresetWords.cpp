@@ -110,7 +110,7 @@ QString presetWords(const lessons::PresetUsed& used)
 QString presetWords(const core::settings::FeelPreset& preset)
 {
     return presetWords(lessons::PresetUsed{QString::fromStdString(preset.name), preset.version,
-                                           QString::fromStdString(preset.hash).left(kHashShown), false});
+                                           QString::fromStdString(preset.hash).left(kHashShown), preset.hash.empty()});
 }
 
 QString boundWords(const core::settings::FeelPreset& preset)

@@ -194,7 +194,7 @@ QWidget* PresetsPage::makeDetails()
     middle->addWidget(m_chart, 4);
     column->addLayout(middle, 1);
     connect(simple, &QPushButton::clicked, this, [this] {
-        m_simple->setBase(m_draft);
+        m_simple->setPreset(m_base, m_draft);
         m_ways->setCurrentIndex(0);
     });
     connect(all, &QPushButton::clicked, this, [this] {
@@ -205,7 +205,7 @@ QWidget* PresetsPage::makeDetails()
     connect(m_table, &PresetTable::changed, this, &PresetsPage::take);
     connect(bur, &QComboBox::currentIndexChanged, this, [this](int index) {
         if (index >= 0)
-            m_chart->setBur(static_cast<std::size_t>(index));
+            m_chart->setTool(static_cast<std::size_t>(index));
     });
     connect(m_name, &QLineEdit::textEdited, this, [this](const QString& name) {
         m_draft.name = name.trimmed().toStdString();
@@ -233,7 +233,7 @@ QWidget* PresetsPage::makeDetails()
     buttons->addWidget(copy);
     buttons->addStretch(1);
     column->addLayout(buttons);
-    connect(m_try, &QPushButton::clicked, this, [this] { emit tryWanted(m_draft); });
+    connect(m_try, &QPushButton::clicked, this, [this] { emit tryWanted(m_base, m_draft); });
     connect(m_save, &QPushButton::clicked, this, [this] {
         FeelPreset next = m_draft;
         next.version = 0;
@@ -298,6 +298,10 @@ QWidget* PresetsPage::makeCompare(QWidget* parent)
     row->addWidget(m_trials);
     row->addWidget(m_compare);
     row->addStretch(1);
+    connect(m_other, &QComboBox::activated, this, [this] {
+        m_otherIsChosen = true;
+        offerOther();
+    });
     connect(m_compare, &QPushButton::clicked, this, [this] {
         const int at = m_other->currentData().toInt();
         if (m_other->currentIndex() >= 0 && m_all[static_cast<std::size_t>(at)].preset)
@@ -312,7 +316,6 @@ QWidget* PresetsPage::makeCompare(QWidget* parent)
         m_trials->setPrefix(tr("Trials:") + u' ');
         m_compare->setText(tr("Compare A and B"));
         m_compare->setAccessibleName(m_compare->text());
-        m_compare->setToolTip(tr("Drill with both, behind letters, and say which feels more like a tooth"));
     });
     return whole;
 }
@@ -331,7 +334,7 @@ void PresetsPage::setPresets(std::vector<lessons::ReadPreset> all, const FeelPre
 void PresetsPage::fill()
 {
     const QSignalBlocker quiet(m_list);
-    const int other = m_other->currentIndex();
+    const QString other = m_other->currentText();
     m_list->clear();
     m_other->clear();
     for (std::size_t k = 0; k < m_all.size(); ++k) {
@@ -355,7 +358,27 @@ void PresetsPage::fill()
         m_other->addItem(QStringLiteral("%1 v%2").arg(nameOf(*read.preset)).arg(read.preset->version),
                          static_cast<int>(k));
     }
-    m_other->setCurrentIndex(std::clamp(other, 0, m_other->count() - 1));
+    m_other->setCurrentIndex(m_other->findText(other));
+}
+
+/// Until another is chosen it is the version that was changed, or else the first that feels otherwise.
+void PresetsPage::offerOther()
+{
+    const auto at = [this](int row) -> const FeelPreset& {
+        return *m_all[static_cast<std::size_t>(m_other->itemData(row).toInt())].preset;
+    };
+    const int now = m_other->currentIndex();
+    if (now < 0 || (!m_otherIsChosen && isSameFeel(at(now), m_draft))) {
+        int offered = 0;
+        for (int row = m_other->count() - 1; row >= 0; --row)
+            if (!isSameFeel(at(row), m_draft) && (offered == 0 || !isSameVersion(at(offered), m_base)))
+                offered = row;
+        m_other->setCurrentIndex(m_other->count() > 0 ? offered : -1);
+    }
+    const bool differs = m_other->currentIndex() >= 0 && !isSameFeel(at(m_other->currentIndex()), m_draft);
+    m_compare->setEnabled(differs && isHeld(m_draft));
+    m_compare->setToolTip(differs ? tr("Drill with both, behind letters, and say which feels more like a tooth")
+                                  : tr("These two feel the same: choose another, or change a number"));
 }
 
 void PresetsPage::select(const FeelPreset& preset)
@@ -374,9 +397,10 @@ void PresetsPage::show(const FeelPreset& preset)
     setFault({});
     m_base = preset;
     m_draft = preset;
+    m_otherIsChosen = false;
     m_name->setText(nameOf(preset));
     m_notes->setText(QString::fromStdString(preset.notes));
-    m_simple->setBase(preset);
+    m_simple->setPreset(preset, preset);
     m_table->setPreset(preset);
     tell();
 }
@@ -384,7 +408,7 @@ void PresetsPage::show(const FeelPreset& preset)
 void PresetsPage::setDraft(const FeelPreset& preset)
 {
     m_draft = preset;
-    m_simple->setBase(preset);
+    m_simple->setPreset(m_base, preset);
     m_table->setPreset(preset);
     tell();
 }
@@ -432,7 +456,7 @@ void PresetsPage::tell()
     m_save->setToolTip(m_mayKeep ? tr("A version is never changed: this becomes another")
                                  : tr("An admin keeps the school's presets"));
     m_try->setEnabled(held);
-    m_compare->setEnabled(held);
+    offerOther();
     m_use->setEnabled(m_mayKeep && !isChanged() && !isSameVersion(m_base, m_inUse));
     m_export->setEnabled(!isChanged());
     m_import->setEnabled(m_mayKeep);

@@ -45,7 +45,8 @@ public:
     [[nodiscard]] const std::vector<lessons::ReadPreset>& all() const { return m_all; }
 
 signals:
-    void tryWanted(const core::settings::FeelPreset& preset);
+    /// A preset that is perhaps not kept yet, and the version that it was made of.
+    void tryWanted(const core::settings::FeelPreset& base, const core::settings::FeelPreset& preset);
     void compareWanted(const core::settings::FeelPreset& first, const core::settings::FeelPreset& second, int trials);
     /// As another version of its name.
     void saveWanted(const core::settings::FeelPreset& preset);
@@ -65,6 +66,7 @@ private:
     void show(const core::settings::FeelPreset& preset);
     void take(const core::settings::FeelPreset& preset);
     void tell();
+    void offerOther();
     void duplicate();
     [[nodiscard]] bool isChanged() const;
     [[nodiscard]] bool isNewest() const;
@@ -75,6 +77,7 @@ private:
     core::settings::FeelPreset m_draft;  ///< what has been made of it
 
     bool m_mayKeep = true;
+    bool m_otherIsChosen = false;  ///< what to compare with, by hand
 
     QWidget* m_side = nullptr;  ///< with the list
     QListWidget* m_list = nullptr;

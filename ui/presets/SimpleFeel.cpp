@@ -25,6 +25,13 @@ void scale(FeelPreset& preset, const Field& field, double factor)
         value = std::clamp(std::round(value * factor * kThousandths) / kThousandths, field.minimum, field.maximum);
 }
 
+int differing(const FeelPreset& a, const FeelPreset& b)
+{
+    const auto fields = core::settings::feelFields();
+    return static_cast<int>(std::count_if(fields.begin(), fields.end(),
+                                          [&](const Field& field) { return a.*field.value != b.*field.value; }));
+}
+
 }  // namespace
 
 FeelPreset turned(const FeelPreset& base, const Dials& dials)
@@ -51,7 +58,29 @@ FeelPreset turned(const FeelPreset& base, const Dials& dials)
             kThousandths;
         preset.stiffnessNPerMm = std::max(preset.stiffnessNPerMm, 0.2);
     }
+    if (differing(preset, base) > 0)
+        preset.hash.clear();
     return preset;
+}
+
+std::optional<Dials> dialsFor(const FeelPreset& base, const FeelPreset& preset)
+{
+    // Each dial has numbers of its own, so that each finds its stop alone.
+    Dials found{};
+    for (double& dial : found) {
+        double best = 0.0;
+        int fewest = differing(turned(base, found), preset);
+        for (int step = 1; step <= kDialSteps; ++step)
+            for (const int side : {-1, 1}) {
+                dial = static_cast<double>(side * step) / kDialSteps;
+                if (const int left = differing(turned(base, found), preset); left < fewest) {
+                    fewest = left;
+                    best = dial;
+                }
+            }
+        dial = best;
+    }
+    return differing(turned(base, found), preset) == 0 ? std::optional(found) : std::nullopt;
 }
 
 }  // namespace ui::presets

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/presets/SimplePanel.h"
 
+#include <cmath>
+
 #include <QGridLayout>
 #include <QLabel>
 #include <QSignalBlocker>
@@ -11,8 +13,6 @@
 
 namespace ui::presets {
 namespace {
-
-constexpr int kSteps = 20;  ///< of a slider, to either side
 
 QLabel* quiet(QWidget* parent, Qt::Alignment side)
 {
@@ -41,8 +41,8 @@ SimplePanel::SimplePanel(QWidget* parent) : QWidget(parent)
         lows[k] = quiet(this, Qt::AlignRight);
         highs[k] = quiet(this, Qt::AlignLeft);
         auto* slider = new QSlider(Qt::Horizontal, this);
-        slider->setRange(-kSteps, kSteps);
-        slider->setPageStep(kSteps / 4);
+        slider->setRange(-kDialSteps, kDialSteps);
+        slider->setPageStep(kDialSteps / 4);
         slider->setObjectName(QStringLiteral("dial%1").arg(k));
         connect(slider, &QSlider::valueChanged, this, &SimplePanel::tell);
         m_sliders[k] = slider;
@@ -73,18 +73,19 @@ SimplePanel::SimplePanel(QWidget* parent) : QWidget(parent)
     });
 }
 
-void SimplePanel::setBase(const core::settings::FeelPreset& base)
+void SimplePanel::setPreset(const core::settings::FeelPreset& base, const core::settings::FeelPreset& preset)
 {
-    m_base = base;
-    for (QSlider* slider : m_sliders) {
-        const QSignalBlocker quiet(slider);
-        slider->setValue(0);
+    const std::optional<Dials> dials = dialsFor(base, preset);
+    m_base = dials ? base : preset;
+    for (std::size_t k = 0; k < kDials; ++k) {
+        const QSignalBlocker quiet(m_sliders[k]);
+        m_sliders[k]->setValue(dials ? static_cast<int>(std::lround((*dials)[k] * kDialSteps)) : 0);
     }
 }
 
 void SimplePanel::reset()
 {
-    setBase(m_base);
+    setPreset(m_base, m_base);
     tell();
 }
 
@@ -92,7 +93,7 @@ void SimplePanel::tell()
 {
     Dials dials{};
     for (std::size_t k = 0; k < kDials; ++k)
-        dials[k] = static_cast<double>(m_sliders[k]->value()) / kSteps;
+        dials[k] = static_cast<double>(m_sliders[k]->value()) / kDialSteps;
     emit changed(turned(m_base, dials));
 }
 

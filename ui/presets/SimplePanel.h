@@ -18,8 +18,8 @@ class SimplePanel : public QWidget
 public:
     explicit SimplePanel(QWidget* parent);
 
-    /// Where all dials stand in the middle.
-    void setBase(const core::settings::FeelPreset& base);
+    /// The dials stand as they turn `base` into `preset`. One that they do not come to is their middle from now on.
+    void setPreset(const core::settings::FeelPreset& base, const core::settings::FeelPreset& preset);
     void reset();
 
 signals:

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/presets/TrialCard.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "ui/presets/FeedChart.h"
 #include "ui/presets/PresetWords.h"
 #include "ui/presets/SimplePanel.h"
 #include "ui/shell/Theme.h"
@@ -19,6 +24,22 @@ using namespace ui::shell;
 using Answer = BlindTrial::Answer;
 
 constexpr int kCardPx = 412;
+constexpr int kHighestChartPx = 460;
+constexpr double kHardlyChance = 0.05;
+
+/// What the answers are worth, to somebody who has not learnt statistics.
+QString chanceWords(double p)
+{
+    const int times = std::max(1, static_cast<int>(std::lround(100.0 * p)));
+    if (times >= 100)
+        return TrialCard::tr("That says nothing: they came out as even as can be.");
+    return p < kHardlyChance
+               ? TrialCard::tr("That is hardly chance: tossing a coin comes out as uneven only %n time(s) in 100.",
+                               nullptr, times)
+               : TrialCard::tr("That may be chance: tossing a coin comes out as uneven %n time(s) in 100. Compare more "
+                               "often to be sure.",
+                               nullptr, times);
+}
 
 QPushButton* button(const char* kind, const char* name, QWidget* parent)
 {
@@ -33,11 +54,11 @@ QPushButton* button(const char* kind, const char* name, QWidget* parent)
 
 TrialCard::TrialCard(QWidget* parent)
     : QFrame(parent), m_title(new QLabel(this)), m_words(new QLabel(this)), m_dials(new SimplePanel(this)),
-      m_reset(button("quiet", "trialReset", this)), m_letters(new QWidget(this)),
+      m_chart(new FeedChart(this)), m_reset(button("quiet", "trialReset", this)), m_letters(new QWidget(this)),
       m_a(button("segment", "trialA", m_letters)), m_b(button("segment", "trialB", m_letters)),
       m_answers(new QWidget(this)), m_csv(button("", "trialCsv", this))
 {
-    setProperty("kind", "card");
+    setProperty("kind", "bar");
     setFixedWidth(kCardPx);
     m_title->setFont(typeface(kTitle, QFont::DemiBold));
     m_title->setWordWrap(true);
@@ -74,8 +95,10 @@ TrialCard::TrialCard(QWidget* parent)
     });
     connect(m_dials, &SimplePanel::changed, this, [this](const core::settings::FeelPreset& preset) {
         m_tuned = preset;
+        draw();
         emit felt(preset);
     });
+    m_chart->setMaximumHeight(kHighestChartPx);
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(m_reset);
     buttons->addWidget(m_csv);
@@ -87,9 +110,11 @@ TrialCard::TrialCard(QWidget* parent)
     column->addWidget(m_title);
     column->addWidget(m_words);
     column->addWidget(m_dials);
+    column->addWidget(m_chart, 1);
     column->addWidget(m_letters);
     column->addWidget(m_answers);
     column->addLayout(buttons);
+    column->addStretch(0);
     text::inEveryLanguage(this, [this, saysA, saysNone, saysB, back] {
         m_a->setText(QStringLiteral("A"));
         m_b->setText(QStringLiteral("B"));
@@ -114,12 +139,14 @@ TrialCard::TrialCard(QWidget* parent)
     hide();
 }
 
-void TrialCard::tune(const core::settings::FeelPreset& preset)
+void TrialCard::tune(const core::settings::FeelPreset& base, const core::settings::FeelPreset& preset)
 {
     m_trial.reset();
+    m_base = base;
     m_tuned = preset;
-    m_dials->setBase(preset);
+    m_dials->setPreset(base, preset);
     say();
+    draw();
     show();
 }
 
@@ -127,7 +154,7 @@ void TrialCard::compare(const BlindTrial& trial)
 {
     m_tuned.reset();
     m_trial = trial;
-    say();
+    beginAnew();
     show();
     hold(Answer::A);
 }
@@ -137,11 +164,32 @@ std::optional<core::settings::FeelPreset> TrialCard::tuned() const
     return m_tuned;
 }
 
+void TrialCard::follow(std::size_t bur, std::size_t handpiece, double cutMm3)
+{
+    m_chart->setTool(bur, handpiece);
+    const bool hasCut = cutMm3 > m_cutMm3;
+    m_cutMm3 = cutMm3;
+    bool& with = m_held == Answer::A ? m_cutWithA : m_cutWithB;
+    if (!hasCut || with)
+        return;
+    with = true;
+    say();
+}
+
+/// What the dials make of the feed.
+void TrialCard::draw()
+{
+    m_title->setText(presetWords(*m_tuned));
+    setAccessibleName(m_title->text());
+    m_chart->setPreset(*m_tuned, m_base);
+}
+
 void TrialCard::say()
 {
     const bool isBlind = m_trial.has_value();
     const bool isOver = isBlind && m_trial->isOver();
     m_dials->setVisible(!isBlind);
+    m_chart->setVisible(!isBlind);
     m_reset->setVisible(!isBlind);
     m_letters->setVisible(isBlind && !isOver);
     m_answers->setVisible(isBlind && !isOver);
@@ -153,6 +201,8 @@ void TrialCard::say()
         //: %1 of %2 trials
         m_title->setText(tr("Trial %1 of %2").arg(m_trial->trial()).arg(m_trial->trials()));
         m_words->setText(tr("Drill with A and with B, as often as you like. Which feels more like a tooth?"));
+        m_answers->setEnabled(m_cutWithA && m_cutWithB);
+        m_answers->setToolTip(m_answers->isEnabled() ? QString() : tr("First cut a little with both"));
     } else {
         const BlindTrial::Outcome outcome = m_trial->outcome();
         m_title->setText(tr("Compared"));
@@ -163,12 +213,20 @@ void TrialCard::say()
         QString words = chosen(m_trial->first(), outcome.first) + u' ' + chosen(m_trial->second(), outcome.second);
         if (outcome.neither > 0)
             words += u' ' + tr("No difference: %n time(s).", nullptr, outcome.neither);
-        words += u'\n' + tr("Who only guesses comes at least so far from even with a probability of %1.")
-                             .arg(text::number(outcome.p, 3));
+        if (outcome.first + outcome.second > 0)
+            words += u'\n' + chanceWords(outcome.p);
         m_words->setText(words);
     }
     setAccessibleName(m_title->text());
-    adjustSize();
+}
+
+/// A block that nothing was cut of.
+void TrialCard::beginAnew()
+{
+    m_cutMm3 = std::numeric_limits<double>::max();
+    m_cutWithA = false;
+    m_cutWithB = false;
+    say();
 }
 
 void TrialCard::hold(Answer letter)
@@ -182,7 +240,7 @@ void TrialCard::hold(Answer letter)
 void TrialCard::answer(Answer said)
 {
     m_trial->answer(said);
-    say();
+    beginAnew();
     if (m_trial->isOver())
         return;
     emit freshBlockWanted();

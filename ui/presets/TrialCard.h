@@ -12,20 +12,28 @@ class QPushButton;
 
 namespace ui::presets {
 
+class FeedChart;
 class SimplePanel;
 
-/// Over the tooth while a preset is tried on a block: its dials, felt at once; or two presets behind "A" and "B", to be
-/// told apart by nothing but the hand.
+/// Beside the tooth while a preset is tried on a block: its dials, felt at once, and the feed that they make; or two
+/// presets behind "A" and "B", to be told apart by nothing but the hand.
 class TrialCard : public QFrame
 {
     Q_OBJECT
 public:
     explicit TrialCard(QWidget* parent);
 
-    void tune(const core::settings::FeelPreset& preset);
+    /// @param base  the version that `preset` was made of
+    void tune(const core::settings::FeelPreset& base, const core::settings::FeelPreset& preset);
     void compare(const BlindTrial& trial);
     /// The preset as it is turned now; nothing in a comparison.
     [[nodiscard]] std::optional<core::settings::FeelPreset> tuned() const;
+    /// The version that it is made of.
+    [[nodiscard]] const core::settings::FeelPreset& base() const { return m_base; }
+    /// @param bur        that is in hand, into core::drilling::burs()
+    /// @param handpiece  into core::settings::handpieces()
+    /// @param cutMm3     of the block so far: who has cut with both may say which is better
+    void follow(std::size_t bur, std::size_t handpiece, double cutMm3);
 
 signals:
     /// This preset is to be felt from now on.
@@ -38,21 +46,28 @@ signals:
 
 private:
     void say();
+    void draw();
+    void beginAnew();
     void hold(BlindTrial::Answer letter);
     void answer(BlindTrial::Answer said);
 
     QLabel* m_title;
     QLabel* m_words;
     SimplePanel* m_dials;
+    FeedChart* m_chart;
     QPushButton* m_reset;
     QWidget* m_letters;
     QPushButton* m_a;
     QPushButton* m_b;
     QWidget* m_answers;
     QPushButton* m_csv;
+    core::settings::FeelPreset m_base;
     std::optional<core::settings::FeelPreset> m_tuned;
     std::optional<BlindTrial> m_trial;
     BlindTrial::Answer m_held = BlindTrial::Answer::A;
+    double m_cutMm3 = 0.0;    ///< when it was last told; beyond all until it is told of a new block
+    bool m_cutWithA = false;  ///< in this trial
+    bool m_cutWithB = false;
 };
 
 }  // namespace ui::presets

@@ -2,6 +2,7 @@
 #include "ui/shell/MainWindow.h"
 
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -200,6 +201,7 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
         workOn();
     });
     m_room->setExercise(m_exerciseCard);
+    m_room->setTrial(m_trialCard);
     connect(m_exerciseCard, &study::ExerciseCard::answered, this,
             [this](std::size_t pad, core::terrain::Material said) {
                 send(core::session::AddNote{core::grading::answerNote(pad, said)});
@@ -588,13 +590,14 @@ void MainWindow::connectPresets()
                 .arg(preset.version)
                 .arg(QLatin1String(lessons::kPresetSuffix)));
     });
-    connect(m_presets, &PresetsPage::tryWanted, this, [this](const core::settings::FeelPreset& preset) {
-        leaveWork([this, preset] {
-            m_blindTrial.reset();
-            m_triedPreset = preset;
-            emit presetTrialWanted(preset);
-        });
-    });
+    connect(m_presets, &PresetsPage::tryWanted, this,
+            [this](const core::settings::FeelPreset& base, const core::settings::FeelPreset& preset) {
+                leaveWork([this, base, preset] {
+                    m_blindTrial.reset();
+                    m_triedPreset.emplace(base, preset);
+                    emit presetTrialWanted(preset);
+                });
+            });
     connect(m_presets, &PresetsPage::compareWanted, this,
             [this](const core::settings::FeelPreset& first, const core::settings::FeelPreset& second, int trials) {
                 leaveWork([this, first, second, trials] {
@@ -715,7 +718,7 @@ std::string MainWindow::feelByHand(const core::settings::FeelPreset& next)
         return tr("This lesson brings its own hardness. Only the forces can be changed.").toStdString();
     m_feel = next;
     if (isTried) {
-        m_trialCard->tune(next);
+        m_trialCard->tune(m_trialCard->base(), next);
         emit presetFelt(next);
     } else {
         emit feelWanted(next);
@@ -755,7 +758,7 @@ void MainWindow::beginTrial()
     if (m_blindTrial)
         m_trialCard->compare(*m_blindTrial);
     else if (m_triedPreset)
-        m_trialCard->tune(*m_triedPreset);
+        m_trialCard->tune(m_triedPreset->first, m_triedPreset->second);
     m_blindTrial.reset();
     m_triedPreset.reset();
     m_room->setHintVisible(false);
@@ -1147,6 +1150,10 @@ void MainWindow::takeFrame(const core::session::ServoState& servo)
     m_room->panel().setFigures(servo, m_session, reading);
     m_room->section().follow(tooth, m_view->toothRevision(), servo, reading);
     guide(servo);
+    if (m_trialCard->isVisible()) {
+        const core::terrain::PerMaterial cut = ownWork();
+        m_trialCard->follow(servo.burIndex, servo.handpieceIndex, std::accumulate(cut.begin(), cut.end(), 0.0));
+    }
     if (m_exerciseCard->isVisible())
         m_exerciseCard->setServo(servo);
     if (servo.cutting && !m_hasCut) {
@@ -1454,8 +1461,6 @@ void MainWindow::placeOverlays()
     m_console->setGeometry(area.x(), area.y(), area.width(), std::min(kConsolePx, area.height() / 2));
     const int belowConsole = m_console->isVisible() ? m_console->geometry().bottom() : area.top();
     m_watch->move(area.right() - kSpace4 - m_watch->width(), belowConsole + kSpace4);
-    m_trialCard->move(area.topLeft() + QPoint(kSpace4, kSpace4));
-    m_trialCard->raise();
     m_console->raise();
     m_infractionCard->placeIn(area);
     m_messages->placeIn(area, inRoom ? MessageBar::Place::OverTheView : MessageBar::Place::BesideTheTitle);
@@ -1816,6 +1821,9 @@ core::terrain::PerMaterial MainWindow::ownWork() const
 
 bool MainWindow::wouldLoseWork() const
 {
+    // A block on which a preset is tried is nobody's work.
+    if (!m_replaying && m_trialCard->isVisibleTo(m_room))
+        return false;
     const core::terrain::PerMaterial work = ownWork();
     return work != core::terrain::PerMaterial{} && work != m_savedWork;
 }

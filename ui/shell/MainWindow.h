@@ -469,9 +469,10 @@ private:
     core::grading::IdealTop m_replayIdeal;             ///< the same of the recording that is played
     std::optional<lessons::Lesson> m_replayLesson;     ///< that it was made for
     replay::Course m_replayCourse;
-    replay::Course m_besideCourse;                            ///< of the one beside it
-    std::optional<core::settings::FeelPreset> m_triedPreset;  ///< for which a block has been asked
-    std::optional<presets::BlindTrial> m_blindTrial;          ///< in place of it
+    replay::Course m_besideCourse;  ///< of the one beside it
+    /// The version, and what is made of it, for which a block has been asked.
+    std::optional<std::pair<core::settings::FeelPreset, core::settings::FeelPreset>> m_triedPreset;
+    std::optional<presets::BlindTrial> m_blindTrial;  ///< in place of it
     lessons::Aids m_aids;
     std::optional<lessons::Assignment> m_assignment;      ///< of the student's tooth
     std::pair<std::uint64_t, std::uint8_t> m_aidsTold{};  ///< of which tooth

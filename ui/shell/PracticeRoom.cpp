@@ -102,6 +102,13 @@ void PracticeRoom::setExercise(QWidget* card)
     m_viewColumn->addWidget(card);
 }
 
+void PracticeRoom::setTrial(QWidget* card)
+{
+    m_trial = card;
+    m_middle->insertWidget(0, card);
+    card->installEventFilter(this);
+}
+
 void PracticeRoom::setBeside(QWidget* view, const QString& name)
 {
     if (m_beside != nullptr)
@@ -260,7 +267,20 @@ void PracticeRoom::setPanelVisible(bool visible)
 
 void PracticeRoom::setSectionVisible(bool visible)
 {
-    m_section->setVisible(visible);
+    m_isSectionWanted = visible;
+    fitSection();
+}
+
+/// A quarter of the room, so that on a large screen the section is large as well; on a small one it leaves the tooth as
+/// much as it can, and beside a trial for which there is no room it waits.
+void PracticeRoom::fitSection()
+{
+    const int wanted = std::clamp(width() * kSectionPercent / 100, kUsualSectionPx, kWidestSectionPx);
+    const bool isTried = m_trial != nullptr && m_trial->isVisibleTo(this);
+    const int trialPx = isTried ? m_trial->width() + 1 : 0;
+    const int spare = width() - m_panel->width() - 2 - kNarrowestViewPx - trialPx;
+    m_section->setFixedWidth(std::max(kNarrowestSectionPx, std::min(wanted, spare)));
+    m_section->setVisible(m_isSectionWanted && (!isTried || spare >= kNarrowestSectionPx));
 }
 
 QRect PracticeRoom::viewArea() const
@@ -275,6 +295,8 @@ bool PracticeRoom::eventFilter(QObject* watched, QEvent* event)
         placeOverlays();
         emit viewAreaChanged();
     }
+    if (watched == m_trial && (event->type() == QEvent::ShowToParent || event->type() == QEvent::HideToParent))
+        fitSection();
     return QWidget::eventFilter(watched, event);
 }
 
@@ -283,11 +305,7 @@ void PracticeRoom::resizeEvent(QResizeEvent* event)
     QWidget::resizeEvent(event);
     m_saveReference->setVisible(width() >= kReferenceFromPx);  // its key works all the same
     m_topBar->fold();
-    // A quarter of the room, so that on a large screen the section is large as well; on a small one it leaves the tooth
-    // as much as it can.
-    const int wanted = std::clamp(width() * kSectionPercent / 100, kUsualSectionPx, kWidestSectionPx);
-    const int spare = width() - m_panel->width() - 2 - kNarrowestViewPx;
-    m_section->setFixedWidth(std::max(kNarrowestSectionPx, std::min(wanted, spare)));
+    fitSection();
 }
 
 void PracticeRoom::placeOverlays()

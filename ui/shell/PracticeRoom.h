@@ -50,6 +50,8 @@ public:
     [[nodiscard]] replay::HistoryPanel& history() { return *m_history; }
     /// Has its place beneath the tooth while it is visible.
     void setExercise(QWidget* card);
+    /// Beside the view, while it is visible.
+    void setTrial(QWidget* card);
     /// Shows another tooth to the right of ours, each with its name above it; null: none, and no names.
     void setBeside(QWidget* view, const QString& name = {});
     /// @param title  "Tooth 36", or the file
@@ -77,6 +79,7 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
+    void fitSection();
     QWidget* makeTopBar(const Actions& actions);
     QWidget* makeBottomBar(const Actions& actions, ViewMenu& viewMenu);
     void makeNotice();
@@ -86,6 +89,8 @@ private:
     QWidget* m_view;
     SidePanel* m_panel;
     inside::SectionView* m_section;
+    bool m_isSectionWanted = false;
+    QWidget* m_trial = nullptr;
     study::LessonStrip* m_lesson;
     QToolButton* m_tooth = nullptr;
     QLabel* m_name = nullptr;
