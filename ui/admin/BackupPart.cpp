@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/admin/BackupPart.h"
 
-#include <utility>
-
 #include <QFileInfo>
-#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -13,9 +10,9 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QStandardItemModel>
-#include <QStyleHints>
 #include <QVBoxLayout>
 
+#include "ui/admin/SecondThought.h"
 #include "ui/people/ListTable.h"
 #include "ui/shell/Theme.h"
 #include "ui/study/FormInputs.h"
@@ -32,10 +29,11 @@ constexpr int kBarSteps = 1000;
 }  // namespace
 
 BackupPart::BackupPart(QWidget* parent)
-    : QWidget(parent), m_words(study::formWords({}, kBody, QFont::Normal, QPalette::WindowText, this)),
-      m_backUp(new QPushButton(this)), m_drill(new QPushButton(this)), m_check(new QPushButton(this)),
-      m_restore(new QPushButton(this)), m_keep(new QPushButton(this)), m_stop(new QPushButton(this)),
-      m_bar(new QProgressBar(this)), m_said(study::formWords({}, kBody, QFont::Medium, QPalette::WindowText, this)),
+    : QWidget(parent), m_thought(new SecondThought(*this)),
+      m_words(study::formWords({}, kBody, QFont::Normal, QPalette::WindowText, this)), m_backUp(new QPushButton(this)),
+      m_drill(new QPushButton(this)), m_check(new QPushButton(this)), m_restore(new QPushButton(this)),
+      m_keep(new QPushButton(this)), m_stop(new QPushButton(this)), m_bar(new QProgressBar(this)),
+      m_said(study::formWords({}, kBody, QFont::Medium, QPalette::WindowText, this)),
       m_findings(new QPlainTextEdit(this)), m_rows(new QStandardItemModel(this)), m_table(new people::ListTable(this))
 {
     m_words->setTextFormat(Qt::PlainText);
@@ -84,11 +82,14 @@ BackupPart::BackupPart(QWidget* parent)
     last->addWidget(m_keep);
     last->addStretch(1);
     column->addLayout(last);
-    connect(m_keep, &QPushButton::clicked, this, [this] {
-        m_isSure = false;
+    const auto keep = [this] {
+        m_thought->end();
         m_said->clear();
         tell();
-    });
+        m_restore->setFocus();
+    };
+    connect(m_keep, &QPushButton::clicked, this, keep);
+    connect(m_thought, &SecondThought::withdrawn, this, keep);
     column->addStretch(1);  // of a server there is no table
     m_restore->setAutoDefault(false);
     m_stop->setAutoDefault(false);
@@ -98,7 +99,7 @@ BackupPart::BackupPart(QWidget* parent)
     connect(m_restore, &QPushButton::clicked, this, &BackupPart::restore);
     connect(m_stop, &QPushButton::clicked, this, &BackupPart::stopWanted);
     connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this] {
-        m_isSure = false;
+        m_thought->end();
         tell();
     });
     m_findings->hide();
@@ -142,9 +143,14 @@ void BackupPart::tell()
     m_bar->setVisible(m_isBusy);
     m_stop->setVisible(m_isBusy);
     m_restore->setEnabled(!m_isBusy && !chosen().isEmpty());
-    m_restore->setText(m_isSure ? tr("Yes: log everybody out and restore it") : tr("Restore the chosen backup …"));
+    const bool isAsked = m_thought->isAsked();
+    m_restore->setText(isAsked ? tr("Yes: log everybody out and restore it") : tr("Restore the chosen backup …"));
     m_restore->setAccessibleName(m_restore->text());
-    m_keep->setVisible(m_isSure && !m_isServer);
+    m_keep->setVisible(isAsked && !m_isServer);
+    if (isAsked)
+        m_said->setText(
+            tr("What was entered after this backup will be missing; attempts of this computer are brought in "
+               "again, and the present file is kept beside it."));
 }
 
 void BackupPart::fill()
@@ -197,7 +203,7 @@ void BackupPart::showProgress(const QString& what, qint64 done, qint64 all)
 void BackupPart::finish(const QString& sentence, const QStringList& findings)
 {
     m_isBusy = false;
-    m_isSure = false;
+    m_thought->end();
     m_said->setText(sentence);
     m_findings->setPlainText(findings.join(u'\n'));
     m_findings->setVisible(!findings.isEmpty());
@@ -207,19 +213,14 @@ void BackupPart::finish(const QString& sentence, const QStringList& findings)
 /// Once more, since everybody is logged out; what lies there now is kept beside it.
 void BackupPart::restore()
 {
-    // The second click of a double click is no answer.
-    if (m_isSure && m_sinceAsked.elapsed() < 2 * QGuiApplication::styleHints()->mouseDoubleClickInterval())
-        return;
-    if (!std::exchange(m_isSure, true)) {
-        m_sinceAsked.start();
-        m_said->setText(
-            tr("What was entered after this backup will be missing; attempts of this computer are brought in "
-               "again, and the present file is kept beside it."));
+    if (!m_thought->isAsked()) {
+        m_thought->ask();
         tell();
-        return;
+        m_keep->setFocus();
+    } else if (m_thought->mayBeAnswered()) {
+        m_thought->end();
+        emit restoreWanted(chosen());
     }
-    m_isSure = false;
-    emit restoreWanted(chosen());
 }
 
 }  // namespace ui::admin

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <QDateTime>
-#include <QElapsedTimer>
 #include <QList>
 #include <QString>
 #include <QStringList>
@@ -19,6 +18,8 @@ class ListTable;
 }
 
 namespace ui::admin {
+
+class SecondThought;
 
 /// A backup that is there.
 struct Backup
@@ -64,8 +65,7 @@ private:
     QString m_where;
     bool m_isServer = false;
     bool m_isBusy = false;
-    bool m_isSure = false;  ///< asked once more whether to restore
-    QElapsedTimer m_sinceAsked;
+    SecondThought* m_thought;  ///< whether to restore
     QList<Backup> m_backups;
     QLabel* m_words;
     QPushButton* m_backUp;

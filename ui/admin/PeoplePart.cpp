@@ -2,6 +2,7 @@
 #include "ui/admin/PeoplePart.h"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include <QClipboard>
@@ -21,6 +22,7 @@
 #include <QVBoxLayout>
 
 #include "ui/admin/AdminWords.h"
+#include "ui/admin/SecondThought.h"
 #include "ui/people/ListTable.h"
 #include "ui/people/PeopleWords.h"
 #include "ui/shell/ScrollPane.h"
@@ -154,10 +156,22 @@ QWidget* PeoplePart::makeForm()
     m_role = study::choiceInput({}, form);
     m_role->setObjectName(QStringLiteral("personRole"));
     m_role->setMinimumHeight(m_username->sizeHint().height());
-    for (QWidget* one : {static_cast<QWidget*>(m_username), static_cast<QWidget*>(m_given),
-                         static_cast<QWidget*>(m_family), static_cast<QWidget*>(m_role)})
-        column->addWidget(one);
-    m_classesWord = new QLabel(form);
+    // What a field is must be readable when it is filled as well.
+    const auto headed = [form, column](QWidget* field) {
+        auto* word = study::formWords({}, kSmall, QFont::Normal, QPalette::PlaceholderText, form);
+        word->setBuddy(field);
+        auto* both = new QVBoxLayout;
+        both->setSpacing(2);
+        both->addWidget(word);
+        both->addWidget(field);
+        column->addLayout(both);
+        return word;
+    };
+    m_usernameWord = headed(m_username);
+    m_givenWord = headed(m_given);
+    m_familyWord = headed(m_family);
+    m_roleWord = headed(m_role);
+    m_classesWord = study::formWords({}, kSmall, QFont::Normal, QPalette::PlaceholderText, form);
     column->addWidget(m_classesWord);
     m_classList = new QListWidget(form);
     m_classList->setObjectName(QStringLiteral("personClasses"));
@@ -187,9 +201,11 @@ QWidget* PeoplePart::makeForm()
     stack->addWidget(new ScrollPane(form, QPalette::Window, whole), 1);
     m_save = button("filled", "savePerson", whole);
     m_reset = button("", "resetPassword", whole);
+    m_keepPassword = button("", "keepPassword", whole);
     m_disable = button("", "disablePerson", whole);
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(m_reset);
+    buttons->addWidget(m_keepPassword);
     buttons->addWidget(m_disable);
     buttons->addStretch(1);
     stack->addWidget(m_save, 0, Qt::AlignLeft);
@@ -197,7 +213,16 @@ QWidget* PeoplePart::makeForm()
     connect(m_save, &QPushButton::clicked, this, &PeoplePart::submit);
     for (QLineEdit* one : {m_username, m_given, m_family})
         connect(one, &QLineEdit::returnPressed, this, &PeoplePart::submit);
-    connect(m_reset, &QPushButton::clicked, this, [this] { emit resetWanted(m_chosen); });
+    connect(m_reset, &QPushButton::clicked, this, &PeoplePart::askToReset);
+    m_thought = new SecondThought(*this);
+    const auto keep = [this] {
+        m_thought->end();
+        m_said->clear();
+        showForm();
+        m_reset->setFocus();
+    };
+    connect(m_keepPassword, &QPushButton::clicked, this, keep);
+    connect(m_thought, &SecondThought::withdrawn, this, keep);
     connect(m_disable, &QPushButton::clicked, this, &PeoplePart::toggleDisabled);
     connect(m_copy, &QPushButton::clicked, this, [this] { QGuiApplication::clipboard()->setText(m_code->text()); });
     const auto addClass = [this] {
@@ -231,9 +256,13 @@ void PeoplePart::speak()
         one->setAccessibleName(words);
     };
     name(m_search, tr("Search: a name, a class, a role"));
-    name(m_username, tr("Name to log in with"));
-    name(m_given, tr("Given name"));
-    name(m_family, tr("Family name"));
+    for (const auto& [field, word, words] :
+         {std::tuple(m_username, m_usernameWord, tr("Name to log in with")),
+          std::tuple(m_given, m_givenWord, tr("Given name")), std::tuple(m_family, m_familyWord, tr("Family name"))}) {
+        field->setAccessibleName(words);
+        word->setText(words);
+    }
+    m_roleWord->setText(tr("Role"));
     name(m_className, tr("Name of a class"));
     m_table->setAccessibleName(tr("People"));
     m_rows->setHorizontalHeaderLabels(
@@ -245,11 +274,11 @@ void PeoplePart::speak()
     m_addClass->setToolTip(tr("Add a class of this name"));
     m_renameClass->setText(tr("Rename"));
     m_renameClass->setToolTip(tr("Give this name to the class that is chosen above"));
-    m_reset->setText(tr("Reset password"));
+    m_keepPassword->setText(tr("Keep it"));
+    m_keepPassword->setAccessibleName(tr("Keep the password"));
     m_reset->setToolTip(brokenIntoLines(tr("Take the password away and give a one-time code in its place")));
     m_copy->setText(tr("Copy"));
-    for (QPushButton* one : {m_new, m_reset})
-        one->setAccessibleName(one->text());
+    m_new->setAccessibleName(m_new->text());
     m_addClass->setAccessibleName(m_addClass->toolTip());
     m_renameClass->setAccessibleName(tr("Rename the class"));
     m_copy->setAccessibleName(tr("Copy the one-time code"));
@@ -335,6 +364,7 @@ void PeoplePart::choose(qint64 person)
     m_codeOf.clear();
     m_code->clear();
     m_said->clear();
+    m_thought->end();
     study::showFault(m_fault, {});
     if (person == 0)
         for (QLineEdit* one : {m_username, m_given, m_family})
@@ -376,7 +406,15 @@ void PeoplePart::showForm()
     m_save->setText(person == nullptr ? tr("Enter the person") : tr("Save the changes"));
     m_save->setAccessibleName(m_save->text());
     m_reset->setVisible(person != nullptr);
-    m_disable->setVisible(person != nullptr);
+    const bool isAsked = m_thought->isAsked();
+    m_reset->setText(isAsked ? tr("Yes, take it away") : tr("Reset password"));
+    m_reset->setAccessibleName(isAsked ? tr("Yes, take the password away") : m_reset->text());
+    m_keepPassword->setVisible(isAsked);
+    if (isAsked && person != nullptr)
+        m_said->setText(
+            //: %1 is a person
+            tr("%1 will need a new one-time code: take the password away?").arg(m_title->text()));
+    m_disable->setVisible(person != nullptr && !isAsked);
     m_disable->setText(person != nullptr && person->disabled ? tr("Enable") : tr("Disable"));
     m_disable->setAccessibleName(m_disable->text());
     m_disable->setToolTip(brokenIntoLines(tr("Who is disabled cannot log in; attempts and names stay")));
@@ -413,6 +451,24 @@ void PeoplePart::submit()
     }
 }
 
+/// A password is gone for good: one click must not do it. A code in another's place costs nobody anything.
+void PeoplePart::askToReset()
+{
+    const Person* const person = chosen();
+    if (m_thought->isAsked() && !m_thought->mayBeAnswered())
+        return;
+    if (person != nullptr && person->hasPassword && !m_thought->isAsked()) {
+        m_thought->ask();
+        showForm();
+        m_keepPassword->setFocus();
+        return;
+    }
+    m_thought->end();
+    m_said->clear();
+    showForm();
+    emit resetWanted(m_chosen);
+}
+
 void PeoplePart::toggleDisabled()
 {
     const Person* const person = chosen();
@@ -420,6 +476,10 @@ void PeoplePart::toggleDisabled()
         return;
     Person changed = *person;
     changed.disabled = !changed.disabled;
+    // A code is not to be told to who cannot use it.
+    m_codeOf.clear();
+    m_code->clear();
+    m_codeCard->hide();
     QSet<qint64> classes;
     for (const database::ClassId one : person->classes)
         classes.insert(one.value);

@@ -23,6 +23,8 @@ class ListTable;
 
 namespace ui::admin {
 
+class SecondThought;
+
 /// Everybody of the school, and beside them a form for one: entering, changing, classes, a one-time code for who has
 /// forgotten his password.
 class PeoplePart final : public QWidget
@@ -56,6 +58,7 @@ private:
     void choose(qint64 person);
     void showForm();
     void submit();
+    void askToReset();
     void toggleDisabled();
     [[nodiscard]] const database::Person* chosen() const;
     [[nodiscard]] QSet<qint64> tickedClasses() const;
@@ -72,6 +75,10 @@ private:
     QLabel* m_count = nullptr;
     QPushButton* m_new = nullptr;
     QLabel* m_title = nullptr;
+    QLabel* m_usernameWord = nullptr;
+    QLabel* m_givenWord = nullptr;
+    QLabel* m_familyWord = nullptr;
+    QLabel* m_roleWord = nullptr;
     QLineEdit* m_username = nullptr;
     QLineEdit* m_given = nullptr;
     QLineEdit* m_family = nullptr;
@@ -83,7 +90,9 @@ private:
     QPushButton* m_renameClass = nullptr;
     QPushButton* m_save = nullptr;
     QPushButton* m_reset = nullptr;
+    QPushButton* m_keepPassword = nullptr;
     QPushButton* m_disable = nullptr;
+    SecondThought* m_thought = nullptr;  ///< whether the password is to be taken away
     QLabel* m_said = nullptr;
     QLabel* m_fault = nullptr;
     QFrame* m_codeCard = nullptr;

@@ -370,6 +370,8 @@ void HistoryPage::retell()
                                    "time and force, and how it goes from attempt to attempt. Do a lesson and have it "
                                    "graded.")
                               : tr("As soon as an attempt has been graded it is here."));
+    // A label that is aligned is given the height of one line.
+    m_emptyWords->setFixedHeight(m_emptyWords->heightForWidth(kEmptyPx));
     m_start->setVisible(m_person.isEmpty());
     m_model->retell();
     fitColumns();

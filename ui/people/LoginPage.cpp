@@ -117,6 +117,8 @@ LoginPage::LoginPage(QWidget* parent)
     connect(m_other, &QPushButton::clicked, this, [this] {
         if (m_door == Door::Locked)
             emit otherWanted();
+        else if (m_isIn)
+            emit leaveWanted();
         else
             ask(m_door == Door::OwnPassword ? Door::Locked : Door::Login);
     });
@@ -147,9 +149,10 @@ QLineEdit* LoginPage::field(const char* name, bool isPassword)
     return input;
 }
 
-void LoginPage::ask(Door door)
+void LoginPage::ask(Door door, bool isIn)
 {
     m_door = door;
+    m_isIn = isIn;
     if (door == Door::NewPassword)
         m_code = m_password->text();
     else

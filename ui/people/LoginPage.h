@@ -27,7 +27,8 @@ public:
     explicit LoginPage(QWidget* parent);
 
     /// Empties what was typed, but for the name where it goes on being asked of the same person.
-    void ask(Door door);
+    /// @param isIn  who sees it has been let in and may go on without an answer
+    void ask(Door door, bool isIn = false);
     [[nodiscard]] Door door() const { return m_door; }
     /// Who has left his place, for Door::Locked.
     void setLockedBy(const QString& username);
@@ -52,6 +53,8 @@ signals:
     void restoreWanted();
     /// Not who has locked the place.
     void otherWanted();
+    /// Who changes his password leaves it as it is, and was let in already.
+    void leaveWanted();
     void passwordChangeWanted(const QString& old, const QString& newPassword);
 
 protected:
@@ -65,6 +68,7 @@ private:
     void submit();
 
     Door m_door = Door::Login;
+    bool m_isIn = false;
     bool m_isBusy = false;
     QString m_lockedBy;
     QFrame* m_card;

@@ -21,7 +21,8 @@ using core::settings::Substance;
 using namespace ui::shell;
 
 constexpr int kDecimals = 3;
-constexpr int kWideInputPx = 140;
+constexpr int kWideInputPx = 146;
+constexpr int kNamePx = 132;  ///< longer ones have more lines
 
 QLabel* head(Qt::Alignment side, QWidget* parent)
 {
@@ -38,7 +39,7 @@ PresetTable::PresetTable(QWidget* parent) : QWidget(parent)
 {
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, kSpace2, 0);
-    grid->setHorizontalSpacing(kSpace4);
+    grid->setHorizontalSpacing(kSpace2);
     grid->setVerticalSpacing(kSpace1);
     grid->setColumnStretch(3, 1);
     const auto fields = core::settings::feelFields();
@@ -61,6 +62,8 @@ PresetTable::PresetTable(QWidget* parent) : QWidget(parent)
     std::vector<std::pair<QLabel*, QLabel*>> rest;
     for (std::size_t k = 2 * kSubstances; k < fields.size(); ++k, ++row) {
         auto* name = new QLabel(this);
+        name->setWordWrap(true);
+        name->setFixedWidth(kNamePx);
         auto* help = study::formWords({}, kSmall, QFont::Normal, QPalette::PlaceholderText, this);
         rest.emplace_back(name, help);
         grid->addWidget(name, row, 0);

@@ -185,7 +185,9 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window)
     settings =
         add("settings", QT_TR_NOOP("Settings"), QT_TR_NOOP("Every setting with its range"), {Qt::CTRL | Qt::Key_Comma});
     account = add("account", [this] { return m_username.isEmpty() ? tr("Log in") : m_username; },
-                  QT_TR_NOOP("Log in; lock this place or change your password"), {Qt::CTRL | Qt::Key_L});
+                  QT_TR_NOOP("Log in; lock this place, change your password or the language"), {});
+    lock = add("account", [this] { return m_username.isEmpty() ? tr("Log in") : tr("Lock, or let another log in"); },
+               QT_TR_NOOP("Your work stays; who comes back or logs in says who he is"), {Qt::CTRL | Qt::Key_L});
     fullScreen = add("fullscreen", QT_TR_NOOP("Full screen"), QT_TR_NOOP("Fill the whole screen"), {Qt::Key_F11});
     fullScreen->setCheckable(true);
     help = add("help", QT_TR_NOOP("Keys and mouse"), QT_TR_NOOP("Show what every key does"), {Qt::Key_F1});
@@ -208,6 +210,7 @@ void Actions::showAccount(const QString& username)
 {
     m_username = username;
     account->setText(username.isEmpty() ? tr("Log in") : username);
+    lock->setText(username.isEmpty() ? tr("Log in") : tr("Lock, or let another log in"));
 }
 
 void Actions::setAllowed(QAction* aid, bool allowed, const QString& whyNot)

@@ -99,7 +99,8 @@ public:
     QAction* panel = nullptr;  ///< checkable: the side panel is there
     QAction* console = nullptr;
     QAction* settings = nullptr;
-    QAction* account = nullptr;  ///< who is logged in; locks the place, or leads to the login
+    QAction* account = nullptr;  ///< who is logged in; opens what he can do about it, or leads to the login
+    QAction* lock = nullptr;
     QAction* fullScreen = nullptr;
     QAction* help = nullptr;
     QAction* tour = nullptr;

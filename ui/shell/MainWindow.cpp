@@ -45,6 +45,7 @@
 #include "ui/presets/TrialCard.h"
 #include "ui/replay/ReplayBar.h"
 #include "ui/settings/SettingsPage.h"
+#include "ui/shell/AccountMenu.h"
 #include "ui/shell/Actions.h"
 #include "ui/shell/BusyCard.h"
 #include "ui/shell/Folders.h"
@@ -134,8 +135,8 @@ std::optional<double> towardsIdeal(const core::terrain::ToothAnatomy& tooth, con
 
 MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
     : QMainWindow(parent), m_links(links), m_actions(new Actions(this)), m_viewMenu(new ViewMenu(*m_actions, this)),
-      m_view(new tooth::ToothView(links)), m_pages(new QStackedWidget(this)),
-      m_room(new PracticeRoom(*m_actions, *m_viewMenu, m_view, m_pages)),
+      m_accountMenu(new AccountMenu(*m_actions, this)), m_view(new tooth::ToothView(links)),
+      m_pages(new QStackedWidget(this)), m_room(new PracticeRoom(*m_actions, *m_viewMenu, m_view, m_pages)),
       m_chooser(new ToothChooser(*m_actions, m_pages)), m_scorePage(new study::ScorePage(*m_actions, m_pages)),
       m_lessonsPage(new study::LessonsPage(*m_actions, m_pages)), m_login(new people::LoginPage(m_pages)),
       m_history(new people::HistoryPage(*m_actions, m_pages)), m_classes(new people::ClassPage(*m_actions, m_pages)),
@@ -379,7 +380,10 @@ void MainWindow::connectActions()
         placeOverlays();
     });
     on(m_actions->back, [this] { goBack(); });
-    on(m_actions->account, [this] { changeAccount(); });
+    on(m_actions->account, [this] { showAccount(); });
+    on(m_actions->lock, [this] { changeAccount(); });
+    connect(m_accountMenu, &AccountMenu::passwordWanted, this, [this] { changePassword(); });
+    connect(m_login, &people::LoginPage::leaveWanted, this, &MainWindow::goBack);
     on(m_actions->attempts, [this] { emit attemptsWanted(); });
     on(m_actions->classes, [this] { emit classesWanted(); });
     on(m_actions->quit, [this] { close(); });
@@ -440,7 +444,7 @@ void MainWindow::setIdleLimit(std::chrono::milliseconds limit)
 
 void MainWindow::lockIfIdle()
 {
-    if (!m_who.isGuest() && !isAtDoor() && m_sinceTouch.hasExpired(m_idleLimit.count()))
+    if (!m_who.isGuest() && (!isAtDoor() || m_mayLeaveDoor) && m_sinceTouch.hasExpired(m_idleLimit.count()))
         askWho(people::Door::Locked);
 }
 
@@ -449,10 +453,21 @@ bool MainWindow::isAtDoor() const
     return m_pages->currentWidget() == m_login;
 }
 
+/// Below the name that was clicked.
+void MainWindow::showAccount()
+{
+    const auto* button = m_pages->currentWidget()->findChild<QAbstractButton*>(QStringLiteral("accountButton"));
+    if (m_who.isGuest() || isAtDoor() || button == nullptr)
+        changeAccount();
+    else
+        m_accountMenu->popup(
+            button->mapToGlobal(QPoint(button->width() - m_accountMenu->sizeHint().width(), button->height())));
+}
+
 /// Who is logged in locks his place; from there he comes back, or lets somebody else log in.
 void MainWindow::changeAccount()
 {
-    if (isAtDoor())
+    if (isAtDoor() && m_who.isGuest())
         goBack();
     else if (m_who.isGuest() && m_isGraded && ownWork() == m_workGraded && m_pages->currentWidget() == m_scorePage)
         emit keepWanted();  // his grade is what he logs in for
@@ -465,6 +480,15 @@ void MainWindow::changeAccount()
         });
     else
         askWho(people::Door::Locked);
+}
+
+/// Who is in may leave it as it is.
+void MainWindow::changePassword()
+{
+    askWho(people::Door::OwnPassword);
+    m_login->ask(people::Door::OwnPassword, true);
+    m_mayLeaveDoor = true;
+    enableActions();
 }
 
 void MainWindow::askWho(people::Door door)
@@ -1353,6 +1377,8 @@ void MainWindow::goBack()
         return;
     if (m_tour->isVisible()) {
         m_tour->end();
+    } else if (isAtDoor()) {
+        goTo(m_behindDoor != nullptr ? m_behindDoor : m_room);
     } else if (m_help->isVisible()) {
         m_help->hide();
         m_view->setFocus();
@@ -1441,10 +1467,12 @@ void MainWindow::enableActions()
         for (const Actions::Group& group : m_actions->groups())
             for (QAction* action : group.actions)
                 action->setEnabled(action == m_actions->fullScreen || action == m_actions->quit ||
-                                   (m_mayLeaveDoor && (action == m_actions->back || action == m_actions->account)));
+                                   (m_mayLeaveDoor && (action == m_actions->back || action == m_actions->account ||
+                                                       action == m_actions->lock)));
     else
-        for (QAction* action : {m_actions->account, m_actions->attempts, m_actions->classes, m_actions->school,
-                                m_actions->back, m_actions->help, m_actions->tour, m_actions->editLesson})
+        for (QAction* action :
+             {m_actions->account, m_actions->lock, m_actions->attempts, m_actions->classes, m_actions->school,
+              m_actions->back, m_actions->help, m_actions->tour, m_actions->editLesson})
             action->setEnabled(action != m_actions->editLesson ||
                                (m_mayEdit && m_pages->currentWidget() == m_lessonsPage));
 }

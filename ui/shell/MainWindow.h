@@ -92,6 +92,7 @@ class PracticeRoom;
 class StereoCard;
 class ToothChooser;
 class Tour;
+class AccountMenu;
 class ViewMenu;
 
 /// The window: the practice room, and over it the choice of a tooth, the grade, the keys, messages and progress.
@@ -370,6 +371,8 @@ private:
     void leaveDrafts(const std::function<void()>& what);
     void connectDoor();
     void connectTour();
+    void showAccount();
+    void changePassword();
     void changeAccount();
     void tellUnreachable();
     void resumeUnfinished();
@@ -419,6 +422,7 @@ private:
     Actions* m_actions;
     bool m_mayEdit = true;
     ViewMenu* m_viewMenu;
+    AccountMenu* m_accountMenu;
     tooth::ToothView* m_view;
     QStackedWidget* m_pages;
     PracticeRoom* m_room;

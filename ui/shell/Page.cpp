@@ -41,7 +41,9 @@ Page::Page(const Actions& actions, QWidget* parent)
                 [button, action] { button->setVisible(action->isVisible()); });
         head->addWidget(button);
     }
-    head->addWidget(pageButton(actions.account, "quiet", this));
+    QPushButton* account = pageButton(actions.account, "quiet", this);
+    account->setObjectName(QStringLiteral("accountButton"));
+    head->addWidget(account);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(kSpace4, kSpace2, kSpace6, kSpace6);
     column->setSpacing(kSpace4);

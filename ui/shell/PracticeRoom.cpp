@@ -194,7 +194,9 @@ QWidget* PracticeRoom::makeTopBar(const Actions& actions)
     row->addWidget(barButton(actions.section, false, frame));
     row->addWidget(barButton(actions.radiograph, false, frame));
     row->addSpacing(kSpace4);
-    row->addWidget(barButton(actions.account, false, frame));
+    auto* account = barButton(actions.account, false, frame);
+    account->setObjectName(QStringLiteral("accountButton"));
+    row->addWidget(account);
     row->addWidget(barButton(actions.help, false, frame));
     row->addWidget(barButton(actions.fullScreen, false, frame));
     row->addWidget(barButton(actions.panel, false, frame));

@@ -331,7 +331,7 @@ bool Tour::event(QEvent* event)
 {
     if (event->type() == QEvent::ShortcutOverride) {
         const QKeySequence pressed(static_cast<QKeyEvent*>(event)->keyCombination());
-        for (const QAction* action : {m_actions.back, m_actions.account, m_actions.quit})
+        for (const QAction* action : {m_actions.back, m_actions.lock, m_actions.quit})
             if (action->shortcut() == pressed)
                 return QWidget::event(event);
         event->accept();

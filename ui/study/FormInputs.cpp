@@ -2,11 +2,13 @@
 #include "ui/study/FormInputs.h"
 
 #include <QAbstractItemView>
+#include <QAbstractSpinBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
+#include <QLocale>
 
 #include "ui/shell/Theme.h"
 
@@ -29,6 +31,9 @@ public:
                 return true;
             }
         }
+        if (event->type() == QEvent::LanguageChange)
+            if (auto* number = qobject_cast<QAbstractSpinBox*>(watched))
+                number->setLocale(QLocale());  // with the decimal sign of that language
         if (event->type() == QEvent::Wheel && !static_cast<QWidget*>(watched)->hasFocus()) {
             event->ignore();
             return true;

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/shell/AccountMenu.h"
+
+#include "ui/shell/Actions.h"
+#include "ui/shell/LanguageMenu.h"
+#include "ui/text/EveryLanguage.h"
+
+namespace ui::shell {
+
+AccountMenu::AccountMenu(const Actions& actions, QWidget* parent) : QMenu(parent)
+{
+    setObjectName(QStringLiteral("accountMenu"));
+    addAction(actions.lock);
+    QAction* password = addAction(QString());
+    password->setObjectName(QStringLiteral("ownPassword"));
+    connect(password, &QAction::triggered, this, &AccountMenu::passwordWanted);
+    addSeparator();
+    addMenu(new LanguageMenu(this));
+    addAction(actions.settings);
+    text::inEveryLanguage(this, [this, password] {
+        setAccessibleName(tr("My place"));
+        password->setText(tr("Change my password …"));
+    });
+}
+
+}  // namespace ui::shell

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QMenu>
+
+namespace ui::shell {
+
+class Actions;
+
+/// What opens under the name of who is logged in.
+class AccountMenu final : public QMenu
+{
+    Q_OBJECT
+public:
+    AccountMenu(const Actions& actions, QWidget* parent);
+
+signals:
+    void passwordWanted();
+};
+
+}  // namespace ui::shell
