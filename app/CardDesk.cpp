@@ -3,14 +3,12 @@
 
 #include <QDateTime>
 #include <QDir>
-#include <QFileDialog>
 #include <QTimer>
 
 #include "database/sql/Attempts.h"
 #include "database/sql/Audit.h"
 #include "database/sql/Overview.h"
 #include "ui/report/Printing.h"
-#include "ui/shell/Folders.h"
 #include "ui/study/ScorePage.h"
 #include "ui/text/Texts.h"
 
@@ -85,12 +83,11 @@ QString CardDesk::titleOf(const ScoreCard& card) const
 
 void CardDesk::save()
 {
-    auto* dialog =
-        new QFileDialog(&m_window, tr("Save the score card"), ui::shell::documentsFolder(), tr("PDF (*.pdf)"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setDefaultSuffix(QStringLiteral("pdf"));
-    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
+    const std::optional<Subject> about = m_subject();
+    const QString name = (about && !about->person.isEmpty() ? about->person + QStringLiteral(", ") : QString()) +
+                         m_window.scorePage().card().lesson +
+                         QDate::currentDate().toString(QStringLiteral(", yyyy-MM-dd"));
+    ui::report::askForPdf(&m_window, tr("Save the score card"), name, [this](const QString& path) {
         withCard([this, path](const ScoreCard& card) {
             m_window.scorePage().say(
                 ui::report::savePdf(path, titleOf(card), card)
@@ -98,8 +95,6 @@ void CardDesk::save()
                     : tr("The score card could not be written. Choose another folder, or make room on the disk."));
         });
     });
-    connect(dialog, &QDialog::finished, &m_window, &QWidget::activateWindow);
-    dialog->open();
 }
 
 void CardDesk::print()

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include <QDir>
-#include <QFileDialog>
 #include <QPointer>
 
 #include "app/Background.h"
@@ -20,7 +19,6 @@
 #include "ui/people/HistoryPage.h"
 #include "ui/people/TalkPanel.h"
 #include "ui/report/Printing.h"
-#include "ui/shell/Folders.h"
 #include "ui/study/LessonWords.h"
 #include "ui/study/ScorePage.h"
 #include "ui/text/EveryLanguage.h"
@@ -278,12 +276,9 @@ void PeopleDesk::connectReport()
 {
     ClassPage& classes = m_window.classPage();
     connect(&classes, &ClassPage::pdfWanted, this, [this, &classes] {
-        auto* dialog =
-            new QFileDialog(&m_window, tr("Save the class report"), ui::shell::documentsFolder(), tr("PDF (*.pdf)"));
-        dialog->setAttribute(Qt::WA_DeleteOnClose);
-        dialog->setAcceptMode(QFileDialog::AcceptSave);
-        dialog->setDefaultSuffix(QStringLiteral("pdf"));
-        connect(dialog, &QFileDialog::fileSelected, this, [this, &classes](const QString& path) {
+        const QString name =
+            QString::fromStdString(m_overview.name) + QDate::currentDate().toString(QStringLiteral(", yyyy-MM-dd"));
+        ui::report::askForPdf(&m_window, tr("Save the class report"), name, [this, &classes](const QString& path) {
             withReport([&classes, path](const ui::report::ClassReport& report) {
                 classes.say(ui::report::savePdf(path, report.className, report)
                                 ? tr("The report was saved as %1.").arg(QDir::toNativeSeparators(path))
@@ -291,8 +286,6 @@ void PeopleDesk::connectReport()
                                      "disk."));
             });
         });
-        connect(dialog, &QDialog::finished, &m_window, &QWidget::activateWindow);
-        dialog->open();
     });
     connect(&classes, &ClassPage::printWanted, this, [this, &classes] {
         withReport([this, &classes](const ui::report::ClassReport& report) {

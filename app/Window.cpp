@@ -148,7 +148,7 @@ int runWindow(int& argc, char** argv)
     using ui::shell::ThemeChoice;
     ui::shell::applyTheme(application, theme == u"light"  ? ThemeChoice::Light
                                        : theme == u"dark" ? ThemeChoice::Dark
-                                                          : ThemeChoice::System);
+                                                          : ui::shell::rememberedTheme());
     const auto program = Application::make(options);
     if (!program)
         return cli::failed(program.error());

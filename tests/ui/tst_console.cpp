@@ -2,6 +2,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLineEdit>
@@ -367,6 +368,20 @@ void TestConsole::settingsPageIsTheRegistry()
     QVERIFY(page.findChild<QWidget*>("force.friction")->isVisible());
     search->clear();
     QVERIFY(stiffness->isVisible());
+    const auto* none = page.findChild<QLabel*>("noSetting");
+    QVERIFY(!none->isVisible());
+    search->setText("zzz");
+    QVERIFY(none->isVisible());
+    search->setText("lang");
+    QVERIFY(!none->isVisible() && page.findChild<QComboBox*>("language")->isVisible());
+    // The colour of the pages is remembered for the next start.
+    auto* theme = page.findChild<QComboBox*>("theme");
+    theme->setCurrentIndex(2);
+    emit theme->activated(2);
+    QVERIFY(shell::rememberedTheme() == shell::ThemeChoice::Dark);
+    theme->setCurrentIndex(0);
+    emit theme->activated(0);
+    QVERIFY(shell::rememberedTheme() == shell::ThemeChoice::System);
 }
 
 void TestConsole::settingsSayWhatIsRefused()

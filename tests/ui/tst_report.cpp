@@ -310,7 +310,7 @@ void TestReport::paperIsWhiteInTheDarkThemeToo()
 void TestReport::aClassReportNamesWhoNeedsTheTeacher()
 {
     const QString words = wordsOf(classReport(23, 5), kA4);
-    for (const QString& part : {QString("Class DEN101-A"), QString("Grace Hopper"), kCode, QString("Never logged in"),
+    for (const QString& part : {QString("Class: DEN101-A"), QString("Grace Hopper"), kCode, QString("Never logged in"),
                                 QString("Stuck ("), QString("20 of 23 passed"), QString("Learning curve")})
         QVERIFY2(words.contains(part), qPrintable(part + " in " + words));
 }

@@ -33,6 +33,7 @@ namespace {
 
 using namespace ui::shell;
 
+constexpr double kEdgeShare = 0.05;
 constexpr double kLinePx = 2.0;
 constexpr double kMarkPx = 9.0;
 constexpr double kBarShare = 0.62;  ///< of the height of its row
@@ -226,7 +227,18 @@ void draw(const Histogram& histogram, Board& board)
 void makeAxes(const Curve& curve, Board& board)
 {
     board.x = axisOf(curve.x, board.ink);
-    board.y = axisOf(curve.y, board.ink, board.ticks);
+    QAbstractAxis* y = axisOf(curve.y, board.ink, board.ticks);
+    // A mark on the edge, as of a score of 0, is seen whole.
+    const double spare = kEdgeShare * (curve.y.high - curve.y.low);
+    const auto hasMark = [&](double at) {
+        return std::any_of(curve.lines.begin(), curve.lines.end(), [&](const Line& line) {
+            return line.mark != Mark::None && std::any_of(line.dots.begin(), line.dots.end(),
+                                                          [&](const Dot& dot) { return std::abs(dot.y - at) < spare; });
+        });
+    };
+    y->setRange(curve.y.low - (hasMark(curve.y.low) ? spare : 0.0),
+                curve.y.high + (hasMark(curve.y.high) ? spare : 0.0));
+    board.y = y;
 }
 
 void makeAxes(const Histogram& histogram, Board& board)

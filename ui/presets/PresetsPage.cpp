@@ -82,6 +82,7 @@ PresetsPage::PresetsPage(const Actions& actions, QWidget* parent) : Page(actions
     body()->addLayout(row, 1);
     text::inEveryLanguage(this, [this] {
         setTitle(tr("Hardness presets"));
+        setFault({});  // it was said in another language
         fill();
         tell();
     });

@@ -70,7 +70,9 @@ void paintPart(Sheet& sheet, const people::ClassModel& model, int first, int cou
         sheet.skip(kHeadsPt + 2.0);
         sheet.rule();
     };
-    sheet.need(kHeadsPt + 4.0 * kRowPt);
+    // One that fits on a page stands on one.
+    const double together = kHeadsPt + 4.0 + kRowPt * model.rowCount();
+    sheet.need(together <= sheet.height() ? together : kHeadsPt + 4.0 * kRowPt);
     heads();
     for (int row = 0; row < model.rowCount(); ++row) {
         if (sheet.left() < kRowPt) {
@@ -114,19 +116,11 @@ int paint(QPainter& painter, const QSizeF& pagePt, const NextPage& next, const C
     model.setAssignments(report.given);
     model.setTitles(report.titles);
     Sheet sheet(painter, pagePt, next, report.className, report.proof);
-    sheet.say(Words::tr("Class %1").arg(report.className), kTitlePt, QFont::DemiBold);
+    sheet.say(Words::tr("Class: %1").arg(report.className), kTitlePt, QFont::DemiBold);
     const QString students = Words::tr("%n student(s)", nullptr, model.rowCount());
     sheet.say(report.teacher.isEmpty() ? students : QStringLiteral("%1, %2").arg(report.teacher, students), kHeadPt);
     sheet.skip(4.0);
     paintNeeds(sheet, model);
-
-    sheet.head(Words::tr("Best scores; ✓: passed"), kHeadsPt + 4.0 * kRowPt);
-    const auto lessons = static_cast<int>(report.overview.lessons.size());
-    const int most = std::max(1, static_cast<int>((pagePt.width() - kNamePt - kLastPt) / kCellPt));
-    const int parts = std::max(1, (lessons + most - 1) / most);
-    const int each = std::max(1, (lessons + parts - 1) / parts);
-    for (int first = 0; first < lessons; first += each)
-        paintPart(sheet, model, first, std::min(each, lessons - first));
 
     if (!report.results.lessonId.empty()) {
         sheet.head(Words::tr("The class at: %1").arg(people::lessonTitle(report.titles, report.results.lessonId)),
@@ -136,6 +130,14 @@ int paint(QPainter& painter, const QSizeF& pagePt, const NextPage& next, const C
                        kChartPt);
         sheet.chart(people::difficultyChart(report.results, report.criteria), kChartPt);
     }
+
+    sheet.head(Words::tr("Best scores; ✓: passed"), kHeadsPt + 4.0 * kRowPt);
+    const auto lessons = static_cast<int>(report.overview.lessons.size());
+    const int most = std::max(1, static_cast<int>((pagePt.width() - kNamePt - kLastPt) / kCellPt));
+    const int parts = std::max(1, (lessons + most - 1) / most);
+    const int each = std::max(1, (lessons + parts - 1) / parts);
+    for (int first = 0; first < lessons; first += each)
+        paintPart(sheet, model, first, std::min(each, lessons - first));
     return sheet.pages();
 }
 

@@ -3,13 +3,18 @@
 
 #include <memory>
 
+#include <QCoreApplication>
+#include <QFileDialog>
 #include <QLocale>
 #include <QMarginsF>
 #include <QPageLayout>
 #include <QPdfWriter>
 #include <QPrintDialog>
 #include <QPrinter>
+#include <QRegularExpression>
 #include <QSaveFile>
+
+#include "ui/shell/Folders.h"
 
 namespace ui::report {
 namespace {
@@ -56,6 +61,22 @@ void ask(QWidget* window, const QString& title, const Content& content, const st
 QPageSize::PageSizeId usualPaper()
 {
     return QLocale::system().measurementSystem() == QLocale::ImperialUSSystem ? QPageSize::Letter : QPageSize::A4;
+}
+
+void askForPdf(QWidget* window, const QString& title, const QString& name,
+               const std::function<void(const QString& path)>& chosen)
+{
+    static const QRegularExpression kUnfit(QStringLiteral(R"([^\w .,()-]+)"),
+                                           QRegularExpression::UseUnicodePropertiesOption);
+    auto* dialog = new QFileDialog(window, title, shell::documentsFolder(),
+                                   QCoreApplication::translate("Printing", "PDF (*.pdf)"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setDefaultSuffix(QStringLiteral("pdf"));
+    dialog->selectFile(QString(name).replace(kUnfit, QStringLiteral(" ")).simplified() + QStringLiteral(".pdf"));
+    QObject::connect(dialog, &QFileDialog::fileSelected, window, chosen);
+    QObject::connect(dialog, &QDialog::finished, window, &QWidget::activateWindow);
+    dialog->open();
 }
 
 bool savePdf(const QString& path, const QString& title, const ScoreCard& card, QPageSize::PageSizeId paper)

@@ -15,6 +15,11 @@ namespace ui::report {
 /// A4, or Letter where that is the paper.
 [[nodiscard]] QPageSize::PageSizeId usualPaper();
 
+/// Asks where to, beside the window's own events.
+/// @param name  what the file may be called: words, made fit for a file's name
+void askForPdf(QWidget* window, const QString& title, const QString& name,
+               const std::function<void(const QString& path)>& chosen);
+
 /// Writes a PDF with margins of 15 mm. False: it could not be written, and what was there before is as it was.
 [[nodiscard]] bool savePdf(const QString& path, const QString& title, const ScoreCard& card,
                            QPageSize::PageSizeId paper = usualPaper());

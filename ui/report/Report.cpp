@@ -4,15 +4,28 @@
 #include <QPageLayout>
 #include <QPagedPaintDevice>
 #include <QPainter>
+#include <QPicture>
 
 namespace ui::report {
 namespace {
 
 constexpr double kPointsPerInch = 72.0;
 
+/// Painted once for nothing, to know how many pages there are to be.
+template <typename Content>
+Content counted(Content content, const QSizeF& pagePt)
+{
+    QPicture nothing;
+    QPainter painter(&nothing);
+    content.proof.pages = paint(
+        painter, pagePt, [] {}, content);
+    return content;
+}
+
 template <typename Content>
 bool paintPages(QPagedPaintDevice& device, const Content& content)
 {
+    const QSizeF pagePt = device.pageLayout().paintRect(QPageLayout::Point).size();
     QPainter painter;
     if (!painter.begin(&device))
         return false;
@@ -21,8 +34,7 @@ bool paintPages(QPagedPaintDevice& device, const Content& content)
     painter.scale(dots, dots);
     bool isWell = true;
     paint(
-        painter, device.pageLayout().paintRect(QPageLayout::Point).size(), [&] { isWell = device.newPage() && isWell; },
-        content);
+        painter, pagePt, [&] { isWell = device.newPage() && isWell; }, counted(content, pagePt));
     return painter.end() && isWell;
 }
 

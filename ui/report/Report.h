@@ -33,6 +33,7 @@ struct Proof
         auditCode;    ///< head of the audit chain, with its signature, as the database gives it; empty: not kept in one
     QString program;  ///< version
     QDateTime printed;
+    int pages = 0;  ///< 0: nobody has counted them yet
 };
 
 struct ScoreCard

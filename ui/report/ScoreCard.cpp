@@ -210,8 +210,7 @@ int paint(QPainter& painter, const QSizeF& pagePt, const NextPage& next, const S
     charted.isOneLesson = true;
     charted.band = card.band;
     if (!card.history.isEmpty()) {
-        sheet.chart(people::scoreChart(charted), kChartPt);
-        sheet.chart(people::speedChart(charted), kChartPt);
+        sheet.chartRow({people::scoreChart(charted), people::speedChart(charted)}, kChartPt);
     }
     paintTalk(sheet, card);
     paintCircumstances(sheet, card);

@@ -27,6 +27,8 @@ public:
     [[nodiscard]] double width() const { return m_page.width(); }
     [[nodiscard]] int pages() const { return m_pages; }
     [[nodiscard]] double left() const { return bottom() - m_top; }
+    /// What a whole page holds.
+    [[nodiscard]] double height() const { return bottom(); }
 
     /// Goes on to the next page if there is less height left than that.
     void need(double height);

@@ -5,6 +5,7 @@
 
 #include <QAbstractButton>
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -14,11 +15,13 @@
 #include <QVBoxLayout>
 
 #include "ui/console/ParameterWords.h"
+#include "ui/shell/LanguageMenu.h"
 #include "ui/shell/LineIcon.h"
 #include "ui/shell/ScrollPane.h"
 #include "ui/shell/Theme.h"
 #include "ui/study/FormInputs.h"
 #include "ui/text/EveryLanguage.h"
+#include "ui/text/Language.h"
 
 namespace ui::settings {
 namespace {
@@ -39,7 +42,8 @@ QString groupOf(const core::settings::Parameter& parameter)
 
 SettingsPage::SettingsPage(const Actions& actions, const core::settings::Parameters& parameters, QWidget* parent)
     : Page(actions, parent), m_parameters(parameters), m_search(new QLineEdit(this)), m_fault(study::faultLabel(this)),
-      m_content(new QWidget(this)), m_column(new QVBoxLayout(m_content))
+      m_content(new QWidget(this)), m_column(new QVBoxLayout(m_content)),
+      m_none(study::formWords({}, kBody, QFont::Normal, QPalette::PlaceholderText, this))
 {
     m_search->setClearButtonEnabled(true);
     m_search->setMaximumWidth(kWidestPx);
@@ -53,6 +57,8 @@ SettingsPage::SettingsPage(const Actions& actions, const core::settings::Paramet
     column->setSpacing(kSpace2);
     column->addWidget(m_search);
     column->addWidget(m_fault);
+    column->addWidget(m_none);
+    m_none->setObjectName(QStringLiteral("noSetting"));
     column->addWidget(new ScrollPane(m_content, QPalette::Window, this), 1);
     body()->addLayout(column, 1);
     connect(m_search, &QLineEdit::textChanged, this, &SettingsPage::search);
@@ -62,6 +68,8 @@ SettingsPage::SettingsPage(const Actions& actions, const core::settings::Paramet
         m_search->setAccessibleName(tr("Search the settings"));
         for (auto* clear : m_search->findChildren<QAbstractButton*>())
             clear->setAccessibleName(tr("Clear the search"));
+        m_none->setText(tr("No setting is called so, and none speaks of it. Look for one word, such as \"force\"."));
+        study::showFault(m_fault, {});  // it was said in another language
         fill();
     });
 }
@@ -73,6 +81,7 @@ void SettingsPage::fill()
         delete item->widget();
         delete item;
     }
+    addWindowRows();
     QString group;
     QLabel* heading = nullptr;
     for (const core::settings::Parameter* parameter : m_parameters.matching({})) {
@@ -96,6 +105,48 @@ void SettingsPage::fill()
     m_column->addStretch(1);
     search(m_search->text());
     refresh();
+}
+
+/// What the program itself remembers, and no parameter.
+void SettingsPage::addWindowRows()
+{
+    auto* heading = study::formWords(tr("Window"), kTitle, QFont::DemiBold, QPalette::WindowText, m_content);
+    m_column->addWidget(heading);
+    const auto add = [&](const char* name, const QString& label, const QString& help) {
+        auto* whole = new QWidget(m_content);
+        auto* line = new QHBoxLayout(whole);
+        line->setContentsMargins(0, 0, 0, 0);
+        line->setSpacing(kSpace4);
+        auto* words = study::formWords(label, kBody, QFont::Normal, QPalette::WindowText, whole);
+        words->setFixedWidth(kLabelPx);
+        auto* choice = study::choiceInput(label, whole);
+        choice->setObjectName(QLatin1String(name));
+        choice->setFixedWidth(kNumberPx);
+        line->addWidget(words);
+        line->addWidget(choice);
+        line->addWidget(study::formWords(help, kSmall, QFont::Normal, QPalette::PlaceholderText, whole), 1);
+        m_column->addWidget(whole);
+        m_rows.push_back({whole, heading, {}, QStringLiteral("%1 %2").arg(label, help), [] {}});
+        return choice;
+    };
+    QComboBox* language = add("language", tr("Language"), tr("Of every window, at once."));
+    for (const QString& code : text::Language::available())
+        language->addItem(text::Language::nameOf(code), code);
+    language->setCurrentIndex(language->findData(text::Language::current()));
+    connect(
+        language, &QComboBox::activated, this,
+        [this](int at) {
+            if (const auto* list = findChild<QComboBox*>(QStringLiteral("language")))
+                LanguageMenu::choose(list->itemData(at).toString());
+        },
+        Qt::QueuedConnection);  // this list is made anew by it
+    QComboBox* theme = add("theme", tr("Pages"), tr("From the next start on. The practice room is always dark."));
+    theme->addItem(tr("as the desktop"), static_cast<int>(ThemeChoice::System));
+    theme->addItem(tr("light"), static_cast<int>(ThemeChoice::Light));
+    theme->addItem(tr("dark"), static_cast<int>(ThemeChoice::Dark));
+    theme->setCurrentIndex(theme->findData(static_cast<int>(rememberedTheme())));
+    connect(theme, &QComboBox::activated, this,
+            [theme] { rememberTheme(static_cast<ThemeChoice>(theme->currentData().toInt())); });
 }
 
 QWidget* SettingsPage::makeRow(const core::settings::Parameter& parameter, QWidget* parent, Row& row)
@@ -172,6 +223,8 @@ void SettingsPage::search(const QString& text)
 {
     for (const Row& row : m_rows)
         row.whole->setVisible(row.words.contains(text, Qt::CaseInsensitive));
+    m_none->setVisible(std::none_of(m_rows.begin(), m_rows.end(),
+                                    [&](const Row& row) { return row.words.contains(text, Qt::CaseInsensitive); }));
     for (const Row& row : m_rows)
         row.group->setVisible(std::any_of(m_rows.begin(), m_rows.end(), [&](const Row& other) {
             return other.group == row.group && other.words.contains(text, Qt::CaseInsensitive);

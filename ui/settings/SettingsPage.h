@@ -35,6 +35,7 @@ private:
         std::function<void()> show;
     };
     void fill();
+    void addWindowRows();
     QWidget* makeRow(const core::settings::Parameter& parameter, QWidget* parent, Row& row);
     void set(const std::string& name, double value);
     void search(const QString& text);
@@ -44,6 +45,7 @@ private:
     QLabel* m_fault;
     QWidget* m_content;
     QVBoxLayout* m_column;
+    QLabel* m_none;  ///< nothing is found
     std::vector<Row> m_rows;
     bool m_isQuiet = false;
 };

@@ -25,12 +25,7 @@ LanguageMenu::LanguageMenu(QWidget* parent) : QMenu(parent)
         one->addAction(action);
         // When the menu has closed: the words of all windows change under it.
         connect(
-            action, &QAction::triggered, this,
-            [code] {
-                memory().setValue(kLanguage, code);
-                text::Language::choose(code);
-            },
-            Qt::QueuedConnection);
+            action, &QAction::triggered, this, [code] { choose(code); }, Qt::QueuedConnection);
     }
     text::inEveryLanguage(this, [this] {
         setTitle(tr("Language"));
@@ -38,6 +33,12 @@ LanguageMenu::LanguageMenu(QWidget* parent) : QMenu(parent)
         for (QAction* action : actions())
             action->setChecked(action->data().toString() == text::Language::current());
     });
+}
+
+void LanguageMenu::choose(const QString& code)
+{
+    memory().setValue(kLanguage, code);
+    text::Language::choose(code);
 }
 
 QString LanguageMenu::remembered()

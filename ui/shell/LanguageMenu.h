@@ -14,6 +14,8 @@ public:
 
     /// The code of the language that was chosen in the run before; empty: none was.
     [[nodiscard]] static QString remembered();
+    /// From now on, and in the next run.
+    static void choose(const QString& code);
 };
 
 }  // namespace ui::shell

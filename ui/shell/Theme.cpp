@@ -13,6 +13,8 @@
 #include <QToolTip>
 #include <QWidget>
 
+#include "ui/shell/Memory.h"
+
 namespace ui::shell {
 namespace {
 
@@ -27,6 +29,10 @@ constexpr Colours kDark{0xFF191C1D, 0xFF222627, 0xFF2B3031, 0xFF363C3D, 0xFF454C
                         0xFFE8ECEC, 0xFFA6B0B1, 0xFF6D7678, 0xFF0B7577, 0xFF56C7C9};
 constexpr Colours kRoom{0xFF1D1F20, 0xFF27292B, 0xFF303335, 0xFF3C4042, 0xFF484C4E,
                         0xFFECEEEE, 0xFFA9AFB1, 0xFF72787A, 0xFF0B7577, 0xFF56C7C9};
+
+const QString kTheme = QStringLiteral("window/theme");
+const QString kLightWord = QStringLiteral("light");
+const QString kDarkWord = QStringLiteral("dark");
 
 QPalette paletteOf(const Colours& c)
 {
@@ -91,6 +97,20 @@ double luminance(const QColor& colour)
 }
 
 }  // namespace
+
+ThemeChoice rememberedTheme()
+{
+    const QString word = memory().value(kTheme).toString();
+    return word == kLightWord ? ThemeChoice::Light : word == kDarkWord ? ThemeChoice::Dark : ThemeChoice::System;
+}
+
+void rememberTheme(ThemeChoice choice)
+{
+    if (choice == ThemeChoice::System)
+        memory().remove(kTheme);
+    else
+        memory().setValue(kTheme, choice == ThemeChoice::Light ? kLightWord : kDarkWord);
+}
 
 void applyTheme(QApplication& application, ThemeChoice choice)
 {

@@ -43,6 +43,10 @@ struct Tones
     QColor harmText;
 };
 
+/// The pages that were chosen for the next run (Memory); System if none were.
+[[nodiscard]] ThemeChoice rememberedTheme();
+void rememberTheme(ThemeChoice choice);
+
 /// Light or dark pages. System asks the palette of the desktop, so call it on a fresh application.
 void applyTheme(QApplication& application, ThemeChoice choice);
 

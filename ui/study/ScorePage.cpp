@@ -563,8 +563,12 @@ void ScorePage::speak()
     QString how = rubricWords(m_sheet);
     if (m_scored && m_scored->preset)
         //: %1 is a hardness preset with its version
-        how += u' ' + tr("Drilled with the hardness preset %1.").arg(presets::presetWords(*m_scored->preset));
+        how += (m_scored->preset->isChanged ? QStringLiteral("\n⚠ ") : QStringLiteral(" ")) +
+               tr("Drilled with the hardness preset %1.").arg(presets::presetWords(*m_scored->preset));
     m_rubric->setText(how);
+    // Who turned the tooth softer is not to be taken for a better hand.
+    m_rubric->setForegroundRole(
+        m_scored && m_scored->preset && m_scored->preset->isChanged ? QPalette::WindowText : QPalette::PlaceholderText);
     const Tones tone = tones(palette());
     const int total = m_given.value_or(m_sheet.totalTenths);
     m_total->setText(text::points(total), tr("of 100"));
