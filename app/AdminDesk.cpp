@@ -17,6 +17,7 @@
 #include "database/sql/Audit.h"
 #include "database/sql/Check.h"
 #include "database/sql/Classes.h"
+#include "database/sql/Logins.h"
 #include "database/sql/People.h"
 #include "database/sql/Roster.h"
 #include "database/sql/Settings.h"
@@ -188,10 +189,13 @@ void AdminDesk::tellPeople(const std::function<void()>& then)
             page.people().setPeople(m_people,
                                     QList<database::SchoolClass>(found->classes.begin(), found->classes.end()));
             ui::admin::NamesByUid names;
-            for (const Person& person : m_people)
-                names[person.uid] = person.fullName().empty()
-                                        ? QString::fromStdString(person.username)
-                                        : QString::fromStdString(person.fullName() + " (" + person.username + ")");
+            for (const Person& person : m_people) {
+                const QString name = person.fullName().empty()
+                                         ? QString::fromStdString(person.username)
+                                         : QString::fromStdString(person.fullName() + " (" + person.username + ")");
+                names[person.uid] = name;
+                names[database::sql::Logins::nameInAudit(person.username)] = name;
+            }
             page.audit().setNames(names);
             if (then)
                 then();
@@ -480,7 +484,8 @@ void AdminDesk::tellStation()
             }
             const database::Address& address = m_place.address;
             ui::admin::StationPart& part = m_window.adminPage().station();
-            part.setFacts({m_place.isSimulated, m_place.servoHz, QString::fromStdString(found->key),
+            part.setFacts({m_place.isSimulated, m_place.servoHz, 1.0e-3 * m_window.periodUs(0.5),
+                           1.0e-3 * m_window.periodUs(0.99), QString::fromStdString(found->key),
                            address.isServer() ? address.shown() : QDir::toNativeSeparators(address.file),
                            QStringLiteral(CUSP_VERSION), found->waiting});
             part.setIdleMinutes(found->idleMinutes);

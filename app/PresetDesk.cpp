@@ -144,9 +144,12 @@ void PresetDesk::take(std::vector<ReadPreset> all, const QString& inUse)
 void PresetDesk::use(const FeelPreset& preset)
 {
     const QString name = QStringLiteral("%1 v%2").arg(QString::fromStdString(preset.name)).arg(preset.version);
-    const auto used = [this](const QString& said) {
+    const auto used = [this, preset, before = m_inUse](const QString& said) {
         refresh();
-        m_window.showMessage(said);
+        if (before == preset)
+            m_window.showMessage(said);
+        else
+            m_window.showUndoable(said, [this, before] { use(before); });
     };
     const Session who = m_who();
     if (who.isGuest()) {

@@ -5,8 +5,11 @@
 #include <array>
 #include <cmath>
 #include <ctime>
+#include <utility>
 
+#include <QSet>
 #include <QString>
+#include <QStringList>
 #include <sodium.h>
 
 #include "database/Sodium.h"
@@ -46,6 +49,66 @@ PasswordCost timedCost(double goalMs)
     return cost;
 }
 
+namespace {
+
+constexpr qsizetype kFewestLetters = 4;
+constexpr qsizetype kNameLetters = 4;  ///< a shorter name stands in many words
+const QStringList kTriedFirst{
+    "abc",    "admin",   "administrator", "asdf",     "baseball",  "changeme", "contraseña", "contrasena",
+    "cusp",   "default", "demo",          "dental",   "dentist",   "dragon",   "football",   "geheim",
+    "guest",  "hallo",   "hello",         "hola",     "iloveyou",  "kennwort", "letmein",    "master",
+    "monkey", "pass",    "passwort",      "password", "princess",  "qwer",     "qwerty",     "qwertz",
+    "root",   "school",  "schule",        "secret",   "student",   "sunshine", "superman",   "teacher",
+    "test",   "tooth",   "user",          "welcome",  "willkommen"};
+const QStringList kRows{"0123456789012345", "abcdefghijklmnopqrstuvwxyz",
+                        "qwertyuiop",       "qwertzuiopü",
+                        "azertyuiop",       "asdfghjklöä",
+                        "zxcvbnm",          "yxcvbnm"};
+
+/// Without digits and signs at either end.
+QString wordIn(const QString& text)
+{
+    qsizetype from = 0;
+    qsizetype to = text.size();
+    while (from < to && !text[from].isLetter())
+        ++from;
+    while (to > from && !text[to - 1].isLetter())
+        --to;
+    return text.mid(from, to - from);
+}
+
+/// Letters for the signs that stand for them: "p@ssw0rd".
+QString spelled(QString text)
+{
+    for (const auto& [sign, letter] :
+         {std::pair('@', 'a'), std::pair('4', 'a'), std::pair('0', 'o'), std::pair('1', 'i'), std::pair('3', 'e'),
+          std::pair('$', 's'), std::pair('5', 's')})
+        text.replace(QLatin1Char(sign), QLatin1Char(letter));
+    return text;
+}
+
+bool isInARow(const QString& text)
+{
+    QString back = text;
+    std::reverse(back.begin(), back.end());
+    return std::any_of(kRows.begin(), kRows.end(),
+                       [&](const QString& row) { return row.contains(text) || row.contains(back); });
+}
+
+/// What who guesses begins with (NIST SP 800-63B, 5.1.1.2: common words, repetitions, sequences, the user's name).
+/// @param given, username  in lower case
+bool isTriedFirst(const QString& given, const QString& username)
+{
+    if (QSet<QChar>(given.begin(), given.end()).size() < kFewestLetters || isInARow(given))
+        return true;
+    if (username.size() >= kNameLetters && given.contains(username))
+        return true;
+    const QStringList words{wordIn(given), wordIn(spelled(given)), spelled(wordIn(given))};
+    return std::any_of(words.begin(), words.end(), [](const QString& word) { return kTriedFirst.contains(word); });
+}
+
+}  // namespace
+
 core::Status checkPassword(const std::string& password, const std::string& username)
 {
     const QString given = QString::fromUtf8(normal(password));
@@ -59,6 +122,10 @@ core::Status checkPassword(const std::string& password, const std::string& usern
     if (given.compare(QString::fromStdString(username), Qt::CaseInsensitive) == 0)
         return core::unexpected(core::ErrorCode::OutOfRange,
                                 "the password is the user's name, which everybody tries first; choose another one");
+    if (isTriedFirst(given.toLower(), QString::fromStdString(username).toLower()))
+        return core::unexpected(core::ErrorCode::OutOfRange,
+                                "the password is one of those that everybody tries first; choose another one, such as "
+                                "three words that do not belong together");
     return {};
 }
 

@@ -25,7 +25,8 @@ struct PasswordCost
 inline constexpr int kShortestPassword = 8;
 inline constexpr int kLongestPassword = 256;  ///< bytes of UTF-8: hashing a novel would keep the station busy
 
-/// OutOfRange with a sentence: too short, too long, or the user's own name.
+/// OutOfRange with a sentence: too short, too long, the user's own name with or without more, or what is tried first: a
+/// common word with digits around it, keys in a row, three characters again and again.
 [[nodiscard]] core::Status checkPassword(const std::string& password, const std::string& username);
 
 /// "$argon2id$v=19$m=65536,t=2,p=1$salt$hash". FileTooLarge when there is no memory for it.

@@ -82,8 +82,8 @@ ReadPreset readPresetText(const QByteArray& json, const QString& file)
 {
     ReadPreset read;
     read.file = file;
-    const auto complain = [&](const QString& what) {
-        read.faults.push_back({file, {}, what, true});
+    const auto complain = [&](const QString& what, const QString& key = {}) {
+        read.faults.push_back({file, key, what, true});
         return read;
     };
     if (json.size() > kLargestPresetBytes)
@@ -111,7 +111,7 @@ ReadPreset readPresetText(const QByteArray& json, const QString& file)
     if (anyGrave(read.faults))
         return read;
     if (const core::Status held = core::settings::checkStability(preset); !held)
-        return complain(QString::fromStdString(held.error().detail));
+        return complain(QString::fromStdString(held.error().detail), QStringLiteral("force"));
     read.preset = hashed(std::move(preset));
     return read;
 }

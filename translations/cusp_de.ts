@@ -131,6 +131,10 @@
         <source>another name</source>
         <translation>anderer Name</translation>
     </message>
+    <message>
+        <source>a name that nobody has</source>
+        <translation>ein Name, den niemand hat</translation>
+    </message>
 </context>
 <context>
     <name>Block</name>
@@ -1008,16 +1012,16 @@
         </translation>
     </message>
     <message>
-        <source>A name has letters, digits and . _ - @ only. A password has eight characters or more, and is not the name.</source>
-        <translation>Ein Name hat nur Buchstaben, Ziffern und . _ - @. Ein Passwort hat acht Zeichen oder mehr und ist nicht der Name.</translation>
-    </message>
-    <message>
         <source>Somebody has been entered here meanwhile. Log in as an admin.</source>
         <translation>Inzwischen wurde hier jemand eingetragen. Melden Sie sich als Verwaltung an.</translation>
     </message>
     <message>
         <source>The school&apos;s server does not answer. Try again, or practise without a login.</source>
         <translation>Der Server der Schule antwortet nicht. Versuchen Sie es noch einmal, oder üben Sie ohne Anmeldung.</translation>
+    </message>
+    <message>
+        <source>A name has letters, digits and . _ - @ only. A password has eight characters or more, does not hold the name, and is none that everybody tries first, such as &quot;password1&quot;.</source>
+        <translation>Ein Name hat nur Buchstaben, Ziffern und . _ - @. Ein Passwort hat acht Zeichen oder mehr, enthält nicht den Namen und ist keines, das alle zuerst versuchen, wie „passwort1“.</translation>
     </message>
 </context>
 <context>
@@ -1073,6 +1077,13 @@
     <message>
         <source>Right</source>
         <translation>Rechts</translation>
+    </message>
+</context>
+<context>
+    <name>Printing</name>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
     </message>
 </context>
 <context>
@@ -1582,10 +1593,6 @@
         <translation>Bewertungsblatt speichern</translation>
     </message>
     <message>
-        <source>PDF (*.pdf)</source>
-        <translation>PDF (*.pdf)</translation>
-    </message>
-    <message>
         <source>The score card was saved as %1.</source>
         <translation>Das Bewertungsblatt wurde als %1 gespeichert.</translation>
     </message>
@@ -1615,10 +1622,6 @@
     <message>
         <source>Save the class report</source>
         <translation>Gruppenbericht speichern</translation>
-    </message>
-    <message>
-        <source>PDF (*.pdf)</source>
-        <translation>PDF (*.pdf)</translation>
     </message>
     <message>
         <source>The report was saved as %1.</source>
@@ -1805,10 +1808,6 @@
         <translation>Die Daten der Schule liegen auf einem Server: %1. Dessen Verwalter macht die Sicherungen; „cusp db copy“ bringt alles in eine Datei.</translation>
     </message>
     <message>
-        <source>The school&apos;s data are in %1. A backup is made every day the program is used, and kept of the last 12 days, 10 weeks and 9 months.</source>
-        <translation>Die Daten der Schule liegen in %1. An jedem Tag, an dem das Programm benutzt wird, entsteht eine Sicherung; behalten werden die der letzten 12 Tage, 10 Wochen und 9 Monate.</translation>
-    </message>
-    <message>
         <source>Yes: log everybody out and restore it</source>
         <translation>Ja: alle abmelden und zurückspielen</translation>
     </message>
@@ -1835,6 +1834,10 @@
     <message>
         <source>Keep what there is</source>
         <translation>Alles lassen, wie es ist</translation>
+    </message>
+    <message>
+        <source>The school&apos;s data are in %1. A backup is made every day the program is used. All of the last two days are kept, then one for each of 12 days, 10 weeks and 9 months.</source>
+        <translation>Die Daten der Schule liegen in %1. An jedem Tag, an dem das Programm benutzt wird, entsteht eine Sicherung. Alle der letzten zwei Tage bleiben, danach je eine von 12 Tagen, 10 Wochen und 9 Monaten.</translation>
     </message>
 </context>
 <context>
@@ -1978,6 +1981,27 @@
         <source>needs a one-time code</source>
         <translation>braucht einen Einmal-Code</translation>
     </message>
+    <message>
+        <source>Keep it</source>
+        <translation>Behalten</translation>
+    </message>
+    <message>
+        <source>Keep the password</source>
+        <translation>Das Passwort behalten</translation>
+    </message>
+    <message>
+        <source>Yes, take it away</source>
+        <translation>Ja, wegnehmen</translation>
+    </message>
+    <message>
+        <source>Yes, take the password away</source>
+        <translation>Ja, das Passwort wegnehmen</translation>
+    </message>
+    <message>
+        <source>%1 will need a new one-time code: take the password away?</source>
+        <extracomment>%1 is a person</extracomment>
+        <translation>%1 wird einen neuen Einmalcode brauchen: das Passwort wegnehmen?</translation>
+    </message>
 </context>
 <context>
     <name>ui::admin::RosterPart</name>
@@ -2011,10 +2035,6 @@
     <message>
         <source>%1 was entered: %2 new, %3 known already. The codes below are kept nowhere else.</source>
         <translation>%1 wurde eingetragen: %2 neu, %3 schon bekannt. Die Codes unten stehen sonst nirgends.</translation>
-    </message>
-    <message>
-        <source>%1 would enter %2 new people; %3 are known already.</source>
-        <translation>%1 würde %2 neue Personen eintragen; %3 sind schon bekannt.</translation>
     </message>
     <message>
         <source>Line</source>
@@ -2093,6 +2113,13 @@
         <extracomment>%1: a class that would be added</extracomment>
         <translation>%1 (neu)</translation>
     </message>
+    <message numerus="yes">
+        <source>%1: %n new person(s) would be entered; %2 are known already.</source>
+        <translation>
+            <numerusform>%1: %n neue Person würde eingetragen; %2 sind schon bekannt.</numerusform>
+            <numerusform>%1: %n neue Personen würden eingetragen; %2 sind schon bekannt.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ui::admin::StationPart</name>
@@ -2150,6 +2177,31 @@
             <numerusform>%n Versuch</numerusform>
             <numerusform>%n Versuche</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1 (pen)</source>
+        <translation>%1 (Stift)</translation>
+    </message>
+    <message>
+        <source>a mouse</source>
+        <translation>eine Maus</translation>
+    </message>
+    <message>
+        <source>%1 ms in the middle, 99 of 100 within %2 ms</source>
+        <extracomment>Times between two servo ticks</extracomment>
+        <translation>%1 ms in der Mitte, 99 von 100 höchstens %2 ms</translation>
+    </message>
+    <message>
+        <source>not yet</source>
+        <translation>noch nicht</translation>
+    </message>
+    <message>
+        <source>Found here</source>
+        <translation>Hier gefunden</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Gemessen</translation>
     </message>
 </context>
 <context>
@@ -3680,6 +3732,10 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <source>Feed, mm/s</source>
         <translation>Vorschub, mm/s</translation>
     </message>
+    <message>
+        <source>dashed: as it was kept</source>
+        <translation>gestrichelt: wie es gespeichert ist</translation>
+    </message>
 </context>
 <context>
     <name>ui::presets::PresetTable</name>
@@ -3869,6 +3925,10 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <source>An admin keeps the school&apos;s presets</source>
         <translation>Ein Admin speichert die Profile der Schule</translation>
     </message>
+    <message>
+        <source>These two feel the same: choose another, or change a number</source>
+        <translation>Diese beiden fühlen sich gleich an: Wählen Sie ein anderes oder ändern Sie eine Zahl</translation>
+    </message>
 </context>
 <context>
     <name>ui::presets::SimplePanel</name>
@@ -3992,10 +4052,6 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <source>Compared</source>
         <translation>Verglichen</translation>
     </message>
-    <message>
-        <source>Who only guesses comes at least so far from even with a probability of %1.</source>
-        <translation>Wer nur rät, kommt mit der Wahrscheinlichkeit %1 mindestens so weit vom Gleichstand weg.</translation>
-    </message>
     <message numerus="yes">
         <source>%1: chosen %n time(s).</source>
         <extracomment>%1 is a hardness preset</extracomment>
@@ -4010,6 +4066,28 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
             <numerusform>Kein Unterschied: %n-mal.</numerusform>
             <numerusform>Kein Unterschied: %n-mal.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>That says nothing: they came out as even as can be.</source>
+        <translation>Das sagt nichts: Es ging so gleich aus, wie es nur kann.</translation>
+    </message>
+    <message numerus="yes">
+        <source>That is hardly chance: tossing a coin comes out as uneven only %n time(s) in 100.</source>
+        <translation>
+            <numerusform>Das ist kaum Zufall: Eine Münze fällt nur %n Mal von 100 so ungleich.</numerusform>
+            <numerusform>Das ist kaum Zufall: Eine Münze fällt nur %n Mal von 100 so ungleich.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>That may be chance: tossing a coin comes out as uneven %n time(s) in 100. Compare more often to be sure.</source>
+        <translation>
+            <numerusform>Das kann Zufall sein: Eine Münze fällt %n Mal von 100 so ungleich. Vergleichen Sie öfter, um sicher zu sein.</numerusform>
+            <numerusform>Das kann Zufall sein: Eine Münze fällt %n Mal von 100 so ungleich. Vergleichen Sie öfter, um sicher zu sein.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>First cut a little with both</source>
+        <translation>Schneiden Sie erst mit beiden ein wenig</translation>
     </message>
 </context>
 <context>
@@ -4227,10 +4305,6 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <source>Logged in, no graded attempt yet</source>
         <translation>Angemeldet, noch kein bewerteter Versuch</translation>
     </message>
-    <message>
-        <source>Class %1</source>
-        <translation>Klasse %1</translation>
-    </message>
     <message numerus="yes">
         <source>%n student(s)</source>
         <translation>
@@ -4249,6 +4323,10 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>Late: a lesson is overdue and not passed</source>
         <translation>Überfällig: eine Lektion ist fällig gewesen und nicht bestanden</translation>
+    </message>
+    <message>
+        <source>Class: %1</source>
+        <translation>Klasse: %1</translation>
     </message>
 </context>
 <context>
@@ -4367,6 +4445,10 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <source>Not kept in a school&apos;s database: there is no audit code</source>
         <translation>In keiner Datenbank einer Schule aufbewahrt: es gibt keinen Prüfcode</translation>
     </message>
+    <message>
+        <source>%1, page %2 of %3</source>
+        <translation>%1, Seite %2 von %3</translation>
+    </message>
 </context>
 <context>
     <name>ui::settings::SettingsPage</name>
@@ -4394,6 +4476,53 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <source>Set back: %1</source>
         <extracomment>%1 is the name of a setting</extracomment>
         <translation>Zurücksetzen: %1</translation>
+    </message>
+    <message>
+        <source>No setting is called so, and none speaks of it. Look for one word, such as &quot;force&quot;.</source>
+        <translation>Keine Einstellung heißt so, und keine spricht davon. Suchen Sie ein Wort, etwa „Kraft“.</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>Of every window, at once.</source>
+        <translation>Aller Fenster, sofort.</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>Seiten</translation>
+    </message>
+    <message>
+        <source>From the next start on. The practice room is always dark.</source>
+        <translation>Ab dem nächsten Start. Der Übungsraum ist immer dunkel.</translation>
+    </message>
+    <message>
+        <source>as the desktop</source>
+        <translation>wie der Desktop</translation>
+    </message>
+    <message>
+        <source>light</source>
+        <translation>hell</translation>
+    </message>
+    <message>
+        <source>dark</source>
+        <translation>dunkel</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::AccountMenu</name>
+    <message>
+        <source>My place</source>
+        <translation>Mein Platz</translation>
+    </message>
+    <message>
+        <source>Change my password …</source>
+        <translation>Mein Passwort ändern …</translation>
     </message>
 </context>
 <context>
@@ -4927,8 +5056,16 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Personen, Klassenlisten, Sicherungen und das Protokoll</translation>
     </message>
     <message>
-        <source>Log in; lock this place or change your password</source>
-        <translation>Anmelden; diesen Platz sperren oder das Kennwort ändern</translation>
+        <source>Log in; lock this place, change your password or the language</source>
+        <translation>Anmelden; diesen Platz sperren, Passwort oder Sprache ändern</translation>
+    </message>
+    <message>
+        <source>Lock, or let another log in</source>
+        <translation>Sperren oder jemand anderen anmelden</translation>
+    </message>
+    <message>
+        <source>Your work stays; who comes back or logs in says who he is</source>
+        <translation>Ihre Arbeit bleibt; wer zurückkommt oder sich anmeldet, sagt, wer er ist</translation>
     </message>
 </context>
 <context>
@@ -5436,6 +5573,10 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>Lessons are changed by teachers: log in as one. To do the lesson, choose it in the list.</source>
         <translation>Lektionen ändern Lehrkräfte: Melden Sie sich als solche an. Um die Lektion zu machen, wählen Sie sie in der Liste.</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
     </message>
 </context>
 <context>

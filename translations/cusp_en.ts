@@ -131,6 +131,10 @@
         <source>another name</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>a name that nobody has</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Block</name>
@@ -1008,15 +1012,15 @@
         </translation>
     </message>
     <message>
-        <source>A name has letters, digits and . _ - @ only. A password has eight characters or more, and is not the name.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Somebody has been entered here meanwhile. Log in as an admin.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The school&apos;s server does not answer. Try again, or practise without a login.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A name has letters, digits and . _ - @ only. A password has eight characters or more, does not hold the name, and is none that everybody tries first, such as &quot;password1&quot;.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1072,6 +1076,13 @@
     </message>
     <message>
         <source>Right</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Printing</name>
+    <message>
+        <source>PDF (*.pdf)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1582,10 +1593,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>PDF (*.pdf)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The score card was saved as %1.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1614,10 +1621,6 @@
     <name>app::PeopleDesk</name>
     <message>
         <source>Save the class report</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>PDF (*.pdf)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1805,10 +1808,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The school&apos;s data are in %1. A backup is made every day the program is used, and kept of the last 12 days, 10 weeks and 9 months.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Yes: log everybody out and restore it</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1834,6 +1833,10 @@
     </message>
     <message>
         <source>Keep what there is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The school&apos;s data are in %1. A backup is made every day the program is used. All of the last two days are kept, then one for each of 12 days, 10 weeks and 9 months.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1978,6 +1981,27 @@
         <source>needs a one-time code</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Keep it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the password</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Yes, take it away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Yes, take the password away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 will need a new one-time code: take the password away?</source>
+        <extracomment>%1 is a person</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::admin::RosterPart</name>
@@ -2010,10 +2034,6 @@
     </message>
     <message>
         <source>%1 was entered: %2 new, %3 known already. The codes below are kept nowhere else.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 would enter %2 new people; %3 are known already.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2093,6 +2113,13 @@
         <extracomment>%1: a class that would be added</extracomment>
         <translation type="unfinished"></translation>
     </message>
+    <message numerus="yes">
+        <source>%1: %n new person(s) would be entered; %2 are known already.</source>
+        <translation>
+            <numerusform>%1: %n new person would be entered; %2 are known already.</numerusform>
+            <numerusform>%1: %n new people would be entered; %2 are known already.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ui::admin::StationPart</name>
@@ -2150,6 +2177,31 @@
             <numerusform>%n attempt</numerusform>
             <numerusform>%n attempts</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1 (pen)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a mouse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 ms in the middle, 99 of 100 within %2 ms</source>
+        <extracomment>Times between two servo ticks</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Found here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3672,6 +3724,10 @@ load NAME        feels a hardness preset that is kept</source>
         <source>Feed, mm/s</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>dashed: as it was kept</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::presets::PresetTable</name>
@@ -3861,6 +3917,10 @@ load NAME        feels a hardness preset that is kept</source>
         <source>An admin keeps the school&apos;s presets</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>These two feel the same: choose another, or change a number</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::presets::SimplePanel</name>
@@ -3984,10 +4044,6 @@ load NAME        feels a hardness preset that is kept</source>
         <source>Compared</source>
         <translation type="unfinished"></translation>
     </message>
-    <message>
-        <source>Who only guesses comes at least so far from even with a probability of %1.</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message numerus="yes">
         <source>%1: chosen %n time(s).</source>
         <extracomment>%1 is a hardness preset</extracomment>
@@ -4002,6 +4058,28 @@ load NAME        feels a hardness preset that is kept</source>
             <numerusform>No difference: %n time.</numerusform>
             <numerusform>No difference: %n times.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>That says nothing: they came out as even as can be.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>That is hardly chance: tossing a coin comes out as uneven only %n time(s) in 100.</source>
+        <translation>
+            <numerusform>That is hardly chance: tossing a coin comes out as uneven only %n time in 100.</numerusform>
+            <numerusform>That is hardly chance: tossing a coin comes out as uneven only %n times in 100.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>That may be chance: tossing a coin comes out as uneven %n time(s) in 100. Compare more often to be sure.</source>
+        <translation>
+            <numerusform>That may be chance: tossing a coin comes out as uneven %n time in 100. Compare more often to be sure.</numerusform>
+            <numerusform>That may be chance: tossing a coin comes out as uneven %n times in 100. Compare more often to be sure.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>First cut a little with both</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4219,10 +4297,6 @@ load NAME        feels a hardness preset that is kept</source>
         <source>Logged in, no graded attempt yet</source>
         <translation type="unfinished"></translation>
     </message>
-    <message>
-        <source>Class %1</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message numerus="yes">
         <source>%n student(s)</source>
         <translation>
@@ -4240,6 +4314,10 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
     <message>
         <source>Late: a lesson is overdue and not passed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Class: %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4359,6 +4437,10 @@ load NAME        feels a hardness preset that is kept</source>
         <source>Not kept in a school&apos;s database: there is no audit code</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1, page %2 of %3</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::settings::SettingsPage</name>
@@ -4385,6 +4467,53 @@ load NAME        feels a hardness preset that is kept</source>
     <message>
         <source>Set back: %1</source>
         <extracomment>%1 is the name of a setting</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No setting is called so, and none speaks of it. Look for one word, such as &quot;force&quot;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of every window, at once.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the next start on. The practice room is always dark.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as the desktop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>light</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>dark</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::AccountMenu</name>
+    <message>
+        <source>My place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change my password …</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4919,7 +5048,15 @@ load NAME        feels a hardness preset that is kept</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Log in; lock this place or change your password</source>
+        <source>Log in; lock this place, change your password or the language</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lock, or let another log in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your work stays; who comes back or logs in says who he is</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5427,6 +5564,10 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
     <message>
         <source>Lessons are changed by teachers: log in as one. To do the lesson, choose it in the list.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undo</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

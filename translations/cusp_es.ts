@@ -131,6 +131,10 @@
         <source>another name</source>
         <translation>otro nombre</translation>
     </message>
+    <message>
+        <source>a name that nobody has</source>
+        <translation>un nombre que nadie tiene</translation>
+    </message>
 </context>
 <context>
     <name>Block</name>
@@ -1008,16 +1012,16 @@
         </translation>
     </message>
     <message>
-        <source>A name has letters, digits and . _ - @ only. A password has eight characters or more, and is not the name.</source>
-        <translation>Un nombre solo tiene letras, cifras y . _ - @. Una contraseña tiene ocho caracteres o más y no es el nombre.</translation>
-    </message>
-    <message>
         <source>Somebody has been entered here meanwhile. Log in as an admin.</source>
         <translation>Entretanto se ha registrado a alguien aquí. Inicie sesión como administrador.</translation>
     </message>
     <message>
         <source>The school&apos;s server does not answer. Try again, or practise without a login.</source>
         <translation>El servidor de la escuela no responde. Inténtelo de nuevo o practique sin iniciar sesión.</translation>
+    </message>
+    <message>
+        <source>A name has letters, digits and . _ - @ only. A password has eight characters or more, does not hold the name, and is none that everybody tries first, such as &quot;password1&quot;.</source>
+        <translation>Un nombre solo tiene letras, cifras y . _ - @. Una contraseña tiene ocho caracteres o más, no contiene el nombre y no es de las que todos prueban primero, como «contraseña1».</translation>
     </message>
 </context>
 <context>
@@ -1073,6 +1077,13 @@
     <message>
         <source>Right</source>
         <translation>Derecha</translation>
+    </message>
+</context>
+<context>
+    <name>Printing</name>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
     </message>
 </context>
 <context>
@@ -1582,10 +1593,6 @@
         <translation>Guardar la hoja de puntuación</translation>
     </message>
     <message>
-        <source>PDF (*.pdf)</source>
-        <translation>PDF (*.pdf)</translation>
-    </message>
-    <message>
         <source>The score card was saved as %1.</source>
         <translation>La hoja de puntuación se guardó como %1.</translation>
     </message>
@@ -1615,10 +1622,6 @@
     <message>
         <source>Save the class report</source>
         <translation>Guardar el informe del grupo</translation>
-    </message>
-    <message>
-        <source>PDF (*.pdf)</source>
-        <translation>PDF (*.pdf)</translation>
     </message>
     <message>
         <source>The report was saved as %1.</source>
@@ -1805,10 +1808,6 @@
         <translation>Los datos de la escuela están en un servidor: %1. Su administrador hace las copias; «cusp db copy» lo lleva todo a un archivo.</translation>
     </message>
     <message>
-        <source>The school&apos;s data are in %1. A backup is made every day the program is used, and kept of the last 12 days, 10 weeks and 9 months.</source>
-        <translation>Los datos de la escuela están en %1. Cada día que se usa el programa se hace una copia; se conservan las de los últimos 12 días, 10 semanas y 9 meses.</translation>
-    </message>
-    <message>
         <source>Yes: log everybody out and restore it</source>
         <translation>Sí: cerrar todas las sesiones y restaurar</translation>
     </message>
@@ -1835,6 +1834,10 @@
     <message>
         <source>Keep what there is</source>
         <translation>Dejarlo como está</translation>
+    </message>
+    <message>
+        <source>The school&apos;s data are in %1. A backup is made every day the program is used. All of the last two days are kept, then one for each of 12 days, 10 weeks and 9 months.</source>
+        <translation>Los datos de la escuela están en %1. Cada día que se usa el programa se hace una copia de seguridad. Se conservan todas las de los dos últimos días y después una de cada uno de 12 días, 10 semanas y 9 meses.</translation>
     </message>
 </context>
 <context>
@@ -1978,6 +1981,27 @@
         <source>needs a one-time code</source>
         <translation>necesita un código de un solo uso</translation>
     </message>
+    <message>
+        <source>Keep it</source>
+        <translation>Conservarla</translation>
+    </message>
+    <message>
+        <source>Keep the password</source>
+        <translation>Conservar la contraseña</translation>
+    </message>
+    <message>
+        <source>Yes, take it away</source>
+        <translation>Sí, quitarla</translation>
+    </message>
+    <message>
+        <source>Yes, take the password away</source>
+        <translation>Sí, quitar la contraseña</translation>
+    </message>
+    <message>
+        <source>%1 will need a new one-time code: take the password away?</source>
+        <extracomment>%1 is a person</extracomment>
+        <translation>%1 necesitará un nuevo código de un solo uso: ¿quitar la contraseña?</translation>
+    </message>
 </context>
 <context>
     <name>ui::admin::RosterPart</name>
@@ -2011,10 +2035,6 @@
     <message>
         <source>%1 was entered: %2 new, %3 known already. The codes below are kept nowhere else.</source>
         <translation>%1 se registró: %2 nuevas, %3 ya conocidas. Los códigos de abajo no se guardan en otro sitio.</translation>
-    </message>
-    <message>
-        <source>%1 would enter %2 new people; %3 are known already.</source>
-        <translation>%1 registraría %2 personas nuevas; %3 ya son conocidas.</translation>
     </message>
     <message>
         <source>Line</source>
@@ -2093,6 +2113,14 @@
         <extracomment>%1: a class that would be added</extracomment>
         <translation>%1 (nueva)</translation>
     </message>
+    <message numerus="yes">
+        <source>%1: %n new person(s) would be entered; %2 are known already.</source>
+        <translation>
+            <numerusform>%1: se inscribiría %n persona nueva; %2 ya se conocen.</numerusform>
+            <numerusform>%1: se inscribirían %n personas nuevas; %2 ya se conocen.</numerusform>
+            <numerusform>%1: se inscribirían %n personas nuevas; %2 ya se conocen.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ui::admin::StationPart</name>
@@ -2150,6 +2178,31 @@
             <numerusform>%n intento</numerusform>
             <numerusform>%n intentos</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1 (pen)</source>
+        <translation>%1 (lápiz)</translation>
+    </message>
+    <message>
+        <source>a mouse</source>
+        <translation>un ratón</translation>
+    </message>
+    <message>
+        <source>%1 ms in the middle, 99 of 100 within %2 ms</source>
+        <extracomment>Times between two servo ticks</extracomment>
+        <translation>%1 ms en el medio, 99 de 100 en %2 ms como mucho</translation>
+    </message>
+    <message>
+        <source>not yet</source>
+        <translation>todavía no</translation>
+    </message>
+    <message>
+        <source>Found here</source>
+        <translation>Encontrado aquí</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Medido</translation>
     </message>
 </context>
 <context>
@@ -3680,6 +3733,10 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <source>Feed, mm/s</source>
         <translation>Avance, mm/s</translation>
     </message>
+    <message>
+        <source>dashed: as it was kept</source>
+        <translation>discontinua: como está guardado</translation>
+    </message>
 </context>
 <context>
     <name>ui::presets::PresetTable</name>
@@ -3869,6 +3926,10 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <source>An admin keeps the school&apos;s presets</source>
         <translation>Un administrador guarda los ajustes de la escuela</translation>
     </message>
+    <message>
+        <source>These two feel the same: choose another, or change a number</source>
+        <translation>Estos dos se sienten igual: elija otro o cambie un número</translation>
+    </message>
 </context>
 <context>
     <name>ui::presets::SimplePanel</name>
@@ -3992,10 +4053,6 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <source>Compared</source>
         <translation>Comparado</translation>
     </message>
-    <message>
-        <source>Who only guesses comes at least so far from even with a probability of %1.</source>
-        <translation>Quien solo adivina se aparta al menos tanto del empate con una probabilidad de %1.</translation>
-    </message>
     <message numerus="yes">
         <source>%1: chosen %n time(s).</source>
         <extracomment>%1 is a hardness preset</extracomment>
@@ -4010,6 +4067,30 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
             <numerusform>Sin diferencia: %n vez.</numerusform>
             <numerusform>Sin diferencia: %n veces.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>That says nothing: they came out as even as can be.</source>
+        <translation>Eso no dice nada: quedaron tan igualados como es posible.</translation>
+    </message>
+    <message numerus="yes">
+        <source>That is hardly chance: tossing a coin comes out as uneven only %n time(s) in 100.</source>
+        <translation>
+            <numerusform>Eso apenas puede ser azar: una moneda sale tan desigual solo %n vez de cada 100.</numerusform>
+            <numerusform>Eso apenas puede ser azar: una moneda sale tan desigual solo %n veces de cada 100.</numerusform>
+            <numerusform>Eso apenas puede ser azar: una moneda sale tan desigual solo %n veces de cada 100.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>That may be chance: tossing a coin comes out as uneven %n time(s) in 100. Compare more often to be sure.</source>
+        <translation>
+            <numerusform>Eso puede ser azar: una moneda sale tan desigual %n vez de cada 100. Compare más veces para estar seguro.</numerusform>
+            <numerusform>Eso puede ser azar: una moneda sale tan desigual %n veces de cada 100. Compare más veces para estar seguro.</numerusform>
+            <numerusform>Eso puede ser azar: una moneda sale tan desigual %n veces de cada 100. Compare más veces para estar seguro.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>First cut a little with both</source>
+        <translation>Primero corte un poco con ambos</translation>
     </message>
 </context>
 <context>
@@ -4227,10 +4308,6 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <source>Logged in, no graded attempt yet</source>
         <translation>Sesión iniciada, aún sin intentos calificados</translation>
     </message>
-    <message>
-        <source>Class %1</source>
-        <translation>Grupo %1</translation>
-    </message>
     <message numerus="yes">
         <source>%n student(s)</source>
         <translation>
@@ -4249,6 +4326,10 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>Late: a lesson is overdue and not passed</source>
         <translation>Con retraso: una lección con el plazo vencido y no aprobada</translation>
+    </message>
+    <message>
+        <source>Class: %1</source>
+        <translation>Grupo: %1</translation>
     </message>
 </context>
 <context>
@@ -4367,6 +4448,10 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <source>Not kept in a school&apos;s database: there is no audit code</source>
         <translation>No se conserva en la base de datos de ninguna escuela: no hay código de auditoría</translation>
     </message>
+    <message>
+        <source>%1, page %2 of %3</source>
+        <translation>%1, página %2 de %3</translation>
+    </message>
 </context>
 <context>
     <name>ui::settings::SettingsPage</name>
@@ -4394,6 +4479,53 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <source>Set back: %1</source>
         <extracomment>%1 is the name of a setting</extracomment>
         <translation>Restablecer: %1</translation>
+    </message>
+    <message>
+        <source>No setting is called so, and none speaks of it. Look for one word, such as &quot;force&quot;.</source>
+        <translation>Ningún ajuste se llama así ni habla de ello. Busque una sola palabra, como «fuerza».</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Ventana</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Idioma</translation>
+    </message>
+    <message>
+        <source>Of every window, at once.</source>
+        <translation>De todas las ventanas, en el acto.</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>Páginas</translation>
+    </message>
+    <message>
+        <source>From the next start on. The practice room is always dark.</source>
+        <translation>Desde el próximo inicio. La sala de práctica siempre es oscura.</translation>
+    </message>
+    <message>
+        <source>as the desktop</source>
+        <translation>como el escritorio</translation>
+    </message>
+    <message>
+        <source>light</source>
+        <translation>claras</translation>
+    </message>
+    <message>
+        <source>dark</source>
+        <translation>oscuras</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::AccountMenu</name>
+    <message>
+        <source>My place</source>
+        <translation>Mi puesto</translation>
+    </message>
+    <message>
+        <source>Change my password …</source>
+        <translation>Cambiar mi contraseña …</translation>
     </message>
 </context>
 <context>
@@ -4927,8 +5059,16 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Personas, listas, copias de seguridad y el registro</translation>
     </message>
     <message>
-        <source>Log in; lock this place or change your password</source>
-        <translation>Iniciar sesión; bloquear este puesto o cambiar la contraseña</translation>
+        <source>Log in; lock this place, change your password or the language</source>
+        <translation>Iniciar sesión; bloquear este puesto, cambiar la contraseña o el idioma</translation>
+    </message>
+    <message>
+        <source>Lock, or let another log in</source>
+        <translation>Bloquear, o que entre otra persona</translation>
+    </message>
+    <message>
+        <source>Your work stays; who comes back or logs in says who he is</source>
+        <translation>Su trabajo se conserva; quien vuelva o entre dirá quién es</translation>
     </message>
 </context>
 <context>
@@ -5436,6 +5576,10 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>Lessons are changed by teachers: log in as one. To do the lesson, choose it in the list.</source>
         <translation>Las lecciones las cambian los docentes: inicie sesión como tal. Para hacer la lección, elíjala en la lista.</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Deshacer</translation>
     </message>
 </context>
 <context>

@@ -131,6 +131,10 @@
         <source>another name</source>
         <translation>名前を変更</translation>
     </message>
+    <message>
+        <source>a name that nobody has</source>
+        <translation>誰のものでもない名前</translation>
+    </message>
 </context>
 <context>
     <name>Block</name>
@@ -1005,16 +1009,16 @@
         </translation>
     </message>
     <message>
-        <source>A name has letters, digits and . _ - @ only. A password has eight characters or more, and is not the name.</source>
-        <translation>名前に使えるのは英字、数字、. _ - @ だけです。パスワードは8文字以上で、名前と同じにはできません。</translation>
-    </message>
-    <message>
         <source>Somebody has been entered here meanwhile. Log in as an admin.</source>
         <translation>その間に誰かが登録されました。管理者としてログインしてください。</translation>
     </message>
     <message>
         <source>The school&apos;s server does not answer. Try again, or practise without a login.</source>
         <translation>学校のサーバーが応答しません。もう一度お試しいただくか、ログインせずに練習してください。</translation>
+    </message>
+    <message>
+        <source>A name has letters, digits and . _ - @ only. A password has eight characters or more, does not hold the name, and is none that everybody tries first, such as &quot;password1&quot;.</source>
+        <translation>名前に使えるのは英字、数字と . _ - @ だけです。パスワードは8文字以上で、名前を含まず、「password1」のように誰もが最初に試すものでないことが必要です。</translation>
     </message>
 </context>
 <context>
@@ -1070,6 +1074,13 @@
     <message>
         <source>Right</source>
         <translation>右</translation>
+    </message>
+</context>
+<context>
+    <name>Printing</name>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
     </message>
 </context>
 <context>
@@ -1573,10 +1584,6 @@
         <translation>成績表を保存</translation>
     </message>
     <message>
-        <source>PDF (*.pdf)</source>
-        <translation>PDF (*.pdf)</translation>
-    </message>
-    <message>
         <source>The score card was saved as %1.</source>
         <translation>成績表を %1 として保存しました。</translation>
     </message>
@@ -1606,10 +1613,6 @@
     <message>
         <source>Save the class report</source>
         <translation>クラスの報告書を保存</translation>
-    </message>
-    <message>
-        <source>PDF (*.pdf)</source>
-        <translation>PDF (*.pdf)</translation>
     </message>
     <message>
         <source>The report was saved as %1.</source>
@@ -1795,10 +1798,6 @@
         <translation>学校のデータはサーバー %1 にあります。バックアップはサーバー管理者が行います。「cusp db」のコマンドで全体をファイルに写せます。</translation>
     </message>
     <message>
-        <source>The school&apos;s data are in %1. A backup is made every day the program is used, and kept of the last 12 days, 10 weeks and 9 months.</source>
-        <translation>学校のデータは %1 にあります。使った日ごとにバックアップを作り、直近12日、10週、9か月分を残します。</translation>
-    </message>
-    <message>
         <source>Yes: log everybody out and restore it</source>
         <translation>はい：全員ログアウトして復元する</translation>
     </message>
@@ -1825,6 +1824,10 @@
     <message>
         <source>Keep what there is</source>
         <translation>今のままにする</translation>
+    </message>
+    <message>
+        <source>The school&apos;s data are in %1. A backup is made every day the program is used. All of the last two days are kept, then one for each of 12 days, 10 weeks and 9 months.</source>
+        <translation>学校のデータは %1 にあります。プログラムを使った日ごとにバックアップを作ります。最近2日分はすべて残し、その後は12日、10週、9か月のそれぞれに1つを残します。</translation>
     </message>
 </context>
 <context>
@@ -1967,6 +1970,27 @@
         <source>needs a one-time code</source>
         <translation>ワンタイムコードが必要</translation>
     </message>
+    <message>
+        <source>Keep it</source>
+        <translation>残す</translation>
+    </message>
+    <message>
+        <source>Keep the password</source>
+        <translation>パスワードを残す</translation>
+    </message>
+    <message>
+        <source>Yes, take it away</source>
+        <translation>はい、取り消す</translation>
+    </message>
+    <message>
+        <source>Yes, take the password away</source>
+        <translation>はい、パスワードを取り消す</translation>
+    </message>
+    <message>
+        <source>%1 will need a new one-time code: take the password away?</source>
+        <extracomment>%1 is a person</extracomment>
+        <translation>%1 さんには新しいワンタイムコードが必要になります。パスワードを取り消しますか？</translation>
+    </message>
 </context>
 <context>
     <name>ui::admin::RosterPart</name>
@@ -1999,10 +2023,6 @@
     <message>
         <source>%1 was entered: %2 new, %3 known already. The codes below are kept nowhere else.</source>
         <translation>%1 を登録しました：新規 %2、既知 %3。下のコードはほかに保存されません。</translation>
-    </message>
-    <message>
-        <source>%1 would enter %2 new people; %3 are known already.</source>
-        <translation>%1 では %2 人が新規、%3 人は登録済みです。</translation>
     </message>
     <message>
         <source>Line</source>
@@ -2081,6 +2101,12 @@
         <extracomment>%1: a class that would be added</extracomment>
         <translation>%1（新規）</translation>
     </message>
+    <message numerus="yes">
+        <source>%1: %n new person(s) would be entered; %2 are known already.</source>
+        <translation>
+            <numerusform>%1：新しい人 %n 人が登録されます。%2 人は登録済みです。</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ui::admin::StationPart</name>
@@ -2137,6 +2163,31 @@
         <translation>
             <numerusform>%n 件</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1 (pen)</source>
+        <translation>%1（ペン）</translation>
+    </message>
+    <message>
+        <source>a mouse</source>
+        <translation>マウス</translation>
+    </message>
+    <message>
+        <source>%1 ms in the middle, 99 of 100 within %2 ms</source>
+        <extracomment>Times between two servo ticks</extracomment>
+        <translation>中央値 %1 ms、100回中99回は %2 ms 以内</translation>
+    </message>
+    <message>
+        <source>not yet</source>
+        <translation>まだありません</translation>
+    </message>
+    <message>
+        <source>Found here</source>
+        <translation>見つかった機器</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>測定値</translation>
     </message>
 </context>
 <context>
@@ -3653,6 +3704,10 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <source>Feed, mm/s</source>
         <translation>送り速度、mm/s</translation>
     </message>
+    <message>
+        <source>dashed: as it was kept</source>
+        <translation>破線：保存されている値</translation>
+    </message>
 </context>
 <context>
     <name>ui::presets::PresetTable</name>
@@ -3671,7 +3726,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
     <message>
         <source>From %1.</source>
-        <translation>%1から。</translation>
+        <translation>範囲：%1。</translation>
     </message>
 </context>
 <context>
@@ -3842,6 +3897,10 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <source>An admin keeps the school&apos;s presets</source>
         <translation>学校のプリセットは管理者が保存します</translation>
     </message>
+    <message>
+        <source>These two feel the same: choose another, or change a number</source>
+        <translation>この2つは同じ感触です。別のものを選ぶか、数値を変えてください</translation>
+    </message>
 </context>
 <context>
     <name>ui::presets::SimplePanel</name>
@@ -3979,8 +4038,24 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         </translation>
     </message>
     <message>
-        <source>Who only guesses comes at least so far from even with a probability of %1.</source>
-        <translation>当てずっぽうでも、これ以上偏る確率は%1です。</translation>
+        <source>That says nothing: they came out as even as can be.</source>
+        <translation>これからは何も言えません。まったくの五分五分でした。</translation>
+    </message>
+    <message numerus="yes">
+        <source>That is hardly chance: tossing a coin comes out as uneven only %n time(s) in 100.</source>
+        <translation>
+            <numerusform>偶然とは考えにくい結果です。硬貨を投げてこれほど偏るのは100回中 %n 回だけです。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>That may be chance: tossing a coin comes out as uneven %n time(s) in 100. Compare more often to be sure.</source>
+        <translation>
+            <numerusform>偶然かもしれません。硬貨を投げても100回中 %n 回はこれほど偏ります。確かめるには、もっと比べてください。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>First cut a little with both</source>
+        <translation>まず両方で少し削ってください</translation>
     </message>
 </context>
 <context>
@@ -4198,10 +4273,6 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <source>Logged in, no graded attempt yet</source>
         <translation>ログイン済み、採点された試行なし</translation>
     </message>
-    <message>
-        <source>Class %1</source>
-        <translation>クラス%1</translation>
-    </message>
     <message numerus="yes">
         <source>%n student(s)</source>
         <translation>
@@ -4219,6 +4290,10 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>Late: a lesson is overdue and not passed</source>
         <translation>期限超過：期限を過ぎた課題に不合格</translation>
+    </message>
+    <message>
+        <source>Class: %1</source>
+        <translation>クラス：%1</translation>
     </message>
 </context>
 <context>
@@ -4336,6 +4411,10 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <source>Not kept in a school&apos;s database: there is no audit code</source>
         <translation>学校のデータベースに保存されていないため、監査コードはありません</translation>
     </message>
+    <message>
+        <source>%1, page %2 of %3</source>
+        <translation>%1、%3ページ中%2ページ</translation>
+    </message>
 </context>
 <context>
     <name>ui::settings::SettingsPage</name>
@@ -4353,7 +4432,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
     <message>
         <source>From %1.</source>
-        <translation>%1から。</translation>
+        <translation>範囲：%1。</translation>
     </message>
     <message>
         <source>Set it back</source>
@@ -4363,6 +4442,53 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <source>Set back: %1</source>
         <extracomment>%1 is the name of a setting</extracomment>
         <translation>元に戻す：%1</translation>
+    </message>
+    <message>
+        <source>No setting is called so, and none speaks of it. Look for one word, such as &quot;force&quot;.</source>
+        <translation>その名前の設定も、それについての設定もありません。「力」のように一語で探してください。</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>ウィンドウ</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>言語</translation>
+    </message>
+    <message>
+        <source>Of every window, at once.</source>
+        <translation>すべてのウィンドウに、すぐに反映されます。</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>ページの色</translation>
+    </message>
+    <message>
+        <source>From the next start on. The practice room is always dark.</source>
+        <translation>次回の起動から。練習室は常に暗い色です。</translation>
+    </message>
+    <message>
+        <source>as the desktop</source>
+        <translation>デスクトップに合わせる</translation>
+    </message>
+    <message>
+        <source>light</source>
+        <translation>明るい</translation>
+    </message>
+    <message>
+        <source>dark</source>
+        <translation>暗い</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::AccountMenu</name>
+    <message>
+        <source>My place</source>
+        <translation>自分の席</translation>
+    </message>
+    <message>
+        <source>Change my password …</source>
+        <translation>パスワードを変更 …</translation>
     </message>
 </context>
 <context>
@@ -4896,8 +5022,16 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>人、クラス名簿、バックアップ、監査記録</translation>
     </message>
     <message>
-        <source>Log in; lock this place or change your password</source>
-        <translation>ログイン、この席のロック、パスワードの変更</translation>
+        <source>Log in; lock this place, change your password or the language</source>
+        <translation>ログイン。席のロック、パスワードや言語の変更</translation>
+    </message>
+    <message>
+        <source>Lock, or let another log in</source>
+        <translation>ロック、または別の人がログイン</translation>
+    </message>
+    <message>
+        <source>Your work stays; who comes back or logs in says who he is</source>
+        <translation>作業は残ります。戻る人もログインする人も、誰であるかを示します</translation>
     </message>
 </context>
 <context>
@@ -5403,6 +5537,10 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>Lessons are changed by teachers: log in as one. To do the lesson, choose it in the list.</source>
         <translation>課題を変更できるのは教員です。教員としてログインしてください。課題を行うには一覧から選んでください。</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>元に戻す</translation>
     </message>
 </context>
 <context>

@@ -45,6 +45,8 @@ std::string nameHash(const std::string& typed)
     return digestOf(name ? *name : typed);
 }
 
+constexpr std::size_t kNameInAudit = 16;  ///< digits of that hash
+
 qlonglong nowMs(const School& school)
 {
     return school.nowUtc().toMSecsSinceEpoch();
@@ -86,7 +88,7 @@ core::Status noteFailure(const School& school, const std::string& hash)
         if (auto forgotten = execute(school.db, "DELETE FROM failed_logins WHERE last_ms < ?", kLogIn, {yesterday});
             !forgotten)
             return forgotten;
-        return note(school, "", "login.failed", "name:" + hash.substr(0, 16));
+        return note(school, "", "login.failed", "name:" + hash.substr(0, kNameInAudit));
     });
 }
 
@@ -210,6 +212,11 @@ core::Status raisePasswordCost(const School& school, const Session& session, con
         return note(school, session.uid(), "setting.change", "setting:" + kPasses.toStdString(),
                     {{"value", QString::number(cost.passes)}});
     });
+}
+
+std::string Logins::nameInAudit(const std::string& username)
+{
+    return nameHash(username).substr(0, kNameInAudit);
 }
 
 core::Status Logins::checkNewPassword(const std::string& password, const std::string& username)

@@ -21,6 +21,9 @@ public:
     /// How long a one-time code is good for.
     static constexpr std::chrono::hours kCodeLife = std::chrono::hours(72);
 
+    /// What the audit calls the name of a login that failed, behind "name:": whatever was typed, it stands nowhere.
+    [[nodiscard]] static std::string nameInAudit(const std::string& username);
+
     /// Whether nobody has been entered yet: the first may make himself the admin.
     [[nodiscard]] static core::Result<bool> isNew(const School& school);
 

@@ -192,6 +192,13 @@ void TestLogins::passwordsThatEverybodyGuessesAreRefused_data()
     QTest::newRow("empty") << "";
     QTest::newRow("seven") << "1234567";
     QTest::newRow("the name") << "S1001-abc";
+    QTest::newRow("the name and more") << "s1001-ABC!2026";
+    QTest::newRow("a word and digits") << "password1234";
+    QTest::newRow("a word with signs") << "P@ssw0rd!";
+    QTest::newRow("keys in a row") << "qwertzui";
+    QTest::newRow("digits in a row") << "12345678";
+    QTest::newRow("backwards") << "987654321";
+    QTest::newRow("one letter") << "aaaaaaaaaaaa";
     QTest::newRow("a novel") << QString(10'000, 'x');
 }
 
@@ -200,7 +207,8 @@ void TestLogins::passwordsThatEverybodyGuessesAreRefused()
     QFETCH(QString, password);
     VERIFY_REFUSED(checkPassword(password.toStdString(), "s1001-ABC"), ErrorCode::OutOfRange);
     VERIFY_DONE(checkPassword("eight it", "s1001-ABC"));
-    VERIFY_DONE(checkPassword("歯歯歯歯歯歯歯歯", "s1001-ABC"));
+    VERIFY_DONE(checkPassword("歯科医院研修用鍵", "s1001-ABC"));
+    VERIFY_DONE(checkPassword("my password is long", "s1001-ABC"));
 }
 
 void TestLogins::ownPasswordIsChangedWithTheOldOne()

@@ -382,6 +382,9 @@ void TestLanguages::pages()
                             "synthetic",
                             child<QLineEdit>("draftTitle")->text(),
                             "get   help   list   load   plot   reset   save   set   unwatch   watch"};
+    for (const QInputDevice* device : QInputDevice::devices())
+        for (const QString& word : device->name().split(u' '))
+            fromOutside << word;
     for (const lessons::CriterionRule& rule : lessonOf(lessons::Task::CutIdeal).rubric.criteria)
         fromOutside << QString::fromStdString(lessons::inLanguage(rule.title, "en"));
     QTest::qWait(100);

@@ -337,7 +337,8 @@ void TestPresetsPage::trialCardTunesAndTellsApart()
 {
     QWidget window;
     presets::TrialCard card(&window);
-    window.resize(600, 600);
+    window.resize(600, 700);
+    card.resize(412, 700);
     window.show();
     QSignalSpy felt(&card, &presets::TrialCard::felt);
     QSignalSpy fresh(&card, &presets::TrialCard::freshBlockWanted);

@@ -42,11 +42,14 @@ constexpr std::array kActions{
 /// As much of "attempt:8614f873a47d..." as tells it from others.
 constexpr qsizetype kObjectLetters = 40;
 
-/// "person:1f..." is told by name.
+/// "person:1f..." is told by name, and so is "name:2e...", with which somebody tried to log in.
 QString named(const QString& what, const NamesByUid& names)
 {
     const auto found = names.find(what.section(u':', 1).toStdString());
-    return what.startsWith(QStringLiteral("person:")) && found != names.end() ? found->second : what;
+    const bool isTyped = what.startsWith(QStringLiteral("name:"));
+    if (found != names.end() && (isTyped || what.startsWith(QStringLiteral("person:"))))
+        return found->second;
+    return isTyped ? QCoreApplication::translate("Admin", "a name that nobody has") : what;
 }
 
 }  // namespace

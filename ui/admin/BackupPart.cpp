@@ -167,6 +167,7 @@ void BackupPart::fill()
             m_table->selectRow(m_rows->rowCount() - 1);
     }
     m_table->resizeColumnsToContents();
+    m_table->horizontalHeader()->setSectionResizeMode(2, QHeaderView::Stretch);
 }
 
 QString BackupPart::chosen() const

@@ -124,7 +124,8 @@ void RosterPart::tell()
                             .arg(fresh)
                             .arg(known));
     else
-        m_said->setText(tr("%1 would enter %2 new people; %3 are known already.").arg(m_file).arg(fresh).arg(known));
+        m_said->setText(
+            tr("%1: %n new person(s) would be entered; %2 are known already.", nullptr, fresh).arg(m_file).arg(known));
 }
 
 void RosterPart::fill()

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/admin/StationPart.h"
 
+#include <cmath>
+
 #include <QGridLayout>
+#include <QInputDevice>
 #include <QLabel>
 #include <QSpinBox>
 #include <QVBoxLayout>
@@ -17,9 +20,28 @@ using namespace ui::shell;
 
 namespace {
 
-constexpr int kRows = 6;
+constexpr int kRows = 8;
 constexpr int kKeyShown = 16;
 constexpr int kLongestIdle = 240;
+
+/// What the desktop tells of, by name.
+QString foundDevices()
+{
+    QStringList found;
+    for (const QInputDevice* device : QInputDevice::devices()) {
+        const bool isPen =
+            device->type() == QInputDevice::DeviceType::Stylus || device->type() == QInputDevice::DeviceType::Airbrush;
+        const bool isPointer = isPen || device->type() == QInputDevice::DeviceType::Mouse ||
+                               device->type() == QInputDevice::DeviceType::TouchPad ||
+                               device->type() == QInputDevice::DeviceType::TouchScreen;
+        QString name = device->name();
+        name.removeIf([](QChar letter) { return !letter.isPrint(); });  // X11 leaves some behind it
+        if (isPointer && !name.isEmpty())
+            found << (isPen ? StationPart::tr("%1 (pen)").arg(name) : name);
+    }
+    found.removeDuplicates();
+    return found.isEmpty() ? StationPart::tr("a mouse") : found.join(QStringLiteral(", "));
+}
 
 }  // namespace
 
@@ -65,10 +87,17 @@ void StationPart::speak()
     m_idle->setSuffix(u' ' + tr("min"));
     m_idle->setAccessibleName(tr("Minutes after which a place that was left is locked"));
     const QString servo = text::number(m_facts.servoHz, 0);
-    const QStringList names{tr("Drilled with"), tr("Servo loop"),   tr("Key of this station"),
-                            tr("Database"),     tr("On their way"), tr("Program")};
+    const QString measured = std::isfinite(m_facts.middleMs) && std::isfinite(m_facts.mostMs)
+                                 //: Times between two servo ticks
+                                 ? tr("%1 ms in the middle, 99 of 100 within %2 ms")
+                                       .arg(text::number(m_facts.middleMs, 2), text::number(m_facts.mostMs, 2))
+                                 : tr("not yet");
+    const QStringList names{tr("Drilled with"),        tr("Found here"), tr("Servo loop"),   tr("Measured"),
+                            tr("Key of this station"), tr("Database"),   tr("On their way"), tr("Program")};
     const QStringList values{m_facts.isSimulated ? tr("a simulated handpiece") : tr("mouse, pen or gamepad"),
+                             foundDevices(),
                              tr("%1 times a second").arg(servo),
+                             measured,
                              m_facts.stationKey.left(kKeyShown),
                              m_facts.database,
                              tr("%n attempt(s)", nullptr, m_facts.waiting),

@@ -22,7 +22,9 @@ public:
     {
         bool isSimulated = false;  ///< the device; else mouse, pen or gamepad
         double servoHz = 0.0;
-        QString stationKey;  ///< public, hex
+        double middleMs = 0.0;  ///< between two servo ticks, as measured; NaN: not yet
+        double mostMs = 0.0;    ///< 99 of 100 take no longer
+        QString stationKey;     ///< public, hex
         QString database;
         QString program;  ///< version
         int waiting = 0;  ///< attempts on their way to it

@@ -37,7 +37,8 @@ constexpr double kEdgeShare = 0.05;
 constexpr double kLinePx = 2.0;
 constexpr double kMarkPx = 9.0;
 constexpr double kBarShare = 0.62;  ///< of the height of its row
-constexpr int kMostLetters = 30;    ///< of a bar's name
+constexpr int kMostLetters = 24;    ///< of a line of a bar's name
+constexpr int kLineLetters = 16;    ///< a longer name has two
 constexpr QSize kPicturePx{960, 600};
 constexpr double kPictureDensity = 2.0;
 constexpr std::array kStrokes{Qt::SolidLine, Qt::DashLine, Qt::DashDotLine};
@@ -248,6 +249,23 @@ void makeAxes(const Histogram& histogram, Board& board)
     board.x->setGridLineVisible(false);
 }
 
+/// As rich text, which the axis shows: broken at the space that is nearest to the middle, where it is long.
+QString onTwoLines(const QString& name)
+{
+    const auto shortened = [](const QString& part) {
+        return (part.size() > kMostLetters ? part.left(kMostLetters - 1) + u'…' : part).toHtmlEscaped();
+    };
+    if (name.size() <= kLineLetters)
+        return name.toHtmlEscaped();
+    qsizetype at = -1;
+    for (qsizetype k = name.indexOf(u' '); k >= 0; k = name.indexOf(u' ', k + 1))
+        if (at < 0 || std::abs(2 * k - name.size()) < std::abs(2 * at - name.size()))
+            at = k;
+    if (at < 0)
+        return shortened(name);
+    return shortened(name.left(at)) + QStringLiteral("<br>") + shortened(name.mid(at + 1));
+}
+
 void makeAxes(const Bars& bars, Board& board)
 {
     board.x = axisOf(bars.value, board.ink);
@@ -256,9 +274,7 @@ void makeAxes(const Bars& bars, Board& board)
     const Frame frame = frameOf({{}, {}, {}, bars});
     names->setStartValue(frame.yLow);
     for (qsizetype k = bars.bars.size() - 1; k >= 0; --k) {
-        QString name = bars.bars[k].name;
-        if (name.size() > kMostLetters)
-            name = name.left(kMostLetters - 1) + u'…';
+        QString name = onTwoLines(bars.bars[k].name);
         while (names->categoriesLabels().contains(name))
             name += QChar(0x200B);  // two of one name are two categories all the same
         names->append(name, -static_cast<double>(k));

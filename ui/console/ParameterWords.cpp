@@ -9,6 +9,8 @@
 namespace ui::console {
 namespace {
 
+constexpr double kWholeFrom = 1000.0;
+
 struct Words
 {
     Q_DECLARE_TR_FUNCTIONS(ui::console::Words)
@@ -33,8 +35,12 @@ QString valueWords(const core::settings::Parameter& parameter, double value)
         return QStringLiteral("–");
     if (parameter.isSwitch)
         return value != 0.0 ? Words::tr("on") : Words::tr("off");
-    // Of what changes all the time a few digits are read.
-    return withUnit(parameter.isLive() ? QLocale::c().toString(value, 'g', 4) : plain(value), parameter);
+    if (!parameter.isLive())
+        return withUnit(plain(value), parameter);
+    // Of what changes all the time a few digits are read; but no power of ten, as of a turbine's 320,000 rpm.
+    return withUnit(std::abs(value) < kWholeFrom ? QLocale::c().toString(value, 'g', 4)
+                                                 : QLocale::c().toString(value, 'f', 0).remove(u','),
+                    parameter);
 }
 
 QString rangeWords(const core::settings::Parameter& parameter)

@@ -14,6 +14,7 @@
 #include <QLabel>
 #include <QMenu>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSaveFile>
 #include <QSignalBlocker>
 #include <QStackedWidget>
@@ -392,8 +393,17 @@ void ClassPage::fitColumns()
     columns->resizeSection(ClassModel::kLast, last);
     const int room = m_table->width() - kNamesPx - last - kSpace6;
     const int each = std::clamp(room / lessons, kLessonPx, 2 * kLessonPx);
-    for (int k = 0; k < lessons; ++k)
-        columns->resizeSection(ClassModel::kFirstLesson + k, each);
+    // A title is broken between words, and the longest of them is not cut off.
+    const QFontMetrics letters(typeface(kBody, QFont::DemiBold));
+    for (int k = 0; k < lessons; ++k) {
+        const int column = ClassModel::kFirstLesson + k;
+        int widest = each;
+        for (const QString& word : m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole)
+                                       .toString()
+                                       .split(QRegularExpression(QStringLiteral("\\s+"))))
+            widest = std::max(widest, letters.horizontalAdvance(word) + kSpace4 + kSpace2);
+        columns->resizeSection(column, std::min(widest, 2 * kLessonPx));
+    }
 }
 
 void ClassPage::say(const QString& words)

@@ -25,6 +25,7 @@ using Answer = BlindTrial::Answer;
 
 constexpr int kCardPx = 412;
 constexpr int kHighestChartPx = 460;
+constexpr int kChartFromPx = 560;  ///< in a lower window the dials have the room
 constexpr double kHardlyChance = 0.05;
 
 /// What the answers are worth, to somebody who has not learnt statistics.
@@ -189,7 +190,7 @@ void TrialCard::say()
     const bool isBlind = m_trial.has_value();
     const bool isOver = isBlind && m_trial->isOver();
     m_dials->setVisible(!isBlind);
-    m_chart->setVisible(!isBlind);
+    m_chart->setVisible(!isBlind && height() >= kChartFromPx);
     m_reset->setVisible(!isBlind);
     m_letters->setVisible(isBlind && !isOver);
     m_answers->setVisible(isBlind && !isOver);
@@ -218,6 +219,12 @@ void TrialCard::say()
         m_words->setText(words);
     }
     setAccessibleName(m_title->text());
+}
+
+void TrialCard::resizeEvent(QResizeEvent* event)
+{
+    QFrame::resizeEvent(event);
+    m_chart->setVisible(!m_trial && height() >= kChartFromPx);
 }
 
 /// A block that nothing was cut of.

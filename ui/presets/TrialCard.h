@@ -44,6 +44,9 @@ signals:
     void done();
     void csvWanted(const QByteArray& csv);
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     void say();
     void draw();

@@ -10,6 +10,9 @@ namespace ui::shell {
 AccountMenu::AccountMenu(const Actions& actions, QWidget* parent) : QMenu(parent)
 {
     setObjectName(QStringLiteral("accountMenu"));
+    // Drawings are made for the dark bars of the practice room.
+    for (QAction* action : {actions.lock, actions.settings})
+        action->setIconVisibleInMenu(false);
     addAction(actions.lock);
     QAction* password = addAction(QString());
     password->setObjectName(QStringLiteral("ownPassword"));

@@ -1598,6 +1598,11 @@ void MainWindow::showMessage(const QString& sentence)
     m_messages->say({MessageBar::Kind::News, sentence, {}, {}, {}});
 }
 
+void MainWindow::showUndoable(const QString& sentence, const std::function<void()>& undo)
+{
+    m_messages->say({MessageBar::Kind::News, sentence, {}, tr("Undo"), undo});
+}
+
 void MainWindow::offerUnfinished(const QString& tooth, const QDateTime& begun)
 {
     const QLocale locale;

@@ -135,7 +135,11 @@ public slots:
     void showError(const core::Error& error, text::Failed failed, const QString& file = {});
     /// What showBusy() told of came to nothing.
     void stopBusy();
+    /// The time that a share of the last servo periods stays under, µs; NaN before there are any.
+    [[nodiscard]] double periodUs(double share) const { return m_periods.percentileUs(share); }
     void showMessage(const QString& sentence);
+    /// With a button that takes back what it tells of.
+    void showUndoable(const QString& sentence, const std::function<void()>& undo);
     /// The recording that recordingSaveRequested() asked for is in this file.
     void showSaved(const QString& path);
     /// An attempt was not finished: says so, with a button that takes it up and one that discards it. It stays until

@@ -9,6 +9,7 @@
 #include <QFile>
 #include <QFontDatabase>
 #include <QFrame>
+#include <QLocale>
 #include <QStyleFactory>
 #include <QToolTip>
 #include <QWidget>
@@ -123,7 +124,8 @@ void applyTheme(QApplication& application, ThemeChoice choice)
     QToolTip::setPalette(palette);
     QFont family = QApplication::font();
     if (QFontDatabase::families().contains(QStringLiteral("Inter")))
-        family.setFamily(QStringLiteral("Inter"));
+        // VL PGothic before VL Gothic: Qt makes no fixed font bold.
+        family.setFamilies({QStringLiteral("Inter"), QStringLiteral("VL PGothic")});
     family.setPixelSize(kBody);
     QApplication::setFont(family);
     application.setStyleSheet(sheetFor(palette));
@@ -161,7 +163,8 @@ QFont typeface(int pixelSize, QFont::Weight weight)
 {
     QFont f = QApplication::font();
     f.setPixelSize(pixelSize);
-    f.setWeight(weight);
+    // The Japanese font has one weight; what Qt makes of it is bold or it is not.
+    f.setWeight(weight >= QFont::DemiBold && QLocale().language() == QLocale::Japanese ? QFont::Bold : weight);
     return f;
 }
 
