@@ -459,7 +459,7 @@ void Application::enter(const database::Session& who)
     if (keeps)
         keepGrade();
     else
-        m_window->openLessons();
+        m_window->openHome();
     if (m_tour && !keeps)
         m_tour->welcome(m_desk.get(), m_who);
     if (who.role() == database::Role::Admin && m_desk)

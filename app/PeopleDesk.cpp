@@ -313,7 +313,7 @@ void PeopleDesk::withReport(const std::function<void(const ui::report::ClassRepo
               report.titles = m_titles;
               report.results = m_results;
               if (const lessons::Lesson* known = lesson(m_results.lessonId)) {
-                  report.passMarkTenths = known->rubric.passMarkTenths;
+                  report.rubric = known->rubric;
                   report.criteria = criteriaOf(*known);
               }
               report.proof = {QString::fromStdString(head->code()), QStringLiteral(CUSP_VERSION),

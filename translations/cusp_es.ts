@@ -1402,6 +1402,30 @@
     </message>
 </context>
 <context>
+    <name>Words</name>
+    <message>
+        <source>%1: %2</source>
+        <extracomment>%1: what they need; %2: names</extracomment>
+        <translation type="unfinished">%1: %2</translation>
+    </message>
+    <message>
+        <source>Stuck (three attempts in a row, not passed, not better by five points)</source>
+        <translation type="unfinished">Sin avance (tres intentos seguidos, sin aprobar, sin mejorar cinco puntos)</translation>
+    </message>
+    <message>
+        <source>Never logged in</source>
+        <translation type="unfinished">Nunca han iniciado sesión</translation>
+    </message>
+    <message>
+        <source>Late: a lesson is overdue and not passed</source>
+        <translation type="unfinished">Con retraso: una lección con el plazo vencido y no aprobada</translation>
+    </message>
+    <message>
+        <source>Logged in, no graded attempt yet</source>
+        <translation type="unfinished">Sesión iniciada, aún sin intentos calificados</translation>
+    </message>
+</context>
+<context>
     <name>app::AdminDesk</name>
     <message>
         <source>%1 was entered.</source>
@@ -2117,7 +2141,6 @@
         <source>%1: %n new person(s) would be entered; %2 are known already.</source>
         <translation>
             <numerusform>%1: se inscribiría %n persona nueva; %2 ya se conocen.</numerusform>
-            <numerusform>%1: se inscribirían %n personas nuevas; %2 ya se conocen.</numerusform>
             <numerusform>%1: se inscribirían %n personas nuevas; %2 ya se conocen.</numerusform>
         </translation>
     </message>
@@ -4077,14 +4100,12 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>
             <numerusform>Eso apenas puede ser azar: una moneda sale tan desigual solo %n vez de cada 100.</numerusform>
             <numerusform>Eso apenas puede ser azar: una moneda sale tan desigual solo %n veces de cada 100.</numerusform>
-            <numerusform>Eso apenas puede ser azar: una moneda sale tan desigual solo %n veces de cada 100.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>That may be chance: tossing a coin comes out as uneven %n time(s) in 100. Compare more often to be sure.</source>
         <translation>
             <numerusform>Eso puede ser azar: una moneda sale tan desigual %n vez de cada 100. Compare más veces para estar seguro.</numerusform>
-            <numerusform>Eso puede ser azar: una moneda sale tan desigual %n veces de cada 100. Compare más veces para estar seguro.</numerusform>
             <numerusform>Eso puede ser azar: una moneda sale tan desigual %n veces de cada 100. Compare más veces para estar seguro.</numerusform>
         </translation>
     </message>
@@ -4291,23 +4312,6 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
 </context>
 <context>
     <name>ui::report::ClassReport</name>
-    <message>
-        <source>%1: %2</source>
-        <extracomment>%1: what they need; %2: names</extracomment>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>Stuck (three attempts in a row, not passed, not better by five points)</source>
-        <translation>Sin avance (tres intentos seguidos, sin aprobar, sin mejorar cinco puntos)</translation>
-    </message>
-    <message>
-        <source>Never logged in</source>
-        <translation>Nunca han iniciado sesión</translation>
-    </message>
-    <message>
-        <source>Logged in, no graded attempt yet</source>
-        <translation>Sesión iniciada, aún sin intentos calificados</translation>
-    </message>
     <message numerus="yes">
         <source>%n student(s)</source>
         <translation>
@@ -4324,12 +4328,12 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>El grupo en: %1</translation>
     </message>
     <message>
-        <source>Late: a lesson is overdue and not passed</source>
-        <translation>Con retraso: una lección con el plazo vencido y no aprobada</translation>
-    </message>
-    <message>
         <source>Class: %1</source>
         <translation>Grupo: %1</translation>
+    </message>
+    <message>
+        <source>Rubric: %1, version %2, content %3</source>
+        <translation type="unfinished">Rúbrica: %1, versión %2, contenido %3</translation>
     </message>
 </context>
 <context>

@@ -588,6 +588,9 @@ void TestSchool::lessonsAreChangedByWhoTeaches()
     QTRY_VERIFY_WITH_TIMEOUT(child<QListView>("lessonList")->model()->rowCount() > 2, kPatienceMs);
     QVERIFY(!actions().editLesson->isVisible() && !actions().editLesson->isEnabled());
     leaveFor("ines");
+    // A teacher's day begins with her classes.
+    QTRY_VERIFY_WITH_TIMEOUT(child<ui::people::ClassPage>()->isVisible(), kPatienceMs);
+    actions().lessons->trigger();
     QTRY_VERIFY_WITH_TIMEOUT(actions().editLesson->isVisible() && actions().editLesson->isEnabled(), kPatienceMs);
     actions().lock->trigger();
     click("otherLogin");
@@ -743,6 +746,7 @@ void TestSchool::anAdminEntersAndChangesPeople()
     logIn("sam");
     QVERIFY(!actions().school->isVisible());
     leaveFor("admin");
+    QTRY_VERIFY_WITH_TIMEOUT(child<ui::admin::AdminPage>()->isVisible(), kPatienceMs);  // where an admin's begins
     openSchool(ui::admin::AdminPage::People);
     const auto* people = child<QTableView>("people")->model();
     QTRY_COMPARE_WITH_TIMEOUT(people->rowCount(), 4, kPatienceMs);

@@ -97,7 +97,9 @@ ClassReport classReport(int students, int lessonCount)
     report.className = "DEN101-A";
     report.teacher = "Grace Hopper";
     report.proof = proof();
-    report.passMarkTenths = 750;
+    report.rubric.passMarkTenths = 750;
+    report.rubric.hash = std::string(60, 'a') + "beef";
+    report.rubric.version = 3;
     for (int k = 0; k < lessonCount; ++k) {
         report.overview.lessons.push_back("lesson-" + std::to_string(k));
         report.titles.insert(QString("lesson-%1").arg(k), QString("Class %1 on tooth 36, mesial").arg(k + 1));

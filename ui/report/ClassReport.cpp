@@ -27,6 +27,7 @@ constexpr double kCellPt = 44.0;
 constexpr double kRowPt = 14.0;
 constexpr double kHeadsPt = 47.0;  ///< four lines of a lesson's title, and when it is due
 constexpr double kChartPt = 150.0;
+constexpr std::size_t kShownHash = 16;
 
 /// Who needs the teacher, by name.
 void paintNeeds(Sheet& sheet, const people::ClassModel& model)
@@ -125,10 +126,17 @@ int paint(QPainter& painter, const QSizeF& pagePt, const NextPage& next, const C
     if (!report.results.lessonId.empty()) {
         sheet.head(Words::tr("The class at: %1").arg(people::lessonTitle(report.titles, report.results.lessonId)),
                    kChartPt);
-        sheet.chartRow({people::distributionChart(report.results, report.passMarkTenths),
-                        people::learningChart(report.results, report.passMarkTenths)},
+        sheet.chartRow({people::distributionChart(report.results, report.rubric.passMarkTenths),
+                        people::learningChart(report.results, report.rubric.passMarkTenths)},
                        kChartPt);
         sheet.chart(people::difficultyChart(report.results, report.criteria), kChartPt);
+        if (!report.rubric.hash.empty())
+            sheet.say(Words::tr("Rubric: %1, version %2, content %3")
+                          .arg(QString::fromStdString(
+                              lessons::inLanguage(report.rubric.title, QLocale().name().toStdString())))
+                          .arg(report.rubric.version)
+                          .arg(QString::fromStdString(report.rubric.hash.substr(0, kShownHash))),
+                      kTextPt);
     }
 
     sheet.head(Words::tr("Best scores; ✓: passed"), kHeadsPt + 4.0 * kRowPt);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <QCoreApplication>
+#include <QFontDatabase>
 #include <QLocale>
 
 #include "ui/charts/Drawing.h"
@@ -51,10 +52,20 @@ void Sheet::foot()
                              ? Words::tr("%1, page %2 of %3").arg(m_title).arg(m_pages).arg(m_proof.pages)
                              : Words::tr("%1, page %2").arg(m_title).arg(m_pages);
     put(lines, page, kSmallPt, QFont::Normal, Qt::AlignRight | Qt::AlignTop);
-    put(lines.adjusted(0.0, kSmallPt + 3.0, 0.0, 0.0),
-        m_proof.auditCode.isEmpty() ? Words::tr("Not kept in a school's database: there is no audit code")
-                                    : Words::tr("Audit code: %1").arg(m_proof.auditCode),
-        kSmallPt, QFont::Medium, Qt::AlignLeft | Qt::AlignTop);
+    const QRectF second = lines.adjusted(0.0, kSmallPt + 3.0, 0.0, 0.0);
+    if (m_proof.auditCode.isEmpty()) {
+        put(second, Words::tr("Not kept in a school's database: there is no audit code"), kSmallPt, QFont::Medium,
+            Qt::AlignLeft | Qt::AlignTop);
+        return;
+    }
+    // The code in a font that draws every sign as itself, so that it can be copied out of a PDF as it is read.
+    const QString before = Words::tr("Audit code: %1").section(QStringLiteral("%1"), 0, 0);
+    put(second, before, kSmallPt, QFont::Medium, Qt::AlignLeft | Qt::AlignTop);
+    const double wide = m_painter.fontMetrics().horizontalAdvance(before);
+    QFont fixed = QFontDatabase::systemFont(QFontDatabase::FixedFont);
+    fixed.setPixelSize(kSmallPt);
+    m_painter.setFont(fixed);
+    m_painter.drawText(second.adjusted(wide, 0.0, 0.0, 0.0), Qt::AlignLeft | Qt::AlignTop, m_proof.auditCode);
 }
 
 void Sheet::need(double height)

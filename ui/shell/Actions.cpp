@@ -245,8 +245,9 @@ void Actions::speak()
 {
     for (const Words& words : m_words) {
         const QString tip = tr(words.tip);
+        const QString key = words.action->shortcut().toString(QKeySequence::NativeText);
         //: Tooltip: what it does, then its key
-        const QString whole = tr("%1 (%2)").arg(tip, words.action->shortcut().toString(QKeySequence::NativeText));
+        const QString whole = key.isEmpty() ? tip : tr("%1 (%2)").arg(tip, key);
         const QVariant own = words.action->property(kOwnTip);
         const bool isRefused = own.isValid() && own.toString() != words.action->toolTip();
         if (own.isValid())

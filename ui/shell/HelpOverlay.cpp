@@ -135,14 +135,16 @@ void HelpOverlay::makeGroups(const Actions& actions)
     };
     for (const Actions::Group& group : actions.groups()) {
         QList<QWidget*> rows;
-        for (const QAction* action : group.actions) {
+        QList<QAction*> keyed = group.actions;
+        keyed.removeIf([](const QAction* action) { return action->shortcuts().isEmpty(); });
+        for (const QAction* action : std::as_const(keyed)) {
             QStringList keys;
             for (const QKeySequence& key : action->shortcuts())
                 keys << key.toString(QKeySequence::NativeText);
             rows << rowOf(m_content, action->text(), keys);
         }
         place(group.title(), rows);
-        const auto follow = [this, heads = m_groups.back(), rows, actions = group.actions] {
+        const auto follow = [this, heads = m_groups.back(), rows, actions = keyed] {
             bool any = false;
             for (qsizetype k = 0; k < rows.size(); ++k) {
                 rows[k]->setVisible(actions[k]->isVisible());
@@ -152,7 +154,7 @@ void HelpOverlay::makeGroups(const Actions& actions)
             m_columns = 0;
         };
         follow();
-        for (const QAction* action : group.actions)
+        for (const QAction* action : std::as_const(keyed))
             connect(action, &QAction::visibleChanged, m_groups.back(), follow);
     }
     QList<QWidget*> rows;

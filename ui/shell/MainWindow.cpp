@@ -811,6 +811,16 @@ void MainWindow::editChosenLesson()
         emit unpackWanted(entry->pack, QFileInfo(entry->read.file).fileName());
 }
 
+void MainWindow::openHome()
+{
+    if (m_who.role() == database::Role::Instructor)
+        m_actions->classes->trigger();
+    else if (m_who.role() == database::Role::Admin)
+        m_actions->school->trigger();
+    else
+        openLessons();
+}
+
 void MainWindow::openLessons()
 {
     emit lessonsWanted();

@@ -170,6 +170,8 @@ public slots:
     void takeInHand(std::optional<std::uint8_t> bur, std::optional<std::uint8_t> handpiece);
     /// The page where a lesson is chosen.
     void openLessons();
+    /// Where the day of who is logged in begins: a student's lessons, a teacher's classes, an admin's school.
+    void openHome();
     void setLessons(std::vector<lessons::CatalogEntry> entries, std::map<std::string, study::Standing> standings,
                     std::map<std::string, study::Given> given = {});
     /// What teachers have said of the attempts of who works here, newest first.
