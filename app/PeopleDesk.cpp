@@ -313,7 +313,10 @@ void PeopleDesk::withReport(const std::function<void(const ui::report::ClassRepo
               report.titles = m_titles;
               report.results = m_results;
               if (const lessons::Lesson* known = lesson(m_results.lessonId)) {
-                  report.rubric = known->rubric;
+                  report.passMarkTenths = known->rubric.passMarkTenths;
+                  report.rubricTitle = known->rubric.title;
+                  report.rubricVersion = known->rubric.version;
+                  report.rubricHash = known->rubric.hash;
                   report.criteria = criteriaOf(*known);
               }
               report.proof = {QString::fromStdString(head->code()), QStringLiteral(CUSP_VERSION),

@@ -1402,30 +1402,6 @@
     </message>
 </context>
 <context>
-    <name>Words</name>
-    <message>
-        <source>%1: %2</source>
-        <extracomment>%1: what they need; %2: names</extracomment>
-        <translation type="unfinished">%1: %2</translation>
-    </message>
-    <message>
-        <source>Stuck (three attempts in a row, not passed, not better by five points)</source>
-        <translation type="unfinished">Kommen nicht weiter (drei Versuche hintereinander, nicht bestanden, nicht um fünf Punkte besser)</translation>
-    </message>
-    <message>
-        <source>Never logged in</source>
-        <translation type="unfinished">Nie angemeldet</translation>
-    </message>
-    <message>
-        <source>Late: a lesson is overdue and not passed</source>
-        <translation type="unfinished">Überfällig: eine Lektion ist fällig gewesen und nicht bestanden</translation>
-    </message>
-    <message>
-        <source>Logged in, no graded attempt yet</source>
-        <translation type="unfinished">Angemeldet, noch kein bewerteter Versuch</translation>
-    </message>
-</context>
-<context>
     <name>app::AdminDesk</name>
     <message>
         <source>%1 was entered.</source>
@@ -4312,6 +4288,23 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
 </context>
 <context>
     <name>ui::report::ClassReport</name>
+    <message>
+        <source>%1: %2</source>
+        <extracomment>%1: what they need; %2: names</extracomment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Stuck (three attempts in a row, not passed, not better by five points)</source>
+        <translation>Kommen nicht weiter (drei Versuche hintereinander, nicht bestanden, nicht um fünf Punkte besser)</translation>
+    </message>
+    <message>
+        <source>Never logged in</source>
+        <translation>Nie angemeldet</translation>
+    </message>
+    <message>
+        <source>Logged in, no graded attempt yet</source>
+        <translation>Angemeldet, noch kein bewerteter Versuch</translation>
+    </message>
     <message numerus="yes">
         <source>%n student(s)</source>
         <translation>
@@ -4328,12 +4321,16 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Die Klasse bei: %1</translation>
     </message>
     <message>
+        <source>Late: a lesson is overdue and not passed</source>
+        <translation>Überfällig: eine Lektion ist fällig gewesen und nicht bestanden</translation>
+    </message>
+    <message>
         <source>Class: %1</source>
         <translation>Klasse: %1</translation>
     </message>
     <message>
         <source>Rubric: %1, version %2, content %3</source>
-        <translation type="unfinished">Bewertungsschema: %1, Version %2, Inhalt %3</translation>
+        <translation>Bewertungsschema: %1, Version %2, Inhalt %3</translation>
     </message>
 </context>
 <context>

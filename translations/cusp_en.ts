@@ -1402,30 +1402,6 @@
     </message>
 </context>
 <context>
-    <name>Words</name>
-    <message>
-        <source>%1: %2</source>
-        <extracomment>%1: what they need; %2: names</extracomment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Stuck (three attempts in a row, not passed, not better by five points)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Never logged in</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Late: a lesson is overdue and not passed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Logged in, no graded attempt yet</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
     <name>app::AdminDesk</name>
     <message>
         <source>%1 was entered.</source>
@@ -4304,6 +4280,23 @@ load NAME        feels a hardness preset that is kept</source>
 </context>
 <context>
     <name>ui::report::ClassReport</name>
+    <message>
+        <source>%1: %2</source>
+        <extracomment>%1: what they need; %2: names</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stuck (three attempts in a row, not passed, not better by five points)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Never logged in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Logged in, no graded attempt yet</source>
+        <translation type="unfinished"></translation>
+    </message>
     <message numerus="yes">
         <source>%n student(s)</source>
         <translation>
@@ -4317,6 +4310,10 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
     <message>
         <source>The class at: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Late: a lesson is overdue and not passed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -1402,30 +1402,6 @@
     </message>
 </context>
 <context>
-    <name>Words</name>
-    <message>
-        <source>%1: %2</source>
-        <extracomment>%1: what they need; %2: names</extracomment>
-        <translation type="unfinished">%1: %2</translation>
-    </message>
-    <message>
-        <source>Stuck (three attempts in a row, not passed, not better by five points)</source>
-        <translation type="unfinished">Sin avance (tres intentos seguidos, sin aprobar, sin mejorar cinco puntos)</translation>
-    </message>
-    <message>
-        <source>Never logged in</source>
-        <translation type="unfinished">Nunca han iniciado sesión</translation>
-    </message>
-    <message>
-        <source>Late: a lesson is overdue and not passed</source>
-        <translation type="unfinished">Con retraso: una lección con el plazo vencido y no aprobada</translation>
-    </message>
-    <message>
-        <source>Logged in, no graded attempt yet</source>
-        <translation type="unfinished">Sesión iniciada, aún sin intentos calificados</translation>
-    </message>
-</context>
-<context>
     <name>app::AdminDesk</name>
     <message>
         <source>%1 was entered.</source>
@@ -4312,6 +4288,23 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
 </context>
 <context>
     <name>ui::report::ClassReport</name>
+    <message>
+        <source>%1: %2</source>
+        <extracomment>%1: what they need; %2: names</extracomment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Stuck (three attempts in a row, not passed, not better by five points)</source>
+        <translation>Sin avance (tres intentos seguidos, sin aprobar, sin mejorar cinco puntos)</translation>
+    </message>
+    <message>
+        <source>Never logged in</source>
+        <translation>Nunca han iniciado sesión</translation>
+    </message>
+    <message>
+        <source>Logged in, no graded attempt yet</source>
+        <translation>Sesión iniciada, aún sin intentos calificados</translation>
+    </message>
     <message numerus="yes">
         <source>%n student(s)</source>
         <translation>
@@ -4328,12 +4321,16 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>El grupo en: %1</translation>
     </message>
     <message>
+        <source>Late: a lesson is overdue and not passed</source>
+        <translation>Con retraso: una lección con el plazo vencido y no aprobada</translation>
+    </message>
+    <message>
         <source>Class: %1</source>
         <translation>Grupo: %1</translation>
     </message>
     <message>
         <source>Rubric: %1, version %2, content %3</source>
-        <translation type="unfinished">Rúbrica: %1, versión %2, contenido %3</translation>
+        <translation>Rúbrica: %1, versión %2, contenido %3</translation>
     </message>
 </context>
 <context>

@@ -1394,30 +1394,6 @@
     </message>
 </context>
 <context>
-    <name>Words</name>
-    <message>
-        <source>%1: %2</source>
-        <extracomment>%1: what they need; %2: names</extracomment>
-        <translation type="unfinished">%1：%2</translation>
-    </message>
-    <message>
-        <source>Stuck (three attempts in a row, not passed, not better by five points)</source>
-        <translation type="unfinished">停滞（3回続けて合格せず、5点以上の改善なし）</translation>
-    </message>
-    <message>
-        <source>Never logged in</source>
-        <translation type="unfinished">未ログイン</translation>
-    </message>
-    <message>
-        <source>Late: a lesson is overdue and not passed</source>
-        <translation type="unfinished">期限超過：期限を過ぎた課題に不合格</translation>
-    </message>
-    <message>
-        <source>Logged in, no graded attempt yet</source>
-        <translation type="unfinished">ログイン済み、採点された試行なし</translation>
-    </message>
-</context>
-<context>
     <name>app::AdminDesk</name>
     <message>
         <source>%1 was entered.</source>
@@ -4280,6 +4256,23 @@ load 名前        保存済みの硬さのプリセットを使います</trans
 </context>
 <context>
     <name>ui::report::ClassReport</name>
+    <message>
+        <source>%1: %2</source>
+        <extracomment>%1: what they need; %2: names</extracomment>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>Stuck (three attempts in a row, not passed, not better by five points)</source>
+        <translation>停滞（3回続けて合格せず、5点以上の改善なし）</translation>
+    </message>
+    <message>
+        <source>Never logged in</source>
+        <translation>未ログイン</translation>
+    </message>
+    <message>
+        <source>Logged in, no graded attempt yet</source>
+        <translation>ログイン済み、採点された試行なし</translation>
+    </message>
     <message numerus="yes">
         <source>%n student(s)</source>
         <translation>
@@ -4295,12 +4288,16 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>クラスの成績：%1</translation>
     </message>
     <message>
+        <source>Late: a lesson is overdue and not passed</source>
+        <translation>期限超過：期限を過ぎた課題に不合格</translation>
+    </message>
+    <message>
         <source>Class: %1</source>
         <translation>クラス：%1</translation>
     </message>
     <message>
         <source>Rubric: %1, version %2, content %3</source>
-        <translation type="unfinished">評価基準：%1、第%2版、内容%3</translation>
+        <translation>評価基準：%1、第%2版、内容%3</translation>
     </message>
 </context>
 <context>

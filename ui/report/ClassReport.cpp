@@ -27,7 +27,7 @@ constexpr double kCellPt = 44.0;
 constexpr double kRowPt = 14.0;
 constexpr double kHeadsPt = 47.0;  ///< four lines of a lesson's title, and when it is due
 constexpr double kChartPt = 150.0;
-constexpr std::size_t kShownHash = 16;
+constexpr int kShownHash = 16;
 
 /// Who needs the teacher, by name.
 void paintNeeds(Sheet& sheet, const people::ClassModel& model)
@@ -126,16 +126,16 @@ int paint(QPainter& painter, const QSizeF& pagePt, const NextPage& next, const C
     if (!report.results.lessonId.empty()) {
         sheet.head(Words::tr("The class at: %1").arg(people::lessonTitle(report.titles, report.results.lessonId)),
                    kChartPt);
-        sheet.chartRow({people::distributionChart(report.results, report.rubric.passMarkTenths),
-                        people::learningChart(report.results, report.rubric.passMarkTenths)},
+        sheet.chartRow({people::distributionChart(report.results, report.passMarkTenths),
+                        people::learningChart(report.results, report.passMarkTenths)},
                        kChartPt);
         sheet.chart(people::difficultyChart(report.results, report.criteria), kChartPt);
-        if (!report.rubric.hash.empty())
+        if (!report.rubricHash.empty())
             sheet.say(Words::tr("Rubric: %1, version %2, content %3")
                           .arg(QString::fromStdString(
-                              lessons::inLanguage(report.rubric.title, QLocale().name().toStdString())))
-                          .arg(report.rubric.version)
-                          .arg(QString::fromStdString(report.rubric.hash.substr(0, kShownHash))),
+                              lessons::inLanguage(report.rubricTitle, QLocale().name().toStdString())))
+                          .arg(report.rubricVersion)
+                          .arg(QString::fromStdString(report.rubricHash).left(kShownHash)),
                       kTextPt);
     }
 

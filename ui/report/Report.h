@@ -16,7 +16,6 @@
 #include "database/people.h"
 #include "database/records.h"
 #include "lessons/Moments.h"
-#include "lessons/Rubric.h"
 #include "lessons/ScoreSheet.h"
 #include "ui/people/PeopleWords.h"
 #include "ui/study/ScoredWork.h"
@@ -58,8 +57,11 @@ struct ClassReport
     database::ClassOverview overview;
     QList<database::ClassAssignment> given;  ///< what the class is to do
     people::LessonTitles titles;
-    database::LessonResults results;          ///< of the lesson whose charts are shown; none where its id is empty
-    lessons::Rubric rubric;                   ///< by which that lesson is marked
+    database::LessonResults results;  ///< of the lesson whose charts are shown; none where its id is empty
+    int passMarkTenths = 0;           ///< of its rubric
+    lessons::LocalText rubricTitle;
+    int rubricVersion = 0;
+    std::string rubricHash;
     std::map<std::string, QString> criteria;  ///< names by id
     Proof proof;
 };
