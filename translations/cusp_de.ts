@@ -2953,6 +2953,10 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
             <numerusform>höchstens %n Versuche</numerusform>
         </translation>
     </message>
+    <message>
+        <source>%1 of %2 passed</source>
+        <translation>%1 von %2 haben bestanden</translation>
+    </message>
 </context>
 <context>
     <name>ui::people::ClassPage</name>
@@ -3052,6 +3056,11 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>Best score of each student; a tick: passed; ▲: overdue. A heading sorts, once more the other way, then by name. A cell opens the attempts.</source>
         <translation>Bestes Ergebnis jeder Person; ein Haken: bestanden; ▲: überfällig. Eine Überschrift sortiert, noch einmal andersherum, dann nach Namen. Eine Zelle öffnet die Versuche.</translation>
+    </message>
+    <message>
+        <source>%1 (%2 of %3 passed)</source>
+        <extracomment>%1: a lesson; %2 of the %3 who tried it</extracomment>
+        <translation>%1 (%2 von %3 haben bestanden)</translation>
     </message>
 </context>
 <context>

@@ -2945,6 +2945,10 @@ load NAME        feels a hardness preset that is kept</source>
             <numerusform>%n attempts at most</numerusform>
         </translation>
     </message>
+    <message>
+        <source>%1 of %2 passed</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::people::ClassPage</name>
@@ -3043,6 +3047,11 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
     <message>
         <source>Best score of each student; a tick: passed; ▲: overdue. A heading sorts, once more the other way, then by name. A cell opens the attempts.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (%2 of %3 passed)</source>
+        <extracomment>%1: a lesson; %2 of the %3 who tried it</extracomment>
         <translation type="unfinished"></translation>
     </message>
 </context>

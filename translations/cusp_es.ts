@@ -2953,6 +2953,10 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
             <numerusform>%n intentos como máximo</numerusform>
         </translation>
     </message>
+    <message>
+        <source>%1 of %2 passed</source>
+        <translation>%1 de %2 aprobaron</translation>
+    </message>
 </context>
 <context>
     <name>ui::people::ClassPage</name>
@@ -3052,6 +3056,11 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>Best score of each student; a tick: passed; ▲: overdue. A heading sorts, once more the other way, then by name. A cell opens the attempts.</source>
         <translation>Mejor puntuación de cada estudiante; una marca: aprobado; ▲: plazo vencido. Un encabezado ordena, otra vez al revés, y luego por nombre. Una celda abre los intentos.</translation>
+    </message>
+    <message>
+        <source>%1 (%2 of %3 passed)</source>
+        <extracomment>%1: a lesson; %2 of the %3 who tried it</extracomment>
+        <translation>%1 (%2 de %3 aprobaron)</translation>
     </message>
 </context>
 <context>

@@ -2931,6 +2931,10 @@ load 名前        保存済みの硬さのプリセットを使います</trans
             <numerusform>試行は%n回まで</numerusform>
         </translation>
     </message>
+    <message>
+        <source>%1 of %2 passed</source>
+        <translation>%2人中%1人合格</translation>
+    </message>
 </context>
 <context>
     <name>ui::people::ClassPage</name>
@@ -3029,6 +3033,11 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>Best score of each student; a tick: passed; ▲: overdue. A heading sorts, once more the other way, then by name. A cell opens the attempts.</source>
         <translation>各学生の最高点。チェック印：合格、▲：期限超過。見出しで並べ替え、もう一度で逆順、次に名前順。セルで試行を開きます。</translation>
+    </message>
+    <message>
+        <source>%1 (%2 of %3 passed)</source>
+        <extracomment>%1: a lesson; %2 of the %3 who tried it</extracomment>
+        <translation>%1（%3人中%2人合格）</translation>
     </message>
 </context>
 <context>

@@ -141,6 +141,17 @@ std::optional<std::size_t> ClassModel::lessonOf(int column)
     return column < kFirstLesson ? std::nullopt : std::optional(static_cast<std::size_t>(column - kFirstLesson));
 }
 
+ClassModel::Passed ClassModel::passed(std::size_t lesson) const
+{
+    Passed made;
+    for (const auto& row : m_overview.cells)
+        if (row[lesson].attempts > 0) {
+            ++made.tried;
+            made.passed += row[lesson].passed ? 1 : 0;
+        }
+    return made;
+}
+
 const MatrixCell* ClassModel::cell(const QModelIndex& index) const
 {
     const auto lesson = lessonOf(index.column());
@@ -214,6 +225,8 @@ QString ClassModel::headWords(std::size_t lesson, bool isTip) const
         words << tr("due %1").arg(isTip ? when(given->second.dueUtc) : whenShort(given->second.dueUtc, m_now));
     if (isTip && given != m_given.end() && given->second.attemptLimit > 0)
         words << tr("%n attempt(s) at most", nullptr, given->second.attemptLimit);
+    if (const Passed of = passed(lesson); isTip && of.tried > 0)
+        words << tr("%1 of %2 passed").arg(of.passed).arg(of.tried);
     return words.join(u'\n');
 }
 

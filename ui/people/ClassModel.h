@@ -56,6 +56,13 @@ public:
     /// How many need so.
     [[nodiscard]] int count(Need need) const;
     /// Nothing for the column of the last attempt.
+    /// How many of those who tried a lesson have passed it.
+    struct Passed
+    {
+        int passed = 0;
+        int tried = 0;
+    };
+    [[nodiscard]] Passed passed(std::size_t lesson) const;
     [[nodiscard]] const database::MatrixCell* cell(const QModelIndex& index) const;
     /// The lesson is overdue, and has not been passed by this student.
     [[nodiscard]] bool isLate(const QModelIndex& index) const;

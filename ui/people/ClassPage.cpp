@@ -305,8 +305,15 @@ void ClassPage::fillLessons()
     const QString kept = chosenLesson();
     const QSignalBlocker quiet(m_lesson);
     m_lesson->clear();
-    for (const std::string& id : m_model->overview().lessons) {
-        m_lesson->addItem(lessonTitle(m_titles, id), QString::fromStdString(id));
+    const std::vector<std::string>& lessons = m_model->overview().lessons;
+    for (std::size_t k = 0; k < lessons.size(); ++k) {
+        // So that the hard ones are seen before any chart is opened.
+        const ClassModel::Passed of = m_model->passed(k);
+        const QString title = lessonTitle(m_titles, lessons[k]);
+        m_lesson->addItem(of.tried == 0 ? title
+                                        //: %1: a lesson; %2 of the %3 who tried it
+                                        : tr("%1 (%2 of %3 passed)").arg(title).arg(of.passed).arg(of.tried),
+                          QString::fromStdString(lessons[k]));
         if (m_lesson->itemData(m_lesson->count() - 1).toString() == kept)
             m_lesson->setCurrentIndex(m_lesson->count() - 1);
     }
