@@ -84,6 +84,12 @@ std::filesystem::path journalFolder(const QString& stationFolder, const database
     return std::filesystem::path(QDir(stationFolder).filePath(name).toStdU16String());
 }
 
+/// In the language of the moment.
+std::function<QStringList()> notesOf(const core::teeth::ToothReport& report)
+{
+    return [report] { return ui::text::scanNotes(report); };
+}
+
 /// An exam ends with its score: it is not taken up again, however the program ended.
 bool isGradedExam(const core::recording::Recording& recording)
 {
@@ -637,7 +643,7 @@ void Application::openLesson(const lessons::Lesson& lesson)
                     return;
                 }
                 m_tried.reset();
-                begin(assigned->assignment, ui::text::scanNotes(assigned->report), false);
+                begin(assigned->assignment, notesOf(assigned->report), false);
             });
     });
 }
@@ -803,12 +809,13 @@ void Application::takeTooth(const core::teeth::BuiltTooth& built)
 {
     const auto practice = lessons::practiceOn(built.anatomy);
     if (practice)
-        begin(*practice, ui::text::scanNotes(built.report), built.report.placement.unitDoubtful);
+        begin(*practice, notesOf(built.report), built.report.placement.unitDoubtful);
     else
         refuse(practice.error(), Failed::MakingTooth, {});
 }
 
-void Application::begin(const lessons::Assignment& assignment, const QStringList& notes, bool unitInDoubt)
+void Application::begin(const lessons::Assignment& assignment, const std::function<QStringList()>& notes,
+                        bool unitInDoubt)
 {
     const bool isExam = assignment.lesson && assignment.lesson->exam;
     const core::settings::FeelPreset usual = m_tried.value_or(m_presets.inUse());
@@ -835,7 +842,7 @@ void Application::begin(const lessons::Assignment& assignment, const QStringList
 
 /// Lays another tooth on the table. The session is still to be told.
 void Application::lay(const lessons::Assignment& assignment, const core::session::ServoSettings& settings,
-                      const QStringList& notes, bool unitInDoubt)
+                      const std::function<QStringList()>& notes, bool unitInDoubt)
 {
     if (m_replay) {
         putReplayAway();
@@ -1431,9 +1438,11 @@ void Application::tellUnfinished()
     const core::recording::Recording& recording = m_unfinished->recording;
     const lessons::ReadLesson read =
         lessons::readLessonText(QByteArray::fromStdString(recording.lesson()), QStringLiteral("lesson"));
-    m_window->offerUnfinished(read.lesson ? ui::study::said(read.lesson->title)
-                                          : ui::text::toothTitle(*recording.anatomy()),
-                              QDateTime::fromMSecsSinceEpoch(m_unfinished->begunUtcMs));
+    m_window->offerUnfinished(
+        [read, anatomy = recording.anatomy()] {
+            return read.lesson ? ui::study::said(read.lesson->title) : ui::text::toothTitle(*anatomy);
+        },
+        QDateTime::fromMSecsSinceEpoch(m_unfinished->begunUtcMs));
 }
 
 void Application::resumeUnfinished()

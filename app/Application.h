@@ -93,9 +93,9 @@ private:
     void tellNumbers();
     void refuse(const core::Error& error, ui::text::Failed failed, const QString& file);
     void takeTooth(const core::teeth::BuiltTooth& built);
-    void begin(const lessons::Assignment& assignment, const QStringList& notes, bool unitInDoubt);
+    void begin(const lessons::Assignment& assignment, const std::function<QStringList()>& notes, bool unitInDoubt);
     void lay(const lessons::Assignment& assignment, const core::session::ServoSettings& settings,
-             const QStringList& notes, bool unitInDoubt);
+             const std::function<QStringList()>& notes, bool unitInDoubt);
     void watchAttempt();
     void noteExam(const core::session::Findings& findings);
     void holdHand(bool wanted);

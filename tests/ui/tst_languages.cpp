@@ -129,6 +129,7 @@ private slots:
     void pages_data();
     void pages();
     void questionsAreAskedInTheLanguageOfToday();
+    void messagesThatStayFollowTheLanguage();
     void theMenuChoosesAndRemembers();
     void numbersAndDatesFollow();
     void whatIsNotSpokenIsEnglish();
@@ -270,7 +271,7 @@ void TestLanguages::pages_data()
     page("unfinished", [this] {
         m_window->setLessons(catalog(), {});
         actions().lessons->trigger();
-        m_window->offerUnfinished("[···]", QDateTime({2026, 5, 4}, {10, 20}, Qt::UTC));
+        m_window->offerUnfinished([] { return QString("[···]"); }, QDateTime({2026, 5, 4}, {10, 20}, Qt::UTC));
     });
     page("no lesson", [this] {
         m_window->setLessons(catalog(), {});
@@ -433,6 +434,29 @@ void TestLanguages::questionsAreAskedInTheLanguageOfToday()
     QVERIFY(question != nullptr);
     QCOMPARE(pseudo::notTranslated(*question), QStringList());
     QTest::keyClick(question, Qt::Key_Escape);
+}
+
+void TestLanguages::messagesThatStayFollowTheLanguage()
+{
+    m_window->showTooth(support::syntheticMolar(), m_generation + 1, [] {
+        return QStringList{QCoreApplication::translate("Tooth", "enamel"), "two"};
+    });
+    m_window->showError(core::Error{core::ErrorCode::FileUnreadable, "exact"}, ui::text::Failed::OpeningScan, "a.stl");
+    m_window->offerUnfinished([] { return QCoreApplication::translate("Tooth", "enamel"); },
+                              QDateTime({2026, 5, 4}, {10, 20}, Qt::UTC));
+    auto* bar = child<ui::shell::MessageBar>();
+    const QString english = bar->sentence();
+    QVERIFY2(english.contains("was not finished"), qPrintable(english));
+    ui::text::Language::choose("de");
+    const auto back = qScopeGuard([] { ui::text::Language::choose("en_GB"); });
+    QTRY_VERIFY2(bar->sentence().contains("nicht beendet"), qPrintable(bar->sentence()));
+    // What waits beneath it speaks the language of today, too.
+    bar->dismiss();
+    QVERIFY2(bar->sentence().contains("Scan") && !bar->sentence().contains("cannot be opened"), qPrintable(bar->sentence()));
+    ui::text::Language::choose("en_GB");
+    QTRY_VERIFY2(bar->sentence().contains("cannot be opened"), qPrintable(bar->sentence()));
+    bar->dismiss();
+    QCOMPARE(bar->sentence(), "2 notes about this scan");
 }
 
 void TestLanguages::theMenuChoosesAndRemembers()

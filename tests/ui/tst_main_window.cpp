@@ -83,6 +83,15 @@ using core::terrain::Material;
 using ui::study::ScorePage;
 using ui::text::Failed;
 
+namespace {
+
+std::function<QStringList()> noted(const QStringList& notes)
+{
+    return [notes] { return notes; };
+}
+
+}  // namespace
+
 class TestMainWindow : public QObject
 {
     Q_OBJECT
@@ -735,7 +744,7 @@ void TestMainWindow::theStereoPageHasAWayBack()
 
 void TestMainWindow::aMessageKeepsToTheView()
 {
-    m_window->showTooth(support::syntheticMolar(), 2, {"A note."});
+    m_window->showTooth(support::syntheticMolar(), 2, noted({"A note."}));
     const auto* message = child<MessageBar>();
     const auto isOverTheView = [&] {
         const QWidget& view = m_window->view();
@@ -1525,7 +1534,7 @@ void TestMainWindow::anErrorGoesWithTheNextGoodTooth()
     const core::Error error{core::ErrorCode::FileEmpty, "x"};
     m_window->showError(error, Failed::KeepingGrades);
     m_window->showError(error, Failed::OpeningScan);
-    m_window->showTooth(support::syntheticMolar(), 2, {"A note."});
+    m_window->showTooth(support::syntheticMolar(), 2, noted({"A note."}));
     QCOMPARE(message(), QString("A note."));
     m_window->showTooth(support::syntheticMolar(), 3, {});
     QVERIFY(message().startsWith("Grades will not be kept"));
@@ -1564,14 +1573,14 @@ void TestMainWindow::anUnfinishedAttemptIsOffered()
     auto* resume = child<MessageBar>()->findChild<QPushButton*>();
     auto* discard = child<MessageBar>()->findChild<QPushButton*>("decline");
     const QDateTime now = QDateTime::currentDateTime();
-    m_window->offerUnfinished("Tooth 36", now);
+    m_window->offerUnfinished([] { return QString("Tooth 36"); }, now);
     const QString time = QLocale().toString(now.time(), QLocale::ShortFormat);
     QCOMPARE(message(), QString("Tooth 36: an attempt of %1 was not finished.").arg(time));
     QVERIFY(resume->isVisible() && discard->isVisible());
     QTest::mouseClick(resume, Qt::LeftButton);
     QCOMPARE(resumed.size(), 1);
     QVERIFY(message().isEmpty());
-    m_window->offerUnfinished("Tooth 36", QDateTime(QDate(2011, 5, 3), QTime(12, 31)));
+    m_window->offerUnfinished([] { return QString("Tooth 36"); }, QDateTime(QDate(2011, 5, 3), QTime(12, 31)));
     QVERIFY2(message().contains("2011") || message().contains("/11"), qPrintable(message()));
     // News does not push it out.
     m_window->showMessage("News.");
@@ -1581,8 +1590,14 @@ void TestMainWindow::anUnfinishedAttemptIsOffered()
     QTest::mouseClick(discard, Qt::LeftButton);
     QCOMPARE(discarded.size(), 1);
     QCOMPARE(resumed.size(), 1);
+    // Discarded at another door, it is no longer offered here.
+    m_window->offerUnfinished([] { return QString("Tooth 36"); }, now);
+    QVERIFY(!message().isEmpty());
+    emit child<ui::study::LessonsPage>()->discardWanted();
+    QVERIFY(message().isEmpty());
+    QCOMPARE(discarded.takeLast().size(), 0);
     // Closed: neither, and it is offered again another time.
-    m_window->offerUnfinished("Tooth 36", now);
+    m_window->offerUnfinished([] { return QString("Tooth 36"); }, now);
     press(Qt::Key_Escape);
     QVERIFY(message().isEmpty());
     QCOMPARE(discarded.size() + resumed.size(), 2);
@@ -1592,7 +1607,7 @@ void TestMainWindow::takingItUpAsksAboutTheWorkOnTheTable()
 {
     QSignalSpy resumed(m_window.get(), &MainWindow::resumeRequested);
     cutSomething(0.5);
-    m_window->offerUnfinished("Tooth 36", QDateTime::currentDateTime());
+    m_window->offerUnfinished([] { return QString("Tooth 36"); }, QDateTime::currentDateTime());
     QTest::mouseClick(child<MessageBar>()->findChild<QPushButton*>(), Qt::LeftButton);
     QCOMPARE(resumed.size(), 0);
     auto* question = child<QuestionCard>("workQuestion");
@@ -1603,17 +1618,17 @@ void TestMainWindow::takingItUpAsksAboutTheWorkOnTheTable()
 
 void TestMainWindow::notesOfTheImporterAreShown()
 {
-    m_window->showTooth(support::syntheticMolar(), 2, {"The unit was guessed: millimetres."});
+    m_window->showTooth(support::syntheticMolar(), 2, noted({"The unit was guessed: millimetres."}));
     QCOMPARE(message(), QString("The unit was guessed: millimetres."));
     press(Qt::Key_Escape);
-    m_window->showTooth(support::syntheticMolar(), 3, {"One.", "Two."});
+    m_window->showTooth(support::syntheticMolar(), 3, noted({"One.", "Two."}));
     QVERIFY(message().startsWith("2 note"));
 }
 
 void TestMainWindow::anotherUnitCanBeChosenBesideTheNote()
 {
     QSignalSpy chosen(m_window.get(), &MainWindow::scanUnitChosen);
-    m_window->showTooth(support::syntheticMolar(), 2, {"Centimetres were taken."}, true);
+    m_window->showTooth(support::syntheticMolar(), 2, noted({"Centimetres were taken."}), true);
     const auto* button = child<MessageBar>()->findChild<QPushButton*>();
     QVERIFY(button->isVisible());
     QVERIFY(button->menu() != nullptr);
@@ -1622,11 +1637,11 @@ void TestMainWindow::anotherUnitCanBeChosenBesideTheNote()
     QCOMPARE(chosen.size(), 1);
     QCOMPARE(chosen.front().front().toString(), QString("mm"));
     QVERIFY(message().isEmpty());
-    m_window->showTooth(support::syntheticMolar(), 3, {"Centimetres were taken."}, true);
+    m_window->showTooth(support::syntheticMolar(), 3, noted({"Centimetres were taken."}), true);
     button->menu()->actions().back()->trigger();
     QCOMPARE(chosen.size(), 1);
     QVERIFY(message().isEmpty());
-    m_window->showTooth(support::syntheticMolar(), 4, {"The scan has openings; they were closed."});
+    m_window->showTooth(support::syntheticMolar(), 4, noted({"The scan has openings; they were closed."}));
     QVERIFY(!button->isVisible());
 }
 
@@ -2147,7 +2162,7 @@ void TestMainWindow::gradingAReplayOffersToStopIt()
 {
     QSignalSpy asked(m_window.get(), &MainWindow::gradeRequested);
     QSignalSpy stop(m_window.get(), &MainWindow::replayStopRequested);
-    m_window->showTooth(support::syntheticMolar(), 2, {"A note that has not been read."});
+    m_window->showTooth(support::syntheticMolar(), 2, noted({"A note that has not been read."}));
     m_window->setReplaying(true, 10.0);
     press(Qt::Key_G);
     QCOMPARE(asked.size(), 0);

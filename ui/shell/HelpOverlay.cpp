@@ -68,13 +68,12 @@ QLabel* keyCap(const QString& words, QWidget* parent)
     return cap;
 }
 
-QWidget* rowOf(QWidget* parent, const QString& words, const QStringList& keys)
+QWidget* rowOf(QWidget* parent, QLabel* doing, const QStringList& keys)
 {
     auto* whole = new QWidget(parent);
     auto* row = new QHBoxLayout(whole);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(kSpace1);
-    auto* doing = new QLabel(words, whole);
     doing->setWordWrap(true);
     row->addWidget(doing, 1);
     for (const QString& key : keys)
@@ -137,11 +136,14 @@ void HelpOverlay::makeGroups(const Actions& actions)
         QList<QWidget*> rows;
         QList<QAction*> keyed = group.actions;
         keyed.removeIf([](const QAction* action) { return action->shortcuts().isEmpty(); });
-        for (const QAction* action : std::as_const(keyed)) {
+        for (QAction* action : std::as_const(keyed)) {
             QStringList keys;
             for (const QKeySequence& key : action->shortcuts())
                 keys << key.toString(QKeySequence::NativeText);
-            rows << rowOf(m_content, action->text(), keys);
+            // Some are called otherwise as things stand: the same keys log in and lock.
+            auto* doing = new QLabel(m_content);
+            followWords(action, doing, [doing, action] { doing->setText(action->text()); });
+            rows << rowOf(m_content, doing, keys);
         }
         place(group.title(), rows);
         const auto follow = [this, heads = m_groups.back(), rows, actions = keyed] {
@@ -159,7 +161,7 @@ void HelpOverlay::makeGroups(const Actions& actions)
     }
     QList<QWidget*> rows;
     for (const Gesture& gesture : gestures())
-        rows << rowOf(m_content, gesture.doing, gesture.with);
+        rows << rowOf(m_content, new QLabel(gesture.doing), gesture.with);
     auto* force =
         new QLabel(tr("The teal arc beside the bur shows how hard it presses; it is full at the force that is "
                       "set."),

@@ -52,7 +52,6 @@
 #include "ui/shell/HelpOverlay.h"
 #include "ui/shell/LineIcon.h"
 #include "ui/shell/Memory.h"
-#include "ui/shell/MessageBar.h"
 #include "ui/shell/PracticeRoom.h"
 #include "ui/shell/SidePanel.h"
 #include "ui/shell/StereoCard.h"
@@ -558,7 +557,7 @@ void MainWindow::leaveAll()
         m_viewMenu->colourAgainstIdeal(false);
     m_behindDoor = m_room;
     m_lessonsPage->setUnfinished({}, {});
-    for (const auto topic : {MessageBar::Topic::Tooth, MessageBar::Topic::General})
+    for (const auto topic : {MessageBar::Topic::Tooth, MessageBar::Topic::Unfinished, MessageBar::Topic::General})
         m_messages->withdraw(topic);
 }
 
@@ -1508,7 +1507,7 @@ void MainWindow::placeOverlays()
 }
 
 void MainWindow::showTooth(std::shared_ptr<const core::terrain::ToothAnatomy> tooth, std::uint64_t generation,
-                           const QStringList& notes, bool unitInDoubt)
+                           const std::function<QStringList()>& notes, bool unitInDoubt)
 {
     m_busy->done();
     m_room->hideNotice();
@@ -1539,8 +1538,12 @@ void MainWindow::showTooth(std::shared_ptr<const core::terrain::ToothAnatomy> to
     const QWidget* const page = m_pages->currentWidget();
     if (std::exchange(m_askedFrom, nullptr) == page || page == m_room || page == m_chooser || isAtDoor() || m_replaying)
         goTo(m_room);
-    if (notes.isEmpty())
-        return;
+    if (notes && !notes().isEmpty())
+        m_messages->say([this, notes, unitInDoubt] { return noteOfScan(notes(), unitInDoubt); });
+}
+
+MessageBar::Message MainWindow::noteOfScan(const QStringList& notes, bool unitInDoubt)
+{
     MessageBar::Message message{MessageBar::Kind::Warning, notes.front(), {}, {}, {}, MessageBar::Topic::Tooth};
     if (notes.size() > 1) {
         message.sentence = tr("%n note(s) about this scan", nullptr, static_cast<int>(notes.size()));
@@ -1555,7 +1558,7 @@ void MainWindow::showTooth(std::shared_ptr<const core::terrain::ToothAnatomy> to
                            choice(tr("Centimetres"), QStringLiteral("cm")), choice(tr("Metres"), QStringLiteral("m")),
                            MessageBar::Choice{tr("Leave it as it is"), {}}};
     }
-    m_messages->say(message);
+    return message;
 }
 
 void MainWindow::sayTooth()
@@ -1586,15 +1589,18 @@ void MainWindow::showError(const core::Error& error, text::Failed failed, const 
     const bool ofTooth = failed == text::Failed::OpeningScan || failed == text::Failed::MakingTooth ||
                          failed == text::Failed::OpeningRecording;
     const QString name = QFileInfo(file).fileName();
-    m_messages->say(
-        {MessageBar::Kind::Error,
-         text::errorText(error, failed),
-         // Its teacher can mend it: the key is named, as on the page of lessons.
-         failed == text::Failed::OpeningLesson && !name.isEmpty() ? name + QStringLiteral(": ") + exact : name,
-         {},
-         {},
-         ofTooth ? MessageBar::Topic::Tooth : MessageBar::Topic::General,
-         exact});
+    // Its teacher can mend it: the key is named, as on the page of lessons.
+    const QString detail =
+        failed == text::Failed::OpeningLesson && !name.isEmpty() ? name + QStringLiteral(": ") + exact : name;
+    m_messages->say([=] {
+        return MessageBar::Message{MessageBar::Kind::Error,
+                                   text::errorText(error, failed),
+                                   detail,
+                                   {},
+                                   {},
+                                   ofTooth ? MessageBar::Topic::Tooth : MessageBar::Topic::General,
+                                   exact};
+    });
 }
 
 void MainWindow::stopBusy()
@@ -1613,37 +1619,44 @@ void MainWindow::showUndoable(const QString& sentence, const std::function<void(
     m_messages->say({MessageBar::Kind::News, sentence, {}, tr("Undo"), undo});
 }
 
-void MainWindow::offerUnfinished(const QString& tooth, const QDateTime& begun)
+void MainWindow::offerUnfinished(const std::function<QString()>& tooth, const QDateTime& begun)
 {
-    const QLocale locale;
-    const QString when = begun.date() == QDate::currentDate() ? locale.toString(begun.time(), QLocale::ShortFormat)
-                                                              : locale.toString(begun, QLocale::ShortFormat);
-    MessageBar::Message offer;
-    offer.kind = MessageBar::Kind::Warning;
-    //: %1: "Tooth 36", "Practice block: line"; %2: a time of today, or a day and a time
-    offer.sentence = tr("%1: an attempt of %2 was not finished.").arg(tooth, when);
-    offer.actionText = tr("Resume");
-    offer.action = [this] { resumeUnfinished(); };
-    offer.declining = {tr("Discard"), [this] { discardUnfinished(); }};
+    m_messages->withdraw(MessageBar::Topic::Unfinished);
     // The page of lessons has a card for it.
     if (m_pages->currentWidget() != m_lessonsPage)
-        m_messages->say(offer);
-    m_lessonsPage->setUnfinished(tooth, when);
+        m_messages->say([this, tooth, begun] {
+            MessageBar::Message offer;
+            offer.kind = MessageBar::Kind::Warning;
+            offer.topic = MessageBar::Topic::Unfinished;
+            //: %1: "Tooth 36", "Practice block: line"; %2: a time of today, or a day and a time
+            offer.sentence = tr("%1: an attempt of %2 was not finished.").arg(tooth(), text::shortWhen(begun));
+            offer.actionText = tr("Resume");
+            offer.action = [this] { resumeUnfinished(); };
+            offer.declining = {tr("Discard"), [this] { discardUnfinished(); }};
+            return offer;
+        });
+    m_lessonsPage->setUnfinished(tooth, begun);
 }
 
 void MainWindow::resumeUnfinished()
 {
     goTo(m_room);
     leaveWork([this] {
-        m_lessonsPage->setUnfinished({}, {});
+        forgetUnfinished();
         emit resumeRequested();
     });
 }
 
 void MainWindow::discardUnfinished()
 {
-    m_lessonsPage->setUnfinished({}, {});
+    forgetUnfinished();
     emit discardRequested();
+}
+
+void MainWindow::forgetUnfinished()
+{
+    m_messages->withdraw(MessageBar::Topic::Unfinished);
+    m_lessonsPage->setUnfinished({}, {});
 }
 
 void MainWindow::offerToBringBack(const std::function<void()>& bringBack)

@@ -31,6 +31,7 @@
 #include "ui/presets/BlindTrial.h"
 #include "ui/replay/Course.h"
 #include "ui/replay/HistoryPanel.h"
+#include "ui/shell/MessageBar.h"
 #include "ui/shell/QuestionCard.h"
 #include "ui/study/Expectation.h"
 #include "ui/study/LessonsPage.h"
@@ -87,7 +88,6 @@ namespace ui::shell {
 class Actions;
 class BusyCard;
 class HelpOverlay;
-class MessageBar;
 class PracticeRoom;
 class StereoCard;
 class ToothChooser;
@@ -125,10 +125,10 @@ public:
 
 public slots:
     /// The tooth that is now on the table.
-    /// @param notes  what the importer guessed or warned, one sentence each
+    /// @param notes  what the importer guessed or warned, one sentence each; nothing: it had no doubt
     /// @param unitInDoubt  a unit can be chosen beside the notes
     void showTooth(std::shared_ptr<const core::terrain::ToothAnatomy> tooth, std::uint64_t generation,
-                   const QStringList& notes, bool unitInDoubt = false);
+                   const std::function<QStringList()>& notes, bool unitInDoubt = false);
     /// Work is going on. It ends with showTooth, showScore or showError.
     void showBusy(const QString& what);
     /// @param file  its path, where there is one
@@ -145,7 +145,7 @@ public slots:
     /// An attempt was not finished: says so, with a button that takes it up and one that discards it. It stays until
     /// one of them is pressed, or it is closed.
     /// @param tooth  its title
-    void offerUnfinished(const QString& tooth, const QDateTime& begun);
+    void offerUnfinished(const std::function<QString()>& tooth, const QDateTime& begun);
     /// It was discarded; a button takes that back.
     void offerToBringBack(const std::function<void()>& bringBack);
     /// @param history  grades of this tooth, newest first, this one included; empty: grades are not kept
@@ -354,6 +354,7 @@ private:
 
     void speak();
     void sayTooth();
+    MessageBar::Message noteOfScan(const QStringList& notes, bool unitInDoubt);
     void recallLayout();
     void connectActions();
     void connectView();
@@ -383,6 +384,7 @@ private:
     void tellUnreachable();
     void resumeUnfinished();
     void discardUnfinished();
+    void forgetUnfinished();
     void lockIfIdle();
     /// Whether something is saved or discarded; cancelled, nothing happens.
     /// @param name  for tests

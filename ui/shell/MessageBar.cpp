@@ -22,6 +22,15 @@ namespace {
 constexpr int kWidthPx = 720;
 constexpr int kIconPx = 22;
 
+MessageBar::Message inPresentLanguage(const MessageBar::Message& message)
+{
+    if (!message.again)
+        return message;
+    MessageBar::Message said = message.again();
+    said.again = message.again;
+    return said;
+}
+
 }  // namespace
 
 MessageBar::MessageBar(QWidget* parent)
@@ -75,7 +84,20 @@ MessageBar::MessageBar(QWidget* parent)
     };
     connect(m_button, &QPushButton::clicked, this, [this, doThenClose] { doThenClose(m_now.action); });
     connect(m_decline, &QPushButton::clicked, this, [this, doThenClose] { doThenClose(m_now.declining.action); });
+    text::inEveryLanguage(this, [this] {
+        for (Message& message : m_waiting)
+            message = inPresentLanguage(message);
+        if (m_now.again)
+            present(inPresentLanguage(m_now));
+    });
     hide();
+}
+
+void MessageBar::say(const std::function<Message()>& words)
+{
+    Message message = words();
+    message.again = words;
+    say(message);
 }
 
 void MessageBar::say(const Message& message)

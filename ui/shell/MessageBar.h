@@ -24,8 +24,9 @@ class MessageBar : public QFrame
     Q_OBJECT
 public:
     enum class Kind { News, Warning, Error };
-    /// What a message is about: one about a tooth that is no longer on the table is taken back.
-    enum class Topic { General, Tooth };
+    /// What a message is about: one about a tooth that is no longer on the table is taken back, and so is the offer of
+    /// an attempt that was taken up or discarded.
+    enum class Topic { General, Tooth, Unfinished };
     struct Choice
     {
         QString text;
@@ -39,9 +40,10 @@ public:
         QString actionText;  ///< empty: no button
         std::function<void()> action;
         Topic topic = Topic::General;
-        QString technical = {};      ///< exact and English, for whoever points at the message
-        QList<Choice> choices = {};  ///< of the button's menu, in place of `action`
-        Choice declining = {};       ///< the second button; no text: none
+        QString technical = {};               ///< exact and English, for whoever points at the message
+        QList<Choice> choices = {};           ///< of the button's menu, in place of `action`
+        Choice declining = {};                ///< the second button; no text: none
+        std::function<Message()> again = {};  ///< in the language of the moment; empty: it stays as it was said
     };
 
     /// How long news stays.
@@ -50,6 +52,8 @@ public:
     explicit MessageBar(QWidget* parent);
 
     void say(const Message& message);
+    /// Says it again in each language that is chosen while it stands or waits: who cannot read it changes the language.
+    void say(const std::function<Message()>& words);
     /// Closes the present message; the next one follows. False when there was none.
     bool dismiss();
     /// Takes back every message of a topic, shown or waiting.

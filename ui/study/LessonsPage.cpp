@@ -347,7 +347,7 @@ bool LessonsPage::isToDo(const CatalogEntry& entry) const
     return givenOf(entry) != nullptr && (standing == nullptr || !standing->passed);
 }
 
-void LessonsPage::setUnfinished(const QString& title, const QString& begun)
+void LessonsPage::setUnfinished(const std::function<QString()>& title, const QDateTime& begun)
 {
     m_unfinished = title;
     m_unfinishedBegun = begun;
@@ -368,12 +368,13 @@ const CatalogEntry* LessonsPage::lastTried() const
 void LessonsPage::tellContinue()
 {
     const CatalogEntry* const last = lastTried();
-    m_continue->setVisible(!m_unfinished.isEmpty() || last != nullptr);
+    m_continue->setVisible(m_unfinished || last != nullptr);
     m_goOn->setText(tr("Continue"));
-    m_discard->setVisible(!m_unfinished.isEmpty());
-    if (!m_unfinished.isEmpty()) {
+    m_discard->setVisible(static_cast<bool>(m_unfinished));
+    if (m_unfinished) {
         //: %1: a lesson or a tooth; %2: a time of today, or a day and a time
-        m_continueWords->setText(tr("Continue where I stopped: %1, begun %2").arg(m_unfinished, m_unfinishedBegun));
+        m_continueWords->setText(
+            tr("Continue where I stopped: %1, begun %2").arg(m_unfinished(), text::shortWhen(m_unfinishedBegun)));
     } else if (last != nullptr) {
         //: %1: a lesson; %2: points
         m_continueWords->setText(tr("Tried last: %1, best so far %2")
@@ -385,7 +386,7 @@ void LessonsPage::tellContinue()
 
 void LessonsPage::goOn()
 {
-    if (!m_unfinished.isEmpty())
+    if (m_unfinished)
         emit resumeWanted();
     else if (const CatalogEntry* const last = lastTried(); last != nullptr)
         emit lessonChosen(*last->read.lesson);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <vector>
@@ -57,10 +58,9 @@ public:
     /// @param standings, given  by lesson's id
     void setLessons(std::vector<::lessons::CatalogEntry> entries, std::map<std::string, Standing> standings,
                     std::map<std::string, Given> given = {});
-    /// An attempt that was not finished can be gone on with. Empty: there is none.
-    /// @param title  of its lesson or tooth
-    /// @param begun  as one reads it
-    void setUnfinished(const QString& title, const QString& begun);
+    /// An attempt that was not finished can be gone on with.
+    /// @param title  of its lesson or tooth; nothing: there is none
+    void setUnfinished(const std::function<QString()>& title, const QDateTime& begun);
     /// What teachers have said of one's attempts, newest first; what was read already is not told.
     void setFeedback(const std::vector<database::Feedback>& feedback);
     /// The lesson on the table, marked in the list; empty for none.
@@ -109,8 +109,8 @@ private:
     std::vector<::lessons::CatalogEntry> m_entries;
     std::map<std::string, Standing> m_standings;
     std::map<std::string, Given> m_given;
-    QString m_unfinished;  ///< title
-    QString m_unfinishedBegun;
+    std::function<QString()> m_unfinished;  ///< its title
+    QDateTime m_unfinishedBegun;
     LessonThumbs* m_thumbs;
     std::string m_present;
     QSet<QString> m_unsaved;

@@ -298,6 +298,13 @@ QStringList scanNotes(const core::teeth::ToothReport& report)
     return notes;
 }
 
+QString shortWhen(const QDateTime& at)
+{
+    const QLocale locale;
+    return at.date() == QDate::currentDate() ? locale.toString(at.time(), QLocale::ShortFormat)
+                                             : locale.toString(at, QLocale::ShortFormat);
+}
+
 QString materialName(core::terrain::Material material)
 {
     switch (material) {

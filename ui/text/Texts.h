@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include <QDateTime>
 #include <QString>
 #include <QStringList>
 
@@ -38,6 +39,9 @@ enum class Failed {
 
 /// What the importer guessed, left out or could not make sense of, one sentence each; empty when all is well.
 [[nodiscard]] QStringList scanNotes(const core::teeth::ToothReport& report);
+
+/// A time of today, or a day and a time, local.
+[[nodiscard]] QString shortWhen(const QDateTime& at);
 
 /// "enamel", "dentin", "decay", "pulp".
 [[nodiscard]] QString materialName(core::terrain::Material material);
