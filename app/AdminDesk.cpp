@@ -9,6 +9,7 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QPointer>
+#include <QTimer>
 
 #include "app/Background.h"
 #include "app/Backups.h"
@@ -43,6 +44,7 @@ using ui::text::Failed;
 constexpr int kAuditRows = 500;
 constexpr qint64 kLargestRoster = 16 * 1024 * 1024;
 constexpr int kProgressMs = 100;
+constexpr int kSoonMs = 100;  ///< what takes longer is told
 
 core::Status belong(const School& school, const Session& who, PersonId person, const QSet<qint64>& wanted,
                     const std::vector<ClassId>& present)
@@ -74,7 +76,24 @@ QString why(const core::Error& error)
     case core::ErrorCode::NobodyLeft:
         return AdminDesk::tr("This is the last admin who can log in. Make somebody else an admin first.");
     default:
-        return errorText(error, Failed::ReadingSchool);
+        return errorText(error, Failed::ChangingSchool);
+    }
+}
+
+/// What is wrong with a class list as a whole, %1; empty: it is not the file's fault.
+QString classListFault(core::ErrorCode code)
+{
+    switch (code) {
+    case core::ErrorCode::FileEmpty:
+        return AdminDesk::tr("%1 is empty. The first line of a class list names its columns: username, given_name, "
+                             "family_name, role, class.");
+    case core::ErrorCode::BadStructure:
+        return AdminDesk::tr("%1 is no class list. That is a CSV file, text in UTF-8, whose first line names its "
+                             "columns: username, given_name, family_name, role, class.");
+    case core::ErrorCode::FileTooLarge:
+        return AdminDesk::tr("%1 has too many lines. Split it, and enter the parts one after another.");
+    default:
+        return {};
     }
 }
 
@@ -123,10 +142,12 @@ AdminDesk::AdminDesk(ui::shell::MainWindow& window, SchoolDesk& desk, Place plac
                 return true;
             },
             [this, minutes](const core::Result<bool>& done) {
-                if (done)
+                if (done) {
                     emit idleMinutesChanged(minutes);
-                else
-                    refuse(done.error());
+                    m_window.showMessage(tr("A place that was left is locked after %n minute(s).", nullptr, minutes));
+                } else {
+                    m_window.showError(done.error(), Failed::ChangingSchool);
+                }
             });
     });
 }
@@ -196,6 +217,8 @@ void AdminDesk::tellPeople(const std::function<void()>& then)
                 names[person.uid] = name;
                 names[database::sql::Logins::nameInAudit(person.username)] = name;
             }
+            for (const database::SchoolClass& one : found->classes)
+                names["class:" + std::to_string(one.id.value)] = QString::fromStdString(one.name);
             page.audit().setNames(names);
             if (then)
                 then();
@@ -303,7 +326,8 @@ void AdminDesk::connectRoster()
     connect(&part, &RosterPart::fileChosen, this, [this, &part](const QString& path) {
         QFile file(path);
         if (!file.open(QIODevice::ReadOnly) || file.size() > kLargestRoster) {
-            part.refuse(tr("%1 cannot be read, or is too large.").arg(QDir::toNativeSeparators(path)));
+            part.refuseFile(path, tr("%1 cannot be read, or is too large.").arg(QDir::toNativeSeparators(path)),
+                            file.errorString());
             return;
         }
         m_roster = file.readAll();
@@ -315,20 +339,27 @@ void AdminDesk::connectRoster()
 
 void AdminDesk::import(bool isDryRun)
 {
+    const auto isOver = std::make_shared<bool>(false);
+    QTimer::singleShot(kSoonMs, this, [this, isOver, isDryRun] {
+        if (!*isOver)
+            m_window.adminPage().roster().say(isDryRun ? tr("The class list is looked at …")
+                                                       : tr("These people are being entered …"));
+    });
     m_desk.ask(
         this,
         [who = m_who(), csv = m_roster.toStdString(), isDryRun](const School& school) {
             return database::sql::importRoster(school, who, csv, isDryRun);
         },
-        [this, isDryRun](const core::Result<database::RosterOutcome>& outcome) {
+        [this, isDryRun, isOver](const core::Result<database::RosterOutcome>& outcome) {
+            *isOver = true;
             ui::admin::RosterPart& part = m_window.adminPage().roster();
             if (outcome)
                 part.showOutcome(*outcome, m_rosterFile, !isDryRun);
+            else if (const QString fault = classListFault(outcome.error().code); !fault.isEmpty())
+                part.refuseFile(m_rosterFile, fault.arg(QFileInfo(m_rosterFile).fileName()),
+                                QString::fromStdString(outcome.error().detail));
             else
-                part.refuse(outcome.error().code == core::ErrorCode::BadStructure ||
-                                    outcome.error().code == core::ErrorCode::FileTooLarge
-                                ? tr("This is no class list: %1").arg(QString::fromStdString(outcome.error().detail))
-                                : why(outcome.error()));
+                part.say(why(outcome.error()));
         });
 }
 
@@ -415,7 +446,18 @@ void AdminDesk::connectBackups()
                     findings);
             });
     });
-    connect(&part, &BackupPart::restoreWanted, this, &AdminDesk::restoreWanted);
+    connect(&part, &BackupPart::restoreWanted, this, [this, &part](const QString& backup) {
+        part.showProgress(tr("The backup is looked at …"), 0, 0);
+        inBackground(
+            this, [backup] { return database::sql::verifyBackup(backup); },
+            [this, &part, backup](const core::Status& sound) {
+                part.finish(sound ? QString()
+                                  : tr("%1 is no whole backup of a school, and was not restored. Choose another one.")
+                                        .arg(QFileInfo(backup).fileName()));
+                if (sound)
+                    emit restoreWanted(backup);
+            });
+    });
 }
 
 void AdminDesk::tellBackups()

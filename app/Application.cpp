@@ -90,18 +90,27 @@ std::function<QStringList()> notesOf(const core::teeth::ToothReport& report)
     return [report] { return ui::text::scanNotes(report); };
 }
 
-/// An exam ends with its score: it is not taken up again, however the program ended.
-bool isGradedExam(const core::recording::Recording& recording)
+/// An attempt that was graded and not gone on with is done: taken up again it would count twice. An exam ends with its
+/// score, however the program ended.
+bool isDone(const core::recording::Recording& recording)
 {
-    const auto read = lessons::readLessonText(QByteArray::fromStdString(recording.lesson()), QStringLiteral("lesson"));
-    if (!read.lesson || !read.lesson->exam)
-        return false;
-    bool graded = false;
-    recording.forEach([&graded](const core::session::ServoEvent& event) {
-        graded = graded ||
-                 (event.kind == core::session::ServoEvent::Kind::Note && event.value == core::session::kGradedNote);
+    using Kind = core::session::ServoEvent::Kind;
+    bool isGraded = false;
+    bool drillOn = false;
+    bool isGoneOnWith = false;
+    recording.forEach([&](const core::session::ServoEvent& event) {
+        if (event.kind == Kind::Note && event.value == core::session::kGradedNote) {
+            isGraded = true;
+            isGoneOnWith = false;
+        }
+        if (event.kind == Kind::Drill || event.kind == Kind::Resume)
+            drillOn = event.kind == Kind::Drill && event.value != 0;
+        isGoneOnWith = isGoneOnWith || (event.kind == Kind::Tick && drillOn);
     });
-    return graded;
+    if (!isGraded || !isGoneOnWith)
+        return isGraded;
+    const auto read = lessons::readLessonText(QByteArray::fromStdString(recording.lesson()), QStringLiteral("lesson"));
+    return read.lesson && read.lesson->exam;
 }
 
 using Wishes = core::rt::TripleBuffer<core::session::PointerInput>;
@@ -283,7 +292,13 @@ void Application::openDatabase()
         }
     });
     connect(m_desk.get(), &SchoolDesk::damaged, this,
-            [this](const core::Error& error) { m_window->showError(error, Failed::KeepingGrades); });
+            [this](const core::Error& error) { m_window->showError(error, Failed::SendingAttempt); });
+    connect(m_desk.get(), &SchoolDesk::waitOn, this, [this](int count) {
+        m_window->showMessage(
+            tr("%n attempt(s) on this computer cannot be given to this school: it does not know whose "
+               "they are, or they were signed with another station.key. They wait.",
+               nullptr, count));
+    });
     m_address = *address;
     m_admin = std::make_unique<AdminDesk>(*m_window, *m_desk,
                                           AdminDesk::Place{*address, m_stationFolder, m_options.simulatedDevice,
@@ -858,6 +873,8 @@ void Application::lay(const lessons::Assignment& assignment, const core::session
     m_window->setHandpieces(m_settings.handpieces);
     holdHand(false);
     m_ownGeneration = ++m_generation;
+    m_cutIn.clear();
+    m_isTakenUp = false;
     m_infractionsTold = 0;
     m_follower.watch(m_ownGeneration, lessons::examinationOf(m_assignment));
     m_demoHand.reset();
@@ -882,8 +899,11 @@ void Application::letHandDecide()
 /// In practice a breach of the lesson's rules stops the bur and is explained. In an exam it is only noted.
 void Application::watchAttempt()
 {
-    if (!m_replay)
+    if (!m_replay) {
         tellNumbers();
+        if (m_links.servo.latest().cutting)
+            ++m_cutIn[m_window->view().settings().presentation.stereo];
+    }
     if (m_replay || !m_assignment.lesson)
         return;
     const core::session::Findings findings = m_follower.findings();
@@ -1041,7 +1061,9 @@ void Application::finish(const std::optional<ui::study::Expectation>& expected)
                 {},
                 expected,
                 {std::make_shared<const core::terrain::Tooth>(done->tooth), m_assignment.shownIdeal(), marked->measured,
-                 found.infractions, found.aids, lessons::presetUsed(done->recording), m_assignment.exercise},
+                 found.infractions, found.aids,
+                 // Of what is tried its card tells, and in a blind comparison nobody.
+                 m_tried ? std::nullopt : std::optional(lessons::presetUsed(done->recording)), m_assignment.exercise},
                 done->recording,
                 found.practised};
     static_cast<void>(m_links.commands.tryPush(core::session::AddNote{core::session::kGradedNote}));
@@ -1077,7 +1099,10 @@ database::AttemptRecord Application::recordOf(const core::session::Concluded& do
     record.device = m_options.simulatedDevice ? "simulated" : "pointer";
     record.method = m_settings.method;
     record.grid = m_assignment.anatomy->grid.side;
-    record.viewMode = ui::render::idOf(m_window->view().settings().presentation.stereo);
+    const auto mostly = std::max_element(m_cutIn.begin(), m_cutIn.end(),
+                                         [](const auto& a, const auto& b) { return a.second < b.second; });
+    record.viewMode =
+        ui::render::idOf(mostly != m_cutIn.end() ? mostly->first : m_window->view().settings().presentation.stereo);
     record.seed = std::to_string(m_assignment.anatomy->seed);
     record.preset = preset.name.toStdString() + (preset.version > 0 ? " v" + std::to_string(preset.version) : "") +
                     (preset.isChanged ? ", changed" : "");
@@ -1093,9 +1118,10 @@ database::AttemptRecord Application::recordOf(const core::session::Concluded& do
 /// The grade that is shown goes into the outbox, and from there into the database.
 void Application::keepGrade()
 {
-    // A guest could do an exam as often as he likes, and log in for the best; and the simulated hand is nobody's.
-    const bool isNobodys =
-        m_options.simulatedDevice || (m_who.isGuest() && m_assignment.lesson && m_assignment.lesson->exam);
+    // A guest could do an exam as often as he likes, and log in for the best; what he has taken up may be another
+    // guest's; and the simulated hand is nobody's.
+    const bool isExam = m_assignment.lesson && m_assignment.lesson->exam;
+    const bool isNobodys = m_options.simulatedDevice || (m_who.isGuest() && (isExam || m_isTakenUp));
     m_graded->keeping = !m_desk || isNobodys ? Keeping::Nowhere : m_who.isGuest() ? Keeping::Guest : Keeping::Pending;
     tellKeeping();
     if (m_graded->keeping != Keeping::Pending)
@@ -1408,7 +1434,7 @@ void Application::offerUnfinished()
                         search.failure = found.error();
                         if (found.error().code != core::ErrorCode::NewerVersion)  // which may still take it up
                             core::recording::discardJournal(path);
-                    } else if (*found && isGradedExam((*found)->recording)) {
+                    } else if (*found && isDone((*found)->recording)) {
                         core::recording::discardJournal(path);
                     } else if (*found) {
                         search.found = std::move(*found);
@@ -1484,6 +1510,7 @@ void Application::takeUp(std::unique_ptr<core::session::Unfinished> attempt)
         core::settings::feltAs(m_presets.inUse(), m_settings.hardness, m_settings.force,
                                assignment->lesson ? assignment->lesson->kind : core::settings::ToothKind{});
     m_window->showFeel(felt, felt);
+    m_isTakenUp = true;
     m_begunExam = {m_ownGeneration, {}, true};  // it was told when it began
     m_journal->takeUp(m_ownGeneration, std::move(*m_unfinished));
     m_unfinished.reset();
@@ -1543,16 +1570,18 @@ void Application::showMoment(double seconds)
 {
     if (m_opened)
         playOpened(std::max(0.0, seconds - ui::replay::kLeadUpS));
-    else if (m_graded && !m_replay)
+    else if (m_graded && !m_replay) {
         play(m_graded->recording, std::max(0.0, seconds - ui::replay::kLeadUpS));
+        m_playsCard = m_replay != nullptr;
+    }
 }
 
 /// The attempt whose score card is open; the way back leads there.
 void Application::playOpened(std::optional<double> heldAtS)
 {
     play(*m_opened, heldAtS);
-    m_playsOpened = m_replay != nullptr;
-    m_people->followReplay(m_playsOpened);
+    m_playsCard = m_replay != nullptr;
+    m_people->followReplay(m_playsCard);
 }
 
 /// Waits until the tooth is there and drawn as it ended, saves the picture and quits.
@@ -1579,7 +1608,7 @@ void Application::drawPicture()
 /// Afterwards nobody writes what the window reads, until loops start again.
 void Application::putReplayAway()
 {
-    m_playsOpened = false;
+    m_playsCard = false;
     if (m_people)
         m_people->followReplay(false);
     m_replay.reset();
@@ -1590,7 +1619,7 @@ void Application::stopReplay()
 {
     if (!m_replay)
         return;
-    const bool returns = m_playsOpened && m_opened;
+    const bool returns = m_playsCard && (m_opened || m_graded);
     if (!m_assignment.anatomy) {
         if (const auto practice = lessons::practiceOn(m_replayed)) {
             begin(*practice, {}, false);

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <functional>
+#include <map>
 #include <memory>
 
 #include <QObject>
@@ -28,6 +29,7 @@
 #include "haptics/simulated/IdealHand.h"
 #include "lessons/Assignment.h"
 #include "lessons/ClassStanding.h"
+#include "ui/render/Presenter.h"
 #include "ui/shell/MainWindow.h"
 #include "ui/study/ScorePage.h"
 
@@ -203,7 +205,7 @@ private:
     std::optional<core::session::Concluded> m_toMark;  ///< while what is expected of it is asked
     std::optional<Graded> m_graded;
     std::optional<core::recording::Recording> m_opened;  ///< of the score card that is shown, where it is an old one
-    bool m_playsOpened = false;                          ///< that one is played, from its score card
+    bool m_playsCard = false;                            ///< the attempt of the score card is played, from there
     Explainer m_explainer;                               ///< of m_graded
     Explainer m_openedExplainer;                         ///< of m_opened
     QTimer m_journalWatch;
@@ -219,6 +221,8 @@ private:
         bool isTold = false;
     };
     BegunExam m_begunExam;
+    std::map<ui::render::Stereo, int> m_cutIn;  ///< looks at the attempt that found it being cut, by what it is seen in
+    bool m_isTakenUp = false;                   ///< it was not finished when it was left
     QTimer m_demoBeat;
     std::unique_ptr<ReplayDesk> m_replay;
     std::shared_ptr<const core::terrain::ToothAnatomy> m_replayed;

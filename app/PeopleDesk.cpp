@@ -216,7 +216,7 @@ void PeopleDesk::sayInTalk(Work work)
             if (done)
                 tellTalk();
             else
-                m_window.scorePage().talk().refuse(text::errorText(done.error(), text::Failed::ReadingSchool));
+                m_window.scorePage().talk().refuse(text::errorText(done.error(), text::Failed::ChangingSchool));
         });
 }
 
@@ -234,6 +234,32 @@ void PeopleDesk::talkAbout(const std::optional<database::AttemptRecord>& attempt
     page.setMayTalk(teaches);
     page.talk().setTalk({});
     tellTalk();
+    tellBefore();
+}
+
+/// The attempts before it, of the same lesson or without one of the same tooth. Until they are known nothing is said of
+/// its being the first.
+void PeopleDesk::tellBefore()
+{
+    m_window.scorePage().setKeeping(ui::study::ScorePage::Keeping::Pending);
+    const database::AttemptRecord& opened = *m_talkedAbout;
+    askAs([who = m_who(), person = opened.person,
+           query = database::sql::HistoryQuery{opened.lessonId, opened.lessonId.empty() ? opened.tooth : ""}](
+              const School& school) { return database::sql::history(school, who, person, query); },
+          [this, id = opened.id](const core::Result<std::vector<database::AttemptRecord>>& found) {
+              if (!m_talkedAbout || m_talkedAbout->id != id)
+                  return;
+              if (!found) {
+                  refuse(found.error());
+                  return;
+              }
+              const auto shown =
+                  std::find_if(found->begin(), found->end(), [id](const auto& attempt) { return attempt.id == id; });
+              if (shown == found->end())
+                  return;
+              m_window.scorePage().setHistory({shown, found->end()});
+              m_window.scorePage().setKeeping(ui::study::ScorePage::Keeping::Kept);
+          });
 }
 
 void PeopleDesk::tellTalk()
@@ -456,7 +482,7 @@ void PeopleDesk::changeAssignments(const QList<ui::people::AssignmentChange>& ch
             if (done)
                 page.confirm(changes);
             else
-                page.refuse(text::errorText(done.error(), text::Failed::ReadingSchool));
+                page.refuse(text::errorText(done.error(), text::Failed::ChangingSchool));
             tellOverview(page.ofClass());
         });
 }

@@ -69,6 +69,7 @@ private:
     void refuse(const core::Error& error);
     void connectTalk();
     void tellTalk();
+    void tellBefore();
     void noteSeen(const database::AttemptRecord& attempt);
     template <class Work>
     void sayInTalk(Work work);

@@ -63,6 +63,24 @@ core::Result<FeelPreset> keepInSchool(const School& school, const Session& who, 
     return tl::unexpected(why);
 }
 
+/// What reading it would find, were it kept.
+ReadPreset readBack(FeelPreset preset)
+{
+    preset.version = std::max(preset.version, 1);  // 0 is the next one
+    return lessons::readPresetText(QJsonDocument(lessons::toJson(preset)).toJson(),
+                                   QString::fromStdString(preset.name));
+}
+
+QString keptFault(const core::Error& error)
+{
+    if (error.code == core::ErrorCode::NotAllowed)
+        return PresetDesk::tr("Not kept: only an admin keeps the school's presets.");
+    if (error.code == core::ErrorCode::FileUnwritable)
+        return PresetDesk::tr("Not kept: the file cannot be written. Make room on the disk, or check the rights.") +
+               u'\n' + QString::fromStdString(error.detail);
+    return ui::text::errorText(error, ui::text::Failed::ChangingSchool);
+}
+
 }  // namespace
 
 PresetDesk::PresetDesk(MainWindow& window, std::function<Session()> who)
@@ -77,7 +95,7 @@ void PresetDesk::connectPage()
 {
     connect(&m_window, &MainWindow::presetsWanted, this, &PresetDesk::refresh);
     connect(&m_window, &MainWindow::presetUseWanted, this, &PresetDesk::use);
-    connect(&m_window, &MainWindow::presetSaveWanted, this, &PresetDesk::keep);
+    connect(&m_window, &MainWindow::presetSaveWanted, this, [this](const FeelPreset& preset) { keep(preset, {}); });
     connect(&m_window, &MainWindow::presetImportWanted, this, &PresetDesk::import);
     connect(&m_window, &MainWindow::presetExportWanted, this, &PresetDesk::exportTo);
 }
@@ -170,28 +188,30 @@ void PresetDesk::use(const FeelPreset& preset)
             if (done)
                 used(tr("The next tooth of everybody here feels like this."));
             else
-                m_window.showPresetFault(ui::text::errorText(done.error(), ui::text::Failed::ReadingSchool));
+                m_window.showPresetFault(ui::text::errorText(done.error(), ui::text::Failed::ChangingSchool));
         });
 }
 
-void PresetDesk::keep(const FeelPreset& preset)
+void PresetDesk::keep(const FeelPreset& preset, const QString& note)
 {
+    if (const ReadPreset read = readBack(preset); !read.preset) {
+        m_window.showPresetFault(tr("Not kept: %1").arg(ui::presets::faultWords(read)));
+        return;
+    }
     const Session who = m_who();
     if (who.isGuest() || !m_school) {
-        tellKept(m_folder.save(preset));
+        tellKept(m_folder.save(preset), note);
         return;
     }
     m_school->ask(
         this, [who, preset](const School& school) { return keepInSchool(school, who, preset); },
-        [this](const core::Result<FeelPreset>& kept) { tellKept(kept); });
+        [this, note](const core::Result<FeelPreset>& kept) { tellKept(kept, note); });
 }
 
-void PresetDesk::tellKept(const core::Result<FeelPreset>& kept)
+void PresetDesk::tellKept(const core::Result<FeelPreset>& kept, const QString& note)
 {
     if (!kept) {
-        m_window.showPresetFault(kept.error().code == core::ErrorCode::NotAllowed
-                                     ? tr("Not kept: only an admin keeps the school's presets.")
-                                     : tr("Not kept: %1").arg(QString::fromStdString(kept.error().detail)));
+        m_window.showPresetFault(keptFault(kept.error()));
         return;
     }
     // Named, as what lies in a file or in the school is: only what is shipped has no place.
@@ -205,20 +225,18 @@ void PresetDesk::tellKept(const core::Result<FeelPreset>& kept)
     }
     m_window.setPresets(m_all, m_inUse);
     m_window.showPresetKept(*kept);
+    if (!note.isEmpty())
+        m_window.showPresetFault(note);
 }
 
 void PresetDesk::import(const QString& path)
 {
     const ReadPreset read = lessons::readPreset(path);
     if (read.preset) {
-        keep(*read.preset);
-        if (!read.faults.empty())
-            m_window.showPresetFault(read.faults.front().sentence());
+        keep(*read.preset, read.faults.empty() ? QString() : ui::presets::faultWords(read));
         return;
     }
-    const auto grave =
-        std::find_if(read.faults.begin(), read.faults.end(), [](const lessons::Fault& fault) { return fault.grave; });
-    m_window.showPresetFault(tr("Not imported: %1").arg(grave->sentence()));
+    m_window.showPresetFault(tr("Not imported: %1").arg(ui::presets::faultWords(read)));
 }
 
 void PresetDesk::exportTo(const FeelPreset& preset, const QString& path)
@@ -226,7 +244,9 @@ void PresetDesk::exportTo(const FeelPreset& preset, const QString& path)
     if (const auto written = lessons::writePreset(path, preset))
         m_window.showMessage(tr("The preset was exported as %1.").arg(QDir::toNativeSeparators(path)));
     else
-        m_window.showPresetFault(tr("Not exported: %1").arg(QString::fromStdString(written.error().detail)));
+        m_window.showPresetFault(
+            tr("Not exported: the file cannot be written. Choose another folder, or make room on the disk.") + u'\n' +
+            QString::fromStdString(written.error().detail));
 }
 
 }  // namespace app

@@ -40,8 +40,9 @@ private:
     void connectPage();
     void take(std::vector<lessons::ReadPreset> all, const QString& inUse);
     void use(const core::settings::FeelPreset& preset);
-    void keep(const core::settings::FeelPreset& preset);
-    void tellKept(const core::Result<core::settings::FeelPreset>& kept);
+    /// @param note  what its file deserves a look for; may be empty
+    void keep(const core::settings::FeelPreset& preset, const QString& note);
+    void tellKept(const core::Result<core::settings::FeelPreset>& kept, const QString& note);
     void import(const QString& path);
     void exportTo(const core::settings::FeelPreset& preset, const QString& path);
 

@@ -106,8 +106,8 @@ SchoolDesk::Opening SchoolDesk::tryToOpen()
     const bool mayBeRestored = opening.status ? opening.isNew
                                               : opening.status.error().code == ErrorCode::BadStructure ||
                                                     opening.status.error().code == ErrorCode::WrongKind;
-    if (mayBeRestored && !m_address.isServer())
-        opening.soundBackup = database::sql::newestSound(m_address.file);
+    if (mayBeRestored && m_key && !m_address.isServer())
+        opening.soundBackup = database::sql::newestSound(m_address.file, QDateTime::currentDateTimeUtc());
     return opening;
 }
 
@@ -143,6 +143,7 @@ void SchoolDesk::restore(QObject* owner, const QString& backup, const Opened& do
         }
         m_school.reset();
         m_database.reset();
+        m_waiting.clear();
         const auto replaced = database::sql::restoreBackup(backup, m_address.file, QDateTime::currentDateTimeUtc());
         Opening opening = tryToOpen();
         if (!replaced)
@@ -209,15 +210,22 @@ void SchoolDesk::deliver()
 
 void SchoolDesk::deliverAll()
 {
-    if (!m_key)
+    // A file that could not be opened is not tried again and again: a check of it takes its time.
+    if (!m_key || (!m_database && !m_address.isServer()))
         return;
     const database::Outbox letters = outbox();
+    const int before = static_cast<int>(m_waiting.size());
     for (const QString& file : letters.waiting()) {
+        if (m_waiting.contains(file))
+            continue;
         if (!connect())
             return;
         const auto deliver = deliveryOf(letters, file);
         if (!deliver) {
-            setAside(letters, file, deliver.error());
+            if (deliver.error().code == ErrorCode::BadStructure)
+                setAside(letters, file, deliver.error());
+            else
+                m_waiting.insert(file);
             continue;
         }
         const core::Status done = (*deliver)();
@@ -227,14 +235,18 @@ void SchoolDesk::deliverAll()
                 letters.remove(file);
             else
                 letters.keepArrived(file);
-        } else if (done.error().code == ErrorCode::OutOfRange || done.error().code == ErrorCode::UnknownName) {
-            // It will never be taken; those behind it shall be.
-            setAside(letters, file, done.error());
+        } else if (done.error().code == ErrorCode::UnknownName || done.error().code == ErrorCode::OutOfRange) {
+            // One computer may serve several schools from one folder, and a server's administrator may mend what is
+            // wrong there. Those behind it shall not wait for it.
+            m_waiting.insert(file);
         } else {
             notice(done.error());
             return;
         }
     }
+    if (const int now = static_cast<int>(m_waiting.size()); now > before)
+        QMetaObject::invokeMethod(
+            this, [this, now] { emit waitOn(now); }, Qt::QueuedConnection);
 }
 
 core::Result<std::function<core::Status()>> SchoolDesk::deliveryOf(const database::Outbox& letters, const QString& file)

@@ -9,6 +9,7 @@
 #include <QObject>
 #include <QPointer>
 #include <QScopeGuard>
+#include <QSet>
 #include <QThread>
 #include <QTimer>
 
@@ -117,8 +118,10 @@ public:
 signals:
     /// The database has this attempt now.
     void delivered(const QString& uid);
-    /// An attempt on its way is damaged, or the database refuses it for good; its file is kept.
+    /// An attempt on its way is damaged; its file is kept.
     void damaged(const core::Error& error);
+    /// So many on their way cannot be delivered to this school, or with this station's key: they wait.
+    void waitOn(int count);
 
 private:
     /// Any thread.
@@ -153,6 +156,7 @@ private:
     std::unique_ptr<database::sql::Database> m_database;
     std::unique_ptr<database::sql::School> m_school;
     std::optional<database::StationKey> m_key;
+    QSet<QString> m_waiting;  ///< what cannot be delivered while this program runs
     bool m_isLost = false;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "database/Address.h"
 
+#include <QFileInfo>
 #include <QUrl>
 #include <QUrlQuery>
 
@@ -15,6 +16,15 @@ constexpr int kLastPort = 65535;
 QString decoded(const QString& part)
 {
     return QUrl::fromPercentEncoding(part.toUtf8());
+}
+
+/// Where a link leads: -wal and -shm, backups and the station's key lie beside the file itself, whatever it is called.
+QString linkedFile(const QString& name)
+{
+    const QFileInfo file(name);
+    if (!file.isSymLink())
+        return name;
+    return file.exists() ? file.canonicalFilePath() : file.symLinkTarget();
 }
 
 core::Error wrong(const QString& what)
@@ -48,7 +58,14 @@ core::Result<Address> Address::parse(const QString& text)
         if (text.trimmed().isEmpty())
             return core::unexpected(core::ErrorCode::FileMissing,
                                     "the database has no name; give a file or postgresql://user@host/name");
-        address.file = text;
+        // What Qt and SQLite would take for something else than a file.
+        if (text.startsWith(':') || text.startsWith(QStringLiteral("file:"), Qt::CaseInsensitive))
+            return core::unexpected(core::ErrorCode::WrongKind,
+                                    QStringLiteral("\"%1\" is no name of a file for a database; give another, or its "
+                                                   "whole path")
+                                        .arg(text)
+                                        .toStdString());
+        address.file = linkedFile(text);
         return address;
     }
     const QString query = rest.section('?', 1);

@@ -13,13 +13,16 @@
 #include "core/base/Bytes.h"
 #include "core/base/WholeFile.h"
 #include "database/Passwords.h"
+#include "database/Permissions.h"
 
 namespace database {
 namespace {
 
 using core::ErrorCode;
 
-constexpr std::string_view kMagic = "CUSPOUT1";
+constexpr std::string_view kMagic = "CUSPOUT2";
+constexpr std::size_t kKeyDigits = 64;
+constexpr std::size_t kSignatureDigits = 128;
 constexpr qint64 kLargest = 1LL << 30U;
 const QString kEnding = QStringLiteral(".attempt");
 const QString kExamEnding = QStringLiteral(".exam");
@@ -105,15 +108,14 @@ core::Error refused(ErrorCode code, const QString& file, const std::string& why)
 
 core::Error damaged(const QString& file)
 {
-    return refused(ErrorCode::BadStructure, file,
-                   "it is damaged, or another station wrote it; it is kept in the folder \"damaged\"");
+    return refused(ErrorCode::BadStructure, file, "it is damaged; it is kept in the folder \"damaged\"");
 }
 
 }  // namespace
 
 core::Status Outbox::put(const Session& session, const AttemptRecord& attempt, const QByteArray& recording)
 {
-    if (session.isGuest())
+    if (reachOf(Operation::AddAttempt, session.role()) == Reach::Nothing)
         return core::unexpected(ErrorCode::NotAllowed, "a guest's attempts are not kept; log in first");
     AttemptRecord own = attempt;
     own.personUid = session.uid();
@@ -126,7 +128,7 @@ core::Status Outbox::put(const Session& session, const AttemptRecord& attempt, c
 
 core::Status Outbox::put(const Session& session, const ExamStart& start)
 {
-    if (session.isGuest())
+    if (reachOf(Operation::AddAttempt, session.role()) == Reach::Nothing)
         return core::unexpected(ErrorCode::NotAllowed, "a guest's exams are not kept; log in first");
     core::ByteWriter content;
     for (const std::string* text : {&start.uid, &session.uid(), &start.lessonId, &start.begunUtc})
@@ -139,7 +141,7 @@ core::Status Outbox::write(const QString& name, const std::string& content) cons
     const std::string signature = m_key.sign(digestOf(content));
     QDir().mkpath(m_folder);
     const QString path = QDir(m_folder).filePath(name);
-    const QByteArray bytes = QByteArray::fromStdString(std::string(kMagic) + signature + content);
+    const QByteArray bytes = QByteArray::fromStdString(std::string(kMagic) + m_key.publicHex() + signature + content);
     QSaveFile file(path);  // synced before it gets its name
     if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit())
         return tl::unexpected(refused(ErrorCode::FileUnwritable, path,
@@ -177,18 +179,23 @@ bool Outbox::isExam(const QString& file)
 
 core::Result<std::string> Outbox::contentOf(const QString& path) const
 {
-    constexpr std::size_t kSignature = 128;
+    constexpr std::size_t kHead = kMagic.size() + kKeyDigits + kSignatureDigits;
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
         return tl::unexpected(refused(ErrorCode::FileUnreadable, path, "it cannot be read; check who may read it"));
     const QByteArray all = file.size() <= kLargest ? file.readAll() : QByteArray();
     const std::string_view bytes(all.constData(), static_cast<std::size_t>(all.size()));
-    if (bytes.size() < kMagic.size() + kSignature || bytes.substr(0, kMagic.size()) != kMagic)
+    if (bytes.size() < kHead || bytes.substr(0, kMagic.size()) != kMagic)
         return tl::unexpected(damaged(path));
-    const std::string signature(bytes.substr(kMagic.size(), kSignature));
-    std::string content(bytes.substr(kMagic.size() + kSignature));
-    if (!StationKey::isSigned(digestOf(content), signature, m_key.publicHex()))
+    const std::string key(bytes.substr(kMagic.size(), kKeyDigits));
+    const std::string signature(bytes.substr(kMagic.size() + kKeyDigits, kSignatureDigits));
+    std::string content(bytes.substr(kHead));
+    if (!StationKey::isSigned(digestOf(content), signature, key))
         return tl::unexpected(damaged(path));
+    if (key != m_key.publicHex())
+        return tl::unexpected(refused(ErrorCode::NotAllowed, path,
+                                      "it was signed with another station.key than this station has now; put that one "
+                                      "back, and it is sent"));
     return content;
 }
 

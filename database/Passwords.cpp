@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cmath>
 #include <ctime>
 #include <utility>
@@ -35,6 +36,11 @@ double threadMs()
 QByteArray normal(const std::string& password)
 {
     return QString::fromStdString(password).normalized(QString::NormalizationForm_KC).toUtf8();
+}
+
+core::Error noMemory()
+{
+    return {core::ErrorCode::FileTooLarge, "there is not enough memory to work with passwords; close other programs"};
 }
 
 }  // namespace
@@ -136,17 +142,21 @@ core::Result<std::string> hashPassword(const std::string& password, const Passwo
     if (!beginSodium() ||
         crypto_pwhash_str_alg(hash.data(), given.constData(), static_cast<unsigned long long>(given.size()),
                               cost.passes, cost.memoryBytes, crypto_pwhash_ALG_ARGON2ID13) != 0)
-        return core::unexpected(core::ErrorCode::FileTooLarge,
-                                "there is not enough memory to work with passwords; close other programs");
+        return tl::unexpected(noMemory());
     return std::string(hash.data());
 }
 
-bool fits(const std::string& password, const std::string& hash)
+core::Result<bool> fits(const std::string& password, const std::string& hash)
 {
     const QByteArray given = normal(password);
-    return beginSodium() && hash.size() < crypto_pwhash_STRBYTES && given.size() <= 4 * kLongestPassword &&
-           crypto_pwhash_str_verify(hash.c_str(), given.constData(), static_cast<unsigned long long>(given.size())) ==
-               0;
+    if (!beginSodium() || hash.size() >= crypto_pwhash_STRBYTES || given.size() > 4 * kLongestPassword)
+        return false;
+    errno = 0;
+    const bool isRight =
+        crypto_pwhash_str_verify(hash.c_str(), given.constData(), static_cast<unsigned long long>(given.size())) == 0;
+    if (!isRight && errno == ENOMEM)
+        return tl::unexpected(noMemory());
+    return isRight;
 }
 
 bool wantsRehash(const std::string& hash, const PasswordCost& cost)

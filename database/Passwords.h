@@ -31,7 +31,8 @@ inline constexpr int kLongestPassword = 256;  ///< bytes of UTF-8: hashing a nov
 
 /// "$argon2id$v=19$m=65536,t=2,p=1$salt$hash". FileTooLarge when there is no memory for it.
 [[nodiscard]] core::Result<std::string> hashPassword(const std::string& password, const PasswordCost& cost);
-[[nodiscard]] bool fits(const std::string& password, const std::string& hash);
+/// FileTooLarge when there is no memory for it: then nobody knows whether it fits.
+[[nodiscard]] core::Result<bool> fits(const std::string& password, const std::string& hash);
 /// Made at another cost.
 [[nodiscard]] bool wantsRehash(const std::string& hash, const PasswordCost& cost);
 

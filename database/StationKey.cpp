@@ -63,9 +63,9 @@ core::Result<StationKey> StationKey::readOrMake(const QString& path)
                                       "others may read it, and that cannot be changed; let only its owner read it"));
     const QByteArray bytes = file.read(kSeedBytes + 1);
     if (bytes.size() != kSeedBytes)
-        return tl::unexpected(refused(ErrorCode::WrongKind, path,
-                                      "it has not the length of a key; put the right file back, or move it away and "
-                                      "a new key is made"));
+        return tl::unexpected(refused(ErrorCode::FileUnreadable, path,
+                                      "it has not the length of a key; put the right file back. Without it, moved "
+                                      "away, a new key is made, and attempts that still wait here are not sent"));
     std::copy(bytes.begin(), bytes.end(), seed.begin());
     return fromSeed(seed);
 }

@@ -11,4 +11,8 @@ namespace database {
 /// empty, over 64 characters, or with others than letters, digits, ". _ - @".
 [[nodiscard]] core::Result<std::string> normalUsername(const std::string& typed);
 
+/// Whether each character of somebody's or something's name can be seen, those beyond the first plane of Unicode
+/// included: rare kanji stand there.
+[[nodiscard]] bool canBeSeen(const std::string& name);
+
 }  // namespace database

@@ -63,9 +63,21 @@ struct ClassAssignment
 /// What an import of a class list found, or did.
 struct RosterFault
 {
+    enum class Kind {
+        Fields,     ///< more than the head names
+        Username,   ///< empty, too long, or with signs that it may not have
+        Twice,      ///< stood in another line already, which is the value
+        Name,       ///< of a person: too long, or with signs that cannot be seen
+        Role,       ///< none that there is
+        OtherRole,  ///< is something else here, which is the value
+        Class,      ///< a name that no class can have
+        Refused     ///< by the database
+    };
     int line = 0;        ///< of the file, from 1
     std::string column;  ///< its name; empty: the whole line
-    std::string what;
+    std::string what;    ///< in English
+    Kind kind = Kind::Refused;
+    std::string value = {};
 };
 struct RosterPerson
 {

@@ -66,7 +66,7 @@ std::string hashOf(const QString& path, JsonKeys& keys, const char* key)
 
 constexpr std::array<const char*, core::terrain::kMaterialCount> kMaterials{"caries", "enamel", "dentin", "pulp"};
 /// A preset's with its version and hash.
-constexpr qsizetype kLongestHardnessName = kLongestPresetName + 30;
+constexpr qsizetype kLongestHardnessName = kLongestPresetName + 90;
 
 /// Turns the whole object of a lesson into a Lesson.
 class LessonMaker

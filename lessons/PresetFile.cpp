@@ -76,6 +76,12 @@ bool isOneLine(const std::string& name)
     return std::none_of(name.begin(), name.end(), [](char c) { return c == '\n' || c == '\t'; });
 }
 
+QString tooLarge(qint64 bytes)
+{
+    return QStringLiteral("has %1; a hardness preset has at most %2")
+        .arg(sizeWords(bytes), sizeWords(kLargestPresetBytes));
+}
+
 }  // namespace
 
 ReadPreset readPresetText(const QByteArray& json, const QString& file)
@@ -87,18 +93,19 @@ ReadPreset readPresetText(const QByteArray& json, const QString& file)
         return read;
     };
     if (json.size() > kLargestPresetBytes)
-        return complain(QStringLiteral("has %1; a hardness preset has at most %2")
-                            .arg(sizeWords(json.size()), sizeWords(kLargestPresetBytes)));
+        return complain(tooLarge(json.size()));
     const auto whole = parseObject(json, file, read.faults);
     if (!whole)
         return read;
     JsonKeys keys(*whole, file, {}, read.faults);
     if (const qint64 format = keys.whole("format", 1, kNewestPresetVersion, kPresetFormat); format > kPresetFormat)
-        return complain(QStringLiteral("is of format %1, from a newer Cusp; this one reads %2. Update Cusp to use it")
+        return complain(QStringLiteral("is %1, from a newer Cusp; this one reads %2. Update Cusp to use it")
                             .arg(format)
-                            .arg(kPresetFormat));
+                            .arg(kPresetFormat),
+                        QStringLiteral("format"));
     if (keys.has("kind") && keys.text("kind") != kKind.toStdString())
-        return complain(QStringLiteral("is no hardness preset; choose a file that Cusp has exported"));
+        return complain(QStringLiteral("says that this is no hardness preset; choose a file that Cusp has exported"),
+                        QStringLiteral("kind"));
     FeelPreset preset;
     preset.name = keys.has("name") ? keys.visibleText("name", kLongestPresetName)
                                    : QFileInfo(file).completeBaseName().left(kLongestPresetName).toStdString();
@@ -110,8 +117,10 @@ ReadPreset readPresetText(const QByteArray& json, const QString& file)
     keys.nameTheRest();
     if (anyGrave(read.faults))
         return read;
-    if (const core::Status held = core::settings::checkStability(preset); !held)
+    if (const core::Status held = core::settings::checkStability(preset); !held) {
+        read.beyondBound = preset;
         return complain(QString::fromStdString(held.error().detail), QStringLiteral("force"));
+    }
     read.preset = hashed(std::move(preset));
     return read;
 }
@@ -129,8 +138,9 @@ ReadPreset readPreset(const QString& path)
     QFile file(path);
     if (!QFileInfo(path).isFile() || !file.open(QIODevice::ReadOnly))
         return complain(QStringLiteral("cannot be read; name a file that you may read"));
-    const QByteArray json = file.read(kLargestPresetBytes + 1);
-    return readPresetText(json, path);
+    if (file.size() > kLargestPresetBytes)
+        return complain(tooLarge(file.size()));
+    return readPresetText(file.read(kLargestPresetBytes + 1), path);
 }
 
 core::Status checkPreset(const FeelPreset& preset)
@@ -196,7 +206,7 @@ const std::vector<FeelPreset>& shippedPresets()
 
 PresetUsed presetUsed(const std::string& label, bool isChanged)
 {
-    static const QRegularExpression kLabel(QStringLiteral("^(.*) v([0-9]{1,7})(?: #([0-9a-f]{8}))?(, changed)?$"),
+    static const QRegularExpression kLabel(QStringLiteral("^(.*) v([0-9]{1,7})(?: #([0-9a-f]{8,64}))?(, changed)?$"),
                                            QRegularExpression::DotMatchesEverythingOption);
     const QString text = QString::fromStdString(label);
     const auto parts = kLabel.match(text);

@@ -30,6 +30,8 @@ struct ReadPreset
     QString file;
     std::optional<core::settings::FeelPreset> preset;  ///< nothing where a fault is grave
     std::vector<Fault> faults;
+    /// Sound, but for the bound: what is in the file all the same.
+    std::optional<core::settings::FeelPreset> beyondBound{};
 };
 
 /// Number by number and with its hash. What is left out is as shipped; "caries" stands for soft and firm alike, and a

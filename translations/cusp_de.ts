@@ -135,6 +135,57 @@
         <source>a name that nobody has</source>
         <translation>ein Name, den niemand hat</translation>
     </message>
+    <message>
+        <source>brought the school here from another database</source>
+        <translation>hat die Schule aus einer anderen Datenbank hierher gebracht</translation>
+    </message>
+    <message>
+        <source>disabled</source>
+        <translation>gesperrt</translation>
+    </message>
+    <message>
+        <source>enabled</source>
+        <translation>freigegeben</translation>
+    </message>
+    <message numerus="yes">
+        <source>at most %n attempt(s)</source>
+        <translation>
+            <numerusform>höchstens %n Versuch</numerusform>
+            <numerusform>höchstens %n Versuche</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>as many attempts as one likes</source>
+        <translation>beliebig viele Versuche</translation>
+    </message>
+    <message>
+        <source>It has more fields than the first line names.</source>
+        <translation>Sie hat mehr Felder, als die erste Zeile nennt.</translation>
+    </message>
+    <message>
+        <source>It is empty, longer than 64 characters, or has other signs than letters, digits and . _ - @</source>
+        <translation>Er ist leer, länger als 64 Zeichen oder enthält anderes als Buchstaben, Ziffern und . _ - @</translation>
+    </message>
+    <message>
+        <source>It stands in line %1 already.</source>
+        <translation>Er steht schon in Zeile %1.</translation>
+    </message>
+    <message>
+        <source>It is too long, or has signs that cannot be seen.</source>
+        <translation>Er ist zu lang oder enthält Zeichen, die man nicht sieht.</translation>
+    </message>
+    <message>
+        <source>It is none of student, instructor, admin.</source>
+        <translation>Das ist weder student noch instructor noch admin.</translation>
+    </message>
+    <message>
+        <source>Here the role is %1; a class list does not change it.</source>
+        <translation>Hier ist die Rolle %1; eine Klassenliste ändert sie nicht.</translation>
+    </message>
+    <message>
+        <source>The name of a class has 1 to 100 characters that can be seen.</source>
+        <translation>Der Name einer Klasse hat 1 bis 100 sichtbare Zeichen.</translation>
+    </message>
 </context>
 <context>
     <name>Block</name>
@@ -643,6 +694,19 @@
     <message>
         <source>The school&apos;s file cannot be written. Make room on the disk, or make its folder writable.</source>
         <translation>Die Datei der Schule kann nicht geschrieben werden. Schaffen Sie Platz auf dem Datenträger oder machen Sie ihren Ordner beschreibbar.</translation>
+    </message>
+    <message>
+        <source>An older Cusp made this school. Ask its administrator to run “cusp db migrate”.</source>
+        <translation>Diese Schule hat ein älteres Cusp angelegt. Bitten Sie ihren Administrator, „cusp db migrate“ auszuführen.</translation>
+    </message>
+    <message>
+        <source>That was not done, and nothing was changed. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation>Das wurde nicht ausgeführt, und nichts wurde geändert. %1</translation>
+    </message>
+    <message>
+        <source>An attempt on its way to the school is damaged and was put aside, in the folder “outbox/damaged”. All else is kept as ever.</source>
+        <translation>Ein Versuch auf dem Weg zur Schule ist beschädigt und wurde beiseitegelegt, im Ordner „outbox/damaged“. Alles andere wird wie immer gespeichert.</translation>
     </message>
 </context>
 <context>
@@ -1416,10 +1480,6 @@
         <translation>%1 kann nicht gelesen werden oder ist zu groß.</translation>
     </message>
     <message>
-        <source>This is no class list: %1</source>
-        <translation>Das ist keine Klassenliste: %1</translation>
-    </message>
-    <message>
         <source>It was stopped.</source>
         <translation>Es wurde angehalten.</translation>
     </message>
@@ -1465,6 +1525,41 @@
     <message>
         <source>This is the last admin who can log in. Make somebody else an admin first.</source>
         <translation>Das ist der letzte Admin, der sich anmelden kann. Machen Sie zuerst jemand anderen zum Admin.</translation>
+    </message>
+    <message>
+        <source>%1 is empty. The first line of a class list names its columns: username, given_name, family_name, role, class.</source>
+        <translation>%1 ist leer. Die erste Zeile einer Klassenliste nennt ihre Spalten: username, given_name, family_name, role, class.</translation>
+    </message>
+    <message>
+        <source>%1 is no class list. That is a CSV file, text in UTF-8, whose first line names its columns: username, given_name, family_name, role, class.</source>
+        <translation>%1 ist keine Klassenliste. Das ist eine CSV-Datei, Text in UTF-8, deren erste Zeile ihre Spalten nennt: username, given_name, family_name, role, class.</translation>
+    </message>
+    <message>
+        <source>%1 has too many lines. Split it, and enter the parts one after another.</source>
+        <translation>%1 hat zu viele Zeilen. Teilen Sie die Liste und geben Sie die Teile nacheinander ein.</translation>
+    </message>
+    <message numerus="yes">
+        <source>A place that was left is locked after %n minute(s).</source>
+        <translation>
+            <numerusform>Ein verlassener Platz wird nach %n Minute gesperrt.</numerusform>
+            <numerusform>Ein verlassener Platz wird nach %n Minuten gesperrt.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The backup is looked at …</source>
+        <translation>Die Sicherung wird angesehen …</translation>
+    </message>
+    <message>
+        <source>%1 is no whole backup of a school, and was not restored. Choose another one.</source>
+        <translation>%1 ist keine vollständige Sicherung einer Schule und wurde nicht zurückgespielt. Wählen Sie eine andere.</translation>
+    </message>
+    <message>
+        <source>The class list is looked at …</source>
+        <translation>Die Klassenliste wird angesehen …</translation>
+    </message>
+    <message>
+        <source>These people are being entered …</source>
+        <translation>Diese Personen werden eingetragen …</translation>
     </message>
 </context>
 <context>
@@ -1581,6 +1676,13 @@
         <source>The backup was not restored; nothing has been changed. %1</source>
         <translation>Die Sicherung wurde nicht zurückgespielt; nichts wurde verändert. %1</translation>
     </message>
+    <message numerus="yes">
+        <source>%n attempt(s) on this computer cannot be given to this school: it does not know whose they are, or they were signed with another station.key. They wait.</source>
+        <translation>
+            <numerusform>%n Versuch auf diesem Computer kann dieser Schule nicht gegeben werden: Sie weiß nicht, wessen er ist, oder er wurde mit einem anderen station.key signiert. Er wartet.</numerusform>
+            <numerusform>%n Versuche auf diesem Computer können dieser Schule nicht gegeben werden: Sie weiß nicht, wessen sie sind, oder sie wurden mit einem anderen station.key signiert. Sie warten.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>app::CardDesk</name>
@@ -1671,8 +1773,12 @@
         <translation>Das Profil wurde als %1 ausgegeben.</translation>
     </message>
     <message>
-        <source>Not exported: %1</source>
-        <translation>Nicht ausgegeben: %1</translation>
+        <source>Not kept: the file cannot be written. Make room on the disk, or check the rights.</source>
+        <translation>Nicht gespeichert: Die Datei kann nicht geschrieben werden. Schaffen Sie Platz auf der Festplatte oder prüfen Sie die Rechte.</translation>
+    </message>
+    <message>
+        <source>Not exported: the file cannot be written. Choose another folder, or make room on the disk.</source>
+        <translation>Nicht ausgegeben: Die Datei kann nicht geschrieben werden. Wählen Sie einen anderen Ordner oder schaffen Sie Platz auf der Festplatte.</translation>
     </message>
 </context>
 <context>
@@ -1828,16 +1934,17 @@
         <translation>Datei</translation>
     </message>
     <message>
-        <source>What was entered after this backup will be missing; attempts of this computer are brought in again, and the present file is kept beside it.</source>
-        <translation>Was nach dieser Sicherung eingetragen wurde, wird fehlen; Versuche dieses Computers werden wieder eingebracht, und die jetzige Datei bleibt daneben erhalten.</translation>
-    </message>
-    <message>
         <source>Keep what there is</source>
         <translation>Alles lassen, wie es ist</translation>
     </message>
     <message>
         <source>The school&apos;s data are in %1. A backup is made every day the program is used. All of the last two days are kept, then one for each of 12 days, 10 weeks and 9 months.</source>
         <translation>Die Daten der Schule liegen in %1. An jedem Tag, an dem das Programm benutzt wird, entsteht eine Sicherung. Alle der letzten zwei Tage bleiben, danach je eine von 12 Tagen, 10 Wochen und 9 Monaten.</translation>
+    </message>
+    <message>
+        <source>Restore the backup of %1? What was entered after it will be missing; attempts of this computer are brought in again, and the present file is kept beside it.</source>
+        <extracomment>%1: when a backup was made</extracomment>
+        <translation>Die Sicherung vom %1 zurückspielen? Was danach eingetragen wurde, fehlt dann; Versuche dieses Computers werden wieder eingebracht, und die jetzige Datei bleibt daneben erhalten.</translation>
     </message>
 </context>
 <context>
@@ -2002,6 +2109,10 @@
         <extracomment>%1 is a person</extracomment>
         <translation>%1 wird einen neuen Einmalcode brauchen: das Passwort wegnehmen?</translation>
     </message>
+    <message>
+        <source>The school&apos;s data are being written to …</source>
+        <translation>In die Daten der Schule wird geschrieben …</translation>
+    </message>
 </context>
 <context>
     <name>ui::admin::RosterPart</name>
@@ -2113,11 +2224,27 @@
         <extracomment>%1: a class that would be added</extracomment>
         <translation>%1 (neu)</translation>
     </message>
+    <message>
+        <source>Choose another file all the same …</source>
+        <translation>Trotzdem eine andere Datei wählen …</translation>
+    </message>
+    <message>
+        <source>The one-time codes of %1 are not saved, and they are kept nowhere else.</source>
+        <translation>Die Einmalcodes von %1 sind nicht gespeichert, und sie stehen nirgends sonst.</translation>
+    </message>
     <message numerus="yes">
-        <source>%1: %n new person(s) would be entered; %2 are known already.</source>
+        <source>%1 %n new person(s) would be entered.</source>
+        <extracomment>%1: what another sentence says of how many are known already</extracomment>
         <translation>
-            <numerusform>%1: %n neue Person würde eingetragen; %2 sind schon bekannt.</numerusform>
-            <numerusform>%1: %n neue Personen würden eingetragen; %2 sind schon bekannt.</numerusform>
+            <numerusform>%1 %n neue Person würde eingetragen.</numerusform>
+            <numerusform>%1 %n neue Personen würden eingetragen.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n person(s) known already.</source>
+        <translation>
+            <numerusform>%1: %n Person ist schon bekannt.</numerusform>
+            <numerusform>%1: %n Personen sind schon bekannt.</numerusform>
         </translation>
     </message>
 </context>
@@ -2340,6 +2467,10 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <source>There is room for %1. Take one away with &quot;unwatch NAME&quot;.</source>
         <translation>Es ist Platz für %1. Nehmen Sie mit „unwatch NAME“ etwas weg.</translation>
     </message>
+    <message>
+        <source>Page Up and Page Down turn over the answers, Up and Down what was typed.</source>
+        <translation>Bild auf und Bild ab blättern in den Antworten, Auf und Ab in dem, was getippt wurde.</translation>
+    </message>
 </context>
 <context>
     <name>ui::console::Words</name>
@@ -2435,6 +2566,10 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>Time between two ticks of the servo: 99 in 100 of the last second&apos;s were shorter.</source>
         <translation>Zeit zwischen zwei Takten der Regelung: 99 von 100 in der letzten Sekunde waren kürzer.</translation>
+    </message>
+    <message>
+        <source>Two presets are being compared blind: until that is over, what is felt is not told.</source>
+        <translation>Zwei Voreinstellungen werden blind verglichen: Bis das vorbei ist, wird nicht verraten, was man fühlt.</translation>
     </message>
 </context>
 <context>
@@ -3062,6 +3197,19 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <extracomment>%1: a lesson; %2 of the %3 who tried it</extracomment>
         <translation>%1 (%2 von %3 haben bestanden)</translation>
     </message>
+    <message>
+        <source>There is no class yet. Make one, and enter its teachers and students: then you see here who needs help, and how everybody does at every lesson.</source>
+        <translation>Es gibt noch keine Klasse. Legen Sie eine an und tragen Sie ihre Lehrenden und Studierenden ein: Dann sehen Sie hier, wer Hilfe braucht und wie alle in jeder Lektion stehen.</translation>
+    </message>
+    <message>
+        <source>Nobody is in this class yet. Enter its students, one by one or from a list.</source>
+        <translation>In dieser Klasse ist noch niemand. Tragen Sie ihre Studierenden ein, einzeln oder aus einer Liste.</translation>
+    </message>
+    <message>
+        <source>People and classes</source>
+        <extracomment>Where people are entered and classes are made</extracomment>
+        <translation>Personen und Klassen</translation>
+    </message>
 </context>
 <context>
     <name>ui::people::HistoryCharts</name>
@@ -3144,17 +3292,8 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Nach dem ersten bewerteten Versuch steht hier sein Ergebnis, und dann, wie es weitergeht.</translation>
     </message>
     <message>
-        <source>Lost, % of what it counts</source>
-        <translation>Verloren, % des Gewichts</translation>
-    </message>
-    <message>
         <source>Criterion</source>
         <translation>Kriterium</translation>
-    </message>
-    <message>
-        <source>%1: %2 % of its points lost</source>
-        <extracomment>%1: a criterion; %2: a number</extracomment>
-        <translation>%1: %2 % der Punkte verloren</translation>
     </message>
     <message>
         <source>What costs points</source>
@@ -3242,6 +3381,15 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
             <numerusform>Des letzten %n Versuchs, soweit es darin zählt</numerusform>
             <numerusform>Der letzten %n Versuche, jedes in denen, wo es zählt</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1: %2 points lost</source>
+        <extracomment>%1: a criterion; %2: a number</extracomment>
+        <translation>%1: %2 Punkte verloren</translation>
+    </message>
+    <message>
+        <source>Points lost</source>
+        <translation>Verlorene Punkte</translation>
     </message>
 </context>
 <context>
@@ -3938,6 +4086,15 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <source>These two feel the same: choose another, or change a number</source>
         <translation>Diese beiden fühlen sich gleich an: Wählen Sie ein anderes oder ändern Sie eine Zahl</translation>
     </message>
+    <message>
+        <source>Bring the changes back</source>
+        <translation>Änderungen zurückholen</translation>
+    </message>
+    <message>
+        <source>What you had changed of %1 is put aside.</source>
+        <extracomment>%1 is a hardness preset</extracomment>
+        <translation>Was Sie an %1 geändert hatten, ist beiseitegelegt.</translation>
+    </message>
 </context>
 <context>
     <name>ui::presets::SimplePanel</name>
@@ -4226,6 +4383,39 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <source>Lower the stiffness.</source>
         <translation>Senken Sie die Steifigkeit.</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; is not known here and was left out.</source>
+        <translation>„%1“ ist hier nicht bekannt und wurde ausgelassen.</translation>
+    </message>
+    <message>
+        <source>%1: only a number from %2 can be taken.</source>
+        <extracomment>%1 is a number of a hardness preset, %2 a range</extracomment>
+        <translation>%1: Nur eine Zahl von %2 ist möglich.</translation>
+    </message>
+    <message>
+        <source>The name must be one line of 1 to %1 characters that can be seen.</source>
+        <translation>Der Name muss eine Zeile mit 1 bis %1 sichtbaren Zeichen sein.</translation>
+    </message>
+    <message>
+        <source>The notes take at most %1 characters, and only those that can be seen.</source>
+        <translation>Die Notizen fassen höchstens %1 Zeichen, und nur sichtbare.</translation>
+    </message>
+    <message>
+        <source>The version must be a whole number from 1 that no other preset of this name has.</source>
+        <translation>Die Version muss eine ganze Zahl ab 1 sein, die keine andere Voreinstellung dieses Namens hat.</translation>
+    </message>
+    <message>
+        <source>It is from a newer Cusp. Update Cusp to use it.</source>
+        <translation>Sie stammt aus einem neueren Cusp. Aktualisieren Sie Cusp, um sie zu benutzen.</translation>
+    </message>
+    <message>
+        <source>This is no hardness preset that can be read. Choose a file that Cusp has exported.</source>
+        <translation>Das ist keine lesbare Härte-Voreinstellung. Wählen Sie eine Datei, die Cusp ausgegeben hat.</translation>
+    </message>
+    <message>
+        <source>What stands under &quot;%1&quot; cannot be taken.</source>
+        <translation>Was unter „%1“ steht, ist nicht verwendbar.</translation>
+    </message>
 </context>
 <context>
     <name>ui::replay::HistoryPanel</name>
@@ -4354,14 +4544,6 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>%1, %2</translation>
     </message>
     <message>
-        <source>%1 of 100 points: passed (pass mark %2)</source>
-        <translation>%1 von 100 Punkten: bestanden (Grenze %2)</translation>
-    </message>
-    <message>
-        <source>%1 of 100 points: not passed (pass mark %2)</source>
-        <translation>%1 von 100 Punkten: nicht bestanden (Grenze %2)</translation>
-    </message>
-    <message>
         <source>Given by an instructor. The machine&apos;s score: %1 points.</source>
         <translation>Von einer Lehrkraft gegeben. Ergebnis der Maschine: %1 Punkte.</translation>
     </message>
@@ -4438,6 +4620,11 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>%1, %2, at %3 of the replay</source>
         <translation>%1, %2, bei %3 der Wiedergabe</translation>
+    </message>
+    <message>
+        <source>%1 of 100 points, pass mark %2. %3</source>
+        <extracomment>%1 and %2: points; %3: &quot;Passed&quot;, &quot;Not passed: harm done&quot;</extracomment>
+        <translation>%1 von 100 Punkten, Bestehensgrenze %2. %3</translation>
     </message>
 </context>
 <context>
@@ -4671,10 +4858,6 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>Back to the tooth</source>
         <translation>Zurück zum Zahn</translation>
-    </message>
-    <message>
-        <source>Close what lies over the tooth; nothing is lost</source>
-        <translation>Schließen, was den Zahn verdeckt; nichts geht verloren</translation>
     </message>
     <message>
         <source>Quit</source>
@@ -5079,6 +5262,22 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>Your work stays; who comes back or logs in says who he is</source>
         <translation>Ihre Arbeit bleibt; wer zurückkommt oder sich anmeldet, sagt, wer er ist</translation>
+    </message>
+    <message>
+        <source>Close what is open here; nothing is lost</source>
+        <translation>Schließt, was hier offen ist; nichts geht verloren</translation>
+    </message>
+    <message>
+        <source>Back to the attempts</source>
+        <translation>Zurück zu den Versuchen</translation>
+    </message>
+    <message>
+        <source>Back to the class</source>
+        <translation>Zurück zur Klasse</translation>
+    </message>
+    <message>
+        <source>Back to the lessons</source>
+        <translation>Zurück zu den Lektionen</translation>
     </message>
 </context>
 <context>

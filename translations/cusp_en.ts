@@ -135,6 +135,57 @@
         <source>a name that nobody has</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>brought the school here from another database</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>disabled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>enabled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>at most %n attempt(s)</source>
+        <translation>
+            <numerusform>at most %n attempt</numerusform>
+            <numerusform>at most %n attempts</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>as many attempts as one likes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It has more fields than the first line names.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is empty, longer than 64 characters, or has other signs than letters, digits and . _ - @</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It stands in line %1 already.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is too long, or has signs that cannot be seen.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is none of student, instructor, admin.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Here the role is %1; a class list does not change it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The name of a class has 1 to 100 characters that can be seen.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Block</name>
@@ -642,6 +693,19 @@
     </message>
     <message>
         <source>The school&apos;s file cannot be written. Make room on the disk, or make its folder writable.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An older Cusp made this school. Ask its administrator to run “cusp db migrate”.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>That was not done, and nothing was changed. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An attempt on its way to the school is damaged and was put aside, in the folder “outbox/damaged”. All else is kept as ever.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1416,10 +1480,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>This is no class list: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>It was stopped.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1464,6 +1524,41 @@
     </message>
     <message>
         <source>This is the last admin who can log in. Make somebody else an admin first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is empty. The first line of a class list names its columns: username, given_name, family_name, role, class.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is no class list. That is a CSV file, text in UTF-8, whose first line names its columns: username, given_name, family_name, role, class.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has too many lines. Split it, and enter the parts one after another.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>A place that was left is locked after %n minute(s).</source>
+        <translation>
+            <numerusform>A place that was left is locked after %n minute.</numerusform>
+            <numerusform>A place that was left is locked after %n minutes.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The backup is looked at …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is no whole backup of a school, and was not restored. Choose another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The class list is looked at …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>These people are being entered …</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1581,6 +1676,13 @@
         <source>The backup was not restored; nothing has been changed. %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message numerus="yes">
+        <source>%n attempt(s) on this computer cannot be given to this school: it does not know whose they are, or they were signed with another station.key. They wait.</source>
+        <translation>
+            <numerusform>%n attempt on this computer cannot be given to this school: it does not know whose it is, or it was signed with another station.key. It waits.</numerusform>
+            <numerusform>%n attempts on this computer cannot be given to this school: it does not know whose they are, or they were signed with another station.key. They wait.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>app::CardDesk</name>
@@ -1671,7 +1773,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Not exported: %1</source>
+        <source>Not kept: the file cannot be written. Make room on the disk, or check the rights.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not exported: the file cannot be written. Choose another folder, or make room on the disk.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1828,15 +1934,16 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What was entered after this backup will be missing; attempts of this computer are brought in again, and the present file is kept beside it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Keep what there is</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The school&apos;s data are in %1. A backup is made every day the program is used. All of the last two days are kept, then one for each of 12 days, 10 weeks and 9 months.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Restore the backup of %1? What was entered after it will be missing; attempts of this computer are brought in again, and the present file is kept beside it.</source>
+        <extracomment>%1: when a backup was made</extracomment>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2002,6 +2109,10 @@
         <extracomment>%1 is a person</extracomment>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The school&apos;s data are being written to …</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::admin::RosterPart</name>
@@ -2113,11 +2224,27 @@
         <extracomment>%1: a class that would be added</extracomment>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Choose another file all the same …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The one-time codes of %1 are not saved, and they are kept nowhere else.</source>
+        <translation type="unfinished"></translation>
+    </message>
     <message numerus="yes">
-        <source>%1: %n new person(s) would be entered; %2 are known already.</source>
+        <source>%1 %n new person(s) would be entered.</source>
+        <extracomment>%1: what another sentence says of how many are known already</extracomment>
         <translation>
-            <numerusform>%1: %n new person would be entered; %2 are known already.</numerusform>
-            <numerusform>%1: %n new people would be entered; %2 are known already.</numerusform>
+            <numerusform>%1 %n new person would be entered.</numerusform>
+            <numerusform>%1 %n new people would be entered.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n person(s) known already.</source>
+        <translation>
+            <numerusform>%1: %n person known already.</numerusform>
+            <numerusform>%1: %n people known already.</numerusform>
         </translation>
     </message>
 </context>
@@ -2332,6 +2459,10 @@ load NAME        feels a hardness preset that is kept</source>
         <source>There is room for %1. Take one away with &quot;unwatch NAME&quot;.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Page Up and Page Down turn over the answers, Up and Down what was typed.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::console::Words</name>
@@ -2426,6 +2557,10 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
     <message>
         <source>Time between two ticks of the servo: 99 in 100 of the last second&apos;s were shorter.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two presets are being compared blind: until that is over, what is felt is not told.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3054,6 +3189,19 @@ load NAME        feels a hardness preset that is kept</source>
         <extracomment>%1: a lesson; %2 of the %3 who tried it</extracomment>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>There is no class yet. Make one, and enter its teachers and students: then you see here who needs help, and how everybody does at every lesson.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody is in this class yet. Enter its students, one by one or from a list.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>People and classes</source>
+        <extracomment>Where people are entered and classes are made</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::people::HistoryCharts</name>
@@ -3136,16 +3284,7 @@ load NAME        feels a hardness preset that is kept</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Lost, % of what it counts</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Criterion</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1: %2 % of its points lost</source>
-        <extracomment>%1: a criterion; %2: a number</extracomment>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3234,6 +3373,15 @@ load NAME        feels a hardness preset that is kept</source>
             <numerusform>Of the last %n attempt, as far as it counts there</numerusform>
             <numerusform>Of the last %n attempts, each in those where it counts</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1: %2 points lost</source>
+        <extracomment>%1: a criterion; %2: a number</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points lost</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3930,6 +4078,15 @@ load NAME        feels a hardness preset that is kept</source>
         <source>These two feel the same: choose another, or change a number</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Bring the changes back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What you had changed of %1 is put aside.</source>
+        <extracomment>%1 is a hardness preset</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::presets::SimplePanel</name>
@@ -4218,6 +4375,39 @@ load NAME        feels a hardness preset that is kept</source>
         <source>Lower the stiffness.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; is not known here and was left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: only a number from %2 can be taken.</source>
+        <extracomment>%1 is a number of a hardness preset, %2 a range</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The name must be one line of 1 to %1 characters that can be seen.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The notes take at most %1 characters, and only those that can be seen.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The version must be a whole number from 1 that no other preset of this name has.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is from a newer Cusp. Update Cusp to use it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is no hardness preset that can be read. Choose a file that Cusp has exported.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What stands under &quot;%1&quot; cannot be taken.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::replay::HistoryPanel</name>
@@ -4346,14 +4536,6 @@ load NAME        feels a hardness preset that is kept</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 of 100 points: passed (pass mark %2)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 of 100 points: not passed (pass mark %2)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Given by an instructor. The machine&apos;s score: %1 points.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4429,6 +4611,11 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
     <message>
         <source>%1, %2, at %3 of the replay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of 100 points, pass mark %2. %3</source>
+        <extracomment>%1 and %2: points; %3: &quot;Passed&quot;, &quot;Not passed: harm done&quot;</extracomment>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4662,10 +4849,6 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
     <message>
         <source>Back to the tooth</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Close what lies over the tooth; nothing is lost</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5070,6 +5253,22 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
     <message>
         <source>Your work stays; who comes back or logs in says who he is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close what is open here; nothing is lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back to the attempts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back to the class</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back to the lessons</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -135,6 +135,58 @@
         <source>a name that nobody has</source>
         <translation>un nombre que nadie tiene</translation>
     </message>
+    <message>
+        <source>brought the school here from another database</source>
+        <translation>trajo aquí la escuela desde otra base de datos</translation>
+    </message>
+    <message>
+        <source>disabled</source>
+        <translation>desactivada</translation>
+    </message>
+    <message>
+        <source>enabled</source>
+        <translation>activada</translation>
+    </message>
+    <message numerus="yes">
+        <source>at most %n attempt(s)</source>
+        <translation>
+            <numerusform>como máximo %n intento</numerusform>
+            <numerusform>como máximo %n intentos</numerusform>
+            <numerusform>como máximo %n intentos</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>as many attempts as one likes</source>
+        <translation>tantos intentos como se quiera</translation>
+    </message>
+    <message>
+        <source>It has more fields than the first line names.</source>
+        <translation>Tiene más campos de los que nombra la primera línea.</translation>
+    </message>
+    <message>
+        <source>It is empty, longer than 64 characters, or has other signs than letters, digits and . _ - @</source>
+        <translation>Está vacío, tiene más de 64 caracteres o contiene algo más que letras, cifras y . _ - @</translation>
+    </message>
+    <message>
+        <source>It stands in line %1 already.</source>
+        <translation>Ya está en la línea %1.</translation>
+    </message>
+    <message>
+        <source>It is too long, or has signs that cannot be seen.</source>
+        <translation>Es demasiado largo o contiene signos que no se ven.</translation>
+    </message>
+    <message>
+        <source>It is none of student, instructor, admin.</source>
+        <translation>No es student, instructor ni admin.</translation>
+    </message>
+    <message>
+        <source>Here the role is %1; a class list does not change it.</source>
+        <translation>Aquí el papel es %1; una lista de clase no lo cambia.</translation>
+    </message>
+    <message>
+        <source>The name of a class has 1 to 100 characters that can be seen.</source>
+        <translation>El nombre de una clase tiene de 1 a 100 caracteres visibles.</translation>
+    </message>
 </context>
 <context>
     <name>Block</name>
@@ -643,6 +695,19 @@
     <message>
         <source>The school&apos;s file cannot be written. Make room on the disk, or make its folder writable.</source>
         <translation>No se puede escribir el archivo de la escuela. Libere espacio en el disco o dé permiso de escritura en su carpeta.</translation>
+    </message>
+    <message>
+        <source>An older Cusp made this school. Ask its administrator to run “cusp db migrate”.</source>
+        <translation>Un Cusp anterior creó esta escuela. Pida a su administrador que ejecute «cusp db migrate».</translation>
+    </message>
+    <message>
+        <source>That was not done, and nothing was changed. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation>No se hizo, y nada ha cambiado. %1</translation>
+    </message>
+    <message>
+        <source>An attempt on its way to the school is damaged and was put aside, in the folder “outbox/damaged”. All else is kept as ever.</source>
+        <translation>Un intento en camino a la escuela está dañado y se apartó, en la carpeta «outbox/damaged». Todo lo demás se guarda como siempre.</translation>
     </message>
 </context>
 <context>
@@ -1416,10 +1481,6 @@
         <translation>%1 no se puede leer o es demasiado grande.</translation>
     </message>
     <message>
-        <source>This is no class list: %1</source>
-        <translation>Esto no es una lista de grupo: %1</translation>
-    </message>
-    <message>
         <source>It was stopped.</source>
         <translation>Se detuvo.</translation>
     </message>
@@ -1465,6 +1526,42 @@
     <message>
         <source>This is the last admin who can log in. Make somebody else an admin first.</source>
         <translation>Es el último administrador que puede iniciar sesión. Nombre antes a otro administrador.</translation>
+    </message>
+    <message>
+        <source>%1 is empty. The first line of a class list names its columns: username, given_name, family_name, role, class.</source>
+        <translation>%1 está vacío. La primera línea de una lista de clase nombra sus columnas: username, given_name, family_name, role, class.</translation>
+    </message>
+    <message>
+        <source>%1 is no class list. That is a CSV file, text in UTF-8, whose first line names its columns: username, given_name, family_name, role, class.</source>
+        <translation>%1 no es una lista de clase. Esta es un archivo CSV, texto en UTF-8, cuya primera línea nombra sus columnas: username, given_name, family_name, role, class.</translation>
+    </message>
+    <message>
+        <source>%1 has too many lines. Split it, and enter the parts one after another.</source>
+        <translation>%1 tiene demasiadas líneas. Divídalo e introduzca las partes una tras otra.</translation>
+    </message>
+    <message numerus="yes">
+        <source>A place that was left is locked after %n minute(s).</source>
+        <translation>
+            <numerusform>Un puesto abandonado se bloquea tras %n minuto.</numerusform>
+            <numerusform>Un puesto abandonado se bloquea tras %n minutos.</numerusform>
+            <numerusform>Un puesto abandonado se bloquea tras %n minutos.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The backup is looked at …</source>
+        <translation>Se revisa la copia de seguridad …</translation>
+    </message>
+    <message>
+        <source>%1 is no whole backup of a school, and was not restored. Choose another one.</source>
+        <translation>%1 no es una copia completa de una escuela y no se restauró. Elija otra.</translation>
+    </message>
+    <message>
+        <source>The class list is looked at …</source>
+        <translation>Se revisa la lista de clase …</translation>
+    </message>
+    <message>
+        <source>These people are being entered …</source>
+        <translation>Se está registrando a estas personas …</translation>
     </message>
 </context>
 <context>
@@ -1581,6 +1678,14 @@
         <source>The backup was not restored; nothing has been changed. %1</source>
         <translation>La copia de seguridad no se restauró; no se ha cambiado nada. %1</translation>
     </message>
+    <message numerus="yes">
+        <source>%n attempt(s) on this computer cannot be given to this school: it does not know whose they are, or they were signed with another station.key. They wait.</source>
+        <translation>
+            <numerusform>%n intento de este ordenador no se puede entregar a esta escuela: no sabe de quién es, o se firmó con otro station.key. Queda en espera.</numerusform>
+            <numerusform>%n intentos de este ordenador no se pueden entregar a esta escuela: no sabe de quién son, o se firmaron con otro station.key. Quedan en espera.</numerusform>
+            <numerusform>%n intentos de este ordenador no se pueden entregar a esta escuela: no sabe de quién son, o se firmaron con otro station.key. Quedan en espera.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>app::CardDesk</name>
@@ -1671,8 +1776,12 @@
         <translation>El ajuste se exportó como %1.</translation>
     </message>
     <message>
-        <source>Not exported: %1</source>
-        <translation>No se exportó: %1</translation>
+        <source>Not kept: the file cannot be written. Make room on the disk, or check the rights.</source>
+        <translation>No se guardó: el archivo no se puede escribir. Libere espacio en el disco o revise los permisos.</translation>
+    </message>
+    <message>
+        <source>Not exported: the file cannot be written. Choose another folder, or make room on the disk.</source>
+        <translation>No se exportó: el archivo no se puede escribir. Elija otra carpeta o libere espacio en el disco.</translation>
     </message>
 </context>
 <context>
@@ -1828,16 +1937,17 @@
         <translation>Archivo</translation>
     </message>
     <message>
-        <source>What was entered after this backup will be missing; attempts of this computer are brought in again, and the present file is kept beside it.</source>
-        <translation>Faltará lo registrado después de esta copia; los intentos de este ordenador se vuelven a incorporar y el archivo actual se conserva a su lado.</translation>
-    </message>
-    <message>
         <source>Keep what there is</source>
         <translation>Dejarlo como está</translation>
     </message>
     <message>
         <source>The school&apos;s data are in %1. A backup is made every day the program is used. All of the last two days are kept, then one for each of 12 days, 10 weeks and 9 months.</source>
         <translation>Los datos de la escuela están en %1. Cada día que se usa el programa se hace una copia de seguridad. Se conservan todas las de los dos últimos días y después una de cada uno de 12 días, 10 semanas y 9 meses.</translation>
+    </message>
+    <message>
+        <source>Restore the backup of %1? What was entered after it will be missing; attempts of this computer are brought in again, and the present file is kept beside it.</source>
+        <extracomment>%1: when a backup was made</extracomment>
+        <translation>¿Restaurar la copia de %1? Faltará lo que se registró después; los intentos de este ordenador se vuelven a incorporar, y el archivo actual se conserva al lado.</translation>
     </message>
 </context>
 <context>
@@ -2002,6 +2112,10 @@
         <extracomment>%1 is a person</extracomment>
         <translation>%1 necesitará un nuevo código de un solo uso: ¿quitar la contraseña?</translation>
     </message>
+    <message>
+        <source>The school&apos;s data are being written to …</source>
+        <translation>Se está escribiendo en los datos de la escuela …</translation>
+    </message>
 </context>
 <context>
     <name>ui::admin::RosterPart</name>
@@ -2113,11 +2227,29 @@
         <extracomment>%1: a class that would be added</extracomment>
         <translation>%1 (nueva)</translation>
     </message>
+    <message>
+        <source>Choose another file all the same …</source>
+        <translation>Elegir otro archivo de todos modos …</translation>
+    </message>
+    <message>
+        <source>The one-time codes of %1 are not saved, and they are kept nowhere else.</source>
+        <translation>Los códigos de un solo uso de %1 no se han guardado y no están en ningún otro lugar.</translation>
+    </message>
     <message numerus="yes">
-        <source>%1: %n new person(s) would be entered; %2 are known already.</source>
+        <source>%1 %n new person(s) would be entered.</source>
+        <extracomment>%1: what another sentence says of how many are known already</extracomment>
         <translation>
-            <numerusform>%1: se inscribiría %n persona nueva; %2 ya se conocen.</numerusform>
-            <numerusform>%1: se inscribirían %n personas nuevas; %2 ya se conocen.</numerusform>
+            <numerusform>%1 Se registraría %n persona nueva.</numerusform>
+            <numerusform>%1 Se registrarían %n personas nuevas.</numerusform>
+            <numerusform>%1 Se registrarían %n personas nuevas.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n person(s) known already.</source>
+        <translation>
+            <numerusform>%1: %n persona ya conocida.</numerusform>
+            <numerusform>%1: %n personas ya conocidas.</numerusform>
+            <numerusform>%1: %n personas ya conocidas.</numerusform>
         </translation>
     </message>
 </context>
@@ -2340,6 +2472,10 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <source>There is room for %1. Take one away with &quot;unwatch NAME&quot;.</source>
         <translation>Hay sitio para %1. Quite uno con «unwatch NOMBRE».</translation>
     </message>
+    <message>
+        <source>Page Up and Page Down turn over the answers, Up and Down what was typed.</source>
+        <translation>Re Pág y Av Pág pasan las respuestas; Arriba y Abajo, lo escrito.</translation>
+    </message>
 </context>
 <context>
     <name>ui::console::Words</name>
@@ -2435,6 +2571,10 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>Time between two ticks of the servo: 99 in 100 of the last second&apos;s were shorter.</source>
         <translation>Tiempo entre dos ciclos del servo: 99 de cada 100 del último segundo fueron más cortos.</translation>
+    </message>
+    <message>
+        <source>Two presets are being compared blind: until that is over, what is felt is not told.</source>
+        <translation>Se comparan dos ajustes a ciegas: hasta que termine no se dice qué se siente.</translation>
     </message>
 </context>
 <context>
@@ -3062,6 +3202,19 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <extracomment>%1: a lesson; %2 of the %3 who tried it</extracomment>
         <translation>%1 (%2 de %3 aprobaron)</translation>
     </message>
+    <message>
+        <source>There is no class yet. Make one, and enter its teachers and students: then you see here who needs help, and how everybody does at every lesson.</source>
+        <translation>Todavía no hay ninguna clase. Cree una y registre a sus docentes y estudiantes: entonces verá aquí quién necesita ayuda y cómo le va a cada uno en cada lección.</translation>
+    </message>
+    <message>
+        <source>Nobody is in this class yet. Enter its students, one by one or from a list.</source>
+        <translation>Todavía no hay nadie en esta clase. Registre a sus estudiantes, uno a uno o desde una lista.</translation>
+    </message>
+    <message>
+        <source>People and classes</source>
+        <extracomment>Where people are entered and classes are made</extracomment>
+        <translation>Personas y clases</translation>
+    </message>
 </context>
 <context>
     <name>ui::people::HistoryCharts</name>
@@ -3144,17 +3297,8 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Tras el primer intento calificado, aquí está su puntuación, y luego cómo evoluciona.</translation>
     </message>
     <message>
-        <source>Lost, % of what it counts</source>
-        <translation>Perdido, % de lo que cuenta</translation>
-    </message>
-    <message>
         <source>Criterion</source>
         <translation>Criterio</translation>
-    </message>
-    <message>
-        <source>%1: %2 % of its points lost</source>
-        <extracomment>%1: a criterion; %2: a number</extracomment>
-        <translation>%1: %2 % de sus puntos perdidos</translation>
     </message>
     <message>
         <source>What costs points</source>
@@ -3242,6 +3386,15 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
             <numerusform>Del último %n intento, si cuenta en él</numerusform>
             <numerusform>De los últimos %n intentos, cada uno en los que cuenta</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1: %2 points lost</source>
+        <extracomment>%1: a criterion; %2: a number</extracomment>
+        <translation>%1: %2 puntos perdidos</translation>
+    </message>
+    <message>
+        <source>Points lost</source>
+        <translation>Puntos perdidos</translation>
     </message>
 </context>
 <context>
@@ -3938,6 +4091,15 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <source>These two feel the same: choose another, or change a number</source>
         <translation>Estos dos se sienten igual: elija otro o cambie un número</translation>
     </message>
+    <message>
+        <source>Bring the changes back</source>
+        <translation>Recuperar los cambios</translation>
+    </message>
+    <message>
+        <source>What you had changed of %1 is put aside.</source>
+        <extracomment>%1 is a hardness preset</extracomment>
+        <translation>Lo que había cambiado de %1 queda apartado.</translation>
+    </message>
 </context>
 <context>
     <name>ui::presets::SimplePanel</name>
@@ -4226,6 +4388,39 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <source>Lower the stiffness.</source>
         <translation>Baje la rigidez.</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; is not known here and was left out.</source>
+        <translation>«%1» no se conoce aquí y se omitió.</translation>
+    </message>
+    <message>
+        <source>%1: only a number from %2 can be taken.</source>
+        <extracomment>%1 is a number of a hardness preset, %2 a range</extracomment>
+        <translation>%1: solo se admite un número de %2.</translation>
+    </message>
+    <message>
+        <source>The name must be one line of 1 to %1 characters that can be seen.</source>
+        <translation>El nombre debe ser una línea de 1 a %1 caracteres visibles.</translation>
+    </message>
+    <message>
+        <source>The notes take at most %1 characters, and only those that can be seen.</source>
+        <translation>Las notas admiten como máximo %1 caracteres, y solo visibles.</translation>
+    </message>
+    <message>
+        <source>The version must be a whole number from 1 that no other preset of this name has.</source>
+        <translation>La versión debe ser un número entero desde 1 que no tenga otro ajuste de este nombre.</translation>
+    </message>
+    <message>
+        <source>It is from a newer Cusp. Update Cusp to use it.</source>
+        <translation>Procede de un Cusp más nuevo. Actualice Cusp para usarlo.</translation>
+    </message>
+    <message>
+        <source>This is no hardness preset that can be read. Choose a file that Cusp has exported.</source>
+        <translation>No es un ajuste de dureza que se pueda leer. Elija un archivo que Cusp haya exportado.</translation>
+    </message>
+    <message>
+        <source>What stands under &quot;%1&quot; cannot be taken.</source>
+        <translation>Lo que figura en «%1» no se puede usar.</translation>
+    </message>
 </context>
 <context>
     <name>ui::replay::HistoryPanel</name>
@@ -4354,14 +4549,6 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>%1, %2</translation>
     </message>
     <message>
-        <source>%1 of 100 points: passed (pass mark %2)</source>
-        <translation>%1 de 100 puntos: aprobado (nota de aprobado %2)</translation>
-    </message>
-    <message>
-        <source>%1 of 100 points: not passed (pass mark %2)</source>
-        <translation>%1 de 100 puntos: no aprobado (nota de aprobado %2)</translation>
-    </message>
-    <message>
         <source>Given by an instructor. The machine&apos;s score: %1 points.</source>
         <translation>Dada por un docente. La puntuación de la máquina: %1 puntos.</translation>
     </message>
@@ -4438,6 +4625,11 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>%1, %2, at %3 of the replay</source>
         <translation>%1, %2, en %3 de la repetición</translation>
+    </message>
+    <message>
+        <source>%1 of 100 points, pass mark %2. %3</source>
+        <extracomment>%1 and %2: points; %3: &quot;Passed&quot;, &quot;Not passed: harm done&quot;</extracomment>
+        <translation>%1 de 100 puntos, aprobado desde %2. %3</translation>
     </message>
 </context>
 <context>
@@ -4671,10 +4863,6 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>Back to the tooth</source>
         <translation>Volver al diente</translation>
-    </message>
-    <message>
-        <source>Close what lies over the tooth; nothing is lost</source>
-        <translation>Cerrar lo que tapa el diente; no se pierde nada</translation>
     </message>
     <message>
         <source>Quit</source>
@@ -5079,6 +5267,22 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>Your work stays; who comes back or logs in says who he is</source>
         <translation>Su trabajo se conserva; quien vuelva o entre dirá quién es</translation>
+    </message>
+    <message>
+        <source>Close what is open here; nothing is lost</source>
+        <translation>Cierra lo que está abierto aquí; no se pierde nada</translation>
+    </message>
+    <message>
+        <source>Back to the attempts</source>
+        <translation>Volver a los intentos</translation>
+    </message>
+    <message>
+        <source>Back to the class</source>
+        <translation>Volver a la clase</translation>
+    </message>
+    <message>
+        <source>Back to the lessons</source>
+        <translation>Volver a las lecciones</translation>
     </message>
 </context>
 <context>

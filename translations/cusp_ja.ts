@@ -135,6 +135,56 @@
         <source>a name that nobody has</source>
         <translation>誰のものでもない名前</translation>
     </message>
+    <message>
+        <source>brought the school here from another database</source>
+        <translation>別のデータベースから学校をここへ移した</translation>
+    </message>
+    <message>
+        <source>disabled</source>
+        <translation>無効</translation>
+    </message>
+    <message>
+        <source>enabled</source>
+        <translation>有効</translation>
+    </message>
+    <message numerus="yes">
+        <source>at most %n attempt(s)</source>
+        <translation>
+            <numerusform>試行は%n回まで</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>as many attempts as one likes</source>
+        <translation>試行回数に制限なし</translation>
+    </message>
+    <message>
+        <source>It has more fields than the first line names.</source>
+        <translation>1行目の列より項目が多くあります。</translation>
+    </message>
+    <message>
+        <source>It is empty, longer than 64 characters, or has other signs than letters, digits and . _ - @</source>
+        <translation>空か、64文字を超えるか、文字・数字と . _ - @ 以外の記号を含んでいます</translation>
+    </message>
+    <message>
+        <source>It stands in line %1 already.</source>
+        <translation>すでに%1行目にあります。</translation>
+    </message>
+    <message>
+        <source>It is too long, or has signs that cannot be seen.</source>
+        <translation>長すぎるか、見えない文字を含んでいます。</translation>
+    </message>
+    <message>
+        <source>It is none of student, instructor, admin.</source>
+        <translation>student、instructor、admin のいずれでもありません。</translation>
+    </message>
+    <message>
+        <source>Here the role is %1; a class list does not change it.</source>
+        <translation>ここでの役割は%1です。名簿では変更されません。</translation>
+    </message>
+    <message>
+        <source>The name of a class has 1 to 100 characters that can be seen.</source>
+        <translation>クラス名は見える文字で1～100文字です。</translation>
+    </message>
 </context>
 <context>
     <name>Block</name>
@@ -642,6 +692,19 @@
     <message>
         <source>The school&apos;s file cannot be written. Make room on the disk, or make its folder writable.</source>
         <translation>学校のファイルに書き込めません。ディスクの空きを増やすか、フォルダーを書き込み可能にしてください。</translation>
+    </message>
+    <message>
+        <source>An older Cusp made this school. Ask its administrator to run “cusp db migrate”.</source>
+        <translation>この学校は古い Cusp で作られました。管理者に「cusp db migrate」の実行を依頼してください。</translation>
+    </message>
+    <message>
+        <source>That was not done, and nothing was changed. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation>実行されませんでした。何も変更されていません。%1</translation>
+    </message>
+    <message>
+        <source>An attempt on its way to the school is damaged and was put aside, in the folder “outbox/damaged”. All else is kept as ever.</source>
+        <translation>学校へ送る途中の試行が壊れているため、フォルダ「outbox/damaged」に取り分けました。ほかはこれまでどおり保存されます。</translation>
     </message>
 </context>
 <context>
@@ -1408,10 +1471,6 @@
         <translation>%1 を読めないか、大きすぎます。</translation>
     </message>
     <message>
-        <source>This is no class list: %1</source>
-        <translation>クラス名簿ではありません：%1</translation>
-    </message>
-    <message>
         <source>It was stopped.</source>
         <translation>中止しました。</translation>
     </message>
@@ -1456,6 +1515,40 @@
     <message>
         <source>This is the last admin who can log in. Make somebody else an admin first.</source>
         <translation>ログインできる最後の管理者です。先にほかの人を管理者にしてください。</translation>
+    </message>
+    <message>
+        <source>%1 is empty. The first line of a class list names its columns: username, given_name, family_name, role, class.</source>
+        <translation>%1は空です。名簿の1行目には列名（username, given_name, family_name, role, class）を書きます。</translation>
+    </message>
+    <message>
+        <source>%1 is no class list. That is a CSV file, text in UTF-8, whose first line names its columns: username, given_name, family_name, role, class.</source>
+        <translation>%1は名簿ではありません。名簿は UTF-8 の CSV ファイルで、1行目に列名（username, given_name, family_name, role, class）を書きます。</translation>
+    </message>
+    <message>
+        <source>%1 has too many lines. Split it, and enter the parts one after another.</source>
+        <translation>%1は行が多すぎます。分割して順に登録してください。</translation>
+    </message>
+    <message numerus="yes">
+        <source>A place that was left is locked after %n minute(s).</source>
+        <translation>
+            <numerusform>離席すると%n分後にロックされます。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The backup is looked at …</source>
+        <translation>バックアップを調べています…</translation>
+    </message>
+    <message>
+        <source>%1 is no whole backup of a school, and was not restored. Choose another one.</source>
+        <translation>%1は学校の完全なバックアップではないため、復元されませんでした。別のものを選んでください。</translation>
+    </message>
+    <message>
+        <source>The class list is looked at …</source>
+        <translation>名簿を調べています…</translation>
+    </message>
+    <message>
+        <source>These people are being entered …</source>
+        <translation>登録しています…</translation>
     </message>
 </context>
 <context>
@@ -1572,6 +1665,12 @@
         <source>The backup was not restored; nothing has been changed. %1</source>
         <translation>バックアップは復元されませんでした。何も変更されていません。%1</translation>
     </message>
+    <message numerus="yes">
+        <source>%n attempt(s) on this computer cannot be given to this school: it does not know whose they are, or they were signed with another station.key. They wait.</source>
+        <translation>
+            <numerusform>このコンピューターの試行%n件は、この学校に渡せません。誰のものか不明か、別の station.key で署名されています。保留されています。</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>app::CardDesk</name>
@@ -1662,8 +1761,12 @@
         <translation>プリセットを %1 に書き出しました。</translation>
     </message>
     <message>
-        <source>Not exported: %1</source>
-        <translation>書き出していません：%1</translation>
+        <source>Not kept: the file cannot be written. Make room on the disk, or check the rights.</source>
+        <translation>保存されませんでした。ファイルに書き込めません。ディスクの空きを作るか、権限を確認してください。</translation>
+    </message>
+    <message>
+        <source>Not exported: the file cannot be written. Choose another folder, or make room on the disk.</source>
+        <translation>書き出されませんでした。ファイルに書き込めません。別のフォルダを選ぶか、ディスクの空きを作ってください。</translation>
     </message>
 </context>
 <context>
@@ -1818,16 +1921,17 @@
         <translation>ファイル</translation>
     </message>
     <message>
-        <source>What was entered after this backup will be missing; attempts of this computer are brought in again, and the present file is kept beside it.</source>
-        <translation>このバックアップより後に登録されたものは失われます。このコンピューターの試行は再び取り込まれ、現在のファイルは横に残ります。</translation>
-    </message>
-    <message>
         <source>Keep what there is</source>
         <translation>今のままにする</translation>
     </message>
     <message>
         <source>The school&apos;s data are in %1. A backup is made every day the program is used. All of the last two days are kept, then one for each of 12 days, 10 weeks and 9 months.</source>
         <translation>学校のデータは %1 にあります。プログラムを使った日ごとにバックアップを作ります。最近2日分はすべて残し、その後は12日、10週、9か月のそれぞれに1つを残します。</translation>
+    </message>
+    <message>
+        <source>Restore the backup of %1? What was entered after it will be missing; attempts of this computer are brought in again, and the present file is kept beside it.</source>
+        <extracomment>%1: when a backup was made</extracomment>
+        <translation>%1のバックアップを復元しますか。それ以降に登録された内容は失われます。このコンピューターの試行は再び取り込まれ、現在のファイルは隣に残ります。</translation>
     </message>
 </context>
 <context>
@@ -1991,6 +2095,10 @@
         <extracomment>%1 is a person</extracomment>
         <translation>%1 さんには新しいワンタイムコードが必要になります。パスワードを取り消しますか？</translation>
     </message>
+    <message>
+        <source>The school&apos;s data are being written to …</source>
+        <translation>学校のデータに書き込んでいます…</translation>
+    </message>
 </context>
 <context>
     <name>ui::admin::RosterPart</name>
@@ -2101,10 +2209,25 @@
         <extracomment>%1: a class that would be added</extracomment>
         <translation>%1（新規）</translation>
     </message>
+    <message>
+        <source>Choose another file all the same …</source>
+        <translation>それでも別のファイルを選ぶ…</translation>
+    </message>
+    <message>
+        <source>The one-time codes of %1 are not saved, and they are kept nowhere else.</source>
+        <translation>%1のワンタイムコードは保存されておらず、ほかのどこにも残っていません。</translation>
+    </message>
     <message numerus="yes">
-        <source>%1: %n new person(s) would be entered; %2 are known already.</source>
+        <source>%1 %n new person(s) would be entered.</source>
+        <extracomment>%1: what another sentence says of how many are known already</extracomment>
         <translation>
-            <numerusform>%1：新しい人 %n 人が登録されます。%2 人は登録済みです。</numerusform>
+            <numerusform>%1新しく%n人が登録されます。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n person(s) known already.</source>
+        <translation>
+            <numerusform>%1：%n人はすでに登録済みです。</numerusform>
         </translation>
     </message>
 </context>
@@ -2326,6 +2449,10 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <source>There is room for %1. Take one away with &quot;unwatch NAME&quot;.</source>
         <translation>表示できるのは%1個までです。「unwatch 名前」で1つ消してください。</translation>
     </message>
+    <message>
+        <source>Page Up and Page Down turn over the answers, Up and Down what was typed.</source>
+        <translation>Page Up／Page Down で応答を、上下キーで入力履歴をめくります。</translation>
+    </message>
 </context>
 <context>
     <name>ui::console::Words</name>
@@ -2421,6 +2548,10 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>Time between two ticks of the servo: 99 in 100 of the last second&apos;s were shorter.</source>
         <translation>サーボの周期の間隔：直近1秒の100回中99回はこれより短い値です。</translation>
+    </message>
+    <message>
+        <source>Two presets are being compared blind: until that is over, what is felt is not told.</source>
+        <translation>2つのプリセットをブラインド比較中です。終わるまで、どの感触かは示されません。</translation>
     </message>
 </context>
 <context>
@@ -3039,6 +3170,19 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <extracomment>%1: a lesson; %2 of the %3 who tried it</extracomment>
         <translation>%1（%3人中%2人合格）</translation>
     </message>
+    <message>
+        <source>There is no class yet. Make one, and enter its teachers and students: then you see here who needs help, and how everybody does at every lesson.</source>
+        <translation>まだクラスがありません。クラスを作り、教員と学生を登録すると、誰に助けが必要か、各課題の出来がここに表示されます。</translation>
+    </message>
+    <message>
+        <source>Nobody is in this class yet. Enter its students, one by one or from a list.</source>
+        <translation>このクラスにはまだ誰もいません。学生を1人ずつ、または名簿から登録してください。</translation>
+    </message>
+    <message>
+        <source>People and classes</source>
+        <extracomment>Where people are entered and classes are made</extracomment>
+        <translation>人とクラス</translation>
+    </message>
 </context>
 <context>
     <name>ui::people::HistoryCharts</name>
@@ -3120,17 +3264,8 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>最初の採点が済むと、ここに得点とその推移が表示されます。</translation>
     </message>
     <message>
-        <source>Lost, % of what it counts</source>
-        <translation>失点、配点に対する%</translation>
-    </message>
-    <message>
         <source>Criterion</source>
         <translation>評価項目</translation>
-    </message>
-    <message>
-        <source>%1: %2 % of its points lost</source>
-        <extracomment>%1: a criterion; %2: a number</extracomment>
-        <translation>%1：配点の%2 %を失点</translation>
     </message>
     <message>
         <source>What costs points</source>
@@ -3216,6 +3351,15 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>
             <numerusform>直近%n回の試行のうち、それぞれが数えられるもの</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1: %2 points lost</source>
+        <extracomment>%1: a criterion; %2: a number</extracomment>
+        <translation>%1：%2点の減点</translation>
+    </message>
+    <message>
+        <source>Points lost</source>
+        <translation>減点</translation>
     </message>
 </context>
 <context>
@@ -3910,6 +4054,15 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <source>These two feel the same: choose another, or change a number</source>
         <translation>この2つは同じ感触です。別のものを選ぶか、数値を変えてください</translation>
     </message>
+    <message>
+        <source>Bring the changes back</source>
+        <translation>変更を戻す</translation>
+    </message>
+    <message>
+        <source>What you had changed of %1 is put aside.</source>
+        <extracomment>%1 is a hardness preset</extracomment>
+        <translation>%1の変更は取り置かれました。</translation>
+    </message>
 </context>
 <context>
     <name>ui::presets::SimplePanel</name>
@@ -4194,6 +4347,39 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <source>Lower the stiffness.</source>
         <translation>剛性を下げてください。</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; is not known here and was left out.</source>
+        <translation>「%1」は不明なため省かれました。</translation>
+    </message>
+    <message>
+        <source>%1: only a number from %2 can be taken.</source>
+        <extracomment>%1 is a number of a hardness preset, %2 a range</extracomment>
+        <translation>%1：%2の数値だけが使えます。</translation>
+    </message>
+    <message>
+        <source>The name must be one line of 1 to %1 characters that can be seen.</source>
+        <translation>名前は1行、見える文字で1～%1文字です。</translation>
+    </message>
+    <message>
+        <source>The notes take at most %1 characters, and only those that can be seen.</source>
+        <translation>メモは見える文字で%1文字までです。</translation>
+    </message>
+    <message>
+        <source>The version must be a whole number from 1 that no other preset of this name has.</source>
+        <translation>バージョンは1以上の整数で、同じ名前のほかのプリセットと重ならないものにします。</translation>
+    </message>
+    <message>
+        <source>It is from a newer Cusp. Update Cusp to use it.</source>
+        <translation>新しい Cusp のものです。使うには Cusp を更新してください。</translation>
+    </message>
+    <message>
+        <source>This is no hardness preset that can be read. Choose a file that Cusp has exported.</source>
+        <translation>読み取れる硬さプリセットではありません。Cusp が書き出したファイルを選んでください。</translation>
+    </message>
+    <message>
+        <source>What stands under &quot;%1&quot; cannot be taken.</source>
+        <translation>「%1」の内容は使えません。</translation>
+    </message>
 </context>
 <context>
     <name>ui::replay::HistoryPanel</name>
@@ -4321,14 +4507,6 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>%1、%2</translation>
     </message>
     <message>
-        <source>%1 of 100 points: passed (pass mark %2)</source>
-        <translation>100点中%1点：合格（合格点%2）</translation>
-    </message>
-    <message>
-        <source>%1 of 100 points: not passed (pass mark %2)</source>
-        <translation>100点中%1点：不合格（合格点%2）</translation>
-    </message>
-    <message>
         <source>Given by an instructor. The machine&apos;s score: %1 points.</source>
         <translation>教員による採点。機械採点：%1点。</translation>
     </message>
@@ -4404,6 +4582,11 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>%1, %2, at %3 of the replay</source>
         <translation>%1、%2、再生の%3</translation>
+    </message>
+    <message>
+        <source>%1 of 100 points, pass mark %2. %3</source>
+        <extracomment>%1 and %2: points; %3: &quot;Passed&quot;, &quot;Not passed: harm done&quot;</extracomment>
+        <translation>100点中%1点、合格点%2。%3</translation>
     </message>
 </context>
 <context>
@@ -4982,10 +5165,6 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>歯に戻る</translation>
     </message>
     <message>
-        <source>Close what lies over the tooth; nothing is lost</source>
-        <translation>歯の上に重なるものを閉じます。何も失われません</translation>
-    </message>
-    <message>
         <source>Quit</source>
         <translation>終了</translation>
     </message>
@@ -5045,6 +5224,22 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>Your work stays; who comes back or logs in says who he is</source>
         <translation>作業は残ります。戻る人もログインする人も、誰であるかを示します</translation>
+    </message>
+    <message>
+        <source>Close what is open here; nothing is lost</source>
+        <translation>ここで開いているものを閉じます。何も失われません</translation>
+    </message>
+    <message>
+        <source>Back to the attempts</source>
+        <translation>試行一覧へ戻る</translation>
+    </message>
+    <message>
+        <source>Back to the class</source>
+        <translation>クラスへ戻る</translation>
+    </message>
+    <message>
+        <source>Back to the lessons</source>
+        <translation>課題へ戻る</translation>
     </message>
 </context>
 <context>

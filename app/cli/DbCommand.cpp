@@ -17,6 +17,7 @@
 #include "app/cli/Arguments.h"
 #include "app/cli/Commands.h"
 #include "app/cli/SchoolParts.h"
+#include "database/Outbox.h"
 #include "database/sql/Attempts.h"
 #include "database/sql/Backups.h"
 #include "database/sql/Check.h"
@@ -88,7 +89,7 @@ int failedWithBackups(const core::Error& error, const Address& address)
     core::Error said = error;
     if (!address.isServer() && (error.code == ErrorCode::BadStructure || error.code == ErrorCode::WrongKind ||
                                 error.code == ErrorCode::FileMissing)) {
-        const QString backup = database::sql::newestSound(address.file);
+        const QString backup = database::sql::newestSound(address.file, QDateTime::currentDateTimeUtc());
         if (!backup.isEmpty())
             said.detail +=
                 "; the newest sound backup is " + backup.toStdString() + ", and \"cusp db restore\" brings it back";
@@ -127,14 +128,15 @@ int initDatabase(const QCommandLineParser& parser, const Address& address)
 
 int checkWhole(const QCommandLineParser& parser, const Address& address)
 {
-    const auto open = openSchool(address, Opening::AsItIs);
+    const auto open = openSchool(address, Opening::ToLook);
     if (!open)
         return failedWithBackups(open.error(), address);
     std::vector<std::string> witnesses;
     for (const QString& code : parser.values(QStringLiteral("witness")))
         witnesses.push_back(code.toStdString());
     const auto report = database::sql::checkDatabase(
-        open->school->db, witnesses, {}, address.isServer() ? std::string() : open->school->key.publicHex());
+        open->school->db, witnesses, {},
+        address.isServer() || !open->hasStationKey ? std::string() : open->school->key.publicHex());
     if (!report)
         return failedWithBackups(report.error(), address);
     QJsonArray findings;
@@ -165,16 +167,17 @@ int backUpFile(const QCommandLineParser& parser, const Address& address)
 {
     if (auto fit = expectFile(address); !fit)
         return failed(fit.error());
-    const auto open = openSchool(address, Opening::AsItIs);
+    const auto open = openSchool(address, Opening::ToLook);
     if (!open)
         return failedWithBackups(open.error(), address);
     const QString folder = parser.isSet(QStringLiteral("to")) ? parser.value(QStringLiteral("to"))
                                                               : database::sql::backupFolder(address.file);
-    const auto made = database::sql::backUp(open->school->db, folder, QDateTime::currentDateTimeUtc());
+    const QDateTime now = QDateTime::currentDateTimeUtc();
+    const auto made = database::sql::backUp(open->school->db, folder, now);
     if (!made)
         return failedWithBackups(made.error(), address);
     QJsonArray gone;
-    for (const QString& file : database::sql::tooMany(database::sql::backupsIn(folder)))
+    for (const QString& file : database::sql::tooMany(database::sql::backupsOf(open->school->db, folder), now))
         if (file != *made && QFile::remove(file))
             gone += file;
     return answer(parser, QStringLiteral("Backed up to %1, and checked.").arg(*made),
@@ -186,14 +189,22 @@ int restoreFile(const QCommandLineParser& parser, const Address& address)
     if (auto fit = expectFile(address); !fit)
         return failed(fit.error());
     makeDataFolder(address);
-    const auto replaced = database::sql::restoreBackup(parser.positionalArguments().front(), address.file,
-                                                       QDateTime::currentDateTimeUtc());
+    const QString backup = parser.positionalArguments().front();
+    const std::string there = database::sql::schoolOf(address.file);
+    if (const std::string other = database::sql::schoolOf(backup); !there.empty() && !other.empty() && other != there)
+        return failed({ErrorCode::WrongKind, "backup " + backup.toStdString() + ": it is of another school than " +
+                                                 address.file.toStdString() +
+                                                 "; give another --db, or move that file away first"});
+    const auto replaced = database::sql::restoreBackup(backup, address.file, QDateTime::currentDateTimeUtc());
     if (!replaced)
         return failed(replaced.error());
     const auto open = openSchool(address, Opening::Migrate);
     if (!open)
         return failedWithBackups(open.error(), address);
-    if (auto noted = database::sql::noteRestored(*open->school, parser.positionalArguments().front()); !noted)
+    // What came after the backup was made is delivered again when the window opens next.
+    database::Outbox(QFileInfo(address.file).absoluteDir().filePath(QStringLiteral("outbox")), open->school->key)
+        .sendAgain();
+    if (auto noted = database::sql::noteRestored(*open->school, backup); !noted)
         return failedWithBackups(noted.error(), address);
     return answer(parser,
                   replaced->isEmpty()
@@ -206,7 +217,7 @@ int drillRestore(const QCommandLineParser& parser, const Address& address)
 {
     if (auto fit = expectFile(address); !fit)
         return failed(fit.error());
-    const auto open = openSchool(address, Opening::AsItIs);
+    const auto open = openSchool(address, Opening::ToLook);
     if (!open)
         return failedWithBackups(open.error(), address);
     const auto rows = database::sql::restoreDrill(open->school->db);
@@ -269,7 +280,7 @@ int copyDatabase(const QCommandLineParser& parser, const Address& address)
 
 int tellStats(const QCommandLineParser& parser, const Address& address)
 {
-    const auto open = openSchool(address, Opening::AsItIs);
+    const auto open = openSchool(address, Opening::ToLook);
     if (!open)
         return failedWithBackups(open.error(), address);
     QJsonObject object{{"database", address.shown()}};
@@ -323,6 +334,8 @@ int makeUpSchool(const QCommandLineParser& parser, const Address& address)
                                                                password, database::PasswordCost{});
     if (!admin)
         return failed(admin.error());
+    // Who stops it half-way has a school, too.
+    printText(QStringLiteral("The password of admin: %1\n").arg(QString::fromStdString(password)), stderr);
     std::vector<lessons::Lesson> lessons;
     for (const lessons::CatalogEntry& entry : lessons::readCatalog({}))
         if (entry.read.lesson)
@@ -336,18 +349,19 @@ int makeUpSchool(const QCommandLineParser& parser, const Address& address)
         printText(QStringLiteral("\n"), stderr);
     if (!made)
         return failed(made.error());
-    return answer(parser,
-                  QStringLiteral("A school of %1 students with %2 attempts was made up in %3. Log in as \"admin\"; "
-                                 "the students and teachers have no passwords yet (\"cusp user reset NAME\" gives one "
-                                 "a code). The password of admin: %4")
-                      .arg(size.students)
-                      .arg(size.attempts)
-                      .arg(address.shown(), QString::fromStdString(password)),
-                  {{"database", address.shown()},
-                   {"students", size.students},
-                   {"attempts", static_cast<qint64>(size.attempts)},
-                   {"admin", "admin"},
-                   {"password", QString::fromStdString(password)}});
+    return answer(
+        parser,
+        QStringLiteral("A school of %1 students with %2 attempts was made up in %3. Log in as \"admin\"; "
+                       "the students and teachers have no passwords yet (\"cusp user reset NAME --as admin\" gives one "
+                       "a code). The password of admin: %4")
+            .arg(size.students)
+            .arg(size.attempts)
+            .arg(address.shown(), QString::fromStdString(password)),
+        {{"database", address.shown()},
+         {"students", size.students},
+         {"attempts", static_cast<qint64>(size.attempts)},
+         {"admin", "admin"},
+         {"password", QString::fromStdString(password)}});
 }
 
 /// Median and the worst but one in a hundred of some times, ms.

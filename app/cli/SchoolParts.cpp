@@ -58,12 +58,16 @@ core::Result<OpenSchool> openSchool(const database::Address& address, Opening ho
     const QString folder = address.isServer() ? dataFolder() : QFileInfo(address.file).absolutePath();
     OpenSchool open;
     database::sql::Database::Options options;
-    options.mayMigrate = how != Opening::AsItIs;
+    options.mayMigrate = how == Opening::Migrate || how == Opening::Create;
     options.mayCreate = mayCreate;
     auto database = database::sql::Database::open(address, options);
     if (!database)
         return tl::unexpected(database.error());
-    auto key = database::StationKey::readOrMake(QDir(folder).filePath(QStringLiteral("station.key")));
+    // A backup that is looked at lies where no station is.
+    const QString keyFile = QDir(folder).filePath(QStringLiteral("station.key"));
+    open.hasStationKey = how != Opening::ToLook || QFileInfo::exists(keyFile);
+    auto key = open.hasStationKey ? database::StationKey::readOrMake(keyFile)
+                                  : core::Result<database::StationKey>(database::StationKey::make());
     if (!key)
         return tl::unexpected(key.error());
     open.database = std::move(*database);

@@ -17,6 +17,7 @@ struct OpenSchool
 {
     std::unique_ptr<database::sql::Database> database;
     std::unique_ptr<database::sql::School> school;
+    bool hasStationKey = true;  ///< else one that is forgotten
 };
 
 /// Adds --db: the user's own file if not given.
@@ -24,7 +25,8 @@ void addDatabaseOption(QCommandLineParser& parser);
 [[nodiscard]] core::Result<database::Address> databaseAddress(const QCommandLineParser& parser);
 /// What a command may do to a database beside its own work.
 enum class Opening {
-    AsItIs,   ///< FileMissing where no file is; WrongKind where an older program wrote it
+    ToLook,   ///< FileMissing where no file is, OlderVersion where an older program wrote it; makes nothing there
+    AsItIs,   ///< the same; what is written is signed with the station's key, which is made if need be
     Migrate,  ///< bring it to the newest schema
     Create    ///< where nothing is
 };

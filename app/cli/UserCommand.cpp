@@ -198,13 +198,26 @@ constexpr std::array kParts{
          "lets a person no longer log in; what he did stays", addEnable, disableUser},
 };
 
-/// What is written must not take the place of the school itself.
-core::Status expectOther(const QCommandLineParser& parser, const QString& path)
+/// Codes are told once, and nobody has those of a file that was overwritten.
+core::Status expectNew(const QString& path)
 {
-    const auto address = databaseAddress(parser);
-    if (address && !address->isServer() && QFileInfo::exists(path) && QFileInfo(path) == QFileInfo(address->file))
-        return core::unexpected(ErrorCode::OutOfRange,
-                                path.toStdString() + " is the school's database itself; choose another file");
+    if (QFileInfo::exists(path))
+        return core::unexpected(ErrorCode::FileUnwritable,
+                                "there is a file " + path.toStdString() +
+                                    " already, and codes overwrite nothing; give another name");
+    return {};
+}
+
+/// A table takes the place of last night's table, not of a database, a station's key or a backup.
+core::Status expectTable(const QString& path)
+{
+    const QFileInfo file(path);
+    if (file.exists() && !file.isFile())
+        return core::unexpected(ErrorCode::FileUnwritable,
+                                path.toStdString() + " is no file; name one, or - for standard output");
+    if (file.exists() && file.suffix().compare(u"csv", Qt::CaseInsensitive) != 0)
+        return core::unexpected(ErrorCode::FileUnwritable, "there is a file " + path.toStdString() +
+                                                               " already that is not called .csv; give another name");
     return {};
 }
 
@@ -229,7 +242,7 @@ int tellRoster(const QCommandLineParser& parser, const database::RosterOutcome& 
                               {"name", QString::fromStdString(person.fullName)},
                               {"role", QString::fromUtf8(database::roleName(person.role).data())},
                               {"new", person.isNew},
-                              {"code", QString::fromStdString(person.code)}};
+                              {"code", tellsCodes ? QString::fromStdString(person.code) : QString()}};
     if (parser.isSet(QStringLiteral("json"))) {
         printJson({{"dry_run", dryRun}, {"faults", faults}, {"people", people}});
         return outcome.faults.empty() ? kDone : kFailed;
@@ -310,7 +323,8 @@ int importCommand(const QStringList& arguments)
     if (!desk)
         return failed(desk.error());
     const bool dryRun = parser.isSet(QStringLiteral("dry-run"));
-    if (auto fit = expectOther(parser, parser.value(QStringLiteral("codes"))); !fit)
+    const bool toFile = parser.isSet(QStringLiteral("codes"));
+    if (const auto fit = toFile ? expectNew(parser.value(QStringLiteral("codes"))) : core::Status(); !fit)
         return failed(fit.error());
     const auto outcome = database::sql::importRoster(*desk->open.school, desk->session,
                                                      {csv.constData(), static_cast<std::size_t>(csv.size())}, dryRun);
@@ -318,7 +332,6 @@ int importCommand(const QStringList& arguments)
         return failed({outcome.error().code, words.back().toStdString() + ": " + outcome.error().detail});
     const bool hasCodes =
         std::any_of(outcome->people.begin(), outcome->people.end(), [](const auto& person) { return person.isNew; });
-    const bool toFile = parser.isSet(QStringLiteral("codes"));
     if (!dryRun && outcome->faults.empty() && toFile && hasCodes)
         if (const auto written = database::writeCodes(parser.value(QStringLiteral("codes")), outcome->people);
             !written) {
@@ -346,7 +359,7 @@ int exportCommand(const QStringList& arguments)
         return failed(desk.error());
     const QString path = parser.value(QStringLiteral("csv"));
     const bool toStdout = path == u"-";
-    if (auto fit = expectOther(parser, path); !fit)
+    if (const auto fit = toStdout ? core::Status() : expectTable(path); !fit)
         return failed(fit.error());
     QSaveFile file(path);
     if (!toStdout && !file.open(QIODevice::WriteOnly))
@@ -359,9 +372,9 @@ int exportCommand(const QStringList& arguments)
     });
     if (!count)
         return failed(count.error());
-    if (!toStdout && !file.commit())
-        return failed({ErrorCode::FileUnwritable,
-                       "the file " + path.toStdString() + " could not be written; make room on the disk"});
+    if (toStdout ? std::fflush(stdout) != 0 : !file.commit())
+        return failed({ErrorCode::FileUnwritable, (toStdout ? "standard output" : "the file " + path.toStdString()) +
+                                                      " could not be written to its end; make room on the disk"});
     if (parser.isSet(QStringLiteral("json")) && !toStdout)
         printJson({{"attempts", static_cast<qint64>(*count)}, {"file", path}});
     else if (!toStdout)

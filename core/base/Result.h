@@ -18,6 +18,7 @@ enum class ErrorCode {
     FileTooLarge,    ///< more than the program is willing to hold
     WrongKind,       ///< readable, but not the format it is named for
     NewerVersion,    ///< written by a later program
+    OlderVersion,    ///< written by an earlier program, and not to be changed without being asked
     BadNumber,       ///< not a number, or not a finite one
     BadStructure,    ///< right format, impossible content
     NoTriangles,     ///< a mesh without one usable face

@@ -37,6 +37,12 @@ const std::array<Field, 2 * kSubstances + 6> kFields{{
     {"force.limit_n", "force limit", "N", &FeelPreset::clampN, 0.5, 20.0},
 }};
 
+std::string labelWith(const FeelPreset& preset, std::size_t digits)
+{
+    const std::string label = preset.name + " v" + std::to_string(preset.version);
+    return label + (preset.hash.empty() ? ", changed" : " #" + preset.hash.substr(0, digits));
+}
+
 }  // namespace
 
 std::span<const Field> feelFields()
@@ -61,14 +67,13 @@ MaterialHardness hardnessOf(const FeelPreset& preset, Substance substance)
 
 std::string labelOf(const FeelPreset& preset)
 {
-    std::string label = preset.name + " v" + std::to_string(preset.version);
-    return label + (preset.hash.empty() ? ", changed" : " #" + preset.hash.substr(0, kShownHash));
+    return labelWith(preset, kShownHash);
 }
 
 HardnessPreset hardnessFor(const FeelPreset& preset, const ToothKind& tooth)
 {
     HardnessPreset hardness;
-    hardness.name = labelOf(preset);
+    hardness.name = labelWith(preset, std::string::npos);  // by which an attempt names it
     hardness.axialShare = preset.axialShare;
     if (tooth.isPlastic)
         hardness.material.fill(hardnessOf(preset, Substance::Plastic));

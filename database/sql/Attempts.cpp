@@ -507,21 +507,29 @@ core::Result<std::int64_t> addComment(const School& school, const Session& sessi
                                          std::lround(std::clamp((*comment.placeMm)[axis], -1000.0, 1000.0) * kUmPerMm)))
                                    : QVariant();
         };
-        const auto added =
-            ask(school.db,
-                "INSERT INTO comments (attempt_id, author_id, written_utc, words, x_um, y_um, z_um, "
-                "moment_ms) VALUES (?, ?, ?, ?, ?, ?, ?, ?) RETURNING id",
-                doing,
-                {number(id.value), number(session.person().value), text(school.now()), text(*words), um(0), um(1),
-                 um(2), comment.momentMs ? QVariant(number(*comment.momentMs)) : QVariant()});
+        const QVariantList row{
+            text(*words),      um(0), um(1), um(2), comment.momentMs ? QVariant(number(*comment.momentMs)) : QVariant(),
+            text(school.now())};
+        const auto added = ask(school.db,
+                               "INSERT INTO comments (attempt_id, author_id, words, x_um, y_um, z_um, moment_ms, "
+                               "written_utc) VALUES (?, ?, ?, ?, ?, ?, ?, ?) RETURNING id",
+                               doing, QVariantList{number(id.value), number(session.person().value)} + row);
         if (!added)
             return tl::unexpected(added.error());
         if (auto noted = note(school, session.uid(), "attempt.comment", "attempt:" + *uid,
-                              {{"digest", QString::fromStdString(digestOf(*words))}});
+                              {{"digest_of_all", QString::fromStdString(digestOfComment(row))}});
             !noted)
             return tl::unexpected(noted.error());
         return added->toLongLong();
     });
+}
+
+std::string digestOfComment(const QVariantList& row)
+{
+    core::ByteWriter bytes;
+    for (const QVariant& field : row)
+        bytes.putText(field.isNull() ? std::string() : field.toString().toStdString());
+    return digestOf(bytes.bytes());
 }
 
 }  // namespace database::sql

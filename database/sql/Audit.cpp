@@ -2,6 +2,7 @@
 #include "database/sql/Audit.h"
 
 #include <algorithm>
+#include <deque>
 #include <limits>
 #include <utility>
 
@@ -18,6 +19,7 @@ namespace {
 
 const std::string kNote = "note it in the audit";
 constexpr std::size_t kCodeDigits = 12;
+constexpr std::size_t kLongestRun = 1000;  ///< of rows that were slipped in or taken out together
 const QString kColumns = QStringLiteral("seq, at_utc, actor, action, object, detail, hash");
 
 AuditRow rowOf(const QSqlQuery& query)
@@ -66,6 +68,9 @@ public:
         else if (!isAs(row, row.seq + m_shift, before) && !explain(row))
             suspect(row, before);
         m_beforeLast = before;
+        m_recent.push_back({row.seq, before});
+        if (m_recent.size() > kLongestRun + 1)
+            m_recent.pop_front();
         m_last = row;
         if (!m_continueWith.empty())
             m_last.hash = std::exchange(m_continueWith, {});
@@ -136,14 +141,42 @@ private:
             }
             return true;
         }
-        if (!isAs(row, seq + 1, m_last.hash))
-            return false;
-        // The first behind the one that was taken out follows from what is not there any more.
-        if (!m_suspects.empty() && m_suspects.back().row.seq == m_last.seq)
-            m_suspects.pop_back();
-        say("a row before " + named(m_last) + " was removed, and those behind it were renumbered");
-        ++m_shift;
-        return true;
+        return m_suspects.size() < kMostFindings && (explainInserted(row) || explainRemoved(row));
+    }
+    /// Whether several rows before the last one were slipped in, and it and those behind it renumbered. One row alone
+    /// that fits in somewhere before may also have been moved: the next one has to fit behind it.
+    bool explainInserted(const AuditRow& row)
+    {
+        if (const auto run = std::exchange(m_run, {}); run && isAs(row, row.seq + m_shift - run->count, m_last.hash)) {
+            m_suspects.erase(std::remove_if(m_suspects.begin(), m_suspects.end(),
+                                            [&](const Suspect& s) { return s.row.seq >= run->first; }),
+                             m_suspects.end());
+            say("rows " + std::to_string(run->first) + " to " + std::to_string(run->first + run->count - 1) +
+                " were inserted, and those behind them were renumbered");
+            m_shift -= run->count;
+            return true;
+        }
+        for (std::size_t count = 2; count <= m_recent.size() && !m_run; ++count)
+            if (const Recent& first = m_recent[m_recent.size() - count];
+                isAs(row, row.seq + m_shift - static_cast<std::int64_t>(count), first.before))
+                m_run = Run{first.seq, static_cast<std::int64_t>(count)};
+        return false;
+    }
+    /// Whether rows were taken out before the last one, and it and those behind it renumbered. That one itself follows
+    /// from what is not there any more.
+    bool explainRemoved(const AuditRow& row)
+    {
+        for (std::int64_t count = 1; count <= static_cast<std::int64_t>(kLongestRun); ++count) {
+            if (!isAs(row, row.seq + m_shift + count, m_last.hash))
+                continue;
+            if (!m_suspects.empty() && m_suspects.back().row.seq == m_last.seq)
+                m_suspects.pop_back();
+            say((count == 1 ? std::string("a row") : std::to_string(count) + " rows") + " before " + named(m_last) +
+                (count == 1 ? " was" : " were") + " removed, and those behind were renumbered");
+            m_shift += count;
+            return true;
+        }
+        return false;
     }
     void suspect(const AuditRow& row, const std::string& before)
     {
@@ -172,6 +205,17 @@ private:
                 say(named(row) + " is not the one that a report names: it or one before it was changed");
     }
 
+    struct Recent
+    {
+        std::int64_t seq = 0;
+        std::string before;  ///< hash of the row that stands before it
+    };
+    /// Of rows that may have been slipped in.
+    struct Run
+    {
+        std::int64_t first = 0;
+        std::int64_t count = 0;
+    };
     struct Suspect
     {
         AuditRow row;
@@ -181,7 +225,9 @@ private:
     std::vector<Witness> m_witnesses;
     std::vector<std::string> m_findings;
     AuditRow m_last;
-    std::string m_beforeLast;    ///< hash of the row before m_last
+    std::string m_beforeLast;  ///< hash of the row before m_last
+    std::deque<Recent> m_recent;
+    std::optional<Run> m_run;
     std::string m_continueWith;  ///< what the next row follows from, where that is not the last one read
     std::int64_t m_shift = 0;    ///< what a row's number was when it was written, less what it is
     std::vector<Suspect> m_suspects;

@@ -147,6 +147,20 @@ QStringList tablesOf(const QSqlDatabase& db)
     return tables;
 }
 
+/// What a program that was killed has left, and none uses any more.
+void removeStale(const QString& folder, const QStringList& names)
+{
+    const QDateTime yesterday = QDateTime::currentDateTimeUtc().addDays(-1);
+    for (const QFileInfo& one : QDir(folder).entryInfoList(names, QDir::Files | QDir::Dirs | QDir::NoDotAndDotDot)) {
+        if (one.lastModified() > yesterday)
+            continue;
+        if (one.isDir())
+            QDir(one.filePath()).removeRecursively();
+        else
+            QFile::remove(one.filePath());
+    }
+}
+
 core::Result<QString> backUpAs(const QSqlDatabase& db, const QString& folder, const QString& name,
                                const BackupProgress& progress)
 {
@@ -156,6 +170,7 @@ core::Result<QString> backUpAs(const QSqlDatabase& db, const QString& folder, co
         return tl::unexpected(refused(folder, "the folder cannot be created; check who may write there"));
     const QString file = QDir(folder).filePath(name);
     const QString part = file + ".part";
+    removeStale(folder, {"*.sqlite.part*"});
     const auto removePart = [&part] {
         for (const char* end : {"", "-wal", "-shm", "-journal"})
             QFile::remove(part + QLatin1String(end));
@@ -206,6 +221,12 @@ bool isOpenElsewhere(const QString& databaseFile)
     });
 }
 
+/// A day is the clock's to be wrong by.
+bool isOfTheFuture(const QString& backup, const QDateTime& nowUtc)
+{
+    return madeAt(backup) > nowUtc.addDays(1);
+}
+
 }  // namespace
 
 QDateTime madeAt(const QString& backup)
@@ -217,12 +238,38 @@ QDateTime madeAt(const QString& backup)
     return made;
 }
 
-QString newestSound(const QString& databaseFile)
+QString newestSound(const QString& databaseFile, const QDateTime& nowUtc)
 {
-    for (const QString& backup : backupsIn(backupFolder(databaseFile)))
-        if (verifyBackup(backup))
-            return backup;
-    return {};
+    QStringList files = backupsIn(backupFolder(databaseFile));
+    std::stable_partition(files.begin(), files.end(),
+                          [&nowUtc](const QString& file) { return !isOfTheFuture(file, nowUtc); });
+    const auto sound =
+        std::find_if(files.begin(), files.end(), [](const QString& file) { return verifyBackup(file).has_value(); });
+    return sound != files.end() ? *sound : QString();
+}
+
+core::Result<std::string> schoolOf(const QSqlDatabase& db)
+{
+    const auto first = ask(db, "SELECT hash FROM audit WHERE seq = 1", "see whose it is");
+    if (!first)
+        return tl::unexpected(first.error());
+    return first->toString().toStdString();
+}
+
+std::string schoolOf(const QString& file)
+{
+    if (!QFileInfo(file).isFile())
+        return {};
+    const Reader reader(file);
+    return schoolOf(reader.handle()).value_or(std::string());
+}
+
+QStringList backupsOf(const QSqlDatabase& db, const QString& folder)
+{
+    const std::string school = schoolOf(db).value_or(std::string());
+    QStringList files = backupsIn(folder);
+    files.removeIf([&school](const QString& file) { return school.empty() || schoolOf(file) != school; });
+    return files;
 }
 
 QString backupFolder(const QString& databaseFile)
@@ -236,16 +283,19 @@ QString backupFolder(const QString& databaseFile)
 core::Result<QString> backUp(const QSqlDatabase& db, const QString& folder, const QDateTime& nowUtc,
                              const BackupProgress& progress)
 {
-    return backUpAs(db, folder, "backup-" + nowUtc.toString(kStamp) + kSuffix, progress);
+    // Another school's, or another program's, of the same second stays.
+    QString name;
+    for (QDateTime at = nowUtc; name.isEmpty() || QFileInfo::exists(QDir(folder).filePath(name)); at = at.addSecs(1))
+        name = "backup-" + at.toString(kStamp) + kSuffix;
+    return backUpAs(db, folder, name, progress);
 }
 
-core::Status saveBeforeMigration(const QSqlDatabase& db, int version)
+core::Result<QString> saveBeforeMigration(const QSqlDatabase& db, int version)
 {
     const QString name =
         QStringLiteral("before-schema-%1-%2%3")
             .arg(QString::number(version + 1), QDateTime::currentDateTimeUtc().toString(kStamp), kSuffix);
-    const auto made = backUpAs(db, backupFolder(db.databaseName()), name, {});
-    return made ? core::Status() : core::Status(tl::unexpected(made.error()));
+    return backUpAs(db, backupFolder(db.databaseName()), name, {});
 }
 
 core::Status verifyBackup(const QString& file)
@@ -268,6 +318,9 @@ core::Status verifyBackup(const QString& file)
     const auto steps = shippedMigrations();
     if (!version || !steps)
         return tl::unexpected(version ? steps.error() : version.error());
+    if (*version < 1)
+        return core::unexpected(ErrorCode::WrongKind,
+                                "backup " + file.toStdString() + ": there is no school in it; choose another one");
     if (*version > static_cast<int>(steps->size()))
         return core::unexpected(ErrorCode::NewerVersion,
                                 "backup " + file.toStdString() + ": a later program made it; use that program");
@@ -287,9 +340,10 @@ QStringList backupsIn(const QString& folder)
     return files;
 }
 
-QStringList tooMany(const QStringList& files)
+QStringList tooMany(const QStringList& files, const QDateTime& nowUtc)
 {
     QStringList sorted = files;
+    sorted.removeIf([&nowUtc](const QString& file) { return isOfTheFuture(file, nowUtc); });
     std::sort(sorted.begin(), sorted.end(), [](const QString& a, const QString& b) { return madeAt(a) > madeAt(b); });
     QStringList gone;
     std::set<QString> days;
@@ -384,7 +438,9 @@ core::Status noteRestored(const School& school, const QString& backup)
 
 core::Result<qint64> restoreDrill(const QSqlDatabase& db, const BackupProgress& progress)
 {
-    QTemporaryDir folder(QFileInfo(db.databaseName()).absoluteDir().filePath(QStringLiteral("drill-XXXXXX")));
+    const QString beside = QFileInfo(db.databaseName()).absolutePath();
+    removeStale(beside, {"drill-??????"});
+    QTemporaryDir folder(QDir(beside).filePath(QStringLiteral("drill-XXXXXX")));
     if (!folder.isValid())
         return tl::unexpected(refused(folder.path(), "the folder cannot be created; check who may write there"));
     // One moment of the school, whoever writes meanwhile: the copy is made of it, and compared with it.

@@ -28,21 +28,32 @@ using BackupProgress = std::function<bool(int done, int all)>;
 [[nodiscard]] core::Result<QString> backUp(const QSqlDatabase& db, const QString& folder, const QDateTime& nowUtc,
                                            const BackupProgress& progress = {});
 
-/// As backUp(), under the name "before-schema-3-...": kept until somebody deletes it.
-[[nodiscard]] core::Status saveBeforeMigration(const QSqlDatabase& db, int version);
+/// As backUp(), under the name "before-schema-3-...": kept until somebody deletes it. Returns its path.
+[[nodiscard]] core::Result<QString> saveBeforeMigration(const QSqlDatabase& db, int version);
 
 /// Whether a file is a whole database of this program: its pages and keys checked, its schema known.
 [[nodiscard]] core::Status verifyBackup(const QString& file);
 
-/// The backups in a folder, newest first.
+/// The backups in a folder, newest first; of whichever school.
 [[nodiscard]] QStringList backupsIn(const QString& folder);
 
-/// Of names as backUp() gives them, those to delete: kept are all of the last 2 days that have one, and the newest of
-/// each of the last 12 days, 10 weeks and 9 months.
-[[nodiscard]] QStringList tooMany(const QStringList& files);
+/// What names a school: the hash of the first row of its audit, the same in all its copies and in no other school.
+/// Empty: nobody has been entered yet.
+[[nodiscard]] core::Result<std::string> schoolOf(const QSqlDatabase& db);
+/// Of a file that nobody writes; empty also where it cannot be read.
+[[nodiscard]] std::string schoolOf(const QString& file);
 
-/// The newest backup of a database's own folder that verifyBackup() finds whole; empty: there is none.
-[[nodiscard]] QString newestSound(const QString& databaseFile);
+/// Those of the backups in a folder that are of this school: several may back up into one.
+[[nodiscard]] QStringList backupsOf(const QSqlDatabase& db, const QString& folder);
+
+/// Of names as backUp() gives them, those to delete: kept are all of the last 2 days that have one, and the newest of
+/// each of the last 12 days, 10 weeks and 9 months. Those from a clock that was wrong, and lie in the future, are left
+/// alone.
+[[nodiscard]] QStringList tooMany(const QStringList& files, const QDateTime& nowUtc);
+
+/// The newest backup of a database's own folder that verifyBackup() finds whole, one from the future last; empty: there
+/// is none.
+[[nodiscard]] QString newestSound(const QString& databaseFile, const QDateTime& nowUtc);
 
 /// When a backup was made, UTC, out of its name; invalid for other files.
 [[nodiscard]] QDateTime madeAt(const QString& backup);

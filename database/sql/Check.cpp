@@ -22,7 +22,7 @@ const std::string kDoing = "check it";
 
 void say(CheckReport& report, const std::string& sentence)
 {
-    if (report.findings.size() < kMostFindings)
+    if (report.findings.size() < report.mostFindings)
         report.findings.push_back(sentence);
 }
 
@@ -46,6 +46,10 @@ core::Status checkPages(const QSqlDatabase& db, CheckReport& report)
 core::Status checkAttempts(const QSqlDatabase& db, CheckReport& report, const Progress& progress)
 {
     // Those without an owner were made before there were people, and before there was an audit.
+    const auto early = ask(db, "SELECT COUNT(*) FROM attempts WHERE person_id IS NULL", kDoing);
+    if (!early)
+        return tl::unexpected(early.error());
+    report.attempts = early->toLongLong();
     if (auto read = forEachAttempt(db,
                                    [&](const AttemptRecord& attempt, const std::string& noted) {
                                        if (report.isStopped)
@@ -198,6 +202,8 @@ core::Result<CheckReport> checkDatabase(const QSqlDatabase& db, const std::vecto
     for (const auto& look : looks) {
         if (report.isStopped)
             return report;
+        // Much of one kind hides nothing of another.
+        report.mostFindings = report.findings.size() + kMostFindings;
         if (auto done = look(); !done)
             return tl::unexpected(done.error());
     }

@@ -9,6 +9,7 @@
 #include <QSqlDatabase>
 
 #include "core/base/Result.h"
+#include "database/sql/Audit.h"
 
 namespace database::sql {
 
@@ -18,8 +19,9 @@ struct CheckReport
     std::vector<std::string> findings;  ///< one sentence each; empty: it is sound
     std::int64_t attempts = 0;
     std::int64_t auditRows = 0;
-    std::string auditCode;   ///< of the newest row, as reports show it
-    bool isStopped = false;  ///< not all was looked at
+    std::string auditCode;                     ///< of the newest row, as reports show it
+    bool isStopped = false;                    ///< not all was looked at
+    std::size_t mostFindings = kMostFindings;  ///< further ones are not told
 };
 
 /// Looks at everything: pages and keys (SQLite), the audit's chain and signed head, whether each attempt is as the

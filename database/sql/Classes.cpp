@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "database/Usernames.h"
 #include "database/sql/Audit.h"
 #include "database/sql/ExamStarts.h"
 #include "database/sql/Statement.h"
@@ -29,16 +30,6 @@ QVariantList valuesOf(const Who& who, const Session& session)
     return who.reach == Reach::All ? QVariantList() : QVariantList{number(session.person().value)};
 }
 
-core::Result<std::string> checkedName(const std::string& name)
-{
-    const QString trimmed = QString::fromStdString(name).simplified();
-    if (trimmed.isEmpty() || trimmed.size() > kLongestName ||
-        !std::all_of(trimmed.begin(), trimmed.end(), [](QChar c) { return c.isPrint(); }))
-        return core::unexpected(ErrorCode::OutOfRange,
-                                "the name of a class has 1 to 100 characters that can be seen; correct it");
-    return trimmed.toStdString();
-}
-
 std::string objectOf(ClassId id)
 {
     return "class:" + std::to_string(id.value);
@@ -57,6 +48,15 @@ core::Status expectFreeName(const School& school, const std::string& name, Class
 }
 
 }  // namespace
+
+core::Result<std::string> checkClassName(const std::string& name)
+{
+    const QString trimmed = QString::fromStdString(name).simplified();
+    if (trimmed.isEmpty() || trimmed.size() > kLongestName || !canBeSeen(trimmed.toStdString()))
+        return core::unexpected(ErrorCode::OutOfRange,
+                                "the name of a class has 1 to 100 characters that can be seen; correct it");
+    return trimmed.toStdString();
+}
 
 core::Result<std::vector<SchoolClass>> listClasses(const School& school, const Session& session)
 {
@@ -82,7 +82,7 @@ core::Result<std::vector<SchoolClass>> listClasses(const School& school, const S
 
 core::Result<ClassId> classNamed(const School& school, const std::string& actor, const std::string& name)
 {
-    const auto checked = checkedName(name);
+    const auto checked = checkClassName(name);
     if (!checked)
         return tl::unexpected(checked.error());
     const auto found = ask(school.db, "SELECT id FROM classes WHERE name = ?", kChange, {text(*checked)});
@@ -123,7 +123,7 @@ core::Result<ClassId> addClass(const School& school, const Session& session, con
     if (auto who = admit(school, session, Operation::ChangeClasses); !who)
         return tl::unexpected(who.error());
     return inTurn(school, kChange, [&]() -> core::Result<ClassId> {
-        const auto checked = checkedName(name);
+        const auto checked = checkClassName(name);
         if (!checked)
             return tl::unexpected(checked.error());
         if (auto is = expectFreeName(school, *checked, {}); !is)
@@ -136,7 +136,7 @@ core::Status renameClass(const School& school, const Session& session, ClassId i
 {
     if (auto who = admit(school, session, Operation::ChangeClasses); !who)
         return tl::unexpected(who.error());
-    const auto checked = checkedName(name);
+    const auto checked = checkClassName(name);
     if (!checked)
         return tl::unexpected(checked.error());
     return inTurn(school, kChange, [&]() -> core::Status {

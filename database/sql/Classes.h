@@ -10,6 +10,8 @@
 
 namespace database::sql {
 
+/// The name of a class as it is kept: OutOfRange when it is empty, longer than 100 characters, or cannot be seen.
+[[nodiscard]] core::Result<std::string> checkClassName(const std::string& name);
 /// Those within the session's reach, by name.
 [[nodiscard]] core::Result<std::vector<SchoolClass>> listClasses(const School& school, const Session& session);
 [[nodiscard]] core::Result<ClassId> addClass(const School& school, const Session& session, const std::string& name);

@@ -150,7 +150,10 @@ core::Result<CopyReport> copySchool(const School& from, const Session& session, 
         }
         if (auto copied = copyRecordings(from, to, report, progress); !copied)
             return copied;
-        return copySeal(from, to);
+        if (auto copied = copySeal(from, to); !copied)
+            return copied;
+        // This computer signs what it has brought there, and knows the copy as its own from then on.
+        return note(to, session.uid(), "school.copied", "school");
     });
     static_cast<void>(execute(from.db, "ROLLBACK", "end reading it"));
     if (!done)

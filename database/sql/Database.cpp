@@ -183,14 +183,24 @@ core::Status Database::prepareFile(const Options& options)
 core::Status Database::prepareServer()
 {
     const QSqlDatabase db = handle();
+    const auto letters = ask(db, "SHOW server_encoding", "look into it");
+    if (!letters)
+        return tl::unexpected(letters.error());
+    if (letters->toString() != u"UTF8")
+        return core::unexpected(ErrorCode::WrongKind,
+                                "database " + dialect::nameOf(db) + ": it keeps texts as " +
+                                    letters->toString().toStdString() +
+                                    ", which has not all letters; create it with \"createdb --encoding=UTF8 "
+                                    "--template=template0\"");
+    // In this order: another program may just be making a school there.
+    const auto tables = dialect::countTables(db);
+    if (!tables)
+        return tl::unexpected(tables.error());
     const auto version = dialect::schemaVersion(db);
     if (!version)
         return tl::unexpected(version.error());
     if (*version > 0)
         return {};
-    const auto tables = dialect::countTables(db);
-    if (!tables)
-        return tl::unexpected(tables.error());
     return *tables == 0 ? core::Status() : core::Status(tl::unexpected(foreign(db)));
 }
 
@@ -209,14 +219,22 @@ core::Status Database::bringToNewest(const Options& options)
                                                              "backup, or \"cusp db init\" creates a school");
     const bool isOlder = *version > 0 && *version < static_cast<int>(steps->size());
     if (isOlder && !options.mayMigrate)
-        return core::unexpected(ErrorCode::WrongKind,
+        return core::unexpected(ErrorCode::OlderVersion,
                                 "database " + dialect::nameOf(db) + ": an older program wrote it (schema " +
                                     std::to_string(*version) + ", this program needs " + std::to_string(steps->size()) +
                                     "); let its administrator run \"cusp db migrate\"");
-    if (isOlder && !m_address.isServer())
-        if (auto saved = saveBeforeMigration(db, *version); !saved)
-            return saved;
-    return migrate(db, *steps);
+    QString saved;
+    if (isOlder && !m_address.isServer()) {
+        auto made = saveBeforeMigration(db, *version);
+        if (!made)
+            return tl::unexpected(made.error());
+        saved = *made;
+    }
+    auto done = migrate(db, *steps);
+    // Of what stayed as it was no copy is needed; each new trial would leave one.
+    if (!done && !saved.isEmpty() && dialect::schemaVersion(db).value_or(0) == *version)
+        QFile::remove(saved);
+    return done;
 }
 
 core::Status Database::reconnect()

@@ -83,10 +83,18 @@ core::Error postgresError(const std::string& head, const QSqlError& error, bool 
     if (is("3D") || (said.find("database \"") != std::string::npos && said.find("does not exist") != std::string::npos))
         return {ErrorCode::FileMissing,
                 head + "the server has no such database; create it with createdb, or correct the name"};
+    if (!isOpen && (said.find("too many c") != std::string::npos || said.find("connection slots") != std::string::npos))
+        return {ErrorCode::Busy, head + "the server has no connection left (" + said +
+                                     "); try again in a moment, or let its administrator allow more"};
+    // It answered, and said no.
+    if (!isOpen && said.find("FATAL") != std::string::npos && !is("08") && !is("57P"))
+        return {ErrorCode::NotAllowed,
+                head + "the server refuses the connection (" + said + "); let its administrator allow it"};
     // Without a code it is libpq that speaks, not the server: the connection is gone or never was.
     if (code.isEmpty() || is("08") || is("57P") || !isOpen)
-        return {ErrorCode::ConnectionLost,
-                head + "the server does not answer; check the network and that the server runs"};
+        return {ErrorCode::ConnectionLost, head + "the server does not answer" +
+                                               (isOpen || said.empty() ? std::string() : " (" + said + ")") +
+                                               "; check the network and that the server runs"};
     if (is("23") || is("22"))
         return {ErrorCode::OutOfRange, head + "a value is not allowed (" + said + "); correct it"};
     if (is("42501") || is("25006"))
@@ -162,10 +170,15 @@ core::Result<int> schemaVersion(const QSqlDatabase& db)
 {
     const std::string doing = "read the schema version";
     if (isPostgres(db)) {
-        const auto marked = ask(db, "SELECT to_regclass('cusp_schema') IS NOT NULL", doing);
+        // Out of the catalogue: what to_regclass() remembers may be older than what another program has just made.
+        const auto marked =
+            ask(db,
+                "SELECT 1 FROM pg_catalog.pg_class c JOIN pg_catalog.pg_namespace n ON n.oid = "
+                "c.relnamespace WHERE c.relname = 'cusp_schema' AND n.nspname = ANY (current_schemas(false))",
+                doing);
         if (!marked)
             return tl::unexpected(marked.error());
-        if (!marked->toBool())
+        if (marked->isNull())
             return 0;
     }
     const auto version =

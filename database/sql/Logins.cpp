@@ -20,7 +20,7 @@ using core::ErrorCode;
 const std::string kLogIn = "log in";
 const QString kPasses = QStringLiteral("password.passes");
 const QString kMemory = QStringLiteral("password.memory");
-/// The hash of a password that nobody knows: unknown names are compared with it, which takes as long.
+/// The hash of a password that nobody knows.
 const QString kDecoy = QStringLiteral("password.decoy");
 constexpr int kMostDoublings = 20;
 
@@ -31,6 +31,7 @@ struct Account
     std::string passwordHash;
     std::string codeHash;
     std::string codeUntilUtc;
+    bool isByCode = false;  ///< he has shown his one-time code, not his password
 };
 
 core::Error wrongLogin()
@@ -117,20 +118,58 @@ core::Result<Account> accountOf(const School& school, const std::string& typed)
     return account;
 }
 
+/// Four letters or digits, three times. Whoever reads a code off a slip parts them by hyphens, by spaces, or not at
+/// all.
+bool isCodeParted(const std::string& typed, const char* by)
+{
+    const QRegularExpression code(QStringLiteral("^([0-9A-Za-z]{4})%1([0-9A-Za-z]{4})%1([0-9A-Za-z]{4})$").arg(by));
+    return code.match(QString::fromStdString(typed).trimmed()).hasMatch();
+}
+
+/// No password looks like that.
 bool looksLikeCode(const std::string& typed)
 {
-    static const QRegularExpression kCode(QStringLiteral("^[0-9A-Za-z]{4}-[0-9A-Za-z]{4}-[0-9A-Za-z]{4}$"));
-    return kCode.match(QString::fromStdString(typed).trimmed()).hasMatch();
+    return isCodeParted(typed, "[-\u2010-\u2014 ]+");
 }
 
 std::string codeOf(const std::string& typed)
 {
-    return QString::fromStdString(typed).trimmed().toUpper().toStdString();
+    constexpr qsizetype kGroup = 4;
+    QString code = QString::fromStdString(typed).toUpper();
+    code.removeIf([](QChar letter) { return !letter.isLetterOrNumber(); });
+    for (qsizetype at = kGroup; at < code.size(); at += kGroup + 1)
+        code.insert(at, u'-');
+    return code.toStdString();
 }
 
-/// A password is compared once, whoever it is: with his, or with the decoy. A code is compared quickly, whoever it is.
+/// What is compared with where nobody is called so, or he has no password: that of somebody else, the same for a name
+/// until people come or go. So it takes as long as it takes with those who are here, also while some passwords are
+/// still kept at the cost of an older computer.
+core::Result<std::string> otherPassword(const School& school, const std::string& nameHash)
+{
+    constexpr const char* kHaving = "FROM people WHERE password_hash <> ''";
+    constexpr int kHexDigits = 8;
+    const auto decoy = ask(school.db, "SELECT value FROM settings WHERE owner = '' AND name = ?", kLogIn, {kDecoy});
+    const auto count = ask(school.db, QStringLiteral("SELECT COUNT(*) %1").arg(kHaving), kLogIn);
+    if (!decoy || !count)
+        return tl::unexpected(decoy ? count.error() : decoy.error());
+    if (count->toLongLong() == 0)
+        return decoy->toString().toStdString();
+    // Whose it is can be told by nobody who does not know the decoy.
+    const std::string draw = digestOf(decoy->toString().toStdString() + nameHash).substr(0, kHexDigits);
+    const auto other =
+        ask(school.db, QStringLiteral("SELECT password_hash %1 ORDER BY uid LIMIT 1 OFFSET ?").arg(kHaving), kLogIn,
+            {QString::fromStdString(draw).toLongLong(nullptr, 16) % count->toLongLong()});
+    if (!other)
+        return tl::unexpected(other.error());
+    return other->toString().toStdString();
+}
+
+enum class Secret { Password, Code, Either };
+
+/// A password is compared once, whoever it is: with his, or with another's. A code is compared quickly, whoever it is.
 core::Result<Account> tryAccount(const School& school, const std::string& username, const std::string& secret,
-                                 bool isCode)
+                                 Secret kind)
 {
     const std::string hash = nameHash(username);
     const auto wait = waitFor(school, hash);
@@ -144,13 +183,23 @@ core::Result<Account> tryAccount(const School& school, const std::string& userna
     auto account = accountOf(school, username);
     if (!account)
         return account;
-    const bool isOver = account->codeUntilUtc < school.now();
-    const std::string& kept = isCode ? (isOver ? std::string() : account->codeHash) : account->passwordHash;
-    const auto decoy = ask(school.db, "SELECT value FROM settings WHERE owner = '' AND name = ?", kLogIn, {kDecoy});
-    if (!decoy)
-        return tl::unexpected(decoy.error());
-    const bool isRight = isCode ? !kept.empty() && hashOfCode(account->person->uid, codeOf(secret)) == kept
-                                : fits(secret, kept.empty() ? decoy->toString().toStdString() : kept) && !kept.empty();
+    bool isRight = false;
+    if (kind != Secret::Code) {
+        const auto other = otherPassword(school, hash);
+        if (!other)
+            return tl::unexpected(other.error());
+        const std::string& own = account->passwordHash;
+        const auto same = fits(secret, own.empty() ? *other : own);
+        if (!same)
+            return tl::unexpected(same.error());
+        isRight = *same && !own.empty();
+    }
+    if (!isRight && kind != Secret::Password) {
+        const bool isOver = account->codeUntilUtc < school.now();
+        isRight = !isOver && !account->codeHash.empty() &&
+                  hashOfCode(account->person->uid, codeOf(secret)) == account->codeHash;
+        account->isByCode = isRight;
+    }
     if (!isRight || account->person->disabled) {
         if (auto noted = noteFailure(school, hash); !noted)
             return tl::unexpected(noted.error());
@@ -269,11 +318,14 @@ core::Result<Session> Logins::createFirstAdmin(const School& school, const NewPe
 
 core::Result<Session> Logins::login(const School& school, const std::string& username, const std::string& password)
 {
-    const bool isCode = looksLikeCode(password);
-    auto account = tryAccount(school, username, password, isCode);
+    // A password may be twelve letters, too.
+    const Secret kind = looksLikeCode(password)      ? Secret::Code
+                        : isCodeParted(password, "") ? Secret::Either
+                                                     : Secret::Password;
+    auto account = tryAccount(school, username, password, kind);
     if (!account)
         return tl::unexpected(account.error());
-    if (isCode)
+    if (account->isByCode)
         return core::unexpected(ErrorCode::NewPassword, "the code is right; choose a password");
     const Person& person = *account->person;
     const auto cost = passwordCost(school);
@@ -316,7 +368,7 @@ core::Result<Session> Logins::redeem(const School& school, const std::string& us
 {
     if (auto fit = checkNewPassword(newPassword, username); !fit)
         return tl::unexpected(fit.error());
-    auto account = tryAccount(school, username, code, true);
+    auto account = tryAccount(school, username, code, Secret::Code);
     if (!account)
         return tl::unexpected(account.error());
     auto set = inTurn(school, "set the password", [&]() -> core::Status {
@@ -350,7 +402,7 @@ core::Status Logins::changePassword(const School& school, const Session& session
         return tl::unexpected(who.error());
     if (auto fit = checkNewPassword(newPassword, session.username()); !fit)
         return fit;
-    auto account = tryAccount(school, session.username(), old, false);
+    auto account = tryAccount(school, session.username(), old, Secret::Password);
     if (!account)
         return tl::unexpected(account.error());
     return inTurn(school, "set the password", [&]() -> core::Status {

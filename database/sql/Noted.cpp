@@ -9,8 +9,10 @@
 
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QSqlRecord>
 
 #include "database/Passwords.h"
+#include "database/sql/Attempts.h"
 #include "database/sql/People.h"
 #include "database/sql/Statement.h"
 
@@ -27,7 +29,8 @@ struct Opinion
 {
     std::string author;  ///< uid
     std::optional<int> tenths;
-    std::string digest;  ///< of the words; empty: not noted
+    std::string digest;       ///< of the words; empty: not noted
+    std::string digestOfAll;  ///< of a comment with its place, its moment and its date; empty: not noted
 };
 /// By the uid of the attempt, in the order of saying.
 using Opinions = std::map<std::string, std::vector<Opinion>>;
@@ -56,6 +59,8 @@ struct Noted
     std::map<std::pair<std::string, std::string>, std::optional<Given>> assignments;  ///< by class and lesson
     std::map<std::string, std::string> classes;                                       ///< names, by number
     Enrolments enrolments;
+    std::map<std::string, std::string> presets;   ///< hashes, by name and version
+    std::map<std::string, std::string> settings;  ///< the school's values, by name
 };
 
 std::string textIn(const QJsonObject& detail, const char* key)
@@ -74,10 +79,16 @@ void take(Noted& noted, const std::string& actor, const std::string& action, con
     const std::string id = afterColon(object);
     if (action == "attempt.override") {
         const QJsonValue given = detail.value(QStringLiteral("given_tenths"));
-        noted.overrides[id].push_back(
-            {actor, given.isDouble() ? std::optional(given.toInt()) : std::nullopt, textIn(detail, "reason_digest")});
+        noted.overrides[id].push_back({actor,
+                                       given.isDouble() ? std::optional(given.toInt()) : std::nullopt,
+                                       textIn(detail, "reason_digest"),
+                                       {}});
     } else if (action == "attempt.comment") {
-        noted.comments[id].push_back({actor, {}, textIn(detail, "digest")});
+        noted.comments[id].push_back({actor, {}, textIn(detail, "digest"), textIn(detail, "digest_of_all")});
+    } else if (action == "preset.add") {
+        noted.presets[id] = textIn(detail, "hash");
+    } else if (action == "setting.change") {
+        noted.settings[id] = textIn(detail, "value");
     } else if (action == "lesson.assign") {
         noted.assignments[{id, textIn(detail, "lesson")}] =
             Given{textIn(detail, "due"), detail.value(QStringLiteral("limit")).toInt()};
@@ -100,25 +111,35 @@ void take(Noted& noted, const std::string& actor, const std::string& action, con
     }
 }
 
+/// From one column to the last.
+QVariantList valuesOf(const QSqlQuery& row, int first)
+{
+    QVariantList values;
+    for (int column = first; column < row.record().count(); ++column)
+        values += row.value(column);
+    return values;
+}
+
 core::Status compareOpinions(const QSqlDatabase& db, const char* sql, const Opinions& expected, const std::string& what,
                              const Say& say)
 {
     std::map<std::string, std::size_t> seen;
-    if (auto read =
-            forEach(db, QLatin1String(sql), kDoing, {},
-                    [&](const QSqlQuery& row) {
-                        const std::string attempt = textOf(row, 0);
-                        const std::size_t n = seen[attempt]++;
-                        const auto found = expected.find(attempt);
-                        const Opinion* const noted =
-                            found != expected.end() && n < found->second.size() ? &found->second[n] : nullptr;
-                        const int tenths = row.isNull(2) ? kMachines : row.value(2).toInt();
-                        if (noted == nullptr)
-                            say(what + " of attempt " + attempt + " was inserted: the audit knows nothing of it");
-                        else if (noted->author != textOf(row, 1) || noted->tenths.value_or(kMachines) != tenths ||
-                                 (!noted->digest.empty() && noted->digest != digestOf(textOf(row, 3))))
-                            say(what + " of attempt " + attempt + " was changed after it had been noted");
-                    });
+    if (auto read = forEach(
+            db, QLatin1String(sql), kDoing, {},
+            [&](const QSqlQuery& row) {
+                const std::string attempt = textOf(row, 0);
+                const std::size_t n = seen[attempt]++;
+                const auto found = expected.find(attempt);
+                const Opinion* const noted =
+                    found != expected.end() && n < found->second.size() ? &found->second[n] : nullptr;
+                const int tenths = row.isNull(2) ? kMachines : row.value(2).toInt();
+                if (noted == nullptr)
+                    say(what + " of attempt " + attempt + " was inserted: the audit knows nothing of it");
+                else if (noted->author != textOf(row, 1) || noted->tenths.value_or(kMachines) != tenths ||
+                         (!noted->digest.empty() && noted->digest != digestOf(textOf(row, 3))) ||
+                         (!noted->digestOfAll.empty() && noted->digestOfAll != digestOfComment(valuesOf(row, 3))))
+                    say(what + " of attempt " + attempt + " was changed after it had been noted");
+            });
         !read)
         return read;
     for (const auto& [attempt, opinions] : expected)
@@ -233,6 +254,30 @@ core::Status compareClasses(const QSqlDatabase& db, std::map<std::string, std::s
     return {};
 }
 
+/// @param areAllNoted  nothing is there without a note; else some was there from the beginning
+core::Status compareKept(const QSqlDatabase& db, const QString& sql, std::map<std::string, std::string> expected,
+                         bool areAllNoted, const std::string& what, const Say& say)
+{
+    if (auto read = forEach(db, sql, kDoing, {},
+                            [&](const QSqlQuery& row) {
+                                const std::string named = what + " \"" + textOf(row, 0) + "\"";
+                                const auto found = expected.find(textOf(row, 0));
+                                if (found == expected.end()) {
+                                    if (areAllNoted)
+                                        say(named + " was inserted: the audit knows nothing of it");
+                                    return;
+                                }
+                                if (found->second != textOf(row, 1))
+                                    say(named + " is not what the audit says");
+                                expected.erase(found);
+                            });
+        !read)
+        return read;
+    for (const auto& [name, value] : expected)
+        say(std::string(what).append(" \"").append(name).append("\" was removed"));
+    return {};
+}
+
 /// An attempt that is nobody's counts for nobody.
 core::Status compareOwners(const QSqlDatabase& db, const Say& say)
 {
@@ -249,16 +294,17 @@ core::Status compareOwners(const QSqlDatabase& db, const Say& say)
 core::Status compareWithAudit(const QSqlDatabase& db, const Say& say)
 {
     Noted noted;
-    if (auto read = forEach(db,
-                            "SELECT actor, action, object, detail FROM audit WHERE action IN ('attempt.override', "
-                            "'attempt.comment', 'lesson.assign', 'lesson.unassign', 'person.add', 'person.change', "
-                            "'class.add', 'class.rename', 'class.enrol', 'class.leave') "
-                            "ORDER BY seq",
-                            kDoing, {},
-                            [&](const QSqlQuery& row) {
-                                take(noted, textOf(row, 0), textOf(row, 1), textOf(row, 2),
-                                     QJsonDocument::fromJson(row.value(3).toByteArray()).object());
-                            });
+    if (auto read =
+            forEach(db,
+                    "SELECT actor, action, object, detail FROM audit WHERE action IN ('attempt.override', "
+                    "'attempt.comment', 'lesson.assign', 'lesson.unassign', 'person.add', 'person.change', "
+                    "'class.add', 'class.rename', 'class.enrol', 'class.leave', 'preset.add', 'setting.change') "
+                    "ORDER BY seq",
+                    kDoing, {},
+                    [&](const QSqlQuery& row) {
+                        take(noted, textOf(row, 0), textOf(row, 1), textOf(row, 2),
+                             QJsonDocument::fromJson(row.value(3).toByteArray()).object());
+                    });
         !read)
         return read;
     for (const auto& done :
@@ -267,11 +313,14 @@ core::Status compareWithAudit(const QSqlDatabase& db, const Say& say)
                           "o.attempt_id JOIN people p ON p.id = o.author_id ORDER BY o.id",
                           noted.overrides, "an override", say),
           compareOpinions(db,
-                          "SELECT a.uid, p.uid, NULL, c.words FROM comments c JOIN attempts a ON a.id = c.attempt_id "
+                          "SELECT a.uid, p.uid, NULL, c.words, c.x_um, c.y_um, c.z_um, c.moment_ms, c.written_utc FROM "
+                          "comments c JOIN attempts a ON a.id = c.attempt_id "
                           "JOIN people p ON p.id = c.author_id ORDER BY c.id",
                           noted.comments, "a comment", say),
           compareScores(db, noted.overrides, say), comparePeople(db, noted.people, say),
           compareAssignments(db, noted.assignments, say), compareClasses(db, noted.classes, noted.enrolments, say),
+          compareKept(db, "SELECT name || ' v' || version, hash FROM presets", noted.presets, true, "preset", say),
+          compareKept(db, "SELECT name, value FROM settings WHERE owner = ''", noted.settings, false, "setting", say),
           compareOwners(db, say)})
         if (!done)
             return done;

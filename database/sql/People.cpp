@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "database/sql/People.h"
 
-#include <algorithm>
 #include <map>
 
 #include "core/base/Bytes.h"
@@ -91,7 +90,7 @@ core::Status checkPersonName(const std::string& name)
     if (text.size() > kLongestName)
         return core::unexpected(ErrorCode::OutOfRange,
                                 "a name has at most " + std::to_string(kLongestName) + " characters; shorten it");
-    if (!std::all_of(text.begin(), text.end(), [](QChar c) { return c.isPrint(); }))
+    if (!canBeSeen(name))
         return core::unexpected(ErrorCode::OutOfRange, "a name holds characters that cannot be seen; type it again");
     return {};
 }

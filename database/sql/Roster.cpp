@@ -20,6 +20,8 @@ namespace {
 
 using core::ErrorCode;
 
+using Kind = RosterFault::Kind;
+
 const std::string kDoing = "import the class list";
 constexpr std::array<const char*, 5> kColumns{"username", "given_name", "family_name", "role", "class"};
 constexpr std::size_t kMostRows = 20'000;
@@ -33,6 +35,7 @@ struct Line
 {
     int number = 0;
     NewPerson who;
+    bool saysRole = false;
     std::vector<std::string> classes;
 };
 
@@ -42,20 +45,21 @@ using Places = std::map<std::string, std::size_t>;
 core::Result<Places> placesOf(const CsvRow& head)
 {
     Places places;
+    const std::string line = "line " + std::to_string(head.line) + ": ";
     for (std::size_t at = 0; at < head.fields.size(); ++at) {
         const std::string name = QString::fromStdString(trimmed(head.fields[at])).toLower().toStdString();
         if (name.empty())
             continue;
         if (std::find(kColumns.begin(), kColumns.end(), name) == kColumns.end())
             return core::unexpected(ErrorCode::BadStructure,
-                                    "line 1: there is a column \"" + name +
+                                    line + "there is a column \"" + name +
                                         "\"; the columns are username, given_name, family_name, role and class");
         if (!places.emplace(name, at).second)
-            return core::unexpected(ErrorCode::BadStructure, "line 1: the column \"" + name + "\" is there twice");
+            return core::unexpected(ErrorCode::BadStructure, line + "the column \"" + name + "\" is there twice");
     }
     if (places.count("username") == 0)
         return core::unexpected(ErrorCode::BadStructure,
-                                "line 1: the column \"username\" is missing; the first line names the columns");
+                                line + "the column \"username\" is missing; the first line names the columns");
     return places;
 }
 
@@ -70,27 +74,32 @@ public:
         Line line;
         line.number = row.line;
         if (row.fields.size() > widest())
-            fault(row, "", "has more fields than the first line names");
+            fault(row, "", "has more fields than the first line names", Kind::Fields);
         line.who = {at(row, "username"), at(row, "given_name"), at(row, "family_name"), Role::Student};
         if (const auto name = normalUsername(line.who.username); !name)
-            fault(row, "username", name.error().detail);
+            fault(row, "username", name.error().detail, Kind::Username);
         else if (!m_seen.emplace(*name, row.line).second)
-            fault(row, "username", "stands in line " + std::to_string(m_seen[*name]) + " already");
+            fault(row, "username", "stands in line " + std::to_string(m_seen[*name]) + " already", Kind::Twice,
+                  std::to_string(m_seen[*name]));
         else
             line.who.username = *name;
         for (const auto& [column, name] :
              {std::pair("given_name", &line.who.givenName), std::pair("family_name", &line.who.familyName)})
             if (const auto fit = checkPersonName(*name); !fit)
-                fault(row, column, fit.error().detail);
+                fault(row, column, fit.error().detail, Kind::Name);
         if (const std::string role = QString::fromStdString(at(row, "role")).toLower().toStdString(); !role.empty()) {
             const auto known = roleOf(role);
+            line.saysRole = true;
             if (known && *known != Role::Guest)
                 line.who.role = *known;
             else
-                fault(row, "role", "is none of student, instructor, admin");
+                fault(row, "role", "is none of student, instructor, admin", Kind::Role);
         }
         for (const QString& name : QString::fromStdString(at(row, "class")).split('|', Qt::SkipEmptyParts))
-            line.classes.push_back(name.trimmed().toStdString());
+            if (const auto fit = checkClassName(name.toStdString()); fit)
+                line.classes.push_back(*fit);
+            else
+                fault(row, "class", fit.error().detail, Kind::Class);
         return m_faults.size() == before ? std::optional(line) : std::nullopt;
     }
 
@@ -108,9 +117,10 @@ private:
         return place != m_places.end() && place->second < row.fields.size() ? trimmed(row.fields[place->second])
                                                                             : std::string();
     }
-    void fault(const CsvRow& row, const std::string& column, const std::string& what)
+    void fault(const CsvRow& row, const std::string& column, const std::string& what, Kind kind,
+               const std::string& value = {})
     {
-        m_faults.push_back({row.line, column, what});
+        m_faults.push_back({row.line, column, what, kind, value});
     }
 
     const Places& m_places;
@@ -227,10 +237,11 @@ core::Result<RosterOutcome> importRoster(const School& school, const Session& se
             const auto before = known(school, line.who.username);
             if (!before)
                 return tl::unexpected(before.error());
-            if (before->isThere && places->count("role") > 0 && before->person.role != line.who.role) {
+            if (before->isThere && line.saysRole && before->person.role != line.who.role) {
                 outcome.faults.push_back({line.number, "role",
                                           "is \"" + std::string(roleName(before->person.role)) +
-                                              "\" here; a class list does not change what somebody is"});
+                                              "\" here; a class list does not change what somebody is",
+                                          Kind::OtherRole, std::string(roleName(before->person.role))});
                 continue;
             }
             Line whole = line;
@@ -244,7 +255,7 @@ core::Result<RosterOutcome> importRoster(const School& school, const Session& se
             if (person)
                 outcome.people.push_back(std::move(*person));
             else if (person.error().code == ErrorCode::OutOfRange)
-                outcome.faults.push_back({line.number, "", person.error().detail});
+                outcome.faults.push_back({line.number, "", person.error().detail, Kind::Refused, {}});
             else
                 return tl::unexpected(person.error());
         }

@@ -53,6 +53,12 @@ core::Status changeSetting(const School& school, const Session& session, const s
     if (auto fit = refuseSecret(name); !fit)
         return fit;
     return inTurn(school, kKeep, [&]() -> core::Status {
+        const auto before =
+            ask(school.db, "SELECT value FROM settings WHERE owner = '' AND name = ?", kKeep, {text(name)});
+        if (!before)
+            return tl::unexpected(before.error());
+        if (!before->isNull() && before->toString().toStdString() == value)
+            return {};  // nothing was changed, and nothing is noted
         if (auto kept = putSetting(school, "", name, value); !kept)
             return kept;
         return note(school, session.uid(), "setting.change", "setting:" + name,

@@ -547,6 +547,11 @@ void TestApplication::aMomentOfTheOwnAttemptIsShownAndLeft()
     QTRY_VERIFY2_WITH_TIMEOUT(seconds(1) > 0 && seconds(1) - seconds(0) <= 1, qPrintable(time()), 10000);
     QTRY_COMPARE(enamelRemoved(), own);
     const QImage cut = m_application->window().view().toothPicture();
+    // What is said at the end is not said elsewhere.
+    m_application->window().showReplayEnd();
+    QVERIFY(message().contains("come to its end"));
+    actions().stepBack->trigger();
+    QVERIFY2(!message().contains("come to its end"), qPrintable(message()));
     // Back to before it was cut, and forth to what the stroke has left.
     actions().replayBegin->trigger();
     QTRY_COMPARE(enamelRemoved(), QString("0.00"));
@@ -556,8 +561,10 @@ void TestApplication::aMomentOfTheOwnAttemptIsShownAndLeft()
     QCOMPARE(m_application->window().view().toothPicture(), cut);
     actions().stepBack->trigger();
     QTRY_COMPARE(enamelRemoved(), QString("0.00"));
+    // To the card, where the other moments are, and from there to the tooth.
     actions().back->trigger();
-    QVERIFY(message().contains("your own work"));
+    QVERIFY(child<ui::study::ScorePage>()->isVisible());
+    actions().back->trigger();
     QTRY_COMPARE(enamelRemoved(), own);
     drillAt({2.0, 1.0, -1.0});
 }

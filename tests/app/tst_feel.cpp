@@ -25,6 +25,7 @@
 #include "ui/shell/Actions.h"
 #include "ui/shell/MainWindow.h"
 #include "ui/shell/MessageBar.h"
+#include "ui/study/ScorePage.h"
 #include "ui/tooth/ToothView.h"
 
 /// How drilling feels, from the page and the console down to the servo and the recording.
@@ -38,6 +39,7 @@ private slots:
     void aPresetIsTriedOnABlockAndKept();
     void whatIsTurnedByHandIsNamedAndHoldsForTheNextTooth();
     void twoPresetsAreComparedBlind();
+    void whatIsWrongWithAFileStaysToBeRead();
     void anExamFeelsAsItShould();
 
 private:
@@ -179,6 +181,22 @@ void TestFeel::twoPresetsAreComparedBlind()
     auto* card = child<ui::presets::TrialCard>();
     QVERIFY(card->isVisible() && !card->tuned());
     QVERIFY(answer("set force.friction 0.2").contains("compared blind"));
+    for (const char* command : {"get force.friction", "save leak", "set force.stiffness 19"})
+        QVERIFY2(answer(command).contains("compared blind"), command);
+    // Nor is it told with a grade.
+    ui::tooth::ToothView& view = m_application->window().view();
+    QTest::mouseMove(&view, view.rect().center());
+    QTest::mousePress(&view, Qt::LeftButton, {}, view.rect().center());
+    QTRY_VERIFY_WITH_TIMEOUT(actions().undo->isEnabled(), 30000);
+    QTest::mouseRelease(&view, Qt::LeftButton, {}, view.rect().center());
+    QTest::qWait(500);
+    actions().grade->trigger();
+    auto* score = child<ui::study::ScorePage>();
+    QTRY_VERIFY_WITH_TIMEOUT(score->isVisible(), 30000);
+    const QString marked = child<QLabel>("rubric")->text();
+    QVERIFY2(marked.contains("Marked by") && !marked.contains("hardness preset"), qPrintable(marked));
+    actions().back->trigger();
+    QTRY_VERIFY(card->isVisible());
     const auto cutWith = [card](const char* letter) {
         QTest::mouseClick(card->findChild<QPushButton*>(letter), Qt::LeftButton);
         card->follow(1, 0, 0.0);
@@ -194,6 +212,32 @@ void TestFeel::twoPresetsAreComparedBlind()
     QTest::mouseClick(card->findChild<QPushButton*>("trialSaysNone"), Qt::LeftButton);
     QVERIFY(card->findChild<QPushButton*>("trialCsv")->isVisible());
     QVERIFY(card->findChild<QLabel*>("trialWords")->text().contains("No difference: 1 time"));
+}
+
+void TestFeel::whatIsWrongWithAFileStaysToBeRead()
+{
+    start();
+    actions().presets->trigger();
+    const auto import = [this](const QByteArray& json) {
+        QFile file(m_folder->filePath("slip.json"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(json);
+        file.close();
+        emit m_application->window().presetImportWanted(file.fileName());
+    };
+    auto* fault = child<QLabel>("presetFault");
+    import(R"({"name": "slip", "enamell": {"rate_mm3_per_ns": 3}})");
+    QTRY_COMPARE(page().draft().name, std::string("slip"));
+    QVERIFY2(fault->text().contains("\"enamell\" is not known"), qPrintable(fault->text()));
+    QVERIFY(child<QLabel>("presetFaultDetail")->text().contains("did you mean \"enamel\"?"));
+    import(R"({"force": {"stiffness_n_per_mm": 15}})");
+    QVERIFY2(fault->text().contains("Would tremble"), qPrintable(fault->text()));
+    core::settings::FeelPreset stiff;
+    stiff.name = "stiff";
+    stiff.version = 0;
+    stiff.stiffnessNPerMm = 15.0;
+    emit m_application->window().presetSaveWanted(stiff);
+    QVERIFY2(fault->text().contains("Not kept: Would tremble"), qPrintable(fault->text()));
 }
 
 void TestFeel::anExamFeelsAsItShould()

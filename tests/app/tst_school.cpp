@@ -42,6 +42,7 @@
 #include "ui/people/HistoryPage.h"
 #include "ui/people/LoginPage.h"
 #include "ui/people/TalkPanel.h"
+#include "ui/report/Report.h"
 #include "ui/shell/Actions.h"
 #include "ui/shell/MessageBar.h"
 #include "ui/shell/TabularLabel.h"
@@ -95,6 +96,8 @@ private slots:
     void whatTheDiskRefusesIsKeptWhenItCanBe();
     void aGuestsGradeIsKeptWhenHeLogsIn();
     void nobodyIsOfferedAnothersWork();
+    void theLessonsForgetWhoLeft();
+    void anOpenedAttemptHasThoseBeforeIt();
     void theSchoolsPresetIsTheAdmins();
     void whatIsGivenIsDueAndLimited();
     void anExamThatIsBrokenOffIsToldOf();
@@ -111,6 +114,7 @@ private slots:
     void aScoreCardIsSavedWithItsAuditCode();
     void withoutADatabaseTheCardSaysSo();
     void everybodyIsShownRoundOnce();
+    void aTeachersTourBeginsWithHisClasses();
 
 private:
     template <class T>
@@ -207,7 +211,7 @@ void TestSchool::leaveFor(const QString& name) const
 
 void TestSchool::toTheTooth() const
 {
-    for (int k = 0; k < 2 && !m_application->window().view().isVisible(); ++k)
+    for (int k = 0; k < 3 && !m_application->window().view().isVisible(); ++k)
         actions().back->trigger();
     QTRY_VERIFY_WITH_TIMEOUT(actions().grade->isEnabled(), kPatienceMs);
 }
@@ -414,6 +418,54 @@ void TestSchool::nobodyIsOfferedAnothersWork()
     QTRY_VERIFY_WITH_TIMEOUT(actions().undo->isEnabled(), kPatienceMs);
     grade("first grade");
     QCOMPARE(attemptsKept(), 1);
+}
+
+void TestSchool::theLessonsForgetWhoLeft()
+{
+    start();
+    logIn("sam");
+    actions().lessons->trigger();
+    const auto* list = child<QListView>("lessonList");
+    QTRY_VERIFY_WITH_TIMEOUT(list->isVisible() && list->model()->rowCount() > 10, kPatienceMs);
+    const QString first = list->currentIndex().data().toString();
+    auto* search = child<ui::study::LessonsPage>()->findChild<QLineEdit*>();
+    search->setText("decay 26");
+    QVERIFY(list->currentIndex().data().toString() != first);
+    leaveFor("sue");
+    actions().lessons->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(list->isVisible() && list->model()->rowCount() > 10, kPatienceMs);
+    QVERIFY2(search->text().isEmpty(), qPrintable(search->text()));
+    QTRY_COMPARE_WITH_TIMEOUT(list->currentIndex().data().toString(), first, kPatienceMs);
+}
+
+void TestSchool::anOpenedAttemptHasThoseBeforeIt()
+{
+    start();
+    logIn("sam");
+    toTheTooth();
+    drill(-2.0);
+    grade("first grade");
+    actions().back->trigger();
+    drill(2.0);
+    grade("");
+    QTRY_COMPARE_WITH_TIMEOUT(attemptsKept(), 2, kPatienceMs);
+    leaveFor("ines");
+    actions().classes->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(child<QTableView>("matrix")->model()->rowCount() == 1, kPatienceMs);
+    emit child<QTableView>("matrix")->verticalHeader()->sectionDoubleClicked(0);
+    openNewest();
+    QTRY_COMPARE_WITH_TIMEOUT(child<ui::study::ScorePage>()->card().history.size(), 2, kPatienceMs);
+    QVERIFY2(!keeping().contains("first grade"), qPrintable(keeping()));
+    // And back step by step: to the student's attempts, to the class, to the tooth.
+    QCOMPARE(actions().back->text(), QString("Back to the attempts"));
+    actions().back->trigger();
+    QVERIFY(child<ui::people::HistoryPage>()->isVisible());
+    QCOMPARE(actions().back->text(), QString("Back to the class"));
+    actions().back->trigger();
+    QVERIFY(child<ui::people::ClassPage>()->isVisible());
+    QCOMPARE(actions().back->text(), QString("Back to the tooth"));
+    actions().back->trigger();
+    QVERIFY(m_application->window().view().isVisible());
 }
 
 /// What an admin keeps and puts to use, everybody's teeth feel like; a student looks on.
@@ -1040,6 +1092,28 @@ void TestSchool::everybodyIsShownRoundOnce()
         if (isFirst)
             child<ui::shell::Tour>("tour")->end();
     }
+}
+
+/// The class page is filled while the tour is on: it stays below, and takes no key.
+void TestSchool::aTeachersTourBeginsWithHisClasses()
+{
+    start(true);
+    m_application->window().activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&m_application->window()));
+    auto* tour = child<ui::shell::Tour>("tour");
+    logIn("ines");
+    QTRY_VERIFY_WITH_TIMEOUT(tour->isVisible(), kPatienceMs);
+    QVERIFY(child<ui::people::ClassPage>()->isVisible());
+    QTRY_COMPARE_WITH_TIMEOUT(child<QTableView>("matrix")->model()->rowCount(), 1, kPatienceMs);
+    QVERIFY(child<ui::people::ClassPage>()->isAncestorOf(tour->target()));
+    QVERIFY(tour->isAncestorOf(m_application->window().focusWidget()));
+    tour->next();
+    QVERIFY(child<ui::study::LessonsPage>()->isVisible());
+    QTest::qWait(500);
+    QVERIFY(child<ui::study::LessonsPage>()->isVisible());
+    QVERIFY(tour->isAncestorOf(m_application->window().focusWidget()));
+    actions().back->trigger();
+    QVERIFY(child<ui::people::ClassPage>()->isVisible());
 }
 
 int main(int argc, char** argv)

@@ -14,6 +14,7 @@
 #include <QSqlQuery>
 #include <QTest>
 
+#include "app/Backups.h"
 #include "app/SchoolDesk.h"
 #include "core/base/Rng.h"
 #include "core/teeth/Block.h"
@@ -139,6 +140,7 @@ private slots:
     void killedStationsKeepWhatTheyConfirmed();
     void aServerThatGoesAwayGetsEverythingOnce();
     void aLetterIsTakenOnceAndOnlyAsItWasWritten();
+    void aLetterWaitsForItsSchool();
 };
 
 void TestStations::manyStationsLoseNothing()
@@ -314,8 +316,11 @@ void TestStations::aLetterIsTakenOnceAndOnlyAsItWasWritten()
     QVERIFY(outbox.arrived().isEmpty());
     VERIFY_DONE(deliver());
     QVERIFY(keptIn(rig.school()) == put);
-    // A letter that was changed on the way, or written by another station, is not taken.
+    // One that was signed with another key waits until that is back.
     keep();
+    VERIFY_REFUSED(Outbox(folder.filePath("outbox"), StationKey::make()).read(outbox.waiting().front()),
+                   core::ErrorCode::NotAllowed);
+    // A letter that was changed on the way is not taken.
     QFile changed(outbox.waiting().front());
     QVERIFY(changed.open(QIODevice::ReadWrite) && changed.seek(400));
     changed.write("x");
@@ -329,6 +334,44 @@ void TestStations::aLetterIsTakenOnceAndOnlyAsItWasWritten()
     QCOMPARE(outbox.readExam(outbox.waiting().front())->personUid, rig.student.uid());
     VERIFY_REFUSED(outbox.read(outbox.waiting().front()), core::ErrorCode::BadStructure);
     VERIFY_REFUSED(outbox.put(rig.guest, SchoolRig::attempt("class1-36", 1), {}), core::ErrorCode::NotAllowed);
+}
+
+/// Two schools are used from one folder: what waits for one is not lost in the other.
+void TestStations::aLetterWaitsForItsSchool()
+{
+    SchoolRig mine(false);
+    SchoolRig others(false);
+    mine.populate();
+    others.populate();
+    QTemporaryDir folder;
+    const QString key = folder.filePath("station.key");
+    const Outbox outbox(folder.filePath("outbox"), StationKey::readOrMake(key).value());
+    AttemptRecord attempt = SchoolRig::attempt("class1-36", 500);
+    VERIFY_DONE(Outbox(outbox).put(mine.student, attempt, QByteArray::fromStdString(ofNothing().toBytes())));
+    const auto openOnce = [&](const QString& address) {
+        app::SchoolDesk desk(Address::parse(address).value(), folder.path());
+        int waiting = 0;
+        bool isDelivered = false;
+        connect(&desk, &app::SchoolDesk::waitOn, this, [&](int count) { waiting = count; });
+        connect(&desk, &app::SchoolDesk::delivered, this, [&](const QString&) { isDelivered = true; });
+        desk.open(this, [](const app::SchoolDesk::Opening&) {});
+        [&] { QTRY_VERIFY(waiting > 0 || isDelivered); }();
+        return waiting;
+    };
+    QCOMPARE(openOnce(others.address()), 1);
+    QCOMPARE(outbox.waiting().size(), 1);
+    QCOMPARE(openOnce(mine.address()), 0);
+    QVERIFY(keptIn(mine.school()).count(QString::fromStdString(attempt.uid)) == 1);
+    QVERIFY(outbox.waiting().isEmpty());
+    // A backup of the other school does not take with it what only this one has.
+    const auto othersKey = StationKey::readOrMake(key).value();
+    QCOMPARE(outbox.arrived().size(), 1);
+    VERIFY_DONE(app::makeBackup(School{others.school().db, othersKey}, Address::parse(others.address()).value(),
+                                folder.path(), others.nowUtc));
+    QCOMPARE(outbox.arrived().size(), 1);
+    VERIFY_DONE(app::makeBackup(School{mine.school().db, othersKey}, Address::parse(mine.address()).value(),
+                                folder.path(), mine.nowUtc));
+    QVERIFY(outbox.arrived().isEmpty());
 }
 
 int main(int argc, char** argv)

@@ -5,6 +5,8 @@
 
 #include "database/sql/Check.h"
 #include "database/sql/Dialect.h"
+#include "database/sql/Overview.h"
+#include "database/sql/Presets.h"
 #include "tests/database/SchoolRig.h"
 
 using namespace database;
@@ -106,7 +108,19 @@ void TestAudit::namesTheRow_data()
         row("removed, renumbered") << QStringList{"DELETE FROM audit WHERE seq = 9",
                                                   "UPDATE audit SET seq = seq + 999 WHERE seq > 9",
                                                   "UPDATE audit SET seq = seq - 1000 WHERE seq > 1000"}
-                                   << "was removed, and those behind it were renumbered" << 2;
+                                   << "was removed, and those behind were renumbered" << 2;
+        row("three removed, renumbered") << QStringList{"DELETE FROM audit WHERE seq BETWEEN 10 AND 12",
+                                                        "UPDATE audit SET seq = seq + 997 WHERE seq > 12",
+                                                        "UPDATE audit SET seq = seq - 1000 WHERE seq > 1000"}
+                                         << "3 rows before row 10 (" << 2;
+        row("two inserted, renumbered")
+            << QStringList{"UPDATE audit SET seq = seq + 1002 WHERE seq > 9",
+                           "UPDATE audit SET seq = seq - 1000 WHERE seq > 1000",
+                           "INSERT INTO audit SELECT 10, at_utc, actor, 'login', object, detail, hash FROM audit WHERE "
+                           "seq = 3",
+                           "INSERT INTO audit SELECT 11, at_utc, actor, 'login', object, detail, hash FROM audit WHERE "
+                           "seq = 4"}
+            << "rows 10 to 11 were inserted" << 2;
         row("inserted") << QStringList{"UPDATE audit SET seq = seq + 1001 WHERE seq > 9",
                                        "UPDATE audit SET seq = seq - 1000 WHERE seq > 1000",
                                        "INSERT INTO audit SELECT 10, at_utc, actor, 'login', object, detail, hash FROM "
@@ -177,6 +191,17 @@ void TestAudit::whatStandsElsewhereIsAsItWasNoted_data()
             << "a comment of attempt";
         row("a comment changed") << "UPDATE comments SET words = 'well done'"
                                  << "a comment of attempt";
+        row("a comment moved to another place") << "UPDATE comments SET x_um = x_um + 1000"
+                                                << "a comment of attempt";
+        row("a comment moved to another moment") << "UPDATE comments SET moment_ms = 1"
+                                                 << "a comment of attempt";
+        row("a comment of another day") << "UPDATE comments SET written_utc = '2020-01-01T00:00:00Z'"
+                                        << "a comment of attempt";
+        row("a preset slipped in") << "INSERT INTO presets (name, version, hash, json, author_id, created_utc) SELECT "
+                                      "'soft', 9, hash, json, author_id, created_utc FROM presets"
+                                   << "preset \"soft v9\" was inserted";
+        row("a setting changed") << "UPDATE settings SET value = '999' WHERE name = 'idle.minutes'"
+                                 << "setting \"idle.minutes\" is not what the audit says";
         row("a comment gone") << "DELETE FROM comments"
                               << "a comment of attempt";
         row("a role") << "UPDATE people SET role = 'admin' WHERE username = 's1001'"
@@ -221,7 +246,13 @@ void TestAudit::whatStandsElsewhereIsAsItWasNoted()
     VERIFY_DONE(addAttempt(school, rig.classmate, SchoolRig::attempt("class1-36", 600), {}));
     VERIFY_DONE(overrideScore(school, rig.instructor, first, 800, "neat"));
     VERIFY_DONE(overrideScore(school, rig.instructor, first, 900, "very neat"));
-    VERIFY_DONE(addComment(school, rig.instructor, first, {"too deep", {}, {}}));
+    NewComment pinned;
+    pinned.words = "too deep";
+    pinned.placeMm = {1.0, 2.0, -3.0};
+    pinned.momentMs = 4200;
+    VERIFY_DONE(addComment(school, rig.instructor, first, pinned));
+    VERIFY_DONE(changeSetting(school, rig.admin, "idle.minutes", "12"));
+    VERIFY_DONE(addPreset(school, rig.admin, {"soft", 1, std::string(64, 'd'), "{}"}));
     VERIFY_DONE(assign(school, rig.instructor, {0, rig.first, "class1-36", "", 3}));
     VERIFY_DONE(assign(school, rig.instructor, {0, rig.first, "class1-37", "", 3}));
     VERIFY_DONE(unassign(school, rig.instructor, rig.first, "class1-37"));

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <ctime>
+#include <vector>
+
 #include <QSqlQuery>
 #include <QTest>
 
@@ -18,6 +22,8 @@ private slots:
     void theFirstPersonIsAnAdminAndEnteredOnce();
     void unknownWrongAndDisabledGetTheSameAnswer_data() { support::addEngines(); }
     void unknownWrongAndDisabledGetTheSameAnswer();
+    void unknownNamesTakeAsLongAfterTheCostWasRaised();
+    void codesAreReadAsTheyAreTyped();
     void failuresDoubleTheWaitAcrossRuns_data() { support::addEngines(); }
     void failuresDoubleTheWaitAcrossRuns();
     void aClockThatGoesBackLocksNobodyOutForLong_data() { support::addEngines(); }
@@ -75,6 +81,53 @@ void TestLogins::unknownWrongAndDisabledGetTheSameAnswer()
         answers.insert(refused.error().detail);
     }
     QCOMPARE(answers.size(), std::size_t{1});
+}
+
+/// Until they log in again, people's passwords are kept at the old cost: so must nobody's be.
+void TestLogins::unknownNamesTakeAsLongAfterTheCostWasRaised()
+{
+    SchoolRig rig(false);
+    rig.populate();
+    constexpr PasswordCost kDear{12, 8 << 20};
+    VERIFY_DONE(raisePasswordCost(rig.school(), rig.admin, kDear));
+    const auto cpuMs = [&](const std::string& name) {
+        rig.nowUtc = rig.nowUtc.addDays(1);  // no wait
+        timespec begun{};
+        timespec ended{};
+        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &begun);
+        [&] { VERIFY_REFUSED(Logins::login(rig.school(), name, "wrong horse"), ErrorCode::WrongLogin); }();
+        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &ended);
+        return 1e3 * static_cast<double>(ended.tv_sec - begun.tv_sec) +
+               1e-6 * static_cast<double>(ended.tv_nsec - begun.tv_nsec);
+    };
+    std::vector<double> known;
+    std::vector<double> unknown;
+    for (int k = 0; k < 9; ++k) {
+        known.push_back(cpuMs("s1001"));
+        unknown.push_back(cpuMs("nobody" + std::to_string(k)));
+    }
+    std::nth_element(known.begin(), known.begin() + 4, known.end());
+    std::nth_element(unknown.begin(), unknown.begin() + 4, unknown.end());
+    // At the new cost it would be a hundred times as long.
+    QVERIFY2(unknown[4] < 5.0 * known[4],
+             qPrintable(QStringLiteral("unknown %1 ms, known %2 ms").arg(unknown[4]).arg(known[4])));
+}
+
+void TestLogins::codesAreReadAsTheyAreTyped()
+{
+    SchoolRig rig(false);
+    rig.populate();
+    const auto entered = addPerson(rig.school(), rig.admin, {"slip", "", "", Role::Student});
+    VERIFY_DONE(entered);
+    const QString code = QString::fromStdString(entered->code);
+    for (const QString& typed : {code, code.toLower(), QString(code).replace('-', ' '), QString(code).remove('-'),
+                                 ' ' + QString(code).replace('-', QChar(0x2013)) + ' '})
+        VERIFY_REFUSED(Logins::login(rig.school(), "slip", typed.toStdString()), ErrorCode::NewPassword);
+    VERIFY_DONE(Logins::redeem(rig.school(), "slip", QString(code).remove('-').toStdString(), "another horse"));
+    // Twelve letters may be a password, too.
+    VERIFY_DONE(Logins::changePassword(rig.school(), Logins::login(rig.school(), "slip", "another horse").value(),
+                                       "another horse", "zebrafinches"));
+    VERIFY_DONE(Logins::login(rig.school(), "slip", "zebrafinches"));
 }
 
 void TestLogins::failuresDoubleTheWaitAcrossRuns()

@@ -6,6 +6,8 @@
 #include <map>
 
 #include <QDir>
+#include <QFile>
+#include <QRegularExpression>
 #include <QTest>
 
 #include "database/Outbox.h"
@@ -17,6 +19,7 @@
 #include "database/sql/Overview.h"
 #include "database/sql/Presets.h"
 #include "database/sql/Roster.h"
+#include "database/sql/Sample.h"
 #include "tests/database/SchoolRig.h"
 
 using namespace database;
@@ -69,6 +72,8 @@ class TestPermissions : public QObject
 private slots:
     void everyOperationAsEveryRole_data() { support::addEngines(); }
     void everyOperationAsEveryRole();
+    void everyFunctionOfASessionIsAmongThem();
+    void aSchoolIsMadeUpByItsAdminOnly();
     void listsHoldOnlyWhatOneMaySee_data() { support::addEngines(); }
     void listsHoldOnlyWhatOneMaySee();
 
@@ -271,6 +276,46 @@ void TestPermissions::everyOperationAsEveryRole()
             const Reach reach = reachOf(operation, static_cast<Role>(role));
             QCOMPARE("-oca"[static_cast<std::size_t>(reach)], roles[role]);
         }
+}
+
+/// Whoever adds a function that takes a session and does not add it to the calls above is told here.
+void TestPermissions::everyFunctionOfASessionIsAmongThem()
+{
+    SchoolRig rig(false);
+    rig.populate();
+    std::set<QString> called;
+    for (const Call& call : callsOn(rig))
+        called.insert(QLatin1String(call.name));
+    const std::set<QString> others{
+        "admit",        "admitTo", "admitToClass",  // which do the refusing
+        "logout",                                   // anybody may leave
+        "attemptsLeft",                             // of one's own; a guest's are not counted
+        "makeSample"                                // see below
+    };
+    static const QRegularExpression kTakesSession(R"(\b(\w+)\(\s*const School& \w+,\s*const Session& \w+)");
+    const QDir folder(QStringLiteral(CUSP_SOURCE_DIR "/database/sql"));
+    int found = 0;
+    for (const QString& name : folder.entryList({"*.h"})) {
+        QFile header(folder.filePath(name));
+        QVERIFY(header.open(QIODevice::ReadOnly));
+        auto match = kTakesSession.globalMatch(QString::fromUtf8(header.readAll()));
+        for (; match.hasNext(); ++found) {
+            const QString function = match.next().captured(1);
+            QVERIFY2(called.count(function) + others.count(function) == 1,
+                     qPrintable(function + " of " + name + " is called as no role"));
+        }
+    }
+    QVERIFY(found > 30);
+}
+
+void TestPermissions::aSchoolIsMadeUpByItsAdminOnly()
+{
+    SchoolRig rig(false);
+    rig.populate();
+    for (const Session* who : {&rig.guest, &rig.student, &rig.instructor})
+        VERIFY_REFUSED(makeSample(rig.school(), *who, {1, 1, 1, 7}, {}), core::ErrorCode::NotAllowed);
+    // Who may is told that there is a school already.
+    VERIFY_REFUSED(makeSample(rig.school(), rig.admin, {1, 1, 1, 7}, {}), core::ErrorCode::OutOfRange);
 }
 
 void TestPermissions::listsHoldOnlyWhatOneMaySee()

@@ -61,6 +61,10 @@ private slots:
     void aBackupThatCannotBeWrittenIsRestored();
     void nothingIsRestoredUnderAnotherProgram();
     void longWorkIsStopped();
+    void eachSchoolThinsItsOwnBackups();
+    void aClockThatWasWrongHidesNoBackup();
+    void anEmptyDatabaseIsNoBackup();
+    void whatAMigrationLeftAsItWasIsNotCopied();
     void aDamagedFileReplacesNoBackup();
     void backupsAreThinnedOut();
     void everyOlderSchemaIsBroughtToTheNewest_data() { support::addEngines(); }
@@ -168,6 +172,68 @@ void TestUpkeep::longWorkIsStopped()
     QVERIFY(!checkDatabase(rig.school().db, {}, [](const char*, std::int64_t) { return true; })->isStopped);
 }
 
+/// Two schools that back up onto one drive, in the same second.
+void TestUpkeep::eachSchoolThinsItsOwnBackups()
+{
+    SchoolRig first(false);
+    SchoolRig second(false);
+    first.populate();
+    second.populate();
+    QTemporaryDir drive;
+    const auto one = backUp(first.school().db, drive.path(), first.nowUtc);
+    const auto other = backUp(second.school().db, drive.path(), first.nowUtc);
+    VERIFY_DONE(one);
+    VERIFY_DONE(other);
+    QVERIFY(*one != *other);
+    QCOMPARE(backupsIn(drive.path()).size(), 2);
+    QCOMPARE(backupsOf(first.school().db, drive.path()), QStringList{*one});
+    QCOMPARE(backupsOf(second.school().db, drive.path()), QStringList{*other});
+    QCOMPARE(schoolOf(*one), *schoolOf(first.school().db));
+    QVERIFY(!schoolOf(*one).empty() && schoolOf(*one) != schoolOf(*other));
+    // Nobody has been entered yet: it is not known whose it is, and nothing is anybody's to delete.
+    SchoolRig empty(false);
+    QVERIFY(backupsOf(empty.school().db, drive.path()).isEmpty());
+}
+
+void TestUpkeep::aClockThatWasWrongHidesNoBackup()
+{
+    SchoolRig rig(false);
+    rig.populate();
+    const QString folder = backupFolder(rig.address());
+    const auto made = backUp(rig.school().db, folder, rig.nowUtc);
+    VERIFY_DONE(made);
+    const QString later = QDir(folder).filePath("backup-2046-01-01-00.00.00.sqlite");
+    QVERIFY(QFile::copy(*made, later));
+    QCOMPARE(newestSound(rig.address(), rig.nowUtc), *made);
+    // It is there for who has nothing else.
+    QVERIFY(QFile::remove(*made));
+    QCOMPARE(newestSound(rig.address(), rig.nowUtc), later);
+}
+
+void TestUpkeep::anEmptyDatabaseIsNoBackup()
+{
+    QTemporaryDir folder;
+    const QString file = folder.filePath("empty.sqlite");
+    sqlite3* made = nullptr;
+    QCOMPARE(sqlite3_open(file.toUtf8().constData(), &made), SQLITE_OK);
+    const QByteArray mark = QStringLiteral("PRAGMA application_id = %1").arg(dialect::kApplicationId).toUtf8();
+    QCOMPARE(sqlite3_exec(made, mark.constData(), nullptr, nullptr, nullptr), SQLITE_OK);
+    sqlite3_close(made);
+    VERIFY_REFUSED(verifyBackup(file), ErrorCode::WrongKind);
+}
+
+void TestUpkeep::whatAMigrationLeftAsItWasIsNotCopied()
+{
+    SchoolRig rig(false);
+    rig.populate();
+    // Says that it is older than it is: the tables of the next step are there already.
+    VERIFY_DONE(execute(rig.school().db, "PRAGMA user_version = 2", "age it"));
+    rig.close();
+    for (int again = 0; again < 3; ++again)
+        QVERIFY(!Database::open(rig.address()).has_value());
+    QVERIFY(QDir(backupFolder(rig.address())).entryList({"before-schema-*"}).isEmpty());
+}
+
 /// Who has it open would go on writing into the file that was moved away.
 void TestUpkeep::nothingIsRestoredUnderAnotherProgram()
 {
@@ -175,7 +241,7 @@ void TestUpkeep::nothingIsRestoredUnderAnotherProgram()
     rig.populate();
     const auto backup = backUp(rig.school().db, backupFolder(rig.address()), rig.nowUtc);
     QVERIFY(backup);
-    QCOMPARE(newestSound(rig.address()), *backup);
+    QCOMPARE(newestSound(rig.address(), QDateTime::currentDateTimeUtc()), *backup);
     rig.close();
     int ready[2];
     int done[2];
@@ -229,13 +295,16 @@ void TestUpkeep::backupsAreThinnedOut()
             files += "backup-" +
                      QDateTime(when.date().addDays(-day), QTime(hour, 0), Qt::UTC).toString("yyyy-MM-dd-HH.mm.ss") +
                      ".sqlite";
-    const QStringList gone = tooMany(files);
+    // A clock that was wrong for a day.
+    files += "backup-2036-01-01-10.00.00.sqlite";
+    const QStringList gone = tooMany(files, when);
     QStringList kept;
     for (const QString& file : std::as_const(files))
         if (!gone.contains(file))
             kept += file;
     QVERIFY(kept.contains("somebody-elses.sqlite"));
     QVERIFY(kept.contains("before-schema-3-2026-01-01-00.00.00.sqlite"));
+    QVERIFY(kept.removeOne("backup-2036-01-01-10.00.00.sqlite"));
     // The last of each of twelve days.
     for (int day = 0; day < 12; ++day)
         QVERIFY(kept.contains("backup-" + when.addDays(-day).toString("yyyy-MM-dd-HH.mm.ss") + ".sqlite"));
@@ -247,7 +316,7 @@ void TestUpkeep::backupsAreThinnedOut()
     QVERIFY2(kept.size() - 4 >= 12 + 7 + 5 && kept.size() - 4 <= 12 + 9 + 8, qPrintable(kept.join('\n')));
     QVERIFY(kept.contains("backup-2026-03-31-18.00.00.sqlite"));
     QVERIFY(!kept.contains("backup-2026-02-28-18.00.00.sqlite"));
-    QVERIFY(tooMany(kept).isEmpty());
+    QVERIFY(tooMany(kept, when).isEmpty());
 }
 
 /// With what was in it.
@@ -292,7 +361,7 @@ void TestUpkeep::everyOlderSchemaIsBroughtToTheNewest()
         QSqlDatabase::removeDatabase(name);
         Database::Options careful;
         careful.mayMigrate = false;
-        VERIFY_REFUSED(Database::open(address, careful), ErrorCode::WrongKind);
+        VERIFY_REFUSED(Database::open(address, careful), ErrorCode::OlderVersion);
         const auto database = Database::open(address);
         VERIFY_DONE(database);
         const QSqlDatabase db = (*database)->handle();
@@ -408,6 +477,15 @@ void TestUpkeep::classListsAreTakenWholeOrNotAtAll()
         lines += QStringLiteral("%1 %2").arg(fault.line).arg(QString::fromStdString(fault.column));
     QCOMPARE(lines, (QStringList{"3 username", "4 username", "5 role", "6 role", "7 "}));
     QCOMPARE(people(), before + 1);
+    // A rare kanji beyond the first plane of Unicode; a role that the list leaves open stays what it is.
+    const auto rare =
+        importRoster(rig.school(), rig.admin, "username,given_name,family_name,role\nteach,,,\nrare1,太,𠮷田,\n", true);
+    VERIFY_DONE(rare);
+    QVERIFY2(rare->faults.empty(), rare->faults.empty() ? "" : rare->faults.front().what.c_str());
+    QCOMPARE(rare->people[0].role, Role::Instructor);
+    // The head's faults are told by its own line.
+    const auto late = importRoster(rig.school(), rig.admin, "sep=;\n\nusername;nickname\nx;y\n", true);
+    QVERIFY2(!late && late.error().detail.find("line 3") != std::string::npos, late ? "" : late.error().detail.c_str());
     // As spreadsheets of three kinds write it: rows of separators, a line that names them, the ends of old lines.
     for (const char* odd :
          {"username,class\ns1001,\n,,\n , \n", "sep=;\nusername;class\ns1001;\n", "username,class\rs1001,\r,\r"}) {

@@ -34,12 +34,17 @@ bool Ending::isOneSentence() const
     return out.isEmpty() && error.startsWith("cusp: ") && error.endsWith(".\n") && error.count('\n') == 1;
 }
 
-Ending runCusp(const QStringList& arguments, const QStringList& environment)
+Ending runCusp(const QStringList& arguments, const QStringList& environment, const QByteArray& input)
 {
     // Not QProcess: wait4 tells the peak memory of this very process.
     const QTemporaryDir folder;
     const QByteArray outFile = folder.filePath(QStringLiteral("out")).toLocal8Bit();
     const QByteArray errorFile = folder.filePath(QStringLiteral("error")).toLocal8Bit();
+    const QByteArray inFile = folder.filePath(QStringLiteral("in")).toLocal8Bit();
+    QFile in(QString::fromLocal8Bit(inFile));
+    if (in.open(QIODevice::WriteOnly))
+        in.write(input);
+    in.close();
     std::vector<QByteArray> words{QByteArray(CUSP_BINARY_DIR "/bin/cusp")};
     for (const QString& argument : arguments)
         words.push_back(argument.toLocal8Bit());
@@ -52,6 +57,7 @@ Ending runCusp(const QStringList& arguments, const QStringList& environment)
     argv.push_back(nullptr);
     const pid_t child = fork();
     if (child == 0) {
+        dup2(open(inFile.constData(), O_RDONLY), 0);
         dup2(open(outFile.constData(), O_WRONLY | O_CREAT | O_TRUNC, 0600), 1);
         dup2(open(errorFile.constData(), O_WRONLY | O_CREAT | O_TRUNC, 0600), 2);
         for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})

@@ -24,6 +24,8 @@ struct Ending
 
 /// Runs cusp to its end without a display.
 /// @param environment  "NAME=value" each, on top of this process's own
-[[nodiscard]] Ending runCusp(const QStringList& arguments, const QStringList& environment = {});
+/// @param input  what it reads from standard input
+[[nodiscard]] Ending runCusp(const QStringList& arguments, const QStringList& environment = {},
+                             const QByteArray& input = {});
 
 }  // namespace support

@@ -59,6 +59,7 @@ private slots:
     void theEndOfTheDayHereIsMeant();
     void chosenOnesAreChangedAndOnlyThoseThatDiffer();
     void takenBackIsUndone();
+    void theKeyboardStaysWhereItWorks();
     void whatIsRefusedIsSaid();
     void anotherClassBeginsAfresh();
     void everyControlHasAName();
@@ -260,6 +261,35 @@ void TestAssignPage::takenBackIsUndone()
     m_page->confirm(wanted(spy));
     QCOMPARE(get<QLabel>("assignSaid")->text(), QString("That was undone."));
     QVERIFY(!get<QPushButton>("undoAssign")->isVisible());
+}
+
+void TestAssignPage::theKeyboardStaysWhereItWorks()
+{
+    m_window->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+    QSignalSpy spy(m_page, &AssignPage::changeWanted);
+    get<QTableView>("given")->selectRow(0);
+    last<QSpinBox>("attemptLimit")->setValue(9);
+    get<QPushButton>("changeGiven")->setFocus();
+    QTest::keyClick(get<QPushButton>("changeGiven"), Qt::Key_Return);
+    QCOMPARE(QApplication::focusWidget(), get<QTableView>("given"));
+    m_page->confirm(wanted(spy));
+    QCOMPARE(QApplication::focusWidget(), get<QPushButton>("undoAssign"));
+    // Into an empty list.
+    m_page->setAssignments(overview(), {}, kNow);
+    click("Cross");
+    get<QPushButton>("assignTicked")->setFocus();
+    QTest::keyClick(get<QPushButton>("assignTicked"), Qt::Key_Return);
+    QCOMPARE(QApplication::focusWidget(), get<QListView>("offers"));
+    const QList<AssignmentChange> given = wanted(spy);
+    m_page->confirm(given);
+    m_page->setAssignments(overview(), {*given.front().after}, kNow);
+    QCOMPARE(QApplication::focusWidget(), get<QPushButton>("undoAssign"));
+    // And undone, so that it is empty again.
+    QTest::keyClick(get<QPushButton>("undoAssign"), Qt::Key_Return);
+    m_page->confirm(wanted(spy));
+    m_page->setAssignments(overview(), {}, kNow);
+    QCOMPARE(QApplication::focusWidget(), get<QListView>("offers"));
 }
 
 void TestAssignPage::whatIsRefusedIsSaid()

@@ -8,19 +8,23 @@
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTest>
 #include <QToolButton>
 #include <QWidget>
 #include <cmath>
+#include <memory>
 
 #include "core/settings/StabilityBound.h"
 #include "ui/console/Console.h"
 #include "ui/console/Registration.h"
 #include "ui/console/WatchPanel.h"
+#include "ui/presets/BlindTrial.h"
 #include "ui/settings/SettingsPage.h"
 #include "ui/shell/Actions.h"
 #include "ui/shell/Theme.h"
+#include "ui/study/FormInputs.h"
 
 using namespace ui;
 using core::settings::FeelPreset;
@@ -92,6 +96,10 @@ private slots:
     void periodsAreThoseOfTheTrail();
     void settingsPageIsTheRegistry();
     void settingsSayWhatIsRefused();
+    void nothingIsToldWhileComparedBlind();
+    void answersAreSeenWhateverIsTyped();
+    void numbersTakePointAndComma_data();
+    void numbersTakePointAndComma();
 };
 
 void TestConsole::initTestCase()
@@ -133,6 +141,8 @@ void TestConsole::commandsAnswer_data()
                                   << "force.stiffness takes 0.2 to 20 N/mm.";
     QTest::newRow("no number") << "set force.stiffness hard"
                                << "\"hard\" is no number.";
+    QTest::newRow("on is no number") << "set force.stiffness on"
+                                     << "\"on\" is no number.";
     QTest::newRow("not a number") << "set force.stiffness nan"
                                   << "force.stiffness takes";
     QTest::newRow("no value") << "set force.stiffness"
@@ -397,6 +407,83 @@ void TestConsole::settingsSayWhatIsRefused()
     QCOMPARE(stiffness->value(), 2.0);  // as it is
     stiffness->setValue(2.2);
     QVERIFY(!fault->isVisible());
+}
+
+void TestConsole::nothingIsToldWhileComparedBlind()
+{
+    Room room;
+    QString kept;
+    room.console.setPresets([&](const QString& name) { return kept = name; }, {});
+    const FeelPreset known = room.feel;
+    room.feel = presets::veiled(known);
+    // Neither the number, nor whether it is this one, nor how far it is from the bound.
+    for (const char* command : {"get force.stiffness", "force.stiffness", "set force.stiffness 2",
+                                "set force.stiffness 9", "save leak", "reset force.stiffness"})
+        QVERIFY2(room.answer(command).contains("compared blind"), command);
+    QVERIFY(kept.isEmpty());
+    QVERIFY(room.answer("list force.stiff").contains("–"));
+    room.line().setText("get force.stiffness");
+    QVERIFY(room.console.findChild<QLabel*>("consoleHint")->text().startsWith("–"));
+    shell::Actions actions(&room.window);
+    settings::SettingsPage page(actions, room.parameters, &room.window);
+    page.show();
+    auto* stiffness = page.findChild<QDoubleSpinBox*>("force.stiffness");
+    QVERIFY(!stiffness->isEnabled() && !stiffness->text().contains('2'));
+    room.feel = known;
+    page.refresh();
+    QVERIFY(stiffness->isEnabled() && stiffness->value() == 2.0 && stiffness->text().contains("2.000"));
+    QVERIFY(room.answer("get force.stiffness").contains("= 2 N/mm"));
+}
+
+void TestConsole::answersAreSeenWhateverIsTyped()
+{
+    Room room;
+    room.console.resize(500, 160);
+    auto* output = room.console.findChild<QPlainTextEdit*>("consoleOutput");
+    const auto* bar = output->verticalScrollBar();
+    for (int k = 0; k < 8; ++k) {
+        // A long help under the output takes a line of it away.
+        QTest::keyClicks(&room.line(), "get hardness.enamel.rate");
+        QApplication::processEvents();
+        QTest::keyClick(&room.line(), Qt::Key_Return);
+        QApplication::processEvents();
+        QCOMPARE(bar->value(), bar->maximum());
+    }
+    // And the keys turn them over.
+    QTest::keyClick(&room.line(), Qt::Key_PageUp);
+    QVERIFY(bar->value() < bar->maximum());
+    QTest::keyClick(&room.line(), Qt::Key_PageDown);
+    QCOMPARE(bar->value(), bar->maximum());
+}
+
+void TestConsole::numbersTakePointAndComma_data()
+{
+    QTest::addColumn<QString>("language");
+    QTest::addColumn<QString>("typed");
+    QTest::addColumn<double>("becomes");
+    for (const char* language : {"en_GB", "de_DE", "es_ES", "ja_JP"})
+        for (const char* typed : {"1.75", "1,75"})
+            QTest::addRow("%s %s", language, typed) << language << typed << 1.75;
+    QTest::newRow("two of them") << "de_DE"
+                                 << "1.2,5" << 1.25;
+}
+
+void TestConsole::numbersTakePointAndComma()
+{
+    QFETCH(QString, language);
+    QFETCH(QString, typed);
+    QFETCH(double, becomes);
+    const QLocale before;
+    QLocale::setDefault(QLocale(language));
+    const auto number = std::unique_ptr<QDoubleSpinBox>(study::numberInput(0.0, 10'000.0, 3, "mm³/(N s)", {}, nullptr));
+    QLocale::setDefault(before);
+    number->show();
+    number->selectAll();
+    QTest::keyClicks(number.get(), typed);
+    QTest::keyClick(number.get(), Qt::Key_Return);
+    QCOMPARE(number->value(), becomes);
+    number->setValue(1000.5);
+    QVERIFY2(number->text().startsWith("1000"), qPrintable(number->text()));
 }
 
 QTEST_MAIN(TestConsole)

@@ -71,6 +71,8 @@ private slots:
     void whatIsChosenStays();
     void anInstructorsScoreCounts();
     void criteriaHaveTheirNames();
+    void whatCostMostIsFirstThoughItHasNoWeight();
+    void titlesAreReadInASmallWindow();
     void thousandsOfRows();
     void everyControlHasAName();
 
@@ -247,8 +249,34 @@ void TestHistoryPage::criteriaHaveTheirNames()
     const auto bars = std::get<ui::charts::Bars>(m_page->findChild<ChartPanel*>("otherChart")->chart().content).bars;
     QCOMPARE(bars.size(), 3);
     QCOMPARE(bars[0].name, QString("Pulpal floor"));
-    QCOMPARE(bars[0].words, QString("Pulpal floor: 33 % of its points lost"));
+    QCOMPARE(bars[0].words, QString("Pulpal floor: 10.0 points lost"));
     QCOMPARE(bars[2].name, QString("Walls"));  // of which no lesson speaks
+}
+
+void TestHistoryPage::whatCostMostIsFirstThoughItHasNoWeight()
+{
+    QList<AttemptRecord> some = attempts(3);
+    for (AttemptRecord& one : some)
+        one.criteria = {{"caries_left", 300, 300}, {"pulp_opened", 609, 0}, {"pulp_grazed", 0, 0}};
+    m_page->setHistory(some);
+    const auto bars = std::get<ui::charts::Bars>(m_page->findChild<ChartPanel*>("otherChart")->chart().content);
+    QCOMPARE(bars.bars.size(), 2);  // a limit that was kept costs nothing
+    QCOMPARE(bars.bars[0].value, 60.9);
+    QCOMPARE(bars.bars[1].value, 30.0);
+    QVERIFY2(bars.bars[0].words.endsWith(": 60.9 points lost"), qPrintable(bars.bars[0].words));
+    QCOMPARE(bars.value.high, 100.0);
+}
+
+void TestHistoryPage::titlesAreReadInASmallWindow()
+{
+    m_window->resize(1280, 800);
+    m_page->resize(1280, 800);
+    m_page->setLessonTitles({{"c1-36", "Decay on 33, moderate"}});
+    m_page->setHistory(attempts(12));
+    QTest::qWait(20);
+    const int wide = table()->columnWidth(1);
+    const int words = QFontMetrics(ui::shell::typeface(ui::shell::kBody)).horizontalAdvance("Decay on 33, moderate");
+    QVERIFY2(wide >= words + 10, qPrintable(QString("%1 of %2").arg(wide).arg(words)));
 }
 
 void TestHistoryPage::thousandsOfRows()

@@ -452,7 +452,8 @@ void TestLanguages::messagesThatStayFollowTheLanguage()
     QTRY_VERIFY2(bar->sentence().contains("nicht beendet"), qPrintable(bar->sentence()));
     // What waits beneath it speaks the language of today, too.
     bar->dismiss();
-    QVERIFY2(bar->sentence().contains("Scan") && !bar->sentence().contains("cannot be opened"), qPrintable(bar->sentence()));
+    QVERIFY2(bar->sentence().contains("Scan") && !bar->sentence().contains("cannot be opened"),
+             qPrintable(bar->sentence()));
     ui::text::Language::choose("en_GB");
     QTRY_VERIFY2(bar->sentence().contains("cannot be opened"), qPrintable(bar->sentence()));
     bar->dismiss();

@@ -41,9 +41,11 @@
 #include "tests/database/SchoolRig.h"
 #include "tests/support/OpenGlMain.h"
 #include "tests/support/SyntheticMolar.h"
+#include "ui/admin/AdminPage.h"
 #include "ui/console/Console.h"
 #include "ui/inside/SectionView.h"
 #include "ui/inside/XrayPage.h"
+#include "ui/people/HistoryPage.h"
 #include "ui/people/LoginPage.h"
 #include "ui/presets/PresetsPage.h"
 #include "ui/presets/TrialCard.h"
@@ -140,6 +142,9 @@ private slots:
     void aBreachWaitsForWhoReadsAnotherPage();
     void helpListsEveryAction();
     void escapeGoesBackStepByStep();
+    void escapeClosesAnOpenListOnly();
+    void aRefusedPasswordIsTypedAnew();
+    void anAdminIsToldHowToBeginWithClasses();
     void spaceOnAFocusedButtonPressesIt();
     void theConsoleTakesKeysAndLeavesTheView();
     void presetsAndSettingsHavePages();
@@ -1266,6 +1271,44 @@ void TestMainWindow::escapeGoesBackStepByStep()
     press(Qt::Key_Escape);
     QVERIFY(m_window->isVisible());
     QVERIFY2(sent().isEmpty(), "going back never touches the work");
+}
+
+void TestMainWindow::escapeClosesAnOpenListOnly()
+{
+    m_window->openHistory();
+    auto* lessons = child<ui::people::HistoryPage>()->findChild<QComboBox*>();
+    QVERIFY(lessons != nullptr);
+    lessons->addItems({"one", "two"});
+    lessons->showPopup();
+    QTRY_VERIFY(QApplication::activePopupWidget() != nullptr);
+    QTest::keyClick(lessons->view(), Qt::Key_Escape);
+    QTRY_VERIFY(QApplication::activePopupWidget() == nullptr);
+    QVERIFY(child<ui::people::HistoryPage>()->isVisible());
+    press(Qt::Key_Escape);
+    QVERIFY(child<PracticeRoom>()->isVisible());
+}
+
+void TestMainWindow::aRefusedPasswordIsTypedAnew()
+{
+    m_window->askWho(ui::people::Door::NewSchool);
+    for (const char* name : {"password", "passwordAgain"})
+        child<QLineEdit>(name)->setText("password1");
+    m_window->refuseLogin({core::ErrorCode::OutOfRange, "everybody tries it first"});
+    QCOMPARE(QApplication::focusWidget(), child<QLineEdit>("password"));
+    for (const char* name : {"password", "passwordAgain"})
+        QVERIFY(child<QLineEdit>(name)->text().isEmpty());
+}
+
+void TestMainWindow::anAdminIsToldHowToBeginWithClasses()
+{
+    support::SchoolRig rig(false);
+    rig.populate();
+    m_window->setWho(rig.admin);
+    m_window->openClasses();
+    QVERIFY(child<QLabel>("classEmpty")->text().contains("Make one"));
+    QVERIFY(!child<QWidget>("lessonChooser")->isVisible());
+    child<QPushButton>("enterPeople")->click();
+    QVERIFY(child<ui::admin::AdminPage>()->isVisible());
 }
 
 void TestMainWindow::spaceOnAFocusedButtonPressesIt()

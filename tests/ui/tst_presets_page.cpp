@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <QAbstractItemView>
 #include <QApplication>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -15,6 +16,7 @@
 #include "core/settings/StabilityBound.h"
 #include "ui/presets/BlindTrial.h"
 #include "ui/presets/FeedChart.h"
+#include "ui/presets/PresetWords.h"
 #include "ui/presets/PresetsPage.h"
 #include "ui/presets/SimpleFeel.h"
 #include "ui/presets/TrialCard.h"
@@ -98,7 +100,15 @@ private slots:
     void slidersAndNumbersAreOnePreset();
     void aCopyHasAnotherName();
     void comparesWithTheChosenOne();
+    void anOpenedListShowsAllOfItself();
     void trialCardTunesAndTellsApart();
+    void allAsItWasUndoesTheConsoleToo();
+    void whatWasChangedIsPutAside();
+    void whatWasLoadedInATrialIsThatPreset();
+    void namesOfAnyLengthLeaveTheVersionItsLine();
+    void faultsAreToldInWords_data();
+    void faultsAreToldInWords();
+    void aSecondLineOfAFaultIsQuieter();
     void chartTellsTheFeed();
     void everyControlHasAName();
 };
@@ -333,6 +343,20 @@ void TestPresetsPage::comparesWithTheChosenOne()
     QCOMPARE(compared[0][2].toInt(), 8);
 }
 
+void TestPresetsPage::anOpenedListShowsAllOfItself()
+{
+    Room room;
+    auto* other = room.find<QComboBox>("presetOther");
+    room.page.resize(1280, 600);  // the screen of the tests is low
+    QApplication::processEvents();
+    other->showPopup();
+    const QAbstractItemView* list = other->view();
+    const QRect last = list->visualRect(other->model()->index(other->count() - 1, 0));
+    QVERIFY2(list->viewport()->rect().contains(last.center()),
+             qPrintable(QString("%1 of %2 px").arg(last.bottom()).arg(list->viewport()->height())));
+    other->hidePopup();
+}
+
 void TestPresetsPage::trialCardTunesAndTellsApart()
 {
     QWidget window;
@@ -363,12 +387,13 @@ void TestPresetsPage::trialCardTunesAndTellsApart()
     QVERIFY(!card.tuned());
     for (int trial = 0; trial < 4; ++trial) {
         const auto a = felt.back()[0].value<FeelPreset>();
+        QVERIFY(presets::isVeiled(a));
         // Who has not cut with both has nothing to say.
         card.follow(1, 0, 0.0);
         card.follow(1, 0, 0.2);
         QVERIFY(!card.findChild<QPushButton*>("trialSaysA")->isEnabled());
         QTest::mouseClick(card.findChild<QPushButton*>("trialB"), Qt::LeftButton);
-        QVERIFY(!(felt.back()[0].value<FeelPreset>() == a));
+        QVERIFY(felt.back()[0].value<FeelPreset>().enamelRate != a.enamelRate);
         card.follow(1, 0, 0.2);
         QVERIFY(!card.findChild<QPushButton*>("trialSaysA")->isEnabled());
         card.follow(1, 0, 0.3);
@@ -377,13 +402,134 @@ void TestPresetsPage::trialCardTunesAndTellsApart()
         for (const QLabel* label : card.findChildren<QLabel*>())
             QVERIFY2(!label->isVisible() || !(label->text().contains("hard") || label->text().contains("soft ")),
                      qPrintable(label->text()));
-        QTest::mouseClick(card.findChild<QPushButton*>(a == first ? "trialSaysA" : "trialSaysB"), Qt::LeftButton);
+        QTest::mouseClick(card.findChild<QPushButton*>(a.enamelRate == first.enamelRate ? "trialSaysA" : "trialSaysB"),
+                          Qt::LeftButton);
     }
     QCOMPARE(fresh.size(), 3);
+    QVERIFY(!presets::isVeiled(felt.back()[0].value<FeelPreset>()));  // it is over
     const QString said = card.findChild<QLabel*>("trialWords")->text();
     QVERIFY2(said.contains("chosen 4 time") && said.contains("13 time(s) in 100"), qPrintable(said));
     QTest::mouseClick(card.findChild<QPushButton*>("trialCsv"), Qt::LeftButton);
     QCOMPARE(csv.size(), 1);
+}
+
+void TestPresetsPage::allAsItWasUndoesTheConsoleToo()
+{
+    QWidget window;
+    presets::TrialCard card(&window);
+    QSignalSpy felt(&card, &presets::TrialCard::felt);
+    const FeelPreset base = named("hard", 1, 0.3);
+    card.tune(base, base);
+    FeelPreset byHand = base;
+    byHand.stiffnessNPerMm = 1.7654;  // no dial comes there
+    byHand.hash.clear();
+    card.tune(base, byHand);  // as the console does it
+    QTest::mouseClick(card.findChild<QPushButton*>("trialReset"), Qt::LeftButton);
+    QVERIFY(*card.tuned() == base);
+    QVERIFY(felt.back()[0].value<FeelPreset>() == base);
+    // What was typed on the page and is tried is what was.
+    card.hide();
+    card.tune(base, byHand);
+    card.findChild<QSlider*>("dial0")->setValue(10);
+    QTest::mouseClick(card.findChild<QPushButton*>("trialReset"), Qt::LeftButton);
+    QVERIFY(*card.tuned() == byHand);
+}
+
+void TestPresetsPage::whatWasChangedIsPutAside()
+{
+    Room room;
+    auto* list = room.find<QListWidget>("presetList");
+    auto* aside = room.find<QLabel>("presetAside");
+    QVERIFY(!aside->isVisible());
+    room.find<QSlider>("dial0")->setValue(10);
+    const FeelPreset changed = room.page.draft();
+    list->setCurrentRow(0);
+    QVERIFY(room.page.draft() == named("hard", 2, 0.4));
+    QVERIFY2(aside->isVisible() && aside->text().contains("natural, version 1"), qPrintable(aside->text()));
+    // Whatever was changed meanwhile is put aside in its turn.
+    room.find<QSlider>("dial1")->setValue(5);
+    const FeelPreset other = room.page.draft();
+    QTest::mouseClick(room.find<QPushButton>("presetAsideBack"), Qt::LeftButton);
+    QVERIFY(room.page.draft() == changed);
+    QCOMPARE(list->currentRow(), 2);
+    QCOMPARE(room.find<QSlider>("dial0")->value(), 10);
+    QVERIFY(aside->isVisible() && aside->text().contains("hard, version 2"));
+    // What has been kept was not put aside.
+    FeelPreset kept = changed;
+    kept.version = 2;
+    auto shelf = Room::shelf();
+    shelf.insert(shelf.begin() + 2, {"/c", lessons::hashed(kept), {}});
+    room.page.setPresets(shelf, lessons::shippedPresets().front());
+    room.page.select(lessons::hashed(kept));
+    QVERIFY(aside->text().contains("hard, version 2"));
+    QTest::mouseClick(room.find<QPushButton>("presetAsideBack"), Qt::LeftButton);
+    QVERIFY(room.page.draft() == other && !aside->isVisible());
+}
+
+void TestPresetsPage::whatWasLoadedInATrialIsThatPreset()
+{
+    Room room;
+    FeelPreset loaded = named("hard", 2, 0.4);
+    loaded.stiffnessNPerMm = 1.5;
+    loaded.hash.clear();
+    room.page.setDraft(loaded);
+    QCOMPARE(room.find<QLineEdit>("presetName")->text(), QString("hard"));
+    QVERIFY(room.find<QLabel>("presetVersion")->text().contains("changed from hard, version 2"));
+    QCOMPARE(room.find<QListWidget>("presetList")->currentRow(), 0);
+}
+
+void TestPresetsPage::namesOfAnyLengthLeaveTheVersionItsLine()
+{
+    Room room;
+    auto shelf = Room::shelf();
+    shelf.insert(shelf.begin(), {"/long", named(std::string(60, 'W').c_str(), 2, 0.4), {}});
+    room.page.setPresets(shelf, lessons::shippedPresets().front());
+    auto* list = room.find<QListWidget>("presetList");
+    QVERIFY(!list->wordWrap());
+    QVERIFY(list->visualItemRect(list->item(0)).width() <= list->viewport()->width());
+    // What is cut off first is what matters least.
+    const QString second = list->item(3)->text().section('\n', 1);
+    QVERIFY2(second.indexOf("in use") < second.indexOf("shipped"), qPrintable(second));
+}
+
+void TestPresetsPage::faultsAreToldInWords_data()
+{
+    QTest::addColumn<QByteArray>("json");
+    QTest::addColumn<QString>("says");
+    const auto row = [](const char* name, const QByteArray& json, const char* says) {
+        QTest::newRow(name) << json << QString(says);
+    };
+    row("too stiff", R"({"force": {"stiffness_n_per_mm": 15}})", "Would tremble");
+    row("out of range", R"({"enamel": {"rate_mm3_per_ns": -1}})", "Enamel: rate: only a number from 0 to 100");
+    row("no JSON", "{", "no hardness preset that can be read");
+    row("another kind", R"({"kind": "cusp-lesson"})", "no hardness preset that can be read");
+    row("the future", R"({"format": 2})", "from a newer Cusp");
+    row("no version", R"({"version": 1.5})", "The version must be");
+    row("a name of two lines", R"({"name": "a\nb"})", "The name must be one line");
+    row("a number for an object", R"({"force": 2})", "What stands under \"force\"");
+    row("a slip of a key", R"({"enamell": {}})", "\"enamell\" is not known here");
+}
+
+void TestPresetsPage::faultsAreToldInWords()
+{
+    QFETCH(QByteArray, json);
+    QFETCH(QString, says);
+    const lessons::ReadPreset read = lessons::readPresetText(json, "x.cusppreset");
+    const QString said = presets::faultWords(read);
+    QVERIFY2(said.section('\n', 0, 0).contains(says), qPrintable(said));
+    if (!read.beyondBound)
+        QCOMPARE(said.section('\n', 1), read.faults.front().sentence());
+}
+
+void TestPresetsPage::aSecondLineOfAFaultIsQuieter()
+{
+    Room room;
+    room.page.setFault("Not imported.\nx.json is empty");
+    QCOMPARE(room.find<QLabel>("presetFault")->text(), QString("⚠ Not imported."));
+    auto* detail = room.find<QLabel>("presetFaultDetail");
+    QVERIFY(detail->isVisible() && detail->text() == "x.json is empty");
+    room.page.setFault({});
+    QVERIFY(!detail->isVisible());
 }
 
 void TestPresetsPage::chartTellsTheFeed()

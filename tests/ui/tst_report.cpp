@@ -14,6 +14,7 @@
 #include "ui/report/Printing.h"
 #include "ui/report/Report.h"
 #include "ui/shell/Theme.h"
+#include "ui/study/ScorePage.h"
 
 using database::AttemptRecord;
 using ui::report::ClassReport;
@@ -195,6 +196,8 @@ private slots:
     void initTestCase();
     void aScoreCardSaysEverything();
     void anInstructorsScoreIsSignedAndTheMachinesStays();
+    void whatTheScreenSaysIsOnPaper();
+    void onePageHoldsAShortCard();
     void whatIsNotKeptSaysSo();
     void whoIsLateIsNamed();
     void pagesAreFilledAndNotOverfull_data();
@@ -249,6 +252,36 @@ void TestReport::anInstructorsScoreIsSignedAndTheMachinesStays()
     for (const char* part :
          {"80.1 of 100 points", "machine's score: 68.4", "Grace Hopper", "The wall is fine by hand."})
         QVERIFY2(words.contains(part), part);
+}
+
+void TestReport::whatTheScreenSaysIsOnPaper()
+{
+    ScoreCard card = m_card;
+    core::grading::Process process;
+    process.totalS = 133.0;
+    card.work->measured.process = process;
+    card.work->aids = core::session::kSectionAid | core::session::kIdealAid;
+    card.work->infractions = {{core::grading::Breach::BurInAir, 37000, 37.4, {}, 0, 20}};
+    card.sheet.criteria.front().critical = true;
+    card.sheet.criteria.front().share = 1.0;
+    const QString words = wordsOf(card, kA4);
+    for (const QString& part :
+         {ui::study::ScorePage::verdictWords(card.sheet, {}), QString("Not passed: harm done"),
+          QString("1 breach(es) of the rules: "), QString(" at 0:37"), QString("Aids in use: section, ideal"),
+          QString("Middle half"), QString("Class median"), QString("Pass mark"), QString("Not passed")})
+        QVERIFY2(words.contains(part), qPrintable(part + " in " + words));
+    QVERIFY2(!words.contains("..."), qPrintable(words));
+}
+
+/// Pictures give way rather than send a few lines to a second page.
+void TestReport::onePageHoldsAShortCard()
+{
+    ScoreCard card = m_card;
+    card.talk = {};
+    while (card.sheet.criteria.size() > 4)
+        card.sheet.criteria.pop_back();
+    for (const QSizeF& paper : {kA4, kLetter})
+        QCOMPARE(pagesOf(card, paper).size(), 1);
 }
 
 void TestReport::whatIsNotKeptSaysSo()

@@ -129,6 +129,7 @@ private slots:
     void aNarrowWindowScrolls();
     void aPlaceIsPinnedAndFoundAgain();
     void aPinMovesWithTheKeys();
+    void theSumStandsBesideTheTalk();
 
 private:
     void show(const Faulty& made);
@@ -535,6 +536,24 @@ void TestScorePage::aPinMovesWithTheKeys()
     QTest::keyClick(heat, Qt::Key_Delete);
     QVERIFY(!heat->pin());
     QVERIFY(!m_page->findChild<QCheckBox*>("atPlace")->isChecked());
+}
+
+/// However long the talk is: the criteria and their sum are read together.
+void TestScorePage::theSumStandsBesideTheTalk()
+{
+    m_page->setTalkVisible(true);
+    m_page->setMayTalk(true);
+    database::AttemptTalk talk;
+    for (int k = 0; k < 8; ++k)
+        talk.comments.push_back({k + 1, "Grace Hopper", "2026-11-20T10:00:00Z", "Here you pressed too hard.", {}, {}});
+    m_page->talk().setTalk(talk);
+    show(faulty("decay-36-moderate"));
+    const auto bottom = [this](const QWidget* widget) {
+        return widget->mapTo(m_page, QPoint(0, widget->height())).y();
+    };
+    const auto rows = m_page->findChildren<CriterionRow*>();
+    const int gap = bottom(m_page->findChild<QLabel*>("sum")) - bottom(rows.back());
+    QVERIFY2(gap < 300, qPrintable(QString::number(gap)));
 }
 
 QTEST_MAIN(TestScorePage)

@@ -7,6 +7,7 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QTest>
+#include <QWheelEvent>
 
 #include <memory>
 
@@ -46,6 +47,7 @@ private slots:
     void pinsLeadThere();
     void aScoreNeedsAReason();
     void whatWasRefusedStaysTyped();
+    void theWheelScrollsOverTheScore();
 
 private:
     template <typename Widget>
@@ -223,6 +225,22 @@ void TestTalkPanel::whatWasRefusedStaysTyped()
     QCOMPARE(get<QPlainTextEdit>("commentWords")->toPlainText(), QString("Lift the bur here."));
     get<QPushButton>("addComment")->click();
     QVERIFY(!get<QLabel>("fault")->isVisible());
+}
+
+void TestTalkPanel::theWheelScrollsOverTheScore()
+{
+    auto* points = get<QDoubleSpinBox>("givenPoints");
+    get<QPlainTextEdit>("commentWords")->setFocus();
+    const double before = points->value();
+    const QPointF at = points->rect().center();
+    for (int notch = 0; notch < 5; ++notch) {
+        QWheelEvent wheel(at, points->mapToGlobal(at), {}, {0, -120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase,
+                          false);
+        QApplication::sendEvent(points, &wheel);
+    }
+    QCOMPARE(points->value(), before);
+    QVERIFY(!points->hasFocus());
+    QVERIFY(!(points->focusPolicy() & Qt::WheelFocus & ~Qt::StrongFocus));
 }
 
 QTEST_MAIN(TestTalkPanel)

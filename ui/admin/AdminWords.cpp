@@ -8,6 +8,9 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
+#include "ui/people/PeopleWords.h"
+#include "ui/text/Texts.h"
+
 namespace ui::admin {
 namespace {
 
@@ -37,6 +40,7 @@ constexpr std::array kActions{
     std::pair{"backup.restored", QT_TRANSLATE_NOOP("Admin", "a backup was restored")},
     std::pair{"attempts.export", QT_TRANSLATE_NOOP("Admin", "exported attempts")},
     std::pair{"school.copy", QT_TRANSLATE_NOOP("Admin", "copied the school into another database")},
+    std::pair{"school.copied", QT_TRANSLATE_NOOP("Admin", "brought the school here from another database")},
 };
 
 /// As much of "attempt:8614f873a47d..." as tells it from others.
@@ -46,10 +50,33 @@ constexpr qsizetype kObjectLetters = 40;
 QString named(const QString& what, const NamesByUid& names)
 {
     const auto found = names.find(what.section(u':', 1).toStdString());
+    if (const auto ofClass = names.find(what.toStdString()); ofClass != names.end())
+        return ofClass->second;
     const bool isTyped = what.startsWith(QStringLiteral("name:"));
     if (found != names.end() && (isTyped || what.startsWith(QStringLiteral("person:"))))
         return found->second;
     return isTyped ? QCoreApplication::translate("Admin", "a name that nobody has") : what;
+}
+
+/// One thing that was noted beside an action; some say all by their value.
+QString detailOf(const QString& key, const QJsonValue& noted, const NamesByUid& names)
+{
+    constexpr double kTenths = 10.0;
+    if (noted.isBool() || key == u"disabled")
+        return noted.toBool() ? QCoreApplication::translate("Admin", "disabled")
+                              : QCoreApplication::translate("Admin", "enabled");
+    const QString value = noted.toVariant().toString();
+    if (key == u"role")
+        return roleWord(database::roleOf(value.toStdString()).value_or(database::Role::Student));
+    if (key == u"given_tenths")
+        return text::number(noted.toDouble() / kTenths, 1);
+    if (key == u"due" || key == u"begun")
+        return people::when(value.toStdString());
+    if (key == u"limit")
+        return noted.toInt() > 0 ? QCoreApplication::translate("Admin", "at most %n attempt(s)", nullptr, noted.toInt())
+                                 : QCoreApplication::translate("Admin", "as many attempts as one likes");
+    const auto person = names.find(value.toStdString());
+    return person != names.end() ? person->second : value;
 }
 
 }  // namespace
@@ -99,13 +126,38 @@ QString detailWords(const database::AuditRow& row, const NamesByUid& names)
     for (auto it = noted.begin(); it != noted.end(); ++it) {
         if (row.action == "person.change" && it.key() == u"names_digest")
             words << QCoreApplication::translate("Admin", "another name");
-        if (it.key().endsWith(QStringLiteral("digest")) || it.value().isNull() || it.value() == QString())
+        if (it.key().contains(QStringLiteral("digest")) || it.value().isNull() || it.value() == QString())
             continue;
-        const QString value = it.value().isBool() ? QString() : it.value().toVariant().toString();
-        const auto person = names.find(value.toStdString());
-        words << (it.key() + u' ' + (person == names.end() ? value : person->second)).trimmed();
+        words << detailOf(it.key(), it.value(), names);
     }
     return words.join(QStringLiteral(", "));
+}
+
+QString rosterFaultWords(const database::RosterFault& fault)
+{
+    using Kind = database::RosterFault::Kind;
+    const QString value = QString::fromStdString(fault.value);
+    switch (fault.kind) {
+    case Kind::Fields:
+        return QCoreApplication::translate("Admin", "It has more fields than the first line names.");
+    case Kind::Username:
+        return QCoreApplication::translate(
+            "Admin", "It is empty, longer than 64 characters, or has other signs than letters, digits and . _ - @");
+    case Kind::Twice:
+        return QCoreApplication::translate("Admin", "It stands in line %1 already.").arg(value);
+    case Kind::Name:
+        return QCoreApplication::translate("Admin", "It is too long, or has signs that cannot be seen.");
+    case Kind::Role:
+        return QCoreApplication::translate("Admin", "It is none of student, instructor, admin.");
+    case Kind::OtherRole:
+        return QCoreApplication::translate("Admin", "Here the role is %1; a class list does not change it.")
+            .arg(roleWord(database::roleOf(fault.value).value_or(database::Role::Student)));
+    case Kind::Class:
+        return QCoreApplication::translate("Admin", "The name of a class has 1 to 100 characters that can be seen.");
+    case Kind::Refused:
+        break;
+    }
+    return QString::fromStdString(fault.what);
 }
 
 }  // namespace ui::admin

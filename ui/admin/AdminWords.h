@@ -7,6 +7,7 @@
 #include <QString>
 
 #include "database/Session.h"
+#include "database/people.h"
 #include "database/records.h"
 
 /// What an admin's page calls things.
@@ -16,7 +17,9 @@ namespace ui::admin {
 [[nodiscard]] QString roleWord(database::Role role);
 /// "has entered a person"; what is not known is told as it is noted.
 [[nodiscard]] QString actionWords(const std::string& action);
-/// Full names by uid.
+/// What is wrong with a line of a class list.
+[[nodiscard]] QString rosterFaultWords(const database::RosterFault& fault);
+/// Full names by uid, those of classes by "class:5".
 using NamesByUid = std::map<std::string, QString>;
 /// Who did it, and to what, by name where there is one.
 [[nodiscard]] QString actorWords(const database::AuditRow& row, const NamesByUid& names);

@@ -114,7 +114,7 @@ void AuditPart::fill()
         for (const QString& words : {QString::number(row.seq), people::when(row.atUtc), actorWords(row, m_names),
                                      actionWords(row.action), objectWords(row, m_names), detailWords(row, m_names)})
             items << new QStandardItem(words);
-        items.back()->setToolTip(QString::fromStdString(row.detail));
+        items.back()->setToolTip(brokenIntoLines(QString::fromStdString(row.detail)));
         m_rows->appendRow(items);
     }
     m_table->resizeColumnsToContents();

@@ -25,6 +25,7 @@ using namespace ui::shell;
 namespace {
 
 constexpr int kBarSteps = 1000;
+constexpr int kFile = Qt::UserRole + 1;  ///< of a row
 
 }  // namespace
 
@@ -149,8 +150,10 @@ void BackupPart::tell()
     m_keep->setVisible(isAsked && !m_isServer);
     if (isAsked)
         m_said->setText(
-            tr("What was entered after this backup will be missing; attempts of this computer are brought in "
-               "again, and the present file is kept beside it."));
+            //: %1: when a backup was made
+            tr("Restore the backup of %1? What was entered after it will be missing; attempts of this computer are "
+               "brought in again, and the present file is kept beside it.")
+                .arg(m_table->currentIndex().siblingAtColumn(0).data().toString()));
 }
 
 void BackupPart::fill()
@@ -160,8 +163,9 @@ void BackupPart::fill()
     m_rows->setHorizontalHeaderLabels({tr("Made"), tr("Size"), tr("File")});
     const QLocale locale;
     for (const Backup& one : m_backups) {
-        m_rows->appendRow({new QStandardItem(locale.toString(one.made.toLocalTime(), QLocale::ShortFormat)),
-                           new QStandardItem(locale.formattedDataSize(one.bytes)),
+        auto* made = new QStandardItem(locale.toString(one.made.toLocalTime(), QLocale::ShortFormat));
+        made->setData(one.file, kFile);
+        m_rows->appendRow({made, new QStandardItem(locale.formattedDataSize(one.bytes)),
                            new QStandardItem(QFileInfo(one.file).fileName())});
         if (one.file == kept)
             m_table->selectRow(m_rows->rowCount() - 1);
@@ -172,8 +176,7 @@ void BackupPart::fill()
 
 QString BackupPart::chosen() const
 {
-    const int row = m_table->currentIndex().row();
-    return row >= 0 && row < m_backups.size() ? m_backups[row].file : QString();
+    return m_table->currentIndex().siblingAtColumn(0).data(kFile).toString();
 }
 
 void BackupPart::setDatabase(const QString& where, bool isServer)
@@ -220,6 +223,7 @@ void BackupPart::restore()
         m_keep->setFocus();
     } else if (m_thought->mayBeAnswered()) {
         m_thought->end();
+        m_said->clear();
         emit restoreWanted(chosen());
     }
 }

@@ -19,6 +19,7 @@
 #include <QSignalBlocker>
 #include <QSortFilterProxyModel>
 #include <QStandardItemModel>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include "ui/admin/AdminWords.h"
@@ -43,6 +44,7 @@ enum DataRole { kId = Qt::UserRole + 1, kSortBy };
 constexpr int kFormPx = 340;
 constexpr int kClassListPx = 110;
 constexpr int kTickPx = 28;
+constexpr int kSoonMs = 100;  ///< what takes longer is told
 constexpr std::array kRoles{Role::Student, Role::Instructor, Role::Admin};
 
 QPushButton* button(const char* kind, const char* name, QWidget* parent)
@@ -187,18 +189,20 @@ QWidget* PeoplePart::makeForm()
     classes->addWidget(m_addClass);
     classes->addWidget(m_renameClass);
     column->addLayout(classes);
-    m_fault = study::faultLabel(form);
-    m_fault->setObjectName(QStringLiteral("personFault"));
-    m_said = study::formWords({}, kBody, QFont::Normal, QPalette::WindowText, form);
-    m_said->setObjectName(QStringLiteral("personSaid"));
-    m_said->setTextFormat(Qt::PlainText);
-    column->addWidget(m_fault);
-    column->addWidget(m_said);
     auto* whole = new QWidget(this);
     whole->setFixedWidth(kFormPx);
     auto* stack = new QVBoxLayout(whole);
     stack->setContentsMargins(0, 0, 0, 0);
-    stack->addWidget(new ScrollPane(form, QPalette::Window, whole), 1);
+    m_pane = new ScrollPane(form, QPalette::Window, whole);
+    stack->addWidget(m_pane, 1);
+    // Answers stand beside the buttons that they answer, however far the form is scrolled.
+    m_fault = study::faultLabel(whole);
+    m_fault->setObjectName(QStringLiteral("personFault"));
+    m_said = study::formWords({}, kBody, QFont::Normal, QPalette::WindowText, whole);
+    m_said->setObjectName(QStringLiteral("personSaid"));
+    m_said->setTextFormat(Qt::PlainText);
+    stack->addWidget(m_fault);
+    stack->addWidget(m_said);
     m_save = button("filled", "savePerson", whole);
     m_reset = button("", "resetPassword", whole);
     m_keepPassword = button("", "keepPassword", whole);
@@ -213,6 +217,11 @@ QWidget* PeoplePart::makeForm()
     connect(m_save, &QPushButton::clicked, this, &PeoplePart::submit);
     for (QLineEdit* one : {m_username, m_given, m_family})
         connect(one, &QLineEdit::returnPressed, this, &PeoplePart::submit);
+    const auto touch = [this] { m_isTouched = true; };
+    for (QLineEdit* one : {m_given, m_family})
+        connect(one, &QLineEdit::textEdited, this, touch);
+    connect(m_role, &QComboBox::activated, this, touch);
+    connect(m_classList, &QListWidget::itemChanged, this, touch);
     connect(m_reset, &QPushButton::clicked, this, &PeoplePart::askToReset);
     m_thought = new SecondThought(*this);
     const auto keep = [this] {
@@ -228,7 +237,8 @@ QWidget* PeoplePart::makeForm()
     const auto addClass = [this] {
         if (const QString name = m_className->text().trimmed(); !name.isEmpty())
             emit classWanted(name);
-        // Whoever adds a class while he enters somebody means him to be in it.
+        // Whoever adds a class while he enters or changes somebody means him to be in it.
+        m_isTouched = m_isTouched || !m_className->text().trimmed().isEmpty();
         m_classAdded = m_className->text().trimmed().toStdString();
         m_className->clear();
     };
@@ -322,6 +332,7 @@ void PeoplePart::fill()
         for (const QString& one : words) {
             row << new QStandardItem(one);
             row.back()->setData(one, kSortBy);
+            row.back()->setToolTip(brokenIntoLines(one));
         }
         row[kName]->setData(QVariant::fromValue<qint64>(person.id.value), kId);
         row[kName]->setData(family + u' ' + words[kName], kSortBy);
@@ -366,9 +377,13 @@ void PeoplePart::choose(qint64 person)
     m_said->clear();
     m_thought->end();
     study::showFault(m_fault, {});
-    if (person == 0)
+    if (person == 0) {
         for (QLineEdit* one : {m_username, m_given, m_family})
             one->clear();
+        // Nobody becomes an admin because one was looked at before.
+        m_role->setCurrentIndex(0);
+        m_classList->clear();
+    }
     showForm();
 }
 
@@ -376,13 +391,12 @@ void PeoplePart::showForm()
 {
     const Person* const person = chosen();
     // What is being typed outlives news of what others have entered.
-    const bool isTyped =
-        std::exchange(m_inForm, m_chosen) == m_chosen && (m_given->isModified() || m_family->isModified());
+    m_isTouched = std::exchange(m_inForm, m_chosen) == m_chosen && m_isTouched;
     m_title->setText(person == nullptr
                          ? tr("New person")
                          : QString::fromStdString(person->fullName().empty() ? person->username : person->fullName()));
     m_username->setReadOnly(person != nullptr);
-    if (person != nullptr && !isTyped) {
+    if (person != nullptr && !m_isTouched) {
         m_username->setText(QString::fromStdString(person->username));
         m_given->setText(QString::fromStdString(person->givenName));
         m_family->setText(QString::fromStdString(person->familyName));
@@ -390,13 +404,15 @@ void PeoplePart::showForm()
             static_cast<int>(std::find(kRoles.begin(), kRoles.end(), person->role) - kRoles.begin()));
     }
     const QSet<qint64> ticked = tickedClasses();
+    const QSignalBlocker quiet(m_classList);  // of what the program ticks
     m_classList->clear();
     for (const database::SchoolClass& one : m_classes) {
         auto* item = new QListWidgetItem(QString::fromStdString(one.name), m_classList);
         item->setData(kId, QVariant::fromValue<qint64>(one.id.value));
-        const bool belongs = person != nullptr && !isTyped ? std::find(person->classes.begin(), person->classes.end(),
-                                                                       one.id) != person->classes.end()
-                                                           : ticked.contains(one.id.value) || one.name == m_classAdded;
+        const bool belongs =
+            person != nullptr && !m_isTouched
+                ? std::find(person->classes.begin(), person->classes.end(), one.id) != person->classes.end()
+                : ticked.contains(one.id.value) || one.name == m_classAdded;
         item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
         item->setSizeHint({0, kTickPx});
         item->setCheckState(belongs ? Qt::Checked : Qt::Unchecked);
@@ -443,12 +459,18 @@ void PeoplePart::submit()
         changed.givenName = given;
         changed.familyName = family;
         changed.role = role;
+        m_isSubmitted = true;
         emit changeWanted(changed, tickedClasses());
     } else if (const QString name = m_username->text().trimmed(); name.isEmpty()) {
         m_username->setFocus();
     } else {
+        m_isSubmitted = true;
         emit addWanted({name.toStdString(), given, family, role}, tickedClasses());
     }
+    QTimer::singleShot(kSoonMs, this, [this] {
+        if (m_isSubmitted)
+            m_said->setText(tr("The school's data are being written to …"));
+    });
 }
 
 /// A password is gone for good: one click must not do it. A code in another's place costs nobody anything.
@@ -491,18 +513,23 @@ void PeoplePart::showCode(const QString& fullName, const QString& code)
     m_codeOf = fullName;
     m_code->setText(code);
     showForm();
+    m_pane->ensureVisible(0, 0);
 }
 
 void PeoplePart::confirm(database::PersonId person, const QString& sentence)
 {
     m_chosen = person.value;
     m_className->clear();
+    // What was not sent with this stays as it was typed.
+    if (std::exchange(m_isSubmitted, false))
+        m_isTouched = false;
     study::showFault(m_fault, {});
     m_said->setText(sentence);
 }
 
 void PeoplePart::refuse(const QString& sentence)
 {
+    m_isSubmitted = false;
     m_said->clear();
     study::showFault(m_fault, sentence);
 }

@@ -17,6 +17,9 @@ class QPushButton;
 class QSortFilterProxyModel;
 class QStandardItemModel;
 
+namespace ui::shell {
+class ScrollPane;
+}
 namespace ui::people {
 class ListTable;
 }
@@ -66,14 +69,17 @@ private:
 
     QList<database::Person> m_people;
     QList<database::SchoolClass> m_classes;
-    qint64 m_chosen = 0;  ///< 0: somebody new
-    qint64 m_inForm = 0;  ///< whom the form shows
+    qint64 m_chosen = 0;         ///< 0: somebody new
+    qint64 m_inForm = 0;         ///< whom the form shows
+    bool m_isTouched = false;    ///< something in it was changed by hand, and outlives news of what others have entered
+    bool m_isSubmitted = false;  ///< and is on its way
     QStandardItemModel* m_rows = nullptr;
     QSortFilterProxyModel* m_shown = nullptr;
     QLineEdit* m_search = nullptr;
     people::ListTable* m_table = nullptr;
     QLabel* m_count = nullptr;
     QPushButton* m_new = nullptr;
+    shell::ScrollPane* m_pane = nullptr;
     QLabel* m_title = nullptr;
     QLabel* m_usernameWord = nullptr;
     QLabel* m_givenWord = nullptr;

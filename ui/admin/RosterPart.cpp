@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include <QDragEnterEvent>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QFontDatabase>
 #include <QHBoxLayout>
@@ -17,7 +16,9 @@
 
 #include "database/Codes.h"
 #include "ui/admin/AdminWords.h"
+#include "ui/admin/SecondThought.h"
 #include "ui/people/ListTable.h"
+#include "ui/shell/FileDialog.h"
 #include "ui/shell/Folders.h"
 #include "ui/shell/Theme.h"
 #include "ui/study/FormInputs.h"
@@ -78,6 +79,11 @@ RosterPart::RosterPart(QWidget* parent)
     column->addWidget(m_example, 0, Qt::AlignLeft);
     column->addWidget(m_table, 100);
     column->addStretch(1);  // where there is no table
+    m_thought = new SecondThought(*this);
+    connect(m_thought, &SecondThought::withdrawn, this, [this] {
+        m_thought->end();
+        tell();
+    });
     connect(m_choose, &QPushButton::clicked, this, &RosterPart::chooseFile);
     connect(m_enter, &QPushButton::clicked, this, &RosterPart::enterWanted);
     connect(m_save, &QPushButton::clicked, this, &RosterPart::saveCodes);
@@ -90,10 +96,9 @@ void RosterPart::speak()
         tr("A class list is a CSV file with the columns username, given_name, family_name, role and class. "
            "Role may be left out; several classes are parted by |. Choose it, or drop it here: nothing is "
            "entered before you have seen what it would do."));
-    m_choose->setText(tr("Choose a file …"));
     m_enter->setText(tr("Enter these people"));
     m_save->setText(tr("Save the one-time codes …"));
-    for (QPushButton* one : {m_choose, m_enter, m_save})
+    for (QPushButton* one : {m_enter, m_save})
         one->setAccessibleName(one->text());
     m_table->setAccessibleName(tr("What the class list would do"));
     m_example->setAccessibleName(tr("Example of a class list"));
@@ -103,14 +108,17 @@ void RosterPart::speak()
 
 void RosterPart::tell()
 {
-    const auto isNew = [](const database::RosterPerson& person) { return person.isNew; };
-    const auto fresh = static_cast<int>(std::count_if(m_outcome.people.begin(), m_outcome.people.end(), isNew));
+    const int fresh = newcomers();
     const auto known = static_cast<int>(m_outcome.people.size()) - fresh;
     m_enter->setVisible(!m_isDone && m_outcome.faults.empty() && !m_outcome.people.empty());
     m_save->setVisible(m_isDone && fresh > 0);
     m_table->setVisible(m_rows->rowCount() > 0);
     m_example->setVisible(m_file.isEmpty());
-    if (!m_what.isEmpty())
+    m_choose->setText(m_thought->isAsked() ? tr("Choose another file all the same …") : tr("Choose a file …"));
+    m_choose->setAccessibleName(m_choose->text());
+    if (m_thought->isAsked())
+        m_said->setText(tr("The one-time codes of %1 are not saved, and they are kept nowhere else.").arg(m_file));
+    else if (!m_what.isEmpty())
         m_said->setText(m_what);
     else if (m_file.isEmpty())
         m_said->clear();
@@ -125,7 +133,15 @@ void RosterPart::tell()
                             .arg(known));
     else
         m_said->setText(
-            tr("%1: %n new person(s) would be entered; %2 are known already.", nullptr, fresh).arg(m_file).arg(known));
+            //: %1: what another sentence says of how many are known already
+            tr("%1 %n new person(s) would be entered.", nullptr, fresh)
+                .arg(tr("%1: %n person(s) known already.", nullptr, known).arg(m_file)));
+}
+
+int RosterPart::newcomers() const
+{
+    return static_cast<int>(std::count_if(m_outcome.people.begin(), m_outcome.people.end(),
+                                          [](const database::RosterPerson& person) { return person.isNew; }));
 }
 
 void RosterPart::fill()
@@ -140,8 +156,7 @@ void RosterPart::fill()
     if (!m_outcome.faults.empty()) {
         m_rows->setHorizontalHeaderLabels({tr("Line"), tr("Column"), tr("What is wrong")});
         for (const database::RosterFault& fault : m_outcome.faults)
-            add({QString::number(fault.line), QString::fromStdString(fault.column),
-                 QString::fromStdString(fault.what)});
+            add({QString::number(fault.line), QString::fromStdString(fault.column), rosterFaultWords(fault)});
     } else {
         // What it would do, and when that is done the codes.
         QStringList heads{tr("Login"), tr("Name"), tr("Role"), tr("Classes"), tr("State")};
@@ -174,22 +189,50 @@ void RosterPart::showOutcome(const database::RosterOutcome& outcome, const QStri
     m_outcome = outcome;
     m_file = QFileInfo(file).fileName();
     m_isDone = isDone;
+    m_isSaved = false;
     m_what.clear();
+    m_said->setToolTip({});
     fill();
     tell();
 }
 
-void RosterPart::refuse(const QString& sentence)
+void RosterPart::say(const QString& sentence)
 {
     m_what = sentence;
     tell();
 }
 
+void RosterPart::refuseFile(const QString& file, const QString& sentence, const QString& technical)
+{
+    showOutcome({}, file, false);
+    say(sentence);
+    m_said->setToolTip(brokenIntoLines(technical));
+}
+
+/// Codes that nobody has saved would each have to be given anew.
+bool RosterPart::mayForgetCodes()
+{
+    if (!m_isDone || m_isSaved || newcomers() == 0)
+        return true;
+    if (m_thought->isAsked() && !m_thought->mayBeAnswered())
+        return false;
+    const bool isAnswer = m_thought->isAsked();
+    if (isAnswer)
+        m_thought->end();
+    else
+        m_thought->ask();
+    tell();
+    if (!isAnswer)
+        m_save->setFocus();
+    return isAnswer;
+}
+
 void RosterPart::chooseFile()
 {
+    if (!mayForgetCodes())
+        return;
     auto* dialog =
-        new QFileDialog(this, tr("Choose a class list"), documentsFolder(), tr("Class lists (*.csv);;All files (*)"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
+        new FileDialog(this, tr("Choose a class list"), documentsFolder(), tr("Class lists (*.csv);;All files (*)"));
     dialog->setFileMode(QFileDialog::ExistingFile);
     connect(dialog, &QFileDialog::fileSelected, this, &RosterPart::fileChosen);
     dialog->open();
@@ -197,8 +240,7 @@ void RosterPart::chooseFile()
 
 void RosterPart::saveCodes()
 {
-    auto* dialog = new QFileDialog(this, tr("Save the one-time codes"), documentsFolder(), tr("Tables (*.csv)"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    auto* dialog = new FileDialog(this, tr("Save the one-time codes"), documentsFolder(), tr("Tables (*.csv)"));
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(QStringLiteral("csv"));
     connect(dialog, &QFileDialog::fileSelected, this, &RosterPart::writeCodes);
@@ -207,9 +249,10 @@ void RosterPart::saveCodes()
 
 void RosterPart::writeCodes(const QString& path)
 {
-    m_what = database::writeCodes(path, m_outcome.people)
-                 ? tr("The codes were saved. Delete the file when everybody has logged in.")
-                 : tr("The codes could not be written. Choose another folder, or make room on the disk.");
+    m_thought->end();
+    m_isSaved = database::writeCodes(path, m_outcome.people).has_value();
+    m_what = m_isSaved ? tr("The codes were saved. Delete the file when everybody has logged in.")
+                       : tr("The codes could not be written. Choose another folder, or make room on the disk.");
     tell();
 }
 
@@ -223,7 +266,7 @@ void RosterPart::dragEnterEvent(QDragEnterEvent* event)
 void RosterPart::dropEvent(QDropEvent* event)
 {
     const QList<QUrl> urls = event->mimeData()->urls();
-    if (urls.size() == 1 && urls.front().isLocalFile())
+    if (urls.size() == 1 && urls.front().isLocalFile() && mayForgetCodes())
         emit fileChosen(urls.front().toLocalFile());
 }
 

@@ -16,6 +16,8 @@ class ListTable;
 
 namespace ui::admin {
 
+class SecondThought;
+
 /// A class list from a file: first what it would do, line by line, then it is entered, and the one-time codes of who is
 /// new can be saved.
 class RosterPart final : public QWidget
@@ -26,7 +28,10 @@ public:
 
     /// @param isDone  entered; else only looked at
     void showOutcome(const database::RosterOutcome& outcome, const QString& file, bool isDone);
-    void refuse(const QString& sentence);
+    /// What goes on, or why what was looked at could not be entered just now.
+    void say(const QString& sentence);
+    /// A file is no class list, or cannot be read; what was known of the one before is forgotten.
+    void refuseFile(const QString& file, const QString& sentence, const QString& technical);
 
 signals:
     void fileChosen(const QString& path);
@@ -41,6 +46,8 @@ private:
     void speak();
     void tell();
     void fill();
+    [[nodiscard]] int newcomers() const;
+    [[nodiscard]] bool mayForgetCodes();
     void chooseFile();
     void saveCodes();
     void writeCodes(const QString& path);
@@ -48,7 +55,9 @@ private:
     database::RosterOutcome m_outcome;
     QString m_file;
     bool m_isDone = false;
-    QString m_what;  ///< of the last failure, or what was saved
+    bool m_isSaved = false;    ///< the codes are
+    SecondThought* m_thought;  ///< whether codes that are not saved may go
+    QString m_what;            ///< of the last failure, or what was saved
     QLabel* m_words;
     QPushButton* m_choose;
     QPushButton* m_enter;

@@ -2,6 +2,7 @@
 #include "ui/admin/StationPart.h"
 
 #include <cmath>
+#include <utility>
 
 #include <QGridLayout>
 #include <QInputDevice>
@@ -77,7 +78,10 @@ StationPart::StationPart(QWidget* parent)
     column->addStretch(1);
     m_idleWords->setWordWrap(false);
     m_idleWords->setBuddy(m_idle);
-    connect(m_idle, &QSpinBox::editingFinished, this, [this] { emit idleMinutesWanted(m_idle->value()); });
+    connect(m_idle, &QSpinBox::editingFinished, this, [this] {
+        if (std::exchange(m_idleMinutes, m_idle->value()) != m_idle->value())
+            emit idleMinutesWanted(m_idle->value());
+    });
     text::inEveryLanguage(this, [this] { speak(); });
 }
 
@@ -116,6 +120,7 @@ void StationPart::setFacts(const Facts& facts)
 
 void StationPart::setIdleMinutes(int minutes)
 {
+    m_idleMinutes = minutes;
     m_idle->setValue(minutes);
 }
 

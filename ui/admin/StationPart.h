@@ -43,6 +43,7 @@ private:
     QList<QLabel*> m_names;
     QList<QLabel*> m_values;
     QSpinBox* m_idle;
+    int m_idleMinutes = 0;  ///< as the school has them
     QLabel* m_idleWords;
 };
 

@@ -6,7 +6,6 @@
 
 #include <QChart>
 #include <QChartView>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QGraphicsEllipseItem>
 #include <QGraphicsScene>
@@ -23,6 +22,8 @@
 #include "ui/charts/Drawing.h"
 #include "ui/charts/Table.h"
 #include "ui/shell/Announce.h"
+#include "ui/shell/FileDialog.h"
+#include "ui/shell/Folders.h"
 #include "ui/shell/LineIcon.h"
 #include "ui/shell/Theme.h"
 #include "ui/text/EveryLanguage.h"
@@ -359,8 +360,7 @@ void ChartPanel::resizeEvent(QResizeEvent* event)
 
 void ChartPanel::askForFile(const QString& ending, const QString& filter)
 {
-    auto* dialog = new QFileDialog(this, tr("Save the chart"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    auto* dialog = new FileDialog(this, tr("Save the chart"), documentsFolder());
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setNameFilter(filter);
     dialog->setDefaultSuffix(ending);

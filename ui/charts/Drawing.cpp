@@ -13,6 +13,7 @@
 #include <QCoreApplication>
 #include <QDateTime>
 #include <QDateTimeAxis>
+#include <QFontMetricsF>
 #include <QGraphicsLayout>
 #include <QGraphicsScene>
 #include <QImage>
@@ -298,6 +299,81 @@ double paintWords(QPainter& painter, const QRectF& area, const QString& words, c
     return used.height() + 2.0;
 }
 
+/// What lines and marks stand for, in as many rows as they need: the legend of Qt Charts has one, and cuts their names.
+class Key
+{
+public:
+    Key(const QChart& chart, double widthPx)
+    {
+        const QFontMetricsF metrics(typeface(kSmall));
+        m_rowPx = metrics.height() + kSpace1;
+        double left = 0.0;
+        for (QLegendMarker* marker : chart.legend()->markers()) {
+            if (marker->label().isEmpty())
+                continue;
+            const double wide = kSignPx + kSpace1 + metrics.horizontalAdvance(marker->label());
+            if (left > 0.0 && left + wide > widthPx) {
+                left = 0.0;
+                ++m_rows;
+            }
+            m_entries << Entry{marker, QPointF(left, m_rows * m_rowPx)};
+            left += wide + kSpace4;
+        }
+    }
+
+    [[nodiscard]] double height() const { return m_entries.isEmpty() ? 0.0 : (m_rows + 1) * m_rowPx + kSpace1; }
+
+    void paint(QPainter& painter, const QPointF& corner, const Ink& ink) const
+    {
+        painter.setRenderHint(QPainter::Antialiasing);
+        for (const Entry& entry : m_entries) {
+            const QRectF sign(corner + entry.at, QSizeF(kSignPx, m_rowPx));
+            paintSign(painter, sign, *entry.marker);
+            painter.setFont(typeface(kSmall));
+            painter.setPen(ink.words);
+            painter.drawText(QRectF(sign.right() + kSpace1, sign.top(), 1.0e4, m_rowPx),
+                             Qt::AlignLeft | Qt::AlignVCenter, entry.marker->label());
+        }
+    }
+
+private:
+    struct Entry
+    {
+        QLegendMarker* marker;
+        QPointF at;
+    };
+
+    static void paintSign(QPainter& painter, const QRectF& sign, QLegendMarker& marker)
+    {
+        const QPointF middle = sign.center();
+        if (const auto* marks = qobject_cast<QScatterSeries*>(marker.series())) {
+            painter.setPen(marks->borderColor());
+            painter.setBrush(marks->color());
+            const double half = 0.5 * marks->markerSize();
+            const QRectF box(middle - QPointF(half, half), QSizeF(2.0 * half, 2.0 * half));
+            if (marks->markerShape() == QScatterSeries::MarkerShapeRectangle)
+                painter.drawRect(box);
+            else if (marks->markerShape() == QScatterSeries::MarkerShapeRotatedRectangle)
+                painter.drawPolygon(QPolygonF{middle - QPointF(half, 0.0), middle - QPointF(0.0, half),
+                                              middle + QPointF(half, 0.0), middle + QPointF(0.0, half)});
+            else
+                painter.drawEllipse(box);
+        } else if (const auto* line = qobject_cast<QLineSeries*>(marker.series())) {
+            painter.setPen(line->pen());
+            painter.drawLine(QPointF(sign.left(), middle.y()), QPointF(sign.right(), middle.y()));
+        } else {
+            painter.setPen(marker.pen());
+            painter.setBrush(marker.brush());
+            painter.drawRect(sign.adjusted(0.0, 3.0, 0.0, -3.0));
+        }
+    }
+
+    static constexpr double kSignPx = 24.0;
+    QList<Entry> m_entries;
+    double m_rowPx = 0.0;
+    int m_rows = 0;  ///< after the first
+};
+
 void paintPicture(QPainter& painter, const Chart& chart)
 {
     const Ink ink = inkOf(pagePalette(false));
@@ -377,11 +453,15 @@ void paint(QPainter& painter, const QRectF& area, const Chart& chart, const Ink&
         drawn->setAnimationOptions(QChart::NoAnimation);
         scene.addItem(drawn);
         draw(chart, ink, *drawn, ticksFor(plot.height()));
-        drawn->resize(plot.size());
-        scene.setSceneRect(QRectF(QPointF(0.0, 0.0), plot.size()));
+        const Key key(*drawn, plot.width());
+        drawn->legend()->hide();
+        const QRectF above = plot.adjusted(0.0, 0.0, 0.0, -key.height());
+        drawn->resize(above.size());
+        scene.setSceneRect(QRectF(QPointF(0.0, 0.0), above.size()));
         drawn->layout()->activate();
         painter.setRenderHint(QPainter::Antialiasing);
-        scene.render(&painter, plot, scene.sceneRect());
+        scene.render(&painter, above, scene.sceneRect());
+        key.paint(painter, above.bottomLeft(), ink);
     }
     painter.restore();
 }

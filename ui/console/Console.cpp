@@ -12,6 +12,7 @@
 #include <QLocale>
 #include <QPainter>
 #include <QPlainTextEdit>
+#include <QScrollBar>
 #include <QVBoxLayout>
 
 #include "ui/console/ParameterWords.h"
@@ -37,10 +38,10 @@ const QStringList kOfNames{QStringLiteral("get"),   QStringLiteral("list"), QStr
                            QStringLiteral("watch")};
 
 /// A number as programs write it, or as the window shows it.
-std::optional<double> numberIn(const QString& text)
+std::optional<double> numberIn(const QString& text, bool isSwitch)
 {
     bool isNumber = false;
-    if (text == u"on" || text == u"off")
+    if (isSwitch && (text == u"on" || text == u"off"))
         return text == u"on" ? 1.0 : 0.0;
     double value = QLocale::c().toDouble(text, &isNumber);
     if (!isNumber)
@@ -156,8 +157,7 @@ void Console::execute(const QString& line)
     } else if (command == u"unwatch") {
         m_panel.forget(rest);
     } else if (command == u"save" || command == u"load") {
-        const Preset& what = command == u"save" ? m_save : m_load;
-        if (const QString answer = what ? what(rest) : tr("Presets are not to be had here."); !answer.isEmpty())
+        if (const QString answer = askForPreset(command == u"save" ? m_save : m_load, rest); !answer.isEmpty())
             say(answer);
     } else if (command == u"help") {
         say(tr("list [TEXT]      the parameters whose name holds the text\n"
@@ -169,11 +169,21 @@ void Console::execute(const QString& line)
                "unwatch [NAME]   takes it, or everything, away\n"
                "save NAME        keeps what is felt as a hardness preset\n"
                "load NAME        feels a hardness preset that is kept"));
+        say(tr("Page Up and Page Down turn over the answers, Up and Down what was typed."));
     } else if (m_parameters.find(command.toStdString()) != nullptr) {
         words.size() == 2 ? set(command, words[1]) : get(command);
     } else {
         say(tr("There is no command \"%1\". \"help\" lists those there are.").arg(command));
     }
+}
+
+/// Answers nothing where say() follows.
+QString Console::askForPreset(const Preset& what, const QString& name)
+{
+    const auto felt = m_parameters.beginningWith("force.");
+    if (std::any_of(felt.begin(), felt.end(), [](const auto* one) { return isVeiled(*one); }))
+        return blindWords();
+    return what ? what(name) : tr("Presets are not to be had here.");
 }
 
 void Console::list(const QString& text)
@@ -196,6 +206,10 @@ void Console::get(const QString& name)
         say(answerWords({core::settings::SetAnswer::Outcome::Unknown, {}}, name, nullptr));
         return;
     }
+    if (isVeiled(*parameter)) {
+        say(blindWords());
+        return;
+    }
     say(QStringLiteral("%1 = %2   (%3)\n%4")
             .arg(name, valueWords(*parameter, parameter->read()), rangeWords(*parameter),
                  QString::fromStdString(parameter->help())));
@@ -204,7 +218,7 @@ void Console::get(const QString& name)
 void Console::set(const QString& name, const QString& value)
 {
     const core::settings::Parameter* parameter = m_parameters.find(name.toStdString());
-    const auto number = numberIn(value);
+    const auto number = numberIn(value, parameter != nullptr && parameter->isSwitch);
     if (!number && parameter != nullptr) {
         say(tr("\"%1\" is no number.").arg(value) + u' ' +
             answerWords({core::settings::SetAnswer::Outcome::NotANumber, {}}, name, parameter));
@@ -306,6 +320,8 @@ void Console::hint()
 void Console::say(const QString& text)
 {
     m_output->appendPlainText(text);
+    // By itself it follows only where the last line was seen, and the hint below may have taken that line's room.
+    m_output->verticalScrollBar()->setValue(m_output->verticalScrollBar()->maximum());
 }
 
 void Console::recall(int step)
@@ -331,6 +347,11 @@ bool Console::eventFilter(QObject* watched, QEvent* event)
         case Qt::Key_Up:
         case Qt::Key_Down:
             recall(key->key() == Qt::Key_Up ? -1 : 1);
+            return true;
+        case Qt::Key_PageUp:
+        case Qt::Key_PageDown:
+            m_output->verticalScrollBar()->triggerAction(
+                key->key() == Qt::Key_PageUp ? QAbstractSlider::SliderPageStepSub : QAbstractSlider::SliderPageStepAdd);
             return true;
         case Qt::Key_Tab:
             // From an empty line it walks on, as everywhere; but never away from what is being typed, the rest of which

@@ -48,6 +48,7 @@ protected:
 
 private:
     void hint();
+    [[nodiscard]] QString askForPreset(const Preset& what, const QString& name);
     void list(const QString& text);
     void get(const QString& name);
     void set(const QString& name, const QString& value);

@@ -73,6 +73,16 @@ QString answerWords(const core::settings::SetAnswer& answer, const QString& name
     return Words::tr("%1 takes %2.").arg(name, parameter != nullptr ? rangeWords(*parameter) : QString());
 }
 
+bool isVeiled(const core::settings::Parameter& parameter)
+{
+    return !parameter.isLive() && !std::isfinite(parameter.read());
+}
+
+QString blindWords()
+{
+    return Words::tr("Two presets are being compared blind: until that is over, what is felt is not told.");
+}
+
 QString groupName(const QString& group)
 {
     if (group == u"hardness")

@@ -15,6 +15,10 @@ namespace ui::console {
 /// Why a value was not taken; empty if it was.
 [[nodiscard]] QString answerWords(const core::settings::SetAnswer& answer, const QString& name,
                                   const core::settings::Parameter* parameter);
+/// Whether a value that can be set is kept from view: two presets are being compared blind.
+[[nodiscard]] bool isVeiled(const core::settings::Parameter& parameter);
+/// The sentence that says so.
+[[nodiscard]] QString blindWords();
 /// What stands before the first point: "force" is "Force".
 [[nodiscard]] QString groupName(const QString& group);
 

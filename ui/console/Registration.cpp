@@ -12,6 +12,8 @@
 #include <QCoreApplication>
 
 #include "core/settings/StabilityBound.h"
+#include "ui/console/ParameterWords.h"
+#include "ui/presets/BlindTrial.h"
 #include "ui/presets/PresetWords.h"
 #include "ui/tooth/PointerControl.h"
 
@@ -80,10 +82,15 @@ void registerFeel(Parameters& parameters, const std::function<FeelPreset()>& now
         parameter.unit = field.unit;
         parameter.minimum = field.minimum;
         parameter.maximum = field.maximum;
-        parameter.read = [now, value = field.value] { return now().*value; };
+        parameter.read = [now, value = field.value] {
+            const FeelPreset preset = now();
+            return presets::isVeiled(preset) ? std::numeric_limits<double>::quiet_NaN() : preset.*value;
+        };
         parameter.initial = [initial, value = field.value] { return initial().*value; };
         parameter.write = [now, feel, value = field.value](double number) -> std::string {
             FeelPreset next = now();
+            if (presets::isVeiled(next))  // nor is it told whether it is that number, or within the bound
+                return blindWords().toStdString();
             if (next.*value == number)
                 return {};
             next.*value = number;

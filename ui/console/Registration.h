@@ -32,6 +32,7 @@ private:
 };
 
 /// Every number of a hardness preset: "hardness.enamel.rate", "force.stiffness".
+/// While what is felt is presets::veiled(), none of them can be read or set.
 /// @param now      what is felt now
 /// @param initial  what is to be felt if nothing is turned
 /// @param feel     sets it; answers why not, or nothing

@@ -500,6 +500,8 @@ void AssignPage::fillGiven()
         if (kept.count(m_rows->item(row)->data(kId).toString().toStdString()) > 0)
             m_table->selectionModel()->select(m_rows->index(row, 0),
                                               QItemSelectionModel::Select | QItemSelectionModel::Rows);
+    if (m_given.isEmpty() && m_table->hasFocus())
+        m_list->setFocus();
     m_stack->setCurrentIndex(m_given.isEmpty() ? 1 : 0);
     tellChosen();
 }
@@ -532,9 +534,9 @@ void AssignPage::take(const QList<AssignmentChange>& changes)
     }
     m_isAsking = true;
     // Buttons that rest meanwhile hand the keyboard on to whatever comes next.
-    m_hadFocus = m_assign->hasFocus() || m_takeBack->hasFocus() || m_undo->hasFocus();
+    m_hadFocus = m_assign->hasFocus() || m_change->hasFocus() || m_takeBack->hasFocus() || m_undo->hasFocus();
     if (m_hadFocus)
-        m_table->setFocus();
+        (m_given.isEmpty() ? static_cast<QWidget*>(m_list) : m_table)->setFocus();
     tellChosen();
     emit changeWanted(changes);
 }
@@ -556,10 +558,10 @@ void AssignPage::confirm(const QList<AssignmentChange>& changes)
     m_said->setText(m_saying());
     // Who has just pressed a button that rests now goes on with the one beside the words.
     m_undo->setVisible(!m_last.isEmpty());
+    tellChosen();  // a button that rests takes no keyboard
     if (!m_last.isEmpty() && std::exchange(m_hadFocus, false))
         m_undo->setFocus();
     announce(*m_said);
-    tellChosen();
 }
 
 void AssignPage::refuse(const QString& sentence)

@@ -7,7 +7,6 @@
 #include <QButtonGroup>
 #include <QComboBox>
 #include <QEvent>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -25,6 +24,8 @@
 #include "ui/people/ClassCharts.h"
 #include "ui/people/ListTable.h"
 #include "ui/shell/Announce.h"
+#include "ui/shell/FileDialog.h"
+#include "ui/shell/Folders.h"
 #include "ui/shell/Theme.h"
 #include "ui/study/FormInputs.h"
 
@@ -47,7 +48,8 @@ ClassPage::ClassPage(const Actions& actions, QWidget* parent)
     body()->setSpacing(kSpace2);
     body()->addWidget(makeHead());
     body()->addWidget(makeMatrix(), 1);
-    body()->addWidget(makeCharts(), 1);
+    m_charts = makeCharts();
+    body()->addWidget(m_charts, 1);
     retell();
 }
 
@@ -172,13 +174,37 @@ QWidget* ClassPage::makeMatrix()
     column->addLayout(feet);
     m_stack->addWidget(part);
 
-    m_empty = new QLabel(m_stack);
+    m_stack->addWidget(makeEmpty());
+    return m_stack;
+}
+
+/// What stands there while there is nobody.
+QWidget* ClassPage::makeEmpty()
+{
+    auto* part = new QWidget(m_stack);
+    auto* column = new QVBoxLayout(part);
+    column->setSpacing(kSpace4);
+    column->addStretch(1);
+    m_empty = new QLabel(part);
     m_empty->setObjectName(QStringLiteral("classEmpty"));
     m_empty->setTextFormat(Qt::PlainText);
     m_empty->setAlignment(Qt::AlignCenter);
     m_empty->setWordWrap(true);
-    m_stack->addWidget(m_empty);
-    return m_stack;
+    column->addWidget(m_empty);
+    m_people = new QPushButton(part);
+    m_people->setObjectName(QStringLiteral("enterPeople"));
+    m_people->setProperty("kind", "filled");
+    m_people->setAutoDefault(true);
+    connect(m_people, &QPushButton::clicked, this, &ClassPage::peopleWanted);
+    column->addWidget(m_people, 0, Qt::AlignHCenter);
+    column->addStretch(1);
+    return part;
+}
+
+void ClassPage::setMayEnter(bool may)
+{
+    m_mayEnter = may;
+    tellNeeds();
 }
 
 QWidget* ClassPage::makeCharts()
@@ -373,13 +399,29 @@ void ClassPage::tellNeeds()
                                 //: Students who need their teacher; numbers of each kind follow
                                 : tr("%n need(s) you:", nullptr, all));
     m_stack->setCurrentIndex(hasStudents ? 0 : 1);
-    m_empty->setText(m_classes.isEmpty()
-                         ? tr("Here you will see your classes: who needs you, and how everybody does at every lesson. "
-                              "An administrator gives you a class.")
-                         : tr("Nobody is in this class yet. Students are entered by an administrator, one by one or "
-                              "from a list."));
+    tellEmpty();
+    m_class->setVisible(!m_classes.isEmpty());
+    m_charts->setVisible(m_lesson->count() > 0);
+    m_report->setVisible(!m_classes.isEmpty());
     m_report->setEnabled(hasStudents);
-    m_assign->setEnabled(!m_classes.isEmpty());
+    m_assign->setVisible(!m_classes.isEmpty());
+}
+
+void ClassPage::tellEmpty()
+{
+    m_people->setVisible(m_mayEnter);
+    if (m_classes.isEmpty())
+        m_empty->setText(
+            m_mayEnter
+                ? tr("There is no class yet. Make one, and enter its teachers and students: then you see here who "
+                     "needs help, and how everybody does at every lesson.")
+                : tr("Here you will see your classes: who needs you, and how everybody does at every lesson. "
+                     "An administrator gives you a class."));
+    else
+        m_empty->setText(m_mayEnter
+                             ? tr("Nobody is in this class yet. Enter its students, one by one or from a list.")
+                             : tr("Nobody is in this class yet. Students are entered by an administrator, one by one "
+                                  "or from a list."));
 }
 
 void ClassPage::drawCharts()
@@ -434,8 +476,7 @@ bool ClassPage::saveTable(const QString& path)
 
 void ClassPage::askForFile()
 {
-    auto* dialog = new QFileDialog(this, tr("Save the matrix"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    auto* dialog = new shell::FileDialog(this, tr("Save the matrix"), shell::documentsFolder());
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setNameFilter(QStringLiteral("CSV (*.csv)"));
     dialog->setDefaultSuffix(QStringLiteral("csv"));
@@ -452,6 +493,9 @@ void ClassPage::retell()
     m_table->setAccessibleName(tr("Best scores, students by lessons"));
     m_assign->setText(tr("Assign lessons"));
     m_assign->setAccessibleName(m_assign->text());
+    //: Where people are entered and classes are made
+    m_people->setText(tr("People and classes"));
+    m_people->setAccessibleName(m_people->text());
     m_report->setText(tr("Report"));
     m_report->setAccessibleName(m_report->text());
     m_savePdf->setText(tr("Save as PDF …"));

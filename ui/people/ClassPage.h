@@ -35,6 +35,8 @@ class ClassPage final : public shell::Page
 public:
     ClassPage(const shell::Actions& actions, QWidget* parent);
 
+    /// Whether who looks at it enters people and makes classes.
+    void setMayEnter(bool may);
     /// Those that are his. What is chosen stays, where it is among them.
     void setClasses(const QList<database::SchoolClass>& classes);
     /// @param now  days are counted from here
@@ -64,6 +66,8 @@ signals:
     /// All attempts of a student.
     void studentWanted(qint64 personId);
     void assignWanted();
+    /// The page where people are entered and classes are made.
+    void peopleWanted();
     void pdfWanted();
     void printWanted();
 
@@ -75,6 +79,7 @@ protected:
 private:
     QWidget* makeHead();
     QWidget* makeMatrix();
+    QWidget* makeEmpty();
     QWidget* makeCharts();
     void fillLessons();
     void fillClasses();
@@ -82,11 +87,13 @@ private:
     void takeCell(const QModelIndex& index);
     void retell();
     void tellNeeds();
+    void tellEmpty();
     void drawCharts();
     void fitColumns();
     void askForFile();
 
     QList<database::SchoolClass> m_classes;
+    bool m_mayEnter = false;
     database::LessonResults m_results;
     int m_passMarkTenths = 0;
     std::map<std::string, QString> m_criteria;
@@ -105,6 +112,8 @@ private:
     ListTable* m_table = nullptr;
     QLabel* m_legend = nullptr;
     QLabel* m_empty = nullptr;
+    QPushButton* m_people = nullptr;  ///< below it
+    QWidget* m_charts = nullptr;
     QLabel* m_lessonWord = nullptr;
     QComboBox* m_lesson = nullptr;
     QLabel* m_said = nullptr;

@@ -22,7 +22,6 @@ struct Words
 
 constexpr qsizetype kCriteriaOver = 10;  ///< attempts
 constexpr double kMsPerMinute = 60'000.0;
-constexpr double kFullPoints = 100.0;
 constexpr double kPointsEnd = 103.0;  ///< so that a mark at 100 is whole
 constexpr double kDayMs = 86'400'000.0;
 
@@ -156,27 +155,32 @@ Chart criteriaChart(const ChartedAttempts& attempts)
 {
     struct Sum
     {
-        int lost = 0;
-        int weight = 0;
+        int lostTenths = 0;
+        int weightTenths = 0;
+        int attempts = 0;  ///< in which it counts
     };
     std::map<std::string, Sum> sums;
     const qsizetype over = std::min(kCriteriaOver, attempts.newestFirst.size());
     for (qsizetype k = 0; k < over; ++k)
         for (const database::CriterionLoss& loss : attempts.newestFirst[k].criteria) {
-            sums[loss.id].lost += loss.lostTenths;
-            sums[loss.id].weight += loss.weightTenths;
+            Sum& sum = sums[loss.id];
+            sum.lostTenths += loss.lostTenths;
+            sum.weightTenths += loss.weightTenths;
+            ++sum.attempts;
         }
     Bars bars;
-    bars.value = {Words::tr("Lost, % of what it counts"), 0.0, kFullPoints, false, false};
     bars.nameTitle = Words::tr("Criterion");
+    double most = 0.0;
     for (const auto& [id, sum] : sums) {
-        if (sum.weight == 0)
+        if (sum.weightTenths == 0 && sum.lostTenths == 0)  // a limit that was kept
             continue;
-        const double share = kFullPoints * sum.lost / sum.weight;
+        const double lost = 0.1 * sum.lostTenths / sum.attempts;
+        most = std::max(most, lost);
         const QString name = criterionName(attempts.criteria, id);
         //: %1: a criterion; %2: a number
-        bars.bars << Bars::Bar{name, share, Words::tr("%1: %2 % of its points lost").arg(name, text::number(share, 0))};
+        bars.bars << Bars::Bar{name, lost, Words::tr("%1: %2 points lost").arg(name, text::number(lost, 1))};
     }
+    bars.value = {Words::tr("Points lost"), 0.0, roundEnd(std::max(1.0, most)), false, false};
     std::stable_sort(bars.bars.begin(), bars.bars.end(),
                      [](const Bars::Bar& a, const Bars::Bar& b) { return a.value > b.value; });
     return {Words::tr("What costs points"),

@@ -44,8 +44,8 @@ HistoryPage::HistoryPage(const Actions& actions, QWidget* parent)
     auto* row = new QHBoxLayout(full);
     row->setContentsMargins(kSpace2, 0, kSpace2, 0);
     row->setSpacing(kSpace4);
-    row->addWidget(makeList(), 6);
-    row->addWidget(makeCharts(), 5);
+    row->addWidget(makeList(), 3);
+    row->addWidget(makeCharts(), 2);
     m_stack->addWidget(full);
     m_stack->addWidget(makeEmpty(actions));
     body()->addWidget(m_stack, 1);

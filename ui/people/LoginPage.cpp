@@ -304,9 +304,18 @@ void LoginPage::refuse(const QString& sentence)
 {
     setBusy(false);
     study::showFault(m_fault, sentence);
-    QLineEdit* const again = m_old->isVisible() ? m_old : m_again->isVisible() ? m_again : m_password;
+    QLineEdit* const again = m_old->isVisible() ? m_old : m_password;
     again->setFocus();
     again->selectAll();
+}
+
+void LoginPage::refuseNewPassword(const QString& sentence)
+{
+    setBusy(false);
+    study::showFault(m_fault, sentence);
+    m_password->clear();
+    m_again->clear();
+    m_password->setFocus();
 }
 
 void LoginPage::submit()

@@ -42,6 +42,8 @@ public:
     void setBusy(bool busy);
     /// Says what was wrong, beside where it was typed.
     void refuse(const QString& sentence);
+    /// The same of a password that was chosen: both of its inputs begin anew.
+    void refuseNewPassword(const QString& sentence);
 
 signals:
     void loginWanted(const QString& username, const QString& password);

@@ -16,6 +16,7 @@
 #include "ui/people/PeopleWords.h"
 #include "ui/shell/Announce.h"
 #include "ui/shell/Theme.h"
+#include "ui/study/FormInputs.h"
 #include "ui/text/Texts.h"
 
 namespace ui::people {
@@ -115,6 +116,8 @@ void TalkPanel::makeOverride(QVBoxLayout& column)
     m_points->setRange(0.0, kFullPoints);
     m_points->setDecimals(1);
     m_points->setMinimumHeight(34);
+    m_points->setFocusPolicy(Qt::StrongFocus);
+    study::bindToForm(m_points);
     m_reason = new QLineEdit(m_override);
     m_reason->setObjectName(QStringLiteral("reason"));
     row->addWidget(m_points);

@@ -32,6 +32,20 @@ double binomialP(int hits, int of)
     return std::min(1.0, p);
 }
 
+FeelPreset veiled(FeelPreset preset)
+{
+    preset.name.clear();
+    preset.notes.clear();
+    preset.hash.clear();
+    preset.version = 0;
+    return preset;
+}
+
+bool isVeiled(const FeelPreset& preset)
+{
+    return preset.name.empty();
+}
+
 BlindTrial::BlindTrial(FeelPreset first, FeelPreset second, int trials, std::uint64_t seed)
     : m_presets{std::move(first), std::move(second)}
 {

@@ -51,6 +51,10 @@ private:
     std::vector<Answer> m_answers;
 };
 
+/// As it is felt while nobody is to know what it is: its numbers, and no name.
+[[nodiscard]] core::settings::FeelPreset veiled(core::settings::FeelPreset preset);
+[[nodiscard]] bool isVeiled(const core::settings::FeelPreset& preset);
+
 /// Two-sided exact binomial test of `hits` in `of` against a fair coin.
 [[nodiscard]] double binomialP(int hits, int of);
 

@@ -6,6 +6,7 @@
 
 #include <QButtonGroup>
 #include <QComboBox>
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -100,7 +101,6 @@ QWidget* PresetsPage::makeList()
     m_list->setFrameShape(QFrame::NoFrame);
     m_list->setProperty("kind", "plain");
     m_list->setObjectName(QStringLiteral("presetList"));
-    m_list->setWordWrap(true);
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_list->setSpacing(2);
     connect(m_list, &QListWidget::currentRowChanged, this, [this](int at) {
@@ -225,6 +225,11 @@ QWidget* PresetsPage::makeDetails()
     m_fault = study::faultLabel(side);
     m_fault->setObjectName(QStringLiteral("presetFault"));
     column->addWidget(m_fault);
+    m_faultDetail = study::formWords({}, kSmall, QFont::Normal, QPalette::PlaceholderText, side);
+    m_faultDetail->setObjectName(QStringLiteral("presetFaultDetail"));
+    m_faultDetail->setTextFormat(Qt::PlainText);
+    column->addWidget(m_faultDetail);
+    column->addWidget(makeAside(side));
     m_try = button("filled", "presetTry", side);
     m_save = button("", "presetSave", side);
     auto* copy = button("", "presetCopy", side);
@@ -274,6 +279,45 @@ QWidget* PresetsPage::makeDetails()
         m_use->setToolTip(tr("Every tooth feels like this, unless its lesson says otherwise"));
     });
     return side;
+}
+
+/// What was changed and not kept when another version was looked at.
+QWidget* PresetsPage::makeAside(QWidget* parent)
+{
+    m_aside = new QWidget(parent);
+    auto* row = new QHBoxLayout(m_aside);
+    row->setContentsMargins(0, 0, 0, 0);
+    m_asideWords = study::formWords({}, kSmall, QFont::Normal, QPalette::WindowText, m_aside);
+    m_asideWords->setObjectName(QStringLiteral("presetAside"));
+    m_asideWords->setTextFormat(Qt::PlainText);
+    auto* back = button("", "presetAsideBack", m_aside);
+    row->addWidget(m_asideWords, 1);
+    row->addWidget(back);
+    connect(back, &QPushButton::clicked, this, [this] {
+        const auto [base, draft] = *std::exchange(m_putAside, {});
+        select(base);
+        setDraft(draft);
+    });
+    text::inEveryLanguage(m_aside, [this, back] {
+        back->setText(tr("Bring the changes back"));
+        back->setAccessibleName(back->text());
+        tellAside();
+    });
+    return m_aside;
+}
+
+void PresetsPage::putAside()
+{
+    if (isChanged())
+        m_putAside.emplace(m_base, m_draft);
+}
+
+void PresetsPage::tellAside()
+{
+    m_aside->setVisible(m_putAside.has_value());
+    if (m_putAside)
+        //: %1 is a hardness preset
+        m_asideWords->setText(tr("What you had changed of %1 is put aside.").arg(presetWords(m_putAside->first)));
 }
 
 QWidget* PresetsPage::makeCompare(QWidget* parent)
@@ -341,18 +385,19 @@ void PresetsPage::fill()
     for (std::size_t k = 0; k < m_all.size(); ++k) {
         const lessons::ReadPreset& read = m_all[k];
         if (!read.preset) {
-            auto* item = new QListWidgetItem(QStringLiteral("⚠ ") + read.faults.front().sentence(), m_list);
+            auto* item = new QListWidgetItem(QStringLiteral("⚠ ") + faultWords(read), m_list);
             item->setFlags(Qt::NoItemFlags);
-            item->setToolTip(brokenIntoLines(read.faults.front().sentence()));
+            item->setSizeHint({0, kRowPx});
+            item->setToolTip(brokenIntoLines(QFileInfo(read.file).fileName() + u'\n' + faultWords(read)));
             continue;
         }
         QString second = tr("version %1").arg(read.preset->version);
-        if (read.file.isEmpty())
-            second += QStringLiteral(" · ") + tr("shipped");
         if (isSameVersion(*read.preset, m_inUse))
             second += QStringLiteral(" · ") + tr("in use");
+        if (read.file.isEmpty())
+            second += QStringLiteral(" · ") + tr("shipped");
         auto* item = new QListWidgetItem(nameOf(*read.preset) + u'\n' + second, m_list);
-        item->setSizeHint({kListPx - kSpace6, kRowPx});
+        item->setSizeHint({0, kRowPx});  // as wide as the list is
         item->setToolTip(brokenIntoLines(presetWords(*read.preset)));
         if (isSameVersion(*read.preset, m_base))
             m_list->setCurrentItem(item);
@@ -396,22 +441,35 @@ void PresetsPage::select(const FeelPreset& preset)
 void PresetsPage::show(const FeelPreset& preset)
 {
     setFault({});
+    if (m_draft.name != preset.name || !isSameFeel(m_draft, preset))  // else it has just been kept
+        putAside();
     m_base = preset;
-    m_draft = preset;
     m_otherIsChosen = false;
-    m_name->setText(nameOf(preset));
-    m_notes->setText(QString::fromStdString(preset.notes));
-    m_simple->setPreset(preset, preset);
-    m_table->setPreset(preset);
+    write(preset);
+}
+
+void PresetsPage::write(const FeelPreset& draft)
+{
+    m_draft = draft;
+    m_name->setText(nameOf(draft));
+    m_notes->setText(QString::fromStdString(draft.notes));
+    m_simple->setPreset(m_base, draft);
+    m_table->setPreset(draft);
+    tellAside();
     tell();
 }
 
 void PresetsPage::setDraft(const FeelPreset& preset)
 {
-    m_draft = preset;
-    m_simple->setPreset(m_base, preset);
-    m_table->setPreset(preset);
-    tell();
+    if (!isSameVersion(preset, m_draft))
+        for (std::size_t k = 0; k < m_all.size(); ++k)
+            if (m_all[k].preset && isSameVersion(*m_all[k].preset, preset)) {
+                const QSignalBlocker quiet(m_list);
+                m_list->setCurrentRow(static_cast<int>(k));
+                putAside();
+                m_base = *m_all[k].preset;
+            }
+    write(preset);
 }
 
 /// Numbers alone: the words stand in their own lines.
@@ -492,7 +550,9 @@ void PresetsPage::setMayKeep(bool may)
 
 void PresetsPage::setFault(const QString& sentence)
 {
-    study::showFault(m_fault, sentence);
+    study::showFault(m_fault, sentence.section(u'\n', 0, 0));
+    m_faultDetail->setText(sentence.section(u'\n', 1));
+    m_faultDetail->setVisible(!m_faultDetail->text().isEmpty());
 }
 
 }  // namespace ui::presets

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "lessons/PresetFile.h"
@@ -33,9 +34,9 @@ public:
     void setPresets(std::vector<lessons::ReadPreset> all, const core::settings::FeelPreset& inUse);
     /// Shows this version: it has just been kept.
     void select(const core::settings::FeelPreset& preset);
-    /// Takes over what was turned while it was tried.
+    /// Takes over what was turned while it was tried: the version on the page, or what was loaded in the console.
     void setDraft(const core::settings::FeelPreset& preset);
-    /// What could not be done, beside the buttons; empty: nothing any more.
+    /// What could not be done, beside the buttons, a second line of it quieter; empty: nothing any more.
     void setFault(const QString& sentence);
 
     /// Versions can be kept, imported and put to use; else they are looked at and tried.
@@ -61,9 +62,13 @@ protected:
 private:
     QWidget* makeList();
     QWidget* makeDetails();
+    QWidget* makeAside(QWidget* parent);
     QWidget* makeCompare(QWidget* parent);
     void fill();
     void show(const core::settings::FeelPreset& preset);
+    void write(const core::settings::FeelPreset& draft);
+    void putAside();
+    void tellAside();
     void take(const core::settings::FeelPreset& preset);
     void tell();
     void offerOther();
@@ -75,6 +80,8 @@ private:
     core::settings::FeelPreset m_inUse;
     core::settings::FeelPreset m_base;   ///< the version that is chosen in the list
     core::settings::FeelPreset m_draft;  ///< what has been made of it
+    /// A version, and what had been made of it when another was chosen.
+    std::optional<std::pair<core::settings::FeelPreset, core::settings::FeelPreset>> m_putAside;
 
     bool m_mayKeep = true;
     bool m_otherIsChosen = false;  ///< what to compare with, by hand
@@ -91,6 +98,9 @@ private:
     QWidget* m_burChoice = nullptr;  ///< of the chart
     QLabel* m_bound = nullptr;
     QLabel* m_fault = nullptr;
+    QLabel* m_faultDetail = nullptr;
+    QWidget* m_aside = nullptr;
+    QLabel* m_asideWords = nullptr;
     QComboBox* m_other = nullptr;
     QSpinBox* m_trials = nullptr;
     QPushButton* m_compare = nullptr;

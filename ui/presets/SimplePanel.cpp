@@ -83,12 +83,6 @@ void SimplePanel::setPreset(const core::settings::FeelPreset& base, const core::
     }
 }
 
-void SimplePanel::reset()
-{
-    setPreset(m_base, m_base);
-    tell();
-}
-
 void SimplePanel::tell()
 {
     Dials dials{};

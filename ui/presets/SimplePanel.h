@@ -20,7 +20,6 @@ public:
 
     /// The dials stand as they turn `base` into `preset`. One that they do not come to is their middle from now on.
     void setPreset(const core::settings::FeelPreset& base, const core::settings::FeelPreset& preset);
-    void reset();
 
 signals:
     void changed(const core::settings::FeelPreset& preset);

@@ -89,16 +89,15 @@ TrialCard::TrialCard(QWidget* parent)
     connect(saysB, &QPushButton::clicked, this, [this] { answer(Answer::B); });
     auto* back = button("filled", "trialBack", this);
     connect(back, &QPushButton::clicked, this, &TrialCard::done);
-    connect(m_reset, &QPushButton::clicked, m_dials, &SimplePanel::reset);
+    connect(m_reset, &QPushButton::clicked, this, [this] {
+        m_dials->setPreset(m_base, m_asItWas);
+        turn(m_asItWas);
+    });
     connect(m_csv, &QPushButton::clicked, this, [this] {
         if (m_trial)
             emit csvWanted(m_trial->csv());
     });
-    connect(m_dials, &SimplePanel::changed, this, [this](const core::settings::FeelPreset& preset) {
-        m_tuned = preset;
-        draw();
-        emit felt(preset);
-    });
+    connect(m_dials, &SimplePanel::changed, this, &TrialCard::turn);
     m_chart->setMaximumHeight(kHighestChartPx);
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(m_reset);
@@ -143,6 +142,8 @@ TrialCard::TrialCard(QWidget* parent)
 void TrialCard::tune(const core::settings::FeelPreset& base, const core::settings::FeelPreset& preset)
 {
     m_trial.reset();
+    if (isHidden())  // else the console has turned it
+        m_asItWas = dialsFor(base, preset) ? base : preset;
     m_base = base;
     m_tuned = preset;
     m_dials->setPreset(base, preset);
@@ -175,6 +176,13 @@ void TrialCard::follow(std::size_t bur, std::size_t handpiece, double cutMm3)
         return;
     with = true;
     say();
+}
+
+void TrialCard::turn(const core::settings::FeelPreset& preset)
+{
+    m_tuned = preset;
+    draw();
+    emit felt(preset);
 }
 
 /// What the dials make of the feed.
@@ -241,15 +249,17 @@ void TrialCard::hold(Answer letter)
     m_held = letter;
     m_a->setChecked(letter == Answer::A);
     m_b->setChecked(letter == Answer::B);
-    emit felt(m_trial->behind(letter));
+    emit felt(veiled(m_trial->behind(letter)));
 }
 
 void TrialCard::answer(Answer said)
 {
     m_trial->answer(said);
     beginAnew();
-    if (m_trial->isOver())
+    if (m_trial->isOver()) {
+        emit felt(m_trial->behind(m_held));  // no secret any more
         return;
+    }
     emit freshBlockWanted();
     hold(Answer::A);
 }

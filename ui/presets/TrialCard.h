@@ -23,6 +23,7 @@ class TrialCard : public QFrame
 public:
     explicit TrialCard(QWidget* parent);
 
+    /// While it is shown: another preset in the same trial.
     /// @param base  the version that `preset` was made of
     void tune(const core::settings::FeelPreset& base, const core::settings::FeelPreset& preset);
     void compare(const BlindTrial& trial);
@@ -36,7 +37,7 @@ public:
     void follow(std::size_t bur, std::size_t handpiece, double cutMm3);
 
 signals:
-    /// This preset is to be felt from now on.
+    /// This preset is to be felt from now on; in a comparison it is veiled().
     void felt(const core::settings::FeelPreset& preset);
     /// The block is to be whole again: another trial begins.
     void freshBlockWanted();
@@ -50,6 +51,7 @@ protected:
 private:
     void say();
     void draw();
+    void turn(const core::settings::FeelPreset& preset);
     void beginAnew();
     void hold(BlindTrial::Answer letter);
     void answer(BlindTrial::Answer said);
@@ -65,6 +67,7 @@ private:
     QWidget* m_answers;
     QPushButton* m_csv;
     core::settings::FeelPreset m_base;
+    core::settings::FeelPreset m_asItWas;  ///< before anything was turned in this trial
     std::optional<core::settings::FeelPreset> m_tuned;
     std::optional<BlindTrial> m_trial;
     BlindTrial::Answer m_held = BlindTrial::Answer::A;

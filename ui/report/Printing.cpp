@@ -4,7 +4,6 @@
 #include <memory>
 
 #include <QCoreApplication>
-#include <QFileDialog>
 #include <QLocale>
 #include <QMarginsF>
 #include <QPageLayout>
@@ -14,6 +13,7 @@
 #include <QRegularExpression>
 #include <QSaveFile>
 
+#include "ui/shell/FileDialog.h"
 #include "ui/shell/Folders.h"
 
 namespace ui::report {
@@ -49,7 +49,6 @@ void ask(QWidget* window, const QString& title, const Content& content, const st
     printer->setPageSize(QPageSize(usualPaper()));
     printer->setPageMargins({kMarginMm, kMarginMm, kMarginMm, kMarginMm}, QPageLayout::Millimeter);
     auto* dialog = new QPrintDialog(printer.get(), window);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
     // The printer lives as long as the dialog that knows it.
     QObject::connect(dialog, &QDialog::accepted, window,
                      [printer, content, done] { done(paintOn(*printer, content)); });
@@ -68,14 +67,12 @@ void askForPdf(QWidget* window, const QString& title, const QString& name,
 {
     static const QRegularExpression kUnfit(QStringLiteral(R"([^\w .,()-]+)"),
                                            QRegularExpression::UseUnicodePropertiesOption);
-    auto* dialog = new QFileDialog(window, title, shell::documentsFolder(),
-                                   QCoreApplication::translate("Printing", "PDF (*.pdf)"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    auto* dialog = new shell::FileDialog(window, title, shell::documentsFolder(),
+                                         QCoreApplication::translate("Printing", "PDF (*.pdf)"));
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(QStringLiteral("pdf"));
     dialog->selectFile(QString(name).replace(kUnfit, QStringLiteral(" ")).simplified() + QStringLiteral(".pdf"));
     QObject::connect(dialog, &QFileDialog::fileSelected, window, chosen);
-    QObject::connect(dialog, &QDialog::finished, window, &QWidget::activateWindow);
     dialog->open();
 }
 

@@ -4,12 +4,15 @@
 #include <QCoreApplication>
 #include <QImage>
 #include <QLocale>
+#include <QPicture>
 
 #include "ui/people/HistoryCharts.h"
 #include "ui/report/Report.h"
 #include "ui/report/Sheet.h"
+#include "ui/study/ConductNotes.h"
 #include "ui/study/CriterionRow.h"
 #include "ui/study/HeatMap.h"
+#include "ui/study/ScorePage.h"
 #include "ui/study/WorstSection.h"
 #include "ui/text/Texts.h"
 
@@ -23,6 +26,8 @@ struct Words
 
 constexpr QSize kPicturePx{520, 460};
 constexpr double kPicturePt = 210.0;
+constexpr double kLeastPicturePt = 120.0;
+constexpr double kPictureStepPt = 10.0;
 constexpr double kChartPt = 158.0;
 constexpr double kLostPt = 70.0;  ///< width of the column of points
 constexpr std::size_t kMomentsTold = 3;
@@ -46,6 +51,21 @@ QImage pictureOf(const study::ScoredWork& work, std::optional<std::size_t> node)
     return image;
 }
 
+/// Breaches and aids, as the score page tells them.
+void paintConduct(Sheet& sheet, const ScoreCard& card)
+{
+    if (!card.work || !card.work->measured.process)
+        return;
+    QString breaches = study::ConductNotes::countWords(card.work->infractions);
+    QStringList told;
+    for (const core::grading::Infraction& infraction : card.work->infractions)
+        told << study::ConductNotes::breachWords(infraction);
+    if (!told.isEmpty())
+        breaches += QStringLiteral(": ") + told.join(QStringLiteral("; "));
+    sheet.say(breaches, kTextPt);
+    sheet.say(text::aidWords(card.work->aids), kTextPt);
+}
+
 void paintResult(Sheet& sheet, const ScoreCard& card)
 {
     const database::AttemptRecord& attempt = card.attempt;
@@ -53,11 +73,10 @@ void paintResult(Sheet& sheet, const ScoreCard& card)
     //: %1: a person; %2: date and time
     sheet.say(Words::tr("%1, %2").arg(card.person, people::when(attempt.finishedUtc)), kHeadPt);
     sheet.skip(4.0);
-    const bool passed = attempt.countsAsPassed();
-    const QString points = text::points(attempt.countingTenths());
-    sheet.say((passed ? Words::tr("%1 of 100 points: passed (pass mark %2)")
-                      : Words::tr("%1 of 100 points: not passed (pass mark %2)"))
-                  .arg(points, text::points(attempt.passMarkTenths)),
+    //: %1 and %2: points; %3: "Passed", "Not passed: harm done"
+    sheet.say(Words::tr("%1 of 100 points, pass mark %2. %3")
+                  .arg(text::points(attempt.countingTenths()), text::points(attempt.passMarkTenths),
+                       study::ScorePage::verdictWords(card.sheet, attempt.givenTenths)),
               kTitlePt, QFont::DemiBold);
     if (attempt.givenTenths) {
         sheet.say(
@@ -80,6 +99,7 @@ void paintResult(Sheet& sheet, const ScoreCard& card)
                   .arg(people::clock(attempt.durationMs), text::number(0.001 * attempt.meanForceMn, 2),
                        text::number(0.001 * attempt.peakForceMn, 2)),
               kTextPt);
+    paintConduct(sheet, card);
 }
 
 QString momentsOf(const ScoreCard& card, std::size_t k)
@@ -130,18 +150,25 @@ void paintCriteria(Sheet& sheet, const ScoreCard& card)
     sheet.say(text::scoreSum(card.sheet), kTextPt, QFont::DemiBold);
 }
 
-void paintPictures(Sheet& sheet, const ScoreCard& card)
+/// From above, and in a section through the place that is farthest off; none where the work is not known.
+QList<QImage> picturesOf(const ScoreCard& card)
 {
     if (!card.work)
-        return;
+        return {};
     const auto node = study::farthestOff(*card.work);
-    sheet.head(Words::tr("On the tooth, and in a section through the place that is farthest off"), kPicturePt);
+    return {pictureOf<study::HeatMap>(*card.work, node), pictureOf<study::WorstSection>(*card.work, node)};
+}
+
+void paintPictures(Sheet& sheet, const QList<QImage>& pictures, double mostHigh)
+{
+    if (pictures.isEmpty())
+        return;
     const double wide = 0.5 * (sheet.width() - 10.0);
-    const double high = std::min(kPicturePt, wide * kPicturePx.height() / kPicturePx.width());
+    const double high = std::min(mostHigh, wide * kPicturePx.height() / kPicturePx.width());
     const double drawn = high * kPicturePx.width() / kPicturePx.height();
+    sheet.head(Words::tr("On the tooth, and in a section through the place that is farthest off"), high);
     double left = 0.0;
-    for (const QImage& picture :
-         {pictureOf<study::HeatMap>(*card.work, node), pictureOf<study::WorstSection>(*card.work, node)}) {
+    for (const QImage& picture : pictures) {
         const QRectF box(left, sheet.top(), drawn, high);
         sheet.painter().setRenderHint(QPainter::SmoothPixmapTransform);
         sheet.painter().drawImage(box, picture);
@@ -197,24 +224,46 @@ void paintCircumstances(Sheet& sheet, const ScoreCard& card)
     sheet.say(Words::tr("Not measured: undercuts and walls past 90°, because the model is a height field."), kTextPt);
 }
 
-}  // namespace
-
-int paint(QPainter& painter, const QSizeF& pagePt, const NextPage& next, const ScoreCard& card)
+int paintAll(QPainter& painter, const QSizeF& pagePt, const NextPage& next, const ScoreCard& card,
+             const QList<QImage>& pictures, double picturePt)
 {
     Sheet sheet(painter, pagePt, next, QStringLiteral("%1, %2").arg(card.person, card.lesson), card.proof);
     paintResult(sheet, card);
     paintCriteria(sheet, card);
-    paintPictures(sheet, card);
+    paintPictures(sheet, pictures, picturePt);
     people::ChartedAttempts charted;
     charted.newestFirst = card.history;
     charted.isOneLesson = true;
     charted.band = card.band;
-    if (!card.history.isEmpty()) {
+    if (!card.history.isEmpty())
         sheet.chartRow({people::scoreChart(charted), people::speedChart(charted)}, kChartPt);
-    }
     paintTalk(sheet, card);
     paintCircumstances(sheet, card);
     return sheet.pages();
+}
+
+/// As high as they can be without asking for one more page.
+double pictureHeight(const QSizeF& pagePt, const ScoreCard& card, const QList<QImage>& pictures)
+{
+    const auto pages = [&](double picturePt) {
+        QPicture nothing;
+        QPainter painter(&nothing);
+        return paintAll(
+            painter, pagePt, [] {}, card, pictures, picturePt);
+    };
+    const int fewest = pages(kLeastPicturePt);
+    double high = kPicturePt;
+    while (high > kLeastPicturePt && pages(high) > fewest)
+        high -= kPictureStepPt;
+    return high;
+}
+
+}  // namespace
+
+int paint(QPainter& painter, const QSizeF& pagePt, const NextPage& next, const ScoreCard& card)
+{
+    const QList<QImage> pictures = picturesOf(card);
+    return paintAll(painter, pagePt, next, card, pictures, pictureHeight(pagePt, card, pictures));
 }
 
 }  // namespace ui::report

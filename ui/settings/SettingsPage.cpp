@@ -178,7 +178,15 @@ QWidget* SettingsPage::makeRow(const core::settings::Parameter& parameter, QWidg
         number->setObjectName(QString::fromStdString(parameter.name));
         connect(number, &QDoubleSpinBox::valueChanged, this,
                 [this, key = parameter.name](double value) { set(key, value); });
-        row.show = [number, bound] { number->setValue(bound->read()); };
+        row.show = [number, bound] {
+            const bool veiled = console::isVeiled(*bound);
+            number->setEnabled(!veiled);
+            number->setToolTip(veiled ? brokenIntoLines(console::blindWords()) : QString());
+            if (veiled)
+                number->clear();
+            else
+                number->setValue(bound->read());
+        };
         line->addWidget(number);
     }
     auto* words =

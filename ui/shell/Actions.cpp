@@ -193,7 +193,7 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window)
     help = add("help", QT_TR_NOOP("Keys and mouse"), QT_TR_NOOP("Show what every key does"), {Qt::Key_F1});
     tour = add("expert", QT_TR_NOOP("Take the tour"), QT_TR_NOOP("Be shown round, step by step"),
                {Qt::SHIFT | Qt::Key_F1});
-    back = add("back", QT_TR_NOOP("Back to the tooth"), QT_TR_NOOP("Close what lies over the tooth; nothing is lost"),
+    back = add("back", [this] { return wayBack(); }, QT_TR_NOOP("Close what is open here; nothing is lost"),
                {Qt::Key_Escape});
     quit = add("close", QT_TR_NOOP("Quit"), QT_TR_NOOP("Close Cusp"), {Qt::CTRL | Qt::Key_Q});
     text::inEveryLanguage(window, [this] { speak(); });
@@ -204,6 +204,27 @@ void Actions::showReplayPaused(bool paused)
     m_isReplayPaused = paused;
     pauseReplay->setText(paused ? tr("Resume the replay") : tr("Pause the replay"));
     pauseReplay->setIcon(lineIcon(paused ? QStringLiteral("play") : QStringLiteral("pause"), roomPalette()));
+}
+
+QString Actions::wayBack() const
+{
+    switch (m_back) {
+    case Back::Attempts:
+        return tr("Back to the attempts");
+    case Back::Class:
+        return tr("Back to the class");
+    case Back::Lessons:
+        return tr("Back to the lessons");
+    case Back::Tooth:
+        break;
+    }
+    return tr("Back to the tooth");
+}
+
+void Actions::showWayBack(Back to)
+{
+    m_back = to;
+    back->setText(wayBack());
 }
 
 void Actions::showAccount(const QString& username)

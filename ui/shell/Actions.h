@@ -36,6 +36,9 @@ public:
     void showReplayPaused(bool paused);
     /// @param username  empty: a guest
     void showAccount(const QString& username);
+    /// Where `back` leads from the page that is shown.
+    enum class Back { Tooth, Lessons, Attempts, Class };
+    void showWayBack(Back to);
     /// An aid that the lesson does not allow says so in its tooltip, or why else it is not to be had. Whether it is
     /// enabled is the window's business.
     static void setAllowed(QAction* aid, bool allowed, const QString& whyNot = {});
@@ -123,7 +126,9 @@ private:
     QWidget* m_window;
     QList<Group> m_groups;
     QList<Words> m_words;
+    [[nodiscard]] QString wayBack() const;
     QString m_username;
+    Back m_back = Back::Tooth;
     bool m_isReplayPaused = false;
 };
 

@@ -14,7 +14,6 @@
 #include <QDir>
 #include <QDragEnterEvent>
 #include <QDropEvent>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QIcon>
 #include <QKeyEvent>
@@ -48,6 +47,7 @@
 #include "ui/shell/AccountMenu.h"
 #include "ui/shell/Actions.h"
 #include "ui/shell/BusyCard.h"
+#include "ui/shell/FileDialog.h"
 #include "ui/shell/Folders.h"
 #include "ui/shell/HelpOverlay.h"
 #include "ui/shell/LineIcon.h"
@@ -57,7 +57,6 @@
 #include "ui/shell/StereoCard.h"
 #include "ui/shell/Theme.h"
 #include "ui/shell/ToothChooser.h"
-#include "ui/shell/Tour.h"
 #include "ui/shell/ViewMenu.h"
 #include "ui/study/ExerciseCard.h"
 #include "ui/study/Forecast.h"
@@ -146,10 +145,12 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
       m_console(new console::Console(m_parameters, *m_watch, m_room)),
       m_xray(new inside::XrayPage(*m_actions, m_pages)), m_messages(new MessageBar(m_pages)),
       m_busy(new BusyCard(m_pages)), m_help(new HelpOverlay(*m_actions, m_pages)),
-      m_tour(new Tour(*m_actions, *m_room, *m_lessonsPage, m_pages)), m_stereoCard(new StereoCard(m_room)),
-      m_infractionCard(new study::InfractionCard(m_room)),
+      m_tour(new Tour(*m_actions, {*m_room, *m_lessonsPage, *m_classes, *m_admin}, m_pages)),
+      m_stereoCard(new StereoCard(m_room)), m_infractionCard(new study::InfractionCard(m_room)),
       m_exerciseCard(new study::ExerciseCard(m_actions->grade, m_room))
 {
+    m_behindScore = m_room;
+    m_behindHistory = m_room;
     setWindowIcon(QIcon(QStringLiteral(":/ui/cusp.svg")));
     setMinimumSize(kSmallest);
     resize(firstSize(screen()->availableSize()));
@@ -398,6 +399,10 @@ void MainWindow::connectDoor()
         goTo(m_admin);
         m_admin->show(m_admin->part());
     });
+    connect(m_classes, &people::ClassPage::peopleWanted, this, [this] {
+        m_admin->show(admin::AdminPage::People);
+        goTo(m_admin);
+    });
     connect(m_login, &LoginPage::loginWanted, this, &MainWindow::loginWanted);
     connect(m_login, &LoginPage::codeWanted, this, &MainWindow::codeWanted);
     connect(m_login, &LoginPage::schoolWanted, this, &MainWindow::schoolWanted);
@@ -414,15 +419,34 @@ void MainWindow::connectTour()
 {
     connect(m_actions->tour, &QAction::triggered, this, &MainWindow::beginTour);
     connect(m_tour, &Tour::pageWanted, this, [this](Tour::Where where) {
-        if (where == Tour::Where::Room)
-            goTo(m_room);
-        else if (m_pages->currentWidget() != m_lessonsPage)
-            openLessons();
+        QWidget* const page = tourPage(where);
+        if (m_pages->currentWidget() == page)
+            return;
+        if (page == m_lessonsPage)
+            emit lessonsWanted();
+        else if (page == m_classes)
+            emit classesWanted();
+        goTo(page);
     });
     connect(m_tour, &Tour::ended, this, [this] {
         goTo(m_beforeTour != nullptr ? m_beforeTour : m_room);
         emit tourEnded();
     });
+}
+
+QWidget* MainWindow::tourPage(Tour::Where where) const
+{
+    switch (where) {
+    case Tour::Where::Lessons:
+        return m_lessonsPage;
+    case Tour::Where::Classes:
+        return m_classes;
+    case Tour::Where::School:
+        return m_admin;
+    case Tour::Where::Room:
+        break;
+    }
+    return m_room;
 }
 
 void MainWindow::beginTour()
@@ -506,6 +530,7 @@ void MainWindow::setWho(const database::Session& who)
     m_actions->showAccount(QString::fromStdString(who.username()));
     m_actions->attempts->setVisible(!who.isGuest());
     m_actions->school->setVisible(who.role() == database::Role::Admin);
+    m_classes->setMayEnter(who.role() == database::Role::Admin);
     m_actions->classes->setVisible(who.role() == database::Role::Instructor || who.role() == database::Role::Admin);
     if (!isAtDoor())
         return;
@@ -522,6 +547,8 @@ void MainWindow::setMayEdit(bool may)
 
 void MainWindow::openHistory()
 {
+    if (m_pages->currentWidget() != m_history)
+        m_behindHistory = m_pages->currentWidget() == m_classes ? static_cast<QWidget*>(m_classes) : m_room;
     goTo(m_history);
 }
 
@@ -542,6 +569,10 @@ void MainWindow::showOldScore(const QString& work, const lessons::ScoreSheet& sh
 {
     m_busy->done();
     m_scorePage->setScore(work, sheet, history, expected, scored);
+    m_behindScore = m_room;
+    for (QWidget* list : std::initializer_list<QWidget*>{m_history, m_lessonsPage})
+        if (m_askedFrom == list)
+            m_behindScore = list;
     goTo(m_scorePage);
 }
 
@@ -556,7 +587,10 @@ void MainWindow::leaveAll()
     if (m_actions->idealColours->isChecked())
         m_viewMenu->colourAgainstIdeal(false);
     m_behindDoor = m_room;
+    m_behindScore = m_room;
+    m_behindHistory = m_room;
     m_lessonsPage->setUnfinished({}, {});
+    m_lessonsPage->forget();
     for (const auto topic : {MessageBar::Topic::Tooth, MessageBar::Topic::Unfinished, MessageBar::Topic::General})
         m_messages->withdraw(topic);
 }
@@ -565,6 +599,8 @@ void MainWindow::refuseLogin(const core::Error& error)
 {
     if (error.code == core::ErrorCode::NewPassword)
         m_login->ask(people::Door::NewPassword);
+    else if (error.code == core::ErrorCode::OutOfRange)
+        m_login->refuseNewPassword(text::loginFault(error));
     else
         m_login->refuse(text::loginFault(error));
 }
@@ -812,9 +848,10 @@ void MainWindow::editChosenLesson()
 
 void MainWindow::openHome()
 {
-    if (m_who.role() == database::Role::Instructor)
+    if (m_who.role() == database::Role::Instructor) {
         m_actions->classes->trigger();
-    else if (m_who.role() == database::Role::Admin)
+        goTo(m_classes);  // a tour that begins before it is filled ends here
+    } else if (m_who.role() == database::Role::Admin)
         m_actions->school->trigger();
     else
         openLessons();
@@ -847,7 +884,10 @@ void MainWindow::connectReplay()
     replay::ReplayBar& bar = m_room->replay();
     connect(&bar, &replay::ReplayBar::stopWanted, this, &MainWindow::replayStopRequested);
     connect(&bar, &replay::ReplayBar::speedChosen, this, &MainWindow::replaySpeedChosen);
-    connect(&bar, &replay::ReplayBar::seekWanted, this, &MainWindow::seekWanted);
+    connect(&bar, &replay::ReplayBar::seekWanted, this, [this](double seconds) {
+        m_messages->withdraw(MessageBar::Topic::Tooth);  // it is at its end no longer
+        emit seekWanted(seconds);
+    });
     const auto hold = [this](bool paused) {
         showReplayPaused(paused);
         emit replayPauseRequested(paused);
@@ -1365,12 +1405,20 @@ void MainWindow::goTo(QWidget* page)
         m_behindDoor = page;
         return;
     }
+    // What opens meanwhile is there when the tour has ended; the page it speaks of stays, and so does the keyboard.
+    if (m_tour->isVisible() && page != m_login && page != tourPage(m_tour->where())) {
+        m_beforeTour = page;
+        return;
+    }
+    if (m_tour->isVisible() && page == m_pages->currentWidget())
+        return;
     m_help->hide();
     if (page == m_login)
         m_tour->breakOff();
     if (page == m_lessonsPage)
         m_lessonsPage->setUnsaved(m_editor->unsavedFiles());
     m_pages->setCurrentWidget(page);
+    sayWayBack();
     restBur();
     if (page == m_room && m_infractionCard->isVisible())
         m_infractionCard->setFocus();
@@ -1378,6 +1426,29 @@ void MainWindow::goTo(QWidget* page)
         m_view->setFocus();
     enableActions();
     placeOverlays();
+}
+
+/// Where Esc leads from the page that is shown.
+QWidget* MainWindow::pageBehind() const
+{
+    const QWidget* const page = m_pages->currentWidget();
+    if (page == m_editor)
+        return m_lessonsPage;
+    if (page == m_assign)
+        return m_classes;
+    if (page == m_scorePage)
+        return m_behindScore;
+    return page == m_history ? m_behindHistory : m_room;
+}
+
+/// What Esc, the arrow and the button of the page do is called by where they lead.
+void MainWindow::sayWayBack()
+{
+    const QWidget* const behind = pageBehind();
+    m_actions->showWayBack(behind == m_history       ? Actions::Back::Attempts
+                           : behind == m_classes     ? Actions::Back::Class
+                           : behind == m_lessonsPage ? Actions::Back::Lessons
+                                                     : Actions::Back::Tooth);
 }
 
 void MainWindow::goBack()
@@ -1393,12 +1464,8 @@ void MainWindow::goBack()
         m_view->setFocus();
     } else if (m_console->isVisible()) {
         m_actions->console->trigger();
-    } else if (m_pages->currentWidget() == m_editor) {
-        goTo(m_lessonsPage);
-    } else if (m_pages->currentWidget() == m_assign) {
-        goTo(m_classes);
     } else if (m_pages->currentWidget() != m_room) {
-        goTo(m_room);
+        goTo(pageBehind());
     } else if (m_infractionCard->isVisible()) {
         m_infractionCard->goOn();
     } else if (m_stereoCard->isVisible()) {
@@ -1681,6 +1748,7 @@ void MainWindow::showScore(const lessons::ScoreSheet& sheet, const QList<databas
         markExercise();
     }
     m_scorePage->setScore(workTitle(), sheet, history, expected, scored);
+    m_behindScore = m_room;
     goTo(m_scorePage);
 }
 
@@ -2004,8 +2072,7 @@ void MainWindow::askForFile(const QString& title, FileKind kind, const std::func
         folder = lessons::teachersFolder();
     if (!QFileInfo(folder).isDir())
         folder = documentsFolder();
-    auto* dialog = new QFileDialog(this, title, folder);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    auto* dialog = new FileDialog(this, title, folder);
     if (newName.isEmpty()) {
         dialog->setFileMode(QFileDialog::ExistingFile);
         dialog->setNameFilters({filter, tr("All files (*)")});
@@ -2019,8 +2086,6 @@ void MainWindow::askForFile(const QString& title, FileKind kind, const std::func
         memory().setValue(key, QFileInfo(path).absolutePath());
         chosen(path);
     });
-    // Without a window manager nobody else gives the keys back.
-    connect(dialog, &QDialog::finished, this, &MainWindow::activateWindow);
     dialog->open();  // beside the window's own events: nothing stops meanwhile
 }
 
@@ -2078,6 +2143,12 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event)
         break;
     default:
         break;
+    }
+    // An open list is closed, and not the page it stands on.
+    if (event->type() == QEvent::ShortcutOverride && QApplication::activePopupWidget() != nullptr &&
+        dynamic_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
+        event->accept();
+        return true;
     }
     // Who has walked to a button with Tab presses it with Space; only elsewhere Space switches the drill.
     if (event->type() == QEvent::ShortcutOverride && qobject_cast<QAbstractButton*>(watched) != nullptr &&

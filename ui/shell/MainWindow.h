@@ -33,6 +33,7 @@
 #include "ui/replay/HistoryPanel.h"
 #include "ui/shell/MessageBar.h"
 #include "ui/shell/QuestionCard.h"
+#include "ui/shell/Tour.h"
 #include "ui/study/Expectation.h"
 #include "ui/study/LessonsPage.h"
 #include "ui/study/ScoredWork.h"
@@ -91,7 +92,6 @@ class HelpOverlay;
 class PracticeRoom;
 class StereoCard;
 class ToothChooser;
-class Tour;
 class AccountMenu;
 class ViewMenu;
 
@@ -369,6 +369,8 @@ private:
     void wishHandpiece(int shipped);
     void goTo(QWidget* page);
     void goBack();
+    [[nodiscard]] QWidget* pageBehind() const;
+    void sayWayBack();
     /// What the student has cut off the present tooth; all zero on a whole one.
     [[nodiscard]] core::terrain::PerMaterial ownWork() const;
     [[nodiscard]] bool wouldLoseWork() const;
@@ -378,6 +380,7 @@ private:
     void leaveDrafts(const std::function<void()>& what);
     void connectDoor();
     void connectTour();
+    [[nodiscard]] QWidget* tourPage(Tour::Where where) const;
     void showAccount();
     void changePassword();
     void changeAccount();
@@ -512,8 +515,10 @@ private:
     QElapsedTimer m_sinceTouch;  ///< keys, mouse, pen, or the bur on the tooth
     std::chrono::milliseconds m_idleLimit = std::chrono::minutes(10);
     QTimer m_idleWatch;
-    QWidget* m_behindDoor = nullptr;  ///< the page to go on with
-    bool m_mayLeaveDoor = false;      ///< who practises as a guest, and has only looked at it
+    QWidget* m_behindScore = nullptr;    ///< the page from which the score card was opened
+    QWidget* m_behindHistory = nullptr;  ///< the same of the attempts
+    QWidget* m_behindDoor = nullptr;     ///< the page to go on with
+    bool m_mayLeaveDoor = false;         ///< who practises as a guest, and has only looked at it
     bool m_mayClose = false;
     bool m_hasCut = false;
     bool m_knowsTheFarSide = false;  ///< has been told why nothing is drilled from below

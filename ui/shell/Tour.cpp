@@ -5,6 +5,7 @@
 #include <array>
 
 #include <QAction>
+#include <QApplication>
 #include <QFrame>
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -45,10 +46,10 @@ QWidget* buttonOf(const QWidget& page, const QAction* action)
 
 }  // namespace
 
-Tour::Tour(const Actions& actions, QWidget& room, QWidget& lessons, QWidget* parent)
-    : QWidget(parent), m_actions(actions), m_room(room), m_lessons(lessons), m_card(new QFrame(this)),
-      m_title(new QLabel(m_card)), m_words(new QLabel(m_card)), m_count(new QLabel(m_card)),
-      m_skip(new QPushButton(m_card)), m_back(new QPushButton(m_card)), m_next(new QPushButton(m_card))
+Tour::Tour(const Actions& actions, const Pages& pages, QWidget* parent)
+    : QWidget(parent), m_actions(actions), m_pages(pages), m_card(new QFrame(this)), m_title(new QLabel(m_card)),
+      m_words(new QLabel(m_card)), m_count(new QLabel(m_card)), m_skip(new QPushButton(m_card)),
+      m_back(new QPushButton(m_card)), m_next(new QPushButton(m_card))
 {
     setObjectName(QStringLiteral("tour"));
     m_card->setProperty("kind", "card");
@@ -90,6 +91,11 @@ Tour::Tour(const Actions& actions, QWidget& room, QWidget& lessons, QWidget* par
     row->addWidget(m_next);
     column->addLayout(row);
     hide();
+    // A page that is filled meanwhile wants the keyboard for itself.
+    connect(qApp, &QApplication::focusChanged, this, [this](const QWidget*, const QWidget* now) {
+        if (!isHidden() && now != nullptr && parentWidget()->isAncestorOf(now) && !isAncestorOf(now))
+            m_next->setFocus();
+    });
     text::inEveryLanguage(this, [this] { speak(); });
 }
 
@@ -101,12 +107,27 @@ void Tour::add(Where where, QWidget* target, const char* title, const char* word
 
 void Tour::add(Where where, QAction* action, const char* title, const char* words)
 {
-    add(where, buttonOf(where == Where::Room ? m_room : m_lessons, action), title, words);
+    add(where, buttonOf(page(where), action), title, words);
+}
+
+const QWidget& Tour::page(Where where) const
+{
+    switch (where) {
+    case Where::Lessons:
+        return m_pages.lessons;
+    case Where::Classes:
+        return m_pages.classes;
+    case Where::School:
+        return m_pages.school;
+    case Where::Room:
+        break;
+    }
+    return m_pages.room;
 }
 
 void Tour::addDrilling(const char* title)
 {
-    add(Where::Room, m_room.findChild<tooth::ToothView*>(), title,
+    add(Where::Room, m_pages.room.findChild<tooth::ToothView*>(), title,
         QT_TR_NOOP("Move the bur with the mouse and press the left button to drill. Drag with the right button to turn "
                    "the view."));
 }
@@ -116,34 +137,36 @@ void Tour::begin(database::Role role)
     using database::Role;
     m_steps.clear();
     if (role == Role::Instructor) {
-        add(Where::Lessons, m_lessons.findChild<QListView*>(QStringLiteral("lessonList")), QT_TR_NOOP("All lessons"),
+        add(Where::Classes, m_actions.classes, QT_TR_NOOP("Your classes"),
+            QT_TR_NOOP("Here you see who needs you and how everybody does. Assign lessons, open attempts, replay them, "
+                       "and write comments."));
+        add(Where::Lessons, m_pages.lessons.findChild<QListView*>(QStringLiteral("lessonList")),
+            QT_TR_NOOP("All lessons"),
             QT_TR_NOOP("Those that come with Cusp, and your own. The search takes a word or the number of a tooth."));
         add(Where::Lessons, m_actions.editLesson, QT_TR_NOOP("Change a lesson"),
             QT_TR_NOOP("Change what a lesson asks for and how it marks, and see what that makes of earlier attempts."));
-        add(Where::Lessons, m_actions.classes, QT_TR_NOOP("Your classes"),
-            QT_TR_NOOP("Here you see who needs you and how everybody does. Assign lessons, open attempts, replay them, "
-                       "and write comments."));
         addDrilling(QT_TR_NOOP("Try it yourself"));
         add(Where::Room, m_actions.grade, QT_TR_NOOP("The grade"),
             QT_TR_NOOP("The work is measured, and the score card shows every lost point, where it was lost and when."));
     } else if (role == Role::Admin) {
-        add(Where::Lessons, m_actions.school, QT_TR_NOOP("The school"),
+        add(Where::School, m_actions.school, QT_TR_NOOP("The school"),
             QT_TR_NOOP("Enter people, one by one or from a list, put them into classes, and look after backups and the "
                        "audit."));
-        add(Where::Lessons, m_actions.classes, QT_TR_NOOP("Classes"),
+        add(Where::School, m_actions.classes, QT_TR_NOOP("Classes"),
             QT_TR_NOOP("How every class does at every lesson, as its teachers see it."));
         addDrilling(QT_TR_NOOP("Try it yourself"));
-        add(Where::Room, m_room.findChild<SidePanel*>(), QT_TR_NOOP("How it feels"),
+        add(Where::Room, m_pages.room.findChild<SidePanel*>(), QT_TR_NOOP("How it feels"),
             QT_TR_NOOP("Burs, force and depth are here. How hard teeth are is set in the hardness presets (F7)."));
     } else {
         addDrilling(QT_TR_NOOP("The tooth"));
         if (role == Role::Student)
-            add(Where::Lessons, m_lessons.findChild<QListView*>(QStringLiteral("lessonList")), QT_TR_NOOP("Lessons"),
+            add(Where::Lessons, m_pages.lessons.findChild<QListView*>(QStringLiteral("lessonList")),
+                QT_TR_NOOP("Lessons"),
                 QT_TR_NOOP("Choose here what to practise. What your class is to do comes first."));
         else
             add(Where::Room, m_actions.lessons, QT_TR_NOOP("Lessons"),
                 QT_TR_NOOP("Choose here what to practise. Each lesson says what it asks and how it is marked."));
-        add(Where::Room, m_room.findChild<SidePanel*>(), QT_TR_NOOP("Bur, force and depth"),
+        add(Where::Room, m_pages.room.findChild<SidePanel*>(), QT_TR_NOOP("Bur, force and depth"),
             QT_TR_NOOP("Take another bur, set how hard the mouse presses, and read force and depth while you drill."));
         add(Where::Room, m_actions.section, QT_TR_NOOP("Seeing inside"),
             QT_TR_NOOP("A live cut through the bur shows enamel, dentin and pulp, where the lesson allows it."));
@@ -161,6 +184,7 @@ void Tour::begin(database::Role role)
         QT_TR_NOOP("All keys are listed here. From there you can take this tour again."));
     if (m_steps.empty())
         return;
+    m_step = 0;
     QWidget::show();
     show(0);
 }

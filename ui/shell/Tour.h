@@ -25,10 +25,17 @@ class Tour final : public QWidget
     Q_OBJECT
 public:
     /// The pages where its steps are.
-    enum class Where { Room, Lessons };
+    enum class Where { Room, Lessons, Classes, School };
+    struct Pages
+    {
+        QWidget& room;
+        QWidget& lessons;
+        QWidget& classes;
+        QWidget& school;
+    };
 
-    /// @param room, lessons  where controls are looked for
-    Tour(const Actions& actions, QWidget& room, QWidget& lessons, QWidget* parent);
+    /// @param pages  where controls are looked for
+    Tour(const Actions& actions, const Pages& pages, QWidget* parent);
 
     /// From its first step, as it is for this role. Steps whose control is not there are left out.
     void begin(database::Role role);
@@ -41,6 +48,11 @@ public:
 
     [[nodiscard]] int steps() const { return static_cast<int>(m_steps.size()); }
     [[nodiscard]] int step() const { return m_step; }
+    /// The page of the step it is at.
+    [[nodiscard]] Where where() const
+    {
+        return m_steps.empty() ? Where::Room : m_steps.at(static_cast<std::size_t>(m_step)).where;
+    }
     /// That is lit; null while none is.
     [[nodiscard]] QWidget* target() const;
 
@@ -70,13 +82,13 @@ private:
     void add(Where where, QWidget* target, const char* title, const char* words);
     void add(Where where, QAction* action, const char* title, const char* words);
     void addDrilling(const char* title);
+    [[nodiscard]] const QWidget& page(Where where) const;
     void show(int step);
     void speak();
     void place();
 
     const Actions& m_actions;
-    QWidget& m_room;
-    QWidget& m_lessons;
+    Pages m_pages;
     std::vector<Step> m_steps;
     int m_step = 0;
     QRect m_lit;  ///< of the target, in this widget

@@ -79,11 +79,20 @@ void ConductNotes::setConduct(const core::grading::Process& process,
     speak();
 }
 
+QString ConductNotes::countWords(const std::vector<core::grading::Infraction>& infractions)
+{
+    return infractions.empty() ? tr("No breach of the rules")
+                               : tr("%n breach(es) of the rules", nullptr, static_cast<int>(infractions.size()));
+}
+
+QString ConductNotes::breachWords(const core::grading::Infraction& infraction)
+{
+    return tr("%1 at %2").arg(breachName(infraction), text::duration(std::floor(infraction.seconds)));
+}
+
 void ConductNotes::speak()
 {
-    m_title->setText(m_infractions.empty()
-                         ? tr("No breach of the rules")
-                         : tr("%n breach(es) of the rules", nullptr, static_cast<int>(m_infractions.size())));
+    m_title->setText(countWords(m_infractions));
     m_facts->setText(factsOf(*m_process, m_aids));
     fillBreaches();
 }
@@ -121,9 +130,7 @@ void ConductNotes::fillBreaches()
         return chip;
     };
     for (const core::grading::Infraction& infraction : shown) {
-        QPushButton* chip =
-            add(tr("%1 at %2").arg(breachName(infraction), text::duration(std::floor(infraction.seconds))),
-                tr("See it happen: play the attempt from here"));
+        QPushButton* chip = add(breachWords(infraction), tr("See it happen: play the attempt from here"));
         connect(chip, &QPushButton::clicked, this, [this, at = infraction.seconds] { emit momentWanted(at); });
     }
     if (shown.size() < m_infractions.size()) {

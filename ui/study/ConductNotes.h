@@ -26,6 +26,11 @@ public:
     void setConduct(const core::grading::Process& process, const std::vector<core::grading::Infraction>& infractions,
                     std::uint8_t aids);
 
+    /// "2 breaches of the rules".
+    [[nodiscard]] static QString countWords(const std::vector<core::grading::Infraction>& infractions);
+    /// "The pulp is open at 0:37".
+    [[nodiscard]] static QString breachWords(const core::grading::Infraction& infraction);
+
 signals:
     /// The attempt is to be seen from this moment on.
     void momentWanted(double seconds);

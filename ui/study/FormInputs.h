@@ -26,6 +26,7 @@ void showFault(QLabel* label, const QString& what);
 /// somebody has chosen it.
 void bindToForm(QWidget* input);
 
+/// A point and a comma are its decimal sign alike.
 /// @param unit  behind the number; may be empty
 /// @param name  for who hears it
 [[nodiscard]] QDoubleSpinBox* numberInput(double low, double high, int decimals, const QString& unit,

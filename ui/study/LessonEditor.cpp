@@ -6,7 +6,6 @@
 
 #include <QButtonGroup>
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QJsonDocument>
@@ -21,6 +20,8 @@
 #include "core/base/WholeFile.h"
 #include "lessons/Capture.h"
 #include "ui/shell/Actions.h"
+#include "ui/shell/FileDialog.h"
+#include "ui/shell/Folders.h"
 #include "ui/shell/ScrollPane.h"
 #include "ui/shell/Theme.h"
 #include "ui/study/DraftWeigher.h"
@@ -473,13 +474,10 @@ void LessonEditor::chooseReference(const QString& name)
 
 void LessonEditor::askForRecordings()
 {
-    auto* dialog = new QFileDialog(this, tr("Take recordings as the reference …"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    auto* dialog = new shell::FileDialog(this, tr("Take recordings as the reference …"), shell::documentsFolder());
     dialog->setFileMode(QFileDialog::ExistingFiles);
     dialog->setNameFilters({tr("Recordings (%1)").arg(QLatin1String(kRecordings))});
     connect(dialog, &QFileDialog::filesSelected, this, &LessonEditor::captureFrom);
-    // Without a window manager nobody else gives the keys back.
-    connect(dialog, &QDialog::finished, window(), [this] { window()->activateWindow(); });
     dialog->open();
 }
 

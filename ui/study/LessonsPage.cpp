@@ -19,6 +19,7 @@
 #include <QListView>
 #include <QPushButton>
 #include <QScreen>
+#include <QSignalBlocker>
 #include <QStandardItemModel>
 #include <QVBoxLayout>
 
@@ -428,6 +429,17 @@ void LessonsPage::tellMissing()
     m_missing->setText(tr("Given to you, but not on this computer: %1. Ask your teacher for the file.")
                            .arg(missing.join(QStringLiteral(", "))));
     m_missing->setVisible(!missing.isEmpty() && !m_entries.empty());
+}
+
+void LessonsPage::forget()
+{
+    {
+        const QSignalBlocker quiet(m_search);
+        m_search->clear();
+    }
+    m_filter->button(static_cast<int>(Filter::All))->setChecked(true);
+    fillList();
+    m_list->setCurrentIndex({});  // the next list chooses its own first
 }
 
 void LessonsPage::setPresent(const std::string& lessonId)

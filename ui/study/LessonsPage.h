@@ -67,6 +67,8 @@ public:
     void setPresent(const std::string& lessonId);
     /// Lessons that began from these files have been changed in the editor and not saved: the list says so.
     void setUnsaved(const QSet<QString>& files);
+    /// Somebody else comes: what was searched for, filtered and chosen is not his.
+    void forget();
     /// What is chosen in the list; null for none.
     [[nodiscard]] const ::lessons::CatalogEntry* chosen() const;
 

@@ -247,10 +247,10 @@ void ScorePage::arrange()
     m_cards->addWidget(m_resultCard, 0, 0, 1, 2);
     if (beside && m_talks) {
         // A place is pointed at in the picture while it is written about.
-        m_cards->addWidget(m_criteriaCard, 1, 0, 2, 1);
+        m_cards->addWidget(m_criteriaCard, 1, 0);
         m_cards->addWidget(m_placeCard, 1, 1);
+        m_cards->addWidget(m_historyCard, 2, 0, Qt::AlignTop);
         m_cards->addWidget(m_talkCard, 2, 1);
-        m_cards->addWidget(m_historyCard, 3, 0, 1, 2);
     } else if (beside) {
         // The pictures have the height that is left beside the criteria, or beside a few of them and the history.
         const bool areFew = m_criterionCount <= kFewCriteria;
@@ -543,6 +543,16 @@ void ScorePage::setWork(const QString& work)
     speak();
 }
 
+QString ScorePage::verdictWords(const ::lessons::ScoreSheet& sheet, std::optional<int> givenTenths)
+{
+    if (givenTenths)
+        return *givenTenths >= sheet.passMarkTenths ? tr("Passed, as the teacher decided")
+                                                    : tr("Not passed, as the teacher decided");
+    return sheet.passed()             ? tr("Passed")
+           : sheet.failedCritically() ? tr("Not passed: harm done")
+                                      : tr("Not passed yet");
+}
+
 /// All that is known of the score, in the language of today.
 void ScorePage::speak()
 {
@@ -573,11 +583,7 @@ void ScorePage::speak()
     const int total = m_given.value_or(m_sheet.totalTenths);
     m_total->setText(text::points(total), tr("of 100"));
     const bool passed = m_given ? *m_given >= m_sheet.passMarkTenths : m_sheet.passed();
-    m_verdict->setText(passed && m_given            ? tr("Passed, as the teacher decided")
-                       : passed                     ? tr("Passed")
-                       : m_given                    ? tr("Not passed, as the teacher decided")
-                       : m_sheet.failedCritically() ? tr("Not passed: harm done")
-                                                    : tr("Not passed yet"));
+    m_verdict->setText(verdictWords(m_sheet, m_given));
     m_verdictIcon->setPixmap(linePixmap(passed ? QStringLiteral("check") : QStringLiteral("cross"),
                                         passed                       ? tone.accent
                                         : m_sheet.failedCritically() ? tone.harm

@@ -77,6 +77,9 @@ public:
     void setKeeping(Keeping keeping);
     /// What people say of the attempt, under everything else; shown for one that is kept and was opened.
     [[nodiscard]] people::TalkPanel& talk() { return *m_talk; }
+    /// What a score came to, here and on paper.
+    /// @param givenTenths  by a teacher, where he did
+    [[nodiscard]] static QString verdictWords(const ::lessons::ScoreSheet& sheet, std::optional<int> givenTenths);
     /// What is shown, for paper; attempt, person, talk and proof are for who knows them.
     [[nodiscard]] report::ScoreCard card() const;
     /// What became of the card that was to be saved or printed.

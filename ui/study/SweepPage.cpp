@@ -5,13 +5,14 @@
 #include <utility>
 
 #include <QComboBox>
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "ui/shell/FileDialog.h"
+#include "ui/shell/Folders.h"
 #include "ui/shell/Theme.h"
 #include "ui/study/FormInputs.h"
 #include "ui/study/LessonWords.h"
@@ -155,13 +156,10 @@ void SweepPage::setDraft(const std::shared_ptr<const Weighed>& good)
 
 void SweepPage::askForFolder()
 {
-    auto* dialog = new QFileDialog(this, tr("Choose the folder with recordings"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    auto* dialog = new shell::FileDialog(this, tr("Choose the folder with recordings"), shell::documentsFolder());
     dialog->setFileMode(QFileDialog::Directory);
     dialog->setOption(QFileDialog::ShowDirsOnly);
     connect(dialog, &QFileDialog::fileSelected, this, &SweepPage::readFolder);
-    // Without a window manager nobody else gives the keys back.
-    connect(dialog, &QDialog::finished, window(), [this] { window()->activateWindow(); });
     dialog->open();
 }
 

@@ -67,6 +67,7 @@ QString remedy(Failed failed)
         return QCoreApplication::translate("Error", "Copy it again from where it was made, or choose another one.");
     case Failed::KeepingGrades:
     case Failed::ReadingSchool:
+    case Failed::ChangingSchool:
         return QCoreApplication::translate("Error", "Put a copy of it back, or move it away: Cusp then begins a new "
                                                     "one.");
     case Failed::ResumingAttempt:
@@ -78,6 +79,7 @@ QString remedy(Failed failed)
     case Failed::SavingReference:
     case Failed::Marking:
     case Failed::KeepingAttempt:
+    case Failed::SendingAttempt:
         return QCoreApplication::translate("Error", "Try again.");
     }
     return {};
@@ -91,6 +93,7 @@ QString wrongKind(Failed failed)
         return QCoreApplication::translate("Error", "The file is no recording of Cusp.");
     case Failed::KeepingGrades:
     case Failed::ReadingSchool:
+    case Failed::ChangingSchool:
         return QCoreApplication::translate("Error", "The file is no database of Cusp.");
     case Failed::ResumingAttempt:
         return QCoreApplication::translate("Error", "This Cusp did not write the file, or an older one did.");
@@ -101,6 +104,7 @@ QString wrongKind(Failed failed)
     case Failed::SavingReference:
     case Failed::Marking:
     case Failed::KeepingAttempt:
+    case Failed::SendingAttempt:
         return QCoreApplication::translate("Error", "The file is not what its name says. Scans are OBJ, STL or PLY.");
     }
     return {};
@@ -116,7 +120,7 @@ QString reason(core::ErrorCode code, Failed failed)
         return QCoreApplication::translate("Error", "The file cannot be read. Check that it is a file and that you may "
                                                     "open it.");
     case core::ErrorCode::FileUnwritable:
-        if (failed == Failed::KeepingGrades || failed == Failed::ReadingSchool)
+        if (failed == Failed::KeepingGrades || failed == Failed::ReadingSchool || failed == Failed::ChangingSchool)
             return QCoreApplication::translate("Error", "The school's file cannot be written. Make room on the disk, "
                                                         "or make its folder writable.");
         return QCoreApplication::translate("Error", "The file cannot be written. Choose another folder, or make room "
@@ -133,6 +137,9 @@ QString reason(core::ErrorCode code, Failed failed)
         return wrongKind(failed);
     case core::ErrorCode::NewerVersion:
         return QCoreApplication::translate("Error", "A newer Cusp wrote this file. Update Cusp to open it.");
+    case core::ErrorCode::OlderVersion:
+        return QCoreApplication::translate(
+            "Error", "An older Cusp made this school. Ask its administrator to run “cusp db migrate”.");
     case core::ErrorCode::BadNumber:
         return andRemedy(
             QCoreApplication::translate("Error", "Where a number belongs, the file holds something else."));
@@ -205,6 +212,15 @@ QString errorText(const core::Error& error, Failed failed)
         return QCoreApplication::translate("Error",
                                            "What the school keeps cannot be shown now; what you do is kept. %1")
             .arg(reason(error.code, failed));
+    case Failed::ChangingSchool:
+        //: %1: why, and what to do
+        return QCoreApplication::translate("Error", "That was not done, and nothing was changed. %1")
+            .arg(reason(error.code, failed));
+    case Failed::SendingAttempt:
+        return QCoreApplication::translate(
+            "Error",
+            "An attempt on its way to the school is damaged and was put aside, in the folder “outbox/damaged”. "
+            "All else is kept as ever.");
     case Failed::KeepingAttempt:
         if (error.code == core::ErrorCode::FileUnwritable)
             return QCoreApplication::translate(

@@ -27,6 +27,8 @@ enum class Failed {
     Marking,
     KeepingGrades,
     ReadingSchool,   ///< what is known of people, classes and attempts
+    ChangingSchool,  ///< the same; nothing was changed
+    SendingAttempt,  ///< to the school; it is damaged
     KeepingAttempt,  ///< on the disk, while it goes on
     ResumingAttempt  ///< that was not finished
 };

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `cusp db`, `user`, `import` and `export`, as a technician types them.
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "database/Outbox.h"
+#include "database/sql/Backups.h"
+#include "database/sql/Logins.h"
+#include "tests/database/SchoolRig.h"
+#include "tests/support/Program.h"
+
+using support::Ending;
+using support::runCusp;
+using support::SchoolRig;
+
+namespace {
+
+const QByteArray kPassword = "correct horse\n";
+
+QByteArray contentOf(const QString& path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+void put(const QString& path, const QByteArray& content)
+{
+    QFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || file.write(content) != content.size())
+        qWarning("%s was not written", qPrintable(path));
+}
+
+}  // namespace
+
+class TestSchoolCommands : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void init();
+
+    void aSchoolIsMadeAndPeopled();
+    void aClassListIsTriedAndEntered();
+    void codesAndTablesOverwriteNothingElse();
+    void attemptsAreExported();
+    void whatABackupMissesIsSentAgain();
+    void aBackupOfAnotherSchoolIsNotRestored();
+    void aLinkedFileIsRestoredWhereItLies();
+    void aCopyIsSoundAndKnownHere();
+    void lookingLeavesNothingBehind();
+    void namesThatAreNoFilesAreRefused();
+    void wrongUsageIsExplained();
+
+private:
+    [[nodiscard]] QString at(const char* name) const { return m_folder->filePath(QLatin1String(name)); }
+    [[nodiscard]] QString school() const { return at("school.sqlite"); }
+    /// A part of the command on the school, done by the admin.
+    [[nodiscard]] Ending byAdmin(QStringList words) const
+    {
+        words << "--db" << school() << "--as"
+              << "admin";
+        return runCusp(words, {}, kPassword);
+    }
+    [[nodiscard]] Ending onFile(QStringList words) const
+    {
+        words << "--db" << school();
+        return runCusp(words);
+    }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+};
+
+void TestSchoolCommands::init()
+{
+    m_folder = std::make_unique<QTemporaryDir>();
+    const Ending made = runCusp({"db", "init", "--db", school(), "--admin", "admin"}, {}, kPassword);
+    QVERIFY2(made.exitCode == 0, made.error);
+}
+
+void TestSchoolCommands::aSchoolIsMadeAndPeopled()
+{
+    // A password that everybody guesses makes no school.
+    const Ending weak = runCusp({"db", "init", "--db", at("weak.sqlite"), "--admin", "admin"}, {}, "password1\n");
+    QCOMPARE(weak.exitCode, 1);
+    QVERIFY(weak.isOneSentence());
+    QVERIFY(!QFile::exists(at("weak.sqlite")));
+    const Ending added =
+        byAdmin({"user", "add", "s1", "--given", "Sam", "--family", "One", "--role", "student", "--json"});
+    QVERIFY2(added.exitCode == 0, added.error);
+    QVERIFY(added.json()["code"].toString().size() == 14);
+    QCOMPARE(byAdmin({"user", "add", "s1"}).exitCode, 1);
+    QCOMPARE(byAdmin({"user", "add", "x", "--role", "boss"}).exitCode, 2);
+    QVERIFY(byAdmin({"user", "disable", "s1"}).out.contains("can no longer log in"));
+    const QJsonArray people = byAdmin({"user", "list", "--json"}).json()["people"].toArray();
+    QCOMPARE(people.size(), 2);
+    QCOMPARE(people.last().toObject()["disabled"].toBool(), true);
+    QVERIFY(byAdmin({"user", "disable", "s1", "--enable"}).out.contains("s1 can log in"));
+    const Ending reset = byAdmin({"user", "reset", "s1", "--json"});
+    QVERIFY(reset.json()["code"].toString() != added.json()["code"].toString());
+    // Without the password, or the right, nothing is done.
+    const Ending wrong = runCusp({"user", "list", "--db", school(), "--as", "admin"}, {}, "wrong horse\n");
+    QCOMPARE(wrong.exitCode, 1);
+    QVERIFY2(wrong.isOneSentence(), wrong.error);
+    QVERIFY(onFile({"user", "list"}).error.contains("--as"));
+    QCOMPARE(byAdmin({"user", "disable", "admin"}).exitCode, 1);
+    const QJsonObject checked = onFile({"db", "check", "--json"}).json();
+    QCOMPARE(checked["sound"].toBool(), true);
+    QVERIFY(checked["audit_rows"].toInt() > 5);
+    QVERIFY(onFile({"db", "stats"}).out.contains("students     1"));
+}
+
+void TestSchoolCommands::aClassListIsTriedAndEntered()
+{
+    put(at("list.csv"), "username,given_name,family_name,role,class\nn1,Ada,One,,A\nn2,Bo,Two,instructor,A|B\n");
+    const QJsonObject dry = byAdmin({"import", "roster", at("list.csv"), "--dry-run", "--json"}).json();
+    QCOMPARE(dry["dry_run"].toBool(), true);
+    QCOMPARE(dry["people"].toArray().size(), 2);
+    QCOMPARE(byAdmin({"user", "list", "--json"}).json()["people"].toArray().size(), 1);
+    // Codes that go into a file are not told as well.
+    const Ending done = byAdmin({"import", "roster", at("list.csv"), "--codes", at("codes.csv"), "--json"});
+    QVERIFY2(done.exitCode == 0, done.error);
+    QCOMPARE(done.json()["people"].toArray()[0].toObject()["code"].toString(), QString());
+    const QByteArray codes = contentOf(at("codes.csv"));
+    QVERIFY2(codes.contains("n1,Ada One,") && codes.contains("n2,Bo Two,"), codes);
+    QVERIFY(!(QFile::permissions(at("codes.csv")) & (QFile::ReadGroup | QFile::ReadOther)));
+    put(at("bad.csv"), "username,role\nn3,boss\n,student\n");
+    const Ending bad = byAdmin({"import", "roster", at("bad.csv")});
+    QCOMPARE(bad.exitCode, 1);
+    QVERIFY2(bad.error.contains("line 2, column role") && bad.error.contains("line 3, column username"), bad.error);
+    QCOMPARE(byAdmin({"user", "list", "--json"}).json()["people"].toArray().size(), 3);
+}
+
+void TestSchoolCommands::codesAndTablesOverwriteNothingElse()
+{
+    const QByteArray list = "username\nn1\n";
+    put(at("list.csv"), list);
+    for (const QString& target : {at("list.csv"), at("station.key"), school()}) {
+        const QByteArray before = contentOf(target);
+        const Ending refused = byAdmin({"import", "roster", at("list.csv"), "--codes", target});
+        QVERIFY2(refused.exitCode == 1 && refused.isOneSentence(), refused.error);
+        // The login alone is noted in the school.
+        QCOMPARE(contentOf(target).left(16), before.left(16));
+        QVERIFY(target == school() || contentOf(target) == before);
+    }
+    QCOMPARE(byAdmin({"user", "list", "--json"}).json()["people"].toArray().size(), 1);
+    for (const QString& target : {at("station.key"), school(), QString("/dev/full"), m_folder->path()}) {
+        const Ending refused = byAdmin({"export", "attempts", "--csv", target});
+        QVERIFY2(refused.exitCode == 1 && refused.isOneSentence(), refused.error);
+    }
+    QVERIFY(!QFileInfo("/dev/full").isFile());
+    // Last night's table is replaced.
+    QCOMPARE(byAdmin({"export", "attempts", "--csv", at("attempts.csv")}).exitCode, 0);
+    QCOMPARE(byAdmin({"export", "attempts", "--csv", at("attempts.csv")}).exitCode, 0);
+    QCOMPARE(onFile({"db", "check"}).exitCode, 0);
+}
+
+void TestSchoolCommands::attemptsAreExported()
+{
+    const Ending made = runCusp({"db", "sample", "--db", at("sample.sqlite"), "--students", "5", "--attempts", "40"});
+    QVERIFY2(made.exitCode == 0, made.error);
+    // Told at once, too: who stops it half-way has a school.
+    const QByteArray password = made.error.mid(made.error.indexOf(": ") + 2).trimmed();
+    QVERIFY(made.out.contains(password));
+    const Ending csv = runCusp({"export", "attempts", "--csv", "-", "--db", at("sample.sqlite"), "--as", "admin"}, {},
+                               password + '\n');
+    QVERIFY2(csv.exitCode == 0, csv.error);
+    QCOMPARE(csv.out.count("\r\n"), 41);
+    QCOMPARE(onFile({"db", "check"}).exitCode, 0);
+}
+
+/// Attempts that were delivered after the backup was made wait again, for the window to send them.
+void TestSchoolCommands::whatABackupMissesIsSentAgain()
+{
+    const Ending backup = onFile({"db", "backup", "--json"});
+    QVERIFY2(backup.exitCode == 0, backup.error);
+    const auto key = database::StationKey::readOrMake(at("station.key"));
+    QVERIFY(key);
+    const database::Outbox outbox(at("outbox"), *key);
+    QVERIFY(QDir(m_folder->path()).mkpath("outbox/arrived"));
+    put(at("outbox/arrived/abc.attempt"), "a letter");
+    QVERIFY(outbox.waiting().isEmpty());
+    const Ending restored = onFile({"db", "restore", backup.json()["backup"].toString(), "--json"});
+    QVERIFY2(restored.exitCode == 0, restored.error);
+    QVERIFY(QFile::exists(restored.json()["replaced"].toString()));
+    QCOMPARE(outbox.waiting().size(), 1);
+    QVERIFY(outbox.arrived().isEmpty());
+    QCOMPARE(onFile({"db", "check"}).exitCode, 0);
+    QCOMPARE(onFile({"db", "drill"}).exitCode, 0);
+}
+
+void TestSchoolCommands::aBackupOfAnotherSchoolIsNotRestored()
+{
+    QVERIFY(runCusp({"db", "init", "--db", at("other.sqlite"), "--admin", "boss"}, {}, kPassword).exitCode == 0);
+    QVERIFY(QDir(m_folder->path()).mkdir("drive"));
+    const QString mine = onFile({"db", "backup", "--to", at("drive"), "--json"}).json()["backup"].toString();
+    const QString others = runCusp({"db", "backup", "--db", at("other.sqlite"), "--to", at("drive"), "--json"})
+                               .json()["backup"]
+                               .toString();
+    QVERIFY(!mine.isEmpty() && !others.isEmpty() && mine != others);
+    const Ending refused = onFile({"db", "restore", others});
+    QCOMPARE(refused.exitCode, 1);
+    QVERIFY2(refused.isOneSentence() && refused.error.contains("another school"), refused.error);
+    QCOMPARE(byAdmin({"user", "list"}).exitCode, 0);
+}
+
+void TestSchoolCommands::aLinkedFileIsRestoredWhereItLies()
+{
+    QVERIFY(QDir(m_folder->path()).mkdir("links"));
+    const QString link = at("links/link.sqlite");
+    QVERIFY(QFile::link(school(), link));
+    const QString backup = onFile({"db", "backup", "--json"}).json()["backup"].toString();
+    QCOMPARE(byAdmin({"user", "add", "later"}).exitCode, 0);
+    QCOMPARE(runCusp({"db", "restore", backup, "--db", link}).exitCode, 0);
+    QVERIFY(QFileInfo(link).isSymLink());
+    QCOMPARE(byAdmin({"user", "list", "--json"}).json()["people"].toArray().size(), 1);
+    QCOMPARE(QDir(at("links")).entryList(QDir::Files | QDir::Hidden).size(), 1);
+}
+
+void TestSchoolCommands::aCopyIsSoundAndKnownHere()
+{
+    QVERIFY(QDir(m_folder->path()).mkdir("new"));
+    const Ending copied = byAdmin({"db", "copy", "--to", at("new/copy.sqlite")});
+    QVERIFY2(copied.exitCode == 0, copied.error);
+    const Ending checked = runCusp({"db", "check", "--db", at("new/copy.sqlite")});
+    QVERIFY2(checked.exitCode == 0, checked.out);
+}
+
+void TestSchoolCommands::lookingLeavesNothingBehind()
+{
+    const QString backup = onFile({"db", "backup", "--json"}).json()["backup"].toString();
+    const QDir folder = QFileInfo(backup).dir();
+    QCOMPARE(runCusp({"db", "check", "--db", backup}).exitCode, 0);
+    QCOMPARE(runCusp({"db", "stats", "--db", backup}).exitCode, 0);
+    QCOMPARE(folder.entryList(QDir::Files), QStringList{QFileInfo(backup).fileName()});
+}
+
+void TestSchoolCommands::namesThatAreNoFilesAreRefused()
+{
+    for (const char* name : {":memory:", "file:x?mode=memory", ":x.sqlite", "mysql://x/y", " "}) {
+        const Ending refused = runCusp({"db", "init", "--db", name});
+        QVERIFY2(refused.exitCode == 1 && refused.isOneSentence(), name);
+    }
+}
+
+void TestSchoolCommands::wrongUsageIsExplained()
+{
+    for (const QStringList& words : {QStringList{"db"},
+                                     {"db", "paint"},
+                                     {"db", "restore"},
+                                     {"db", "copy"},
+                                     {"user"},
+                                     {"user", "add"},
+                                     {"import"},
+                                     {"import", "roster"},
+                                     {"export", "attempts"}}) {
+        const Ending ending = runCusp(words);
+        QVERIFY2(ending.exitCode == 2, qPrintable(words.join(' ')));
+    }
+}
+
+QTEST_GUILESS_MAIN(TestSchoolCommands)
+#include "tst_school_commands.moc"

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A file dialog shows the folder of the school's file, and SQLite's locks on it stay.
+#include <QAbstractItemView>
+#include <QDir>
+#include <QFile>
+#include <QFileSystemModel>
+#include <QTemporaryDir>
+#include <QTest>
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "ui/shell/FileDialog.h"
+
+namespace {
+
+/// Whether another process finds a lock on the file; a process does not see its own.
+bool isLockedForOthers(const QString& path)
+{
+    const QByteArray name = QFile::encodeName(path);
+    const pid_t other = fork();
+    if (other == 0) {
+        const int file = open(name.constData(), O_RDWR);
+        struct flock lock
+        {};
+        lock.l_type = F_WRLCK;
+        lock.l_whence = SEEK_SET;
+        fcntl(file, F_GETLK, &lock);
+        _exit(lock.l_type == F_UNLCK ? 0 : 1);
+    }
+    int status = 0;
+    waitpid(other, &status, 0);
+    return WEXITSTATUS(status) == 1;
+}
+
+}  // namespace
+
+class TestFileDialog : public QObject
+{
+    Q_OBJECT
+private slots:
+    void looksAtNamesOnly();
+};
+
+void TestFileDialog::looksAtNamesOnly()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath("school.sqlite");
+    QFile made(path);
+    QVERIFY(made.open(QIODevice::WriteOnly));
+    made.write("SQLite format 3");
+    made.close();
+    QVERIFY(QDir(folder.path()).mkdir("other"));
+    const int file = open(QFile::encodeName(path).constData(), O_RDWR);
+    struct flock lock
+    {};
+    lock.l_type = F_RDLCK;
+    lock.l_whence = SEEK_SET;
+    QCOMPARE(fcntl(file, F_SETLK, &lock), 0);
+    QVERIFY(isLockedForOthers(path));
+    ui::shell::FileDialog dialog(nullptr, "Choose", folder.path());
+    dialog.setAttribute(Qt::WA_DeleteOnClose, false);
+    dialog.setViewMode(QFileDialog::Detail);  // which tells what kind of file it is
+    dialog.show();
+    auto* model = dialog.findChild<QFileSystemModel*>();
+    QVERIFY(model != nullptr);
+    QTRY_COMPARE(model->rowCount(model->index(folder.path())), 2);
+    QTRY_VERIFY(!model->index(path).siblingAtColumn(2).data().toString().isEmpty());
+    QTest::qWait(300);
+    QVERIFY(isLockedForOthers(path));
+    close(file);
+    QVERIFY(!isLockedForOthers(path));
+}
+
+QTEST_MAIN(TestFileDialog)
+#include "tst_file_dialog.moc"

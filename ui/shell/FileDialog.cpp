@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/shell/FileDialog.h"
+
+#include <QDir>
+#include <QFileIconProvider>
+#include <QFileInfo>
+#include <QMimeDatabase>
+
+namespace ui::shell {
+namespace {
+
+/// Never opens a file.
+class ByName final : public QFileIconProvider
+{
+public:
+    using QFileIconProvider::icon;
+    [[nodiscard]] QIcon icon(const QFileInfo& info) const override
+    {
+        return QFileIconProvider::icon(info.isDir() ? IconType::Folder : IconType::File);
+    }
+    [[nodiscard]] QString type(const QFileInfo& info) const override
+    {
+        return info.isDir() ? QString()
+                            : QMimeDatabase().mimeTypeForFile(info.fileName(), QMimeDatabase::MatchExtension).comment();
+    }
+};
+
+}  // namespace
+
+// It begins to look around at once: where there is no school's file, until it has learned how to look.
+FileDialog::FileDialog(QWidget* parent, const QString& title, const QString& folder, const QString& filter)
+    : QFileDialog(parent, title, QDir::rootPath(), filter)
+{
+    static ByName byName;
+    setAttribute(Qt::WA_DeleteOnClose);
+    setOption(DontUseNativeDialog);  // a desktop's own may look into files, too
+    setIconProvider(&byName);
+    setDirectory(folder);
+    // Without a window manager nobody else gives the keys back.
+    if (parent != nullptr)
+        connect(this, &QDialog::finished, parent->window(), [window = parent->window()] { window->activateWindow(); });
+}
+
+}  // namespace ui::shell

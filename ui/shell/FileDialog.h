@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QFileDialog>
+#include <QString>
+
+namespace ui::shell {
+
+/// Asks for a file, in Qt's own dialog, and goes when it is closed. It looks at the names of files only: whoever opens
+/// and closes a database's file to see what it is takes away all locks that this program's SQLite has on it, and
+/// another program then deletes the log with what was just entered (POSIX fcntl; "How To Corrupt An SQLite Database
+/// File", section 2.2).
+class FileDialog final : public QFileDialog
+{
+    Q_OBJECT
+public:
+    /// @param folder  where it begins
+    /// @param filter  "Tables (*.csv)"; empty: all files
+    FileDialog(QWidget* parent, const QString& title, const QString& folder, const QString& filter = {});
+};
+
+}  // namespace ui::shell
