@@ -874,6 +874,7 @@ void Application::lay(const lessons::Assignment& assignment, const core::session
     holdHand(false);
     m_ownGeneration = ++m_generation;
     m_cutIn.clear();
+    m_takenUpAtTick = 0;
     m_isTakenUp = false;
     m_infractionsTold = 0;
     m_follower.watch(m_ownGeneration, lessons::examinationOf(m_assignment));
@@ -914,9 +915,12 @@ void Application::watchAttempt()
         m_window->showPractised(*findings.practised);
     if (findings.infractions.size() <= m_infractionsTold)
         return;
-    const auto untold = findings.infractions.begin() + static_cast<std::ptrdiff_t>(m_infractionsTold);
+    // What came before an attempt was taken up again was told then, and perhaps undone.
+    const auto untold =
+        std::find_if(findings.infractions.begin() + static_cast<std::ptrdiff_t>(m_infractionsTold),
+                     findings.infractions.end(), [this](const auto& one) { return one.tick > m_takenUpAtTick; });
     m_infractionsTold = findings.infractions.size();
-    if (m_assignment.lesson->exam)
+    if (m_assignment.lesson->exam || untold == findings.infractions.end())
         return;
     // Of several at once the gravest: an opened pulp, and not that it is deep there.
     const auto gravest = std::min_element(untold, findings.infractions.end(),
@@ -1511,6 +1515,7 @@ void Application::takeUp(std::unique_ptr<core::session::Unfinished> attempt)
                                assignment->lesson ? assignment->lesson->kind : core::settings::ToothKind{});
     m_window->showFeel(felt, felt);
     m_isTakenUp = true;
+    m_takenUpAtTick = attempt->recording.ticks();
     m_begunExam = {m_ownGeneration, {}, true};  // it was told when it began
     m_journal->takeUp(m_ownGeneration, std::move(*m_unfinished));
     m_unfinished.reset();

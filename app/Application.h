@@ -213,6 +213,7 @@ private:
     std::optional<core::recording::FoundAttempt> m_unfinished;  ///< the one that is offered
     QTimer m_attemptWatch;
     std::size_t m_infractionsTold = 0;  ///< of the present attempt
+    std::uint64_t m_takenUpAtTick = 0;  ///< where it was taken up again after the program, or its owner, had left
     /// The exam that was begun last, and whether the school has been told.
     struct BegunExam
     {

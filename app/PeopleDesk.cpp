@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <climits>
 #include <cmath>
+#include <utility>
 
 #include <QDir>
 #include <QPointer>
@@ -91,8 +92,10 @@ PeopleDesk::PeopleDesk(MainWindow& window, SchoolDesk& desk, std::function<datab
     connect(&m_window, &MainWindow::feedbackWanted, this, [this, &history](qint64 attempt) {
         if (attempt == 0)
             openHistory(m_who().person(), {}, {});
-        else
+        else {
+            m_reads = database::AttemptId{attempt};
             emit history.attemptOpenWanted(attempt);
+        }
     });
     connect(&history, &HistoryPage::lessonChosen, this, &PeopleDesk::tellClassAt);
     connect(&history, &HistoryPage::replayWanted, this, [this](qint64 id) {
@@ -146,13 +149,13 @@ void PeopleDesk::readLessons(const std::function<void()>& then)
 void PeopleDesk::tellLessons()
 {
     std::vector<ui::people::LessonOffer> offers;
-    std::map<std::string, QString> criteria;
+    std::map<std::string, ui::people::CriterionNames> criteria;
     m_titles.clear();
     for (const lessons::CatalogEntry& entry : m_catalog) {
         if (entry.isFaulty())
             continue;
         const lessons::Lesson& one = *entry.read.lesson;
-        criteria.merge(criteriaOf(one));
+        criteria[one.id] = criteriaOf(one);
         const QString title = ui::study::said(one.title);
         m_titles[QString::fromStdString(one.id)] = title;
         offers.push_back({one.id, title, ui::study::toothWords(one), ui::study::groupName(one.task)});
@@ -271,6 +274,8 @@ void PeopleDesk::tellTalk()
                   return;
               if (talk) {
                   m_window.scorePage().talk().setTalk(*talk);
+                  if (std::exchange(m_reads, {}) == database::AttemptId{id})
+                      m_window.scorePage().showTalk();
                   m_window.scorePage().setGiven(talk->overrides.empty() ? std::nullopt
                                                                         : talk->overrides.back().givenTenths);
                   if (m_talkedAbout->person == m_who().person() && !(talk->comments.empty() && talk->overrides.empty()))

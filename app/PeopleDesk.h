@@ -87,6 +87,7 @@ private:
     std::optional<database::AttemptRecord> m_talkedAbout;
     QString m_talkedName;                          ///< of who made it
     bool m_follows = false;                        ///< it is played
+    database::AttemptId m_reads;                   ///< what was said of this one is to be read
     std::vector<lessons::CatalogEntry> m_catalog;  ///< as it was when a page was opened last
     ui::people::LessonTitles m_titles;
 };

@@ -2855,6 +2855,13 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <source>Undo</source>
         <translation>Rückgängig</translation>
     </message>
+    <message numerus="yes">
+        <source>%n student(s) who have not passed have no attempts left: earlier ones count.</source>
+        <translation>
+            <numerusform>%n Person, die noch nicht bestanden hat, hat keinen Versuch mehr: Frühere zählen mit.</numerusform>
+            <numerusform>%n Personen, die noch nicht bestanden haben, haben keinen Versuch mehr: Frühere zählen mit.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ui::people::AssignTerms</name>
@@ -2895,6 +2902,14 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>The next month</source>
         <translation>Der nächste Monat</translation>
+    </message>
+    <message>
+        <source>This day is over: whoever has not passed is late at once.</source>
+        <translation>Dieser Tag ist vorbei: Wer noch nicht bestanden hat, ist sofort im Verzug.</translation>
+    </message>
+    <message>
+        <source>Each lesson keeps what you do not change here.</source>
+        <translation>Jede Lektion behält, was Sie hier nicht ändern.</translation>
     </message>
 </context>
 <context>
@@ -3209,6 +3224,11 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <source>People and classes</source>
         <extracomment>Where people are entered and classes are made</extracomment>
         <translation>Personen und Klassen</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <extracomment>%1: a class; %2: a lesson</extracomment>
+        <translation>%1, %2</translation>
     </message>
 </context>
 <context>
@@ -7070,6 +7090,10 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>Given to</source>
         <translation>Aufgegeben für</translation>
+    </message>
+    <message>
+        <source>You have used up your attempts at this lesson. Your teacher can give you more.</source>
+        <translation>Sie haben Ihre Versuche an dieser Lektion aufgebraucht. Ihre Lehrperson kann Ihnen weitere geben.</translation>
     </message>
 </context>
 <context>

@@ -2847,6 +2847,13 @@ load NAME        feels a hardness preset that is kept</source>
         <source>Undo</source>
         <translation type="unfinished"></translation>
     </message>
+    <message numerus="yes">
+        <source>%n student(s) who have not passed have no attempts left: earlier ones count.</source>
+        <translation>
+            <numerusform>%n student who has not passed has no attempts left: earlier ones count.</numerusform>
+            <numerusform>%n students who have not passed have no attempts left: earlier ones count.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ui::people::AssignTerms</name>
@@ -2886,6 +2893,14 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
     <message>
         <source>The next month</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This day is over: whoever has not passed is late at once.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each lesson keeps what you do not change here.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3200,6 +3215,11 @@ load NAME        feels a hardness preset that is kept</source>
     <message>
         <source>People and classes</source>
         <extracomment>Where people are entered and classes are made</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <extracomment>%1: a class; %2: a lesson</extracomment>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7061,6 +7081,10 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
     <message>
         <source>Given to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>You have used up your attempts at this lesson. Your teacher can give you more.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

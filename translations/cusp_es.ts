@@ -152,7 +152,6 @@
         <translation>
             <numerusform>como máximo %n intento</numerusform>
             <numerusform>como máximo %n intentos</numerusform>
-            <numerusform>como máximo %n intentos</numerusform>
         </translation>
     </message>
     <message>
@@ -1544,7 +1543,6 @@
         <translation>
             <numerusform>Un puesto abandonado se bloquea tras %n minuto.</numerusform>
             <numerusform>Un puesto abandonado se bloquea tras %n minutos.</numerusform>
-            <numerusform>Un puesto abandonado se bloquea tras %n minutos.</numerusform>
         </translation>
     </message>
     <message>
@@ -1682,7 +1680,6 @@
         <source>%n attempt(s) on this computer cannot be given to this school: it does not know whose they are, or they were signed with another station.key. They wait.</source>
         <translation>
             <numerusform>%n intento de este ordenador no se puede entregar a esta escuela: no sabe de quién es, o se firmó con otro station.key. Queda en espera.</numerusform>
-            <numerusform>%n intentos de este ordenador no se pueden entregar a esta escuela: no sabe de quién son, o se firmaron con otro station.key. Quedan en espera.</numerusform>
             <numerusform>%n intentos de este ordenador no se pueden entregar a esta escuela: no sabe de quién son, o se firmaron con otro station.key. Quedan en espera.</numerusform>
         </translation>
     </message>
@@ -2241,14 +2238,12 @@
         <translation>
             <numerusform>%1 Se registraría %n persona nueva.</numerusform>
             <numerusform>%1 Se registrarían %n personas nuevas.</numerusform>
-            <numerusform>%1 Se registrarían %n personas nuevas.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%1: %n person(s) known already.</source>
         <translation>
             <numerusform>%1: %n persona ya conocida.</numerusform>
-            <numerusform>%1: %n personas ya conocidas.</numerusform>
             <numerusform>%1: %n personas ya conocidas.</numerusform>
         </translation>
     </message>
@@ -2860,6 +2855,14 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <source>Undo</source>
         <translation>Deshacer</translation>
     </message>
+    <message numerus="yes">
+        <source>%n student(s) who have not passed have no attempts left: earlier ones count.</source>
+        <translation>
+            <numerusform>%n estudiante que no ha aprobado no tiene más intentos: los anteriores cuentan.</numerusform>
+            <numerusform>%n estudiantes que no han aprobado no tienen más intentos: los anteriores cuentan.</numerusform>
+            <numerusform>%n estudiantes que no han aprobado no tienen más intentos: los anteriores cuentan.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ui::people::AssignTerms</name>
@@ -2900,6 +2903,14 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>The next month</source>
         <translation>El mes siguiente</translation>
+    </message>
+    <message>
+        <source>This day is over: whoever has not passed is late at once.</source>
+        <translation>Ese día ya pasó: quien no haya aprobado queda fuera de plazo al instante.</translation>
+    </message>
+    <message>
+        <source>Each lesson keeps what you do not change here.</source>
+        <translation>Cada lección conserva lo que no cambie aquí.</translation>
     </message>
 </context>
 <context>
@@ -3214,6 +3225,11 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <source>People and classes</source>
         <extracomment>Where people are entered and classes are made</extracomment>
         <translation>Personas y clases</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <extracomment>%1: a class; %2: a lesson</extracomment>
+        <translation>%1, %2</translation>
     </message>
 </context>
 <context>
@@ -7075,6 +7091,10 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>Given to</source>
         <translation>Asignada a</translation>
+    </message>
+    <message>
+        <source>You have used up your attempts at this lesson. Your teacher can give you more.</source>
+        <translation>Ha agotado sus intentos en esta lección. Su docente puede darle más.</translation>
     </message>
 </context>
 <context>

@@ -695,7 +695,7 @@
     </message>
     <message>
         <source>An older Cusp made this school. Ask its administrator to run “cusp db migrate”.</source>
-        <translation>この学校は古い Cusp で作られました。管理者に「cusp db migrate」の実行を依頼してください。</translation>
+        <translation>この学校は古い Cusp で作られました。管理者に移行（cusp の「db migrate」）を依頼してください。</translation>
     </message>
     <message>
         <source>That was not done, and nothing was changed. %1</source>
@@ -2833,6 +2833,12 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <source>Undo</source>
         <translation>元に戻す</translation>
     </message>
+    <message numerus="yes">
+        <source>%n student(s) who have not passed have no attempts left: earlier ones count.</source>
+        <translation>
+            <numerusform>未合格の学生%n人には試行が残っていません。以前の試行も数えられます。</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ui::people::AssignTerms</name>
@@ -2873,6 +2879,14 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>The next month</source>
         <translation>次の月</translation>
+    </message>
+    <message>
+        <source>This day is over: whoever has not passed is late at once.</source>
+        <translation>この日はすでに過ぎています。未合格の人はすぐに期限切れになります。</translation>
+    </message>
+    <message>
+        <source>Each lesson keeps what you do not change here.</source>
+        <translation>ここで変更しない項目は、各課題でそのまま残ります。</translation>
     </message>
 </context>
 <context>
@@ -3182,6 +3196,11 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <source>People and classes</source>
         <extracomment>Where people are entered and classes are made</extracomment>
         <translation>人とクラス</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <extracomment>%1: a class; %2: a lesson</extracomment>
+        <translation>%1、%2</translation>
     </message>
 </context>
 <context>
@@ -7021,6 +7040,10 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>Given to</source>
         <translation>出された先</translation>
+    </message>
+    <message>
+        <source>You have used up your attempts at this lesson. Your teacher can give you more.</source>
+        <translation>この課題の試行回数を使い切りました。教員が追加できます。</translation>
     </message>
 </context>
 <context>

@@ -45,21 +45,21 @@ using Places = std::map<std::string, std::size_t>;
 core::Result<Places> placesOf(const CsvRow& head)
 {
     Places places;
-    const std::string line = "line " + std::to_string(head.line) + ": ";
+    const auto wrong = [&head](const std::string& what) {
+        return core::unexpected(ErrorCode::BadStructure, "line " + std::to_string(head.line) + ": " + what);
+    };
     for (std::size_t at = 0; at < head.fields.size(); ++at) {
         const std::string name = QString::fromStdString(trimmed(head.fields[at])).toLower().toStdString();
         if (name.empty())
             continue;
         if (std::find(kColumns.begin(), kColumns.end(), name) == kColumns.end())
-            return core::unexpected(ErrorCode::BadStructure,
-                                    line + "there is a column \"" + name +
-                                        "\"; the columns are username, given_name, family_name, role and class");
+            return wrong("there is a column \"" + name +
+                         "\"; the columns are username, given_name, family_name, role and class");
         if (!places.emplace(name, at).second)
-            return core::unexpected(ErrorCode::BadStructure, line + "the column \"" + name + "\" is there twice");
+            return wrong("the column \"" + name + "\" is there twice");
     }
     if (places.count("username") == 0)
-        return core::unexpected(ErrorCode::BadStructure,
-                                line + "the column \"username\" is missing; the first line names the columns");
+        return wrong("the column \"username\" is missing; the first line names the columns");
     return places;
 }
 

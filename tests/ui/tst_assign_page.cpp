@@ -58,8 +58,11 @@ private slots:
     void theTableTellsWhenAndHowFar();
     void theEndOfTheDayHereIsMeant();
     void chosenOnesAreChangedAndOnlyThoseThatDiffer();
+    void whatIsNotChangedStaysEachLessonsOwn();
+    void aDayThatIsOverIsTold();
     void takenBackIsUndone();
     void theKeyboardStaysWhereItWorks();
+    void whoHasNoAttemptsLeftIsTold();
     void whatIsRefusedIsSaid();
     void anotherClassBeginsAfresh();
     void everyControlHasAName();
@@ -247,6 +250,45 @@ void TestAssignPage::chosenOnesAreChangedAndOnlyThoseThatDiffer()
     QCOMPARE(get<QLabel>("assignSaid")->text(), QString("1 lesson(s) changed."));
 }
 
+void TestAssignPage::whatIsNotChangedStaysEachLessonsOwn()
+{
+    QSignalSpy spy(m_page, &AssignPage::changeWanted);
+    get<QTableView>("given")->selectAll();
+    QVERIFY(last<QLabel>("termsNote")->text().contains("Each lesson keeps"));
+    last<QSpinBox>("attemptLimit")->setValue(5);
+    get<QPushButton>("changeGiven")->click();
+    const ClassAssignment a{1, kClass, "a", "2026-11-15T23:59:59Z", 3};
+    const ClassAssignment b{3, kClass, "b", "", 0};
+    const QList<AssignmentChange> limits{{a, ClassAssignment{1, kClass, "a", a.dueUtc, 5}},
+                                         {b, ClassAssignment{3, kClass, "b", "", 5}}};
+    QCOMPARE(wanted(spy), limits);
+    m_page->refuse("Not now.");
+    // And the other way round.
+    get<QTableView>("given")->clearSelection();
+    get<QTableView>("given")->selectAll();
+    const QDate day(2100, 12, 4);
+    last<QDateEdit>("dueDay")->setDate(day);
+    get<QPushButton>("changeGiven")->click();
+    const std::string due = ui::people::endOfDay(day);
+    const QList<AssignmentChange> days{{a, ClassAssignment{1, kClass, "a", due, 3}},
+                                       {b, ClassAssignment{3, kClass, "b", due, 0}}};
+    QCOMPARE(wanted(spy), days);
+}
+
+void TestAssignPage::aDayThatIsOverIsTold()
+{
+    const auto* note = first<QLabel>("termsNote");
+    QVERIFY(!note->isVisible());
+    first<QDateEdit>("dueDay")->setDate(QDate::currentDate().addDays(-1));
+    QVERIFY(note->isVisible());
+    QVERIFY2(note->text().contains("over"), qPrintable(note->text()));
+    first<QCheckBox>("isDue")->setChecked(false);
+    QVERIFY(!note->isVisible());
+    first<QCheckBox>("isDue")->setChecked(true);
+    first<QDateEdit>("dueDay")->setDate(QDate::currentDate());
+    QVERIFY(!note->isVisible());
+}
+
 void TestAssignPage::takenBackIsUndone()
 {
     QSignalSpy spy(m_page, &AssignPage::changeWanted);
@@ -290,6 +332,18 @@ void TestAssignPage::theKeyboardStaysWhereItWorks()
     m_page->confirm(wanted(spy));
     m_page->setAssignments(overview(), {}, kNow);
     QCOMPARE(QApplication::focusWidget(), get<QListView>("offers"));
+}
+
+void TestAssignPage::whoHasNoAttemptsLeftIsTold()
+{
+    const ClassAssignment given{1, kClass, "a", "", 0};
+    const ClassAssignment once{1, kClass, "a", "", 1};
+    m_page->confirm({{given, once}});
+    // Two have passed, one has tried, one has not.
+    QVERIFY2(get<QLabel>("assignSaid")->text().contains("1 student(s) who have not passed have no attempts left"),
+             qPrintable(get<QLabel>("assignSaid")->text()));
+    m_page->confirm({{once, ClassAssignment{1, kClass, "a", "", 2}}});
+    QCOMPARE(get<QLabel>("assignSaid")->text(), QString("1 lesson(s) changed."));
 }
 
 void TestAssignPage::whatIsRefusedIsSaid()

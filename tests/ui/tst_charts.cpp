@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Charts tell their values in words, and give them away as pictures and tables.
+#include <QAction>
 #include <QApplication>
 #include <QFile>
+#include <QFileDialog>
+#include <QFileInfo>
 #include <QImage>
 #include <QLabel>
 #include <QSignalSpy>
@@ -86,6 +89,8 @@ private slots:
     void picturesShowSomethingInBothThemes_data();
     void picturesShowSomethingInBothThemes();
     void axesEndAtRoundNumbers();
+    void barsThatBeginAlikeAreToldApart();
+    void aFileSaysWhoseItIs();
 
 private:
     std::unique_ptr<ChartPanel> m_panel;
@@ -308,6 +313,37 @@ void TestCharts::axesEndAtRoundNumbers()
     QCOMPARE(roundEnd(22.0), 25.0);
     QCOMPARE(roundEnd(0.3), 0.5);
     QCOMPARE(roundEnd(6100.0), 10000.0);
+}
+
+void TestCharts::barsThatBeginAlikeAreToldApart()
+{
+    // With room for two lines beside a bar, and with none.
+    for (const int count : {6, 14, 18}) {
+        Bars many;
+        many.value = {"Points lost", 0.0, 30.0, false, false};
+        for (int k = 0; k < count; ++k)
+            many.bars << Bars::Bar{
+                QString("Leeway at the walls of the cavity and its floor, where %1").arg(k), 2.0, {}};
+        const QString drawn = QString::fromUtf8(svg({"Much", {}, {}, many}));
+        for (int k = 0; k < count; ++k)
+            QVERIFY2(drawn.contains(QString("where %1<").arg(k)), qPrintable(QString("%1 of %2").arg(k).arg(count)));
+    }
+}
+
+void TestCharts::aFileSaysWhoseItIs()
+{
+    Chart mine = histogram();
+    mine.of = "Year 1, Decay on 36";
+    const QByteArray told = svg(mine);
+    QVERIFY(told.contains("Year 1, Decay on 36"));
+    QVERIFY(told != svg(histogram()));
+    m_panel->setChart(mine);
+    QVERIFY(!m_panel->findChild<QLabel*>("chartTitle")->text().contains("Year"));  // the page says so itself
+    m_panel->findChild<QAction*>("saveCSV")->trigger();
+    auto* dialog = m_panel->findChild<QFileDialog*>();
+    QVERIFY(dialog != nullptr);
+    QCOMPARE(QFileInfo(dialog->selectedFiles().front()).fileName(), QString("Best scores, Year 1, Decay on 36.csv"));
+    dialog->reject();
 }
 
 QTEST_MAIN(TestCharts)

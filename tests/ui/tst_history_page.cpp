@@ -72,6 +72,7 @@ private slots:
     void anInstructorsScoreCounts();
     void criteriaHaveTheirNames();
     void whatCostMostIsFirstThoughItHasNoWeight();
+    void aCriterionIsCalledAsItsLessonSays();
     void titlesAreReadInASmallWindow();
     void thousandsOfRows();
     void everyControlHasAName();
@@ -96,7 +97,8 @@ void TestHistoryPage::init()
     m_window = std::make_unique<QWidget>();
     m_actions = new ui::shell::Actions(m_window.get());
     m_page = new HistoryPage(*m_actions, m_window.get());
-    m_page->setCriterionNames({{"depth", "Pulpal floor"}, {"outline", "Outline"}});
+    const ui::people::CriterionNames names{{"depth", "Pulpal floor"}, {"outline", "Outline"}};
+    m_page->setCriterionNames({{"c1-36", names}, {"decay-26", names}, {"pad-cross", names}});
     m_page->setLessonTitles({{"c1-36", "Class I on 36"}, {"decay-26", "Decay on 26"}, {"pad-cross", "Pad: cross"}});
     m_window->resize(1280, 800);
     m_page->resize(1280, 800);
@@ -267,6 +269,26 @@ void TestHistoryPage::whatCostMostIsFirstThoughItHasNoWeight()
     QCOMPARE(bars.value.high, 100.0);
 }
 
+void TestHistoryPage::aCriterionIsCalledAsItsLessonSays()
+{
+    m_page->setCriterionNames({{"c1-36", {{"left", "Part of the ideal"}, {"walls", "Walls"}}},
+                               {"decay-26", {{"left", "Part of the opening"}, {"sides", "Walls"}}}});
+    QList<AttemptRecord> some = attempts(2);
+    some[0].criteria = {{"left", 100, 300}, {"sides", 60, 300}};
+    some[1].criteria = {{"left", 200, 300}, {"walls", 40, 300}};
+    QCOMPARE(some[1].lessonId, std::string("c1-36"));
+    m_page->setHistory(some);
+    const auto bars = [this] {
+        return std::get<ui::charts::Bars>(m_page->findChild<ChartPanel*>("otherChart")->chart().content).bars;
+    };
+    QCOMPARE(bars().size(), 3);
+    QCOMPARE(bars()[0].words, QString("Part of the ideal: 20.0 points lost"));
+    QCOMPARE(bars()[1].words, QString("Part of the opening: 10.0 points lost"));
+    QCOMPARE(bars()[2].words, QString("Walls: 5.0 points lost"));  // of two lessons, told once
+    m_page->setLesson("decay-26");
+    QCOMPARE(bars()[0].name, QString("Part of the opening"));
+}
+
 void TestHistoryPage::titlesAreReadInASmallWindow()
 {
     m_window->resize(1280, 800);
@@ -277,6 +299,15 @@ void TestHistoryPage::titlesAreReadInASmallWindow()
     const int wide = table()->columnWidth(1);
     const int words = QFontMetrics(ui::shell::typeface(ui::shell::kBody)).horizontalAdvance("Decay on 33, moderate");
     QVERIFY2(wide >= words + 10, qPrintable(QString("%1 of %2").arg(wide).arg(words)));
+    // Also beside what a teacher has written.
+    m_page->setFeedback({database::Feedback{{12}, "c1-36", "Ines", "2026-11-20T10:00:00Z", true}});
+    QTest::qWait(20);
+    const int beside = table()->columnWidth(1);
+    QVERIFY2(beside >= words + 10, qPrintable(QString("%1 of %2").arg(beside).arg(words)));
+    QVERIFY(table()->isColumnHidden(5) && !table()->isColumnHidden(2));
+    m_window->resize(1900, 1000);
+    m_page->resize(1900, 1000);
+    QTRY_VERIFY(!table()->isColumnHidden(5) && table()->columnWidth(5) > 50);
 }
 
 void TestHistoryPage::thousandsOfRows()

@@ -191,6 +191,8 @@ private slots:
     void savedWorkIsLeftWithoutAQuestion();
     void workThatWaitsForAReplayIsAskedAbout();
     void typingSearchesTheLessons();
+    void datesAndPointsAreNotSearched();
+    void usedUpAttemptsAreToldBeforeTheStart();
     void theForecastIsAnsweredWithTheKeys();
     void unsavedLessonsAreAskedAbout_data();
     void unsavedLessonsAreAskedAbout();
@@ -2425,6 +2427,42 @@ void TestMainWindow::typingSearchesTheLessons()
     press(Qt::Key_Return);
     QCOMPARE(begun.size(), 1);
     QCOMPARE(QString::fromStdString(begun.front().front().value<lessons::Lesson>().id), QString("class1-26"));
+}
+
+void TestMainWindow::datesAndPointsAreNotSearched()
+{
+    auto* page = child<ui::study::LessonsPage>();
+    const ui::study::Given given{"Year 26", QDateTime(QDate(2093, 12, 24), QTime(12, 0)), {}};
+    page->setLessons(lessons::readCatalog({}), {{"class1-36", {2, 917, true, "2026-11-20T10:00:00Z"}}},
+                     {{"class1-37", given}});
+    actions().lessons->trigger();
+    auto* search = page->findChild<QLineEdit*>();
+    for (const char* word : {"2093", "91.7", "24/12"}) {
+        search->setText(word);
+        QVERIFY2(child<QListView>("lessonList")->model()->rowCount() == 0, word);
+    }
+    search->setText("year");
+    QCOMPARE(child<QLabel>("lessonTitle")->text(), QString("Class I on 37"));
+    // The number of a tooth is that first, though what is due comes first otherwise.
+    search->setText("26");
+    const QString first = child<QLabel>("lessonTitle")->text();
+    QVERIFY2(first.contains("26"), qPrintable(first));
+}
+
+void TestMainWindow::usedUpAttemptsAreToldBeforeTheStart()
+{
+    auto* page = child<ui::study::LessonsPage>();
+    QSignalSpy begun(page, &ui::study::LessonsPage::lessonChosen);
+    actions().lessons->trigger();
+    for (const int left : {1, 0}) {
+        page->setLessons(lessons::readCatalog({}), {}, {{"class1-37", {"Year 1", {}, left}}});
+        page->findChild<QLineEdit*>()->setText("class1-37");
+        QCOMPARE(child<QPushButton>("startLesson")->isEnabled(), left > 0);
+        QCOMPARE(child<QLabel>("whyNotStart")->isVisible(), left == 0);
+    }
+    page->findChild<QLineEdit*>()->setFocus();
+    press(Qt::Key_Return);
+    QCOMPARE(begun.size(), 0);
 }
 
 void TestMainWindow::theForecastIsAnsweredWithTheKeys()

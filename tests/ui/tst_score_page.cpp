@@ -130,6 +130,9 @@ private slots:
     void aPlaceIsPinnedAndFoundAgain();
     void aPinMovesWithTheKeys();
     void theSumStandsBesideTheTalk();
+    void aNewCardBeginsAtItsTop();
+    void whatWasSaidIsScrolledTo();
+    void theScoreThatIsToldIsCompared();
 
 private:
     void show(const Faulty& made);
@@ -554,6 +557,41 @@ void TestScorePage::theSumStandsBesideTheTalk()
     const auto rows = m_page->findChildren<CriterionRow*>();
     const int gap = bottom(m_page->findChild<QLabel*>("sum")) - bottom(rows.back());
     QVERIFY2(gap < 300, qPrintable(QString::number(gap)));
+}
+
+void TestScorePage::aNewCardBeginsAtItsTop()
+{
+    const Faulty made = faulty("decay-36-moderate");
+    m_page->resize(700, 500);
+    show(made);
+    QScrollBar* bar = m_page->findChild<ui::shell::ScrollPane*>()->verticalScrollBar();
+    QTRY_VERIFY(bar->maximum() > 0);
+    bar->setValue(bar->maximum());
+    show(made);
+    QCOMPARE(bar->value(), 0);
+}
+
+void TestScorePage::whatWasSaidIsScrolledTo()
+{
+    m_page->setTalkVisible(true);
+    show(faulty("decay-36-moderate"));
+    database::AttemptTalk talk;
+    for (int k = 0; k < 8; ++k)
+        talk.comments.push_back({k + 1, "Grace Hopper", "2026-11-20T10:00:00Z", "Here you pressed too hard.", {}, {}});
+    m_page->talk().setTalk(talk);
+    m_page->showTalk();
+    auto* pane = m_page->findChild<ui::shell::ScrollPane*>();
+    QTRY_VERIFY(pane->verticalScrollBar()->value() > 0);
+    const int top = m_page->talk().mapTo(pane->viewport(), QPoint(0, 0)).y();
+    QVERIFY2(top >= 0 && top < pane->viewport()->height() / 2, qPrintable(QString::number(top)));
+}
+
+void TestScorePage::theScoreThatIsToldIsCompared()
+{
+    show(faulty("class1-36"));
+    m_page->setGiven(800);
+    const QString words = m_page->findChild<QLabel*>("expectation")->text();
+    QVERIFY2(words.startsWith("You expected 90.0 points: 10.0 too many."), qPrintable(words));
 }
 
 QTEST_MAIN(TestScorePage)

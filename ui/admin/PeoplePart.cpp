@@ -179,15 +179,17 @@ QWidget* PeoplePart::makeForm()
     m_classList->setObjectName(QStringLiteral("personClasses"));
     m_classList->setProperty("kind", "ticks");
     m_classList->setMinimumHeight(kClassListPx);
+    m_classList->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);  // what the fields leave it
     m_classesWord->setBuddy(m_classList);
     column->addWidget(m_classList, 1);
     auto* classes = new QHBoxLayout;
     m_className = input("className", form);
     m_addClass = button("", "addClass", form);
     m_renameClass = button("", "renameClass", form);
-    classes->addWidget(m_className, 1);
     classes->addWidget(m_addClass);
     classes->addWidget(m_renameClass);
+    classes->addStretch(1);
+    column->addWidget(m_className);
     column->addLayout(classes);
     auto* whole = new QWidget(this);
     whole->setFixedWidth(kFormPx);

@@ -127,6 +127,7 @@ struct Chart
     QString note;        ///< what has to be known to read it: of how many, of when
     QString emptyWords;  ///< instead of a chart without values: what will be here, and how to get it
     std::variant<Curve, Bars, Histogram> content;
+    QString of{};  ///< whose it is, told in files, which lie apart from the page: "Year 1, Decay on 36"
     bool operator==(const Chart&) const = default;
 };
 

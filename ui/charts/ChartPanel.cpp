@@ -15,6 +15,7 @@
 #include <QMenu>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QRegularExpression>
 #include <QSaveFile>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -46,6 +47,13 @@ QLabel* label(int size, QFont::Weight weight, QPalette::ColorRole role, QWidget*
     made->setForegroundRole(role);
     made->setWordWrap(true);
     return made;
+}
+
+QString fileNameOf(const Chart& chart)
+{
+    static const QRegularExpression kUnfit(QStringLiteral(R"([^\w .,()-]+)"),
+                                           QRegularExpression::UseUnicodePropertiesOption);
+    return QStringLiteral("%1, %2").arg(chart.title, chart.of).replace(kUnfit, QStringLiteral(" ")).simplified();
 }
 
 }  // namespace
@@ -164,7 +172,7 @@ void ChartPanel::redraw()
     m_drawn = new QChart;
     m_drawn->setAnimationOptions(QChart::NoAnimation);
     if (!m_stops.isEmpty())
-        draw(m_shown, inkOf(palette()), *m_drawn, m_ticks);
+        draw(m_shown, inkOf(palette()), *m_drawn, m_view->size());
     m_view->setChart(m_drawn);
     delete old;
     m_ring = new QGraphicsEllipseItem(m_drawn);
@@ -353,7 +361,8 @@ void ChartPanel::changeEvent(QEvent* event)
 void ChartPanel::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
-    if (ticks() != m_ticks || rows() != m_rows)
+    const bool isNamed = std::holds_alternative<Bars>(m_chart.content);  // names have a share of the width
+    if (ticks() != m_ticks || rows() != m_rows || (isNamed && event->size().width() != event->oldSize().width()))
         redraw();
     tell();
 }
@@ -364,6 +373,8 @@ void ChartPanel::askForFile(const QString& ending, const QString& filter)
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setNameFilter(filter);
     dialog->setDefaultSuffix(ending);
+    if (!m_chart.of.isEmpty())
+        dialog->selectFile(fileNameOf(m_chart) + u'.' + ending);
     connect(dialog, &QFileDialog::fileSelected, this, &ChartPanel::save);
     dialog->open();
 }

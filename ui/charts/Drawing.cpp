@@ -37,9 +37,11 @@ using namespace ui::shell;
 constexpr double kEdgeShare = 0.05;
 constexpr double kLinePx = 2.0;
 constexpr double kMarkPx = 9.0;
-constexpr double kBarShare = 0.62;  ///< of the height of its row
-constexpr int kMostLetters = 24;    ///< of a line of a bar's name
-constexpr int kLineLetters = 16;    ///< a longer name has two
+constexpr double kBarShare = 0.62;    ///< of the height of its row
+constexpr double kNameShare = 0.4;    ///< of the width of the chart, for the names of bars
+constexpr double kFootPx = 56.0;      ///< of the axis beneath bars
+constexpr int kLineLetters = 16;      ///< a longer name has two
+constexpr double kNameEdgesPx = 8.0;  ///< that Qt leaves above and below
 constexpr QSize kPicturePx{960, 600};
 constexpr double kPictureDensity = 2.0;
 constexpr std::array kStrokes{Qt::SolidLine, Qt::DashLine, Qt::DashDotLine};
@@ -51,7 +53,7 @@ struct Board
 {
     QChart& chart;
     const Ink& ink;
-    int ticks = kMostTicks;  ///< of the upright axis
+    QSizeF roomPx;
     QAbstractAxis* x = nullptr;
     QAbstractAxis* y = nullptr;
 
@@ -229,7 +231,7 @@ void draw(const Histogram& histogram, Board& board)
 void makeAxes(const Curve& curve, Board& board)
 {
     board.x = axisOf(curve.x, board.ink);
-    QAbstractAxis* y = axisOf(curve.y, board.ink, board.ticks);
+    QAbstractAxis* y = axisOf(curve.y, board.ink, ticksFor(board.roomPx.height()));
     // A mark on the edge, as of a score of 0, is seen whole.
     const double spare = kEdgeShare * (curve.y.high - curve.y.low);
     const auto hasMark = [&](double at) {
@@ -246,18 +248,20 @@ void makeAxes(const Curve& curve, Board& board)
 void makeAxes(const Histogram& histogram, Board& board)
 {
     board.x = axisOf(histogram.x, board.ink);
-    board.y = axisOf(histogram.count, board.ink, board.ticks);
+    board.y = axisOf(histogram.count, board.ink, ticksFor(board.roomPx.height()));
     board.x->setGridLineVisible(false);
 }
 
-/// As rich text, which the axis shows: broken at the space that is nearest to the middle, where it is long.
-QString onTwoLines(const QString& name)
+/// As rich text, which the axis shows: where it is long, broken at the space that is nearest to the middle, if a bar
+/// has room for two lines. What is left out is left out in the middle, for names often begin alike.
+QString barName(const QString& name, double widthPx, double rowPx)
 {
-    const auto shortened = [](const QString& part) {
-        return (part.size() > kMostLetters ? part.left(kMostLetters - 1) + u'…' : part).toHtmlEscaped();
+    const QFontMetricsF metrics(typeface(kSmall));
+    const auto shortened = [&](const QString& part) {
+        return metrics.elidedText(part, Qt::ElideMiddle, widthPx).toHtmlEscaped();
     };
-    if (name.size() <= kLineLetters)
-        return name.toHtmlEscaped();
+    if (name.size() <= kLineLetters || rowPx < 2.0 * metrics.lineSpacing() + kNameEdgesPx)
+        return shortened(name);
     qsizetype at = -1;
     for (qsizetype k = name.indexOf(u' '); k >= 0; k = name.indexOf(u' ', k + 1))
         if (at < 0 || std::abs(2 * k - name.size()) < std::abs(2 * at - name.size()))
@@ -274,8 +278,9 @@ void makeAxes(const Bars& bars, Board& board)
     names->setLabelsPosition(QCategoryAxis::AxisLabelsPositionOnValue);
     const Frame frame = frameOf({{}, {}, {}, bars});
     names->setStartValue(frame.yLow);
+    const double rowPx = (board.roomPx.height() - kFootPx) / static_cast<double>(bars.bars.size());
     for (qsizetype k = bars.bars.size() - 1; k >= 0; --k) {
-        QString name = onTwoLines(bars.bars[k].name);
+        QString name = barName(bars.bars[k].name, kNameShare * board.roomPx.width(), rowPx);
         while (names->categoriesLabels().contains(name))
             name += QChar(0x200B);  // two of one name are two categories all the same
         names->append(name, -static_cast<double>(k));
@@ -379,7 +384,13 @@ void paintPicture(QPainter& painter, const Chart& chart)
     const Ink ink = inkOf(pagePalette(false));
     const QRectF sheet(QPointF(0.0, 0.0), kPicturePx);
     painter.fillRect(sheet, Qt::white);
-    paint(painter, sheet.adjusted(kSpace6, kSpace4, -kSpace6, -kSpace4), chart, ink);
+    Chart alone = chart;
+    if (!chart.of.isEmpty()) {
+        alone.title += QStringLiteral(" · ") + chart.of;
+        alone.note += (chart.note.isEmpty() ? QString() : QStringLiteral(" · ")) +
+                      QLocale().toString(QDate::currentDate(), QLocale::ShortFormat);
+    }
+    paint(painter, sheet.adjusted(kSpace6, kSpace4, -kSpace6, -kSpace4), alone, ink);
 }
 
 }  // namespace
@@ -415,7 +426,7 @@ int ticksFor(double heightPx)
     return std::clamp(static_cast<int>(heightPx / kTickPx), 2, kMostTicks);
 }
 
-void draw(const Chart& content, const Ink& ink, QChart& into, int ticks)
+void draw(const Chart& content, const Ink& ink, QChart& into, const QSizeF& roomPx)
 {
     into.setBackgroundVisible(false);
     into.setMargins({0, 0, 0, 0});
@@ -426,7 +437,7 @@ void draw(const Chart& content, const Ink& ink, QChart& into, int ticks)
     into.legend()->setMarkerShape(QLegend::MarkerShapeFromSeries);
     into.legend()->setLabelColor(ink.words);
     into.legend()->setFont(typeface(kSmall));
-    Board board{into, ink, ticks};
+    Board board{into, ink, roomPx};
     std::visit([&](const auto& what) { makeAxes(what, board); }, content.content);
     into.addAxis(board.x, Qt::AlignBottom);
     into.addAxis(board.y, Qt::AlignLeft);
@@ -452,7 +463,7 @@ void paint(QPainter& painter, const QRectF& area, const Chart& chart, const Ink&
         auto* drawn = new QChart;
         drawn->setAnimationOptions(QChart::NoAnimation);
         scene.addItem(drawn);
-        draw(chart, ink, *drawn, ticksFor(plot.height()));
+        draw(chart, ink, *drawn, plot.size());
         const Key key(*drawn, plot.width());
         drawn->legend()->hide();
         const QRectF above = plot.adjusted(0.0, 0.0, 0.0, -key.height());

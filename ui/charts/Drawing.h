@@ -35,8 +35,8 @@ inline constexpr int kMostTicks = 6;
 [[nodiscard]] int ticksFor(double heightPx);
 
 /// Fills an empty chart with axes and series. Everything lies linearly between the ends of frameOf(chart).
-/// @param ticks  about so many on the upright axis: as many as there is room for
-void draw(const Chart& content, const Ink& ink, QChart& into, int ticks = kMostTicks);
+/// @param roomPx  what there is for axes, names of bars and the rest
+void draw(const Chart& content, const Ink& ink, QChart& into, const QSizeF& roomPx);
 
 /// Title, chart and note. Needs a QApplication, and no window. Letters have the size they have on the screen when one
 /// unit of the painter is a pixel of it.

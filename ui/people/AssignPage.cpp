@@ -264,7 +264,7 @@ QWidget* AssignPage::makeGiven()
     heads->setSectionResizeMode(kLesson, QHeaderView::Stretch);
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
         if (const auto rows = chosen(); !rows.isEmpty())
-            m_terms->setTerms({rows.front().dueUtc, rows.front().attemptLimit});
+            m_terms->setTerms({rows.front().dueUtc, rows.front().attemptLimit}, static_cast<int>(rows.size()));
         tellChosen();
     });
     m_stack->addWidget(m_table);
@@ -294,12 +294,13 @@ QWidget* AssignPage::makeGiven()
     feet->addLayout(buttons);
     column->addLayout(feet);
     connect(m_change, &QPushButton::clicked, this, [this] {
-        const AssignTerms::Terms terms = m_terms->terms();
         QList<AssignmentChange> changes;
-        for (const database::ClassAssignment& given : chosen())
-            if (terms != AssignTerms::Terms{given.dueUtc, given.attemptLimit})
+        for (const database::ClassAssignment& given : chosen()) {
+            const AssignTerms::Terms before{given.dueUtc, given.attemptLimit};
+            if (const AssignTerms::Terms terms = m_terms->changed(before); terms != before)
                 changes << AssignmentChange{given, database::ClassAssignment{given.id, given.classId, given.lessonId,
                                                                              terms.dueUtc, terms.attemptLimit}};
+        }
         take(changes);
     });
     connect(m_takeBack, &QPushButton::clicked, this, [this] {
@@ -378,6 +379,18 @@ QString AssignPage::titleOf(const std::string& lessonId) const
     const auto found = std::find_if(m_lessons.begin(), m_lessons.end(),
                                     [&](const LessonOffer& lesson) { return lesson.id == lessonId; });
     return found == m_lessons.end() ? QString::fromStdString(lessonId) : found->title;
+}
+
+/// How many have tried as often as that allows: what they did before it was given counts.
+int AssignPage::usedUp(const database::ClassAssignment& given) const
+{
+    const auto place = std::find(m_overview.lessons.begin(), m_overview.lessons.end(), given.lessonId);
+    if (given.attemptLimit == 0 || place == m_overview.lessons.end())
+        return 0;
+    const auto column = static_cast<std::size_t>(place - m_overview.lessons.begin());
+    return static_cast<int>(std::count_if(m_overview.cells.begin(), m_overview.cells.end(), [&](const auto& row) {
+        return row[column].attempts >= given.attemptLimit && !row[column].passed;
+    }));
 }
 
 /// What is ticked stays, unless it has been given meanwhile.
@@ -548,12 +561,19 @@ void AssignPage::confirm(const QList<AssignmentChange>& changes)
     const int count = static_cast<int>(changes.size());
     const auto isAll = [&](auto has) { return std::all_of(changes.begin(), changes.end(), has); };
     m_last = wasUndone ? QList<AssignmentChange>() : changes;
-    m_saying = [wasUndone, count, isNew = isAll([](const AssignmentChange& one) { return !one.before; }),
+    int noneLeft = 0;
+    for (const AssignmentChange& change : changes)
+        noneLeft = std::max(noneLeft, change.after ? usedUp(*change.after) : 0);
+    m_saying = [wasUndone, count, noneLeft, isNew = isAll([](const AssignmentChange& one) { return !one.before; }),
                 isGone = isAll([](const AssignmentChange& one) { return !one.after; })] {
-        return wasUndone ? tr("That was undone.")
-               : isNew   ? tr("%n lesson(s) assigned.", nullptr, count)
-               : isGone  ? tr("%n lesson(s) taken back; attempts stay.", nullptr, count)
-                         : tr("%n lesson(s) changed.", nullptr, count);
+        QString done = wasUndone ? tr("That was undone.")
+                       : isNew   ? tr("%n lesson(s) assigned.", nullptr, count)
+                       : isGone  ? tr("%n lesson(s) taken back; attempts stay.", nullptr, count)
+                                 : tr("%n lesson(s) changed.", nullptr, count);
+        if (wasUndone || noneLeft == 0)
+            return done;
+        return done + u' ' +
+               tr("%n student(s) who have not passed have no attempts left: earlier ones count.", nullptr, noneLeft);
     };
     m_said->setText(m_saying());
     // Who has just pressed a button that rests now goes on with the one beside the words.

@@ -83,6 +83,7 @@ private:
     [[nodiscard]] std::vector<std::string> ticked() const;
     [[nodiscard]] QList<database::ClassAssignment> chosen() const;
     [[nodiscard]] QString titleOf(const std::string& lessonId) const;
+    [[nodiscard]] int usedUp(const database::ClassAssignment& given) const;
 
     std::vector<LessonOffer> m_lessons;
     database::ClassOverview m_overview;

@@ -10,6 +10,7 @@
 #include <QLabel>
 #include <QLocale>
 #include <QSpinBox>
+#include <QStringList>
 #include <QToolButton>
 
 #include "ui/people/PeopleWords.h"
@@ -28,7 +29,7 @@ constexpr int kInputHighPx = 30;
 
 AssignTerms::AssignTerms(QWidget* parent)
     : QWidget(parent), m_isDue(new QCheckBox(this)), m_day(new QDateEdit(this)), m_limitWord(new QLabel(this)),
-      m_limit(new QSpinBox(this))
+      m_limit(new QSpinBox(this)), m_note(new QLabel(this))
 {
     m_isDue->setObjectName(QStringLiteral("isDue"));
     m_isDue->setChecked(true);
@@ -44,7 +45,18 @@ AssignTerms::AssignTerms(QWidget* parent)
         input->setFocusPolicy(Qt::StrongFocus);
         study::bindToForm(input);
     }
+    m_note->setObjectName(QStringLiteral("termsNote"));
+    m_note->setTextFormat(Qt::PlainText);
+    m_note->setFont(shell::typeface(shell::kSmall));
+    m_note->setWordWrap(true);
     connect(m_isDue, &QCheckBox::toggled, m_day, &QWidget::setEnabled);
+    const auto takeDue = [this] {
+        m_isDueChanged = true;
+        tellNote();
+    };
+    connect(m_isDue, &QCheckBox::toggled, this, takeDue);
+    connect(m_day, &QDateEdit::dateChanged, this, takeDue);
+    connect(m_limit, &QSpinBox::valueChanged, this, [this] { m_isLimitChanged = true; });
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setHorizontalSpacing(shell::kSpace2);
@@ -53,22 +65,45 @@ AssignTerms::AssignTerms(QWidget* parent)
     grid->addWidget(m_day, 0, 1);
     grid->addWidget(m_limitWord, 1, 0);
     grid->addWidget(m_limit, 1, 1);
+    grid->addWidget(m_note, 2, 0, 1, 2);
     grid->setColumnStretch(1, 1);
     text::inEveryLanguage(this, [this] { retell(); });
 }
 
-void AssignTerms::setTerms(const Terms& terms)
+void AssignTerms::setTerms(const Terms& terms, int lessons)
 {
     const QDate day = dueDay(terms.dueUtc);
     m_isDue->setChecked(day.isValid());
     if (day.isValid())
         m_day->setDate(day);
     m_limit->setValue(terms.attemptLimit);
+    m_lessons = lessons;
+    m_isDueChanged = false;
+    m_isLimitChanged = false;
+    tellNote();
 }
 
 AssignTerms::Terms AssignTerms::terms() const
 {
     return {m_isDue->isChecked() ? endOfDay(m_day->date()) : std::string(), m_limit->value()};
+}
+
+AssignTerms::Terms AssignTerms::changed(const Terms& before) const
+{
+    const Terms now = terms();
+    return {m_isDueChanged ? now.dueUtc : before.dueUtc, m_isLimitChanged ? now.attemptLimit : before.attemptLimit};
+}
+
+/// What one might not expect of them.
+void AssignTerms::tellNote()
+{
+    QStringList notes;
+    if (m_isDue->isChecked() && m_day->date() < QDate::currentDate())
+        notes << tr("This day is over: whoever has not passed is late at once.");
+    if (m_lessons > 1)
+        notes << tr("Each lesson keeps what you do not change here.");
+    m_note->setText(notes.join(u'\n'));
+    m_note->setVisible(!notes.isEmpty());
 }
 
 void AssignTerms::retell()
@@ -84,6 +119,7 @@ void AssignTerms::retell()
     m_limitWord->setText(tr("Attempts"));
     m_limit->setAccessibleName(tr("Attempts at most"));
     m_limit->setSpecialValueText(tr("no limit"));
+    tellNote();
 }
 
 /// Its months and days, as they are called today.

@@ -25,20 +25,28 @@ public:
         int attemptLimit = 0;  ///< 0: as many as one likes
         bool operator==(const Terms&) const = default;
     };
-    void setTerms(const Terms& terms);
+    /// @param lessons  how many have terms of which these are the first
+    void setTerms(const Terms& terms, int lessons = 1);
     [[nodiscard]] Terms terms() const;
+    /// What somebody has changed here since setTerms(), and the rest as it was before.
+    [[nodiscard]] Terms changed(const Terms& before) const;
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void retell();
+    void tellNote();
     void sayCalendar();
 
     QCheckBox* m_isDue;
     QDateEdit* m_day;
     QLabel* m_limitWord;
     QSpinBox* m_limit;
+    QLabel* m_note;
+    int m_lessons = 1;
+    bool m_isDueChanged = false;
+    bool m_isLimitChanged = false;
 };
 
 }  // namespace ui::people

@@ -82,6 +82,7 @@ QWidget* ClassPage::makeHead()
         auto* button = new QPushButton(part);
         button->setProperty("kind", "segment");
         button->setCheckable(true);
+        button->setAutoDefault(true);
         m_need->addButton(button, static_cast<int>(need));
         row->addWidget(button);
     }
@@ -426,9 +427,16 @@ void ClassPage::tellEmpty()
 
 void ClassPage::drawCharts()
 {
-    m_distribution->setChart(distributionChart(m_results, m_passMarkTenths));
-    m_learning->setChart(learningChart(m_results, m_passMarkTenths));
-    m_difficulty->setChart(difficultyChart(m_results, m_criteria));
+    //: %1: a class; %2: a lesson
+    const QString of =
+        tr("%1, %2").arg(QString::fromStdString(m_model->overview().name), lessonTitle(m_titles, m_results.lessonId));
+    const auto show = [&](charts::ChartPanel* panel, charts::Chart chart) {
+        chart.of = of;
+        panel->setChart(chart);
+    };
+    show(m_distribution, distributionChart(m_results, m_passMarkTenths));
+    show(m_learning, learningChart(m_results, m_passMarkTenths));
+    show(m_difficulty, difficultyChart(m_results, m_criteria));
 }
 
 /// Lessons share what room there is, down to what their titles need.

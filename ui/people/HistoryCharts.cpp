@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <QCoreApplication>
 
@@ -157,26 +158,34 @@ Chart criteriaChart(const ChartedAttempts& attempts)
     {
         int lostTenths = 0;
         int weightTenths = 0;
-        int attempts = 0;  ///< in which it counts
+        int attempts = 0;        ///< in which it counts
+        qsizetype counted = -1;  ///< of them the last
     };
-    std::map<std::string, Sum> sums;
+    const auto namesOf = [&](const AttemptRecord& record) {
+        const auto known = attempts.criteria.find(record.lessonId);
+        return known == attempts.criteria.end() ? CriterionNames() : known->second;
+    };
+    // By name: an id is a lesson's own, and means something else in another.
+    std::map<QString, Sum> sums;
     const qsizetype over = std::min(kCriteriaOver, attempts.newestFirst.size());
-    for (qsizetype k = 0; k < over; ++k)
+    for (qsizetype k = 0; k < over; ++k) {
+        const CriterionNames names = namesOf(attempts.newestFirst[k]);
         for (const database::CriterionLoss& loss : attempts.newestFirst[k].criteria) {
-            Sum& sum = sums[loss.id];
+            Sum& sum = sums[criterionName(names, loss.id)];
             sum.lostTenths += loss.lostTenths;
             sum.weightTenths += loss.weightTenths;
-            ++sum.attempts;
+            if (std::exchange(sum.counted, k) != k)
+                ++sum.attempts;
         }
+    }
     Bars bars;
     bars.nameTitle = Words::tr("Criterion");
     double most = 0.0;
-    for (const auto& [id, sum] : sums) {
+    for (const auto& [name, sum] : sums) {
         if (sum.weightTenths == 0 && sum.lostTenths == 0)  // a limit that was kept
             continue;
         const double lost = 0.1 * sum.lostTenths / sum.attempts;
         most = std::max(most, lost);
-        const QString name = criterionName(attempts.criteria, id);
         //: %1: a criterion; %2: a number
         bars.bars << Bars::Bar{name, lost, Words::tr("%1: %2 points lost").arg(name, text::number(lost, 1))};
     }

@@ -32,7 +32,7 @@ struct ChartedAttempts
     QList<database::AttemptRecord> newestFirst;
     bool isOneLesson = false;  ///< then they are counted, and compared with the class; else they lie along time
     LessonTitles titles;
-    std::map<std::string, QString> criteria;  ///< names, by id
+    std::map<std::string, CriterionNames> criteria;  ///< by lesson
     std::vector<database::BandPoint> band;
     std::optional<ClassMedians> medians;
 };

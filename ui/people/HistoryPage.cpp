@@ -30,6 +30,7 @@ using namespace ui::shell;
 
 constexpr int kArrowPx = 14;  ///< that tells the sorting
 constexpr int kEmptyPx = 460;
+constexpr int kLeastTitlePx = 190;
 constexpr qsizetype kMostStarts = 3;  ///< that are named
 
 enum Which { Criteria, Time, Force, Speed };
@@ -93,6 +94,7 @@ QWidget* HistoryPage::makeList()
     columns->setSectionResizeMode(QHeaderView::Interactive);
     columns->setSectionResizeMode(HistoryModel::Lesson, QHeaderView::Stretch);
     m_table->setColumnHidden(HistoryModel::Feedback, true);
+    m_table->viewport()->installEventFilter(this);
     connect(m_table, &QTableView::activated, this, [this] { m_open->click(); });
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, &HistoryPage::tellChosen);
     column->addWidget(m_table, 1);
@@ -143,6 +145,7 @@ QWidget* HistoryPage::makeCharts()
         auto* button = new QPushButton(part);
         button->setProperty("kind", "segment");
         button->setCheckable(true);
+        button->setAutoDefault(true);
         text::inEveryLanguage(button, [button, say] {
             button->setText(say());
             button->setAccessibleName(say());
@@ -240,7 +243,7 @@ void HistoryPage::setLessonTitles(const LessonTitles& titles)
     drawCharts();
 }
 
-void HistoryPage::setCriterionNames(const std::map<std::string, QString>& names)
+void HistoryPage::setCriterionNames(const std::map<std::string, CriterionNames>& names)
 {
     m_charted.criteria = names;
     drawCharts();
@@ -388,6 +391,7 @@ void HistoryPage::setFeedback(const std::vector<database::Feedback>& feedback)
         isNew[one.attempt.value] = one.isNew && m_person.isEmpty();
     m_model->setFeedback(std::move(isNew));
     m_table->setColumnHidden(HistoryModel::Feedback, feedback.empty());
+    makeRoom();
 }
 
 /// As wide as their words in this language; the lesson has the rest.
@@ -400,6 +404,7 @@ void HistoryPage::fitColumns()
             heads.horizontalAdvance(m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString()) + kArrowPx;
         for (const QString& words : widest)
             px = std::max(px, metrics.horizontalAdvance(words));
+        m_columnPx[column] = px + kSpace6;
         m_table->horizontalHeader()->resizeSection(column, px + kSpace6);
     };
     fit(HistoryModel::When, {when("2026-12-28T22:58:00Z"), when("2026-09-20T20:00:00Z"), when("2026-08-04T04:44:00Z")});
@@ -408,6 +413,30 @@ void HistoryPage::fitColumns()
     fit(HistoryModel::Feedback, {HistoryModel::tr("new"), HistoryModel::tr("read")});
     fit(HistoryModel::Time, {QStringLiteral("1:12:07")});
     fit(HistoryModel::Force, {QStringLiteral("10.85 / 12.10")});
+    makeRoom();
+}
+
+/// Force and time, which have charts beside the list, leave their room to the titles of lessons where it is scarce.
+void HistoryPage::makeRoom()
+{
+    int leftPx = m_table->viewport()->width() - kLeastTitlePx;
+    for (const auto& [column, px] : m_columnPx)
+        if (column != HistoryModel::Feedback || !m_table->isColumnHidden(column))
+            leftPx -= px;
+    for (const int column : {HistoryModel::Force, HistoryModel::Time}) {
+        m_table->setColumnHidden(column, leftPx < 0);
+        if (leftPx < 0)
+            leftPx += m_columnPx[column];
+        else
+            m_table->horizontalHeader()->resizeSection(column, m_columnPx[column]);
+    }
+}
+
+bool HistoryPage::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::Resize)
+        makeRoom();
+    return Page::eventFilter(watched, event);
 }
 
 void HistoryPage::changeEvent(QEvent* event)

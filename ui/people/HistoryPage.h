@@ -47,7 +47,8 @@ public:
     void setExamsWithoutScore(const QList<database::ExamStart>& newestFirst);
     void setLessonTitles(const LessonTitles& titles);
     /// What criteria are called, by their ids; of the lessons that are known.
-    void setCriterionNames(const std::map<std::string, QString>& names);
+    /// @param names  of the criteria of each lesson, by its id
+    void setCriterionNames(const std::map<std::string, CriterionNames>& names);
     /// Shows one lesson's attempts only; nothing: all.
     void setLesson(const std::optional<std::string>& lessonId);
     /// How the class did at the lesson that is shown. Empty until it is known, and of too few people.
@@ -68,6 +69,7 @@ signals:
 protected:
     void changeEvent(QEvent* event) override;
     void showEvent(QShowEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     QWidget* makeList();
@@ -77,6 +79,7 @@ private:
     void takeLesson();
     void retell();
     void fitColumns();
+    void makeRoom();
     void drawCharts();
     void tellChosen();
     void tellWithoutScore();
@@ -92,6 +95,7 @@ private:
     QLabel* m_count = nullptr;
     QLabel* m_withoutScore = nullptr;
     ListTable* m_table = nullptr;
+    std::map<int, int> m_columnPx;  ///< what each needs
     QPushButton* m_open = nullptr;
     QPushButton* m_replay = nullptr;
     QButtonGroup* m_which = nullptr;

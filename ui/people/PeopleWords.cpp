@@ -75,7 +75,7 @@ QString clock(std::int64_t ms)
     return hours > 0 ? QStringLiteral("%1:%2").arg(hours).arg(rest, 5, QLatin1Char('0')) : rest;
 }
 
-QString criterionName(const std::map<std::string, QString>& names, const std::string& id)
+QString criterionName(const CriterionNames& names, const std::string& id)
 {
     if (const auto it = names.find(id); it != names.end())
         return it->second;

@@ -32,7 +32,9 @@ using LessonTitles = QHash<QString, QString>;
 /// "12:07"; hours where there are: "1:12:07".
 [[nodiscard]] QString clock(std::int64_t ms);
 
+/// What the criteria of a lesson are called, by their ids.
+using CriterionNames = std::map<std::string, QString>;
 /// The name, or the id made readable.
-[[nodiscard]] QString criterionName(const std::map<std::string, QString>& names, const std::string& id);
+[[nodiscard]] QString criterionName(const CriterionNames& names, const std::string& id);
 
 }  // namespace ui::people

@@ -273,6 +273,7 @@ void TalkPanel::fill()
         const auto pin = [&](const QString& words, const QString& name) {
             auto* button = new QPushButton(words, m_list);
             button->setProperty("kind", "chip");
+            button->setAutoDefault(true);
             button->setAccessibleName(name);
             pins->addWidget(button);
             return button;

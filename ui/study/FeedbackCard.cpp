@@ -24,7 +24,7 @@ FeedbackCard::FeedbackCard(QWidget* parent) : QFrame(parent), m_words(new QLabel
     m_words->setTextFormat(Qt::PlainText);
     row->addWidget(m_words, 1);
     m_read->setObjectName(QStringLiteral("readFeedback"));
-    m_read->setAutoDefault(false);
+    m_read->setAutoDefault(true);
     row->addWidget(m_read);
     connect(m_read, &QPushButton::clicked, this, &FeedbackCard::readWanted);
     text::inEveryLanguage(this, [this] { tell(); });

@@ -35,6 +35,7 @@ IdealForm::IdealForm(QWidget* parent) : QWidget(parent)
             [this](int index) { emit referenceChosen(m_reference->itemData(index).toString()); });
     column->addWidget(m_reference);
     m_fromRecordings = new QPushButton(this);
+    m_fromRecordings->setAutoDefault(true);
     text::inEveryLanguage(m_fromRecordings, [this] {
         m_fromRecordings->setText(tr("Take recordings as the reference …"));
         m_fromRecordings->setToolTip(tr("Choose one attempt, or several whose mean is to be cut"));

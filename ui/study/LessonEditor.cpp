@@ -191,6 +191,7 @@ QWidget* LessonEditor::makePictures()
         auto* button = new QPushButton(side);
         button->setProperty("kind", "segment");
         button->setCheckable(true);
+        button->setAutoDefault(true);
         text::inEveryLanguage(button, [button, name, tip] {
             button->setText(tr(name));
             button->setToolTip(tr(tip));
@@ -235,6 +236,7 @@ QWidget* LessonEditor::makeFoot(const Actions& actions)
     row->setContentsMargins(kSpace4, 0, 0, 0);
     row->setSpacing(kSpace2);
     m_save = new QPushButton(foot);
+    m_save->setAutoDefault(true);
     text::inEveryLanguage(m_save, [this] { m_save->setText(tr("Save")); });
     m_save->setProperty("kind", "filled");
     text::inEveryLanguage(m_save, [this] {
@@ -256,6 +258,7 @@ QWidget* LessonEditor::makeFoot(const Actions& actions)
     said->addWidget(m_said);
     row->addLayout(said, 1);
     m_fit = new QPushButton(foot);
+    m_fit->setAutoDefault(true);
     text::inEveryLanguage(m_fit, [this] {
         m_fit->setText(tr("Fit"));
         m_fit->setToolTip(tr("Widen the tolerances until the ideal itself loses nothing"));

@@ -57,6 +57,21 @@ QLabel* label(const QString& words, int size, QFont::Weight weight, QPalette::Co
     return made;
 }
 
+QString nameOf(const CatalogEntry& entry)
+{
+    return entry.read.lesson ? said(entry.read.lesson->title) : QFileInfo(entry.read.file).fileName();
+}
+
+bool isOnTooth(const CatalogEntry& entry, const QStringList& numbers)
+{
+    if (!entry.read.lesson)
+        return false;
+    const auto* made = std::get_if<::lessons::MadeTooth>(&entry.read.lesson->tooth);
+    const auto* scan = std::get_if<::lessons::Scan>(&entry.read.lesson->tooth);
+    return (made != nullptr && numbers.contains(QString::number(made->fdi))) ||
+           (scan != nullptr && numbers.contains(QString::number(scan->fdi)));
+}
+
 }  // namespace
 
 LessonsPage::LessonsPage(const Actions& actions, QWidget* parent)
@@ -96,7 +111,7 @@ QWidget* LessonsPage::makeList()
     m_search->installEventFilter(this);
     m_tooth = new QPushButton(side);
     m_tooth->setObjectName(QStringLiteral("pickTooth"));
-    m_tooth->setAutoDefault(false);
+    m_tooth->setAutoDefault(true);
     m_tooth->setIcon(lineIcon(QStringLiteral("tooth"), palette()));
     text::inEveryLanguage(m_tooth, [this] {
         m_tooth->setText(tr("Tooth …"));
@@ -146,7 +161,7 @@ QWidget* LessonsPage::makeList()
         folder->setToolTip(tr("Open the folder that a teacher's lessons are read from"));
         folder->setAccessibleName(tr("Open the folder of your own lessons"));
     });
-    folder->setAutoDefault(false);
+    folder->setAutoDefault(true);
     folder->setProperty("kind", "quiet");
     connect(folder, &QPushButton::clicked, this, &LessonsPage::folderWanted);
     auto* below = new QHBoxLayout;
@@ -176,7 +191,7 @@ QWidget* LessonsPage::makeFilters(QWidget* parent)
         auto* button = new QPushButton(row);
         button->setProperty("kind", "segment");
         button->setCheckable(true);
-        button->setAutoDefault(false);
+        button->setAutoDefault(true);
         text::inEveryLanguage(button, [button, say] {
             button->setText(say());
             button->setAccessibleName(say());
@@ -208,12 +223,12 @@ QWidget* LessonsPage::makeContinue(QWidget* parent)
     m_continueWords->setObjectName(QStringLiteral("continueWords"));
     m_goOn = new QPushButton(m_continue);
     m_goOn->setObjectName(QStringLiteral("continue"));
-    m_goOn->setAutoDefault(false);
+    m_goOn->setAutoDefault(true);
     row->addWidget(m_continueWords, 1);
     m_discard = new QPushButton(m_continue);
     m_discard->setObjectName(QStringLiteral("discardUnfinished"));
     m_discard->setProperty("kind", "quiet");
-    m_discard->setAutoDefault(false);
+    m_discard->setAutoDefault(true);
     text::inEveryLanguage(m_discard, [this] {
         m_discard->setText(tr("Discard"));
         m_discard->setAccessibleName(tr("Discard the attempt that was not finished"));
@@ -285,6 +300,9 @@ QWidget* LessonsPage::makeDetails(const Actions& actions)
     auto* stack = new QVBoxLayout(whole);
     stack->setContentsMargins(0, 0, 0, 0);
     stack->addWidget(scroll, 1);
+    m_whyNot = label({}, kBody, QFont::Normal, QPalette::WindowText, whole);
+    m_whyNot->setObjectName(QStringLiteral("whyNotStart"));
+    stack->addWidget(m_whyNot);
     auto* buttons = new QHBoxLayout;
     m_start = new QPushButton(whole);
     text::inEveryLanguage(m_start, [this] { m_start->setText(tr("Start")); });
@@ -355,7 +373,14 @@ void LessonsPage::setUnfinished(const std::function<QString()>& title, const QDa
     tellContinue();
 }
 
-/// The lesson that was tried last, if it was not passed then or before.
+/// It may be tried so many times, and was.
+bool LessonsPage::isUsedUp(const CatalogEntry& entry) const
+{
+    const Given* const given = givenOf(entry);
+    return given != nullptr && given->attemptsLeft && *given->attemptsLeft <= 0;
+}
+
+/// The lesson that was tried last, if it was not passed then or before and can be tried again.
 const CatalogEntry* LessonsPage::lastTried() const
 {
     const CatalogEntry* last = nullptr;
@@ -363,7 +388,7 @@ const CatalogEntry* LessonsPage::lastTried() const
         if (const Standing* const standing = standingOf(entry);
             standing != nullptr && (last == nullptr || standing->lastUtc > standingOf(*last)->lastUtc))
             last = &entry;
-    return last != nullptr && !standingOf(*last)->passed ? last : nullptr;
+    return last != nullptr && !standingOf(*last)->passed && !isUsedUp(*last) ? last : nullptr;
 }
 
 void LessonsPage::tellContinue()
@@ -477,7 +502,7 @@ void LessonsPage::fillCard(QStandardItem& item, const CatalogEntry& entry) const
     QStringList notes{lesson ? toothWords(*lesson) : tr("Cannot be given")};
     if (m_unsaved.contains(entry.read.file))
         //: Of a lesson in a list: in the editor
-        notes << tr("changed, not saved");
+        notes.prepend(tr("changed, not saved"));
     item.setData(notes.join(QStringLiteral(" · ")), CardTooth);
     if (!lesson) {
         item.setData(item.data(CardTooth), Qt::AccessibleDescriptionRole);
@@ -508,27 +533,50 @@ void LessonsPage::fillCard(QStandardItem& item, const CatalogEntry& entry) const
     item.setData(notes.join(QStringLiteral(", ")), Qt::AccessibleDescriptionRole);
 }
 
+/// Of what a lesson is, so that neither its dates nor its points are found.
+QString LessonsPage::searchedWords(const CatalogEntry& entry) const
+{
+    const auto& lesson = entry.read.lesson;
+    if (!lesson)
+        return nameOf(entry) + u' ' + tr("Cannot be given");
+    QStringList words{nameOf(entry), toothWords(*lesson), groupName(lesson->task), said(lesson->goal),
+                      QString::fromStdString(lesson->id)};
+    if (lesson->exam)
+        words << tr("exam");
+    if (const Given* const given = givenOf(entry))
+        words << given->className;
+    return words.join(u' ');
+}
+
+/// Entries that are wanted and in which every word occurs; first those on a tooth whose number is one of the words.
+std::vector<std::size_t> LessonsPage::found() const
+{
+    const QStringList words = m_search->text().split(u' ', Qt::SkipEmptyParts);
+    std::vector<std::size_t> shown;
+    for (std::size_t k = 0; k < m_entries.size(); ++k) {
+        const QString all = searchedWords(m_entries[k]);
+        if (isWanted(m_entries[k]) && std::all_of(words.begin(), words.end(), [&](const QString& word) {
+                return all.contains(word, Qt::CaseInsensitive);
+            }))
+            shown.push_back(k);
+    }
+    std::stable_partition(shown.begin(), shown.end(), [&](std::size_t k) { return isOnTooth(m_entries[k], words); });
+    return shown;
+}
+
 void LessonsPage::fillList()
 {
     const CatalogEntry* before = chosen();
     const std::string kept = before != nullptr && before->read.lesson ? before->read.lesson->id : m_present;
-    const QStringList words = m_search->text().split(u' ', Qt::SkipEmptyParts);
     m_model->clear();
     QString group;
     QModelIndex select;
-    for (std::size_t k = 0; k < m_entries.size(); ++k) {
+    for (const std::size_t k : found()) {
         const CatalogEntry& entry = m_entries[k];
         const auto& lesson = entry.read.lesson;
-        auto item =
-            std::make_unique<QStandardItem>(lesson ? said(lesson->title) : QFileInfo(entry.read.file).fileName());
+        auto item = std::make_unique<QStandardItem>(nameOf(entry));
         item->setData(static_cast<int>(k), CardEntry);
         fillCard(*item, entry);
-        const QString all = item->text() + u' ' + item->data(Qt::AccessibleDescriptionRole).toString() + u' ' +
-                            (lesson ? QString::fromStdString(lesson->id) : QString());
-        if (!isWanted(entry) || !std::all_of(words.begin(), words.end(), [&](const QString& word) {
-                return all.contains(word, Qt::CaseInsensitive);
-            }))
-            continue;
         const QString heading = isToDo(entry) ? tr("Given to you")
                                 : lesson      ? groupName(lesson->task)
                                               : tr("Cannot be given");
@@ -573,16 +621,18 @@ void LessonsPage::describe()
     grid->setHorizontalSpacing(kSpace6);
     grid->setVerticalSpacing(kSpace2);
     grid->setColumnMinimumWidth(0, kFactWidthPx);
-    grid->setColumnStretch(1, 1);
+    grid->setColumnStretch(1, 1000);
+    grid->setColumnStretch(2, 1);  // what the values leave over
     m_factsSlot->addWidget(m_facts);
     const CatalogEntry* entry = chosen();
     const bool isSound = entry != nullptr && entry->read.lesson.has_value();
-    m_start->setEnabled(isSound);
+    const bool isOver = isSound && isUsedUp(*entry);
+    m_start->setEnabled(isSound && !isOver);
+    m_whyNot->setText(tr("You have used up your attempts at this lesson. Your teacher can give you more."));
+    m_whyNot->setVisible(isOver);
     m_picture->setLesson(isSound ? entry->read.lesson : std::nullopt);
     m_edit->setVisible(isSound);
-    m_title->setText(entry == nullptr ? tr("No lesson fits")
-                     : isSound        ? said(entry->read.lesson->title)
-                                      : QFileInfo(entry->read.file).fileName());
+    m_title->setText(entry == nullptr ? tr("No lesson fits") : nameOf(*entry));
     m_goal->setText(isSound ? said(entry->read.lesson->goal)
                     : entry ? tr("This file cannot be given as a lesson. The others work.")
                             : tr("Search for another word, or show all lessons."));
@@ -629,7 +679,7 @@ void LessonsPage::describe()
 
 void LessonsPage::start()
 {
-    if (const CatalogEntry* entry = chosen(); entry != nullptr && entry->read.lesson)
+    if (const CatalogEntry* entry = chosen(); entry != nullptr && entry->read.lesson && !isUsedUp(*entry))
         emit lessonChosen(*entry->read.lesson);
 }
 

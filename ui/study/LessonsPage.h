@@ -96,6 +96,9 @@ private:
     [[nodiscard]] bool isWanted(const ::lessons::CatalogEntry& entry) const;
     [[nodiscard]] const Standing* standingOf(const ::lessons::CatalogEntry& entry) const;
     [[nodiscard]] const Given* givenOf(const ::lessons::CatalogEntry& entry) const;
+    [[nodiscard]] bool isUsedUp(const ::lessons::CatalogEntry& entry) const;
+    [[nodiscard]] QString searchedWords(const ::lessons::CatalogEntry& entry) const;
+    [[nodiscard]] std::vector<std::size_t> found() const;
     void fillCard(QStandardItem& item, const ::lessons::CatalogEntry& entry) const;
     void tellContinue();
     void tellMissing();
@@ -133,6 +136,7 @@ private:
     QVBoxLayout* m_factsSlot = nullptr;
     QWidget* m_facts = nullptr;
     LessonPicture* m_picture = nullptr;
+    QLabel* m_whyNot = nullptr;  ///< it cannot be started
     QPushButton* m_start = nullptr;
     QPushButton* m_edit = nullptr;
 };

@@ -15,6 +15,8 @@
 #include <QMenu>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScrollBar>
+#include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -519,6 +521,7 @@ void ScorePage::setScore(const QString& work, const ::lessons::ScoreSheet& sheet
     m_history = history;
     m_chosen.clear();
     speak();
+    m_scroll->verticalScrollBar()->setValue(0);
 }
 
 void ScorePage::setPerson(const QString& fullName)
@@ -563,13 +566,14 @@ void ScorePage::speak()
     //: %1 is a lesson, "Tooth 36" or a file name
     //: %1 is a person, %2 a lesson
     setTitle(m_person.isEmpty() ? tr("Grade: %1").arg(m_work) : tr("Grade of %1: %2").arg(m_person, m_work));
+    const int total = m_given.value_or(m_sheet.totalTenths);
     m_expected->setVisible(m_expectation.has_value());
     if (m_expectation && !m_person.isEmpty())
         m_expected->setText(tr("Expected by the student: %1 points.").arg(text::points(m_expectation->tenths)));
     else if (m_expectation)
-        m_expected->setText((expectation(m_expectation->tenths, m_sheet.totalTenths) + u' ' +
-                             expectedWorst(m_expectation->worst, m_sheet))
-                                .trimmed());
+        m_expected->setText(
+            (expectation(m_expectation->tenths, total) + u' ' + expectedWorst(m_expectation->worst, m_sheet))
+                .trimmed());
     QString how = rubricWords(m_sheet);
     if (m_scored && m_scored->preset)
         //: %1 is a hardness preset with its version
@@ -580,7 +584,6 @@ void ScorePage::speak()
     m_rubric->setForegroundRole(
         m_scored && m_scored->preset && m_scored->preset->isChanged ? QPalette::WindowText : QPalette::PlaceholderText);
     const Tones tone = tones(palette());
-    const int total = m_given.value_or(m_sheet.totalTenths);
     m_total->setText(text::points(total), tr("of 100"));
     const bool passed = m_given ? *m_given >= m_sheet.passMarkTenths : m_sheet.passed();
     m_verdict->setText(verdictWords(m_sheet, m_given));
@@ -801,6 +804,14 @@ void ScorePage::setTalkVisible(bool visible)
     if (!visible)
         setMayTalk(false);
     arrange();
+}
+
+void ScorePage::showTalk()
+{
+    QTimer::singleShot(0, this, [this] {
+        const QPoint corner = m_talkCard->mapTo(m_scroll->widget(), QPoint(0, 0));
+        m_scroll->verticalScrollBar()->setValue(corner.y());
+    });
 }
 
 void ScorePage::setMayTalk(bool may)

@@ -85,6 +85,8 @@ public:
     /// What became of the card that was to be saved or printed.
     void say(const QString& words);
     void setTalkVisible(bool visible);
+    /// Scrolls to what people say, once the card is laid out.
+    void showTalk();
     /// Who reads may write as well: comments, which can be pinned to places of the picture, and another score.
     void setMayTalk(bool may);
     /// Where the score stands among those of a class.

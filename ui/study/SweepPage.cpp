@@ -43,6 +43,7 @@ SweepPage::SweepPage(QWidget* parent) : QWidget(parent), m_measuring(std::make_s
     column->setSpacing(kSpace2);
     auto* row = new QHBoxLayout;
     auto* folder = new QPushButton(this);
+    folder->setAutoDefault(true);
     text::inEveryLanguage(folder, [folder] {
         folder->setText(tr("Recordings …"));
         folder->setToolTip(tr("Choose the folder with recordings of attempts"));
@@ -63,6 +64,7 @@ SweepPage::SweepPage(QWidget* parent) : QWidget(parent), m_measuring(std::make_s
     m_progress->setTextVisible(false);
     text::inEveryLanguage(m_progress, [this] { m_progress->setAccessibleName(tr("Recordings that are replayed")); });
     m_stop = new QPushButton(this);
+    m_stop->setAutoDefault(true);
     text::inEveryLanguage(m_stop, [this] { m_stop->setText(tr("Stop")); });
     m_stop->setProperty("kind", "quiet");
     text::inEveryLanguage(m_stop, [this] {
