@@ -47,6 +47,18 @@ constexpr int kTickPx = 28;
 constexpr int kSoonMs = 100;  ///< what takes longer is told
 constexpr std::array kRoles{Role::Student, Role::Instructor, Role::Admin};
 
+/// As high as the fields leave it room for, and at least three lines.
+class TickList final : public QListWidget
+{
+public:
+    using QListWidget::QListWidget;
+    [[nodiscard]] QSize sizeHint() const override { return minimumSizeHint(); }
+    [[nodiscard]] QSize minimumSizeHint() const override
+    {
+        return {QListWidget::minimumSizeHint().width(), kClassListPx};
+    }
+};
+
 QPushButton* button(const char* kind, const char* name, QWidget* parent)
 {
     auto* made = new QPushButton(parent);
@@ -175,11 +187,9 @@ QWidget* PeoplePart::makeForm()
     m_roleWord = headed(m_role);
     m_classesWord = study::formWords({}, kSmall, QFont::Normal, QPalette::PlaceholderText, form);
     column->addWidget(m_classesWord);
-    m_classList = new QListWidget(form);
+    m_classList = new TickList(form);
     m_classList->setObjectName(QStringLiteral("personClasses"));
     m_classList->setProperty("kind", "ticks");
-    m_classList->setMinimumHeight(kClassListPx);
-    m_classList->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);  // what the fields leave it
     m_classesWord->setBuddy(m_classList);
     column->addWidget(m_classList, 1);
     auto* classes = new QHBoxLayout;
