@@ -44,7 +44,6 @@ using ui::text::Failed;
 constexpr int kAuditRows = 500;
 constexpr qint64 kLargestRoster = 16 * 1024 * 1024;
 constexpr int kProgressMs = 100;
-constexpr int kSoonMs = 100;  ///< what takes longer is told
 
 core::Status belong(const School& school, const Session& who, PersonId person, const QSet<qint64>& wanted,
                     const std::vector<ClassId>& present)
@@ -340,7 +339,7 @@ void AdminDesk::connectRoster()
 void AdminDesk::import(bool isDryRun)
 {
     const auto isOver = std::make_shared<bool>(false);
-    QTimer::singleShot(kSoonMs, this, [this, isOver, isDryRun] {
+    QTimer::singleShot(kProgressMs, this, [this, isOver, isDryRun] {
         if (!*isOver)
             m_window.adminPage().roster().say(isDryRun ? tr("The class list is looked at …")
                                                        : tr("These people are being entered …"));

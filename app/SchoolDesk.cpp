@@ -143,7 +143,7 @@ void SchoolDesk::restore(QObject* owner, const QString& backup, const Opened& do
         }
         m_school.reset();
         m_database.reset();
-        m_waiting.clear();
+        m_undeliverable.clear();
         const auto replaced = database::sql::restoreBackup(backup, m_address.file, QDateTime::currentDateTimeUtc());
         Opening opening = tryToOpen();
         if (!replaced)
@@ -214,9 +214,9 @@ void SchoolDesk::deliverAll()
     if (!m_key || (!m_database && !m_address.isServer()))
         return;
     const database::Outbox letters = outbox();
-    const int before = static_cast<int>(m_waiting.size());
+    const int before = static_cast<int>(m_undeliverable.size());
     for (const QString& file : letters.waiting()) {
-        if (m_waiting.contains(file))
+        if (m_undeliverable.contains(file))
             continue;
         if (!connect())
             return;
@@ -225,7 +225,7 @@ void SchoolDesk::deliverAll()
             if (deliver.error().code == ErrorCode::BadStructure)
                 setAside(letters, file, deliver.error());
             else
-                m_waiting.insert(file);
+                m_undeliverable.insert(file);
             continue;
         }
         const core::Status done = (*deliver)();
@@ -238,13 +238,13 @@ void SchoolDesk::deliverAll()
         } else if (done.error().code == ErrorCode::UnknownName || done.error().code == ErrorCode::OutOfRange) {
             // One computer may serve several schools from one folder, and a server's administrator may mend what is
             // wrong there. Those behind it shall not wait for it.
-            m_waiting.insert(file);
+            m_undeliverable.insert(file);
         } else {
             notice(done.error());
             return;
         }
     }
-    if (const int now = static_cast<int>(m_waiting.size()); now > before)
+    if (const int now = static_cast<int>(m_undeliverable.size()); now > before)
         QMetaObject::invokeMethod(
             this, [this, now] { emit waitOn(now); }, Qt::QueuedConnection);
 }

@@ -156,7 +156,7 @@ private:
     std::unique_ptr<database::sql::Database> m_database;
     std::unique_ptr<database::sql::School> m_school;
     std::optional<database::StationKey> m_key;
-    QSet<QString> m_waiting;  ///< what cannot be delivered while this program runs
+    QSet<QString> m_undeliverable;  ///< what cannot be delivered while this program runs
     bool m_isLost = false;
 };
 
