@@ -318,9 +318,8 @@ core::Status AuditBatch::seal()
 
 core::Status takeTurn(const School& school)
 {
-    if (!dialect::isPostgres(school.db))
-        return {};
-    return execute(school.db, "SELECT seq FROM audit_seal WHERE id = 1" + dialect::forUpdate(school.db), kNote);
+    const QString turn = dialect::lockTurn(school.db);
+    return turn.isEmpty() ? core::Status() : execute(school.db, turn, kNote);
 }
 
 core::Status note(const School& school, const std::string& actor, const std::string& action, const std::string& object,

@@ -25,8 +25,9 @@ constexpr int kConstraint = 19;
 constexpr int kNotADatabase = 26;
 constexpr int kNoRoomForShm = 4874;  // SQLITE_IOERR_SHMSIZE
 
-/// Any number that no other program is likely to lock: "CUSP".
+/// Any numbers that no other program is likely to lock: "CUSP" and the next.
 constexpr int kSchemaLock = kApplicationId;
+constexpr int kTurnLock = kApplicationId + 1;
 
 core::Error sqliteError(const std::string& head, const QSqlError& error)
 {
@@ -129,6 +130,12 @@ QString appendOnly(bool postgres, const QString& table)
         .arg(table);
 }
 
+/// Held until the transaction ends. Who waits for it stands in a queue; a row's lock often goes to who came last.
+QString lockAsProgram(const QSqlDatabase& db, int lock)
+{
+    return isPostgres(db) ? QStringLiteral("SELECT pg_advisory_xact_lock(%1)").arg(lock) : QString();
+}
+
 }  // namespace
 
 bool isPostgres(const QSqlDatabase& db)
@@ -163,7 +170,12 @@ QString forUpdate(const QSqlDatabase& db)
 
 QString lockSchema(const QSqlDatabase& db)
 {
-    return isPostgres(db) ? QStringLiteral("SELECT pg_advisory_xact_lock(%1)").arg(kSchemaLock) : QString();
+    return lockAsProgram(db, kSchemaLock);
+}
+
+QString lockTurn(const QSqlDatabase& db)
+{
+    return lockAsProgram(db, kTurnLock);
 }
 
 core::Result<int> schemaVersion(const QSqlDatabase& db)
