@@ -32,9 +32,11 @@ QByteArray written(const QString& words)
     return safe.toUtf8();
 }
 
+/// As precise as anybody measures: 76.1, and not what the last bit of its sum makes of it.
 QByteArray written(double value)
 {
-    return std::isfinite(value) ? QByteArray::number(value, 'g', QLocale::FloatingPointShortest) : QByteArray();
+    constexpr int kDigits = 12;
+    return std::isfinite(value) ? QByteArray::number(value, 'g', kDigits) : QByteArray();
 }
 
 QByteArray written(std::int64_t value)
