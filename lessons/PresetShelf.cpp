@@ -133,21 +133,28 @@ QString presetsFolder()
     return QDir(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation)).filePath(QStringLiteral("presets"));
 }
 
+QStringList namesOf(const std::vector<ReadPreset>& all)
+{
+    QStringList names;
+    for (const ReadPreset& read : all)
+        if (read.preset)
+            names << QString::fromStdString(read.preset->name);
+    names.removeDuplicates();
+    return names;
+}
+
 core::Result<FeelPreset> findPreset(const std::vector<ReadPreset>& all, const QString& name)
 {
-    QStringList known;
     for (const ReadPreset& read : all) {
         if (!read.preset)
             continue;
         const QString own = QString::fromStdString(read.preset->name);
         if (name == own || name == QStringLiteral("%1 v%2").arg(own).arg(read.preset->version))
             return *read.preset;
-        if (!known.contains(own))
-            known << own;
     }
     return core::unexpected(core::ErrorCode::UnknownName,
                             QStringLiteral("There is no hardness preset '%1'; there are %2.")
-                                .arg(name.left(80), known.join(QStringLiteral(", ")))
+                                .arg(name.left(80), namesOf(all).join(QStringLiteral(", ")))
                                 .toStdString());
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <QString>
+#include <QStringList>
 
 #include "core/base/Result.h"
 #include "core/settings/FeelPreset.h"
@@ -25,6 +26,9 @@ struct Placed
 /// version, or as the newest, is there already. Errors: checkPreset().
 /// @param all  as shelved() puts them
 [[nodiscard]] core::Result<Placed> place(core::settings::FeelPreset preset, const std::vector<ReadPreset>& all);
+
+/// Each name once, in their order.
+[[nodiscard]] QStringList namesOf(const std::vector<ReadPreset>& all);
 
 /// The newest version of that name, or the version that "name v2" asks for. UnknownName lists the names there are.
 [[nodiscard]] core::Result<core::settings::FeelPreset> findPreset(const std::vector<ReadPreset>& all,

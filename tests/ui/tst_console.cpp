@@ -319,10 +319,18 @@ void TestConsole::presetsAreKeptAndFelt()
         [&](const QString& name) {
             asked << "load " + name;
             return QString("felt");
+        },
+        [] {
+            return QStringList{"natural", "second year", "second year, soft", "Third"};
         });
     QVERIFY(room.answer("save second year").contains("kept"));
     QVERIFY(room.answer("load natural v1").contains("felt"));
     QCOMPARE(asked, (QStringList{"save second year", "load natural v1"}));
+    // Names of presets have spaces.
+    QCOMPARE(room.console.completed("load s"), "load second year");
+    QCOMPARE(room.console.completed("load second year, "), "load second year, soft ");
+    QCOMPARE(room.console.completed("save th"), "save Third ");
+    QCOMPARE(room.console.completed("load x"), "load x");
 }
 
 void TestConsole::periodsAreThoseOfTheTrail()
@@ -413,7 +421,7 @@ void TestConsole::nothingIsToldWhileComparedBlind()
 {
     Room room;
     QString kept;
-    room.console.setPresets([&](const QString& name) { return kept = name; }, {});
+    room.console.setPresets([&](const QString& name) { return kept = name; }, {}, {});
     const FeelPreset known = room.feel;
     room.feel = presets::veiled(known);
     // Neither the number, nor whether it is this one, nor how far it is from the bound.

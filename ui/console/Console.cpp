@@ -37,6 +37,18 @@ const QStringList kOfNames{QStringLiteral("get"),   QStringLiteral("list"), QStr
                            QStringLiteral("reset"), QStringLiteral("set"),  QStringLiteral("unwatch"),
                            QStringLiteral("watch")};
 
+/// Commands that the name of a preset follows, which may have spaces.
+bool isOfPresets(const QString& line)
+{
+    return line.startsWith(u"load ") || line.startsWith(u"save ");
+}
+
+/// Where what Tab completes begins.
+qsizetype begunAt(const QString& line)
+{
+    return (isOfPresets(line) ? line.indexOf(u' ') : line.lastIndexOf(u' ')) + 1;
+}
+
 /// A number as programs write it, or as the window shows it.
 std::optional<double> numberIn(const QString& text, bool isSwitch)
 {
@@ -114,10 +126,11 @@ Console::Console(const core::settings::Parameters& parameters, WatchPanel& panel
     hide();
 }
 
-void Console::setPresets(Preset save, Preset load)
+void Console::setPresets(Preset save, Preset load, PresetNames names)
 {
     m_save = std::move(save);
     m_load = std::move(load);
+    m_presetNames = std::move(names);
 }
 
 void Console::open()
@@ -268,7 +281,13 @@ QStringList Console::candidates(const QString& line) const
 {
     const qsizetype space = line.indexOf(u' ');
     QStringList found;
-    const QString begun = line.mid(line.lastIndexOf(u' ') + 1);
+    const QString begun = line.mid(begunAt(line));
+    if (isOfPresets(line)) {
+        for (const QString& name : m_presetNames ? m_presetNames() : QStringList())
+            if (name.startsWith(begun, Qt::CaseInsensitive))
+                found << name;
+        return found;
+    }
     if (space < 0) {
         for (const QString& command : kCommands)
             if (command.startsWith(begun))
@@ -292,7 +311,7 @@ QString Console::completed(const QString& line) const
     const QStringList found = candidates(line);
     if (found.isEmpty())
         return line;
-    const qsizetype begin = line.lastIndexOf(u' ') + 1;
+    const qsizetype begin = begunAt(line);
     const QString common = commonBeginning(found);
     // What several names hold in their middle must not be taken away for what they begin with.
     if (found.size() > 1 && !common.contains(line.mid(begin)))

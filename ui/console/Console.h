@@ -26,11 +26,13 @@ public:
     /// Keeps what is felt now under a name, or feels what is kept under it; a sentence to be shown either way.
     /// Answers what it did, or nothing: then say() follows.
     using Preset = std::function<QString(const QString& name)>;
+    /// Those that are kept, for Tab.
+    using PresetNames = std::function<QStringList()>;
 
     /// @param parameters, panel  must outlive the console
     Console(const core::settings::Parameters& parameters, WatchPanel& panel, QWidget* parent);
 
-    void setPresets(Preset save, Preset load);
+    void setPresets(Preset save, Preset load, PresetNames names);
     void say(const QString& text);
     /// As if the line had been typed: its answer is appended to the output.
     void execute(const QString& line);
@@ -61,6 +63,7 @@ private:
     WatchPanel& m_panel;
     Preset m_save;
     Preset m_load;
+    PresetNames m_presetNames;
     QPlainTextEdit* m_output;
     QLabel* m_hint;
     QLineEdit* m_line;

@@ -751,12 +751,14 @@ void MainWindow::connectConsole()
         [this](const QString& name) {
             const auto found = lessons::findPreset(m_presets->all(), name);
             if (!found)
-                return QString::fromStdString(found.error().detail);
+                return tr("There is no hardness preset \"%1\". There are: %2.")
+                    .arg(name, lessons::namesOf(m_presets->all()).join(QStringLiteral(", ")));
             const std::string refused = feelByHand(*found);
             //: %1 is a hardness preset
             return refused.empty() ? tr("It feels like %1 now.").arg(presets::presetWords(*found))
                                    : QString::fromStdString(refused);
-        });
+        },
+        [this] { return lessons::namesOf(m_presets->all()); });
 }
 
 /// Answers why not, or nothing.
