@@ -6,11 +6,13 @@
 #include <QImage>
 #include <QPainter>
 #include <QRegularExpression>
+#include <QScopeGuard>
 #include <QSvgGenerator>
 #include <QTemporaryDir>
 #include <QTest>
 
 #include "lessons/LessonCatalog.h"
+#include "tests/ui/PseudoLanguage.h"
 #include "ui/report/Printing.h"
 #include "ui/report/Report.h"
 #include "ui/shell/Theme.h"
@@ -199,6 +201,8 @@ private slots:
     void whatTheScreenSaysIsOnPaper();
     void onePageHoldsAShortCard();
     void whatIsNotKeptSaysSo();
+    void everyWordIsOfTheLanguage_data();
+    void everyWordIsOfTheLanguage();
     void whoIsLateIsNamed();
     void pagesAreFilledAndNotOverfull_data();
     void pagesAreFilledAndNotOverfull();
@@ -292,6 +296,56 @@ void TestReport::whatIsNotKeptSaysSo()
     const QString words = wordsOf(card, kA4);
     QVERIFY2(words.contains("there is no audit code") && !words.contains("Audit code:"), qPrintable(words));
     QVERIFY2(words.contains("recording –"), qPrintable(words));
+}
+
+void TestReport::everyWordIsOfTheLanguage_data()
+{
+    QTest::addColumn<bool>("isCard");
+    QTest::newRow("card") << true;
+    QTest::newRow("class") << false;
+}
+
+/// Of a language that nobody speaks; but for names, and what lessons say themselves.
+void TestReport::everyWordIsOfTheLanguage()
+{
+    QFETCH(bool, isCard);
+    pseudo::Translator strange;
+    QCoreApplication::installTranslator(&strange);
+    const auto back = qScopeGuard([&] { QCoreApplication::removeTranslator(&strange); });
+    QString words;
+    if (isCard) {
+        ScoreCard card = m_card;
+        card.lesson = card.person = "[···]";
+        card.attempt.preset = "[···]";
+        card.attempt.device = card.attempt.method = card.attempt.viewMode = card.attempt.program = "";
+        card.proof.program = "1";
+        card.attempt.presetHash = card.attempt.recordingHash = card.sheet.rubricHash = std::string(64, '1');
+        card.sheet.rubricTitle = pseudo::said(card.sheet.rubricTitle);
+        for (lessons::Criterion& one : card.sheet.criteria)
+            one.title = pseudo::said(one.title);
+        database::AttemptComment& comment = card.talk.comments.front();
+        comment.author = comment.words = "[···]";
+        words = wordsOf(card, kA4);
+    } else {
+        ClassReport report = classReport(7, 3);
+        report.className = report.teacher = "[···]";
+        report.rubricHash = std::string(64, '1');
+        report.proof.program = "1";
+        for (auto& title : report.titles)
+            title = "[···]";
+        for (database::MatrixStudent& student : report.overview.students)
+            student.fullName = "[···]";
+        report.criteria = {{"depth", "[···]"}, {"walls", "[····]"}};
+        report.given = {{1, report.overview.id, "lesson-0", "2026-11-19T22:59:59Z", 0}};
+        words = wordsOf(report, kA4);
+    }
+    static const QRegularExpression kOfQt("\\b(?:K7QF-93XM-2ND8|Nov|Jan|AM|PM|am|pm)\\b");
+    words.remove(kOfQt);
+    QStringList english;
+    for (const QString& word : words.split(' '))
+        if (!pseudo::untranslated(word).isEmpty())
+            english << word;
+    QVERIFY2(english.isEmpty(), qPrintable(english.join(", ") + " in: " + words));
 }
 
 void TestReport::whoIsLateIsNamed()

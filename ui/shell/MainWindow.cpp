@@ -2146,6 +2146,9 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event)
     default:
         break;
     }
+    // Who has walked to a button may press it with Enter, too. Qt gives that to buttons of dialogs only.
+    if (auto* button = qobject_cast<QPushButton*>(watched); button != nullptr && event->type() == QEvent::FocusIn)
+        button->setAutoDefault(true);
     // An open list is closed, and not the page it stands on.
     if (event->type() == QEvent::ShortcutOverride && QApplication::activePopupWidget() != nullptr &&
         dynamic_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
