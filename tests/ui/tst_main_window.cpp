@@ -19,6 +19,7 @@
 #include <QMimeData>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QScopeGuard>
 #include <QScreen>
 #include <QScrollArea>
@@ -182,6 +183,7 @@ private slots:
     void theExpertIsOfferedWhereSomethingIsCut();
     void aLessonOfAPackIsUnpackedToBeEdited();
     void theUndoHistoryIsShownAndGoneThrough();
+    void theUndoHistoryTakesALowWindow();
     void escapeEndsAReplayAtOnce();
     void gradingAReplayOffersToStopIt();
 
@@ -2131,6 +2133,14 @@ void TestMainWindow::aLessonOfAPackIsUnpackedToBeEdited()
     QVERIFY(!m_window->findChild<ui::study::LessonEditor*>()->isVisible());
     m_window->editLesson(catalog.front().read);
     QVERIFY(m_window->findChild<ui::study::LessonEditor*>()->isVisible());
+}
+
+void TestMainWindow::theUndoHistoryTakesALowWindow()
+{
+    QTest::failOnWarning(QRegularExpression("Negative sizes"));
+    auto* panel = child<ui::replay::HistoryPanel>("historyPanel");
+    panel->placeIn({0, 0, 300, 30});
+    QCOMPARE(panel->list().height(), 0);
 }
 
 void TestMainWindow::theUndoHistoryIsShownAndGoneThrough()
