@@ -79,6 +79,16 @@ QString why(const core::Error& error)
     }
 }
 
+/// Why a class cannot be called so.
+QString whyNoClass(const core::Error& error)
+{
+    return error.code == core::ErrorCode::OutOfRange
+               ? AdminDesk::tr(
+                     "No class can be called that. Its name has 1 to 100 characters that can be seen, without "
+                     "|, which parts classes in a class list, and no other class has it.")
+               : why(error);
+}
+
 /// What is wrong with a class list as a whole, %1; empty: it is not the file's fault.
 QString classListFault(core::ErrorCode code)
 {
@@ -295,7 +305,7 @@ void AdminDesk::connectPeople()
     });
     const auto done = [this, &part](const core::Result<bool>& changed) {
         if (!changed)
-            part.refuse(why(changed.error()));
+            part.refuse(whyNoClass(changed.error()));
         tellPeople();
     };
     connect(&part, &PeoplePart::classWanted, this, [this, done](const QString& className) {

@@ -853,7 +853,10 @@ void TestSchool::anAdminEntersAndChangesPeople()
     click("disablePerson");
     QVERIFY(!child<QLabel>("oneTimeCode")->isVisible());
     QTRY_COMPARE_WITH_TIMEOUT(child<QPushButton>("disablePerson")->text(), QString("Enable"), kPatienceMs);
-    // A class has its name, and takes another.
+    // A class has its name, and takes another, but none that parts classes in a class list.
+    child<QLineEdit>("className")->setText("DEN|102");
+    click("addClass");
+    QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("personFault")->text().contains("|"), kPatienceMs);
     child<QLineEdit>("className")->setText("DEN102");
     click("addClass");
     QTRY_COMPARE_WITH_TIMEOUT(classes->count(), 2, kPatienceMs);

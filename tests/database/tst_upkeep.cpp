@@ -73,6 +73,7 @@ private slots:
     void aCheckNamesTheAttemptThatWasChanged_data() { support::addEngines(); }
     void aCheckNamesTheAttemptThatWasChanged();
     void classListsAreTakenWholeOrNotAtAll_data() { support::addEngines(); }
+    void noClassIsCalledWithABar();
     void classListsAreTakenWholeOrNotAtAll();
     void aMadeUpSchoolIsSound_data() { support::addEngines(); }
     void aMadeUpSchoolIsSound();
@@ -442,6 +443,16 @@ void TestUpkeep::aCheckNamesTheAttemptThatWasChanged()
     QVERIFY2(all.contains(QString::fromStdString(attempts[2].uid) + " was removed"), qPrintable(all));
     QVERIFY2(all.contains("do not add up"), qPrintable(all));
     QCOMPARE(report->findings.size(), std::size_t{3});
+}
+
+void TestUpkeep::noClassIsCalledWithABar()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    const auto added = addClass(rig.school(), rig.admin, "DEN|101");
+    QVERIFY(!added && added.error().detail.find('|') != std::string::npos);
+    QVERIFY(!renameClass(rig.school(), rig.admin, rig.second, "DEN|101"));
+    QCOMPARE(listClasses(rig.school(), rig.admin)->size(), std::size_t{2});
 }
 
 void TestUpkeep::classListsAreTakenWholeOrNotAtAll()
