@@ -8,6 +8,7 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <QLocale>
 #include <QPointer>
 #include <QTimer>
 
@@ -89,18 +90,17 @@ QString whyNoClass(const core::Error& error)
                : why(error);
 }
 
-/// What is wrong with a class list as a whole, %1; empty: it is not the file's fault.
-QString classListFault(core::ErrorCode code)
+/// What is wrong with a class list as a whole; empty: it is not the file's fault.
+QString classListFault(core::ErrorCode code, const QString& file)
 {
     switch (code) {
     case core::ErrorCode::FileEmpty:
         return AdminDesk::tr("%1 is empty. The first line of a class list names its columns: username, given_name, "
-                             "family_name, role, class.");
-    case core::ErrorCode::BadStructure:
-        return AdminDesk::tr("%1 is no class list. That is a CSV file, text in UTF-8, whose first line names its "
-                             "columns: username, given_name, family_name, role, class.");
+                             "family_name, role, class.")
+            .arg(file);
     case core::ErrorCode::FileTooLarge:
-        return AdminDesk::tr("%1 has too many lines. Split it, and enter the parts one after another.");
+        return AdminDesk::tr("%1 has more than %2 lines. Split it, and enter the parts one after another.")
+            .arg(file, QLocale().toString(static_cast<qulonglong>(database::sql::kMostRosterLines)));
     default:
         return {};
     }
@@ -364,11 +364,11 @@ void AdminDesk::import(bool isDryRun)
             ui::admin::RosterPart& part = m_window.adminPage().roster();
             if (outcome)
                 part.showOutcome(*outcome, m_rosterFile, !isDryRun);
-            else if (const QString fault = classListFault(outcome.error().code); !fault.isEmpty())
-                part.refuseFile(m_rosterFile, fault.arg(QFileInfo(m_rosterFile).fileName()),
-                                QString::fromStdString(outcome.error().detail));
+            else if (const QString fault = classListFault(outcome.error().code, QFileInfo(m_rosterFile).fileName());
+                     !fault.isEmpty())
+                part.refuseFile(m_rosterFile, fault, QString::fromStdString(outcome.error().detail));
             else
-                part.say(why(outcome.error()));
+                part.refuse(why(outcome.error()));
         });
 }
 

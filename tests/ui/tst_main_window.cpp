@@ -43,6 +43,8 @@
 #include "tests/support/OpenGlMain.h"
 #include "tests/support/SyntheticMolar.h"
 #include "ui/admin/AdminPage.h"
+#include "ui/admin/PeoplePart.h"
+#include "ui/admin/RosterPart.h"
 #include "ui/console/Console.h"
 #include "ui/inside/SectionView.h"
 #include "ui/inside/XrayPage.h"
@@ -146,6 +148,7 @@ private slots:
     void escapeClosesAnOpenListOnly();
     void aRefusedPasswordIsTypedAnew();
     void anAdminIsToldHowToBeginWithClasses();
+    void aListOfNobodyIsAFault();
     void spaceOnAFocusedButtonPressesIt();
     void theConsoleTakesKeysAndLeavesTheView();
     void presetsAndSettingsHavePages();
@@ -261,6 +264,7 @@ private:
     /// The session says so much enamel of the tooth shown is gone.
     void cutSomething(double enamelMm3) const;
     QuestionCard* question() const;
+    ui::admin::PeoplePart& openPeople();
     static lessons::ReadLesson shipped(const std::string& id);
     static lessons::ReadLesson shippedOf(lessons::Task task);
     static lessons::ScoreSheet sheet(double cariesPercent, double soundMm3, double pulpMm2);
@@ -1313,6 +1317,26 @@ void TestMainWindow::anAdminIsToldHowToBeginWithClasses()
     QVERIFY(!child<QWidget>("lessonChooser")->isVisible());
     child<QPushButton>("enterPeople")->click();
     QVERIFY(child<ui::admin::AdminPage>()->isVisible());
+}
+
+ui::admin::PeoplePart& TestMainWindow::openPeople()
+{
+    support::SchoolRig rig(false);
+    rig.populate();
+    m_window->setWho(rig.admin);
+    actions().school->trigger();
+    return m_window->adminPage().people();
+}
+
+void TestMainWindow::aListOfNobodyIsAFault()
+{
+    openPeople();
+    m_window->adminPage().show(ui::admin::AdminPage::Roster);
+    m_window->adminPage().roster().showOutcome({}, "class.csv", false);
+    const auto* fault = child<QLabel>("rosterFault");
+    QVERIFY2(fault->isVisible() && fault->text().contains("nobody in class.csv"), qPrintable(fault->text()));
+    QVERIFY(!child<QLabel>("rosterSaid")->isVisible());
+    QVERIFY(!child<QPushButton>("enterRoster")->isVisible());
 }
 
 void TestMainWindow::spaceOnAFocusedButtonPressesIt()
