@@ -259,7 +259,7 @@ void AdminDesk::connectPeople()
                         }
                         const Person& entered = newcomer->entered.person;
                         part.confirm(entered.id, tr("%1 was entered.").arg(name(entered)));
-                        part.showCode(name(entered), QString::fromStdString(newcomer->entered.code));
+                        part.showCode(entered.id, name(entered), QString::fromStdString(newcomer->entered.code));
                         if (!newcomer->put)
                             part.refuse(why(newcomer->put.error()));
                         tellPeople();
@@ -295,9 +295,9 @@ void AdminDesk::connectPeople()
             return;
         m_desk.ask(
             this, [who = m_who(), id](const School& school) { return database::sql::resetPassword(school, who, {id}); },
-            [this, said = name(*person), &part](const core::Result<std::string>& code) {
+            [this, id, said = name(*person), &part](const core::Result<std::string>& code) {
                 if (code)
-                    part.showCode(said, QString::fromStdString(*code));
+                    part.showCode({id}, said, QString::fromStdString(*code));
                 else
                     part.refuse(why(code.error()));
                 tellPeople();

@@ -15,6 +15,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
+#include <QListWidget>
 #include <QMenu>
 #include <QMimeData>
 #include <QProgressBar>
@@ -29,6 +30,7 @@
 #include <QSignalSpy>
 #include <QSlider>
 #include <QStackedWidget>
+#include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
@@ -95,6 +97,22 @@ std::function<QStringList()> noted(const QStringList& notes)
     return [notes] { return notes; };
 }
 
+database::Person someone(qint64 id, const std::string& given, bool hasPassword,
+                         const std::vector<database::ClassId>& classes = {})
+{
+    return {{id},
+            std::to_string(id),
+            "s" + std::to_string(id),
+            given,
+            "Berg",
+            database::Role::Student,
+            false,
+            hasPassword,
+            "",
+            "",
+            classes};
+}
+
 }  // namespace
 
 class TestMainWindow : public QObject
@@ -148,6 +166,12 @@ private slots:
     void escapeClosesAnOpenListOnly();
     void aRefusedPasswordIsTypedAnew();
     void anAdminIsToldHowToBeginWithClasses();
+    void aHalfFilledFormIsPutAside();
+    void aCodeStaysWithItsPerson();
+    void aDoubleClickOnEnterTakesNoPasswordAway();
+    void theQuestionOfAPasswordEndsWithAnythingElse();
+    void theOwnClassesComeFirst();
+    void manyPeopleAreCountedByTheLocale();
     void aListOfNobodyIsAFault();
     void spaceOnAFocusedButtonPressesIt();
     void theConsoleTakesKeysAndLeavesTheView();
@@ -265,6 +289,7 @@ private:
     void cutSomething(double enamelMm3) const;
     QuestionCard* question() const;
     ui::admin::PeoplePart& openPeople();
+    void choosePerson(int row) const;
     static lessons::ReadLesson shipped(const std::string& id);
     static lessons::ReadLesson shippedOf(lessons::Task task);
     static lessons::ScoreSheet sheet(double cariesPercent, double soundMm3, double pulpMm2);
@@ -1326,6 +1351,151 @@ ui::admin::PeoplePart& TestMainWindow::openPeople()
     m_window->setWho(rig.admin);
     actions().school->trigger();
     return m_window->adminPage().people();
+}
+
+void TestMainWindow::choosePerson(int row) const
+{
+    auto* table = child<QTableView>("people");
+    table->setCurrentIndex(table->model()->index(row, 0));
+}
+
+void TestMainWindow::aHalfFilledFormIsPutAside()
+{
+    ui::admin::PeoplePart& people = openPeople();
+    people.setPeople({someone(1, "Ada", true), someone(2, "Bob", true)}, {});
+    const auto* given = child<QLineEdit>("personGiven");
+    const auto* aside = child<QLabel>("personAside");
+    choosePerson(0);
+    choosePerson(1);
+    QVERIFY(!aside->isVisible());
+    choosePerson(0);
+    QTest::keyClicks(child<QLineEdit>("personGiven"), "lina");
+    choosePerson(1);
+    QCOMPARE(given->text(), QString("Bob"));
+    QVERIFY2(aside->isVisible() && aside->text().contains("Ada Berg"), qPrintable(aside->text()));
+    child<QPushButton>("personAsideBack")->click();
+    QCOMPARE(given->text(), QString("Adalina"));
+    QCOMPARE(child<QTableView>("people")->currentIndex().row(), 0);
+    QVERIFY(!aside->isVisible());
+    // Of somebody new as well, and neither drops the other.
+    child<QPushButton>("newPerson")->click();
+    QTest::keyClicks(child<QLineEdit>("personUsername"), "eve");
+    choosePerson(1);
+    QVERIFY2(aside->text().contains("new person"), qPrintable(aside->text()));
+    child<QPushButton>("personAsideBack")->click();
+    QCOMPARE(child<QLineEdit>("personUsername")->text(), QString("eve"));
+    QVERIFY2(aside->text().contains("Ada Berg"), qPrintable(aside->text()));
+    // What was entered is not offered again.
+    child<QPushButton>("savePerson")->click();
+    people.confirm({3}, "eve was entered.");
+    people.setPeople({someone(1, "Ada", true), someone(2, "Bob", true), someone(3, "Eve", false)}, {});
+    child<QPushButton>("personAsideBack")->click();
+    QCOMPARE(given->text(), QString("Adalina"));
+    QVERIFY(!aside->isVisible());
+}
+
+void TestMainWindow::aCodeStaysWithItsPerson()
+{
+    ui::admin::PeoplePart& people = openPeople();
+    people.setPeople({someone(1, "Ada", false), someone(2, "Bob", true)}, {});
+    const auto* code = child<QLabel>("oneTimeCode");
+    choosePerson(0);
+    people.showCode({1}, "Ada Berg", "1234-5678");
+    QVERIFY(code->isVisible());
+    choosePerson(1);
+    QVERIFY(!code->isVisible());
+    m_window->adminPage().show(ui::admin::AdminPage::Roster);
+    m_window->adminPage().show(ui::admin::AdminPage::People);
+    choosePerson(0);
+    QVERIFY(code->isVisible());
+    QCOMPARE(code->text(), QString("1234-5678"));
+    // It was used.
+    people.setPeople({someone(1, "Ada", true), someone(2, "Bob", true)}, {});
+    QVERIFY(!code->isVisible());
+    people.showCode({1}, "Ada Berg", "1234-5678");
+    actions().lessons->trigger();
+    actions().school->trigger();
+    QVERIFY(child<QWidget>("people")->isVisible() && !code->isVisible());
+}
+
+void TestMainWindow::aDoubleClickOnEnterTakesNoPasswordAway()
+{
+    ui::admin::PeoplePart& people = openPeople();
+    int entered = 0;
+    int reset = 0;
+    connect(&people, &ui::admin::PeoplePart::addWanted, this, [&] { ++entered; });
+    connect(&people, &ui::admin::PeoplePart::changeWanted, this, [&] { ++entered; });
+    connect(&people, &ui::admin::PeoplePart::resetWanted, this, [&] { ++reset; });
+    const auto* save = child<QPushButton>("savePerson");
+    child<QPushButton>("newPerson")->click();
+    child<QLineEdit>("personUsername")->setText("eve");
+    QTest::qWait(0);
+    const QPoint place = save->mapTo(m_window.get(), QPoint());
+    child<QPushButton>("savePerson")->click();
+    people.confirm({1}, "eve was entered.");
+    people.showCode({1}, "Eve Berg", "1234-5678");
+    people.setPeople({someone(1, "Eve", false)}, {});
+    child<QPushButton>("savePerson")->click();
+    child<QPushButton>("resetPassword")->click();
+    QCOMPARE(entered, 1);
+    QCOMPARE(reset, 0);
+    QTRY_COMPARE(save->mapTo(m_window.get(), QPoint()), place);
+    // Later the button does what it says.
+    QTRY_VERIFY((child<QPushButton>("resetPassword")->click(), reset > 0));
+}
+
+void TestMainWindow::theQuestionOfAPasswordEndsWithAnythingElse()
+{
+    ui::admin::PeoplePart& people = openPeople();
+    people.setPeople({someone(1, "Ada", true)}, {});
+    choosePerson(0);
+    const auto* keep = child<QPushButton>("keepPassword");
+    child<QPushButton>("resetPassword")->click();
+    QVERIFY(keep->isVisible());
+    QTest::keyClicks(child<QLineEdit>("personGiven"), "x");
+    QVERIFY(!keep->isVisible());
+    QVERIFY(child<QLabel>("personSaid")->text().isEmpty());
+    child<QPushButton>("resetPassword")->click();
+    QVERIFY(keep->isVisible());
+    child<QPushButton>("savePerson")->click();
+    QVERIFY(!keep->isVisible());
+    QCOMPARE(child<QPushButton>("resetPassword")->text(), QString("Reset password"));
+}
+
+void TestMainWindow::theOwnClassesComeFirst()
+{
+    ui::admin::PeoplePart& people = openPeople();
+    QList<database::SchoolClass> classes;
+    for (const int number : {0, 1, 10, 11, 2, 3})
+        classes.push_back({{number + 1}, "DEN-" + std::to_string(number), 0, 0});
+    people.setPeople({someone(1, "Ada", true, {{4}, {11}})}, classes);
+    choosePerson(0);
+    const auto* list = child<QListWidget>("personClasses");
+    QStringList shown;
+    for (int row = 0; row < list->count(); ++row)
+        shown << list->item(row)->text();
+    QCOMPARE(shown, (QStringList{"DEN-3", "DEN-10", "DEN-0", "DEN-1", "DEN-2", "DEN-11"}));
+    QCOMPARE(list->item(1)->checkState(), Qt::Checked);
+    QCOMPARE(list->item(2)->checkState(), Qt::Unchecked);
+}
+
+void TestMainWindow::manyPeopleAreCountedByTheLocale()
+{
+    constexpr int kMany = 1503;
+    ui::admin::PeoplePart& people = openPeople();
+    QList<database::Person> all;
+    database::RosterOutcome outcome;
+    for (int n = 1; n <= kMany; ++n) {
+        all << someone(n, "Ada", true);
+        outcome.people.push_back({"s", "Ada", database::Role::Student, {}, true, {}});
+    }
+    people.setPeople(all, {});
+    QVERIFY2(child<QLabel>("peopleCount")->text().contains("1,503"), qPrintable(child<QLabel>("peopleCount")->text()));
+    for (const bool isDone : {false, true}) {
+        m_window->adminPage().roster().showOutcome(outcome, "class.csv", isDone);
+        const QString said = child<QLabel>("rosterSaid")->text();
+        QVERIFY2(said.contains("1,503"), qPrintable(said));
+    }
 }
 
 void TestMainWindow::aListOfNobodyIsAFault()
