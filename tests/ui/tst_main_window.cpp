@@ -225,6 +225,7 @@ private slots:
     void theForecastIsAnsweredWithTheKeys();
     void unsavedLessonsAreAskedAbout_data();
     void unsavedLessonsAreAskedAbout();
+    void whatPagesHaveNotKeptIsAskedAbout();
 
     void anotherToothIsChosenWithTheMouse();
     void anotherToothIsChosenWithTheKeys();
@@ -2592,6 +2593,33 @@ void TestMainWindow::unsavedLessonsAreAskedAbout()
     QCOMPARE(m_window->isVisible(), answer == "cancel");
     QCOMPARE(QFile::exists(file), answer == "save");
     QCOMPARE(editor->unsaved().isEmpty(), answer == "save");
+}
+
+void TestMainWindow::whatPagesHaveNotKeptIsAskedAbout()
+{
+    ui::admin::PeoplePart& people = openPeople();
+    const core::settings::FeelPreset preset = lessons::shippedPresets().front();
+    m_window->setPresets({{{}, preset, {}}}, preset);
+    QTest::keyClicks(child<QLineEdit>("presetName"), " two");
+    m_window->adminPage().roster().showOutcome(
+        {{}, {{"eve", "Eve Berg", database::Role::Student, {}, true, "1234-5678"}}, {}}, "class.csv", true);
+    people.setPeople({someone(1, "Ada", true), someone(2, "Bob", true)}, {});
+    choosePerson(0);
+    QTest::keyClicks(child<QLineEdit>("personGiven"), "lina");
+    choosePerson(1);
+    m_window->close();
+    const auto* question = child<QuestionCard>("unkeptQuestion");
+    QVERIFY(question != nullptr && m_window->isVisible());
+    const QString detail = question->findChild<QLabel*>("questionDetail")->text();
+    for (const QString& part : {QString("class.csv"), QString("Ada Berg"), QString::fromStdString(preset.name)})
+        QVERIFY2(detail.contains(part), qPrintable(detail));
+    // The answer that loses nothing leads to where it can be kept.
+    m_window->adminPage().show(ui::admin::AdminPage::Roster);
+    question->findChild<QPushButton*>("questionSave")->click();
+    QVERIFY(m_window->isVisible() && people.isVisible());
+    m_window->close();
+    child<QuestionCard>("unkeptQuestion")->findChild<QPushButton*>("questionDiscard")->click();
+    QVERIFY(!m_window->isVisible());
 }
 
 void TestMainWindow::typingSearchesTheLessons()
