@@ -8,6 +8,7 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <QLocale>
 #include <QPointer>
 #include <QTimer>
 
@@ -79,18 +80,27 @@ QString why(const core::Error& error)
     }
 }
 
-/// What is wrong with a class list as a whole, %1; empty: it is not the file's fault.
-QString classListFault(core::ErrorCode code)
+/// Why a class cannot be called so.
+QString whyNoClass(const core::Error& error)
+{
+    return error.code == core::ErrorCode::OutOfRange
+               ? AdminDesk::tr(
+                     "No class can be called that. Its name has 1 to 100 characters that can be seen, without "
+                     "|, which parts classes in a class list, and no other class has it.")
+               : why(error);
+}
+
+/// What is wrong with a class list as a whole; empty: it is not the file's fault.
+QString classListFault(core::ErrorCode code, const QString& file)
 {
     switch (code) {
     case core::ErrorCode::FileEmpty:
         return AdminDesk::tr("%1 is empty. The first line of a class list names its columns: username, given_name, "
-                             "family_name, role, class.");
-    case core::ErrorCode::BadStructure:
-        return AdminDesk::tr("%1 is no class list. That is a CSV file, text in UTF-8, whose first line names its "
-                             "columns: username, given_name, family_name, role, class.");
+                             "family_name, role, class.")
+            .arg(file);
     case core::ErrorCode::FileTooLarge:
-        return AdminDesk::tr("%1 has too many lines. Split it, and enter the parts one after another.");
+        return AdminDesk::tr("%1 has more than %2 lines. Split it, and enter the parts one after another.")
+            .arg(file, QLocale().toString(static_cast<qulonglong>(database::sql::kMostRosterLines)));
     default:
         return {};
     }
@@ -249,7 +259,7 @@ void AdminDesk::connectPeople()
                         }
                         const Person& entered = newcomer->entered.person;
                         part.confirm(entered.id, tr("%1 was entered.").arg(name(entered)));
-                        part.showCode(name(entered), QString::fromStdString(newcomer->entered.code));
+                        part.showCode(entered.id, name(entered), QString::fromStdString(newcomer->entered.code));
                         if (!newcomer->put)
                             part.refuse(why(newcomer->put.error()));
                         tellPeople();
@@ -285,9 +295,9 @@ void AdminDesk::connectPeople()
             return;
         m_desk.ask(
             this, [who = m_who(), id](const School& school) { return database::sql::resetPassword(school, who, {id}); },
-            [this, said = name(*person), &part](const core::Result<std::string>& code) {
+            [this, id, said = name(*person), &part](const core::Result<std::string>& code) {
                 if (code)
-                    part.showCode(said, QString::fromStdString(*code));
+                    part.showCode({id}, said, QString::fromStdString(*code));
                 else
                     part.refuse(why(code.error()));
                 tellPeople();
@@ -295,7 +305,7 @@ void AdminDesk::connectPeople()
     });
     const auto done = [this, &part](const core::Result<bool>& changed) {
         if (!changed)
-            part.refuse(why(changed.error()));
+            part.refuse(whyNoClass(changed.error()));
         tellPeople();
     };
     connect(&part, &PeoplePart::classWanted, this, [this, done](const QString& className) {
@@ -354,11 +364,11 @@ void AdminDesk::import(bool isDryRun)
             ui::admin::RosterPart& part = m_window.adminPage().roster();
             if (outcome)
                 part.showOutcome(*outcome, m_rosterFile, !isDryRun);
-            else if (const QString fault = classListFault(outcome.error().code); !fault.isEmpty())
-                part.refuseFile(m_rosterFile, fault.arg(QFileInfo(m_rosterFile).fileName()),
-                                QString::fromStdString(outcome.error().detail));
+            else if (const QString fault = classListFault(outcome.error().code, QFileInfo(m_rosterFile).fileName());
+                     !fault.isEmpty())
+                part.refuseFile(m_rosterFile, fault, QString::fromStdString(outcome.error().detail));
             else
-                part.say(why(outcome.error()));
+                part.refuse(why(outcome.error()));
         });
 }
 

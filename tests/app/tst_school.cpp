@@ -853,7 +853,10 @@ void TestSchool::anAdminEntersAndChangesPeople()
     click("disablePerson");
     QVERIFY(!child<QLabel>("oneTimeCode")->isVisible());
     QTRY_COMPARE_WITH_TIMEOUT(child<QPushButton>("disablePerson")->text(), QString("Enable"), kPatienceMs);
-    // A class has its name, and takes another.
+    // A class has its name, and takes another, but none that parts classes in a class list.
+    child<QLineEdit>("className")->setText("DEN|102");
+    click("addClass");
+    QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("personFault")->text().contains("|"), kPatienceMs);
     child<QLineEdit>("className")->setText("DEN102");
     click("addClass");
     QTRY_COMPARE_WITH_TIMEOUT(classes->count(), 2, kPatienceMs);
@@ -882,7 +885,7 @@ void TestSchool::aClassListIsSeenBeforeItIsEntered()
     logIn("admin");
     openSchool(ui::admin::AdminPage::Roster);
     auto* part = child<ui::admin::RosterPart>();
-    const auto said = [this] { return child<QLabel>("rosterSaid")->text(); };
+    const auto said = [this] { return child<QLabel>("rosterSaid")->text() + child<QLabel>("rosterFault")->text(); };
     write("username,given_name,family_name,role,class\nsam,Sam,One,student,DEN101-A\n!!,X,Y,student,DEN101-A\n");
     emit part->fileChosen(path);
     QTRY_VERIFY2_WITH_TIMEOUT(said().contains("1 fault"), qPrintable(said()), kPatienceMs);
@@ -899,7 +902,13 @@ void TestSchool::aClassListIsSeenBeforeItIsEntered()
     QVERIFY2(child<QPushButton>("saveCodes")->isVisible(), qPrintable(said()));
     write(QByteArray("\xff\xfe\x00 noise", 10));
     emit part->fileChosen(path);
-    QTRY_VERIFY2_WITH_TIMEOUT(said().contains("no class list"), qPrintable(said()), kPatienceMs);
+    QTRY_VERIFY2_WITH_TIMEOUT(said().contains("1 fault"), qPrintable(said()), kPatienceMs);
+    const auto* rows = child<QTableView>("roster")->model();
+    QVERIFY2(rows->index(0, 2).data().toString().contains("no UTF-8"), qPrintable(rows->index(0, 2).data().toString()));
+    // Too long a list says what may be.
+    write("username\n" + QByteArray("x\n").repeated(20'000));
+    emit part->fileChosen(path);
+    QTRY_VERIFY2_WITH_TIMEOUT(said().contains("more than 20,000 lines"), qPrintable(said()), kPatienceMs);
     emit part->fileChosen(m_folder->filePath("nothing.csv"));
     QVERIFY2(said().contains("cannot be read"), qPrintable(said()));
 }

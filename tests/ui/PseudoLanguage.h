@@ -31,7 +31,7 @@ inline QString said(const QString& english)
 {
     static const QString kPlain = QStringLiteral("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ");
     static const QString kStrange = QStringLiteral("àƀčďéƒğħîĵķľɱñøþʠŕšťũṽŵẋýžÀƁČĎÉƑĞĦÎĴĶĽṀÑØÞɊŔŠŤŨṼŴẊÝŽ");
-    static const QRegularExpression kKept(QStringLiteral("%L?\\d+|%n|&\\w+;|<[^>]*>"));
+    static const QRegularExpression kKept(QStringLiteral("%L?\\d+|%L?n|&\\w+;|<[^>]*>"));
     QString strange;
     qsizetype from = 0;
     const auto speak = [&](qsizetype to) {

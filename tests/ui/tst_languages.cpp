@@ -240,7 +240,8 @@ void TestLanguages::openSchool(ui::admin::AdminPage::Part part)
     school.people().setPeople(
         {{{1}, "a", "[···]", "[··]", "[···]", database::Role::Admin, false, true, "", "2026-05-04T10:20:30Z", {{1}}}},
         {{{1}, "[···]", 1, 1}});
-    school.people().showCode("[···]", "[···]");
+    school.people().confirm({1}, "[···]");
+    school.people().showCode({1}, "[···]", "[···]");
     school.roster().showOutcome({{}, {{"[···]", "[···]", database::Role::Student, {"[···]"}, true, "[···]"}}, {}},
                                 "[···]", true);
     school.backups().setDatabase("[···]", false);

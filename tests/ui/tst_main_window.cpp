@@ -15,10 +15,12 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
+#include <QListWidget>
 #include <QMenu>
 #include <QMimeData>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QScopeGuard>
 #include <QScreen>
 #include <QScrollArea>
@@ -28,6 +30,7 @@
 #include <QSignalSpy>
 #include <QSlider>
 #include <QStackedWidget>
+#include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
@@ -42,6 +45,8 @@
 #include "tests/support/OpenGlMain.h"
 #include "tests/support/SyntheticMolar.h"
 #include "ui/admin/AdminPage.h"
+#include "ui/admin/PeoplePart.h"
+#include "ui/admin/RosterPart.h"
 #include "ui/console/Console.h"
 #include "ui/inside/SectionView.h"
 #include "ui/inside/XrayPage.h"
@@ -90,6 +95,22 @@ namespace {
 std::function<QStringList()> noted(const QStringList& notes)
 {
     return [notes] { return notes; };
+}
+
+database::Person someone(qint64 id, const std::string& given, bool hasPassword,
+                         const std::vector<database::ClassId>& classes = {})
+{
+    return {{id},
+            std::to_string(id),
+            "s" + std::to_string(id),
+            given,
+            "Berg",
+            database::Role::Student,
+            false,
+            hasPassword,
+            "",
+            "",
+            classes};
 }
 
 }  // namespace
@@ -145,6 +166,13 @@ private slots:
     void escapeClosesAnOpenListOnly();
     void aRefusedPasswordIsTypedAnew();
     void anAdminIsToldHowToBeginWithClasses();
+    void aHalfFilledFormIsPutAside();
+    void aCodeStaysWithItsPerson();
+    void aDoubleClickOnEnterTakesNoPasswordAway();
+    void theQuestionOfAPasswordEndsWithAnythingElse();
+    void theOwnClassesComeFirst();
+    void manyPeopleAreCountedByTheLocale();
+    void aListOfNobodyIsAFault();
     void spaceOnAFocusedButtonPressesIt();
     void theConsoleTakesKeysAndLeavesTheView();
     void presetsAndSettingsHavePages();
@@ -182,6 +210,7 @@ private slots:
     void theExpertIsOfferedWhereSomethingIsCut();
     void aLessonOfAPackIsUnpackedToBeEdited();
     void theUndoHistoryIsShownAndGoneThrough();
+    void theUndoHistoryTakesALowWindow();
     void escapeEndsAReplayAtOnce();
     void gradingAReplayOffersToStopIt();
 
@@ -196,6 +225,7 @@ private slots:
     void theForecastIsAnsweredWithTheKeys();
     void unsavedLessonsAreAskedAbout_data();
     void unsavedLessonsAreAskedAbout();
+    void whatPagesHaveNotKeptIsAskedAbout();
 
     void anotherToothIsChosenWithTheMouse();
     void anotherToothIsChosenWithTheKeys();
@@ -259,6 +289,8 @@ private:
     /// The session says so much enamel of the tooth shown is gone.
     void cutSomething(double enamelMm3) const;
     QuestionCard* question() const;
+    ui::admin::PeoplePart& openPeople();
+    void choosePerson(int row) const;
     static lessons::ReadLesson shipped(const std::string& id);
     static lessons::ReadLesson shippedOf(lessons::Task task);
     static lessons::ScoreSheet sheet(double cariesPercent, double soundMm3, double pulpMm2);
@@ -1313,6 +1345,171 @@ void TestMainWindow::anAdminIsToldHowToBeginWithClasses()
     QVERIFY(child<ui::admin::AdminPage>()->isVisible());
 }
 
+ui::admin::PeoplePart& TestMainWindow::openPeople()
+{
+    support::SchoolRig rig(false);
+    rig.populate();
+    m_window->setWho(rig.admin);
+    actions().school->trigger();
+    return m_window->adminPage().people();
+}
+
+void TestMainWindow::choosePerson(int row) const
+{
+    auto* table = child<QTableView>("people");
+    table->setCurrentIndex(table->model()->index(row, 0));
+}
+
+void TestMainWindow::aHalfFilledFormIsPutAside()
+{
+    ui::admin::PeoplePart& people = openPeople();
+    people.setPeople({someone(1, "Ada", true), someone(2, "Bob", true)}, {});
+    const auto* given = child<QLineEdit>("personGiven");
+    const auto* aside = child<QLabel>("personAside");
+    choosePerson(0);
+    choosePerson(1);
+    QVERIFY(!aside->isVisible());
+    choosePerson(0);
+    QTest::keyClicks(child<QLineEdit>("personGiven"), "lina");
+    choosePerson(1);
+    QCOMPARE(given->text(), QString("Bob"));
+    QVERIFY2(aside->isVisible() && aside->text().contains("Ada Berg"), qPrintable(aside->text()));
+    child<QPushButton>("personAsideBack")->click();
+    QCOMPARE(given->text(), QString("Adalina"));
+    QCOMPARE(child<QTableView>("people")->currentIndex().row(), 0);
+    QVERIFY(!aside->isVisible());
+    // Of somebody new as well, and neither drops the other.
+    child<QPushButton>("newPerson")->click();
+    QTest::keyClicks(child<QLineEdit>("personUsername"), "eve");
+    choosePerson(1);
+    QVERIFY2(aside->text().contains("new person"), qPrintable(aside->text()));
+    child<QPushButton>("personAsideBack")->click();
+    QCOMPARE(child<QLineEdit>("personUsername")->text(), QString("eve"));
+    QVERIFY2(aside->text().contains("Ada Berg"), qPrintable(aside->text()));
+    // What was entered is not offered again.
+    child<QPushButton>("savePerson")->click();
+    people.confirm({3}, "eve was entered.");
+    people.setPeople({someone(1, "Ada", true), someone(2, "Bob", true), someone(3, "Eve", false)}, {});
+    child<QPushButton>("personAsideBack")->click();
+    QCOMPARE(given->text(), QString("Adalina"));
+    QVERIFY(!aside->isVisible());
+}
+
+void TestMainWindow::aCodeStaysWithItsPerson()
+{
+    ui::admin::PeoplePart& people = openPeople();
+    people.setPeople({someone(1, "Ada", false), someone(2, "Bob", true)}, {});
+    const auto* code = child<QLabel>("oneTimeCode");
+    choosePerson(0);
+    people.showCode({1}, "Ada Berg", "1234-5678");
+    QVERIFY(code->isVisible());
+    choosePerson(1);
+    QVERIFY(!code->isVisible());
+    m_window->adminPage().show(ui::admin::AdminPage::Roster);
+    m_window->adminPage().show(ui::admin::AdminPage::People);
+    choosePerson(0);
+    QVERIFY(code->isVisible());
+    QCOMPARE(code->text(), QString("1234-5678"));
+    // It was used.
+    people.setPeople({someone(1, "Ada", true), someone(2, "Bob", true)}, {});
+    QVERIFY(!code->isVisible());
+    people.showCode({1}, "Ada Berg", "1234-5678");
+    actions().lessons->trigger();
+    actions().school->trigger();
+    QVERIFY(child<QWidget>("people")->isVisible() && !code->isVisible());
+}
+
+void TestMainWindow::aDoubleClickOnEnterTakesNoPasswordAway()
+{
+    ui::admin::PeoplePart& people = openPeople();
+    int entered = 0;
+    int reset = 0;
+    connect(&people, &ui::admin::PeoplePart::addWanted, this, [&] { ++entered; });
+    connect(&people, &ui::admin::PeoplePart::changeWanted, this, [&] { ++entered; });
+    connect(&people, &ui::admin::PeoplePart::resetWanted, this, [&] { ++reset; });
+    const auto* save = child<QPushButton>("savePerson");
+    child<QPushButton>("newPerson")->click();
+    child<QLineEdit>("personUsername")->setText("eve");
+    QTest::qWait(0);
+    const QPoint place = save->mapTo(m_window.get(), QPoint());
+    child<QPushButton>("savePerson")->click();
+    people.confirm({1}, "eve was entered.");
+    people.showCode({1}, "Eve Berg", "1234-5678");
+    people.setPeople({someone(1, "Eve", false)}, {});
+    child<QPushButton>("savePerson")->click();
+    child<QPushButton>("resetPassword")->click();
+    QCOMPARE(entered, 1);
+    QCOMPARE(reset, 0);
+    QTRY_COMPARE(save->mapTo(m_window.get(), QPoint()), place);
+    // Later the button does what it says.
+    QTRY_VERIFY((child<QPushButton>("resetPassword")->click(), reset > 0));
+}
+
+void TestMainWindow::theQuestionOfAPasswordEndsWithAnythingElse()
+{
+    ui::admin::PeoplePart& people = openPeople();
+    people.setPeople({someone(1, "Ada", true)}, {});
+    choosePerson(0);
+    const auto* keep = child<QPushButton>("keepPassword");
+    child<QPushButton>("resetPassword")->click();
+    QVERIFY(keep->isVisible());
+    QTest::keyClicks(child<QLineEdit>("personGiven"), "x");
+    QVERIFY(!keep->isVisible());
+    QVERIFY(child<QLabel>("personSaid")->text().isEmpty());
+    child<QPushButton>("resetPassword")->click();
+    QVERIFY(keep->isVisible());
+    child<QPushButton>("savePerson")->click();
+    QVERIFY(!keep->isVisible());
+    QCOMPARE(child<QPushButton>("resetPassword")->text(), QString("Reset password"));
+}
+
+void TestMainWindow::theOwnClassesComeFirst()
+{
+    ui::admin::PeoplePart& people = openPeople();
+    QList<database::SchoolClass> classes;
+    for (const int number : {0, 1, 10, 11, 2, 3})
+        classes.push_back({{number + 1}, "DEN-" + std::to_string(number), 0, 0});
+    people.setPeople({someone(1, "Ada", true, {{4}, {11}})}, classes);
+    choosePerson(0);
+    const auto* list = child<QListWidget>("personClasses");
+    QStringList shown;
+    for (int row = 0; row < list->count(); ++row)
+        shown << list->item(row)->text();
+    QCOMPARE(shown, (QStringList{"DEN-3", "DEN-10", "DEN-0", "DEN-1", "DEN-2", "DEN-11"}));
+    QCOMPARE(list->item(1)->checkState(), Qt::Checked);
+    QCOMPARE(list->item(2)->checkState(), Qt::Unchecked);
+}
+
+void TestMainWindow::manyPeopleAreCountedByTheLocale()
+{
+    constexpr int kMany = 1503;
+    ui::admin::PeoplePart& people = openPeople();
+    QList<database::Person> all;
+    database::RosterOutcome outcome;
+    for (int n = 1; n <= kMany; ++n) {
+        all << someone(n, "Ada", true);
+        outcome.people.push_back({"s", "Ada", database::Role::Student, {}, true, {}});
+    }
+    people.setPeople(all, {});
+    QVERIFY2(child<QLabel>("peopleCount")->text().contains("1,503"), qPrintable(child<QLabel>("peopleCount")->text()));
+    for (const bool isDone : {false, true}) {
+        m_window->adminPage().roster().showOutcome(outcome, "class.csv", isDone);
+        const QString said = child<QLabel>("rosterSaid")->text();
+        QVERIFY2(said.contains("1,503"), qPrintable(said));
+    }
+}
+
+void TestMainWindow::aListOfNobodyIsAFault()
+{
+    openPeople();
+    m_window->adminPage().show(ui::admin::AdminPage::Roster);
+    m_window->adminPage().roster().showOutcome({}, "class.csv", false);
+    const auto* fault = child<QLabel>("rosterFault");
+    QVERIFY2(fault->isVisible() && fault->text().contains("nobody in class.csv"), qPrintable(fault->text()));
+    QVERIFY(!child<QLabel>("rosterSaid")->isVisible());
+    QVERIFY(!child<QPushButton>("enterRoster")->isVisible());
+}
+
 void TestMainWindow::spaceOnAFocusedButtonPressesIt()
 {
     QSignalSpy asked(m_window.get(), &MainWindow::gradeRequested);
@@ -2133,6 +2330,14 @@ void TestMainWindow::aLessonOfAPackIsUnpackedToBeEdited()
     QVERIFY(m_window->findChild<ui::study::LessonEditor*>()->isVisible());
 }
 
+void TestMainWindow::theUndoHistoryTakesALowWindow()
+{
+    QTest::failOnWarning(QRegularExpression("Negative sizes"));
+    auto* panel = child<ui::replay::HistoryPanel>("historyPanel");
+    panel->placeIn({0, 0, 300, 30});
+    QCOMPARE(panel->list().height(), 0);
+}
+
 void TestMainWindow::theUndoHistoryIsShownAndGoneThrough()
 {
     using core::history::MomentInfo;
@@ -2388,6 +2593,33 @@ void TestMainWindow::unsavedLessonsAreAskedAbout()
     QCOMPARE(m_window->isVisible(), answer == "cancel");
     QCOMPARE(QFile::exists(file), answer == "save");
     QCOMPARE(editor->unsaved().isEmpty(), answer == "save");
+}
+
+void TestMainWindow::whatPagesHaveNotKeptIsAskedAbout()
+{
+    ui::admin::PeoplePart& people = openPeople();
+    const core::settings::FeelPreset preset = lessons::shippedPresets().front();
+    m_window->setPresets({{{}, preset, {}}}, preset);
+    QTest::keyClicks(child<QLineEdit>("presetName"), " two");
+    m_window->adminPage().roster().showOutcome(
+        {{}, {{"eve", "Eve Berg", database::Role::Student, {}, true, "1234-5678"}}, {}}, "class.csv", true);
+    people.setPeople({someone(1, "Ada", true), someone(2, "Bob", true)}, {});
+    choosePerson(0);
+    QTest::keyClicks(child<QLineEdit>("personGiven"), "lina");
+    choosePerson(1);
+    m_window->close();
+    const auto* question = child<QuestionCard>("unkeptQuestion");
+    QVERIFY(question != nullptr && m_window->isVisible());
+    const QString detail = question->findChild<QLabel*>("questionDetail")->text();
+    for (const QString& part : {QString("class.csv"), QString("Ada Berg"), QString::fromStdString(preset.name)})
+        QVERIFY2(detail.contains(part), qPrintable(detail));
+    // The answer that loses nothing leads to where it can be kept.
+    m_window->adminPage().show(ui::admin::AdminPage::Roster);
+    question->findChild<QPushButton*>("questionSave")->click();
+    QVERIFY(m_window->isVisible() && people.isVisible());
+    m_window->close();
+    child<QuestionCard>("unkeptQuestion")->findChild<QPushButton*>("questionDiscard")->click();
+    QVERIFY(!m_window->isVisible());
 }
 
 void TestMainWindow::typingSearchesTheLessons()

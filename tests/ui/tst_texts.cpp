@@ -396,7 +396,7 @@ void TestTexts::placeholdersMatch()
         for (const QString& form : entry.translations) {
             if (form.trimmed().isEmpty())
                 continue;
-            for (const char* mark : {"%1", "%2", "%3", "%4", "%5", "%n"})
+            for (const char* mark : {"%1", "%2", "%3", "%4", "%5", "%n", "%Ln"})
                 QVERIFY2(entry.source.contains(mark) == form.contains(mark), qPrintable(entry.source + " / " + form));
             static const QRegularExpression tag("</?[a-z][^>]*>");
             QStringList tags;

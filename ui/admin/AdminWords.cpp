@@ -154,6 +154,24 @@ QString rosterFaultWords(const database::RosterFault& fault)
             .arg(roleWord(database::roleOf(fault.value).value_or(database::Role::Student)));
     case Kind::Class:
         return QCoreApplication::translate("Admin", "The name of a class has 1 to 100 characters that can be seen.");
+    case Kind::NoUtf8:
+        return QCoreApplication::translate("Admin", "From sign %1 of this line on the file is no UTF-8 text. Save it "
+                                                    "from the spreadsheet as “CSV UTF-8”.")
+            .arg(value);
+    case Kind::OpenQuote:
+        return QCoreApplication::translate("Admin", "A quotation mark at sign %1 of this line is not closed.")
+            .arg(value);
+    case Kind::AfterQuote:
+        return QCoreApplication::translate("Admin", "At sign %1 of this line words stand behind a closing quotation "
+                                                    "mark.")
+            .arg(value);
+    case Kind::NoSuchColumn:
+        //: %1: the name of a column
+        return QCoreApplication::translate("Admin", "A class list has no such column. Is it %1?").arg(value);
+    case Kind::ColumnTwice:
+        return QCoreApplication::translate("Admin", "This column is there twice.");
+    case Kind::ColumnMissing:
+        return QCoreApplication::translate("Admin", "This column is missing. The first line names the columns.");
     case Kind::Refused:
         break;
     }

@@ -483,6 +483,15 @@ void PresetsPage::take(const FeelPreset& preset)
     tell();
 }
 
+QString PresetsPage::unkept() const
+{
+    if (!m_mayKeep || (!isChanged() && !m_putAside))
+        return {};
+    //: %1 is a hardness preset
+    return tr("What you have changed of the hardness preset %1 is not saved.")
+        .arg(presetWords(isChanged() ? m_base : m_putAside->first));
+}
+
 bool PresetsPage::isChanged() const
 {
     return m_draft.name != m_base.name || !isSameFeel(m_draft, m_base);

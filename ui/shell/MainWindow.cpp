@@ -31,6 +31,8 @@
 #include "lessons/LessonCatalog.h"
 #include "lessons/PresetShelf.h"
 #include "ui/admin/AdminPage.h"
+#include "ui/admin/PeoplePart.h"
+#include "ui/admin/RosterPart.h"
 #include "ui/console/Console.h"
 #include "ui/console/WatchPanel.h"
 #include "ui/inside/SectionView.h"
@@ -1998,6 +2000,38 @@ void MainWindow::leaveDrafts(const std::function<void()>& what)
          titles.join(u'\n'), tr("&Save"), save, what});
 }
 
+std::vector<MainWindow::Unkept> MainWindow::unkept()
+{
+    const bool isAdmin = m_who.role() == database::Role::Admin;
+    const auto toSchool = [this, isAdmin](admin::AdminPage::Part part) {
+        return [this, isAdmin, part] {
+            if (!isAdmin)  // only an admin may see them: they wait for one
+                return;
+            goTo(m_admin);
+            m_admin->show(part);
+        };
+    };
+    std::vector<Unkept> all{{m_admin->people().unkept(), toSchool(admin::AdminPage::People)},
+                            {m_admin->roster().unkept(), toSchool(admin::AdminPage::Roster)},
+                            {m_presets->unkept(), [this] { goTo(m_presets); }}};
+    all.erase(std::remove_if(all.begin(), all.end(), [](const Unkept& one) { return one.what.isEmpty(); }), all.end());
+    return all;
+}
+
+void MainWindow::leaveUnkept(const std::function<void()>& what)
+{
+    const std::vector<Unkept> all = unkept();
+    if (all.empty()) {
+        what();
+        return;
+    }
+    QStringList sentences;
+    for (const Unkept& one : all)
+        sentences << one.what;
+    ask("unkeptQuestion", {tr("Not everything has been saved, and it would be lost."), sentences.join(u'\n'),
+                           tr("&Keep it"), all.front().show, what});
+}
+
 void MainWindow::ask(const char* name, const QuestionCard::Question& question)
 {
     delete m_question;
@@ -2018,15 +2052,17 @@ void MainWindow::askToSave()
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
-    if (m_mayClose || (!wouldLoseWork() && m_editor->unsaved().isEmpty())) {
+    if (m_mayClose || (!wouldLoseWork() && m_editor->unsaved().isEmpty() && unkept().empty())) {
         memory().setValue(kGeometry, saveGeometry());
         return;
     }
     event->ignore();
     leaveWork([this] {
         leaveDrafts([this] {
-            m_mayClose = true;
-            close();
+            leaveUnkept([this] {
+                m_mayClose = true;
+                close();
+            });
         });
     });
 }

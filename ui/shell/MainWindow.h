@@ -378,6 +378,15 @@ private:
     void leaveWork(const std::function<void()>& what);
     /// The same of lessons that were changed in the editor, whose drafts live as long as the window.
     void leaveDrafts(const std::function<void()>& what);
+    /// What a page would lose with the window, in a sentence, and the way to where it can be kept.
+    struct Unkept
+    {
+        QString what;
+        std::function<void()> show;
+    };
+    [[nodiscard]] std::vector<Unkept> unkept();
+    /// The same of what other pages have that is kept nowhere yet.
+    void leaveUnkept(const std::function<void()>& what);
     void connectDoor();
     void connectTour();
     [[nodiscard]] QWidget* tourPage(Tour::Where where) const;
