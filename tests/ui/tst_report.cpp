@@ -200,6 +200,7 @@ private slots:
     void onePageHoldsAShortCard();
     void whatIsNotKeptSaysSo();
     void whoIsLateIsNamed();
+    void whoHasNoAttemptsLeftIsNamed();
     void pagesAreFilledAndNotOverfull_data();
     void pagesAreFilledAndNotOverfull();
     void paperIsWhiteInTheDarkThemeToo();
@@ -301,6 +302,15 @@ void TestReport::whoIsLateIsNamed()
     const QString words = wordsOf(report, kA4);
     QVERIFY2(words.contains("Late: a lesson is overdue"), qPrintable(words));
     QVERIFY2(words.contains("due yesterday") || words.contains("due 19 Nov"), qPrintable(words));
+}
+
+void TestReport::whoHasNoAttemptsLeftIsNamed()
+{
+    ClassReport report = classReport(6, 3);
+    report.overview.cells[4][0] = {3, 600, false, "2026-11-18T08:00:00Z"};
+    report.given = {{1, report.overview.id, "lesson-0", "", 3}};
+    const QString words = wordsOf(report, kA4);
+    QVERIFY2(words.contains("No attempts left at a lesson that is not passed: Student 1005"), qPrintable(words));
 }
 
 void TestReport::pagesAreFilledAndNotOverfull_data()

@@ -41,6 +41,7 @@ void paintNeeds(Sheet& sheet, const people::ClassModel& model)
             //: %1: what they need; %2: names
             sheet.say(Words::tr("%1: %2").arg(what, names.join(QStringLiteral(", "))), kTextPt);
     };
+    list(Need::NoneLeft, Words::tr("No attempts left at a lesson that is not passed"));
     list(Need::Stuck, Words::tr("Stuck (three attempts in a row, not passed, not better by five points)"));
     list(Need::NeverLoggedIn, Words::tr("Never logged in"));
     list(Need::Late, Words::tr("Late: a lesson is overdue and not passed"));
