@@ -147,7 +147,7 @@ void paintCriteria(Sheet& sheet, const ScoreCard& card)
         sheet.skip(nameHigh + whyHigh + 4.0);
     }
     sheet.rule();
-    sheet.say(text::scoreSum(card.sheet), kTextPt, QFont::DemiBold);
+    sheet.say(study::ScorePage::sumWords(card.sheet, card.attempt.givenTenths), kTextPt, QFont::DemiBold);
 }
 
 /// From above, and in a section through the place that is farthest off; none where the work is not known.
