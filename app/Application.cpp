@@ -313,7 +313,7 @@ void Application::openDatabase()
             [this](int minutes) { m_window->setIdleLimit(std::chrono::minutes(minutes)); });
     m_people = std::make_unique<PeopleDesk>(*m_window, *m_desk, [this] { return m_who; });
     connect(m_people.get(), &PeopleDesk::replayWanted, this,
-            [this](const core::recording::Recording& recording) { play(recording); });
+            [this](const core::recording::Recording& recording, const QString& whose) { play(recording, {}, whose); });
     connect(m_people.get(), &PeopleDesk::scoreWanted, this, &Application::showAttempt);
     const auto open = [this] {
         m_desk->open(this, [this](const SchoolDesk::Opening& opening) { takeOpening(opening); });
@@ -1542,7 +1542,7 @@ void Application::discardUnfinished()
 }
 
 /// The student's own attempt stays in the two loops, which rest meanwhile.
-void Application::play(const core::recording::Recording& recording, std::optional<double> heldAtS)
+void Application::play(const core::recording::Recording& recording, std::optional<double> heldAtS, const QString& whose)
 {
     auto replay = ReplayDesk::make(recording, m_links, *m_window, m_generation + 1,
                                    m_options.simulatedDevice ? m_device.get() : nullptr);
@@ -1560,7 +1560,7 @@ void Application::play(const core::recording::Recording& recording, std::optiona
     m_replay = std::move(*replay);
     m_replayed = recording.anatomy();
     m_window->setReplaying(true, m_replay->attempt().lengthS(), m_replay->attempt().ideal(),
-                           m_replay->attempt().lesson());
+                           m_replay->attempt().lesson(), whose);
     m_window->setHandpieces(recording.settings().handpieces);
     m_window->showTooth(m_replayed, m_generation, {});
     if (!m_options.picture.isEmpty())
@@ -1584,7 +1584,7 @@ void Application::showMoment(double seconds)
 /// The attempt whose score card is open; the way back leads there.
 void Application::playOpened(std::optional<double> heldAtS)
 {
-    play(*m_opened, heldAtS);
+    play(*m_opened, heldAtS, m_people->whoseIsTalkedAbout());
     m_playsCard = m_replay != nullptr;
     m_people->followReplay(m_playsCard);
 }

@@ -2036,9 +2036,14 @@ void TestMainWindow::aReplayIsCalledByItsLesson()
     m_window->showTooth(support::syntheticMolar(), 2, {});
     QVERIFY(m_window->windowTitle().startsWith(title));
     QVERIFY(says("Still to cut") && !says("Decay left"));
+    // A teacher sees whose it is.
+    const QString whose = QStringLiteral("Ada Lovelace, 20/11/2026 10:15");
+    m_window->setReplaying(true, 60.0, {}, lesson, whose);
+    m_window->showTooth(support::syntheticMolar(), 2, {});
+    QCOMPARE(m_window->windowTitle(), title + " – " + whose + " – Cusp");
     m_window->setReplaying(false);
     m_window->showTooth(support::syntheticMolar(), 3, {});
-    QVERIFY(!m_window->windowTitle().contains(title));
+    QVERIFY(!m_window->windowTitle().contains(title) && !m_window->windowTitle().contains("Ada"));
     QVERIFY(says("Decay left") && !says("Still to cut"));
 }
 

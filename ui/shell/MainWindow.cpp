@@ -1637,9 +1637,14 @@ void MainWindow::sayTooth()
     const bool isAssigned = m_assignment && m_assignment->anatomy == m_tooth;
     const QString title = isAssigned || m_replaying ? workTitle() : text::toothTitle(*m_tooth);
     const bool selfDrilling = m_selfDrilling && !m_replaying;
-    //: Beside the name of the tooth, where otherwise "lower left first molar" stands
-    m_room->setTooth(title, selfDrilling ? tr("The simulated handpiece is at work") : text::toothName(m_tooth->fdi));
-    setWindowTitle(tr("%1 – Cusp").arg(title));
+    const bool isSomebodys = m_replaying && !m_replayWhose.isEmpty();
+    m_room->setTooth(title,
+                     //: Beside the name of the tooth, where otherwise "lower left first molar" stands
+                     selfDrilling  ? tr("The simulated handpiece is at work")
+                     : isSomebodys ? m_replayWhose
+                                   : text::toothName(m_tooth->fdi));
+    //: %1: a lesson; %2: a person and a date
+    setWindowTitle(tr("%1 – Cusp").arg(isSomebodys ? tr("%1 – %2").arg(title, m_replayWhose) : title));
 }
 
 void MainWindow::showBusy(const QString& what)
@@ -1856,13 +1861,14 @@ void MainWindow::showSaved(const QString& path)
 }
 
 void MainWindow::setReplaying(bool replaying, double lengthS, core::grading::IdealTop ideal,
-                              std::optional<lessons::Lesson> lesson)
+                              std::optional<lessons::Lesson> lesson, const QString& whose)
 {
     if (replaying && !m_replaying)
         m_workAtRest = ownWork();
     m_replaying = replaying;
     m_replayIdeal = std::move(ideal);
     m_replayLesson = std::move(lesson);
+    m_replayWhose = whose;
     m_room->panel().setAsked(askedOf(lessonShown()));
     m_replayCourse = {};
     if (replaying)

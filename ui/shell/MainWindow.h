@@ -196,8 +196,9 @@ public slots:
     /// it before the tooth is shown that goes with it.
     /// @param ideal  what was to be cut; null: nothing
     /// @param lesson  that it was made for; nothing: practised freely
+    /// @param whose   who made it, and when; empty: that is not known
     void setReplaying(bool replaying, double lengthS = 0.0, core::grading::IdealTop ideal = {},
-                      std::optional<lessons::Lesson> lesson = {});
+                      std::optional<lessons::Lesson> lesson = {}, const QString& whose = {});
     /// How the attempt went that is played, as far as it is known; again when more of it is.
     void setReplayCourse(const replay::Course& course);
     /// Another attempt is shown beside the one that is played, from the same side: the tooth of `links`.
@@ -492,6 +493,7 @@ private:
     core::grading::IdealTop m_ideal;                   ///< what the lesson asks for of it; null: nothing
     core::grading::IdealTop m_replayIdeal;             ///< the same of the recording that is played
     std::optional<lessons::Lesson> m_replayLesson;     ///< that it was made for
+    QString m_replayWhose;                             ///< who made it, and when
     replay::Course m_replayCourse;
     replay::Course m_besideCourse;  ///< of the one beside it
     /// The version, and what is made of it, for which a block has been asked.
