@@ -920,6 +920,13 @@ void TestSchool::aBackupIsMadeTriedAndRestored()
     // What was made before an accident is not thinned out by the one that is made after it.
     QCOMPARE(sql::backupsIn(folder).size(), 2);
     QTRY_COMPARE_WITH_TIMEOUT(backups->model()->rowCount(), 2, kPatienceMs);
+    // The table had the focus meanwhile; that chooses no backup.
+    QCOMPARE(m_application->window().focusWidget(), child<QPushButton>("backUp"));
+    QVERIFY(!child<QPushButton>("restoreThis")->isEnabled());
+    backups->selectionModel()->setCurrentIndex(backups->model()->index(1, 0), QItemSelectionModel::NoUpdate);
+    QVERIFY(!child<QPushButton>("restoreThis")->isEnabled());
+    QTest::keyClick(child<QTableView>("backups"), Qt::Key_Space);
+    QVERIFY(child<QPushButton>("restoreThis")->isEnabled());
     click("drillRestore");
     QTRY_VERIFY2_WITH_TIMEOUT(said().contains("It works"), qPrintable(said()), kPatienceMs);
     click("checkAll");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/admin/BackupPart.h"
 
+#include <utility>
+
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -99,10 +101,12 @@ BackupPart::BackupPart(QWidget* parent)
     connect(m_check, &QPushButton::clicked, this, &BackupPart::checkWanted);
     connect(m_restore, &QPushButton::clicked, this, &BackupPart::restore);
     connect(m_stop, &QPushButton::clicked, this, &BackupPart::stopWanted);
-    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this] {
+    connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
         m_thought->end();
         tell();
     });
+    connect(m_table, &QAbstractItemView::activated, this,
+            [this](const QModelIndex& index) { m_table->selectRow(index.row()); });
     m_findings->hide();
     text::inEveryLanguage(this, [this] { speak(); });
 }
@@ -153,7 +157,7 @@ void BackupPart::tell()
             //: %1: when a backup was made
             tr("Restore the backup of %1? What was entered after it will be missing; attempts of this computer are "
                "brought in again, and the present file is kept beside it.")
-                .arg(m_table->currentIndex().siblingAtColumn(0).data().toString()));
+                .arg(chosenRow().data().toString()));
 }
 
 void BackupPart::fill()
@@ -174,9 +178,15 @@ void BackupPart::fill()
     m_table->horizontalHeader()->setSectionResizeMode(2, QHeaderView::Stretch);
 }
 
+/// A row that the table made the current one when it got the focus was chosen by nobody.
+QModelIndex BackupPart::chosenRow() const
+{
+    return m_table->selectionModel()->selectedRows().value(0);
+}
+
 QString BackupPart::chosen() const
 {
-    return m_table->currentIndex().siblingAtColumn(0).data(kFile).toString();
+    return chosenRow().data(kFile).toString();
 }
 
 void BackupPart::setDatabase(const QString& where, bool isServer)
@@ -195,13 +205,18 @@ void BackupPart::setBackups(const QList<Backup>& backups)
 
 void BackupPart::showProgress(const QString& what, qint64 done, qint64 all)
 {
-    m_isBusy = true;
+    QWidget* const focused = window()->focusWidget();
+    const bool begins = !std::exchange(m_isBusy, true);
     m_findings->hide();
     m_bar->setRange(0, all > 0 ? kBarSteps : 0);
     if (all > 0)
         m_bar->setValue(static_cast<int>(kBarSteps * done / all));
     m_said->setText(what);
     tell();
+    if (!begins)
+        return;
+    m_begunBy = isAncestorOf(focused) ? focused : nullptr;
+    m_focusedMeanwhile = window()->focusWidget();
 }
 
 void BackupPart::finish(const QString& sentence, const QStringList& findings)
@@ -211,7 +226,12 @@ void BackupPart::finish(const QString& sentence, const QStringList& findings)
     m_said->setText(sentence);
     m_findings->setPlainText(findings.join(u'\n'));
     m_findings->setVisible(!findings.isEmpty());
+    QWidget* const focused = window()->focusWidget();
     tell();
+    // A button that is disabled loses the focus to what comes next.
+    if (m_begunBy != nullptr && focused == m_focusedMeanwhile)
+        m_begunBy->setFocus();
+    m_begunBy = nullptr;
 }
 
 /// Once more, since everybody is logged out; what lies there now is kept beside it.

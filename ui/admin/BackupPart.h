@@ -3,6 +3,7 @@
 
 #include <QDateTime>
 #include <QList>
+#include <QModelIndex>
 #include <QString>
 #include <QStringList>
 #include <QWidget>
@@ -60,12 +61,16 @@ private:
     void tell();
     void fill();
     void restore();
+    [[nodiscard]] QModelIndex chosenRow() const;
+    /// Its file; empty: none is chosen.
     [[nodiscard]] QString chosen() const;
 
     QString m_where;
     bool m_isServer = false;
     bool m_isBusy = false;
-    SecondThought* m_thought;  ///< whether to restore
+    QWidget* m_begunBy = nullptr;           ///< had the focus when the work began, which disables it
+    QWidget* m_focusedMeanwhile = nullptr;  ///< by Qt, unless the person has gone elsewhere
+    SecondThought* m_thought;               ///< whether to restore
     QList<Backup> m_backups;
     QLabel* m_words;
     QPushButton* m_backUp;
