@@ -464,11 +464,18 @@ void AdminDesk::tellBackups()
     ui::admin::BackupPart& part = m_window.adminPage().backups();
     const database::Address& address = m_place.address;
     part.setDatabase(address.isServer() ? address.shown() : QDir::toNativeSeparators(address.file), address.isServer());
-    QList<ui::admin::Backup> backups;
-    if (!address.isServer())
-        for (const QString& file : database::sql::backupsIn(database::sql::backupFolder(address.file)))
-            backups << ui::admin::Backup{file, database::sql::madeAt(file), QFileInfo(file).size()};
-    part.setBackups(backups);
+    if (address.isServer())
+        return;
+    inBackground(
+        this,
+        [folder = database::sql::backupFolder(address.file)] {
+            QList<ui::admin::Backup> backups;
+            for (const QString& file : database::sql::backupsIn(folder))
+                if (!database::sql::holdsNobody(file))
+                    backups << ui::admin::Backup{file, database::sql::madeAt(file), QFileInfo(file).size()};
+            return backups;
+        },
+        [&part](const QList<ui::admin::Backup>& backups) { part.setBackups(backups); });
 }
 
 void AdminDesk::tellAudit(qint64 beforeSeq)

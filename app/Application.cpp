@@ -345,8 +345,8 @@ void Application::takeOpening(const SchoolDesk::Opening& opening)
     m_presets.setSchool(m_desk.get());
     m_window->setUnreachable({}, m_where, backupMade);
     m_isOnNetworkDrive = !opening.notice.empty();
-    backUpToday();
     const bool wasNew = std::exchange(m_isNewSchool, opening.isNew);
+    backUpToday();
     tellMayEdit();
     if (m_window->isAtDoor() && wasNew != opening.isNew)
         m_window->askWho(opening.isNew ? ui::people::Door::NewSchool : ui::people::Door::Login);

@@ -92,6 +92,7 @@ private slots:
 
     void aDatabaseIsRestoredFromTheDoor_data();
     void aDatabaseIsRestoredFromTheDoor();
+    void aSchoolWithoutPeopleIsNotBackedUp();
     void aLockedDatabaseIsTriedAgain();
     void whatTheDiskRefusesIsKeptWhenItCanBe();
     void aGuestsGradeIsKeptWhenHeLogsIn();
@@ -328,6 +329,30 @@ void TestSchool::aDatabaseIsRestoredFromTheDoor()
     const auto noted = sql::ask(sql::Database::open(file()).value()->handle(),
                                 "SELECT count(*) FROM audit WHERE action = 'backup.restored'", "count");
     QCOMPARE(noted.value().toInt(), 1);
+}
+
+/// Its backup would be offered for restoring, and put an empty school in the place of a full one.
+void TestSchool::aSchoolWithoutPeopleIsNotBackedUp()
+{
+    QVERIFY(QFile::remove(file()));
+    start();
+    QTRY_COMPARE_WITH_TIMEOUT(door(), Door::NewSchool, kPatienceMs);
+    child<QLineEdit>("username")->setText("nora");
+    child<QLineEdit>("password")->setText(QString::fromStdString(kPassword));
+    child<QLineEdit>("passwordAgain")->setText(QString::fromStdString(kPassword));
+    click("logIn");
+    QTRY_COMPARE_WITH_TIMEOUT(actions().account->text(), QString("nora"), kPatienceMs);
+    // As a terminal makes one of whatever there is.
+    const QString folder = sql::backupFolder(file());
+    const QString elsewhere = m_folder->filePath("empty.sqlite");
+    QVERIFY(sql::backUp(sql::Database::open(elsewhere).value()->handle(), folder,
+                        QDateTime::currentDateTimeUtc().addDays(-1)));
+    openSchool(ui::admin::AdminPage::Backups);
+    click("backUp");
+    const auto said = [this] { return child<QLabel>("backupSaid")->text(); };
+    QTRY_VERIFY2_WITH_TIMEOUT(said().contains("Backed up and checked"), qPrintable(said()), kPatienceMs);
+    QCOMPARE(sql::backupsIn(folder).size(), 2);
+    QTRY_COMPARE_WITH_TIMEOUT(child<QTableView>("backups")->model()->rowCount(), 1, kPatienceMs);
 }
 
 void TestSchool::aLockedDatabaseIsTriedAgain()
