@@ -360,9 +360,12 @@ void Application::restore()
         if (!opening.status)
             m_window->sayAtDoor(tr("The backup was not restored; nothing has been changed. %1")
                                     .arg(ui::text::errorText(opening.status.error(), Failed::ReadingSchool)));
+        else if (const QString when = QLocale().toString(made, QLocale::ShortFormat); opening.replaced.isEmpty())
+            m_window->sayAtDoor(tr("The backup of %1 is in place.").arg(when));
         else
-            m_window->sayAtDoor(tr("The backup of %1 is in place. The file that was there is kept beside it.")
-                                    .arg(QLocale().toString(made, QLocale::ShortFormat)));
+            //: %2: a file's name
+            m_window->sayAtDoor(tr("The backup of %1 is in place. The file that was there is kept beside it as %2.")
+                                    .arg(when, QFileInfo(opening.replaced).fileName()));
     });
 }
 

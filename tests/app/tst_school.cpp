@@ -126,6 +126,13 @@ private:
     [[nodiscard]] ui::shell::Actions& actions() const { return *child<ui::shell::Actions>(); }
     [[nodiscard]] QString message() const { return child<ui::shell::MessageBar>()->sentence(); }
     [[nodiscard]] QString removed() const { return child<ui::shell::TabularLabel>("enamelRemoved")->text(); }
+    [[nodiscard]] QString saidAtDoor() const
+    {
+        QStringList words;
+        for (const QLabel* label : child<ui::people::LoginPage>()->findChildren<QLabel*>())
+            words << label->text();
+        return words.join('\n');
+    }
     [[nodiscard]] Door door() const { return child<ui::people::LoginPage>()->door(); }
     [[nodiscard]] QString file() const { return m_folder->filePath("school.sqlite"); }
     /// The program as a student starts it: at the door.
@@ -322,10 +329,12 @@ void TestSchool::aDatabaseIsRestoredFromTheDoor()
     click("restoreBackup");
     QTRY_VERIFY_WITH_TIMEOUT(!child<QPushButton>("restoreBackup")->isVisible(), kPatienceMs);
     QCOMPARE(door(), Door::Login);
+    const QStringList replaced = QDir(m_folder->path()).entryList({"replaced-*.sqlite"}, QDir::Files);
+    QCOMPARE(replaced.size(), isGone ? 0 : 1);
+    QTRY_VERIFY2_WITH_TIMEOUT(saidAtDoor().contains("is in place"), qPrintable(saidAtDoor()), kPatienceMs);
+    QVERIFY2(saidAtDoor().contains("is kept beside it as " + replaced.value(0)) == !isGone, qPrintable(saidAtDoor()));
     logIn("sam");
     QTRY_COMPARE_WITH_TIMEOUT(attemptsKept(), 2, kPatienceMs);
-    if (!isGone)
-        QCOMPARE(QDir(m_folder->path()).entryList({"replaced-*"}, QDir::Files).size(), 1);
     const auto noted = sql::ask(sql::Database::open(file()).value()->handle(),
                                 "SELECT count(*) FROM audit WHERE action = 'backup.restored'", "count");
     QCOMPARE(noted.value().toInt(), 1);
@@ -363,13 +372,7 @@ void TestSchool::aLockedDatabaseIsTriedAgain()
     start();
     QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("tryAgain")->isVisible(), kPatienceMs);
     QVERIFY(!child<QPushButton>("restoreBackup")->isVisible());
-    const QStringList said = [this] {
-        QStringList words;
-        for (const QLabel* label : child<ui::people::LoginPage>()->findChildren<QLabel*>())
-            words << label->text();
-        return words;
-    }();
-    QVERIFY2(said.join(' ').contains("Another program is writing to it"), qPrintable(said.join('\n')));
+    QVERIFY2(saidAtDoor().contains("Another program is writing to it"), qPrintable(saidAtDoor()));
     other.reset();
     click("tryAgain");
     QTRY_VERIFY_WITH_TIMEOUT(!child<QPushButton>("tryAgain")->isVisible(), kPatienceMs);
@@ -979,12 +982,7 @@ void TestSchool::aBackupIsMadeTriedAndRestored()
     click("restoreThis");
     QTRY_VERIFY_WITH_TIMEOUT(child<ui::people::LoginPage>()->isVisible(), kPatienceMs);
     // Who looked in between would make an empty one.
-    const auto isSaid = [this] {
-        const auto labels = child<ui::people::LoginPage>()->findChildren<QLabel*>();
-        return std::any_of(labels.begin(), labels.end(),
-                           [](const QLabel* label) { return label->text().contains("is in place"); });
-    };
-    QTRY_VERIFY_WITH_TIMEOUT(isSaid(), kPatienceMs);
+    QTRY_VERIFY2_WITH_TIMEOUT(saidAtDoor().contains("is in place"), qPrintable(saidAtDoor()), kPatienceMs);
     QCOMPARE(count("people"), 4);
     logIn("admin");
 }
