@@ -154,6 +154,8 @@ private:
     /// What the database holds, asked beside the program.
     [[nodiscard]] int attemptsKept() const { return count("attempts"); }
     [[nodiscard]] int count(const char* rows) const;
+    /// Has everything checked with the audit codes of reports: that of now, another one, and none.
+    void checkReportCodes() const;
     /// Opens the newest attempt of the history page.
     void openNewest() const;
     [[nodiscard]] QList<QPushButton*> pins() const;
@@ -959,6 +961,7 @@ void TestSchool::aBackupIsMadeTriedAndRestored()
     QTRY_VERIFY2_WITH_TIMEOUT(said().contains("It works"), qPrintable(said()), kPatienceMs);
     click("checkAll");
     QTRY_VERIFY2_WITH_TIMEOUT(said().contains("Nothing is wrong"), qPrintable(said()), kPatienceMs);
+    checkReportCodes();
     // Somebody is entered after the backup, and is gone with the restore.
     child<ui::admin::AdminPage>()->show(ui::admin::AdminPage::People);
     QTRY_COMPARE_WITH_TIMEOUT(child<QTableView>("people")->model()->rowCount(), 4, kPatienceMs);
@@ -985,6 +988,30 @@ void TestSchool::aBackupIsMadeTriedAndRestored()
     QTRY_VERIFY2_WITH_TIMEOUT(saidAtDoor().contains("is in place"), qPrintable(saidAtDoor()), kPatienceMs);
     QCOMPARE(count("people"), 4);
     logIn("admin");
+}
+
+void TestSchool::checkReportCodes() const
+{
+    auto* code = child<QLineEdit>("reportCode");
+    const auto said = [this] { return child<QLabel>("backupSaid")->text(); };
+    const QString seen = said();
+    code->setText("412");
+    click("checkAll");
+    QVERIFY(child<QLabel>("reportCodeFault")->isVisible());
+    QCOMPARE(said(), seen);
+    const QString head = sql::ask(sql::Database::open(file()).value()->handle(),
+                                  "SELECT seq || '-' || substr(hash, 1, 12) FROM audit_seal", "read")
+                             .value()
+                             .toString();
+    code->setText(' ' + head.toUpper());
+    QVERIFY(!child<QLabel>("reportCodeFault")->isVisible());
+    QTest::keyClick(code, Qt::Key_Return);
+    QTRY_VERIFY2_WITH_TIMEOUT(said().contains("with the code " + head.toUpper()), qPrintable(said()), kPatienceMs);
+    code->setText("3-000000000000");
+    click("checkAll");
+    QTRY_VERIFY2_WITH_TIMEOUT(said().contains("1 thing"), qPrintable(said()), kPatienceMs);
+    QVERIFY(child<QPlainTextEdit>("findings")->isVisible());
+    code->clear();
 }
 
 /// The one connection that such a file allows does everything.

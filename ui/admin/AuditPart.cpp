@@ -97,8 +97,8 @@ void AuditPart::speak()
 void AuditPart::tell()
 {
     //: %1: a short code
-    m_code->setText(tr("Audit code now: %1. It stands on every report: with \"Check everything\" nobody can take away "
-                       "what was noted before it.")
+    m_code->setText(tr("Audit code now: %1. Every report shows the code of its day. Type one beside \"Check "
+                       "everything\" (Backups) to see whether what was noted before it is still as it was.")
                         .arg(m_head));
     m_count->setText(tr("%n row(s)", nullptr, m_shown->rowCount()));
     m_older->setEnabled(!m_audit.isEmpty() && m_audit.back().seq > 1);

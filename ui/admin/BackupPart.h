@@ -9,6 +9,7 @@
 #include <QWidget>
 
 class QLabel;
+class QLineEdit;
 class QPlainTextEdit;
 class QProgressBar;
 class QPushButton;
@@ -47,11 +48,14 @@ public:
     /// It has come to its end.
     /// @param findings  what a check found
     void finish(const QString& sentence, const QStringList& findings = {});
+    /// What was typed is no audit code; nothing has begun.
+    void refuseCode();
 
 signals:
     void backUpWanted();
     void drillWanted();
-    void checkWanted();
+    /// @param code  the audit code of a report, as it was typed; empty: there is none to compare with
+    void checkWanted(const QString& code);
     /// The backup is to be put in the place of the database, and everybody here is logged out.
     void restoreWanted(const QString& file);
     void stopWanted();
@@ -76,6 +80,9 @@ private:
     QPushButton* m_backUp;
     QPushButton* m_drill;
     QPushButton* m_check;
+    QLabel* m_codeCaption;
+    QLineEdit* m_code;  ///< of a report
+    QLabel* m_codeFault;
     QPushButton* m_restore;
     QPushButton* m_keep;  ///< beside it, while it asks whether one is sure
     QPushButton* m_stop;
