@@ -35,6 +35,7 @@
 #include "lessons/PresetFile.h"
 #include "tests/support/OpenGlMain.h"
 #include "ui/admin/AdminPage.h"
+#include "ui/admin/AuditPart.h"
 #include "ui/admin/RosterPart.h"
 #include "ui/people/AssignPage.h"
 #include "ui/people/ClassPage.h"
@@ -1058,6 +1059,14 @@ void TestSchool::whatWasDoneStandsInTheAudit()
     child<QLineEdit>("auditSearch")->setText("one-time");
     QCOMPARE(rows->rowCount(), 3);
     QVERIFY(child<QLabel>("auditCode")->text().contains(QString::number(count("audit")) + '-'));
+    // What does not fit into its column ends in "…", and is there to be read.
+    const QString longName(200, 'w');
+    child<ui::admin::AuditPart>()->setRows(
+        {{1, "2026-05-04T10:20:30Z", "", "preset.add", "preset:" + longName.toStdString() + " v1", "{}", ""}}, "1-0");
+    child<QLineEdit>("auditSearch")->clear();
+    QVERIFY(rows->index(0, 4).data().toString().contains(longName));
+    QVERIFY(rows->index(0, 4).data(Qt::ToolTipRole).toString().contains(longName));
+    QVERIFY(child<QTableView>("audit")->columnWidth(4) <= 320);
     child<ui::admin::AdminPage>()->show(ui::admin::AdminPage::Station);
     auto* idle = child<QSpinBox>("idleMinutes");
     QTRY_COMPARE_WITH_TIMEOUT(idle->value(), 10, kPatienceMs);
