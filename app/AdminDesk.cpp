@@ -17,7 +17,6 @@
 #include "app/SchoolSettings.h"
 #include "database/Outbox.h"
 #include "database/sql/Audit.h"
-#include "database/sql/Check.h"
 #include "database/sql/Classes.h"
 #include "database/sql/Logins.h"
 #include "database/sql/People.h"
@@ -389,16 +388,60 @@ void AdminDesk::beside(const QString& what, Job job, Done done)
         done);
 }
 
+void AdminDesk::tellFailed(const core::Error& error)
+{
+    m_window.adminPage().backups().finish(
+        *m_isStopped ? tr("It was stopped.") : tr("It did not work: %1").arg(QString::fromStdString(error.detail)));
+}
+
+void AdminDesk::check(const QString& code)
+{
+    const std::vector<std::string> witnesses =
+        code.isEmpty() ? std::vector<std::string>() : std::vector{code.toStdString()};
+    beside(
+        tr("Everything is looked at …"),
+        [isServer = m_place.address.isServer(), witnesses](const School& school, Work& work) {
+            return database::sql::checkDatabase(
+                school.db, witnesses, [&work](const char*, std::int64_t rows) { return work.tell(rows, 0); },
+                isServer ? std::string() : school.key.publicHex());
+        },
+        [this, code](const core::Result<database::sql::CheckReport>& report) {
+            if (report)
+                tellChecked(*report, code);
+            else
+                tellFailed(report.error());
+        });
+}
+
+void AdminDesk::tellChecked(const database::sql::CheckReport& report, const QString& code)
+{
+    ui::admin::BackupPart& part = m_window.adminPage().backups();
+    if (report.isStopped) {
+        part.finish(tr("It was stopped."));
+        return;
+    }
+    QStringList findings;
+    for (const std::string& one : report.findings)
+        findings << QString::fromStdString(one);
+    if (!findings.isEmpty()) {
+        part.finish(tr("%n thing(s) are not as they should be.", nullptr, static_cast<int>(findings.size())), findings);
+        return;
+    }
+    const QString sound = tr("Nothing is wrong: %1 attempts and %2 rows of the audit are as they were noted.")
+                              .arg(QLocale().toString(static_cast<qlonglong>(report.attempts)),
+                                   QLocale().toString(static_cast<qlonglong>(report.auditRows)));
+    part.finish(code.isEmpty()
+                    ? sound
+                    : sound + u' ' +
+                          tr("The audit is still the one that the report with the code %1 names.").arg(code));
+}
+
 void AdminDesk::connectBackups()
 {
     using ui::admin::BackupPart;
     BackupPart& part = m_window.adminPage().backups();
-    const auto failed = [this, &part](const core::Error& error) {
-        part.finish(*m_isStopped ? tr("It was stopped.")
-                                 : tr("It did not work: %1").arg(QString::fromStdString(error.detail)));
-    };
     connect(&part, &BackupPart::stopWanted, this, [this] { *m_isStopped = true; });
-    connect(&part, &BackupPart::backUpWanted, this, [this, failed, &part] {
+    connect(&part, &BackupPart::backUpWanted, this, [this, &part] {
         beside(
             tr("The data are being backed up …"),
             [place = m_place, who = m_who()](const School& school, Work& work) -> core::Result<QString> {
@@ -409,51 +452,32 @@ void AdminDesk::connectBackups()
                         return tl::unexpected(noted.error());
                 return made;
             },
-            [this, failed, &part](const core::Result<QString>& made) {
+            [this, &part](const core::Result<QString>& made) {
                 if (!made)
-                    return failed(made.error());
+                    return tellFailed(made.error());
                 tellBackups();
                 part.finish(tr("Backed up and checked: %1.").arg(QDir::toNativeSeparators(*made)));
             });
     });
-    connect(&part, &BackupPart::drillWanted, this, [this, failed, &part] {
+    connect(&part, &BackupPart::drillWanted, this, [this, &part] {
         beside(
             tr("A backup is made and restored …"),
             [](const School& school, Work& work) {
                 return database::sql::restoreDrill(school.db,
                                                    [&work](int done, int all) { return work.tell(done, all); });
             },
-            [failed, &part](const core::Result<qint64>& rows) {
+            [this, &part](const core::Result<qint64>& rows) {
                 if (!rows)
-                    return failed(rows.error());
+                    return tellFailed(rows.error());
                 part.finish(tr("It works: a backup was made, restored beside the database and compared, %1 rows.")
                                 .arg(QLocale().toString(*rows)));
             });
     });
-    connect(&part, &BackupPart::checkWanted, this, [this, failed, &part] {
-        beside(
-            tr("Everything is looked at …"),
-            [isServer = m_place.address.isServer()](const School& school, Work& work) {
-                return database::sql::checkDatabase(
-                    school.db, {}, [&work](const char*, std::int64_t rows) { return work.tell(rows, 0); },
-                    isServer ? std::string() : school.key.publicHex());
-            },
-            [failed, &part](const core::Result<database::sql::CheckReport>& report) {
-                if (!report)
-                    return failed(report.error());
-                if (report->isStopped)
-                    return part.finish(tr("It was stopped."));
-                QStringList findings;
-                for (const std::string& one : report->findings)
-                    findings << QString::fromStdString(one);
-                part.finish(
-                    findings.isEmpty()
-                        ? tr("Nothing is wrong: %1 attempts and %2 rows of the audit are as they were noted.")
-                              .arg(QLocale().toString(static_cast<qlonglong>(report->attempts)),
-                                   QLocale().toString(static_cast<qlonglong>(report->auditRows)))
-                        : tr("%n thing(s) are not as they should be.", nullptr, static_cast<int>(findings.size())),
-                    findings);
-            });
+    connect(&part, &BackupPart::checkWanted, this, [this](const QString& code) {
+        if (code.isEmpty() || database::sql::isAuditCode(code.toStdString()))
+            check(code);
+        else
+            m_window.adminPage().backups().refuseCode();
     });
     connect(&part, &BackupPart::restoreWanted, this, [this, &part](const QString& backup) {
         part.showProgress(tr("The backup is looked at …"), 0, 0);
@@ -474,11 +498,18 @@ void AdminDesk::tellBackups()
     ui::admin::BackupPart& part = m_window.adminPage().backups();
     const database::Address& address = m_place.address;
     part.setDatabase(address.isServer() ? address.shown() : QDir::toNativeSeparators(address.file), address.isServer());
-    QList<ui::admin::Backup> backups;
-    if (!address.isServer())
-        for (const QString& file : database::sql::backupsIn(database::sql::backupFolder(address.file)))
-            backups << ui::admin::Backup{file, database::sql::madeAt(file), QFileInfo(file).size()};
-    part.setBackups(backups);
+    if (address.isServer())
+        return;
+    inBackground(
+        this,
+        [folder = database::sql::backupFolder(address.file)] {
+            QList<ui::admin::Backup> backups;
+            for (const QString& file : database::sql::backupsIn(folder))
+                if (!database::sql::holdsNobody(file))
+                    backups << ui::admin::Backup{file, database::sql::madeAt(file), QFileInfo(file).size()};
+            return backups;
+        },
+        [&part](const QList<ui::admin::Backup>& backups) { part.setBackups(backups); });
 }
 
 void AdminDesk::tellAudit(qint64 beforeSeq)

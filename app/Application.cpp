@@ -345,8 +345,8 @@ void Application::takeOpening(const SchoolDesk::Opening& opening)
     m_presets.setSchool(m_desk.get());
     m_window->setUnreachable({}, m_where, backupMade);
     m_isOnNetworkDrive = !opening.notice.empty();
-    backUpToday();
     const bool wasNew = std::exchange(m_isNewSchool, opening.isNew);
+    backUpToday();
     tellMayEdit();
     if (m_window->isAtDoor() && wasNew != opening.isNew)
         m_window->askWho(opening.isNew ? ui::people::Door::NewSchool : ui::people::Door::Login);
@@ -360,9 +360,12 @@ void Application::restore()
         if (!opening.status)
             m_window->sayAtDoor(tr("The backup was not restored; nothing has been changed. %1")
                                     .arg(ui::text::errorText(opening.status.error(), Failed::ReadingSchool)));
+        else if (const QString when = QLocale().toString(made, QLocale::ShortFormat); opening.replaced.isEmpty())
+            m_window->sayAtDoor(tr("The backup of %1 is in place.").arg(when));
         else
-            m_window->sayAtDoor(tr("The backup of %1 is in place. The file that was there is kept beside it.")
-                                    .arg(QLocale().toString(made, QLocale::ShortFormat)));
+            //: %2: a file's name
+            m_window->sayAtDoor(tr("The backup of %1 is in place. The file that was there is kept beside it as %2.")
+                                    .arg(when, QFileInfo(opening.replaced).fileName()));
     });
 }
 

@@ -43,6 +43,10 @@ using BackupProgress = std::function<bool(int done, int all)>;
 /// Of a file that nobody writes; empty also where it cannot be read.
 [[nodiscard]] std::string schoolOf(const QString& file);
 
+/// Whether a backup was made before anybody was entered: to restore it is to have an empty school. False also where it
+/// cannot be read, or is from before there were people.
+[[nodiscard]] bool holdsNobody(const QString& file);
+
 /// Those of the backups in a folder that are of this school: several may back up into one.
 [[nodiscard]] QStringList backupsOf(const QSqlDatabase& db, const QString& folder);
 
@@ -51,8 +55,8 @@ using BackupProgress = std::function<bool(int done, int all)>;
 /// alone.
 [[nodiscard]] QStringList tooMany(const QStringList& files, const QDateTime& nowUtc);
 
-/// The newest backup of a database's own folder that verifyBackup() finds whole, one from the future last; empty: there
-/// is none.
+/// The newest backup of a database's own folder that verifyBackup() finds whole and that somebody is in, one from the
+/// future last; empty: there is none.
 [[nodiscard]] QString newestSound(const QString& databaseFile, const QDateTime& nowUtc);
 
 /// When a backup was made, UTC, out of its name; invalid for other files.

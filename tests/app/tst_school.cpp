@@ -35,6 +35,7 @@
 #include "lessons/PresetFile.h"
 #include "tests/support/OpenGlMain.h"
 #include "ui/admin/AdminPage.h"
+#include "ui/admin/AuditPart.h"
 #include "ui/admin/RosterPart.h"
 #include "ui/people/AssignPage.h"
 #include "ui/people/ClassPage.h"
@@ -92,6 +93,7 @@ private slots:
 
     void aDatabaseIsRestoredFromTheDoor_data();
     void aDatabaseIsRestoredFromTheDoor();
+    void aSchoolWithoutPeopleIsNotBackedUp();
     void aLockedDatabaseIsTriedAgain();
     void whatTheDiskRefusesIsKeptWhenItCanBe();
     void aGuestsGradeIsKeptWhenHeLogsIn();
@@ -125,6 +127,13 @@ private:
     [[nodiscard]] ui::shell::Actions& actions() const { return *child<ui::shell::Actions>(); }
     [[nodiscard]] QString message() const { return child<ui::shell::MessageBar>()->sentence(); }
     [[nodiscard]] QString removed() const { return child<ui::shell::TabularLabel>("enamelRemoved")->text(); }
+    [[nodiscard]] QString saidAtDoor() const
+    {
+        QStringList words;
+        for (const QLabel* label : child<ui::people::LoginPage>()->findChildren<QLabel*>())
+            words << label->text();
+        return words.join('\n');
+    }
     [[nodiscard]] Door door() const { return child<ui::people::LoginPage>()->door(); }
     [[nodiscard]] QString file() const { return m_folder->filePath("school.sqlite"); }
     /// The program as a student starts it: at the door.
@@ -146,6 +155,8 @@ private:
     /// What the database holds, asked beside the program.
     [[nodiscard]] int attemptsKept() const { return count("attempts"); }
     [[nodiscard]] int count(const char* rows) const;
+    /// Has everything checked with the audit codes of reports: that of now, another one, and none.
+    void checkReportCodes() const;
     /// Opens the newest attempt of the history page.
     void openNewest() const;
     [[nodiscard]] QList<QPushButton*> pins() const;
@@ -321,13 +332,39 @@ void TestSchool::aDatabaseIsRestoredFromTheDoor()
     click("restoreBackup");
     QTRY_VERIFY_WITH_TIMEOUT(!child<QPushButton>("restoreBackup")->isVisible(), kPatienceMs);
     QCOMPARE(door(), Door::Login);
+    const QStringList replaced = QDir(m_folder->path()).entryList({"replaced-*.sqlite"}, QDir::Files);
+    QCOMPARE(replaced.size(), isGone ? 0 : 1);
+    QTRY_VERIFY2_WITH_TIMEOUT(saidAtDoor().contains("is in place"), qPrintable(saidAtDoor()), kPatienceMs);
+    QVERIFY2(saidAtDoor().contains("is kept beside it as " + replaced.value(0)) == !isGone, qPrintable(saidAtDoor()));
     logIn("sam");
     QTRY_COMPARE_WITH_TIMEOUT(attemptsKept(), 2, kPatienceMs);
-    if (!isGone)
-        QCOMPARE(QDir(m_folder->path()).entryList({"replaced-*"}, QDir::Files).size(), 1);
     const auto noted = sql::ask(sql::Database::open(file()).value()->handle(),
                                 "SELECT count(*) FROM audit WHERE action = 'backup.restored'", "count");
     QCOMPARE(noted.value().toInt(), 1);
+}
+
+/// Its backup would be offered for restoring, and put an empty school in the place of a full one.
+void TestSchool::aSchoolWithoutPeopleIsNotBackedUp()
+{
+    QVERIFY(QFile::remove(file()));
+    start();
+    QTRY_COMPARE_WITH_TIMEOUT(door(), Door::NewSchool, kPatienceMs);
+    child<QLineEdit>("username")->setText("nora");
+    child<QLineEdit>("password")->setText(QString::fromStdString(kPassword));
+    child<QLineEdit>("passwordAgain")->setText(QString::fromStdString(kPassword));
+    click("logIn");
+    QTRY_COMPARE_WITH_TIMEOUT(actions().account->text(), QString("nora"), kPatienceMs);
+    // As a terminal makes one of whatever there is.
+    const QString folder = sql::backupFolder(file());
+    const QString elsewhere = m_folder->filePath("empty.sqlite");
+    QVERIFY(sql::backUp(sql::Database::open(elsewhere).value()->handle(), folder,
+                        QDateTime::currentDateTimeUtc().addDays(-1)));
+    openSchool(ui::admin::AdminPage::Backups);
+    click("backUp");
+    const auto said = [this] { return child<QLabel>("backupSaid")->text(); };
+    QTRY_VERIFY2_WITH_TIMEOUT(said().contains("Backed up and checked"), qPrintable(said()), kPatienceMs);
+    QCOMPARE(sql::backupsIn(folder).size(), 2);
+    QTRY_COMPARE_WITH_TIMEOUT(child<QTableView>("backups")->model()->rowCount(), 1, kPatienceMs);
 }
 
 void TestSchool::aLockedDatabaseIsTriedAgain()
@@ -338,13 +375,7 @@ void TestSchool::aLockedDatabaseIsTriedAgain()
     start();
     QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("tryAgain")->isVisible(), kPatienceMs);
     QVERIFY(!child<QPushButton>("restoreBackup")->isVisible());
-    const QStringList said = [this] {
-        QStringList words;
-        for (const QLabel* label : child<ui::people::LoginPage>()->findChildren<QLabel*>())
-            words << label->text();
-        return words;
-    }();
-    QVERIFY2(said.join(' ').contains("Another program is writing to it"), qPrintable(said.join('\n')));
+    QVERIFY2(saidAtDoor().contains("Another program is writing to it"), qPrintable(saidAtDoor()));
     other.reset();
     click("tryAgain");
     QTRY_VERIFY_WITH_TIMEOUT(!child<QPushButton>("tryAgain")->isVisible(), kPatienceMs);
@@ -929,10 +960,18 @@ void TestSchool::aBackupIsMadeTriedAndRestored()
     // What was made before an accident is not thinned out by the one that is made after it.
     QCOMPARE(sql::backupsIn(folder).size(), 2);
     QTRY_COMPARE_WITH_TIMEOUT(backups->model()->rowCount(), 2, kPatienceMs);
+    // The table had the focus meanwhile; that chooses no backup.
+    QCOMPARE(m_application->window().focusWidget(), child<QPushButton>("backUp"));
+    QVERIFY(!child<QPushButton>("restoreThis")->isEnabled());
+    backups->selectionModel()->setCurrentIndex(backups->model()->index(1, 0), QItemSelectionModel::NoUpdate);
+    QVERIFY(!child<QPushButton>("restoreThis")->isEnabled());
+    QTest::keyClick(child<QTableView>("backups"), Qt::Key_Space);
+    QVERIFY(child<QPushButton>("restoreThis")->isEnabled());
     click("drillRestore");
     QTRY_VERIFY2_WITH_TIMEOUT(said().contains("It works"), qPrintable(said()), kPatienceMs);
     click("checkAll");
     QTRY_VERIFY2_WITH_TIMEOUT(said().contains("Nothing is wrong"), qPrintable(said()), kPatienceMs);
+    checkReportCodes();
     // Somebody is entered after the backup, and is gone with the restore.
     child<ui::admin::AdminPage>()->show(ui::admin::AdminPage::People);
     QTRY_COMPARE_WITH_TIMEOUT(child<QTableView>("people")->model()->rowCount(), 4, kPatienceMs);
@@ -956,14 +995,33 @@ void TestSchool::aBackupIsMadeTriedAndRestored()
     click("restoreThis");
     QTRY_VERIFY_WITH_TIMEOUT(child<ui::people::LoginPage>()->isVisible(), kPatienceMs);
     // Who looked in between would make an empty one.
-    const auto isSaid = [this] {
-        const auto labels = child<ui::people::LoginPage>()->findChildren<QLabel*>();
-        return std::any_of(labels.begin(), labels.end(),
-                           [](const QLabel* label) { return label->text().contains("is in place"); });
-    };
-    QTRY_VERIFY_WITH_TIMEOUT(isSaid(), kPatienceMs);
+    QTRY_VERIFY2_WITH_TIMEOUT(saidAtDoor().contains("is in place"), qPrintable(saidAtDoor()), kPatienceMs);
     QCOMPARE(count("people"), 4);
     logIn("admin");
+}
+
+void TestSchool::checkReportCodes() const
+{
+    auto* code = child<QLineEdit>("reportCode");
+    const auto said = [this] { return child<QLabel>("backupSaid")->text(); };
+    const QString seen = said();
+    code->setText("412");
+    click("checkAll");
+    QVERIFY(child<QLabel>("reportCodeFault")->isVisible());
+    QCOMPARE(said(), seen);
+    const QString head = sql::ask(sql::Database::open(file()).value()->handle(),
+                                  "SELECT seq || '-' || substr(hash, 1, 12) FROM audit_seal", "read")
+                             .value()
+                             .toString();
+    code->setText(' ' + head.toUpper());
+    QVERIFY(!child<QLabel>("reportCodeFault")->isVisible());
+    QTest::keyClick(code, Qt::Key_Return);
+    QTRY_VERIFY2_WITH_TIMEOUT(said().contains("with the code " + head.toUpper()), qPrintable(said()), kPatienceMs);
+    code->setText("3-000000000000");
+    click("checkAll");
+    QTRY_VERIFY2_WITH_TIMEOUT(said().contains("1 thing"), qPrintable(said()), kPatienceMs);
+    QVERIFY(child<QPlainTextEdit>("findings")->isVisible());
+    code->clear();
 }
 
 /// The one connection that such a file allows does everything.
@@ -1010,6 +1068,14 @@ void TestSchool::whatWasDoneStandsInTheAudit()
     child<QLineEdit>("auditSearch")->setText("one-time");
     QCOMPARE(rows->rowCount(), 3);
     QVERIFY(child<QLabel>("auditCode")->text().contains(QString::number(count("audit")) + '-'));
+    // What does not fit into its column ends in "…", and is there to be read.
+    const QString longName(200, 'w');
+    child<ui::admin::AuditPart>()->setRows(
+        {{1, "2026-05-04T10:20:30Z", "", "preset.add", "preset:" + longName.toStdString() + " v1", "{}", ""}}, "1-0");
+    child<QLineEdit>("auditSearch")->clear();
+    QVERIFY(rows->index(0, 4).data().toString().contains(longName));
+    QVERIFY(rows->index(0, 4).data(Qt::ToolTipRole).toString().contains(longName));
+    QVERIFY(child<QTableView>("audit")->columnWidth(4) <= 320);
     child<ui::admin::AdminPage>()->show(ui::admin::AdminPage::Station);
     auto* idle = child<QSpinBox>("idleMinutes");
     QTRY_COMPARE_WITH_TIMEOUT(idle->value(), 10, kPatienceMs);

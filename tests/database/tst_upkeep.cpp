@@ -64,6 +64,7 @@ private slots:
     void eachSchoolThinsItsOwnBackups();
     void aClockThatWasWrongHidesNoBackup();
     void anEmptyDatabaseIsNoBackup();
+    void aSchoolWithoutPeopleIsNotOffered();
     void whatAMigrationLeftAsItWasIsNotCopied();
     void aDamagedFileReplacesNoBackup();
     void backupsAreThinnedOut();
@@ -222,6 +223,21 @@ void TestUpkeep::anEmptyDatabaseIsNoBackup()
     QCOMPARE(sqlite3_exec(made, mark.constData(), nullptr, nullptr, nullptr), SQLITE_OK);
     sqlite3_close(made);
     VERIFY_REFUSED(verifyBackup(file), ErrorCode::WrongKind);
+}
+
+void TestUpkeep::aSchoolWithoutPeopleIsNotOffered()
+{
+    SchoolRig rig(false);
+    const QString folder = backupFolder(rig.address());
+    const auto empty = backUp(rig.school().db, folder, rig.nowUtc);
+    VERIFY_DONE(empty);
+    QVERIFY(holdsNobody(*empty));
+    QCOMPARE(newestSound(rig.address(), rig.nowUtc), QString());
+    rig.populate();
+    const auto full = backUp(rig.school().db, folder, rig.nowUtc.addSecs(-60));
+    VERIFY_DONE(full);
+    QVERIFY(!holdsNobody(*full));
+    QCOMPARE(newestSound(rig.address(), rig.nowUtc), *full);
 }
 
 void TestUpkeep::whatAMigrationLeftAsItWasIsNotCopied()
