@@ -377,8 +377,11 @@ int exportCommand(const QStringList& arguments)
     const auto place = toStdout ? core::Result<QString>() : placeOfTable(path, desk->open.database->address());
     if (!place)
         return failed(place.error());
+    // Names and marks: a new file is for its owner only, and one that is there stays as somebody has set it.
+    const bool isNew = !QFileInfo::exists(*place);
     QSaveFile file(*place);
-    if (!toStdout && !file.open(QIODevice::WriteOnly))
+    if (!toStdout &&
+        (!file.open(QIODevice::WriteOnly) || (isNew && !file.setPermissions(QFile::ReadOwner | QFile::WriteOwner))))
         return failed({ErrorCode::FileUnwritable, "the file " + path.toStdString() + " cannot be written (" +
                                                       file.errorString().toStdString() + "); choose another place"});
     const auto count = database::sql::exportAttempts(*desk->open.school, desk->session, [&](std::string_view line) {

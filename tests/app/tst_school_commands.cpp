@@ -49,6 +49,7 @@ private slots:
     void aClassListIsTriedAndEntered();
     void codesAndTablesOverwriteNothingElse();
     void tablesGoWhereALinkLeadsAndNeverIntoTheSchool();
+    void tablesAreForTheirOwner();
     void pipesAndDevicesAreNoFiles();
     void attemptsAreExported();
     void whatABackupMissesIsSentAgain();
@@ -187,6 +188,17 @@ void TestSchoolCommands::tablesGoWhereALinkLeadsAndNeverIntoTheSchool()
     QVERIFY2(done.exitCode == 0, done.error);
     QVERIFY(QFileInfo(at("tonight.csv")).isSymLink());
     QVERIFY(!contentOf(at("table.csv")).contains("last night"));
+}
+
+void TestSchoolCommands::tablesAreForTheirOwner()
+{
+    const QFile::Permissions others = QFile::ReadGroup | QFile::WriteGroup | QFile::ReadOther | QFile::WriteOther;
+    QCOMPARE(byAdmin({"export", "attempts", "--csv", at("new.csv")}).exitCode, 0);
+    QVERIFY(!(QFile::permissions(at("new.csv")) & others));
+    // What somebody has set otherwise stays.
+    QVERIFY(QFile::setPermissions(at("new.csv"), QFile::ReadOwner | QFile::WriteOwner | QFile::ReadGroup));
+    QCOMPARE(byAdmin({"export", "attempts", "--csv", at("new.csv")}).exitCode, 0);
+    QVERIFY(QFile::permissions(at("new.csv")) & QFile::ReadGroup);
 }
 
 void TestSchoolCommands::pipesAndDevicesAreNoFiles()
