@@ -37,6 +37,9 @@ core::Status inspect(const QString& path)
                                     head(path) + "the folder does not exist; create it or choose another place");
         return {};
     }
+    if (!info.isFile())
+        return core::unexpected(ErrorCode::WrongKind,
+                                head(path) + "this is no file but a device or a pipe; name a file");
     if (!info.isReadable())
         return core::unexpected(ErrorCode::FileUnreadable, head(path) + "it cannot be read; check who may read it");
     return {};

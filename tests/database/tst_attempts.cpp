@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QDir>
+#include <QDirIterator>
 #include <QFile>
 #include <QSqlError>
 #include <QSqlQuery>
 #include <QTest>
 
+#include "database/Outbox.h"
 #include "database/sql/Check.h"
 #include "database/sql/Dialect.h"
 #include "database/sql/ExamStarts.h"
@@ -39,6 +41,7 @@ private slots:
     void refusesWhatTheSchemaForbids();
     void aRecordingThatWasChangedIsNotPlayed_data() { support::addEngines(); }
     void aRecordingThatWasChangedIsNotPlayed();
+    void whatIsKeptOfPeopleIsForTheOwnerOfTheFilesOnly();
     void classmatesAreComparedWithoutNames_data() { support::addEngines(); }
     void classmatesAreComparedWithoutNames();
     void anExamThatIsBegunIsAnAttempt_data() { support::addEngines(); }
@@ -244,6 +247,28 @@ void TestAttempts::aRecordingThatWasChangedIsNotPlayed()
         file.write("x");
     }
     VERIFY_REFUSED(openRecording(rig.school(), rig.student, id), ErrorCode::BadStructure);
+}
+
+void TestAttempts::whatIsKeptOfPeopleIsForTheOwnerOfTheFilesOnly()
+{
+    SchoolRig rig(false);
+    rig.populate();
+    const QDir folder(QFileInfo(rig.address()).absolutePath());
+    VERIFY_DONE(addAttempt(rig.school(), rig.student, SchoolRig::attempt("class1-36", 500), "a recording"));
+    Outbox outbox(folder.filePath("outbox"), StationKey::make());
+    VERIFY_DONE(outbox.put(rig.student, SchoolRig::attempt("class1-36", 500), {}));
+    VERIFY_DONE(outbox.put(rig.student, SchoolRig::attempt("class1-36", 600), {}));
+    outbox.keepArrived(outbox.waiting().constFirst());
+    constexpr QFile::Permissions kOthers =
+        QFile::ReadGroup | QFile::WriteGroup | QFile::ExeGroup | QFile::ReadOther | QFile::WriteOther | QFile::ExeOther;
+    int seen = 0;
+    for (const char* name : {"outbox", "recordings"}) {
+        QVERIFY(!(QFile::permissions(folder.filePath(name)) & kOthers));
+        QDirIterator all(folder.filePath(name), QDir::AllEntries | QDir::NoDotAndDotDot, QDirIterator::Subdirectories);
+        for (; all.hasNext(); ++seen)
+            QVERIFY2(!(QFile::permissions(all.next()) & kOthers), qPrintable(all.filePath()));
+    }
+    QCOMPARE(seen, 5);  // two letters, "arrived", a recording and its folder
 }
 
 void TestAttempts::classmatesAreComparedWithoutNames()

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include <QDir>
+#include <QPushButton>
 #include <QScopeGuard>
 #include <QSet>
 #include <QSettings>
