@@ -102,6 +102,7 @@ private slots:
     void comparesWithTheChosenOne();
     void anOpenedListShowsAllOfItself();
     void trialCardTunesAndTellsApart();
+    void aComparisonCanBeEnded();
     void allAsItWasUndoesTheConsoleToo();
     void whatWasChangedIsPutAside();
     void whatWasLoadedInATrialIsThatPreset();
@@ -411,6 +412,49 @@ void TestPresetsPage::trialCardTunesAndTellsApart()
     QVERIFY2(said.contains("chosen 4 time") && said.contains("13 time(s) in 100"), qPrintable(said));
     QTest::mouseClick(card.findChild<QPushButton*>("trialCsv"), Qt::LeftButton);
     QCOMPARE(csv.size(), 1);
+}
+
+void TestPresetsPage::aComparisonCanBeEnded()
+{
+    QWidget window;
+    presets::TrialCard card(&window);
+    window.resize(600, 700);
+    card.resize(412, 700);
+    window.show();
+    QSignalSpy felt(&card, &presets::TrialCard::felt);
+    QSignalSpy done(&card, &presets::TrialCard::done);
+    auto* end = card.findChild<QPushButton*>("trialEnd");
+    auto* back = card.findChild<QPushButton*>("trialBack");
+    const auto* words = card.findChild<QLabel*>("trialWords");
+    card.tune(FeelPreset{}, FeelPreset{});
+    QVERIFY(!end->isVisible() && back->isVisible());
+    const FeelPreset first = named("hard", 1, 0.3);
+    const FeelPreset second = named("soft", 1, 0.9);
+    for (const int answers : {0, 1}) {
+        card.compare(BlindTrial(first, second, 4, 3));
+        // Nobody leaves it by a button that says nothing of it.
+        QVERIFY(card.isComparing() && end->isVisible() && !back->isVisible());
+        for (int trial = 0; trial < answers; ++trial) {
+            for (const char* letter : {"trialA", "trialB"}) {
+                QTest::mouseClick(card.findChild<QPushButton*>(letter), Qt::LeftButton);
+                card.follow(1, 0, 0.0);
+                card.follow(1, 0, 0.1);
+            }
+            QTest::mouseClick(card.findChild<QPushButton*>("trialSaysNone"), Qt::LeftButton);
+        }
+        QTest::mouseClick(card.findChild<QPushButton*>("trialB"), Qt::LeftButton);
+        const auto held = felt.back()[0].value<FeelPreset>();
+        QTest::mouseClick(end, Qt::LeftButton);
+        QVERIFY(!card.isComparing() && !end->isVisible() && back->isVisible());
+        // It feels as it did, and is told.
+        QVERIFY(!presets::isVeiled(felt.back()[0].value<FeelPreset>()));
+        QCOMPARE(felt.back()[0].value<FeelPreset>().enamelRate, held.enamelRate);
+        QVERIFY2(words->text().contains(answers == 0 ? "before anything was chosen" : "No difference: 1 time"),
+                 qPrintable(words->text()));
+        QCOMPARE(card.findChild<QPushButton*>("trialCsv")->isVisible(), answers > 0);
+    }
+    QTest::mouseClick(back, Qt::LeftButton);
+    QCOMPARE(done.size(), 1);
 }
 
 void TestPresetsPage::allAsItWasUndoesTheConsoleToo()
