@@ -96,6 +96,7 @@ private slots:
     void periodsAreThoseOfTheTrail();
     void settingsPageIsTheRegistry();
     void settingsSayWhatIsRefused();
+    void whatWasRefusedIsForgottenWhenThePageIsLeft();
     void nothingIsToldWhileComparedBlind();
     void answersAreSeenWhateverIsTyped();
     void numbersTakePointAndComma_data();
@@ -417,6 +418,21 @@ void TestConsole::settingsSayWhatIsRefused()
     QVERIFY(!fault->isVisible());
 }
 
+void TestConsole::whatWasRefusedIsForgottenWhenThePageIsLeft()
+{
+    Room room;
+    shell::Actions actions(&room.window);
+    settings::SettingsPage page(actions, room.parameters, &room.window);
+    page.show();
+    page.findChild<QDoubleSpinBox*>("force.stiffness")->setValue(9.0);
+    const auto* fault = page.findChild<QLabel*>("settingsFault");
+    QVERIFY(fault->isVisible());
+    page.hide();
+    page.refresh();
+    page.show();
+    QVERIFY(!fault->isVisible());
+}
+
 void TestConsole::nothingIsToldWhileComparedBlind()
 {
     Room room;
@@ -437,8 +453,11 @@ void TestConsole::nothingIsToldWhileComparedBlind()
     page.show();
     auto* stiffness = page.findChild<QDoubleSpinBox*>("force.stiffness");
     QVERIFY(!stiffness->isEnabled() && !stiffness->text().contains('2'));
+    const auto* why = page.findChild<QLabel*>("settingsBlind");
+    QVERIFY2(why->isVisible() && why->text().contains("\"End the comparison\""), qPrintable(why->text()));
     room.feel = known;
     page.refresh();
+    QVERIFY(!why->isVisible());
     QVERIFY(stiffness->isEnabled() && stiffness->value() == 2.0 && stiffness->text().contains("2.000"));
     QVERIFY(room.answer("get force.stiffness").contains("= 2 N/mm"));
 }

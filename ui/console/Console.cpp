@@ -193,8 +193,7 @@ void Console::execute(const QString& line)
 /// Answers nothing where say() follows.
 QString Console::askForPreset(const Preset& what, const QString& name)
 {
-    const auto felt = m_parameters.beginningWith("force.");
-    if (std::any_of(felt.begin(), felt.end(), [](const auto* one) { return isVeiled(*one); }))
+    if (isFeelVeiled(m_parameters))
         return blindWords();
     return what ? what(name) : tr("Presets are not to be had here.");
 }
