@@ -97,6 +97,7 @@ private slots:
     void settingsPageIsTheRegistry();
     void settingsSayWhatIsRefused();
     void whatWasRefusedIsForgottenWhenThePageIsLeft();
+    void theToothShinesThroughTheConsole();
     void nothingIsToldWhileComparedBlind();
     void answersAreSeenWhateverIsTyped();
     void numbersTakePointAndComma_data();
@@ -431,6 +432,37 @@ void TestConsole::whatWasRefusedIsForgottenWhenThePageIsLeft()
     page.refresh();
     page.show();
     QVERIFY(!fault->isVisible());
+}
+
+void TestConsole::theToothShinesThroughTheConsole()
+{
+    Room room;
+    auto* output = room.console.findChild<QPlainTextEdit*>("consoleOutput");
+    room.line().clear();
+    room.window.setAutoFillBackground(true);
+    const auto groundOf = [&](const QWidget& widget, Qt::GlobalColor beneath) {
+        QPalette ground = room.window.palette();
+        ground.setColor(QPalette::Window, beneath);
+        room.window.setPalette(ground);
+        const QImage seen = room.window.grab().toImage();
+        return seen.pixelColor(widget.mapTo(&room.window, QPoint(widget.width() - 40, widget.height() / 2)));
+    };
+    const QPalette words = shell::roomPalette();
+    for (const QWidget* part : {static_cast<QWidget*>(output), static_cast<QWidget*>(&room.line())}) {
+        const QColor onBright = groundOf(*part, Qt::white);
+        const QColor onDark = groundOf(*part, Qt::black);
+        QVERIFY2(onBright.lightness() > onDark.lightness() + 15,
+                 qPrintable(QString("%1: %2 and %3").arg(part->objectName(), onBright.name(), onDark.name())));
+        for (const QColor& ground : {onBright, onDark})
+            for (const auto role : {QPalette::Text, QPalette::PlaceholderText})
+                QVERIFY2(shell::contrast(words.color(role), ground) >= 4.5, qPrintable(ground.name()));
+        // The words in an empty line are half as strong.
+        const QColor text = words.color(QPalette::Text);
+        const QColor half((text.red() + onBright.red()) / 2, (text.green() + onBright.green()) / 2,
+                          (text.blue() + onBright.blue()) / 2);
+        if (part == &room.line())
+            QVERIFY2(shell::contrast(half, onBright) >= 4.5, qPrintable(onBright.name()));
+    }
 }
 
 void TestConsole::nothingIsToldWhileComparedBlind()
