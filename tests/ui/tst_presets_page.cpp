@@ -98,6 +98,7 @@ private slots:
     void whatIsNotHeldCanNeitherBeTriedNorKept();
     void anOlderVersionIsRestored();
     void slidersAndNumbersAreOnePreset();
+    void slidersStandWhereTheVersionStands();
     void aCopyHasAnotherName();
     void comparesWithTheChosenOne();
     void anOpenedListShowsAllOfItself();
@@ -304,6 +305,42 @@ void TestPresetsPage::slidersAndNumbersAreOnePreset()
     }
     QCOMPARE(room.page.draft().enamelRate, 0.7);
     QCOMPARE(room.page.draft().dentinRate, 1.0);
+}
+
+void TestPresetsPage::slidersStandWhereTheVersionStands()
+{
+    Room room;
+    auto* wall = room.find<QSlider>("dial5");
+    const auto* middle = room.find<QLabel>("dialMiddle");
+    QCOMPARE(middle->text(), QString("In the middle: natural, version 1."));
+    auto shelf = Room::shelf();
+    const auto keep = [&](int version) {
+        FeelPreset kept = room.page.draft();
+        kept.version = version;
+        kept = lessons::hashed(kept);
+        shelf.push_back({"/c", kept, {}});
+        room.page.setPresets(shelf, lessons::shippedPresets().front());
+        room.page.select(kept);
+    };
+    wall->setValue(wall->minimum());
+    keep(2);
+    QVERIFY(room.find<QLabel>("presetVersion")->text().startsWith("version 2"));
+    QCOMPARE(wall->value(), wall->minimum());  // no softer than it can be, however often it is kept
+    QCOMPARE(middle->text(), QString("In the middle: natural, version 1."));
+    wall->setValue(0);
+    QCOMPARE(room.page.draft().stiffnessNPerMm, lessons::shippedPresets().front().stiffnessNPerMm);
+    QVERIFY(room.find<QLabel>("presetVersion")->text().contains("changed from natural, version 2"));
+    // Numbers that no slider comes to are the middle; kept, they have a version.
+    QTest::mouseClick(room.find<QPushButton>("presetExpert"), Qt::LeftButton);
+    room.find<QDoubleSpinBox>("dentin.rate_mm3_per_ns")->setValue(1.234);
+    QTest::mouseClick(room.find<QPushButton>("presetSimple"), Qt::LeftButton);
+    QVERIFY2(middle->text().contains("typed"), qPrintable(middle->text()));
+    keep(3);
+    QCOMPARE(middle->text(), QString("In the middle: natural, version 3."));
+    wall->setValue(5);
+    keep(4);
+    QCOMPARE(middle->text(), QString("In the middle: natural, version 3."));
+    QCOMPARE(wall->value(), 5);
 }
 
 void TestPresetsPage::aCopyHasAnotherName()

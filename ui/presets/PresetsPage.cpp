@@ -195,7 +195,7 @@ QWidget* PresetsPage::makeDetails()
     middle->addWidget(m_chart, 4);
     column->addLayout(middle, 1);
     connect(simple, &QPushButton::clicked, this, [this] {
-        m_simple->setPreset(m_base, m_draft);
+        m_simple->setPreset(origins(), m_draft);
         m_ways->setCurrentIndex(0);
     });
     connect(all, &QPushButton::clicked, this, [this] {
@@ -453,7 +453,7 @@ void PresetsPage::write(const FeelPreset& draft)
     m_draft = draft;
     m_name->setText(nameOf(draft));
     m_notes->setText(QString::fromStdString(draft.notes));
-    m_simple->setPreset(m_base, draft);
+    m_simple->setPreset(origins(), draft);
     m_table->setPreset(draft);
     tellAside();
     tell();
@@ -493,6 +493,21 @@ bool PresetsPage::isNewest() const
     return std::none_of(m_all.begin(), m_all.end(), [&](const lessons::ReadPreset& read) {
         return read.preset && read.preset->name == m_base.name && read.preset->version > m_base.version;
     });
+}
+
+/// What the sliders may start from, so that a version stands as far from what it came from as it has been turned
+/// altogether, however often it was kept on the way: what is shipped, then its own versions, the oldest first.
+std::vector<FeelPreset> PresetsPage::origins() const
+{
+    std::vector<FeelPreset> all = lessons::shippedPresets();
+    const auto ownFrom = static_cast<std::ptrdiff_t>(all.size());
+    for (const lessons::ReadPreset& read : m_all)
+        if (read.preset && read.preset->name == m_base.name)
+            all.push_back(*read.preset);
+    std::sort(all.begin() + ownFrom, all.end(),
+              [](const FeelPreset& a, const FeelPreset& b) { return a.version < b.version; });
+    all.push_back(m_base);  // perhaps on no shelf
+    return all;
 }
 
 void PresetsPage::tell()

@@ -91,7 +91,7 @@ TrialCard::TrialCard(QWidget* parent)
     connect(m_end, &QPushButton::clicked, this, &TrialCard::end);
     connect(m_back, &QPushButton::clicked, this, &TrialCard::done);
     connect(m_reset, &QPushButton::clicked, this, [this] {
-        m_dials->setPreset(m_base, m_asItWas);
+        m_dials->setPreset({m_base}, m_asItWas);
         turn(m_asItWas);
     });
     connect(m_csv, &QPushButton::clicked, this, [this] {
@@ -151,7 +151,7 @@ void TrialCard::tune(const core::settings::FeelPreset& base, const core::setting
         m_asItWas = dialsFor(base, preset) ? base : preset;
     m_base = base;
     m_tuned = preset;
-    m_dials->setPreset(base, preset);
+    m_dials->setPreset({base}, preset);
     say();
     draw();
     show();
