@@ -99,6 +99,8 @@ private slots:
     void anOlderVersionIsRestored();
     void slidersAndNumbersAreOnePreset();
     void slidersStandWhereTheVersionStands();
+    void whatIsKeptLeavesTheKeysWithTheList();
+    void aPresetWithoutANameIsNotTried();
     void aCopyHasAnotherName();
     void comparesWithTheChosenOne();
     void anOpenedListShowsAllOfItself();
@@ -341,6 +343,37 @@ void TestPresetsPage::slidersStandWhereTheVersionStands()
     keep(4);
     QCOMPARE(middle->text(), QString("In the middle: natural, version 3."));
     QCOMPARE(wall->value(), 5);
+}
+
+void TestPresetsPage::whatIsKeptLeavesTheKeysWithTheList()
+{
+    Room room;
+    room.window.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&room.window));
+    QSignalSpy saved(&room.page, &presets::PresetsPage::saveWanted);
+    room.find<QSlider>("dial0")->setValue(10);
+    auto* save = room.find<QPushButton>("presetSave");
+    save->setFocus();
+    save->click();
+    QCOMPARE(saved.size(), 1);
+    auto kept = saved[0][0].value<FeelPreset>();
+    kept.version = 2;
+    auto shelf = Room::shelf();
+    shelf.insert(shelf.begin() + 2, {"/c", lessons::hashed(kept), {}});
+    room.page.setPresets(shelf, lessons::shippedPresets().front());
+    room.page.select(lessons::hashed(kept));
+    QVERIFY(!save->isEnabled());
+    QCOMPARE(QApplication::focusWidget(), static_cast<QWidget*>(room.find<QListWidget>("presetList")));
+}
+
+void TestPresetsPage::aPresetWithoutANameIsNotTried()
+{
+    Room room;
+    room.find<QLineEdit>("presetName")->selectAll();
+    QTest::keyClick(room.find<QLineEdit>("presetName"), Qt::Key_Delete);
+    // What is felt has no name while two are compared blind, and is told to nobody.
+    QVERIFY(!room.find<QPushButton>("presetTry")->isEnabled());
+    QVERIFY(!room.find<QPushButton>("presetCompare")->isEnabled());
 }
 
 void TestPresetsPage::aCopyHasAnotherName()

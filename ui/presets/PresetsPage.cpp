@@ -64,6 +64,14 @@ bool isSameFeel(FeelPreset a, const FeelPreset& b)
     return a == b;
 }
 
+/// A button at rest gives the keys to the list: to the button beside it a second Space would say what nobody meant.
+void enable(QPushButton* button, bool may, QWidget* list)
+{
+    if (!may && button->window()->focusWidget() == button)
+        list->setFocus();
+    button->setEnabled(may);
+}
+
 QPushButton* button(const char* kind, const char* name, QWidget* parent)
 {
     auto* made = new QPushButton(parent);
@@ -422,7 +430,7 @@ void PresetsPage::offerOther()
         m_other->setCurrentIndex(m_other->count() > 0 ? offered : -1);
     }
     const bool differs = m_other->currentIndex() >= 0 && !isSameFeel(at(m_other->currentIndex()), m_draft);
-    m_compare->setEnabled(differs && isHeld(m_draft));
+    enable(m_compare, differs && isHeld(m_draft) && !m_draft.name.empty(), m_list);
     m_compare->setToolTip(differs ? tr("Drill with both, behind letters, and say which feels more like a tooth")
                                   : tr("These two feel the same: choose another, or change a number"));
 }
@@ -526,14 +534,14 @@ void PresetsPage::tell()
                                          QStringLiteral(" (%1)").arg(QString::fromStdString(m_base.hash.substr(0, 8))));
     m_save->setText(!isChanged() && !isNewest() ? tr("Restore as the newest version") : tr("Save as a new version"));
     m_save->setAccessibleName(m_save->text());
-    m_save->setEnabled(m_mayKeep && held && isNamed && (isChanged() || !isNewest()));
+    enable(m_save, m_mayKeep && held && isNamed && (isChanged() || !isNewest()), m_list);
     m_save->setToolTip(m_mayKeep ? tr("A version is never changed: this becomes another")
                                  : tr("An admin keeps the school's presets"));
-    m_try->setEnabled(held);
+    enable(m_try, held && isNamed, m_list);
     offerOther();
-    m_use->setEnabled(m_mayKeep && !isChanged() && !isSameVersion(m_base, m_inUse));
-    m_export->setEnabled(!isChanged());
-    m_import->setEnabled(m_mayKeep);
+    enable(m_use, m_mayKeep && !isChanged() && !isSameVersion(m_base, m_inUse), m_list);
+    enable(m_export, !isChanged(), m_list);
+    enable(m_import, m_mayKeep, m_list);
 }
 
 void PresetsPage::duplicate()
