@@ -97,6 +97,7 @@ private slots:
     void settingsPageIsTheRegistry();
     void settingsSayWhatIsRefused();
     void whatWasRefusedIsForgottenWhenThePageIsLeft();
+    void choicesOfTheSettingsAreAsWideAsTheirWords();
     void theToothShinesThroughTheConsole();
     void nothingIsToldWhileComparedBlind();
     void answersAreSeenWhateverIsTyped();
@@ -432,6 +433,19 @@ void TestConsole::whatWasRefusedIsForgottenWhenThePageIsLeft()
     page.refresh();
     page.show();
     QVERIFY(!fault->isVisible());
+}
+
+void TestConsole::choicesOfTheSettingsAreAsWideAsTheirWords()
+{
+    Room room;
+    shell::Actions actions(&room.window);
+    settings::SettingsPage page(actions, room.parameters, &room.window);
+    page.resize(900, 600);
+    page.show();
+    auto* theme = page.findChild<QComboBox*>("theme");
+    theme->setItemText(0, QStringLiteral("デスクトップに合わせる・デスクトップ"));
+    QTRY_VERIFY(theme->width() >= theme->sizeHint().width());
+    QVERIFY(theme->width() > theme->fontMetrics().horizontalAdvance(theme->itemText(0)));
 }
 
 void TestConsole::theToothShinesThroughTheConsole()

@@ -10,6 +10,8 @@
 #include <QSignalSpy>
 #include <QSlider>
 #include <QTest>
+#include <QTextDocumentFragment>
+#include <QTranslator>
 #include <QWidget>
 #include <cmath>
 
@@ -21,6 +23,7 @@
 #include "ui/presets/SimpleFeel.h"
 #include "ui/presets/TrialCard.h"
 #include "ui/shell/Actions.h"
+#include "ui/shell/ScrollPane.h"
 #include "ui/shell/Theme.h"
 
 using namespace ui;
@@ -110,10 +113,13 @@ private slots:
     void whatWasChangedIsPutAside();
     void whatWasLoadedInATrialIsThatPreset();
     void namesOfAnyLengthLeaveTheVersionItsLine();
+    void allNumbersFitTheFirstWindow_data();
+    void allNumbersFitTheFirstWindow();
     void faultsAreToldInWords_data();
     void faultsAreToldInWords();
     void aSecondLineOfAFaultIsQuieter();
     void chartTellsTheFeed();
+    void noWordOfTheLegendBreaks();
     void everyControlHasAName();
 };
 
@@ -604,6 +610,40 @@ void TestPresetsPage::namesOfAnyLengthLeaveTheVersionItsLine()
     // What is cut off first is what matters least.
     const QString second = list->item(3)->text().section('\n', 1);
     QVERIFY2(second.indexOf("in use") < second.indexOf("shipped"), qPrintable(second));
+    // And nothing is cut off that another language needs more room for.
+    for (int at = 0; at < 4; ++at) {
+        const QStringList lines = list->item(at)->text().split('\n').mid(1);
+        QVERIFY(list->item(at)->sizeHint().height() >= (lines.size() + 1) * list->fontMetrics().height());
+        for (const QString& line : lines)
+            QVERIFY2(list->fontMetrics().horizontalAdvance(line) < 0.75 * list->viewport()->width(), qPrintable(line));
+    }
+    QVERIFY(list->item(3)->toolTip().contains("in use") && list->item(3)->toolTip().contains("shipped"));
+}
+
+void TestPresetsPage::allNumbersFitTheFirstWindow_data()
+{
+    QTest::addColumn<QString>("language");
+    for (const char* language : {"en", "de", "es", "ja"})
+        QTest::newRow(language) << QString(language);
+}
+
+void TestPresetsPage::allNumbersFitTheFirstWindow()
+{
+    QFETCH(QString, language);
+    QTranslator words;
+    QVERIFY(words.load(":/i18n/cusp_" + language + ".qm"));
+    QCoreApplication::installTranslator(&words);
+    Room room;
+    room.window.resize(1280, 800);
+    room.page.resize(1280, 800);
+    QTest::mouseClick(room.find<QPushButton>("presetExpert"), Qt::LeftButton);
+    room.page.setFault("Not imported.\nx.json is empty");
+    const auto* limit = room.find<QDoubleSpinBox>("force.limit_n");
+    const auto* pane = qobject_cast<shell::ScrollPane*>(limit->parentWidget()->parentWidget()->parentWidget());
+    QVERIFY(pane != nullptr);
+    QTRY_VERIFY2(limit->isVisible() && !pane->hasMoreBelow(),
+                 qPrintable(QString("%1 of %2 px").arg(pane->viewport()->height()).arg(pane->widget()->height())));
+    QCoreApplication::removeTranslator(&words);
 }
 
 void TestPresetsPage::faultsAreToldInWords_data()
@@ -657,6 +697,22 @@ void TestPresetsPage::chartTellsTheFeed()
     chart.setPreset(preset, FeelPreset{});
     QVERIFY2(chart.words(1.0).contains("Enamel 2.2 mm/s"), qPrintable(chart.words(1.0)));
     QVERIFY2(chart.words(0.1).contains("Enamel 0.0 mm/s"), qPrintable(chart.words(0.1)));
+}
+
+void TestPresetsPage::noWordOfTheLegendBreaks()
+{
+    QTranslator japanese;
+    QVERIFY(japanese.load(":/i18n/cusp_ja.qm"));
+    QCoreApplication::installTranslator(&japanese);
+    presets::FeedChart chart(nullptr);
+    chart.setPreset({}, {});
+    const QString plain = QTextDocumentFragment::fromHtml(chart.findChild<QLabel*>("feedWords")->text()).toPlainText();
+    QCoreApplication::removeTranslator(&japanese);
+    const QString name = presets::substanceName(core::settings::Substance::Plastic);
+    const QString joiner(QChar(0x2060));
+    QVERIFY2(plain.contains(QStringLiteral("プラスチック歯").split(QString(), Qt::SkipEmptyParts).join(joiner)),
+             qPrintable(plain));
+    QVERIFY2(!name.contains(joiner), qPrintable(name));
 }
 
 void TestPresetsPage::everyControlHasAName()

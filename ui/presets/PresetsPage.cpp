@@ -37,10 +37,11 @@ using namespace ui::shell;
 constexpr int kListPx = 250;
 constexpr int kNarrowListPx = 180;
 constexpr int kRowPx = 48;
+constexpr int kHighRowPx = 66;  ///< of three lines
 /// With less than this the numbers have the room, and not the chart; or the notes wait.
 constexpr int kNarrowestChartPx = 1000;
 constexpr int kLowestNotesPx = 560;
-constexpr int kTablePx = 560;
+constexpr int kTablePx = 600;
 constexpr int kOtherPx = 240;
 constexpr int kUsualTrials = 8;
 constexpr int kMostTrials = 40;
@@ -199,8 +200,8 @@ QWidget* PresetsPage::makeDetails()
     m_ways->addWidget(new ScrollPane(m_table, QPalette::Window, m_ways));
     m_ways->setMaximumWidth(kTablePx);
     m_chart = new FeedChart(side);
-    middle->addWidget(m_ways, 5);
-    middle->addWidget(m_chart, 4);
+    middle->addWidget(m_ways, 5);  // with its help in two lines it fits a window of 1280 by 800
+    middle->addWidget(m_chart, 3);
     column->addLayout(middle, 1);
     connect(simple, &QPushButton::clicked, this, [this] {
         m_simple->setPreset(origins(), m_draft);
@@ -399,14 +400,17 @@ void PresetsPage::fill()
             item->setToolTip(brokenIntoLines(QFileInfo(read.file).fileName() + u'\n' + faultWords(read)));
             continue;
         }
-        QString second = tr("version %1").arg(read.preset->version);
+        QStringList standing;
         if (isSameVersion(*read.preset, m_inUse))
-            second += QStringLiteral(" · ") + tr("in use");
+            standing << tr("in use");
         if (read.file.isEmpty())
-            second += QStringLiteral(" · ") + tr("shipped");
-        auto* item = new QListWidgetItem(nameOf(*read.preset) + u'\n' + second, m_list);
-        item->setSizeHint({0, kRowPx});  // as wide as the list is
-        item->setToolTip(brokenIntoLines(presetWords(*read.preset)));
+            standing << tr("shipped");
+        QStringList lines{nameOf(*read.preset), tr("version %1").arg(read.preset->version)};
+        if (!standing.isEmpty())  // behind the version there is room for it in English alone
+            lines << standing.join(QStringLiteral(" · "));
+        auto* item = new QListWidgetItem(lines.join(u'\n'), m_list);
+        item->setSizeHint({0, standing.isEmpty() ? kRowPx : kHighRowPx});  // as wide as the list is
+        item->setToolTip(brokenIntoLines((QStringList(presetWords(*read.preset)) + standing).join(u" · ")));
         if (isSameVersion(*read.preset, m_base))
             m_list->setCurrentItem(item);
         m_other->addItem(QStringLiteral("%1 v%2").arg(nameOf(*read.preset)).arg(read.preset->version),

@@ -127,7 +127,9 @@ void SettingsPage::addWindowRows()
         words->setFixedWidth(kLabelPx);
         auto* choice = study::choiceInput(label, whole);
         choice->setObjectName(QLatin1String(name));
-        choice->setFixedWidth(kNumberPx);
+        choice->setMinimumWidth(kNumberPx);
+        choice->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);  // as wide as its words in this language
+        choice->setSizeAdjustPolicy(QComboBox::AdjustToContents);
         line->addWidget(words);
         line->addWidget(choice);
         line->addWidget(study::formWords(help, kSmall, QFont::Normal, QPalette::PlaceholderText, whole), 1);
