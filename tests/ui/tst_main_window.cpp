@@ -9,6 +9,7 @@
 #include <QAction>
 #include <QComboBox>
 #include <QDir>
+#include <QDoubleSpinBox>
 #include <QDropEvent>
 #include <QFileDialog>
 #include <QHBoxLayout>
@@ -176,6 +177,7 @@ private slots:
     void spaceOnAFocusedButtonPressesIt();
     void theConsoleTakesKeysAndLeavesTheView();
     void presetsAndSettingsHavePages();
+    void aComparisonIsEndedBesideTheTooth();
 
     void figuresComeFromTheLoops();
     void dentinOverThePulpIsTold();
@@ -1560,6 +1562,34 @@ void TestMainWindow::presetsAndSettingsHavePages()
     QTRY_VERIFY(child<ui::settings::SettingsPage>()->isVisible());
     press(Qt::Key_Escape);
     QTRY_VERIFY(child<PracticeRoom>()->isVisible());
+}
+
+void TestMainWindow::aComparisonIsEndedBesideTheTooth()
+{
+    const core::settings::FeelPreset preset = lessons::shippedPresets().front();
+    emit child<ui::presets::PresetsPage>()->compareWanted(preset, preset, 2);
+    m_window->beginTrial();
+    press(Qt::Key_Comma, Qt::ControlModifier);
+    QTRY_VERIFY(child<QLabel>("settingsBlind")->isVisible());
+    auto* stiffness = child<QDoubleSpinBox>("force.stiffness");
+    QVERIFY(!stiffness->isEnabled());
+    press(Qt::Key_Escape);
+    QTRY_VERIFY(child<ui::presets::TrialCard>()->isVisible());
+    QTest::mouseClick(child<QPushButton>("trialEnd"), Qt::LeftButton);
+    press(Qt::Key_Comma, Qt::ControlModifier);
+    QTRY_VERIFY(stiffness->isVisible());
+    QVERIFY(!child<QLabel>("settingsBlind")->isVisible() && stiffness->isEnabled());
+    QCOMPARE(stiffness->value(), preset.stiffnessNPerMm);
+    // The block may be felt otherwise, what was found out stays on the card.
+    QSignalSpy felt(m_window.get(), &MainWindow::presetFelt);
+    stiffness->setValue(1.5);
+    QCOMPARE(felt.size(), 1);
+    QVERIFY(!child<QLabel>("settingsFault")->isVisible());
+    press(Qt::Key_Escape);
+    QTRY_VERIFY(child<ui::presets::TrialCard>()->isVisible());
+    QVERIFY(!child<ui::presets::TrialCard>()->tuned());
+    QTest::mouseClick(child<QPushButton>("trialBack"), Qt::LeftButton);
+    QTRY_VERIFY(child<ui::presets::PresetsPage>()->isVisible());
 }
 
 void TestMainWindow::figuresComeFromTheLoops()

@@ -78,6 +78,7 @@ private:
     void duplicate();
     [[nodiscard]] bool isChanged() const;
     [[nodiscard]] bool isNewest() const;
+    [[nodiscard]] std::vector<core::settings::FeelPreset> origins() const;
 
     std::vector<lessons::ReadPreset> m_all;
     core::settings::FeelPreset m_inUse;

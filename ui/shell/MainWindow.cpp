@@ -771,7 +771,7 @@ std::string MainWindow::feelByHand(const core::settings::FeelPreset& next)
     if (m_replaying)
         return tr("This is a replay: it feels as it was recorded.").toStdString();
     const bool isTried = m_trialCard->isVisibleTo(m_room);
-    if (isTried && !m_trialCard->tuned())
+    if (isTried && m_trialCard->isComparing())
         return tr("Two presets are being compared blind: that comes to its end first.").toStdString();
     // A lesson that brings its own hardness leaves the forces alone.
     core::settings::FeelPreset forces = next;
@@ -781,7 +781,8 @@ std::string MainWindow::feelByHand(const core::settings::FeelPreset& next)
         return tr("This lesson brings its own hardness. Only the forces can be changed.").toStdString();
     m_feel = next;
     if (isTried) {
-        m_trialCard->tune(m_trialCard->base(), next);
+        if (m_trialCard->tuned())
+            m_trialCard->tune(m_trialCard->base(), next);
         emit presetFelt(next);
     } else {
         emit feelWanted(next);
