@@ -7,6 +7,8 @@
 #include <QTest>
 
 #include "database/sql/Check.h"
+#include "database/sql/Dialect.h"
+#include "database/sql/Statement.h"
 #include "tests/database/SchoolRig.h"
 
 using namespace database;
@@ -99,6 +101,7 @@ private slots:
     void whoKnowsHisPasswordIsLetInAtManyPlaces();
     void whoChoosesAPasswordHoldsNobodyUp_data() { support::addEngines(); }
     void whoChoosesAPasswordHoldsNobodyUp();
+    void aStationThatStopsInTheMiddleHoldsNobodyUpForLong();
 };
 
 void TestAtOnce::oneAdminAtLeastStays()
@@ -236,6 +239,24 @@ void TestAtOnce::whoChoosesAPasswordHoldsNobodyUp()
     other.join();
     VERIFY_DONE(redeemed);
     VERIFY_DONE(changed);
+}
+
+void TestAtOnce::aStationThatStopsInTheMiddleHoldsNobodyUpForLong()
+{
+    if (!support::sharedServer().fault().isEmpty())
+        QSKIP(qPrintable(support::sharedServer().fault()));
+    SchoolRig rig(true);
+    QVERIFY(rig.isOpen());
+    rig.populate();
+    const School& stopped = rig.school();
+    VERIFY_DONE(execute(stopped.db, dialect::beginWrite(stopped.db), "begin"));
+    VERIFY_DONE(takeTurn(stopped));
+    const Station other(rig.address());
+    VERIFY_DONE(Logins::login(other.school(), "s1001", SchoolRig::kPassword));
+    // When it goes on it is told that its connection is gone, and connects again.
+    VERIFY_REFUSED(execute(stopped.db, "COMMIT", "end it"), core::ErrorCode::ConnectionLost);
+    VERIFY_DONE(rig.database().reconnect());
+    VERIFY_DONE(Logins::logout(stopped, rig.student));
 }
 
 QTEST_GUILESS_MAIN(TestAtOnce)
