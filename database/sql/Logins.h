@@ -35,7 +35,8 @@ public:
                                                                 const std::string& password, const PasswordCost& cost);
 
     /// Lets a person in. WrongLogin, with the same words and after the same time: no such name, a wrong password, a
-    /// disabled account. TooSoon: after failures. NewPassword: a one-time code was right, which redeem() takes.
+    /// disabled account. TooSoon: after failures, also of others at the same moment. NewPassword: a one-time code was
+    /// right, which redeem() takes.
     [[nodiscard]] static core::Result<Session> login(const School& school, const std::string& username,
                                                      const std::string& password);
 
