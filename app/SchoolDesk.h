@@ -135,6 +135,7 @@ private:
     [[nodiscard]] core::Status connect();
     [[nodiscard]] core::Status openDatabase();
     [[nodiscard]] Opening tryToOpen();
+    [[nodiscard]] QString outboxFolder() const;
     [[nodiscard]] database::Outbox outbox() const;
     void notice(const core::Error& error);
     [[nodiscard]] core::Status putInto(const std::function<core::Status(database::Outbox)>& put);
@@ -159,6 +160,7 @@ private:
     std::optional<database::StationKey> m_key;
     QSet<QString> m_undeliverable;  ///< what cannot be delivered while this program runs
     bool m_isLost = false;
+    bool m_isDamaged = false;  ///< the file, when it was opened last
 };
 
 }  // namespace app
