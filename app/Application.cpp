@@ -90,27 +90,42 @@ std::function<QStringList()> notesOf(const core::teeth::ToothReport& report)
     return [report] { return ui::text::scanNotes(report); };
 }
 
-/// An attempt that was graded and not gone on with is done: taken up again it would count twice. An exam ends with its
-/// score, however the program ended.
+bool isGradedNote(const core::session::ServoEvent& event)
+{
+    return event.kind == core::session::ServoEvent::Kind::Note && event.value == core::session::kGradedNote;
+}
+
+/// Whether anything was cut after the last grade. It takes as long as a replay.
+bool isCutOn(const core::recording::Recording& recording)
+{
+    auto servo = core::recording::Replayer::make(recording);
+    bool isCut = !servo;  // nobody knows
+    if (servo)
+        recording.forEach([&](const core::session::ServoEvent& event) {
+            const bool cuts = servo->play(event) && !servo->changed().isEmpty();
+            isCut = !isGradedNote(event) && (isCut || cuts);
+        });
+    return isCut;
+}
+
+/// An attempt that was graded and not gone on with is done: taken up again it would count twice. That a bur turned
+/// while the work was looked at is not to go on. An exam ends with its score, however the program ended.
 bool isDone(const core::recording::Recording& recording)
 {
     using Kind = core::session::ServoEvent::Kind;
     bool isGraded = false;
     bool drillOn = false;
-    bool isGoneOnWith = false;
+    bool mayBeCut = false;
     recording.forEach([&](const core::session::ServoEvent& event) {
-        if (event.kind == Kind::Note && event.value == core::session::kGradedNote) {
-            isGraded = true;
-            isGoneOnWith = false;
-        }
+        isGraded = isGraded || isGradedNote(event);
         if (event.kind == Kind::Drill || event.kind == Kind::Resume)
             drillOn = event.kind == Kind::Drill && event.value != 0;
-        isGoneOnWith = isGoneOnWith || (event.kind == Kind::Tick && drillOn);
+        mayBeCut = !isGradedNote(event) && (mayBeCut || (event.kind == Kind::Tick && drillOn));
     });
-    if (!isGraded || !isGoneOnWith)
+    if (!isGraded || !mayBeCut)
         return isGraded;
     const auto read = lessons::readLessonText(QByteArray::fromStdString(recording.lesson()), QStringLiteral("lesson"));
-    return read.lesson && read.lesson->exam;
+    return (read.lesson && read.lesson->exam) || !isCutOn(recording);
 }
 
 using Wishes = core::rt::TripleBuffer<core::session::PointerInput>;

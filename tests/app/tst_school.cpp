@@ -95,6 +95,8 @@ private slots:
     void aLockedDatabaseIsTriedAgain();
     void whatTheDiskRefusesIsKeptWhenItCanBe();
     void aGuestsGradeIsKeptWhenHeLogsIn();
+    void whatWasGradedIsNotUnfinished_data();
+    void whatWasGradedIsNotUnfinished();
     void nobodyIsOfferedAnothersWork();
     void theLessonsForgetWhoLeft();
     void anOpenedAttemptHasThoseBeforeIt();
@@ -138,6 +140,11 @@ private:
     void drill(double xMm) const;
     /// Has the work graded and waits until `keeping` is said of it; empty: until nothing is.
     void grade(const QString& said) const;
+    void beginLesson(const std::string& id) const;
+    /// So many attempts, to Sam's class.
+    void give(const std::string& lesson, int attempts) const;
+    /// Has a lesson's work graded, and expects a little of it.
+    void gradeLesson() const;
     [[nodiscard]] QString keeping() const
     {
         const auto* label = child<QLabel>("historyRemark");
@@ -238,6 +245,36 @@ void TestSchool::grade(const QString& said) const
 
 int TestSchool::count(const char* rows) const
 {
+void TestSchool::beginLesson(const std::string& id) const
+{
+    for (const lessons::CatalogEntry& entry : lessons::readCatalog(lessons::teachersFolder()))
+        if (entry.read.lesson && entry.read.lesson->id == id)
+            emit m_application->window().lessonChosen(*entry.read.lesson);
+    QTest::qWait(100);
+    QTRY_VERIFY_WITH_TIMEOUT(actions().grade->isEnabled(), kPatienceMs);
+    QTest::qWait(500);  // the tooth has come to the servo
+}
+
+void TestSchool::give(const std::string& lesson, int attempts) const
+{
+    const auto database = sql::Database::open(file()).value();
+    const auto key = StationKey::readOrMake(m_folder->filePath("station.key")).value();
+    const sql::School school{database->handle(), key};
+    const auto admin = sql::Logins::login(school, "admin", kPassword).value();
+    const ClassId ofClass = sql::listClasses(school, admin).value().front().id;
+    QVERIFY(sql::assign(school, admin, {0, ofClass, lesson, "", attempts}));
+}
+
+void TestSchool::gradeLesson() const
+{
+    actions().grade->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(child<ui::study::Forecast>()->isVisible(), kPatienceMs);
+    QTest::keyClick(child<QSlider>("expected"), Qt::Key_Right);
+    QTest::keyClick(child<ui::study::Forecast>()->findChild<QRadioButton*>(), Qt::Key_Space);
+    click("showScore");
+    QTRY_VERIFY_WITH_TIMEOUT(child<ui::study::ScorePage>()->isVisible(), kPatienceMs);
+}
+
     const auto database = sql::Database::open(file());
     return database ? sql::ask((*database)->handle(),
                                QStringLiteral("SELECT count(*) FROM %1").arg(QLatin1String(rows)), "count")
@@ -393,6 +430,50 @@ void TestSchool::aGuestsGradeIsKeptWhenHeLogsIn()
 
 /// Sam's half-done work is Sam's: Sue sees a whole tooth, and he finds it again.
 void TestSchool::nobodyIsOfferedAnothersWork()
+void TestSchool::whatWasGradedIsNotUnfinished_data()
+{
+    QTest::addColumn<bool>("asGuest");
+    QTest::addColumn<bool>("looksAtItAgain");
+    QTest::newRow("a student's own") << false << false;
+    QTest::newRow("a student's own, looked at afterwards") << false << true;
+    QTest::newRow("a guest's who has logged in for it") << true << false;
+    QTest::newRow("a guest's who has logged in for it, looked at afterwards") << true << true;
+}
+
+/// Its grade is kept: it is offered to nobody, and so is not graded twice.
+void TestSchool::whatWasGradedIsNotUnfinished()
+{
+    QFETCH(bool, asGuest);
+    QFETCH(bool, looksAtItAgain);
+    start();
+    QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("practiseAsGuest")->isVisible(), kPatienceMs);
+    if (asGuest)
+        click("practiseAsGuest");
+    else
+        logIn("sue");
+    toTheTooth();
+    beginLesson("block-line");
+    drill(0.0);
+    gradeLesson();
+    if (asGuest) {
+        click("keepGrade");
+        logIn("sue");
+    }
+    QTRY_COMPARE_WITH_TIMEOUT(attemptsKept(), 1, kPatienceMs);
+    QTRY_VERIFY2_WITH_TIMEOUT(keeping().contains("first grade"), qPrintable(keeping()), kPatienceMs);
+    if (looksAtItAgain) {
+        toTheTooth();
+        QTest::qWait(500);  // with the bur turning
+    }
+    leaveFor("sam");
+    leaveFor("sue");
+    QTRY_VERIFY_WITH_TIMEOUT(child<QListView>("lessonList")->model()->rowCount() > 2, kPatienceMs);
+    QTest::qWait(500);  // what is unfinished is looked for
+    QVERIFY2(!message().contains("an attempt of"), qPrintable(message()));
+    QVERIFY2(!child<QLabel>("continueWords")->text().contains("Continue where I stopped"),
+             qPrintable(child<QLabel>("continueWords")->text()));
+}
+
 {
     start();
     logIn("sam");
