@@ -102,6 +102,8 @@ private slots:
     void anOpenedAttemptHasThoseBeforeIt();
     void theSchoolsPresetIsTheAdmins();
     void whatIsGivenIsDueAndLimited();
+    void noneBeginsAgainWhenTheAttemptsAreUsedUp();
+    void anUnfinishedAttemptIsNotTakenUpWhenTheAttemptsAreUsedUp();
     void anExamThatIsBrokenOffIsToldOf();
     void aGuestsExamIsNobodys();
     void lessonsAreChangedByWhoTeaches();
@@ -138,13 +140,13 @@ private:
     void toTheTooth() const;
     void openSchool(ui::admin::AdminPage::Part part) const;
     void drill(double xMm) const;
-    /// Has the work graded and waits until `keeping` is said of it; empty: until nothing is.
-    void grade(const QString& said) const;
     void beginLesson(const std::string& id) const;
     /// So many attempts, to Sam's class.
     void give(const std::string& lesson, int attempts) const;
     /// Has a lesson's work graded, and expects a little of it.
     void gradeLesson() const;
+    /// Has the work graded and waits until `keeping` is said of it; empty: until nothing is.
+    void grade(const QString& said) const;
     [[nodiscard]] QString keeping() const
     {
         const auto* label = child<QLabel>("historyRemark");
@@ -243,8 +245,6 @@ void TestSchool::grade(const QString& said) const
     QTRY_VERIFY2_WITH_TIMEOUT(keeping().contains(said), qPrintable(keeping()), kPatienceMs);
 }
 
-int TestSchool::count(const char* rows) const
-{
 void TestSchool::beginLesson(const std::string& id) const
 {
     for (const lessons::CatalogEntry& entry : lessons::readCatalog(lessons::teachersFolder()))
@@ -275,6 +275,8 @@ void TestSchool::gradeLesson() const
     QTRY_VERIFY_WITH_TIMEOUT(child<ui::study::ScorePage>()->isVisible(), kPatienceMs);
 }
 
+int TestSchool::count(const char* rows) const
+{
     const auto database = sql::Database::open(file());
     return database ? sql::ask((*database)->handle(),
                                QStringLiteral("SELECT count(*) FROM %1").arg(QLatin1String(rows)), "count")
@@ -428,8 +430,6 @@ void TestSchool::aGuestsGradeIsKeptWhenHeLogsIn()
     QTRY_COMPARE_WITH_TIMEOUT(removed(), QString("0.00"), kPatienceMs);
 }
 
-/// Sam's half-done work is Sam's: Sue sees a whole tooth, and he finds it again.
-void TestSchool::nobodyIsOfferedAnothersWork()
 void TestSchool::whatWasGradedIsNotUnfinished_data()
 {
     QTest::addColumn<bool>("asGuest");
@@ -474,6 +474,8 @@ void TestSchool::whatWasGradedIsNotUnfinished()
              qPrintable(child<QLabel>("continueWords")->text()));
 }
 
+/// Sam's half-done work is Sam's: Sue sees a whole tooth, and he finds it again.
+void TestSchool::nobodyIsOfferedAnothersWork()
 {
     start();
     logIn("sam");
@@ -631,12 +633,67 @@ void TestSchool::whatIsGivenIsDueAndLimited()
     toTheTooth();
     drill(2.0);
     actions().grade->trigger();
-    QTRY_VERIFY2_WITH_TIMEOUT(message().contains("used up the attempts"), qPrintable(message()), kPatienceMs);
+    QTRY_VERIFY2_WITH_TIMEOUT(message().contains("used up your attempts"), qPrintable(message()), kPatienceMs);
     QVERIFY(!child<ui::study::Forecast>()->isVisible());
     // Sue's class has not been given it.
     leaveFor("sue");
     QTRY_VERIFY_WITH_TIMEOUT(list->model()->rowCount() > 2, kPatienceMs);
     QTRY_VERIFY_WITH_TIMEOUT(list->model()->index(0, 0).data().toString() != "Given to you", kPatienceMs);
+}
+
+/// From the score card, by its button and by R, as from the list of lessons.
+void TestSchool::noneBeginsAgainWhenTheAttemptsAreUsedUp()
+{
+    give("block-line", 2);
+    start();
+    logIn("sam");
+    toTheTooth();
+    beginLesson("block-line");
+    drill(0.0);
+    gradeLesson();
+    QTRY_COMPARE_WITH_TIMEOUT(attemptsKept(), 1, kPatienceMs);
+    QTRY_VERIFY2_WITH_TIMEOUT(keeping().contains("first grade"), qPrintable(keeping()), kPatienceMs);
+    QVERIFY(actions().reload->isEnabled());
+    actions().reload->trigger();
+    QTRY_VERIFY2_WITH_TIMEOUT(message().contains("Another attempt at the lesson"), qPrintable(message()), kPatienceMs);
+    QVERIFY(m_application->window().view().isVisible());
+    QTest::qWait(500);  // the tooth has come to the servo
+    QCOMPARE(removed(), QString("0.00"));
+    drill(0.0);
+    gradeLesson();
+    QTRY_COMPARE_WITH_TIMEOUT(attemptsKept(), 2, kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(!actions().reload->isEnabled(), kPatienceMs);
+    QVERIFY2(actions().reload->toolTip().contains("used up your attempts"), qPrintable(actions().reload->toolTip()));
+    toTheTooth();
+    QVERIFY(!actions().reload->isEnabled());
+    // Another lesson is another matter.
+    beginLesson("block-circle");
+    QVERIFY(actions().reload->isEnabled());
+    QVERIFY(!actions().reload->toolTip().contains("used up"));
+}
+
+/// The teacher has given it meanwhile, and counts what was done before.
+void TestSchool::anUnfinishedAttemptIsNotTakenUpWhenTheAttemptsAreUsedUp()
+{
+    start();
+    logIn("sam");
+    toTheTooth();
+    beginLesson("block-line");
+    drill(0.0);
+    gradeLesson();
+    QTRY_COMPARE_WITH_TIMEOUT(attemptsKept(), 1, kPatienceMs);
+    toTheTooth();
+    drill(2.0);  // goes on with it
+    leaveFor("sue");
+    give("block-line", 1);
+    leaveFor("sam");
+    const auto* list = child<QListView>("lessonList")->model();
+    QTRY_COMPARE_WITH_TIMEOUT(list->index(0, 0).data().toString(), QString("Given to you"), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("continueWords")->text().contains("Continue where I stopped"), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("continue")->isVisible(), kPatienceMs);
+    click("continue");
+    QTRY_VERIFY2_WITH_TIMEOUT(message().contains("used up your attempts"), qPrintable(message()), kPatienceMs);
+    QCOMPARE(removed(), QString("0.00"));
 }
 
 /// Not to have it graded gives no attempt back.
@@ -678,7 +735,7 @@ void TestSchool::anExamThatIsBrokenOffIsToldOf()
     drill(-2.0);
     QTRY_COMPARE_WITH_TIMEOUT(count("exam_starts"), 2, kPatienceMs);
     beginAnew();
-    QTRY_VERIFY2_WITH_TIMEOUT(message().contains("used up the attempts"), qPrintable(message()), kPatienceMs);
+    QTRY_VERIFY2_WITH_TIMEOUT(message().contains("used up your attempts"), qPrintable(message()), kPatienceMs);
     m_application.reset();  // in the midst of it
 
     start();
