@@ -90,27 +90,42 @@ std::function<QStringList()> notesOf(const core::teeth::ToothReport& report)
     return [report] { return ui::text::scanNotes(report); };
 }
 
-/// An attempt that was graded and not gone on with is done: taken up again it would count twice. An exam ends with its
-/// score, however the program ended.
+bool isGradedNote(const core::session::ServoEvent& event)
+{
+    return event.kind == core::session::ServoEvent::Kind::Note && event.value == core::session::kGradedNote;
+}
+
+/// Whether anything was cut after the last grade. It takes as long as a replay.
+bool isCutOn(const core::recording::Recording& recording)
+{
+    auto servo = core::recording::Replayer::make(recording);
+    bool isCut = !servo;  // nobody knows
+    if (servo)
+        recording.forEach([&](const core::session::ServoEvent& event) {
+            const bool cuts = servo->play(event) && !servo->changed().isEmpty();
+            isCut = !isGradedNote(event) && (isCut || cuts);
+        });
+    return isCut;
+}
+
+/// An attempt that was graded and not gone on with is done: taken up again it would count twice. That a bur turned
+/// while the work was looked at is not to go on. An exam ends with its score, however the program ended.
 bool isDone(const core::recording::Recording& recording)
 {
     using Kind = core::session::ServoEvent::Kind;
     bool isGraded = false;
     bool drillOn = false;
-    bool isGoneOnWith = false;
+    bool mayBeCut = false;
     recording.forEach([&](const core::session::ServoEvent& event) {
-        if (event.kind == Kind::Note && event.value == core::session::kGradedNote) {
-            isGraded = true;
-            isGoneOnWith = false;
-        }
+        isGraded = isGraded || isGradedNote(event);
         if (event.kind == Kind::Drill || event.kind == Kind::Resume)
             drillOn = event.kind == Kind::Drill && event.value != 0;
-        isGoneOnWith = isGoneOnWith || (event.kind == Kind::Tick && drillOn);
+        mayBeCut = !isGradedNote(event) && (mayBeCut || (event.kind == Kind::Tick && drillOn));
     });
-    if (!isGraded || !isGoneOnWith)
+    if (!isGraded || !mayBeCut)
         return isGraded;
     const auto read = lessons::readLessonText(QByteArray::fromStdString(recording.lesson()), QStringLiteral("lesson"));
-    return read.lesson && read.lesson->exam;
+    return (read.lesson && read.lesson->exam) || !isCutOn(recording);
 }
 
 using Wishes = core::rt::TripleBuffer<core::session::PointerInput>;
@@ -182,7 +197,10 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ses
     connect(m_window.get(), &MainWindow::takeBackWanted, this, &Application::takeBack);
     connect(m_window.get(), &MainWindow::attemptAgainWanted, this, [this] {
         ++m_loading;
-        const auto again = [this] { begin(lessons::Assignment(m_assignment), {}, false); };
+        const auto again = [this] {
+            begin(lessons::Assignment(m_assignment), {}, false);
+            m_window->showBegunAnew();
+        };
         if (m_assignment.lesson)
             whereAllowed(m_assignment.lesson->id, again);
         else
@@ -753,9 +771,7 @@ void Application::whereAllowed(const std::string& lessonId, const std::function<
             return;
         }
         m_window->stopBusy();
-        m_window->showMessage(
-            tr("You have used up the attempts at this lesson that were given to you. Ask your teacher "
-               "for more, or choose another lesson."));
+        m_window->showMessage(ui::study::usedUpWords());
     };
     m_desk->ask(
         this,
@@ -1177,6 +1193,7 @@ void Application::tellHistory()
     {
         std::vector<database::AttemptRecord> history;
         std::vector<int> best;
+        std::optional<int> attemptsLeft;
     };
     m_desk->ask(
         this,
@@ -1188,7 +1205,8 @@ void Application::tellHistory()
             auto best = database::sql::bestOfClassmates(school, who, record.lessonId, record.rubricHash);
             if (!history || !best)
                 return tl::unexpected(history ? best.error() : history.error());
-            return Found{std::move(*history), std::move(*best)};
+            auto left = database::sql::attemptsLeft(school, who, record.lessonId);
+            return Found{std::move(*history), std::move(*best), left.value_or(std::nullopt)};
         },
         [this, uid = m_graded->record.uid](const core::Result<Found>& found) {
             if (!m_graded || m_graded->record.uid != uid)
@@ -1196,6 +1214,8 @@ void Application::tellHistory()
             if (found) {
                 m_graded->history = QList<database::AttemptRecord>(found->history.begin(), found->history.end());
                 m_graded->standing = lessons::classStanding(m_graded->sheet.totalTenths, found->best);
+                if (m_graded->generation == m_ownGeneration)
+                    m_window->setUsedUp(m_who.role() == database::Role::Student && found->attemptsLeft == 0);
             } else {
                 m_window->showError(found.error(), Failed::KeepingGrades);
             }
@@ -1490,8 +1510,21 @@ void Application::resumeUnfinished()
             tr("This attempt was made with another device, so it cannot be gone on with. It is kept."));
         return;
     }
+    const lessons::ReadLesson read =
+        lessons::readLessonText(QByteArray::fromStdString(m_unfinished->recording.lesson()), QStringLiteral("lesson"));
     const int load = ++m_loading;
     m_window->showBusy(tr("Taking up the attempt …"));
+    // That an exam was begun has been counted: to end it takes no other attempt.
+    if (read.lesson && !read.lesson->exam)
+        whereAllowed(read.lesson->id, [this, load] { rebuildUnfinished(load); });
+    else
+        rebuildUnfinished(load);
+}
+
+void Application::rebuildUnfinished(int load)
+{
+    if (!m_unfinished)
+        return;
     inBackground(
         this, [recording = m_unfinished->recording] { return core::session::rebuild(recording); },
         [this, load](core::Result<std::unique_ptr<core::session::Unfinished>>& attempt) {

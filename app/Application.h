@@ -134,6 +134,7 @@ private:
     void offerUnfinished();
     void tellUnfinished();
     void resumeUnfinished();
+    void rebuildUnfinished(int load);
     void takeUp(std::unique_ptr<core::session::Unfinished> attempt);
     void discardUnfinished();
     /// @param heldAtS  this moment is shown and held; nothing: it is played from its beginning

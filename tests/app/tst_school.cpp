@@ -97,11 +97,15 @@ private slots:
     void aLockedDatabaseIsTriedAgain();
     void whatTheDiskRefusesIsKeptWhenItCanBe();
     void aGuestsGradeIsKeptWhenHeLogsIn();
+    void whatWasGradedIsNotUnfinished_data();
+    void whatWasGradedIsNotUnfinished();
     void nobodyIsOfferedAnothersWork();
     void theLessonsForgetWhoLeft();
     void anOpenedAttemptHasThoseBeforeIt();
     void theSchoolsPresetIsTheAdmins();
     void whatIsGivenIsDueAndLimited();
+    void noneBeginsAgainWhenTheAttemptsAreUsedUp();
+    void anUnfinishedAttemptIsNotTakenUpWhenTheAttemptsAreUsedUp();
     void anExamThatIsBrokenOffIsToldOf();
     void aGuestsExamIsNobodys();
     void lessonsAreChangedByWhoTeaches();
@@ -145,6 +149,11 @@ private:
     void toTheTooth() const;
     void openSchool(ui::admin::AdminPage::Part part) const;
     void drill(double xMm) const;
+    void beginLesson(const std::string& id) const;
+    /// So many attempts, to Sam's class.
+    void give(const std::string& lesson, int attempts) const;
+    /// Has a lesson's work graded, and expects a little of it.
+    void gradeLesson() const;
     /// Has the work graded and waits until `keeping` is said of it; empty: until nothing is.
     void grade(const QString& said) const;
     [[nodiscard]] QString keeping() const
@@ -245,6 +254,36 @@ void TestSchool::grade(const QString& said) const
     actions().grade->trigger();
     QTRY_VERIFY_WITH_TIMEOUT(child<ui::study::ScorePage>()->isVisible(), kPatienceMs);
     QTRY_VERIFY2_WITH_TIMEOUT(keeping().contains(said), qPrintable(keeping()), kPatienceMs);
+}
+
+void TestSchool::beginLesson(const std::string& id) const
+{
+    for (const lessons::CatalogEntry& entry : lessons::readCatalog(lessons::teachersFolder()))
+        if (entry.read.lesson && entry.read.lesson->id == id)
+            emit m_application->window().lessonChosen(*entry.read.lesson);
+    QTest::qWait(100);
+    QTRY_VERIFY_WITH_TIMEOUT(actions().grade->isEnabled(), kPatienceMs);
+    QTest::qWait(500);  // the tooth has come to the servo
+}
+
+void TestSchool::give(const std::string& lesson, int attempts) const
+{
+    const auto database = sql::Database::open(file()).value();
+    const auto key = StationKey::readOrMake(m_folder->filePath("station.key")).value();
+    const sql::School school{database->handle(), key};
+    const auto admin = sql::Logins::login(school, "admin", kPassword).value();
+    const ClassId ofClass = sql::listClasses(school, admin).value().front().id;
+    QVERIFY(sql::assign(school, admin, {0, ofClass, lesson, "", attempts}));
+}
+
+void TestSchool::gradeLesson() const
+{
+    actions().grade->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(child<ui::study::Forecast>()->isVisible(), kPatienceMs);
+    QTest::keyClick(child<QSlider>("expected"), Qt::Key_Right);
+    QTest::keyClick(child<ui::study::Forecast>()->findChild<QRadioButton*>(), Qt::Key_Space);
+    click("showScore");
+    QTRY_VERIFY_WITH_TIMEOUT(child<ui::study::ScorePage>()->isVisible(), kPatienceMs);
 }
 
 int TestSchool::count(const char* rows) const
@@ -422,6 +461,50 @@ void TestSchool::aGuestsGradeIsKeptWhenHeLogsIn()
     QTRY_COMPARE_WITH_TIMEOUT(removed(), QString("0.00"), kPatienceMs);
 }
 
+void TestSchool::whatWasGradedIsNotUnfinished_data()
+{
+    QTest::addColumn<bool>("asGuest");
+    QTest::addColumn<bool>("looksAtItAgain");
+    QTest::newRow("a student's own") << false << false;
+    QTest::newRow("a student's own, looked at afterwards") << false << true;
+    QTest::newRow("a guest's who has logged in for it") << true << false;
+    QTest::newRow("a guest's who has logged in for it, looked at afterwards") << true << true;
+}
+
+/// Its grade is kept: it is offered to nobody, and so is not graded twice.
+void TestSchool::whatWasGradedIsNotUnfinished()
+{
+    QFETCH(bool, asGuest);
+    QFETCH(bool, looksAtItAgain);
+    start();
+    QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("practiseAsGuest")->isVisible(), kPatienceMs);
+    if (asGuest)
+        click("practiseAsGuest");
+    else
+        logIn("sue");
+    toTheTooth();
+    beginLesson("block-line");
+    drill(0.0);
+    gradeLesson();
+    if (asGuest) {
+        click("keepGrade");
+        logIn("sue");
+    }
+    QTRY_COMPARE_WITH_TIMEOUT(attemptsKept(), 1, kPatienceMs);
+    QTRY_VERIFY2_WITH_TIMEOUT(keeping().contains("first grade"), qPrintable(keeping()), kPatienceMs);
+    if (looksAtItAgain) {
+        toTheTooth();
+        QTest::qWait(500);  // with the bur turning
+    }
+    leaveFor("sam");
+    leaveFor("sue");
+    QTRY_VERIFY_WITH_TIMEOUT(child<QListView>("lessonList")->model()->rowCount() > 2, kPatienceMs);
+    QTest::qWait(500);  // what is unfinished is looked for
+    QVERIFY2(!message().contains("an attempt of"), qPrintable(message()));
+    QVERIFY2(!child<QLabel>("continueWords")->text().contains("Continue where I stopped"),
+             qPrintable(child<QLabel>("continueWords")->text()));
+}
+
 /// Sam's half-done work is Sam's: Sue sees a whole tooth, and he finds it again.
 void TestSchool::nobodyIsOfferedAnothersWork()
 {
@@ -581,12 +664,67 @@ void TestSchool::whatIsGivenIsDueAndLimited()
     toTheTooth();
     drill(2.0);
     actions().grade->trigger();
-    QTRY_VERIFY2_WITH_TIMEOUT(message().contains("used up the attempts"), qPrintable(message()), kPatienceMs);
+    QTRY_VERIFY2_WITH_TIMEOUT(message().contains("used up your attempts"), qPrintable(message()), kPatienceMs);
     QVERIFY(!child<ui::study::Forecast>()->isVisible());
     // Sue's class has not been given it.
     leaveFor("sue");
     QTRY_VERIFY_WITH_TIMEOUT(list->model()->rowCount() > 2, kPatienceMs);
     QTRY_VERIFY_WITH_TIMEOUT(list->model()->index(0, 0).data().toString() != "Given to you", kPatienceMs);
+}
+
+/// From the score card, by its button and by R, as from the list of lessons.
+void TestSchool::noneBeginsAgainWhenTheAttemptsAreUsedUp()
+{
+    give("block-line", 2);
+    start();
+    logIn("sam");
+    toTheTooth();
+    beginLesson("block-line");
+    drill(0.0);
+    gradeLesson();
+    QTRY_COMPARE_WITH_TIMEOUT(attemptsKept(), 1, kPatienceMs);
+    QTRY_VERIFY2_WITH_TIMEOUT(keeping().contains("first grade"), qPrintable(keeping()), kPatienceMs);
+    QVERIFY(actions().reload->isEnabled());
+    actions().reload->trigger();
+    QTRY_VERIFY2_WITH_TIMEOUT(message().contains("Another attempt at the lesson"), qPrintable(message()), kPatienceMs);
+    QVERIFY(m_application->window().view().isVisible());
+    QTest::qWait(500);  // the tooth has come to the servo
+    QCOMPARE(removed(), QString("0.00"));
+    drill(0.0);
+    gradeLesson();
+    QTRY_COMPARE_WITH_TIMEOUT(attemptsKept(), 2, kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(!actions().reload->isEnabled(), kPatienceMs);
+    QVERIFY2(actions().reload->toolTip().contains("used up your attempts"), qPrintable(actions().reload->toolTip()));
+    toTheTooth();
+    QVERIFY(!actions().reload->isEnabled());
+    // Another lesson is another matter.
+    beginLesson("block-circle");
+    QVERIFY(actions().reload->isEnabled());
+    QVERIFY(!actions().reload->toolTip().contains("used up"));
+}
+
+/// The teacher has given it meanwhile, and counts what was done before.
+void TestSchool::anUnfinishedAttemptIsNotTakenUpWhenTheAttemptsAreUsedUp()
+{
+    start();
+    logIn("sam");
+    toTheTooth();
+    beginLesson("block-line");
+    drill(0.0);
+    gradeLesson();
+    QTRY_COMPARE_WITH_TIMEOUT(attemptsKept(), 1, kPatienceMs);
+    toTheTooth();
+    drill(2.0);  // goes on with it
+    leaveFor("sue");
+    give("block-line", 1);
+    leaveFor("sam");
+    const auto* list = child<QListView>("lessonList")->model();
+    QTRY_COMPARE_WITH_TIMEOUT(list->index(0, 0).data().toString(), QString("Given to you"), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("continueWords")->text().contains("Continue where I stopped"), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("continue")->isVisible(), kPatienceMs);
+    click("continue");
+    QTRY_VERIFY2_WITH_TIMEOUT(message().contains("used up your attempts"), qPrintable(message()), kPatienceMs);
+    QCOMPARE(removed(), QString("0.00"));
 }
 
 /// Not to have it graded gives no attempt back.
@@ -628,7 +766,7 @@ void TestSchool::anExamThatIsBrokenOffIsToldOf()
     drill(-2.0);
     QTRY_COMPARE_WITH_TIMEOUT(count("exam_starts"), 2, kPatienceMs);
     beginAnew();
-    QTRY_VERIFY2_WITH_TIMEOUT(message().contains("used up the attempts"), qPrintable(message()), kPatienceMs);
+    QTRY_VERIFY2_WITH_TIMEOUT(message().contains("used up your attempts"), qPrintable(message()), kPatienceMs);
     m_application.reset();  // in the midst of it
 
     start();

@@ -161,6 +161,8 @@ private slots:
     void theBurRestsWhileAnotherPageIsRead();
     void aLessonBeginsWithItsOwnColours();
     void aLessonsTimeEndsWithTheLesson();
+    void aLessonsClockRestsWhereNobodyWorks();
+    void aGuestIsToldThatNothingIsKept();
     void aBreachWaitsForWhoReadsAnotherPage();
     void helpListsEveryAction();
     void escapeGoesBackStepByStep();
@@ -967,7 +969,11 @@ void TestMainWindow::anExerciseHasNoFiguresOfACut()
         press(Qt::Key_R);
         QCOMPARE(again.size(), 1);
         QVERIFY(sent().isEmpty());
+        // The school may have something against it: it is said once it is so.
+        QVERIFY2(message().isEmpty(), qPrintable(message()));
+        m_window->showBegunAnew();
         QVERIFY2(message().contains("begins anew"), qPrintable(message()));
+        child<MessageBar>()->dismiss();
     }
     const auto ideal = lessons::assign(*shipped("class1-36").lesson).value().assignment;
     m_window->setAssignment(ideal);
@@ -1084,6 +1090,92 @@ void TestMainWindow::aLessonsTimeEndsWithTheLesson()
     m_window->showTooth(assignment.anatomy, 4, {});
     workFor(4, 100.0);
     QVERIFY2(message().contains("time of this lesson is over"), qPrintable(message()));
+    // It is said where the lesson is.
+    actions().lessons->trigger();
+    QVERIFY2(message().isEmpty(), qPrintable(message()));
+}
+
+/// The clock of a lesson is that of the work on it.
+void TestMainWindow::aLessonsClockRestsWhereNobodyWorks()
+{
+    lessons::Assignment assignment = lessons::assign(*shipped("class1-36").lesson).value().assignment;
+    assignment.lesson->minutes = 2.0;
+    std::uint64_t generation = 1;
+    double recordedS = 0.0;
+    const auto pass = [&](double seconds) {
+        recordedS += seconds;
+        SessionState session;
+        session.toothGeneration = generation;
+        session.recordedS = recordedS;
+        publish({}, session);
+        QTest::qWait(150);
+    };
+    const auto clock = [this] { return child<TabularLabel>("lessonTime")->text(); };
+    const auto begin = [&] {
+        recordedS = 0.0;
+        m_window->setAssignment(assignment);
+        m_window->showTooth(assignment.anatomy, ++generation, {});
+    };
+    begin();
+    pass(30.0);
+    QCOMPARE(clock(), QString("1:30"));
+    actions().lessons->trigger();
+    pass(300.0);
+    QVERIFY2(message().isEmpty(), qPrintable(message()));
+    actions().back->trigger();
+    pass(10.0);
+    QCOMPARE(clock(), QString("1:20"));
+    // Who starts again has all of it, and who has a grade needs none.
+    actions().reload->trigger();
+    QCOMPARE(clock(), QString("2:00"));
+    pass(20.0);
+    QCOMPARE(clock(), QString("1:40"));
+    m_window->showScore(sheet(3.2, 40, 0.5), {});
+    pass(300.0);
+    actions().back->trigger();
+    pass(300.0);
+    QCOMPARE(clock(), QString("1:40"));
+    QVERIFY2(!message().contains("time of this lesson"), qPrintable(message()));
+    // An exam's goes on, until there is a grade.
+    assignment.lesson->exam = true;
+    begin();
+    pass(30.0);
+    actions().lessons->trigger();
+    pass(30.0);
+    actions().back->trigger();
+    pass(10.0);
+    QCOMPARE(clock(), QString("0:50"));
+    m_window->showScore(sheet(3.2, 40, 0.5), {});
+    QSignalSpy grade(m_window.get(), &MainWindow::gradeRequested);
+    pass(300.0);
+    actions().back->trigger();
+    pass(300.0);
+    QCOMPARE(clock(), QString("0:50"));
+    QVERIFY(grade.isEmpty());
+}
+
+/// On every page and in the practice room, in words.
+void TestMainWindow::aGuestIsToldThatNothingIsKept()
+{
+    const auto isTold = [this] {
+        for (const QLabel* sign : m_window->findChildren<QLabel*>(QStringLiteral("guestSign")))
+            if (sign->isVisible())
+                return sign->text() == "Guest,\nunsaved";
+        return false;
+    };
+    QVERIFY(isTold());
+    actions().lessons->trigger();
+    QVERIFY(isTold());
+    m_window->showScore(sheet(3.2, 40, 0.5), {});
+    QVERIFY(isTold());
+    support::SchoolRig rig(false);
+    rig.populate();
+    m_window->setWho(rig.student);
+    QVERIFY(!isTold());
+    actions().back->trigger();
+    QVERIFY(m_window->view().isVisible() && !isTold());
+    m_window->setWho({});
+    QVERIFY(isTold());
 }
 
 /// A bur that was left running in the air is noticed while somebody reads on.

@@ -216,7 +216,12 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
             endExam();
             emit gradeRequested();
         } else
-            showMessage(tr("The time of this lesson is over. Go on as long as you like, or press G."));
+            m_messages->say({MessageBar::Kind::News,
+                             tr("The time of this lesson is over. Go on as long as you like, or press G."),
+                             {},
+                             {},
+                             {},
+                             MessageBar::Topic::Lesson});
     });
     connect(m_xray, &inside::XrayPage::saveRequested, this, [this] {
         askForFile(
@@ -239,6 +244,7 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
 void MainWindow::speak()
 {
     setAids(m_aids);
+    setUsedUp(m_isUsedUp);
     markExercise();
     if (m_unreachable)
         tellUnreachable();
@@ -306,24 +312,7 @@ void MainWindow::connectActions()
         else
             send(core::session::Redo{});
     });
-    on(m_actions->reload, [this] {
-        goTo(m_room);
-        if (m_examIsOver && !m_isGraded) {
-            showMessage(tr("This exam is over, but has no grade yet. Press G for it; then another attempt can begin."));
-            return;
-        }
-        m_isGraded = false;
-        if (m_exerciseCard->isVisibleTo(m_room) || isExam()) {
-            const QString begins =
-                isExam() ? tr("Another attempt at the exam begins.") : tr("The exercise begins anew.");
-            emit attemptAgainWanted();
-            showMessage(begins);
-        } else if (send(core::session::Reload{}))
-            m_messages->say(
-                {MessageBar::Kind::News, tr("The tooth is whole again."), {}, tr("Bring my work back"), [this] {
-                     send(core::session::Undo{});
-                 }});
-    });
+    on(m_actions->reload, [this] { startAgain(); });
     on(m_actions->grade, [this] {
         if (m_replaying)
             offerToStop(tr("This is a replay. Stop it to be graded on your own work."));
@@ -389,6 +378,65 @@ void MainWindow::connectActions()
     on(m_actions->attempts, [this] { emit attemptsWanted(); });
     on(m_actions->classes, [this] { emit classesWanted(); });
     on(m_actions->quit, [this] { close(); });
+}
+
+/// What has a grade, and what leaves no mark on the tooth, begins as another attempt; anything else is put back, and
+/// can be brought back.
+void MainWindow::startAgain()
+{
+    const bool isLesson = m_assignment && m_assignment->lesson;
+    if (m_examIsOver && !m_isGraded) {
+        goTo(m_room);
+        showMessage(tr("This exam is over, but has no grade yet. Press G for it; then another attempt can begin."));
+    } else if (m_exerciseCard->isVisibleTo(m_room) || isExam()) {
+        emit attemptAgainWanted();
+    } else if (isLesson && m_isGraded) {
+        leaveWork([this] { emit attemptAgainWanted(); });
+    } else {
+        goTo(m_room);
+        m_isGraded = false;
+        if (!send(core::session::Reload{}))
+            return;
+        if (isLesson)
+            restartClock();
+        m_messages->say({MessageBar::Kind::News, tr("The tooth is whole again."), {}, tr("Bring my work back"), [this] {
+                             send(core::session::Undo{});
+                         }});
+    }
+}
+
+void MainWindow::showBegunAnew()
+{
+    goTo(m_room);
+    showMessage(isExam()                              ? tr("Another attempt at the exam begins.")
+                : m_exerciseCard->isVisibleTo(m_room) ? tr("The exercise begins anew.")
+                                                      : tr("Another attempt at the lesson begins."));
+}
+
+void MainWindow::setUsedUp(bool usedUp)
+{
+    m_isUsedUp = usedUp;
+    Actions::setAllowed(m_actions->reload, !usedUp, study::usedUpWords());
+    m_room->lesson().setUsedUp(usedUp);
+    enableActions();
+}
+
+/// The lesson's time begins now.
+void MainWindow::restartClock()
+{
+    m_clockRestedS = m_recordedAtS;
+    m_room->lesson().restartTime();
+}
+
+/// It runs while one works: not on other pages, but in an exam, and not once there is a grade.
+void MainWindow::runClock()
+{
+    const bool runs = !m_isGraded && (isExam() || m_pages->currentWidget() == m_room);
+    if (!runs)
+        m_clockRestedS += m_session.recordedS - m_recordedAtS;
+    m_recordedAtS = m_session.recordedS;
+    if (runs)
+        m_room->lesson().setTime(m_recordedAtS - m_clockRestedS);
 }
 
 void MainWindow::connectDoor()
@@ -1290,7 +1338,7 @@ void MainWindow::takeSession()
             markExercise();
     } else if (m_session.toothGeneration == m_ownGeneration) {
         if (m_assignment && m_assignment->lesson)
-            m_room->lesson().setTime(m_session.recordedS);
+            runClock();
         m_room->history().follow(m_session.historyVersion);
     }
     if (moved)
@@ -1420,6 +1468,8 @@ void MainWindow::goTo(QWidget* page)
     m_help->hide();
     if (page == m_login)
         m_tour->breakOff();
+    if (page != m_room)
+        m_messages->withdraw(MessageBar::Topic::Lesson);
     if (page == m_lessonsPage)
         m_lessonsPage->setUnsaved(m_editor->unsavedFiles());
     m_pages->setCurrentWidget(page);
@@ -1519,7 +1569,7 @@ void MainWindow::enableActions()
     m_actions->redo->setEnabled(inEditor ? m_editor->canRedo() : inRoom && mayGoBack && m_session.redoSteps > 0);
     m_actions->editLesson->setEnabled(m_mayEdit && m_pages->currentWidget() == m_lessonsPage);
     m_actions->saveReference->setEnabled(inRoom && mine && !isExamRunning());
-    m_actions->reload->setEnabled(mayGoBack || (mine && m_examIsOver));
+    m_actions->reload->setEnabled((mayGoBack || (mine && m_examIsOver)) && !m_isUsedUp);
     m_actions->grade->setEnabled(inRoom && m_tooth != nullptr && !m_busy->isWorking());
     m_actions->lessons->setEnabled(!m_busy->isWorking());
     m_actions->console->setEnabled(inRoom);
@@ -1824,6 +1874,10 @@ void MainWindow::setAssignment(const lessons::Assignment& assignment)
     m_trialCard->hide();
     m_isGraded = false;
     m_examIsOver = false;
+    m_recordedAtS = 0.0;
+    m_clockRestedS = 0.0;
+    m_messages->withdraw(MessageBar::Topic::Lesson);
+    setUsedUp(false);
     setAids(assignment.lesson ? assignment.lesson->aids : lessons::Aids{});
     m_room->panel().setAsked(askedOf(lessonShown()));
     m_actions->fixture->setChecked(false);

@@ -254,6 +254,10 @@ public slots:
     void offerHome();
     /// What the lesson allows; all of it to begin with. What it does not is put away and rests.
     void setAids(const lessons::Aids& aids);
+    /// No attempt at the lesson on the table is left after the one that was graded: it is not begun again.
+    void setUsedUp(bool usedUp);
+    /// attemptAgainWanted() was followed.
+    void showBegunAnew();
 
 signals:
     /// The tour was seen, or skipped.
@@ -418,6 +422,9 @@ private:
     [[nodiscard]] bool isBlindfolded() const;
     void showHistory();
     void restBur();
+    void startAgain();
+    void restartClock();
+    void runClock();
     [[nodiscard]] bool isExam() const;
     void endExam();
     /// The student's lesson is an exam, and has not been graded yet.
@@ -514,6 +521,9 @@ private:
     std::uint64_t m_infractionTick = 0;    ///< of the one that is told
     bool m_isGraded = false;               ///< the student's work has been, as it stood
     bool m_examIsOver = false;             ///< nothing can be cut any more
+    bool m_isUsedUp = false;               ///< no other attempt can begin
+    double m_recordedAtS = 0.0;            ///< of the attempt, when its clock was looked at last
+    double m_clockRestedS = 0.0;           ///< of it, in which the clock did not run
     bool m_burRests = false;               ///< while another page is read
     const QWidget* m_askedFrom = nullptr;  ///< the page on which work was begun that is waited for
     bool m_standsIn = false;               ///< the next tooth is not the one that was wanted
