@@ -432,7 +432,10 @@ core::Result<Session> Logins::createFirstAdmin(const School& school, const NewPe
                 return kept;
         NewPerson admin = who;
         admin.role = Role::Admin;
-        return enter(school, "system", admin, *hash).map([](const Person&) {});
+        AuditBatch audit(school);
+        if (auto person = enter(school, audit, "system", admin, *hash); !person)
+            return tl::unexpected(person.error());
+        return audit.seal();
     });
     if (!entered)
         return tl::unexpected(entered.error());
