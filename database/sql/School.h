@@ -7,6 +7,7 @@
 #include <QSqlDatabase>
 
 #include "core/base/Result.h"
+#include "database/Passwords.h"
 #include "database/Session.h"
 #include "database/StationKey.h"
 
@@ -18,6 +19,8 @@ struct School
     QSqlDatabase db;  ///< of a Database, which outlives it
     StationKey key;
     std::function<QDateTime()> nowUtc = [] { return QDateTime::currentDateTimeUtc(); };
+    /// What a password costs at least, whatever the database says; tests pay less.
+    PasswordCost leastCost = {};
 
     /// "2026-11-20T10:15:00Z"
     [[nodiscard]] std::string now() const;

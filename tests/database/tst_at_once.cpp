@@ -26,7 +26,12 @@ public:
     explicit Station(const QString& address, std::chrono::milliseconds patience = std::chrono::seconds(5))
         : m_database(Database::open(address, patience).value())
     {}
-    [[nodiscard]] School school() const { return {m_database->handle(), m_key}; }
+    [[nodiscard]] School school() const
+    {
+        School school{m_database->handle(), m_key};
+        school.leastCost = SchoolRig::kCheap;
+        return school;
+    }
 
 private:
     std::unique_ptr<Database> m_database;
