@@ -1173,26 +1173,28 @@ void Application::tellHistory()
     struct Found
     {
         std::vector<database::AttemptRecord> history;
-        std::vector<int> best;
+        lessons::ClassStanding standing;
     };
     m_desk->ask(
         this,
-        [who = m_who, record = m_graded->record](const School& school) -> core::Result<Found> {
+        [who = m_who, record = m_graded->record,
+         tenths = m_graded->sheet.totalTenths](const School& school) -> core::Result<Found> {
             Found found;
             auto history =
                 database::sql::history(school, who, who.person(),
                                        {record.lessonId, record.lessonId.empty() ? record.tooth : "", kHistoryLength});
-            auto best = database::sql::bestOfClassmates(school, who, record.lessonId, record.rubricHash);
-            if (!history || !best)
-                return tl::unexpected(history ? best.error() : history.error());
-            return Found{std::move(*history), std::move(*best)};
+            const auto standing =
+                database::sql::standingAmongClassmates(school, who, record.lessonId, record.rubricHash, tenths);
+            if (!history || !standing)
+                return tl::unexpected(history ? standing.error() : history.error());
+            return Found{std::move(*history), *standing};
         },
         [this, uid = m_graded->record.uid](const core::Result<Found>& found) {
             if (!m_graded || m_graded->record.uid != uid)
                 return;
             if (found) {
                 m_graded->history = QList<database::AttemptRecord>(found->history.begin(), found->history.end());
-                m_graded->standing = lessons::classStanding(m_graded->sheet.totalTenths, found->best);
+                m_graded->standing = found->standing;
             } else {
                 m_window->showError(found.error(), Failed::KeepingGrades);
             }

@@ -37,7 +37,7 @@ struct Who
 /// Whose data it may be is for the operation to look at: the reach says how far.
 [[nodiscard]] core::Result<Who> admit(const School& school, const Session& session, Operation operation);
 
-/// As admit(), for something that belongs to one person.
+/// As admit(), for something that belongs to one person. To mark is not allowed on what is one's own.
 [[nodiscard]] core::Result<Who> admitTo(const School& school, const Session& session, Operation operation,
                                         PersonId owner);
 /// As admit(), for something that belongs to one class.
