@@ -1192,28 +1192,30 @@ void Application::tellHistory()
     struct Found
     {
         std::vector<database::AttemptRecord> history;
-        std::vector<int> best;
+        lessons::ClassStanding standing;
         std::optional<int> attemptsLeft;
     };
     m_desk->ask(
         this,
-        [who = m_who, record = m_graded->record](const School& school) -> core::Result<Found> {
+        [who = m_who, record = m_graded->record,
+         tenths = m_graded->sheet.totalTenths](const School& school) -> core::Result<Found> {
             Found found;
             auto history =
                 database::sql::history(school, who, who.person(),
                                        {record.lessonId, record.lessonId.empty() ? record.tooth : "", kHistoryLength});
-            auto best = database::sql::bestOfClassmates(school, who, record.lessonId, record.rubricHash);
-            if (!history || !best)
-                return tl::unexpected(history ? best.error() : history.error());
+            const auto standing =
+                database::sql::standingAmongClassmates(school, who, record.lessonId, record.rubricHash, tenths);
+            if (!history || !standing)
+                return tl::unexpected(history ? standing.error() : history.error());
             auto left = database::sql::attemptsLeft(school, who, record.lessonId);
-            return Found{std::move(*history), std::move(*best), left.value_or(std::nullopt)};
+            return Found{std::move(*history), *standing, left.value_or(std::nullopt)};
         },
         [this, uid = m_graded->record.uid](const core::Result<Found>& found) {
             if (!m_graded || m_graded->record.uid != uid)
                 return;
             if (found) {
                 m_graded->history = QList<database::AttemptRecord>(found->history.begin(), found->history.end());
-                m_graded->standing = lessons::classStanding(m_graded->sheet.totalTenths, found->best);
+                m_graded->standing = found->standing;
                 if (m_graded->generation == m_ownGeneration)
                     m_window->setUsedUp(m_who.role() == database::Role::Student && found->attemptsLeft == 0);
             } else {

@@ -320,6 +320,8 @@ core::Status AuditBatch::note(const std::string& actor, const std::string& actio
 
 core::Status AuditBatch::seal()
 {
+    if (!m_insert)
+        return {};
     m_insert.reset();
     return execute(m_school.db, "UPDATE audit_seal SET seq = ?, hash = ?, signature = ?, station_key = ? WHERE id = 1",
                    kNote,

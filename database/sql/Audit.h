@@ -32,6 +32,7 @@ public:
     /// As note().
     [[nodiscard]] core::Status note(const std::string& actor, const std::string& action, const std::string& object,
                                     const QJsonObject& detail = {});
+    /// Does nothing where nothing was noted.
     [[nodiscard]] core::Status seal();
 
 private:

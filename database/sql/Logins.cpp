@@ -359,6 +359,9 @@ core::Result<PasswordCost> passwordCost(const School& school)
         if (const qulonglong value = kept->toString().toULongLong(); value > 0)
             take(cost, value);
     }
+    // Who may write the database must not make everybody's password cheap to guess.
+    cost.passes = std::max(cost.passes, school.leastCost.passes);
+    cost.memoryBytes = std::max(cost.memoryBytes, school.leastCost.memoryBytes);
     return cost;
 }
 
@@ -432,7 +435,10 @@ core::Result<Session> Logins::createFirstAdmin(const School& school, const NewPe
                 return kept;
         NewPerson admin = who;
         admin.role = Role::Admin;
-        return enter(school, "system", admin, *hash).map([](const Person&) {});
+        AuditBatch audit(school);
+        if (auto person = enter(school, audit, "system", admin, *hash); !person)
+            return tl::unexpected(person.error());
+        return audit.seal();
     });
     if (!entered)
         return tl::unexpected(entered.error());

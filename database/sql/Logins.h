@@ -53,7 +53,7 @@ public:
                                                      const std::string& old, const std::string& newPassword);
 };
 
-/// What passwords cost in this school.
+/// What passwords cost in this school, never less than School::leastCost.
 [[nodiscard]] core::Result<PasswordCost> passwordCost(const School& school);
 
 /// From now on passwords cost as much, if that is at least twice what they do: each hash is made anew when its owner

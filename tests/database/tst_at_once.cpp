@@ -8,6 +8,7 @@
 
 #include "database/sql/Check.h"
 #include "database/sql/Dialect.h"
+#include "database/sql/Roster.h"
 #include "database/sql/Statement.h"
 #include "tests/database/SchoolRig.h"
 
@@ -25,7 +26,12 @@ public:
     explicit Station(const QString& address, std::chrono::milliseconds patience = std::chrono::seconds(5))
         : m_database(Database::open(address, patience).value())
     {}
-    [[nodiscard]] School school() const { return {m_database->handle(), m_key}; }
+    [[nodiscard]] School school() const
+    {
+        School school{m_database->handle(), m_key};
+        school.leastCost = SchoolRig::kCheap;
+        return school;
+    }
 
 private:
     std::unique_ptr<Database> m_database;
@@ -102,6 +108,8 @@ private slots:
     void whoChoosesAPasswordHoldsNobodyUp_data() { support::addEngines(); }
     void whoChoosesAPasswordHoldsNobodyUp();
     void aStationThatStopsInTheMiddleHoldsNobodyUpForLong();
+    void aClassListIsTriedWhileOthersWrite_data() { support::addEngines(); }
+    void aClassListIsTriedWhileOthersWrite();
 };
 
 void TestAtOnce::oneAdminAtLeastStays()
@@ -257,6 +265,32 @@ void TestAtOnce::aStationThatStopsInTheMiddleHoldsNobodyUpForLong()
     VERIFY_REFUSED(execute(stopped.db, "COMMIT", "end it"), core::ErrorCode::ConnectionLost);
     VERIFY_DONE(rig.database().reconnect());
     VERIFY_DONE(Logins::logout(stopped, rig.student));
+}
+
+void TestAtOnce::aClassListIsTriedWhileOthersWrite()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    const std::string list = "username,given_name,class\nnew1,Ada,A|B\nnew2,Bo,B\ns1001,,A\n";
+    const Station other(rig.address());
+    const School writer = other.school();
+    VERIFY_DONE(execute(writer.db, dialect::beginWrite(writer.db), "begin"));
+    VERIFY_DONE(takeTurn(writer));
+    const auto tried = importRoster(rig.school(), rig.admin, list, true);
+    VERIFY_DONE(tried);
+    QCOMPARE(tried->people.size(), std::size_t{3});
+    QCOMPARE(tried->newClasses, (std::vector<std::string>{"A", "B"}));
+    VERIFY_DONE(execute(writer.db, "ROLLBACK", "end it"));
+    const auto entered = importRoster(rig.school(), rig.admin, list, false);
+    VERIFY_DONE(entered);
+    QCOMPARE(entered->newClasses, tried->newClasses);
+    // The same once more changes nothing, and the audit is as whole as before.
+    const AuditHead head = auditHead(rig.school()).value();
+    VERIFY_DONE(importRoster(rig.school(), rig.admin, list, false));
+    QVERIFY(auditHead(rig.school()).value() == head);
+    const auto report = checkDatabase(rig.school().db, {});
+    VERIFY_DONE(report);
+    QVERIFY2(report->findings.empty(), report->findings.empty() ? "" : report->findings.front().c_str());
 }
 
 QTEST_GUILESS_MAIN(TestAtOnce)

@@ -283,11 +283,20 @@ void TestAttempts::classmatesAreComparedWithoutNames()
     AttemptRecord other = SchoolRig::attempt("class1-36", 1000);
     other.rubricHash = std::string(64, 'z');
     VERIFY_DONE(addAttempt(rig.school(), rig.classmate, other, {}));
-    QCOMPARE(bestOfClassmates(rig.school(), rig.student, "class1-36", rubric).value(), (std::vector{700, 900}));
-    QCOMPARE(bestOfClassmates(rig.school(), rig.stranger, "class1-36", rubric).value(), (std::vector{100}));
-    // A teacher practises among his students, and is not one of them.
-    QCOMPARE(bestOfClassmates(rig.school(), rig.instructor, "class1-36", rubric).value(),
-             (std::vector{700, 900, 1000}));
+    const auto standing = [&](const Session& who) {
+        return standingAmongClassmates(rig.school(), who, "class1-36", rubric, 800).value();
+    };
+    // Of fewer than five nobody learns how the others did; a teacher practises among his students, and is not one.
+    for (const auto& [who, people] :
+         {std::pair(rig.student, 2), std::pair(rig.stranger, 1), std::pair(rig.instructor, 3)}) {
+        QCOMPARE(standing(who).people, people);
+        QVERIFY(!standing(who).percentBelow);
+    }
+    for (const auto& [name, tenths] : {std::pair("s1003", 600), std::pair("s1004", 750), std::pair("s1005", 950)})
+        VERIFY_DONE(addAttempt(rig.school(), rig.join({name, "", "", Role::Student}, rig.first),
+                               SchoolRig::attempt("class1-36", tenths), {}));
+    QCOMPARE(standing(rig.student).people, 5);
+    QCOMPARE(standing(rig.student).percentBelow.value(), 60.0);
 }
 
 void TestAttempts::whatATeacherSaysIsNewUntilItIsRead()
