@@ -72,6 +72,14 @@ core::Result<std::vector<Migration>> shippedMigrations()
     return steps;
 }
 
+core::Status applyAll(const QSqlDatabase& db, std::span<const Migration> steps)
+{
+    for (const Migration& step : steps)
+        if (auto done = apply(db, step, "make a schema"); !done)
+            return done;
+    return {};
+}
+
 core::Status migrate(const QSqlDatabase& db, std::span<const Migration> steps)
 {
     const auto version = dialect::schemaVersion(db);

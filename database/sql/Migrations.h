@@ -21,6 +21,9 @@ struct Migration
 /// The steps this program ships (resources of database/migrations), in order.
 [[nodiscard]] core::Result<std::vector<Migration>> shippedMigrations();
 
+/// Makes it where nothing is, inside a transaction of the caller's.
+[[nodiscard]] core::Status applyAll(const QSqlDatabase& db, std::span<const Migration> steps);
+
 /// Brings the database to the newest schema, one transaction per step: a step that breaks leaves the file as it was.
 /// A file newer than us is refused, not guessed at. The caller has made a backup copy.
 [[nodiscard]] core::Status migrate(const QSqlDatabase& db, std::span<const Migration> steps);

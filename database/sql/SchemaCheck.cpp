@@ -5,6 +5,7 @@
 
 #include <QScopeGuard>
 
+#include "database/Passwords.h"
 #include "database/sql/Dialect.h"
 #include "database/sql/Migrations.h"
 #include "database/sql/Statement.h"
@@ -15,28 +16,61 @@ namespace {
 const std::string kDoing = "check it";
 const QString kFresh = QStringLiteral("cusp-fresh-schema-%1");
 
-/// By "trigger audit_no_update", the statement that made it; of a server an empty one.
+/// By "trigger audit_no_update", the statement that made it.
 using Schema = std::map<std::string, std::string>;
+
+/// What there is in the schema that comes first in the search path, with all that defines it. A trigger that is
+/// switched off, or fires only for copies of another server, is as good as none. Indexes of constraints go with those;
+/// the triggers that look after a foreign key do, too.
+QString questionToServer()
+{
+    return QStringLiteral(R"(
+WITH ours AS (SELECT c.oid, c.relname, c.relkind, c.relpersistence, c.relrowsecurity FROM pg_catalog.pg_class c
+              WHERE c.relnamespace = current_schema()::regnamespace)
+SELECT 'table', relname::text, concat(relkind, relpersistence, relrowsecurity) FROM ours WHERE relkind IN ('r', 'v', 'm', 'f', 'p')
+UNION ALL
+SELECT 'column', o.relname || '.' || a.attname, concat(format_type(a.atttypid, a.atttypmod), a.attnotnull, a.attidentity,
+       a.attgenerated, pg_get_expr(d.adbin, d.adrelid))
+FROM ours o JOIN pg_catalog.pg_attribute a ON a.attrelid = o.oid AND a.attnum > 0 AND NOT a.attisdropped
+LEFT JOIN pg_catalog.pg_attrdef d ON d.adrelid = o.oid AND d.adnum = a.attnum WHERE o.relkind = 'r'
+UNION ALL
+SELECT 'constraint', o.relname || '.' || k.conname, concat(pg_get_constraintdef(k.oid),
+       (SELECT count(*) FROM pg_catalog.pg_trigger t WHERE t.tgconstraint = k.oid AND t.tgenabled IN ('O', 'A')))
+FROM ours o JOIN pg_catalog.pg_constraint k ON k.conrelid = o.oid WHERE k.contype IN ('c', 'f', 'p', 'u', 'x')
+UNION ALL
+SELECT 'index', o.relname, concat(pg_get_indexdef(o.oid), i.indisvalid, i.indisready)
+FROM ours o JOIN pg_catalog.pg_index i ON i.indexrelid = o.oid
+WHERE NOT EXISTS (SELECT 1 FROM pg_catalog.pg_constraint k WHERE k.conindid = o.oid AND k.contype IN ('p', 'u', 'x'))
+UNION ALL
+SELECT 'trigger', t.tgname, concat(pg_get_triggerdef(t.oid), pg_get_functiondef(t.tgfoid))
+FROM ours o JOIN pg_catalog.pg_trigger t ON t.tgrelid = o.oid WHERE NOT t.tgisinternal AND t.tgenabled IN ('O', 'A')
+UNION ALL
+SELECT 'rule', o.relname || '.' || r.rulename, pg_get_ruledef(r.oid)
+FROM ours o JOIN pg_catalog.pg_rewrite r ON r.ev_class = o.oid WHERE o.relkind = 'r')");
+}
 
 core::Result<Schema> schemaOf(const QSqlDatabase& db)
 {
-    // What a constraint brings along has no statement, or a name that ends so.
+    const bool onServer = dialect::isPostgres(db);
+    const auto own = onServer ? ask(db, "SELECT quote_ident(current_schema())", kDoing) : QVariant();
+    if (!own)
+        return tl::unexpected(own.error());
+    // Of a file, what a constraint brings along has no statement, or a name that begins so.
     const QString question =
-        dialect::isPostgres(db)
-            ? QStringLiteral("SELECT 'trigger', t.tgname, '' FROM pg_trigger t JOIN pg_class c ON c.oid = t.tgrelid "
-                             "WHERE NOT t.tgisinternal AND t.tgenabled <> 'D' AND c.relnamespace = "
-                             "current_schema()::regnamespace UNION ALL SELECT 'index', i.indexname, '' FROM pg_indexes "
-                             "i WHERE i.schemaname = current_schema() UNION ALL SELECT 'table', t.tablename, '' FROM "
-                             "pg_tables t WHERE t.schemaname = current_schema()")
-            : QStringLiteral("SELECT type, name, sql FROM sqlite_master WHERE sql IS NOT NULL AND name NOT LIKE "
-                             "'sqlite\\_%' ESCAPE '\\'");
+        onServer ? questionToServer()
+                 : QStringLiteral("SELECT type, name, sql FROM sqlite_master WHERE sql IS NOT NULL AND name NOT LIKE "
+                                  "'sqlite\\_%' ESCAPE '\\'");
     Schema schema;
     if (auto read = forEach(db, question, kDoing, {},
                             [&](const QSqlQuery& row) {
                                 QString made = row.value(2).toString();
+                                // A server says where each thing lies.
+                                if (onServer)
+                                    made.remove(own->toString() + '.');
                                 // ALTER TABLE writes them anew, each release of SQLite in its own way.
                                 made.remove(u'"').remove(u' ').remove(u'\n').remove(u'\t');
-                                schema[textOf(row, 0) + ' ' + textOf(row, 1)] = made.toStdString();
+                                // On a server triggers of two tables may have one name.
+                                schema[textOf(row, 0) + ' ' + textOf(row, 1)] += made.toStdString();
                             });
         !read)
         return tl::unexpected(read.error());
@@ -60,6 +94,24 @@ core::Result<Schema> freshSchema()
     return schemaOf(db);
 }
 
+/// As the migrations make it on this server: in a schema that nobody sees, and that goes with its transaction.
+core::Result<Schema> freshSchemaOnServer(const QSqlDatabase& db)
+{
+    const auto steps = shippedMigrations();
+    if (!steps)
+        return tl::unexpected(steps.error());
+    if (auto begun = execute(db, "BEGIN", kDoing); !begun)
+        return tl::unexpected(begun.error());
+    const auto ended = qScopeGuard([&db] { static_cast<void>(execute(db, "ROLLBACK", kDoing)); });
+    const QString name = "cusp_check_" + QString::fromStdString(newUid());
+    for (const char* sql : {"CREATE SCHEMA %1", "SET LOCAL search_path = %1"})
+        if (auto done = execute(db, QString::fromLatin1(sql).arg(name), kDoing); !done)
+            return tl::unexpected(done.error());
+    if (auto made = applyAll(db, *steps); !made)
+        return tl::unexpected(made.error());
+    return schemaOf(db);
+}
+
 /// Two triggers of a file are one on a server, see dialect::expand().
 Schema asOnServer(const Schema& schema)
 {
@@ -74,25 +126,39 @@ Schema asOnServer(const Schema& schema)
     return there;
 }
 
+core::Result<Schema> expectedSchema(const QSqlDatabase& db)
+{
+    return dialect::isPostgres(db) ? freshSchemaOnServer(db) : freshSchema();
+}
+
+/// Tables and indexes of others do no harm to ours; a trigger or a rule may.
+bool mayChangeWhatIsWritten(const std::string& named)
+{
+    return named.rfind("trigger ", 0) == 0 || named.rfind("rule ", 0) == 0;
+}
+
 }  // namespace
 
 core::Status checkSchema(const QSqlDatabase& db, const std::function<void(const std::string&)>& say)
 {
-    const bool onServer = dialect::isPostgres(db);
-    auto expected = freshSchema();
+    auto expected = expectedSchema(db);
+    const bool areNamesAll =
+        dialect::isPostgres(db) && !expected && expected.error().code == core::ErrorCode::FileUnwritable;
+    if (areNamesAll) {
+        say("of tables, indexes and triggers the names alone could be compared: this user of the server may not create "
+            "a schema there; let the owner of the database check it");
+        expected = freshSchema().map(asOnServer);
+    }
     const auto found = schemaOf(db);
     if (!expected || !found)
         return tl::unexpected(expected ? found.error() : expected.error());
-    if (onServer)
-        expected = asOnServer(*expected);
     for (const auto& [named, made] : *expected)
         if (const auto there = found->find(named); there == found->end())
             say("the " + named + " is no longer there: what it guarded is not guarded any more");
-        else if (there->second != made)
+        else if (there->second != made && !areNamesAll)
             say("the " + named + " is not as this program makes it");
     for (const auto& [named, made] : *found)
-        // Tables and indexes of others do no harm to ours; a trigger may.
-        if (expected->count(named) == 0 && named.rfind("trigger ", 0) == 0)
+        if (expected->count(named) == 0 && mayChangeWhatIsWritten(named))
             say("the " + named + " is not from this program: it may change what is written");
     return {};
 }

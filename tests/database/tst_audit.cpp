@@ -30,6 +30,7 @@ private slots:
     void whatStandsElsewhereIsAsItWasNoted();
     void whatGuardsIsThere_data();
     void whatGuardsIsThere();
+    void whoMayNotCompareIsTold();
     void whoeverElseSignsIsNamed();
     void goingOnMakesNothingGood_data() { support::addEngines(); }
     void goingOnMakesNothingGood();
@@ -292,6 +293,27 @@ void TestAudit::whatGuardsIsThere_data()
                                                    "CREATE TRIGGER audit_no_delete BEFORE DELETE ON audit BEGIN SELECT "
                                                    "1; END"}
                                     << "trigger audit_no_delete is not as this program makes it";
+    for (const auto& [name, deed, said] :
+         {std::tuple("guard for copies only", "ALTER TABLE audit ENABLE REPLICA TRIGGER audit_no_change",
+                     "trigger audit_no_change is no longer there"),
+          std::tuple("guard of straw, postgresql",
+                     "CREATE OR REPLACE FUNCTION audit_is_append_only() RETURNS trigger LANGUAGE plpgsql AS $$ BEGIN "
+                     "RETURN NULL; END $$",
+                     "trigger audit_no_change is not as this program makes it"),
+          std::tuple("index of other columns, postgresql",
+                     "DROP INDEX attempts_by_uid; CREATE INDEX attempts_by_uid ON attempts (uid)",
+                     "index attempts_by_uid is not as this program makes it"),
+          std::tuple("bounds, postgresql", "ALTER TABLE attempts DROP CONSTRAINT attempts_score_tenths_check",
+                     "constraint attempts.attempts_score_tenths_check is no longer there"),
+          std::tuple("foreign key, postgresql", "ALTER TABLE comments DROP CONSTRAINT comments_author_id_fkey",
+                     "constraint comments.comments_author_id_fkey is no longer there"),
+          std::tuple("primary key, postgresql", "ALTER TABLE failed_logins DROP CONSTRAINT failed_logins_pkey",
+                     "constraint failed_logins.failed_logins_pkey is no longer there"),
+          std::tuple("column, postgresql", "ALTER TABLE people ALTER COLUMN username DROP NOT NULL",
+                     "column people.username is not as this program makes it"),
+          std::tuple("rule, postgresql", "CREATE RULE quiet AS ON DELETE TO comments DO INSTEAD NOTHING",
+                     "rule comments.quiet is not from this program")})
+        QTest::newRow(name) << true << QStringList{deed} << said;
     QTest::newRow("gift, sqlite") << false
                                   << QStringList{"CREATE TRIGGER gift AFTER INSERT ON attempts BEGIN UPDATE attempts "
                                                  "SET score_tenths = 1000 WHERE id = NEW.id; END"}
@@ -318,6 +340,27 @@ void TestAudit::whatGuardsIsThere()
     QCOMPARE(report->findings.size(), std::size_t{1});
     QVERIFY2(report->findings.front().find(finding.toStdString()) != std::string::npos,
              report->findings.front().c_str());
+}
+
+/// Who may not make a schema beside it sees names alone, and is told.
+void TestAudit::whoMayNotCompareIsTold()
+{
+    if (!support::sharedServer().fault().isEmpty())
+        QSKIP(qPrintable(support::sharedServer().fault()));
+    SchoolRig rig(true);
+    QVERIFY(rig.isOpen());
+    const QSqlDatabase& db = rig.school().db;
+    QSqlQuery query(db);
+    const QString role = "reader_" + QString::fromStdString(newUid());
+    for (const char* sql : {"CREATE ROLE %1", "GRANT SELECT ON ALL TABLES IN SCHEMA public TO %1", "SET ROLE %1"})
+        QVERIFY2(query.exec(QString::fromLatin1(sql).arg(role)), qPrintable(query.lastError().text()));
+    const auto report = checkDatabase(db, {});
+    VERIFY_DONE(report);
+    QCOMPARE(report->findings.size(), std::size_t{1});
+    QVERIFY2(report->findings.front().find("names alone") != std::string::npos, report->findings.front().c_str());
+    QVERIFY(query.exec("RESET ROLE"));
+    for (const char* sql : {"DROP OWNED BY %1", "DROP ROLE %1"})
+        QVERIFY2(query.exec(QString::fromLatin1(sql).arg(role)), qPrintable(query.lastError().text()));
 }
 
 /// The end of the audit is cut off and the seal set back; then somebody logs in, and the station signs.
