@@ -8,19 +8,29 @@
 #include <QFileInfo>
 
 #include "database/Outbox.h"
-#include "database/sql/Statement.h"
 
 namespace app {
 namespace {
 
-/// Whether a school has what a letter brought; it may be another's, whose file lies in the same folder.
-bool isIn(const database::sql::School& school, const QString& letter)
+/// Of letters that have arrived, those that a backup has; another school's may lie in the same folder.
+QStringList heldBy(const QString& backup, const QStringList& letters)
 {
-    const auto row = database::sql::ask(school.db,
-                                        database::Outbox::isExam(letter) ? "SELECT 1 FROM exam_starts WHERE uid = ?"
-                                                                         : "SELECT 1 FROM attempts WHERE uid = ?",
-                                        "look for it", {QFileInfo(letter).completeBaseName()});
-    return row && !row->isNull();
+    QStringList uids;
+    for (const QString& letter : letters)
+        uids += QFileInfo(letter).completeBaseName();
+    const QStringList held = database::sql::heldBy(backup, uids);
+    QStringList there = letters;
+    there.removeIf([&held](const QString& letter) { return !held.contains(QFileInfo(letter).completeBaseName()); });
+    return there;
+}
+
+/// The newest whole one beside the one that has just been made; empty: there is none.
+QString soundBeside(const QString& made, const QStringList& backups)
+{
+    const auto sound = std::find_if(backups.begin(), backups.end(), [&made](const QString& file) {
+        return file != made && database::sql::verifyBackup(file).has_value();
+    });
+    return sound != backups.end() ? *sound : QString();
 }
 
 }  // namespace
@@ -46,11 +56,12 @@ core::Result<QString> makeBackup(const database::sql::School& school, const data
     auto made = database::sql::backUp(school.db, folder, nowUtc, progress);
     if (!made)
         return made;
-    QStringList inIt;
-    for (const QString& file : arrived)
-        if (isIn(school, file))
-            inIt += file;
-    for (const QString& file : database::sql::tooMany(database::sql::backupsOf(school.db, folder), nowUtc) + inIt)
+    const QStringList there = database::sql::backupsOf(school.db, folder);
+    // A disk may spoil the one that has just been made: two have it before its letter goes.
+    QStringList gone = heldBy(*made, arrived);
+    if (!gone.isEmpty())
+        gone = heldBy(soundBeside(*made, there), gone);
+    for (const QString& file : database::sql::tooMany(there, nowUtc) + gone)
         if (file != *made)
             QFile::remove(file);
     return made;

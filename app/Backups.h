@@ -15,8 +15,8 @@ namespace app {
 /// Whether a file has no backup of today (UTC). A server never: its administrator makes them.
 [[nodiscard]] bool isBackupDue(const database::Address& address, const QDateTime& nowUtc);
 
-/// Makes a backup, thins the older ones, and throws away the attempts of this station that lay by until a backup had
-/// them. Returns its path.
+/// Makes a backup, thins the older ones, and throws away the attempts of this station that lay by until two
+/// whole backups had them. Returns its path.
 /// @param stationFolder  of this station's own files
 [[nodiscard]] core::Result<QString> makeBackup(const database::sql::School& school, const database::Address& address,
                                                const QString& stationFolder, const QDateTime& nowUtc,

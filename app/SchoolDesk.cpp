@@ -18,6 +18,12 @@ using core::ErrorCode;
 
 constexpr int kRetryMs = 10'000;
 
+/// Of a file, which is no better the next time.
+bool isDamage(ErrorCode code)
+{
+    return code == ErrorCode::BadStructure || code == ErrorCode::WrongKind;
+}
+
 }  // namespace
 
 SchoolDesk::SchoolDesk(database::Address address, QString folder, database::sql::Database::Options options)
@@ -64,6 +70,7 @@ core::Status SchoolDesk::openDatabase()
     database::sql::Database::Options options = m_options;
     options.mayMigrate = !m_address.isServer();
     auto opened = database::sql::Database::open(m_address, options);
+    m_isDamaged = !opened && isDamage(opened.error().code);
     if (!opened)
         return tl::unexpected(opened.error());
     m_database = std::move(*opened);
@@ -103,9 +110,7 @@ SchoolDesk::Opening SchoolDesk::tryToOpen()
             opening.status = tl::unexpected(isNew.error());
         }
     }
-    const bool mayBeRestored = opening.status ? opening.isNew
-                                              : opening.status.error().code == ErrorCode::BadStructure ||
-                                                    opening.status.error().code == ErrorCode::WrongKind;
+    const bool mayBeRestored = opening.status ? opening.isNew : isDamage(opening.status.error().code);
     if (mayBeRestored && m_key && !m_address.isServer())
         opening.soundBackup = database::sql::newestSound(m_address.file, QDateTime::currentDateTimeUtc());
     return opening;
@@ -125,8 +130,11 @@ void SchoolDesk::answer(const QPointer<QObject>& owner, const Opened& done, cons
 void SchoolDesk::open(QObject* owner, const Opened& done)
 {
     post([this, guard = QPointer<QObject>(owner), done] {
-        answer(guard, done, tryToOpen());
-        deliverAll();
+        const Opening opening = tryToOpen();
+        answer(guard, done, opening);
+        // What is not open now is tried by and by.
+        if (opening.status)
+            deliverAll();
     });
 }
 
@@ -144,22 +152,28 @@ void SchoolDesk::restore(QObject* owner, const QString& backup, const Opened& do
         m_school.reset();
         m_database.reset();
         m_undeliverable.clear();
+        // Before it: whatever comes in between, they are sent at the next start.
+        database::Outbox::sendAgain(outboxFolder());
         const auto replaced = database::sql::restoreBackup(backup, m_address.file, QDateTime::currentDateTimeUtc());
         Opening opening = tryToOpen();
+        opening.replaced = replaced.value_or(QString());
         if (!replaced)
             opening.status = tl::unexpected(replaced.error());
-        else if (opening.status) {
-            outbox().sendAgain();
+        else if (opening.status)
             opening.status = database::sql::noteRestored(*m_school, backup);
-        }
         answer(guard, done, opening);
         deliverAll();
     });
 }
 
+QString SchoolDesk::outboxFolder() const
+{
+    return QDir(m_folder).filePath(QStringLiteral("outbox"));
+}
+
 database::Outbox SchoolDesk::outbox() const
 {
-    return {QDir(m_folder).filePath(QStringLiteral("outbox")), *m_key};
+    return {outboxFolder(), *m_key};
 }
 
 core::Status SchoolDesk::putInto(const std::function<core::Status(database::Outbox)>& put)
@@ -210,8 +224,8 @@ void SchoolDesk::deliver()
 
 void SchoolDesk::deliverAll()
 {
-    // A file that could not be opened is not tried again and again: a check of it takes its time.
-    if (!m_key || (!m_database && !m_address.isServer()))
+    // A damaged file is not tried again and again: a check of it takes its time.
+    if (!m_key || (!m_database && m_isDamaged))
         return;
     const database::Outbox letters = outbox();
     const int before = static_cast<int>(m_undeliverable.size());

@@ -42,6 +42,7 @@ public:
         bool isNew = false;   ///< nobody has been entered yet
         std::string notice;   ///< of the database
         QString soundBackup;  ///< its path, where the file is damaged or gone and a backup is whole; else empty
+        QString replaced;     ///< after restore(): where the file lies now that was there; empty: there was none
     };
     using Opened = std::function<void(const Opening&)>;
     /// May be called again where it came to nothing.
@@ -134,6 +135,7 @@ private:
     [[nodiscard]] core::Status connect();
     [[nodiscard]] core::Status openDatabase();
     [[nodiscard]] Opening tryToOpen();
+    [[nodiscard]] QString outboxFolder() const;
     [[nodiscard]] database::Outbox outbox() const;
     void notice(const core::Error& error);
     [[nodiscard]] core::Status putInto(const std::function<core::Status(database::Outbox)>& put);
@@ -158,6 +160,7 @@ private:
     std::optional<database::StationKey> m_key;
     QSet<QString> m_undeliverable;  ///< what cannot be delivered while this program runs
     bool m_isLost = false;
+    bool m_isDamaged = false;  ///< the file, when it was opened last
 };
 
 }  // namespace app

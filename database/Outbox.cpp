@@ -168,10 +168,10 @@ void Outbox::keepArrived(const QString& file) const
     move(file, QDir(m_folder).filePath(kArrived));
 }
 
-void Outbox::sendAgain() const
+void Outbox::sendAgain(const QString& folder)
 {
-    for (const QString& file : arrived())
-        move(file, m_folder);
+    for (const QString& file : lettersIn(QDir(folder).filePath(kArrived)))
+        move(file, folder);
 }
 
 bool Outbox::isExam(const QString& file)

@@ -52,12 +52,13 @@ public:
     [[nodiscard]] core::Result<Letter> read(const QString& file) const;
     [[nodiscard]] core::Result<ExamLetter> readExam(const QString& file) const;
     void remove(const QString& file) const;
-    /// Into the folder "arrived" beside it: the database has it, but no backup of the database does yet.
+    /// Into the folder "arrived" beside it: the database has it, but not yet two backups of the database.
     void keepArrived(const QString& file) const;
-    /// Those that lie there; removed when they are in a backup.
+    /// Those that lie there; removed when they are in two backups.
     [[nodiscard]] QStringList arrived() const;
-    /// All of them wait again: the database has been put back to how it was before them.
-    void sendAgain() const;
+    /// All of a folder's wait again: its database is put back to how it was before them. What is there all the same is
+    /// kept once.
+    static void sendAgain(const QString& folder);
     /// Into the folder "damaged" beside it: nothing is thrown away.
     void setAside(const QString& file) const;
 

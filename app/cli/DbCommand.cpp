@@ -195,15 +195,15 @@ int restoreFile(const QCommandLineParser& parser, const Address& address)
         return failed({ErrorCode::WrongKind, "backup " + backup.toStdString() + ": it is of another school than " +
                                                  address.file.toStdString() +
                                                  "; give another --db, or move that file away first"});
+    // What came after the backup was made is delivered again when the window opens next. Before the file is put in its
+    // place: whatever comes in between, it holds.
+    database::Outbox::sendAgain(QFileInfo(address.file).absoluteDir().filePath(QStringLiteral("outbox")));
     const auto replaced = database::sql::restoreBackup(backup, address.file, QDateTime::currentDateTimeUtc());
     if (!replaced)
         return failed(replaced.error());
     const auto open = openSchool(address, Opening::Migrate);
     if (!open)
         return failedWithBackups(open.error(), address);
-    // What came after the backup was made is delivered again when the window opens next.
-    database::Outbox(QFileInfo(address.file).absoluteDir().filePath(QStringLiteral("outbox")), open->school->key)
-        .sendAgain();
     if (auto noted = database::sql::noteRestored(*open->school, backup); !noted)
         return failedWithBackups(noted.error(), address);
     return answer(parser,

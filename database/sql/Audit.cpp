@@ -41,6 +41,13 @@ std::string wordsOf(const AuditHead& head)
     return "cusp audit " + std::to_string(head.seq) + ' ' + head.hash;
 }
 
+/// Of an audit code: its row, and the beginning of that one's hash.
+QRegularExpressionMatch matchCode(const std::string& typed)
+{
+    static const QRegularExpression kCode(QStringLiteral("^([1-9][0-9]{0,17})-([0-9a-f]{12,64})$"));
+    return kCode.match(QString::fromStdString(typed).trimmed().toLower());
+}
+
 /// Reads the chain row by row and says where it does not hold.
 class ChainReader
 {
@@ -48,8 +55,7 @@ public:
     explicit ChainReader(const std::vector<std::string>& witnesses)
     {
         for (const std::string& witness : witnesses) {
-            static const QRegularExpression kCode(QStringLiteral("^([1-9][0-9]{0,17})-([0-9a-f]{12,64})$"));
-            const auto found = kCode.match(QString::fromStdString(witness).trimmed().toLower());
+            const auto found = matchCode(witness);
             if (!found.hasMatch())
                 say('"' + witness + "\" is no audit code; a report shows one such as 412-9f3ac07be1d2");
             else
@@ -243,6 +249,11 @@ std::string hashOf(const AuditRow& row, const std::string& hashBefore)
     for (const std::string* part : {&row.atUtc, &row.actor, &row.action, &row.object, &row.detail})
         bytes.putText(*part);
     return digestOf(bytes.bytes());
+}
+
+bool isAuditCode(const std::string& typed)
+{
+    return matchCode(typed).hasMatch();
 }
 
 std::string AuditHead::code() const

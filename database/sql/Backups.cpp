@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
+#include <cstdio>
 #include <memory>
 #include <set>
 
@@ -19,6 +21,7 @@
 #include <unistd.h>
 
 #include "core/base/WholeFile.h"
+#include "database/Passwords.h"
 #include "database/sql/Audit.h"
 #include "database/sql/Dialect.h"
 #include "database/sql/Migrations.h"
@@ -58,8 +61,13 @@ bool makeFile(const QString& path, QFile::Permissions mode)
     return file.open(QIODevice::WriteOnly | QIODevice::NewOnly) && file.setPermissions(mode | kOwners);
 }
 
+bool hasLog(const QString& databaseFile)
+{
+    return QFileInfo(databaseFile + QStringLiteral("-wal")).size() > 0;
+}
+
 /// A connection of its own to a file that nobody changes: nothing is made beside it, so that it may lie on a medium
-/// that cannot be written.
+/// that cannot be written. Where a log lies beside it, as a program that was killed leaves it, that is read with it.
 class Reader
 {
 public:
@@ -67,7 +75,8 @@ public:
     {
         QSqlDatabase db = QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), m_name);
         QUrl url = QUrl::fromLocalFile(QFileInfo(file).absoluteFilePath());
-        url.setQuery(QStringLiteral("immutable=1"));
+        if (!hasLog(file))
+            url.setQuery(QStringLiteral("immutable=1"));
         db.setDatabaseName(url.toString(QUrl::FullyEncoded));
         db.setConnectOptions(QStringLiteral("QSQLITE_OPEN_READONLY;QSQLITE_OPEN_URI"));
         db.open();
@@ -161,36 +170,56 @@ void removeStale(const QString& folder, const QStringList& names)
     }
 }
 
-core::Result<QString> backUpAs(const QSqlDatabase& db, const QString& folder, const QString& name,
-                               const BackupProgress& progress)
+enum class Named { Done, Taken, Refused };
+
+/// Never over what is there: another program may have made its own in the same moment.
+Named giveName(const QString& part, const QString& file)
+{
+    if (renameat2(AT_FDCWD, QFile::encodeName(part).constData(), AT_FDCWD, QFile::encodeName(file).constData(),
+                  RENAME_NOREPLACE) == 0)
+        return Named::Done;
+    if (errno == EEXIST)
+        return Named::Taken;
+    // Not every file system can do that; Qt's way replaces nothing, either.
+    if (QFile::rename(part, file))
+        return Named::Done;
+    return QFileInfo::exists(file) ? Named::Taken : Named::Refused;
+}
+
+/// Named by the moment, or the first one behind it that is not taken: by another school, or another program.
+core::Result<QString> backUpAs(const QSqlDatabase& db, const QString& folder, const QString& kind,
+                               const QDateTime& nowUtc, const BackupProgress& progress)
 {
     if (auto sound = expectOk(db, "PRAGMA quick_check(1)"); !sound)
         return tl::unexpected(sound.error());
     if (!QDir().mkpath(folder))
         return tl::unexpected(refused(folder, "the folder cannot be created; check who may write there"));
-    const QString file = QDir(folder).filePath(name);
-    const QString part = file + ".part";
+    const auto nameOf = [&](const QDateTime& at) {
+        return QDir(folder).filePath(kind + '-' + at.toString(kStamp) + kSuffix);
+    };
     removeStale(folder, {"*.sqlite.part*"});
-    const auto removePart = [&part] {
+    // Another program may be making one in the same second.
+    const QString part = nameOf(nowUtc) + ".part-" + QString::fromStdString(newUid());
+    const auto removePart = qScopeGuard([&part] {
         for (const char* end : {"", "-wal", "-shm", "-journal"})
             QFile::remove(part + QLatin1String(end));
-    };
-    removePart();
-    auto made = copyPages(db, part, progress);
-    if (made)
-        made = verifyBackup(part);
-    if (made && !sync(part))
-        made = tl::unexpected(refused(file, "it could not be brought to the disk; make room there and try again"));
-    if (made) {
-        QFile::remove(file);
-        if (!QFile::rename(part, file) || !sync(folder))
-            made = tl::unexpected(refused(file, "it could not be given its name; check who may write there"));
-    }
-    if (!made) {
-        removePart();
+    });
+    if (auto made = copyPages(db, part, progress); !made)
         return tl::unexpected(made.error());
+    if (auto whole = verifyBackup(part); !whole)
+        return tl::unexpected(whole.error());
+    if (!sync(part))
+        return tl::unexpected(
+            refused(nameOf(nowUtc), "it could not be brought to the disk; make room there and try again"));
+    QDateTime at = nowUtc;
+    Named named = giveName(part, nameOf(at));
+    while (named == Named::Taken) {
+        at = at.addSecs(1);
+        named = giveName(part, nameOf(at));
     }
-    return file;
+    if (named == Named::Refused || !sync(folder))
+        return tl::unexpected(refused(nameOf(at), "it could not be given its name; check who may write there"));
+    return nameOf(at);
 }
 
 /// Whether another program has a database open. While one does, it holds a lock on a byte of the -shm file (the "dead
@@ -221,6 +250,46 @@ bool isOpenElsewhere(const QString& databaseFile)
     });
 }
 
+/// Of a database as a program that was killed leaves it: brings what stands in its log into the file, so that one file
+/// is all there is to move. A damaged one stays as it is.
+void settle(const QString& databaseFile)
+{
+    const auto exists = [&](const char* end) { return QFileInfo::exists(databaseFile + QLatin1String(end)); };
+    if (!exists("") || (!hasLog(databaseFile) && !exists("-journal")))
+        return;
+    sqlite3* opened = nullptr;
+    const int begun = sqlite3_open_v2(databaseFile.toUtf8().constData(), &opened, SQLITE_OPEN_READWRITE, nullptr);
+    const std::unique_ptr<sqlite3, int (*)(sqlite3*)> db(opened, sqlite3_close);
+    sqlite3_db_config(db.get(), SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr);
+    bool isSound = false;
+    const auto take = [](void* sound, int, char** values, char**) {
+        *static_cast<bool*>(sound) = qstrcmp(values[0], "ok") == 0;
+        return 0;
+    };
+    // To read it undoes what a -journal says; to close it brings the log into it.
+    if (begun == SQLITE_OK)
+        sqlite3_exec(db.get(), "PRAGMA quick_check(1)", take, &isSound, nullptr);
+    if (isSound)
+        sqlite3_db_config(db.get(), SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 0, nullptr);
+}
+
+/// Moves a database, or what is left of one, away. The file itself goes last: what lies beside it is never alone there,
+/// where SQLite would delete it. False: it lies where it was.
+bool moveAway(const QString& databaseFile, const QString& aside)
+{
+    QStringList moved;
+    for (const char* end : {"-journal", "-wal", "-shm", ""}) {
+        const QString from = databaseFile + QLatin1String(end);
+        if (QFile::exists(from) && !QFile::rename(from, aside + QLatin1String(end))) {
+            for (const QString& one : std::as_const(moved))
+                QFile::rename(aside + one, databaseFile + one);
+            return false;
+        }
+        moved += QLatin1String(end);
+    }
+    return true;
+}
+
 /// A day is the clock's to be wrong by.
 bool isOfTheFuture(const QString& backup, const QDateTime& nowUtc)
 {
@@ -243,8 +312,9 @@ QString newestSound(const QString& databaseFile, const QDateTime& nowUtc)
     QStringList files = backupsIn(backupFolder(databaseFile));
     std::stable_partition(files.begin(), files.end(),
                           [&nowUtc](const QString& file) { return !isOfTheFuture(file, nowUtc); });
-    const auto sound =
-        std::find_if(files.begin(), files.end(), [](const QString& file) { return verifyBackup(file).has_value(); });
+    const auto sound = std::find_if(files.begin(), files.end(), [](const QString& file) {
+        return !holdsNobody(file) && verifyBackup(file).has_value();
+    });
     return sound != files.end() ? *sound : QString();
 }
 
@@ -262,6 +332,27 @@ std::string schoolOf(const QString& file)
         return {};
     const Reader reader(file);
     return schoolOf(reader.handle()).value_or(std::string());
+}
+
+bool holdsNobody(const QString& file)
+{
+    const Reader reader(file);
+    const auto somebody = ask(reader.handle(), "SELECT EXISTS (SELECT 1 FROM people)", "see whether it is empty");
+    return somebody && somebody->toInt() == 0;
+}
+
+QStringList heldBy(const QString& backup, const QStringList& uids)
+{
+    const Reader reader(backup);
+    QStringList held;
+    for (const QString& uid : uids)
+        if (const auto row =
+                ask(reader.handle(),
+                    "SELECT 1 FROM attempts WHERE uid = ? UNION ALL SELECT 1 FROM exam_starts WHERE uid = ?",
+                    "look for it", {uid, uid});
+            row && !row->isNull())
+            held += uid;
+    return held;
 }
 
 QStringList backupsOf(const QSqlDatabase& db, const QString& folder)
@@ -283,19 +374,13 @@ QString backupFolder(const QString& databaseFile)
 core::Result<QString> backUp(const QSqlDatabase& db, const QString& folder, const QDateTime& nowUtc,
                              const BackupProgress& progress)
 {
-    // Another school's, or another program's, of the same second stays.
-    QString name;
-    for (QDateTime at = nowUtc; name.isEmpty() || QFileInfo::exists(QDir(folder).filePath(name)); at = at.addSecs(1))
-        name = "backup-" + at.toString(kStamp) + kSuffix;
-    return backUpAs(db, folder, name, progress);
+    return backUpAs(db, folder, QStringLiteral("backup"), nowUtc, progress);
 }
 
 core::Result<QString> saveBeforeMigration(const QSqlDatabase& db, int version)
 {
-    const QString name =
-        QStringLiteral("before-schema-%1-%2%3")
-            .arg(QString::number(version + 1), QDateTime::currentDateTimeUtc().toString(kStamp), kSuffix);
-    return backUpAs(db, backupFolder(db.databaseName()), name, {});
+    return backUpAs(db, backupFolder(db.databaseName()), QStringLiteral("before-schema-%1").arg(version + 1),
+                    QDateTime::currentDateTimeUtc(), {});
 }
 
 core::Status verifyBackup(const QString& file)
@@ -373,13 +458,13 @@ QStringList tooMany(const QStringList& files, const QDateTime& nowUtc)
 
 core::Result<QString> restoreBackup(const QString& backup, const QString& databaseFile, const QDateTime& nowUtc)
 {
-    if (auto sound = verifyBackup(backup); !sound)
-        return tl::unexpected(sound.error());
-    if (QFileInfo(backup + QStringLiteral("-wal")).size() > 0)
+    if (hasLog(backup))
         return core::unexpected(ErrorCode::WrongKind,
                                 "backup " + backup.toStdString() +
                                     ": this is a database in use, not a backup, and a part of it lies in the file -wal "
                                     "beside it; open it with Cusp, or make a backup of it with \"cusp db backup\"");
+    if (auto sound = verifyBackup(backup); !sound)
+        return tl::unexpected(sound.error());
     if (isOpenElsewhere(databaseFile))
         return core::unexpected(ErrorCode::Busy, "database " + databaseFile.toStdString() +
                                                      ": another program has it open; close every Cusp that uses it");
@@ -397,25 +482,19 @@ core::Result<QString> restoreBackup(const QString& backup, const QString& databa
         return tl::unexpected(refused(
             databaseFile, "it could not be copied there; make room on the disk, and check who may write there"));
     }
-    QString replaced;
-    if (target.exists()) {
-        const QString stem = QStringLiteral("replaced-%1-").arg(nowUtc.toString(kStamp)) + target.fileName();
-        replaced = target.absoluteDir().filePath(stem);
-        for (const char* end : {"", "-wal", "-shm", "-journal"})
-            if (QFile::exists(databaseFile + QLatin1String(end)) &&
-                !QFile::rename(databaseFile + QLatin1String(end), replaced + QLatin1String(end))) {
-                QFile::remove(part);
-                return tl::unexpected(
-                    refused(databaseFile, "what lies there could not be moved away; close every Cusp that uses it"));
-            }
-    } else {
-        for (const char* end : {"-wal", "-shm", "-journal"})
-            QFile::remove(databaseFile + QLatin1String(end));
+    settle(databaseFile);
+    const bool wasThere = target.exists();
+    const QString replaced =
+        target.absoluteDir().filePath(QStringLiteral("replaced-%1-").arg(nowUtc.toString(kStamp)) + target.fileName());
+    if (!moveAway(databaseFile, replaced)) {
+        QFile::remove(part);
+        return tl::unexpected(
+            refused(databaseFile, "what lies there could not be moved away; close every Cusp that uses it"));
     }
     if (!QFile::rename(part, databaseFile) || !sync(target.absolutePath()))
         return tl::unexpected(
             refused(databaseFile, "it could not be put in its place; it lies there as " + part.toStdString()));
-    return replaced;
+    return wasThere ? replaced : QString();
 }
 
 core::Status noteBackup(const School& school, const Session& session, const QString& backup)

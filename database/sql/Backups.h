@@ -40,8 +40,16 @@ using BackupProgress = std::function<bool(int done, int all)>;
 /// What names a school: the hash of the first row of its audit, the same in all its copies and in no other school.
 /// Empty: nobody has been entered yet.
 [[nodiscard]] core::Result<std::string> schoolOf(const QSqlDatabase& db);
-/// Of a file that nobody writes; empty also where it cannot be read.
+/// Of a file that nobody writes, with its log if a program that was killed has left one; empty also where it cannot be
+/// read.
 [[nodiscard]] std::string schoolOf(const QString& file);
+
+/// Whether a backup was made before anybody was entered: to restore it is to have an empty school. False also where it
+/// cannot be read, or is from before there were people.
+[[nodiscard]] bool holdsNobody(const QString& file);
+
+/// Of attempts and exams, by uid, those that a backup has; none where it cannot be read or an older program made it.
+[[nodiscard]] QStringList heldBy(const QString& backup, const QStringList& uids);
 
 /// Those of the backups in a folder that are of this school: several may back up into one.
 [[nodiscard]] QStringList backupsOf(const QSqlDatabase& db, const QString& folder);
@@ -51,17 +59,18 @@ using BackupProgress = std::function<bool(int done, int all)>;
 /// alone.
 [[nodiscard]] QStringList tooMany(const QStringList& files, const QDateTime& nowUtc);
 
-/// The newest backup of a database's own folder that verifyBackup() finds whole, one from the future last; empty: there
-/// is none.
+/// The newest backup of a database's own folder that verifyBackup() finds whole and that somebody is in, one from the
+/// future last; empty: there is none.
 [[nodiscard]] QString newestSound(const QString& databaseFile, const QDateTime& nowUtc);
 
 /// When a backup was made, UTC, out of its name; invalid for other files.
 [[nodiscard]] QDateTime madeAt(const QString& backup);
 
 /// Puts a backup in the place of the database. Busy: another program has that open; this one has closed it. The backup
-/// is checked first; what lies there is moved to "replaced-...", with its -wal and -shm, which would otherwise be read
-/// into the restored file. Who may read and write it stays as it was. Returns where the old file lies now, empty if
-/// there was none.
+/// is checked first; what lies there is moved to "replaced-...". What stands in its -wal is brought into it before;
+/// where it is damaged that goes with it as it is, and first: whenever this is stopped, nothing is lost, and nothing of
+/// it is read into the restored file. Who may read and write it stays as it was. Returns where the old file lies now,
+/// empty if there was none.
 [[nodiscard]] core::Result<QString> restoreBackup(const QString& backup, const QString& databaseFile,
                                                   const QDateTime& nowUtc);
 

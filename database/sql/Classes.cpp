@@ -55,6 +55,9 @@ core::Result<std::string> checkClassName(const std::string& name)
     if (trimmed.isEmpty() || trimmed.size() > kLongestName || !canBeSeen(trimmed.toStdString()))
         return core::unexpected(ErrorCode::OutOfRange,
                                 "the name of a class has 1 to 100 characters that can be seen; correct it");
+    if (trimmed.contains(u'|'))
+        return core::unexpected(ErrorCode::OutOfRange,
+                                "the name of a class has no |, which parts classes in a class list; use another sign");
     return trimmed.toStdString();
 }
 

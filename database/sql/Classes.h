@@ -12,7 +12,8 @@ namespace database::sql {
 
 class AuditBatch;
 
-/// The name of a class as it is kept: OutOfRange when it is empty, longer than 100 characters, or cannot be seen.
+/// The name of a class as it is kept: OutOfRange when it is empty, longer than 100 characters, cannot be seen,
+/// or has a "|", which parts classes in a class list.
 [[nodiscard]] core::Result<std::string> checkClassName(const std::string& name);
 /// Those within the session's reach, by name.
 [[nodiscard]] core::Result<std::vector<SchoolClass>> listClasses(const School& school, const Session& session);

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include <QString>
 
@@ -25,7 +27,6 @@ using Kind = RosterFault::Kind;
 
 const std::string kDoing = "import the class list";
 constexpr std::array<const char*, 5> kColumns{"username", "given_name", "family_name", "role", "class"};
-constexpr std::size_t kMostRows = 20'000;
 
 std::string trimmed(const std::string& text)
 {
@@ -43,25 +44,64 @@ struct Line
 /// Where each column stands in the file.
 using Places = std::map<std::string, std::size_t>;
 
-core::Result<Places> placesOf(const CsvRow& head)
+/// How many letters have to be put in, left out or changed to make one word of another.
+std::size_t distance(std::string_view a, std::string_view b)
+{
+    std::vector<std::size_t> row(b.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        std::size_t diagonal = std::exchange(row[0], i + 1);
+        for (std::size_t j = 0; j < b.size(); ++j) {
+            const std::size_t changed = diagonal + (a[i] == b[j] ? 0 : 1);
+            diagonal = std::exchange(row[j + 1], std::min({changed, row[j] + 1, row[j + 1] + 1}));
+        }
+    }
+    return row.back();
+}
+
+std::string nearestColumn(std::string_view name)
+{
+    return *std::min_element(kColumns.begin(), kColumns.end(),
+                             [name](const char* a, const char* b) { return distance(name, a) < distance(name, b); });
+}
+
+/// What is wrong with the first line is told all at once.
+Places placesOf(const CsvRow& head, std::vector<RosterFault>& faults)
 {
     Places places;
-    const auto wrong = [&head](const std::string& what) {
-        return core::unexpected(ErrorCode::BadStructure, "line " + std::to_string(head.line) + ": " + what);
-    };
     for (std::size_t at = 0; at < head.fields.size(); ++at) {
         const std::string name = QString::fromStdString(trimmed(head.fields[at])).toLower().toStdString();
         if (name.empty())
             continue;
         if (std::find(kColumns.begin(), kColumns.end(), name) == kColumns.end())
-            return wrong("there is a column \"" + name +
-                         "\"; the columns are username, given_name, family_name, role and class");
-        if (!places.emplace(name, at).second)
-            return wrong("the column \"" + name + "\" is there twice");
+            faults.push_back({head.line, name,
+                              "is no column of a class list, the nearest is \"" + nearestColumn(name) +
+                                  "\"; the columns are username, given_name, family_name, role and class",
+                              Kind::NoSuchColumn, nearestColumn(name)});
+        else if (!places.emplace(name, at).second)
+            faults.push_back({head.line, name, "is there twice", Kind::ColumnTwice, {}});
     }
     if (places.count("username") == 0)
-        return wrong("the column \"username\" is missing; the first line names the columns");
+        faults.push_back(
+            {head.line, "username", "is missing; the first line names the columns", Kind::ColumnMissing, {}});
     return places;
+}
+
+RosterFault faultOf(const CsvFault& fault)
+{
+    const std::string sign = std::to_string(fault.sign);
+    switch (fault.kind) {
+    case CsvFault::Kind::OpenQuote:
+        return {fault.line, "", "a quote begins at sign " + sign + " and is not closed", Kind::OpenQuote, sign};
+    case CsvFault::Kind::AfterQuote:
+        return {fault.line, "", "words stand behind a closing quote at sign " + sign + "; double quotes within a field",
+                Kind::AfterQuote, sign};
+    case CsvFault::Kind::NoUtf8:
+    case CsvFault::Kind::TooLarge:
+        break;
+    }
+    return {fault.line, "", "is no UTF-8 text from sign " + sign + " on; save it from the spreadsheet as \"CSV UTF-8\"",
+            Kind::NoUtf8, sign};
 }
 
 class RosterReader
@@ -281,20 +321,24 @@ core::Result<RosterOutcome> importRoster(const School& school, const Session& se
         if (auto who = admit(school, session, operation); !who)
             return tl::unexpected(who.error());
     const auto rows = readCsv(csv);
-    if (!rows)
-        return tl::unexpected(rows.error());
+    if (!rows && rows.error().kind == CsvFault::Kind::TooLarge)
+        return core::unexpected(ErrorCode::FileTooLarge, "the file is larger than 16 MiB; split it");
+    RosterOutcome outcome;
+    if (!rows) {
+        outcome.faults.push_back(faultOf(rows.error()));
+        return outcome;
+    }
     if (rows->empty())
         return core::unexpected(ErrorCode::FileEmpty, "the file is empty; its first line names the columns username, "
                                                       "given_name, family_name, role and class");
-    if (rows->size() > kMostRows)
+    if (rows->size() > kMostRosterLines)
         return core::unexpected(
             ErrorCode::FileTooLarge,
-            QStringLiteral("the file has more than %1 lines; split it").arg(kMostRows).toStdString());
-    const auto places = placesOf(rows->front());
-    if (!places)
-        return tl::unexpected(places.error());
-    RosterOutcome outcome;
-    RosterReader reader(*places, outcome.faults);
+            QStringLiteral("the file has more than %1 lines; split it").arg(kMostRosterLines).toStdString());
+    const Places places = placesOf(rows->front(), outcome.faults);
+    if (!outcome.faults.empty())
+        return outcome;
+    RosterReader reader(places, outcome.faults);
     std::vector<Line> lines;
     for (auto row = rows->begin() + 1; row != rows->end(); ++row)
         if (auto line = reader.read(*row))

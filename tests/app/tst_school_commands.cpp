@@ -244,6 +244,12 @@ void TestSchoolCommands::whatABackupMissesIsSentAgain()
     QVERIFY(outbox.arrived().isEmpty());
     QCOMPARE(onFile({"db", "check"}).exitCode, 0);
     QCOMPARE(onFile({"db", "drill"}).exitCode, 0);
+    // Whatever goes wrong behind it: they wait.
+    outbox.keepArrived(outbox.waiting().front());
+    put(at("station.key"), "noise");
+    QCOMPARE(onFile({"db", "restore", backup.json()["backup"].toString()}).exitCode, 1);
+    QCOMPARE(outbox.waiting().size(), 1);
+    QVERIFY(outbox.arrived().isEmpty());
 }
 
 void TestSchoolCommands::aBackupOfAnotherSchoolIsNotRestored()
