@@ -8,6 +8,7 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <QLocale>
 #include <QPointer>
 #include <QTimer>
 
@@ -16,7 +17,6 @@
 #include "app/SchoolSettings.h"
 #include "database/Outbox.h"
 #include "database/sql/Audit.h"
-#include "database/sql/Check.h"
 #include "database/sql/Classes.h"
 #include "database/sql/Logins.h"
 #include "database/sql/People.h"
@@ -79,18 +79,27 @@ QString why(const core::Error& error)
     }
 }
 
-/// What is wrong with a class list as a whole, %1; empty: it is not the file's fault.
-QString classListFault(core::ErrorCode code)
+/// Why a class cannot be called so.
+QString whyNoClass(const core::Error& error)
+{
+    return error.code == core::ErrorCode::OutOfRange
+               ? AdminDesk::tr(
+                     "No class can be called that. Its name has 1 to 100 characters that can be seen, without "
+                     "|, which parts classes in a class list, and no other class has it.")
+               : why(error);
+}
+
+/// What is wrong with a class list as a whole; empty: it is not the file's fault.
+QString classListFault(core::ErrorCode code, const QString& file)
 {
     switch (code) {
     case core::ErrorCode::FileEmpty:
         return AdminDesk::tr("%1 is empty. The first line of a class list names its columns: username, given_name, "
-                             "family_name, role, class.");
-    case core::ErrorCode::BadStructure:
-        return AdminDesk::tr("%1 is no class list. That is a CSV file, text in UTF-8, whose first line names its "
-                             "columns: username, given_name, family_name, role, class.");
+                             "family_name, role, class.")
+            .arg(file);
     case core::ErrorCode::FileTooLarge:
-        return AdminDesk::tr("%1 has too many lines. Split it, and enter the parts one after another.");
+        return AdminDesk::tr("%1 has more than %2 lines. Split it, and enter the parts one after another.")
+            .arg(file, QLocale().toString(static_cast<qulonglong>(database::sql::kMostRosterLines)));
     default:
         return {};
     }
@@ -249,7 +258,7 @@ void AdminDesk::connectPeople()
                         }
                         const Person& entered = newcomer->entered.person;
                         part.confirm(entered.id, tr("%1 was entered.").arg(name(entered)));
-                        part.showCode(name(entered), QString::fromStdString(newcomer->entered.code));
+                        part.showCode(entered.id, name(entered), QString::fromStdString(newcomer->entered.code));
                         if (!newcomer->put)
                             part.refuse(why(newcomer->put.error()));
                         tellPeople();
@@ -285,9 +294,9 @@ void AdminDesk::connectPeople()
             return;
         m_desk.ask(
             this, [who = m_who(), id](const School& school) { return database::sql::resetPassword(school, who, {id}); },
-            [this, said = name(*person), &part](const core::Result<std::string>& code) {
+            [this, id, said = name(*person), &part](const core::Result<std::string>& code) {
                 if (code)
-                    part.showCode(said, QString::fromStdString(*code));
+                    part.showCode({id}, said, QString::fromStdString(*code));
                 else
                     part.refuse(why(code.error()));
                 tellPeople();
@@ -295,7 +304,7 @@ void AdminDesk::connectPeople()
     });
     const auto done = [this, &part](const core::Result<bool>& changed) {
         if (!changed)
-            part.refuse(why(changed.error()));
+            part.refuse(whyNoClass(changed.error()));
         tellPeople();
     };
     connect(&part, &PeoplePart::classWanted, this, [this, done](const QString& className) {
@@ -354,11 +363,11 @@ void AdminDesk::import(bool isDryRun)
             ui::admin::RosterPart& part = m_window.adminPage().roster();
             if (outcome)
                 part.showOutcome(*outcome, m_rosterFile, !isDryRun);
-            else if (const QString fault = classListFault(outcome.error().code); !fault.isEmpty())
-                part.refuseFile(m_rosterFile, fault.arg(QFileInfo(m_rosterFile).fileName()),
-                                QString::fromStdString(outcome.error().detail));
+            else if (const QString fault = classListFault(outcome.error().code, QFileInfo(m_rosterFile).fileName());
+                     !fault.isEmpty())
+                part.refuseFile(m_rosterFile, fault, QString::fromStdString(outcome.error().detail));
             else
-                part.say(why(outcome.error()));
+                part.refuse(why(outcome.error()));
         });
 }
 
@@ -379,16 +388,60 @@ void AdminDesk::beside(const QString& what, Job job, Done done)
         done);
 }
 
+void AdminDesk::tellFailed(const core::Error& error)
+{
+    m_window.adminPage().backups().finish(
+        *m_isStopped ? tr("It was stopped.") : tr("It did not work: %1").arg(QString::fromStdString(error.detail)));
+}
+
+void AdminDesk::check(const QString& code)
+{
+    const std::vector<std::string> witnesses =
+        code.isEmpty() ? std::vector<std::string>() : std::vector{code.toStdString()};
+    beside(
+        tr("Everything is looked at …"),
+        [isServer = m_place.address.isServer(), witnesses](const School& school, Work& work) {
+            return database::sql::checkDatabase(
+                school.db, witnesses, [&work](const char*, std::int64_t rows) { return work.tell(rows, 0); },
+                isServer ? std::string() : school.key.publicHex());
+        },
+        [this, code](const core::Result<database::sql::CheckReport>& report) {
+            if (report)
+                tellChecked(*report, code);
+            else
+                tellFailed(report.error());
+        });
+}
+
+void AdminDesk::tellChecked(const database::sql::CheckReport& report, const QString& code)
+{
+    ui::admin::BackupPart& part = m_window.adminPage().backups();
+    if (report.isStopped) {
+        part.finish(tr("It was stopped."));
+        return;
+    }
+    QStringList findings;
+    for (const std::string& one : report.findings)
+        findings << QString::fromStdString(one);
+    if (!findings.isEmpty()) {
+        part.finish(tr("%n thing(s) are not as they should be.", nullptr, static_cast<int>(findings.size())), findings);
+        return;
+    }
+    const QString sound = tr("Nothing is wrong: %1 attempts and %2 rows of the audit are as they were noted.")
+                              .arg(QLocale().toString(static_cast<qlonglong>(report.attempts)),
+                                   QLocale().toString(static_cast<qlonglong>(report.auditRows)));
+    part.finish(code.isEmpty()
+                    ? sound
+                    : sound + u' ' +
+                          tr("The audit is still the one that the report with the code %1 names.").arg(code));
+}
+
 void AdminDesk::connectBackups()
 {
     using ui::admin::BackupPart;
     BackupPart& part = m_window.adminPage().backups();
-    const auto failed = [this, &part](const core::Error& error) {
-        part.finish(*m_isStopped ? tr("It was stopped.")
-                                 : tr("It did not work: %1").arg(QString::fromStdString(error.detail)));
-    };
     connect(&part, &BackupPart::stopWanted, this, [this] { *m_isStopped = true; });
-    connect(&part, &BackupPart::backUpWanted, this, [this, failed, &part] {
+    connect(&part, &BackupPart::backUpWanted, this, [this, &part] {
         beside(
             tr("The data are being backed up …"),
             [place = m_place, who = m_who()](const School& school, Work& work) -> core::Result<QString> {
@@ -399,51 +452,32 @@ void AdminDesk::connectBackups()
                         return tl::unexpected(noted.error());
                 return made;
             },
-            [this, failed, &part](const core::Result<QString>& made) {
+            [this, &part](const core::Result<QString>& made) {
                 if (!made)
-                    return failed(made.error());
+                    return tellFailed(made.error());
                 tellBackups();
                 part.finish(tr("Backed up and checked: %1.").arg(QDir::toNativeSeparators(*made)));
             });
     });
-    connect(&part, &BackupPart::drillWanted, this, [this, failed, &part] {
+    connect(&part, &BackupPart::drillWanted, this, [this, &part] {
         beside(
             tr("A backup is made and restored …"),
             [](const School& school, Work& work) {
                 return database::sql::restoreDrill(school.db,
                                                    [&work](int done, int all) { return work.tell(done, all); });
             },
-            [failed, &part](const core::Result<qint64>& rows) {
+            [this, &part](const core::Result<qint64>& rows) {
                 if (!rows)
-                    return failed(rows.error());
+                    return tellFailed(rows.error());
                 part.finish(tr("It works: a backup was made, restored beside the database and compared, %1 rows.")
                                 .arg(QLocale().toString(*rows)));
             });
     });
-    connect(&part, &BackupPart::checkWanted, this, [this, failed, &part] {
-        beside(
-            tr("Everything is looked at …"),
-            [isServer = m_place.address.isServer()](const School& school, Work& work) {
-                return database::sql::checkDatabase(
-                    school.db, {}, [&work](const char*, std::int64_t rows) { return work.tell(rows, 0); },
-                    isServer ? std::string() : school.key.publicHex());
-            },
-            [failed, &part](const core::Result<database::sql::CheckReport>& report) {
-                if (!report)
-                    return failed(report.error());
-                if (report->isStopped)
-                    return part.finish(tr("It was stopped."));
-                QStringList findings;
-                for (const std::string& one : report->findings)
-                    findings << QString::fromStdString(one);
-                part.finish(
-                    findings.isEmpty()
-                        ? tr("Nothing is wrong: %1 attempts and %2 rows of the audit are as they were noted.")
-                              .arg(QLocale().toString(static_cast<qlonglong>(report->attempts)),
-                                   QLocale().toString(static_cast<qlonglong>(report->auditRows)))
-                        : tr("%n thing(s) are not as they should be.", nullptr, static_cast<int>(findings.size())),
-                    findings);
-            });
+    connect(&part, &BackupPart::checkWanted, this, [this](const QString& code) {
+        if (code.isEmpty() || database::sql::isAuditCode(code.toStdString()))
+            check(code);
+        else
+            m_window.adminPage().backups().refuseCode();
     });
     connect(&part, &BackupPart::restoreWanted, this, [this, &part](const QString& backup) {
         part.showProgress(tr("The backup is looked at …"), 0, 0);
@@ -464,11 +498,18 @@ void AdminDesk::tellBackups()
     ui::admin::BackupPart& part = m_window.adminPage().backups();
     const database::Address& address = m_place.address;
     part.setDatabase(address.isServer() ? address.shown() : QDir::toNativeSeparators(address.file), address.isServer());
-    QList<ui::admin::Backup> backups;
-    if (!address.isServer())
-        for (const QString& file : database::sql::backupsIn(database::sql::backupFolder(address.file)))
-            backups << ui::admin::Backup{file, database::sql::madeAt(file), QFileInfo(file).size()};
-    part.setBackups(backups);
+    if (address.isServer())
+        return;
+    inBackground(
+        this,
+        [folder = database::sql::backupFolder(address.file)] {
+            QList<ui::admin::Backup> backups;
+            for (const QString& file : database::sql::backupsIn(folder))
+                if (!database::sql::holdsNobody(file))
+                    backups << ui::admin::Backup{file, database::sql::madeAt(file), QFileInfo(file).size()};
+            return backups;
+        },
+        [&part](const QList<ui::admin::Backup>& backups) { part.setBackups(backups); });
 }
 
 void AdminDesk::tellAudit(qint64 beforeSeq)

@@ -11,6 +11,7 @@
 
 #include "app/SchoolDesk.h"
 #include "database/people.h"
+#include "database/sql/Check.h"
 #include "ui/shell/MainWindow.h"
 
 namespace app {
@@ -49,6 +50,10 @@ private:
     void import(bool isDryRun);
     void connectBackups();
     void tellBackups();
+    void tellFailed(const core::Error& error);
+    /// @param code  of a report; empty: there is none
+    void check(const QString& code);
+    void tellChecked(const database::sql::CheckReport& report, const QString& code);
     void tellAudit(qint64 beforeSeq);
     void tellStation();
     /// @param work  takes School and Work, answers core::Result

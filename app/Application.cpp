@@ -90,27 +90,42 @@ std::function<QStringList()> notesOf(const core::teeth::ToothReport& report)
     return [report] { return ui::text::scanNotes(report); };
 }
 
-/// An attempt that was graded and not gone on with is done: taken up again it would count twice. An exam ends with its
-/// score, however the program ended.
+bool isGradedNote(const core::session::ServoEvent& event)
+{
+    return event.kind == core::session::ServoEvent::Kind::Note && event.value == core::session::kGradedNote;
+}
+
+/// Whether anything was cut after the last grade. It takes as long as a replay.
+bool isCutOn(const core::recording::Recording& recording)
+{
+    auto servo = core::recording::Replayer::make(recording);
+    bool isCut = !servo;  // nobody knows
+    if (servo)
+        recording.forEach([&](const core::session::ServoEvent& event) {
+            const bool cuts = servo->play(event) && !servo->changed().isEmpty();
+            isCut = !isGradedNote(event) && (isCut || cuts);
+        });
+    return isCut;
+}
+
+/// An attempt that was graded and not gone on with is done: taken up again it would count twice. That a bur turned
+/// while the work was looked at is not to go on. An exam ends with its score, however the program ended.
 bool isDone(const core::recording::Recording& recording)
 {
     using Kind = core::session::ServoEvent::Kind;
     bool isGraded = false;
     bool drillOn = false;
-    bool isGoneOnWith = false;
+    bool mayBeCut = false;
     recording.forEach([&](const core::session::ServoEvent& event) {
-        if (event.kind == Kind::Note && event.value == core::session::kGradedNote) {
-            isGraded = true;
-            isGoneOnWith = false;
-        }
+        isGraded = isGraded || isGradedNote(event);
         if (event.kind == Kind::Drill || event.kind == Kind::Resume)
             drillOn = event.kind == Kind::Drill && event.value != 0;
-        isGoneOnWith = isGoneOnWith || (event.kind == Kind::Tick && drillOn);
+        mayBeCut = !isGradedNote(event) && (mayBeCut || (event.kind == Kind::Tick && drillOn));
     });
-    if (!isGraded || !isGoneOnWith)
+    if (!isGraded || !mayBeCut)
         return isGraded;
     const auto read = lessons::readLessonText(QByteArray::fromStdString(recording.lesson()), QStringLiteral("lesson"));
-    return read.lesson && read.lesson->exam;
+    return (read.lesson && read.lesson->exam) || !isCutOn(recording);
 }
 
 using Wishes = core::rt::TripleBuffer<core::session::PointerInput>;
@@ -182,7 +197,10 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ses
     connect(m_window.get(), &MainWindow::takeBackWanted, this, &Application::takeBack);
     connect(m_window.get(), &MainWindow::attemptAgainWanted, this, [this] {
         ++m_loading;
-        const auto again = [this] { begin(lessons::Assignment(m_assignment), {}, false); };
+        const auto again = [this] {
+            begin(lessons::Assignment(m_assignment), {}, false);
+            m_window->showBegunAnew();
+        };
         if (m_assignment.lesson)
             whereAllowed(m_assignment.lesson->id, again);
         else
@@ -313,7 +331,7 @@ void Application::openDatabase()
             [this](int minutes) { m_window->setIdleLimit(std::chrono::minutes(minutes)); });
     m_people = std::make_unique<PeopleDesk>(*m_window, *m_desk, [this] { return m_who; });
     connect(m_people.get(), &PeopleDesk::replayWanted, this,
-            [this](const core::recording::Recording& recording) { play(recording); });
+            [this](const core::recording::Recording& recording, const QString& whose) { play(recording, {}, whose); });
     connect(m_people.get(), &PeopleDesk::scoreWanted, this, &Application::showAttempt);
     const auto open = [this] {
         m_desk->open(this, [this](const SchoolDesk::Opening& opening) { takeOpening(opening); });
@@ -345,8 +363,8 @@ void Application::takeOpening(const SchoolDesk::Opening& opening)
     m_presets.setSchool(m_desk.get());
     m_window->setUnreachable({}, m_where, backupMade);
     m_isOnNetworkDrive = !opening.notice.empty();
-    backUpToday();
     const bool wasNew = std::exchange(m_isNewSchool, opening.isNew);
+    backUpToday();
     tellMayEdit();
     if (m_window->isAtDoor() && wasNew != opening.isNew)
         m_window->askWho(opening.isNew ? ui::people::Door::NewSchool : ui::people::Door::Login);
@@ -360,9 +378,12 @@ void Application::restore()
         if (!opening.status)
             m_window->sayAtDoor(tr("The backup was not restored; nothing has been changed. %1")
                                     .arg(ui::text::errorText(opening.status.error(), Failed::ReadingSchool)));
+        else if (const QString when = QLocale().toString(made, QLocale::ShortFormat); opening.replaced.isEmpty())
+            m_window->sayAtDoor(tr("The backup of %1 is in place.").arg(when));
         else
-            m_window->sayAtDoor(tr("The backup of %1 is in place. The file that was there is kept beside it.")
-                                    .arg(QLocale().toString(made, QLocale::ShortFormat)));
+            //: %2: a file's name
+            m_window->sayAtDoor(tr("The backup of %1 is in place. The file that was there is kept beside it as %2.")
+                                    .arg(when, QFileInfo(opening.replaced).fileName()));
     });
 }
 
@@ -750,9 +771,7 @@ void Application::whereAllowed(const std::string& lessonId, const std::function<
             return;
         }
         m_window->stopBusy();
-        m_window->showMessage(
-            tr("You have used up the attempts at this lesson that were given to you. Ask your teacher "
-               "for more, or choose another lesson."));
+        m_window->showMessage(ui::study::usedUpWords());
     };
     m_desk->ask(
         this,
@@ -1173,26 +1192,32 @@ void Application::tellHistory()
     struct Found
     {
         std::vector<database::AttemptRecord> history;
-        std::vector<int> best;
+        lessons::ClassStanding standing;
+        std::optional<int> attemptsLeft;
     };
     m_desk->ask(
         this,
-        [who = m_who, record = m_graded->record](const School& school) -> core::Result<Found> {
+        [who = m_who, record = m_graded->record,
+         tenths = m_graded->sheet.totalTenths](const School& school) -> core::Result<Found> {
             Found found;
             auto history =
                 database::sql::history(school, who, who.person(),
                                        {record.lessonId, record.lessonId.empty() ? record.tooth : "", kHistoryLength});
-            auto best = database::sql::bestOfClassmates(school, who, record.lessonId, record.rubricHash);
-            if (!history || !best)
-                return tl::unexpected(history ? best.error() : history.error());
-            return Found{std::move(*history), std::move(*best)};
+            const auto standing =
+                database::sql::standingAmongClassmates(school, who, record.lessonId, record.rubricHash, tenths);
+            if (!history || !standing)
+                return tl::unexpected(history ? standing.error() : history.error());
+            auto left = database::sql::attemptsLeft(school, who, record.lessonId);
+            return Found{std::move(*history), *standing, left.value_or(std::nullopt)};
         },
         [this, uid = m_graded->record.uid](const core::Result<Found>& found) {
             if (!m_graded || m_graded->record.uid != uid)
                 return;
             if (found) {
                 m_graded->history = QList<database::AttemptRecord>(found->history.begin(), found->history.end());
-                m_graded->standing = lessons::classStanding(m_graded->sheet.totalTenths, found->best);
+                m_graded->standing = found->standing;
+                if (m_graded->generation == m_ownGeneration)
+                    m_window->setUsedUp(m_who.role() == database::Role::Student && found->attemptsLeft == 0);
             } else {
                 m_window->showError(found.error(), Failed::KeepingGrades);
             }
@@ -1487,8 +1512,21 @@ void Application::resumeUnfinished()
             tr("This attempt was made with another device, so it cannot be gone on with. It is kept."));
         return;
     }
+    const lessons::ReadLesson read =
+        lessons::readLessonText(QByteArray::fromStdString(m_unfinished->recording.lesson()), QStringLiteral("lesson"));
     const int load = ++m_loading;
     m_window->showBusy(tr("Taking up the attempt …"));
+    // That an exam was begun has been counted: to end it takes no other attempt.
+    if (read.lesson && !read.lesson->exam)
+        whereAllowed(read.lesson->id, [this, load] { rebuildUnfinished(load); });
+    else
+        rebuildUnfinished(load);
+}
+
+void Application::rebuildUnfinished(int load)
+{
+    if (!m_unfinished)
+        return;
     inBackground(
         this, [recording = m_unfinished->recording] { return core::session::rebuild(recording); },
         [this, load](core::Result<std::unique_ptr<core::session::Unfinished>>& attempt) {
@@ -1542,7 +1580,7 @@ void Application::discardUnfinished()
 }
 
 /// The student's own attempt stays in the two loops, which rest meanwhile.
-void Application::play(const core::recording::Recording& recording, std::optional<double> heldAtS)
+void Application::play(const core::recording::Recording& recording, std::optional<double> heldAtS, const QString& whose)
 {
     auto replay = ReplayDesk::make(recording, m_links, *m_window, m_generation + 1,
                                    m_options.simulatedDevice ? m_device.get() : nullptr);
@@ -1560,7 +1598,7 @@ void Application::play(const core::recording::Recording& recording, std::optiona
     m_replay = std::move(*replay);
     m_replayed = recording.anatomy();
     m_window->setReplaying(true, m_replay->attempt().lengthS(), m_replay->attempt().ideal(),
-                           m_replay->attempt().lesson());
+                           m_replay->attempt().lesson(), whose);
     m_window->setHandpieces(recording.settings().handpieces);
     m_window->showTooth(m_replayed, m_generation, {});
     if (!m_options.picture.isEmpty())
@@ -1584,7 +1622,7 @@ void Application::showMoment(double seconds)
 /// The attempt whose score card is open; the way back leads there.
 void Application::playOpened(std::optional<double> heldAtS)
 {
-    play(*m_opened, heldAtS);
+    play(*m_opened, heldAtS, m_people->whoseIsTalkedAbout());
     m_playsCard = m_replay != nullptr;
     m_people->followReplay(m_playsCard);
 }

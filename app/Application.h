@@ -134,10 +134,12 @@ private:
     void offerUnfinished();
     void tellUnfinished();
     void resumeUnfinished();
+    void rebuildUnfinished(int load);
     void takeUp(std::unique_ptr<core::session::Unfinished> attempt);
     void discardUnfinished();
     /// @param heldAtS  this moment is shown and held; nothing: it is played from its beginning
-    void play(const core::recording::Recording& recording, std::optional<double> heldAtS = {});
+    void play(const core::recording::Recording& recording, std::optional<double> heldAtS = {},
+              const QString& whose = {});
     void playOpened(std::optional<double> heldAtS);
     void putReplayAway();
     void stopReplay();

@@ -121,7 +121,10 @@ void CardDesk::withCard(const std::function<void(const ScoreCard&)>& use)
     card.person = about->person.isEmpty() ? tr("Not logged in") : about->person;
     card.proof = {{}, QStringLiteral(CUSP_VERSION), QDateTime::currentDateTime()};
     if (about->desk == nullptr) {
-        QTimer::singleShot(0, this, [card, use] { use(card); });
+        QTimer::singleShot(0, this, [&page, card, use] {
+            page.repaint();  // so that it is seen what goes on: making it takes a while
+            use(card);
+        });
         return;
     }
     about->desk->ask(
@@ -137,6 +140,7 @@ void CardDesk::withCard(const std::function<void(const ScoreCard&)>& use)
             card.history = QList<AttemptRecord>(known->history.begin(), known->history.end());
             card.band = known->band;
             card.proof.auditCode = QString::fromStdString(known->head.code());
+            page.repaint();
             use(card);
         });
 }

@@ -62,6 +62,12 @@ database::ClassOverview toldApart(database::ClassOverview overview)
     return overview;
 }
 
+/// Who made an attempt, and when.
+QString whose(const QString& person, const database::AttemptRecord& attempt)
+{
+    return QStringLiteral("%1, %2").arg(person, ui::people::when(attempt.finishedUtc));
+}
+
 /// What a class is to do, and how far it is.
 struct ClassNow
 {
@@ -99,7 +105,9 @@ PeopleDesk::PeopleDesk(MainWindow& window, SchoolDesk& desk, std::function<datab
     });
     connect(&history, &HistoryPage::lessonChosen, this, &PeopleDesk::tellClassAt);
     connect(&history, &HistoryPage::replayWanted, this, [this](qint64 id) {
-        fetch(id, [this](const auto&, const auto& recording) { emit replayWanted(recording); });
+        fetch(id, [this](const auto& attempt, const auto& recording) {
+            emit replayWanted(recording, whose(makerOf(attempt), attempt));
+        });
     });
     connect(&history, &HistoryPage::attemptOpenWanted, this, [this](qint64 id) {
         fetch(id, [this](const auto& attempt, const auto& recording) { emit scoreWanted(attempt, recording); });
@@ -232,12 +240,23 @@ void PeopleDesk::talkAbout(const std::optional<database::AttemptRecord>& attempt
     if (!attempt)
         return;
     page.talk().setScore(attempt->scoreTenths, attempt->passMarkTenths, attempt->passed);
-    m_talkedName = attempt->person == m_who().person() ? QString::fromStdString(m_who().fullName()) : m_personName;
+    m_talkedName = makerOf(*attempt);
     const bool teaches = m_who().role() == database::Role::Instructor && attempt->person != m_who().person();
     page.setMayTalk(teaches);
     page.talk().setTalk({});
     tellTalk();
     tellBefore();
+}
+
+/// Of the person whose attempts are shown, or one's own.
+QString PeopleDesk::makerOf(const database::AttemptRecord& attempt) const
+{
+    return attempt.person == m_who().person() ? QString::fromStdString(m_who().fullName()) : m_personName;
+}
+
+QString PeopleDesk::whoseIsTalkedAbout() const
+{
+    return m_talkedAbout ? whose(m_talkedName, *m_talkedAbout) : QString();
 }
 
 /// The attempts before it, of the same lesson or without one of the same tooth. Until they are known nothing is said of
@@ -320,6 +339,7 @@ void PeopleDesk::connectReport()
     });
     connect(&classes, &ClassPage::printWanted, this, [this, &classes] {
         withReport([this, &classes](const ui::report::ClassReport& report) {
+            classes.say({});
             ui::report::print(&m_window, report.className, report, [&classes](bool done) {
                 classes.say(done ? tr("The report was printed.") : tr("The printer did not take the report."));
             });
@@ -330,9 +350,11 @@ void PeopleDesk::connectReport()
 /// With the head of the audit as it is now, so that paper and database can be compared.
 void PeopleDesk::withReport(const std::function<void(const ui::report::ClassReport&)>& use)
 {
+    m_window.classPage().say(tr("The report is being written …"));
     askAs([](const School& school) { return database::sql::auditHead(school); },
           [this, use](const core::Result<database::sql::AuditHead>& head) {
               if (!head) {
+                  m_window.classPage().say({});
                   refuse(head.error());
                   return;
               }
@@ -352,6 +374,7 @@ void PeopleDesk::withReport(const std::function<void(const ui::report::ClassRepo
               }
               report.proof = {QString::fromStdString(head->code()), QStringLiteral(CUSP_VERSION),
                               QDateTime::currentDateTime()};
+              m_window.classPage().repaint();  // so that it is seen what goes on: writing takes a while
               use(report);
           });
 }

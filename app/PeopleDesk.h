@@ -35,12 +35,15 @@ public:
     /// With the name of who made it; nothing: none is open.
     [[nodiscard]] const std::optional<database::AttemptRecord>& talkedAbout() const { return m_talkedAbout; }
     [[nodiscard]] const QString& nameOfTalkedAbout() const { return m_talkedName; }
+    /// Who made it, and when; empty: none is open.
+    [[nodiscard]] QString whoseIsTalkedAbout() const;
     /// The attempt that is talked about is played now, so that comments can be pinned to its moments; or another one.
     void followReplay(bool follows) { m_follows = follows; }
 
 signals:
     /// This recording is to be played.
-    void replayWanted(const core::recording::Recording& recording);
+    /// @param whose  who made it, and when
+    void replayWanted(const core::recording::Recording& recording, const QString& whose);
     /// This attempt's score card is to be shown.
     void scoreWanted(const database::AttemptRecord& attempt, const core::recording::Recording& recording);
 
@@ -68,6 +71,7 @@ private:
                const std::function<void(const database::AttemptRecord&, const core::recording::Recording&)>& use);
     void refuse(const core::Error& error);
     void connectTalk();
+    [[nodiscard]] QString makerOf(const database::AttemptRecord& attempt) const;
     void tellTalk();
     void tellBefore();
     void noteSeen(const database::AttemptRecord& attempt);

@@ -156,6 +156,7 @@ void SchoolDesk::restore(QObject* owner, const QString& backup, const Opened& do
         database::Outbox::sendAgain(outboxFolder());
         const auto replaced = database::sql::restoreBackup(backup, m_address.file, QDateTime::currentDateTimeUtc());
         Opening opening = tryToOpen();
+        opening.replaced = replaced.value_or(QString());
         if (!replaced)
             opening.status = tl::unexpected(replaced.error());
         else if (opening.status)

@@ -2,13 +2,12 @@
 #include "database/Csv.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "core/base/Bytes.h"
 
 namespace database {
 namespace {
-
-using core::ErrorCode;
 
 constexpr std::size_t kLargestBytes = std::size_t{16} << 20U;
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
@@ -23,10 +22,36 @@ char separatorOf(std::string_view firstLine)
     return best;
 }
 
-core::Error fault(int line, std::size_t column, const std::string& what)
+/// Signs, not bytes: those that go on with a sign are not counted.
+std::size_t signsIn(std::string_view text)
 {
-    return {ErrorCode::BadStructure,
-            "line " + std::to_string(line) + ", column " + std::to_string(column) + ": " + what};
+    constexpr unsigned kMore = 0x80;
+    constexpr unsigned kMoreMask = 0xC0;
+    return static_cast<std::size_t>(std::count_if(
+        text.begin(), text.end(), [](char c) { return (static_cast<unsigned>(c) & kMoreMask) != kMore; }));
+}
+
+/// In bytes.
+constexpr std::size_t kLongestSign = 4;
+
+/// Where the first line that is no text stops being one.
+std::optional<CsvFault> noTextIn(std::string_view bytes)
+{
+    const auto isText = [](std::string_view part) {
+        return core::isUtf8(part) && part.find('\0') == std::string_view::npos;
+    };
+    for (int line = 1; !bytes.empty(); ++line) {
+        const std::string_view present = bytes.substr(0, bytes.find('\n'));
+        if (!isText(present)) {
+            std::size_t good = 0;
+            for (std::size_t end = 1; end <= present.size() && end - good <= kLongestSign; ++end)
+                if (isText(present.substr(good, end - good)))
+                    good = end;
+            return CsvFault{CsvFault::Kind::NoUtf8, line, signsIn(present.substr(0, good)) + 1};
+        }
+        bytes.remove_prefix(std::min(bytes.size(), present.size() + 1));
+    }
+    return {};
 }
 
 }  // namespace
@@ -47,15 +72,14 @@ std::string csvField(std::string_view text)
     return quoted + '"';
 }
 
-core::Result<std::vector<CsvRow>> readCsv(std::string_view bytes)
+tl::expected<std::vector<CsvRow>, CsvFault> readCsv(std::string_view bytes)
 {
     if (bytes.size() > kLargestBytes)
-        return core::unexpected(ErrorCode::FileTooLarge, "the file is larger than 16 MiB; split it");
+        return tl::unexpected(CsvFault{CsvFault::Kind::TooLarge});
     if (bytes.substr(0, kByteOrderMark.size()) == kByteOrderMark)
         bytes.remove_prefix(kByteOrderMark.size());
-    if (!core::isUtf8(bytes) || bytes.find('\0') != std::string_view::npos)
-        return core::unexpected(ErrorCode::BadStructure,
-                                "the file is not UTF-8 text; save it from the spreadsheet as \"CSV UTF-8\"");
+    if (const auto fault = noTextIn(bytes))
+        return tl::unexpected(*fault);
     // A spreadsheet's own first line, "sep=;", names the separator and nothing else.
     constexpr std::string_view kNamed = "sep=";
     const std::string_view first = bytes.substr(0, bytes.find_first_of("\r\n"));
@@ -105,8 +129,7 @@ core::Result<std::vector<CsvRow>> readCsv(std::string_view bytes)
         } else if (c == '\r' && (at + 1 == bytes.size() || bytes[at + 1] == '\n')) {
             // the end of a line, as Windows writes it
         } else if (in == In::AfterQuoted) {
-            return tl::unexpected(
-                fault(line, column, "words stand behind a closing quote; double quotes within a field"));
+            return tl::unexpected(CsvFault{CsvFault::Kind::AfterQuote, line, column});
         } else if (c == '"' && field.empty()) {
             in = In::Quoted;
             quoteLine = line;
@@ -120,7 +143,7 @@ core::Result<std::vector<CsvRow>> readCsv(std::string_view bytes)
         }
     }
     if (in == In::Quoted)
-        return tl::unexpected(fault(quoteLine, quoteColumn, "a quote begins here and is not closed"));
+        return tl::unexpected(CsvFault{CsvFault::Kind::OpenQuote, quoteLine, quoteColumn});
     if (!field.empty() || !row.fields.empty())
         endRow();
     return rows;

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/base/Result.h"
+#include <tl/expected.hpp>
 
 namespace database {
 
@@ -20,10 +20,23 @@ struct CsvRow
     std::vector<std::string> fields;
 };
 
+/// Why a file cannot be read as CSV, and where: from 1, the sign within its line.
+struct CsvFault
+{
+    enum class Kind {
+        TooLarge,   ///< over 16 MiB, wherever
+        NoUtf8,     ///< from here on
+        OpenQuote,  ///< begins here and is not closed
+        AfterQuote  ///< words stand behind a closing quote
+    };
+    Kind kind = Kind::NoUtf8;
+    int line = 1;
+    std::size_t sign = 1;
+};
+
 /// Reads CSV in UTF-8, with or without a byte order mark; the separator is whichever of comma, semicolon and tab the
 /// first line has most of, or the one that a line "sep=;" before it names. Empty lines, and those of separators only,
-/// are left out. BadStructure with line and column: not UTF-8, a quote that is not closed, words behind a closing
-/// quote. FileTooLarge: over 16 MiB.
-[[nodiscard]] core::Result<std::vector<CsvRow>> readCsv(std::string_view bytes);
+/// are left out.
+[[nodiscard]] tl::expected<std::vector<CsvRow>, CsvFault> readCsv(std::string_view bytes);
 
 }  // namespace database

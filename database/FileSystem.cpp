@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 
+#include <QDir>
 #include <QFile>
 #include <QFileInfo>
 
@@ -38,6 +39,12 @@ FileSystem fileSystemOf(const QString& path)
     static_cast<void>(path);
 #endif
     return FileSystem::Local;
+}
+
+void makeOwnFolder(const QString& path)
+{
+    QDir().mkpath(QFileInfo(path).absolutePath());
+    QDir().mkdir(path, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
 }
 
 }  // namespace database

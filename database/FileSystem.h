@@ -13,4 +13,8 @@ enum class FileSystem { Local, Network };
 /// Local.
 [[nodiscard]] FileSystem fileSystemOf(const QString& path);
 
+/// Makes a folder for its owner only, since names and marks will lie in it, and those above it as usual; one that is
+/// there stays as somebody has set it.
+void makeOwnFolder(const QString& path);
+
 }  // namespace database

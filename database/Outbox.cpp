@@ -12,6 +12,7 @@
 
 #include "core/base/Bytes.h"
 #include "core/base/WholeFile.h"
+#include "database/FileSystem.h"
 #include "database/Passwords.h"
 #include "database/Permissions.h"
 
@@ -95,7 +96,7 @@ QStringList lettersIn(const QString& folder)
 /// One of that name there is the same attempt, and is replaced.
 void move(const QString& file, const QString& folder)
 {
-    QDir().mkpath(folder);
+    makeOwnFolder(folder);
     const QString target = QDir(folder).filePath(QFileInfo(file).fileName());
     if (rename(QFile::encodeName(file).constData(), QFile::encodeName(target).constData()) == 0)
         core::bringToDisk(folder.toStdU16String());
@@ -139,11 +140,12 @@ core::Status Outbox::put(const Session& session, const ExamStart& start)
 core::Status Outbox::write(const QString& name, const std::string& content) const
 {
     const std::string signature = m_key.sign(digestOf(content));
-    QDir().mkpath(m_folder);
+    makeOwnFolder(m_folder);
     const QString path = QDir(m_folder).filePath(name);
     const QByteArray bytes = QByteArray::fromStdString(std::string(kMagic) + m_key.publicHex() + signature + content);
     QSaveFile file(path);  // synced before it gets its name
-    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit())
+    if (!file.open(QIODevice::WriteOnly) || !file.setPermissions(QFile::ReadOwner | QFile::WriteOwner) ||
+        file.write(bytes) != bytes.size() || !file.commit())
         return tl::unexpected(refused(ErrorCode::FileUnwritable, path,
                                       "it cannot be written (" + file.errorString().toStdString() +
                                           "); make room on the disk, and grade the work again"));

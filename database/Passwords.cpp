@@ -8,6 +8,7 @@
 #include <ctime>
 #include <utility>
 
+#include <QRegularExpression>
 #include <QSet>
 #include <QString>
 #include <QStringList>
@@ -161,7 +162,14 @@ core::Result<bool> fits(const std::string& password, const std::string& hash)
 
 bool wantsRehash(const std::string& hash, const PasswordCost& cost)
 {
-    return beginSodium() && crypto_pwhash_str_needs_rehash(hash.c_str(), cost.passes, cost.memoryBytes) != 0;
+    static const QRegularExpression kCost(QStringLiteral(R"(^\$argon2id\$v=\d+\$m=(\d+),t=(\d+),)"));
+    const auto found = kCost.match(QString::fromStdString(hash));
+    if (!found.hasMatch())
+        return true;
+    const qulonglong memoryKiB = found.captured(1).toULongLong();
+    const qulonglong passes = found.captured(2).toULongLong();
+    const qulonglong wantedKiB = cost.memoryBytes / 1024;
+    return passes <= cost.passes && memoryKiB <= wantedKiB && (passes < cost.passes || memoryKiB < wantedKiB);
 }
 
 std::string newCode()

@@ -33,7 +33,7 @@ inline constexpr int kLongestPassword = 256;  ///< bytes of UTF-8: hashing a nov
 [[nodiscard]] core::Result<std::string> hashPassword(const std::string& password, const PasswordCost& cost);
 /// FileTooLarge when there is no memory for it: then nobody knows whether it fits.
 [[nodiscard]] core::Result<bool> fits(const std::string& password, const std::string& hash);
-/// Made at another cost.
+/// Made at a lower cost, in passes or memory, and at a higher one in neither.
 [[nodiscard]] bool wantsRehash(const std::string& hash, const PasswordCost& cost);
 
 /// Twelve letters and digits that are not mistaken for each other, in groups of four: "K7QM-2XHP-9RTB".

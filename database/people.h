@@ -64,14 +64,20 @@ struct ClassAssignment
 struct RosterFault
 {
     enum class Kind {
-        Fields,     ///< more than the head names
-        Username,   ///< empty, too long, or with signs that it may not have
-        Twice,      ///< stood in another line already, which is the value
-        Name,       ///< of a person: too long, or with signs that cannot be seen
-        Role,       ///< none that there is
-        OtherRole,  ///< is something else here, which is the value
-        Class,      ///< a name that no class can have
-        Refused     ///< by the database
+        Fields,         ///< more than the head names
+        Username,       ///< empty, too long, or with signs that it may not have
+        Twice,          ///< stood in another line already, which is the value
+        Name,           ///< of a person: too long, or with signs that cannot be seen
+        Role,           ///< none that there is
+        OtherRole,      ///< is something else here, which is the value
+        Class,          ///< a name that no class can have
+        NoUtf8,         ///< the file, from this sign of the line on, which is the value
+        OpenQuote,      ///< begins at this sign of the line, which is the value, and is not closed
+        AfterQuote,     ///< words stand behind a closing quote, at this sign
+        NoSuchColumn,   ///< that a class list has; the value is the nearest one
+        ColumnTwice,    ///< is named by the head again
+        ColumnMissing,  ///< in the head
+        Refused         ///< by the database
     };
     int line = 0;        ///< of the file, from 1
     std::string column;  ///< its name; empty: the whole line

@@ -12,8 +12,7 @@ ClassStanding classStanding(int tenths, std::span<const int> bestOfEach)
     if (standing.people < kFewestPeople)
         return standing;
     const auto below = std::count_if(bestOfEach.begin(), bestOfEach.end(), [&](int best) { return best < tenths; });
-    const auto equal = std::count(bestOfEach.begin(), bestOfEach.end(), tenths);
-    standing.percentBelow = 100.0 * (static_cast<double>(below) + 0.5 * static_cast<double>(equal)) / standing.people;
+    standing.percentBelow = 100.0 * static_cast<double>(below) / standing.people;
     return standing;
 }
 

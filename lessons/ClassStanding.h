@@ -13,7 +13,7 @@ inline constexpr int kFewestPeople = 5;
 struct ClassStanding
 {
     int people = 0;
-    /// Of 100 people so many have less, counting half of those who have as much. Nothing for fewer than kFewestPeople.
+    /// Of 100 people so many have less; those who have as much do not count. Nothing for fewer than kFewestPeople.
     std::optional<double> percentBelow;
     bool operator==(const ClassStanding&) const = default;
 };

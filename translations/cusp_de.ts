@@ -186,6 +186,88 @@
         <source>The name of a class has 1 to 100 characters that can be seen.</source>
         <translation>Der Name einer Klasse hat 1 bis 100 sichtbare Zeichen.</translation>
     </message>
+    <message>
+        <source>when a place that was left is locked</source>
+        <translation>wann ein verlassener Platz gesperrt wird</translation>
+    </message>
+    <message>
+        <source>how long checking a password takes</source>
+        <translation>wie lange das Prüfen eines Passworts dauert</translation>
+    </message>
+    <message>
+        <source>how much memory checking a password takes</source>
+        <translation>wie viel Speicher das Prüfen eines Passworts braucht</translation>
+    </message>
+    <message>
+        <source>the preset that everybody uses</source>
+        <translation>die Voreinstellung, die für alle gilt</translation>
+    </message>
+    <message>
+        <source>attempt %1</source>
+        <translation>Versuch %1</translation>
+    </message>
+    <message>
+        <source>exam %1</source>
+        <translation>Prüfung %1</translation>
+    </message>
+    <message>
+        <source>class %1</source>
+        <translation>Klasse %1</translation>
+    </message>
+    <message>
+        <source>person %1</source>
+        <translation>Person %1</translation>
+    </message>
+    <message>
+        <source>setting %1</source>
+        <translation>Einstellung %1</translation>
+    </message>
+    <message>
+        <source>all attempts</source>
+        <translation>alle Versuche</translation>
+    </message>
+    <message>
+        <source>the school</source>
+        <translation>die Schule</translation>
+    </message>
+    <message>
+        <source>the audit</source>
+        <translation>das Protokoll</translation>
+    </message>
+    <message>
+        <source>preset %1, version %2</source>
+        <translation>Voreinstellung %1, Version %2</translation>
+    </message>
+    <message>
+        <source>backup of %1</source>
+        <extracomment>%1: a day and a time, or the name of a file</extracomment>
+        <translation>Sicherung vom %1</translation>
+    </message>
+    <message>
+        <source>From sign %1 of this line on the file is no UTF-8 text. Save it from the spreadsheet as “CSV UTF-8”.</source>
+        <translation>Ab Zeichen %1 dieser Zeile ist die Datei kein Text in UTF-8. Speichern Sie sie in der Tabellenkalkulation als „CSV UTF-8“.</translation>
+    </message>
+    <message>
+        <source>A quotation mark at sign %1 of this line is not closed.</source>
+        <translation>Ein Anführungszeichen an Zeichen %1 dieser Zeile ist nicht geschlossen.</translation>
+    </message>
+    <message>
+        <source>At sign %1 of this line words stand behind a closing quotation mark.</source>
+        <translation>An Zeichen %1 dieser Zeile stehen Wörter hinter einem schließenden Anführungszeichen.</translation>
+    </message>
+    <message>
+        <source>A class list has no such column. Is it %1?</source>
+        <extracomment>%1: the name of a column</extracomment>
+        <translation>Eine Klassenliste hat keine solche Spalte. Ist %1 gemeint?</translation>
+    </message>
+    <message>
+        <source>This column is there twice.</source>
+        <translation>Diese Spalte gibt es zweimal.</translation>
+    </message>
+    <message>
+        <source>This column is missing. The first line names the columns.</source>
+        <translation>Diese Spalte fehlt. Die erste Zeile nennt die Spalten.</translation>
+    </message>
 </context>
 <context>
     <name>Block</name>
@@ -1061,6 +1143,10 @@
         <extracomment>%1: a day of the week, or a date</extracomment>
         <translation>fällig: %1</translation>
     </message>
+    <message>
+        <source>You have used up your attempts at this lesson. Your teacher can give you more.</source>
+        <translation>Sie haben Ihre Versuche an dieser Lektion aufgebraucht. Ihre Lehrperson kann Ihnen weitere geben.</translation>
+    </message>
 </context>
 <context>
     <name>Login</name>
@@ -1530,14 +1616,6 @@
         <source>%1 is empty. The first line of a class list names its columns: username, given_name, family_name, role, class.</source>
         <translation>%1 ist leer. Die erste Zeile einer Klassenliste nennt ihre Spalten: username, given_name, family_name, role, class.</translation>
     </message>
-    <message>
-        <source>%1 is no class list. That is a CSV file, text in UTF-8, whose first line names its columns: username, given_name, family_name, role, class.</source>
-        <translation>%1 ist keine Klassenliste. Das ist eine CSV-Datei, Text in UTF-8, deren erste Zeile ihre Spalten nennt: username, given_name, family_name, role, class.</translation>
-    </message>
-    <message>
-        <source>%1 has too many lines. Split it, and enter the parts one after another.</source>
-        <translation>%1 hat zu viele Zeilen. Teilen Sie die Liste und geben Sie die Teile nacheinander ein.</translation>
-    </message>
     <message numerus="yes">
         <source>A place that was left is locked after %n minute(s).</source>
         <translation>
@@ -1560,6 +1638,18 @@
     <message>
         <source>These people are being entered …</source>
         <translation>Diese Personen werden eingetragen …</translation>
+    </message>
+    <message>
+        <source>No class can be called that. Its name has 1 to 100 characters that can be seen, without |, which parts classes in a class list, and no other class has it.</source>
+        <translation>So kann keine Klasse heißen. Ihr Name hat 1 bis 100 sichtbare Zeichen, ohne |, das in einer Klassenliste Klassen trennt, und keine andere Klasse heißt so.</translation>
+    </message>
+    <message>
+        <source>%1 has more than %2 lines. Split it, and enter the parts one after another.</source>
+        <translation>%1 hat mehr als %2 Zeilen. Teilen Sie die Liste und geben Sie die Teile nacheinander ein.</translation>
+    </message>
+    <message>
+        <source>The audit is still the one that the report with the code %1 names.</source>
+        <translation>Das Protokoll ist noch das, das der Bericht mit dem Code %1 nennt.</translation>
     </message>
 </context>
 <context>
@@ -1653,16 +1743,8 @@
         <translation>Das Bewertungsblatt wird erstellt …</translation>
     </message>
     <message>
-        <source>The backup of %1 is in place. The file that was there is kept beside it.</source>
-        <translation>Die Sicherung vom %1 ist eingespielt. Die Datei, die dort lag, liegt daneben.</translation>
-    </message>
-    <message>
         <source>The school&apos;s data lie on a network drive: only one computer at a time can use them. For several, keep them on a PostgreSQL server.</source>
         <translation>Die Daten der Schule liegen auf einem Netzlaufwerk: Nur ein Computer zugleich kann sie benutzen. Für mehrere legen Sie sie auf einen PostgreSQL-Server.</translation>
-    </message>
-    <message>
-        <source>You have used up the attempts at this lesson that were given to you. Ask your teacher for more, or choose another lesson.</source>
-        <translation>Sie haben Ihre Versuche an dieser Lektion verbraucht. Bitten Sie Ihre Lehrkraft um weitere, oder wählen Sie eine andere Lektion.</translation>
     </message>
     <message>
         <source>Today&apos;s backup was not made. %1</source>
@@ -1682,6 +1764,15 @@
             <numerusform>%n Versuch auf diesem Computer kann dieser Schule nicht gegeben werden: Sie weiß nicht, wessen er ist, oder er wurde mit einem anderen station.key signiert. Er wartet.</numerusform>
             <numerusform>%n Versuche auf diesem Computer können dieser Schule nicht gegeben werden: Sie weiß nicht, wessen sie sind, oder sie wurden mit einem anderen station.key signiert. Sie warten.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The backup of %1 is in place.</source>
+        <translation>Die Sicherung vom %1 ist eingespielt.</translation>
+    </message>
+    <message>
+        <source>The backup of %1 is in place. The file that was there is kept beside it as %2.</source>
+        <extracomment>%2: a file&apos;s name</extracomment>
+        <translation>Die Sicherung vom %1 ist eingespielt. Die Datei, die dort lag, liegt als %2 daneben.</translation>
     </message>
 </context>
 <context>
@@ -1744,6 +1835,10 @@
     <message>
         <source>The recording of this attempt is not there, so it cannot be shown again. Its score and its figures are in the list.</source>
         <translation>Die Aufzeichnung dieses Versuchs ist nicht da, darum kann er nicht noch einmal gezeigt werden. Punktzahl und Zahlen stehen in der Liste.</translation>
+    </message>
+    <message>
+        <source>The report is being written …</source>
+        <translation>Der Bericht wird geschrieben …</translation>
     </message>
 </context>
 <context>
@@ -1834,11 +1929,6 @@
         <source>Audit</source>
         <translation>Protokoll</translation>
     </message>
-    <message>
-        <source>Audit code now: %1. It stands on every report: with &quot;Check everything&quot; nobody can take away what was noted before it.</source>
-        <extracomment>%1: a short code</extracomment>
-        <translation>Protokollcode jetzt: %1. Er steht auf jedem Bericht: Mit „Alles prüfen“ kann niemand wegnehmen, was davor festgehalten wurde.</translation>
-    </message>
     <message numerus="yes">
         <source>%n row(s)</source>
         <translation>
@@ -1869,6 +1959,11 @@
     <message>
         <source>Details</source>
         <translation>Einzelheiten</translation>
+    </message>
+    <message>
+        <source>Audit code now: %1. Every report shows the code of its day. Type one beside &quot;Check everything&quot; (Backups) to see whether what was noted before it is still as it was.</source>
+        <extracomment>%1: a short code</extracomment>
+        <translation>Prüfcode jetzt: %1. Auf jedem Bericht steht der Code seines Tages. Geben Sie einen neben „Alles prüfen“ (Sicherungen) ein, um zu sehen, ob noch alles so ist, wie es davor festgehalten wurde.</translation>
     </message>
 </context>
 <context>
@@ -1945,6 +2040,19 @@
         <source>Restore the backup of %1? What was entered after it will be missing; attempts of this computer are brought in again, and the present file is kept beside it.</source>
         <extracomment>%1: when a backup was made</extracomment>
         <translation>Die Sicherung vom %1 zurückspielen? Was danach eingetragen wurde, fehlt dann; Versuche dieses Computers werden wieder eingebracht, und die jetzige Datei bleibt daneben erhalten.</translation>
+    </message>
+    <message>
+        <source>Audit code of a report (optional):</source>
+        <translation>Prüfcode eines Berichts (wenn gewünscht):</translation>
+    </message>
+    <message>
+        <source>&quot;Check everything&quot; then also looks whether the audit is still the one that the report was printed from</source>
+        <translation>„Alles prüfen“ sieht dann auch nach, ob das Protokoll noch das ist, aus dem der Bericht gedruckt wurde</translation>
+    </message>
+    <message>
+        <source>This is no audit code. A report shows one such as %1.</source>
+        <extracomment>%1: an example</extracomment>
+        <translation>Das ist kein Prüfcode. Auf einem Bericht steht einer wie %1.</translation>
     </message>
 </context>
 <context>
@@ -2053,13 +2161,6 @@
         <source>has a one-time code</source>
         <translation>hat einen Einmalcode</translation>
     </message>
-    <message numerus="yes">
-        <source>%n person(s)</source>
-        <translation>
-            <numerusform>%n Person</numerusform>
-            <numerusform>%n Personen</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Enter the person</source>
         <translation>Person eintragen</translation>
@@ -2113,6 +2214,34 @@
         <source>The school&apos;s data are being written to …</source>
         <translation>In die Daten der Schule wird geschrieben …</translation>
     </message>
+    <message>
+        <source>Bring the changes back</source>
+        <translation>Änderungen zurückholen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln person(s)</source>
+        <translation>
+            <numerusform>%Ln Person</numerusform>
+            <numerusform>%Ln Personen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>What you had typed for a new person is put aside.</source>
+        <translation>Was Sie für eine neue Person eingegeben hatten, ist beiseitegelegt.</translation>
+    </message>
+    <message>
+        <source>What you had changed of %1 is put aside.</source>
+        <extracomment>%1 is a person</extracomment>
+        <translation>Was Sie an %1 geändert hatten, ist beiseitegelegt.</translation>
+    </message>
+    <message>
+        <source>What you have typed for a new person is not entered.</source>
+        <translation>Was Sie für eine neue Person eingegeben haben, ist nicht eingetragen.</translation>
+    </message>
+    <message>
+        <source>What you have changed of %1 is not saved.</source>
+        <translation>Was Sie an %1 geändert haben, ist nicht gespeichert.</translation>
+    </message>
 </context>
 <context>
     <name>ui::admin::RosterPart</name>
@@ -2135,13 +2264,6 @@
     <message>
         <source>What the class list would do</source>
         <translation>Was die Klassenliste bewirken würde</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1: %n fault(s). Nothing was entered; mend the file and choose it again.</source>
-        <translation>
-            <numerusform>%1: %n Fehler. Nichts wurde eingetragen; berichtigen Sie die Datei und wählen Sie sie noch einmal.</numerusform>
-            <numerusform>%1: %n Fehler. Nichts wurde eingetragen; berichtigen Sie die Datei und wählen Sie sie noch einmal.</numerusform>
-        </translation>
     </message>
     <message>
         <source>%1 was entered: %2 new, %3 known already. The codes below are kept nowhere else.</source>
@@ -2233,18 +2355,29 @@
         <translation>Die Einmalcodes von %1 sind nicht gespeichert, und sie stehen nirgends sonst.</translation>
     </message>
     <message numerus="yes">
-        <source>%1 %n new person(s) would be entered.</source>
+        <source>%1: %Ln fault(s). Nothing was entered; mend the file and choose it again.</source>
+        <translation>
+            <numerusform>%1: %Ln Fehler. Nichts wurde eingetragen; berichtigen Sie die Datei und wählen Sie sie noch einmal.</numerusform>
+            <numerusform>%1: %Ln Fehler. Nichts wurde eingetragen; berichtigen Sie die Datei und wählen Sie sie noch einmal.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There is nobody in %1: it has only the line that names the columns.</source>
+        <translation>In %1 steht niemand: Es gibt nur die Zeile, die die Spalten nennt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 %Ln new person(s) would be entered.</source>
         <extracomment>%1: what another sentence says of how many are known already</extracomment>
         <translation>
-            <numerusform>%1 %n neue Person würde eingetragen.</numerusform>
-            <numerusform>%1 %n neue Personen würden eingetragen.</numerusform>
+            <numerusform>%1 %Ln neue Person würde eingetragen.</numerusform>
+            <numerusform>%1 %Ln neue Personen würden eingetragen.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%1: %n person(s) known already.</source>
+        <source>%1: %Ln person(s) known already.</source>
         <translation>
-            <numerusform>%1: %n Person ist schon bekannt.</numerusform>
-            <numerusform>%1: %n Personen sind schon bekannt.</numerusform>
+            <numerusform>%1: %Ln Person ist schon bekannt.</numerusform>
+            <numerusform>%1: %Ln Personen sind schon bekannt.</numerusform>
         </translation>
     </message>
 </context>
@@ -2568,8 +2701,8 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Zeit zwischen zwei Takten der Regelung: 99 von 100 in der letzten Sekunde waren kürzer.</translation>
     </message>
     <message>
-        <source>Two presets are being compared blind: until that is over, what is felt is not told.</source>
-        <translation>Zwei Voreinstellungen werden blind verglichen: Bis das vorbei ist, wird nicht verraten, was man fühlt.</translation>
+        <source>Two presets are being compared blind: until that is over, what is felt is not told. &quot;End the comparison&quot; beside the tooth ends it.</source>
+        <translation>Zwei Voreinstellungen werden blind verglichen: Bis das vorbei ist, wird nicht verraten, was man fühlt. „Vergleich beenden“ neben dem Zahn beendet es.</translation>
     </message>
 </context>
 <context>
@@ -3107,6 +3240,15 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <source>%1 of %2 passed</source>
         <translation>%1 von %2 haben bestanden</translation>
     </message>
+    <message>
+        <source>out of tries</source>
+        <extracomment>Of a student who has no attempts left at a lesson that he has not passed</extracomment>
+        <translation>ohne Versuche</translation>
+    </message>
+    <message>
+        <source>%1: best %2, not passed and no attempts left, %3, last %4</source>
+        <translation>%1: bestes Ergebnis %2, nicht bestanden und keine Versuche mehr, %3, zuletzt %4</translation>
+    </message>
 </context>
 <context>
     <name>ui::people::ClassPage</name>
@@ -3204,10 +3346,6 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Zeigt, wer eine überfällige Lektion nicht bestanden hat</translation>
     </message>
     <message>
-        <source>Best score of each student; a tick: passed; ▲: overdue. A heading sorts, once more the other way, then by name. A cell opens the attempts.</source>
-        <translation>Bestes Ergebnis jeder Person; ein Haken: bestanden; ▲: überfällig. Eine Überschrift sortiert, noch einmal andersherum, dann nach Namen. Eine Zelle öffnet die Versuche.</translation>
-    </message>
-    <message>
         <source>%1 (%2 of %3 passed)</source>
         <extracomment>%1: a lesson; %2 of the %3 who tried it</extracomment>
         <translation>%1 (%2 von %3 haben bestanden)</translation>
@@ -3229,6 +3367,14 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <source>%1, %2</source>
         <extracomment>%1: a class; %2: a lesson</extracomment>
         <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Show who has no attempts left at a lesson that is not passed. More can be allowed under Assign lessons.</source>
+        <translation>Zeigt, wer bei einer nicht bestandenen Lektion keine Versuche mehr hat. Unter „Lektionen aufgeben“ lassen sich weitere erlauben.</translation>
+    </message>
+    <message>
+        <source>Best score of each student; a tick: passed; ▲: overdue, or no attempts left. A heading sorts, once more the other way, then by name. A cell opens the attempts.</source>
+        <translation>Bestes Ergebnis jeder Person; ein Haken: bestanden; ▲: überfällig oder keine Versuche mehr. Eine Überschrift sortiert, noch einmal andersherum, dann nach Namen. Eine Zelle öffnet die Versuche.</translation>
     </message>
 </context>
 <context>
@@ -4115,6 +4261,11 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <extracomment>%1 is a hardness preset</extracomment>
         <translation>Was Sie an %1 geändert hatten, ist beiseitegelegt.</translation>
     </message>
+    <message>
+        <source>What you have changed of the hardness preset %1 is not saved.</source>
+        <extracomment>%1 is a hardness preset</extracomment>
+        <translation>Was Sie an der Härte-Voreinstellung %1 geändert haben, ist nicht gespeichert.</translation>
+    </message>
 </context>
 <context>
     <name>ui::presets::SimplePanel</name>
@@ -4168,6 +4319,15 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <source>%1, %2 to %3</source>
         <extracomment>A slider: what it is about, and the words at its ends</extracomment>
         <translation>%1, %2 bis %3</translation>
+    </message>
+    <message>
+        <source>In the middle: the numbers that were typed.</source>
+        <extracomment>Of sliders. %1 is a hardness preset</extracomment>
+        <translation>In der Mitte: die eingegebenen Zahlen.</translation>
+    </message>
+    <message>
+        <source>In the middle: %1.</source>
+        <translation>In der Mitte: %1.</translation>
     </message>
 </context>
 <context>
@@ -4274,6 +4434,18 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>First cut a little with both</source>
         <translation>Schneiden Sie erst mit beiden ein wenig</translation>
+    </message>
+    <message>
+        <source>End the comparison</source>
+        <translation>Vergleich beenden</translation>
+    </message>
+    <message>
+        <source>What has been answered counts, and it is told which was which</source>
+        <translation>Was beantwortet ist, zählt, und es wird verraten, welche welche war</translation>
+    </message>
+    <message>
+        <source>It was ended before anything was chosen.</source>
+        <translation>Er wurde beendet, bevor etwas gewählt war.</translation>
     </message>
 </context>
 <context>
@@ -4532,10 +4704,6 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         </translation>
     </message>
     <message>
-        <source>Best scores; ✓: passed</source>
-        <translation>Beste Ergebnisse; ✓: bestanden</translation>
-    </message>
-    <message>
         <source>The class at: %1</source>
         <translation>Die Klasse bei: %1</translation>
     </message>
@@ -4550,6 +4718,18 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>Rubric: %1, version %2, content %3</source>
         <translation>Bewertungsschema: %1, Version %2, Inhalt %3</translation>
+    </message>
+    <message>
+        <source>No attempts left at a lesson that is not passed</source>
+        <translation>Keine Versuche mehr bei einer nicht bestandenen Lektion</translation>
+    </message>
+    <message>
+        <source>Best scores</source>
+        <translation>Beste Ergebnisse</translation>
+    </message>
+    <message>
+        <source>✓: passed; ▲: overdue, or no attempts left; ▲ behind a name: needs the teacher</source>
+        <translation>✓: bestanden; ▲: überfällig oder keine Versuche mehr; ▲ hinter einem Namen: braucht die Lehrkraft</translation>
     </message>
 </context>
 <context>
@@ -4645,6 +4825,10 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <source>%1 of 100 points, pass mark %2. %3</source>
         <extracomment>%1 and %2: points; %3: &quot;Passed&quot;, &quot;Not passed: harm done&quot;</extracomment>
         <translation>%1 von 100 Punkten, Bestehensgrenze %2. %3</translation>
+    </message>
+    <message>
+        <source>Comments, with the numbers of their places in the picture of the tooth</source>
+        <translation>Kommentare, mit den Nummern ihrer Stellen im Bild des Zahns</translation>
     </message>
 </context>
 <context>
@@ -5299,6 +5483,13 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <source>Back to the lessons</source>
         <translation>Zurück zu den Lektionen</translation>
     </message>
+    <message>
+        <source>Guest,
+unsaved</source>
+        <extracomment>Beside &quot;Log in&quot;, on every page: what is done now is kept for nobody. Two short lines.</extracomment>
+        <translation>Gast,
+ungesichert</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::ArchTooth</name>
@@ -5555,6 +5746,7 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     </message>
     <message>
         <source>%1 – Cusp</source>
+        <extracomment>%1: a lesson; %2: a person and a date</extracomment>
         <translation>%1 – Cusp</translation>
     </message>
     <message numerus="yes">
@@ -5809,6 +6001,26 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>Undo</source>
         <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Another attempt at the lesson begins.</source>
+        <translation>Ein weiterer Versuch der Lektion beginnt.</translation>
+    </message>
+    <message>
+        <source>There is no hardness preset &quot;%1&quot;. There are: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
+    </message>
+    <message>
+        <source>Not everything has been saved, and it would be lost.</source>
+        <translation>Nicht alles ist gespeichert, und das ginge verloren.</translation>
+    </message>
+    <message>
+        <source>&amp;Keep it</source>
+        <translation>&amp;Behalten</translation>
     </message>
 </context>
 <context>
@@ -6874,6 +7086,10 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <source>The exam is over, and nothing more can be cut. G shows the score; R begins another attempt.</source>
         <translation>Die Prüfung ist zu Ende, es wird nichts mehr abgetragen. G zeigt die Note, R beginnt einen neuen Versuch.</translation>
     </message>
+    <message>
+        <source>The exam is over, and nothing more can be cut. G shows the score.</source>
+        <translation>Die Prüfung ist zu Ende, es wird nichts mehr abgetragen. G zeigt die Note.</translation>
+    </message>
 </context>
 <context>
     <name>ui::study::LessonsPage</name>
@@ -7090,10 +7306,6 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>Given to</source>
         <translation>Aufgegeben für</translation>
-    </message>
-    <message>
-        <source>You have used up your attempts at this lesson. Your teacher can give you more.</source>
-        <translation>Sie haben Ihre Versuche an dieser Lektion aufgebraucht. Ihre Lehrperson kann Ihnen weitere geben.</translation>
     </message>
 </context>
 <context>
@@ -7410,6 +7622,11 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>Not passed, as the teacher decided</source>
         <translation>Nicht bestanden, wie die Lehrkraft entschied</translation>
+    </message>
+    <message>
+        <source>The machine&apos;s score: %1</source>
+        <extracomment>%1: a sum of points</extracomment>
+        <translation>Ergebnis der Maschine: %1</translation>
     </message>
 </context>
 <context>

@@ -186,6 +186,88 @@
         <source>The name of a class has 1 to 100 characters that can be seen.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>when a place that was left is locked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>how long checking a password takes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>how much memory checking a password takes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the preset that everybody uses</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>attempt %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>exam %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>class %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>person %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>setting %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all attempts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the school</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the audit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>preset %1, version %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>backup of %1</source>
+        <extracomment>%1: a day and a time, or the name of a file</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From sign %1 of this line on the file is no UTF-8 text. Save it from the spreadsheet as “CSV UTF-8”.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A quotation mark at sign %1 of this line is not closed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At sign %1 of this line words stand behind a closing quotation mark.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A class list has no such column. Is it %1?</source>
+        <extracomment>%1: the name of a column</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This column is there twice.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This column is missing. The first line names the columns.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Block</name>
@@ -1061,6 +1143,10 @@
         <extracomment>%1: a day of the week, or a date</extracomment>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>You have used up your attempts at this lesson. Your teacher can give you more.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Login</name>
@@ -1530,14 +1616,6 @@
         <source>%1 is empty. The first line of a class list names its columns: username, given_name, family_name, role, class.</source>
         <translation type="unfinished"></translation>
     </message>
-    <message>
-        <source>%1 is no class list. That is a CSV file, text in UTF-8, whose first line names its columns: username, given_name, family_name, role, class.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 has too many lines. Split it, and enter the parts one after another.</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message numerus="yes">
         <source>A place that was left is locked after %n minute(s).</source>
         <translation>
@@ -1559,6 +1637,18 @@
     </message>
     <message>
         <source>These people are being entered …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No class can be called that. Its name has 1 to 100 characters that can be seen, without |, which parts classes in a class list, and no other class has it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has more than %2 lines. Split it, and enter the parts one after another.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The audit is still the one that the report with the code %1 names.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1653,15 +1743,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The backup of %1 is in place. The file that was there is kept beside it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The school&apos;s data lie on a network drive: only one computer at a time can use them. For several, keep them on a PostgreSQL server.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>You have used up the attempts at this lesson that were given to you. Ask your teacher for more, or choose another lesson.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1682,6 +1764,15 @@
             <numerusform>%n attempt on this computer cannot be given to this school: it does not know whose it is, or it was signed with another station.key. It waits.</numerusform>
             <numerusform>%n attempts on this computer cannot be given to this school: it does not know whose they are, or they were signed with another station.key. They wait.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The backup of %1 is in place.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The backup of %1 is in place. The file that was there is kept beside it as %2.</source>
+        <extracomment>%2: a file&apos;s name</extracomment>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1743,6 +1834,10 @@
     </message>
     <message>
         <source>The recording of this attempt is not there, so it cannot be shown again. Its score and its figures are in the list.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The report is being written …</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1834,11 +1929,6 @@
         <source>Audit</source>
         <translation type="unfinished"></translation>
     </message>
-    <message>
-        <source>Audit code now: %1. It stands on every report: with &quot;Check everything&quot; nobody can take away what was noted before it.</source>
-        <extracomment>%1: a short code</extracomment>
-        <translation type="unfinished"></translation>
-    </message>
     <message numerus="yes">
         <source>%n row(s)</source>
         <translation>
@@ -1868,6 +1958,11 @@
     </message>
     <message>
         <source>Details</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Audit code now: %1. Every report shows the code of its day. Type one beside &quot;Check everything&quot; (Backups) to see whether what was noted before it is still as it was.</source>
+        <extracomment>%1: a short code</extracomment>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1944,6 +2039,19 @@
     <message>
         <source>Restore the backup of %1? What was entered after it will be missing; attempts of this computer are brought in again, and the present file is kept beside it.</source>
         <extracomment>%1: when a backup was made</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Audit code of a report (optional):</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;Check everything&quot; then also looks whether the audit is still the one that the report was printed from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is no audit code. A report shows one such as %1.</source>
+        <extracomment>%1: an example</extracomment>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2053,13 +2161,6 @@
         <source>has a one-time code</source>
         <translation type="unfinished"></translation>
     </message>
-    <message numerus="yes">
-        <source>%n person(s)</source>
-        <translation>
-            <numerusform>%n person</numerusform>
-            <numerusform>%n people</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Enter the person</source>
         <translation type="unfinished"></translation>
@@ -2113,6 +2214,34 @@
         <source>The school&apos;s data are being written to …</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Bring the changes back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln person(s)</source>
+        <translation>
+            <numerusform>%Ln person</numerusform>
+            <numerusform>%Ln people</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>What you had typed for a new person is put aside.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What you had changed of %1 is put aside.</source>
+        <extracomment>%1 is a person</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What you have typed for a new person is not entered.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What you have changed of %1 is not saved.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::admin::RosterPart</name>
@@ -2135,13 +2264,6 @@
     <message>
         <source>What the class list would do</source>
         <translation type="unfinished"></translation>
-    </message>
-    <message numerus="yes">
-        <source>%1: %n fault(s). Nothing was entered; mend the file and choose it again.</source>
-        <translation>
-            <numerusform>%1: %n fault. Nothing was entered; mend the file and choose it again.</numerusform>
-            <numerusform>%1: %n faults. Nothing was entered; mend the file and choose it again.</numerusform>
-        </translation>
     </message>
     <message>
         <source>%1 was entered: %2 new, %3 known already. The codes below are kept nowhere else.</source>
@@ -2233,18 +2355,29 @@
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
-        <source>%1 %n new person(s) would be entered.</source>
+        <source>%1: %Ln fault(s). Nothing was entered; mend the file and choose it again.</source>
+        <translation>
+            <numerusform>%1: %Ln fault. Nothing was entered; mend the file and choose it again.</numerusform>
+            <numerusform>%1: %Ln faults. Nothing was entered; mend the file and choose it again.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There is nobody in %1: it has only the line that names the columns.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 %Ln new person(s) would be entered.</source>
         <extracomment>%1: what another sentence says of how many are known already</extracomment>
         <translation>
-            <numerusform>%1 %n new person would be entered.</numerusform>
-            <numerusform>%1 %n new people would be entered.</numerusform>
+            <numerusform>%1 %Ln new person would be entered.</numerusform>
+            <numerusform>%1 %Ln new people would be entered.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%1: %n person(s) known already.</source>
+        <source>%1: %Ln person(s) known already.</source>
         <translation>
-            <numerusform>%1: %n person known already.</numerusform>
-            <numerusform>%1: %n people known already.</numerusform>
+            <numerusform>%1: %Ln person known already.</numerusform>
+            <numerusform>%1: %Ln people known already.</numerusform>
         </translation>
     </message>
 </context>
@@ -2560,7 +2693,7 @@ load NAME        feels a hardness preset that is kept</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Two presets are being compared blind: until that is over, what is felt is not told.</source>
+        <source>Two presets are being compared blind: until that is over, what is felt is not told. &quot;End the comparison&quot; beside the tooth ends it.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3099,6 +3232,15 @@ load NAME        feels a hardness preset that is kept</source>
         <source>%1 of %2 passed</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>out of tries</source>
+        <extracomment>Of a student who has no attempts left at a lesson that he has not passed</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: best %2, not passed and no attempts left, %3, last %4</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::people::ClassPage</name>
@@ -3196,10 +3338,6 @@ load NAME        feels a hardness preset that is kept</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Best score of each student; a tick: passed; ▲: overdue. A heading sorts, once more the other way, then by name. A cell opens the attempts.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1 (%2 of %3 passed)</source>
         <extracomment>%1: a lesson; %2 of the %3 who tried it</extracomment>
         <translation type="unfinished"></translation>
@@ -3220,6 +3358,14 @@ load NAME        feels a hardness preset that is kept</source>
     <message>
         <source>%1, %2</source>
         <extracomment>%1: a class; %2: a lesson</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show who has no attempts left at a lesson that is not passed. More can be allowed under Assign lessons.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Best score of each student; a tick: passed; ▲: overdue, or no attempts left. A heading sorts, once more the other way, then by name. A cell opens the attempts.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4107,6 +4253,11 @@ load NAME        feels a hardness preset that is kept</source>
         <extracomment>%1 is a hardness preset</extracomment>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>What you have changed of the hardness preset %1 is not saved.</source>
+        <extracomment>%1 is a hardness preset</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::presets::SimplePanel</name>
@@ -4159,6 +4310,15 @@ load NAME        feels a hardness preset that is kept</source>
     <message>
         <source>%1, %2 to %3</source>
         <extracomment>A slider: what it is about, and the words at its ends</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the middle: the numbers that were typed.</source>
+        <extracomment>Of sliders. %1 is a hardness preset</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the middle: %1.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4265,6 +4425,18 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
     <message>
         <source>First cut a little with both</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End the comparison</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What has been answered counts, and it is told which was which</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It was ended before anything was chosen.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4524,10 +4696,6 @@ load NAME        feels a hardness preset that is kept</source>
         </translation>
     </message>
     <message>
-        <source>Best scores; ✓: passed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The class at: %1</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4541,6 +4709,18 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
     <message>
         <source>Rubric: %1, version %2, content %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No attempts left at a lesson that is not passed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Best scores</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✓: passed; ▲: overdue, or no attempts left; ▲ behind a name: needs the teacher</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4636,6 +4816,10 @@ load NAME        feels a hardness preset that is kept</source>
     <message>
         <source>%1 of 100 points, pass mark %2. %3</source>
         <extracomment>%1 and %2: points; %3: &quot;Passed&quot;, &quot;Not passed: harm done&quot;</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Comments, with the numbers of their places in the picture of the tooth</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5291,6 +5475,12 @@ load NAME        feels a hardness preset that is kept</source>
         <source>Back to the lessons</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Guest,
+unsaved</source>
+        <extracomment>Beside &quot;Log in&quot;, on every page: what is done now is kept for nobody. Two short lines.</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::ArchTooth</name>
@@ -5547,6 +5737,7 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
     <message>
         <source>%1 – Cusp</source>
+        <extracomment>%1: a lesson; %2: a person and a date</extracomment>
         <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
@@ -5800,6 +5991,26 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
     <message>
         <source>Undo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another attempt at the lesson begins.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no hardness preset &quot;%1&quot;. There are: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 – %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not everything has been saved, and it would be lost.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Keep it</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6866,6 +7077,10 @@ load NAME        feels a hardness preset that is kept</source>
         <source>The exam is over, and nothing more can be cut. G shows the score; R begins another attempt.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The exam is over, and nothing more can be cut. G shows the score.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::study::LessonsPage</name>
@@ -7081,10 +7296,6 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
     <message>
         <source>Given to</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>You have used up your attempts at this lesson. Your teacher can give you more.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7401,6 +7612,11 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
     <message>
         <source>Not passed, as the teacher decided</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The machine&apos;s score: %1</source>
+        <extracomment>%1: a sum of points</extracomment>
         <translation type="unfinished"></translation>
     </message>
 </context>

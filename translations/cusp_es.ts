@@ -186,6 +186,88 @@
         <source>The name of a class has 1 to 100 characters that can be seen.</source>
         <translation>El nombre de una clase tiene de 1 a 100 caracteres visibles.</translation>
     </message>
+    <message>
+        <source>when a place that was left is locked</source>
+        <translation>cuándo se bloquea un puesto abandonado</translation>
+    </message>
+    <message>
+        <source>how long checking a password takes</source>
+        <translation>cuánto tarda la comprobación de una contraseña</translation>
+    </message>
+    <message>
+        <source>how much memory checking a password takes</source>
+        <translation>cuánta memoria necesita la comprobación de una contraseña</translation>
+    </message>
+    <message>
+        <source>the preset that everybody uses</source>
+        <translation>el ajuste que usan todos</translation>
+    </message>
+    <message>
+        <source>attempt %1</source>
+        <translation>intento %1</translation>
+    </message>
+    <message>
+        <source>exam %1</source>
+        <translation>examen %1</translation>
+    </message>
+    <message>
+        <source>class %1</source>
+        <translation>grupo %1</translation>
+    </message>
+    <message>
+        <source>person %1</source>
+        <translation>persona %1</translation>
+    </message>
+    <message>
+        <source>setting %1</source>
+        <translation>ajuste %1</translation>
+    </message>
+    <message>
+        <source>all attempts</source>
+        <translation>todos los intentos</translation>
+    </message>
+    <message>
+        <source>the school</source>
+        <translation>la escuela</translation>
+    </message>
+    <message>
+        <source>the audit</source>
+        <translation>el registro</translation>
+    </message>
+    <message>
+        <source>preset %1, version %2</source>
+        <translation>ajuste de dureza %1, versión %2</translation>
+    </message>
+    <message>
+        <source>backup of %1</source>
+        <extracomment>%1: a day and a time, or the name of a file</extracomment>
+        <translation>copia del %1</translation>
+    </message>
+    <message>
+        <source>From sign %1 of this line on the file is no UTF-8 text. Save it from the spreadsheet as “CSV UTF-8”.</source>
+        <translation>A partir del carácter %1 de esta línea, el archivo no es texto en UTF-8. Guárdelo desde la hoja de cálculo como «CSV UTF-8».</translation>
+    </message>
+    <message>
+        <source>A quotation mark at sign %1 of this line is not closed.</source>
+        <translation>Las comillas del carácter %1 de esta línea no se cierran.</translation>
+    </message>
+    <message>
+        <source>At sign %1 of this line words stand behind a closing quotation mark.</source>
+        <translation>En el carácter %1 de esta línea hay texto detrás de las comillas de cierre.</translation>
+    </message>
+    <message>
+        <source>A class list has no such column. Is it %1?</source>
+        <extracomment>%1: the name of a column</extracomment>
+        <translation>Una lista de clase no tiene tal columna. ¿Es %1?</translation>
+    </message>
+    <message>
+        <source>This column is there twice.</source>
+        <translation>Esta columna está dos veces.</translation>
+    </message>
+    <message>
+        <source>This column is missing. The first line names the columns.</source>
+        <translation>Falta esta columna. La primera línea nombra las columnas.</translation>
+    </message>
 </context>
 <context>
     <name>Block</name>
@@ -1061,6 +1143,10 @@
         <extracomment>%1: a day of the week, or a date</extracomment>
         <translation>vence: %1</translation>
     </message>
+    <message>
+        <source>You have used up your attempts at this lesson. Your teacher can give you more.</source>
+        <translation>Ha agotado sus intentos en esta lección. Su docente puede darle más.</translation>
+    </message>
 </context>
 <context>
     <name>Login</name>
@@ -1530,14 +1616,6 @@
         <source>%1 is empty. The first line of a class list names its columns: username, given_name, family_name, role, class.</source>
         <translation>%1 está vacío. La primera línea de una lista de clase nombra sus columnas: username, given_name, family_name, role, class.</translation>
     </message>
-    <message>
-        <source>%1 is no class list. That is a CSV file, text in UTF-8, whose first line names its columns: username, given_name, family_name, role, class.</source>
-        <translation>%1 no es una lista de clase. Esta es un archivo CSV, texto en UTF-8, cuya primera línea nombra sus columnas: username, given_name, family_name, role, class.</translation>
-    </message>
-    <message>
-        <source>%1 has too many lines. Split it, and enter the parts one after another.</source>
-        <translation>%1 tiene demasiadas líneas. Divídalo e introduzca las partes una tras otra.</translation>
-    </message>
     <message numerus="yes">
         <source>A place that was left is locked after %n minute(s).</source>
         <translation>
@@ -1560,6 +1638,18 @@
     <message>
         <source>These people are being entered …</source>
         <translation>Se está registrando a estas personas …</translation>
+    </message>
+    <message>
+        <source>No class can be called that. Its name has 1 to 100 characters that can be seen, without |, which parts classes in a class list, and no other class has it.</source>
+        <translation>Ninguna clase puede llamarse así. Su nombre tiene de 1 a 100 caracteres visibles, sin |, que separa las clases en una lista de clase, y ninguna otra clase lo lleva.</translation>
+    </message>
+    <message>
+        <source>%1 has more than %2 lines. Split it, and enter the parts one after another.</source>
+        <translation>%1 tiene más de %2 líneas. Divídalo e introduzca las partes una tras otra.</translation>
+    </message>
+    <message>
+        <source>The audit is still the one that the report with the code %1 names.</source>
+        <translation>El registro sigue siendo el que nombra el informe con el código %1.</translation>
     </message>
 </context>
 <context>
@@ -1653,16 +1743,8 @@
         <translation>Preparando la hoja de puntuación …</translation>
     </message>
     <message>
-        <source>The backup of %1 is in place. The file that was there is kept beside it.</source>
-        <translation>La copia del %1 está en su sitio. El archivo que había se conserva a su lado.</translation>
-    </message>
-    <message>
         <source>The school&apos;s data lie on a network drive: only one computer at a time can use them. For several, keep them on a PostgreSQL server.</source>
         <translation>Los datos de la escuela están en una unidad de red: solo un ordenador a la vez puede usarlos. Para varios, guárdelos en un servidor PostgreSQL.</translation>
-    </message>
-    <message>
-        <source>You have used up the attempts at this lesson that were given to you. Ask your teacher for more, or choose another lesson.</source>
-        <translation>Ha agotado los intentos que tenía para esta lección. Pida más a su docente o elija otra lección.</translation>
     </message>
     <message>
         <source>Today&apos;s backup was not made. %1</source>
@@ -1682,6 +1764,15 @@
             <numerusform>%n intento de este ordenador no se puede entregar a esta escuela: no sabe de quién es, o se firmó con otro station.key. Queda en espera.</numerusform>
             <numerusform>%n intentos de este ordenador no se pueden entregar a esta escuela: no sabe de quién son, o se firmaron con otro station.key. Quedan en espera.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The backup of %1 is in place.</source>
+        <translation>La copia del %1 está en su sitio.</translation>
+    </message>
+    <message>
+        <source>The backup of %1 is in place. The file that was there is kept beside it as %2.</source>
+        <extracomment>%2: a file&apos;s name</extracomment>
+        <translation>La copia del %1 está en su sitio. El archivo que había se conserva a su lado como %2.</translation>
     </message>
 </context>
 <context>
@@ -1744,6 +1835,10 @@
     <message>
         <source>The recording of this attempt is not there, so it cannot be shown again. Its score and its figures are in the list.</source>
         <translation>La grabación de este intento no está, por lo que no se puede volver a mostrar. Su puntuación y sus cifras están en la lista.</translation>
+    </message>
+    <message>
+        <source>The report is being written …</source>
+        <translation>Redactando el informe …</translation>
     </message>
 </context>
 <context>
@@ -1834,11 +1929,6 @@
         <source>Audit</source>
         <translation>Registro</translation>
     </message>
-    <message>
-        <source>Audit code now: %1. It stands on every report: with &quot;Check everything&quot; nobody can take away what was noted before it.</source>
-        <extracomment>%1: a short code</extracomment>
-        <translation>Código actual del registro: %1. Está en cada informe: con «Revisar todo» nadie puede quitar lo que se anotó antes.</translation>
-    </message>
     <message numerus="yes">
         <source>%n row(s)</source>
         <translation>
@@ -1869,6 +1959,11 @@
     <message>
         <source>Details</source>
         <translation>Detalles</translation>
+    </message>
+    <message>
+        <source>Audit code now: %1. Every report shows the code of its day. Type one beside &quot;Check everything&quot; (Backups) to see whether what was noted before it is still as it was.</source>
+        <extracomment>%1: a short code</extracomment>
+        <translation>Código de auditoría ahora: %1. Cada informe muestra el código de su día. Escriba uno junto a «Revisar todo» (Copias de seguridad) para ver si lo que se anotó antes sigue como estaba.</translation>
     </message>
 </context>
 <context>
@@ -1945,6 +2040,19 @@
         <source>Restore the backup of %1? What was entered after it will be missing; attempts of this computer are brought in again, and the present file is kept beside it.</source>
         <extracomment>%1: when a backup was made</extracomment>
         <translation>¿Restaurar la copia de %1? Faltará lo que se registró después; los intentos de este ordenador se vuelven a incorporar, y el archivo actual se conserva al lado.</translation>
+    </message>
+    <message>
+        <source>Audit code of a report (optional):</source>
+        <translation>Código de auditoría de un informe (opcional):</translation>
+    </message>
+    <message>
+        <source>&quot;Check everything&quot; then also looks whether the audit is still the one that the report was printed from</source>
+        <translation>«Revisar todo» mira entonces también si el registro sigue siendo aquel del que se imprimió el informe</translation>
+    </message>
+    <message>
+        <source>This is no audit code. A report shows one such as %1.</source>
+        <extracomment>%1: an example</extracomment>
+        <translation>Esto no es un código de auditoría. Un informe muestra uno como %1.</translation>
     </message>
 </context>
 <context>
@@ -2053,13 +2161,6 @@
         <source>has a one-time code</source>
         <translation>tiene un código de un solo uso</translation>
     </message>
-    <message numerus="yes">
-        <source>%n person(s)</source>
-        <translation>
-            <numerusform>%n persona</numerusform>
-            <numerusform>%n personas</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Enter the person</source>
         <translation>Registrar a la persona</translation>
@@ -2113,6 +2214,34 @@
         <source>The school&apos;s data are being written to …</source>
         <translation>Se está escribiendo en los datos de la escuela …</translation>
     </message>
+    <message>
+        <source>Bring the changes back</source>
+        <translation>Recuperar los cambios</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln person(s)</source>
+        <translation>
+            <numerusform>%Ln persona</numerusform>
+            <numerusform>%Ln personas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>What you had typed for a new person is put aside.</source>
+        <translation>Lo que había escrito de una persona nueva queda apartado.</translation>
+    </message>
+    <message>
+        <source>What you had changed of %1 is put aside.</source>
+        <extracomment>%1 is a person</extracomment>
+        <translation>Lo que había cambiado de %1 queda apartado.</translation>
+    </message>
+    <message>
+        <source>What you have typed for a new person is not entered.</source>
+        <translation>Lo que ha escrito de una persona nueva no está registrado.</translation>
+    </message>
+    <message>
+        <source>What you have changed of %1 is not saved.</source>
+        <translation>Lo que ha cambiado de %1 no está guardado.</translation>
+    </message>
 </context>
 <context>
     <name>ui::admin::RosterPart</name>
@@ -2135,13 +2264,6 @@
     <message>
         <source>What the class list would do</source>
         <translation>Lo que haría la lista</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1: %n fault(s). Nothing was entered; mend the file and choose it again.</source>
-        <translation>
-            <numerusform>%1: %n fallo. No se registró nada; corrija el archivo y elíjalo de nuevo.</numerusform>
-            <numerusform>%1: %n fallos. No se registró nada; corrija el archivo y elíjalo de nuevo.</numerusform>
-        </translation>
     </message>
     <message>
         <source>%1 was entered: %2 new, %3 known already. The codes below are kept nowhere else.</source>
@@ -2233,18 +2355,29 @@
         <translation>Los códigos de un solo uso de %1 no se han guardado y no están en ningún otro lugar.</translation>
     </message>
     <message numerus="yes">
-        <source>%1 %n new person(s) would be entered.</source>
+        <source>%1: %Ln fault(s). Nothing was entered; mend the file and choose it again.</source>
+        <translation>
+            <numerusform>%1: %Ln fallo. No se registró nada; corrija el archivo y elíjalo de nuevo.</numerusform>
+            <numerusform>%1: %Ln fallos. No se registró nada; corrija el archivo y elíjalo de nuevo.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There is nobody in %1: it has only the line that names the columns.</source>
+        <translation>En %1 no hay nadie: solo tiene la línea que nombra las columnas.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 %Ln new person(s) would be entered.</source>
         <extracomment>%1: what another sentence says of how many are known already</extracomment>
         <translation>
-            <numerusform>%1 Se registraría %n persona nueva.</numerusform>
-            <numerusform>%1 Se registrarían %n personas nuevas.</numerusform>
+            <numerusform>%1 Se registraría %Ln persona nueva.</numerusform>
+            <numerusform>%1 Se registrarían %Ln personas nuevas.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%1: %n person(s) known already.</source>
+        <source>%1: %Ln person(s) known already.</source>
         <translation>
-            <numerusform>%1: %n persona ya conocida.</numerusform>
-            <numerusform>%1: %n personas ya conocidas.</numerusform>
+            <numerusform>%1: %Ln persona ya conocida.</numerusform>
+            <numerusform>%1: %Ln personas ya conocidas.</numerusform>
         </translation>
     </message>
 </context>
@@ -2568,8 +2701,8 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Tiempo entre dos ciclos del servo: 99 de cada 100 del último segundo fueron más cortos.</translation>
     </message>
     <message>
-        <source>Two presets are being compared blind: until that is over, what is felt is not told.</source>
-        <translation>Se comparan dos ajustes a ciegas: hasta que termine no se dice qué se siente.</translation>
+        <source>Two presets are being compared blind: until that is over, what is felt is not told. &quot;End the comparison&quot; beside the tooth ends it.</source>
+        <translation>Se comparan dos ajustes a ciegas: hasta que termine no se dice qué se siente. «Terminar la comparación», junto al diente, le pone fin.</translation>
     </message>
 </context>
 <context>
@@ -2860,7 +2993,6 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>
             <numerusform>%n estudiante que no ha aprobado no tiene más intentos: los anteriores cuentan.</numerusform>
             <numerusform>%n estudiantes que no han aprobado no tienen más intentos: los anteriores cuentan.</numerusform>
-            <numerusform>%n estudiantes que no han aprobado no tienen más intentos: los anteriores cuentan.</numerusform>
         </translation>
     </message>
 </context>
@@ -3108,6 +3240,15 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <source>%1 of %2 passed</source>
         <translation>%1 de %2 aprobaron</translation>
     </message>
+    <message>
+        <source>out of tries</source>
+        <extracomment>Of a student who has no attempts left at a lesson that he has not passed</extracomment>
+        <translation>sin intentos</translation>
+    </message>
+    <message>
+        <source>%1: best %2, not passed and no attempts left, %3, last %4</source>
+        <translation>%1: mejor %2, no aprobado y sin intentos restantes, %3, último %4</translation>
+    </message>
 </context>
 <context>
     <name>ui::people::ClassPage</name>
@@ -3205,10 +3346,6 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Mostrar quién no ha aprobado una lección con el plazo vencido</translation>
     </message>
     <message>
-        <source>Best score of each student; a tick: passed; ▲: overdue. A heading sorts, once more the other way, then by name. A cell opens the attempts.</source>
-        <translation>Mejor puntuación de cada estudiante; una marca: aprobado; ▲: plazo vencido. Un encabezado ordena, otra vez al revés, y luego por nombre. Una celda abre los intentos.</translation>
-    </message>
-    <message>
         <source>%1 (%2 of %3 passed)</source>
         <extracomment>%1: a lesson; %2 of the %3 who tried it</extracomment>
         <translation>%1 (%2 de %3 aprobaron)</translation>
@@ -3230,6 +3367,14 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <source>%1, %2</source>
         <extracomment>%1: a class; %2: a lesson</extracomment>
         <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Show who has no attempts left at a lesson that is not passed. More can be allowed under Assign lessons.</source>
+        <translation>Muestra quién no tiene más intentos en una lección no aprobada. En «Asignar lecciones» se pueden permitir más.</translation>
+    </message>
+    <message>
+        <source>Best score of each student; a tick: passed; ▲: overdue, or no attempts left. A heading sorts, once more the other way, then by name. A cell opens the attempts.</source>
+        <translation>Mejor puntuación de cada estudiante; una marca: aprobado; ▲: plazo vencido o sin más intentos. Un encabezado ordena, otra vez al revés, y luego por nombre. Una celda abre los intentos.</translation>
     </message>
 </context>
 <context>
@@ -4116,6 +4261,11 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <extracomment>%1 is a hardness preset</extracomment>
         <translation>Lo que había cambiado de %1 queda apartado.</translation>
     </message>
+    <message>
+        <source>What you have changed of the hardness preset %1 is not saved.</source>
+        <extracomment>%1 is a hardness preset</extracomment>
+        <translation>Lo que ha cambiado del ajuste de dureza %1 no está guardado.</translation>
+    </message>
 </context>
 <context>
     <name>ui::presets::SimplePanel</name>
@@ -4169,6 +4319,15 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <source>%1, %2 to %3</source>
         <extracomment>A slider: what it is about, and the words at its ends</extracomment>
         <translation>%1, de %2 a %3</translation>
+    </message>
+    <message>
+        <source>In the middle: the numbers that were typed.</source>
+        <extracomment>Of sliders. %1 is a hardness preset</extracomment>
+        <translation>En el centro: los números introducidos.</translation>
+    </message>
+    <message>
+        <source>In the middle: %1.</source>
+        <translation>En el centro: %1.</translation>
     </message>
 </context>
 <context>
@@ -4275,6 +4434,18 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>First cut a little with both</source>
         <translation>Primero corte un poco con ambos</translation>
+    </message>
+    <message>
+        <source>End the comparison</source>
+        <translation>Terminar la comparación</translation>
+    </message>
+    <message>
+        <source>What has been answered counts, and it is told which was which</source>
+        <translation>Lo ya respondido cuenta, y se dice cuál era cuál</translation>
+    </message>
+    <message>
+        <source>It was ended before anything was chosen.</source>
+        <translation>Se terminó antes de elegir nada.</translation>
     </message>
 </context>
 <context>
@@ -4533,10 +4704,6 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         </translation>
     </message>
     <message>
-        <source>Best scores; ✓: passed</source>
-        <translation>Mejores puntuaciones; ✓: aprobado</translation>
-    </message>
-    <message>
         <source>The class at: %1</source>
         <translation>El grupo en: %1</translation>
     </message>
@@ -4551,6 +4718,18 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>Rubric: %1, version %2, content %3</source>
         <translation>Rúbrica: %1, versión %2, contenido %3</translation>
+    </message>
+    <message>
+        <source>No attempts left at a lesson that is not passed</source>
+        <translation>Sin más intentos en una lección no aprobada</translation>
+    </message>
+    <message>
+        <source>Best scores</source>
+        <translation>Mejores puntuaciones</translation>
+    </message>
+    <message>
+        <source>✓: passed; ▲: overdue, or no attempts left; ▲ behind a name: needs the teacher</source>
+        <translation>✓: aprobado; ▲: plazo vencido o sin más intentos; ▲ tras un nombre: necesita al docente</translation>
     </message>
 </context>
 <context>
@@ -4646,6 +4825,10 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <source>%1 of 100 points, pass mark %2. %3</source>
         <extracomment>%1 and %2: points; %3: &quot;Passed&quot;, &quot;Not passed: harm done&quot;</extracomment>
         <translation>%1 de 100 puntos, aprobado desde %2. %3</translation>
+    </message>
+    <message>
+        <source>Comments, with the numbers of their places in the picture of the tooth</source>
+        <translation>Comentarios, con los números de sus lugares en la imagen del diente</translation>
     </message>
 </context>
 <context>
@@ -5300,6 +5483,13 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <source>Back to the lessons</source>
         <translation>Volver a las lecciones</translation>
     </message>
+    <message>
+        <source>Guest,
+unsaved</source>
+        <extracomment>Beside &quot;Log in&quot;, on every page: what is done now is kept for nobody. Two short lines.</extracomment>
+        <translation>Invitado,
+sin guardar</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::ArchTooth</name>
@@ -5556,6 +5746,7 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     </message>
     <message>
         <source>%1 – Cusp</source>
+        <extracomment>%1: a lesson; %2: a person and a date</extracomment>
         <translation>%1 – Cusp</translation>
     </message>
     <message numerus="yes">
@@ -5810,6 +6001,26 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>Undo</source>
         <translation>Deshacer</translation>
+    </message>
+    <message>
+        <source>Another attempt at the lesson begins.</source>
+        <translation>Empieza otro intento de la lección.</translation>
+    </message>
+    <message>
+        <source>There is no hardness preset &quot;%1&quot;. There are: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
+    </message>
+    <message>
+        <source>Not everything has been saved, and it would be lost.</source>
+        <translation>No todo está guardado, y se perdería.</translation>
+    </message>
+    <message>
+        <source>&amp;Keep it</source>
+        <translation>C&amp;onservar</translation>
     </message>
 </context>
 <context>
@@ -6875,6 +7086,10 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <source>The exam is over, and nothing more can be cut. G shows the score; R begins another attempt.</source>
         <translation>El examen ha terminado y no se puede tallar más. G muestra la puntuación; R empieza otro intento.</translation>
     </message>
+    <message>
+        <source>The exam is over, and nothing more can be cut. G shows the score.</source>
+        <translation>El examen ha terminado y no se puede tallar más. G muestra la puntuación.</translation>
+    </message>
 </context>
 <context>
     <name>ui::study::LessonsPage</name>
@@ -7091,10 +7306,6 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>Given to</source>
         <translation>Asignada a</translation>
-    </message>
-    <message>
-        <source>You have used up your attempts at this lesson. Your teacher can give you more.</source>
-        <translation>Ha agotado sus intentos en esta lección. Su docente puede darle más.</translation>
     </message>
 </context>
 <context>
@@ -7411,6 +7622,11 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>Not passed, as the teacher decided</source>
         <translation>No aprobado por decisión del docente</translation>
+    </message>
+    <message>
+        <source>The machine&apos;s score: %1</source>
+        <extracomment>%1: a sum of points</extracomment>
+        <translation>La puntuación de la máquina: %1</translation>
     </message>
 </context>
 <context>

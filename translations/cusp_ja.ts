@@ -185,6 +185,88 @@
         <source>The name of a class has 1 to 100 characters that can be seen.</source>
         <translation>クラス名は見える文字で1～100文字です。</translation>
     </message>
+    <message>
+        <source>when a place that was left is locked</source>
+        <translation>離席後にロックするまでの時間</translation>
+    </message>
+    <message>
+        <source>how long checking a password takes</source>
+        <translation>パスワードの確認にかかる時間</translation>
+    </message>
+    <message>
+        <source>how much memory checking a password takes</source>
+        <translation>パスワードの確認に使うメモリ</translation>
+    </message>
+    <message>
+        <source>the preset that everybody uses</source>
+        <translation>全員が使うプリセット</translation>
+    </message>
+    <message>
+        <source>attempt %1</source>
+        <translation>試行 %1</translation>
+    </message>
+    <message>
+        <source>exam %1</source>
+        <translation>試験 %1</translation>
+    </message>
+    <message>
+        <source>class %1</source>
+        <translation>クラス %1</translation>
+    </message>
+    <message>
+        <source>person %1</source>
+        <translation>人物 %1</translation>
+    </message>
+    <message>
+        <source>setting %1</source>
+        <translation>設定 %1</translation>
+    </message>
+    <message>
+        <source>all attempts</source>
+        <translation>すべての試行</translation>
+    </message>
+    <message>
+        <source>the school</source>
+        <translation>学校</translation>
+    </message>
+    <message>
+        <source>the audit</source>
+        <translation>監査記録</translation>
+    </message>
+    <message>
+        <source>preset %1, version %2</source>
+        <translation>プリセット「%1」バージョン %2</translation>
+    </message>
+    <message>
+        <source>backup of %1</source>
+        <extracomment>%1: a day and a time, or the name of a file</extracomment>
+        <translation>%1 のバックアップ</translation>
+    </message>
+    <message>
+        <source>From sign %1 of this line on the file is no UTF-8 text. Save it from the spreadsheet as “CSV UTF-8”.</source>
+        <translation>この行の%1文字目からUTF-8のテキストではありません。表計算ソフトで「CSV UTF-8」として保存してください。</translation>
+    </message>
+    <message>
+        <source>A quotation mark at sign %1 of this line is not closed.</source>
+        <translation>この行の%1文字目の引用符が閉じられていません。</translation>
+    </message>
+    <message>
+        <source>At sign %1 of this line words stand behind a closing quotation mark.</source>
+        <translation>この行の%1文字目で、閉じ引用符の後に文字があります。</translation>
+    </message>
+    <message>
+        <source>A class list has no such column. Is it %1?</source>
+        <extracomment>%1: the name of a column</extracomment>
+        <translation>クラス名簿にこの列はありません。%1 のことですか。</translation>
+    </message>
+    <message>
+        <source>This column is there twice.</source>
+        <translation>この列が2つあります。</translation>
+    </message>
+    <message>
+        <source>This column is missing. The first line names the columns.</source>
+        <translation>この列がありません。最初の行に列名を書きます。</translation>
+    </message>
 </context>
 <context>
     <name>Block</name>
@@ -1058,6 +1140,10 @@
         <extracomment>%1: a day of the week, or a date</extracomment>
         <translation>締切：%1</translation>
     </message>
+    <message>
+        <source>You have used up your attempts at this lesson. Your teacher can give you more.</source>
+        <translation>この課題の試行回数を使い切りました。教員が追加できます。</translation>
+    </message>
 </context>
 <context>
     <name>Login</name>
@@ -1520,14 +1606,6 @@
         <source>%1 is empty. The first line of a class list names its columns: username, given_name, family_name, role, class.</source>
         <translation>%1は空です。名簿の1行目には列名（username, given_name, family_name, role, class）を書きます。</translation>
     </message>
-    <message>
-        <source>%1 is no class list. That is a CSV file, text in UTF-8, whose first line names its columns: username, given_name, family_name, role, class.</source>
-        <translation>%1は名簿ではありません。名簿は UTF-8 の CSV ファイルで、1行目に列名（username, given_name, family_name, role, class）を書きます。</translation>
-    </message>
-    <message>
-        <source>%1 has too many lines. Split it, and enter the parts one after another.</source>
-        <translation>%1は行が多すぎます。分割して順に登録してください。</translation>
-    </message>
     <message numerus="yes">
         <source>A place that was left is locked after %n minute(s).</source>
         <translation>
@@ -1549,6 +1627,18 @@
     <message>
         <source>These people are being entered …</source>
         <translation>登録しています…</translation>
+    </message>
+    <message>
+        <source>No class can be called that. Its name has 1 to 100 characters that can be seen, without |, which parts classes in a class list, and no other class has it.</source>
+        <translation>その名前は付けられません。クラス名は見える文字で1～100文字、クラス名簿でクラスを区切る | を含まず、ほかのクラスと重ならないものにしてください。</translation>
+    </message>
+    <message>
+        <source>%1 has more than %2 lines. Split it, and enter the parts one after another.</source>
+        <translation>%1は%2行を超えています。分割して順に登録してください。</translation>
+    </message>
+    <message>
+        <source>The audit is still the one that the report with the code %1 names.</source>
+        <translation>監査記録は、コード %1 の報告書が示すものと同じです。</translation>
     </message>
 </context>
 <context>
@@ -1642,16 +1732,8 @@
         <translation>成績表を作成しています …</translation>
     </message>
     <message>
-        <source>The backup of %1 is in place. The file that was there is kept beside it.</source>
-        <translation>%1 のバックアップに置き換えました。元のファイルは横に残してあります。</translation>
-    </message>
-    <message>
         <source>The school&apos;s data lie on a network drive: only one computer at a time can use them. For several, keep them on a PostgreSQL server.</source>
         <translation>学校のデータはネットワークドライブ上にあり、同時に一台しか使えません。複数台ではPostgreSQLサーバーに置いてください。</translation>
-    </message>
-    <message>
-        <source>You have used up the attempts at this lesson that were given to you. Ask your teacher for more, or choose another lesson.</source>
-        <translation>この課題で認められた回数を使い切りました。先生に追加を頼むか、別の課題を選んでください。</translation>
     </message>
     <message>
         <source>Today&apos;s backup was not made. %1</source>
@@ -1670,6 +1752,15 @@
         <translation>
             <numerusform>このコンピューターの試行%n件は、この学校に渡せません。誰のものか不明か、別の station.key で署名されています。保留されています。</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The backup of %1 is in place.</source>
+        <translation>%1 のバックアップに置き換えました。</translation>
+    </message>
+    <message>
+        <source>The backup of %1 is in place. The file that was there is kept beside it as %2.</source>
+        <extracomment>%2: a file&apos;s name</extracomment>
+        <translation>%1 のバックアップに置き換えました。元のファイルは %2 として横に残してあります。</translation>
     </message>
 </context>
 <context>
@@ -1732,6 +1823,10 @@
     <message>
         <source>The recording of this attempt is not there, so it cannot be shown again. Its score and its figures are in the list.</source>
         <translation>この試行の記録がないため、再表示できません。得点と数値は一覧にあります。</translation>
+    </message>
+    <message>
+        <source>The report is being written …</source>
+        <translation>報告書を作成しています …</translation>
     </message>
 </context>
 <context>
@@ -1822,11 +1917,6 @@
         <source>Audit</source>
         <translation>監査記録</translation>
     </message>
-    <message>
-        <source>Audit code now: %1. It stands on every report: with &quot;Check everything&quot; nobody can take away what was noted before it.</source>
-        <extracomment>%1: a short code</extracomment>
-        <translation>現在の監査コード：%1。すべての報告書に載ります。「すべて確認」により、それ以前の記録は誰にも消せません。</translation>
-    </message>
     <message numerus="yes">
         <source>%n row(s)</source>
         <translation>
@@ -1856,6 +1946,11 @@
     <message>
         <source>Details</source>
         <translation>詳細</translation>
+    </message>
+    <message>
+        <source>Audit code now: %1. Every report shows the code of its day. Type one beside &quot;Check everything&quot; (Backups) to see whether what was noted before it is still as it was.</source>
+        <extracomment>%1: a short code</extracomment>
+        <translation>現在の監査コード：%1。各報告書にはその日のコードが載ります。「すべて確認」（バックアップ）の横に入力すると、それ以前の記録が元のままかどうか分かります。</translation>
     </message>
 </context>
 <context>
@@ -1932,6 +2027,19 @@
         <source>Restore the backup of %1? What was entered after it will be missing; attempts of this computer are brought in again, and the present file is kept beside it.</source>
         <extracomment>%1: when a backup was made</extracomment>
         <translation>%1のバックアップを復元しますか。それ以降に登録された内容は失われます。このコンピューターの試行は再び取り込まれ、現在のファイルは隣に残ります。</translation>
+    </message>
+    <message>
+        <source>Audit code of a report (optional):</source>
+        <translation>報告書の監査コード（任意）：</translation>
+    </message>
+    <message>
+        <source>&quot;Check everything&quot; then also looks whether the audit is still the one that the report was printed from</source>
+        <translation>「すべて確認」は、監査記録が報告書の印刷時と同じかどうかも調べます</translation>
+    </message>
+    <message>
+        <source>This is no audit code. A report shows one such as %1.</source>
+        <extracomment>%1: an example</extracomment>
+        <translation>監査コードではありません。報告書には %1 のようなコードがあります。</translation>
     </message>
 </context>
 <context>
@@ -2040,12 +2148,6 @@
         <source>has a one-time code</source>
         <translation>ワンタイムコードあり</translation>
     </message>
-    <message numerus="yes">
-        <source>%n person(s)</source>
-        <translation>
-            <numerusform>%n 人</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Enter the person</source>
         <translation>登録する</translation>
@@ -2099,6 +2201,33 @@
         <source>The school&apos;s data are being written to …</source>
         <translation>学校のデータに書き込んでいます…</translation>
     </message>
+    <message>
+        <source>Bring the changes back</source>
+        <translation>変更を戻す</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln person(s)</source>
+        <translation>
+            <numerusform>%Ln 人</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>What you had typed for a new person is put aside.</source>
+        <translation>新しい人について入力した内容を取り置いています。</translation>
+    </message>
+    <message>
+        <source>What you had changed of %1 is put aside.</source>
+        <extracomment>%1 is a person</extracomment>
+        <translation>%1 の変更を取り置いています。</translation>
+    </message>
+    <message>
+        <source>What you have typed for a new person is not entered.</source>
+        <translation>新しい人について入力した内容は登録されていません。</translation>
+    </message>
+    <message>
+        <source>What you have changed of %1 is not saved.</source>
+        <translation>%1 の変更は保存されていません。</translation>
+    </message>
 </context>
 <context>
     <name>ui::admin::RosterPart</name>
@@ -2121,12 +2250,6 @@
     <message>
         <source>What the class list would do</source>
         <translation>名簿の内容</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1: %n fault(s). Nothing was entered; mend the file and choose it again.</source>
-        <translation>
-            <numerusform>%1：%n 件の誤りがあります。何も登録していません。ファイルを直して選び直してください。</numerusform>
-        </translation>
     </message>
     <message>
         <source>%1 was entered: %2 new, %3 known already. The codes below are kept nowhere else.</source>
@@ -2218,16 +2341,26 @@
         <translation>%1のワンタイムコードは保存されておらず、ほかのどこにも残っていません。</translation>
     </message>
     <message numerus="yes">
-        <source>%1 %n new person(s) would be entered.</source>
+        <source>%1: %Ln fault(s). Nothing was entered; mend the file and choose it again.</source>
+        <translation>
+            <numerusform>%1：%Ln 件の誤りがあります。何も登録していません。ファイルを直して選び直してください。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There is nobody in %1: it has only the line that names the columns.</source>
+        <translation>%1 には誰もいません：列名の行だけです。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 %Ln new person(s) would be entered.</source>
         <extracomment>%1: what another sentence says of how many are known already</extracomment>
         <translation>
-            <numerusform>%1新しく%n人が登録されます。</numerusform>
+            <numerusform>%1新しく%Ln人が登録されます。</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%1: %n person(s) known already.</source>
+        <source>%1: %Ln person(s) known already.</source>
         <translation>
-            <numerusform>%1：%n人はすでに登録済みです。</numerusform>
+            <numerusform>%1：%Ln人はすでに登録済みです。</numerusform>
         </translation>
     </message>
 </context>
@@ -2550,8 +2683,8 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>サーボの周期の間隔：直近1秒の100回中99回はこれより短い値です。</translation>
     </message>
     <message>
-        <source>Two presets are being compared blind: until that is over, what is felt is not told.</source>
-        <translation>2つのプリセットをブラインド比較中です。終わるまで、どの感触かは示されません。</translation>
+        <source>Two presets are being compared blind: until that is over, what is felt is not told. &quot;End the comparison&quot; beside the tooth ends it.</source>
+        <translation>2つのプリセットをブラインド比較中です。終わるまで、どの感触かは示されません。歯の横の「比較を終える」で終わります。</translation>
     </message>
 </context>
 <context>
@@ -3080,6 +3213,15 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <source>%1 of %2 passed</source>
         <translation>%2人中%1人合格</translation>
     </message>
+    <message>
+        <source>out of tries</source>
+        <extracomment>Of a student who has no attempts left at a lesson that he has not passed</extracomment>
+        <translation>回数切れ</translation>
+    </message>
+    <message>
+        <source>%1: best %2, not passed and no attempts left, %3, last %4</source>
+        <translation>%1：最高%2点、不合格で残り回数なし、%3、最後 %4</translation>
+    </message>
 </context>
 <context>
     <name>ui::people::ClassPage</name>
@@ -3176,10 +3318,6 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>期限を過ぎた課題に合格していない人を表示します</translation>
     </message>
     <message>
-        <source>Best score of each student; a tick: passed; ▲: overdue. A heading sorts, once more the other way, then by name. A cell opens the attempts.</source>
-        <translation>各学生の最高点。チェック印：合格、▲：期限超過。見出しで並べ替え、もう一度で逆順、次に名前順。セルで試行を開きます。</translation>
-    </message>
-    <message>
         <source>%1 (%2 of %3 passed)</source>
         <extracomment>%1: a lesson; %2 of the %3 who tried it</extracomment>
         <translation>%1（%3人中%2人合格）</translation>
@@ -3201,6 +3339,14 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <source>%1, %2</source>
         <extracomment>%1: a class; %2: a lesson</extracomment>
         <translation>%1、%2</translation>
+    </message>
+    <message>
+        <source>Show who has no attempts left at a lesson that is not passed. More can be allowed under Assign lessons.</source>
+        <translation>合格していない課題の試行回数が残っていない学生を表示します。「課題を割り当てる」で回数を増やせます。</translation>
+    </message>
+    <message>
+        <source>Best score of each student; a tick: passed; ▲: overdue, or no attempts left. A heading sorts, once more the other way, then by name. A cell opens the attempts.</source>
+        <translation>各学生の最高点。チェック印：合格、▲：期限超過または残り回数なし。見出しで並べ替え、もう一度で逆順、次に名前順。セルで試行を開きます。</translation>
     </message>
 </context>
 <context>
@@ -4082,6 +4228,11 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <extracomment>%1 is a hardness preset</extracomment>
         <translation>%1の変更は取り置かれました。</translation>
     </message>
+    <message>
+        <source>What you have changed of the hardness preset %1 is not saved.</source>
+        <extracomment>%1 is a hardness preset</extracomment>
+        <translation>硬さプリセット「%1」の変更は保存されていません。</translation>
+    </message>
 </context>
 <context>
     <name>ui::presets::SimplePanel</name>
@@ -4135,6 +4286,15 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <source>%1, %2 to %3</source>
         <extracomment>A slider: what it is about, and the words at its ends</extracomment>
         <translation>%1、%2～%3</translation>
+    </message>
+    <message>
+        <source>In the middle: the numbers that were typed.</source>
+        <extracomment>Of sliders. %1 is a hardness preset</extracomment>
+        <translation>中央：入力された数値。</translation>
+    </message>
+    <message>
+        <source>In the middle: %1.</source>
+        <translation>中央：%1。</translation>
     </message>
 </context>
 <context>
@@ -4237,6 +4397,18 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>First cut a little with both</source>
         <translation>まず両方で少し削ってください</translation>
+    </message>
+    <message>
+        <source>End the comparison</source>
+        <translation>比較を終える</translation>
+    </message>
+    <message>
+        <source>What has been answered counts, and it is told which was which</source>
+        <translation>ここまでの回答を集計し、どちらがどのプリセットだったかを示します</translation>
+    </message>
+    <message>
+        <source>It was ended before anything was chosen.</source>
+        <translation>何も選ばれないうちに終了しました。</translation>
     </message>
 </context>
 <context>
@@ -4494,10 +4666,6 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         </translation>
     </message>
     <message>
-        <source>Best scores; ✓: passed</source>
-        <translation>最高点。✓：合格</translation>
-    </message>
-    <message>
         <source>The class at: %1</source>
         <translation>クラスの成績：%1</translation>
     </message>
@@ -4512,6 +4680,18 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>Rubric: %1, version %2, content %3</source>
         <translation>評価基準：%1、第%2版、内容%3</translation>
+    </message>
+    <message>
+        <source>No attempts left at a lesson that is not passed</source>
+        <translation>合格していない課題の試行回数が残っていない</translation>
+    </message>
+    <message>
+        <source>Best scores</source>
+        <translation>最高点</translation>
+    </message>
+    <message>
+        <source>✓: passed; ▲: overdue, or no attempts left; ▲ behind a name: needs the teacher</source>
+        <translation>✓：合格、▲：期限超過または残り回数なし、名前の後の▲：教員の対応が必要</translation>
     </message>
 </context>
 <context>
@@ -4606,6 +4786,10 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <source>%1 of 100 points, pass mark %2. %3</source>
         <extracomment>%1 and %2: points; %3: &quot;Passed&quot;, &quot;Not passed: harm done&quot;</extracomment>
         <translation>100点中%1点、合格点%2。%3</translation>
+    </message>
+    <message>
+        <source>Comments, with the numbers of their places in the picture of the tooth</source>
+        <translation>コメント（番号は歯の画像での位置）</translation>
     </message>
 </context>
 <context>
@@ -5260,6 +5444,13 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <source>Back to the lessons</source>
         <translation>課題へ戻る</translation>
     </message>
+    <message>
+        <source>Guest,
+unsaved</source>
+        <extracomment>Beside &quot;Log in&quot;, on every page: what is done now is kept for nobody. Two short lines.</extracomment>
+        <translation>ゲスト
+保存なし</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::ArchTooth</name>
@@ -5660,6 +5851,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
     <message>
         <source>%1 – Cusp</source>
+        <extracomment>%1: a lesson; %2: a person and a date</extracomment>
         <translation>%1 – Cusp</translation>
     </message>
     <message>
@@ -5768,6 +5960,26 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>Undo</source>
         <translation>元に戻す</translation>
+    </message>
+    <message>
+        <source>Another attempt at the lesson begins.</source>
+        <translation>課題の新しい試行を始めます。</translation>
+    </message>
+    <message>
+        <source>There is no hardness preset &quot;%1&quot;. There are: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
+    </message>
+    <message>
+        <source>Not everything has been saved, and it would be lost.</source>
+        <translation>保存されていないものがあり、失われます。</translation>
+    </message>
+    <message>
+        <source>&amp;Keep it</source>
+        <translation>残す(&amp;K)</translation>
     </message>
 </context>
 <context>
@@ -6826,6 +7038,10 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <source>Time left of %1</source>
         <translation>%1のうち残り時間</translation>
     </message>
+    <message>
+        <source>The exam is over, and nothing more can be cut. G shows the score.</source>
+        <translation>試験は終わりました。これ以上切削できません。Gで得点を表示します。</translation>
+    </message>
 </context>
 <context>
     <name>ui::study::LessonsPage</name>
@@ -7040,10 +7256,6 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>Given to</source>
         <translation>出された先</translation>
-    </message>
-    <message>
-        <source>You have used up your attempts at this lesson. Your teacher can give you more.</source>
-        <translation>この課題の試行回数を使い切りました。教員が追加できます。</translation>
     </message>
 </context>
 <context>
@@ -7358,6 +7570,11 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>Not passed, as the teacher decided</source>
         <translation>不合格（教員の判断）</translation>
+    </message>
+    <message>
+        <source>The machine&apos;s score: %1</source>
+        <extracomment>%1: a sum of points</extracomment>
+        <translation>機械採点：%1</translation>
     </message>
 </context>
 <context>

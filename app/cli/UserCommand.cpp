@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <filesystem>
+#include <system_error>
 
 #include <QDateTime>
 #include <QFile>
@@ -208,17 +210,25 @@ core::Status expectNew(const QString& path)
     return {};
 }
 
-/// A table takes the place of last night's table, not of a database, a station's key or a backup.
-core::Status expectTable(const QString& path)
+/// Where a table goes. It takes the place of last night's table, not of a database, a station's key or a backup; by its
+/// name it is judged where it lies, since what is saved through a link replaces what the link leads to.
+core::Result<QString> placeOfTable(const QString& path, const database::Address& school)
 {
-    const QFileInfo file(path);
-    if (file.exists() && !file.isFile())
+    const QFileInfo named(path);
+    if (!named.exists() && !named.isSymLink())
+        return path;
+    if (!named.isFile())
         return core::unexpected(ErrorCode::FileUnwritable,
                                 path.toStdString() + " is no file; name one, or - for standard output");
-    if (file.exists() && file.suffix().compare(u"csv", Qt::CaseInsensitive) != 0)
-        return core::unexpected(ErrorCode::FileUnwritable, "there is a file " + path.toStdString() +
-                                                               " already that is not called .csv; give another name");
-    return {};
+    const QString place = named.canonicalFilePath();
+    std::error_code unknown;
+    const bool isSchool = !school.isServer() &&
+                          std::filesystem::equivalent(place.toStdU16String(), school.file.toStdU16String(), unknown);
+    if (isSchool || QFileInfo(place).suffix().compare(u"csv", Qt::CaseInsensitive) != 0)
+        return core::unexpected(ErrorCode::FileUnwritable,
+                                "there is a file " + place.toStdString() +
+                                    " already that is no table of last time; give another name, ending in .csv");
+    return place;
 }
 
 int tellRoster(const QCommandLineParser& parser, const database::RosterOutcome& outcome, bool dryRun, bool tellsCodes)
@@ -313,9 +323,14 @@ int importCommand(const QStringList& arguments)
     const QStringList words = parser.positionalArguments();
     if (words.size() != 2 || words.front() != u"roster")
         return wrongUsage("usage: " + usage);
+    // Looked at before it is opened: a pipe would be waited for without end.
+    const QFileInfo list(words.back());
+    if (list.exists() && !list.isFile())
+        return failed({ErrorCode::FileUnreadable,
+                       "the class list " + words.back().toStdString() + " is no file; name a file of CSV"});
     QFile file(words.back());
     if (!file.open(QIODevice::ReadOnly))
-        return failed({QFile::exists(words.back()) ? ErrorCode::FileUnreadable : ErrorCode::FileMissing,
+        return failed({list.exists() ? ErrorCode::FileUnreadable : ErrorCode::FileMissing,
                        "the class list " + words.back().toStdString() + " cannot be read; check its name"});
     constexpr qint64 kMost = qint64{32} << 20;
     const QByteArray csv = file.read(kMost);
@@ -359,10 +374,14 @@ int exportCommand(const QStringList& arguments)
         return failed(desk.error());
     const QString path = parser.value(QStringLiteral("csv"));
     const bool toStdout = path == u"-";
-    if (const auto fit = toStdout ? core::Status() : expectTable(path); !fit)
-        return failed(fit.error());
-    QSaveFile file(path);
-    if (!toStdout && !file.open(QIODevice::WriteOnly))
+    const auto place = toStdout ? core::Result<QString>() : placeOfTable(path, desk->open.database->address());
+    if (!place)
+        return failed(place.error());
+    // Names and marks: a new file is for its owner only, and one that is there stays as somebody has set it.
+    const bool isNew = !QFileInfo::exists(*place);
+    QSaveFile file(*place);
+    if (!toStdout &&
+        (!file.open(QIODevice::WriteOnly) || (isNew && !file.setPermissions(QFile::ReadOwner | QFile::WriteOwner))))
         return failed({ErrorCode::FileUnwritable, "the file " + path.toStdString() + " cannot be written (" +
                                                       file.errorString().toStdString() + "); choose another place"});
     const auto count = database::sql::exportAttempts(*desk->open.school, desk->session, [&](std::string_view line) {

@@ -331,7 +331,8 @@ void SessionLoop::publish()
         out.overcutMm3 = removed.overcutMm3;
         out.perforated = removed.perforated;
     }
-    out.recordedS = m_recording ? std::chrono::duration<double>(m_recording->duration()).count() : 0.0;
+    const bool isRecorded = m_recording && m_recordedGeneration == m_generation;
+    out.recordedS = isRecorded ? std::chrono::duration<double>(m_recording->duration()).count() : 0.0;
     m_ui.session.publish();
 }
 

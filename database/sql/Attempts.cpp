@@ -435,8 +435,9 @@ core::Result<std::vector<KeptSheet>> sheetsOfLesson(const School& school, const 
     return sheets;
 }
 
-core::Result<std::vector<int>> bestOfClassmates(const School& school, const Session& session,
-                                                const std::string& lessonId, const std::string& rubricHash)
+core::Result<lessons::ClassStanding> standingAmongClassmates(const School& school, const Session& session,
+                                                             const std::string& lessonId, const std::string& rubricHash,
+                                                             int tenths)
 {
     if (auto who = admit(school, session, Operation::CompareWithClass); !who)
         return tl::unexpected(who.error());
@@ -452,8 +453,7 @@ core::Result<std::vector<int>> bestOfClassmates(const School& school, const Sess
                             [&](const QSqlQuery& row) { best.push_back(row.value(0).toInt()); });
         !read)
         return tl::unexpected(read.error());
-    std::sort(best.begin(), best.end());
-    return best;
+    return lessons::classStanding(tenths, best);
 }
 
 core::Status overrideScore(const School& school, const Session& session, AttemptId id, std::optional<int> tenths,

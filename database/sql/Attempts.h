@@ -12,6 +12,7 @@
 #include "database/records.h"
 #include "database/sql/Audit.h"
 #include "database/sql/School.h"
+#include "lessons/ClassStanding.h"
 
 namespace database::sql {
 
@@ -68,11 +69,11 @@ struct KeptSheet
                                                                   const std::string& lessonId,
                                                                   const std::string& lessonHash, int limit);
 
-/// Each classmate's best score of a lesson by that rubric, tenths of a point, the session's own among them; no names,
-/// in no order. Without a class: one's own.
-[[nodiscard]] core::Result<std::vector<int>> bestOfClassmates(const School& school, const Session& session,
-                                                              const std::string& lessonId,
-                                                              const std::string& rubricHash);
+/// Where a score, in tenths of a point, stands among each classmate's best of a lesson by that rubric, the session's
+/// own among them; without a class it is alone.
+[[nodiscard]] core::Result<lessons::ClassStanding> standingAmongClassmates(const School& school, const Session& session,
+                                                                           const std::string& lessonId,
+                                                                           const std::string& rubricHash, int tenths);
 
 /// The machine's score stays; this one counts. Nothing: the machine's counts again.
 [[nodiscard]] core::Status overrideScore(const School& school, const Session& session, AttemptId id,

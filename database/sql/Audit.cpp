@@ -41,6 +41,13 @@ std::string wordsOf(const AuditHead& head)
     return "cusp audit " + std::to_string(head.seq) + ' ' + head.hash;
 }
 
+/// Of an audit code: its row, and the beginning of that one's hash.
+QRegularExpressionMatch matchCode(const std::string& typed)
+{
+    static const QRegularExpression kCode(QStringLiteral("^([1-9][0-9]{0,17})-([0-9a-f]{12,64})$"));
+    return kCode.match(QString::fromStdString(typed).trimmed().toLower());
+}
+
 /// Reads the chain row by row and says where it does not hold.
 class ChainReader
 {
@@ -48,8 +55,7 @@ public:
     explicit ChainReader(const std::vector<std::string>& witnesses)
     {
         for (const std::string& witness : witnesses) {
-            static const QRegularExpression kCode(QStringLiteral("^([1-9][0-9]{0,17})-([0-9a-f]{12,64})$"));
-            const auto found = kCode.match(QString::fromStdString(witness).trimmed().toLower());
+            const auto found = matchCode(witness);
             if (!found.hasMatch())
                 say('"' + witness + "\" is no audit code; a report shows one such as 412-9f3ac07be1d2");
             else
@@ -245,6 +251,11 @@ std::string hashOf(const AuditRow& row, const std::string& hashBefore)
     return digestOf(bytes.bytes());
 }
 
+bool isAuditCode(const std::string& typed)
+{
+    return matchCode(typed).hasMatch();
+}
+
 std::string AuditHead::code() const
 {
     return seq == 0 ? std::string("0") : std::to_string(seq) + '-' + hash.substr(0, kCodeDigits);
@@ -309,6 +320,8 @@ core::Status AuditBatch::note(const std::string& actor, const std::string& actio
 
 core::Status AuditBatch::seal()
 {
+    if (!m_insert)
+        return {};
     m_insert.reset();
     return execute(m_school.db, "UPDATE audit_seal SET seq = ?, hash = ?, signature = ?, station_key = ? WHERE id = 1",
                    kNote,

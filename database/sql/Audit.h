@@ -32,6 +32,7 @@ public:
     /// As note().
     [[nodiscard]] core::Status note(const std::string& actor, const std::string& action, const std::string& object,
                                     const QJsonObject& detail = {});
+    /// Does nothing where nothing was noted.
     [[nodiscard]] core::Status seal();
 
 private:
@@ -75,6 +76,9 @@ struct AuditHead
     [[nodiscard]] std::string code() const;
 };
 [[nodiscard]] core::Result<AuditHead> auditHead(const School& school);
+/// Whether somebody has typed such a code: small or capital letters, and as much of the hash as he likes beyond what is
+/// shown.
+[[nodiscard]] bool isAuditCode(const std::string& typed);
 
 /// The newest rows, newest first, at most `limit`, those before row `beforeSeq` if that is not 0. Admins.
 [[nodiscard]] core::Result<std::vector<AuditRow>> readAudit(const School& school, const Session& session, int limit,

@@ -312,8 +312,9 @@ QString newestSound(const QString& databaseFile, const QDateTime& nowUtc)
     QStringList files = backupsIn(backupFolder(databaseFile));
     std::stable_partition(files.begin(), files.end(),
                           [&nowUtc](const QString& file) { return !isOfTheFuture(file, nowUtc); });
-    const auto sound =
-        std::find_if(files.begin(), files.end(), [](const QString& file) { return verifyBackup(file).has_value(); });
+    const auto sound = std::find_if(files.begin(), files.end(), [](const QString& file) {
+        return !holdsNobody(file) && verifyBackup(file).has_value();
+    });
     return sound != files.end() ? *sound : QString();
 }
 
@@ -331,6 +332,13 @@ std::string schoolOf(const QString& file)
         return {};
     const Reader reader(file);
     return schoolOf(reader.handle()).value_or(std::string());
+}
+
+bool holdsNobody(const QString& file)
+{
+    const Reader reader(file);
+    const auto somebody = ask(reader.handle(), "SELECT EXISTS (SELECT 1 FROM people)", "see whether it is empty");
+    return somebody && somebody->toInt() == 0;
 }
 
 QStringList heldBy(const QString& backup, const QStringList& uids)

@@ -44,6 +44,10 @@ using BackupProgress = std::function<bool(int done, int all)>;
 /// read.
 [[nodiscard]] std::string schoolOf(const QString& file);
 
+/// Whether a backup was made before anybody was entered: to restore it is to have an empty school. False also where it
+/// cannot be read, or is from before there were people.
+[[nodiscard]] bool holdsNobody(const QString& file);
+
 /// Of attempts and exams, by uid, those that a backup has; none where it cannot be read or an older program made it.
 [[nodiscard]] QStringList heldBy(const QString& backup, const QStringList& uids);
 
@@ -55,8 +59,8 @@ using BackupProgress = std::function<bool(int done, int all)>;
 /// alone.
 [[nodiscard]] QStringList tooMany(const QStringList& files, const QDateTime& nowUtc);
 
-/// The newest backup of a database's own folder that verifyBackup() finds whole, one from the future last; empty: there
-/// is none.
+/// The newest backup of a database's own folder that verifyBackup() finds whole and that somebody is in, one from the
+/// future last; empty: there is none.
 [[nodiscard]] QString newestSound(const QString& databaseFile, const QDateTime& nowUtc);
 
 /// When a backup was made, UTC, out of its name; invalid for other files.

@@ -55,6 +55,9 @@ core::Result<std::string> checkClassName(const std::string& name)
     if (trimmed.isEmpty() || trimmed.size() > kLongestName || !canBeSeen(trimmed.toStdString()))
         return core::unexpected(ErrorCode::OutOfRange,
                                 "the name of a class has 1 to 100 characters that can be seen; correct it");
+    if (trimmed.contains(u'|'))
+        return core::unexpected(ErrorCode::OutOfRange,
+                                "the name of a class has no |, which parts classes in a class list; use another sign");
     return trimmed.toStdString();
 }
 
@@ -80,7 +83,8 @@ core::Result<std::vector<SchoolClass>> listClasses(const School& school, const S
     return classes;
 }
 
-core::Result<ClassId> classNamed(const School& school, const std::string& actor, const std::string& name)
+core::Result<ClassId> classNamed(const School& school, AuditBatch& audit, const std::string& actor,
+                                 const std::string& name)
 {
     const auto checked = checkClassName(name);
     if (!checked)
@@ -94,13 +98,12 @@ core::Result<ClassId> classNamed(const School& school, const std::string& actor,
     if (!made)
         return tl::unexpected(made.error());
     const ClassId id{made->toLongLong()};
-    if (auto noted = note(school, actor, "class.add", objectOf(id), {{"name", QString::fromStdString(*checked)}});
-        !noted)
+    if (auto noted = audit.note(actor, "class.add", objectOf(id), {{"name", QString::fromStdString(*checked)}}); !noted)
         return tl::unexpected(noted.error());
     return id;
 }
 
-core::Status putInto(const School& school, const std::string& actor, ClassId id, PersonId person)
+core::Status putInto(const School& school, AuditBatch& audit, const std::string& actor, ClassId id, PersonId person)
 {
     const auto is = ask(school.db, "SELECT 1 FROM enrolments WHERE class_id = ? AND person_id = ?", kChange,
                         {number(id.value), number(person.value)});
@@ -115,7 +118,7 @@ core::Status putInto(const School& school, const std::string& actor, ClassId id,
     const auto uid = ask(school.db, "SELECT uid FROM people WHERE id = ?", kChange, {number(person.value)});
     if (!uid)
         return tl::unexpected(uid.error());
-    return note(school, actor, "class.enrol", objectOf(id), {{"person", uid->toString()}});
+    return audit.note(actor, "class.enrol", objectOf(id), {{"person", uid->toString()}});
 }
 
 core::Result<ClassId> addClass(const School& school, const Session& session, const std::string& name)
@@ -128,7 +131,13 @@ core::Result<ClassId> addClass(const School& school, const Session& session, con
             return tl::unexpected(checked.error());
         if (auto is = expectFreeName(school, *checked, {}); !is)
             return tl::unexpected(is.error());
-        return classNamed(school, session.uid(), *checked);
+        AuditBatch audit(school);
+        const auto made = classNamed(school, audit, session.uid(), *checked);
+        if (!made)
+            return made;
+        if (auto sealed = audit.seal(); !sealed)
+            return tl::unexpected(sealed.error());
+        return made;
     });
 }
 
@@ -155,8 +164,12 @@ core::Status enrol(const School& school, const Session& session, ClassId id, Per
     if (auto who = admit(school, session, Operation::ChangeClasses); !who)
         return tl::unexpected(who.error());
     return inTurn(school, kChange, [&]() -> core::Status {
-        if (belongs)
-            return putInto(school, session.uid(), id, person);
+        if (belongs) {
+            AuditBatch audit(school);
+            if (auto put = putInto(school, audit, session.uid(), id, person); !put)
+                return put;
+            return audit.seal();
+        }
         const auto uid = ask(school.db,
                              "DELETE FROM enrolments WHERE class_id = ? AND person_id = ? RETURNING "
                              "(SELECT uid FROM people WHERE people.id = person_id)",

@@ -10,7 +10,10 @@
 
 namespace database::sql {
 
-/// The name of a class as it is kept: OutOfRange when it is empty, longer than 100 characters, or cannot be seen.
+class AuditBatch;
+
+/// The name of a class as it is kept: OutOfRange when it is empty, longer than 100 characters, cannot be seen,
+/// or has a "|", which parts classes in a class list.
 [[nodiscard]] core::Result<std::string> checkClassName(const std::string& name);
 /// Those within the session's reach, by name.
 [[nodiscard]] core::Result<std::vector<SchoolClass>> listClasses(const School& school, const Session& session);
@@ -34,8 +37,11 @@ namespace database::sql {
 [[nodiscard]] core::Result<std::optional<int>> attemptsLeft(const School& school, const Session& session,
                                                             const std::string& lessonId);
 
-/// Inside a transaction of others, who have looked whether it is allowed: the class of that name, made if need be.
-[[nodiscard]] core::Result<ClassId> classNamed(const School& school, const std::string& actor, const std::string& name);
-[[nodiscard]] core::Status putInto(const School& school, const std::string& actor, ClassId id, PersonId person);
+/// Inside a transaction of others, who have looked whether it is allowed, and seal the audit: the class of that name,
+/// made if need be.
+[[nodiscard]] core::Result<ClassId> classNamed(const School& school, AuditBatch& audit, const std::string& actor,
+                                               const std::string& name);
+[[nodiscard]] core::Status putInto(const School& school, AuditBatch& audit, const std::string& actor, ClassId id,
+                                   PersonId person);
 
 }  // namespace database::sql

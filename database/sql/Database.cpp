@@ -37,6 +37,9 @@ core::Status inspect(const QString& path)
                                     head(path) + "the folder does not exist; create it or choose another place");
         return {};
     }
+    if (!info.isFile())
+        return core::unexpected(ErrorCode::WrongKind,
+                                head(path) + "this is no file but a device or a pipe; name a file");
     if (!info.isReadable())
         return core::unexpected(ErrorCode::FileUnreadable, head(path) + "it cannot be read; check who may read it");
     return {};
@@ -243,11 +246,18 @@ core::Status Database::reconnect()
     db.close();
     if (!db.open())
         return tl::unexpected(dialect::error(db, db.lastError(), "open it"));
-    // Who waits for a lock longer than this is told, as SQLite does.
+    // Who waits for a lock longer than this is told, as SQLite does. And the server, too, notices within some ten
+    // seconds that a cable was pulled, and gives back what the station had locked; on a socket that says nothing.
     if (m_address.isServer())
-        return execute(
-            db, QStringLiteral("SET lock_timeout = %1; SET client_min_messages = warning").arg(m_patience.count()),
-            "set it up");
+        return execute(db,
+                       QStringLiteral("SELECT set_config('lock_timeout', '%1', false), "
+                                      "set_config('client_min_messages', 'warning', false), "
+                                      "set_config('tcp_keepalives_idle', '5', false), "
+                                      "set_config('tcp_keepalives_interval', '2', false), "
+                                      "set_config('tcp_keepalives_count', '3', false), "
+                                      "set_config('tcp_user_timeout', '10000', false)")
+                           .arg(m_patience.count()),
+                       "set it up");
     return {};
 }
 

@@ -91,8 +91,9 @@ core::Error postgresError(const std::string& head, const QSqlError& error, bool 
     if (!isOpen && said.find("FATAL") != std::string::npos && !is("08") && !is("57P"))
         return {ErrorCode::NotAllowed,
                 head + "the server refuses the connection (" + said + "); let its administrator allow it"};
-    // Without a code it is libpq that speaks, not the server: the connection is gone or never was.
-    if (code.isEmpty() || is("08") || is("57P") || !isOpen)
+    // Without a code it is libpq that speaks, not the server: the connection is gone or never was. 25P03: this station
+    // paused too long in a transaction.
+    if (code.isEmpty() || is("08") || is("57P") || is("25P03") || !isOpen)
         return {ErrorCode::ConnectionLost, head + "the server does not answer" +
                                                (isOpen || said.empty() ? std::string() : " (" + said + ")") +
                                                "; check the network and that the server runs"};
@@ -130,10 +131,16 @@ QString appendOnly(bool postgres, const QString& table)
         .arg(table);
 }
 
-/// Held until the transaction ends. Who waits for it stands in a queue; a row's lock often goes to who came last.
+/// Held until the transaction ends. Who waits for it stands in a queue; a row's lock often goes to who came last. A
+/// station that stops in the middle (a laptop that is shut) loses it, and its connection, before the others give up.
 QString lockAsProgram(const QSqlDatabase& db, int lock)
 {
-    return isPostgres(db) ? QStringLiteral("SELECT pg_advisory_xact_lock(%1)").arg(lock) : QString();
+    constexpr int kLongestPauseMs = 3000;
+    return isPostgres(db) ? QStringLiteral("SELECT set_config('idle_in_transaction_session_timeout', '%1', true), "
+                                           "pg_advisory_xact_lock(%2)")
+                                .arg(kLongestPauseMs)
+                                .arg(lock)
+                          : QString();
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ inline constexpr int kApplicationId = 0x43555350;
 [[nodiscard]] QString forUpdate(const QSqlDatabase& db);
 /// Lets one migration run at a time, until the transaction ends; empty where beginWrite() does.
 [[nodiscard]] QString lockSchema(const QSqlDatabase& db);
-/// The same for what is noted in the audit.
+/// The same for what is noted in the audit. Who then does nothing for three seconds loses his connection.
 [[nodiscard]] QString lockTurn(const QSqlDatabase& db);
 
 /// Number of the last migration applied; 0 on an empty database.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <thread>
 
 #include <QRegularExpression>
 
@@ -18,6 +19,7 @@ namespace {
 using core::ErrorCode;
 
 const std::string kLogIn = "log in";
+const std::string kSetPassword = "set the password";
 const QString kPasses = QStringLiteral("password.passes");
 const QString kMemory = QStringLiteral("password.memory");
 /// The hash of a password that nobody knows.
@@ -53,43 +55,136 @@ qlonglong nowMs(const School& school)
     return school.nowUtc().toMSecsSinceEpoch();
 }
 
-/// How long this name still has to wait.
-core::Result<std::chrono::milliseconds> waitFor(const School& school, const std::string& hash)
+core::Error tooSoon(std::chrono::milliseconds wait)
 {
-    std::chrono::milliseconds wait{0};
+    const auto seconds = std::chrono::ceil<std::chrono::seconds>(wait).count();
+    return {ErrorCode::TooSoon, "too many logins have failed; wait " + std::to_string(seconds) +
+                                    (seconds == 1 ? " second" : " seconds") + " and try again"};
+}
+
+/// A row of this name stands beside that of a name's failures while a try is compared.
+QVariant tryOf(const std::string& hash)
+{
+    return text("try:" + hash);
+}
+
+/// What is known of tries of a name.
+struct Tries
+{
+    std::chrono::milliseconds wait{0};  ///< until the next
+    bool isCompared = false;            ///< one is being compared just now, and may turn out right
+};
+
+core::Result<Tries> triesOf(const School& school, const std::string& hash)
+{
+    // One that a station has left half-way is soon no longer waited for.
+    constexpr std::chrono::milliseconds kLongestTry = std::chrono::seconds(5);
+    Tries tries;
     const auto read =
-        forEach(school.db, "SELECT failures, last_ms FROM failed_logins WHERE name_hash = ?", kLogIn, {text(hash)},
-                [&](const QSqlQuery& row) {
-                    const int beyond = row.value(0).toInt() - Logins::kFreeFailures;
+        forEach(school.db, "SELECT name_hash, failures, last_ms FROM failed_logins WHERE name_hash IN (?, ?)", kLogIn,
+                {text(hash), tryOf(hash)}, [&](const QSqlQuery& row) {
+                    // A clock that was put back must neither lock anybody out for long nor let him in at once.
+                    const std::chrono::milliseconds gone(std::max(0LL, nowMs(school) - row.value(2).toLongLong()));
+                    if (textOf(row, 0) != hash) {
+                        tries.isCompared = gone < kLongestTry;
+                        return;
+                    }
+                    const int beyond = row.value(1).toInt() - Logins::kFreeFailures;
                     if (beyond < 0)
                         return;
                     const std::chrono::milliseconds whole = std::min<std::chrono::milliseconds>(
                         Logins::kLongestWait, std::chrono::seconds(1LL << std::min(beyond, kMostDoublings)));
-                    // A clock that was put back must neither lock anybody out for long nor let him in at once.
-                    const std::chrono::milliseconds gone(std::max(0LL, nowMs(school) - row.value(1).toLongLong()));
-                    wait = std::max(std::chrono::milliseconds(0), whole - gone);
+                    tries.wait = std::max(std::chrono::milliseconds(0), whole - gone);
                 });
     if (!read)
         return tl::unexpected(read.error());
-    return wait;
+    return tries;
 }
 
-core::Status noteFailure(const School& school, const std::string& hash)
+core::Status countTry(const School& school, const QVariant& name)
 {
-    return inTurn(school, kLogIn, [&]() -> core::Status {
-        if (auto counted = execute(school.db,
-                                   "INSERT INTO failed_logins (name_hash, failures, last_ms) VALUES (?, 1, ?) "
-                                   "ON CONFLICT (name_hash) DO UPDATE SET failures = failed_logins.failures + 1, "
-                                   "last_ms = excluded.last_ms",
-                                   kLogIn, {text(hash), nowMs(school)});
-            !counted)
-            return counted;
+    return execute(school.db,
+                   "INSERT INTO failed_logins (name_hash, failures, last_ms) VALUES (?, 1, ?) ON CONFLICT (name_hash) "
+                   "DO UPDATE SET failures = failed_logins.failures + 1, last_ms = excluded.last_ms",
+                   kLogIn, {name, nowMs(school)});
+}
+
+/// Counts a try as a failure before anything is compared: many at once are no more guesses than one after the other.
+/// False: the name has to wait.
+core::Result<bool> reserveTry(const School& school, const std::string& hash)
+{
+    return inTurn(school, kLogIn, [&]() -> core::Result<bool> {
+        const auto tries = triesOf(school, hash);
+        if (!tries)
+            return tl::unexpected(tries.error());
+        if (tries->wait.count() > 0)
+            return false;
         // Names that nobody has tried for a day are forgotten: a list of guesses does not fill the disk.
         const qlonglong yesterday = nowMs(school) - std::chrono::milliseconds(std::chrono::hours(24)).count();
         if (auto forgotten = execute(school.db, "DELETE FROM failed_logins WHERE last_ms < ?", kLogIn, {yesterday});
             !forgotten)
-            return forgotten;
+            return tl::unexpected(forgotten.error());
+        for (const QVariant& name : {text(hash), tryOf(hash)})
+            if (auto counted = countTry(school, name); !counted)
+                return tl::unexpected(counted.error());
+        return true;
+    });
+}
+
+/// Who has to wait only because others of his name are being compared waits here for how that ends: one who logs in at
+/// many places at once guesses nothing.
+core::Status beginTry(const School& school, const std::string& hash)
+{
+    constexpr int kMostLooks = 100;
+    constexpr std::chrono::milliseconds kBetween(50);
+    for (int looks = 0; looks < kMostLooks; ++looks) {
+        const auto tries = triesOf(school, hash);
+        if (!tries)
+            return tl::unexpected(tries.error());
+        if (tries->wait.count() > 0 && !tries->isCompared)
+            return tl::unexpected(tooSoon(tries->wait));
+        if (tries->wait.count() == 0) {
+            const auto reserved = reserveTry(school, hash);
+            if (!reserved)
+                return tl::unexpected(reserved.error());
+            if (*reserved)
+                return {};
+        }
+        std::this_thread::sleep_for(kBetween);
+    }
+    return tl::unexpected(tooSoon(std::chrono::seconds(1)));
+}
+
+/// Inside the transaction of what a right password or code leads to.
+core::Status forgive(const School& school, const std::string& hash)
+{
+    return execute(school.db, "DELETE FROM failed_logins WHERE name_hash IN (?, ?)", kLogIn, {text(hash), tryOf(hash)});
+}
+
+core::Status endTry(const School& school, const std::string& hash)
+{
+    return execute(school.db, "DELETE FROM failed_logins WHERE name_hash = ?", kLogIn, {tryOf(hash)});
+}
+
+/// The try has failed, as it was counted.
+core::Status noteFailure(const School& school, const std::string& hash)
+{
+    return inTurn(school, kLogIn, [&]() -> core::Status {
+        if (auto ended = endTry(school, hash); !ended)
+            return ended;
         return note(school, "", "login.failed", "name:" + hash.substr(0, kNameInAudit));
+    });
+}
+
+/// Nothing could be compared, which is nobody's failure.
+core::Status takeBack(const School& school, const std::string& hash)
+{
+    return inTurn(school, kLogIn, [&]() -> core::Status {
+        for (const char* sql : {"DELETE FROM failed_logins WHERE name_hash = ? AND failures = 1",
+                                "UPDATE failed_logins SET failures = failures - 1 WHERE name_hash = ?"})
+            if (auto done = execute(school.db, QLatin1String(sql), kLogIn, {text(hash)}); !done)
+                return done;
+        return endTry(school, hash);
     });
 }
 
@@ -168,21 +263,14 @@ core::Result<std::string> otherPassword(const School& school, const std::string&
 enum class Secret { Password, Code, Either };
 
 /// A password is compared once, whoever it is: with his, or with another's. A code is compared quickly, whoever it is.
-core::Result<Account> tryAccount(const School& school, const std::string& username, const std::string& secret,
-                                 Secret kind)
+/// @param hash  of the name
+/// @return nothing: it is wrong
+core::Result<std::optional<Account>> compare(const School& school, const std::string& username, const std::string& hash,
+                                             const std::string& secret, Secret kind)
 {
-    const std::string hash = nameHash(username);
-    const auto wait = waitFor(school, hash);
-    if (!wait)
-        return tl::unexpected(wait.error());
-    if (wait->count() > 0) {
-        const auto seconds = std::chrono::ceil<std::chrono::seconds>(*wait).count();
-        return core::unexpected(ErrorCode::TooSoon, "too many logins have failed; wait " + std::to_string(seconds) +
-                                                        (seconds == 1 ? " second" : " seconds") + " and try again");
-    }
     auto account = accountOf(school, username);
     if (!account)
-        return account;
+        return tl::unexpected(account.error());
     bool isRight = false;
     if (kind != Secret::Code) {
         const auto other = otherPassword(school, hash);
@@ -200,24 +288,59 @@ core::Result<Account> tryAccount(const School& school, const std::string& userna
                   hashOfCode(account->person->uid, codeOf(secret)) == account->codeHash;
         account->isByCode = isRight;
     }
-    if (!isRight || account->person->disabled) {
+    if (!isRight || account->person->disabled)
+        return std::nullopt;
+    return std::optional(std::move(*account));
+}
+
+/// What it leads to forgives the failures before.
+core::Result<Account> tryAccount(const School& school, const std::string& username, const std::string& secret,
+                                 Secret kind)
+{
+    const std::string hash = nameHash(username);
+    if (auto begun = beginTry(school, hash); !begun)
+        return tl::unexpected(begun.error());
+    auto account = compare(school, username, hash, secret, kind);
+    if (!account) {
+        static_cast<void>(takeBack(school, hash));  // why it could not be compared is the one to tell
+        return tl::unexpected(account.error());
+    }
+    if (!*account) {
         if (auto noted = noteFailure(school, hash); !noted)
             return tl::unexpected(noted.error());
         return tl::unexpected(wrongLogin());
     }
-    return account;
+    return std::move(**account);
 }
 
-core::Status setPassword(const School& school, const Person& person, const std::string& password)
+/// Takes a fraction of a second: not while others wait.
+core::Result<std::string> hashFor(const School& school, const std::string& password)
 {
     const auto cost = passwordCost(school);
     if (!cost)
         return tl::unexpected(cost.error());
-    const auto hash = hashPassword(password, *cost);
-    if (!hash)
-        return tl::unexpected(hash.error());
+    return hashPassword(password, *cost);
+}
+
+core::Status setPassword(const School& school, const Person& person, const std::string& hash)
+{
     return execute(school.db, "UPDATE people SET password_hash = ?, reset_hash = '', reset_until_utc = '' WHERE id = ?",
-                   "set the password", {text(*hash), static_cast<qlonglong>(person.id.value)});
+                   kSetPassword, {text(hash), number(person.id.value)});
+}
+
+/// Whether what somebody has shown still lets him in: another station or an admin may have been quicker.
+core::Status expectStill(const School& school, const Person& person, const char* column, const std::string& hash)
+{
+    const auto still =
+        ask(school.db,
+            QStringLiteral("SELECT %1 FROM people WHERE id = ? AND disabled = 0").arg(QLatin1String(column)) +
+                dialect::forUpdate(school.db),
+            kSetPassword, {number(person.id.value)});
+    if (!still)
+        return tl::unexpected(still.error());
+    if (still->toString().toStdString() != hash)
+        return tl::unexpected(wrongLogin());
+    return {};
 }
 
 /// What passwords cost from now on, and what nobody's is compared with: it takes as long.
@@ -247,6 +370,9 @@ core::Result<PasswordCost> passwordCost(const School& school)
         if (const qulonglong value = kept->toString().toULongLong(); value > 0)
             take(cost, value);
     }
+    // Who may write the database must not make everybody's password cheap to guess.
+    cost.passes = std::max(cost.passes, school.leastCost.passes);
+    cost.memoryBytes = std::max(cost.memoryBytes, school.leastCost.memoryBytes);
     return cost;
 }
 
@@ -308,8 +434,11 @@ core::Result<Session> Logins::createFirstAdmin(const School& school, const NewPe
         NewPerson admin = who;
         admin.role = Role::Admin;
         // First: the first row of the audit tells schools apart.
-        if (auto done = enter(school, "system", admin, *hash); !done)
-            return tl::unexpected(done.error());
+        AuditBatch audit(school);
+        if (auto person = enter(school, audit, "system", admin, *hash); !person)
+            return tl::unexpected(person.error());
+        if (auto sealed = audit.seal(); !sealed)
+            return sealed;
         return keepCost(school, "system", cost, *decoy);
     });
     if (!entered)
@@ -326,8 +455,11 @@ core::Result<Session> Logins::login(const School& school, const std::string& use
     auto account = tryAccount(school, username, password, kind);
     if (!account)
         return tl::unexpected(account.error());
-    if (account->isByCode)
+    if (account->isByCode) {
+        if (auto forgiven = inTurn(school, kLogIn, [&] { return forgive(school, nameHash(username)); }); !forgiven)
+            return tl::unexpected(forgiven.error());
         return core::unexpected(ErrorCode::NewPassword, "the code is right; choose a password");
+    }
     const Person& person = *account->person;
     const auto cost = passwordCost(school);
     if (!cost)
@@ -338,18 +470,18 @@ core::Result<Session> Logins::login(const School& school, const std::string& use
     const auto doing = kLogIn;
     auto entered = inTurn(school, doing, [&]() -> core::Status {
         const qlonglong id = person.id.value;
+        // Not where an admin has just taken the password away.
         if (!rehashed.empty())
             if (auto raised =
-                    execute(school.db, "UPDATE people SET password_hash = ? WHERE id = ?", doing, {text(rehashed), id});
+                    execute(school.db, "UPDATE people SET password_hash = ? WHERE id = ? AND password_hash = ?", doing,
+                            {text(rehashed), id, text(account->passwordHash)});
                 !raised)
                 return raised;
         if (auto seen = execute(school.db, "UPDATE people SET last_login_utc = ? WHERE id = ?", doing,
                                 {text(school.now()), id});
             !seen)
             return seen;
-        if (auto forgiven =
-                execute(school.db, "DELETE FROM failed_logins WHERE name_hash = ?", doing, {text(nameHash(username))});
-            !forgiven)
+        if (auto forgiven = forgive(school, nameHash(username)); !forgiven)
             return forgiven;
         return note(school, person.uid, "login", "person:" + person.uid);
     });
@@ -372,16 +504,17 @@ core::Result<Session> Logins::redeem(const School& school, const std::string& us
     auto account = tryAccount(school, username, code, Secret::Code);
     if (!account)
         return tl::unexpected(account.error());
-    auto set = inTurn(school, "set the password", [&]() -> core::Status {
+    const auto hash = hashFor(school, newPassword);
+    if (!hash)
+        return tl::unexpected(hash.error());
+    auto set = inTurn(school, kSetPassword, [&]() -> core::Status {
         // Two stations at once: the code is good for one of them.
-        const auto still = ask(school.db, "SELECT reset_hash FROM people WHERE id = ?" + dialect::forUpdate(school.db),
-                               "set the password", {static_cast<qlonglong>(account->person->id.value)});
-        if (!still)
-            return tl::unexpected(still.error());
-        if (still->toString().toStdString() != account->codeHash)
-            return tl::unexpected(wrongLogin());
-        if (auto done = setPassword(school, *account->person, newPassword); !done)
+        if (auto still = expectStill(school, *account->person, "reset_hash", account->codeHash); !still)
+            return still;
+        if (auto done = setPassword(school, *account->person, *hash); !done)
             return done;
+        if (auto forgiven = forgive(school, nameHash(username)); !forgiven)
+            return forgiven;
         return note(school, account->person->uid, "password.code", "person:" + account->person->uid);
     });
     if (!set)
@@ -406,9 +539,16 @@ core::Status Logins::changePassword(const School& school, const Session& session
     auto account = tryAccount(school, session.username(), old, Secret::Password);
     if (!account)
         return tl::unexpected(account.error());
-    return inTurn(school, "set the password", [&]() -> core::Status {
-        if (auto done = setPassword(school, *account->person, newPassword); !done)
+    const auto hash = hashFor(school, newPassword);
+    if (!hash)
+        return tl::unexpected(hash.error());
+    return inTurn(school, kSetPassword, [&]() -> core::Status {
+        if (auto still = expectStill(school, *account->person, "password_hash", account->passwordHash); !still)
+            return still;
+        if (auto done = setPassword(school, *account->person, *hash); !done)
             return done;
+        if (auto forgiven = forgive(school, nameHash(session.username())); !forgiven)
+            return forgiven;
         return note(school, session.uid(), "password.change", "person:" + session.uid());
     });
 }

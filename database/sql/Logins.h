@@ -35,7 +35,8 @@ public:
                                                                 const std::string& password, const PasswordCost& cost);
 
     /// Lets a person in. WrongLogin, with the same words and after the same time: no such name, a wrong password, a
-    /// disabled account. TooSoon: after failures. NewPassword: a one-time code was right, which redeem() takes.
+    /// disabled account. TooSoon: after failures, also of others at the same moment. NewPassword: a one-time code was
+    /// right, which redeem() takes.
     [[nodiscard]] static core::Result<Session> login(const School& school, const std::string& username,
                                                      const std::string& password);
 
@@ -52,7 +53,7 @@ public:
                                                      const std::string& old, const std::string& newPassword);
 };
 
-/// What passwords cost in this school.
+/// What passwords cost in this school, never less than School::leastCost.
 [[nodiscard]] core::Result<PasswordCost> passwordCost(const School& school);
 
 /// From now on passwords cost as much, if that is at least twice what they do: each hash is made anew when its owner

@@ -137,7 +137,7 @@ std::string digestOfNames(const Person& person)
     return digestOf(bytes.bytes());
 }
 
-core::Result<Person> enter(const School& school, const std::string& actor, const NewPerson& who,
+core::Result<Person> enter(const School& school, AuditBatch& audit, const std::string& actor, const NewPerson& who,
                            const std::string& passwordHash)
 {
     const auto username = normalUsername(who.username);
@@ -168,9 +168,9 @@ core::Result<Person> enter(const School& school, const std::string& actor, const
     if (!added)
         return tl::unexpected(added.error());
     person.id = {added->toLongLong()};
-    if (auto noted = note(school, actor, "person.add", "person:" + person.uid,
-                          {{"role", QString::fromUtf8(roleName(person.role).data())},
-                           {"names_digest", QString::fromStdString(digestOfNames(person))}});
+    if (auto noted = audit.note(actor, "person.add", "person:" + person.uid,
+                                {{"role", QString::fromUtf8(roleName(person.role).data())},
+                                 {"names_digest", QString::fromStdString(digestOfNames(person))}});
         !noted)
         return tl::unexpected(noted.error());
     return person;
@@ -195,9 +195,12 @@ core::Result<Entered> addPerson(const School& school, const Session& session, co
     if (auto may = admit(school, session, Operation::AddPerson); !may)
         return tl::unexpected(may.error());
     return inTurn(school, "enter the person", [&]() -> core::Result<Entered> {
-        auto person = enter(school, session.uid(), who, {});
+        AuditBatch audit(school);
+        auto person = enter(school, audit, session.uid(), who, {});
         if (!person)
             return tl::unexpected(person.error());
+        if (auto sealed = audit.seal(); !sealed)
+            return tl::unexpected(sealed.error());
         auto code = giveCode(school, *person);
         if (!code)
             return tl::unexpected(code.error());

@@ -9,6 +9,8 @@
 
 namespace database::sql {
 
+class AuditBatch;
+
 /// Everybody within the session's reach, by family name. Admins: all; instructors: those of their classes.
 [[nodiscard]] core::Result<std::vector<Person>> listPeople(const School& school, const Session& session);
 
@@ -41,9 +43,10 @@ struct Entered
 [[nodiscard]] std::string digestOfNames(const Person& person);
 
 /// Inside a transaction of others, who have looked whether it is allowed.
+/// @param audit  which they seal
 /// @param actor  uid, for the audit
-[[nodiscard]] core::Result<Person> enter(const School& school, const std::string& actor, const NewPerson& who,
-                                         const std::string& passwordHash);
+[[nodiscard]] core::Result<Person> enter(const School& school, AuditBatch& audit, const std::string& actor,
+                                         const NewPerson& who, const std::string& passwordHash);
 /// The same: sets a new one-time code.
 [[nodiscard]] core::Result<std::string> giveCode(const School& school, const Person& person);
 

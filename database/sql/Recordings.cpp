@@ -8,6 +8,7 @@
 #include <QSaveFile>
 
 #include "core/base/WholeFile.h"
+#include "database/FileSystem.h"
 #include "database/Passwords.h"
 #include "database/sql/Statement.h"
 
@@ -35,10 +36,12 @@ core::Status writeFile(const QString& path, const QByteArray& bytes)
     if (QFile there(path); there.open(QIODevice::ReadOnly) && there.readAll() == bytes)
         return {};
     const QString folder = QFileInfo(path).absolutePath();
-    QDir().mkpath(folder);
+    makeOwnFolder(QFileInfo(folder).absolutePath());
+    makeOwnFolder(folder);
     QSaveFile file(path);  // synced before it gets its name
-    if (file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit() &&
-        core::bringToDisk(folder.toStdU16String()) && core::bringToDisk((folder + "/..").toStdU16String()))
+    if (file.open(QIODevice::WriteOnly) && file.setPermissions(QFile::ReadOwner | QFile::WriteOwner) &&
+        file.write(bytes) == bytes.size() && file.commit() && core::bringToDisk(folder.toStdU16String()) &&
+        core::bringToDisk((folder + "/..").toStdU16String()))
         return {};
     return core::unexpected(ErrorCode::FileUnwritable, "recording " + path.toStdString() + ": it cannot be written (" +
                                                            file.errorString().toStdString() +

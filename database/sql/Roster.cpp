@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <numeric>
 #include <optional>
+#include <set>
+#include <utility>
 
 #include <QString>
 
@@ -24,7 +27,6 @@ using Kind = RosterFault::Kind;
 
 const std::string kDoing = "import the class list";
 constexpr std::array<const char*, 5> kColumns{"username", "given_name", "family_name", "role", "class"};
-constexpr std::size_t kMostRows = 20'000;
 
 std::string trimmed(const std::string& text)
 {
@@ -42,25 +44,64 @@ struct Line
 /// Where each column stands in the file.
 using Places = std::map<std::string, std::size_t>;
 
-core::Result<Places> placesOf(const CsvRow& head)
+/// How many letters have to be put in, left out or changed to make one word of another.
+std::size_t distance(std::string_view a, std::string_view b)
+{
+    std::vector<std::size_t> row(b.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        std::size_t diagonal = std::exchange(row[0], i + 1);
+        for (std::size_t j = 0; j < b.size(); ++j) {
+            const std::size_t changed = diagonal + (a[i] == b[j] ? 0 : 1);
+            diagonal = std::exchange(row[j + 1], std::min({changed, row[j] + 1, row[j + 1] + 1}));
+        }
+    }
+    return row.back();
+}
+
+std::string nearestColumn(std::string_view name)
+{
+    return *std::min_element(kColumns.begin(), kColumns.end(),
+                             [name](const char* a, const char* b) { return distance(name, a) < distance(name, b); });
+}
+
+/// What is wrong with the first line is told all at once.
+Places placesOf(const CsvRow& head, std::vector<RosterFault>& faults)
 {
     Places places;
-    const auto wrong = [&head](const std::string& what) {
-        return core::unexpected(ErrorCode::BadStructure, "line " + std::to_string(head.line) + ": " + what);
-    };
     for (std::size_t at = 0; at < head.fields.size(); ++at) {
         const std::string name = QString::fromStdString(trimmed(head.fields[at])).toLower().toStdString();
         if (name.empty())
             continue;
         if (std::find(kColumns.begin(), kColumns.end(), name) == kColumns.end())
-            return wrong("there is a column \"" + name +
-                         "\"; the columns are username, given_name, family_name, role and class");
-        if (!places.emplace(name, at).second)
-            return wrong("the column \"" + name + "\" is there twice");
+            faults.push_back({head.line, name,
+                              "is no column of a class list, the nearest is \"" + nearestColumn(name) +
+                                  "\"; the columns are username, given_name, family_name, role and class",
+                              Kind::NoSuchColumn, nearestColumn(name)});
+        else if (!places.emplace(name, at).second)
+            faults.push_back({head.line, name, "is there twice", Kind::ColumnTwice, {}});
     }
     if (places.count("username") == 0)
-        return wrong("the column \"username\" is missing; the first line names the columns");
+        faults.push_back(
+            {head.line, "username", "is missing; the first line names the columns", Kind::ColumnMissing, {}});
     return places;
+}
+
+RosterFault faultOf(const CsvFault& fault)
+{
+    const std::string sign = std::to_string(fault.sign);
+    switch (fault.kind) {
+    case CsvFault::Kind::OpenQuote:
+        return {fault.line, "", "a quote begins at sign " + sign + " and is not closed", Kind::OpenQuote, sign};
+    case CsvFault::Kind::AfterQuote:
+        return {fault.line, "", "words stand behind a closing quote at sign " + sign + "; double quotes within a field",
+                Kind::AfterQuote, sign};
+    case CsvFault::Kind::NoUtf8:
+    case CsvFault::Kind::TooLarge:
+        break;
+    }
+    return {fault.line, "", "is no UTF-8 text from sign " + sign + " on; save it from the spreadsheet as \"CSV UTF-8\"",
+            Kind::NoUtf8, sign};
 }
 
 class RosterReader
@@ -128,82 +169,148 @@ private:
     std::map<std::string, int> m_seen;
 };
 
-/// What is known of the name already.
-struct Known
+/// What is there before the list.
+struct Present
 {
-    Person person;
-    bool isThere = false;
+    std::map<std::string, Person> people;    ///< by username
+    std::map<std::string, ClassId> classes;  ///< by name
 };
 
-core::Result<Known> known(const School& school, const std::string& username)
+core::Result<Present> presentAt(const School& school)
 {
-    Known found;
-    if (auto read = forEach(school.db, "SELECT id, uid, given_name, family_name, role FROM people WHERE username = ?",
-                            kDoing, {text(username)},
-                            [&](const QSqlQuery& row) {
-                                found.isThere = true;
-                                found.person.id = {row.value(0).toLongLong()};
-                                found.person.uid = textOf(row, 1);
-                                found.person.givenName = textOf(row, 2);
-                                found.person.familyName = textOf(row, 3);
-                                found.person.role = roleOf(textOf(row, 4)).value_or(Role::Student);
-                            });
+    Present present;
+    if (auto read =
+            forEach(school.db, "SELECT id, uid, username, given_name, family_name, role FROM people", kDoing, {},
+                    [&](const QSqlQuery& row) {
+                        Person person;
+                        person.id = {row.value(0).toLongLong()};
+                        person.uid = textOf(row, 1);
+                        person.username = textOf(row, 2);
+                        person.givenName = textOf(row, 3);
+                        person.familyName = textOf(row, 4);
+                        person.role = roleOf(textOf(row, 5)).value_or(Role::Student);
+                        present.people.emplace(person.username, person);
+                    });
         !read)
         return tl::unexpected(read.error());
-    return found;
+    if (auto read = forEach(
+            school.db, "SELECT name, id FROM classes", kDoing, {},
+            [&](const QSqlQuery& row) { present.classes.emplace(textOf(row, 0), ClassId{row.value(1).toLongLong()}); });
+        !read)
+        return tl::unexpected(read.error());
+    return present;
 }
 
-core::Result<RosterPerson> take(const School& school, const Session& session, const Line& line, const Known& before,
-                                std::vector<std::string>& newClasses)
+/// What the list leads to, without doing it: into `outcome`, and the lines that are to be entered.
+std::vector<Line> plan(const std::vector<Line>& lines, const Present& present, RosterOutcome& outcome)
 {
-    RosterPerson result{line.who.username,
-                        trimmed(line.who.givenName + ' ' + line.who.familyName),
-                        before.isThere ? before.person.role : line.who.role,
-                        line.classes,
-                        !before.isThere,
-                        {}};
-    PersonId id = before.person.id;
-    if (!before.isThere) {
-        const auto entered = enter(school, session.uid(), line.who, {});
+    std::vector<Line> wanted;
+    std::set<std::string> newClasses;
+    for (const Line& line : lines) {
+        Line whole = line;
+        const auto before = present.people.find(line.who.username);
+        const bool isThere = before != present.people.end();
+        if (isThere) {
+            const Person& person = before->second;
+            if (line.saysRole && person.role != line.who.role) {
+                outcome.faults.push_back({line.number, "role",
+                                          "is \"" + std::string(roleName(person.role)) +
+                                              "\" here; a class list does not change what somebody is",
+                                          Kind::OtherRole, std::string(roleName(person.role))});
+                continue;
+            }
+            // What the list does not say stays.
+            whole.who.role = person.role;
+            if (whole.who.givenName.empty())
+                whole.who.givenName = person.givenName;
+            if (whole.who.familyName.empty())
+                whole.who.familyName = person.familyName;
+        }
+        for (const std::string& name : whole.classes)
+            if (present.classes.count(name) == 0 && newClasses.insert(name).second)
+                outcome.newClasses.push_back(name);
+        outcome.people.push_back({whole.who.username,
+                                  trimmed(whole.who.givenName + ' ' + whole.who.familyName),
+                                  whole.who.role,
+                                  whole.classes,
+                                  !isThere,
+                                  {}});
+        wanted.push_back(std::move(whole));
+    }
+    return wanted;
+}
+
+core::Status rename(const School& school, AuditBatch& audit, const Session& session, const Person& before,
+                    const NewPerson& who)
+{
+    if (before.givenName == who.givenName && before.familyName == who.familyName)
+        return {};
+    Person renamed = before;
+    renamed.givenName = who.givenName;
+    renamed.familyName = who.familyName;
+    if (auto done = execute(school.db, "UPDATE people SET given_name = ?, family_name = ? WHERE id = ?", kDoing,
+                            {text(who.givenName), text(who.familyName), number(before.id.value)});
+        !done)
+        return done;
+    return audit.note(session.uid(), "person.change", "person:" + before.uid,
+                      {{"names_digest", QString::fromStdString(digestOfNames(renamed))}});
+}
+
+/// Enters one line, and tells the code of who is new.
+core::Result<std::string> take(const School& school, AuditBatch& audit, const Session& session, const Line& line,
+                               Present& present)
+{
+    std::string code;
+    PersonId id;
+    if (const auto before = present.people.find(line.who.username); before != present.people.end()) {
+        id = before->second.id;
+        if (auto renamed = rename(school, audit, session, before->second, line.who); !renamed)
+            return tl::unexpected(renamed.error());
+    } else {
+        const auto entered = enter(school, audit, session.uid(), line.who, {});
         if (!entered)
             return tl::unexpected(entered.error());
         id = entered->id;
-        auto code = giveCode(school, *entered);
-        if (!code)
-            return tl::unexpected(code.error());
-        result.code = std::move(*code);
-    } else if (before.person.givenName != line.who.givenName || before.person.familyName != line.who.familyName) {
-        Person renamedPerson = before.person;
-        renamedPerson.username = line.who.username;
-        renamedPerson.givenName = line.who.givenName;
-        renamedPerson.familyName = line.who.familyName;
-        if (auto renamed =
-                execute(school.db, "UPDATE people SET given_name = ?, family_name = ? WHERE id = ?", kDoing,
-                        {text(line.who.givenName), text(line.who.familyName), static_cast<qlonglong>(id.value)});
-            !renamed)
-            return tl::unexpected(renamed.error());
-        if (auto noted = note(school, session.uid(), "person.change", "person:" + before.person.uid,
-                              {{"names_digest", QString::fromStdString(digestOfNames(renamedPerson))}});
-            !noted)
-            return tl::unexpected(noted.error());
+        auto given = giveCode(school, *entered);
+        if (!given)
+            return given;
+        code = std::move(*given);
     }
     for (const std::string& name : line.classes) {
-        const auto isThere = ask(school.db, "SELECT 1 FROM classes WHERE name = ?", kDoing, {text(name)});
-        if (!isThere)
-            return tl::unexpected(isThere.error());
-        if (isThere->isNull())
-            newClasses.push_back(name);
-        const auto ofClass = classNamed(school, session.uid(), name);
-        if (!ofClass)
-            return tl::unexpected(ofClass.error());
-        if (auto put = putInto(school, session.uid(), *ofClass, id); !put)
+        auto there = present.classes.find(name);
+        if (there == present.classes.end()) {
+            const auto made = classNamed(school, audit, session.uid(), name);
+            if (!made)
+                return tl::unexpected(made.error());
+            there = present.classes.emplace(name, *made).first;
+        }
+        if (auto put = putInto(school, audit, session.uid(), there->second, id); !put)
             return tl::unexpected(put.error());
     }
-    return result;
+    return code;
 }
 
-/// What undoes a dry run: no failure, and nothing that anybody sees.
-constexpr const char* kDryRun = "a dry run";
+/// Inside a transaction: enters all, unless there are faults, and notes it in the audit at one go.
+core::Status enterAll(const School& school, const Session& session, const std::vector<Line>& lines,
+                      RosterOutcome& outcome)
+{
+    auto present = presentAt(school);
+    if (!present)
+        return tl::unexpected(present.error());
+    const std::vector<Line> wanted = plan(lines, *present, outcome);
+    if (!outcome.faults.empty())
+        return {};
+    AuditBatch audit(school);
+    for (std::size_t k = 0; k < wanted.size(); ++k) {
+        auto code = take(school, audit, session, wanted[k], *present);
+        if (!code && code.error().code == ErrorCode::OutOfRange)
+            outcome.faults.push_back({wanted[k].number, "", code.error().detail, Kind::Refused, {}});
+        if (!code)
+            return tl::unexpected(code.error());
+        outcome.people[k].code = std::move(*code);
+    }
+    return audit.seal();
+}
 
 }  // namespace
 
@@ -214,60 +321,38 @@ core::Result<RosterOutcome> importRoster(const School& school, const Session& se
         if (auto who = admit(school, session, operation); !who)
             return tl::unexpected(who.error());
     const auto rows = readCsv(csv);
-    if (!rows)
-        return tl::unexpected(rows.error());
+    if (!rows && rows.error().kind == CsvFault::Kind::TooLarge)
+        return core::unexpected(ErrorCode::FileTooLarge, "the file is larger than 16 MiB; split it");
+    RosterOutcome outcome;
+    if (!rows) {
+        outcome.faults.push_back(faultOf(rows.error()));
+        return outcome;
+    }
     if (rows->empty())
         return core::unexpected(ErrorCode::FileEmpty, "the file is empty; its first line names the columns username, "
                                                       "given_name, family_name, role and class");
-    if (rows->size() > kMostRows)
+    if (rows->size() > kMostRosterLines)
         return core::unexpected(
             ErrorCode::FileTooLarge,
-            QStringLiteral("the file has more than %1 lines; split it").arg(kMostRows).toStdString());
-    const auto places = placesOf(rows->front());
-    if (!places)
-        return tl::unexpected(places.error());
-    RosterOutcome outcome;
-    RosterReader reader(*places, outcome.faults);
+            QStringLiteral("the file has more than %1 lines; split it").arg(kMostRosterLines).toStdString());
+    const Places places = placesOf(rows->front(), outcome.faults);
+    if (!outcome.faults.empty())
+        return outcome;
+    RosterReader reader(places, outcome.faults);
     std::vector<Line> lines;
     for (auto row = rows->begin() + 1; row != rows->end(); ++row)
         if (auto line = reader.read(*row))
             lines.push_back(std::move(*line));
-    auto done = inTurn(school, kDoing, [&]() -> core::Status {
-        for (const Line& line : lines) {
-            const auto before = known(school, line.who.username);
-            if (!before)
-                return tl::unexpected(before.error());
-            if (before->isThere && line.saysRole && before->person.role != line.who.role) {
-                outcome.faults.push_back({line.number, "role",
-                                          "is \"" + std::string(roleName(before->person.role)) +
-                                              "\" here; a class list does not change what somebody is",
-                                          Kind::OtherRole, std::string(roleName(before->person.role))});
-                continue;
-            }
-            Line whole = line;
-            if (before->isThere) {  // what the list does not say stays
-                if (whole.who.givenName.empty())
-                    whole.who.givenName = before->person.givenName;
-                if (whole.who.familyName.empty())
-                    whole.who.familyName = before->person.familyName;
-            }
-            auto person = take(school, session, whole, *before, outcome.newClasses);
-            if (person)
-                outcome.people.push_back(std::move(*person));
-            else if (person.error().code == ErrorCode::OutOfRange)
-                outcome.faults.push_back({line.number, "", person.error().detail, Kind::Refused, {}});
-            else
-                return tl::unexpected(person.error());
-        }
-        if (dryRun || !outcome.faults.empty())
-            return core::unexpected(ErrorCode::NotAllowed, kDryRun);
-        return {};
-    });
-    if (!done && done.error().detail != kDryRun)
+    // A trial only looks, and holds nobody up.
+    if (dryRun || !outcome.faults.empty()) {
+        const auto present = presentAt(school);
+        if (!present)
+            return tl::unexpected(present.error());
+        static_cast<void>(plan(lines, *present, outcome));
+    } else if (auto done = inTurn(school, kDoing, [&] { return enterAll(school, session, lines, outcome); });
+               !done && outcome.faults.empty()) {
         return tl::unexpected(done.error());
-    if (!done)
-        for (RosterPerson& person : outcome.people)
-            person.code.clear();
+    }
     if (!outcome.faults.empty()) {
         outcome.people.clear();
         outcome.newClasses.clear();

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <string>
+#include <cstddef>
 #include <string_view>
-#include <vector>
 
 #include "database/people.h"
 #include "database/sql/School.h"
 
 namespace database::sql {
+
+/// Of a class list, that of the columns included.
+constexpr std::size_t kMostRosterLines = 20'000;
 
 /// A class list is CSV whose first line names the columns username, given_name, family_name, role and class, in any
 /// order; role may be left out (student), and several classes are parted by "|".

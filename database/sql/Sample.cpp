@@ -64,32 +64,33 @@ private:
 
     core::Status enterPeople()
     {
+        AuditBatch audit(m_school);
         ClassId ofClass;
         for (int k = 0; k < m_size.students; ++k) {
             if (k % m_size.classSize == 0) {
                 const std::string teacherName = QStringLiteral("teacher%1").arg(k / m_size.classSize + 1).toStdString();
-                const auto made = classNamed(m_school, m_admin.uid(),
+                const auto made = classNamed(m_school, audit, m_admin.uid(),
                                              QStringLiteral("Year %1").arg(k / m_size.classSize + 1).toStdString());
                 const auto teacher =
-                    enter(m_school, m_admin.uid(), {teacherName, "Tess", teacherName, Role::Instructor}, {});
+                    enter(m_school, audit, m_admin.uid(), {teacherName, "Tess", teacherName, Role::Instructor}, {});
                 if (!made || !teacher)
                     return tl::unexpected(made ? teacher.error() : made.error());
                 ofClass = *made;
-                if (auto put = putInto(m_school, m_admin.uid(), ofClass, teacher->id); !put)
+                if (auto put = putInto(m_school, audit, m_admin.uid(), ofClass, teacher->id); !put)
                     return put;
             }
             const std::string name = QStringLiteral("s%1").arg(k + 1, 4, 10, QLatin1Char('0')).toStdString();
             const auto student =
-                enter(m_school, m_admin.uid(),
+                enter(m_school, audit, m_admin.uid(),
                       {name, kGiven.at(pick(kGiven.size())), kFamily.at(pick(kFamily.size())), Role::Student}, {});
             if (!student)
                 return tl::unexpected(student.error());
-            if (auto put = putInto(m_school, m_admin.uid(), ofClass, student->id); !put)
+            if (auto put = putInto(m_school, audit, m_admin.uid(), ofClass, student->id); !put)
                 return put;
             m_students.push_back({student->id, student->uid, 0.3 + 0.5 * uniform(), 0.03 + 0.3 * uniform(),
                                   std::vector<int>(m_lessons.size())});
         }
-        return {};
+        return audit.seal();
     }
 
     AttemptRecord attemptOf(Student& student, std::size_t lesson, std::int64_t number)

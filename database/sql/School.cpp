@@ -22,6 +22,24 @@ core::Status within(const School& school, const QString& question, const QVarian
     return {};
 }
 
+/// Nobody comments on his own work or gives himself a score; and a score is given to students only.
+core::Status expectToMark(const School& school, const Session& session, Operation operation, PersonId owner)
+{
+    if (operation != Operation::Comment && operation != Operation::Override)
+        return {};
+    if (owner == session.person())
+        return tl::unexpected(notAllowed("that is your own work; let another teacher mark it"));
+    if (operation == Operation::Comment)
+        return {};
+    const auto student = ask(school.db, "SELECT 1 FROM people WHERE id = ? AND role = 'student'",
+                             "see whether that is allowed", {number(owner.value)});
+    if (!student)
+        return tl::unexpected(student.error());
+    if (student->isNull())
+        return tl::unexpected(notAllowed("that is not a student's work; another score is given to students only"));
+    return {};
+}
+
 }  // namespace
 
 std::string School::now() const
@@ -54,7 +72,11 @@ core::Result<Who> admit(const School& school, const Session& session, Operation 
 core::Result<Who> admitTo(const School& school, const Session& session, Operation operation, PersonId owner)
 {
     auto who = admit(school, session, operation);
-    if (!who || who->reach == Reach::All || owner == session.person())
+    if (!who)
+        return who;
+    if (auto may = expectToMark(school, session, operation, owner); !may)
+        return tl::unexpected(may.error());
+    if (who->reach == Reach::All || owner == session.person())
         return who;
     if (who->reach == Reach::Own)
         return tl::unexpected(notAllowed("that belongs to somebody else"));

@@ -7,6 +7,7 @@
 #include <QSqlDatabase>
 
 #include "core/base/Result.h"
+#include "database/Passwords.h"
 #include "database/Session.h"
 #include "database/StationKey.h"
 
@@ -18,6 +19,8 @@ struct School
     QSqlDatabase db;  ///< of a Database, which outlives it
     StationKey key;
     std::function<QDateTime()> nowUtc = [] { return QDateTime::currentDateTimeUtc(); };
+    /// What a password costs at least, whatever the database says; tests pay less.
+    PasswordCost leastCost = {};
 
     /// "2026-11-20T10:15:00Z"
     [[nodiscard]] std::string now() const;
@@ -34,7 +37,7 @@ struct Who
 /// Whose data it may be is for the operation to look at: the reach says how far.
 [[nodiscard]] core::Result<Who> admit(const School& school, const Session& session, Operation operation);
 
-/// As admit(), for something that belongs to one person.
+/// As admit(), for something that belongs to one person. To mark is not allowed on what is one's own.
 [[nodiscard]] core::Result<Who> admitTo(const School& school, const Session& session, Operation operation,
                                         PersonId owner);
 /// As admit(), for something that belongs to one class.

@@ -35,6 +35,7 @@
 #include "lessons/PresetFile.h"
 #include "tests/support/OpenGlMain.h"
 #include "ui/admin/AdminPage.h"
+#include "ui/admin/AuditPart.h"
 #include "ui/admin/RosterPart.h"
 #include "ui/people/AssignPage.h"
 #include "ui/people/ClassPage.h"
@@ -92,14 +93,19 @@ private slots:
 
     void aDatabaseIsRestoredFromTheDoor_data();
     void aDatabaseIsRestoredFromTheDoor();
+    void aSchoolWithoutPeopleIsNotBackedUp();
     void aLockedDatabaseIsTriedAgain();
     void whatTheDiskRefusesIsKeptWhenItCanBe();
     void aGuestsGradeIsKeptWhenHeLogsIn();
+    void whatWasGradedIsNotUnfinished_data();
+    void whatWasGradedIsNotUnfinished();
     void nobodyIsOfferedAnothersWork();
     void theLessonsForgetWhoLeft();
     void anOpenedAttemptHasThoseBeforeIt();
     void theSchoolsPresetIsTheAdmins();
     void whatIsGivenIsDueAndLimited();
+    void noneBeginsAgainWhenTheAttemptsAreUsedUp();
+    void anUnfinishedAttemptIsNotTakenUpWhenTheAttemptsAreUsedUp();
     void anExamThatIsBrokenOffIsToldOf();
     void aGuestsExamIsNobodys();
     void lessonsAreChangedByWhoTeaches();
@@ -125,6 +131,13 @@ private:
     [[nodiscard]] ui::shell::Actions& actions() const { return *child<ui::shell::Actions>(); }
     [[nodiscard]] QString message() const { return child<ui::shell::MessageBar>()->sentence(); }
     [[nodiscard]] QString removed() const { return child<ui::shell::TabularLabel>("enamelRemoved")->text(); }
+    [[nodiscard]] QString saidAtDoor() const
+    {
+        QStringList words;
+        for (const QLabel* label : child<ui::people::LoginPage>()->findChildren<QLabel*>())
+            words << label->text();
+        return words.join('\n');
+    }
     [[nodiscard]] Door door() const { return child<ui::people::LoginPage>()->door(); }
     [[nodiscard]] QString file() const { return m_folder->filePath("school.sqlite"); }
     /// The program as a student starts it: at the door.
@@ -136,6 +149,11 @@ private:
     void toTheTooth() const;
     void openSchool(ui::admin::AdminPage::Part part) const;
     void drill(double xMm) const;
+    void beginLesson(const std::string& id) const;
+    /// So many attempts, to Sam's class.
+    void give(const std::string& lesson, int attempts) const;
+    /// Has a lesson's work graded, and expects a little of it.
+    void gradeLesson() const;
     /// Has the work graded and waits until `keeping` is said of it; empty: until nothing is.
     void grade(const QString& said) const;
     [[nodiscard]] QString keeping() const
@@ -146,6 +164,8 @@ private:
     /// What the database holds, asked beside the program.
     [[nodiscard]] int attemptsKept() const { return count("attempts"); }
     [[nodiscard]] int count(const char* rows) const;
+    /// Has everything checked with the audit codes of reports: that of now, another one, and none.
+    void checkReportCodes() const;
     /// Opens the newest attempt of the history page.
     void openNewest() const;
     [[nodiscard]] QList<QPushButton*> pins() const;
@@ -236,6 +256,36 @@ void TestSchool::grade(const QString& said) const
     QTRY_VERIFY2_WITH_TIMEOUT(keeping().contains(said), qPrintable(keeping()), kPatienceMs);
 }
 
+void TestSchool::beginLesson(const std::string& id) const
+{
+    for (const lessons::CatalogEntry& entry : lessons::readCatalog(lessons::teachersFolder()))
+        if (entry.read.lesson && entry.read.lesson->id == id)
+            emit m_application->window().lessonChosen(*entry.read.lesson);
+    QTest::qWait(100);
+    QTRY_VERIFY_WITH_TIMEOUT(actions().grade->isEnabled(), kPatienceMs);
+    QTest::qWait(500);  // the tooth has come to the servo
+}
+
+void TestSchool::give(const std::string& lesson, int attempts) const
+{
+    const auto database = sql::Database::open(file()).value();
+    const auto key = StationKey::readOrMake(m_folder->filePath("station.key")).value();
+    const sql::School school{database->handle(), key};
+    const auto admin = sql::Logins::login(school, "admin", kPassword).value();
+    const ClassId ofClass = sql::listClasses(school, admin).value().front().id;
+    QVERIFY(sql::assign(school, admin, {0, ofClass, lesson, "", attempts}));
+}
+
+void TestSchool::gradeLesson() const
+{
+    actions().grade->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(child<ui::study::Forecast>()->isVisible(), kPatienceMs);
+    QTest::keyClick(child<QSlider>("expected"), Qt::Key_Right);
+    QTest::keyClick(child<ui::study::Forecast>()->findChild<QRadioButton*>(), Qt::Key_Space);
+    click("showScore");
+    QTRY_VERIFY_WITH_TIMEOUT(child<ui::study::ScorePage>()->isVisible(), kPatienceMs);
+}
+
 int TestSchool::count(const char* rows) const
 {
     const auto database = sql::Database::open(file());
@@ -321,13 +371,39 @@ void TestSchool::aDatabaseIsRestoredFromTheDoor()
     click("restoreBackup");
     QTRY_VERIFY_WITH_TIMEOUT(!child<QPushButton>("restoreBackup")->isVisible(), kPatienceMs);
     QCOMPARE(door(), Door::Login);
+    const QStringList replaced = QDir(m_folder->path()).entryList({"replaced-*.sqlite"}, QDir::Files);
+    QCOMPARE(replaced.size(), isGone ? 0 : 1);
+    QTRY_VERIFY2_WITH_TIMEOUT(saidAtDoor().contains("is in place"), qPrintable(saidAtDoor()), kPatienceMs);
+    QVERIFY2(saidAtDoor().contains("is kept beside it as " + replaced.value(0)) == !isGone, qPrintable(saidAtDoor()));
     logIn("sam");
     QTRY_COMPARE_WITH_TIMEOUT(attemptsKept(), 2, kPatienceMs);
-    if (!isGone)
-        QCOMPARE(QDir(m_folder->path()).entryList({"replaced-*"}, QDir::Files).size(), 1);
     const auto noted = sql::ask(sql::Database::open(file()).value()->handle(),
                                 "SELECT count(*) FROM audit WHERE action = 'backup.restored'", "count");
     QCOMPARE(noted.value().toInt(), 1);
+}
+
+/// Its backup would be offered for restoring, and put an empty school in the place of a full one.
+void TestSchool::aSchoolWithoutPeopleIsNotBackedUp()
+{
+    QVERIFY(QFile::remove(file()));
+    start();
+    QTRY_COMPARE_WITH_TIMEOUT(door(), Door::NewSchool, kPatienceMs);
+    child<QLineEdit>("username")->setText("nora");
+    child<QLineEdit>("password")->setText(QString::fromStdString(kPassword));
+    child<QLineEdit>("passwordAgain")->setText(QString::fromStdString(kPassword));
+    click("logIn");
+    QTRY_COMPARE_WITH_TIMEOUT(actions().account->text(), QString("nora"), kPatienceMs);
+    // As a terminal makes one of whatever there is.
+    const QString folder = sql::backupFolder(file());
+    const QString elsewhere = m_folder->filePath("empty.sqlite");
+    QVERIFY(sql::backUp(sql::Database::open(elsewhere).value()->handle(), folder,
+                        QDateTime::currentDateTimeUtc().addDays(-1)));
+    openSchool(ui::admin::AdminPage::Backups);
+    click("backUp");
+    const auto said = [this] { return child<QLabel>("backupSaid")->text(); };
+    QTRY_VERIFY2_WITH_TIMEOUT(said().contains("Backed up and checked"), qPrintable(said()), kPatienceMs);
+    QCOMPARE(sql::backupsIn(folder).size(), 2);
+    QTRY_COMPARE_WITH_TIMEOUT(child<QTableView>("backups")->model()->rowCount(), 1, kPatienceMs);
 }
 
 void TestSchool::aLockedDatabaseIsTriedAgain()
@@ -338,13 +414,7 @@ void TestSchool::aLockedDatabaseIsTriedAgain()
     start();
     QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("tryAgain")->isVisible(), kPatienceMs);
     QVERIFY(!child<QPushButton>("restoreBackup")->isVisible());
-    const QStringList said = [this] {
-        QStringList words;
-        for (const QLabel* label : child<ui::people::LoginPage>()->findChildren<QLabel*>())
-            words << label->text();
-        return words;
-    }();
-    QVERIFY2(said.join(' ').contains("Another program is writing to it"), qPrintable(said.join('\n')));
+    QVERIFY2(saidAtDoor().contains("Another program is writing to it"), qPrintable(saidAtDoor()));
     other.reset();
     click("tryAgain");
     QTRY_VERIFY_WITH_TIMEOUT(!child<QPushButton>("tryAgain")->isVisible(), kPatienceMs);
@@ -389,6 +459,50 @@ void TestSchool::aGuestsGradeIsKeptWhenHeLogsIn()
     leaveFor("sam");
     toTheTooth();
     QTRY_COMPARE_WITH_TIMEOUT(removed(), QString("0.00"), kPatienceMs);
+}
+
+void TestSchool::whatWasGradedIsNotUnfinished_data()
+{
+    QTest::addColumn<bool>("asGuest");
+    QTest::addColumn<bool>("looksAtItAgain");
+    QTest::newRow("a student's own") << false << false;
+    QTest::newRow("a student's own, looked at afterwards") << false << true;
+    QTest::newRow("a guest's who has logged in for it") << true << false;
+    QTest::newRow("a guest's who has logged in for it, looked at afterwards") << true << true;
+}
+
+/// Its grade is kept: it is offered to nobody, and so is not graded twice.
+void TestSchool::whatWasGradedIsNotUnfinished()
+{
+    QFETCH(bool, asGuest);
+    QFETCH(bool, looksAtItAgain);
+    start();
+    QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("practiseAsGuest")->isVisible(), kPatienceMs);
+    if (asGuest)
+        click("practiseAsGuest");
+    else
+        logIn("sue");
+    toTheTooth();
+    beginLesson("block-line");
+    drill(0.0);
+    gradeLesson();
+    if (asGuest) {
+        click("keepGrade");
+        logIn("sue");
+    }
+    QTRY_COMPARE_WITH_TIMEOUT(attemptsKept(), 1, kPatienceMs);
+    QTRY_VERIFY2_WITH_TIMEOUT(keeping().contains("first grade"), qPrintable(keeping()), kPatienceMs);
+    if (looksAtItAgain) {
+        toTheTooth();
+        QTest::qWait(500);  // with the bur turning
+    }
+    leaveFor("sam");
+    leaveFor("sue");
+    QTRY_VERIFY_WITH_TIMEOUT(child<QListView>("lessonList")->model()->rowCount() > 2, kPatienceMs);
+    QTest::qWait(500);  // what is unfinished is looked for
+    QVERIFY2(!message().contains("an attempt of"), qPrintable(message()));
+    QVERIFY2(!child<QLabel>("continueWords")->text().contains("Continue where I stopped"),
+             qPrintable(child<QLabel>("continueWords")->text()));
 }
 
 /// Sam's half-done work is Sam's: Sue sees a whole tooth, and he finds it again.
@@ -550,12 +664,67 @@ void TestSchool::whatIsGivenIsDueAndLimited()
     toTheTooth();
     drill(2.0);
     actions().grade->trigger();
-    QTRY_VERIFY2_WITH_TIMEOUT(message().contains("used up the attempts"), qPrintable(message()), kPatienceMs);
+    QTRY_VERIFY2_WITH_TIMEOUT(message().contains("used up your attempts"), qPrintable(message()), kPatienceMs);
     QVERIFY(!child<ui::study::Forecast>()->isVisible());
     // Sue's class has not been given it.
     leaveFor("sue");
     QTRY_VERIFY_WITH_TIMEOUT(list->model()->rowCount() > 2, kPatienceMs);
     QTRY_VERIFY_WITH_TIMEOUT(list->model()->index(0, 0).data().toString() != "Given to you", kPatienceMs);
+}
+
+/// From the score card, by its button and by R, as from the list of lessons.
+void TestSchool::noneBeginsAgainWhenTheAttemptsAreUsedUp()
+{
+    give("block-line", 2);
+    start();
+    logIn("sam");
+    toTheTooth();
+    beginLesson("block-line");
+    drill(0.0);
+    gradeLesson();
+    QTRY_COMPARE_WITH_TIMEOUT(attemptsKept(), 1, kPatienceMs);
+    QTRY_VERIFY2_WITH_TIMEOUT(keeping().contains("first grade"), qPrintable(keeping()), kPatienceMs);
+    QVERIFY(actions().reload->isEnabled());
+    actions().reload->trigger();
+    QTRY_VERIFY2_WITH_TIMEOUT(message().contains("Another attempt at the lesson"), qPrintable(message()), kPatienceMs);
+    QVERIFY(m_application->window().view().isVisible());
+    QTest::qWait(500);  // the tooth has come to the servo
+    QCOMPARE(removed(), QString("0.00"));
+    drill(0.0);
+    gradeLesson();
+    QTRY_COMPARE_WITH_TIMEOUT(attemptsKept(), 2, kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(!actions().reload->isEnabled(), kPatienceMs);
+    QVERIFY2(actions().reload->toolTip().contains("used up your attempts"), qPrintable(actions().reload->toolTip()));
+    toTheTooth();
+    QVERIFY(!actions().reload->isEnabled());
+    // Another lesson is another matter.
+    beginLesson("block-circle");
+    QVERIFY(actions().reload->isEnabled());
+    QVERIFY(!actions().reload->toolTip().contains("used up"));
+}
+
+/// The teacher has given it meanwhile, and counts what was done before.
+void TestSchool::anUnfinishedAttemptIsNotTakenUpWhenTheAttemptsAreUsedUp()
+{
+    start();
+    logIn("sam");
+    toTheTooth();
+    beginLesson("block-line");
+    drill(0.0);
+    gradeLesson();
+    QTRY_COMPARE_WITH_TIMEOUT(attemptsKept(), 1, kPatienceMs);
+    toTheTooth();
+    drill(2.0);  // goes on with it
+    leaveFor("sue");
+    give("block-line", 1);
+    leaveFor("sam");
+    const auto* list = child<QListView>("lessonList")->model();
+    QTRY_COMPARE_WITH_TIMEOUT(list->index(0, 0).data().toString(), QString("Given to you"), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("continueWords")->text().contains("Continue where I stopped"), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("continue")->isVisible(), kPatienceMs);
+    click("continue");
+    QTRY_VERIFY2_WITH_TIMEOUT(message().contains("used up your attempts"), qPrintable(message()), kPatienceMs);
+    QCOMPARE(removed(), QString("0.00"));
 }
 
 /// Not to have it graded gives no attempt back.
@@ -597,7 +766,7 @@ void TestSchool::anExamThatIsBrokenOffIsToldOf()
     drill(-2.0);
     QTRY_COMPARE_WITH_TIMEOUT(count("exam_starts"), 2, kPatienceMs);
     beginAnew();
-    QTRY_VERIFY2_WITH_TIMEOUT(message().contains("used up the attempts"), qPrintable(message()), kPatienceMs);
+    QTRY_VERIFY2_WITH_TIMEOUT(message().contains("used up your attempts"), qPrintable(message()), kPatienceMs);
     m_application.reset();  // in the midst of it
 
     start();
@@ -853,7 +1022,10 @@ void TestSchool::anAdminEntersAndChangesPeople()
     click("disablePerson");
     QVERIFY(!child<QLabel>("oneTimeCode")->isVisible());
     QTRY_COMPARE_WITH_TIMEOUT(child<QPushButton>("disablePerson")->text(), QString("Enable"), kPatienceMs);
-    // A class has its name, and takes another.
+    // A class has its name, and takes another, but none that parts classes in a class list.
+    child<QLineEdit>("className")->setText("DEN|102");
+    click("addClass");
+    QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("personFault")->text().contains("|"), kPatienceMs);
     child<QLineEdit>("className")->setText("DEN102");
     click("addClass");
     QTRY_COMPARE_WITH_TIMEOUT(classes->count(), 2, kPatienceMs);
@@ -882,7 +1054,7 @@ void TestSchool::aClassListIsSeenBeforeItIsEntered()
     logIn("admin");
     openSchool(ui::admin::AdminPage::Roster);
     auto* part = child<ui::admin::RosterPart>();
-    const auto said = [this] { return child<QLabel>("rosterSaid")->text(); };
+    const auto said = [this] { return child<QLabel>("rosterSaid")->text() + child<QLabel>("rosterFault")->text(); };
     write("username,given_name,family_name,role,class\nsam,Sam,One,student,DEN101-A\n!!,X,Y,student,DEN101-A\n");
     emit part->fileChosen(path);
     QTRY_VERIFY2_WITH_TIMEOUT(said().contains("1 fault"), qPrintable(said()), kPatienceMs);
@@ -899,7 +1071,13 @@ void TestSchool::aClassListIsSeenBeforeItIsEntered()
     QVERIFY2(child<QPushButton>("saveCodes")->isVisible(), qPrintable(said()));
     write(QByteArray("\xff\xfe\x00 noise", 10));
     emit part->fileChosen(path);
-    QTRY_VERIFY2_WITH_TIMEOUT(said().contains("no class list"), qPrintable(said()), kPatienceMs);
+    QTRY_VERIFY2_WITH_TIMEOUT(said().contains("1 fault"), qPrintable(said()), kPatienceMs);
+    const auto* rows = child<QTableView>("roster")->model();
+    QVERIFY2(rows->index(0, 2).data().toString().contains("no UTF-8"), qPrintable(rows->index(0, 2).data().toString()));
+    // Too long a list says what may be.
+    write("username\n" + QByteArray("x\n").repeated(20'000));
+    emit part->fileChosen(path);
+    QTRY_VERIFY2_WITH_TIMEOUT(said().contains("more than 20,000 lines"), qPrintable(said()), kPatienceMs);
     emit part->fileChosen(m_folder->filePath("nothing.csv"));
     QVERIFY2(said().contains("cannot be read"), qPrintable(said()));
 }
@@ -920,10 +1098,18 @@ void TestSchool::aBackupIsMadeTriedAndRestored()
     // What was made before an accident is not thinned out by the one that is made after it.
     QCOMPARE(sql::backupsIn(folder).size(), 2);
     QTRY_COMPARE_WITH_TIMEOUT(backups->model()->rowCount(), 2, kPatienceMs);
+    // The table had the focus meanwhile; that chooses no backup.
+    QCOMPARE(m_application->window().focusWidget(), child<QPushButton>("backUp"));
+    QVERIFY(!child<QPushButton>("restoreThis")->isEnabled());
+    backups->selectionModel()->setCurrentIndex(backups->model()->index(1, 0), QItemSelectionModel::NoUpdate);
+    QVERIFY(!child<QPushButton>("restoreThis")->isEnabled());
+    QTest::keyClick(child<QTableView>("backups"), Qt::Key_Space);
+    QVERIFY(child<QPushButton>("restoreThis")->isEnabled());
     click("drillRestore");
     QTRY_VERIFY2_WITH_TIMEOUT(said().contains("It works"), qPrintable(said()), kPatienceMs);
     click("checkAll");
     QTRY_VERIFY2_WITH_TIMEOUT(said().contains("Nothing is wrong"), qPrintable(said()), kPatienceMs);
+    checkReportCodes();
     // Somebody is entered after the backup, and is gone with the restore.
     child<ui::admin::AdminPage>()->show(ui::admin::AdminPage::People);
     QTRY_COMPARE_WITH_TIMEOUT(child<QTableView>("people")->model()->rowCount(), 4, kPatienceMs);
@@ -947,14 +1133,33 @@ void TestSchool::aBackupIsMadeTriedAndRestored()
     click("restoreThis");
     QTRY_VERIFY_WITH_TIMEOUT(child<ui::people::LoginPage>()->isVisible(), kPatienceMs);
     // Who looked in between would make an empty one.
-    const auto isSaid = [this] {
-        const auto labels = child<ui::people::LoginPage>()->findChildren<QLabel*>();
-        return std::any_of(labels.begin(), labels.end(),
-                           [](const QLabel* label) { return label->text().contains("is in place"); });
-    };
-    QTRY_VERIFY_WITH_TIMEOUT(isSaid(), kPatienceMs);
+    QTRY_VERIFY2_WITH_TIMEOUT(saidAtDoor().contains("is in place"), qPrintable(saidAtDoor()), kPatienceMs);
     QCOMPARE(count("people"), 4);
     logIn("admin");
+}
+
+void TestSchool::checkReportCodes() const
+{
+    auto* code = child<QLineEdit>("reportCode");
+    const auto said = [this] { return child<QLabel>("backupSaid")->text(); };
+    const QString seen = said();
+    code->setText("412");
+    click("checkAll");
+    QVERIFY(child<QLabel>("reportCodeFault")->isVisible());
+    QCOMPARE(said(), seen);
+    const QString head = sql::ask(sql::Database::open(file()).value()->handle(),
+                                  "SELECT seq || '-' || substr(hash, 1, 12) FROM audit_seal", "read")
+                             .value()
+                             .toString();
+    code->setText(' ' + head.toUpper());
+    QVERIFY(!child<QLabel>("reportCodeFault")->isVisible());
+    QTest::keyClick(code, Qt::Key_Return);
+    QTRY_VERIFY2_WITH_TIMEOUT(said().contains("with the code " + head.toUpper()), qPrintable(said()), kPatienceMs);
+    code->setText("3-000000000000");
+    click("checkAll");
+    QTRY_VERIFY2_WITH_TIMEOUT(said().contains("1 thing"), qPrintable(said()), kPatienceMs);
+    QVERIFY(child<QPlainTextEdit>("findings")->isVisible());
+    code->clear();
 }
 
 /// The one connection that such a file allows does everything.
@@ -1001,6 +1206,14 @@ void TestSchool::whatWasDoneStandsInTheAudit()
     child<QLineEdit>("auditSearch")->setText("one-time");
     QCOMPARE(rows->rowCount(), 3);
     QVERIFY(child<QLabel>("auditCode")->text().contains(QString::number(count("audit")) + '-'));
+    // What does not fit into its column ends in "…", and is there to be read.
+    const QString longName(200, 'w');
+    child<ui::admin::AuditPart>()->setRows(
+        {{1, "2026-05-04T10:20:30Z", "", "preset.add", "preset:" + longName.toStdString() + " v1", "{}", ""}}, "1-0");
+    child<QLineEdit>("auditSearch")->clear();
+    QVERIFY(rows->index(0, 4).data().toString().contains(longName));
+    QVERIFY(rows->index(0, 4).data(Qt::ToolTipRole).toString().contains(longName));
+    QVERIFY(child<QTableView>("audit")->columnWidth(4) <= 320);
     child<ui::admin::AdminPage>()->show(ui::admin::AdminPage::Station);
     auto* idle = child<QSpinBox>("idleMinutes");
     QTRY_COMPARE_WITH_TIMEOUT(idle->value(), 10, kPatienceMs);

@@ -6,6 +6,8 @@
 #include <QJsonArray>
 #include <QTemporaryDir>
 #include <QTest>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "database/Outbox.h"
 #include "database/sql/Backups.h"
@@ -46,6 +48,9 @@ private slots:
     void aSchoolIsMadeAndPeopled();
     void aClassListIsTriedAndEntered();
     void codesAndTablesOverwriteNothingElse();
+    void tablesGoWhereALinkLeadsAndNeverIntoTheSchool();
+    void tablesAreForTheirOwner();
+    void pipesAndDevicesAreNoFiles();
     void attemptsAreExported();
     void whatABackupMissesIsSentAgain();
     void aBackupOfAnotherSchoolIsNotRestored();
@@ -156,6 +161,55 @@ void TestSchoolCommands::codesAndTablesOverwriteNothingElse()
     QCOMPARE(byAdmin({"export", "attempts", "--csv", at("attempts.csv")}).exitCode, 0);
     QCOMPARE(byAdmin({"export", "attempts", "--csv", at("attempts.csv")}).exitCode, 0);
     QCOMPARE(onFile({"db", "check"}).exitCode, 0);
+}
+
+void TestSchoolCommands::tablesGoWhereALinkLeadsAndNeverIntoTheSchool()
+{
+    QVERIFY(QFile::link(school(), at("link.csv")));
+    QVERIFY(QFile::link(at("link.csv"), at("twice.csv")));
+    QVERIFY(QFile::link(at("nothing"), at("lost.csv")));
+    QCOMPARE(link(qPrintable(school()), qPrintable(at("hard.csv"))), 0);
+    for (const char* name : {"link.csv", "twice.csv", "lost.csv", "hard.csv"}) {
+        const Ending refused = byAdmin({"export", "attempts", "--csv", at(name)});
+        QVERIFY2(refused.exitCode == 1 && refused.isOneSentence(), name);
+    }
+    QVERIFY(!QFile::exists(at("nothing")));
+    QCOMPARE(onFile({"db", "check"}).exitCode, 0);
+    // Whatever the school's file is called.
+    QCOMPARE(runCusp({"db", "init", "--db", at("school.csv"), "--admin", "admin"}, {}, kPassword).exitCode, 0);
+    const Ending own = runCusp(
+        {"export", "attempts", "--csv", at("school.csv"), "--db", at("school.csv"), "--as", "admin"}, {}, kPassword);
+    QVERIFY2(own.exitCode == 1 && own.isOneSentence(), own.error);
+    QCOMPARE(runCusp({"db", "check", "--db", at("school.csv")}).exitCode, 0);
+    // A link to last night's table leads to this night's.
+    put(at("table.csv"), "last night");
+    QVERIFY(QFile::link(at("table.csv"), at("tonight.csv")));
+    const Ending done = byAdmin({"export", "attempts", "--csv", at("tonight.csv")});
+    QVERIFY2(done.exitCode == 0, done.error);
+    QVERIFY(QFileInfo(at("tonight.csv")).isSymLink());
+    QVERIFY(!contentOf(at("table.csv")).contains("last night"));
+}
+
+void TestSchoolCommands::tablesAreForTheirOwner()
+{
+    const QFile::Permissions others = QFile::ReadGroup | QFile::WriteGroup | QFile::ReadOther | QFile::WriteOther;
+    QCOMPARE(byAdmin({"export", "attempts", "--csv", at("new.csv")}).exitCode, 0);
+    QVERIFY(!(QFile::permissions(at("new.csv")) & others));
+    // What somebody has set otherwise stays.
+    QVERIFY(QFile::setPermissions(at("new.csv"), QFile::ReadOwner | QFile::WriteOwner | QFile::ReadGroup));
+    QCOMPARE(byAdmin({"export", "attempts", "--csv", at("new.csv")}).exitCode, 0);
+    QVERIFY(QFile::permissions(at("new.csv")) & QFile::ReadGroup);
+}
+
+void TestSchoolCommands::pipesAndDevicesAreNoFiles()
+{
+    QCOMPARE(mkfifo(qPrintable(at("pipe")), 0600), 0);
+    const Ending list = byAdmin({"import", "roster", at("pipe")});
+    QVERIFY2(list.exitCode == 1 && list.isOneSentence() && list.error.contains("is no file"), list.error);
+    for (const QString& name : {at("pipe"), QString("/dev/zero"), QString("/dev/null")}) {
+        const Ending stats = runCusp({"db", "stats", "--db", name});
+        QVERIFY2(stats.exitCode == 1 && stats.isOneSentence() && stats.error.contains("is no file"), stats.error);
+    }
 }
 
 void TestSchoolCommands::attemptsAreExported()

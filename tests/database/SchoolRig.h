@@ -69,7 +69,7 @@ public:
         }
         m_database = std::move(*opened);
         m_school = std::make_unique<database::sql::School>(
-            database::sql::School{m_database->handle(), m_key, [this] { return nowUtc; }});
+            database::sql::School{m_database->handle(), m_key, [this] { return nowUtc; }, kCheap});
     }
     void close()
     {

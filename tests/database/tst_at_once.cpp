@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Two stations do at the same moment what must not be done twice, or what each decides by what the other changes.
+#include <atomic>
 #include <thread>
+#include <vector>
 
 #include <QTest>
 
 #include "database/sql/Check.h"
+#include "database/sql/Dialect.h"
+#include "database/sql/Roster.h"
+#include "database/sql/Statement.h"
 #include "tests/database/SchoolRig.h"
 
 using namespace database;
@@ -18,8 +23,15 @@ namespace {
 class Station
 {
 public:
-    explicit Station(const QString& address) : m_database(Database::open(address).value()) {}
-    [[nodiscard]] School school() const { return {m_database->handle(), m_key}; }
+    explicit Station(const QString& address, std::chrono::milliseconds patience = std::chrono::seconds(5))
+        : m_database(Database::open(address, patience).value())
+    {}
+    [[nodiscard]] School school() const
+    {
+        School school{m_database->handle(), m_key};
+        school.leastCost = SchoolRig::kCheap;
+        return school;
+    }
 
 private:
     std::unique_ptr<Database> m_database;
@@ -44,7 +56,37 @@ void atOnce(const QString& address, First first, Second second)
     other.join();
 }
 
+/// The same thing at many stations at once, each begun when all are there.
+template <class Work>
+void atMany(const QString& address, int count, Work work)
+{
+    std::atomic<int> ready = 0;
+    std::vector<std::thread> threads;
+    for (int k = 0; k < count; ++k)
+        threads.emplace_back([&] {
+            const Station station(address);
+            const School school = station.school();
+            ++ready;
+            while (ready < count)
+                std::this_thread::yield();
+            work(school);
+        });
+    for (std::thread& thread : threads)
+        thread.join();
+}
+
+/// As in a school: comparing takes a while.
+void makePasswordDear(const School& school, const char* username)
+{
+    QSqlQuery set(school.db);
+    set.prepare("UPDATE people SET password_hash = ? WHERE username = ?");
+    set.addBindValue(QString::fromStdString(hashPassword(SchoolRig::kPassword, PasswordCost{}).value()));
+    set.addBindValue(QLatin1String(username));
+    QVERIFY(set.exec());
+}
+
 constexpr int kRounds = 15;
+constexpr int kStations = 8;
 
 }  // namespace
 
@@ -59,6 +101,15 @@ private slots:
     void standingsKnowBothScores();
     void whatWasGivenLastCounts_data() { support::addEngines(); }
     void whatWasGivenLastCounts();
+    void guessesAtOnceAreNoMoreThanOneAfterTheOther_data() { support::addEngines(); }
+    void guessesAtOnceAreNoMoreThanOneAfterTheOther();
+    void whoKnowsHisPasswordIsLetInAtManyPlaces_data() { support::addEngines(); }
+    void whoKnowsHisPasswordIsLetInAtManyPlaces();
+    void whoChoosesAPasswordHoldsNobodyUp_data() { support::addEngines(); }
+    void whoChoosesAPasswordHoldsNobodyUp();
+    void aStationThatStopsInTheMiddleHoldsNobodyUpForLong();
+    void aClassListIsTriedWhileOthersWrite_data() { support::addEngines(); }
+    void aClassListIsTriedWhileOthersWrite();
 };
 
 void TestAtOnce::oneAdminAtLeastStays()
@@ -127,6 +178,116 @@ void TestAtOnce::whatWasGivenLastCounts()
             rig.address(),
             [&](const School& school) { QVERIFY(overrideScore(school, rig.instructor, id, 600 + round, "one")); },
             [&](const School& school) { QVERIFY(overrideScore(school, rig.instructor, id, 800 + round, "two")); });
+    const auto report = checkDatabase(rig.school().db, {});
+    VERIFY_DONE(report);
+    QVERIFY2(report->findings.empty(), report->findings.empty() ? "" : report->findings.front().c_str());
+}
+
+void TestAtOnce::guessesAtOnceAreNoMoreThanOneAfterTheOther()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    makePasswordDear(rig.school(), "s1001");
+    for (const char* name : {"s1001", "nobody"}) {
+        for (int k = 0; k < Logins::kFreeFailures; ++k)
+            static_cast<void>(Logins::login(rig.school(), name, "wrong horse"));
+        for (int wait = 1; wait <= 2; wait *= 2) {
+            rig.nowUtc = rig.nowUtc.addSecs(wait);
+            std::atomic<int> compared = 0;
+            std::atomic<int> refused = 0;
+            atMany(rig.address(), kStations, [&](School school) {
+                school.nowUtc = [&rig] { return rig.nowUtc; };
+                const auto session = Logins::login(school, name, "wrong horse");
+                if (!session)
+                    ++(session.error().code == core::ErrorCode::TooSoon ? refused : compared);
+            });
+            QCOMPARE(compared, 1);
+            QCOMPARE(refused, kStations - 1);
+        }
+    }
+}
+
+void TestAtOnce::whoKnowsHisPasswordIsLetInAtManyPlaces()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    makePasswordDear(rig.school(), "s1001");
+    std::atomic<int> in = 0;
+    atMany(rig.address(), kStations, [&](const School& school) {
+        const auto session = Logins::login(school, "s1001", SchoolRig::kPassword);
+        VERIFY_DONE(session);
+        ++in;
+    });
+    QCOMPARE(in, kStations);
+    QSqlQuery left(rig.school().db);
+    QVERIFY(left.exec("SELECT count(*) FROM failed_logins") && left.next());
+    QCOMPARE(left.value(0).toInt(), 0);
+}
+
+/// Hashing takes its time, but not that of the others.
+void TestAtOnce::whoChoosesAPasswordHoldsNobodyUp()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    VERIFY_DONE(raisePasswordCost(rig.school(), rig.admin, {6, std::size_t{64} << 20U}));
+    const std::string code = resetPassword(rig.school(), rig.admin, rig.classmate.person()).value();
+    std::atomic<bool> isDone = false;
+    std::thread other([&] {
+        const Station station(rig.address(), std::chrono::milliseconds(100));
+        const School school = station.school();
+        while (!isDone) {
+            VERIFY_DONE(Logins::logout(school, rig.student));
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));  // a file has no queue: let the other in
+        }
+    });
+    const auto redeemed = Logins::redeem(rig.school(), "s1002", code, "another horse");
+    const auto changed = redeemed ? Logins::changePassword(rig.school(), *redeemed, "another horse", "a third horse")
+                                  : core::Status(tl::unexpected(redeemed.error()));
+    isDone = true;
+    other.join();
+    VERIFY_DONE(redeemed);
+    VERIFY_DONE(changed);
+}
+
+void TestAtOnce::aStationThatStopsInTheMiddleHoldsNobodyUpForLong()
+{
+    if (!support::sharedServer().fault().isEmpty())
+        QSKIP(qPrintable(support::sharedServer().fault()));
+    SchoolRig rig(true);
+    QVERIFY(rig.isOpen());
+    rig.populate();
+    const School& stopped = rig.school();
+    VERIFY_DONE(execute(stopped.db, dialect::beginWrite(stopped.db), "begin"));
+    VERIFY_DONE(takeTurn(stopped));
+    const Station other(rig.address());
+    VERIFY_DONE(Logins::login(other.school(), "s1001", SchoolRig::kPassword));
+    // When it goes on it is told that its connection is gone, and connects again.
+    VERIFY_REFUSED(execute(stopped.db, "COMMIT", "end it"), core::ErrorCode::ConnectionLost);
+    VERIFY_DONE(rig.database().reconnect());
+    VERIFY_DONE(Logins::logout(stopped, rig.student));
+}
+
+void TestAtOnce::aClassListIsTriedWhileOthersWrite()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    const std::string list = "username,given_name,class\nnew1,Ada,A|B\nnew2,Bo,B\ns1001,,A\n";
+    const Station other(rig.address());
+    const School writer = other.school();
+    VERIFY_DONE(execute(writer.db, dialect::beginWrite(writer.db), "begin"));
+    VERIFY_DONE(takeTurn(writer));
+    const auto tried = importRoster(rig.school(), rig.admin, list, true);
+    VERIFY_DONE(tried);
+    QCOMPARE(tried->people.size(), std::size_t{3});
+    QCOMPARE(tried->newClasses, (std::vector<std::string>{"A", "B"}));
+    VERIFY_DONE(execute(writer.db, "ROLLBACK", "end it"));
+    const auto entered = importRoster(rig.school(), rig.admin, list, false);
+    VERIFY_DONE(entered);
+    QCOMPARE(entered->newClasses, tried->newClasses);
+    // The same once more changes nothing, and the audit is as whole as before.
+    const AuditHead head = auditHead(rig.school()).value();
+    VERIFY_DONE(importRoster(rig.school(), rig.admin, list, false));
+    QVERIFY(auditHead(rig.school()).value() == head);
     const auto report = checkDatabase(rig.school().db, {});
     VERIFY_DONE(report);
     QVERIFY2(report->findings.empty(), report->findings.empty() ? "" : report->findings.front().c_str());

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QDir>
+#include <QDirIterator>
 #include <QFile>
 #include <QSqlError>
 #include <QSqlQuery>
 #include <QTest>
 
+#include "database/Outbox.h"
 #include "database/sql/Check.h"
 #include "database/sql/Dialect.h"
 #include "database/sql/ExamStarts.h"
@@ -39,6 +41,7 @@ private slots:
     void refusesWhatTheSchemaForbids();
     void aRecordingThatWasChangedIsNotPlayed_data() { support::addEngines(); }
     void aRecordingThatWasChangedIsNotPlayed();
+    void whatIsKeptOfPeopleIsForTheOwnerOfTheFilesOnly();
     void classmatesAreComparedWithoutNames_data() { support::addEngines(); }
     void classmatesAreComparedWithoutNames();
     void anExamThatIsBegunIsAnAttempt_data() { support::addEngines(); }
@@ -246,6 +249,28 @@ void TestAttempts::aRecordingThatWasChangedIsNotPlayed()
     VERIFY_REFUSED(openRecording(rig.school(), rig.student, id), ErrorCode::BadStructure);
 }
 
+void TestAttempts::whatIsKeptOfPeopleIsForTheOwnerOfTheFilesOnly()
+{
+    SchoolRig rig(false);
+    rig.populate();
+    const QDir folder(QFileInfo(rig.address()).absolutePath());
+    VERIFY_DONE(addAttempt(rig.school(), rig.student, SchoolRig::attempt("class1-36", 500), "a recording"));
+    Outbox outbox(folder.filePath("outbox"), StationKey::make());
+    VERIFY_DONE(outbox.put(rig.student, SchoolRig::attempt("class1-36", 500), {}));
+    VERIFY_DONE(outbox.put(rig.student, SchoolRig::attempt("class1-36", 600), {}));
+    outbox.keepArrived(outbox.waiting().constFirst());
+    constexpr QFile::Permissions kOthers =
+        QFile::ReadGroup | QFile::WriteGroup | QFile::ExeGroup | QFile::ReadOther | QFile::WriteOther | QFile::ExeOther;
+    int seen = 0;
+    for (const char* name : {"outbox", "recordings"}) {
+        QVERIFY(!(QFile::permissions(folder.filePath(name)) & kOthers));
+        QDirIterator all(folder.filePath(name), QDir::AllEntries | QDir::NoDotAndDotDot, QDirIterator::Subdirectories);
+        for (; all.hasNext(); ++seen)
+            QVERIFY2(!(QFile::permissions(all.next()) & kOthers), qPrintable(all.filePath()));
+    }
+    QCOMPARE(seen, 5);  // two letters, "arrived", a recording and its folder
+}
+
 void TestAttempts::classmatesAreComparedWithoutNames()
 {
     SCHOOL_RIG(rig);
@@ -258,11 +283,20 @@ void TestAttempts::classmatesAreComparedWithoutNames()
     AttemptRecord other = SchoolRig::attempt("class1-36", 1000);
     other.rubricHash = std::string(64, 'z');
     VERIFY_DONE(addAttempt(rig.school(), rig.classmate, other, {}));
-    QCOMPARE(bestOfClassmates(rig.school(), rig.student, "class1-36", rubric).value(), (std::vector{700, 900}));
-    QCOMPARE(bestOfClassmates(rig.school(), rig.stranger, "class1-36", rubric).value(), (std::vector{100}));
-    // A teacher practises among his students, and is not one of them.
-    QCOMPARE(bestOfClassmates(rig.school(), rig.instructor, "class1-36", rubric).value(),
-             (std::vector{700, 900, 1000}));
+    const auto standing = [&](const Session& who) {
+        return standingAmongClassmates(rig.school(), who, "class1-36", rubric, 800).value();
+    };
+    // Of fewer than five nobody learns how the others did; a teacher practises among his students, and is not one.
+    for (const auto& [who, people] :
+         {std::pair(rig.student, 2), std::pair(rig.stranger, 1), std::pair(rig.instructor, 3)}) {
+        QCOMPARE(standing(who).people, people);
+        QVERIFY(!standing(who).percentBelow);
+    }
+    for (const auto& [name, tenths] : {std::pair("s1003", 600), std::pair("s1004", 750), std::pair("s1005", 950)})
+        VERIFY_DONE(addAttempt(rig.school(), rig.join({name, "", "", Role::Student}, rig.first),
+                               SchoolRig::attempt("class1-36", tenths), {}));
+    QCOMPARE(standing(rig.student).people, 5);
+    QCOMPARE(standing(rig.student).percentBelow.value(), 60.0);
 }
 
 void TestAttempts::whatATeacherSaysIsNewUntilItIsRead()

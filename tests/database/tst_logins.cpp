@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <ctime>
+#include <set>
 #include <vector>
 
 #include <QSqlQuery>
 #include <QTest>
 
+#include "database/sql/Statement.h"
 #include "tests/database/SchoolRig.h"
 
 using namespace database;
@@ -32,6 +34,7 @@ private slots:
     void aCodeIsGoodOnceAndForThreeDays();
     void aHashIsRaisedOnLogin_data() { support::addEngines(); }
     void aHashIsRaisedOnLogin();
+    void aHashIsNeverMadeCheaper();
     void passwordsThatEverybodyGuessesAreRefused_data();
     void passwordsThatEverybodyGuessesAreRefused();
     void ownPasswordIsChangedWithTheOldOne_data() { support::addEngines(); }
@@ -237,6 +240,30 @@ void TestLogins::aHashIsRaisedOnLogin()
     VERIFY_DONE(settings);
     for (const auto& [name, value] : *settings)
         QVERIFY(name.rfind("password.", 0) != 0);
+}
+
+/// Also where somebody has written into the database that passwords cost nothing.
+void TestLogins::aHashIsNeverMadeCheaper()
+{
+    SchoolRig rig(false);
+    rig.populate();
+    School school = rig.school();
+    school.leastCost = {};  // as outside of tests
+    const auto hash = [&] {
+        return ask(school.db, "SELECT password_hash FROM people WHERE username = 's1001'", "look").value().toString();
+    };
+    QVERIFY(passwordCost(school).value() == PasswordCost{});
+    VERIFY_DONE(Logins::login(school, "s1001", SchoolRig::kPassword));
+    QVERIFY2(hash().startsWith("$argon2id$v=19$m=65536,t=2,p=1$"), qPrintable(hash()));
+    VERIFY_DONE(putSetting(school, "", "password.passes", "3"));
+    VERIFY_DONE(Logins::login(school, "s1001", SchoolRig::kPassword));
+    const QString dear = hash();
+    QVERIFY2(dear.startsWith("$argon2id$v=19$m=65536,t=3,p=1$"), qPrintable(dear));
+    VERIFY_DONE(putSetting(school, "", "password.passes", "1"));
+    VERIFY_DONE(putSetting(school, "", "password.memory", "8192"));
+    VERIFY_DONE(Logins::login(school, "s1001", SchoolRig::kPassword));
+    QCOMPARE(hash(), dear);
+    QVERIFY(!wantsRehash(dear.toStdString(), {2, std::size_t{128} << 20U}));
 }
 
 void TestLogins::passwordsThatEverybodyGuessesAreRefused_data()

@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <map>
+#include <set>
 
 #include <QDir>
 #include <QFile>
@@ -74,6 +75,7 @@ private slots:
     void everyOperationAsEveryRole();
     void everyFunctionOfASessionIsAmongThem();
     void aSchoolIsMadeUpByItsAdminOnly();
+    void scoresAreGivenToStudentsOnly();
     void listsHoldOnlyWhatOneMaySee_data() { support::addEngines(); }
     void listsHoldOnlyWhatOneMaySee();
 
@@ -186,8 +188,10 @@ std::vector<Call> TestPermissions::callsOn(SchoolRig& rig)
          [&s, personOf](const Session& me, Target t) {
              return plain(classMedians(s, me, personOf(me, t), "class1-36"));
          }},
-        {Operation::CompareWithClass, "bestOfClassmates",
-         [&s](const Session& me, Target) { return plain(bestOfClassmates(s, me, "class1-36", std::string(64, 'b'))); },
+        {Operation::CompareWithClass, "standingAmongClassmates",
+         [&s](const Session& me, Target) {
+             return plain(standingAmongClassmates(s, me, "class1-36", std::string(64, 'b'), 700));
+         },
          false},
         {Operation::Comment, "addComment",
          [&s, attempt](const Session& me, Target t) {
@@ -252,10 +256,10 @@ void TestPermissions::everyOperationAsEveryRole()
                 if (role == 0 && target == Mine && call.hasTarget)
                     continue;  // a guest has nothing of his own
                 const char may = kAllowed.at(call.operation)[role];
-                // One's own class is what its students are in, too. A comment on oneself: an instructor belongs to his
-                // class.
+                // One's own class is what its students are in, too. Nobody marks himself.
+                const bool marks = call.operation == Operation::Comment || call.operation == Operation::Override;
                 const bool expected = may == 'a' || (may != '-' && !call.hasTarget) || (may == 'o' && target == Mine) ||
-                                      (may == 'c' && target != Strangers);
+                                      (may == 'c' && target != Strangers && !(marks && target == Mine));
                 const core::Status done = call.call(me, target);
                 const QString what =
                     QStringLiteral("%1 as %2 on %3: %4")
@@ -306,6 +310,21 @@ void TestPermissions::everyFunctionOfASessionIsAmongThem()
         }
     }
     QVERIFY(found > 30);
+}
+
+void TestPermissions::scoresAreGivenToStudentsOnly()
+{
+    SchoolRig rig(false);
+    rig.populate();
+    VERIFY_DONE(enrol(rig.school(), rig.admin, rig.first, rig.otherInstructor.person(), true));
+    const AttemptId own = addAttempt(rig.school(), rig.instructor, SchoolRig::attempt("class1-36", 500), {}).value();
+    for (const Session* who : {&rig.instructor, &rig.otherInstructor})
+        VERIFY_REFUSED(overrideScore(rig.school(), *who, own, 1000, "neat"), ErrorCode::NotAllowed);
+    // What colleagues tell each other is another thing.
+    VERIFY_REFUSED(addComment(rig.school(), rig.instructor, own, {"neat", {}, {}}), ErrorCode::NotAllowed);
+    VERIFY_DONE(addComment(rig.school(), rig.otherInstructor, own, {"neat", {}, {}}));
+    const AttemptId his = addAttempt(rig.school(), rig.student, SchoolRig::attempt("class1-36", 500), {}).value();
+    VERIFY_DONE(overrideScore(rig.school(), rig.otherInstructor, his, 600, "neat"));
 }
 
 void TestPermissions::aSchoolIsMadeUpByItsAdminOnly()

@@ -287,7 +287,9 @@ void TestRubric::aClassIsComparedFromFivePeopleOn()
     QCOMPARE(classStanding(800, {}), (ClassStanding{0, {}}));
     QCOMPARE(classStanding(800, std::vector<int>{100, 200, 300, 900}), (ClassStanding{4, {}}));
     QCOMPARE(classStanding(800, std::vector<int>{100, 200, 300, 900, 950}), (ClassStanding{5, 60.0}));
-    QCOMPARE(classStanding(800, std::vector<int>{100, 200, 800, 800, 950}), (ClassStanding{5, 60.0}));
+    QCOMPARE(classStanding(800, std::vector<int>{100, 200, 800, 800, 950}), (ClassStanding{5, 40.0}));
+    // The lowest of all, who is among them: nobody is below.
+    QCOMPARE(classStanding(100, std::vector<int>{100, 200, 800, 800, 950}), (ClassStanding{5, 0.0}));
     QCOMPARE(classStanding(0, std::vector<int>{1, 2, 3, 4, 5}), (ClassStanding{5, 0.0}));
     QCOMPARE(classStanding(1000, std::vector<int>{1, 2, 3, 4, 5}), (ClassStanding{5, 100.0}));
 }

@@ -8,6 +8,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QGroupBox>
+#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
@@ -18,6 +19,7 @@
 #include <QWidget>
 
 #include "lessons/Lesson.h"
+#include "ui/charts/ChartPanel.h"
 #include "ui/shell/ArchView.h"
 #include "ui/shell/TabularLabel.h"
 
@@ -29,7 +31,7 @@ inline QString said(const QString& english)
 {
     static const QString kPlain = QStringLiteral("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ");
     static const QString kStrange = QStringLiteral("àƀčďéƒğħîĵķľɱñøþʠŕšťũṽŵẋýžÀƁČĎÉƑĞĦÎĴĶĽṀÑØÞɊŔŠŤŨṼŴẊÝŽ");
-    static const QRegularExpression kKept(QStringLiteral("%L?\\d+|%n|&\\w+;|<[^>]*>"));
+    static const QRegularExpression kKept(QStringLiteral("%L?\\d+|%L?n|&\\w+;|<[^>]*>"));
     QString strange;
     qsizetype from = 0;
     const auto speak = [&](qsizetype to) {
@@ -112,6 +114,35 @@ inline QString untranslated(QString words)
     return kEnglish.match(words).captured();
 }
 
+/// All that a person reads in a chart.
+inline QStringList wordsOf(const ui::charts::Chart& chart)
+{
+    using namespace ui::charts;
+    QStringList words{chart.title, chart.note, chart.emptyWords};
+    for (const Dot& dot : stopsOf(chart))
+        words << dot.words;
+    const auto add = [&](const QList<Limit>& limits) {
+        for (const Limit& limit : limits)
+            words << limit.name;
+    };
+    if (const auto* curve = std::get_if<Curve>(&chart.content)) {
+        words << curve->x.title << curve->y.title << curve->band.name << curve->band.middleName;
+        for (const Line& line : curve->lines)
+            words << line.name;
+        add(curve->limits);
+    }
+    if (const auto* bars = std::get_if<Bars>(&chart.content)) {
+        words << bars->value.title << bars->nameTitle;
+        for (const Bars::Bar& bar : bars->bars)
+            words << bar.name;
+    }
+    if (const auto* histogram = std::get_if<Histogram>(&chart.content)) {
+        words << histogram->x.title << histogram->count.title;
+        add(histogram->limits);
+    }
+    return words;
+}
+
 /// All that a person reads or hears of a widget.
 inline QList<std::pair<QString, QString>> wordsOf(const QWidget& widget)
 {
@@ -144,6 +175,13 @@ inline QList<std::pair<QString, QString>> wordsOf(const QWidget& widget)
             for (int column = 0; column < view->model()->columnCount(); ++column)
                 for (const int role : {Qt::DisplayRole, Qt::ToolTipRole, Qt::AccessibleDescriptionRole})
                     words << std::pair("item", view->model()->index(row, column).data(role).toString());
+    if (const auto* heads = qobject_cast<const QHeaderView*>(&widget); heads != nullptr && heads->model() != nullptr)
+        for (int k = 0; k < heads->count(); ++k)
+            for (const int role : {Qt::DisplayRole, Qt::ToolTipRole})
+                words << std::pair("heading", heads->model()->headerData(k, heads->orientation(), role).toString());
+    if (const auto* panel = qobject_cast<const ui::charts::ChartPanel*>(&widget))
+        for (const QString& of : wordsOf(panel->chart()))
+            words << std::pair("chart", of);
     for (const QAction* action : widget.actions())
         words << std::pair("action", action->text()) << std::pair("action's tooltip", action->toolTip())
               << std::pair("action's status tip", action->statusTip());

@@ -86,6 +86,7 @@ private slots:
     void theListsLieBehindTheNumbers();
     void nobodyNeedsYou();
     void whoIsLateNeedsTheTeacher();
+    void whoHasNoAttemptsLeftNeedsTheTeacher();
     void headsSayWhenALessonIsDue();
     void theMatrixSortsByValueAndEmptyCellsComeLast();
     void theThirdClickIsByNameAgain();
@@ -193,6 +194,27 @@ void TestClassPage::whoIsLateNeedsTheTeacher()
     const QModelIndex late = matrix()->model()->index(1, 1);
     QVERIFY2(late.data(Qt::ToolTipRole).toString().contains("overdue"),
              qPrintable(late.data(Qt::ToolTipRole).toString()));
+}
+
+/// He cannot go on by himself; before being stuck and being late, which he may be as well.
+void TestClassPage::whoHasNoAttemptsLeftNeedsTheTeacher()
+{
+    ClassOverview shown = overview(6, 2);
+    shown.cells[0][0] = {3, 530, false, "2026-11-18T08:00:00Z"};  // stuck
+    shown.cells[3][0] = {3, 800, true, "2026-11-18T08:00:00Z"};
+    shown.cells[4][0] = {4, 600, false, "2026-11-18T08:00:00Z"};
+    shown.cells[5][0] = {2, 600, false, "2026-11-18T08:00:00Z"};
+    m_page->setOverview(shown, kNow);
+    m_page->setAssignments({{1, {7}, "lesson-10", "2026-11-19T23:59:59Z", 3}, {2, {7}, "lesson-11", "", 0}});
+    QVERIFY(name(0).contains("out of tries"));
+    QCOMPARE(name(3), QString("Student 1004"));
+    QVERIFY(name(4).contains("out of tries"));
+    QVERIFY(name(5).contains("late"));
+    QVERIFY(button("2 out of tries") != nullptr && button("2 out of tries")->isVisible());
+    const QString words = matrix()->model()->index(4, 1).data(Qt::ToolTipRole).toString();
+    QVERIFY2(words.contains("no attempts left"), qPrintable(words));
+    button("2 out of tries")->click();
+    QCOMPARE(matrix()->model()->rowCount(), 2);
 }
 
 void TestClassPage::headsSayWhenALessonIsDue()

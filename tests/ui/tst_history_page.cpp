@@ -11,6 +11,7 @@
 
 #include "ui/charts/ChartPanel.h"
 #include "ui/charts/Table.h"
+#include "ui/people/HistoryModel.h"
 #include "ui/people/HistoryPage.h"
 #include "ui/shell/Actions.h"
 #include "ui/shell/Theme.h"
@@ -74,6 +75,7 @@ private slots:
     void whatCostMostIsFirstThoughItHasNoWeight();
     void aCriterionIsCalledAsItsLessonSays();
     void titlesAreReadInASmallWindow();
+    void theForceColumnSaysWhatItsTwoFiguresAre();
     void thousandsOfRows();
     void everyControlHasAName();
 
@@ -308,6 +310,13 @@ void TestHistoryPage::titlesAreReadInASmallWindow()
     m_window->resize(1900, 1000);
     m_page->resize(1900, 1000);
     QTRY_VERIFY(!table()->isColumnHidden(5) && table()->columnWidth(5) > 50);
+}
+
+void TestHistoryPage::theForceColumnSaysWhatItsTwoFiguresAre()
+{
+    const QString words =
+        table()->model()->headerData(ui::people::HistoryModel::Force, Qt::Horizontal, Qt::ToolTipRole).toString();
+    QCOMPARE(words, QString("Mean and highest force while cutting"));
 }
 
 void TestHistoryPage::thousandsOfRows()

@@ -5,7 +5,9 @@
 #include <functional>
 
 #include <QDir>
+#include <QPushButton>
 #include <QScopeGuard>
+#include <QSet>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QTest>
@@ -24,6 +26,8 @@
 #include "ui/admin/RosterPart.h"
 #include "ui/inside/XrayPage.h"
 #include "ui/people/AssignPage.h"
+#include "ui/people/ClassPage.h"
+#include "ui/people/HistoryPage.h"
 #include "ui/people/LoginPage.h"
 #include "ui/people/TalkPanel.h"
 #include "ui/shell/Actions.h"
@@ -117,6 +121,42 @@ database::AttemptRecord attempt(int tenths, const std::string& hash)
     return record;
 }
 
+database::AttemptRecord charted(int number)
+{
+    database::AttemptRecord record = attempt(500 + 10 * number, "");
+    record.id = number;
+    record.lessonId = "0";
+    record.durationMs = 60'000 * number;
+    record.meanForceMn = 800;
+    record.peakForceMn = 1200;
+    return record;
+}
+
+/// One who is stuck, one who never logged in, one who has not begun.
+database::ClassOverview classOfThree()
+{
+    database::ClassOverview shown;
+    shown.id = {7};
+    shown.name = "[···]";
+    shown.lessons = {"0"};
+    shown.students = {
+        {{1}, "", "[···]", "2026-05-04T10:20:30Z", "2026-05-04T10:20:30Z", {5, 5, 5}, {false, false, false}, "0"},
+        {{2}, "", "[···]", "", "", {}, {}, ""},
+        {{3}, "", "[···]", "2026-05-04T10:20:30Z", "", {}, {}, ""}};
+    shown.cells = {{{3, 5, false, "2026-05-04T10:20:30Z"}}, {{}}, {{}}};
+    return shown;
+}
+
+database::LessonResults resultsOfSix()
+{
+    database::LessonResults results;
+    results.lessonId = "0";
+    results.bestTenths = {100, 300, 500, 600, 800, 900};
+    results.curve = {{1, 6, 200, 400, 600}, {2, 6, 300, 500, 700}};
+    results.difficulty = {"0", 6, 2, 400.0, 1.5, {{"a", 0.4}, {"b", 0.2}}};
+    return results;
+}
+
 }  // namespace
 
 class TestLanguages : public QObject
@@ -128,6 +168,7 @@ private slots:
     void cleanup();
     void pages_data();
     void pages();
+    void everyPartWasBroughtUp();
     void questionsAreAskedInTheLanguageOfToday();
     void messagesThatStayFollowTheLanguage();
     void theMenuChoosesAndRemembers();
@@ -148,6 +189,12 @@ private:
     std::unique_ptr<UiLinks> m_links;
     std::unique_ptr<MainWindow> m_window;
     std::unique_ptr<UiLinks> m_beside;
+    /// Kinds of widgets of ours that the window has, and those that were on the screen.
+    void look();
+    QSet<QString> m_parts;
+    QSet<QString> m_seen;
+    int m_pages = 0;
+    int m_looks = 0;
     std::uint64_t m_generation = 1;
 };
 
@@ -194,7 +241,8 @@ void TestLanguages::openSchool(ui::admin::AdminPage::Part part)
     school.people().setPeople(
         {{{1}, "a", "[···]", "[··]", "[···]", database::Role::Admin, false, true, "", "2026-05-04T10:20:30Z", {{1}}}},
         {{{1}, "[···]", 1, 1}});
-    school.people().showCode("[···]", "[···]");
+    school.people().confirm({1}, "[···]");
+    school.people().showCode({1}, "[···]", "[···]");
     school.roster().showOutcome({{}, {{"[···]", "[···]", database::Role::Student, {"[···]"}, true, "[···]"}}, {}},
                                 "[···]", true);
     school.backups().setDatabase("[···]", false);
@@ -226,10 +274,27 @@ void TestLanguages::showScore()
     m_window->scorePage().setClass({7, 40.0});
 }
 
+void TestLanguages::look()
+{
+    ++m_looks;
+    for (const QWidget* part : m_window->findChildren<QWidget*>()) {
+        const QString kind = QString::fromLatin1(part->metaObject()->className());
+        if (!kind.startsWith(u"ui::"))
+            continue;
+        m_parts << kind;
+        if (part->isVisible())
+            m_seen << kind;
+    }
+}
+
 void TestLanguages::pages_data()
 {
     QTest::addColumn<BringUp>("bringUp");
-    const auto page = [](const char* name, const BringUp& bringUp) { QTest::newRow(name) << bringUp; };
+    m_pages = 0;
+    const auto page = [this](const char* name, const BringUp& bringUp) {
+        ++m_pages;
+        QTest::newRow(name) << bringUp;
+    };
     page("practice", [this] {
         SessionState session;
         session.removedMm3 = {0.0, 188.88, 188.88, 0.0};  // harm is told once, in the language of its time
@@ -307,8 +372,20 @@ void TestLanguages::pages_data()
         child<QPushButton>("presetTry")->click();
         m_window->beginTrial();
     });
-    page("attempts", [this] { m_window->openHistory(); });
-    page("classes", [this] { m_window->openClasses(); });
+    page("attempts", [this] {
+        m_window->historyPage().setLessonTitles({{"0", "[···]"}});
+        m_window->historyPage().setHistory({charted(3), charted(2), charted(1)});
+        m_window->openHistory();
+    });
+    page("no attempts", [this] { m_window->openHistory(); });
+    page("classes", [this] {
+        m_window->classPage().setClasses({{{7}, "[···]", 3, 1}});
+        m_window->classPage().setLessonTitles({{"0", "[···]"}});
+        m_window->classPage().setOverview(classOfThree());
+        m_window->classPage().setResults(resultsOfSix(), 700, {{"a", "[···]"}, {"b", "[····]"}});
+        m_window->openClasses();
+    });
+    page("no classes", [this] { m_window->openClasses(); });
     page("assign", [this] {
         m_window->assignPage().setLessons({{"0", "[···]", "[··]", "[·]"}, {"1", "[····]", "[··]", "[·]"}});
         // Of today: names of months are Qt's.
@@ -403,6 +480,7 @@ void TestLanguages::pages()
             break;
         QTest::qWait(100);
     }
+    look();
     m_window->resize(roomInside());
     QTest::qWait(100);
     m_window->grab().save(
@@ -417,6 +495,15 @@ void TestLanguages::pages()
     }
     found << cut;
     QVERIFY2(found.isEmpty(), qPrintable(QString::number(found.size()) + " found:\n" + found.join('\n')));
+}
+
+/// Who adds a page, a card or a panel adds it to pages_data().
+void TestLanguages::everyPartWasBroughtUp()
+{
+    if (m_looks < m_pages)
+        QSKIP("only some pages were brought up");
+    const QStringList missing = (m_parts - m_seen).values();
+    QVERIFY2(missing.isEmpty(), qPrintable("never on the screen: " + missing.join(", ")));
 }
 
 void TestLanguages::questionsAreAskedInTheLanguageOfToday()

@@ -9,16 +9,19 @@
 #include <QAction>
 #include <QComboBox>
 #include <QDir>
+#include <QDoubleSpinBox>
 #include <QDropEvent>
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
+#include <QListWidget>
 #include <QMenu>
 #include <QMimeData>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QScopeGuard>
 #include <QScreen>
 #include <QScrollArea>
@@ -28,6 +31,7 @@
 #include <QSignalSpy>
 #include <QSlider>
 #include <QStackedWidget>
+#include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
@@ -42,6 +46,8 @@
 #include "tests/support/OpenGlMain.h"
 #include "tests/support/SyntheticMolar.h"
 #include "ui/admin/AdminPage.h"
+#include "ui/admin/PeoplePart.h"
+#include "ui/admin/RosterPart.h"
 #include "ui/console/Console.h"
 #include "ui/inside/SectionView.h"
 #include "ui/inside/XrayPage.h"
@@ -92,6 +98,22 @@ std::function<QStringList()> noted(const QStringList& notes)
     return [notes] { return notes; };
 }
 
+database::Person someone(qint64 id, const std::string& given, bool hasPassword,
+                         const std::vector<database::ClassId>& classes = {})
+{
+    return {{id},
+            std::to_string(id),
+            "s" + std::to_string(id),
+            given,
+            "Berg",
+            database::Role::Student,
+            false,
+            hasPassword,
+            "",
+            "",
+            classes};
+}
+
 }  // namespace
 
 class TestMainWindow : public QObject
@@ -139,15 +161,25 @@ private slots:
     void theBurRestsWhileAnotherPageIsRead();
     void aLessonBeginsWithItsOwnColours();
     void aLessonsTimeEndsWithTheLesson();
+    void aLessonsClockRestsWhereNobodyWorks();
+    void aGuestIsToldThatNothingIsKept();
     void aBreachWaitsForWhoReadsAnotherPage();
     void helpListsEveryAction();
     void escapeGoesBackStepByStep();
     void escapeClosesAnOpenListOnly();
     void aRefusedPasswordIsTypedAnew();
     void anAdminIsToldHowToBeginWithClasses();
+    void aHalfFilledFormIsPutAside();
+    void aCodeStaysWithItsPerson();
+    void aDoubleClickOnEnterTakesNoPasswordAway();
+    void theQuestionOfAPasswordEndsWithAnythingElse();
+    void theOwnClassesComeFirst();
+    void manyPeopleAreCountedByTheLocale();
+    void aListOfNobodyIsAFault();
     void spaceOnAFocusedButtonPressesIt();
     void theConsoleTakesKeysAndLeavesTheView();
     void presetsAndSettingsHavePages();
+    void aComparisonIsEndedBesideTheTooth();
 
     void figuresComeFromTheLoops();
     void dentinOverThePulpIsTold();
@@ -182,6 +214,7 @@ private slots:
     void theExpertIsOfferedWhereSomethingIsCut();
     void aLessonOfAPackIsUnpackedToBeEdited();
     void theUndoHistoryIsShownAndGoneThrough();
+    void theUndoHistoryTakesALowWindow();
     void escapeEndsAReplayAtOnce();
     void gradingAReplayOffersToStopIt();
 
@@ -196,6 +229,7 @@ private slots:
     void theForecastIsAnsweredWithTheKeys();
     void unsavedLessonsAreAskedAbout_data();
     void unsavedLessonsAreAskedAbout();
+    void whatPagesHaveNotKeptIsAskedAbout();
 
     void anotherToothIsChosenWithTheMouse();
     void anotherToothIsChosenWithTheKeys();
@@ -259,6 +293,8 @@ private:
     /// The session says so much enamel of the tooth shown is gone.
     void cutSomething(double enamelMm3) const;
     QuestionCard* question() const;
+    ui::admin::PeoplePart& openPeople();
+    void choosePerson(int row) const;
     static lessons::ReadLesson shipped(const std::string& id);
     static lessons::ReadLesson shippedOf(lessons::Task task);
     static lessons::ScoreSheet sheet(double cariesPercent, double soundMm3, double pulpMm2);
@@ -933,7 +969,11 @@ void TestMainWindow::anExerciseHasNoFiguresOfACut()
         press(Qt::Key_R);
         QCOMPARE(again.size(), 1);
         QVERIFY(sent().isEmpty());
+        // The school may have something against it: it is said once it is so.
+        QVERIFY2(message().isEmpty(), qPrintable(message()));
+        m_window->showBegunAnew();
         QVERIFY2(message().contains("begins anew"), qPrintable(message()));
+        child<MessageBar>()->dismiss();
     }
     const auto ideal = lessons::assign(*shipped("class1-36").lesson).value().assignment;
     m_window->setAssignment(ideal);
@@ -1050,6 +1090,92 @@ void TestMainWindow::aLessonsTimeEndsWithTheLesson()
     m_window->showTooth(assignment.anatomy, 4, {});
     workFor(4, 100.0);
     QVERIFY2(message().contains("time of this lesson is over"), qPrintable(message()));
+    // It is said where the lesson is.
+    actions().lessons->trigger();
+    QVERIFY2(message().isEmpty(), qPrintable(message()));
+}
+
+/// The clock of a lesson is that of the work on it.
+void TestMainWindow::aLessonsClockRestsWhereNobodyWorks()
+{
+    lessons::Assignment assignment = lessons::assign(*shipped("class1-36").lesson).value().assignment;
+    assignment.lesson->minutes = 2.0;
+    std::uint64_t generation = 1;
+    double recordedS = 0.0;
+    const auto pass = [&](double seconds) {
+        recordedS += seconds;
+        SessionState session;
+        session.toothGeneration = generation;
+        session.recordedS = recordedS;
+        publish({}, session);
+        QTest::qWait(150);
+    };
+    const auto clock = [this] { return child<TabularLabel>("lessonTime")->text(); };
+    const auto begin = [&] {
+        recordedS = 0.0;
+        m_window->setAssignment(assignment);
+        m_window->showTooth(assignment.anatomy, ++generation, {});
+    };
+    begin();
+    pass(30.0);
+    QCOMPARE(clock(), QString("1:30"));
+    actions().lessons->trigger();
+    pass(300.0);
+    QVERIFY2(message().isEmpty(), qPrintable(message()));
+    actions().back->trigger();
+    pass(10.0);
+    QCOMPARE(clock(), QString("1:20"));
+    // Who starts again has all of it, and who has a grade needs none.
+    actions().reload->trigger();
+    QCOMPARE(clock(), QString("2:00"));
+    pass(20.0);
+    QCOMPARE(clock(), QString("1:40"));
+    m_window->showScore(sheet(3.2, 40, 0.5), {});
+    pass(300.0);
+    actions().back->trigger();
+    pass(300.0);
+    QCOMPARE(clock(), QString("1:40"));
+    QVERIFY2(!message().contains("time of this lesson"), qPrintable(message()));
+    // An exam's goes on, until there is a grade.
+    assignment.lesson->exam = true;
+    begin();
+    pass(30.0);
+    actions().lessons->trigger();
+    pass(30.0);
+    actions().back->trigger();
+    pass(10.0);
+    QCOMPARE(clock(), QString("0:50"));
+    m_window->showScore(sheet(3.2, 40, 0.5), {});
+    QSignalSpy grade(m_window.get(), &MainWindow::gradeRequested);
+    pass(300.0);
+    actions().back->trigger();
+    pass(300.0);
+    QCOMPARE(clock(), QString("0:50"));
+    QVERIFY(grade.isEmpty());
+}
+
+/// On every page and in the practice room, in words.
+void TestMainWindow::aGuestIsToldThatNothingIsKept()
+{
+    const auto isTold = [this] {
+        for (const QLabel* sign : m_window->findChildren<QLabel*>(QStringLiteral("guestSign")))
+            if (sign->isVisible())
+                return sign->text() == "Guest,\nunsaved";
+        return false;
+    };
+    QVERIFY(isTold());
+    actions().lessons->trigger();
+    QVERIFY(isTold());
+    m_window->showScore(sheet(3.2, 40, 0.5), {});
+    QVERIFY(isTold());
+    support::SchoolRig rig(false);
+    rig.populate();
+    m_window->setWho(rig.student);
+    QVERIFY(!isTold());
+    actions().back->trigger();
+    QVERIFY(m_window->view().isVisible() && !isTold());
+    m_window->setWho({});
+    QVERIFY(isTold());
 }
 
 /// A bur that was left running in the air is noticed while somebody reads on.
@@ -1313,6 +1439,171 @@ void TestMainWindow::anAdminIsToldHowToBeginWithClasses()
     QVERIFY(child<ui::admin::AdminPage>()->isVisible());
 }
 
+ui::admin::PeoplePart& TestMainWindow::openPeople()
+{
+    support::SchoolRig rig(false);
+    rig.populate();
+    m_window->setWho(rig.admin);
+    actions().school->trigger();
+    return m_window->adminPage().people();
+}
+
+void TestMainWindow::choosePerson(int row) const
+{
+    auto* table = child<QTableView>("people");
+    table->setCurrentIndex(table->model()->index(row, 0));
+}
+
+void TestMainWindow::aHalfFilledFormIsPutAside()
+{
+    ui::admin::PeoplePart& people = openPeople();
+    people.setPeople({someone(1, "Ada", true), someone(2, "Bob", true)}, {});
+    const auto* given = child<QLineEdit>("personGiven");
+    const auto* aside = child<QLabel>("personAside");
+    choosePerson(0);
+    choosePerson(1);
+    QVERIFY(!aside->isVisible());
+    choosePerson(0);
+    QTest::keyClicks(child<QLineEdit>("personGiven"), "lina");
+    choosePerson(1);
+    QCOMPARE(given->text(), QString("Bob"));
+    QVERIFY2(aside->isVisible() && aside->text().contains("Ada Berg"), qPrintable(aside->text()));
+    child<QPushButton>("personAsideBack")->click();
+    QCOMPARE(given->text(), QString("Adalina"));
+    QCOMPARE(child<QTableView>("people")->currentIndex().row(), 0);
+    QVERIFY(!aside->isVisible());
+    // Of somebody new as well, and neither drops the other.
+    child<QPushButton>("newPerson")->click();
+    QTest::keyClicks(child<QLineEdit>("personUsername"), "eve");
+    choosePerson(1);
+    QVERIFY2(aside->text().contains("new person"), qPrintable(aside->text()));
+    child<QPushButton>("personAsideBack")->click();
+    QCOMPARE(child<QLineEdit>("personUsername")->text(), QString("eve"));
+    QVERIFY2(aside->text().contains("Ada Berg"), qPrintable(aside->text()));
+    // What was entered is not offered again.
+    child<QPushButton>("savePerson")->click();
+    people.confirm({3}, "eve was entered.");
+    people.setPeople({someone(1, "Ada", true), someone(2, "Bob", true), someone(3, "Eve", false)}, {});
+    child<QPushButton>("personAsideBack")->click();
+    QCOMPARE(given->text(), QString("Adalina"));
+    QVERIFY(!aside->isVisible());
+}
+
+void TestMainWindow::aCodeStaysWithItsPerson()
+{
+    ui::admin::PeoplePart& people = openPeople();
+    people.setPeople({someone(1, "Ada", false), someone(2, "Bob", true)}, {});
+    const auto* code = child<QLabel>("oneTimeCode");
+    choosePerson(0);
+    people.showCode({1}, "Ada Berg", "1234-5678");
+    QVERIFY(code->isVisible());
+    choosePerson(1);
+    QVERIFY(!code->isVisible());
+    m_window->adminPage().show(ui::admin::AdminPage::Roster);
+    m_window->adminPage().show(ui::admin::AdminPage::People);
+    choosePerson(0);
+    QVERIFY(code->isVisible());
+    QCOMPARE(code->text(), QString("1234-5678"));
+    // It was used.
+    people.setPeople({someone(1, "Ada", true), someone(2, "Bob", true)}, {});
+    QVERIFY(!code->isVisible());
+    people.showCode({1}, "Ada Berg", "1234-5678");
+    actions().lessons->trigger();
+    actions().school->trigger();
+    QVERIFY(child<QWidget>("people")->isVisible() && !code->isVisible());
+}
+
+void TestMainWindow::aDoubleClickOnEnterTakesNoPasswordAway()
+{
+    ui::admin::PeoplePart& people = openPeople();
+    int entered = 0;
+    int reset = 0;
+    connect(&people, &ui::admin::PeoplePart::addWanted, this, [&] { ++entered; });
+    connect(&people, &ui::admin::PeoplePart::changeWanted, this, [&] { ++entered; });
+    connect(&people, &ui::admin::PeoplePart::resetWanted, this, [&] { ++reset; });
+    const auto* save = child<QPushButton>("savePerson");
+    child<QPushButton>("newPerson")->click();
+    child<QLineEdit>("personUsername")->setText("eve");
+    QTest::qWait(0);
+    const QPoint place = save->mapTo(m_window.get(), QPoint());
+    child<QPushButton>("savePerson")->click();
+    people.confirm({1}, "eve was entered.");
+    people.showCode({1}, "Eve Berg", "1234-5678");
+    people.setPeople({someone(1, "Eve", false)}, {});
+    child<QPushButton>("savePerson")->click();
+    child<QPushButton>("resetPassword")->click();
+    QCOMPARE(entered, 1);
+    QCOMPARE(reset, 0);
+    QTRY_COMPARE(save->mapTo(m_window.get(), QPoint()), place);
+    // Later the button does what it says.
+    QTRY_VERIFY((child<QPushButton>("resetPassword")->click(), reset > 0));
+}
+
+void TestMainWindow::theQuestionOfAPasswordEndsWithAnythingElse()
+{
+    ui::admin::PeoplePart& people = openPeople();
+    people.setPeople({someone(1, "Ada", true)}, {});
+    choosePerson(0);
+    const auto* keep = child<QPushButton>("keepPassword");
+    child<QPushButton>("resetPassword")->click();
+    QVERIFY(keep->isVisible());
+    QTest::keyClicks(child<QLineEdit>("personGiven"), "x");
+    QVERIFY(!keep->isVisible());
+    QVERIFY(child<QLabel>("personSaid")->text().isEmpty());
+    child<QPushButton>("resetPassword")->click();
+    QVERIFY(keep->isVisible());
+    child<QPushButton>("savePerson")->click();
+    QVERIFY(!keep->isVisible());
+    QCOMPARE(child<QPushButton>("resetPassword")->text(), QString("Reset password"));
+}
+
+void TestMainWindow::theOwnClassesComeFirst()
+{
+    ui::admin::PeoplePart& people = openPeople();
+    QList<database::SchoolClass> classes;
+    for (const int number : {0, 1, 10, 11, 2, 3})
+        classes.push_back({{number + 1}, "DEN-" + std::to_string(number), 0, 0});
+    people.setPeople({someone(1, "Ada", true, {{4}, {11}})}, classes);
+    choosePerson(0);
+    const auto* list = child<QListWidget>("personClasses");
+    QStringList shown;
+    for (int row = 0; row < list->count(); ++row)
+        shown << list->item(row)->text();
+    QCOMPARE(shown, (QStringList{"DEN-3", "DEN-10", "DEN-0", "DEN-1", "DEN-2", "DEN-11"}));
+    QCOMPARE(list->item(1)->checkState(), Qt::Checked);
+    QCOMPARE(list->item(2)->checkState(), Qt::Unchecked);
+}
+
+void TestMainWindow::manyPeopleAreCountedByTheLocale()
+{
+    constexpr int kMany = 1503;
+    ui::admin::PeoplePart& people = openPeople();
+    QList<database::Person> all;
+    database::RosterOutcome outcome;
+    for (int n = 1; n <= kMany; ++n) {
+        all << someone(n, "Ada", true);
+        outcome.people.push_back({"s", "Ada", database::Role::Student, {}, true, {}});
+    }
+    people.setPeople(all, {});
+    QVERIFY2(child<QLabel>("peopleCount")->text().contains("1,503"), qPrintable(child<QLabel>("peopleCount")->text()));
+    for (const bool isDone : {false, true}) {
+        m_window->adminPage().roster().showOutcome(outcome, "class.csv", isDone);
+        const QString said = child<QLabel>("rosterSaid")->text();
+        QVERIFY2(said.contains("1,503"), qPrintable(said));
+    }
+}
+
+void TestMainWindow::aListOfNobodyIsAFault()
+{
+    openPeople();
+    m_window->adminPage().show(ui::admin::AdminPage::Roster);
+    m_window->adminPage().roster().showOutcome({}, "class.csv", false);
+    const auto* fault = child<QLabel>("rosterFault");
+    QVERIFY2(fault->isVisible() && fault->text().contains("nobody in class.csv"), qPrintable(fault->text()));
+    QVERIFY(!child<QLabel>("rosterSaid")->isVisible());
+    QVERIFY(!child<QPushButton>("enterRoster")->isVisible());
+}
+
 void TestMainWindow::spaceOnAFocusedButtonPressesIt()
 {
     QSignalSpy asked(m_window.get(), &MainWindow::gradeRequested);
@@ -1363,6 +1654,34 @@ void TestMainWindow::presetsAndSettingsHavePages()
     QTRY_VERIFY(child<ui::settings::SettingsPage>()->isVisible());
     press(Qt::Key_Escape);
     QTRY_VERIFY(child<PracticeRoom>()->isVisible());
+}
+
+void TestMainWindow::aComparisonIsEndedBesideTheTooth()
+{
+    const core::settings::FeelPreset preset = lessons::shippedPresets().front();
+    emit child<ui::presets::PresetsPage>()->compareWanted(preset, preset, 2);
+    m_window->beginTrial();
+    press(Qt::Key_Comma, Qt::ControlModifier);
+    QTRY_VERIFY(child<QLabel>("settingsBlind")->isVisible());
+    auto* stiffness = child<QDoubleSpinBox>("force.stiffness");
+    QVERIFY(!stiffness->isEnabled());
+    press(Qt::Key_Escape);
+    QTRY_VERIFY(child<ui::presets::TrialCard>()->isVisible());
+    QTest::mouseClick(child<QPushButton>("trialEnd"), Qt::LeftButton);
+    press(Qt::Key_Comma, Qt::ControlModifier);
+    QTRY_VERIFY(stiffness->isVisible());
+    QVERIFY(!child<QLabel>("settingsBlind")->isVisible() && stiffness->isEnabled());
+    QCOMPARE(stiffness->value(), preset.stiffnessNPerMm);
+    // The block may be felt otherwise, what was found out stays on the card.
+    QSignalSpy felt(m_window.get(), &MainWindow::presetFelt);
+    stiffness->setValue(1.5);
+    QCOMPARE(felt.size(), 1);
+    QVERIFY(!child<QLabel>("settingsFault")->isVisible());
+    press(Qt::Key_Escape);
+    QTRY_VERIFY(child<ui::presets::TrialCard>()->isVisible());
+    QVERIFY(!child<ui::presets::TrialCard>()->tuned());
+    QTest::mouseClick(child<QPushButton>("trialBack"), Qt::LeftButton);
+    QTRY_VERIFY(child<ui::presets::PresetsPage>()->isVisible());
 }
 
 void TestMainWindow::figuresComeFromTheLoops()
@@ -1839,9 +2158,14 @@ void TestMainWindow::aReplayIsCalledByItsLesson()
     m_window->showTooth(support::syntheticMolar(), 2, {});
     QVERIFY(m_window->windowTitle().startsWith(title));
     QVERIFY(says("Still to cut") && !says("Decay left"));
+    // A teacher sees whose it is.
+    const QString whose = QStringLiteral("Ada Lovelace, 20/11/2026 10:15");
+    m_window->setReplaying(true, 60.0, {}, lesson, whose);
+    m_window->showTooth(support::syntheticMolar(), 2, {});
+    QCOMPARE(m_window->windowTitle(), title + " – " + whose + " – Cusp");
     m_window->setReplaying(false);
     m_window->showTooth(support::syntheticMolar(), 3, {});
-    QVERIFY(!m_window->windowTitle().contains(title));
+    QVERIFY(!m_window->windowTitle().contains(title) && !m_window->windowTitle().contains("Ada"));
     QVERIFY(says("Decay left") && !says("Still to cut"));
 }
 
@@ -2133,6 +2457,14 @@ void TestMainWindow::aLessonOfAPackIsUnpackedToBeEdited()
     QVERIFY(m_window->findChild<ui::study::LessonEditor*>()->isVisible());
 }
 
+void TestMainWindow::theUndoHistoryTakesALowWindow()
+{
+    QTest::failOnWarning(QRegularExpression("Negative sizes"));
+    auto* panel = child<ui::replay::HistoryPanel>("historyPanel");
+    panel->placeIn({0, 0, 300, 30});
+    QCOMPARE(panel->list().height(), 0);
+}
+
 void TestMainWindow::theUndoHistoryIsShownAndGoneThrough()
 {
     using core::history::MomentInfo;
@@ -2388,6 +2720,33 @@ void TestMainWindow::unsavedLessonsAreAskedAbout()
     QCOMPARE(m_window->isVisible(), answer == "cancel");
     QCOMPARE(QFile::exists(file), answer == "save");
     QCOMPARE(editor->unsaved().isEmpty(), answer == "save");
+}
+
+void TestMainWindow::whatPagesHaveNotKeptIsAskedAbout()
+{
+    ui::admin::PeoplePart& people = openPeople();
+    const core::settings::FeelPreset preset = lessons::shippedPresets().front();
+    m_window->setPresets({{{}, preset, {}}}, preset);
+    QTest::keyClicks(child<QLineEdit>("presetName"), " two");
+    m_window->adminPage().roster().showOutcome(
+        {{}, {{"eve", "Eve Berg", database::Role::Student, {}, true, "1234-5678"}}, {}}, "class.csv", true);
+    people.setPeople({someone(1, "Ada", true), someone(2, "Bob", true)}, {});
+    choosePerson(0);
+    QTest::keyClicks(child<QLineEdit>("personGiven"), "lina");
+    choosePerson(1);
+    m_window->close();
+    const auto* question = child<QuestionCard>("unkeptQuestion");
+    QVERIFY(question != nullptr && m_window->isVisible());
+    const QString detail = question->findChild<QLabel*>("questionDetail")->text();
+    for (const QString& part : {QString("class.csv"), QString("Ada Berg"), QString::fromStdString(preset.name)})
+        QVERIFY2(detail.contains(part), qPrintable(detail));
+    // The answer that loses nothing leads to where it can be kept.
+    m_window->adminPage().show(ui::admin::AdminPage::Roster);
+    question->findChild<QPushButton*>("questionSave")->click();
+    QVERIFY(m_window->isVisible() && people.isVisible());
+    m_window->close();
+    child<QuestionCard>("unkeptQuestion")->findChild<QPushButton*>("questionDiscard")->click();
+    QVERIFY(!m_window->isVisible());
 }
 
 void TestMainWindow::typingSearchesTheLessons()

@@ -10,6 +10,8 @@
 #include <QSignalSpy>
 #include <QSlider>
 #include <QTest>
+#include <QTextDocumentFragment>
+#include <QTranslator>
 #include <QWidget>
 #include <cmath>
 
@@ -21,6 +23,7 @@
 #include "ui/presets/SimpleFeel.h"
 #include "ui/presets/TrialCard.h"
 #include "ui/shell/Actions.h"
+#include "ui/shell/ScrollPane.h"
 #include "ui/shell/Theme.h"
 
 using namespace ui;
@@ -98,18 +101,25 @@ private slots:
     void whatIsNotHeldCanNeitherBeTriedNorKept();
     void anOlderVersionIsRestored();
     void slidersAndNumbersAreOnePreset();
+    void slidersStandWhereTheVersionStands();
+    void whatIsKeptLeavesTheKeysWithTheList();
+    void aPresetWithoutANameIsNotTried();
     void aCopyHasAnotherName();
     void comparesWithTheChosenOne();
     void anOpenedListShowsAllOfItself();
     void trialCardTunesAndTellsApart();
+    void aComparisonCanBeEnded();
     void allAsItWasUndoesTheConsoleToo();
     void whatWasChangedIsPutAside();
     void whatWasLoadedInATrialIsThatPreset();
     void namesOfAnyLengthLeaveTheVersionItsLine();
+    void allNumbersFitTheFirstWindow_data();
+    void allNumbersFitTheFirstWindow();
     void faultsAreToldInWords_data();
     void faultsAreToldInWords();
     void aSecondLineOfAFaultIsQuieter();
     void chartTellsTheFeed();
+    void noWordOfTheLegendBreaks();
     void everyControlHasAName();
 };
 
@@ -305,6 +315,73 @@ void TestPresetsPage::slidersAndNumbersAreOnePreset()
     QCOMPARE(room.page.draft().dentinRate, 1.0);
 }
 
+void TestPresetsPage::slidersStandWhereTheVersionStands()
+{
+    Room room;
+    auto* wall = room.find<QSlider>("dial5");
+    const auto* middle = room.find<QLabel>("dialMiddle");
+    QCOMPARE(middle->text(), QString("In the middle: natural, version 1."));
+    auto shelf = Room::shelf();
+    const auto keep = [&](int version) {
+        FeelPreset kept = room.page.draft();
+        kept.version = version;
+        kept = lessons::hashed(kept);
+        shelf.push_back({"/c", kept, {}});
+        room.page.setPresets(shelf, lessons::shippedPresets().front());
+        room.page.select(kept);
+    };
+    wall->setValue(wall->minimum());
+    keep(2);
+    QVERIFY(room.find<QLabel>("presetVersion")->text().startsWith("version 2"));
+    QCOMPARE(wall->value(), wall->minimum());  // no softer than it can be, however often it is kept
+    QCOMPARE(middle->text(), QString("In the middle: natural, version 1."));
+    wall->setValue(0);
+    QCOMPARE(room.page.draft().stiffnessNPerMm, lessons::shippedPresets().front().stiffnessNPerMm);
+    QVERIFY(room.find<QLabel>("presetVersion")->text().contains("changed from natural, version 2"));
+    // Numbers that no slider comes to are the middle; kept, they have a version.
+    QTest::mouseClick(room.find<QPushButton>("presetExpert"), Qt::LeftButton);
+    room.find<QDoubleSpinBox>("dentin.rate_mm3_per_ns")->setValue(1.234);
+    QTest::mouseClick(room.find<QPushButton>("presetSimple"), Qt::LeftButton);
+    QVERIFY2(middle->text().contains("typed"), qPrintable(middle->text()));
+    keep(3);
+    QCOMPARE(middle->text(), QString("In the middle: natural, version 3."));
+    wall->setValue(5);
+    keep(4);
+    QCOMPARE(middle->text(), QString("In the middle: natural, version 3."));
+    QCOMPARE(wall->value(), 5);
+}
+
+void TestPresetsPage::whatIsKeptLeavesTheKeysWithTheList()
+{
+    Room room;
+    room.window.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&room.window));
+    QSignalSpy saved(&room.page, &presets::PresetsPage::saveWanted);
+    room.find<QSlider>("dial0")->setValue(10);
+    auto* save = room.find<QPushButton>("presetSave");
+    save->setFocus();
+    save->click();
+    QCOMPARE(saved.size(), 1);
+    auto kept = saved[0][0].value<FeelPreset>();
+    kept.version = 2;
+    auto shelf = Room::shelf();
+    shelf.insert(shelf.begin() + 2, {"/c", lessons::hashed(kept), {}});
+    room.page.setPresets(shelf, lessons::shippedPresets().front());
+    room.page.select(lessons::hashed(kept));
+    QVERIFY(!save->isEnabled());
+    QCOMPARE(QApplication::focusWidget(), static_cast<QWidget*>(room.find<QListWidget>("presetList")));
+}
+
+void TestPresetsPage::aPresetWithoutANameIsNotTried()
+{
+    Room room;
+    room.find<QLineEdit>("presetName")->selectAll();
+    QTest::keyClick(room.find<QLineEdit>("presetName"), Qt::Key_Delete);
+    // What is felt has no name while two are compared blind, and is told to nobody.
+    QVERIFY(!room.find<QPushButton>("presetTry")->isEnabled());
+    QVERIFY(!room.find<QPushButton>("presetCompare")->isEnabled());
+}
+
 void TestPresetsPage::aCopyHasAnotherName()
 {
     Room room;
@@ -413,6 +490,49 @@ void TestPresetsPage::trialCardTunesAndTellsApart()
     QCOMPARE(csv.size(), 1);
 }
 
+void TestPresetsPage::aComparisonCanBeEnded()
+{
+    QWidget window;
+    presets::TrialCard card(&window);
+    window.resize(600, 700);
+    card.resize(412, 700);
+    window.show();
+    QSignalSpy felt(&card, &presets::TrialCard::felt);
+    QSignalSpy done(&card, &presets::TrialCard::done);
+    auto* end = card.findChild<QPushButton*>("trialEnd");
+    auto* back = card.findChild<QPushButton*>("trialBack");
+    const auto* words = card.findChild<QLabel*>("trialWords");
+    card.tune(FeelPreset{}, FeelPreset{});
+    QVERIFY(!end->isVisible() && back->isVisible());
+    const FeelPreset first = named("hard", 1, 0.3);
+    const FeelPreset second = named("soft", 1, 0.9);
+    for (const int answers : {0, 1}) {
+        card.compare(BlindTrial(first, second, 4, 3));
+        // Nobody leaves it by a button that says nothing of it.
+        QVERIFY(card.isComparing() && end->isVisible() && !back->isVisible());
+        for (int trial = 0; trial < answers; ++trial) {
+            for (const char* letter : {"trialA", "trialB"}) {
+                QTest::mouseClick(card.findChild<QPushButton*>(letter), Qt::LeftButton);
+                card.follow(1, 0, 0.0);
+                card.follow(1, 0, 0.1);
+            }
+            QTest::mouseClick(card.findChild<QPushButton*>("trialSaysNone"), Qt::LeftButton);
+        }
+        QTest::mouseClick(card.findChild<QPushButton*>("trialB"), Qt::LeftButton);
+        const auto held = felt.back()[0].value<FeelPreset>();
+        QTest::mouseClick(end, Qt::LeftButton);
+        QVERIFY(!card.isComparing() && !end->isVisible() && back->isVisible());
+        // It feels as it did, and is told.
+        QVERIFY(!presets::isVeiled(felt.back()[0].value<FeelPreset>()));
+        QCOMPARE(felt.back()[0].value<FeelPreset>().enamelRate, held.enamelRate);
+        QVERIFY2(words->text().contains(answers == 0 ? "before anything was chosen" : "No difference: 1 time"),
+                 qPrintable(words->text()));
+        QCOMPARE(card.findChild<QPushButton*>("trialCsv")->isVisible(), answers > 0);
+    }
+    QTest::mouseClick(back, Qt::LeftButton);
+    QCOMPARE(done.size(), 1);
+}
+
 void TestPresetsPage::allAsItWasUndoesTheConsoleToo()
 {
     QWidget window;
@@ -490,6 +610,40 @@ void TestPresetsPage::namesOfAnyLengthLeaveTheVersionItsLine()
     // What is cut off first is what matters least.
     const QString second = list->item(3)->text().section('\n', 1);
     QVERIFY2(second.indexOf("in use") < second.indexOf("shipped"), qPrintable(second));
+    // And nothing is cut off that another language needs more room for.
+    for (int at = 0; at < 4; ++at) {
+        const QStringList lines = list->item(at)->text().split('\n').mid(1);
+        QVERIFY(list->item(at)->sizeHint().height() >= (lines.size() + 1) * list->fontMetrics().height());
+        for (const QString& line : lines)
+            QVERIFY2(list->fontMetrics().horizontalAdvance(line) < 0.75 * list->viewport()->width(), qPrintable(line));
+    }
+    QVERIFY(list->item(3)->toolTip().contains("in use") && list->item(3)->toolTip().contains("shipped"));
+}
+
+void TestPresetsPage::allNumbersFitTheFirstWindow_data()
+{
+    QTest::addColumn<QString>("language");
+    for (const char* language : {"en", "de", "es", "ja"})
+        QTest::newRow(language) << QString(language);
+}
+
+void TestPresetsPage::allNumbersFitTheFirstWindow()
+{
+    QFETCH(QString, language);
+    QTranslator words;
+    QVERIFY(words.load(":/i18n/cusp_" + language + ".qm"));
+    QCoreApplication::installTranslator(&words);
+    Room room;
+    room.window.resize(1280, 800);
+    room.page.resize(1280, 800);
+    QTest::mouseClick(room.find<QPushButton>("presetExpert"), Qt::LeftButton);
+    room.page.setFault("Not imported.\nx.json is empty");
+    const auto* limit = room.find<QDoubleSpinBox>("force.limit_n");
+    const auto* pane = qobject_cast<shell::ScrollPane*>(limit->parentWidget()->parentWidget()->parentWidget());
+    QVERIFY(pane != nullptr);
+    QTRY_VERIFY2(limit->isVisible() && !pane->hasMoreBelow(),
+                 qPrintable(QString("%1 of %2 px").arg(pane->viewport()->height()).arg(pane->widget()->height())));
+    QCoreApplication::removeTranslator(&words);
 }
 
 void TestPresetsPage::faultsAreToldInWords_data()
@@ -543,6 +697,22 @@ void TestPresetsPage::chartTellsTheFeed()
     chart.setPreset(preset, FeelPreset{});
     QVERIFY2(chart.words(1.0).contains("Enamel 2.2 mm/s"), qPrintable(chart.words(1.0)));
     QVERIFY2(chart.words(0.1).contains("Enamel 0.0 mm/s"), qPrintable(chart.words(0.1)));
+}
+
+void TestPresetsPage::noWordOfTheLegendBreaks()
+{
+    QTranslator japanese;
+    QVERIFY(japanese.load(":/i18n/cusp_ja.qm"));
+    QCoreApplication::installTranslator(&japanese);
+    presets::FeedChart chart(nullptr);
+    chart.setPreset({}, {});
+    const QString plain = QTextDocumentFragment::fromHtml(chart.findChild<QLabel*>("feedWords")->text()).toPlainText();
+    QCoreApplication::removeTranslator(&japanese);
+    const QString name = presets::substanceName(core::settings::Substance::Plastic);
+    const QString joiner(QChar(0x2060));
+    QVERIFY2(plain.contains(QStringLiteral("プラスチック歯").split(QString(), Qt::SkipEmptyParts).join(joiner)),
+             qPrintable(plain));
+    QVERIFY2(!name.contains(joiner), qPrintable(name));
 }
 
 void TestPresetsPage::everyControlHasAName()

@@ -6,11 +6,15 @@
 #include <QImage>
 #include <QPainter>
 #include <QRegularExpression>
+#include <QScopeGuard>
 #include <QSvgGenerator>
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <cstring>
+
 #include "lessons/LessonCatalog.h"
+#include "tests/ui/PseudoLanguage.h"
 #include "ui/report/Printing.h"
 #include "ui/report/Report.h"
 #include "ui/shell/Theme.h"
@@ -199,7 +203,12 @@ private slots:
     void whatTheScreenSaysIsOnPaper();
     void onePageHoldsAShortCard();
     void whatIsNotKeptSaysSo();
+    void everyWordIsOfTheLanguage_data();
+    void everyWordIsOfTheLanguage();
     void whoIsLateIsNamed();
+    void whoHasNoAttemptsLeftIsNamed();
+    void aCommentsPlaceIsNumberedInThePicture();
+    void theMatrixHasItsTitleOnEveryPage();
     void pagesAreFilledAndNotOverfull_data();
     void pagesAreFilledAndNotOverfull();
     void paperIsWhiteInTheDarkThemeToo();
@@ -249,8 +258,8 @@ void TestReport::anInstructorsScoreIsSignedAndTheMachinesStays()
     card.attempt.givenTenths = 801;
     card.talk.overrides.push_back({"Grace Hopper", "2026-11-20T11:30:00Z", 801, "The wall is fine by hand."});
     const QString words = wordsOf(card, kA4);
-    for (const char* part :
-         {"80.1 of 100 points", "machine's score: 68.4", "Grace Hopper", "The wall is fine by hand."})
+    for (const char* part : {"80.1 of 100 points", "machine's score: 68.4", "Grace Hopper", "The wall is fine by hand.",
+                             "The machine's score: 100.0"})
         QVERIFY2(words.contains(part), part);
 }
 
@@ -294,6 +303,57 @@ void TestReport::whatIsNotKeptSaysSo()
     QVERIFY2(words.contains("recording –"), qPrintable(words));
 }
 
+void TestReport::everyWordIsOfTheLanguage_data()
+{
+    QTest::addColumn<bool>("isCard");
+    QTest::newRow("card") << true;
+    QTest::newRow("class") << false;
+}
+
+/// Of a language that nobody speaks; but for names, and what lessons say themselves.
+void TestReport::everyWordIsOfTheLanguage()
+{
+    QFETCH(bool, isCard);
+    pseudo::Translator strange;
+    QCoreApplication::installTranslator(&strange);
+    const auto back = qScopeGuard([&] { QCoreApplication::removeTranslator(&strange); });
+    QString words;
+    if (isCard) {
+        ScoreCard card = m_card;
+        card.lesson = card.person = "[···]";
+        card.attempt.preset = "[···]";
+        card.attempt.device = card.attempt.method = card.attempt.viewMode = card.attempt.program = "";
+        card.proof.program = "1";
+        card.attempt.presetHash = card.attempt.recordingHash = card.sheet.rubricHash = std::string(64, '1');
+        card.sheet.rubricTitle = pseudo::said(card.sheet.rubricTitle);
+        for (lessons::Criterion& one : card.sheet.criteria)
+            one.title = pseudo::said(one.title);
+        database::AttemptComment& comment = card.talk.comments.front();
+        comment.author = comment.words = "[···]";
+        words = wordsOf(card, kA4);
+    } else {
+        ClassReport report = classReport(7, 3);
+        report.className = report.teacher = "[···]";
+        report.rubricHash = std::string(64, '1');
+        report.proof.program = "1";
+        for (auto& title : report.titles)
+            title = "[···]";
+        for (database::MatrixStudent& student : report.overview.students)
+            student.fullName = "[···]";
+        report.criteria = {{"depth", "[···]"}, {"walls", "[····]"}};
+        report.given = {{1, report.overview.id, "lesson-0", "2026-11-19T22:59:59Z", 0}};
+        words = wordsOf(report, kA4);
+    }
+    static const QRegularExpression kOfQt(
+        "^Qt SVG Document Generated with Qt|\\b(?:K7QF-93XM-2ND8|Nov|Jan|AM|PM|am|pm)\\b");
+    words.remove(kOfQt);
+    QStringList english;
+    for (const QString& word : words.split(' '))
+        if (!pseudo::untranslated(word).isEmpty())
+            english << word;
+    QVERIFY2(english.isEmpty(), qPrintable(english.join(", ") + " in: " + words));
+}
+
 void TestReport::whoIsLateIsNamed()
 {
     ClassReport report = classReport(5, 3);
@@ -301,6 +361,59 @@ void TestReport::whoIsLateIsNamed()
     const QString words = wordsOf(report, kA4);
     QVERIFY2(words.contains("Late: a lesson is overdue"), qPrintable(words));
     QVERIFY2(words.contains("due yesterday") || words.contains("due 19 Nov"), qPrintable(words));
+}
+
+void TestReport::whoHasNoAttemptsLeftIsNamed()
+{
+    ClassReport report = classReport(6, 3);
+    report.overview.cells[4][0] = {3, 600, false, "2026-11-18T08:00:00Z"};
+    report.given = {{1, report.overview.id, "lesson-0", "", 3}};
+    const QString words = wordsOf(report, kA4);
+    QVERIFY2(words.contains("No attempts left at a lesson that is not passed: Student 1005"), qPrintable(words));
+}
+
+void TestReport::aCommentsPlaceIsNumberedInThePicture()
+{
+    ScoreCard card = m_card;
+    const glm::dvec2 middle = card.work->tooth->grid().middleMm();
+    card.talk.comments.clear();
+    card.talk.comments.push_back({1, "Grace Hopper", "2026-11-20T11:00:00Z", "Well done.", {}, {}});
+    card.talk.comments.push_back({2, "Grace Hopper", "2026-11-20T11:00:00Z", "The floor is uneven.", {}, {}});
+    const QList<QImage> without = pagesOf(card, kA4);
+    card.talk.comments.back().placeMm = {middle.x, middle.y, 0.0};
+    const QString words = wordsOf(card, kA4);
+    QVERIFY2(words.contains("(1) Grace Hopper") && words.contains("numbers of their places"), qPrintable(words));
+    QCOMPARE(words.count("(1)"), 1);
+    // The number is drawn on the tooth, above the comments: the pages differ there, too.
+    const QList<QImage> with = pagesOf(card, kA4);
+    QCOMPARE(with.size(), without.size());
+    int differing = 0;
+    for (qsizetype k = 0; k < with.size(); ++k)
+        for (int y = 0; y < with[k].height(); ++y)
+            differing += std::memcmp(with[k].constScanLine(y), without[k].constScanLine(y),
+                                     static_cast<std::size_t>(with[k].bytesPerLine())) != 0
+                             ? 1
+                             : 0;
+    QVERIFY2(differing > 50, qPrintable(QString::number(differing)));  // more than two lines of words
+    if (const QString folder = qEnvironmentVariable("CUSP_PICTURES"); !folder.isEmpty())
+        for (qsizetype k = 0; k < with.size(); ++k)
+            with[k].save(QString("%1/card-%2.png").arg(folder).arg(k));
+}
+
+void TestReport::theMatrixHasItsTitleOnEveryPage()
+{
+    const QString sign = "▲: overdue, or no attempts left";
+    ClassReport report = classReport(35, 40);
+    report.given = {{1, report.overview.id, "lesson-0", "2026-11-19T22:59:59Z", 0}};
+    const QList<QImage> pages = pagesOf(report, kA4);
+    // Parts follow each other without leaving half a page empty.
+    QVERIFY2(pages.size() <= 6, qPrintable(QString::number(pages.size())));
+    const QString words = wordsOf(report, kA4);
+    QVERIFY2(words.count(sign) >= pages.size() - 1, qPrintable(QString::number(words.count(sign))));
+    QVERIFY2(words.contains("▲ 30"), qPrintable(words));  // the cell of him who is late, as on the screen
+    if (const QString folder = qEnvironmentVariable("CUSP_PICTURES"); !folder.isEmpty())
+        for (qsizetype k = 0; k < pages.size(); ++k)
+            pages[k].save(QString("%1/class-%2.png").arg(folder).arg(k));
 }
 
 void TestReport::pagesAreFilledAndNotOverfull_data()

@@ -2,6 +2,7 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScrollBar>
@@ -132,7 +133,9 @@ private slots:
     void theSumStandsBesideTheTalk();
     void aNewCardBeginsAtItsTop();
     void whatWasSaidIsScrolledTo();
+    void theFormInUseIsInSight();
     void theScoreThatIsToldIsCompared();
+    void theSumIsTheMachinesWhereATeacherGaveAScore();
 
 private:
     void show(const Faulty& made);
@@ -584,6 +587,36 @@ void TestScorePage::whatWasSaidIsScrolledTo()
     QTRY_VERIFY(pane->verticalScrollBar()->value() > 0);
     const int top = m_page->talk().mapTo(pane->viewport(), QPoint(0, 0)).y();
     QVERIFY2(top >= 0 && top < pane->viewport()->height() / 2, qPrintable(QString::number(top)));
+}
+
+/// All of it, clear of the edge that fades, though what was said has moved it down.
+void TestScorePage::theFormInUseIsInSight()
+{
+    m_page->resize(900, 600);
+    show(faulty("decay-36-moderate"));
+    m_page->setTalkVisible(true);
+    m_page->setMayTalk(true);
+    auto* pane = m_page->findChild<ui::shell::ScrollPane*>();
+    auto* give = m_page->findChild<QPushButton*>("giveScore");
+    m_page->findChild<QLineEdit*>("reason")->setFocus();
+    database::AttemptTalk talk;
+    for (int k = 0; k < 20; ++k)
+        talk.comments.push_back({k + 1, "Grace Hopper", "2026-11-20T10:00:00Z", "Here you pressed too hard.", {}, {}});
+    m_page->talk().setTalk(talk);
+    const auto roomBelow = [&] {
+        return pane->viewport()->height() - give->mapTo(pane->viewport(), QPoint(0, give->height())).y();
+    };
+    // At the end of the page no edge fades.
+    QTRY_VERIFY(roomBelow() > (pane->hasMoreBelow() ? 36 : 0) && roomBelow() < pane->viewport()->height());
+}
+
+void TestScorePage::theSumIsTheMachinesWhereATeacherGaveAScore()
+{
+    show(faulty("class1-36"));
+    const auto* sum = m_page->findChild<QLabel*>("sum");
+    QVERIFY2(sum->text().startsWith("100.0"), qPrintable(sum->text()));
+    m_page->setGiven(900);
+    QVERIFY2(sum->text().startsWith("The machine's score: 100.0"), qPrintable(sum->text()));
 }
 
 void TestScorePage::theScoreThatIsToldIsCompared()

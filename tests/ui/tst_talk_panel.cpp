@@ -6,6 +6,7 @@
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QTest>
 #include <QWheelEvent>
 
@@ -47,6 +48,8 @@ private slots:
     void pinsLeadThere();
     void aScoreNeedsAReason();
     void whatWasRefusedStaysTyped();
+    void theKeyboardStaysWithTheComment();
+    void theKeyboardStaysWithTheScoreThatWasGiven();
     void theWheelScrollsOverTheScore();
 
 private:
@@ -225,6 +228,39 @@ void TestTalkPanel::whatWasRefusedStaysTyped()
     QCOMPARE(get<QPlainTextEdit>("commentWords")->toPlainText(), QString("Lift the bur here."));
     get<QPushButton>("addComment")->click();
     QVERIFY(!get<QLabel>("fault")->isVisible());
+}
+
+/// The button rests once the comment is there; a digit that is typed next must not become the score.
+void TestTalkPanel::theKeyboardStaysWithTheComment()
+{
+    auto* comment = get<QPlainTextEdit>("commentWords");
+    comment->setPlainText("Lift the bur here.");
+    get<QPushButton>("addComment")->setFocus();
+    QTest::keyClick(get<QPushButton>("addComment"), Qt::Key_Space);
+    QSignalSpy used(m_panel.get(), &TalkPanel::formUsed);
+    AttemptTalk kept;
+    kept.comments.push_back({3, "Grace Hopper", "2026-11-20T14:00:00Z", "Lift the bur here.", {}, {}});
+    m_panel->setTalk(kept);
+    QVERIFY(m_panel->focusWidget() == comment);
+    QVERIFY(!used.isEmpty());
+    QVERIFY(used.last().first().value<QWidget*>()->isAncestorOf(comment));
+    QCOMPARE(get<QDoubleSpinBox>("givenPoints")->value(), 68.4);
+}
+
+void TestTalkPanel::theKeyboardStaysWithTheScoreThatWasGiven()
+{
+    auto* reason = get<QLineEdit>("reason");
+    reason->setText("The wall is fine by hand.");
+    get<QPushButton>("giveScore")->setFocus();
+    AttemptTalk kept;
+    kept.overrides.push_back({"Grace Hopper", "2026-11-20T11:00:00Z", 800, "The wall is fine by hand."});
+    m_panel->setTalk(kept);
+    QVERIFY(m_panel->focusWidget() == reason);
+    // Who writes nothing is left where he is.
+    reason->clearFocus();
+    QSignalSpy used(m_panel.get(), &TalkPanel::formUsed);
+    m_panel->setTalk(talk());
+    QCOMPARE(used.count(), 0);
 }
 
 void TestTalkPanel::theWheelScrollsOverTheScore()

@@ -13,6 +13,7 @@
 #include "core/session/Links.h"
 #include "core/teeth/ToothBuilder.h"
 #include "lessons/Rubric.h"
+#include "ui/admin/AdminWords.h"
 #include "ui/text/Texts.h"
 
 using core::ErrorCode;
@@ -33,6 +34,8 @@ private slots:
     void aScanIsCalledByItsFile();
     void everyBlockHasATitleOfItsOwn();
     void everyBurHasAName();
+    void whatAnAuditRowIsAboutIsToldInWords_data();
+    void whatAnAuditRowIsAboutIsToldInWords();
     void theGravestTroubleIsTold();
     void criteriaAreWorkedInNumbers_data();
     void criteriaAreWorkedInNumbers();
@@ -268,6 +271,49 @@ void TestTexts::everyBlockHasATitleOfItsOwn()
     QCOMPARE(titles.size(), static_cast<int>(BlockShape::Layers) + 1);
 }
 
+void TestTexts::whatAnAuditRowIsAboutIsToldInWords_data()
+{
+    QTest::addColumn<QString>("object");
+    QTest::addColumn<QString>("words");
+    const QString sam = "Samantha Katharina Johannes-Featherstonehaugh (s1001)";
+    QTest::newRow("a long name, with its login") << "person:1f" << sam;
+    QTest::newRow("a login that failed") << "name:2e" << sam;
+    QTest::newRow("a name that nobody has") << "name:77"
+                                            << "a name that nobody has";
+    QTest::newRow("a class") << "class:5"
+                             << "DEN101-A";
+    QTest::newRow("a class nobody knows") << "class:6"
+                                          << "class 6";
+    QTest::newRow("a preset") << "preset:my v2 soft v1"
+                              << "preset my v2 soft, version 1";
+    const QDateTime made({2026, 11, 24}, {21, 19, 40}, Qt::UTC);
+    QTest::newRow("a backup") << "backup:backup-2026-11-24-21.19.40"
+                              << "backup of " + QLocale().toString(made.toLocalTime(), QLocale::ShortFormat);
+    QTest::newRow("a backup of another name") << "backup:before exams"
+                                              << "backup of \"before exams\"";
+    QTest::newRow("an attempt") << "attempt:8614f873a47d"
+                                << "attempt 8614f873a47d";
+    QTest::newRow("a setting") << "setting:idle.minutes"
+                               << "when a place that was left is locked";
+    QTest::newRow("another setting") << "setting:some.thing"
+                                     << "setting some.thing";
+    QTest::newRow("an export") << "attempts"
+                               << "all attempts";
+    QTest::newRow("what a later program notes") << "robot:1"
+                                                << "robot:1";
+}
+
+void TestTexts::whatAnAuditRowIsAboutIsToldInWords()
+{
+    QFETCH(QString, object);
+    QFETCH(QString, words);
+    const QString sam = "Samantha Katharina Johannes-Featherstonehaugh (s1001)";
+    const ui::admin::NamesByUid names{{"1f", sam}, {"2e", sam}, {"class:5", "DEN101-A"}};
+    database::AuditRow row;
+    row.object = object.toStdString();
+    QCOMPARE(ui::admin::objectWords(row, names), words);
+}
+
 void TestTexts::everyBurHasAName()
 {
     for (const core::drilling::Bur& bur : core::drilling::burs()) {
@@ -396,7 +442,7 @@ void TestTexts::placeholdersMatch()
         for (const QString& form : entry.translations) {
             if (form.trimmed().isEmpty())
                 continue;
-            for (const char* mark : {"%1", "%2", "%3", "%4", "%5", "%n"})
+            for (const char* mark : {"%1", "%2", "%3", "%4", "%5", "%n", "%Ln"})
                 QVERIFY2(entry.source.contains(mark) == form.contains(mark), qPrintable(entry.source + " / " + form));
             static const QRegularExpression tag("</?[a-z][^>]*>");
             QStringList tags;

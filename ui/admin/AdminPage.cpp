@@ -3,6 +3,7 @@
 
 #include <QButtonGroup>
 #include <QHBoxLayout>
+#include <QHideEvent>
 #include <QPushButton>
 #include <QStackedWidget>
 #include <QVBoxLayout>
@@ -65,6 +66,13 @@ void AdminPage::show(Part part)
     m_stack->setCurrentIndex(part);
     m_stack->currentWidget()->setFocus();
     emit partOpened(part);
+}
+
+void AdminPage::hideEvent(QHideEvent* event)
+{
+    Page::hideEvent(event);
+    if (!event->spontaneous())  // or else the window was only made small
+        m_people->forgetCodes();
 }
 
 }  // namespace ui::admin

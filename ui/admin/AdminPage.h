@@ -35,6 +35,9 @@ signals:
     /// What it shows is to be brought up to date.
     void partOpened(int part);
 
+protected:
+    void hideEvent(QHideEvent* event) override;
+
 private:
     QButtonGroup* m_choice;
     QStackedWidget* m_stack;

@@ -5,8 +5,10 @@
 #include <utility>
 
 #include <QCoreApplication>
+#include <QDateTime>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QLocale>
 
 #include "ui/people/PeopleWords.h"
 #include "ui/text/Texts.h"
@@ -43,19 +45,71 @@ constexpr std::array kActions{
     std::pair{"school.copied", QT_TRANSLATE_NOOP("Admin", "brought the school here from another database")},
 };
 
-/// As much of "attempt:8614f873a47d..." as tells it from others.
-constexpr qsizetype kObjectLetters = 40;
+constexpr std::array kSettings{
+    std::pair{"idle.minutes", QT_TRANSLATE_NOOP("Admin", "when a place that was left is locked")},
+    std::pair{"password.passes", QT_TRANSLATE_NOOP("Admin", "how long checking a password takes")},
+    std::pair{"password.memory", QT_TRANSLATE_NOOP("Admin", "how much memory checking a password takes")},
+    std::pair{"preset.in_use", QT_TRANSLATE_NOOP("Admin", "the preset that everybody uses")},
+};
+
+constexpr std::array kKinds{
+    std::pair{"attempt:", QT_TRANSLATE_NOOP("Admin", "attempt %1")},
+    std::pair{"exam:", QT_TRANSLATE_NOOP("Admin", "exam %1")},
+    std::pair{"class:", QT_TRANSLATE_NOOP("Admin", "class %1")},
+    std::pair{"person:", QT_TRANSLATE_NOOP("Admin", "person %1")},
+    std::pair{"setting:", QT_TRANSLATE_NOOP("Admin", "setting %1")},
+};
+
+constexpr std::array kWholes{
+    std::pair{"attempts", QT_TRANSLATE_NOOP("Admin", "all attempts")},
+    std::pair{"school", QT_TRANSLATE_NOOP("Admin", "the school")},
+    std::pair{"audit", QT_TRANSLATE_NOOP("Admin", "the audit")},
+};
+
+/// "my soft v1"; a name may have a " v" in it.
+QString presetWords(const QString& noted)
+{
+    const qsizetype at = noted.lastIndexOf(QStringLiteral(" v"));
+    return QCoreApplication::translate("Admin", "preset %1, version %2").arg(noted.left(at), noted.mid(at + 2));
+}
+
+/// "backup-2026-11-20-10.15.00", or what somebody has called it.
+QString backupWords(const QString& noted)
+{
+    QDateTime made = QDateTime::fromString(noted, QStringLiteral("'backup-'yyyy-MM-dd-HH.mm.ss"));
+    made.setTimeSpec(Qt::UTC);
+    const QString told =
+        made.isValid() ? QLocale().toString(made.toLocalTime(), QLocale::ShortFormat) : u'"' + noted + u'"';
+    //: %1: a day and a time, or the name of a file
+    return QCoreApplication::translate("Admin", "backup of %1").arg(told);
+}
 
 /// "person:1f..." is told by name, and so is "name:2e...", with which somebody tried to log in.
 QString named(const QString& what, const NamesByUid& names)
 {
-    const auto found = names.find(what.section(u':', 1).toStdString());
+    const QString id = what.section(u':', 1);
+    const auto found = names.find(id.toStdString());
     if (const auto ofClass = names.find(what.toStdString()); ofClass != names.end())
         return ofClass->second;
     const bool isTyped = what.startsWith(QStringLiteral("name:"));
     if (found != names.end() && (isTyped || what.startsWith(QStringLiteral("person:"))))
         return found->second;
-    return isTyped ? QCoreApplication::translate("Admin", "a name that nobody has") : what;
+    if (isTyped)
+        return QCoreApplication::translate("Admin", "a name that nobody has");
+    if (what.startsWith(QStringLiteral("preset:")))
+        return presetWords(id);
+    if (what.startsWith(QStringLiteral("backup:")))
+        return backupWords(id);
+    for (const auto& [name, words] : kSettings)
+        if (what == QStringLiteral("setting:") + QLatin1String(name))
+            return QCoreApplication::translate("Admin", words);
+    for (const auto& [whole, words] : kWholes)
+        if (what == QLatin1String(whole))
+            return QCoreApplication::translate("Admin", words);
+    for (const auto& [kind, words] : kKinds)
+        if (what.startsWith(QLatin1String(kind)))
+            return QCoreApplication::translate("Admin", words).arg(id);
+    return what;
 }
 
 /// One thing that was noted beside an action; some say all by their value.
@@ -116,7 +170,7 @@ QString actorWords(const database::AuditRow& row, const NamesByUid& names)
 
 QString objectWords(const database::AuditRow& row, const NamesByUid& names)
 {
-    return named(QString::fromStdString(row.object), names).left(kObjectLetters);
+    return named(QString::fromStdString(row.object), names);
 }
 
 QString detailWords(const database::AuditRow& row, const NamesByUid& names)
@@ -154,6 +208,24 @@ QString rosterFaultWords(const database::RosterFault& fault)
             .arg(roleWord(database::roleOf(fault.value).value_or(database::Role::Student)));
     case Kind::Class:
         return QCoreApplication::translate("Admin", "The name of a class has 1 to 100 characters that can be seen.");
+    case Kind::NoUtf8:
+        return QCoreApplication::translate("Admin", "From sign %1 of this line on the file is no UTF-8 text. Save it "
+                                                    "from the spreadsheet as “CSV UTF-8”.")
+            .arg(value);
+    case Kind::OpenQuote:
+        return QCoreApplication::translate("Admin", "A quotation mark at sign %1 of this line is not closed.")
+            .arg(value);
+    case Kind::AfterQuote:
+        return QCoreApplication::translate("Admin", "At sign %1 of this line words stand behind a closing quotation "
+                                                    "mark.")
+            .arg(value);
+    case Kind::NoSuchColumn:
+        //: %1: the name of a column
+        return QCoreApplication::translate("Admin", "A class list has no such column. Is it %1?").arg(value);
+    case Kind::ColumnTwice:
+        return QCoreApplication::translate("Admin", "This column is there twice.");
+    case Kind::ColumnMissing:
+        return QCoreApplication::translate("Admin", "This column is missing. The first line names the columns.");
     case Kind::Refused:
         break;
     }

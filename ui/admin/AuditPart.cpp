@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/admin/AuditPart.h"
 
+#include <algorithm>
+
 #include <QClipboard>
 #include <QGuiApplication>
 #include <QHBoxLayout>
@@ -25,6 +27,8 @@ using namespace ui::shell;
 namespace {
 
 enum Column { kNumber, kWhen, kWho, kAction, kObject, kDetail, kColumns };
+
+constexpr int kObjectPx = 320;  ///< at most; what is longer ends in "…"
 
 }  // namespace
 
@@ -97,8 +101,8 @@ void AuditPart::speak()
 void AuditPart::tell()
 {
     //: %1: a short code
-    m_code->setText(tr("Audit code now: %1. It stands on every report: with \"Check everything\" nobody can take away "
-                       "what was noted before it.")
+    m_code->setText(tr("Audit code now: %1. Every report shows the code of its day. Type one beside \"Check "
+                       "everything\" (Backups) to see whether what was noted before it is still as it was.")
                         .arg(m_head));
     m_count->setText(tr("%n row(s)", nullptr, m_shown->rowCount()));
     m_older->setEnabled(!m_audit.isEmpty() && m_audit.back().seq > 1);
@@ -114,10 +118,12 @@ void AuditPart::fill()
         for (const QString& words : {QString::number(row.seq), people::when(row.atUtc), actorWords(row, m_names),
                                      actionWords(row.action), objectWords(row, m_names), detailWords(row, m_names)})
             items << new QStandardItem(words);
+        items[kObject]->setToolTip(brokenIntoLines(items[kObject]->text()));
         items.back()->setToolTip(brokenIntoLines(QString::fromStdString(row.detail)));
         m_rows->appendRow(items);
     }
     m_table->resizeColumnsToContents();
+    m_table->setColumnWidth(kObject, std::min(m_table->columnWidth(kObject), kObjectPx));
 }
 
 void AuditPart::setNames(const NamesByUid& names)

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/admin/BackupPart.h"
 
+#include <utility>
+
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
+#include <QLineEdit>
 #include <QLocale>
 #include <QPlainTextEdit>
 #include <QProgressBar>
@@ -25,6 +28,7 @@ using namespace ui::shell;
 namespace {
 
 constexpr int kBarSteps = 1000;
+constexpr int kLongestCode = 100;
 constexpr int kFile = Qt::UserRole + 1;  ///< of a row
 
 }  // namespace
@@ -32,7 +36,8 @@ constexpr int kFile = Qt::UserRole + 1;  ///< of a row
 BackupPart::BackupPart(QWidget* parent)
     : QWidget(parent), m_thought(new SecondThought(*this)),
       m_words(study::formWords({}, kBody, QFont::Normal, QPalette::WindowText, this)), m_backUp(new QPushButton(this)),
-      m_drill(new QPushButton(this)), m_check(new QPushButton(this)), m_restore(new QPushButton(this)),
+      m_drill(new QPushButton(this)), m_check(new QPushButton(this)), m_codeCaption(new QLabel(this)),
+      m_code(new QLineEdit(this)), m_codeFault(study::faultLabel(this)), m_restore(new QPushButton(this)),
       m_keep(new QPushButton(this)), m_stop(new QPushButton(this)), m_bar(new QProgressBar(this)),
       m_said(study::formWords({}, kBody, QFont::Medium, QPalette::WindowText, this)),
       m_findings(new QPlainTextEdit(this)), m_rows(new QStandardItemModel(this)), m_table(new people::ListTable(this))
@@ -45,6 +50,13 @@ BackupPart::BackupPart(QWidget* parent)
     m_drill->setObjectName(QStringLiteral("drillRestore"));
     m_check->setObjectName(QStringLiteral("checkAll"));
     m_restore->setObjectName(QStringLiteral("restoreThis"));
+    m_codeCaption->setFont(typeface(kBody));
+    m_codeCaption->setBuddy(m_code);
+    m_code->setObjectName(QStringLiteral("reportCode"));
+    m_code->setFont(typeface(kBody));
+    m_code->setMaxLength(kLongestCode);
+    m_code->setMaximumWidth(2 * study::kInputPx);
+    m_codeFault->setObjectName(QStringLiteral("reportCodeFault"));
     m_stop->setObjectName(QStringLiteral("stopWork"));
     m_stop->setProperty("kind", "quiet");
     m_bar->setRange(0, kBarSteps);
@@ -69,6 +81,12 @@ BackupPart::BackupPart(QWidget* parent)
     }
     row->addStretch(1);
     column->addLayout(row);
+    auto* code = new QHBoxLayout;
+    code->addWidget(m_codeCaption);
+    code->addWidget(m_code);
+    code->addWidget(m_codeFault, 1);
+    code->addStretch();
+    column->addLayout(code);
     auto* progress = new QHBoxLayout;
     progress->addWidget(m_bar, 1);
     progress->addWidget(m_stop);
@@ -96,13 +114,18 @@ BackupPart::BackupPart(QWidget* parent)
     m_stop->setAutoDefault(false);
     connect(m_backUp, &QPushButton::clicked, this, &BackupPart::backUpWanted);
     connect(m_drill, &QPushButton::clicked, this, &BackupPart::drillWanted);
-    connect(m_check, &QPushButton::clicked, this, &BackupPart::checkWanted);
+    const auto check = [this] { emit checkWanted(m_code->text().trimmed()); };
+    connect(m_check, &QPushButton::clicked, this, check);
+    connect(m_code, &QLineEdit::returnPressed, this, check);
+    connect(m_code, &QLineEdit::textChanged, this, [this] { study::showFault(m_codeFault, {}); });
     connect(m_restore, &QPushButton::clicked, this, &BackupPart::restore);
     connect(m_stop, &QPushButton::clicked, this, &BackupPart::stopWanted);
-    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this] {
+    connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
         m_thought->end();
         tell();
     });
+    connect(m_table, &QAbstractItemView::activated, this,
+            [this](const QModelIndex& index) { m_table->selectRow(index.row()); });
     m_findings->hide();
     text::inEveryLanguage(this, [this] { speak(); });
 }
@@ -115,6 +138,11 @@ void BackupPart::speak()
     m_check->setText(tr("Check everything"));
     m_check->setToolTip(brokenIntoLines(
         tr("Look at every page, every attempt and the whole audit for what was changed, removed or inserted")));
+    m_codeCaption->setText(tr("Audit code of a report (optional):"));
+    m_code->setAccessibleName(m_codeCaption->text());
+    m_code->setToolTip(brokenIntoLines(tr(
+        "\"Check everything\" then also looks whether the audit is still the one that the report was printed from")));
+    study::showFault(m_codeFault, {});
     m_stop->setText(tr("Stop"));
     m_keep->setText(tr("Keep what there is"));
     for (QPushButton* one : {m_backUp, m_drill, m_check, m_stop, m_keep})
@@ -139,7 +167,7 @@ void BackupPart::tell()
     for (QWidget* one : {static_cast<QWidget*>(m_backUp), static_cast<QWidget*>(m_drill),
                          static_cast<QWidget*>(m_table), static_cast<QWidget*>(m_restore)})
         one->setVisible(!m_isServer);
-    for (QWidget* one : {m_backUp, m_drill, m_check})
+    for (QWidget* one : std::initializer_list<QWidget*>{m_backUp, m_drill, m_check, m_code})
         one->setEnabled(!m_isBusy);
     m_bar->setVisible(m_isBusy);
     m_stop->setVisible(m_isBusy);
@@ -153,7 +181,7 @@ void BackupPart::tell()
             //: %1: when a backup was made
             tr("Restore the backup of %1? What was entered after it will be missing; attempts of this computer are "
                "brought in again, and the present file is kept beside it.")
-                .arg(m_table->currentIndex().siblingAtColumn(0).data().toString()));
+                .arg(chosenRow().data().toString()));
 }
 
 void BackupPart::fill()
@@ -174,9 +202,15 @@ void BackupPart::fill()
     m_table->horizontalHeader()->setSectionResizeMode(2, QHeaderView::Stretch);
 }
 
+/// A row that the table made the current one when it got the focus was chosen by nobody.
+QModelIndex BackupPart::chosenRow() const
+{
+    return m_table->selectionModel()->selectedRows().value(0);
+}
+
 QString BackupPart::chosen() const
 {
-    return m_table->currentIndex().siblingAtColumn(0).data(kFile).toString();
+    return chosenRow().data(kFile).toString();
 }
 
 void BackupPart::setDatabase(const QString& where, bool isServer)
@@ -195,13 +229,18 @@ void BackupPart::setBackups(const QList<Backup>& backups)
 
 void BackupPart::showProgress(const QString& what, qint64 done, qint64 all)
 {
-    m_isBusy = true;
+    QWidget* const focused = window()->focusWidget();
+    const bool begins = !std::exchange(m_isBusy, true);
     m_findings->hide();
     m_bar->setRange(0, all > 0 ? kBarSteps : 0);
     if (all > 0)
         m_bar->setValue(static_cast<int>(kBarSteps * done / all));
     m_said->setText(what);
     tell();
+    if (!begins)
+        return;
+    m_begunBy = isAncestorOf(focused) ? focused : nullptr;
+    m_focusedMeanwhile = window()->focusWidget();
 }
 
 void BackupPart::finish(const QString& sentence, const QStringList& findings)
@@ -211,7 +250,22 @@ void BackupPart::finish(const QString& sentence, const QStringList& findings)
     m_said->setText(sentence);
     m_findings->setPlainText(findings.join(u'\n'));
     m_findings->setVisible(!findings.isEmpty());
+    QWidget* const focused = window()->focusWidget();
     tell();
+    // A button that is disabled loses the focus to what comes next.
+    if (m_begunBy != nullptr && focused == m_focusedMeanwhile)
+        m_begunBy->setFocus();
+    m_begunBy = nullptr;
+}
+
+void BackupPart::refuseCode()
+{
+    //: %1: an example
+    study::showFault(
+        m_codeFault,
+        tr("This is no audit code. A report shows one such as %1.").arg(QStringLiteral("412-9f3ac07be1d2")));
+    m_code->setFocus();
+    m_code->selectAll();
 }
 
 /// Once more, since everybody is logged out; what lies there now is kept beside it.

@@ -3,11 +3,13 @@
 
 #include <QDateTime>
 #include <QList>
+#include <QModelIndex>
 #include <QString>
 #include <QStringList>
 #include <QWidget>
 
 class QLabel;
+class QLineEdit;
 class QPlainTextEdit;
 class QProgressBar;
 class QPushButton;
@@ -46,11 +48,14 @@ public:
     /// It has come to its end.
     /// @param findings  what a check found
     void finish(const QString& sentence, const QStringList& findings = {});
+    /// What was typed is no audit code; nothing has begun.
+    void refuseCode();
 
 signals:
     void backUpWanted();
     void drillWanted();
-    void checkWanted();
+    /// @param code  the audit code of a report, as it was typed; empty: there is none to compare with
+    void checkWanted(const QString& code);
     /// The backup is to be put in the place of the database, and everybody here is logged out.
     void restoreWanted(const QString& file);
     void stopWanted();
@@ -60,17 +65,24 @@ private:
     void tell();
     void fill();
     void restore();
+    [[nodiscard]] QModelIndex chosenRow() const;
+    /// Its file; empty: none is chosen.
     [[nodiscard]] QString chosen() const;
 
     QString m_where;
     bool m_isServer = false;
     bool m_isBusy = false;
-    SecondThought* m_thought;  ///< whether to restore
+    QWidget* m_begunBy = nullptr;           ///< had the focus when the work began, which disables it
+    QWidget* m_focusedMeanwhile = nullptr;  ///< by Qt, unless the person has gone elsewhere
+    SecondThought* m_thought;               ///< whether to restore
     QList<Backup> m_backups;
     QLabel* m_words;
     QPushButton* m_backUp;
     QPushButton* m_drill;
     QPushButton* m_check;
+    QLabel* m_codeCaption;
+    QLineEdit* m_code;  ///< of a report
+    QLabel* m_codeFault;
     QPushButton* m_restore;
     QPushButton* m_keep;  ///< beside it, while it asks whether one is sure
     QPushButton* m_stop;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <QClipboard>
+#include <QCollator>
 #include <QComboBox>
 #include <QDateTime>
 #include <QFrame>
@@ -19,6 +20,7 @@
 #include <QSignalBlocker>
 #include <QSortFilterProxyModel>
 #include <QStandardItemModel>
+#include <QStyleHints>
 #include <QTimer>
 #include <QVBoxLayout>
 
@@ -103,6 +105,7 @@ QWidget* PeoplePart::makeList()
     for (auto* clear : m_search->findChildren<QAbstractButton*>())
         text::inEveryLanguage(clear, [clear] { clear->setAccessibleName(tr("Clear the search")); });
     m_count = new QLabel(side);
+    m_count->setObjectName(QStringLiteral("peopleCount"));
     m_count->setForegroundRole(QPalette::PlaceholderText);
     m_new = button("filled", "newPerson", side);
     head->addWidget(m_search, 1);
@@ -129,9 +132,7 @@ QWidget* PeoplePart::makeList()
     column->addWidget(m_table, 1);
     connect(m_search, &QLineEdit::textChanged, this, &PeoplePart::filter);
     connect(m_new, &QPushButton::clicked, this, [this] {
-        m_table->clearSelection();
-        m_table->setCurrentIndex({});
-        choose(0);
+        select(0);
         m_username->setFocus();
     });
     connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& now) {
@@ -213,12 +214,17 @@ QWidget* PeoplePart::makeForm()
     m_said = study::formWords({}, kBody, QFont::Normal, QPalette::WindowText, whole);
     m_said->setObjectName(QStringLiteral("personSaid"));
     m_said->setTextFormat(Qt::PlainText);
+    stack->addWidget(makeAside(whole));
     stack->addWidget(m_fault);
     stack->addWidget(m_said);
     m_save = button("filled", "savePerson", whole);
     m_reset = button("", "resetPassword", whole);
     m_keepPassword = button("", "keepPassword", whole);
     m_disable = button("", "disablePerson", whole);
+    // The button above stays where it is when they come.
+    QSizePolicy keepsPlace = m_reset->sizePolicy();
+    keepsPlace.setRetainSizeWhenHidden(true);
+    m_reset->setSizePolicy(keepsPlace);
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(m_reset);
     buttons->addWidget(m_keepPassword);
@@ -229,8 +235,11 @@ QWidget* PeoplePart::makeForm()
     connect(m_save, &QPushButton::clicked, this, &PeoplePart::submit);
     for (QLineEdit* one : {m_username, m_given, m_family})
         connect(one, &QLineEdit::returnPressed, this, &PeoplePart::submit);
-    const auto touch = [this] { m_isTouched = true; };
-    for (QLineEdit* one : {m_given, m_family})
+    const auto touch = [this] {
+        m_isTouched = true;
+        endThought();
+    };
+    for (QLineEdit* one : {m_username, m_given, m_family})
         connect(one, &QLineEdit::textEdited, this, touch);
     connect(m_role, &QComboBox::activated, this, touch);
     connect(m_classList, &QListWidget::itemChanged, this, touch);
@@ -247,6 +256,7 @@ QWidget* PeoplePart::makeForm()
     connect(m_disable, &QPushButton::clicked, this, &PeoplePart::toggleDisabled);
     connect(m_copy, &QPushButton::clicked, this, [this] { QGuiApplication::clipboard()->setText(m_code->text()); });
     const auto addClass = [this] {
+        endThought();
         if (const QString name = m_className->text().trimmed(); !name.isEmpty())
             emit classWanted(name);
         // Whoever adds a class while he enters or changes somebody means him to be in it.
@@ -257,6 +267,7 @@ QWidget* PeoplePart::makeForm()
     connect(m_addClass, &QPushButton::clicked, this, addClass);
     connect(m_className, &QLineEdit::returnPressed, this, addClass);
     connect(m_renameClass, &QPushButton::clicked, this, [this] {
+        endThought();
         const QListWidgetItem* item = m_classList->currentItem();
         if (const QString name = m_className->text().trimmed(); item != nullptr && !name.isEmpty())
             emit classNameWanted(item->data(kId).toLongLong(), name);
@@ -269,6 +280,26 @@ QWidget* PeoplePart::makeForm()
     connect(m_classList, &QListWidget::currentRowChanged, this, tellRename);
     tellRename();
     return whole;
+}
+
+/// What stood half filled in when another row was chosen.
+QWidget* PeoplePart::makeAside(QWidget* parent)
+{
+    m_asideRow = new QWidget(parent);
+    auto* column = new QVBoxLayout(m_asideRow);
+    column->setContentsMargins(0, 0, 0, 0);
+    m_asideWords = study::formWords({}, kSmall, QFont::Normal, QPalette::WindowText, m_asideRow);
+    m_asideWords->setObjectName(QStringLiteral("personAside"));
+    m_asideWords->setTextFormat(Qt::PlainText);
+    auto* back = button("", "personAsideBack", m_asideRow);
+    column->addWidget(m_asideWords);
+    column->addWidget(back, 0, Qt::AlignLeft);
+    connect(back, &QPushButton::clicked, this, &PeoplePart::bringBack);
+    text::inEveryLanguage(back, [back] {
+        back->setText(tr("Bring the changes back"));
+        back->setAccessibleName(back->text());
+    });
+    return m_asideRow;
 }
 
 void PeoplePart::speak()
@@ -362,30 +393,35 @@ void PeoplePart::fill()
 void PeoplePart::filter()
 {
     m_shown->setFilterFixedString(m_search->text().trimmed());
-    m_count->setText(tr("%n person(s)", nullptr, m_shown->rowCount()));
+    m_count->setText(tr("%Ln person(s)", nullptr, m_shown->rowCount()));
 }
 
 void PeoplePart::setPeople(const QList<Person>& people, const QList<database::SchoolClass>& classes)
 {
     m_people = people;
     m_classes = classes;
+    for (const Person& person : people)
+        if (person.hasPassword)  // the code was used
+            m_codes.remove(person.id.value);
     fill();
     showForm();
 }
 
-const Person* PeoplePart::chosen() const
+const Person* PeoplePart::find(qint64 person) const
 {
     const auto found =
-        std::find_if(m_people.begin(), m_people.end(), [this](const Person& one) { return one.id.value == m_chosen; });
+        std::find_if(m_people.begin(), m_people.end(), [person](const Person& one) { return one.id.value == person; });
     return found == m_people.end() ? nullptr : &*found;
 }
 
 void PeoplePart::choose(qint64 person)
 {
-    if (std::exchange(m_chosen, person) == person && person != 0)
+    if (m_chosen == person && person != 0)
         return;
-    m_codeOf.clear();
-    m_code->clear();
+    putAside();
+    m_chosen = person;
+    m_isTouched = false;
+    m_sinceSubmitted.invalidate();
     m_said->clear();
     m_thought->end();
     study::showFault(m_fault, {});
@@ -396,6 +432,129 @@ void PeoplePart::choose(qint64 person)
         m_role->setCurrentIndex(0);
         m_classList->clear();
     }
+    showForm();
+}
+
+void PeoplePart::select(qint64 person)
+{
+    for (int row = 0; row < m_shown->rowCount(); ++row)
+        if (m_shown->index(row, kName).data(kId).toLongLong() == person) {
+            m_table->setCurrentIndex(m_shown->index(row, kName));
+            return;
+        }
+    m_table->clearSelection();
+    m_table->setCurrentIndex({});
+    choose(person);
+}
+
+PeoplePart::Typed PeoplePart::typed() const
+{
+    return {m_inForm, m_username->text(), m_given->text(), m_family->text(), m_role->currentIndex(), tickedClasses()};
+}
+
+/// Touched is not enough: what was typed and taken out again is nothing.
+bool PeoplePart::isHalfFilled() const
+{
+    if (!m_isTouched)
+        return false;
+    const Typed now = typed();
+    const Person* const person = find(m_inForm);
+    if (person == nullptr)
+        return !now.username.isEmpty() || !now.given.isEmpty() || !now.family.isEmpty();
+    QSet<qint64> belongs;
+    for (const database::ClassId one : person->classes)
+        belongs.insert(one.value);
+    return now.given != QString::fromStdString(person->givenName) ||
+           now.family != QString::fromStdString(person->familyName) ||
+           kRoles.at(static_cast<std::size_t>(std::max(0, now.role))) != person->role || now.classes != belongs;
+}
+
+void PeoplePart::putAside()
+{
+    if (!isHalfFilled())
+        return;
+    dropAside(typed());
+    m_aside << typed();
+    tellAside();
+}
+
+/// Of somebody new there may be several, told apart by the name to log in with.
+void PeoplePart::dropAside(const Typed& what)
+{
+    m_aside.removeIf([&what](const Typed& one) {
+        return one.person == what.person &&
+               (one.person != 0 || (!one.username.isEmpty() && one.username == what.username));
+    });
+    tellAside();
+}
+
+QString PeoplePart::asideWords(qint64 person) const
+{
+    const Person* const whose = find(person);
+    if (whose == nullptr)
+        return tr("What you had typed for a new person is put aside.");
+    //: %1 is a person
+    return tr("What you had changed of %1 is put aside.")
+        .arg(QString::fromStdString(whose->fullName().empty() ? whose->username : whose->fullName()));
+}
+
+void PeoplePart::tellAside()
+{
+    m_asideRow->setVisible(!m_aside.isEmpty());
+    if (!m_aside.isEmpty())
+        m_asideWords->setText(asideWords(m_aside.back().person));
+}
+
+void PeoplePart::bringBack()
+{
+    const Typed back = m_aside.takeLast();
+    putAside();  // what has been typed since, of the same person as well
+    m_isTouched = false;
+    select(back.person);
+    showForm();
+    if (back.person == 0)
+        m_username->setText(back.username);
+    m_given->setText(back.given);
+    m_family->setText(back.family);
+    m_role->setCurrentIndex(back.role);
+    const QSignalBlocker quiet(m_classList);
+    for (int k = 0; k < m_classList->count(); ++k) {
+        QListWidgetItem* const item = m_classList->item(k);
+        item->setCheckState(back.classes.contains(item->data(kId).toLongLong()) ? Qt::Checked : Qt::Unchecked);
+    }
+    m_isTouched = true;
+    tellAside();
+}
+
+QString PeoplePart::unkept() const
+{
+    if (isHalfFilled())
+        return m_inForm == 0 ? tr("What you have typed for a new person is not entered.")
+                             //: %1 is a person
+                             : tr("What you have changed of %1 is not saved.").arg(m_title->text());
+    return m_aside.isEmpty() ? QString() : asideWords(m_aside.back().person);
+}
+
+/// The question is about what was on the screen when it was asked.
+void PeoplePart::endThought()
+{
+    if (!m_thought->isAsked())
+        return;
+    m_thought->end();
+    m_said->clear();
+    showButtons(chosen());
+}
+
+/// Of a double click whose first has changed what the buttons are.
+bool PeoplePart::isSecondClick() const
+{
+    return m_sinceSubmitted.isValid() &&
+           m_sinceSubmitted.elapsed() < QGuiApplication::styleHints()->mouseDoubleClickInterval();
+}
+
+void PeoplePart::forgetCodes()
+{
+    m_codes.clear();
     showForm();
 }
 
@@ -415,22 +574,17 @@ void PeoplePart::showForm()
         m_role->setCurrentIndex(
             static_cast<int>(std::find(kRoles.begin(), kRoles.end(), person->role) - kRoles.begin()));
     }
-    const QSet<qint64> ticked = tickedClasses();
-    const QSignalBlocker quiet(m_classList);  // of what the program ticks
-    m_classList->clear();
-    for (const database::SchoolClass& one : m_classes) {
-        auto* item = new QListWidgetItem(QString::fromStdString(one.name), m_classList);
-        item->setData(kId, QVariant::fromValue<qint64>(one.id.value));
-        const bool belongs =
-            person != nullptr && !m_isTouched
-                ? std::find(person->classes.begin(), person->classes.end(), one.id) != person->classes.end()
-                : ticked.contains(one.id.value) || one.name == m_classAdded;
-        item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
-        item->setSizeHint({0, kTickPx});
-        item->setCheckState(belongs ? Qt::Checked : Qt::Unchecked);
-    }
-    if (std::any_of(m_classes.begin(), m_classes.end(), [this](const auto& one) { return one.name == m_classAdded; }))
-        m_classAdded.clear();
+    fillClasses(person);
+    showButtons(person);
+    const Code code = m_codes.value(m_chosen);
+    m_codeCard->setVisible(!code.code.isEmpty());
+    m_code->setText(code.code);
+    m_codeWords->setText(tr("One-time code of %1. Tell it now: it is kept nowhere.").arg(code.fullName));
+    tellAside();
+}
+
+void PeoplePart::showButtons(const Person* person)
+{
     m_save->setText(person == nullptr ? tr("Enter the person") : tr("Save the changes"));
     m_save->setAccessibleName(m_save->text());
     m_reset->setVisible(person != nullptr);
@@ -446,8 +600,36 @@ void PeoplePart::showForm()
     m_disable->setText(person != nullptr && person->disabled ? tr("Enable") : tr("Disable"));
     m_disable->setAccessibleName(m_disable->text());
     m_disable->setToolTip(brokenIntoLines(tr("Who is disabled cannot log in; attempts and names stay")));
-    m_codeCard->setVisible(!m_code->text().isEmpty());
-    m_codeWords->setText(tr("One-time code of %1. Tell it now: it is kept nowhere.").arg(m_codeOf));
+}
+
+/// The person's own first; DEN2 before DEN10.
+void PeoplePart::fillClasses(const Person* person)
+{
+    const QSet<qint64> ticked = tickedClasses();
+    const auto belongs = [&](const database::SchoolClass& one) {
+        return person != nullptr && !m_isTouched
+                   ? std::find(person->classes.begin(), person->classes.end(), one.id) != person->classes.end()
+                   : ticked.contains(one.id.value) || one.name == m_classAdded;
+    };
+    QCollator byName;
+    byName.setNumericMode(true);
+    QList<database::SchoolClass> sorted = m_classes;
+    std::sort(sorted.begin(), sorted.end(), [&](const database::SchoolClass& a, const database::SchoolClass& b) {
+        if (belongs(a) != belongs(b))
+            return belongs(a);
+        return byName.compare(QString::fromStdString(a.name), QString::fromStdString(b.name)) < 0;
+    });
+    const QSignalBlocker quiet(m_classList);  // of what the program ticks
+    m_classList->clear();
+    for (const database::SchoolClass& one : sorted) {
+        auto* item = new QListWidgetItem(QString::fromStdString(one.name), m_classList);
+        item->setData(kId, QVariant::fromValue<qint64>(one.id.value));
+        item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
+        item->setSizeHint({0, kTickPx});
+        item->setCheckState(belongs(one) ? Qt::Checked : Qt::Unchecked);
+    }
+    if (std::any_of(m_classes.begin(), m_classes.end(), [this](const auto& one) { return one.name == m_classAdded; }))
+        m_classAdded.clear();
 }
 
 QSet<qint64> PeoplePart::tickedClasses() const
@@ -461,6 +643,9 @@ QSet<qint64> PeoplePart::tickedClasses() const
 
 void PeoplePart::submit()
 {
+    if (isSecondClick())
+        return;
+    endThought();
     study::showFault(m_fault, {});
     m_said->clear();
     const Role role = kRoles.at(static_cast<std::size_t>(std::max(0, m_role->currentIndex())));
@@ -471,16 +656,18 @@ void PeoplePart::submit()
         changed.givenName = given;
         changed.familyName = family;
         changed.role = role;
-        m_isSubmitted = true;
+        m_submitted = typed();
+        m_sinceSubmitted.start();
         emit changeWanted(changed, tickedClasses());
     } else if (const QString name = m_username->text().trimmed(); name.isEmpty()) {
         m_username->setFocus();
     } else {
-        m_isSubmitted = true;
+        m_submitted = typed();
+        m_sinceSubmitted.start();
         emit addWanted({name.toStdString(), given, family, role}, tickedClasses());
     }
     QTimer::singleShot(kSoonMs, this, [this] {
-        if (m_isSubmitted)
+        if (m_submitted)
             m_said->setText(tr("The school's data are being written to …"));
     });
 }
@@ -488,6 +675,8 @@ void PeoplePart::submit()
 /// A password is gone for good: one click must not do it. A code in another's place costs nobody anything.
 void PeoplePart::askToReset()
 {
+    if (isSecondClick())
+        return;
     const Person* const person = chosen();
     if (m_thought->isAsked() && !m_thought->mayBeAnswered())
         return;
@@ -506,42 +695,47 @@ void PeoplePart::askToReset()
 void PeoplePart::toggleDisabled()
 {
     const Person* const person = chosen();
-    if (person == nullptr)
+    if (person == nullptr || isSecondClick())
         return;
     Person changed = *person;
     changed.disabled = !changed.disabled;
     // A code is not to be told to who cannot use it.
-    m_codeOf.clear();
-    m_code->clear();
-    m_codeCard->hide();
+    m_codes.remove(m_chosen);
+    showForm();
     QSet<qint64> classes;
     for (const database::ClassId one : person->classes)
         classes.insert(one.value);
     emit changeWanted(changed, classes);
 }
 
-void PeoplePart::showCode(const QString& fullName, const QString& code)
+void PeoplePart::showCode(database::PersonId person, const QString& fullName, const QString& code)
 {
-    m_codeOf = fullName;
-    m_code->setText(code);
+    m_codes.insert(person.value, {fullName, code});
     showForm();
     m_pane->ensureVisible(0, 0);
 }
 
 void PeoplePart::confirm(database::PersonId person, const QString& sentence)
 {
+    // What was not sent with this stays as it was typed, or is put aside.
+    const std::optional<Typed> submitted = std::exchange(m_submitted, std::nullopt);
+    if (submitted) {
+        dropAside(*submitted);
+        m_isTouched = m_isTouched && m_inForm != submitted->person;
+    }
+    if (m_inForm != person.value)
+        putAside();
+    if (submitted && submitted->person == 0)  // the buttons of somebody who is there come under the pointer
+        m_sinceSubmitted.start();
     m_chosen = person.value;
     m_className->clear();
-    // What was not sent with this stays as it was typed.
-    if (std::exchange(m_isSubmitted, false))
-        m_isTouched = false;
     study::showFault(m_fault, {});
     m_said->setText(sentence);
 }
 
 void PeoplePart::refuse(const QString& sentence)
 {
-    m_isSubmitted = false;
+    m_submitted.reset();
     m_said->clear();
     study::showFault(m_fault, sentence);
 }

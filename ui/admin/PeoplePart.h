@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
+#include <QElapsedTimer>
+#include <QHash>
 #include <QList>
 #include <QSet>
 #include <QString>
@@ -38,11 +42,15 @@ public:
 
     /// Who is chosen stays chosen.
     void setPeople(const QList<database::Person>& people, const QList<database::SchoolClass>& classes);
-    /// Lets a person in once; it is kept nowhere else, so it stays until another person is chosen.
-    void showCode(const QString& fullName, const QString& code);
+    /// Lets a person in once; it is kept nowhere else, so his form shows it until it is used or the page is left.
+    void showCode(database::PersonId person, const QString& fullName, const QString& code);
+    /// The page is left, and perhaps by who made them.
+    void forgetCodes();
     /// What was wanted has been done; the form is that of this person from now on.
     void confirm(database::PersonId person, const QString& sentence);
     void refuse(const QString& sentence);
+    /// That somebody's form is half filled in, in a sentence. Empty: none is.
+    [[nodiscard]] QString unkept() const;
 
 signals:
     /// @param classes  to belong to
@@ -53,26 +61,59 @@ signals:
     void classNameWanted(qint64 id, const QString& name);
 
 private:
+    /// What stands in a form and is not entered.
+    struct Typed
+    {
+        qint64 person = 0;  ///< 0: somebody new
+        QString username;
+        QString given;
+        QString family;
+        int role = 0;
+        QSet<qint64> classes;
+    };
+    struct Code
+    {
+        QString fullName;
+        QString code;
+    };
+
     QWidget* makeList();
     QWidget* makeForm();
+    QWidget* makeAside(QWidget* parent);
     void speak();
     void fill();
     void filter();
     void choose(qint64 person);
+    void select(qint64 person);
+    void putAside();
+    void dropAside(const Typed& what);
+    void tellAside();
+    void bringBack();
+    void fillClasses(const database::Person* person);
+    void endThought();
+    void showButtons(const database::Person* person);
     void showForm();
     void submit();
     void askToReset();
     void toggleDisabled();
-    [[nodiscard]] const database::Person* chosen() const;
+    [[nodiscard]] const database::Person* find(qint64 person) const;
+    [[nodiscard]] const database::Person* chosen() const { return find(m_chosen); }
     [[nodiscard]] QSet<qint64> tickedClasses() const;
+    [[nodiscard]] Typed typed() const;
+    [[nodiscard]] bool isHalfFilled() const;
+    [[nodiscard]] QString asideWords(qint64 person) const;
+    [[nodiscard]] bool isSecondClick() const;
     [[nodiscard]] QString stateOf(const database::Person& person) const;
 
     QList<database::Person> m_people;
     QList<database::SchoolClass> m_classes;
-    qint64 m_chosen = 0;         ///< 0: somebody new
-    qint64 m_inForm = 0;         ///< whom the form shows
-    bool m_isTouched = false;    ///< something in it was changed by hand, and outlives news of what others have entered
-    bool m_isSubmitted = false;  ///< and is on its way
+    qint64 m_chosen = 0;       ///< 0: somebody new
+    qint64 m_inForm = 0;       ///< whom the form shows
+    bool m_isTouched = false;  ///< something in it was changed by hand, and outlives news of what others have entered
+    std::optional<Typed> m_submitted;  ///< what is on its way
+    QElapsedTimer m_sinceSubmitted;
+    QList<Typed> m_aside;         ///< when another row was chosen; the latest last
+    QHash<qint64, Code> m_codes;  ///< by whom they let in
     QStandardItemModel* m_rows = nullptr;
     QSortFilterProxyModel* m_shown = nullptr;
     QLineEdit* m_search = nullptr;
@@ -99,13 +140,14 @@ private:
     QPushButton* m_keepPassword = nullptr;
     QPushButton* m_disable = nullptr;
     SecondThought* m_thought = nullptr;  ///< whether the password is to be taken away
+    QWidget* m_asideRow = nullptr;
+    QLabel* m_asideWords = nullptr;
     QLabel* m_said = nullptr;
     QLabel* m_fault = nullptr;
     QFrame* m_codeCard = nullptr;
     QLabel* m_codeWords = nullptr;
     QLabel* m_code = nullptr;
     QPushButton* m_copy = nullptr;
-    QString m_codeOf;
     std::string m_classAdded;  ///< just now: it is ticked when it is there
 };
 

@@ -9,6 +9,7 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
+#include <QLocale>
 #include <QMimeData>
 #include <QPushButton>
 #include <QStandardItemModel>
@@ -40,8 +41,8 @@ constexpr auto* kExample = "username,given_name,family_name,role,class\n"
 RosterPart::RosterPart(QWidget* parent)
     : QWidget(parent), m_words(study::formWords({}, kBody, QFont::Normal, QPalette::WindowText, this)),
       m_choose(new QPushButton(this)), m_enter(new QPushButton(this)), m_save(new QPushButton(this)),
-      m_said(study::formWords({}, kBody, QFont::Medium, QPalette::WindowText, this)), m_example(new QLabel(this)),
-      m_rows(new QStandardItemModel(this)), m_table(new people::ListTable(this))
+      m_said(study::formWords({}, kBody, QFont::Medium, QPalette::WindowText, this)), m_fault(study::faultLabel(this)),
+      m_example(new QLabel(this)), m_rows(new QStandardItemModel(this)), m_table(new people::ListTable(this))
 {
     setAcceptDrops(true);
     m_choose->setObjectName(QStringLiteral("chooseRoster"));
@@ -69,6 +70,9 @@ RosterPart::RosterPart(QWidget* parent)
     row->addStretch(1);
     column->addLayout(row);
     column->addWidget(m_said);
+    m_fault->setObjectName(QStringLiteral("rosterFault"));
+    m_fault->setTextFormat(Qt::PlainText);
+    column->addWidget(m_fault);
     m_example->setText(QString::fromUtf8(kExample));
     m_example->setObjectName(QStringLiteral("rosterExample"));
     m_example->setTextFormat(Qt::PlainText);
@@ -109,33 +113,46 @@ void RosterPart::speak()
 void RosterPart::tell()
 {
     const int fresh = newcomers();
-    const auto known = static_cast<int>(m_outcome.people.size()) - fresh;
     m_enter->setVisible(!m_isDone && m_outcome.faults.empty() && !m_outcome.people.empty());
     m_save->setVisible(m_isDone && fresh > 0);
     m_table->setVisible(m_rows->rowCount() > 0);
     m_example->setVisible(m_file.isEmpty());
     m_choose->setText(m_thought->isAsked() ? tr("Choose another file all the same …") : tr("Choose a file …"));
     m_choose->setAccessibleName(m_choose->text());
-    if (m_thought->isAsked())
-        m_said->setText(tr("The one-time codes of %1 are not saved, and they are kept nowhere else.").arg(m_file));
-    else if (!m_what.isEmpty())
-        m_said->setText(m_what);
-    else if (m_file.isEmpty())
-        m_said->clear();
-    else if (!m_outcome.faults.empty())
-        m_said->setText(tr("%1: %n fault(s). Nothing was entered; mend the file and choose it again.", nullptr,
-                           static_cast<int>(m_outcome.faults.size()))
-                            .arg(m_file));
-    else if (m_isDone)
-        m_said->setText(tr("%1 was entered: %2 new, %3 known already. The codes below are kept nowhere else.")
-                            .arg(m_file)
-                            .arg(fresh)
-                            .arg(known));
-    else
-        m_said->setText(
-            //: %1: what another sentence says of how many are known already
-            tr("%1 %n new person(s) would be entered.", nullptr, fresh)
-                .arg(tr("%1: %n person(s) known already.", nullptr, known).arg(m_file)));
+    const bool isAnybody = !m_outcome.people.empty();
+    const bool isWrong = !m_thought->isAsked() && (m_what.isEmpty() ? !m_file.isEmpty() && !isAnybody : m_isWrong);
+    const QString words = m_thought->isAsked() ? unkept() : m_what.isEmpty() ? outcomeWords() : m_what;
+    study::showFault(m_fault, isWrong ? words : QString());
+    m_said->setText(isWrong ? QString() : words);
+    m_said->setVisible(!isWrong);
+}
+
+QString RosterPart::outcomeWords() const
+{
+    if (m_file.isEmpty())
+        return {};
+    const QLocale locale;
+    const int fresh = newcomers();
+    const auto known = static_cast<int>(m_outcome.people.size()) - fresh;
+    if (!m_outcome.faults.empty())
+        return tr("%1: %Ln fault(s). Nothing was entered; mend the file and choose it again.", nullptr,
+                  static_cast<int>(m_outcome.faults.size()))
+            .arg(m_file);
+    if (m_outcome.people.empty())
+        return tr("There is nobody in %1: it has only the line that names the columns.").arg(m_file);
+    if (m_isDone)
+        return tr("%1 was entered: %2 new, %3 known already. The codes below are kept nowhere else.")
+            .arg(m_file, locale.toString(fresh), locale.toString(known));
+    //: %1: what another sentence says of how many are known already
+    return tr("%1 %Ln new person(s) would be entered.", nullptr, fresh)
+        .arg(tr("%1: %Ln person(s) known already.", nullptr, known).arg(m_file));
+}
+
+QString RosterPart::unkept() const
+{
+    return !m_isDone || m_isSaved || newcomers() == 0
+               ? QString()
+               : tr("The one-time codes of %1 are not saved, and they are kept nowhere else.").arg(m_file);
 }
 
 int RosterPart::newcomers() const
@@ -191,7 +208,7 @@ void RosterPart::showOutcome(const database::RosterOutcome& outcome, const QStri
     m_isDone = isDone;
     m_isSaved = false;
     m_what.clear();
-    m_said->setToolTip({});
+    m_fault->setToolTip({});
     fill();
     tell();
 }
@@ -199,20 +216,28 @@ void RosterPart::showOutcome(const database::RosterOutcome& outcome, const QStri
 void RosterPart::say(const QString& sentence)
 {
     m_what = sentence;
+    m_isWrong = false;
+    tell();
+}
+
+void RosterPart::refuse(const QString& sentence)
+{
+    m_what = sentence;
+    m_isWrong = true;
     tell();
 }
 
 void RosterPart::refuseFile(const QString& file, const QString& sentence, const QString& technical)
 {
     showOutcome({}, file, false);
-    say(sentence);
-    m_said->setToolTip(brokenIntoLines(technical));
+    refuse(sentence);
+    m_fault->setToolTip(brokenIntoLines(technical));
 }
 
 /// Codes that nobody has saved would each have to be given anew.
 bool RosterPart::mayForgetCodes()
 {
-    if (!m_isDone || m_isSaved || newcomers() == 0)
+    if (unkept().isEmpty())
         return true;
     if (m_thought->isAsked() && !m_thought->mayBeAnswered())
         return false;
@@ -251,9 +276,10 @@ void RosterPart::writeCodes(const QString& path)
 {
     m_thought->end();
     m_isSaved = database::writeCodes(path, m_outcome.people).has_value();
-    m_what = m_isSaved ? tr("The codes were saved. Delete the file when everybody has logged in.")
-                       : tr("The codes could not be written. Choose another folder, or make room on the disk.");
-    tell();
+    if (m_isSaved)
+        say(tr("The codes were saved. Delete the file when everybody has logged in."));
+    else
+        refuse(tr("The codes could not be written. Choose another folder, or make room on the disk."));
 }
 
 void RosterPart::dragEnterEvent(QDragEnterEvent* event)

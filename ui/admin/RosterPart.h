@@ -28,10 +28,14 @@ public:
 
     /// @param isDone  entered; else only looked at
     void showOutcome(const database::RosterOutcome& outcome, const QString& file, bool isDone);
-    /// What goes on, or why what was looked at could not be entered just now.
+    /// What goes on.
     void say(const QString& sentence);
+    /// Why what was looked at could not be entered just now.
+    void refuse(const QString& sentence);
     /// A file is no class list, or cannot be read; what was known of the one before is forgotten.
     void refuseFile(const QString& file, const QString& sentence, const QString& technical);
+    /// That codes are not saved, in a sentence. Empty: there are none.
+    [[nodiscard]] QString unkept() const;
 
 signals:
     void fileChosen(const QString& path);
@@ -45,6 +49,7 @@ protected:
 private:
     void speak();
     void tell();
+    [[nodiscard]] QString outcomeWords() const;
     void fill();
     [[nodiscard]] int newcomers() const;
     [[nodiscard]] bool mayForgetCodes();
@@ -58,11 +63,13 @@ private:
     bool m_isSaved = false;    ///< the codes are
     SecondThought* m_thought;  ///< whether codes that are not saved may go
     QString m_what;            ///< of the last failure, or what was saved
+    bool m_isWrong = false;    ///< a failure
     QLabel* m_words;
     QPushButton* m_choose;
     QPushButton* m_enter;
     QPushButton* m_save;
     QLabel* m_said;
+    QLabel* m_fault;
     QLabel* m_example;  ///< of what such a file looks like
     QStandardItemModel* m_rows;
     people::ListTable* m_table;

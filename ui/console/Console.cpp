@@ -27,6 +27,8 @@ constexpr int kMostLines = 500;
 constexpr int kMostHinted = 6;
 constexpr int kMostHistory = 100;
 constexpr int kNameWidth = 30;  ///< characters
+/// What lies beneath shines through, and however bright it is, words stand out by 4.5 to 1.
+constexpr QColor kGround(14, 16, 17, 204);
 
 const QStringList kCommands{QStringLiteral("get"),  QStringLiteral("help"), QStringLiteral("list"),
                             QStringLiteral("load"), QStringLiteral("plot"), QStringLiteral("reset"),
@@ -84,11 +86,8 @@ Console::Console(const core::settings::Parameters& parameters, WatchPanel& panel
     m_output->setFont(fixed);
     m_output->setMaximumBlockCount(kMostLines);
     m_output->setFocusPolicy(Qt::NoFocus);
-    m_output->viewport()->setAutoFillBackground(false);
     m_output->setObjectName(QStringLiteral("consoleOutput"));
-    QPalette clear = m_output->palette();
-    clear.setColor(QPalette::Base, Qt::transparent);
-    m_output->setPalette(clear);
+    m_output->setProperty("kind", "overlay");
     m_hint->setFont(shell::typeface(shell::kSmall));
     m_hint->setForegroundRole(QPalette::PlaceholderText);
     m_hint->setTextFormat(Qt::PlainText);
@@ -96,6 +95,7 @@ Console::Console(const core::settings::Parameters& parameters, WatchPanel& panel
     m_hint->setObjectName(QStringLiteral("consoleHint"));
     m_line->setFont(fixed);
     m_line->setObjectName(QStringLiteral("consoleLine"));
+    m_line->setProperty("kind", "overlay");
     m_line->installEventFilter(this);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(shell::kSpace4, shell::kSpace2, shell::kSpace4, shell::kSpace2);
@@ -193,8 +193,7 @@ void Console::execute(const QString& line)
 /// Answers nothing where say() follows.
 QString Console::askForPreset(const Preset& what, const QString& name)
 {
-    const auto felt = m_parameters.beginningWith("force.");
-    if (std::any_of(felt.begin(), felt.end(), [](const auto* one) { return isVeiled(*one); }))
+    if (isFeelVeiled(m_parameters))
         return blindWords();
     return what ? what(name) : tr("Presets are not to be had here.");
 }
@@ -392,7 +391,7 @@ bool Console::eventFilter(QObject* watched, QEvent* event)
 
 void Console::paintEvent(QPaintEvent*)
 {
-    QPainter(this).fillRect(rect(), QColor(14, 16, 17, 215));
+    QPainter(this).fillRect(rect(), kGround);
 }
 
 }  // namespace ui::console

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/console/ParameterWords.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <QCoreApplication>
@@ -78,9 +79,16 @@ bool isVeiled(const core::settings::Parameter& parameter)
     return !parameter.isLive() && !std::isfinite(parameter.read());
 }
 
+bool isFeelVeiled(const core::settings::Parameters& parameters)
+{
+    const auto felt = parameters.beginningWith("force.");
+    return std::any_of(felt.begin(), felt.end(), [](const auto* one) { return isVeiled(*one); });
+}
+
 QString blindWords()
 {
-    return Words::tr("Two presets are being compared blind: until that is over, what is felt is not told.");
+    return Words::tr("Two presets are being compared blind: until that is over, what is felt is not told. \"End the "
+                     "comparison\" beside the tooth ends it.");
 }
 
 QString groupName(const QString& group)

@@ -17,7 +17,9 @@ namespace ui::console {
                                   const core::settings::Parameter* parameter);
 /// Whether a value that can be set is kept from view: two presets are being compared blind.
 [[nodiscard]] bool isVeiled(const core::settings::Parameter& parameter);
-/// The sentence that says so.
+/// Whether all that is felt is.
+[[nodiscard]] bool isFeelVeiled(const core::settings::Parameters& parameters);
+/// The sentence that says so, and what ends it.
 [[nodiscard]] QString blindWords();
 /// What stands before the first point: "force" is "Force".
 [[nodiscard]] QString groupName(const QString& group);

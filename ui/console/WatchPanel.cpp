@@ -109,7 +109,7 @@ void WatchPanel::paintEvent(QPaintEvent*)
     painter.setRenderHint(QPainter::Antialiasing);
     const QPalette& p = palette();
     painter.setPen(Qt::NoPen);
-    painter.setBrush(QColor(20, 22, 23, 200));
+    painter.setBrush(QColor(20, 22, 23, 215));
     painter.drawRoundedRect(rect(), shell::kRadius, shell::kRadius);
     int y = shell::kSpace2;
     for (const Row& row : m_rows) {

@@ -25,8 +25,10 @@ constexpr double kFullest = 0.42;  ///< more, and the words on it would be hard 
 
 }  // namespace
 
-Need needOf(const MatrixStudent& student, bool isLate)
+Need needOf(const MatrixStudent& student, bool hasNoneLeft, bool isLate)
 {
+    if (hasNoneLeft)  // before all else: only the teacher can let him go on
+        return Need::NoneLeft;
     std::vector<::lessons::Try> tries;
     for (std::size_t k = 0; k < std::min(student.recentTenths.size(), student.recentPassed.size()); ++k)
         tries.push_back({student.recentTenths[k], student.recentPassed[k]});
@@ -42,6 +44,9 @@ Need needOf(const MatrixStudent& student, bool isLate)
 QString needWord(Need need)
 {
     switch (need) {
+    case Need::NoneLeft:
+        //: Of a student who has no attempts left at a lesson that he has not passed
+        return ClassModel::tr("out of tries");
     case Need::Stuck:
         //: Of a student
         return ClassModel::tr("stuck");
@@ -91,10 +96,13 @@ void ClassModel::findNeeds()
 {
     m_needs.clear();
     for (std::size_t k = 0; k < m_overview.students.size(); ++k) {
+        bool noneLeft = false;
         bool late = false;
-        for (std::size_t lesson = 0; lesson < m_overview.lessons.size(); ++lesson)
+        for (std::size_t lesson = 0; lesson < m_overview.lessons.size(); ++lesson) {
+            noneLeft = noneLeft || hasNoneLeft(k, lesson);
             late = late || isLate(k, lesson);
-        m_needs << needOf(m_overview.students[k], late);
+        }
+        m_needs << needOf(m_overview.students[k], noneLeft, late);
     }
 }
 
@@ -109,6 +117,20 @@ bool ClassModel::isLate(const QModelIndex& index) const
 {
     const auto lesson = lessonOf(index.column());
     return index.isValid() && lesson && isLate(static_cast<std::size_t>(index.row()), *lesson);
+}
+
+bool ClassModel::hasNoneLeft(std::size_t student, std::size_t lesson) const
+{
+    const auto given = m_given.find(m_overview.lessons[lesson]);
+    const MatrixCell& cell = m_overview.cells[student][lesson];
+    return given != m_given.end() && given->second.attemptLimit > 0 && cell.attempts >= given->second.attemptLimit &&
+           !cell.passed;
+}
+
+bool ClassModel::hasNoneLeft(const QModelIndex& index) const
+{
+    const auto lesson = lessonOf(index.column());
+    return index.isValid() && lesson && hasNoneLeft(static_cast<std::size_t>(index.row()), *lesson);
 }
 
 bool ClassModel::hasDueDates() const
@@ -186,9 +208,10 @@ QString ClassModel::cellWords(const QModelIndex& index) const
     const QString count = tr("%n attempt(s)", nullptr, one->attempts);
     const QString best = text::points(one->bestTenths);
     //: %1: student and lesson; %2: points; %3: "4 attempts"; %4: a date
-    return (one->passed     ? tr("%1: best %2, passed, %3, last %4")
-            : isLate(index) ? tr("%1: best %2, not passed and overdue, %3, last %4")
-                            : tr("%1: best %2, not passed, %3, last %4"))
+    return (one->passed          ? tr("%1: best %2, passed, %3, last %4")
+            : hasNoneLeft(index) ? tr("%1: best %2, not passed and no attempts left, %3, last %4")
+            : isLate(index)      ? tr("%1: best %2, not passed and overdue, %3, last %4")
+                                 : tr("%1: best %2, not passed, %3, last %4"))
         .arg(who, best, count, when(one->lastUtc));
 }
 
@@ -349,7 +372,8 @@ void ScoreCell::paint(QPainter* painter, const QStyleOptionViewItem& option, con
         painter->setBrush(Qt::NoBrush);
         painter->drawRoundedRect(box, 4.0, 4.0);
     }
-    if (m_model->isLate(m_filter->mapToSource(index))) {
+    if (const QModelIndex source = m_filter->mapToSource(index);
+        m_model->isLate(source) || m_model->hasNoneLeft(source)) {
         // The sign that stands behind the names of those who need their teacher.
         const double x = box.left() + 7.0;
         const double y = box.center().y();

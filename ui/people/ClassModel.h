@@ -20,15 +20,16 @@ namespace ui::people {
 /// Why a student needs his teacher.
 enum class Need {
     Nothing,
+    NoneLeft,       ///< no attempts left at a lesson that he was given and has not passed: he cannot go on
     Stuck,          ///< lessons::isStuck() at the lesson he tried last
     NeverLoggedIn,  ///< perhaps he cannot
     Late,           ///< a lesson that he was given is overdue, and he has not passed it
     NotBegun        ///< he has logged in, and not had an attempt graded yet
 };
 
-/// @param isLate  with any lesson
-[[nodiscard]] Need needOf(const database::MatrixStudent& student, bool isLate);
-/// "stuck", "no login", "late", "new"; empty for nothing.
+/// @param hasNoneLeft, isLate  with any lesson
+[[nodiscard]] Need needOf(const database::MatrixStudent& student, bool hasNoneLeft, bool isLate);
+/// "out of tries", "stuck", "no login", "late", "new"; empty for nothing.
 [[nodiscard]] QString needWord(Need need);
 /// The full name, or the user name where there is none.
 [[nodiscard]] QString nameOf(const database::MatrixStudent& student);
@@ -66,6 +67,8 @@ public:
     [[nodiscard]] const database::MatrixCell* cell(const QModelIndex& index) const;
     /// The lesson is overdue, and has not been passed by this student.
     [[nodiscard]] bool isLate(const QModelIndex& index) const;
+    /// This student has made as many attempts at the lesson as he may, and passed none.
+    [[nodiscard]] bool hasNoneLeft(const QModelIndex& index) const;
     /// Some lesson has a day when it is due.
     [[nodiscard]] bool hasDueDates() const;
     /// Index into the overview's lessons.
@@ -82,6 +85,7 @@ private:
     [[nodiscard]] QString cellWords(const QModelIndex& index) const;
     [[nodiscard]] QString headWords(std::size_t lesson, bool isTip) const;
     [[nodiscard]] bool isLate(std::size_t student, std::size_t lesson) const;
+    [[nodiscard]] bool hasNoneLeft(std::size_t student, std::size_t lesson) const;
     void findNeeds();
 
     database::ClassOverview m_overview;

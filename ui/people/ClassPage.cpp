@@ -38,7 +38,7 @@ constexpr int kLessonPx = 104;
 constexpr int kHeadPx = 62;  ///< three lines of a lesson's title
 constexpr int kDuePx = 18;   ///< and one for when it is due
 constexpr int kNamesPx = 250;
-constexpr std::array kNeeds{Need::Stuck, Need::NeverLoggedIn, Need::Late, Need::NotBegun};
+constexpr std::array kNeeds{Need::NoneLeft, Need::Stuck, Need::NeverLoggedIn, Need::Late, Need::NotBegun};
 
 }  // namespace
 
@@ -389,6 +389,9 @@ void ClassPage::tellNeeds()
         button->setAccessibleName(button->text());
         button->setAccessibleDescription(words);
     };
+    explain(Need::NoneLeft,
+            tr("Show who has no attempts left at a lesson that is not passed. More can be allowed under "
+               "Assign lessons."));
     explain(Need::Stuck, tr("Show who made three attempts in a row at a lesson without passing, and without getting "
                             "better by five points"));
     explain(Need::NeverLoggedIn, tr("Show who has never logged in"));
@@ -509,9 +512,9 @@ void ClassPage::retell()
     m_savePdf->setText(tr("Save as PDF …"));
     m_print->setText(tr("Print …"));
     m_saveCsv->setText(tr("Save the matrix as a table (CSV) …"));
-    m_legend->setText(
-        tr("Best score of each student; a tick: passed; ▲: overdue. A heading sorts, once more the other way, then by "
-           "name. A cell opens the attempts."));
+    m_legend->setText(tr("Best score of each student; a tick: passed; ▲: overdue, or no attempts left. A heading "
+                         "sorts, once more the other way, then by "
+                         "name. A cell opens the attempts."));
     m_legend->setToolTip(shell::brokenIntoLines(m_legend->text()));
     m_model->retell();
     fillClasses();

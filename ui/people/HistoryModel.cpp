@@ -112,6 +112,8 @@ QVariant HistoryModel::headerData(int section, Qt::Orientation orientation, int 
         return {};
     if (role == Qt::TextAlignmentRole)
         return QVariant((section >= Score && section != Result ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+    if (role == Qt::ToolTipRole && section == Force)
+        return tr("Mean and highest force while cutting");
     if (role != Qt::DisplayRole)
         return {};
     switch (section) {

@@ -58,6 +58,9 @@ TalkPanel::TalkPanel(QWidget* parent)
     makeOverride(*column);
     column->addWidget(m_fault);
     column->addStretch(1);
+    for (QWidget* field :
+         {static_cast<QWidget*>(m_words), static_cast<QWidget*>(m_points), static_cast<QWidget*>(m_reason)})
+        field->installEventFilter(this);
     retell();
 }
 
@@ -162,17 +165,33 @@ void TalkPanel::setScore(int machineTenths, int passMarkTenths, bool passedByMac
 
 void TalkPanel::setTalk(const database::AttemptTalk& talk)
 {
+    // A button that rests hands the keyboard on to whatever comes next, and that might be the score.
+    QWidget* form = formInUse();
     if (!talk.comments.empty() && talk.comments.size() > m_talk.comments.size() &&
         QString::fromStdString(talk.comments.back().words) == m_words->toPlainText().trimmed()) {
+        if (form == m_composer)
+            m_words->setFocus();
         m_words->clear();
         unpin();
     }
     if (!talk.overrides.empty() && talk.overrides.size() > m_talk.overrides.size() &&
-        QString::fromStdString(talk.overrides.back().reason) == m_reason->text().trimmed())
+        QString::fromStdString(talk.overrides.back().reason) == m_reason->text().trimmed()) {
+        if (form == m_override)
+            m_reason->setFocus();
         m_reason->clear();
+    }
     m_talk = talk;
     fill();
     tellScore();
+    if (form != nullptr)
+        emit formUsed(form);  // what was said has moved it
+}
+
+/// Where the keyboard is; null: in neither.
+QWidget* TalkPanel::formInUse() const
+{
+    const QWidget* at = window()->focusWidget();
+    return m_composer->isAncestorOf(at) ? m_composer : m_override->isAncestorOf(at) ? m_override : nullptr;
 }
 
 void TalkPanel::setMay(bool comment, bool override)
@@ -341,6 +360,13 @@ void TalkPanel::changeEvent(QEvent* event)
     QWidget::changeEvent(event);
     if (event->type() == QEvent::LanguageChange)
         retell();
+}
+
+bool TalkPanel::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::FocusIn)
+        emit formUsed(watched == m_words ? m_composer : m_override);
+    return QWidget::eventFilter(watched, event);
 }
 
 }  // namespace ui::people

@@ -50,9 +50,12 @@ signals:
     /// A pinned comment is to be seen where it belongs.
     void momentWanted(double seconds);
     void placeWanted(std::array<double, 3> placeMm);
+    /// Somebody writes in this part of the panel, which is to be in sight as a whole.
+    void formUsed(QWidget* form);
 
 protected:
     void changeEvent(QEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void makeComposer(QVBoxLayout& column);
@@ -62,6 +65,7 @@ private:
     void tellScore();
     void tellPins();
     void unpin();
+    [[nodiscard]] QWidget* formInUse() const;
 
     database::AttemptTalk m_talk;
     int m_machineTenths = 0;

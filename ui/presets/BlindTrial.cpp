@@ -47,10 +47,10 @@ bool isVeiled(const FeelPreset& preset)
 }
 
 BlindTrial::BlindTrial(FeelPreset first, FeelPreset second, int trials, std::uint64_t seed)
-    : m_presets{std::move(first), std::move(second)}
+    : m_presets{std::move(first), std::move(second)}, m_trials(std::clamp(trials, 1, 100))
 {
     core::Rng rng(seed);
-    for (int k = 0; k < std::clamp(trials, 1, 100); ++k)
+    for (int k = 0; k < m_trials; ++k)
         m_firstIsA.push_back(rng.below(2) == 0);
 }
 

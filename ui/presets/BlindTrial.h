@@ -31,13 +31,15 @@ public:
     /// @param trials  1 to 100
     BlindTrial(core::settings::FeelPreset first, core::settings::FeelPreset second, int trials, std::uint64_t seed);
 
-    [[nodiscard]] int trials() const { return static_cast<int>(m_firstIsA.size()); }
+    [[nodiscard]] int trials() const { return m_trials; }
     /// From 1; trials() + 1 when it is over.
     [[nodiscard]] int trial() const { return static_cast<int>(m_answers.size()) + 1; }
     [[nodiscard]] bool isOver() const { return trial() > trials(); }
     /// Of the present trial.
     [[nodiscard]] const core::settings::FeelPreset& behind(Answer letter) const;
     void answer(Answer said);
+    /// Before all have been answered: what was answered counts.
+    void end() { m_trials = static_cast<int>(m_answers.size()); }
 
     [[nodiscard]] const core::settings::FeelPreset& first() const { return m_presets[0]; }
     [[nodiscard]] const core::settings::FeelPreset& second() const { return m_presets[1]; }
@@ -47,6 +49,7 @@ public:
 
 private:
     std::array<core::settings::FeelPreset, 2> m_presets;
+    int m_trials;
     std::vector<bool> m_firstIsA;  ///< one a trial
     std::vector<Answer> m_answers;
 };

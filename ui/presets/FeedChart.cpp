@@ -14,6 +14,7 @@
 #include <QLineSeries>
 #include <QLocale>
 #include <QMouseEvent>
+#include <QRegularExpression>
 #include <QVBoxLayout>
 #include <QValueAxis>
 
@@ -46,6 +47,16 @@ const std::array<Line, 5> kLines{{{Substance::SoftCaries, "#8A4B00", "#E69F00"},
                                   {Substance::Plastic, "#5B6770", "#A9B4BC"},
                                   {Substance::Dentin, "#00785A", "#2FBF98"},
                                   {Substance::Enamel, "#0060A8", "#56B4E9"}}};
+
+/// In one line, in any script: between Japanese signs a line breaks as it does at a space.
+QString unbroken(const QString& words)
+{
+    static const QRegularExpression kBetweenSigns(
+        QStringLiteral("(?<=[\\x{3000}-\\x{9fff}])(?=[\\x{3000}-\\x{9fff}])"));
+    return words.toHtmlEscaped()
+        .replace(kBetweenSigns, QStringLiteral("&#8288;"))
+        .replace(u' ', QStringLiteral("&nbsp;"));
+}
 
 }  // namespace
 
@@ -192,12 +203,11 @@ void FeedChart::point(double newtons)
     QStringList parts;
     for (const Line& line : kLines)
         parts << QStringLiteral("<span style=\"color:%1\"><b>━━</b></span>&nbsp;%2")
-                     .arg((dark ? line.onDark : line.onLight).name(),
-                          figure(line.substance, newtons).toHtmlEscaped().replace(u' ', QStringLiteral("&nbsp;")));
+                     .arg((dark ? line.onDark : line.onLight).name(), unbroken(figure(line.substance, newtons)));
     const bool differs =
         std::any_of(kLines.begin(), kLines.end(), [this](const Line& line) { return differsIn(line.substance); });
     if (differs)
-        parts << tr("dashed: as it was kept").toHtmlEscaped().replace(u' ', QStringLiteral("&nbsp;"));
+        parts << unbroken(tr("dashed: as it was kept"));
     m_words->setText(QStringLiteral("<b>%1</b><br>%2")
                          //: %1 is a force
                          .arg(tr("Straight down with %1 N").arg(text::number(newtons, 1)).toHtmlEscaped(),

@@ -22,7 +22,7 @@ using namespace ui::shell;
 
 constexpr int kDecimals = 3;
 constexpr int kWideInputPx = 146;
-constexpr int kNamePx = 132;  ///< longer ones have more lines
+constexpr int kNamePx = 144;  ///< longer ones have more lines
 
 QLabel* head(Qt::Alignment side, QWidget* parent)
 {

@@ -37,10 +37,11 @@ using namespace ui::shell;
 constexpr int kListPx = 250;
 constexpr int kNarrowListPx = 180;
 constexpr int kRowPx = 48;
+constexpr int kHighRowPx = 66;  ///< of three lines
 /// With less than this the numbers have the room, and not the chart; or the notes wait.
 constexpr int kNarrowestChartPx = 1000;
 constexpr int kLowestNotesPx = 560;
-constexpr int kTablePx = 560;
+constexpr int kTablePx = 600;
 constexpr int kOtherPx = 240;
 constexpr int kUsualTrials = 8;
 constexpr int kMostTrials = 40;
@@ -62,6 +63,14 @@ bool isSameFeel(FeelPreset a, const FeelPreset& b)
     a.version = b.version;
     a.hash = b.hash;
     return a == b;
+}
+
+/// A button at rest gives the keys to the list: to the button beside it a second Space would say what nobody meant.
+void enable(QPushButton* button, bool may, QWidget* list)
+{
+    if (!may && button->window()->focusWidget() == button)
+        list->setFocus();
+    button->setEnabled(may);
 }
 
 QPushButton* button(const char* kind, const char* name, QWidget* parent)
@@ -191,11 +200,11 @@ QWidget* PresetsPage::makeDetails()
     m_ways->addWidget(new ScrollPane(m_table, QPalette::Window, m_ways));
     m_ways->setMaximumWidth(kTablePx);
     m_chart = new FeedChart(side);
-    middle->addWidget(m_ways, 5);
-    middle->addWidget(m_chart, 4);
+    middle->addWidget(m_ways, 5);  // with its help in two lines it fits a window of 1280 by 800
+    middle->addWidget(m_chart, 3);
     column->addLayout(middle, 1);
     connect(simple, &QPushButton::clicked, this, [this] {
-        m_simple->setPreset(m_base, m_draft);
+        m_simple->setPreset(origins(), m_draft);
         m_ways->setCurrentIndex(0);
     });
     connect(all, &QPushButton::clicked, this, [this] {
@@ -391,14 +400,17 @@ void PresetsPage::fill()
             item->setToolTip(brokenIntoLines(QFileInfo(read.file).fileName() + u'\n' + faultWords(read)));
             continue;
         }
-        QString second = tr("version %1").arg(read.preset->version);
+        QStringList standing;
         if (isSameVersion(*read.preset, m_inUse))
-            second += QStringLiteral(" · ") + tr("in use");
+            standing << tr("in use");
         if (read.file.isEmpty())
-            second += QStringLiteral(" · ") + tr("shipped");
-        auto* item = new QListWidgetItem(nameOf(*read.preset) + u'\n' + second, m_list);
-        item->setSizeHint({0, kRowPx});  // as wide as the list is
-        item->setToolTip(brokenIntoLines(presetWords(*read.preset)));
+            standing << tr("shipped");
+        QStringList lines{nameOf(*read.preset), tr("version %1").arg(read.preset->version)};
+        if (!standing.isEmpty())  // behind the version there is room for it in English alone
+            lines << standing.join(QStringLiteral(" · "));
+        auto* item = new QListWidgetItem(lines.join(u'\n'), m_list);
+        item->setSizeHint({0, standing.isEmpty() ? kRowPx : kHighRowPx});  // as wide as the list is
+        item->setToolTip(brokenIntoLines((QStringList(presetWords(*read.preset)) + standing).join(u" · ")));
         if (isSameVersion(*read.preset, m_base))
             m_list->setCurrentItem(item);
         m_other->addItem(QStringLiteral("%1 v%2").arg(nameOf(*read.preset)).arg(read.preset->version),
@@ -422,7 +434,7 @@ void PresetsPage::offerOther()
         m_other->setCurrentIndex(m_other->count() > 0 ? offered : -1);
     }
     const bool differs = m_other->currentIndex() >= 0 && !isSameFeel(at(m_other->currentIndex()), m_draft);
-    m_compare->setEnabled(differs && isHeld(m_draft));
+    enable(m_compare, differs && isHeld(m_draft) && !m_draft.name.empty(), m_list);
     m_compare->setToolTip(differs ? tr("Drill with both, behind letters, and say which feels more like a tooth")
                                   : tr("These two feel the same: choose another, or change a number"));
 }
@@ -453,7 +465,7 @@ void PresetsPage::write(const FeelPreset& draft)
     m_draft = draft;
     m_name->setText(nameOf(draft));
     m_notes->setText(QString::fromStdString(draft.notes));
-    m_simple->setPreset(m_base, draft);
+    m_simple->setPreset(origins(), draft);
     m_table->setPreset(draft);
     tellAside();
     tell();
@@ -483,6 +495,15 @@ void PresetsPage::take(const FeelPreset& preset)
     tell();
 }
 
+QString PresetsPage::unkept() const
+{
+    if (!m_mayKeep || (!isChanged() && !m_putAside))
+        return {};
+    //: %1 is a hardness preset
+    return tr("What you have changed of the hardness preset %1 is not saved.")
+        .arg(presetWords(isChanged() ? m_base : m_putAside->first));
+}
+
 bool PresetsPage::isChanged() const
 {
     return m_draft.name != m_base.name || !isSameFeel(m_draft, m_base);
@@ -493,6 +514,21 @@ bool PresetsPage::isNewest() const
     return std::none_of(m_all.begin(), m_all.end(), [&](const lessons::ReadPreset& read) {
         return read.preset && read.preset->name == m_base.name && read.preset->version > m_base.version;
     });
+}
+
+/// What the sliders may start from, so that a version stands as far from what it came from as it has been turned
+/// altogether, however often it was kept on the way: what is shipped, then its own versions, the oldest first.
+std::vector<FeelPreset> PresetsPage::origins() const
+{
+    std::vector<FeelPreset> all = lessons::shippedPresets();
+    const auto ownFrom = static_cast<std::ptrdiff_t>(all.size());
+    for (const lessons::ReadPreset& read : m_all)
+        if (read.preset && read.preset->name == m_base.name)
+            all.push_back(*read.preset);
+    std::sort(all.begin() + ownFrom, all.end(),
+              [](const FeelPreset& a, const FeelPreset& b) { return a.version < b.version; });
+    all.push_back(m_base);  // perhaps on no shelf
+    return all;
 }
 
 void PresetsPage::tell()
@@ -511,14 +547,14 @@ void PresetsPage::tell()
                                          QStringLiteral(" (%1)").arg(QString::fromStdString(m_base.hash.substr(0, 8))));
     m_save->setText(!isChanged() && !isNewest() ? tr("Restore as the newest version") : tr("Save as a new version"));
     m_save->setAccessibleName(m_save->text());
-    m_save->setEnabled(m_mayKeep && held && isNamed && (isChanged() || !isNewest()));
+    enable(m_save, m_mayKeep && held && isNamed && (isChanged() || !isNewest()), m_list);
     m_save->setToolTip(m_mayKeep ? tr("A version is never changed: this becomes another")
                                  : tr("An admin keeps the school's presets"));
-    m_try->setEnabled(held);
+    enable(m_try, held && isNamed, m_list);
     offerOther();
-    m_use->setEnabled(m_mayKeep && !isChanged() && !isSameVersion(m_base, m_inUse));
-    m_export->setEnabled(!isChanged());
-    m_import->setEnabled(m_mayKeep);
+    enable(m_use, m_mayKeep && !isChanged() && !isSameVersion(m_base, m_inUse), m_list);
+    enable(m_export, !isChanged(), m_list);
+    enable(m_import, m_mayKeep, m_list);
 }
 
 void PresetsPage::duplicate()

@@ -42,6 +42,9 @@ public:
     /// Versions can be kept, imported and put to use; else they are looked at and tried.
     void setMayKeep(bool may);
 
+    /// What was changed, and could be kept, and is not: in a sentence. Empty: nothing.
+    [[nodiscard]] QString unkept() const;
+
     [[nodiscard]] const core::settings::FeelPreset& draft() const { return m_draft; }
     [[nodiscard]] const std::vector<lessons::ReadPreset>& all() const { return m_all; }
 
@@ -75,6 +78,7 @@ private:
     void duplicate();
     [[nodiscard]] bool isChanged() const;
     [[nodiscard]] bool isNewest() const;
+    [[nodiscard]] std::vector<core::settings::FeelPreset> origins() const;
 
     std::vector<lessons::ReadPreset> m_all;
     core::settings::FeelPreset m_inUse;

@@ -2,12 +2,14 @@
 #include "ui/presets/SimplePanel.h"
 
 #include <cmath>
+#include <optional>
 
 #include <QGridLayout>
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QSlider>
 
+#include "ui/presets/PresetWords.h"
 #include "ui/shell/Theme.h"
 #include "ui/text/EveryLanguage.h"
 
@@ -25,7 +27,7 @@ QLabel* quiet(QWidget* parent, Qt::Alignment side)
 
 }  // namespace
 
-SimplePanel::SimplePanel(QWidget* parent) : QWidget(parent)
+SimplePanel::SimplePanel(QWidget* parent) : QWidget(parent), m_middle(quiet(this, Qt::AlignLeft))
 {
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
@@ -51,6 +53,10 @@ SimplePanel::SimplePanel(QWidget* parent) : QWidget(parent)
         grid->addWidget(slider, row, 2);
         grid->addWidget(highs[k], row, 3);
     }
+    m_middle->setTextFormat(Qt::PlainText);
+    m_middle->setWordWrap(true);
+    m_middle->setObjectName(QStringLiteral("dialMiddle"));
+    grid->addWidget(m_middle, static_cast<int>(kDials), 0, 1, 4);
     text::inEveryLanguage(this, [this, names, lows, highs] {
         const std::array<std::array<QString, 3>, kDials> words{{
             {tr("Enamel"), tr("softer"), tr("harder")},
@@ -70,17 +76,39 @@ SimplePanel::SimplePanel(QWidget* parent) : QWidget(parent)
             m_sliders[k]->setAccessibleName(tr("%1, %2 to %3").arg(words[k][0], words[k][1], words[k][2]));
             m_sliders[k]->setToolTip(m_sliders[k]->accessibleName());
         }
+        say();
     });
 }
 
-void SimplePanel::setPreset(const core::settings::FeelPreset& base, const core::settings::FeelPreset& preset)
+void SimplePanel::setPreset(const std::vector<core::settings::FeelPreset>& bases,
+                            const core::settings::FeelPreset& preset)
 {
-    const std::optional<Dials> dials = dialsFor(base, preset);
-    m_base = dials ? base : preset;
+    std::optional<Dials> dials;
+    m_base = preset;
+    for (const core::settings::FeelPreset& base : bases)
+        if (dials = dialsFor(base, preset); dials) {
+            m_base = base;
+            break;
+        }
+    m_isTyped = !dials;
+    say();
     for (std::size_t k = 0; k < kDials; ++k) {
         const QSignalBlocker quiet(m_sliders[k]);
         m_sliders[k]->setValue(dials ? static_cast<int>(std::lround((*dials)[k] * kDialSteps)) : 0);
     }
+}
+
+/// Sliders in the middle tell nothing to who does not know of what.
+void SimplePanel::say()
+{
+    //: Of sliders. %1 is a hardness preset
+    m_middle->setText(m_isTyped
+                          ? tr("In the middle: the numbers that were typed.")
+                          : tr("In the middle: %1.")
+                                .arg(presetWords({QString::fromStdString(m_base.name), m_base.version, {}, false})));
+    m_middle->setVisible(!m_base.name.empty());
+    for (QSlider* slider : m_sliders)
+        slider->setAccessibleDescription(m_middle->text());
 }
 
 void SimplePanel::tell()

@@ -57,7 +57,8 @@ TrialCard::TrialCard(QWidget* parent)
     : QFrame(parent), m_title(new QLabel(this)), m_words(new QLabel(this)), m_dials(new SimplePanel(this)),
       m_chart(new FeedChart(this)), m_reset(button("quiet", "trialReset", this)), m_letters(new QWidget(this)),
       m_a(button("segment", "trialA", m_letters)), m_b(button("segment", "trialB", m_letters)),
-      m_answers(new QWidget(this)), m_csv(button("", "trialCsv", this))
+      m_answers(new QWidget(this)), m_csv(button("", "trialCsv", this)), m_end(button("", "trialEnd", this)),
+      m_back(button("filled", "trialBack", this))
 {
     setProperty("kind", "bar");
     setFixedWidth(kCardPx);
@@ -87,10 +88,10 @@ TrialCard::TrialCard(QWidget* parent)
     connect(saysA, &QPushButton::clicked, this, [this] { answer(Answer::A); });
     connect(saysNone, &QPushButton::clicked, this, [this] { answer(Answer::NoDifference); });
     connect(saysB, &QPushButton::clicked, this, [this] { answer(Answer::B); });
-    auto* back = button("filled", "trialBack", this);
-    connect(back, &QPushButton::clicked, this, &TrialCard::done);
+    connect(m_end, &QPushButton::clicked, this, &TrialCard::end);
+    connect(m_back, &QPushButton::clicked, this, &TrialCard::done);
     connect(m_reset, &QPushButton::clicked, this, [this] {
-        m_dials->setPreset(m_base, m_asItWas);
+        m_dials->setPreset({m_base}, m_asItWas);
         turn(m_asItWas);
     });
     connect(m_csv, &QPushButton::clicked, this, [this] {
@@ -103,7 +104,8 @@ TrialCard::TrialCard(QWidget* parent)
     buttons->addWidget(m_reset);
     buttons->addWidget(m_csv);
     buttons->addStretch(1);
-    buttons->addWidget(back);
+    buttons->addWidget(m_end);
+    buttons->addWidget(m_back);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(kSpace4, kSpace4, kSpace4, kSpace4);
     column->setSpacing(kSpace2);
@@ -115,7 +117,7 @@ TrialCard::TrialCard(QWidget* parent)
     column->addWidget(m_answers);
     column->addLayout(buttons);
     column->addStretch(0);
-    text::inEveryLanguage(this, [this, saysA, saysNone, saysB, back] {
+    text::inEveryLanguage(this, [this, saysA, saysNone, saysB] {
         m_a->setText(QStringLiteral("A"));
         m_b->setText(QStringLiteral("B"));
         m_a->setAccessibleName(tr("Feel A"));
@@ -132,8 +134,11 @@ TrialCard::TrialCard(QWidget* parent)
         m_reset->setAccessibleName(tr("Set all sliders back to the preset"));
         m_csv->setText(tr("Save as CSV …"));
         m_csv->setAccessibleName(tr("Save the comparison as CSV"));
-        back->setText(tr("Back to the presets"));
-        back->setAccessibleName(back->text());
+        m_end->setText(tr("End the comparison"));
+        m_end->setAccessibleName(m_end->text());
+        m_end->setToolTip(tr("What has been answered counts, and it is told which was which"));
+        m_back->setText(tr("Back to the presets"));
+        m_back->setAccessibleName(m_back->text());
         say();
     });
     hide();
@@ -146,7 +151,7 @@ void TrialCard::tune(const core::settings::FeelPreset& base, const core::setting
         m_asItWas = dialsFor(base, preset) ? base : preset;
     m_base = base;
     m_tuned = preset;
-    m_dials->setPreset(base, preset);
+    m_dials->setPreset({base}, preset);
     say();
     draw();
     show();
@@ -202,7 +207,9 @@ void TrialCard::say()
     m_reset->setVisible(!isBlind);
     m_letters->setVisible(isBlind && !isOver);
     m_answers->setVisible(isBlind && !isOver);
-    m_csv->setVisible(isOver);
+    m_csv->setVisible(isOver && m_trial->trials() > 0);
+    m_back->setVisible(!isComparing());
+    m_end->setVisible(isComparing());
     if (!isBlind) {
         m_title->setText(m_tuned ? presetWords(*m_tuned) : QString());
         m_words->setText(tr("Drill: each slider is felt at once."));
@@ -224,7 +231,7 @@ void TrialCard::say()
             words += u' ' + tr("No difference: %n time(s).", nullptr, outcome.neither);
         if (outcome.first + outcome.second > 0)
             words += u'\n' + chanceWords(outcome.p);
-        m_words->setText(words);
+        m_words->setText(m_trial->trials() > 0 ? words : tr("It was ended before anything was chosen."));
     }
     setAccessibleName(m_title->text());
 }
@@ -262,6 +269,14 @@ void TrialCard::answer(Answer said)
     }
     emit freshBlockWanted();
     hold(Answer::A);
+}
+
+void TrialCard::end()
+{
+    m_trial->end();
+    say();
+    m_back->setFocus();  // it has come to where the other was
+    emit felt(m_trial->behind(m_held));
 }
 
 }  // namespace ui::presets

@@ -29,6 +29,8 @@ public:
     void compare(const BlindTrial& trial);
     /// The preset as it is turned now; nothing in a comparison.
     [[nodiscard]] std::optional<core::settings::FeelPreset> tuned() const;
+    /// Two presets are told apart, and what is felt is not told.
+    [[nodiscard]] bool isComparing() const { return m_trial && !m_trial->isOver(); }
     /// The version that it is made of.
     [[nodiscard]] const core::settings::FeelPreset& base() const { return m_base; }
     /// @param bur        that is in hand, into core::drilling::burs()
@@ -55,6 +57,7 @@ private:
     void beginAnew();
     void hold(BlindTrial::Answer letter);
     void answer(BlindTrial::Answer said);
+    void end();
 
     QLabel* m_title;
     QLabel* m_words;
@@ -66,6 +69,8 @@ private:
     QPushButton* m_b;
     QWidget* m_answers;
     QPushButton* m_csv;
+    QPushButton* m_end;
+    QPushButton* m_back;
     core::settings::FeelPreset m_base;
     core::settings::FeelPreset m_asItWas;  ///< before anything was turned in this trial
     std::optional<core::settings::FeelPreset> m_tuned;

@@ -338,7 +338,7 @@ void HistoryPanel::placeIn(const QRect& area)
     const int wanted =
         layout()->hasHeightForWidth() ? layout()->totalHeightForWidth(width) : layout()->totalSizeHint().height();
     const int height = std::min(wanted, area.height() - 2 * kSpace2);
-    m_list->setFixedHeight(m_list->height() - wanted + height);
+    m_list->setFixedHeight(std::max(0, m_list->height() - wanted + height));
     setGeometry(area.left() + kSpace2, area.top() + kSpace2, width, height);
 }
 

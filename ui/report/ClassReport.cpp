@@ -25,7 +25,9 @@ constexpr double kNamePt = 130.0;
 constexpr double kLastPt = 48.0;
 constexpr double kCellPt = 44.0;
 constexpr double kRowPt = 14.0;
-constexpr double kHeadsPt = 47.0;  ///< four lines of a lesson's title, and when it is due
+constexpr double kHeadsPt = 47.0;   ///< four lines of a lesson's title, and when it is due
+constexpr double kTitlesPt = 44.0;  ///< of the matrix, with the words that explain its signs
+constexpr int kBegunRows = 8;       ///< at least so many rows of a part stand on the page where it begins
 constexpr double kChartPt = 150.0;
 constexpr int kShownHash = 16;
 
@@ -41,6 +43,7 @@ void paintNeeds(Sheet& sheet, const people::ClassModel& model)
             //: %1: what they need; %2: names
             sheet.say(Words::tr("%1: %2").arg(what, names.join(QStringLiteral(", "))), kTextPt);
     };
+    list(Need::NoneLeft, Words::tr("No attempts left at a lesson that is not passed"));
     list(Need::Stuck, Words::tr("Stuck (three attempts in a row, not passed, not better by five points)"));
     list(Need::NeverLoggedIn, Words::tr("Never logged in"));
     list(Need::Late, Words::tr("Late: a lesson is overdue and not passed"));
@@ -54,10 +57,31 @@ QString day(const std::string& utc)
     return at.isValid() ? QLocale().toString(at.toLocalTime().date(), QLocale::ShortFormat) : QStringLiteral("–");
 }
 
-/// Some of the lessons: as many as the paper is wide.
+/// Over the matrix, and again on every page that begins with it.
+void paintTitle(Sheet& sheet)
+{
+    sheet.head(Words::tr("Best scores"), kHeadsPt);
+    sheet.say(Words::tr("✓: passed; ▲: overdue, or no attempts left; ▲ behind a name: needs the teacher"), kTextPt);
+    sheet.skip(2.0);
+}
+
+/// As on the screen, with the signs that are drawn there.
+QString cellWords(const people::ClassModel& model, const QModelIndex& index)
+{
+    QString words = model.data(index, Qt::DisplayRole).toString();
+    if (model.cell(index)->passed)
+        words += QStringLiteral(" ✓");
+    if (model.isLate(index) || model.hasNoneLeft(index))
+        words.prepend(QStringLiteral("▲ "));
+    return words;
+}
+
+/// Some of the lessons: as many as the paper is wide. The next part begins below, where there is room for some of it.
 void paintPart(Sheet& sheet, const people::ClassModel& model, int first, int count)
 {
     const auto heads = [&] {
+        if (sheet.top() == 0.0)
+            paintTitle(sheet);
         const double top = sheet.top();
         const auto head = [&](double left, double wide, int column, int flags) {
             sheet.put(QRectF(left, top, wide - 3.0, kHeadsPt),
@@ -71,9 +95,9 @@ void paintPart(Sheet& sheet, const people::ClassModel& model, int first, int cou
         sheet.skip(kHeadsPt + 2.0);
         sheet.rule();
     };
-    // One that fits on a page stands on one.
-    const double together = kHeadsPt + 4.0 + kRowPt * model.rowCount();
-    sheet.need(together <= sheet.height() ? together : kHeadsPt + 4.0 * kRowPt);
+    sheet.need(kTitlesPt + kHeadsPt + kRowPt * std::min(model.rowCount(), kBegunRows));
+    if (first == 0 && sheet.top() > 0.0)
+        paintTitle(sheet);
     heads();
     for (int row = 0; row < model.rowCount(); ++row) {
         if (sheet.left() < kRowPt) {
@@ -98,14 +122,12 @@ void paintPart(Sheet& sheet, const people::ClassModel& model, int first, int cou
                 const int grey = 250 - cell.bestTenths * 70 / 1000;
                 painter.fillRect(box, QColor(grey, grey, grey));
             }
-            QString words = model.data(index, Qt::DisplayRole).toString();
-            if (cell.passed)
-                words += QStringLiteral(" ✓");
-            sheet.put(box, words, kTextPt, cell.passed ? QFont::DemiBold : QFont::Normal, Qt::AlignCenter);
+            sheet.put(box, cellWords(model, index), kTextPt, cell.passed ? QFont::DemiBold : QFont::Normal,
+                      Qt::AlignCenter);
         }
         sheet.skip(kRowPt);
     }
-    sheet.skip(2.0);
+    sheet.skip(kRowPt);
 }
 
 }  // namespace
@@ -139,7 +161,6 @@ int paint(QPainter& painter, const QSizeF& pagePt, const NextPage& next, const C
                       kTextPt);
     }
 
-    sheet.head(Words::tr("Best scores; ✓: passed"), kHeadsPt + 4.0 * kRowPt);
     const auto lessons = static_cast<int>(report.overview.lessons.size());
     const int most = std::max(1, static_cast<int>((pagePt.width() - kNamePt - kLastPt) / kCellPt));
     const int parts = std::max(1, (lessons + most - 1) / most);

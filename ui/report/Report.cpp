@@ -11,14 +11,13 @@ namespace {
 
 constexpr double kPointsPerInch = 72.0;
 
-/// Painted once for nothing, to know how many pages there are to be.
+/// Gone through once for nothing, to know how many pages there are to be.
 template <typename Content>
 Content counted(Content content, const QSizeF& pagePt)
 {
     QPicture nothing;
     QPainter painter(&nothing);
-    content.proof.pages = paint(
-        painter, pagePt, [] {}, content);
+    content.proof.pages = paint(painter, pagePt, {}, content);
     return content;
 }
 

@@ -66,7 +66,8 @@ struct ClassReport
     Proof proof;
 };
 
-/// Leaves the page that is full and makes the same painter paint on a clean one, in points again.
+/// Leaves the page that is full and makes the same painter paint on a clean one, in points again. Empty: the pages are
+/// only counted, and what takes long to draw is left out.
 using NextPage = std::function<void()>;
 
 /// Paints a report. One unit of the painter is a point, 1/72 inch; its origin is the corner of what may be printed on.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <functional>
 
 #include <QCoreApplication>
 #include <QImage>
@@ -9,6 +10,7 @@
 #include "ui/people/HistoryCharts.h"
 #include "ui/report/Report.h"
 #include "ui/report/Sheet.h"
+#include "ui/shell/Theme.h"
 #include "ui/study/ConductNotes.h"
 #include "ui/study/CriterionRow.h"
 #include "ui/study/HeatMap.h"
@@ -29,13 +31,42 @@ constexpr double kPicturePt = 210.0;
 constexpr double kLeastPicturePt = 120.0;
 constexpr double kPictureStepPt = 10.0;
 constexpr double kChartPt = 158.0;
+constexpr int kNumberPx = 14;     ///< of a number on a picture, and radius of its disc
+constexpr double kStemPx = 34.0;  ///< from there to its place
+constexpr double kTipPx = 4.0;
 constexpr double kLostPt = 70.0;  ///< width of the column of points
 constexpr std::size_t kMomentsTold = 3;
 constexpr std::size_t kShownHash = 16;
 
+/// The places that comments are about, in the order of the comments, which have the same numbers.
+void paintNumbers(QPainter& painter, const study::HeatMap& map, const std::vector<database::AttemptComment>& comments)
+{
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setFont(shell::typeface(kNumberPx, QFont::DemiBold));
+    int number = 0;
+    for (const database::AttemptComment& comment : comments) {
+        if (!comment.placeMm)
+            continue;
+        // Beside the place, so that it can be seen; below it where there is no room above.
+        const QPointF tip = map.pointOf(*comment.placeMm);
+        const double up = tip.y() > kStemPx + kNumberPx ? -kStemPx : kStemPx;
+        const QPointF middle = tip + QPointF(0.0, up);
+        painter.setPen(QPen(Qt::white, 2.0));
+        painter.setBrush(Qt::black);
+        painter.drawEllipse(tip, kTipPx, kTipPx);
+        painter.setPen(QPen(Qt::black, 2.0));
+        painter.drawLine(tip, middle);
+        painter.setPen(QPen(Qt::white, 2.0));
+        painter.drawEllipse(middle, kNumberPx, kNumberPx);
+        painter.drawText(QRectF(middle - QPointF(kStemPx, kStemPx), middle + QPointF(kStemPx, kStemPx)),
+                         Qt::AlignCenter, QLocale().toString(++number));
+    }
+}
+
 /// A picture of the score page, on white, in colours and patterns for every eye.
 template <typename Picture>
-QImage pictureOf(const study::ScoredWork& work, std::optional<std::size_t> node)
+QImage pictureOf(const study::ScoredWork& work, std::optional<std::size_t> node,
+                 const std::function<void(QPainter&, const Picture&)>& paintOver = {})
 {
     Picture widget(nullptr);
     widget.resize(kPicturePx);
@@ -48,6 +79,8 @@ QImage pictureOf(const study::ScoredWork& work, std::optional<std::size_t> node)
     image.fill(Qt::white);
     QPainter painter(&image);
     widget.render(&painter, {}, {}, QWidget::DrawChildren);  // without the ground of the theme
+    if (paintOver)
+        paintOver(painter, widget);
     return image;
 }
 
@@ -147,16 +180,17 @@ void paintCriteria(Sheet& sheet, const ScoreCard& card)
         sheet.skip(nameHigh + whyHigh + 4.0);
     }
     sheet.rule();
-    sheet.say(text::scoreSum(card.sheet), kTextPt, QFont::DemiBold);
+    sheet.say(study::ScorePage::sumWords(card.sheet, card.attempt.givenTenths), kTextPt, QFont::DemiBold);
 }
 
-/// From above, and in a section through the place that is farthest off; none where the work is not known.
+/// From above, and in a section through the place that is farthest off.
 QList<QImage> picturesOf(const ScoreCard& card)
 {
-    if (!card.work)
-        return {};
     const auto node = study::farthestOff(*card.work);
-    return {pictureOf<study::HeatMap>(*card.work, node), pictureOf<study::WorstSection>(*card.work, node)};
+    const auto numbers = [&](QPainter& painter, const study::HeatMap& map) {
+        paintNumbers(painter, map, card.talk.comments);
+    };
+    return {pictureOf<study::HeatMap>(*card.work, node, numbers), pictureOf<study::WorstSection>(*card.work, node)};
 }
 
 void paintPictures(Sheet& sheet, const QList<QImage>& pictures, double mostHigh)
@@ -168,10 +202,10 @@ void paintPictures(Sheet& sheet, const QList<QImage>& pictures, double mostHigh)
     const double drawn = high * kPicturePx.width() / kPicturePx.height();
     sheet.head(Words::tr("On the tooth, and in a section through the place that is farthest off"), high);
     double left = 0.0;
-    for (const QImage& picture : pictures) {
+    for (qsizetype k = 0; k < pictures.size() && !sheet.isCounting(); ++k) {
         const QRectF box(left, sheet.top(), drawn, high);
         sheet.painter().setRenderHint(QPainter::SmoothPixmapTransform);
-        sheet.painter().drawImage(box, picture);
+        sheet.painter().drawImage(box, pictures[k]);
         sheet.painter().setPen(QPen(QColor(0x80, 0x80, 0x80), 0.4));
         sheet.painter().setBrush(Qt::NoBrush);
         sheet.painter().drawRect(box);
@@ -184,7 +218,12 @@ void paintTalk(Sheet& sheet, const ScoreCard& card)
 {
     if (card.talk.comments.empty())
         return;
-    sheet.head(Words::tr("Comments"), 20.0);
+    const auto isNumbered = [&](const database::AttemptComment& comment) { return card.work && comment.placeMm; };
+    const bool hasNumbers = std::any_of(card.talk.comments.begin(), card.talk.comments.end(), isNumbered);
+    sheet.head(hasNumbers ? Words::tr("Comments, with the numbers of their places in the picture of the tooth")
+                          : Words::tr("Comments"),
+               20.0);
+    int number = 0;
     for (const database::AttemptComment& comment : card.talk.comments) {
         const QString author = QString::fromStdString(comment.author);
         const QString at = people::when(comment.writtenUtc);
@@ -192,7 +231,9 @@ void paintTalk(Sheet& sheet, const ScoreCard& card)
             comment.momentMs
                 ? Words::tr("%1, %2, at %3 of the replay").arg(author, at, people::clock(*comment.momentMs))
                 : Words::tr("%1, %2").arg(author, at);
-        sheet.say(who + QStringLiteral(": ") + QString::fromStdString(comment.words), kTextPt);
+        const QString place =
+            isNumbered(comment) ? QStringLiteral("(%1) ").arg(QLocale().toString(++number)) : QString();
+        sheet.say(place + who + QStringLiteral(": ") + QString::fromStdString(comment.words), kTextPt);
     }
 }
 
@@ -248,8 +289,7 @@ double pictureHeight(const QSizeF& pagePt, const ScoreCard& card, const QList<QI
     const auto pages = [&](double picturePt) {
         QPicture nothing;
         QPainter painter(&nothing);
-        return paintAll(
-            painter, pagePt, [] {}, card, pictures, picturePt);
+        return paintAll(painter, pagePt, {}, card, pictures, picturePt);
     };
     const int fewest = pages(kLeastPicturePt);
     double high = kPicturePt;
@@ -262,7 +302,8 @@ double pictureHeight(const QSizeF& pagePt, const ScoreCard& card, const QList<QI
 
 int paint(QPainter& painter, const QSizeF& pagePt, const NextPage& next, const ScoreCard& card)
 {
-    const QList<QImage> pictures = picturesOf(card);
+    // While pages are counted only their number matters.
+    const QList<QImage> pictures = !card.work ? QList<QImage>() : next ? picturesOf(card) : QList<QImage>(2);
     return paintAll(painter, pagePt, next, card, pictures, pictureHeight(pagePt, card, pictures));
 }
 

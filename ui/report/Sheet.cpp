@@ -72,7 +72,8 @@ void Sheet::need(double height)
 {
     if (m_top + height <= bottom() || m_top == 0.0)
         return;
-    m_next();
+    if (m_next)
+        m_next();
     ++m_pages;
     m_top = 0.0;
     foot();
@@ -129,7 +130,7 @@ void Sheet::chartRow(const QList<charts::Chart>& row, double height)
     need(height + kGapPt);
     skip(kGapPt);
     const double each = (width() - kGapPt * static_cast<double>(row.size() - 1)) / static_cast<double>(row.size());
-    for (qsizetype k = 0; k < row.size(); ++k) {
+    for (qsizetype k = 0; k < row.size() && !isCounting(); ++k) {
         m_painter.save();
         m_painter.translate(static_cast<double>(k) * (each + kGapPt), m_top);
         m_painter.scale(kChartScale, kChartScale);

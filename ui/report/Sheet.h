@@ -26,9 +26,9 @@ public:
     [[nodiscard]] double top() const { return m_top; }
     [[nodiscard]] double width() const { return m_page.width(); }
     [[nodiscard]] int pages() const { return m_pages; }
+    /// Nobody sees it: pages are counted.
+    [[nodiscard]] bool isCounting() const { return !m_next; }
     [[nodiscard]] double left() const { return bottom() - m_top; }
-    /// What a whole page holds.
-    [[nodiscard]] double height() const { return bottom(); }
 
     /// Goes on to the next page if there is less height left than that.
     void need(double height);

@@ -10,6 +10,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QShowEvent>
 #include <QSignalBlocker>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -42,13 +43,16 @@ QString groupOf(const core::settings::Parameter& parameter)
 
 SettingsPage::SettingsPage(const Actions& actions, const core::settings::Parameters& parameters, QWidget* parent)
     : Page(actions, parent), m_parameters(parameters), m_search(new QLineEdit(this)), m_fault(study::faultLabel(this)),
-      m_content(new QWidget(this)), m_column(new QVBoxLayout(m_content)),
+      m_blind(study::formWords({}, kBody, QFont::Medium, QPalette::WindowText, this)), m_content(new QWidget(this)),
+      m_column(new QVBoxLayout(m_content)),
       m_none(study::formWords({}, kBody, QFont::Normal, QPalette::PlaceholderText, this))
 {
     m_search->setClearButtonEnabled(true);
     m_search->setMaximumWidth(kWidestPx);
     m_search->setObjectName(QStringLiteral("settingsSearch"));
     m_fault->setObjectName(QStringLiteral("settingsFault"));
+    m_blind->setMaximumWidth(kWidestPx);
+    m_blind->setObjectName(QStringLiteral("settingsBlind"));
     m_column->setContentsMargins(0, 0, kSpace4, 0);
     m_column->setSpacing(kSpace2);
     m_content->setMaximumWidth(kWidestPx);
@@ -57,6 +61,7 @@ SettingsPage::SettingsPage(const Actions& actions, const core::settings::Paramet
     column->setSpacing(kSpace2);
     column->addWidget(m_search);
     column->addWidget(m_fault);
+    column->addWidget(m_blind);
     column->addWidget(m_none);
     m_none->setObjectName(QStringLiteral("noSetting"));
     column->addWidget(new ScrollPane(m_content, QPalette::Window, this), 1);
@@ -70,6 +75,7 @@ SettingsPage::SettingsPage(const Actions& actions, const core::settings::Paramet
             clear->setAccessibleName(tr("Clear the search"));
         m_none->setText(tr("No setting is called so, and none speaks of it. Look for one word, such as \"force\"."));
         study::showFault(m_fault, {});  // it was said in another language
+        m_blind->setText(console::blindWords());
         fill();
     });
 }
@@ -121,7 +127,9 @@ void SettingsPage::addWindowRows()
         words->setFixedWidth(kLabelPx);
         auto* choice = study::choiceInput(label, whole);
         choice->setObjectName(QLatin1String(name));
-        choice->setFixedWidth(kNumberPx);
+        choice->setMinimumWidth(kNumberPx);
+        choice->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);  // as wide as its words in this language
+        choice->setSizeAdjustPolicy(QComboBox::AdjustToContents);
         line->addWidget(words);
         line->addWidget(choice);
         line->addWidget(study::formWords(help, kSmall, QFont::Normal, QPalette::PlaceholderText, whole), 1);
@@ -225,6 +233,15 @@ void SettingsPage::refresh()
     for (const Row& row : m_rows)
         row.show();
     m_isQuiet = false;
+    m_blind->setVisible(console::isFeelVeiled(m_parameters));
+}
+
+/// What was refused before it was left is long over.
+void SettingsPage::showEvent(QShowEvent* event)
+{
+    Page::showEvent(event);
+    if (!event->spontaneous())
+        study::showFault(m_fault, {});
 }
 
 void SettingsPage::search(const QString& text)

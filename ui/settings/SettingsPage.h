@@ -25,6 +25,9 @@ public:
     /// Shows what the values are now.
     void refresh();
 
+protected:
+    void showEvent(QShowEvent* event) override;
+
 private:
     struct Row
     {
@@ -43,6 +46,7 @@ private:
     const core::settings::Parameters& m_parameters;
     QLineEdit* m_search;
     QLabel* m_fault;
+    QLabel* m_blind;  ///< why what is felt is not told
     QWidget* m_content;
     QVBoxLayout* m_column;
     QLabel* m_none;  ///< nothing is found

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <QActionGroup>
+#include <QLabel>
 #include <QPushButton>
 #include <QToolButton>
 
@@ -334,6 +335,20 @@ QPushButton* pageButton(QAction* action, const char* kind, QWidget* parent)
     QObject::connect(button, &QPushButton::clicked, action, &QAction::trigger);
     QObject::connect(action, &QAction::enabledChanged, button, &QPushButton::setEnabled);
     return button;
+}
+
+QLabel* guestSign(const Actions& actions, QWidget* parent)
+{
+    auto* sign = new QLabel(parent);
+    sign->setForegroundRole(QPalette::PlaceholderText);
+    sign->setFont(typeface(kSmall));
+    sign->setObjectName(QStringLiteral("guestSign"));
+    followWords(actions.account, sign, [sign, &actions] {
+        //: Beside "Log in", on every page: what is done now is kept for nobody. Two short lines.
+        sign->setText(Actions::tr("Guest,\nunsaved"));
+        sign->setVisible(actions.isGuest());
+    });
+    return sign;
 }
 
 }  // namespace ui::shell

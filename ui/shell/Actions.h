@@ -8,6 +8,7 @@
 #include <QObject>
 #include <QString>
 
+class QLabel;
 class QPushButton;
 class QToolButton;
 class QWidget;
@@ -36,6 +37,7 @@ public:
     void showReplayPaused(bool paused);
     /// @param username  empty: a guest
     void showAccount(const QString& username);
+    [[nodiscard]] bool isGuest() const { return m_username.isEmpty(); }
     /// Where `back` leads from the page that is shown.
     enum class Back { Tooth, Lessons, Attempts, Class };
     void showWayBack(Back to);
@@ -137,6 +139,9 @@ void followWords(QAction* action, QWidget* listener, const std::function<void()>
 
 /// A flat icon button for a bar of the practice room. Reached with Tab; a click leaves the focus with the tooth.
 [[nodiscard]] QToolButton* barButton(QAction* action, bool withText, QWidget* parent);
+
+/// Says that nothing is kept, while nobody is logged in.
+[[nodiscard]] QLabel* guestSign(const Actions& actions, QWidget* parent);
 
 /// A button of a page that does what the action does, with its text and icon in the page's colours.
 /// @param kind  "filled", "quiet" or "" (see cusp.qss)

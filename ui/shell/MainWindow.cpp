@@ -31,6 +31,8 @@
 #include "lessons/LessonCatalog.h"
 #include "lessons/PresetShelf.h"
 #include "ui/admin/AdminPage.h"
+#include "ui/admin/PeoplePart.h"
+#include "ui/admin/RosterPart.h"
 #include "ui/console/Console.h"
 #include "ui/console/WatchPanel.h"
 #include "ui/inside/SectionView.h"
@@ -214,7 +216,12 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
             endExam();
             emit gradeRequested();
         } else
-            showMessage(tr("The time of this lesson is over. Go on as long as you like, or press G."));
+            m_messages->say({MessageBar::Kind::News,
+                             tr("The time of this lesson is over. Go on as long as you like, or press G."),
+                             {},
+                             {},
+                             {},
+                             MessageBar::Topic::Lesson});
     });
     connect(m_xray, &inside::XrayPage::saveRequested, this, [this] {
         askForFile(
@@ -237,6 +244,7 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
 void MainWindow::speak()
 {
     setAids(m_aids);
+    setUsedUp(m_isUsedUp);
     markExercise();
     if (m_unreachable)
         tellUnreachable();
@@ -304,24 +312,7 @@ void MainWindow::connectActions()
         else
             send(core::session::Redo{});
     });
-    on(m_actions->reload, [this] {
-        goTo(m_room);
-        if (m_examIsOver && !m_isGraded) {
-            showMessage(tr("This exam is over, but has no grade yet. Press G for it; then another attempt can begin."));
-            return;
-        }
-        m_isGraded = false;
-        if (m_exerciseCard->isVisibleTo(m_room) || isExam()) {
-            const QString begins =
-                isExam() ? tr("Another attempt at the exam begins.") : tr("The exercise begins anew.");
-            emit attemptAgainWanted();
-            showMessage(begins);
-        } else if (send(core::session::Reload{}))
-            m_messages->say(
-                {MessageBar::Kind::News, tr("The tooth is whole again."), {}, tr("Bring my work back"), [this] {
-                     send(core::session::Undo{});
-                 }});
-    });
+    on(m_actions->reload, [this] { startAgain(); });
     on(m_actions->grade, [this] {
         if (m_replaying)
             offerToStop(tr("This is a replay. Stop it to be graded on your own work."));
@@ -387,6 +378,65 @@ void MainWindow::connectActions()
     on(m_actions->attempts, [this] { emit attemptsWanted(); });
     on(m_actions->classes, [this] { emit classesWanted(); });
     on(m_actions->quit, [this] { close(); });
+}
+
+/// What has a grade, and what leaves no mark on the tooth, begins as another attempt; anything else is put back, and
+/// can be brought back.
+void MainWindow::startAgain()
+{
+    const bool isLesson = m_assignment && m_assignment->lesson;
+    if (m_examIsOver && !m_isGraded) {
+        goTo(m_room);
+        showMessage(tr("This exam is over, but has no grade yet. Press G for it; then another attempt can begin."));
+    } else if (m_exerciseCard->isVisibleTo(m_room) || isExam()) {
+        emit attemptAgainWanted();
+    } else if (isLesson && m_isGraded) {
+        leaveWork([this] { emit attemptAgainWanted(); });
+    } else {
+        goTo(m_room);
+        m_isGraded = false;
+        if (!send(core::session::Reload{}))
+            return;
+        if (isLesson)
+            restartClock();
+        m_messages->say({MessageBar::Kind::News, tr("The tooth is whole again."), {}, tr("Bring my work back"), [this] {
+                             send(core::session::Undo{});
+                         }});
+    }
+}
+
+void MainWindow::showBegunAnew()
+{
+    goTo(m_room);
+    showMessage(isExam()                              ? tr("Another attempt at the exam begins.")
+                : m_exerciseCard->isVisibleTo(m_room) ? tr("The exercise begins anew.")
+                                                      : tr("Another attempt at the lesson begins."));
+}
+
+void MainWindow::setUsedUp(bool usedUp)
+{
+    m_isUsedUp = usedUp;
+    Actions::setAllowed(m_actions->reload, !usedUp, study::usedUpWords());
+    m_room->lesson().setUsedUp(usedUp);
+    enableActions();
+}
+
+/// The lesson's time begins now.
+void MainWindow::restartClock()
+{
+    m_clockRestedS = m_recordedAtS;
+    m_room->lesson().restartTime();
+}
+
+/// It runs while one works: not on other pages, but in an exam, and not once there is a grade.
+void MainWindow::runClock()
+{
+    const bool runs = !m_isGraded && (isExam() || m_pages->currentWidget() == m_room);
+    if (!runs)
+        m_clockRestedS += m_session.recordedS - m_recordedAtS;
+    m_recordedAtS = m_session.recordedS;
+    if (runs)
+        m_room->lesson().setTime(m_recordedAtS - m_clockRestedS);
 }
 
 void MainWindow::connectDoor()
@@ -769,7 +819,7 @@ std::string MainWindow::feelByHand(const core::settings::FeelPreset& next)
     if (m_replaying)
         return tr("This is a replay: it feels as it was recorded.").toStdString();
     const bool isTried = m_trialCard->isVisibleTo(m_room);
-    if (isTried && !m_trialCard->tuned())
+    if (isTried && m_trialCard->isComparing())
         return tr("Two presets are being compared blind: that comes to its end first.").toStdString();
     // A lesson that brings its own hardness leaves the forces alone.
     core::settings::FeelPreset forces = next;
@@ -779,7 +829,8 @@ std::string MainWindow::feelByHand(const core::settings::FeelPreset& next)
         return tr("This lesson brings its own hardness. Only the forces can be changed.").toStdString();
     m_feel = next;
     if (isTried) {
-        m_trialCard->tune(m_trialCard->base(), next);
+        if (m_trialCard->tuned())
+            m_trialCard->tune(m_trialCard->base(), next);
         emit presetFelt(next);
     } else {
         emit feelWanted(next);
@@ -1287,7 +1338,7 @@ void MainWindow::takeSession()
             markExercise();
     } else if (m_session.toothGeneration == m_ownGeneration) {
         if (m_assignment && m_assignment->lesson)
-            m_room->lesson().setTime(m_session.recordedS);
+            runClock();
         m_room->history().follow(m_session.historyVersion);
     }
     if (moved)
@@ -1417,6 +1468,8 @@ void MainWindow::goTo(QWidget* page)
     m_help->hide();
     if (page == m_login)
         m_tour->breakOff();
+    if (page != m_room)
+        m_messages->withdraw(MessageBar::Topic::Lesson);
     if (page == m_lessonsPage)
         m_lessonsPage->setUnsaved(m_editor->unsavedFiles());
     m_pages->setCurrentWidget(page);
@@ -1516,7 +1569,7 @@ void MainWindow::enableActions()
     m_actions->redo->setEnabled(inEditor ? m_editor->canRedo() : inRoom && mayGoBack && m_session.redoSteps > 0);
     m_actions->editLesson->setEnabled(m_mayEdit && m_pages->currentWidget() == m_lessonsPage);
     m_actions->saveReference->setEnabled(inRoom && mine && !isExamRunning());
-    m_actions->reload->setEnabled(mayGoBack || (mine && m_examIsOver));
+    m_actions->reload->setEnabled((mayGoBack || (mine && m_examIsOver)) && !m_isUsedUp);
     m_actions->grade->setEnabled(inRoom && m_tooth != nullptr && !m_busy->isWorking());
     m_actions->lessons->setEnabled(!m_busy->isWorking());
     m_actions->console->setEnabled(inRoom);
@@ -1635,9 +1688,14 @@ void MainWindow::sayTooth()
     const bool isAssigned = m_assignment && m_assignment->anatomy == m_tooth;
     const QString title = isAssigned || m_replaying ? workTitle() : text::toothTitle(*m_tooth);
     const bool selfDrilling = m_selfDrilling && !m_replaying;
-    //: Beside the name of the tooth, where otherwise "lower left first molar" stands
-    m_room->setTooth(title, selfDrilling ? tr("The simulated handpiece is at work") : text::toothName(m_tooth->fdi));
-    setWindowTitle(tr("%1 – Cusp").arg(title));
+    const bool isSomebodys = m_replaying && !m_replayWhose.isEmpty();
+    m_room->setTooth(title,
+                     //: Beside the name of the tooth, where otherwise "lower left first molar" stands
+                     selfDrilling  ? tr("The simulated handpiece is at work")
+                     : isSomebodys ? m_replayWhose
+                                   : text::toothName(m_tooth->fdi));
+    //: %1: a lesson; %2: a person and a date
+    setWindowTitle(tr("%1 – Cusp").arg(isSomebodys ? tr("%1 – %2").arg(title, m_replayWhose) : title));
 }
 
 void MainWindow::showBusy(const QString& what)
@@ -1816,6 +1874,10 @@ void MainWindow::setAssignment(const lessons::Assignment& assignment)
     m_trialCard->hide();
     m_isGraded = false;
     m_examIsOver = false;
+    m_recordedAtS = 0.0;
+    m_clockRestedS = 0.0;
+    m_messages->withdraw(MessageBar::Topic::Lesson);
+    setUsedUp(false);
     setAids(assignment.lesson ? assignment.lesson->aids : lessons::Aids{});
     m_room->panel().setAsked(askedOf(lessonShown()));
     m_actions->fixture->setChecked(false);
@@ -1854,13 +1916,14 @@ void MainWindow::showSaved(const QString& path)
 }
 
 void MainWindow::setReplaying(bool replaying, double lengthS, core::grading::IdealTop ideal,
-                              std::optional<lessons::Lesson> lesson)
+                              std::optional<lessons::Lesson> lesson, const QString& whose)
 {
     if (replaying && !m_replaying)
         m_workAtRest = ownWork();
     m_replaying = replaying;
     m_replayIdeal = std::move(ideal);
     m_replayLesson = std::move(lesson);
+    m_replayWhose = whose;
     m_room->panel().setAsked(askedOf(lessonShown()));
     m_replayCourse = {};
     if (replaying)
@@ -1998,6 +2061,38 @@ void MainWindow::leaveDrafts(const std::function<void()>& what)
          titles.join(u'\n'), tr("&Save"), save, what});
 }
 
+std::vector<MainWindow::Unkept> MainWindow::unkept()
+{
+    const bool isAdmin = m_who.role() == database::Role::Admin;
+    const auto toSchool = [this, isAdmin](admin::AdminPage::Part part) {
+        return [this, isAdmin, part] {
+            if (!isAdmin)  // only an admin may see them: they wait for one
+                return;
+            goTo(m_admin);
+            m_admin->show(part);
+        };
+    };
+    std::vector<Unkept> all{{m_admin->people().unkept(), toSchool(admin::AdminPage::People)},
+                            {m_admin->roster().unkept(), toSchool(admin::AdminPage::Roster)},
+                            {m_presets->unkept(), [this] { goTo(m_presets); }}};
+    all.erase(std::remove_if(all.begin(), all.end(), [](const Unkept& one) { return one.what.isEmpty(); }), all.end());
+    return all;
+}
+
+void MainWindow::leaveUnkept(const std::function<void()>& what)
+{
+    const std::vector<Unkept> all = unkept();
+    if (all.empty()) {
+        what();
+        return;
+    }
+    QStringList sentences;
+    for (const Unkept& one : all)
+        sentences << one.what;
+    ask("unkeptQuestion", {tr("Not everything has been saved, and it would be lost."), sentences.join(u'\n'),
+                           tr("&Keep it"), all.front().show, what});
+}
+
 void MainWindow::ask(const char* name, const QuestionCard::Question& question)
 {
     delete m_question;
@@ -2018,15 +2113,17 @@ void MainWindow::askToSave()
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
-    if (m_mayClose || (!wouldLoseWork() && m_editor->unsaved().isEmpty())) {
+    if (m_mayClose || (!wouldLoseWork() && m_editor->unsaved().isEmpty() && unkept().empty())) {
         memory().setValue(kGeometry, saveGeometry());
         return;
     }
     event->ignore();
     leaveWork([this] {
         leaveDrafts([this] {
-            m_mayClose = true;
-            close();
+            leaveUnkept([this] {
+                m_mayClose = true;
+                close();
+            });
         });
     });
 }
@@ -2146,6 +2243,9 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event)
     default:
         break;
     }
+    // Who has walked to a button may press it with Enter, too. Qt gives that to buttons of dialogs only.
+    if (auto* button = qobject_cast<QPushButton*>(watched); button != nullptr && event->type() == QEvent::FocusIn)
+        button->setAutoDefault(true);
     // An open list is closed, and not the page it stands on.
     if (event->type() == QEvent::ShortcutOverride && QApplication::activePopupWidget() != nullptr &&
         dynamic_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {

@@ -196,8 +196,9 @@ public slots:
     /// it before the tooth is shown that goes with it.
     /// @param ideal  what was to be cut; null: nothing
     /// @param lesson  that it was made for; nothing: practised freely
+    /// @param whose   who made it, and when; empty: that is not known
     void setReplaying(bool replaying, double lengthS = 0.0, core::grading::IdealTop ideal = {},
-                      std::optional<lessons::Lesson> lesson = {});
+                      std::optional<lessons::Lesson> lesson = {}, const QString& whose = {});
     /// How the attempt went that is played, as far as it is known; again when more of it is.
     void setReplayCourse(const replay::Course& course);
     /// Another attempt is shown beside the one that is played, from the same side: the tooth of `links`.
@@ -253,6 +254,10 @@ public slots:
     void offerHome();
     /// What the lesson allows; all of it to begin with. What it does not is put away and rests.
     void setAids(const lessons::Aids& aids);
+    /// No attempt at the lesson on the table is left after the one that was graded: it is not begun again.
+    void setUsedUp(bool usedUp);
+    /// attemptAgainWanted() was followed.
+    void showBegunAnew();
 
 signals:
     /// The tour was seen, or skipped.
@@ -378,6 +383,15 @@ private:
     void leaveWork(const std::function<void()>& what);
     /// The same of lessons that were changed in the editor, whose drafts live as long as the window.
     void leaveDrafts(const std::function<void()>& what);
+    /// What a page would lose with the window, in a sentence, and the way to where it can be kept.
+    struct Unkept
+    {
+        QString what;
+        std::function<void()> show;
+    };
+    [[nodiscard]] std::vector<Unkept> unkept();
+    /// The same of what other pages have that is kept nowhere yet.
+    void leaveUnkept(const std::function<void()>& what);
     void connectDoor();
     void connectTour();
     [[nodiscard]] QWidget* tourPage(Tour::Where where) const;
@@ -408,6 +422,9 @@ private:
     [[nodiscard]] bool isBlindfolded() const;
     void showHistory();
     void restBur();
+    void startAgain();
+    void restartClock();
+    void runClock();
     [[nodiscard]] bool isExam() const;
     void endExam();
     /// The student's lesson is an exam, and has not been graded yet.
@@ -483,6 +500,7 @@ private:
     core::grading::IdealTop m_ideal;                   ///< what the lesson asks for of it; null: nothing
     core::grading::IdealTop m_replayIdeal;             ///< the same of the recording that is played
     std::optional<lessons::Lesson> m_replayLesson;     ///< that it was made for
+    QString m_replayWhose;                             ///< who made it, and when
     replay::Course m_replayCourse;
     replay::Course m_besideCourse;  ///< of the one beside it
     /// The version, and what is made of it, for which a block has been asked.
@@ -503,6 +521,9 @@ private:
     std::uint64_t m_infractionTick = 0;    ///< of the one that is told
     bool m_isGraded = false;               ///< the student's work has been, as it stood
     bool m_examIsOver = false;             ///< nothing can be cut any more
+    bool m_isUsedUp = false;               ///< no other attempt can begin
+    double m_recordedAtS = 0.0;            ///< of the attempt, when its clock was looked at last
+    double m_clockRestedS = 0.0;           ///< of it, in which the clock did not run
     bool m_burRests = false;               ///< while another page is read
     const QWidget* m_askedFrom = nullptr;  ///< the page on which work was begun that is waited for
     bool m_standsIn = false;               ///< the next tooth is not the one that was wanted

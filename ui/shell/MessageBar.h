@@ -25,8 +25,8 @@ class MessageBar : public QFrame
 public:
     enum class Kind { News, Warning, Error };
     /// What a message is about: one about a tooth that is no longer on the table is taken back, and so is the offer of
-    /// an attempt that was taken up or discarded.
-    enum class Topic { General, Tooth, Unfinished };
+    /// an attempt that was taken up or discarded. What is said of a lesson's course stays in the practice room.
+    enum class Topic { General, Tooth, Unfinished, Lesson };
     struct Choice
     {
         QString text;

@@ -41,6 +41,7 @@ Page::Page(const Actions& actions, QWidget* parent)
                 [button, action] { button->setVisible(action->isVisible()); });
         head->addWidget(button);
     }
+    head->addWidget(guestSign(actions, this));
     QPushButton* account = pageButton(actions.account, "quiet", this);
     account->setObjectName(QStringLiteral("accountButton"));
     head->addWidget(account);
@@ -49,6 +50,11 @@ Page::Page(const Actions& actions, QWidget* parent)
     column->setSpacing(kSpace4);
     column->addLayout(head);
     column->addLayout(m_body, 1);
+}
+
+void Page::removeGuestSign()
+{
+    delete findChild<QLabel*>(QStringLiteral("guestSign"));
 }
 
 void Page::setTitle(const QString& title)

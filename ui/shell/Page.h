@@ -22,6 +22,8 @@ public:
 protected:
     /// Where a page puts its content.
     [[nodiscard]] QVBoxLayout* body() { return m_body; }
+    /// What is done on this page is kept, whoever does it.
+    void removeGuestSign();
 
 private:
     QLabel* m_title;

@@ -194,6 +194,7 @@ QWidget* PracticeRoom::makeTopBar(const Actions& actions)
     row->addWidget(barButton(actions.section, false, frame));
     row->addWidget(barButton(actions.radiograph, false, frame));
     row->addSpacing(kSpace4);
+    row->addWidget(guestSign(actions, frame));
     auto* account = barButton(actions.account, false, frame);
     account->setObjectName(QStringLiteral("accountButton"));
     row->addWidget(account);

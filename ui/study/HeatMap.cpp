@@ -351,7 +351,7 @@ void HeatMap::paintEvent(QPaintEvent*)
     painter.drawImage(here.plot.topLeft(), m_picture);
     paintEnds(painter, here);
     paintMark(painter, here);
-    paintPin(painter, here);
+    paintPin(painter);
     if (hasFocus()) {
         painter.setPen(QPen(palette().color(QPalette::Link), 2.0));
         painter.setBrush(Qt::NoBrush);
@@ -411,13 +411,18 @@ void HeatMap::paintMark(QPainter& painter, const Frame& frame) const
     painter.restore();
 }
 
+QPointF HeatMap::pointOf(const std::array<double, 3>& placeMm) const
+{
+    const glm::dvec2 lattice = m_work.tooth->grid().latticeOf(glm::dvec2(placeMm[0], placeMm[1]));
+    return frame().at(lattice.x, lattice.y);
+}
+
 /// A pin that stands on the place with its point: another shape than the ring.
-void HeatMap::paintPin(QPainter& painter, const Frame& frame) const
+void HeatMap::paintPin(QPainter& painter) const
 {
     if (!m_pin)
         return;
-    const glm::dvec2 lattice = m_work.tooth->grid().latticeOf(glm::dvec2((*m_pin)[0], (*m_pin)[1]));
-    const QPointF tip = frame.at(lattice.x, lattice.y);
+    const QPointF tip = pointOf(*m_pin);
     const QPointF head = tip - QPointF(0.0, 2.2 * kPinPx);
     QPainterPath pin(tip);
     pin.quadTo(head + QPointF(-kPinPx, 0.9 * kPinPx), head - QPointF(kPinPx, 0.0));

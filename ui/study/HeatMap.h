@@ -35,6 +35,8 @@ public:
 
     [[nodiscard]] std::optional<std::size_t> marked() const { return m_mark; }
     [[nodiscard]] const std::optional<std::array<double, 3>>& pin() const { return m_pin; }
+    /// Where a place of the tooth is in the picture; a work is shown.
+    [[nodiscard]] QPointF pointOf(const std::array<double, 3>& placeMm) const;
     [[nodiscard]] QSize sizeHint() const override { return {320, 190}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {240, 130}; }
 
@@ -68,7 +70,7 @@ private:
     void draw();
     void paintEnds(QPainter& painter, const Frame& frame) const;
     void paintMark(QPainter& painter, const Frame& frame) const;
-    void paintPin(QPainter& painter, const Frame& frame) const;
+    void paintPin(QPainter& painter) const;
     [[nodiscard]] std::array<double, 3> placeOf(std::size_t node) const;
     void choosePin(const std::optional<std::array<double, 3>>& placeMm);
     void speak();

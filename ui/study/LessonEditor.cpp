@@ -80,6 +80,7 @@ QString write(LessonDraft& draft, const Weighed& weighed)
 LessonEditor::LessonEditor(const Actions& actions, QWidget* parent)
     : Page(actions, parent), m_weigher(new DraftWeigher(this))
 {
+    removeGuestSign();
     m_capturing.setMaxThreadCount(1);
     connect(m_weigher, &DraftWeigher::weighed, this, &LessonEditor::take);
     auto* row = new QHBoxLayout;

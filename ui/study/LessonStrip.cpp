@@ -87,11 +87,10 @@ void LessonStrip::setLesson(const ::lessons::Lesson& lesson)
 {
     m_lesson = lesson;
     m_step = 0;
-    m_overSaid = false;
     m_isConcluded = false;
     m_hint->setChecked(false);
     showStep();
-    setTime(0.0);
+    restartTime();
 }
 
 /// A hint is for who asks for it, at each step anew.
@@ -120,16 +119,27 @@ void LessonStrip::showStep()
     const bool hasHint = count > 0 && !m_lesson.steps[m_step].hint.empty();
     m_hint->setVisible(hasHint);
     const bool showsHint = hasHint && m_hint->isChecked();
-    const QString step = m_isConcluded
-                             ? tr("The exam is over, and nothing more can be cut. G shows the score; R begins "
-                                  "another attempt.")
-                         : count == 0 ? said(m_lesson.goal)
-                                      : said(m_lesson.steps[m_step].text);
+    const QString over = m_isUsedUp ? tr("The exam is over, and nothing more can be cut. G shows the score.")
+                                    : tr("The exam is over, and nothing more can be cut. G shows the score; R begins "
+                                         "another attempt.");
+    const QString step = m_isConcluded ? over : count == 0 ? said(m_lesson.goal) : said(m_lesson.steps[m_step].text);
     m_text->setText(showsHint ? said(m_lesson.steps[m_step].hint) : step);
     m_text->setToolTip(QStringLiteral("<p>%1</p>").arg(said(m_lesson.goal).toHtmlEscaped()));
     for (QWidget* control :
          {static_cast<QWidget*>(m_before), static_cast<QWidget*>(m_next), static_cast<QWidget*>(m_hint)})
         control->setAccessibleDescription(m_text->text());
+}
+
+void LessonStrip::restartTime()
+{
+    m_overSaid = false;
+    setTime(0.0);
+}
+
+void LessonStrip::setUsedUp(bool usedUp)
+{
+    m_isUsedUp = usedUp;
+    showStep();
 }
 
 void LessonStrip::conclude()

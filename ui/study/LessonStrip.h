@@ -26,6 +26,10 @@ public:
     void setLesson(const ::lessons::Lesson& lesson);
     /// @param workedS  seconds of this attempt so far
     void setTime(double workedS);
+    /// "Start again": the time begins anew, and may come to its end once more.
+    void restartTime();
+    /// No other attempt can begin.
+    void setUsedUp(bool usedUp);
     /// The exam is over: the clock stops, and the strip says how to go on, until another lesson is set.
     void conclude();
 
@@ -42,6 +46,7 @@ private:
     double m_workedS = 0.0;
     bool m_overSaid = false;
     bool m_isConcluded = false;
+    bool m_isUsedUp = false;
     QLabel* m_number = nullptr;
     QLabel* m_text = nullptr;
     QPushButton* m_hint = nullptr;

@@ -63,6 +63,12 @@ QString said(const ::lessons::LocalText& text)
     return QString::fromStdString(::lessons::inLanguage(text, QLocale().name().toStdString()));
 }
 
+QString usedUpWords()
+{
+    return QCoreApplication::translate(
+        "Lesson", "You have used up your attempts at this lesson. Your teacher can give you more.");
+}
+
 QString groupName(Task task)
 {
     switch (task) {

@@ -24,6 +24,8 @@ namespace ui::study {
 [[nodiscard]] QString aidWords(const ::lessons::Aids& aids);
 /// "8 minutes", or that there is no limit.
 [[nodiscard]] QString timeWords(const ::lessons::Lesson& lesson);
+/// That no attempt is left to who has been given it.
+[[nodiscard]] QString usedUpWords();
 /// When it is due, as one says it: "due today 17:00", "due Friday", "due 12 Dec", "3 days late". Local time.
 [[nodiscard]] QString dueWords(const QDateTime& due, const QDateTime& now);
 /// Each criterion with what it may cost: "Decay left: 60.0 points".

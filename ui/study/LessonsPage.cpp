@@ -628,7 +628,7 @@ void LessonsPage::describe()
     const bool isSound = entry != nullptr && entry->read.lesson.has_value();
     const bool isOver = isSound && isUsedUp(*entry);
     m_start->setEnabled(isSound && !isOver);
-    m_whyNot->setText(tr("You have used up your attempts at this lesson. Your teacher can give you more."));
+    m_whyNot->setText(usedUpWords());
     m_whyNot->setVisible(isOver);
     m_picture->setLesson(isSound ? entry->read.lesson : std::nullopt);
     m_edit->setVisible(isSound);

@@ -46,6 +46,7 @@ using namespace ui::shell;
 
 constexpr int kWidestPx = 1720;
 constexpr int kNarrowestBesidePx = 1180;
+constexpr int kFormMarginPx = 48;        ///< kept free about a form that is scrolled to: more than the edge that fades
 constexpr int kPictureBelowPx = 320;     ///< height of a picture that shares its rows with nothing
 constexpr int kPictureBesidePx = 260;    ///< of one on a page that is scrolled in any case
 constexpr std::size_t kFewCriteria = 5;  ///< that leave room for the history below them
@@ -213,6 +214,10 @@ ScorePage::ScorePage(const Actions& actions, QWidget* parent) : Page(actions, pa
     connect(m_heat, &HeatMap::pinned, this,
             [this](const std::optional<std::array<double, 3>>& place) { m_talk->setPlace(place, true); });
     connect(m_talk, &people::TalkPanel::placeWanted, this, &ScorePage::showPin);
+    connect(m_talk, &people::TalkPanel::formUsed, this, [this](QWidget* form) {
+        // Once it lies where it is to lie, and clear of the edge that fades.
+        QTimer::singleShot(0, form, [this, form] { m_scroll->ensureWidgetVisible(form, 0, kFormMarginPx); });
+    });
 
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(kSpace2);
@@ -556,6 +561,13 @@ QString ScorePage::verdictWords(const ::lessons::ScoreSheet& sheet, std::optiona
                                       : tr("Not passed yet");
 }
 
+QString ScorePage::sumWords(const ::lessons::ScoreSheet& sheet, std::optional<int> givenTenths)
+{
+    const QString sum = text::scoreSum(sheet);
+    //: %1: a sum of points
+    return givenTenths ? tr("The machine's score: %1").arg(sum) : sum;
+}
+
 /// All that is known of the score, in the language of today.
 void ScorePage::speak()
 {
@@ -674,7 +686,7 @@ void ScorePage::fillCriteria()
             chosen = row;
     }
     m_criteriaSlot->addWidget(m_criteria);
-    m_sum->setText(text::scoreSum(m_sheet));
+    m_sum->setText(sumWords(m_sheet, m_given));
     tellMoments();
     if (chosen != nullptr)
         chosen->setChecked(true);

@@ -80,6 +80,8 @@ public:
     /// What a score came to, here and on paper.
     /// @param givenTenths  by a teacher, where he did
     [[nodiscard]] static QString verdictWords(const ::lessons::ScoreSheet& sheet, std::optional<int> givenTenths);
+    /// What the criteria leave of all points; named as the machine's where a teacher gave another score.
+    [[nodiscard]] static QString sumWords(const ::lessons::ScoreSheet& sheet, std::optional<int> givenTenths);
     /// What is shown, for paper; attempt, person, talk and proof are for who knows them.
     [[nodiscard]] report::ScoreCard card() const;
     /// What became of the card that was to be saved or printed.
