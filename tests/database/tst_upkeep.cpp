@@ -87,7 +87,9 @@ private slots:
     void aCheckNamesTheAttemptThatWasChanged_data() { support::addEngines(); }
     void aCheckNamesTheAttemptThatWasChanged();
     void classListsAreTakenWholeOrNotAtAll_data() { support::addEngines(); }
+    void aClassListSaysWhatIsWrongWithItsFile_data() { support::addEngines(); }
     void aClassListSaysWhatIsWrongWithItsFile();
+    void noClassIsCalledWithABar_data() { support::addEngines(); }
     void noClassIsCalledWithABar();
     void classListsAreTakenWholeOrNotAtAll();
     void aMadeUpSchoolIsSound_data() { support::addEngines(); }
