@@ -469,12 +469,12 @@ core::Status overrideScore(const School& school, const Session& session, Attempt
         const auto uid = uidOf(school, id);
         if (!uid)
             return tl::unexpected(uid.error());
+        const QVariantList said{text(*words), text(school.now())};
         if (auto kept = execute(
                 school.db,
                 "INSERT INTO overrides (attempt_id, author_id, given_utc, given_tenths, reason) VALUES "
                 "(?, ?, ?, ?, ?)",
-                doing,
-                {number(id.value), number(session.person().value), text(school.now()), tenthsOr(tenths), text(*words)});
+                doing, {number(id.value), number(session.person().value), said.back(), tenthsOr(tenths), said.front()});
             !kept)
             return kept;
         if (auto set = execute(school.db, "UPDATE attempts SET given_tenths = ? WHERE id = ?", doing,
@@ -485,7 +485,7 @@ core::Status overrideScore(const School& school, const Session& session, Attempt
             return counted;
         return note(school, session.uid(), "attempt.override", "attempt:" + *uid,
                     {{"given_tenths", tenths ? QJsonValue(*tenths) : QJsonValue()},
-                     {"reason_digest", QString::fromStdString(digestOf(*words))}});
+                     {"digest_of_all", QString::fromStdString(digestOfComment(said))}});
     });
 }
 

@@ -97,7 +97,8 @@ forEachAttempt(const QSqlDatabase& db,
 /// What the audit says of an attempt when it is kept: a hash of everything in it that never changes.
 [[nodiscard]] std::string digestOfAttempt(const AttemptRecord& attempt);
 
-/// The same of a comment, as its row holds it: words, x_um, y_um, z_um, moment_ms, written_utc.
+/// The same of what a teacher said, as its row holds it: of a comment words, x_um, y_um, z_um, moment_ms, written_utc;
+/// of another score reason, given_utc.
 [[nodiscard]] std::string digestOfComment(const QVariantList& row);
 
 }  // namespace database::sql

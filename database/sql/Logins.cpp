@@ -343,6 +343,17 @@ core::Status expectStill(const School& school, const Person& person, const char*
     return {};
 }
 
+/// What passwords cost from now on, and what nobody's is compared with: it takes as long.
+core::Status keepCost(const School& school, const std::string& actor, const PasswordCost& cost,
+                      const std::string& decoy)
+{
+    for (const auto& [name, value] : {std::pair(kPasses, std::to_string(cost.passes)),
+                                      std::pair(kMemory, std::to_string(cost.memoryBytes)), std::pair(kDecoy, decoy)})
+        if (auto kept = putSetting(school, actor, name.toStdString(), value); !kept)
+            return kept;
+    return {};
+}
+
 }  // namespace
 
 core::Result<PasswordCost> passwordCost(const School& school)
@@ -378,15 +389,7 @@ core::Status raisePasswordCost(const School& school, const Session& session, con
     const auto decoy = hashPassword(newUid(), cost);
     if (!decoy)
         return tl::unexpected(decoy.error());
-    return inTurn(school, "raise what passwords cost", [&]() -> core::Status {
-        for (const auto& [name, value] :
-             {std::pair(kPasses, QString::number(cost.passes)), std::pair(kMemory, QString::number(cost.memoryBytes)),
-              std::pair(kDecoy, QString::fromStdString(*decoy))})
-            if (auto kept = putSetting(school, "", name.toStdString(), value.toStdString()); !kept)
-                return kept;
-        return note(school, session.uid(), "setting.change", "setting:" + kPasses.toStdString(),
-                    {{"value", QString::number(cost.passes)}});
-    });
+    return inTurn(school, "raise what passwords cost", [&] { return keepCost(school, session.uid(), cost, *decoy); });
 }
 
 std::string Logins::nameInAudit(const std::string& username)
@@ -428,17 +431,15 @@ core::Result<Session> Logins::createFirstAdmin(const School& school, const NewPe
         if (!*fresh)
             return core::unexpected(ErrorCode::NotAllowed,
                                     "there are people here already; log in as an admin to enter more");
-        for (const auto& [name, value] :
-             {std::pair(kPasses, QString::number(cost.passes)), std::pair(kMemory, QString::number(cost.memoryBytes)),
-              std::pair(kDecoy, QString::fromStdString(*decoy))})
-            if (auto kept = putSetting(school, "", name.toStdString(), value.toStdString()); !kept)
-                return kept;
         NewPerson admin = who;
         admin.role = Role::Admin;
+        // First: the first row of the audit tells schools apart.
         AuditBatch audit(school);
         if (auto person = enter(school, audit, "system", admin, *hash); !person)
             return tl::unexpected(person.error());
-        return audit.seal();
+        if (auto sealed = audit.seal(); !sealed)
+            return sealed;
+        return keepCost(school, "system", cost, *decoy);
     });
     if (!entered)
         return tl::unexpected(entered.error());

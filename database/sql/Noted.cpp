@@ -7,6 +7,7 @@
 #include <set>
 #include <vector>
 
+#include <QCryptographicHash>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QSqlRecord>
@@ -30,7 +31,7 @@ struct Opinion
     std::string author;  ///< uid
     std::optional<int> tenths;
     std::string digest;       ///< of the words; empty: not noted
-    std::string digestOfAll;  ///< of a comment with its place, its moment and its date; empty: not noted
+    std::string digestOfAll;  ///< of the words with the date, and of a comment its place and moment; empty: not noted
 };
 /// By the uid of the attempt, in the order of saying.
 using Opinions = std::map<std::string, std::vector<Opinion>>;
@@ -60,7 +61,8 @@ struct Noted
     std::map<std::string, std::string> classes;                                       ///< names, by number
     Enrolments enrolments;
     std::map<std::string, std::string> presets;   ///< hashes, by name and version
-    std::map<std::string, std::string> settings;  ///< the school's values, by name
+    std::map<std::string, std::string> settings;  ///< digests of the school's values, by name
+    bool areSettingsWhole = false;                ///< made by a program that noted all from the beginning
 };
 
 std::string textIn(const QJsonObject& detail, const char* key)
@@ -79,16 +81,16 @@ void take(Noted& noted, const std::string& actor, const std::string& action, con
     const std::string id = afterColon(object);
     if (action == "attempt.override") {
         const QJsonValue given = detail.value(QStringLiteral("given_tenths"));
-        noted.overrides[id].push_back({actor,
-                                       given.isDouble() ? std::optional(given.toInt()) : std::nullopt,
-                                       textIn(detail, "reason_digest"),
-                                       {}});
+        noted.overrides[id].push_back({actor, given.isDouble() ? std::optional(given.toInt()) : std::nullopt,
+                                       textIn(detail, "reason_digest"), textIn(detail, "digest_of_all")});
     } else if (action == "attempt.comment") {
         noted.comments[id].push_back({actor, {}, textIn(detail, "digest"), textIn(detail, "digest_of_all")});
     } else if (action == "preset.add") {
         noted.presets[id] = textIn(detail, "hash");
     } else if (action == "setting.change") {
-        noted.settings[id] = textIn(detail, "value");
+        noted.settings[id] =
+            detail.contains(QStringLiteral("digest")) ? textIn(detail, "digest") : digestOf(textIn(detail, "value"));
+        noted.areSettingsWhole = noted.areSettingsWhole || actor == "system";
     } else if (action == "lesson.assign") {
         noted.assignments[{id, textIn(detail, "lesson")}] =
             Given{textIn(detail, "due"), detail.value(QStringLiteral("limit")).toInt()};
@@ -254,20 +256,41 @@ core::Status compareClasses(const QSqlDatabase& db, std::map<std::string, std::s
     return {};
 }
 
-/// @param areAllNoted  nothing is there without a note; else some was there from the beginning
+/// What schools have whose settings were not all noted.
+bool isOfLogins(const std::string& setting)
+{
+    return setting.rfind("password.", 0) == 0;
+}
+
+/// Presets were changed where their hash is not that of what they say.
+core::Status comparePresets(const QSqlDatabase& db, const Say& say)
+{
+    return forEach(db, "SELECT name || ' v' || version, hash, json FROM presets", kDoing, {},
+                   [&](const QSqlQuery& row) {
+                       const QByteArray hash =
+                           QCryptographicHash::hash(row.value(2).toString().toUtf8(), QCryptographicHash::Sha256);
+                       if (hash.toHex().toStdString() != textOf(row, 1))
+                           say("preset \"" + textOf(row, 0) + "\" is not what the audit says");
+                   });
+}
+
+/// @param asNoted  what the audit has of a row
+/// @param mustBeNoted  else some was there from the beginning
 core::Status compareKept(const QSqlDatabase& db, const QString& sql, std::map<std::string, std::string> expected,
-                         bool areAllNoted, const std::string& what, const Say& say)
+                         const std::function<std::string(const std::string& value)>& asNoted,
+                         const std::function<bool(const std::string& name)>& mustBeNoted, const std::string& what,
+                         const Say& say)
 {
     if (auto read = forEach(db, sql, kDoing, {},
                             [&](const QSqlQuery& row) {
                                 const std::string named = what + " \"" + textOf(row, 0) + "\"";
                                 const auto found = expected.find(textOf(row, 0));
                                 if (found == expected.end()) {
-                                    if (areAllNoted)
+                                    if (mustBeNoted(textOf(row, 0)))
                                         say(named + " was inserted: the audit knows nothing of it");
                                     return;
                                 }
-                                if (found->second != textOf(row, 1))
+                                if (found->second != asNoted(textOf(row, 1)))
                                     say(named + " is not what the audit says");
                                 expected.erase(found);
                             });
@@ -278,9 +301,21 @@ core::Status compareKept(const QSqlDatabase& db, const QString& sql, std::map<st
     return {};
 }
 
-/// An attempt that is nobody's counts for nobody.
+/// An attempt that is nobody's counts for nobody. Those from before there were people are called by their number, and
+/// come before all others.
 core::Status compareOwners(const QSqlDatabase& db, const Say& say)
 {
+    if (auto read = forEach(db,
+                            "SELECT a.uid FROM attempts a WHERE a.person_id IS NULL AND NOT EXISTS (SELECT 1 FROM "
+                            "audit u WHERE u.object = 'attempt:' || a.uid AND u.action = 'attempt.add') AND NOT (a.uid "
+                            "= 'legacy-' || a.id AND a.id > 0 AND a.id < COALESCE((SELECT MIN(b.id) FROM attempts b "
+                            "WHERE b.person_id IS NOT NULL), a.id + 1))",
+                            kDoing, {},
+                            [&](const QSqlQuery& row) {
+                                say("attempt " + textOf(row, 0) + " was inserted: the audit knows nothing of it");
+                            });
+        !read)
+        return read;
     return forEach(db,
                    "SELECT a.uid FROM attempts a WHERE a.person_id IS NULL AND EXISTS (SELECT 1 FROM audit u WHERE "
                    "u.object = 'attempt:' || a.uid AND u.action = 'attempt.add')",
@@ -307,11 +342,16 @@ core::Status compareWithAudit(const QSqlDatabase& db, const Say& say)
                     });
         !read)
         return read;
+    const auto asItIs = [](const std::string& value) { return value; };
+    const auto digest = [](const std::string& value) { return digestOf(value); };
+    const auto always = [](const std::string&) { return true; };
+    const auto must = [&noted](const std::string& name) { return noted.areSettingsWhole || !isOfLogins(name); };
     for (const auto& done :
-         {compareOpinions(db,
-                          "SELECT a.uid, p.uid, o.given_tenths, o.reason FROM overrides o JOIN attempts a ON a.id = "
-                          "o.attempt_id JOIN people p ON p.id = o.author_id ORDER BY o.id",
-                          noted.overrides, "an override", say),
+         {compareOpinions(
+              db,
+              "SELECT a.uid, p.uid, o.given_tenths, o.reason, o.given_utc FROM overrides o JOIN attempts a ON a.id = "
+              "o.attempt_id JOIN people p ON p.id = o.author_id ORDER BY o.id",
+              noted.overrides, "an override", say),
           compareOpinions(db,
                           "SELECT a.uid, p.uid, NULL, c.words, c.x_um, c.y_um, c.z_um, c.moment_ms, c.written_utc FROM "
                           "comments c JOIN attempts a ON a.id = c.attempt_id "
@@ -319,8 +359,11 @@ core::Status compareWithAudit(const QSqlDatabase& db, const Say& say)
                           noted.comments, "a comment", say),
           compareScores(db, noted.overrides, say), comparePeople(db, noted.people, say),
           compareAssignments(db, noted.assignments, say), compareClasses(db, noted.classes, noted.enrolments, say),
-          compareKept(db, "SELECT name || ' v' || version, hash FROM presets", noted.presets, true, "preset", say),
-          compareKept(db, "SELECT name, value FROM settings WHERE owner = ''", noted.settings, false, "setting", say),
+          compareKept(db, "SELECT name || ' v' || version, hash FROM presets", noted.presets, asItIs, always, "preset",
+                      say),
+          comparePresets(db, say),
+          compareKept(db, "SELECT name, value FROM settings WHERE owner = ''", noted.settings, digest, must, "setting",
+                      say),
           compareOwners(db, say)})
         if (!done)
             return done;

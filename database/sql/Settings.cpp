@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "database/sql/Settings.h"
 
+#include <QJsonObject>
+
+#include "database/Passwords.h"
 #include "database/sql/Audit.h"
 #include "database/sql/Statement.h"
 
@@ -16,6 +19,15 @@ core::Status refuseSecret(const std::string& name)
     if (name.rfind("password.", 0) != 0)
         return {};
     return core::unexpected(core::ErrorCode::NotAllowed, "the setting \"" + name + "\" is Cusp's own");
+}
+
+/// @param owner  uid; empty: the school
+core::Status put(const School& school, const std::string& owner, const std::string& name, const std::string& value)
+{
+    return execute(school.db,
+                   "INSERT INTO settings (owner, name, value) VALUES (?, ?, ?) "
+                   "ON CONFLICT (owner, name) DO UPDATE SET value = excluded.value",
+                   kKeep, {text(owner), text(name), text(value)});
 }
 
 }  // namespace
@@ -36,13 +48,15 @@ core::Result<SettingsMap> readSettings(const School& school, const Session& sess
     return settings;
 }
 
-core::Status putSetting(const School& school, const std::string& owner, const std::string& name,
+core::Status putSetting(const School& school, const std::string& actor, const std::string& name,
                         const std::string& value)
 {
-    return execute(school.db,
-                   "INSERT INTO settings (owner, name, value) VALUES (?, ?, ?) "
-                   "ON CONFLICT (owner, name) DO UPDATE SET value = excluded.value",
-                   kKeep, {text(owner), text(name), text(value)});
+    if (auto kept = put(school, "", name, value); !kept)
+        return kept;
+    // What logins need to be kept from others is not told there, either.
+    const QJsonObject detail = refuseSecret(name) ? QJsonObject{{"value", QString::fromStdString(value)}}
+                                                  : QJsonObject{{"digest", QString::fromStdString(digestOf(value))}};
+    return note(school, actor, "setting.change", "setting:" + name, detail);
 }
 
 core::Status changeSetting(const School& school, const Session& session, const std::string& name,
@@ -59,10 +73,7 @@ core::Status changeSetting(const School& school, const Session& session, const s
             return tl::unexpected(before.error());
         if (!before->isNull() && before->toString().toStdString() == value)
             return {};  // nothing was changed, and nothing is noted
-        if (auto kept = putSetting(school, "", name, value); !kept)
-            return kept;
-        return note(school, session.uid(), "setting.change", "setting:" + name,
-                    {{"value", QString::fromStdString(value)}});
+        return putSetting(school, session.uid(), name, value);
     });
 }
 
@@ -73,7 +84,7 @@ core::Status changeOwnSetting(const School& school, const Session& session, cons
         return tl::unexpected(who.error());
     if (auto fit = refuseSecret(name); !fit)
         return fit;
-    return inTransaction(school.db, kKeep, [&] { return putSetting(school, session.uid(), name, value); });
+    return inTransaction(school.db, kKeep, [&] { return put(school, session.uid(), name, value); });
 }
 
 }  // namespace database::sql

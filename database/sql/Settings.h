@@ -21,9 +21,10 @@ using SettingsMap = std::map<std::string, std::string>;
 [[nodiscard]] core::Status changeOwnSetting(const School& school, const Session& session, const std::string& name,
                                             const std::string& value);
 
-/// Inside a transaction of others, who have looked whether it is allowed.
-/// @param owner  uid; empty: the school
-[[nodiscard]] core::Status putSetting(const School& school, const std::string& owner, const std::string& name,
+/// For everybody here, into the audit, too: inside a transaction of others, who have taken their turn and looked
+/// whether it is allowed.
+/// @param actor  uid, or "system"
+[[nodiscard]] core::Status putSetting(const School& school, const std::string& actor, const std::string& name,
                                       const std::string& value);
 
 }  // namespace database::sql
