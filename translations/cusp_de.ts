@@ -6008,7 +6008,7 @@ ungesichert</translation>
     </message>
     <message>
         <source>There is no hardness preset &quot;%1&quot;. There are: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt kein Härteprofil „%1“. Es gibt: %2.</translation>
     </message>
     <message>
         <source>%1 – %2</source>

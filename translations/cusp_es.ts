@@ -6008,7 +6008,7 @@ sin guardar</translation>
     </message>
     <message>
         <source>There is no hardness preset &quot;%1&quot;. There are: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>No hay ningún ajuste de dureza «%1». Hay: %2.</translation>
     </message>
     <message>
         <source>%1 – %2</source>

@@ -5967,7 +5967,7 @@ unsaved</source>
     </message>
     <message>
         <source>There is no hardness preset &quot;%1&quot;. There are: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>硬さプリセット「%1」はありません。あるもの：%2。</translation>
     </message>
     <message>
         <source>%1 – %2</source>

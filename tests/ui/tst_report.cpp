@@ -324,6 +324,7 @@ void TestReport::everyWordIsOfTheLanguage()
         card.attempt.preset = "[···]";
         card.attempt.device = card.attempt.method = card.attempt.viewMode = card.attempt.program = "";
         card.proof.program = "1";
+        card.attempt.uid = "1";
         card.attempt.presetHash = card.attempt.recordingHash = card.sheet.rubricHash = std::string(64, '1');
         card.sheet.rubricTitle = pseudo::said(card.sheet.rubricTitle);
         for (lessons::Criterion& one : card.sheet.criteria)

@@ -222,6 +222,9 @@ void BackupPart::setDatabase(const QString& where, bool isServer)
 
 void BackupPart::setBackups(const QList<Backup>& backups)
 {
+    // A question about one of them stays open while they are looked at once more.
+    if (backups == m_backups)
+        return;
     m_backups = backups;
     fill();
     tell();

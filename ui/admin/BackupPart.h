@@ -29,6 +29,7 @@ struct Backup
     QString file;
     QDateTime made;  ///< UTC
     qint64 bytes = 0;
+    bool operator==(const Backup&) const = default;
 };
 
 /// Backups of the school's data: making one, trying that one can be brought back, bringing one back; and a thorough

@@ -57,9 +57,15 @@ ClassPage::ClassPage(const Actions& actions, QWidget* parent)
 QWidget* ClassPage::makeHead()
 {
     auto* part = new QWidget(this);
-    auto* row = new QHBoxLayout(part);
-    row->setContentsMargins(kSpace2, 0, kSpace2, 0);
+    auto* rows = new QVBoxLayout(part);
+    rows->setContentsMargins(kSpace2, 0, kSpace2, 0);
+    rows->setSpacing(kSpace2);
+    auto* row = new QHBoxLayout;
     row->setSpacing(kSpace2);
+    rows->addLayout(row);
+    auto* needs = new QHBoxLayout;
+    needs->setSpacing(kSpace2);
+    rows->addLayout(needs);
     m_class = new QComboBox(part);
     m_class->setObjectName(QStringLiteral("classChooser"));
     m_class->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -70,12 +76,11 @@ QWidget* ClassPage::makeHead()
             emit classChosen(chosenClass().value);
     });
     row->addWidget(m_class);
-    row->addSpacing(kSpace2);
     m_needs = new QLabel(part);
     m_needs->setObjectName(QStringLiteral("needs"));
     m_needs->setTextFormat(Qt::PlainText);
     m_needs->setFont(typeface(kBody, QFont::DemiBold));
-    row->addWidget(m_needs);
+    needs->addWidget(m_needs);
     m_need = new QButtonGroup(this);
     m_need->setExclusive(false);
     for (const Need need : kNeeds) {
@@ -84,8 +89,9 @@ QWidget* ClassPage::makeHead()
         button->setCheckable(true);
         button->setAutoDefault(true);
         m_need->addButton(button, static_cast<int>(need));
-        row->addWidget(button);
+        needs->addWidget(button);
     }
+    needs->addStretch(1);
     // One of them, or none: then everybody is listed.
     connect(m_need, &QButtonGroup::idToggled, this, [this](int id, bool isOn) {
         for (QAbstractButton* button : m_need->buttons())

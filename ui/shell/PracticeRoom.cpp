@@ -193,7 +193,7 @@ QWidget* PracticeRoom::makeTopBar(const Actions& actions)
     row->addSpacing(kSpace4);
     row->addWidget(barButton(actions.section, false, frame));
     row->addWidget(barButton(actions.radiograph, false, frame));
-    row->addSpacing(kSpace4);
+    row->addSpacing(kSpace2);
     row->addWidget(guestSign(actions, frame));
     auto* account = barButton(actions.account, false, frame);
     account->setObjectName(QStringLiteral("accountButton"));
