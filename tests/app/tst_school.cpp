@@ -1201,7 +1201,9 @@ void TestSchool::whatWasDoneStandsInTheAudit()
     const auto* rows = child<QTableView>("audit")->model();
     QTRY_VERIFY_WITH_TIMEOUT(rows->rowCount() > 5, kPatienceMs);
     // An admin's login also raises what passwords cost, once that is found to be too little for this computer.
-    const int login = rows->index(0, 3).data().toString() == "changed a setting" ? 1 : 0;
+    int login = 0;
+    while (rows->index(login, 3).data().toString() == "changed a setting")
+        ++login;
     QCOMPARE(rows->index(login, 3).data().toString(), QString("logged in"));
     QCOMPARE(rows->index(login, 2).data().toString(), QString("Ada Admin (admin)"));
     child<QLineEdit>("auditSearch")->setText("one-time");

@@ -384,6 +384,7 @@ void TestLanguages::pages_data()
         actions().presets->trigger();
         child<QPushButton>("presetTry")->click();
         m_window->beginTrial();
+        actions().back->trigger();
     });
     page("attempts", [this] {
         m_window->historyPage().setLessonTitles({{"0", "[···]"}});
