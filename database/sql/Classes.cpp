@@ -132,7 +132,7 @@ core::Result<ClassId> addClass(const School& school, const Session& session, con
         if (auto is = expectFreeName(school, *checked, {}); !is)
             return tl::unexpected(is.error());
         AuditBatch audit(school);
-        const auto made = classNamed(school, audit, session.uid(), *checked);
+        auto made = classNamed(school, audit, session.uid(), *checked);
         if (!made)
             return made;
         if (auto sealed = audit.seal(); !sealed)
