@@ -49,6 +49,7 @@ constexpr std::array kSettings{
     std::pair{"idle.minutes", QT_TRANSLATE_NOOP("Admin", "when a place that was left is locked")},
     std::pair{"password.passes", QT_TRANSLATE_NOOP("Admin", "how long checking a password takes")},
     std::pair{"password.memory", QT_TRANSLATE_NOOP("Admin", "how much memory checking a password takes")},
+    std::pair{"password.decoy", QT_TRANSLATE_NOOP("Admin", "how long checking a password takes")},  // goes with it
     std::pair{"preset.in_use", QT_TRANSLATE_NOOP("Admin", "the preset that everybody uses")},
 };
 
