@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include <tl/expected.hpp>
+#include "core/base/Result.h"
 
 namespace database {
 
