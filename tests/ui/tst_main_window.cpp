@@ -163,6 +163,7 @@ private slots:
     void aLessonsTimeEndsWithTheLesson();
     void aLessonsClockRestsWhereNobodyWorks();
     void aGuestIsToldThatNothingIsKept();
+    void enterPressesTheButtonThatHasTheFocus();
     void aBreachWaitsForWhoReadsAnotherPage();
     void helpListsEveryAction();
     void escapeGoesBackStepByStep();
@@ -1155,6 +1156,18 @@ void TestMainWindow::aLessonsClockRestsWhereNobodyWorks()
 }
 
 /// On every page and in the practice room, in words.
+void TestMainWindow::enterPressesTheButtonThatHasTheFocus()
+{
+    m_window->askWho(ui::people::Door::Login);
+    auto* login = m_window->findChild<ui::people::LoginPage*>();
+    auto* guest = m_window->findChild<QPushButton*>("practiseAsGuest");
+    QSignalSpy wanted(login, &ui::people::LoginPage::guestWanted);
+    guest->setFocus(Qt::TabFocusReason);
+    QTRY_VERIFY(guest->hasFocus());
+    QTest::keyClick(guest, Qt::Key_Return);
+    QCOMPARE(wanted.count(), 1);
+}
+
 void TestMainWindow::aGuestIsToldThatNothingIsKept()
 {
     const auto isTold = [this] {
