@@ -228,6 +228,7 @@ void AdminDesk::tellPeople(const std::function<void()>& then)
             for (const database::SchoolClass& one : found->classes)
                 names["class:" + std::to_string(one.id.value)] = QString::fromStdString(one.name);
             page.audit().setNames(names);
+            page.backups().setNames(names);
             if (then)
                 then();
         });
@@ -390,8 +391,9 @@ void AdminDesk::beside(const QString& what, Job job, Done done)
 
 void AdminDesk::tellFailed(const core::Error& error)
 {
-    m_window.adminPage().backups().finish(
-        *m_isStopped ? tr("It was stopped.") : tr("It did not work: %1").arg(QString::fromStdString(error.detail)));
+    m_window.adminPage().backups().finish([isStopped = m_isStopped->load(), detail = error.detail] {
+        return isStopped ? tr("It was stopped.") : tr("It did not work: %1").arg(QString::fromStdString(detail));
+    });
 }
 
 void AdminDesk::check(const QString& code)
@@ -417,23 +419,21 @@ void AdminDesk::tellChecked(const database::sql::CheckReport& report, const QStr
 {
     ui::admin::BackupPart& part = m_window.adminPage().backups();
     if (report.isStopped) {
-        part.finish(tr("It was stopped."));
+        part.finish([] { return tr("It was stopped."); });
         return;
     }
-    QStringList findings;
-    for (const std::string& one : report.findings)
-        findings << QString::fromStdString(one);
-    if (!findings.isEmpty()) {
-        part.finish(tr("%n thing(s) are not as they should be.", nullptr, static_cast<int>(findings.size())), findings);
-        return;
-    }
-    const QString sound = tr("Nothing is wrong: %1 attempts and %2 rows of the audit are as they were noted.")
-                              .arg(QLocale().toString(static_cast<qlonglong>(report.attempts)),
-                                   QLocale().toString(static_cast<qlonglong>(report.auditRows)));
-    part.finish(code.isEmpty()
-                    ? sound
-                    : sound + u' ' +
-                          tr("The audit is still the one that the report with the code %1 names.").arg(code));
+    const auto sentence = [count = static_cast<int>(report.findings.size()), attempts = report.attempts,
+                           rows = report.auditRows, code] {
+        if (count > 0)
+            return tr("%n thing(s) are not as they should be.", nullptr, count);
+        const QString sound = tr("Nothing is wrong: %1 attempts and %2 rows of the audit are as they were noted.")
+                                  .arg(QLocale().toString(static_cast<qlonglong>(attempts)),
+                                       QLocale().toString(static_cast<qlonglong>(rows)));
+        return code.isEmpty()
+                   ? sound
+                   : sound + u' ' + tr("The audit is still the one that the report with the code %1 names.").arg(code);
+    };
+    part.finish(sentence, report.findings);
 }
 
 void AdminDesk::connectBackups()
@@ -456,7 +456,8 @@ void AdminDesk::connectBackups()
                 if (!made)
                     return tellFailed(made.error());
                 tellBackups();
-                part.finish(tr("Backed up and checked: %1.").arg(QDir::toNativeSeparators(*made)));
+                part.finish(
+                    [file = QDir::toNativeSeparators(*made)] { return tr("Backed up and checked: %1.").arg(file); });
             });
     });
     connect(&part, &BackupPart::drillWanted, this, [this, &part] {
@@ -469,8 +470,10 @@ void AdminDesk::connectBackups()
             [this, &part](const core::Result<qint64>& rows) {
                 if (!rows)
                     return tellFailed(rows.error());
-                part.finish(tr("It works: a backup was made, restored beside the database and compared, %1 rows.")
-                                .arg(QLocale().toString(*rows)));
+                part.finish([count = *rows] {
+                    return tr("It works: a backup was made, restored beside the database and compared, %1 rows.")
+                        .arg(QLocale().toString(count));
+                });
             });
     });
     connect(&part, &BackupPart::checkWanted, this, [this](const QString& code) {
@@ -484,9 +487,11 @@ void AdminDesk::connectBackups()
         inBackground(
             this, [backup] { return database::sql::verifyBackup(backup); },
             [this, &part, backup](const core::Status& sound) {
-                part.finish(sound ? QString()
-                                  : tr("%1 is no whole backup of a school, and was not restored. Choose another one.")
-                                        .arg(QFileInfo(backup).fileName()));
+                part.finish([isSound = sound.has_value(), name = QFileInfo(backup).fileName()] {
+                    return isSound ? QString()
+                                   : tr("%1 is no whole backup of a school, and was not restored. Choose another one.")
+                                         .arg(name);
+                });
                 if (sound)
                     emit restoreWanted(backup);
             });

@@ -903,6 +903,225 @@
     </message>
 </context>
 <context>
+    <name>Finding</name>
+    <message>
+        <source>&quot;%1&quot; is no audit code; a report shows one such as 412-9f3ac07be1d2</source>
+        <translation>„%1“ ist kein Prüfcode; ein Bericht zeigt einen wie 412-9f3ac07be1d2</translation>
+    </message>
+    <message>
+        <source>audit row %1 (%2, %3, %4) tells that the rows before it did not end as they had been signed</source>
+        <translation>Zeile %1 des Protokolls (%2, %3, %4) sagt, dass die Zeilen davor nicht so endeten, wie sie signiert worden waren</translation>
+    </message>
+    <message>
+        <source>audit row %1 (%2, %3, %4) is not the one that was signed: it was changed</source>
+        <translation>Zeile %1 des Protokolls (%2, %3, %4) ist nicht die, die signiert wurde: Sie wurde verändert</translation>
+    </message>
+    <message>
+        <source>the signature of the newest row of the audit was not made by the station whose key stands beside it</source>
+        <translation>die Signatur der neuesten Zeile des Protokolls stammt nicht von dem Arbeitsplatz, dessen Schlüssel daneben steht</translation>
+    </message>
+    <message>
+        <source>audit row %1, which a report names, was removed</source>
+        <translation>Zeile %1 des Protokolls, die ein Bericht nennt, wurde entfernt</translation>
+    </message>
+    <message>
+        <source>audit row %1 was removed</source>
+        <translation>Zeile %1 des Protokolls wurde entfernt</translation>
+    </message>
+    <message>
+        <source>audit rows %1 to %2 were removed</source>
+        <translation>die Zeilen %1 bis %2 des Protokolls wurden entfernt</translation>
+    </message>
+    <message>
+        <source>audit row %1 was inserted: no station has signed that</source>
+        <translation>Zeile %1 des Protokolls wurde eingefügt: Kein Arbeitsplatz hat das signiert</translation>
+    </message>
+    <message>
+        <source>audit rows %1 to %2 were inserted: no station has signed that</source>
+        <translation>die Zeilen %1 bis %2 des Protokolls wurden eingefügt: Kein Arbeitsplatz hat das signiert</translation>
+    </message>
+    <message>
+        <source>audit row %1 (%2, %3, %4) and row %5 (%6, %7, %8) were exchanged</source>
+        <translation>Zeile %1 (%2, %3, %4) und Zeile %5 (%6, %7, %8) des Protokolls wurden vertauscht</translation>
+    </message>
+    <message>
+        <source>audit row %1 (%2, %3, %4) was inserted, and those behind it were renumbered</source>
+        <translation>Zeile %1 des Protokolls (%2, %3, %4) wurde eingefügt, und die dahinter wurden neu nummeriert</translation>
+    </message>
+    <message>
+        <source>audit rows %1 to %2 were inserted, and those behind them were renumbered</source>
+        <translation>die Zeilen %1 bis %2 des Protokolls wurden eingefügt, und die dahinter wurden neu nummeriert</translation>
+    </message>
+    <message>
+        <source>before audit row %1 (%2, %3, %4) a row was removed, and those behind were renumbered</source>
+        <translation>vor Zeile %1 des Protokolls (%2, %3, %4) wurde eine Zeile entfernt, und die dahinter wurden neu nummeriert</translation>
+    </message>
+    <message>
+        <source>before audit row %1 (%2, %3, %4) %5 rows were removed, and those behind were renumbered</source>
+        <translation>vor Zeile %1 des Protokolls (%2, %3, %4) wurden %5 Zeilen entfernt, und die dahinter wurden neu nummeriert</translation>
+    </message>
+    <message>
+        <source>audit row %1 (%2, %3, %4) was moved: it was written as row %5</source>
+        <translation>Zeile %1 des Protokolls (%2, %3, %4) wurde verschoben: Geschrieben wurde sie als Zeile %5</translation>
+    </message>
+    <message>
+        <source>audit row %1 (%2, %3, %4) was changed, or the one before it was and its hash with it</source>
+        <translation>Zeile %1 des Protokolls (%2, %3, %4) wurde verändert, oder die davor samt ihrem Hash</translation>
+    </message>
+    <message>
+        <source>audit row %1 (%2, %3, %4) is not the one that a report names: it or one before it was changed</source>
+        <translation>Zeile %1 des Protokolls (%2, %3, %4) ist nicht die, die ein Bericht nennt: Sie oder eine davor wurde verändert</translation>
+    </message>
+    <message>
+        <source>the signed head of the audit was removed</source>
+        <translation>der signierte Kopf des Protokolls wurde entfernt</translation>
+    </message>
+    <message>
+        <source>the file is damaged: %1</source>
+        <translation>die Datei ist beschädigt: %1</translation>
+    </message>
+    <message>
+        <source>row %1 of the table %2 belongs to no row of %3</source>
+        <translation>Zeile %1 der Tabelle %2 gehört zu keiner Zeile von %3</translation>
+    </message>
+    <message>
+        <source>%1 (%2, %3) was inserted: the audit knows nothing of it</source>
+        <translation>%1 (%2, %3) wurde eingefügt: Das Protokoll weiß nichts davon</translation>
+    </message>
+    <message>
+        <source>%1 (%2, %3) was changed after it had been kept</source>
+        <translation>%1 (%2, %3) wurde nach dem Sichern verändert</translation>
+    </message>
+    <message>
+        <source>%1 was removed; row %2 of the audit tells of it</source>
+        <translation>%1 wurde entfernt; Zeile %2 des Protokolls berichtet davon</translation>
+    </message>
+    <message>
+        <source>%1 was removed or changed; row %2 of the audit tells of it</source>
+        <translation>%1 wurde entfernt oder verändert; Zeile %2 des Protokolls berichtet davon</translation>
+    </message>
+    <message>
+        <source>%1 was inserted: the audit knows nothing of it</source>
+        <translation>%1 wurde eingefügt: Das Protokoll weiß nichts davon</translation>
+    </message>
+    <message>
+        <source>%1 was changed after it had been noted</source>
+        <translation>%1 wurde nach dem Eintrag ins Protokoll verändert</translation>
+    </message>
+    <message>
+        <source>%1 has no score sheet</source>
+        <translation>%1 hat keinen Bewertungsbogen</translation>
+    </message>
+    <message>
+        <source>%1 has a standing in %2 that the attempts do not add up to</source>
+        <translation>%1 hat in %2 einen Stand, den die Versuche nicht ergeben</translation>
+    </message>
+    <message>
+        <source>%1 has attempts in %2 and no standing</source>
+        <translation>%1 hat in %2 Versuche, aber keinen Stand</translation>
+    </message>
+    <message>
+        <source>the recording %1 is not there any more; bring the folder &quot;recordings&quot; back from a backup</source>
+        <translation>die Aufzeichnung %1 ist nicht mehr da; holen Sie den Ordner „recordings“ aus einer Sicherung zurück</translation>
+    </message>
+    <message>
+        <source>the recording %1 was changed or is damaged; bring it back from a backup</source>
+        <translation>die Aufzeichnung %1 wurde verändert oder ist beschädigt; holen Sie sie aus einer Sicherung zurück</translation>
+    </message>
+    <message>
+        <source>the head of the audit was signed with the key %1, which is not this computer&apos;s; if the file was not written by Cusp on another computer, somebody has rewritten it</source>
+        <translation>der Kopf des Protokolls wurde mit dem Schlüssel %1 signiert, der nicht der dieses Rechners ist; wenn die Datei nicht von Cusp auf einem anderen Rechner geschrieben wurde, hat jemand sie neu geschrieben</translation>
+    </message>
+    <message>
+        <source>an override of %1 was inserted: the audit knows nothing of it</source>
+        <translation>eine geänderte Punktzahl (%1) wurde eingefügt: Das Protokoll weiß nichts davon</translation>
+    </message>
+    <message>
+        <source>an override of %1 was changed after it had been noted</source>
+        <translation>eine geänderte Punktzahl (%1) wurde nach dem Eintrag ins Protokoll verändert</translation>
+    </message>
+    <message>
+        <source>an override of %1 was removed</source>
+        <translation>eine geänderte Punktzahl (%1) wurde entfernt</translation>
+    </message>
+    <message>
+        <source>a comment on %1 was inserted: the audit knows nothing of it</source>
+        <translation>ein Kommentar (%1) wurde eingefügt: Das Protokoll weiß nichts davon</translation>
+    </message>
+    <message>
+        <source>a comment on %1 was changed after it had been noted</source>
+        <translation>ein Kommentar (%1) wurde nach dem Eintrag ins Protokoll verändert</translation>
+    </message>
+    <message>
+        <source>a comment on %1 was removed</source>
+        <translation>ein Kommentar (%1) wurde entfernt</translation>
+    </message>
+    <message>
+        <source>%1 was removed</source>
+        <translation>%1 wurde entfernt</translation>
+    </message>
+    <message>
+        <source>%1 is not what the audit says</source>
+        <translation>%1 ist nicht so, wie das Protokoll sagt</translation>
+    </message>
+    <message>
+        <source>%1 has another score than the audit says was given to it</source>
+        <translation>%1 hat eine andere Punktzahl, als laut Protokoll gegeben wurde</translation>
+    </message>
+    <message>
+        <source>%1 has the role %2, the audit says %3</source>
+        <translation>Rolle: %1 – %2; das Protokoll sagt %3</translation>
+    </message>
+    <message>
+        <source>%1 was disabled or enabled, and it was not noted</source>
+        <translation>%1 wurde gesperrt oder freigegeben, ohne Eintrag im Protokoll</translation>
+    </message>
+    <message>
+        <source>%1 was given another name, and it was not noted</source>
+        <translation>%1 bekam einen anderen Namen, ohne Eintrag im Protokoll</translation>
+    </message>
+    <message>
+        <source>what %1 was given of the lesson %2 is not what the audit says</source>
+        <translation>was der Klasse aufgegeben wurde (%1, Lektion %2), ist nicht so, wie das Protokoll sagt</translation>
+    </message>
+    <message>
+        <source>that %1 was given the lesson %2 was removed</source>
+        <translation>eine Aufgabe wurde entfernt (%1, Lektion %2)</translation>
+    </message>
+    <message>
+        <source>%1 was renamed, and it was not noted</source>
+        <translation>%1 wurde umbenannt, ohne Eintrag im Protokoll</translation>
+    </message>
+    <message>
+        <source>%1 was put into %2, and it was not noted</source>
+        <translation>%1 wurde ohne Eintrag im Protokoll in die Klasse aufgenommen (%2)</translation>
+    </message>
+    <message>
+        <source>%1 was taken out of %2, and it was not noted</source>
+        <translation>%1 wurde ohne Eintrag im Protokoll aus der Klasse genommen (%2)</translation>
+    </message>
+    <message>
+        <source>%1 was taken from the person who made it</source>
+        <translation>%1 wurde der Person weggenommen, die ihn gemacht hat</translation>
+    </message>
+    <message>
+        <source>of tables, indexes and triggers the names alone could be compared: this user of the server may not create a schema there; let the owner of the database check it</source>
+        <translation>von Tabellen, Indizes und Triggern konnten nur die Namen verglichen werden: Dieser Benutzer des Servers darf dort kein Schema anlegen; lassen Sie den Besitzer der Datenbank prüfen</translation>
+    </message>
+    <message>
+        <source>%1 is no longer there: what it guarded is not guarded any more</source>
+        <translation>%1 ist nicht mehr da: Was damit geschützt war, ist nicht mehr geschützt</translation>
+    </message>
+    <message>
+        <source>%1 is not as this program makes it</source>
+        <translation>%1 ist nicht so, wie dieses Programm es anlegt</translation>
+    </message>
+    <message>
+        <source>%1 is not from this program: it may change what is written</source>
+        <translation>%1 stammt nicht von diesem Programm und kann verändern, was geschrieben wird</translation>
+    </message>
+</context>
+<context>
     <name>Handpiece</name>
     <message>
         <source>Turbine</source>

@@ -903,6 +903,225 @@
     </message>
 </context>
 <context>
+    <name>Finding</name>
+    <message>
+        <source>&quot;%1&quot; is no audit code; a report shows one such as 412-9f3ac07be1d2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>audit row %1 (%2, %3, %4) tells that the rows before it did not end as they had been signed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>audit row %1 (%2, %3, %4) is not the one that was signed: it was changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the signature of the newest row of the audit was not made by the station whose key stands beside it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>audit row %1, which a report names, was removed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>audit row %1 was removed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>audit rows %1 to %2 were removed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>audit row %1 was inserted: no station has signed that</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>audit rows %1 to %2 were inserted: no station has signed that</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>audit row %1 (%2, %3, %4) and row %5 (%6, %7, %8) were exchanged</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>audit row %1 (%2, %3, %4) was inserted, and those behind it were renumbered</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>audit rows %1 to %2 were inserted, and those behind them were renumbered</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>before audit row %1 (%2, %3, %4) a row was removed, and those behind were renumbered</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>before audit row %1 (%2, %3, %4) %5 rows were removed, and those behind were renumbered</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>audit row %1 (%2, %3, %4) was moved: it was written as row %5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>audit row %1 (%2, %3, %4) was changed, or the one before it was and its hash with it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>audit row %1 (%2, %3, %4) is not the one that a report names: it or one before it was changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the signed head of the audit was removed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file is damaged: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>row %1 of the table %2 belongs to no row of %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (%2, %3) was inserted: the audit knows nothing of it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (%2, %3) was changed after it had been kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was removed; row %2 of the audit tells of it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was removed or changed; row %2 of the audit tells of it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was inserted: the audit knows nothing of it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was changed after it had been noted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has no score sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has a standing in %2 that the attempts do not add up to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has attempts in %2 and no standing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the recording %1 is not there any more; bring the folder &quot;recordings&quot; back from a backup</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the recording %1 was changed or is damaged; bring it back from a backup</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the head of the audit was signed with the key %1, which is not this computer&apos;s; if the file was not written by Cusp on another computer, somebody has rewritten it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an override of %1 was inserted: the audit knows nothing of it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an override of %1 was changed after it had been noted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an override of %1 was removed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a comment on %1 was inserted: the audit knows nothing of it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a comment on %1 was changed after it had been noted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a comment on %1 was removed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was removed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not what the audit says</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has another score than the audit says was given to it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has the role %2, the audit says %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was disabled or enabled, and it was not noted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was given another name, and it was not noted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>what %1 was given of the lesson %2 is not what the audit says</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>that %1 was given the lesson %2 was removed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was renamed, and it was not noted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was put into %2, and it was not noted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was taken out of %2, and it was not noted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was taken from the person who made it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>of tables, indexes and triggers the names alone could be compared: this user of the server may not create a schema there; let the owner of the database check it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is no longer there: what it guarded is not guarded any more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not as this program makes it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not from this program: it may change what is written</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Handpiece</name>
     <message>
         <source>Turbine</source>

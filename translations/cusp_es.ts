@@ -903,6 +903,225 @@
     </message>
 </context>
 <context>
+    <name>Finding</name>
+    <message>
+        <source>&quot;%1&quot; is no audit code; a report shows one such as 412-9f3ac07be1d2</source>
+        <translation>«%1» no es un código de auditoría; un informe muestra uno como 412-9f3ac07be1d2</translation>
+    </message>
+    <message>
+        <source>audit row %1 (%2, %3, %4) tells that the rows before it did not end as they had been signed</source>
+        <translation>la fila %1 del registro (%2, %3, %4) dice que las filas anteriores no terminaban como se habían firmado</translation>
+    </message>
+    <message>
+        <source>audit row %1 (%2, %3, %4) is not the one that was signed: it was changed</source>
+        <translation>la fila %1 del registro (%2, %3, %4) no es la que se firmó: fue alterada</translation>
+    </message>
+    <message>
+        <source>the signature of the newest row of the audit was not made by the station whose key stands beside it</source>
+        <translation>la firma de la última fila del registro no es del puesto cuya clave figura al lado</translation>
+    </message>
+    <message>
+        <source>audit row %1, which a report names, was removed</source>
+        <translation>la fila %1 del registro, que nombra un informe, fue eliminada</translation>
+    </message>
+    <message>
+        <source>audit row %1 was removed</source>
+        <translation>la fila %1 del registro fue eliminada</translation>
+    </message>
+    <message>
+        <source>audit rows %1 to %2 were removed</source>
+        <translation>las filas %1 a %2 del registro fueron eliminadas</translation>
+    </message>
+    <message>
+        <source>audit row %1 was inserted: no station has signed that</source>
+        <translation>la fila %1 del registro fue insertada: ningún puesto lo ha firmado</translation>
+    </message>
+    <message>
+        <source>audit rows %1 to %2 were inserted: no station has signed that</source>
+        <translation>las filas %1 a %2 del registro fueron insertadas: ningún puesto lo ha firmado</translation>
+    </message>
+    <message>
+        <source>audit row %1 (%2, %3, %4) and row %5 (%6, %7, %8) were exchanged</source>
+        <translation>la fila %1 (%2, %3, %4) y la fila %5 (%6, %7, %8) del registro fueron intercambiadas</translation>
+    </message>
+    <message>
+        <source>audit row %1 (%2, %3, %4) was inserted, and those behind it were renumbered</source>
+        <translation>la fila %1 del registro (%2, %3, %4) fue insertada, y las siguientes se renumeraron</translation>
+    </message>
+    <message>
+        <source>audit rows %1 to %2 were inserted, and those behind them were renumbered</source>
+        <translation>las filas %1 a %2 del registro fueron insertadas, y las siguientes se renumeraron</translation>
+    </message>
+    <message>
+        <source>before audit row %1 (%2, %3, %4) a row was removed, and those behind were renumbered</source>
+        <translation>antes de la fila %1 del registro (%2, %3, %4) se eliminó una fila, y las siguientes se renumeraron</translation>
+    </message>
+    <message>
+        <source>before audit row %1 (%2, %3, %4) %5 rows were removed, and those behind were renumbered</source>
+        <translation>antes de la fila %1 del registro (%2, %3, %4) se eliminaron %5 filas, y las siguientes se renumeraron</translation>
+    </message>
+    <message>
+        <source>audit row %1 (%2, %3, %4) was moved: it was written as row %5</source>
+        <translation>la fila %1 del registro (%2, %3, %4) fue movida: se escribió como fila %5</translation>
+    </message>
+    <message>
+        <source>audit row %1 (%2, %3, %4) was changed, or the one before it was and its hash with it</source>
+        <translation>la fila %1 del registro (%2, %3, %4) fue alterada, o lo fue la anterior junto con su hash</translation>
+    </message>
+    <message>
+        <source>audit row %1 (%2, %3, %4) is not the one that a report names: it or one before it was changed</source>
+        <translation>la fila %1 del registro (%2, %3, %4) no es la que nombra un informe: ella o una anterior fue alterada</translation>
+    </message>
+    <message>
+        <source>the signed head of the audit was removed</source>
+        <translation>la cabecera firmada del registro fue eliminada</translation>
+    </message>
+    <message>
+        <source>the file is damaged: %1</source>
+        <translation>el archivo está dañado: %1</translation>
+    </message>
+    <message>
+        <source>row %1 of the table %2 belongs to no row of %3</source>
+        <translation>la fila %1 de la tabla %2 no corresponde a ninguna fila de %3</translation>
+    </message>
+    <message>
+        <source>%1 (%2, %3) was inserted: the audit knows nothing of it</source>
+        <translation>%1 (%2, %3): fue insertado; el registro no sabe nada de ello</translation>
+    </message>
+    <message>
+        <source>%1 (%2, %3) was changed after it had been kept</source>
+        <translation>%1 (%2, %3): fue alterado después de guardarse</translation>
+    </message>
+    <message>
+        <source>%1 was removed; row %2 of the audit tells of it</source>
+        <translation>%1: fue eliminado; la fila %2 del registro da cuenta de ello</translation>
+    </message>
+    <message>
+        <source>%1 was removed or changed; row %2 of the audit tells of it</source>
+        <translation>%1: fue eliminado o alterado; la fila %2 del registro da cuenta de ello</translation>
+    </message>
+    <message>
+        <source>%1 was inserted: the audit knows nothing of it</source>
+        <translation>%1: fue insertado; el registro no sabe nada de ello</translation>
+    </message>
+    <message>
+        <source>%1 was changed after it had been noted</source>
+        <translation>%1: fue alterado después de anotarse</translation>
+    </message>
+    <message>
+        <source>%1 has no score sheet</source>
+        <translation>%1: no tiene hoja de puntuación</translation>
+    </message>
+    <message>
+        <source>%1 has a standing in %2 that the attempts do not add up to</source>
+        <translation>%1 tiene en %2 un resultado que los intentos no justifican</translation>
+    </message>
+    <message>
+        <source>%1 has attempts in %2 and no standing</source>
+        <translation>%1 tiene intentos en %2, pero ningún resultado</translation>
+    </message>
+    <message>
+        <source>the recording %1 is not there any more; bring the folder &quot;recordings&quot; back from a backup</source>
+        <translation>la grabación %1 ya no está; recupere la carpeta «recordings» de una copia de seguridad</translation>
+    </message>
+    <message>
+        <source>the recording %1 was changed or is damaged; bring it back from a backup</source>
+        <translation>la grabación %1 fue alterada o está dañada; recupérela de una copia de seguridad</translation>
+    </message>
+    <message>
+        <source>the head of the audit was signed with the key %1, which is not this computer&apos;s; if the file was not written by Cusp on another computer, somebody has rewritten it</source>
+        <translation>la cabecera del registro se firmó con la clave %1, que no es la de este ordenador; si el archivo no lo escribió Cusp en otro ordenador, alguien lo ha reescrito</translation>
+    </message>
+    <message>
+        <source>an override of %1 was inserted: the audit knows nothing of it</source>
+        <translation>se insertó una puntuación cambiada (%1): el registro no sabe nada de ello</translation>
+    </message>
+    <message>
+        <source>an override of %1 was changed after it had been noted</source>
+        <translation>una puntuación cambiada (%1) fue alterada después de anotarse</translation>
+    </message>
+    <message>
+        <source>an override of %1 was removed</source>
+        <translation>se eliminó una puntuación cambiada (%1)</translation>
+    </message>
+    <message>
+        <source>a comment on %1 was inserted: the audit knows nothing of it</source>
+        <translation>se insertó un comentario (%1): el registro no sabe nada de ello</translation>
+    </message>
+    <message>
+        <source>a comment on %1 was changed after it had been noted</source>
+        <translation>un comentario (%1) fue alterado después de anotarse</translation>
+    </message>
+    <message>
+        <source>a comment on %1 was removed</source>
+        <translation>se eliminó un comentario (%1)</translation>
+    </message>
+    <message>
+        <source>%1 was removed</source>
+        <translation>%1: fue eliminado</translation>
+    </message>
+    <message>
+        <source>%1 is not what the audit says</source>
+        <translation>%1: no es lo que dice el registro</translation>
+    </message>
+    <message>
+        <source>%1 has another score than the audit says was given to it</source>
+        <translation>%1: tiene otra puntuación que la que, según el registro, se le dio</translation>
+    </message>
+    <message>
+        <source>%1 has the role %2, the audit says %3</source>
+        <translation>%1 tiene el rol «%2»; el registro dice «%3»</translation>
+    </message>
+    <message>
+        <source>%1 was disabled or enabled, and it was not noted</source>
+        <translation>%1: la cuenta fue desactivada o activada sin que se anotara</translation>
+    </message>
+    <message>
+        <source>%1 was given another name, and it was not noted</source>
+        <translation>%1: se le dio otro nombre sin que se anotara</translation>
+    </message>
+    <message>
+        <source>what %1 was given of the lesson %2 is not what the audit says</source>
+        <translation>lo que se asignó (%1, lección %2) no es lo que dice el registro</translation>
+    </message>
+    <message>
+        <source>that %1 was given the lesson %2 was removed</source>
+        <translation>se eliminó una asignación (%1, lección %2)</translation>
+    </message>
+    <message>
+        <source>%1 was renamed, and it was not noted</source>
+        <translation>%1: se le cambió el nombre sin que se anotara</translation>
+    </message>
+    <message>
+        <source>%1 was put into %2, and it was not noted</source>
+        <translation>%1 entró en el grupo (%2) sin que se anotara</translation>
+    </message>
+    <message>
+        <source>%1 was taken out of %2, and it was not noted</source>
+        <translation>%1 salió del grupo (%2) sin que se anotara</translation>
+    </message>
+    <message>
+        <source>%1 was taken from the person who made it</source>
+        <translation>%1: se le quitó a la persona que lo hizo</translation>
+    </message>
+    <message>
+        <source>of tables, indexes and triggers the names alone could be compared: this user of the server may not create a schema there; let the owner of the database check it</source>
+        <translation>de tablas, índices y disparadores solo se pudieron comparar los nombres: este usuario del servidor no puede crear allí un esquema; pida al propietario de la base de datos que la compruebe</translation>
+    </message>
+    <message>
+        <source>%1 is no longer there: what it guarded is not guarded any more</source>
+        <translation>%1 ya no está: lo que protegía ya no está protegido</translation>
+    </message>
+    <message>
+        <source>%1 is not as this program makes it</source>
+        <translation>%1 no es como lo crea este programa</translation>
+    </message>
+    <message>
+        <source>%1 is not from this program: it may change what is written</source>
+        <translation>%1 no es de este programa: puede alterar lo que se escribe</translation>
+    </message>
+</context>
+<context>
     <name>Handpiece</name>
     <message>
         <source>Turbine</source>

@@ -901,6 +901,225 @@
     </message>
 </context>
 <context>
+    <name>Finding</name>
+    <message>
+        <source>&quot;%1&quot; is no audit code; a report shows one such as 412-9f3ac07be1d2</source>
+        <translation>「%1」は監査コードではありません。レポートには 412-9f3ac07be1d2 のように表示されます</translation>
+    </message>
+    <message>
+        <source>audit row %1 (%2, %3, %4) tells that the rows before it did not end as they had been signed</source>
+        <translation>監査記録の %1 行（%2、%3、%4）は、その前の行が署名された状態で終わっていなかったことを示しています</translation>
+    </message>
+    <message>
+        <source>audit row %1 (%2, %3, %4) is not the one that was signed: it was changed</source>
+        <translation>監査記録の %1 行（%2、%3、%4）は署名された行ではありません。改変されています</translation>
+    </message>
+    <message>
+        <source>the signature of the newest row of the audit was not made by the station whose key stands beside it</source>
+        <translation>監査記録の最新の行の署名は、横に記されている鍵の端末によるものではありません</translation>
+    </message>
+    <message>
+        <source>audit row %1, which a report names, was removed</source>
+        <translation>レポートに記されている監査記録の %1 行が削除されています</translation>
+    </message>
+    <message>
+        <source>audit row %1 was removed</source>
+        <translation>監査記録の %1 行が削除されています</translation>
+    </message>
+    <message>
+        <source>audit rows %1 to %2 were removed</source>
+        <translation>監査記録の %1～%2 行が削除されています</translation>
+    </message>
+    <message>
+        <source>audit row %1 was inserted: no station has signed that</source>
+        <translation>監査記録の %1 行が挿入されています。どの端末も署名していません</translation>
+    </message>
+    <message>
+        <source>audit rows %1 to %2 were inserted: no station has signed that</source>
+        <translation>監査記録の %1～%2 行が挿入されています。どの端末も署名していません</translation>
+    </message>
+    <message>
+        <source>audit row %1 (%2, %3, %4) and row %5 (%6, %7, %8) were exchanged</source>
+        <translation>監査記録の %1 行（%2、%3、%4）と %5 行（%6、%7、%8）が入れ替えられています</translation>
+    </message>
+    <message>
+        <source>audit row %1 (%2, %3, %4) was inserted, and those behind it were renumbered</source>
+        <translation>監査記録の %1 行（%2、%3、%4）が挿入され、以降の行の番号が付け直されています</translation>
+    </message>
+    <message>
+        <source>audit rows %1 to %2 were inserted, and those behind them were renumbered</source>
+        <translation>監査記録の %1～%2 行が挿入され、以降の行の番号が付け直されています</translation>
+    </message>
+    <message>
+        <source>before audit row %1 (%2, %3, %4) a row was removed, and those behind were renumbered</source>
+        <translation>監査記録の %1 行（%2、%3、%4）の前で 1 行が削除され、以降の行の番号が付け直されています</translation>
+    </message>
+    <message>
+        <source>before audit row %1 (%2, %3, %4) %5 rows were removed, and those behind were renumbered</source>
+        <translation>監査記録の %1 行（%2、%3、%4）の前で %5 行が削除され、以降の行の番号が付け直されています</translation>
+    </message>
+    <message>
+        <source>audit row %1 (%2, %3, %4) was moved: it was written as row %5</source>
+        <translation>監査記録の %1 行（%2、%3、%4）が移動されています。元は %5 行として書かれました</translation>
+    </message>
+    <message>
+        <source>audit row %1 (%2, %3, %4) was changed, or the one before it was and its hash with it</source>
+        <translation>監査記録の %1 行（%2、%3、%4）、またはその前の行がハッシュとともに改変されています</translation>
+    </message>
+    <message>
+        <source>audit row %1 (%2, %3, %4) is not the one that a report names: it or one before it was changed</source>
+        <translation>監査記録の %1 行（%2、%3、%4）はレポートに記されている行ではありません。この行またはそれより前の行が改変されています</translation>
+    </message>
+    <message>
+        <source>the signed head of the audit was removed</source>
+        <translation>監査記録の署名された先頭が削除されています</translation>
+    </message>
+    <message>
+        <source>the file is damaged: %1</source>
+        <translation>ファイルが破損しています：%1</translation>
+    </message>
+    <message>
+        <source>row %1 of the table %2 belongs to no row of %3</source>
+        <translation>表 %2 の %1 行に対応する %3 の行がありません</translation>
+    </message>
+    <message>
+        <source>%1 (%2, %3) was inserted: the audit knows nothing of it</source>
+        <translation>%1（%2、%3）が挿入されています。監査記録に記載がありません</translation>
+    </message>
+    <message>
+        <source>%1 (%2, %3) was changed after it had been kept</source>
+        <translation>%1（%2、%3）が保存後に改変されています</translation>
+    </message>
+    <message>
+        <source>%1 was removed; row %2 of the audit tells of it</source>
+        <translation>%1 が削除されています。監査記録の %2 行に記載があります</translation>
+    </message>
+    <message>
+        <source>%1 was removed or changed; row %2 of the audit tells of it</source>
+        <translation>%1 が削除または改変されています。監査記録の %2 行に記載があります</translation>
+    </message>
+    <message>
+        <source>%1 was inserted: the audit knows nothing of it</source>
+        <translation>%1 が挿入されています。監査記録に記載がありません</translation>
+    </message>
+    <message>
+        <source>%1 was changed after it had been noted</source>
+        <translation>%1 が記録後に改変されています</translation>
+    </message>
+    <message>
+        <source>%1 has no score sheet</source>
+        <translation>%1 に採点表がありません</translation>
+    </message>
+    <message>
+        <source>%1 has a standing in %2 that the attempts do not add up to</source>
+        <translation>%1 の %2 の成績が試行の結果と一致しません</translation>
+    </message>
+    <message>
+        <source>%1 has attempts in %2 and no standing</source>
+        <translation>%1 には %2 の試行がありますが、成績がありません</translation>
+    </message>
+    <message>
+        <source>the recording %1 is not there any more; bring the folder &quot;recordings&quot; back from a backup</source>
+        <translation>記録 %1 が見つかりません。バックアップからフォルダー「recordings」を復元してください</translation>
+    </message>
+    <message>
+        <source>the recording %1 was changed or is damaged; bring it back from a backup</source>
+        <translation>記録 %1 が改変または破損しています。バックアップから復元してください</translation>
+    </message>
+    <message>
+        <source>the head of the audit was signed with the key %1, which is not this computer&apos;s; if the file was not written by Cusp on another computer, somebody has rewritten it</source>
+        <translation>監査記録の先頭は鍵 %1 で署名されていますが、これはこのコンピューターの鍵ではありません。別のコンピューターの Cusp が書いたファイルでなければ、誰かが書き換えています</translation>
+    </message>
+    <message>
+        <source>an override of %1 was inserted: the audit knows nothing of it</source>
+        <translation>%1 の点数の変更が挿入されています。監査記録に記載がありません</translation>
+    </message>
+    <message>
+        <source>an override of %1 was changed after it had been noted</source>
+        <translation>%1 の点数の変更が記録後に改変されています</translation>
+    </message>
+    <message>
+        <source>an override of %1 was removed</source>
+        <translation>%1 の点数の変更が削除されています</translation>
+    </message>
+    <message>
+        <source>a comment on %1 was inserted: the audit knows nothing of it</source>
+        <translation>%1 へのコメントが挿入されています。監査記録に記載がありません</translation>
+    </message>
+    <message>
+        <source>a comment on %1 was changed after it had been noted</source>
+        <translation>%1 へのコメントが記録後に改変されています</translation>
+    </message>
+    <message>
+        <source>a comment on %1 was removed</source>
+        <translation>%1 へのコメントが削除されています</translation>
+    </message>
+    <message>
+        <source>%1 was removed</source>
+        <translation>%1 が削除されています</translation>
+    </message>
+    <message>
+        <source>%1 is not what the audit says</source>
+        <translation>%1 が監査記録と一致しません</translation>
+    </message>
+    <message>
+        <source>%1 has another score than the audit says was given to it</source>
+        <translation>%1 の点数が、監査記録にある与えられた点数と異なります</translation>
+    </message>
+    <message>
+        <source>%1 has the role %2, the audit says %3</source>
+        <translation>%1 の役割は「%2」ですが、監査記録では「%3」です</translation>
+    </message>
+    <message>
+        <source>%1 was disabled or enabled, and it was not noted</source>
+        <translation>%1 が記録なしに無効または有効にされています</translation>
+    </message>
+    <message>
+        <source>%1 was given another name, and it was not noted</source>
+        <translation>%1 の名前が記録なしに変更されています</translation>
+    </message>
+    <message>
+        <source>what %1 was given of the lesson %2 is not what the audit says</source>
+        <translation>%1 に出されたレッスン %2 の課題が監査記録と一致しません</translation>
+    </message>
+    <message>
+        <source>that %1 was given the lesson %2 was removed</source>
+        <translation>%1 に出されたレッスン %2 の課題が削除されています</translation>
+    </message>
+    <message>
+        <source>%1 was renamed, and it was not noted</source>
+        <translation>%1 の名称が記録なしに変更されています</translation>
+    </message>
+    <message>
+        <source>%1 was put into %2, and it was not noted</source>
+        <translation>%1 が記録なしに %2 に加えられています</translation>
+    </message>
+    <message>
+        <source>%1 was taken out of %2, and it was not noted</source>
+        <translation>%1 が記録なしに %2 から外されています</translation>
+    </message>
+    <message>
+        <source>%1 was taken from the person who made it</source>
+        <translation>%1 が、行った本人から切り離されています</translation>
+    </message>
+    <message>
+        <source>of tables, indexes and triggers the names alone could be compared: this user of the server may not create a schema there; let the owner of the database check it</source>
+        <translation>表、インデックス、トリガーは名前しか比較できませんでした。このサーバー利用者にはスキーマを作成する権限がありません。データベースの所有者に検査を依頼してください</translation>
+    </message>
+    <message>
+        <source>%1 is no longer there: what it guarded is not guarded any more</source>
+        <translation>%1 がなくなっています。保護されていたものは保護されていません</translation>
+    </message>
+    <message>
+        <source>%1 is not as this program makes it</source>
+        <translation>%1 は、このプログラムが作成したものと異なります</translation>
+    </message>
+    <message>
+        <source>%1 is not from this program: it may change what is written</source>
+        <translation>%1 は、このプログラムのものではありません。書き込まれる内容を変える可能性があります</translation>
+    </message>
+</context>
+<context>
     <name>Handpiece</name>
     <message>
         <source>Turbine</source>

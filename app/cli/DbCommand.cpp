@@ -141,9 +141,9 @@ int checkWhole(const QCommandLineParser& parser, const Address& address)
         return failedWithBackups(report.error(), address);
     QJsonArray findings;
     QString text;
-    for (const std::string& finding : report->findings) {
-        findings += QString::fromStdString(finding);
-        text += printable(QString::fromStdString(finding)) + '\n';
+    for (const database::Finding& finding : report->findings) {
+        findings += finding.english();
+        text += printable(finding.english()) + '\n';
     }
     const bool isSound = report->findings.empty();
     const QJsonObject object{{"database", address.shown()},

@@ -57,7 +57,9 @@ public:
         for (const std::string& witness : witnesses) {
             const auto found = matchCode(witness);
             if (!found.hasMatch())
-                say('"' + witness + "\" is no audit code; a report shows one such as 412-9f3ac07be1d2");
+                say(QT_TRANSLATE_NOOP("Finding",
+                                      "\"%1\" is no audit code; a report shows one such as 412-9f3ac07be1d2"),
+                    {witness});
             else
                 m_witnesses.push_back({found.captured(1).toLongLong(), found.captured(2).toStdString()});
         }
@@ -68,7 +70,10 @@ public:
         const std::string before = m_last.hash;
         witness(row);
         if (row.action == kBroken)
-            say(named(row) + " tells that the rows before it did not end as they had been signed");
+            say(QT_TRANSLATE_NOOP(
+                    "Finding",
+                    "audit row %1 (%2, %3, %4) tells that the rows before it did not end as they had been signed"),
+                named(row));
         if (row.seq != m_last.seq + 1)
             tellMissing(m_last.seq + 1, row.seq - 1);  // what stood before this row is not known
         else if (!isAs(row, row.seq + m_shift, before) && !explain(row))
@@ -82,24 +87,26 @@ public:
             m_last.hash = std::exchange(m_continueWith, {});
     }
 
-    [[nodiscard]] std::vector<std::string> conclude(const QSqlQuery& seal)
+    [[nodiscard]] std::vector<Finding> conclude(const QSqlQuery& seal)
     {
         settle();
         const AuditHead head{seal.value(0).toLongLong(), textOf(seal, 1)};
         if (head.seq > m_last.seq)
             tellMissing(m_last.seq + 1, head.seq);
         else if (head.seq < m_last.seq)
-            say((head.seq + 1 == m_last.seq
-                     ? "row " + std::to_string(m_last.seq) + " was"
-                     : "rows " + std::to_string(head.seq + 1) + " to " + std::to_string(m_last.seq) + " were") +
-                " inserted: no station has signed that");
+            tellUnsigned(head.seq + 1, m_last.seq);
         else if (head.hash != m_last.hash)
-            say(named(m_last) + " is not the one that was signed: it was changed");
+            say(QT_TRANSLATE_NOOP("Finding",
+                                  "audit row %1 (%2, %3, %4) is not the one that was signed: it was changed"),
+                named(m_last));
         if (head.seq > 0 && !StationKey::isSigned(wordsOf(head), textOf(seal, 2), textOf(seal, 3)))
-            say("the signature of the newest row was not made by the station whose key stands beside it");
+            say(QT_TRANSLATE_NOOP(
+                "Finding",
+                "the signature of the newest row of the audit was not made by the station whose key stands beside it"));
         for (const Witness& witness : m_witnesses)
             if (witness.seq > m_last.seq)
-                say("row " + std::to_string(witness.seq) + ", which a report names, was removed");
+                say(QT_TRANSLATE_NOOP("Finding", "audit row %1, which a report names, was removed"),
+                    {std::to_string(witness.seq)});
         return std::move(m_findings);
     }
 
@@ -110,19 +117,36 @@ private:
         std::string hash;
     };
 
-    static std::string named(const AuditRow& row)
+    static std::vector<std::string> named(const AuditRow& row)
     {
-        return "row " + std::to_string(row.seq) + " (" + row.atUtc + ", " + row.action + ", " + row.object + ")";
+        return {std::to_string(row.seq), row.atUtc, row.action, row.object};
     }
-    void say(const std::string& sentence)
+    static std::vector<std::string> with(std::vector<std::string> values, const std::vector<std::string>& others)
+    {
+        values.insert(values.end(), others.begin(), others.end());
+        return values;
+    }
+    void say(const char* words, const std::vector<std::string>& values = {})
     {
         if (m_findings.size() < kMostFindings)
-            m_findings.push_back(sentence);
+            m_findings.push_back({words, values});
     }
     void tellMissing(std::int64_t first, std::int64_t last)
     {
-        say(first >= last ? "row " + std::to_string(first) + " was removed"
-                          : "rows " + std::to_string(first) + " to " + std::to_string(last) + " were removed");
+        if (first >= last)
+            say(QT_TRANSLATE_NOOP("Finding", "audit row %1 was removed"), {std::to_string(first)});
+        else
+            say(QT_TRANSLATE_NOOP("Finding", "audit rows %1 to %2 were removed"),
+                {std::to_string(first), std::to_string(last)});
+    }
+    void tellUnsigned(std::int64_t first, std::int64_t last)
+    {
+        if (first == last)
+            say(QT_TRANSLATE_NOOP("Finding", "audit row %1 was inserted: no station has signed that"),
+                {std::to_string(first)});
+        else
+            say(QT_TRANSLATE_NOOP("Finding", "audit rows %1 to %2 were inserted: no station has signed that"),
+                {std::to_string(first), std::to_string(last)});
     }
     [[nodiscard]] static bool isAs(const AuditRow& row, std::int64_t seq, const std::string& hashBefore)
     {
@@ -139,10 +163,13 @@ private:
                                             [&](const Suspect& s) { return s.row.seq == m_last.seq; }),
                              m_suspects.end());
             if (isAs(m_last, seq, row.hash)) {
-                say(named(m_last) + " and " + named(row) + " were exchanged");
+                say(QT_TRANSLATE_NOOP("Finding", "audit row %1 (%2, %3, %4) and row %5 (%6, %7, %8) were exchanged"),
+                    with(named(m_last), named(row)));
                 m_continueWith = m_last.hash;
             } else {
-                say(named(m_last) + " was inserted, and those behind it were renumbered");
+                say(QT_TRANSLATE_NOOP("Finding",
+                                      "audit row %1 (%2, %3, %4) was inserted, and those behind it were renumbered"),
+                    named(m_last));
                 --m_shift;
             }
             return true;
@@ -157,8 +184,9 @@ private:
             m_suspects.erase(std::remove_if(m_suspects.begin(), m_suspects.end(),
                                             [&](const Suspect& s) { return s.row.seq >= run->first; }),
                              m_suspects.end());
-            say("rows " + std::to_string(run->first) + " to " + std::to_string(run->first + run->count - 1) +
-                " were inserted, and those behind them were renumbered");
+            say(QT_TRANSLATE_NOOP("Finding",
+                                  "audit rows %1 to %2 were inserted, and those behind them were renumbered"),
+                {std::to_string(run->first), std::to_string(run->first + run->count - 1)});
             m_shift -= run->count;
             return true;
         }
@@ -177,8 +205,16 @@ private:
                 continue;
             if (!m_suspects.empty() && m_suspects.back().row.seq == m_last.seq)
                 m_suspects.pop_back();
-            say((count == 1 ? std::string("a row") : std::to_string(count) + " rows") + " before " + named(m_last) +
-                (count == 1 ? " was" : " were") + " removed, and those behind were renumbered");
+            if (count == 1)
+                say(QT_TRANSLATE_NOOP(
+                        "Finding",
+                        "before audit row %1 (%2, %3, %4) a row was removed, and those behind were renumbered"),
+                    named(m_last));
+            else
+                say(QT_TRANSLATE_NOOP(
+                        "Finding",
+                        "before audit row %1 (%2, %3, %4) %5 rows were removed, and those behind were renumbered"),
+                    with(named(m_last), {std::to_string(count)}));
             m_shift += count;
             return true;
         }
@@ -199,16 +235,22 @@ private:
             const auto leads = [&](const Suspect& other) { return isAs(suspect.row, suspect.row.seq, other.row.hash); };
             const auto place = std::find_if(m_suspects.begin(), m_suspects.end(), fits);
             if (place != m_suspects.end())
-                say(named(suspect.row) + " was moved: it was written as row " + std::to_string(place->row.seq));
+                say(QT_TRANSLATE_NOOP("Finding", "audit row %1 (%2, %3, %4) was moved: it was written as row %5"),
+                    with(named(suspect.row), {std::to_string(place->row.seq)}));
             else if (std::none_of(m_suspects.begin(), m_suspects.end(), leads))
-                say(named(suspect.row) + " was changed, or the one before it was and its hash with it");
+                say(QT_TRANSLATE_NOOP(
+                        "Finding",
+                        "audit row %1 (%2, %3, %4) was changed, or the one before it was and its hash with it"),
+                    named(suspect.row));
         }
     }
     void witness(const AuditRow& row)
     {
         for (const Witness& witness : m_witnesses)
             if (witness.seq == row.seq && (row.hash.rfind(witness.hash, 0) != 0))
-                say(named(row) + " is not the one that a report names: it or one before it was changed");
+                say(QT_TRANSLATE_NOOP("Finding", "audit row %1 (%2, %3, %4) is not the one that a report names: it or "
+                                                 "one before it was changed"),
+                    named(row));
     }
 
     struct Recent
@@ -229,7 +271,7 @@ private:
     };
 
     std::vector<Witness> m_witnesses;
-    std::vector<std::string> m_findings;
+    std::vector<Finding> m_findings;
     AuditRow m_last;
     std::string m_beforeLast;  ///< hash of the row before m_last
     std::deque<Recent> m_recent;
@@ -371,8 +413,8 @@ core::Result<std::vector<AuditRow>> readAudit(const School& school, const Sessio
     return rows;
 }
 
-core::Result<std::vector<std::string>> checkAudit(const QSqlDatabase& db, const std::vector<std::string>& witnesses,
-                                                  const std::function<bool(std::int64_t)>& progress)
+core::Result<std::vector<Finding>> checkAudit(const QSqlDatabase& db, const std::vector<std::string>& witnesses,
+                                              const std::function<bool(std::int64_t)>& progress)
 {
     ChainReader reader(witnesses);
     bool goesOn = true;
@@ -388,12 +430,12 @@ core::Result<std::vector<std::string>> checkAudit(const QSqlDatabase& db, const 
         !read)
         return tl::unexpected(read.error());
     if (!goesOn)
-        return std::vector<std::string>{};
+        return std::vector<Finding>{};
     auto seal = run(db, "SELECT seq, hash, signature, station_key FROM audit_seal WHERE id = 1", "read the audit");
     if (!seal)
         return tl::unexpected(seal.error());
     if (!seal->next())
-        return std::vector<std::string>{"the signed head of the audit was removed"};
+        return std::vector<Finding>{{QT_TRANSLATE_NOOP("Finding", "the signed head of the audit was removed"), {}}};
     return reader.conclude(*seal);
 }
 

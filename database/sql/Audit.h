@@ -11,6 +11,7 @@
 #include <QSqlQuery>
 
 #include "core/base/Result.h"
+#include "database/Finding.h"
 #include "database/records.h"
 #include "database/sql/School.h"
 #include "database/sql/Statement.h"
@@ -84,11 +85,11 @@ struct AuditHead
 [[nodiscard]] core::Result<std::vector<AuditRow>> readAudit(const School& school, const Session& session, int limit,
                                                             std::int64_t beforeSeq = 0);
 
-/// What is wrong with the chain, one sentence for each row that was changed, removed, inserted or moved; at most
+/// What is wrong with the chain, a finding for each row that was changed, removed, inserted or moved; at most
 /// `kMostFindings`. Empty: nothing, or `progress` returned false.
 inline constexpr std::size_t kMostFindings = 100;
-[[nodiscard]] core::Result<std::vector<std::string>> checkAudit(const QSqlDatabase& db,
-                                                                const std::vector<std::string>& witnesses,
-                                                                const std::function<bool(std::int64_t)>& progress = {});
+[[nodiscard]] core::Result<std::vector<Finding>> checkAudit(const QSqlDatabase& db,
+                                                            const std::vector<std::string>& witnesses,
+                                                            const std::function<bool(std::int64_t)>& progress = {});
 
 }  // namespace database::sql

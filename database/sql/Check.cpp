@@ -19,11 +19,12 @@ namespace {
 using Progress = std::function<bool(const char* what, std::int64_t rows)>;
 
 const std::string kDoing = "check it";
+constexpr std::size_t kShownDigits = 12;  ///< of a hash
 
-void say(CheckReport& report, const std::string& sentence)
+void say(CheckReport& report, const Finding& finding)
 {
     if (report.findings.size() < report.mostFindings)
-        report.findings.push_back(sentence);
+        report.findings.push_back(finding);
 }
 
 core::Status checkPages(const QSqlDatabase& db, CheckReport& report)
@@ -33,13 +34,14 @@ core::Status checkPages(const QSqlDatabase& db, CheckReport& report)
     if (auto read = forEach(db, "PRAGMA integrity_check", kDoing, {},
                             [&](const QSqlQuery& row) {
                                 if (row.value(0).toString() != u"ok")
-                                    say(report,
-                                        "the file is damaged: " + row.value(0).toString().simplified().toStdString());
+                                    say(report, {QT_TRANSLATE_NOOP("Finding", "the file is damaged: %1"),
+                                                 {row.value(0).toString().simplified().toStdString()}});
                             });
         !read)
         return read;
     return forEach(db, "PRAGMA foreign_key_check", kDoing, {}, [&](const QSqlQuery& row) {
-        say(report, "row " + textOf(row, 1) + " of " + textOf(row, 0) + " belongs to no row of " + textOf(row, 2));
+        say(report, {QT_TRANSLATE_NOOP("Finding", "row %1 of the table %2 belongs to no row of %3"),
+                     {textOf(row, 1), textOf(row, 0), textOf(row, 2)}});
     });
 }
 
@@ -50,48 +52,51 @@ core::Status checkAttempts(const QSqlDatabase& db, CheckReport& report, const Pr
     if (!early)
         return tl::unexpected(early.error());
     report.attempts = early->toLongLong();
-    if (auto read = forEachAttempt(db,
-                                   [&](const AttemptRecord& attempt, const std::string& noted) {
-                                       if (report.isStopped)
-                                           return;
-                                       const std::string named = "attempt " + attempt.uid + " (" + attempt.finishedUtc +
-                                                                 ", " + attempt.lessonId + ")";
-                                       const std::string digest =
-                                           QJsonDocument::fromJson(QByteArray::fromStdString(noted))
+    if (auto read = forEachAttempt(
+            db,
+            [&](const AttemptRecord& attempt, const std::string& noted) {
+                if (report.isStopped)
+                    return;
+                const std::vector<std::string> named{"attempt:" + attempt.uid, attempt.finishedUtc, attempt.lessonId};
+                const std::string digest = QJsonDocument::fromJson(QByteArray::fromStdString(noted))
                                                .object()
                                                .value(QStringLiteral("digest"))
                                                .toString()
                                                .toStdString();
-                                       if (noted.empty())
-                                           say(report, named + " was inserted: the audit knows nothing of it");
-                                       else if (digest != digestOfAttempt(attempt))
-                                           say(report, named + " was changed after it had been kept");
-                                       if (++report.attempts % 1000 == 0 && progress)
-                                           report.isStopped = !progress("attempts", report.attempts);
-                                   });
+                if (noted.empty())
+                    say(report,
+                        {QT_TRANSLATE_NOOP("Finding", "%1 (%2, %3) was inserted: the audit knows nothing of it"),
+                         named});
+                else if (digest != digestOfAttempt(attempt))
+                    say(report,
+                        {QT_TRANSLATE_NOOP("Finding", "%1 (%2, %3) was changed after it had been kept"), named});
+                if (++report.attempts % 1000 == 0 && progress)
+                    report.isStopped = !progress("attempts", report.attempts);
+            });
         !read)
         return read;
     return forEach(db,
                    "SELECT u.object, u.seq FROM audit u WHERE u.action = 'attempt.add' AND NOT EXISTS (SELECT 1 FROM "
                    "attempts a WHERE a.uid = substr(u.object, 9))",
                    kDoing, {}, [&](const QSqlQuery& row) {
-                       say(report,
-                           textOf(row, 0) + " was removed; row " + textOf(row, 1) + " of the audit tells of it");
+                       say(report, {QT_TRANSLATE_NOOP("Finding", "%1 was removed; row %2 of the audit tells of it"),
+                                    {textOf(row, 0), textOf(row, 1)}});
                    });
 }
 
 /// Both ways: a start that was taken away would give back an attempt.
 core::Status checkExamStarts(const QSqlDatabase& db, CheckReport& report)
 {
-    if (auto read = forEach(db,
-                            "SELECT u.object, u.seq FROM audit u WHERE u.action = 'exam.begin' AND NOT EXISTS (SELECT "
-                            "1 FROM exam_starts s JOIN people p ON p.id = s.person_id WHERE s.uid = substr(u.object, "
-                            "6) AND p.uid = u.actor)",
-                            kDoing, {},
-                            [&](const QSqlQuery& row) {
-                                say(report, textOf(row, 0) + " was removed or changed; row " + textOf(row, 1) +
-                                                " of the audit tells of it");
-                            });
+    if (auto read = forEach(
+            db,
+            "SELECT u.object, u.seq FROM audit u WHERE u.action = 'exam.begin' AND NOT EXISTS (SELECT "
+            "1 FROM exam_starts s JOIN people p ON p.id = s.person_id WHERE s.uid = substr(u.object, "
+            "6) AND p.uid = u.actor)",
+            kDoing, {},
+            [&](const QSqlQuery& row) {
+                say(report, {QT_TRANSLATE_NOOP("Finding", "%1 was removed or changed; row %2 of the audit tells of it"),
+                             {textOf(row, 0), textOf(row, 1)}});
+            });
         !read)
         return read;
     return forEach(db,
@@ -100,10 +105,12 @@ core::Status checkExamStarts(const QSqlDatabase& db, CheckReport& report)
                    kDoing, {}, [&](const QSqlQuery& row) {
                        const QJsonObject noted = QJsonDocument::fromJson(row.value(3).toByteArray()).object();
                        if (noted.isEmpty())
-                           say(report, "exam:" + textOf(row, 0) + " was inserted: the audit knows nothing of it");
+                           say(report, {QT_TRANSLATE_NOOP("Finding", "%1 was inserted: the audit knows nothing of it"),
+                                        {"exam:" + textOf(row, 0)}});
                        else if (noted.value(QStringLiteral("lesson")).toString() != row.value(1).toString() ||
                                 noted.value(QStringLiteral("begun")).toString() != row.value(2).toString())
-                           say(report, "exam:" + textOf(row, 0) + " was changed after it had been noted");
+                           say(report, {QT_TRANSLATE_NOOP("Finding", "%1 was changed after it had been noted"),
+                                        {"exam:" + textOf(row, 0)}});
                    });
 }
 
@@ -112,25 +119,27 @@ core::Status checkSums(const QSqlDatabase& db, CheckReport& report)
     struct Look
     {
         const char* sql;
-        const char* what;
+        const char* words;
     };
     for (const Look& look :
-         {Look{
-              "SELECT a.uid FROM attempts a LEFT JOIN score_sheets s ON s.attempt_id = a.id WHERE s.attempt_id IS NULL",
-              "has no score sheet"},
-          Look{"SELECT s.person_id || ' in ' || s.lesson_id FROM standings s LEFT JOIN (SELECT person_id, lesson_id, "
-               "COUNT(*) n, MAX(COALESCE(given_tenths, score_tenths)) best, MAX(CASE WHEN given_tenths IS NULL THEN "
-               "passed WHEN given_tenths >= pass_mark_tenths THEN 1 ELSE 0 END) passed FROM attempts GROUP BY "
-               "person_id, "
-               "lesson_id) "
-               "a ON a.person_id = s.person_id AND a.lesson_id = s.lesson_id WHERE a.n IS NULL OR a.n <> s.attempts OR "
-               "a.best <> s.best_tenths OR a.passed <> s.passed",
-               "has a standing that its attempts do not add up to"},
-          Look{"SELECT DISTINCT a.person_id || ' in ' || a.lesson_id FROM attempts a WHERE a.person_id IS NOT NULL AND "
-               "NOT EXISTS (SELECT 1 FROM standings s WHERE s.person_id = a.person_id AND s.lesson_id = a.lesson_id)",
-               "has attempts and no standing"}})
+         {Look{"SELECT 'attempt:' || a.uid FROM attempts a LEFT JOIN score_sheets s ON s.attempt_id = a.id WHERE "
+               "s.attempt_id IS NULL",
+               QT_TRANSLATE_NOOP("Finding", "%1 has no score sheet")},
+          Look{
+              "SELECT 'person:' || p.uid, s.lesson_id FROM standings s JOIN people p ON p.id = s.person_id LEFT JOIN "
+              "(SELECT person_id, lesson_id, COUNT(*) n, MAX(COALESCE(given_tenths, score_tenths)) best, MAX(CASE WHEN "
+              "given_tenths IS NULL THEN passed WHEN given_tenths >= pass_mark_tenths THEN 1 ELSE 0 END) passed FROM "
+              "attempts GROUP BY person_id, lesson_id) a ON a.person_id = s.person_id AND a.lesson_id = s.lesson_id "
+              "WHERE a.n IS NULL OR a.n <> s.attempts OR a.best <> s.best_tenths OR a.passed <> s.passed",
+              QT_TRANSLATE_NOOP("Finding", "%1 has a standing in %2 that the attempts do not add up to")},
+          Look{"SELECT DISTINCT 'person:' || p.uid, a.lesson_id FROM attempts a JOIN people p ON p.id = a.person_id "
+               "WHERE NOT EXISTS (SELECT 1 FROM standings s WHERE s.person_id = a.person_id AND s.lesson_id = "
+               "a.lesson_id)",
+               QT_TRANSLATE_NOOP("Finding", "%1 has attempts in %2 and no standing")}})
         if (auto read = forEach(db, QLatin1String(look.sql), kDoing, {},
-                                [&](const QSqlQuery& row) { say(report, textOf(row, 0) + ' ' + look.what); });
+                                [&](const QSqlQuery& row) {
+                                    say(report, {look.words, {textOf(row, 0), textOf(row, 1)}});
+                                });
             !read)
             return read;
     return {};
@@ -147,8 +156,16 @@ core::Status checkRecordings(const QSqlDatabase& db, CheckReport& report, const 
         if (!bytes && bytes.error().code != core::ErrorCode::FileMissing &&
             bytes.error().code != core::ErrorCode::BadStructure)
             return tl::unexpected(bytes.error());
-        if (!bytes)
-            say(report, bytes.error().detail);
+        if (!bytes && bytes.error().code == core::ErrorCode::FileMissing)
+            say(report,
+                {QT_TRANSLATE_NOOP(
+                     "Finding",
+                     "the recording %1 is not there any more; bring the folder \"recordings\" back from a backup"),
+                 {hash.substr(0, kShownDigits)}});
+        else if (!bytes)
+            say(report, {QT_TRANSLATE_NOOP("Finding",
+                                           "the recording %1 was changed or is damaged; bring it back from a backup"),
+                         {hash.substr(0, kShownDigits)}});
         if (++looked % 100 == 0 && progress && !progress("recordings", looked)) {
             report.isStopped = true;
             return {};
@@ -165,9 +182,10 @@ core::Status checkSigner(const QSqlDatabase& db, const std::string& stationKey, 
         return tl::unexpected(signer.error());
     const std::string key = signer->toString().toStdString();
     if (!stationKey.empty() && !key.empty() && key != stationKey)
-        say(report, "the head of the audit was signed with the key " + key.substr(0, 16) +
-                        ", which is not this computer's; if the file was not written by Cusp on another computer, "
-                        "somebody has rewritten it");
+        say(report, {QT_TRANSLATE_NOOP("Finding", "the head of the audit was signed with the key %1, which is not this "
+                                                  "computer's; if the file was not written by Cusp on another "
+                                                  "computer, somebody has rewritten it"),
+                     {key.substr(0, kShownDigits)}});
     return {};
 }
 
@@ -187,9 +205,9 @@ core::Result<CheckReport> checkDatabase(const QSqlDatabase& db, const std::vecto
     });
     if (!chain)
         return tl::unexpected(chain.error());
-    for (const std::string& finding : *chain)
-        say(report, "audit: " + finding);
-    const auto tell = [&report](const std::string& sentence) { say(report, sentence); };
+    for (const Finding& finding : *chain)
+        say(report, finding);
+    const auto tell = [&report](const Finding& finding) { say(report, finding); };
     const std::array<std::function<core::Status()>, 7> looks{
         [&] { return checkSchema(db, tell); },
         [&] { return checkAttempts(db, report, progress); },

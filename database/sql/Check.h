@@ -9,6 +9,7 @@
 #include <QSqlDatabase>
 
 #include "core/base/Result.h"
+#include "database/Finding.h"
 #include "database/sql/Audit.h"
 
 namespace database::sql {
@@ -16,7 +17,7 @@ namespace database::sql {
 /// What a thorough look at a database finds.
 struct CheckReport
 {
-    std::vector<std::string> findings;  ///< one sentence each; empty: it is sound
+    std::vector<Finding> findings;  ///< empty: it is sound
     std::int64_t attempts = 0;
     std::int64_t auditRows = 0;
     std::string auditCode;                     ///< of the newest row, as reports show it

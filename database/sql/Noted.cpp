@@ -20,7 +20,7 @@
 namespace database::sql {
 namespace {
 
-using Say = std::function<void(const std::string&)>;
+using Say = std::function<void(const Finding&)>;
 
 const std::string kDoing = "check it";
 constexpr int kMachines = -1;  ///< no score of a teacher
@@ -122,8 +122,27 @@ QVariantList valuesOf(const QSqlQuery& row, int first)
     return values;
 }
 
-core::Status compareOpinions(const QSqlDatabase& db, const char* sql, const Opinions& expected, const std::string& what,
-                             const Say& say)
+/// What is said of an opinion.
+struct OpinionWords
+{
+    const char* inserted;
+    const char* changed;
+    const char* removed;
+};
+constexpr OpinionWords kOverride{
+    QT_TRANSLATE_NOOP("Finding", "an override of %1 was inserted: the audit knows nothing of it"),
+    QT_TRANSLATE_NOOP("Finding", "an override of %1 was changed after it had been noted"),
+    QT_TRANSLATE_NOOP("Finding", "an override of %1 was removed")};
+constexpr OpinionWords kComment{
+    QT_TRANSLATE_NOOP("Finding", "a comment on %1 was inserted: the audit knows nothing of it"),
+    QT_TRANSLATE_NOOP("Finding", "a comment on %1 was changed after it had been noted"),
+    QT_TRANSLATE_NOOP("Finding", "a comment on %1 was removed")};
+constexpr const char* kInserted = QT_TRANSLATE_NOOP("Finding", "%1 was inserted: the audit knows nothing of it");
+constexpr const char* kRemoved = QT_TRANSLATE_NOOP("Finding", "%1 was removed");
+constexpr const char* kOtherwise = QT_TRANSLATE_NOOP("Finding", "%1 is not what the audit says");
+
+core::Status compareOpinions(const QSqlDatabase& db, const char* sql, const Opinions& expected,
+                             const OpinionWords& words, const Say& say)
 {
     std::map<std::string, std::size_t> seen;
     if (auto read = forEach(
@@ -136,17 +155,17 @@ core::Status compareOpinions(const QSqlDatabase& db, const char* sql, const Opin
                     found != expected.end() && n < found->second.size() ? &found->second[n] : nullptr;
                 const int tenths = row.isNull(2) ? kMachines : row.value(2).toInt();
                 if (noted == nullptr)
-                    say(what + " of attempt " + attempt + " was inserted: the audit knows nothing of it");
+                    say({words.inserted, {"attempt:" + attempt}});
                 else if (noted->author != textOf(row, 1) || noted->tenths.value_or(kMachines) != tenths ||
                          (!noted->digest.empty() && noted->digest != digestOf(textOf(row, 3))) ||
                          (!noted->digestOfAll.empty() && noted->digestOfAll != digestOfComment(valuesOf(row, 3))))
-                    say(what + " of attempt " + attempt + " was changed after it had been noted");
+                    say({words.changed, {"attempt:" + attempt}});
             });
         !read)
         return read;
     for (const auto& [attempt, opinions] : expected)
         if (opinions.size() > seen[attempt])
-            say(std::string(what).append(" of attempt ").append(attempt).append(" was removed"));
+            say({words.removed, {"attempt:" + attempt}});
     return {};
 }
 
@@ -159,7 +178,8 @@ core::Status compareScores(const QSqlDatabase& db, const Opinions& overrides, co
         !read)
         return read;
     const auto differs = [&](const std::string& attempt) {
-        say("attempt " + attempt + " has another score than the audit says was given to it");
+        say({QT_TRANSLATE_NOOP("Finding", "%1 has another score than the audit says was given to it"),
+             {"attempt:" + attempt}});
     };
     for (const auto& [attempt, tenths] : given)
         if (const auto found = overrides.find(attempt);
@@ -173,31 +193,34 @@ core::Status compareScores(const QSqlDatabase& db, const Opinions& overrides, co
 
 core::Status comparePeople(const QSqlDatabase& db, std::map<std::string, Standing> expected, const Say& say)
 {
-    if (auto read = forEach(db, "SELECT uid, role, disabled, username, given_name, family_name FROM people", kDoing, {},
-                            [&](const QSqlQuery& row) {
-                                const auto found = expected.find(textOf(row, 0));
-                                if (found == expected.end()) {
-                                    say("person " + textOf(row, 0) + " was inserted: the audit knows nothing of him");
-                                    return;
-                                }
-                                if (found->second.role != textOf(row, 1))
-                                    say("person " + textOf(row, 0) + " is " + textOf(row, 1) + ", the audit says " +
-                                        found->second.role);
-                                if (found->second.disabled != (row.value(2).toInt() != 0))
-                                    say("person " + textOf(row, 0) + " was disabled or enabled, and it was not noted");
-                                Person person;
-                                person.uid = textOf(row, 0);
-                                person.username = textOf(row, 3);
-                                person.givenName = textOf(row, 4);
-                                person.familyName = textOf(row, 5);
-                                if (!found->second.names.empty() && found->second.names != digestOfNames(person))
-                                    say("person " + person.uid + " was given another name, and it was not noted");
-                                expected.erase(found);
-                            });
+    if (auto read =
+            forEach(db, "SELECT uid, role, disabled, username, given_name, family_name FROM people", kDoing, {},
+                    [&](const QSqlQuery& row) {
+                        const auto found = expected.find(textOf(row, 0));
+                        if (found == expected.end()) {
+                            say({kInserted, {"person:" + textOf(row, 0)}});
+                            return;
+                        }
+                        if (found->second.role != textOf(row, 1))
+                            say({QT_TRANSLATE_NOOP("Finding", "%1 has the role %2, the audit says %3"),
+                                 {"person:" + textOf(row, 0), textOf(row, 1), found->second.role}});
+                        if (found->second.disabled != (row.value(2).toInt() != 0))
+                            say({QT_TRANSLATE_NOOP("Finding", "%1 was disabled or enabled, and it was not noted"),
+                                 {"person:" + textOf(row, 0)}});
+                        Person person;
+                        person.uid = textOf(row, 0);
+                        person.username = textOf(row, 3);
+                        person.givenName = textOf(row, 4);
+                        person.familyName = textOf(row, 5);
+                        if (!found->second.names.empty() && found->second.names != digestOfNames(person))
+                            say({QT_TRANSLATE_NOOP("Finding", "%1 was given another name, and it was not noted"),
+                                 {"person:" + person.uid}});
+                        expected.erase(found);
+                    });
         !read)
         return read;
     for (const auto& [uid, person] : expected)
-        say("person " + uid + " was removed");
+        say({kRemoved, {"person:" + uid}});
     return {};
 }
 
@@ -205,22 +228,23 @@ core::Status compareAssignments(const QSqlDatabase& db,
                                 std::map<std::pair<std::string, std::string>, std::optional<Given>> expected,
                                 const Say& say)
 {
-    if (auto read = forEach(db, "SELECT class_id, lesson_id, due_utc, attempt_limit FROM assignments", kDoing, {},
-                            [&](const QSqlQuery& row) {
-                                const auto found = expected.find({textOf(row, 0), textOf(row, 1)});
-                                const bool isNoted = found != expected.end() && found->second;
-                                if (!isNoted || found->second->due != textOf(row, 2) ||
-                                    found->second->limit != row.value(3).toInt())
-                                    say("what class " + textOf(row, 0) + " was given of " + textOf(row, 1) +
-                                        " is not what the audit says");
-                                if (found != expected.end())
-                                    expected.erase(found);
-                            });
+    if (auto read = forEach(
+            db, "SELECT class_id, lesson_id, due_utc, attempt_limit FROM assignments", kDoing, {},
+            [&](const QSqlQuery& row) {
+                const auto found = expected.find({textOf(row, 0), textOf(row, 1)});
+                const bool isNoted = found != expected.end() && found->second;
+                if (!isNoted || found->second->due != textOf(row, 2) || found->second->limit != row.value(3).toInt())
+                    say({QT_TRANSLATE_NOOP("Finding", "what %1 was given of the lesson %2 is not what the audit says"),
+                         {"class:" + textOf(row, 0), textOf(row, 1)}});
+                if (found != expected.end())
+                    expected.erase(found);
+            });
         !read)
         return read;
     for (const auto& [key, given] : expected)
         if (given)
-            say("that class " + key.first + " was given " + key.second + " was removed");
+            say({QT_TRANSLATE_NOOP("Finding", "that %1 was given the lesson %2 was removed"),
+                 {"class:" + key.first, key.second}});
     return {};
 }
 
@@ -231,28 +255,30 @@ core::Status compareClasses(const QSqlDatabase& db, std::map<std::string, std::s
                             [&](const QSqlQuery& row) {
                                 const auto found = names.find(textOf(row, 0));
                                 if (found == names.end()) {
-                                    say("class " + textOf(row, 0) + " was inserted: the audit knows nothing of it");
+                                    say({kInserted, {"class:" + textOf(row, 0)}});
                                     return;
                                 }
                                 if (found->second != textOf(row, 1))
-                                    say("class " + textOf(row, 0) + " was renamed, and it was not noted");
+                                    say({QT_TRANSLATE_NOOP("Finding", "%1 was renamed, and it was not noted"),
+                                         {"class:" + textOf(row, 0)}});
                                 names.erase(found);
                             });
         !read)
         return read;
     for (const auto& [id, name] : names)
-        say("class " + id + " was removed");
+        say({kRemoved, {"class:" + id}});
     if (auto read =
             forEach(db, "SELECT e.class_id, p.uid FROM enrolments e JOIN people p ON p.id = e.person_id", kDoing, {},
                     [&](const QSqlQuery& row) {
                         if (expected.erase({textOf(row, 0), textOf(row, 1)}) == 0)
-                            say("person " + textOf(row, 1) + " was put into class " + textOf(row, 0) +
-                                ", and it was not noted");
+                            say({QT_TRANSLATE_NOOP("Finding", "%1 was put into %2, and it was not noted"),
+                                 {"person:" + textOf(row, 1), "class:" + textOf(row, 0)}});
                     });
         !read)
         return read;
     for (const auto& [ofClass, person] : expected)
-        say(std::string("person ").append(person).append(" was taken out of class ").append(ofClass));
+        say({QT_TRANSLATE_NOOP("Finding", "%1 was taken out of %2, and it was not noted"),
+             {"person:" + person, "class:" + ofClass}});
     return {};
 }
 
@@ -270,7 +296,7 @@ core::Status comparePresets(const QSqlDatabase& db, const Say& say)
                        const QByteArray hash =
                            QCryptographicHash::hash(row.value(2).toString().toUtf8(), QCryptographicHash::Sha256);
                        if (hash.toHex().toStdString() != textOf(row, 1))
-                           say("preset \"" + textOf(row, 0) + "\" is not what the audit says");
+                           say({kOtherwise, {"preset:" + textOf(row, 0)}});
                    });
 }
 
@@ -278,26 +304,26 @@ core::Status comparePresets(const QSqlDatabase& db, const Say& say)
 /// @param mustBeNoted  else some was there from the beginning
 core::Status compareKept(const QSqlDatabase& db, const QString& sql, std::map<std::string, std::string> expected,
                          const std::function<std::string(const std::string& value)>& asNoted,
-                         const std::function<bool(const std::string& name)>& mustBeNoted, const std::string& what,
+                         const std::function<bool(const std::string& name)>& mustBeNoted, const std::string& kind,
                          const Say& say)
 {
     if (auto read = forEach(db, sql, kDoing, {},
                             [&](const QSqlQuery& row) {
-                                const std::string named = what + " \"" + textOf(row, 0) + "\"";
+                                const std::string named = kind + ':' + textOf(row, 0);
                                 const auto found = expected.find(textOf(row, 0));
                                 if (found == expected.end()) {
                                     if (mustBeNoted(textOf(row, 0)))
-                                        say(named + " was inserted: the audit knows nothing of it");
+                                        say({kInserted, {named}});
                                     return;
                                 }
                                 if (found->second != asNoted(textOf(row, 1)))
-                                    say(named + " is not what the audit says");
+                                    say({kOtherwise, {named}});
                                 expected.erase(found);
                             });
         !read)
         return read;
     for (const auto& [name, value] : expected)
-        say(std::string(what).append(" \"").append(name).append("\" was removed"));
+        say({kRemoved, {kind + ':' + name}});
     return {};
 }
 
@@ -312,7 +338,7 @@ core::Status compareOwners(const QSqlDatabase& db, const Say& say)
                             "WHERE b.person_id IS NOT NULL), a.id + 1))",
                             kDoing, {},
                             [&](const QSqlQuery& row) {
-                                say("attempt " + textOf(row, 0) + " was inserted: the audit knows nothing of it");
+                                say({kInserted, {"attempt:" + textOf(row, 0)}});
                             });
         !read)
         return read;
@@ -320,7 +346,8 @@ core::Status compareOwners(const QSqlDatabase& db, const Say& say)
                    "SELECT a.uid FROM attempts a WHERE a.person_id IS NULL AND EXISTS (SELECT 1 FROM audit u WHERE "
                    "u.object = 'attempt:' || a.uid AND u.action = 'attempt.add')",
                    kDoing, {}, [&](const QSqlQuery& row) {
-                       say("attempt " + textOf(row, 0) + " was taken from the person who made it");
+                       say({QT_TRANSLATE_NOOP("Finding", "%1 was taken from the person who made it"),
+                            {"attempt:" + textOf(row, 0)}});
                    });
 }
 
@@ -351,12 +378,12 @@ core::Status compareWithAudit(const QSqlDatabase& db, const Say& say)
               db,
               "SELECT a.uid, p.uid, o.given_tenths, o.reason, o.given_utc FROM overrides o JOIN attempts a ON a.id = "
               "o.attempt_id JOIN people p ON p.id = o.author_id ORDER BY o.id",
-              noted.overrides, "an override", say),
+              noted.overrides, kOverride, say),
           compareOpinions(db,
                           "SELECT a.uid, p.uid, NULL, c.words, c.x_um, c.y_um, c.z_um, c.moment_ms, c.written_utc FROM "
                           "comments c JOIN attempts a ON a.id = c.attempt_id "
                           "JOIN people p ON p.id = c.author_id ORDER BY c.id",
-                          noted.comments, "a comment", say),
+                          noted.comments, kComment, say),
           compareScores(db, noted.overrides, say), comparePeople(db, noted.people, say),
           compareAssignments(db, noted.assignments, say), compareClasses(db, noted.classes, noted.enrolments, say),
           compareKept(db, "SELECT name || ' v' || version, hash FROM presets", noted.presets, asItIs, always, "preset",

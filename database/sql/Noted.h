@@ -2,17 +2,17 @@
 #pragma once
 
 #include <functional>
-#include <string>
 
 #include <QSqlDatabase>
 
 #include "core/base/Result.h"
+#include "database/Finding.h"
 
 namespace database::sql {
 
 /// Compares with the audit what it notes of other tables: whose attempts are, overrides, comments, what people are and
 /// are called, who is in which class, what classes were given.
-/// @param say  a sentence for each thing that is not as it was noted
-[[nodiscard]] core::Status compareWithAudit(const QSqlDatabase& db, const std::function<void(const std::string&)>& say);
+/// @param say  is told each thing that is not as it was noted
+[[nodiscard]] core::Status compareWithAudit(const QSqlDatabase& db, const std::function<void(const Finding&)>& say);
 
 }  // namespace database::sql

@@ -139,14 +139,17 @@ bool mayChangeWhatIsWritten(const std::string& named)
 
 }  // namespace
 
-core::Status checkSchema(const QSqlDatabase& db, const std::function<void(const std::string&)>& say)
+core::Status checkSchema(const QSqlDatabase& db, const std::function<void(const Finding&)>& say)
 {
     auto expected = expectedSchema(db);
     const bool areNamesAll =
         dialect::isPostgres(db) && !expected && expected.error().code == core::ErrorCode::FileUnwritable;
     if (areNamesAll) {
-        say("of tables, indexes and triggers the names alone could be compared: this user of the server may not create "
-            "a schema there; let the owner of the database check it");
+        say({QT_TRANSLATE_NOOP("Finding",
+                               "of tables, indexes and triggers the names alone could be compared: this user "
+                               "of the server may not create a schema there; let the owner of the "
+                               "database check it"),
+             {}});
         expected = freshSchema().map(asOnServer);
     }
     const auto found = schemaOf(db);
@@ -154,12 +157,13 @@ core::Status checkSchema(const QSqlDatabase& db, const std::function<void(const 
         return tl::unexpected(expected ? found.error() : expected.error());
     for (const auto& [named, made] : *expected)
         if (const auto there = found->find(named); there == found->end())
-            say("the " + named + " is no longer there: what it guarded is not guarded any more");
+            say({QT_TRANSLATE_NOOP("Finding", "%1 is no longer there: what it guarded is not guarded any more"),
+                 {named}});
         else if (there->second != made && !areNamesAll)
-            say("the " + named + " is not as this program makes it");
+            say({QT_TRANSLATE_NOOP("Finding", "%1 is not as this program makes it"), {named}});
     for (const auto& [named, made] : *found)
         if (expected->count(named) == 0 && mayChangeWhatIsWritten(named))
-            say("the " + named + " is not from this program: it may change what is written");
+            say({QT_TRANSLATE_NOOP("Finding", "%1 is not from this program: it may change what is written"), {named}});
     return {};
 }
 

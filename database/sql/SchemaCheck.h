@@ -2,11 +2,11 @@
 #pragma once
 
 #include <functional>
-#include <string>
 
 #include <QSqlDatabase>
 
 #include "core/base/Result.h"
+#include "database/Finding.h"
 
 namespace database::sql {
 
@@ -15,7 +15,7 @@ namespace database::sql {
 /// somebody added changes what is written. What a server has is compared with what the migrations make there, in a
 /// schema that is gone when this returns; where its user may not create one, names alone are compared, and that is
 /// said.
-/// @param say  a sentence for each that is missing, changed or foreign
-[[nodiscard]] core::Status checkSchema(const QSqlDatabase& db, const std::function<void(const std::string&)>& say);
+/// @param say  is told each that is missing, changed or foreign
+[[nodiscard]] core::Status checkSchema(const QSqlDatabase& db, const std::function<void(const Finding&)>& say);
 
 }  // namespace database::sql

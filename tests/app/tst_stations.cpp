@@ -176,7 +176,7 @@ void TestStations::manyStationsLoseNothing()
     QVERIFY(keptIn(rig.school()) == confirmed);
     const auto report = checkDatabase(rig.school().db, {});
     VERIFY_DONE(report);
-    QVERIFY2(report->findings.empty(), report->findings.empty() ? "" : report->findings.front().c_str());
+    QVERIFY2(report->findings.empty(), qPrintable(support::wordsOf(report->findings)));
     std::sort(tookMs.begin(), tookMs.end());
     qInfo("%d stations, %zu attempts, put and delivered: p50 %.1f ms, p99 %.1f ms", stations, tookMs.size(),
           tookMs[tookMs.size() / 2], tookMs[tookMs.size() * 99 / 100]);
@@ -217,7 +217,7 @@ void TestStations::killedStationsKeepWhatTheyConfirmed()
     QVERIFY(rig.isOpen());
     const auto report = checkDatabase(rig.school().db, {});
     VERIFY_DONE(report);
-    QVERIFY2(report->findings.empty(), report->findings.empty() ? "" : report->findings.front().c_str());
+    QVERIFY2(report->findings.empty(), qPrintable(support::wordsOf(report->findings)));
     QVERIFY(!QDir(folder.filePath("station/outbox/damaged")).exists());
     qInfo("%d kills, %zu attempts confirmed, %zu kept", kills, confirmed.size(), kept.size());
 }

@@ -45,6 +45,15 @@ inline core::Result<database::AttemptId> addAttempt(const database::sql::School&
     return database::sql::deliverAttempt(school, own, recording);
 }
 
+/// What a check found, a line each.
+inline QString wordsOf(const std::vector<database::Finding>& findings)
+{
+    QStringList lines;
+    for (const database::Finding& finding : findings)
+        lines << finding.english();
+    return lines.join(u'\n');
+}
+
 /// A school with people of every role. Passwords cost next to nothing; the clock is set by the test.
 class SchoolRig
 {

@@ -161,7 +161,7 @@ void TestAtOnce::standingsKnowBothScores()
     }
     const auto report = checkDatabase(rig.school().db, {});
     VERIFY_DONE(report);
-    QVERIFY2(report->findings.empty(), report->findings.empty() ? "" : report->findings.front().c_str());
+    QVERIFY2(report->findings.empty(), qPrintable(support::wordsOf(report->findings)));
     const auto standings = standingsOf(rig.school(), rig.student, rig.student.person());
     VERIFY_DONE(standings);
     for (const LessonStanding& standing : *standings)
@@ -180,7 +180,7 @@ void TestAtOnce::whatWasGivenLastCounts()
             [&](const School& school) { QVERIFY(overrideScore(school, rig.instructor, id, 800 + round, "two")); });
     const auto report = checkDatabase(rig.school().db, {});
     VERIFY_DONE(report);
-    QVERIFY2(report->findings.empty(), report->findings.empty() ? "" : report->findings.front().c_str());
+    QVERIFY2(report->findings.empty(), qPrintable(support::wordsOf(report->findings)));
 }
 
 void TestAtOnce::guessesAtOnceAreNoMoreThanOneAfterTheOther()
@@ -290,7 +290,7 @@ void TestAtOnce::aClassListIsTriedWhileOthersWrite()
     QVERIFY(auditHead(rig.school()).value() == head);
     const auto report = checkDatabase(rig.school().db, {});
     VERIFY_DONE(report);
-    QVERIFY2(report->findings.empty(), report->findings.empty() ? "" : report->findings.front().c_str());
+    QVERIFY2(report->findings.empty(), qPrintable(support::wordsOf(report->findings)));
 }
 
 QTEST_GUILESS_MAIN(TestAtOnce)

@@ -392,13 +392,12 @@ void TestAttempts::anExamThatIsBegunIsAnAttempt()
                        "begun_utc FROM exam_starts WHERE lesson_id = 'x'"));
     const auto report = checkDatabase(school.db, {});
     VERIFY_DONE(report);
-    QStringList said;
-    for (const std::string& finding : report->findings)
-        said += QString::fromStdString(finding);
-    QCOMPARE(said.size(), dialect::isPostgres(school.db) ? 4 : 5);  // one guard there, two here
-    QVERIFY2(said.join(u'\n').contains("is no longer there") && said.join(u'\n').contains("was inserted") &&
-                 said.join(u'\n').contains("was removed or changed") && said.join(u'\n').contains("was changed after"),
-             qPrintable(said.join(u'\n')));
+    const QString said = support::wordsOf(report->findings);
+    QCOMPARE(static_cast<int>(report->findings.size()),
+             dialect::isPostgres(school.db) ? 4 : 5);  // one guard there, two here
+    QVERIFY2(said.contains("is no longer there") && said.contains("was inserted") &&
+                 said.contains("was removed or changed") && said.contains("was changed after"),
+             qPrintable(said));
 }
 
 void TestAttempts::saysThatTheDiskIsFullAndGoesOnAfterwards()

@@ -64,7 +64,7 @@ void TestAudit::aSoundChainHasNoFindings()
     }
     const auto findings = checkAudit(rig.school().db, witnesses);
     VERIFY_DONE(findings);
-    QVERIFY2(findings->empty(), findings->empty() ? "" : findings->front().c_str());
+    QVERIFY2(findings->empty(), qPrintable(support::wordsOf(*findings)));
     const auto newest = readAudit(rig.school(), rig.admin, 5);
     VERIFY_DONE(newest);
     QCOMPARE(newest->size(), std::size_t{5});
@@ -115,7 +115,7 @@ void TestAudit::namesTheRow_data()
         row("three removed, renumbered") << QStringList{"DELETE FROM audit WHERE seq BETWEEN 10 AND 12",
                                                         "UPDATE audit SET seq = seq + 997 WHERE seq > 12",
                                                         "UPDATE audit SET seq = seq - 1000 WHERE seq > 1000"}
-                                         << "3 rows before row 10 (" << 2;
+                                         << "3 rows were removed" << 2;
         row("two inserted, renumbered")
             << QStringList{"UPDATE audit SET seq = seq + 1002 WHERE seq > 9",
                            "UPDATE audit SET seq = seq - 1000 WHERE seq > 1000",
@@ -161,11 +161,9 @@ void TestAudit::namesTheRow()
         QVERIFY2(query.exec(deed), qPrintable(query.lastError().text()));
     const auto found = checkAudit(rig.school().db, {});
     VERIFY_DONE(found);
-    QStringList sentences;
-    for (const std::string& sentence : *found)
-        sentences += QString::fromStdString(sentence);
-    QVERIFY2(sentences.join('\n').contains(finding), qPrintable(sentences.join('\n')));
-    QVERIFY2(sentences.size() == findings, qPrintable(sentences.join('\n')));
+    const QString said = support::wordsOf(*found);
+    QVERIFY2(said.contains(finding), qPrintable(said));
+    QVERIFY2(static_cast<int>(found->size()) == findings, qPrintable(said));
 }
 
 void TestAudit::whatStandsElsewhereIsAsItWasNoted_data()
@@ -187,42 +185,42 @@ void TestAudit::whatStandsElsewhereIsAsItWasNoted_data()
         row("an override slipped in")
             << "INSERT INTO overrides (attempt_id, author_id, given_utc, given_tenths, reason) SELECT attempt_id, "
                "author_id, given_utc, 1000, reason FROM overrides"
-            << "an override of attempt";
+            << "an override of attempt:";
         row("a comment slipped in")
             << "INSERT INTO comments (attempt_id, author_id, written_utc, words) SELECT attempt_id, author_id, "
                "written_utc, 'well done' FROM comments"
-            << "a comment of attempt";
+            << "a comment on attempt:";
         row("a comment changed") << "UPDATE comments SET words = 'well done'"
-                                 << "a comment of attempt";
+                                 << "a comment on attempt:";
         row("a comment moved to another place") << "UPDATE comments SET x_um = x_um + 1000"
-                                                << "a comment of attempt";
+                                                << "a comment on attempt:";
         row("a comment moved to another moment") << "UPDATE comments SET moment_ms = 1"
-                                                 << "a comment of attempt";
+                                                 << "a comment on attempt:";
         row("a comment of another day") << "UPDATE comments SET written_utc = '2020-01-01T00:00:00Z'"
-                                        << "a comment of attempt";
+                                        << "a comment on attempt:";
         row("a preset slipped in") << "INSERT INTO presets (name, version, hash, json, author_id, created_utc) SELECT "
                                       "'soft', 9, hash, json, author_id, created_utc FROM presets"
-                                   << "preset \"soft v9\" was inserted";
+                                   << "preset:soft v9 was inserted";
         row("a setting changed") << "UPDATE settings SET value = '999' WHERE name = 'idle.minutes'"
-                                 << "setting \"idle.minutes\" is not what the audit says";
+                                 << "setting:idle.minutes is not what the audit says";
         row("what passwords cost") << "UPDATE settings SET value = '7' WHERE name = 'password.passes'"
-                                   << "setting \"password.passes\" is not what the audit says";
+                                   << "setting:password.passes is not what the audit says";
         row("a setting slipped in") << "INSERT INTO settings (owner, name, value) VALUES ('', 'idle.hours', '9999')"
-                                    << "setting \"idle.hours\" was inserted";
+                                    << "setting:idle.hours was inserted";
         const QString off = onServer ? "DROP TRIGGER %1_no_change ON %1;" : "DROP TRIGGER %1_no_update;";
         row("a preset's values") << off.arg("presets") + "UPDATE presets SET json = '[]'"
-                                 << "preset \"soft v1\" is not what the audit says";
+                                 << "preset:soft v1 is not what the audit says";
         row("an override of another day")
             << off.arg("overrides") + "UPDATE overrides SET given_utc = '2020-01-01T00:00:00Z'"
-            << "an override of attempt";
+            << "an override of attempt:";
         row("an attempt of nobody's slipped in")
             << "INSERT INTO attempts (finished_utc, tooth, duration_ms, state_hash, score_tenths, uid) VALUES "
                "('2026-03-01T10:00:00Z', '36', 1000, '0123456789abcdef', 820, 'legacy-9')"
-            << "attempt legacy-9 was inserted";
+            << "attempt:legacy-9 was inserted";
         row("a comment gone") << "DELETE FROM comments"
-                              << "a comment of attempt";
+                              << "a comment on attempt:";
         row("a role") << "UPDATE people SET role = 'admin' WHERE username = 's1001'"
-                      << "is admin, the audit says student";
+                      << "has the role admin, the audit says student";
         row("let in again") << "UPDATE people SET disabled = 0 WHERE username = 's2001'"
                             << "and it was not noted";
         row("a limit") << "UPDATE assignments SET attempt_limit = 0"
@@ -230,7 +228,7 @@ void TestAudit::whatStandsElsewhereIsAsItWasNoted_data()
         row("an assignment gone") << "DELETE FROM assignments"
                                   << "was removed";
         row("standings gone") << "DELETE FROM standings"
-                              << "has attempts and no standing";
+                              << "has attempts in class1-36 and no standing";
         row("an attempt made nobody's") << "UPDATE attempts SET person_id = NULL WHERE score_tenths = 600"
                                         << "was taken from the person who made it";
         row("another user's name") << "UPDATE people SET username = 's1003' WHERE username = 's1002'"
@@ -241,12 +239,12 @@ void TestAudit::whatStandsElsewhereIsAsItWasNoted_data()
                                << "was renamed, and it was not noted";
         row("put into a class") << "INSERT INTO enrolments (class_id, person_id) SELECT c.id, p.id FROM classes c, "
                                    "people p WHERE c.name = 'DEN101-B' AND p.username = 's1001'"
-                                << "was put into class";
+                                << "was put into class:";
         row("taken out of a class") << "DELETE FROM enrolments WHERE person_id = (SELECT id FROM people WHERE username "
                                        "= 's1002')"
-                                    << "was taken out of class";
+                                    << "was taken out of class:";
         row("a recording gone") << QStringLiteral("UPDATE attempts SET recording_hash = '%1'").arg(QString(64, 'd'))
-                                << "it is not there any more";
+                                << "is not there any more";
         row("a standing passed") << "UPDATE standings SET passed = 1 WHERE passed = 0"
                                  << "do not add up to";
     }
@@ -285,13 +283,11 @@ void TestAudit::whatStandsElsewhereIsAsItWasNoted()
     }
     const auto report = checkDatabase(school.db, {});
     VERIFY_DONE(report);
-    QStringList said;
-    for (const std::string& one : report->findings)
-        said += QString::fromStdString(one);
+    const QString said = support::wordsOf(report->findings);
     if (deed.isEmpty())
-        QVERIFY2(said.isEmpty(), qPrintable(said.join(u'\n')));
+        QVERIFY2(said.isEmpty(), qPrintable(said));
     else
-        QVERIFY2(said.join(u'\n').contains(finding), qPrintable(said.join(u'\n')));
+        QVERIFY2(said.contains(finding), qPrintable(said));
 }
 
 /// Nor are attempts from before there were people.
@@ -306,7 +302,7 @@ void TestAudit::whatOlderProgramsDidNotNoteIsNoFinding()
         QVERIFY2(query.exec(QLatin1String(sql)), qPrintable(query.lastError().text()));
     const auto report = checkDatabase(rig.school().db, {});
     VERIFY_DONE(report);
-    QVERIFY2(report->findings.empty(), report->findings.empty() ? "" : report->findings.front().c_str());
+    QVERIFY2(report->findings.empty(), qPrintable(support::wordsOf(report->findings)));
 }
 
 void TestAudit::whatGuardsIsThere_data()
@@ -372,8 +368,7 @@ void TestAudit::whatGuardsIsThere()
     const auto report = checkDatabase(rig.school().db, {});
     VERIFY_DONE(report);
     QCOMPARE(report->findings.size(), std::size_t{1});
-    QVERIFY2(report->findings.front().find(finding.toStdString()) != std::string::npos,
-             report->findings.front().c_str());
+    QVERIFY2(support::wordsOf(report->findings).contains(finding), qPrintable(support::wordsOf(report->findings)));
 }
 
 /// Who may not make a schema beside it sees names alone, and is told.
@@ -391,7 +386,8 @@ void TestAudit::whoMayNotCompareIsTold()
     const auto report = checkDatabase(db, {});
     VERIFY_DONE(report);
     QCOMPARE(report->findings.size(), std::size_t{1});
-    QVERIFY2(report->findings.front().find("names alone") != std::string::npos, report->findings.front().c_str());
+    const QString said = support::wordsOf(report->findings);
+    QVERIFY2(said.contains("names alone"), qPrintable(said));
     QVERIFY(query.exec("RESET ROLE"));
     for (const char* sql : {"DROP OWNED BY %1", "DROP ROLE %1"})
         QVERIFY2(query.exec(QString::fromLatin1(sql).arg(role)), qPrintable(query.lastError().text()));
@@ -413,7 +409,8 @@ void TestAudit::goingOnMakesNothingGood()
     const auto found = checkAudit(rig.school().db, {});
     VERIFY_DONE(found);
     QCOMPARE(found->size(), std::size_t{1});
-    QVERIFY2(found->front().find("did not end as they had been signed") != std::string::npos, found->front().c_str());
+    const QString said = support::wordsOf(*found);
+    QVERIFY2(said.contains("did not end as they had been signed"), qPrintable(said));
 }
 
 /// The chain and its signature are whole, and still it is not this computer's.
@@ -428,7 +425,7 @@ void TestAudit::whoeverElseSignsIsNamed()
     QVERIFY(checkDatabase(rig.school().db, {})->findings.empty());
     const auto report = checkDatabase(rig.school().db, {}, {}, own);
     QCOMPARE(report->findings.size(), std::size_t{1});
-    QVERIFY(report->findings.front().find("not this computer's") != std::string::npos);
+    QVERIFY(support::wordsOf(report->findings).contains("not this computer's"));
 }
 
 void TestAudit::namesOfPeopleAreNotInIt()

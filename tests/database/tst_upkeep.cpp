@@ -542,7 +542,7 @@ void TestUpkeep::everyOlderSchemaIsBroughtToTheNewest()
         QVERIFY(!ask(db, "SELECT uid FROM attempts", "read")->toString().isEmpty());
         const auto report = checkDatabase(db, {});
         VERIFY_DONE(report);
-        QVERIFY2(report->findings.empty(), report->findings.empty() ? "" : report->findings.front().c_str());
+        QVERIFY2(report->findings.empty(), qPrintable(support::wordsOf(report->findings)));
         if (!onServer)
             QCOMPARE(
                 QDir(backupFolder(where)).entryList({QStringLiteral("before-schema-%1-*").arg(version + 1)}).size(), 1);
@@ -573,7 +573,7 @@ void TestUpkeep::aSchoolMovesBetweenEnginesAndBack()
     for (SchoolRig* rig : {&server, &back}) {
         const auto report = checkDatabase(rig->school().db, {auditHead(first.school())->code()});
         VERIFY_DONE(report);
-        QVERIFY2(report->findings.empty(), report->findings.empty() ? "" : report->findings.front().c_str());
+        QVERIFY2(report->findings.empty(), qPrintable(support::wordsOf(report->findings)));
         const auto session = Logins::login(rig->school(), "s1001", SchoolRig::kPassword);
         VERIFY_DONE(session);
         QVERIFY(*openAttempt(rig->school(), *session, id) == *openAttempt(first.school(), first.student, id));
@@ -605,9 +605,7 @@ void TestUpkeep::aCheckNamesTheAttemptThatWasChanged()
     QVERIFY(sql("DELETE FROM attempts WHERE uid = '%1'", attempts[2]));
     const auto report = checkDatabase(rig.school().db, {});
     VERIFY_DONE(report);
-    QString all;
-    for (const std::string& finding : report->findings)
-        all += QString::fromStdString(finding) + '\n';
+    const QString all = support::wordsOf(report->findings);
     QVERIFY2(all.contains(QString::fromStdString(attempts[1].uid) + " (2026-11-20T10:15:00Z, class1-36) was changed"),
              qPrintable(all));
     QVERIFY2(all.contains(QString::fromStdString(attempts[2].uid) + " was removed"), qPrintable(all));
@@ -738,7 +736,7 @@ void TestUpkeep::aMadeUpSchoolIsSound()
     VERIFY_DONE(makeSample(rig.school(), *admin, {40, 600, 20, 7}, madeLessons({"class1-36", "decay-21"})));
     const auto report = checkDatabase(rig.school().db, {});
     VERIFY_DONE(report);
-    QVERIFY2(report->findings.empty(), report->findings.empty() ? "" : report->findings.front().c_str());
+    QVERIFY2(report->findings.empty(), qPrintable(support::wordsOf(report->findings)));
     QCOMPARE(report->attempts, 600);
     const auto classes = listClasses(rig.school(), *admin);
     QCOMPARE(classes->size(), std::size_t{2});

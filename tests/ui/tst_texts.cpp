@@ -14,6 +14,7 @@
 #include "core/teeth/ToothBuilder.h"
 #include "lessons/Rubric.h"
 #include "ui/admin/AdminWords.h"
+#include "ui/people/PeopleWords.h"
 #include "ui/text/Texts.h"
 
 using core::ErrorCode;
@@ -33,6 +34,7 @@ private slots:
     void whatIsNoToothHasNoName();
     void aScanIsCalledByItsFile();
     void everyBlockHasATitleOfItsOwn();
+    void whatACheckFoundIsToldInWords();
     void everyBurHasAName();
     void whatAnAuditRowIsAboutIsToldInWords_data();
     void whatAnAuditRowIsAboutIsToldInWords();
@@ -312,6 +314,28 @@ void TestTexts::whatAnAuditRowIsAboutIsToldInWords()
     database::AuditRow row;
     row.object = object.toStdString();
     QCOMPARE(ui::admin::objectWords(row, names), words);
+}
+
+void TestTexts::whatACheckFoundIsToldInWords()
+{
+    const ui::admin::NamesByUid names{{"1f", "Sam %2 (s1001)"}, {"class:5", "DEN101-A"}};
+    const database::Finding enrolled{"%1 was put into %2, and it was not noted", {"person:1f", "class:5"}};
+    QCOMPARE(enrolled.english(), QString("person:1f was put into class:5, and it was not noted"));
+    QCOMPARE(ui::admin::findingWords(enrolled, names),
+             QString("Sam %2 (s1001) was put into DEN101-A, and it was not noted"));
+    const database::Finding role{"%1 has the role %2, the audit says %3", {"person:1f", "admin", "student"}};
+    const QString at = ui::people::when("2026-11-20T10:15:00Z");
+    const database::Finding row{"audit row %1 (%2, %3, %4) was changed, or the one before it was and its hash with it",
+                                {"9", "2026-11-20T10:15:00Z", "login", "person:1f"}};
+    QCOMPARE(ui::admin::findingWords(row, names),
+             QString("audit row 9 (%1, logged in, Sam %2 (s1001)) was changed, or the one before it was and its hash "
+                     "with it")
+                 .replace("%1", at));
+    QTranslator german;
+    QVERIFY(german.load(QStringLiteral(":/i18n/cusp_de.qm")));
+    QCoreApplication::installTranslator(&german);
+    QCOMPARE(ui::admin::findingWords(role, names),
+             QStringLiteral("Rolle: Sam %2 (s1001) – Admin; das Protokoll sagt Student/in"));
 }
 
 void TestTexts::everyBurHasAName()

@@ -113,6 +113,17 @@ QString named(const QString& what, const NamesByUid& names)
     return what;
 }
 
+/// Of a finding: a moment, an action, a role, or what something was done to.
+QString noted(const QString& value, const NamesByUid& names)
+{
+    if (QDateTime::fromString(value, Qt::ISODate).isValid())
+        return people::when(value.toStdString());
+    if (const auto role = database::roleOf(value.toStdString()))
+        return roleWord(*role);
+    const QString action = actionWords(value.toStdString());
+    return action == value ? named(value, names) : action;
+}
+
 /// One thing that was noted beside an action; some say all by their value.
 QString detailOf(const QString& key, const QJsonValue& noted, const NamesByUid& names)
 {
@@ -186,6 +197,14 @@ QString detailWords(const database::AuditRow& row, const NamesByUid& names)
         words << detailOf(it.key(), it.value(), names);
     }
     return words.join(QStringLiteral(", "));
+}
+
+QString findingWords(const database::Finding& finding, const NamesByUid& names)
+{
+    QStringList values;
+    for (const std::string& value : finding.values)
+        values << noted(QString::fromStdString(value), names);
+    return database::filled(QCoreApplication::translate("Finding", finding.words), values);
 }
 
 QString rosterFaultWords(const database::RosterFault& fault)

@@ -6,6 +6,7 @@
 
 #include <QString>
 
+#include "database/Finding.h"
 #include "database/Session.h"
 #include "database/people.h"
 #include "database/records.h"
@@ -26,5 +27,7 @@ using NamesByUid = std::map<std::string, QString>;
 /// What else was noted, in a line; without what only the check reads.
 [[nodiscard]] QString detailWords(const database::AuditRow& row, const NamesByUid& names);
 [[nodiscard]] QString objectWords(const database::AuditRow& row, const NamesByUid& names);
+/// What a check found, people and classes by name.
+[[nodiscard]] QString findingWords(const database::Finding& finding, const NamesByUid& names);
 
 }  // namespace ui::admin

@@ -154,6 +154,17 @@ void BackupPart::speak()
     tell();
 }
 
+void BackupPart::tellEnd()
+{
+    m_said->setText(m_sentence ? m_sentence() : QString());
+    QStringList lines;
+    for (const database::Finding& one : m_found)
+        lines << findingWords(one, m_names);
+    if (const QString words = lines.join(u'\n'); m_findings->toPlainText() != words)
+        m_findings->setPlainText(words);
+    m_findings->setVisible(!lines.isEmpty());
+}
+
 void BackupPart::tell()
 {
     m_words->setText(
@@ -182,6 +193,8 @@ void BackupPart::tell()
             tr("Restore the backup of %1? What was entered after it will be missing; attempts of this computer are "
                "brought in again, and the present file is kept beside it.")
                 .arg(chosenRow().data().toString()));
+    else if (!m_isBusy)
+        tellEnd();
 }
 
 void BackupPart::fill()
@@ -246,13 +259,17 @@ void BackupPart::showProgress(const QString& what, qint64 done, qint64 all)
     m_focusedMeanwhile = window()->focusWidget();
 }
 
-void BackupPart::finish(const QString& sentence, const QStringList& findings)
+void BackupPart::setNames(const NamesByUid& names)
+{
+    m_names = names;
+}
+
+void BackupPart::finish(std::function<QString()> sentence, std::vector<database::Finding> findings)
 {
     m_isBusy = false;
     m_thought->end();
-    m_said->setText(sentence);
-    m_findings->setPlainText(findings.join(u'\n'));
-    m_findings->setVisible(!findings.isEmpty());
+    m_sentence = std::move(sentence);
+    m_found = std::move(findings);
     QWidget* const focused = window()->focusWidget();
     tell();
     // A button that is disabled loses the focus to what comes next.
@@ -280,7 +297,7 @@ void BackupPart::restore()
         m_keep->setFocus();
     } else if (m_thought->mayBeAnswered()) {
         m_thought->end();
-        m_said->clear();
+        m_sentence = {};
         emit restoreWanted(chosen());
     }
 }

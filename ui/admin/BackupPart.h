@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
+#include <vector>
+
 #include <QDateTime>
 #include <QList>
 #include <QModelIndex>
 #include <QString>
-#include <QStringList>
 #include <QWidget>
+
+#include "database/Finding.h"
+#include "ui/admin/AdminWords.h"
 
 class QLabel;
 class QLineEdit;
@@ -47,8 +52,11 @@ public:
     /// @param all  0: nobody knows
     void showProgress(const QString& what, qint64 done, qint64 all);
     /// It has come to its end.
+    /// @param sentence  what is said of it, in the language there is
     /// @param findings  what a check found
-    void finish(const QString& sentence, const QStringList& findings = {});
+    void finish(std::function<QString()> sentence, std::vector<database::Finding> findings = {});
+    /// What findings call people and classes by.
+    void setNames(const NamesByUid& names);
     /// What was typed is no audit code; nothing has begun.
     void refuseCode();
 
@@ -64,6 +72,7 @@ signals:
 private:
     void speak();
     void tell();
+    void tellEnd();
     void fill();
     void restore();
     [[nodiscard]] QModelIndex chosenRow() const;
@@ -89,6 +98,9 @@ private:
     QPushButton* m_stop;
     QProgressBar* m_bar;
     QLabel* m_said;
+    std::function<QString()> m_sentence;  ///< how the last work ended
+    std::vector<database::Finding> m_found;
+    NamesByUid m_names;
     QPlainTextEdit* m_findings;
     QStandardItemModel* m_rows;
     people::ListTable* m_table;

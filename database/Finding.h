@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <QString>
+
+namespace database {
+
+/// What a check of a database found: a sentence, and apart from it what it is about, so that a window can say both in
+/// its own language.
+struct Finding
+{
+    /// English, with "%1" for the first of the values; marked for translation in the context "Finding".
+    const char* words = "";
+    /// As they are noted: "attempt:1f...", "class:5", "attempt.add", "2026-11-20T10:15:00Z".
+    std::vector<std::string> values;
+
+    [[nodiscard]] QString english() const;
+};
+
+/// Puts each value where "%1" to "%9" call for it; what a value itself contains is not looked at.
+[[nodiscard]] QString filled(const QString& words, const QStringList& values);
+
+}  // namespace database
