@@ -268,6 +268,14 @@
         <source>This column is missing. The first line names the columns.</source>
         <translation>Diese Spalte fehlt. Die erste Zeile nennt die Spalten.</translation>
     </message>
+    <message>
+        <source>a computer wrote here for the first time</source>
+        <translation>ein Rechner hat hier zum ersten Mal geschrieben</translation>
+    </message>
+    <message>
+        <source>computer with the key %1</source>
+        <translation>Rechner mit dem Schlüssel %1</translation>
+    </message>
 </context>
 <context>
     <name>Block</name>
@@ -1119,6 +1127,10 @@
     <message>
         <source>%1 is not from this program: it may change what is written</source>
         <translation>%1 stammt nicht von diesem Programm und kann verändern, was geschrieben wird</translation>
+    </message>
+    <message>
+        <source>the newest row of the audit was signed with the key %1, and the audit knows no station that has it</source>
+        <translation>die neueste Zeile des Protokolls wurde mit dem Schlüssel %1 signiert, und das Protokoll kennt keinen Arbeitsplatz, der ihn hat</translation>
     </message>
 </context>
 <context>

@@ -268,6 +268,14 @@
         <source>This column is missing. The first line names the columns.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>a computer wrote here for the first time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>computer with the key %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Block</name>
@@ -1118,6 +1126,10 @@
     </message>
     <message>
         <source>%1 is not from this program: it may change what is written</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the newest row of the audit was signed with the key %1, and the audit knows no station that has it</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

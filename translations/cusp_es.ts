@@ -268,6 +268,14 @@
         <source>This column is missing. The first line names the columns.</source>
         <translation>Falta esta columna. La primera línea nombra las columnas.</translation>
     </message>
+    <message>
+        <source>a computer wrote here for the first time</source>
+        <translation>un ordenador escribió aquí por primera vez</translation>
+    </message>
+    <message>
+        <source>computer with the key %1</source>
+        <translation>ordenador con la clave %1</translation>
+    </message>
 </context>
 <context>
     <name>Block</name>
@@ -1119,6 +1127,10 @@
     <message>
         <source>%1 is not from this program: it may change what is written</source>
         <translation>%1 no es de este programa: puede alterar lo que se escribe</translation>
+    </message>
+    <message>
+        <source>the newest row of the audit was signed with the key %1, and the audit knows no station that has it</source>
+        <translation>la última fila del registro se firmó con la clave %1, y el registro no conoce ningún puesto que la tenga</translation>
     </message>
 </context>
 <context>

@@ -267,6 +267,14 @@
         <source>This column is missing. The first line names the columns.</source>
         <translation>この列がありません。最初の行に列名を書きます。</translation>
     </message>
+    <message>
+        <source>a computer wrote here for the first time</source>
+        <translation>コンピューターが初めて書き込みました</translation>
+    </message>
+    <message>
+        <source>computer with the key %1</source>
+        <translation>鍵 %1 のコンピューター</translation>
+    </message>
 </context>
 <context>
     <name>Block</name>
@@ -1117,6 +1125,10 @@
     <message>
         <source>%1 is not from this program: it may change what is written</source>
         <translation>%1 は、このプログラムのものではありません。書き込まれる内容を変える可能性があります</translation>
+    </message>
+    <message>
+        <source>the newest row of the audit was signed with the key %1, and the audit knows no station that has it</source>
+        <translation>監査記録の最新の行は鍵 %1 で署名されていますが、その鍵を持つ端末は監査記録にありません</translation>
     </message>
 </context>
 <context>

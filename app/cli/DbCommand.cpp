@@ -146,20 +146,27 @@ int checkWhole(const QCommandLineParser& parser, const Address& address)
         text += printable(finding.english()) + '\n';
     }
     const bool isSound = report->findings.empty();
+    const QString signedBy = QString::fromStdString(report->signedBy);
+    const bool isOwnKey = open->hasStationKey && report->signedBy == open->school->key.publicHex();
     const QJsonObject object{{"database", address.shown()},
                              {"sound", isSound},
                              {"findings", findings},
                              {"attempts", static_cast<qint64>(report->attempts)},
                              {"audit_rows", static_cast<qint64>(report->auditRows)},
-                             {"audit_code", QString::fromStdString(report->auditCode)}};
+                             {"audit_code", QString::fromStdString(report->auditCode)},
+                             {"signed_by", signedBy}};
     if (wantsJson(parser))
         printJson(object);
     else
-        printText(text + QStringLiteral("%1: %2 attempts, %3 rows of audit, audit code %4\n")
+        printText(text + QStringLiteral("%1: %2 attempts, %3 rows of audit, audit code %4%5\n")
                              .arg(isSound ? QStringLiteral("sound") : QStringLiteral("not sound"))
                              .arg(report->attempts)
                              .arg(report->auditRows)
-                             .arg(QString::fromStdString(report->auditCode)));
+                             .arg(QString::fromStdString(report->auditCode),
+                                  signedBy.isEmpty()
+                                      ? QString()
+                                      : QStringLiteral(", signed by %1, %2")
+                                            .arg(signedBy.left(16), isOwnKey ? "this computer" : "another computer")));
     return isSound ? kDone : kFailed;
 }
 

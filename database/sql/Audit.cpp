@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <deque>
 #include <limits>
+#include <set>
 #include <utility>
 
 #include <QJsonDocument>
@@ -35,6 +36,13 @@ AuditRow rowOf(const QSqlQuery& query)
 
 /// Noted where the chain was found to end otherwise than was signed.
 const std::string kBroken = "audit.broken";
+/// Noted before the first row that a station signs, with its key. Chains from before that was noted do not begin so.
+const std::string kJoin = "station.join";
+
+std::string stationOf(const std::string& key)
+{
+    return "station:" + key;
+}
 
 std::string wordsOf(const AuditHead& head)
 {
@@ -69,6 +77,10 @@ public:
     {
         const std::string before = m_last.hash;
         witness(row);
+        if (row.action == kJoin)
+            m_stations.insert(row.object);
+        if (row.seq == 1)
+            m_areStationsNoted = row.action == kJoin;
         if (row.action == kBroken)
             say(QT_TRANSLATE_NOOP(
                     "Finding",
@@ -103,6 +115,11 @@ public:
             say(QT_TRANSLATE_NOOP(
                 "Finding",
                 "the signature of the newest row of the audit was not made by the station whose key stands beside it"));
+        if (const std::string key = textOf(seal, 3);
+            head.seq > 0 && m_areStationsNoted && m_stations.count(stationOf(key)) == 0)
+            say(QT_TRANSLATE_NOOP("Finding", "the newest row of the audit was signed with the key %1, and the audit "
+                                             "knows no station that has it"),
+                {key.substr(0, kCodeDigits)});
         for (const Witness& witness : m_witnesses)
             if (witness.seq > m_last.seq)
                 say(QT_TRANSLATE_NOOP("Finding", "audit row %1, which a report names, was removed"),
@@ -279,6 +296,8 @@ private:
     std::string m_continueWith;  ///< what the next row follows from, where that is not the last one read
     std::int64_t m_shift = 0;    ///< what a row's number was when it was written, less what it is
     std::vector<Suspect> m_suspects;
+    std::set<std::string> m_stations;  ///< that have joined
+    bool m_areStationsNoted = false;
 };
 
 }  // namespace
@@ -307,19 +326,27 @@ core::Status AuditBatch::begin()
 {
     bool isThere = false;
     bool isSound = false;
+    bool mustJoin = false;
+    const QString joined = QStringLiteral("EXISTS (SELECT 1 FROM audit j WHERE j.action = '%1' AND j.object = %2)")
+                               .arg(QString::fromStdString(kJoin));
     if (auto read = forEach(
             m_school.db,
             "SELECT s.seq, s.hash, s.signature, s.station_key, COALESCE(a.hash, ''), (SELECT COALESCE(MAX(seq), 0) "
-            "FROM audit) FROM audit_seal s LEFT JOIN audit a ON a.seq = s.seq WHERE s.id = 1" +
+            "FROM audit), COALESCE((SELECT b.action FROM audit b WHERE b.seq = 1), ''), CASE WHEN " +
+                joined.arg("'station:' || s.station_key") + " THEN 1 ELSE 0 END, CASE WHEN " + joined.arg("?") +
+                " THEN 1 ELSE 0 END FROM audit_seal s LEFT JOIN audit a ON a.seq = s.seq WHERE s.id = 1" +
                 QString(dialect::isPostgres(m_school.db) ? " FOR UPDATE OF s" : ""),
-            kNote, {},
+            kNote, {text(stationOf(m_school.key.publicHex()))},
             [&](const QSqlQuery& row) {
                 m_seq = row.value(0).toLongLong();
                 m_hash = textOf(row, 1);
                 isThere = true;
+                const bool areStationsNoted = m_seq == 0 || textOf(row, 6) == kJoin;
                 isSound =
                     m_seq == row.value(5).toLongLong() && m_hash == textOf(row, 4) &&
-                    (m_seq == 0 || StationKey::isSigned(wordsOf({m_seq, m_hash}), textOf(row, 2), textOf(row, 3)));
+                    (m_seq == 0 || (StationKey::isSigned(wordsOf({m_seq, m_hash}), textOf(row, 2), textOf(row, 3)) &&
+                                    (!areStationsNoted || row.value(7).toInt() == 1)));
+                mustJoin = areStationsNoted && row.value(8).toInt() == 0;
                 m_seq = std::max(m_seq, static_cast<std::int64_t>(row.value(5).toLongLong()));
             });
         !read)
@@ -332,7 +359,9 @@ core::Status AuditBatch::begin()
     if (!m_insert->prepare(QStringLiteral("INSERT INTO audit (%1) VALUES (?, ?, ?, ?, ?, ?, ?)").arg(kColumns)))
         return tl::unexpected(dialect::error(m_school.db, m_insert->lastError(), kNote));
     // To sign on as if nothing had happened would make good what somebody has done to the chain.
-    return isSound ? core::Status() : note("system", kBroken, "audit");
+    if (auto noted = isSound ? core::Status() : note("system", kBroken, "audit"); !noted || !mustJoin)
+        return noted;
+    return note("system", kJoin, stationOf(m_school.key.publicHex()));
 }
 
 core::Status AuditBatch::note(const std::string& actor, const std::string& action, const std::string& object,

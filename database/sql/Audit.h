@@ -18,7 +18,8 @@
 
 /// What was done here, by whom, in rows of which each holds the hash of the one before; the newest is signed by the
 /// station that wrote it. Who changes, removes, inserts or reorders rows breaks the chain where he did it; who cuts its
-/// end off breaks the signed head, and whoever holds a printed report has an older head to compare with.
+/// end off breaks the signed head, and whoever holds a printed report has an older head to compare with. The audit knows
+/// the stations that may sign it: each is noted before the first row that it signs.
 namespace database::sql {
 
 /// BLAKE2b-256 over the hash of the row before and all of this row but its hash, each part with its length.

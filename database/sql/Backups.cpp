@@ -484,8 +484,14 @@ core::Result<QString> restoreBackup(const QString& backup, const QString& databa
     }
     settle(databaseFile);
     const bool wasThere = target.exists();
-    const QString replaced =
-        target.absoluteDir().filePath(QStringLiteral("replaced-%1-").arg(nowUtc.toString(kStamp)) + target.fileName());
+    const auto aside = [&target](const QDateTime& at) {
+        return target.absoluteDir().filePath(QStringLiteral("replaced-%1-").arg(at.toString(kStamp)) +
+                                             target.fileName());
+    };
+    QDateTime at = nowUtc;
+    while (QFile::exists(aside(at)))  // of a restore in the same second
+        at = at.addSecs(1);
+    const QString replaced = aside(at);
     if (!moveAway(databaseFile, replaced)) {
         QFile::remove(part);
         return tl::unexpected(

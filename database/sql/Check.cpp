@@ -128,9 +128,11 @@ core::Status checkSums(const QSqlDatabase& db, CheckReport& report)
           Look{
               "SELECT 'person:' || p.uid, s.lesson_id FROM standings s JOIN people p ON p.id = s.person_id LEFT JOIN "
               "(SELECT person_id, lesson_id, COUNT(*) n, MAX(COALESCE(given_tenths, score_tenths)) best, MAX(CASE WHEN "
-              "given_tenths IS NULL THEN passed WHEN given_tenths >= pass_mark_tenths THEN 1 ELSE 0 END) passed FROM "
+              "given_tenths IS NULL THEN passed WHEN given_tenths >= pass_mark_tenths THEN 1 ELSE 0 END) passed, "
+              "MAX(finished_utc) newest FROM "
               "attempts GROUP BY person_id, lesson_id) a ON a.person_id = s.person_id AND a.lesson_id = s.lesson_id "
-              "WHERE a.n IS NULL OR a.n <> s.attempts OR a.best <> s.best_tenths OR a.passed <> s.passed",
+              "WHERE a.n IS NULL OR a.n <> s.attempts OR a.best <> s.best_tenths OR a.passed <> s.passed OR a.newest "
+              "<> s.last_utc",
               QT_TRANSLATE_NOOP("Finding", "%1 has a standing in %2 that the attempts do not add up to")},
           Look{"SELECT DISTINCT 'person:' || p.uid, a.lesson_id FROM attempts a JOIN people p ON p.id = a.person_id "
                "WHERE NOT EXISTS (SELECT 1 FROM standings s WHERE s.person_id = a.person_id AND s.lesson_id = "
@@ -180,7 +182,7 @@ core::Status checkSigner(const QSqlDatabase& db, const std::string& stationKey, 
     const auto signer = ask(db, "SELECT station_key FROM audit_seal WHERE id = 1 AND seq > 0", kDoing);
     if (!signer)
         return tl::unexpected(signer.error());
-    const std::string key = signer->toString().toStdString();
+    const std::string key = report.signedBy = signer->toString().toStdString();
     if (!stationKey.empty() && !key.empty() && key != stationKey)
         say(report, {QT_TRANSLATE_NOOP("Finding", "the head of the audit was signed with the key %1, which is not this "
                                                   "computer's; if the file was not written by Cusp on another "

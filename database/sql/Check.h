@@ -21,6 +21,7 @@ struct CheckReport
     std::int64_t attempts = 0;
     std::int64_t auditRows = 0;
     std::string auditCode;                     ///< of the newest row, as reports show it
+    std::string signedBy;                      ///< key of the station that wrote that row, 64 hex digits
     bool isStopped = false;                    ///< not all was looked at
     std::size_t mostFindings = kMostFindings;  ///< further ones are not told
 };

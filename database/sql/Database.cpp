@@ -84,12 +84,17 @@ core::Status configure(const QSqlDatabase& db, FileSystem fileSystem)
         "PRAGMA foreign_keys = ON",
         "PRAGMA trusted_schema = OFF",
         "PRAGMA cell_size_check = ON",
-        "PRAGMA secure_delete = ON",
-        QStringLiteral("PRAGMA application_id = %1").arg(dialect::kApplicationId)};
+        "PRAGMA secure_delete = ON"};
     for (const QString& setting : settings)
         if (auto done = execute(db, setting, "set it up"); !done)
             return done;
-    return {};
+    // To set it writes, and who only reads need not wait for a program that is writing.
+    const auto application = ask(db, "PRAGMA application_id", "set it up");
+    if (!application)
+        return tl::unexpected(application.error());
+    if (application->toInt() == dialect::kApplicationId)
+        return {};
+    return execute(db, QStringLiteral("PRAGMA application_id = %1").arg(dialect::kApplicationId), "set it up");
 }
 
 }  // namespace

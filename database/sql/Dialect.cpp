@@ -46,7 +46,9 @@ core::Error sqliteError(const std::string& head, const QSqlError& error)
                 head + "another program is writing to it; close that program or try again in a moment"};
     case kReadOnly:
         return {ErrorCode::FileUnwritable,
-                head + "the file or its folder is read-only; make it writable or choose another place"};
+                head +
+                    "the file or its folder is read-only; make it writable, or copy it, with what lies beside it, to "
+                    "another place and choose it there"};
     case kFull:
         return {ErrorCode::FileUnwritable, head + "the disk is full; free some space and try again"};
     case kCannotOpen:

@@ -36,6 +36,8 @@ private slots:
     void whoeverElseSignsIsNamed();
     void goingOnMakesNothingGood_data() { support::addEngines(); }
     void goingOnMakesNothingGood();
+    void aStationThatNeverJoinedIsFound_data() { support::addEngines(); }
+    void aStationThatNeverJoinedIsFound();
     void namesOfPeopleAreNotInIt();
 
 private:
@@ -245,6 +247,8 @@ void TestAudit::whatStandsElsewhereIsAsItWasNoted_data()
                                     << "was taken out of class:";
         row("a recording gone") << QStringLiteral("UPDATE attempts SET recording_hash = '%1'").arg(QString(64, 'd'))
                                 << "is not there any more";
+        row("last activity") << "UPDATE standings SET last_utc = '2020-01-01T00:00:00Z'"
+                             << "do not add up to";
         row("a standing passed") << "UPDATE standings SET passed = 1 WHERE passed = 0"
                                  << "do not add up to";
     }
@@ -411,6 +415,36 @@ void TestAudit::goingOnMakesNothingGood()
     QCOMPARE(found->size(), std::size_t{1});
     const QString said = support::wordsOf(*found);
     QVERIFY2(said.contains("did not end as they had been signed"), qPrintable(said));
+}
+
+/// The end is cut off, and somebody signs the rest with a key that he has just made. A station that goes on from there
+/// does not make it good.
+void TestAudit::aStationThatNeverJoinedIsFound()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    unlock(rig.school());
+    const auto joined = readAudit(rig.school(), rig.admin, 1, 2);
+    QCOMPARE(joined->front().action, std::string("station.join"));
+    QCOMPARE(joined->front().object, "station:" + rig.school().key.publicHex());
+    const StationKey stranger = StationKey::make();
+    QSqlQuery query(rig.school().db);
+    QVERIFY2(query.exec("DELETE FROM audit WHERE seq > 8"), qPrintable(query.lastError().text()));
+    QVERIFY(query.exec("SELECT hash FROM audit WHERE seq = 8") && query.next());
+    const QString hash = query.value(0).toString();
+    QVERIFY2(query.exec(QStringLiteral("UPDATE audit_seal SET seq = 8, hash = '%1', station_key = '%2', signature = "
+                                       "'%3'")
+                            .arg(hash, QString::fromStdString(stranger.publicHex()),
+                                 QString::fromStdString(stranger.sign("cusp audit 8 " + hash.toStdString())))),
+             qPrintable(query.lastError().text()));
+    const auto found = checkAudit(rig.school().db, {});
+    QCOMPARE(support::wordsOf(*found), "the newest row of the audit was signed with the key " +
+                                           QString::fromStdString(stranger.publicHex()).left(12) +
+                                           ", and the audit knows no station that has it");
+    static_cast<void>(Logins::login(rig.school(), "admin", SchoolRig::kPassword));
+    const auto after = checkAudit(rig.school().db, {});
+    QVERIFY2(support::wordsOf(*after).contains("did not end as they had been signed"),
+             qPrintable(support::wordsOf(*after)));
 }
 
 /// The chain and its signature are whole, and still it is not this computer's.

@@ -38,6 +38,7 @@ constexpr std::array kActions{
     std::pair{"preset.add", QT_TRANSLATE_NOOP("Admin", "kept a hardness preset")},
     std::pair{"setting.change", QT_TRANSLATE_NOOP("Admin", "changed a setting")},
     std::pair{"audit.broken", QT_TRANSLATE_NOOP("Admin", "found the audit changed")},
+    std::pair{"station.join", QT_TRANSLATE_NOOP("Admin", "a computer wrote here for the first time")},
     std::pair{"backup.made", QT_TRANSLATE_NOOP("Admin", "made a backup")},
     std::pair{"backup.restored", QT_TRANSLATE_NOOP("Admin", "a backup was restored")},
     std::pair{"attempts.export", QT_TRANSLATE_NOOP("Admin", "exported attempts")},
@@ -59,6 +60,7 @@ constexpr std::array kKinds{
     std::pair{"class:", QT_TRANSLATE_NOOP("Admin", "class %1")},
     std::pair{"person:", QT_TRANSLATE_NOOP("Admin", "person %1")},
     std::pair{"setting:", QT_TRANSLATE_NOOP("Admin", "setting %1")},
+    std::pair{"station:", QT_TRANSLATE_NOOP("Admin", "computer with the key %1")},
 };
 
 constexpr std::array kWholes{
@@ -107,9 +109,11 @@ QString named(const QString& what, const NamesByUid& names)
     for (const auto& [whole, words] : kWholes)
         if (what == QLatin1String(whole))
             return QCoreApplication::translate("Admin", words);
+    constexpr qsizetype kShownOfKey = 16;
     for (const auto& [kind, words] : kKinds)
         if (what.startsWith(QLatin1String(kind)))
-            return QCoreApplication::translate("Admin", words).arg(id);
+            return QCoreApplication::translate("Admin", words)
+                .arg(what.startsWith(QStringLiteral("station:")) ? id.left(kShownOfKey) : id);
     return what;
 }
 
