@@ -21,7 +21,7 @@ core::Status writeCodes(const QString& path, const std::vector<RosterPerson>& pe
         if (person.isNew)
             file.write(
                 (csvField(person.username) + ',' + csvField(person.fullName) + ',' + person.code + "\r\n").c_str());
-    if (!file.commit())
+    if (!file.flush() || !file.commit())
         return core::unexpected(ErrorCode::FileUnwritable,
                                 "the codes could not be written to " + path.toStdString() + "; make room on the disk");
     return {};

@@ -145,7 +145,7 @@ core::Status Outbox::write(const QString& name, const std::string& content) cons
     const QByteArray bytes = QByteArray::fromStdString(std::string(kMagic) + m_key.publicHex() + signature + content);
     QSaveFile file(path);  // synced before it gets its name
     if (!file.open(QIODevice::WriteOnly) || !file.setPermissions(QFile::ReadOwner | QFile::WriteOwner) ||
-        file.write(bytes) != bytes.size() || !file.commit())
+        file.write(bytes) != bytes.size() || !file.flush() || !file.commit())
         return tl::unexpected(refused(ErrorCode::FileUnwritable, path,
                                       "it cannot be written (" + file.errorString().toStdString() +
                                           "); make room on the disk, and grade the work again"));

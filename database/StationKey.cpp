@@ -48,7 +48,8 @@ core::Result<StationKey> StationKey::readOrMake(const QString& path)
         QSaveFile made(path);
         // Nobody else may read it, from its first byte on.
         if (!made.open(QIODevice::WriteOnly) || !made.setPermissions(QFile::ReadOwner | QFile::WriteOwner) ||
-            made.write(reinterpret_cast<const char*>(seed.data()), kSeedBytes) != kSeedBytes || !made.commit())
+            made.write(reinterpret_cast<const char*>(seed.data()), kSeedBytes) != kSeedBytes || !made.flush() ||
+            !made.commit())
             return tl::unexpected(
                 refused(ErrorCode::FileUnwritable, path, "it cannot be written; make its folder writable"));
         return fromSeed(seed);

@@ -11,6 +11,25 @@ namespace {
 
 constexpr int kLongest = 64;
 
+/// Whether joiners change how a letter is written: those of Arabic and Indic scripts, not those of a, α or я.
+bool mayBeJoined(uint letter)
+{
+    switch (QChar::script(letter)) {
+    case QChar::Script_Unknown:
+    case QChar::Script_Inherited:
+    case QChar::Script_Common:
+    case QChar::Script_Latin:
+    case QChar::Script_Greek:
+    case QChar::Script_Cyrillic:
+    case QChar::Script_Han:
+    case QChar::Script_Hiragana:
+    case QChar::Script_Katakana:
+        return false;
+    default:
+        return true;
+    }
+}
+
 }  // namespace
 
 core::Result<std::string> normalUsername(const std::string& typed)
@@ -35,7 +54,15 @@ core::Result<std::string> normalUsername(const std::string& typed)
 bool canBeSeen(const std::string& name)
 {
     const QList<uint> letters = QString::fromStdString(name).toUcs4();
-    return std::all_of(letters.begin(), letters.end(), [](uint c) { return QChar::isPrint(c); });
+    for (qsizetype i = 0; i < letters.size(); ++i) {
+        if (QChar::isPrint(letters[i]))
+            continue;
+        const bool isJoiner = letters[i] == 0x200C || letters[i] == 0x200D;
+        if (!isJoiner || i == 0 || i + 1 == letters.size() || !mayBeJoined(letters[i - 1]) ||
+            !mayBeJoined(letters[i + 1]))
+            return false;
+    }
+    return true;
 }
 
 }  // namespace database

@@ -12,7 +12,8 @@ namespace database {
 [[nodiscard]] core::Result<std::string> normalUsername(const std::string& typed);
 
 /// Whether each character of somebody's or something's name can be seen, those beyond the first plane of Unicode
-/// included: rare kanji stand there.
+/// included: rare kanji stand there. Joiners (U+200C, U+200D) are allowed between letters of scripts that are written
+/// with them, as in Persian and Hindi names.
 [[nodiscard]] bool canBeSeen(const std::string& name);
 
 }  // namespace database

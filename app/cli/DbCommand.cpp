@@ -259,7 +259,11 @@ int copyDatabase(const QCommandLineParser& parser, const Address& address)
     const auto session = logIn(parser, *from);
     if (!session)
         return failed(session.error());
-    const auto to = openSchool(*target, Opening::Create);
+    // Before anything is made there.
+    if (const auto may = database::sql::admit(*from->school, *session, database::Operation::CopySchool); !may)
+        return failed(may.error());
+    const bool wasThere = target->isServer() || QFileInfo::exists(target->file);
+    auto to = openSchool(*target, Opening::Create);
     if (!to)
         return failed(to.error());
     const bool tells = isatty(STDERR_FILENO) != 0;
@@ -270,8 +274,14 @@ int copyDatabase(const QCommandLineParser& parser, const Address& address)
         });
     if (tells)
         printText(QStringLiteral("\n"), stderr);
-    if (!report)
+    if (!report) {
+        to->school.reset();
+        to->database.reset();
+        if (!wasThere)
+            for (const char* end : {"-wal", "-shm", "-journal", ""})
+                QFile::remove(target->file + QLatin1String(end));
         return failed(report.error());
+    }
     if (report->recordingsMissing > 0)
         warn({std::to_string(report->recordingsMissing) +
               " recordings are missing or damaged in what was copied: \"cusp db check\" names them; their attempts are "

@@ -81,7 +81,7 @@ public:
     [[nodiscard]] core::Status finish()
     {
         flush();
-        if (!m_written || !(m_out == &m_file ? m_file.commit() : m_stream.flush()))
+        if (!m_written || !(m_out == &m_file ? m_file.flush() && m_file.commit() : m_stream.flush()))
             return unwritable();
         return {};
     }

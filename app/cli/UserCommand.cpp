@@ -233,8 +233,12 @@ core::Result<QString> placeOfTable(const QString& path, const database::Address&
 
 int tellRoster(const QCommandLineParser& parser, const database::RosterOutcome& outcome, bool dryRun, bool tellsCodes)
 {
-    const auto fresh = std::count_if(outcome.people.begin(), outcome.people.end(),
-                                     [](const database::RosterPerson& person) { return person.isNew; });
+    const auto fresh = [&outcome](database::Role role) {
+        return std::count_if(outcome.people.begin(), outcome.people.end(),
+                             [role](const database::RosterPerson& one) { return one.isNew && one.role == role; });
+    };
+    const auto known = std::count_if(outcome.people.begin(), outcome.people.end(),
+                                     [](const database::RosterPerson& one) { return !one.isNew; });
     QJsonArray faults;
     QString text;
     for (const database::RosterFault& fault : outcome.faults) {
@@ -261,10 +265,13 @@ int tellRoster(const QCommandLineParser& parser, const database::RosterOutcome& 
         printText(text, stderr);
         return failed({ErrorCode::BadStructure, "nobody was entered; correct the lines above and import again"});
     }
-    printText(QStringLiteral("%1: %2 new, %3 known already.\n")
+    printText(QStringLiteral("%1: %2 new, of whom %3 students, %4 instructors and %5 admins; %6 known already.\n")
                   .arg(dryRun ? QStringLiteral("This would be entered") : QStringLiteral("Entered"))
-                  .arg(fresh)
-                  .arg(static_cast<qint64>(outcome.people.size()) - fresh));
+                  .arg(static_cast<qint64>(outcome.people.size()) - known)
+                  .arg(fresh(database::Role::Student))
+                  .arg(fresh(database::Role::Instructor))
+                  .arg(fresh(database::Role::Admin))
+                  .arg(known));
     for (const std::string& name : outcome.newClasses)
         printText(QStringLiteral("new class: %1\n").arg(printable(QString::fromStdString(name))));
     if (!dryRun && tellsCodes)
@@ -391,7 +398,7 @@ int exportCommand(const QStringList& arguments)
     });
     if (!count)
         return failed(count.error());
-    if (toStdout ? std::fflush(stdout) != 0 : !file.commit())
+    if (toStdout ? std::fflush(stdout) != 0 : !file.flush() || !file.commit())
         return failed({ErrorCode::FileUnwritable, (toStdout ? "standard output" : "the file " + path.toStdString()) +
                                                       " could not be written to its end; make room on the disk"});
     if (parser.isSet(QStringLiteral("json")) && !toStdout)

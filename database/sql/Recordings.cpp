@@ -40,8 +40,8 @@ core::Status writeFile(const QString& path, const QByteArray& bytes)
     makeOwnFolder(folder);
     QSaveFile file(path);  // synced before it gets its name
     if (file.open(QIODevice::WriteOnly) && file.setPermissions(QFile::ReadOwner | QFile::WriteOwner) &&
-        file.write(bytes) == bytes.size() && file.commit() && core::bringToDisk(folder.toStdU16String()) &&
-        core::bringToDisk((folder + "/..").toStdU16String()))
+        file.write(bytes) == bytes.size() && file.flush() && file.commit() &&
+        core::bringToDisk(folder.toStdU16String()) && core::bringToDisk((folder + "/..").toStdU16String()))
         return {};
     return core::unexpected(ErrorCode::FileUnwritable, "recording " + path.toStdString() + ": it cannot be written (" +
                                                            file.errorString().toStdString() +

@@ -6,6 +6,7 @@
 #include <QSqlQuery>
 #include <QTest>
 
+#include "database/Codes.h"
 #include "database/Outbox.h"
 #include "database/sql/Check.h"
 #include "database/sql/Dialect.h"
@@ -13,6 +14,7 @@
 #include "database/sql/Feedback.h"
 #include "database/sql/Recordings.h"
 #include "tests/database/SchoolRig.h"
+#include "tests/support/FullDisk.h"
 
 using namespace database;
 using namespace database::sql;
@@ -44,6 +46,7 @@ private slots:
     void whatIsKeptOfPeopleIsForTheOwnerOfTheFilesOnly();
     void classmatesAreComparedWithoutNames_data() { support::addEngines(); }
     void classmatesAreComparedWithoutNames();
+    void aFullDiskTakesNothing();
     void anExamThatIsBegunIsAnAttempt_data() { support::addEngines(); }
     void anExamThatIsBegunIsAnAttempt();
     void whatATeacherSaysIsNewUntilItIsRead_data() { support::addEngines(); }
@@ -269,6 +272,30 @@ void TestAttempts::whatIsKeptOfPeopleIsForTheOwnerOfTheFilesOnly()
             QVERIFY2(!(QFile::permissions(all.next()) & kOthers), qPrintable(all.filePath()));
     }
     QCOMPARE(seen, 5);  // two letters, "arrived", a recording and its folder
+}
+
+/// However little there was to write.
+void TestAttempts::aFullDiskTakesNothing()
+{
+    SchoolRig rig(false);
+    rig.populate();
+    const QDir folder(QFileInfo(rig.address()).absolutePath());
+    Outbox outbox(folder.filePath("outbox"), StationKey::make());
+    const auto attempt = SchoolRig::attempt("class1-36", 500);
+    {
+        const support::FullDisk full(10);
+        QVERIFY(!outbox.put(rig.student, attempt, {}));
+        QVERIFY(!outbox.put(rig.student, ExamStart{newUid(), "exam", "2026-11-20T10:15:00Z"}));
+        QVERIFY(!putRecording(rig.school(), "more than ten bytes"));
+        QVERIFY(!StationKey::readOrMake(folder.filePath("another.key")));
+        QVERIFY(!writeCodes(folder.filePath("codes.csv"), {}));
+    }
+    QVERIFY(outbox.waiting().isEmpty());
+    QVERIFY(!QFileInfo::exists(folder.filePath("another.key")));
+    QVERIFY(!QFileInfo::exists(folder.filePath("codes.csv")));
+    VERIFY_DONE(outbox.put(rig.student, attempt, {}));
+    QCOMPARE(outbox.waiting().size(), 1);
+    VERIFY_DONE(StationKey::readOrMake(folder.filePath("another.key")));
 }
 
 void TestAttempts::classmatesAreComparedWithoutNames()

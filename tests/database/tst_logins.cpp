@@ -347,6 +347,14 @@ void TestLogins::namesAreComparedAsPeopleTypeThem()
         VERIFY_REFUSED(addPerson(rig.school(), rig.admin, {name, "", "", Role::Student}), ErrorCode::OutOfRange);
     VERIFY_REFUSED(addPerson(rig.school(), rig.admin, {std::string(65, 'x'), "", "", Role::Student}),
                    ErrorCode::OutOfRange);
+    // Persian and Hindi are written with joiners; between other letters they make two names that look alike.
+    VERIFY_DONE(
+        addPerson(rig.school(), rig.admin,
+                  {"joined", "\u0639\u0644\u06CC\u200C\u0631\u0636\u0627", "\u0936\u094D\u200D\u0930", Role::Student}));
+    VERIFY_REFUSED(addPerson(rig.school(), rig.admin, {"alike", "An\u200Cna", "", Role::Student}),
+                   ErrorCode::OutOfRange);
+    VERIFY_REFUSED(addPerson(rig.school(), rig.admin, {"end", "\u0639\u0644\u06CC\u200C", "", Role::Student}),
+                   ErrorCode::OutOfRange);
     VERIFY_REFUSED(addPerson(rig.school(), rig.admin, {"hidden", "A\u202Eb", "", Role::Student}),
                    ErrorCode::OutOfRange);
     const char* nasty = "Robert'); DROP TABLE people; --";

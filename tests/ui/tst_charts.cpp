@@ -14,6 +14,7 @@
 
 #include <memory>
 
+#include "tests/support/FullDisk.h"
 #include "ui/charts/ChartPanel.h"
 #include "ui/charts/Drawing.h"
 #include "ui/charts/Table.h"
@@ -277,6 +278,14 @@ void TestCharts::whatCannotBeWrittenIsSaid()
 {
     QVERIFY(!m_panel->save("/nowhere/at/all/chart.png"));
     QVERIFY(m_panel->findChild<QLabel*>("chartSaved")->text().startsWith("chart.png could not be written"));
+    const QTemporaryDir folder;
+    const QString file = folder.filePath("small.csv");
+    {
+        const support::FullDisk full(10);
+        QVERIFY(!m_panel->save(file));
+    }
+    QVERIFY(!QFile::exists(file));
+    QVERIFY(m_panel->findChild<QLabel*>("chartSaved")->text().startsWith("small.csv could not be written"));
 }
 
 void TestCharts::picturesShowSomethingInBothThemes_data()

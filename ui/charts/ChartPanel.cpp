@@ -386,8 +386,8 @@ bool ChartPanel::save(const QString& path)
                              : ending == QLatin1String("svg") ? svg(m_chart)
                                                               : png(m_chart);
     QSaveFile file(path);
-    const bool isWritten =
-        file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && !bytes.isEmpty() && file.commit();
+    const bool isWritten = file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && !bytes.isEmpty() &&
+                           file.flush() && file.commit();
     const QString name = QFileInfo(path).fileName();
     m_saved->setText(isWritten ? tr("Saved: %1").arg(name)
                                //: %2: the system's own words

@@ -483,7 +483,8 @@ bool ClassPage::saveTable(const QString& path)
 {
     QSaveFile file(path);
     const QByteArray bytes = charts::csv(table());
-    const bool isWritten = file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit();
+    const bool isWritten =
+        file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.flush() && file.commit();
     const QString name = QFileInfo(path).fileName();
     say(isWritten ? tr("Saved: %1").arg(name)
                   //: %2: the system's own words

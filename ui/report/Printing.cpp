@@ -38,7 +38,7 @@ bool save(const QString& path, const QString& title, const Content& content, QPa
         if (!paintOn(writer, content))
             return false;
     }
-    return file.commit();
+    return file.flush() && file.commit();
 }
 
 template <typename Content>

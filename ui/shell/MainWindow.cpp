@@ -731,7 +731,7 @@ void MainWindow::connectPresets()
             tr("Save the comparison"), FileKind::Table,
             [this, csv](const QString& path) {
                 QSaveFile file(path);
-                if (file.open(QIODevice::WriteOnly) && file.write(csv) == csv.size() && file.commit())
+                if (file.open(QIODevice::WriteOnly) && file.write(csv) == csv.size() && file.flush() && file.commit())
                     showMessage(tr("The comparison was saved as %1.").arg(QDir::toNativeSeparators(path)));
                 else
                     m_messages->say({MessageBar::Kind::Error,
@@ -1211,7 +1211,7 @@ void MainWindow::showXray()
 void MainWindow::savePicture(const QString& path, const QImage& picture)
 {
     QSaveFile file(path);
-    if (file.open(QIODevice::WriteOnly) && picture.save(&file, "PNG") && file.commit())
+    if (file.open(QIODevice::WriteOnly) && picture.save(&file, "PNG") && file.flush() && file.commit())
         showMessage(tr("The picture was saved as %1.").arg(QDir::toNativeSeparators(path)));
     else
         m_messages->say({MessageBar::Kind::Error,
