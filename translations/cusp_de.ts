@@ -1401,8 +1401,8 @@
         <translation>Der Server der Schule antwortet nicht. Versuchen Sie es noch einmal, oder üben Sie ohne Anmeldung.</translation>
     </message>
     <message>
-        <source>A name has letters, digits and . _ - @ only. A password has eight characters or more, does not hold the name, and is none that everybody tries first, such as &quot;password1&quot;.</source>
-        <translation>Ein Name hat nur Buchstaben, Ziffern und . _ - @. Ein Passwort hat acht Zeichen oder mehr, enthält nicht den Namen und ist keines, das alle zuerst versuchen, wie „passwort1“.</translation>
+        <source>A password has eight characters or more, does not hold the name, and is none that everybody tries first, such as &quot;password1&quot;.</source>
+        <translation>Ein Passwort hat acht Zeichen oder mehr, enthält nicht den Namen und ist keines, das alle zuerst versuchen, wie „passwort1“.</translation>
     </message>
 </context>
 <context>
@@ -2084,7 +2084,7 @@
     </message>
     <message>
         <source>Not kept: only an admin keeps the school&apos;s presets.</source>
-        <translation>Nicht gespeichert: Nur ein Admin speichert die Profile der Schule.</translation>
+        <translation>Nicht gespeichert: Nur ein Admin speichert die Härte-Voreinstellungen der Schule.</translation>
     </message>
     <message>
         <source>Not kept: %1</source>
@@ -2096,7 +2096,7 @@
     </message>
     <message>
         <source>The preset was exported as %1.</source>
-        <translation>Das Profil wurde als %1 ausgegeben.</translation>
+        <translation>Die Härte-Voreinstellung wurde als %1 exportiert.</translation>
     </message>
     <message>
         <source>Not kept: the file cannot be written. Make room on the disk, or check the rights.</source>
@@ -2104,7 +2104,7 @@
     </message>
     <message>
         <source>Not exported: the file cannot be written. Choose another folder, or make room on the disk.</source>
-        <translation>Nicht ausgegeben: Die Datei kann nicht geschrieben werden. Wählen Sie einen anderen Ordner oder schaffen Sie Platz auf der Festplatte.</translation>
+        <translation>Nicht exportiert: Die Datei kann nicht geschrieben werden. Wählen Sie einen anderen Ordner oder schaffen Sie Platz auf der Festplatte.</translation>
     </message>
 </context>
 <context>
@@ -2195,6 +2195,13 @@
         <source>Audit code now: %1. Every report shows the code of its day. Type one beside &quot;Check everything&quot; (Backups) to see whether what was noted before it is still as it was.</source>
         <extracomment>%1: a short code</extracomment>
         <translation>Prüfcode jetzt: %1. Auf jedem Bericht steht der Code seines Tages. Geben Sie einen neben „Alles prüfen“ (Sicherungen) ein, um zu sehen, ob noch alles so ist, wie es davor festgehalten wurde.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n row(s) among the newest %1; &quot;Older rows&quot; brings more to search</source>
+        <translation>
+            <numerusform>%n Zeile unter den neuesten %1; „Ältere Zeilen“ holt weitere zum Suchen</numerusform>
+            <numerusform>%n Zeilen unter den neuesten %1; „Ältere Zeilen“ holt weitere zum Suchen</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2298,7 +2305,7 @@
     </message>
     <message>
         <source>Name to log in with</source>
-        <translation>Name zum Anmelden</translation>
+        <translation>Anmeldename</translation>
     </message>
     <message>
         <source>Given name</source>
@@ -2306,7 +2313,7 @@
     </message>
     <message>
         <source>Family name</source>
-        <translation>Familienname</translation>
+        <translation>Nachname</translation>
     </message>
     <message>
         <source>Name of a class</source>
@@ -2418,7 +2425,7 @@
     </message>
     <message>
         <source>needs a one-time code</source>
-        <translation>braucht einen Einmal-Code</translation>
+        <translation>braucht einen Einmalcode</translation>
     </message>
     <message>
         <source>Keep it</source>
@@ -4032,7 +4039,7 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     </message>
     <message>
         <source>Name to log in with</source>
-        <translation>Name zum Anmelden</translation>
+        <translation>Anmeldename</translation>
     </message>
     <message>
         <source>Given name</source>
@@ -4115,6 +4122,14 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>The new password again</source>
         <translation>Das neue Passwort noch einmal</translation>
+    </message>
+    <message>
+        <source>A name to log in with has 1 to 64 letters, digits and . _ - @, and no spaces.</source>
+        <translation>Ein Anmeldename hat 1 bis 64 Buchstaben, Ziffern und . _ - @ und keine Leerzeichen.</translation>
+    </message>
+    <message>
+        <source>This name has signs that cannot be seen. Type it again.</source>
+        <translation>Dieser Name hat Zeichen, die man nicht sieht. Geben Sie ihn neu ein.</translation>
     </message>
 </context>
 <context>
@@ -4477,7 +4492,7 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     </message>
     <message>
         <source>An admin keeps the school&apos;s presets</source>
-        <translation>Ein Admin speichert die Profile der Schule</translation>
+        <translation>Ein Admin speichert die Härte-Voreinstellungen der Schule</translation>
     </message>
     <message>
         <source>These two feel the same: choose another, or change a number</source>
@@ -4833,7 +4848,7 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     </message>
     <message>
         <source>This is no hardness preset that can be read. Choose a file that Cusp has exported.</source>
-        <translation>Das ist keine lesbare Härte-Voreinstellung. Wählen Sie eine Datei, die Cusp ausgegeben hat.</translation>
+        <translation>Das ist keine lesbare Härte-Voreinstellung. Wählen Sie eine Datei, die Cusp exportiert hat.</translation>
     </message>
     <message>
         <source>What stands under &quot;%1&quot; cannot be taken.</source>

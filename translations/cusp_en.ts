@@ -1401,7 +1401,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A name has letters, digits and . _ - @ only. A password has eight characters or more, does not hold the name, and is none that everybody tries first, such as &quot;password1&quot;.</source>
+        <source>A password has eight characters or more, does not hold the name, and is none that everybody tries first, such as &quot;password1&quot;.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2195,6 +2195,13 @@
         <source>Audit code now: %1. Every report shows the code of its day. Type one beside &quot;Check everything&quot; (Backups) to see whether what was noted before it is still as it was.</source>
         <extracomment>%1: a short code</extracomment>
         <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n row(s) among the newest %1; &quot;Older rows&quot; brings more to search</source>
+        <translation>
+            <numerusform>%n row among the newest %1; &quot;Older rows&quot; brings more to search</numerusform>
+            <numerusform>%n rows among the newest %1; &quot;Older rows&quot; brings more to search</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -4106,6 +4113,14 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
     <message>
         <source>The new password again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A name to log in with has 1 to 64 letters, digits and . _ - @, and no spaces.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This name has signs that cannot be seen. Type it again.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -1401,8 +1401,8 @@
         <translation>El servidor de la escuela no responde. Inténtelo de nuevo o practique sin iniciar sesión.</translation>
     </message>
     <message>
-        <source>A name has letters, digits and . _ - @ only. A password has eight characters or more, does not hold the name, and is none that everybody tries first, such as &quot;password1&quot;.</source>
-        <translation>Un nombre solo tiene letras, cifras y . _ - @. Una contraseña tiene ocho caracteres o más, no contiene el nombre y no es de las que todos prueban primero, como «contraseña1».</translation>
+        <source>A password has eight characters or more, does not hold the name, and is none that everybody tries first, such as &quot;password1&quot;.</source>
+        <translation>Una contraseña tiene ocho caracteres o más, no contiene el nombre y no es una de las que todos prueban primero, como «password1».</translation>
     </message>
 </context>
 <context>
@@ -2195,6 +2195,13 @@
         <source>Audit code now: %1. Every report shows the code of its day. Type one beside &quot;Check everything&quot; (Backups) to see whether what was noted before it is still as it was.</source>
         <extracomment>%1: a short code</extracomment>
         <translation>Código de auditoría ahora: %1. Cada informe muestra el código de su día. Escriba uno junto a «Revisar todo» (Copias de seguridad) para ver si lo que se anotó antes sigue como estaba.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n row(s) among the newest %1; &quot;Older rows&quot; brings more to search</source>
+        <translation>
+            <numerusform>%n fila entre las %1 más recientes; «Filas anteriores» trae más para buscar</numerusform>
+            <numerusform>%n filas entre las %1 más recientes; «Filas anteriores» trae más para buscar</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -4115,6 +4122,14 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>The new password again</source>
         <translation>La contraseña nueva otra vez</translation>
+    </message>
+    <message>
+        <source>A name to log in with has 1 to 64 letters, digits and . _ - @, and no spaces.</source>
+        <translation>Un nombre de usuario tiene de 1 a 64 letras, cifras y . _ - @, sin espacios.</translation>
+    </message>
+    <message>
+        <source>This name has signs that cannot be seen. Type it again.</source>
+        <translation>Este nombre tiene signos que no se ven. Escríbalo de nuevo.</translation>
     </message>
 </context>
 <context>

@@ -1397,8 +1397,8 @@
         <translation>学校のサーバーが応答しません。もう一度お試しいただくか、ログインせずに練習してください。</translation>
     </message>
     <message>
-        <source>A name has letters, digits and . _ - @ only. A password has eight characters or more, does not hold the name, and is none that everybody tries first, such as &quot;password1&quot;.</source>
-        <translation>名前に使えるのは英字、数字と . _ - @ だけです。パスワードは8文字以上で、名前を含まず、「password1」のように誰もが最初に試すものでないことが必要です。</translation>
+        <source>A password has eight characters or more, does not hold the name, and is none that everybody tries first, such as &quot;password1&quot;.</source>
+        <translation>パスワードは 8 文字以上で、名前を含まず、「password1」のような誰もが最初に試すものではないものにしてください。</translation>
     </message>
 </context>
 <context>
@@ -2182,6 +2182,12 @@
         <source>Audit code now: %1. Every report shows the code of its day. Type one beside &quot;Check everything&quot; (Backups) to see whether what was noted before it is still as it was.</source>
         <extracomment>%1: a short code</extracomment>
         <translation>現在の監査コード：%1。各報告書にはその日のコードが載ります。「すべて確認」（バックアップ）の横に入力すると、それ以前の記録が元のままかどうか分かります。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n row(s) among the newest %1; &quot;Older rows&quot; brings more to search</source>
+        <translation>
+            <numerusform>最新の %1 行のうち %n 行。さらに検索するには「さらに古い行」を押してください</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -4082,6 +4088,14 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>The new password again</source>
         <translation>新しいパスワードをもう一度</translation>
+    </message>
+    <message>
+        <source>A name to log in with has 1 to 64 letters, digits and . _ - @, and no spaces.</source>
+        <translation>ログイン名は 1～64 文字の文字、数字、. _ - @ で、空白は使えません。</translation>
+    </message>
+    <message>
+        <source>This name has signs that cannot be seen. Type it again.</source>
+        <translation>この名前には見えない文字が含まれています。もう一度入力してください。</translation>
     </message>
 </context>
 <context>

@@ -9,6 +9,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
+#include <QLocale>
 #include <QPushButton>
 #include <QSortFilterProxyModel>
 #include <QStandardItemModel>
@@ -104,8 +105,14 @@ void AuditPart::tell()
     m_code->setText(tr("Audit code now: %1. Every report shows the code of its day. Type one beside \"Check "
                        "everything\" (Backups) to see whether what was noted before it is still as it was.")
                         .arg(m_head));
-    m_count->setText(tr("%n row(s)", nullptr, m_shown->rowCount()));
-    m_older->setEnabled(!m_audit.isEmpty() && m_audit.back().seq > 1);
+    const bool hasOlder = !m_audit.isEmpty() && m_audit.back().seq > 1;
+    m_count->setText(
+        m_search->text().isEmpty() || !hasOlder
+            ? tr("%n row(s)", nullptr, m_shown->rowCount())
+            //: %1: how many rows were searched
+            : tr("%n row(s) among the newest %1; \"Older rows\" brings more to search", nullptr, m_shown->rowCount())
+                  .arg(QLocale().toString(m_audit.size())));
+    m_older->setEnabled(hasOlder);
 }
 
 void AuditPart::fill()

@@ -22,10 +22,10 @@ QString withUnit(const QString& number, const core::settings::Parameter& paramet
     return parameter.unit.empty() ? number : number + u' ' + QString::fromStdString(parameter.unit);
 }
 
-/// As it can be typed again: a point, and no zeros behind.
-QString plain(double value)
+/// Without zeros behind; in the C locale as it can be typed again.
+QString plain(double value, const QLocale& locale = QLocale::c())
 {
-    return QLocale::c().toString(value, 'g', 6);
+    return locale.toString(value, 'g', 6);
 }
 
 }  // namespace
@@ -44,14 +44,15 @@ QString valueWords(const core::settings::Parameter& parameter, double value)
                     parameter);
 }
 
-QString rangeWords(const core::settings::Parameter& parameter)
+QString rangeWords(const core::settings::Parameter& parameter, const QLocale& locale)
 {
     if (parameter.isLive())
         return Words::tr("a live value, to be read, watched or plotted");
     if (parameter.isSwitch)
         return Words::tr("0 (off) or 1 (on)");
     //: %1 and %2 are numbers, %2 with a unit
-    return Words::tr("%1 to %2").arg(plain(parameter.minimum), withUnit(plain(parameter.maximum), parameter));
+    return Words::tr("%1 to %2")
+        .arg(plain(parameter.minimum, locale), withUnit(plain(parameter.maximum, locale), parameter));
 }
 
 QString answerWords(const core::settings::SetAnswer& answer, const QString& name,

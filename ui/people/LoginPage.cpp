@@ -12,6 +12,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "database/Usernames.h"
 #include "ui/shell/LanguageMenu.h"
 #include "ui/shell/ScrollPane.h"
 #include "ui/shell/Theme.h"
@@ -26,6 +27,7 @@ using namespace ui::shell;
 
 constexpr int kCardPx = 400;
 constexpr int kLongestInput = 300;
+constexpr int kLongestName = 200;
 
 }  // namespace
 
@@ -36,6 +38,7 @@ LoginPage::LoginPage(QWidget* parent)
       m_old(field("oldPassword", true)), m_password(field("password", true)), m_again(field("passwordAgain", true)),
       m_fault(study::faultLabel(m_card)), m_go(new QPushButton(m_card)), m_other(new QPushButton(m_card)),
       m_guest(new QPushButton(m_card)), m_change(new QPushButton(m_card)),
+      m_said(study::formWords({}, kBody, QFont::Normal, QPalette::WindowText, m_card)),
       m_unreachable(study::formWords({}, kBody, QFont::Normal, QPalette::WindowText, m_card)),
       m_tryAgain(new QPushButton(m_card)), m_restore(new QPushButton(m_card)), m_language(new QToolButton(m_card))
 {
@@ -73,6 +76,7 @@ LoginPage::LoginPage(QWidget* parent)
     for (QPushButton* button : {m_go, m_other, m_guest, m_change})
         m_column->addWidget(button);
     m_column->addSpacing(kSpace2);
+    m_column->addWidget(m_said);
     m_column->addWidget(m_unreachable);
     m_tryAgain->setObjectName(QStringLiteral("tryAgain"));
     m_restore->setObjectName(QStringLiteral("restoreBackup"));
@@ -141,7 +145,7 @@ QLineEdit* LoginPage::field(const char* name, bool isPassword)
     auto* input = new QLineEdit(m_card);
     input->setObjectName(QLatin1String(name));
     input->setFont(typeface(kBody));
-    input->setMaxLength(kLongestInput);
+    input->setMaxLength(isPassword ? kLongestInput : kLongestName);
     if (isPassword) {
         input->setEchoMode(QLineEdit::Password);
         input->setInputMethodHints(Qt::ImhHiddenText | Qt::ImhSensitiveData | Qt::ImhNoPredictiveText);
@@ -162,6 +166,7 @@ void LoginPage::ask(Door door, bool isIn)
     for (QLineEdit* input : {m_given, m_family, m_old, m_password, m_again})
         input->clear();
     study::showFault(m_fault, {});
+    say({});
     setBusy(false);
     arrange();
     speak();
@@ -269,13 +274,14 @@ void LoginPage::speak()
 
 void LoginPage::say(const QString& sentence)
 {
-    m_unreachable->setText(sentence);
-    m_unreachable->setVisible(!sentence.isEmpty());
+    m_said->setText(sentence);
+    m_said->setVisible(!sentence.isEmpty());
 }
 
 void LoginPage::setUnreachable(const QString& sentence)
 {
-    say(sentence);
+    m_unreachable->setText(sentence);
+    m_unreachable->setVisible(!sentence.isEmpty());
     m_tryAgain->setVisible(!sentence.isEmpty());
     setBusy(false);
 }
@@ -318,6 +324,27 @@ void LoginPage::refuseNewPassword(const QString& sentence)
     m_password->setFocus();
 }
 
+bool LoginPage::areNamesFit()
+{
+    QLineEdit* wrong = nullptr;
+    QString why;
+    if (!database::normalUsername(m_name->text().toStdString())) {
+        wrong = m_name;
+        why = tr("A name to log in with has 1 to 64 letters, digits and . _ - @, and no spaces.");
+    }
+    for (QLineEdit* one : {m_family, m_given})
+        if (wrong == nullptr && !database::canBeSeen(one->text().trimmed().toStdString())) {
+            wrong = one;
+            why = tr("This name has signs that cannot be seen. Type it again.");
+        }
+    if (wrong == nullptr)
+        return true;
+    study::showFault(m_fault, why);
+    wrong->setFocus();
+    wrong->selectAll();
+    return false;
+}
+
 void LoginPage::submit()
 {
     if (m_isBusy)
@@ -330,6 +357,8 @@ void LoginPage::submit()
         m_again->selectAll();
         return;
     }
+    if (m_door == Door::NewSchool && !areNamesFit())
+        return;
     switch (m_door) {
     case Door::Login:
         if (m_name->text().trimmed().isEmpty() || password.isEmpty()) {

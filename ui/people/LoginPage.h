@@ -34,7 +34,7 @@ public:
     void setLockedBy(const QString& username);
     /// The database cannot be used: why. Practice without a login still works. Empty: it can.
     void setUnreachable(const QString& sentence);
-    /// Something else in its place.
+    /// How something ended that everybody was logged out for; it stands until somebody is asked anew.
     void say(const QString& sentence);
     /// A backup of then, UTC, can be put in the place of a database that is damaged or gone; invalid: there is none.
     void offerBackup(const QDateTime& made);
@@ -68,6 +68,8 @@ private:
     [[nodiscard]] QLineEdit* firstInput() const;
     void speak();
     void submit();
+    /// Of a new school's admin; else says what is wrong.
+    [[nodiscard]] bool areNamesFit();
 
     Door m_door = Door::Login;
     bool m_isIn = false;
@@ -89,6 +91,7 @@ private:
     QPushButton* m_other;
     QPushButton* m_guest;
     QPushButton* m_change;  ///< of one's own password
+    QLabel* m_said;         ///< how something ended that everybody was logged out for
     QLabel* m_unreachable;
     QPushButton* m_tryAgain;
     QPushButton* m_restore;

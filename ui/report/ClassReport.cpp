@@ -106,7 +106,7 @@ void paintPart(Sheet& sheet, const people::ClassModel& model, int first, int cou
         }
         const QRectF name(0.0, sheet.top(), kNamePt - 4.0, kRowPt);
         QPainter& painter = sheet.painter();
-        painter.setFont(shell::typeface(kTextPt));
+        painter.setFont(paperFont(kTextPt));
         const QString whole = model.headerData(row, Qt::Vertical, Qt::DisplayRole).toString();
         sheet.put(name, painter.fontMetrics().elidedText(whole, Qt::ElideRight, static_cast<int>(name.width())),
                   kTextPt, QFont::Normal, Qt::AlignLeft | Qt::AlignVCenter);

@@ -34,7 +34,7 @@ constexpr double kChartPt = 158.0;
 constexpr int kNumberPx = 14;     ///< of a number on a picture, and radius of its disc
 constexpr double kStemPx = 34.0;  ///< from there to its place
 constexpr double kTipPx = 4.0;
-constexpr double kLostPt = 70.0;  ///< width of the column of points
+constexpr double kColumnGapPt = 10.0;  ///< before the column of points
 constexpr std::size_t kMomentsTold = 3;
 constexpr std::size_t kShownHash = 16;
 
@@ -160,9 +160,12 @@ QString lostWords(const lessons::Criterion& criterion)
 void paintCriteria(Sheet& sheet, const ScoreCard& card)
 {
     sheet.head(Words::tr("Where the points went"), 40.0);
+    double lostWide = 0.0;
+    for (const lessons::Criterion& criterion : card.sheet.criteria)
+        lostWide = std::max(lostWide, sheet.widthOf(lostWords(criterion), kTextPt, QFont::DemiBold) + kColumnGapPt);
     for (std::size_t k = 0; k < card.sheet.criteria.size(); ++k) {
         const lessons::Criterion& criterion = card.sheet.criteria[k];
-        const double wide = sheet.width() - kLostPt;
+        const double wide = sheet.width() - lostWide;
         QStringList why{text::criterionWorked(criterion, card.sheet.verdict)};
         if (const QString moments = momentsOf(card, k); !moments.isEmpty())
             why << moments;
@@ -173,7 +176,7 @@ void paintCriteria(Sheet& sheet, const ScoreCard& card)
         sheet.rule();
         constexpr int kLeft = Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap;
         sheet.put(QRectF(0.0, sheet.top(), wide, nameHigh + 1.0), name, kTextPt, QFont::DemiBold, kLeft);
-        sheet.put(QRectF(wide, sheet.top(), kLostPt, nameHigh + 1.0), lostWords(criterion), kTextPt, QFont::DemiBold,
+        sheet.put(QRectF(wide, sheet.top(), lostWide, nameHigh + 1.0), lostWords(criterion), kTextPt, QFont::DemiBold,
                   Qt::AlignRight | Qt::AlignTop);
         sheet.put(QRectF(0.0, sheet.top() + nameHigh + 1.0, wide, whyHigh + 1.0), why.join(u'\n'), kTextPt,
                   QFont::Normal, kLeft);

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include <QCoreApplication>
-#include <QFontDatabase>
 #include <QLocale>
 
 #include "ui/charts/Drawing.h"
@@ -24,6 +23,13 @@ constexpr double kChartScale = 0.72;  ///< letters of 12 and 14 px become 8.6 an
 constexpr int kFoldedWords = Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap;
 
 }  // namespace
+
+QFont paperFont(int size, QFont::Weight weight)
+{
+    QFont font = shell::typeface(size, weight);
+    font.setStyleStrategy(QFont::PreferNoShaping);  // of scripts that can be read without
+    return font;
+}
 
 Sheet::Sheet(QPainter& painter, const QSizeF& page, const NextPage& next, const QString& title, const Proof& proof)
     : m_painter(painter), m_page(page), m_next(next), m_title(title), m_proof(proof)
@@ -58,14 +64,8 @@ void Sheet::foot()
             Qt::AlignLeft | Qt::AlignTop);
         return;
     }
-    // The code in a font that draws every sign as itself, so that it can be copied out of a PDF as it is read.
-    const QString before = Words::tr("Audit code: %1").section(QStringLiteral("%1"), 0, 0);
-    put(second, before, kSmallPt, QFont::Medium, Qt::AlignLeft | Qt::AlignTop);
-    const double wide = m_painter.fontMetrics().horizontalAdvance(before);
-    QFont fixed = QFontDatabase::systemFont(QFontDatabase::FixedFont);
-    fixed.setPixelSize(kSmallPt);
-    m_painter.setFont(fixed);
-    m_painter.drawText(second.adjusted(wide, 0.0, 0.0, 0.0), Qt::AlignLeft | Qt::AlignTop, m_proof.auditCode);
+    put(second, Words::tr("Audit code: %1").arg(m_proof.auditCode), kSmallPt, QFont::Medium,
+        Qt::AlignLeft | Qt::AlignTop);
 }
 
 void Sheet::need(double height)
@@ -81,13 +81,19 @@ void Sheet::need(double height)
 
 double Sheet::heightOf(double wide, const QString& words, int size, QFont::Weight weight)
 {
-    m_painter.setFont(shell::typeface(size, weight));
+    m_painter.setFont(paperFont(size, weight));
     return m_painter.boundingRect(QRectF(0.0, 0.0, wide, 1.0e5), kFoldedWords, words).height();
+}
+
+double Sheet::widthOf(const QString& words, int size, QFont::Weight weight)
+{
+    m_painter.setFont(paperFont(size, weight));
+    return m_painter.boundingRect(QRectF(0.0, 0.0, 1.0e5, 1.0e5), Qt::AlignLeft, words).width();
 }
 
 double Sheet::put(const QRectF& box, const QString& words, int size, QFont::Weight weight, int flags)
 {
-    m_painter.setFont(shell::typeface(size, weight));
+    m_painter.setFont(paperFont(size, weight));
     m_painter.setPen(Qt::black);
     QRectF used;
     m_painter.drawText(box, flags, words, &used);

@@ -16,6 +16,10 @@ inline constexpr int kHeadPt = 11;
 inline constexpr int kTextPt = 9;
 inline constexpr int kSmallPt = 7;
 
+/// Draws every sign as itself: of what the window's font would join or exchange for another form a PDF could not say
+/// which signs it was made of, and copying out of it would lose them.
+[[nodiscard]] QFont paperFont(int size, QFont::Weight weight = QFont::Normal);
+
 /// A report that is being painted from top to bottom, with its foot on every page. All lengths are points.
 class Sheet
 {
@@ -45,6 +49,7 @@ public:
     /// @return the height they take
     double put(const QRectF& box, const QString& words, int size, QFont::Weight weight, int flags);
     [[nodiscard]] double heightOf(double wide, const QString& words, int size, QFont::Weight weight);
+    [[nodiscard]] double widthOf(const QString& words, int size, QFont::Weight weight);
 
 private:
     [[nodiscard]] double bottom() const;

@@ -10,6 +10,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QLocale>
 #include <QShowEvent>
 #include <QSignalBlocker>
 #include <QToolButton>
@@ -197,9 +198,9 @@ QWidget* SettingsPage::makeRow(const core::settings::Parameter& parameter, QWidg
         };
         line->addWidget(number);
     }
-    auto* words =
-        study::formWords(parameter.isSwitch ? help : help + u' ' + tr("From %1.").arg(console::rangeWords(parameter)),
-                         kSmall, QFont::Normal, QPalette::PlaceholderText, whole);
+    auto* words = study::formWords(
+        parameter.isSwitch ? help : help + u' ' + tr("From %1.").arg(console::rangeWords(parameter, QLocale())), kSmall,
+        QFont::Normal, QPalette::PlaceholderText, whole);
     line->addWidget(words, 1);
     auto* back = new QToolButton(whole);
     back->setIcon(lineIcon(QStringLiteral("undo"), palette()));

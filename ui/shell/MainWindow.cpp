@@ -8,8 +8,10 @@
 #include <glm/geometric.hpp>
 
 #include <QAbstractButton>
+#include <QAbstractItemView>
 #include <QAbstractSlider>
 #include <QApplication>
+#include <QComboBox>
 #include <QDateTime>
 #include <QDir>
 #include <QDragEnterEvent>
@@ -17,6 +19,7 @@
 #include <QFileInfo>
 #include <QIcon>
 #include <QKeyEvent>
+#include <QLineEdit>
 #include <QListView>
 #include <QMimeData>
 #include <QPushButton>
@@ -2229,6 +2232,19 @@ void MainWindow::dropEvent(QDropEvent* event)
     openFile(droppedFile(event->mimeData()));
 }
 
+/// Where people, classes and settings are looked after a letter is none of the tooth's keys, which would lead away from
+/// there and begin the work anew; in a list it goes to what begins with it.
+bool MainWindow::isNoKeyOfTheTooth(const QKeyEvent& key, const QWidget& focused) const
+{
+    const bool isPlain = !(key.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) &&
+                         !key.text().isEmpty() && (key.text().at(0).isLetterOrNumber() || key.text().at(0) == u' ');
+    const QWidget* const page = m_pages->currentWidget();
+    const QList<const QWidget*> offices{m_history,      m_classes, m_assign,   m_admin, m_presets,
+                                        m_settingsPage, m_editor,  m_forecast, m_login};
+    return isPlain && (offices.contains(page) || qobject_cast<const QAbstractItemView*>(&focused) != nullptr ||
+                       qobject_cast<const QComboBox*>(&focused) != nullptr);
+}
+
 bool MainWindow::eventFilter(QObject* watched, QEvent* event)
 {
     switch (event->type()) {
@@ -2255,6 +2271,20 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event)
     // Who has walked to a button with Tab presses it with Space; only elsewhere Space switches the drill.
     if (event->type() == QEvent::ShortcutOverride && qobject_cast<QAbstractButton*>(watched) != nullptr &&
         dynamic_cast<QKeyEvent*>(event)->key() == Qt::Key_Space) {
+        event->accept();
+        return true;
+    }
+    if (event->type() == QEvent::ShortcutOverride && watched->isWidgetType() &&
+        isNoKeyOfTheTooth(*dynamic_cast<QKeyEvent*>(event), *static_cast<QWidget*>(watched))) {
+        event->accept();
+        return true;
+    }
+    if (auto* search = qobject_cast<QLineEdit*>(watched);
+        search != nullptr && search->isClearButtonEnabled() && !search->text().isEmpty() &&
+        (event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress) &&
+        dynamic_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
+        if (event->type() == QEvent::KeyPress)
+            search->clear();
         event->accept();
         return true;
     }

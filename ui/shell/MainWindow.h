@@ -236,7 +236,7 @@ public slots:
     void setIdleLimit(std::chrono::milliseconds limit);
     /// Somebody else will work here: nothing that was said to the one before stays to be read.
     void leaveAll();
-    /// Beside what is typed there; the next thing said there takes its place.
+    /// Beside what is typed there, until somebody is asked anew.
     void sayAtDoor(const QString& sentence);
     /// Shows who works here round; tourEnded() follows.
     void beginTour();
@@ -348,6 +348,7 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    [[nodiscard]] bool isNoKeyOfTheTooth(const QKeyEvent& key, const QWidget& focused) const;
     /// What a file dialog looks for. Each kind remembers its own folder, also between runs.
     enum class FileKind { Scan, Recording, Picture, Reference, Preset, Table };
     /// What was asked of the servo and is believed until it answers, or until it has had time to.

@@ -252,9 +252,8 @@ QString loginFault(const core::Error& error)
     }
     case core::ErrorCode::OutOfRange:
         return QCoreApplication::translate("Login",
-                                           "A name has letters, digits and . _ - @ only. A password has eight "
-                                           "characters or more, does not hold the name, and is none that everybody "
-                                           "tries first, such as \"password1\".");
+                                           "A password has eight characters or more, does not hold the name, and is "
+                                           "none that everybody tries first, such as \"password1\".");
     case core::ErrorCode::NotAllowed:
         return QCoreApplication::translate("Login", "Somebody has been entered here meanwhile. Log in as an admin.");
     case core::ErrorCode::ConnectionLost:
