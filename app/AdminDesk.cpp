@@ -391,8 +391,8 @@ void AdminDesk::beside(const QString& what, Job job, Done done)
 
 void AdminDesk::tellFailed(const core::Error& error)
 {
-    m_window.adminPage().backups().finish([isStopped = m_isStopped->load(), detail = error.detail] {
-        return isStopped ? tr("It was stopped.") : tr("It did not work: %1").arg(QString::fromStdString(detail));
+    m_window.adminPage().backups().finish([isStopped = m_isStopped->load(), error] {
+        return isStopped ? tr("It was stopped.") : errorText(error, Failed::ChangingSchool);
     });
 }
 

@@ -5,6 +5,7 @@
 
 #include <QDateTime>
 #include <QDir>
+#include <QFileInfo>
 
 #include "database/sql/Attempts.h"
 #include "database/sql/Backups.h"
@@ -61,6 +62,11 @@ core::Result<database::StationKey> SchoolDesk::keyOf(const QString& folder)
 
 core::Status SchoolDesk::openDatabase()
 {
+    // A drive that is not there, or a slip of the pen, does not begin a second school.
+    if (!m_address.isServer() && !QFileInfo(m_folder).isDir())
+        return core::unexpected(ErrorCode::FileMissing, "database " + m_address.file.toStdString() +
+                                                            ": the folder does not exist; create it or choose another "
+                                                            "place");
     if (!m_key) {
         auto key = keyOf(m_folder);
         if (!key)

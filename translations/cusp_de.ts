@@ -1801,10 +1801,6 @@
         <translation>Es wurde angehalten.</translation>
     </message>
     <message>
-        <source>It did not work: %1</source>
-        <translation>Es hat nicht geklappt: %1</translation>
-    </message>
-    <message>
         <source>The data are being backed up …</source>
         <translation>Die Daten werden gesichert …</translation>
     </message>
@@ -4130,6 +4126,10 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>This name has signs that cannot be seen. Type it again.</source>
         <translation>Dieser Name hat Zeichen, die man nicht sieht. Geben Sie ihn neu ein.</translation>
+    </message>
+    <message>
+        <source>The school&apos;s data are not where they were: there is nobody in %1. But there is a backup of them, which you can restore below. Or create a new school: you become its admin.</source>
+        <translation>Die Daten der Schule sind nicht mehr, wo sie waren: In %1 ist niemand eingetragen. Es gibt aber eine Sicherung, die Sie unten wiederherstellen können. Oder legen Sie eine neue Schule an: Sie werden ihr Admin.</translation>
     </message>
 </context>
 <context>

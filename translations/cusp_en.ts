@@ -1801,10 +1801,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>It did not work: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The data are being backed up …</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4121,6 +4117,10 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
     <message>
         <source>This name has signs that cannot be seen. Type it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The school&apos;s data are not where they were: there is nobody in %1. But there is a backup of them, which you can restore below. Or create a new school: you become its admin.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

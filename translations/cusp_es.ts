@@ -1801,10 +1801,6 @@
         <translation>Se detuvo.</translation>
     </message>
     <message>
-        <source>It did not work: %1</source>
-        <translation>No funcionó: %1</translation>
-    </message>
-    <message>
         <source>The data are being backed up …</source>
         <translation>Se está haciendo la copia de seguridad …</translation>
     </message>
@@ -4130,6 +4126,10 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>This name has signs that cannot be seen. Type it again.</source>
         <translation>Este nombre tiene signos que no se ven. Escríbalo de nuevo.</translation>
+    </message>
+    <message>
+        <source>The school&apos;s data are not where they were: there is nobody in %1. But there is a backup of them, which you can restore below. Or create a new school: you become its admin.</source>
+        <translation>Los datos de la escuela ya no están donde estaban: no hay nadie en %1. Pero hay una copia de seguridad, que puede restaurar abajo. O cree una escuela nueva: usted será su administrador.</translation>
     </message>
 </context>
 <context>

@@ -1792,10 +1792,6 @@
         <translation>中止しました。</translation>
     </message>
     <message>
-        <source>It did not work: %1</source>
-        <translation>うまくいきませんでした：%1</translation>
-    </message>
-    <message>
         <source>The data are being backed up …</source>
         <translation>データをバックアップしています…</translation>
     </message>
@@ -4096,6 +4092,10 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>This name has signs that cannot be seen. Type it again.</source>
         <translation>この名前には見えない文字が含まれています。もう一度入力してください。</translation>
+    </message>
+    <message>
+        <source>The school&apos;s data are not where they were: there is nobody in %1. But there is a backup of them, which you can restore below. Or create a new school: you become its admin.</source>
+        <translation>学校のデータが元の場所にありません。%1 には誰も登録されていません。バックアップがあるので、下のボタンで復元できます。または新しい学校を作成してください。あなたが管理者になります。</translation>
     </message>
 </context>
 <context>

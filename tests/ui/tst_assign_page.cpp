@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QDateEdit>
+#include <QFocusEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
@@ -60,6 +61,7 @@ private slots:
     void chosenOnesAreChangedAndOnlyThoseThatDiffer();
     void whatIsNotChangedStaysEachLessonsOwn();
     void aDayThatIsOverIsTold();
+    void aDayIsTypedAsItIsWritten();
     void takenBackIsUndone();
     void theKeyboardStaysWhereItWorks();
     void whoHasNoAttemptsLeftIsTold();
@@ -287,6 +289,24 @@ void TestAssignPage::aDayThatIsOverIsTold()
     first<QCheckBox>("isDue")->setChecked(true);
     first<QDateEdit>("dueDay")->setDate(QDate::currentDate());
     QVERIFY(!note->isVisible());
+}
+
+/// Whatever of it was pointed at.
+void TestAssignPage::aDayIsTypedAsItIsWritten()
+{
+    auto* day = first<QDateEdit>("dueDay");
+    day->setDate(QDate(2026, 12, 2));
+    const QString typed = QLocale().toString(QDate(2027, 2, 15), day->displayFormat());
+    QTest::keyClick(day, Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClicks(day, typed);
+    QCOMPARE(day->date(), QDate(2027, 2, 15));
+    day->setDate(QDate(2026, 12, 2));
+    day->setCurrentSectionIndex(2);
+    QFocusEvent come(QEvent::FocusIn, Qt::MouseFocusReason);  // without a window manager none comes of itself
+    QApplication::sendEvent(day, &come);
+    QTRY_COMPARE(day->currentSectionIndex(), 0);
+    QTest::keyClicks(day, typed);
+    QCOMPARE(day->date(), QDate(2027, 2, 15));
 }
 
 void TestAssignPage::takenBackIsUndone()

@@ -422,7 +422,7 @@ void AssignPage::fillOffers()
             item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
             item->setData(given->dueUtc.empty() ? tr("given")
                                                 //: %1: a date
-                                                : tr("given, due %1").arg(whenShort(given->dueUtc, m_now)),
+                                                : tr("given, due %1").arg(dueShort(given->dueUtc, m_now)),
                           kSecondLine);
         }
         item->setData(item->data(kSecondLine), Qt::AccessibleDescriptionRole);
@@ -491,7 +491,7 @@ void AssignPage::fillGiven()
         const QString title = titleOf(given.lessonId);
         add(title, title)->setToolTip(title);
         const bool isOver = !given.dueUtc.empty() && given.dueUtc < nowUtc;
-        const QString due = whenShort(given.dueUtc, m_now);
+        const QString due = dueShort(given.dueUtc, m_now);
         // Those without a day come last; their end of days is written like that of others.
         auto* dueItem = add(given.dueUtc.empty() ? QStringLiteral("–")
                             //: %1: a date that is over

@@ -6,11 +6,15 @@
 #include <QCheckBox>
 #include <QDateEdit>
 #include <QEvent>
+#include <QFocusEvent>
 #include <QGridLayout>
+#include <QKeyEvent>
 #include <QLabel>
+#include <QLineEdit>
 #include <QLocale>
 #include <QSpinBox>
 #include <QStringList>
+#include <QTimer>
 #include <QToolButton>
 
 #include "ui/people/PeopleWords.h"
@@ -114,7 +118,10 @@ void AssignTerms::retell()
     m_day->setAccessibleName(tr("Day when it is due"));
     m_day->setToolTip(tr("Until the end of this day"));
     m_day->setLocale(QLocale());
-    m_day->setDisplayFormat(QLocale().dateFormat(QLocale::ShortFormat));
+    QString format = QLocale().dateFormat(QLocale::ShortFormat);
+    if (!format.contains(QStringLiteral("yyyy")))
+        format.replace(QStringLiteral("yy"), QStringLiteral("yyyy"));
+    m_day->setDisplayFormat(format);
     //: How often a lesson may be tried; a number follows
     m_limitWord->setText(tr("Attempts"));
     m_limit->setAccessibleName(tr("Attempts at most"));
@@ -139,11 +146,26 @@ void AssignTerms::sayCalendar()
             button->setAccessibleName(tr("The next month"));
 }
 
-/// The calendar is made when it is opened first.
+/// The calendar is made when it is opened first. A whole day can be typed as it is written, whether one comes with the
+/// mouse or has chosen all of what is there: else the digits would go into the month or the year that was pointed at.
 bool AssignTerms::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::MouseButtonPress || event->type() == QEvent::KeyPress)
         sayCalendar();
+    const auto fromTheFirst = [this] { m_day->setSelectedSection(m_day->sectionAt(0)); };
+    if (event->type() == QEvent::KeyPress) {
+        const auto* text = m_day->findChild<QLineEdit*>(QStringLiteral("qt_spinbox_lineedit"));
+        const QString typed = dynamic_cast<QKeyEvent*>(event)->text();
+        const bool isDigit = !typed.isEmpty() && typed.at(0).isDigit();
+        if (isDigit && text->selectedText() == text->text())
+            fromTheFirst();
+        // Behind the last digit of a day Qt goes on to the month by itself; a point then would skip that.
+        if (!isDigit && m_day->currentSectionIndex() > 0 && !typed.isEmpty() && typed.at(0).isPrint() &&
+            text->selectedText() == m_day->sectionText(m_day->currentSection()))
+            return true;
+    }
+    if (event->type() == QEvent::FocusIn && dynamic_cast<QFocusEvent*>(event)->reason() == Qt::MouseFocusReason)
+        QTimer::singleShot(0, m_day, fromTheFirst);  // after the press that brought it
     return QWidget::eventFilter(watched, event);
 }
 

@@ -245,7 +245,7 @@ QString ClassModel::headWords(std::size_t lesson, bool isTip) const
     const auto given = m_given.find(id);
     if (given != m_given.end() && !given->second.dueUtc.empty())
         //: %1: a date
-        words << tr("due %1").arg(isTip ? when(given->second.dueUtc) : whenShort(given->second.dueUtc, m_now));
+        words << tr("due %1").arg(isTip ? when(given->second.dueUtc) : dueShort(given->second.dueUtc, m_now));
     if (isTip && given != m_given.end() && given->second.attemptLimit > 0)
         words << tr("%n attempt(s) at most", nullptr, given->second.attemptLimit);
     if (const Passed of = passed(lesson); isTip && of.tried > 0)

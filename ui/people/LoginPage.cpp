@@ -232,8 +232,14 @@ void LoginPage::speak()
         break;
     case Door::NewSchool:
         m_title->setText(tr("Welcome to Cusp"));
-        m_words->setText(tr("Nobody has been entered here yet. Create the school: you become its admin, who enters "
-                            "teachers and students. Or practise now; nothing is kept then."));
+        m_words->setText(
+            m_backupMade.isValid()
+                //: %1: a file
+                ? tr("The school's data are not where they were: there is nobody in %1. But there is a backup of them, "
+                     "which you can restore below. Or create a new school: you become its admin.")
+                      .arg(m_where)
+                : tr("Nobody has been entered here yet. Create the school: you become its admin, who enters "
+                     "teachers and students. Or practise now; nothing is kept then."));
         m_go->setText(tr("Create the school"));
         break;
     case Door::Locked:
@@ -286,8 +292,9 @@ void LoginPage::setUnreachable(const QString& sentence)
     setBusy(false);
 }
 
-void LoginPage::offerBackup(const QDateTime& made)
+void LoginPage::offerBackup(const QDateTime& made, const QString& where)
 {
+    m_where = where;
     m_backupMade = made;
     m_restore->setVisible(made.isValid());
     speak();

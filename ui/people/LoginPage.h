@@ -37,7 +37,8 @@ public:
     /// How something ended that everybody was logged out for; it stands until somebody is asked anew.
     void say(const QString& sentence);
     /// A backup of then, UTC, can be put in the place of a database that is damaged or gone; invalid: there is none.
-    void offerBackup(const QDateTime& made);
+    /// @param where  the database, to read
+    void offerBackup(const QDateTime& made, const QString& where);
     /// What was typed is being looked at: nothing can be typed meanwhile.
     void setBusy(bool busy);
     /// Says what was wrong, beside where it was typed.
@@ -96,6 +97,7 @@ private:
     QPushButton* m_tryAgain;
     QPushButton* m_restore;
     QDateTime m_backupMade;
+    QString m_where;  ///< the database, to read
     QToolButton* m_language;
     QString m_code;  ///< that was typed as the password
 };

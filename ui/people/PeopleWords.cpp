@@ -68,6 +68,13 @@ QString whenShort(const std::string& utc, const QDateTime& now)
     return QLocale().toString(day, Words::tr("d MMM"));
 }
 
+QString dueShort(const std::string& dueUtc, const QDateTime& now)
+{
+    const QDate day = dueDay(dueUtc);
+    return day.year() == now.toLocalTime().date().year() ? QLocale().toString(day, Words::tr("d MMM"))
+                                                         : QLocale().toString(day, QLocale::ShortFormat);
+}
+
 QString clock(std::int64_t ms)
 {
     const std::int64_t hours = ms / 3'600'000;

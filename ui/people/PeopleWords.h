@@ -24,6 +24,8 @@ using LessonTitles = QHash<QString, QString>;
 [[nodiscard]] QString when(const std::string& utc);
 /// The same in few letters: "today", "yesterday", "Tue", "12 Nov", "Nov 2024".
 [[nodiscard]] QString whenShort(const std::string& utc, const QDateTime& now);
+/// The day until whose end something is to be done: "2 Feb", of another year than this "02/02/2027"; empty for none.
+[[nodiscard]] QString dueShort(const std::string& dueUtc, const QDateTime& now);
 [[nodiscard]] QDateTime momentOf(const std::string& utc);
 /// The last second of a day of this computer's calendar, as what is due is kept: "2026-11-27T22:59:59Z".
 [[nodiscard]] std::string endOfDay(QDate day);

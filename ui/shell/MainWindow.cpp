@@ -664,7 +664,7 @@ void MainWindow::setUnreachable(const std::optional<core::Error>& error, const Q
     m_unreachable = error;
     m_where = where;
     tellUnreachable();
-    m_login->offerBackup(backupMade);
+    m_login->offerBackup(backupMade, where);
 }
 
 void MainWindow::tellUnreachable()
