@@ -497,9 +497,9 @@ void PeopleDesk::changeAssignments(const QList<ui::people::AssignmentChange>& ch
     askAs(
         [who = m_who(), changes](const School& school) -> core::Result<bool> {
             for (const ui::people::AssignmentChange& change : changes) {
-                const core::Status done = change.after ? database::sql::assign(school, who, *change.after)
-                                                       : database::sql::unassign(school, who, change.before->classId,
-                                                                                 change.before->lessonId);
+                const core::Status done = change.after
+                                              ? database::sql::assign(school, who, *change.after, change.before)
+                                              : database::sql::unassign(school, who, *change.before);
                 if (!done)
                     return tl::unexpected(done.error());
             }
@@ -529,6 +529,9 @@ void PeopleDesk::tellOverview(database::ClassId ofClass)
                   m_window.assignPage().setAssignments(now->overview, given);
               if (page.chosenClass() != ofClass)
                   return;
+              // What another class did is not this one's, neither shown nor printed.
+              if (m_overview.id != now->overview.id || page.chosenLesson().isEmpty())
+                  m_results = {};
               m_overview = toldApart(now->overview);
               m_given = given;
               page.setOverview(m_overview);

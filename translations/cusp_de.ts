@@ -798,6 +798,10 @@
         <source>An attempt on its way to the school is damaged and was put aside, in the folder “outbox/damaged”. All else is kept as ever.</source>
         <translation>Ein Versuch auf dem Weg zur Schule ist beschädigt und wurde beiseitegelegt, im Ordner „outbox/damaged“. Alles andere wird wie immer gespeichert.</translation>
     </message>
+    <message>
+        <source>Somebody else has changed it meanwhile. Here is what there is now; change it again if need be.</source>
+        <translation>Jemand anderes hat das inzwischen geändert. Hier steht, was jetzt gilt; ändern Sie es bei Bedarf noch einmal.</translation>
+    </message>
 </context>
 <context>
     <name>ExerciseMarks</name>

@@ -798,6 +798,10 @@
         <source>An attempt on its way to the school is damaged and was put aside, in the folder “outbox/damaged”. All else is kept as ever.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Somebody else has changed it meanwhile. Here is what there is now; change it again if need be.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ExerciseMarks</name>

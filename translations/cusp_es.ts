@@ -798,6 +798,10 @@
         <source>An attempt on its way to the school is damaged and was put aside, in the folder “outbox/damaged”. All else is kept as ever.</source>
         <translation>Un intento en camino a la escuela está dañado y se apartó, en la carpeta «outbox/damaged». Todo lo demás se guarda como siempre.</translation>
     </message>
+    <message>
+        <source>Somebody else has changed it meanwhile. Here is what there is now; change it again if need be.</source>
+        <translation>Otra persona lo ha cambiado mientras tanto. Aquí está lo que hay ahora; cámbielo de nuevo si hace falta.</translation>
+    </message>
 </context>
 <context>
     <name>ExerciseMarks</name>

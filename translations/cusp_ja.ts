@@ -796,6 +796,10 @@
         <source>An attempt on its way to the school is damaged and was put aside, in the folder “outbox/damaged”. All else is kept as ever.</source>
         <translation>学校へ送る途中の試行が壊れているため、フォルダ「outbox/damaged」に取り分けました。ほかはこれまでどおり保存されます。</translation>
     </message>
+    <message>
+        <source>Somebody else has changed it meanwhile. Here is what there is now; change it again if need be.</source>
+        <translation>その間にほかの人が変更しました。現在の内容を表示しています。必要ならもう一度変更してください。</translation>
+    </message>
 </context>
 <context>
     <name>ExerciseMarks</name>

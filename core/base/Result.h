@@ -32,6 +32,7 @@ enum class ErrorCode {
     TooSoon,         ///< after failed logins; the detail says how long to wait
     NewPassword,     ///< a one-time code was given: a password has to be chosen
     NobodyLeft,      ///< he is the last who can do what somebody must be able to do
+    ChangedSince,    ///< somebody else has changed what was to be changed, after it was looked at
 };
 
 struct Error

@@ -47,6 +47,34 @@ core::Status expectFreeName(const School& school, const std::string& name, Class
     return {};
 }
 
+core::Result<std::optional<ClassAssignment>> assignmentNow(const School& school, ClassId id,
+                                                           const std::string& lessonId)
+{
+    std::optional<ClassAssignment> now;
+    if (auto read = forEach(school.db,
+                            "SELECT id, due_utc, attempt_limit FROM assignments WHERE class_id = ? AND lesson_id = ?",
+                            "look what the class was given", {number(id.value), text(lessonId)},
+                            [&](const QSqlQuery& row) {
+                                now = {row.value(0).toLongLong(), id, lessonId, textOf(row, 1), row.value(2).toInt()};
+                            });
+        !read)
+        return tl::unexpected(read.error());
+    return now;
+}
+
+/// For the class; whatever its number.
+bool isSame(const std::optional<ClassAssignment>& one, const std::optional<ClassAssignment>& other)
+{
+    return one.has_value() == other.has_value() &&
+           (!one || (one->dueUtc == other->dueUtc && one->attemptLimit == other->attemptLimit));
+}
+
+core::Status changedSince()
+{
+    return core::unexpected(core::ErrorCode::ChangedSince,
+                            "somebody else has changed what the class was given; look at it, and change it again");
+}
+
 }  // namespace
 
 core::Result<std::string> checkClassName(const std::string& name)
@@ -205,12 +233,18 @@ core::Result<std::vector<ClassAssignment>> listAssignments(const School& school,
     return assignments;
 }
 
-core::Status assign(const School& school, const Session& session, const ClassAssignment& assignment)
+core::Status assign(const School& school, const Session& session, const ClassAssignment& assignment,
+                    const std::optional<ClassAssignment>& before)
 {
     if (auto who = admitToClass(school, session, Operation::Assign, assignment.classId); !who)
         return tl::unexpected(who.error());
     const std::string doing = "assign the lesson";
     return inTurn(school, doing, [&]() -> core::Status {
+        const auto now = assignmentNow(school, assignment.classId, assignment.lessonId);
+        if (!now)
+            return tl::unexpected(now.error());
+        if (!isSame(*now, before))
+            return changedSince();
         if (auto put = execute(school.db,
                                "INSERT INTO assignments (class_id, lesson_id, due_utc, attempt_limit, created_by, "
                                "created_utc) VALUES (?, ?, ?, ?, ?, ?) ON CONFLICT (class_id, lesson_id) DO UPDATE SET "
@@ -227,18 +261,25 @@ core::Status assign(const School& school, const Session& session, const ClassAss
     });
 }
 
-core::Status unassign(const School& school, const Session& session, ClassId id, const std::string& lessonId)
+core::Status unassign(const School& school, const Session& session, const ClassAssignment& before)
 {
-    if (auto who = admitToClass(school, session, Operation::Assign, id); !who)
+    if (auto who = admitToClass(school, session, Operation::Assign, before.classId); !who)
         return tl::unexpected(who.error());
     const std::string doing = "take the lesson back";
     return inTurn(school, doing, [&]() -> core::Status {
+        const auto now = assignmentNow(school, before.classId, before.lessonId);
+        if (!now)
+            return tl::unexpected(now.error());
+        if (!*now)
+            return {};
+        if (!isSame(*now, before))
+            return changedSince();
         if (auto gone = execute(school.db, "DELETE FROM assignments WHERE class_id = ? AND lesson_id = ?", doing,
-                                {number(id.value), text(lessonId)});
+                                {number(before.classId.value), text(before.lessonId)});
             !gone)
             return gone;
-        return note(school, session.uid(), "lesson.unassign", objectOf(id),
-                    {{"lesson", QString::fromStdString(lessonId)}});
+        return note(school, session.uid(), "lesson.unassign", objectOf(before.classId),
+                    {{"lesson", QString::fromStdString(before.lessonId)}});
     });
 }
 

@@ -27,10 +27,11 @@ class AuditBatch;
 /// What the classes within the session's reach are to do, by due date.
 [[nodiscard]] core::Result<std::vector<ClassAssignment>> listAssignments(const School& school, const Session& session);
 /// Gives a class a lesson to do, or changes when it is due and how often it may be tried. The id is ignored.
-[[nodiscard]] core::Status assign(const School& school, const Session& session, const ClassAssignment& assignment);
-/// Takes it back; attempts stay.
-[[nodiscard]] core::Status unassign(const School& school, const Session& session, ClassId id,
-                                    const std::string& lessonId);
+/// @param before  what there is, as whoever changes it has seen it; empty: nothing. ChangedSince: it is otherwise
+[[nodiscard]] core::Status assign(const School& school, const Session& session, const ClassAssignment& assignment,
+                                  const std::optional<ClassAssignment>& before = {});
+/// Takes it back; attempts stay. ChangedSince: it is not as it was seen; where it is gone already nothing is done.
+[[nodiscard]] core::Status unassign(const School& school, const Session& session, const ClassAssignment& before);
 
 /// How often the session's person may still try a lesson; nothing: as often as he likes. Of several classes the most
 /// generous decides.

@@ -14,6 +14,7 @@
 
 using namespace database;
 using namespace database::sql;
+using core::ErrorCode;
 using support::addAttempt;
 using support::SchoolRig;
 
@@ -95,6 +96,8 @@ class TestAtOnce : public QObject
     Q_OBJECT
 
 private slots:
+    void whatAnotherHasGivenIsNotOverwritten_data() { support::addEngines(); }
+    void whatAnotherHasGivenIsNotOverwritten();
     void oneAdminAtLeastStays_data() { support::addEngines(); }
     void oneAdminAtLeastStays();
     void standingsKnowBothScores_data() { support::addEngines(); }
@@ -291,6 +294,37 @@ void TestAtOnce::aClassListIsTriedWhileOthersWrite()
     const auto report = checkDatabase(rig.school().db, {});
     VERIFY_DONE(report);
     QVERIFY2(report->findings.empty(), qPrintable(support::wordsOf(report->findings)));
+}
+
+/// Two teachers look at the same list, and change it one after the other.
+void TestAtOnce::whatAnotherHasGivenIsNotOverwritten()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    const School& school = rig.school();
+    const ClassAssignment seen{0, rig.first, "class1-36", "", 3};
+    ClassAssignment mine = seen;
+    mine.attemptLimit = 5;
+    ClassAssignment theirs = seen;
+    theirs.dueUtc = "2027-02-15T22:59:59Z";
+    const auto given = [&] {
+        auto all = listAssignments(school, rig.instructor).value();
+        for (ClassAssignment& one : all)
+            one.id = 0;
+        return all;
+    };
+    VERIFY_DONE(assign(school, rig.instructor, seen));
+    VERIFY_REFUSED(assign(school, rig.instructor, mine), ErrorCode::ChangedSince);
+    VERIFY_DONE(assign(school, rig.admin, theirs, seen));
+    VERIFY_REFUSED(assign(school, rig.instructor, mine, seen), ErrorCode::ChangedSince);
+    VERIFY_REFUSED(unassign(school, rig.instructor, seen), ErrorCode::ChangedSince);
+    QCOMPARE(given(), std::vector{theirs});
+    VERIFY_DONE(unassign(school, rig.instructor, theirs));
+    VERIFY_REFUSED(assign(school, rig.instructor, mine, seen), ErrorCode::ChangedSince);
+    VERIFY_DONE(unassign(school, rig.instructor, seen));  // gone already
+    QVERIFY(given().empty());
+    VERIFY_DONE(assign(school, rig.instructor, mine));
+    QCOMPARE(given(), std::vector{mine});
 }
 
 QTEST_GUILESS_MAIN(TestAtOnce)

@@ -275,7 +275,7 @@ void TestAudit::whatStandsElsewhereIsAsItWasNoted()
                           {"soft", 1, "44136fa355b3678a1146ad16f7e8649e94fb4fc21fe77e8310c060f61caaff8a", "{}"}));
     VERIFY_DONE(assign(school, rig.instructor, {0, rig.first, "class1-36", "", 3}));
     VERIFY_DONE(assign(school, rig.instructor, {0, rig.first, "class1-37", "", 3}));
-    VERIFY_DONE(unassign(school, rig.instructor, rig.first, "class1-37"));
+    VERIFY_DONE(unassign(school, rig.instructor, {0, rig.first, "class1-37", "", 3}));
     Person far = findPerson(school, rig.admin, "s2001").value();
     far.disabled = true;
     VERIFY_DONE(changePerson(school, rig.admin, far));

@@ -146,10 +146,12 @@ std::vector<Call> TestPermissions::callsOn(SchoolRig& rig)
          [&s](const Session& me, Target) { return plain(listAssignments(s, me)); }, false},
         {Operation::Assign, "assign",
          [&s, classOf](const Session& me, Target target) {
-             return assign(s, me, {0, classOf(target), "class1-36", "", 0});
+             return assign(s, me, {0, classOf(target), "class1-" + newUid(), "", 0});
          }},
         {Operation::Assign, "unassign",
-         [&s, classOf](const Session& me, Target target) { return unassign(s, me, classOf(target), "class1-36"); }},
+         [&s, classOf](const Session& me, Target target) {
+             return unassign(s, me, {0, classOf(target), "class1-36", "", 0});
+         }},
         {Operation::AddAttempt, "Outbox::put, attempt",
          [folder](const Session& me, Target) {
              return Outbox(folder->path(), StationKey::make()).put(me, SchoolRig::attempt("class1-36", 500), {});

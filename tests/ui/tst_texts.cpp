@@ -58,12 +58,14 @@ private slots:
 
 namespace {
 
-constexpr std::array kAllCodes{ErrorCode::FileMissing, ErrorCode::FileUnreadable, ErrorCode::FileUnwritable,
-                               ErrorCode::FileEmpty,   ErrorCode::FileTruncated,  ErrorCode::FileTooLarge,
-                               ErrorCode::WrongKind,   ErrorCode::NewerVersion,   ErrorCode::OlderVersion,
-                               ErrorCode::BadNumber,   ErrorCode::BadStructure,   ErrorCode::NoTriangles,
-                               ErrorCode::UnknownName, ErrorCode::OutOfRange,     ErrorCode::OtherTooth};
-static_assert(kAllCodes.size() == static_cast<std::size_t>(ErrorCode::OtherTooth) + 1, "a new code needs a sentence");
+constexpr std::array kAllCodes{
+    ErrorCode::FileMissing,    ErrorCode::FileUnreadable, ErrorCode::FileUnwritable, ErrorCode::FileEmpty,
+    ErrorCode::FileTruncated,  ErrorCode::FileTooLarge,   ErrorCode::WrongKind,      ErrorCode::NewerVersion,
+    ErrorCode::OlderVersion,   ErrorCode::BadNumber,      ErrorCode::BadStructure,   ErrorCode::NoTriangles,
+    ErrorCode::UnknownName,    ErrorCode::OutOfRange,     ErrorCode::OtherTooth,     ErrorCode::Busy,
+    ErrorCode::ConnectionLost, ErrorCode::NotAllowed,     ErrorCode::WrongLogin,     ErrorCode::TooSoon,
+    ErrorCode::NewPassword,    ErrorCode::NobodyLeft,     ErrorCode::ChangedSince};
+static_assert(kAllCodes.size() == static_cast<std::size_t>(ErrorCode::ChangedSince) + 1, "a new code needs a sentence");
 
 struct Entry
 {

@@ -167,6 +167,10 @@ QString reason(core::ErrorCode code, Failed failed)
         return QCoreApplication::translate("Error", "Too many logins have failed. Wait a moment and try again.");
     case core::ErrorCode::NewPassword:
         return QCoreApplication::translate("Error", "Choose a password first.");
+    case core::ErrorCode::ChangedSince:
+        return QCoreApplication::translate("Error",
+                                           "Somebody else has changed it meanwhile. Here is what there is now; "
+                                           "change it again if need be.");
     }
     return {};
 }
