@@ -210,6 +210,10 @@ void TestSchoolCommands::pipesAndDevicesAreNoFiles()
         const Ending stats = runCusp({"db", "stats", "--db", name});
         QVERIFY2(stats.exitCode == 1 && stats.isOneSentence() && stats.error.contains("is no file"), stats.error);
     }
+    QVERIFY(QFile::remove(at("station.key")));
+    QCOMPARE(mkfifo(qPrintable(at("station.key")), 0600), 0);
+    const Ending checked = onFile({"db", "check"});
+    QVERIFY2(checked.exitCode == 1 && checked.isOneSentence() && checked.error.contains("is no file"), checked.error);
 }
 
 void TestSchoolCommands::attemptsAreExported()
