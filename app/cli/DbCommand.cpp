@@ -202,6 +202,10 @@ int restoreFile(const QCommandLineParser& parser, const Address& address)
         return failed({ErrorCode::WrongKind, "backup " + backup.toStdString() + ": it is of another school than " +
                                                  address.file.toStdString() +
                                                  "; give another --db, or move that file away first"});
+    if (!there.empty() && database::sql::holdsNobody(backup))
+        return failed({ErrorCode::WrongKind, "backup " + backup.toStdString() +
+                                                 ": nobody is in it, and it would replace a whole school; choose "
+                                                 "another backup"});
     // What came after the backup was made is delivered again when the window opens next. Before the file is put in its
     // place: whatever comes in between, it holds.
     database::Outbox::sendAgain(QFileInfo(address.file).absoluteDir().filePath(QStringLiteral("outbox")));

@@ -54,6 +54,8 @@ private slots:
     void attemptsAreExported();
     void whatABackupMissesIsSentAgain();
     void aBackupOfAnotherSchoolIsNotRestored();
+    void nothingIsRestoredOverWhatIsNoDatabase();
+    void anEmptySchoolReplacesNone();
     void aLinkedFileIsRestoredWhereItLies();
     void aCopyIsSoundAndKnownHere();
     void lookingLeavesNothingBehind();
@@ -269,6 +271,39 @@ void TestSchoolCommands::aBackupOfAnotherSchoolIsNotRestored()
     QCOMPARE(refused.exitCode, 1);
     QVERIFY2(refused.isOneSentence() && refused.error.contains("another school"), refused.error);
     QCOMPARE(byAdmin({"user", "list"}).exitCode, 0);
+}
+
+void TestSchoolCommands::nothingIsRestoredOverWhatIsNoDatabase()
+{
+    const QString backup = onFile({"db", "backup", "--json"}).json()["backup"].toString();
+    QVERIFY(QDir(m_folder->path()).mkdir("folder.sqlite"));
+    put(at("folder.sqlite/thesis"), "years of work");
+    QCOMPARE(mkfifo(qPrintable(at("pipe.sqlite")), 0600), 0);
+    QVERIFY(QFile::link(at("pipe.sqlite"), at("link.sqlite")));
+    const QStringList before = QDir(m_folder->path()).entryList(QDir::AllEntries | QDir::System);
+    for (const char* name : {"folder.sqlite", "pipe.sqlite", "link.sqlite"}) {
+        const Ending refused = runCusp({"db", "restore", backup, "--db", at(name)});
+        QVERIFY2(refused.exitCode == 1 && refused.isOneSentence(), name);
+    }
+    QCOMPARE(QDir(m_folder->path()).entryList(QDir::AllEntries | QDir::System), before);
+    QVERIFY(QFile::exists(at("folder.sqlite/thesis")));
+    QVERIFY(QFile::link(school(), at("itself.sqlite")));
+    for (const QString& itself : {school(), at("itself.sqlite")}) {
+        const Ending refused = onFile({"db", "restore", itself});
+        QVERIFY2(refused.exitCode == 1 && refused.isOneSentence() && refused.error.contains("the database itself"),
+                 refused.error);
+    }
+    QCOMPARE(onFile({"db", "check"}).exitCode, 0);
+}
+
+void TestSchoolCommands::anEmptySchoolReplacesNone()
+{
+    QCOMPARE(runCusp({"db", "init", "--db", at("empty.sqlite")}).exitCode, 0);
+    const Ending refused = onFile({"db", "restore", at("empty.sqlite")});
+    QVERIFY2(refused.exitCode == 1 && refused.isOneSentence() && refused.error.contains("nobody"), refused.error);
+    QCOMPARE(byAdmin({"user", "list"}).exitCode, 0);
+    // Where there is no school it takes nothing away.
+    QCOMPARE(runCusp({"db", "restore", at("empty.sqlite"), "--db", at("new.sqlite")}).exitCode, 0);
 }
 
 void TestSchoolCommands::aLinkedFileIsRestoredWhereItLies()
