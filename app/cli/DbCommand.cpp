@@ -83,17 +83,24 @@ core::Status expectFile(const Address& address)
                             "it into a file");
 }
 
+/// Of a file, what there is to go back to; empty: nothing.
+std::string wayBack(const Address& address)
+{
+    const QString backup =
+        address.isServer() ? QString() : database::sql::newestSound(address.file, QDateTime::currentDateTimeUtc());
+    return backup.isEmpty()
+               ? std::string()
+               : "the newest sound backup is " + backup.toStdString() + ", and \"cusp db restore\" brings it back";
+}
+
 /// Where a file cannot be used any more, what there is to go back to.
 int failedWithBackups(const core::Error& error, const Address& address)
 {
     core::Error said = error;
-    if (!address.isServer() && (error.code == ErrorCode::BadStructure || error.code == ErrorCode::WrongKind ||
-                                error.code == ErrorCode::FileMissing)) {
-        const QString backup = database::sql::newestSound(address.file, QDateTime::currentDateTimeUtc());
-        if (!backup.isEmpty())
-            said.detail +=
-                "; the newest sound backup is " + backup.toStdString() + ", and \"cusp db restore\" brings it back";
-    }
+    if (error.code == ErrorCode::BadStructure || error.code == ErrorCode::WrongKind ||
+        error.code == ErrorCode::FileMissing)
+        if (const std::string way = wayBack(address); !way.empty())
+            said.detail += "; " + way;
     return failed(said);
 }
 
@@ -167,6 +174,8 @@ int checkWhole(const QCommandLineParser& parser, const Address& address)
                                       ? QString()
                                       : QStringLiteral(", signed by %1, %2")
                                             .arg(signedBy.left(16), isOwnKey ? "this computer" : "another computer")));
+    if (const std::string way = report->isWhole ? std::string() : wayBack(address); !way.empty())
+        warn({way});
     return isSound ? kDone : kFailed;
 }
 
