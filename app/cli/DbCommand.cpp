@@ -114,9 +114,16 @@ int initDatabase(const QCommandLineParser& parser, const Address& address)
         if (auto fit = database::sql::Logins::checkNewPassword(password, admin.toStdString()); !fit)
             return failed(fit.error());
     }
+    const QString backup = address.isServer() || QFileInfo::exists(address.file)
+                               ? QString()
+                               : database::sql::newestSound(address.file, QDateTime::currentDateTimeUtc());
     const auto open = openSchool(address, Opening::Create);
     if (!open)
         return failedWithBackups(open.error(), address);
+    if (!backup.isEmpty())
+        warn({"this is a new, empty school, and backups of an earlier one lie beside it; to have that back, move this "
+              "file away and type \"cusp db restore " +
+              backup.toStdString() + " --db " + address.file.toStdString() + '"'});
     if (!open->database->notice().empty())
         warn({open->database->notice()});
     if (!admin.isEmpty()) {

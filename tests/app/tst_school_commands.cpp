@@ -56,6 +56,7 @@ private slots:
     void aBackupOfAnotherSchoolIsNotRestored();
     void nothingIsRestoredOverWhatIsNoDatabase();
     void anEmptySchoolReplacesNone();
+    void aNewSchoolBesideBackupsSaysSo();
     void aLinkedFileIsRestoredWhereItLies();
     void aCopyIsSoundAndKnownHere();
     void lookingLeavesNothingBehind();
@@ -304,6 +305,17 @@ void TestSchoolCommands::anEmptySchoolReplacesNone()
     QCOMPARE(byAdmin({"user", "list"}).exitCode, 0);
     // Where there is no school it takes nothing away.
     QCOMPARE(runCusp({"db", "restore", at("empty.sqlite"), "--db", at("new.sqlite")}).exitCode, 0);
+}
+
+void TestSchoolCommands::aNewSchoolBesideBackupsSaysSo()
+{
+    const QByteArray backup = onFile({"db", "backup", "--json"}).json()["backup"].toString().toUtf8();
+    QVERIFY(!onFile({"db", "init"}).error.contains("backup"));
+    QVERIFY(QFile::remove(school()));
+    const Ending made = onFile({"db", "init"});
+    QVERIFY2(made.exitCode == 0 && made.error.contains("cusp db restore " + backup), made.error);
+    const QJsonObject checked = onFile({"db", "check", "--json"}).json();
+    QCOMPARE(checked["audit_code"].toString(), QString("0"));
 }
 
 void TestSchoolCommands::aLinkedFileIsRestoredWhereItLies()
