@@ -81,7 +81,8 @@ core::Status SchoolDesk::openDatabase()
         return tl::unexpected(opened.error());
     m_database = std::move(*opened);
     m_allowsOthers = m_database->allowsOthers();
-    m_school = std::make_unique<database::sql::School>(database::sql::School{m_database->handle(), *m_key});
+    const QSqlDatabase db = m_database->handle();
+    m_school = std::make_unique<database::sql::School>(database::sql::School{db, *m_key, database::sql::clockOf(db)});
     return {};
 }
 

@@ -99,7 +99,8 @@ public:
                 const auto key = keyOf(folder);
                 if (!key)
                     return tl::unexpected(key.error());
-                return work(database::sql::School{(*open)->handle(), *key});
+                const QSqlDatabase db = (*open)->handle();
+                return work(database::sql::School{db, *key, database::sql::clockOf(db)});
             },
             std::move(done));
     }

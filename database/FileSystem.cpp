@@ -47,4 +47,12 @@ void makeOwnFolder(const QString& path)
     QDir().mkdir(path, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
 }
 
+std::optional<QByteArray> contentOf(const QString& path, qint64 most)
+{
+    QFile file(path);
+    if (!QFileInfo(path).isFile() || !file.open(QIODevice::ReadOnly) || file.size() > most)
+        return std::nullopt;
+    return file.read(file.size());
+}
+
 }  // namespace database

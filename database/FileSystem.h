@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
+#include <QByteArray>
 #include <QString>
 
 namespace database {
@@ -16,5 +19,9 @@ enum class FileSystem { Local, Network };
 /// Makes a folder for its owner only, since names and marks will lie in it, and those above it as usual; one that is
 /// there stays as somebody has set it.
 void makeOwnFolder(const QString& path);
+
+/// What stands in a file. Nothing: there is none, it cannot be read, or has more than `most` bytes. A pipe or a device
+/// in its place is not opened: the one may let wait for ever, the other have no end.
+[[nodiscard]] std::optional<QByteArray> contentOf(const QString& path, qint64 most);
 
 }  // namespace database

@@ -182,11 +182,14 @@ bool Outbox::isExam(const QString& file)
 core::Result<std::string> Outbox::contentOf(const QString& path) const
 {
     constexpr std::size_t kHead = kMagic.size() + kKeyDigits + kSignatureDigits;
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly))
+    const QFileInfo info(path);
+    // Cusp puts no links there, and what one leads to is not its to move.
+    const auto all = info.isSymLink() ? std::nullopt : database::contentOf(path, kLargest);
+    if (!all && !info.isSymLink() && !info.isReadable())
         return tl::unexpected(refused(ErrorCode::FileUnreadable, path, "it cannot be read; check who may read it"));
-    const QByteArray all = file.size() <= kLargest ? file.readAll() : QByteArray();
-    const std::string_view bytes(all.constData(), static_cast<std::size_t>(all.size()));
+    if (!all)
+        return tl::unexpected(damaged(path));
+    const std::string_view bytes(all->constData(), static_cast<std::size_t>(all->size()));
     if (bytes.size() < kHead || bytes.substr(0, kMagic.size()) != kMagic)
         return tl::unexpected(damaged(path));
     const std::string key(bytes.substr(kMagic.size(), kKeyDigits));

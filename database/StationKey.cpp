@@ -40,6 +40,11 @@ core::Result<StationKey> StationKey::readOrMake(const QString& path)
     using core::ErrorCode;
     if (!beginSodium())
         return tl::unexpected(refused(ErrorCode::FileUnreadable, path, "this computer has no source of chance"));
+    // What a link leads to is not its to close to others, and a pipe lets wait for ever.
+    const QFileInfo info(path);
+    if (info.isSymLink() || (info.exists() && !info.isFile()))
+        return tl::unexpected(refused(ErrorCode::FileUnreadable, path,
+                                      "it is no file but a link, a folder, a pipe or a device; put the file there"));
     std::array<unsigned char, kSeedBytes> seed{};
     QFile file(path);
     if (!file.exists()) {

@@ -17,8 +17,8 @@ namespace database {
 class StationKey
 {
 public:
-    /// Reads the key, or makes one where there is no file. Refused: a file of another length. One that others may read
-    /// is closed to them.
+    /// Reads the key, or makes one where there is no file. Refused: a file of another length, a link, what is no file.
+    /// One that others may read is closed to them.
     [[nodiscard]] static core::Result<StationKey> readOrMake(const QString& file);
     /// One that is forgotten with the object; for tests.
     [[nodiscard]] static StationKey make();

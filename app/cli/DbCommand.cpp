@@ -83,17 +83,24 @@ core::Status expectFile(const Address& address)
                             "it into a file");
 }
 
+/// Of a file, what there is to go back to; empty: nothing.
+std::string wayBack(const Address& address)
+{
+    const QString backup =
+        address.isServer() ? QString() : database::sql::newestSound(address.file, QDateTime::currentDateTimeUtc());
+    return backup.isEmpty()
+               ? std::string()
+               : "the newest sound backup is " + backup.toStdString() + ", and \"cusp db restore\" brings it back";
+}
+
 /// Where a file cannot be used any more, what there is to go back to.
 int failedWithBackups(const core::Error& error, const Address& address)
 {
     core::Error said = error;
-    if (!address.isServer() && (error.code == ErrorCode::BadStructure || error.code == ErrorCode::WrongKind ||
-                                error.code == ErrorCode::FileMissing)) {
-        const QString backup = database::sql::newestSound(address.file, QDateTime::currentDateTimeUtc());
-        if (!backup.isEmpty())
-            said.detail +=
-                "; the newest sound backup is " + backup.toStdString() + ", and \"cusp db restore\" brings it back";
-    }
+    if (error.code == ErrorCode::BadStructure || error.code == ErrorCode::WrongKind ||
+        error.code == ErrorCode::FileMissing)
+        if (const std::string way = wayBack(address); !way.empty())
+            said.detail += "; " + way;
     return failed(said);
 }
 
@@ -107,9 +114,16 @@ int initDatabase(const QCommandLineParser& parser, const Address& address)
         if (auto fit = database::sql::Logins::checkNewPassword(password, admin.toStdString()); !fit)
             return failed(fit.error());
     }
+    const QString backup = address.isServer() || QFileInfo::exists(address.file)
+                               ? QString()
+                               : database::sql::newestSound(address.file, QDateTime::currentDateTimeUtc());
     const auto open = openSchool(address, Opening::Create);
     if (!open)
         return failedWithBackups(open.error(), address);
+    if (!backup.isEmpty())
+        warn({"this is a new, empty school, and backups of an earlier one lie beside it; to have that back, move this "
+              "file away and type \"cusp db restore " +
+              backup.toStdString() + " --db " + address.file.toStdString() + '"'});
     if (!open->database->notice().empty())
         warn({open->database->notice()});
     if (!admin.isEmpty()) {
@@ -167,6 +181,8 @@ int checkWhole(const QCommandLineParser& parser, const Address& address)
                                       ? QString()
                                       : QStringLiteral(", signed by %1, %2")
                                             .arg(signedBy.left(16), isOwnKey ? "this computer" : "another computer")));
+    if (const std::string way = report->isWhole ? std::string() : wayBack(address); !way.empty())
+        warn({way});
     return isSound ? kDone : kFailed;
 }
 
@@ -202,6 +218,10 @@ int restoreFile(const QCommandLineParser& parser, const Address& address)
         return failed({ErrorCode::WrongKind, "backup " + backup.toStdString() + ": it is of another school than " +
                                                  address.file.toStdString() +
                                                  "; give another --db, or move that file away first"});
+    if (!there.empty() && database::sql::holdsNobody(backup))
+        return failed({ErrorCode::WrongKind, "backup " + backup.toStdString() +
+                                                 ": nobody is in it, and it would replace a whole school; choose "
+                                                 "another backup"});
     // What came after the backup was made is delivered again when the window opens next. Before the file is put in its
     // place: whatever comes in between, it holds.
     database::Outbox::sendAgain(QFileInfo(address.file).absoluteDir().filePath(QStringLiteral("outbox")));

@@ -71,7 +71,8 @@ core::Result<OpenSchool> openSchool(const database::Address& address, Opening ho
     if (!key)
         return tl::unexpected(key.error());
     open.database = std::move(*database);
-    open.school = std::make_unique<database::sql::School>(database::sql::School{open.database->handle(), *key});
+    const QSqlDatabase db = open.database->handle();
+    open.school = std::make_unique<database::sql::School>(database::sql::School{db, *key, database::sql::clockOf(db)});
     return open;
 }
 

@@ -415,10 +415,10 @@ core::Status note(const School& school, const std::string& actor, const std::str
     return batch.seal();
 }
 
-core::Result<AuditHead> auditHead(const School& school)
+core::Result<AuditHead> auditHead(const QSqlDatabase& db)
 {
     AuditHead head;
-    if (auto read = forEach(school.db, "SELECT seq, hash FROM audit_seal WHERE id = 1", "read the audit", {},
+    if (auto read = forEach(db, "SELECT seq, hash FROM audit_seal WHERE id = 1", "read the audit", {},
                             [&](const QSqlQuery& row) {
                                 head = {row.value(0).toLongLong(), textOf(row, 1)};
                             });

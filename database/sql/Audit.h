@@ -18,8 +18,8 @@
 
 /// What was done here, by whom, in rows of which each holds the hash of the one before; the newest is signed by the
 /// station that wrote it. Who changes, removes, inserts or reorders rows breaks the chain where he did it; who cuts its
-/// end off breaks the signed head, and whoever holds a printed report has an older head to compare with. The audit knows
-/// the stations that may sign it: each is noted before the first row that it signs.
+/// end off breaks the signed head, and whoever holds a printed report has an older head to compare with. The audit
+/// knows the stations that may sign it: each is noted before the first row that it signs.
 namespace database::sql {
 
 /// BLAKE2b-256 over the hash of the row before and all of this row but its hash, each part with its length.
@@ -77,7 +77,11 @@ struct AuditHead
     /// As reports show it: "412-9f3ac07be1d2", which `cusp db check --witness` takes.
     [[nodiscard]] std::string code() const;
 };
-[[nodiscard]] core::Result<AuditHead> auditHead(const School& school);
+[[nodiscard]] core::Result<AuditHead> auditHead(const QSqlDatabase& db);
+[[nodiscard]] inline core::Result<AuditHead> auditHead(const School& school)
+{
+    return auditHead(school.db);
+}
 /// Whether somebody has typed such a code: small or capital letters, and as much of the hash as he likes beyond what is
 /// shown.
 [[nodiscard]] bool isAuditCode(const std::string& typed);

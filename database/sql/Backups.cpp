@@ -23,6 +23,7 @@
 #include "core/base/WholeFile.h"
 #include "database/Passwords.h"
 #include "database/sql/Audit.h"
+#include "database/sql/Database.h"
 #include "database/sql/Dialect.h"
 #include "database/sql/Migrations.h"
 #include "database/sql/RowSum.h"
@@ -336,6 +337,8 @@ std::string schoolOf(const QString& file)
 
 bool holdsNobody(const QString& file)
 {
+    if (!QFileInfo(file).isFile())
+        return false;
     const Reader reader(file);
     const auto somebody = ask(reader.handle(), "SELECT EXISTS (SELECT 1 FROM people)", "see whether it is empty");
     return somebody && somebody->toInt() == 0;
@@ -458,6 +461,12 @@ QStringList tooMany(const QStringList& files, const QDateTime& nowUtc)
 
 core::Result<QString> restoreBackup(const QString& backup, const QString& databaseFile, const QDateTime& nowUtc)
 {
+    if (core::isSameFile(backup.toStdU16String(), databaseFile.toStdU16String()))
+        return core::unexpected(ErrorCode::WrongKind, "backup " + backup.toStdString() +
+                                                          ": this is the database itself; choose a backup of it");
+    // Whatever is no database would be moved away, with all that lies in it.
+    if (auto fit = checkPlace(databaseFile); !fit)
+        return tl::unexpected(fit.error());
     if (hasLog(backup))
         return core::unexpected(ErrorCode::WrongKind,
                                 "backup " + backup.toStdString() +
@@ -469,10 +478,6 @@ core::Result<QString> restoreBackup(const QString& backup, const QString& databa
         return core::unexpected(ErrorCode::Busy, "database " + databaseFile.toStdString() +
                                                      ": another program has it open; close every Cusp that uses it");
     const QFileInfo target(databaseFile);
-    if (!QFileInfo(target.absolutePath()).isDir())
-        return core::unexpected(ErrorCode::FileMissing,
-                                "database " + databaseFile.toStdString() +
-                                    ": the folder does not exist; create it or choose another place");
     const QString part = databaseFile + ".restoring";
     QFile::remove(part);
     // As the file was whose place it takes: a backup may be read-only.

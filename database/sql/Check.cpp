@@ -84,6 +84,26 @@ core::Status checkAttempts(const QSqlDatabase& db, CheckReport& report, const Pr
                    });
 }
 
+core::Status checkChain(const QSqlDatabase& db, const std::vector<std::string>& witnesses, CheckReport& report,
+                        const Progress& progress)
+{
+    const auto chain = checkAudit(db, witnesses, [&](std::int64_t row) {
+        report.auditRows = row;
+        if (progress && row % 1000 == 0)
+            report.isStopped = !progress("audit", row);
+        return !report.isStopped;
+    });
+    if (!chain)
+        return tl::unexpected(chain.error());
+    for (const Finding& finding : *chain)
+        say(report, finding);
+    const auto head = auditHead(db);
+    if (!head)
+        return tl::unexpected(head.error());
+    report.auditCode = head->code();
+    return {};
+}
+
 /// Both ways: a start that was taken away would give back an attempt.
 core::Status checkExamStarts(const QSqlDatabase& db, CheckReport& report)
 {
@@ -197,40 +217,48 @@ core::Result<CheckReport> checkDatabase(const QSqlDatabase& db, const std::vecto
                                         const Progress& progress, const std::string& stationKey)
 {
     CheckReport report;
-    if (auto done = checkPages(db, report); !done)
-        return tl::unexpected(done.error());
-    auto chain = checkAudit(db, witnesses, [&](std::int64_t row) {
-        report.auditRows = row;
-        if (progress && row % 1000 == 0)
-            report.isStopped = !progress("audit", row);
-        return !report.isStopped;
-    });
-    if (!chain)
-        return tl::unexpected(chain.error());
-    for (const Finding& finding : *chain)
-        say(report, finding);
     const auto tell = [&report](const Finding& finding) { say(report, finding); };
-    const std::array<std::function<core::Status()>, 7> looks{
-        [&] { return checkSchema(db, tell); },
-        [&] { return checkAttempts(db, report, progress); },
-        [&] { return checkExamStarts(db, report); },
-        [&] { return checkSums(db, report); },
-        [&] { return compareWithAudit(db, tell); },
-        [&] { return checkRecordings(db, report, progress); },
-        [&] { return checkSigner(db, stationKey, report); },
+    struct Look
+    {
+        std::function<core::Status()> at;
+        const char* wordsIfNot;
     };
-    for (const auto& look : looks) {
-        if (report.isStopped)
-            return report;
+    const std::array looks{
+        Look{[&] { return checkPages(db, report); },
+             QT_TRANSLATE_NOOP("Finding", "the pages of the file could not be looked at (%1)")},
+        Look{[&] { return checkChain(db, witnesses, report, progress); },
+             QT_TRANSLATE_NOOP("Finding", "the audit could not be looked at (%1)")},
+        Look{[&] { return checkSchema(db, tell); },
+             QT_TRANSLATE_NOOP("Finding", "tables, indexes and triggers could not be looked at (%1)")},
+        Look{[&] { return checkAttempts(db, report, progress); },
+             QT_TRANSLATE_NOOP("Finding", "the attempts could not be looked at (%1)")},
+        Look{[&] { return checkExamStarts(db, report); },
+             QT_TRANSLATE_NOOP("Finding", "the exams that were begun could not be looked at (%1)")},
+        Look{[&] { return checkSums(db, report); },
+             QT_TRANSLATE_NOOP("Finding", "score sheets and standings could not be looked at (%1)")},
+        Look{[&] { return compareWithAudit(db, tell); },
+             QT_TRANSLATE_NOOP("Finding", "people, classes, comments, presets and settings could not be compared with "
+                                          "the audit (%1)")},
+        Look{[&] { return checkRecordings(db, report, progress); },
+             QT_TRANSLATE_NOOP("Finding", "the recordings could not be looked at (%1)")},
+        Look{[&] { return checkSigner(db, stationKey, report); },
+             QT_TRANSLATE_NOOP("Finding", "who signed the head of the audit could not be looked at (%1)")},
+    };
+    for (const Look& look : looks) {
         // Much of one kind hides nothing of another.
         report.mostFindings = report.findings.size() + kMostFindings;
-        if (auto done = look(); !done)
+        const core::Status done = look.at();
+        // A table that is gone hides nothing that stands in the others; without the server there are none.
+        if (!done &&
+            (done.error().code == core::ErrorCode::ConnectionLost || done.error().code == core::ErrorCode::Busy))
             return tl::unexpected(done.error());
+        if (!done) {
+            report.isWhole = false;
+            report.findings.push_back({look.wordsIfNot, {done.error().detail}});
+        }
+        if (report.isStopped)
+            return report;
     }
-    const auto head = ask(db, "SELECT seq || '-' || substr(hash, 1, 12) FROM audit_seal", kDoing);
-    if (!head)
-        return tl::unexpected(head.error());
-    report.auditCode = head->toString().toStdString();
     return report;
 }
 

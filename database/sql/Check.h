@@ -23,12 +23,14 @@ struct CheckReport
     std::string auditCode;                     ///< of the newest row, as reports show it
     std::string signedBy;                      ///< key of the station that wrote that row, 64 hex digits
     bool isStopped = false;                    ///< not all was looked at
+    bool isWhole = true;                       ///< false: something could not be looked at, as a finding says
     std::size_t mostFindings = kMostFindings;  ///< further ones are not told
 };
 
 /// Looks at everything: pages and keys (SQLite), the audit's chain and signed head, whether each attempt is as the
 /// audit says it was when it was kept, whether one was removed or inserted, overrides, comments, what people are and
-/// classes were given, score sheets and standings, recordings, tables, indexes and triggers. Does not write.
+/// classes were given, score sheets and standings, recordings, tables, indexes and triggers. What cannot be looked at
+/// is a finding, and the rest is looked at all the same. Does not write.
 /// @param witnesses  audit codes of printed reports
 /// @param stationKey  of the only computer that may have written it, 64 hex digits; empty: there are several
 /// @param progress  what is looked at, and how many rows of it so far; false stops it

@@ -23,28 +23,6 @@ std::string head(const QString& path)
     return "database " + path.toStdString() + ": ";
 }
 
-/// What can be said about the path without SQLite, which would only say that it "cannot open" it. The file itself is
-/// not opened: closing it again would drop the locks that other connections of this program hold on it, and another
-/// program would take away the write-ahead log beneath them (sqlite.org/howtocorrupt.html, 2.2).
-core::Status inspect(const QString& path)
-{
-    const QFileInfo info(path);
-    if (info.isDir())
-        return core::unexpected(ErrorCode::FileUnreadable, head(path) + "this is a folder; name a file inside it");
-    if (!info.exists()) {
-        if (!QFileInfo(info.absolutePath()).isDir())
-            return core::unexpected(ErrorCode::FileMissing,
-                                    head(path) + "the folder does not exist; create it or choose another place");
-        return {};
-    }
-    if (!info.isFile())
-        return core::unexpected(ErrorCode::WrongKind,
-                                head(path) + "this is no file but a device or a pipe; name a file");
-    if (!info.isReadable())
-        return core::unexpected(ErrorCode::FileUnreadable, head(path) + "it cannot be read; check who may read it");
-    return {};
-}
-
 core::Error foreign(const QSqlDatabase& db)
 {
     return {ErrorCode::WrongKind,
@@ -99,6 +77,28 @@ core::Status configure(const QSqlDatabase& db, FileSystem fileSystem)
 
 }  // namespace
 
+/// What can be said about the path without SQLite, which would only say that it "cannot open" it. The file itself is
+/// not opened: closing it again would drop the locks that other connections of this program hold on it, and another
+/// program would take away the write-ahead log beneath them (sqlite.org/howtocorrupt.html, 2.2).
+core::Status checkPlace(const QString& path)
+{
+    const QFileInfo info(path);
+    if (info.isDir())
+        return core::unexpected(ErrorCode::FileUnreadable, head(path) + "this is a folder; name a file inside it");
+    if (!info.exists()) {
+        if (!QFileInfo(info.absolutePath()).isDir())
+            return core::unexpected(ErrorCode::FileMissing,
+                                    head(path) + "the folder does not exist; create it or choose another place");
+        return {};
+    }
+    if (!info.isFile())
+        return core::unexpected(ErrorCode::WrongKind,
+                                head(path) + "this is no file but a device or a pipe; name a file");
+    if (!info.isReadable())
+        return core::unexpected(ErrorCode::FileUnreadable, head(path) + "it cannot be read; check who may read it");
+    return {};
+}
+
 core::Result<std::unique_ptr<Database>> Database::open(const Address& address)
 {
     return open(address, Options{});
@@ -117,7 +117,7 @@ core::Result<std::unique_ptr<Database>> Database::open(const QString& where, std
 core::Result<std::unique_ptr<Database>> Database::open(const Address& address, const Options& options)
 {
     if (!address.isServer())
-        if (auto fit = inspect(address.file); !fit)
+        if (auto fit = checkPlace(address.file); !fit)
             return tl::unexpected(fit.error());
     // Names and marks of people are for who runs the place. SQLite would let everybody read them; what it puts beside
     // the file it makes as the file is. Where it cannot be made SQLite says why.

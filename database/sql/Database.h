@@ -14,6 +14,10 @@
 
 namespace database::sql {
 
+/// Whether a database may lie there: a readable file, or none yet in a folder that exists. Refused with one sentence: a
+/// folder, a pipe, a device. The file itself is not opened.
+[[nodiscard]] core::Status checkPlace(const QString& path);
+
 /// One open SQLite file or PostgreSQL database, brought to the newest schema. Belongs to the thread that opened it;
 /// close it before the QCoreApplication ends.
 class Database

@@ -6,6 +6,7 @@
 #include <QUrl>
 #include <QVariant>
 
+#include "database/Address.h"
 #include "database/sql/Statement.h"
 
 namespace database::sql::dialect {
@@ -248,9 +249,12 @@ std::string nameOf(const QSqlDatabase& db)
         const QString name = db.databaseName();
         return (name.startsWith(QStringLiteral("file:")) ? QUrl(name).toLocalFile() : name).toStdString();
     }
-    return ("postgresql://" + (db.userName().isEmpty() ? QString() : db.userName() + '@') + db.hostName() + '/' +
-            db.databaseName())
-        .toStdString();
+    Address address;
+    address.host = db.hostName();
+    address.port = db.port();
+    address.user = db.userName();
+    address.name = db.databaseName();
+    return address.shown().toStdString();
 }
 
 core::Error error(const QSqlDatabase& db, const QSqlError& error, const std::string& doing)

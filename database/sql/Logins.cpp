@@ -73,6 +73,7 @@ struct Tries
 {
     std::chrono::milliseconds wait{0};  ///< until the next
     bool isCompared = false;            ///< one is being compared just now, and may turn out right
+    bool isAhead = false;               ///< one was counted by a clock that was ahead of this one
 };
 
 core::Result<Tries> triesOf(const School& school, const std::string& hash)
@@ -84,7 +85,9 @@ core::Result<Tries> triesOf(const School& school, const std::string& hash)
         forEach(school.db, "SELECT name_hash, failures, last_ms FROM failed_logins WHERE name_hash IN (?, ?)", kLogIn,
                 {text(hash), tryOf(hash)}, [&](const QSqlQuery& row) {
                     // A clock that was put back must neither lock anybody out for long nor let him in at once.
-                    const std::chrono::milliseconds gone(std::max(0LL, nowMs(school) - row.value(2).toLongLong()));
+                    const qlonglong goneMs = nowMs(school) - row.value(2).toLongLong();
+                    tries.isAhead = tries.isAhead || goneMs < 0;
+                    const std::chrono::milliseconds gone(std::max(0LL, goneMs));
                     if (textOf(row, 0) != hash) {
                         tries.isCompared = gone < kLongestTry;
                         return;
@@ -99,6 +102,15 @@ core::Result<Tries> triesOf(const School& school, const std::string& hash)
     if (!read)
         return tl::unexpected(read.error());
     return tries;
+}
+
+/// Counts what a clock that was ahead has counted as if it were just now: else the name would have to wait anew at each
+/// look until that time has come.
+core::Status bringBack(const School& school, const std::string& hash)
+{
+    const qlonglong now = nowMs(school);
+    return execute(school.db, "UPDATE failed_logins SET last_ms = ? WHERE name_hash IN (?, ?) AND last_ms > ?", kLogIn,
+                   {now, text(hash), tryOf(hash), now});
 }
 
 core::Status countTry(const School& school, const QVariant& name)
@@ -141,6 +153,9 @@ core::Status beginTry(const School& school, const std::string& hash)
         const auto tries = triesOf(school, hash);
         if (!tries)
             return tl::unexpected(tries.error());
+        if (tries->isAhead)
+            if (auto brought = bringBack(school, hash); !brought)
+                return brought;
         if (tries->wait.count() > 0 && !tries->isCompared)
             return tl::unexpected(tooSoon(tries->wait));
         if (tries->wait.count() == 0) {

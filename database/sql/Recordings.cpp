@@ -17,6 +17,8 @@ namespace {
 
 using core::ErrorCode;
 
+constexpr qint64 kLargest = 1LL << 30U;
+
 std::string_view viewOf(const QByteArray& bytes)
 {
     return {bytes.constData(), static_cast<std::size_t>(bytes.size())};
@@ -33,11 +35,14 @@ QString fileOf(const QSqlDatabase& db, const std::string& hash)
 
 core::Status writeFile(const QString& path, const QByteArray& bytes)
 {
-    if (QFile there(path); there.open(QIODevice::ReadOnly) && there.readAll() == bytes)
+    if (contentOf(path, kLargest) == bytes)
         return {};
     const QString folder = QFileInfo(path).absolutePath();
     makeOwnFolder(QFileInfo(folder).absolutePath());
     makeOwnFolder(folder);
+    // The file is written where a link leads, and that is not the school's.
+    if (QFileInfo(path).isSymLink())
+        QFile::remove(path);
     QSaveFile file(path);  // synced before it gets its name
     if (file.open(QIODevice::WriteOnly) && file.setPermissions(QFile::ReadOwner | QFile::WriteOwner) &&
         file.write(bytes) == bytes.size() && file.flush() && file.commit() &&
@@ -87,10 +92,9 @@ core::Result<QByteArray> recordingOf(const QSqlDatabase& db, const std::string& 
             !read)
             return tl::unexpected(read.error());
     } else {
-        QFile file(fileOf(db, hash));
-        isThere = file.open(QIODevice::ReadOnly);
-        if (isThere)
-            bytes = file.readAll();
+        const QString file = fileOf(db, hash);
+        isThere = QFileInfo::exists(file);
+        bytes = contentOf(file, kLargest).value_or(QByteArray());
     }
     if (!isThere)
         return core::unexpected(ErrorCode::FileMissing,

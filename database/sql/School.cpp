@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "database/sql/School.h"
 
+#include <ctime>
+
 #include "database/sql/Statement.h"
 
 namespace database::sql {
@@ -40,11 +42,31 @@ core::Status expectToMark(const School& school, const Session& session, Operatio
     return {};
 }
 
+/// Goes on while the computer sleeps, and nobody sets it.
+qint64 msSinceBoot()
+{
+    timespec since{};
+    clock_gettime(CLOCK_BOOTTIME, &since);
+    return static_cast<qint64>(since.tv_sec) * 1000 + since.tv_nsec / 1'000'000;
+}
+
 }  // namespace
 
 std::string School::now() const
 {
     return nowUtc().toString(Qt::ISODate).toStdString();
+}
+
+std::function<QDateTime()> clockOf(const QSqlDatabase& db)
+{
+    if (dialect::isPostgres(db))
+        if (const auto there = ask(db, "SELECT CAST(extract(epoch FROM clock_timestamp()) * 1000 AS BIGINT)",
+                                   "ask what time it is there");
+            there)
+            return [atBoot = there->toLongLong() - msSinceBoot()] {
+                return QDateTime::fromMSecsSinceEpoch(atBoot + msSinceBoot(), Qt::UTC);
+            };
+    return &QDateTime::currentDateTimeUtc;
 }
 
 core::Result<Who> admit(const School& school, const Session& session, Operation operation)

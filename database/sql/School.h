@@ -26,6 +26,10 @@ struct School
     [[nodiscard]] std::string now() const;
 };
 
+/// The clock of the server, asked once: a station whose clock is wrong shall neither lock a name out nor make a code
+/// last. Of a file, and where the server does not say, this computer's.
+[[nodiscard]] std::function<QDateTime()> clockOf(const QSqlDatabase& db);
+
 /// A person, as the rules see him.
 struct Who
 {

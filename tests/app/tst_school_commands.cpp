@@ -54,6 +54,9 @@ private slots:
     void attemptsAreExported();
     void whatABackupMissesIsSentAgain();
     void aBackupOfAnotherSchoolIsNotRestored();
+    void nothingIsRestoredOverWhatIsNoDatabase();
+    void anEmptySchoolReplacesNone();
+    void aNewSchoolBesideBackupsSaysSo();
     void aLinkedFileIsRestoredWhereItLies();
     void aCopyIsSoundAndKnownHere();
     void lookingLeavesNothingBehind();
@@ -210,6 +213,10 @@ void TestSchoolCommands::pipesAndDevicesAreNoFiles()
         const Ending stats = runCusp({"db", "stats", "--db", name});
         QVERIFY2(stats.exitCode == 1 && stats.isOneSentence() && stats.error.contains("is no file"), stats.error);
     }
+    QVERIFY(QFile::remove(at("station.key")));
+    QCOMPARE(mkfifo(qPrintable(at("station.key")), 0600), 0);
+    const Ending checked = onFile({"db", "check"});
+    QVERIFY2(checked.exitCode == 1 && checked.isOneSentence() && checked.error.contains("is no file"), checked.error);
 }
 
 void TestSchoolCommands::attemptsAreExported()
@@ -265,6 +272,50 @@ void TestSchoolCommands::aBackupOfAnotherSchoolIsNotRestored()
     QCOMPARE(refused.exitCode, 1);
     QVERIFY2(refused.isOneSentence() && refused.error.contains("another school"), refused.error);
     QCOMPARE(byAdmin({"user", "list"}).exitCode, 0);
+}
+
+void TestSchoolCommands::nothingIsRestoredOverWhatIsNoDatabase()
+{
+    const QString backup = onFile({"db", "backup", "--json"}).json()["backup"].toString();
+    QVERIFY(QDir(m_folder->path()).mkdir("folder.sqlite"));
+    put(at("folder.sqlite/thesis"), "years of work");
+    QCOMPARE(mkfifo(qPrintable(at("pipe.sqlite")), 0600), 0);
+    QVERIFY(QFile::link(at("pipe.sqlite"), at("link.sqlite")));
+    const QStringList before = QDir(m_folder->path()).entryList(QDir::AllEntries | QDir::System);
+    for (const char* name : {"folder.sqlite", "pipe.sqlite", "link.sqlite"}) {
+        const Ending refused = runCusp({"db", "restore", backup, "--db", at(name)});
+        QVERIFY2(refused.exitCode == 1 && refused.isOneSentence(), name);
+    }
+    QCOMPARE(QDir(m_folder->path()).entryList(QDir::AllEntries | QDir::System), before);
+    QVERIFY(QFile::exists(at("folder.sqlite/thesis")));
+    QVERIFY(QFile::link(school(), at("itself.sqlite")));
+    for (const QString& itself : {school(), at("itself.sqlite")}) {
+        const Ending refused = onFile({"db", "restore", itself});
+        QVERIFY2(refused.exitCode == 1 && refused.isOneSentence() && refused.error.contains("the database itself"),
+                 refused.error);
+    }
+    QCOMPARE(onFile({"db", "check"}).exitCode, 0);
+}
+
+void TestSchoolCommands::anEmptySchoolReplacesNone()
+{
+    QCOMPARE(runCusp({"db", "init", "--db", at("empty.sqlite")}).exitCode, 0);
+    const Ending refused = onFile({"db", "restore", at("empty.sqlite")});
+    QVERIFY2(refused.exitCode == 1 && refused.isOneSentence() && refused.error.contains("nobody"), refused.error);
+    QCOMPARE(byAdmin({"user", "list"}).exitCode, 0);
+    // Where there is no school it takes nothing away.
+    QCOMPARE(runCusp({"db", "restore", at("empty.sqlite"), "--db", at("new.sqlite")}).exitCode, 0);
+}
+
+void TestSchoolCommands::aNewSchoolBesideBackupsSaysSo()
+{
+    const QByteArray backup = onFile({"db", "backup", "--json"}).json()["backup"].toString().toUtf8();
+    QVERIFY(!onFile({"db", "init"}).error.contains("backup"));
+    QVERIFY(QFile::remove(school()));
+    const Ending made = onFile({"db", "init"});
+    QVERIFY2(made.exitCode == 0 && made.error.contains("cusp db restore " + backup), made.error);
+    const QJsonObject checked = onFile({"db", "check", "--json"}).json();
+    QCOMPARE(checked["audit_code"].toString(), QString("0"));
 }
 
 void TestSchoolCommands::aLinkedFileIsRestoredWhereItLies()

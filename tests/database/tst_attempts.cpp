@@ -4,7 +4,9 @@
 #include <QFile>
 #include <QSqlError>
 #include <QSqlQuery>
+#include <QTemporaryDir>
 #include <QTest>
+#include <sys/stat.h>
 
 #include "database/Codes.h"
 #include "database/Outbox.h"
@@ -46,6 +48,8 @@ private slots:
     void whatIsKeptOfPeopleIsForTheOwnerOfTheFilesOnly();
     void classmatesAreComparedWithoutNames_data() { support::addEngines(); }
     void classmatesAreComparedWithoutNames();
+    void whatIsNoPlainFileIsNotRead();
+    void aStationKeyIsAFileOfItsOwn();
     void aFullDiskTakesNothing();
     void anExamThatIsBegunIsAnAttempt_data() { support::addEngines(); }
     void anExamThatIsBegunIsAnAttempt();
@@ -272,6 +276,68 @@ void TestAttempts::whatIsKeptOfPeopleIsForTheOwnerOfTheFilesOnly()
             QVERIFY2(!(QFile::permissions(all.next()) & kOthers), qPrintable(all.filePath()));
     }
     QCOMPARE(seen, 5);  // two letters, "arrived", a recording and its folder
+}
+
+/// A pipe would let the school wait for ever, and a device has no end.
+void TestAttempts::whatIsNoPlainFileIsNotRead()
+{
+    SchoolRig rig(false);
+    rig.populate();
+    const QDir folder(QFileInfo(rig.address()).absolutePath());
+    const QString pipe = folder.filePath("pipe");
+    QCOMPARE(mkfifo(qPrintable(pipe), 0600), 0);
+    const QByteArray recording(5000, 'r');
+    const auto attempt = SchoolRig::attempt("class1-36", 500);
+    const AttemptId id = addAttempt(rig.school(), rig.student, attempt, recording).value();
+    QDirIterator recordings(folder.filePath("recordings"), QDir::Files, QDirIterator::Subdirectories);
+    const QString file = recordings.next();
+    QVERIFY(QFile::remove(file));
+    QCOMPARE(mkfifo(qPrintable(file), 0600), 0);
+    VERIFY_REFUSED(openRecording(rig.school(), rig.student, id), ErrorCode::BadStructure);
+    QVERIFY(QFile::remove(file));
+    QFile large(file);
+    QVERIFY(large.open(QIODevice::WriteOnly) && large.resize(5LL << 30U));
+    VERIFY_REFUSED(openRecording(rig.school(), rig.student, id), ErrorCode::BadStructure);
+    QVERIFY(large.remove());
+    // What a link leads to is not the school's to write.
+    QVERIFY(QFile::link(pipe, file));
+    VERIFY_DONE(putRecording(rig.school(), recording));
+    QVERIFY(QFileInfo(file).isFile() && !QFileInfo(file).isSymLink());
+    QCOMPARE(openRecording(rig.school(), rig.student, id).value(), recording);
+
+    Outbox outbox(folder.filePath("outbox"), StationKey::make());
+    VERIFY_DONE(outbox.put(rig.student, attempt, {}));
+    const QString letter = outbox.waiting().constFirst();
+    const QString elsewhere = folder.filePath("elsewhere");
+    QVERIFY(QFile::rename(letter, elsewhere));
+    for (const QString& target : {pipe, elsewhere}) {
+        QVERIFY(QFile::link(target, letter));
+        VERIFY_REFUSED(outbox.read(letter), ErrorCode::BadStructure);
+        outbox.setAside(letter);
+        QVERIFY(outbox.waiting().isEmpty());
+        QVERIFY(QFileInfo::exists(target));
+    }
+}
+
+void TestAttempts::aStationKeyIsAFileOfItsOwn()
+{
+    QTemporaryDir folder;
+    const QString key = folder.filePath("station.key");
+    const QString pipe = folder.filePath("pipe");
+    const QString others = folder.filePath("others.key");
+    QCOMPARE(mkfifo(qPrintable(pipe), 0640), 0);
+    VERIFY_DONE(StationKey::readOrMake(others));
+    QVERIFY(QFile::setPermissions(others, QFile::ReadOwner | QFile::WriteOwner | QFile::ReadGroup));
+    for (const QString& target : {pipe, others, folder.filePath("nothing")}) {
+        const QFile::Permissions before = QFile::permissions(target);
+        QVERIFY(QFile::link(target, key));
+        VERIFY_REFUSED(StationKey::readOrMake(key), ErrorCode::FileUnreadable);
+        QVERIFY(QFile::permissions(target) == before);
+        QVERIFY(QFile::remove(key));
+    }
+    QVERIFY(!QFileInfo::exists(folder.filePath("nothing")));
+    QCOMPARE(mkfifo(qPrintable(key), 0600), 0);
+    VERIFY_REFUSED(StationKey::readOrMake(key), ErrorCode::FileUnreadable);
 }
 
 /// However little there was to write.

@@ -32,6 +32,8 @@ private slots:
     void whatOlderProgramsDidNotNoteIsNoFinding();
     void whatGuardsIsThere_data();
     void whatGuardsIsThere();
+    void whatCannotBeLookedAtHidesNothingElse_data() { support::addEngines(); }
+    void whatCannotBeLookedAtHidesNothingElse();
     void whoMayNotCompareIsTold();
     void whoeverElseSignsIsNamed();
     void goingOnMakesNothingGood_data() { support::addEngines(); }
@@ -373,6 +375,24 @@ void TestAudit::whatGuardsIsThere()
     VERIFY_DONE(report);
     QCOMPARE(report->findings.size(), std::size_t{1});
     QVERIFY2(support::wordsOf(report->findings).contains(finding), qPrintable(support::wordsOf(report->findings)));
+}
+
+void TestAudit::whatCannotBeLookedAtHidesNothingElse()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    VERIFY_DONE(support::addAttempt(rig.school(), rig.student, SchoolRig::attempt("class1-36", 500), {}));
+    QSqlQuery query(rig.school().db);
+    for (const char* deed : {"UPDATE attempts SET score_tenths = 999", "DROP TABLE exam_starts"})
+        QVERIFY2(query.exec(deed), qPrintable(query.lastError().text()));
+    const auto report = checkDatabase(rig.school().db, {});
+    VERIFY_DONE(report);
+    QVERIFY(!report->isWhole);
+    const QString said = support::wordsOf(report->findings);
+    for (const char* words : {"table exam_starts is no longer there", "was changed after it had been kept",
+                              "the exams that were begun could not be looked at"})
+        QVERIFY2(said.contains(words), qPrintable(said));
+    QCOMPARE(report->auditCode, auditHead(rig.school())->code());
 }
 
 /// Who may not make a schema beside it sees names alone, and is told.

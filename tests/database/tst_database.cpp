@@ -4,6 +4,7 @@
 #include <QSqlQuery>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QUrl>
 #include <sys/stat.h>
 
 #include "database/sql/Database.h"
@@ -30,6 +31,7 @@ private slots:
     void refusesAPlaceThatCannotBeWritten();
     void refusesWhatIsNotADatabase();
     void refusesADatabaseOfAnotherProgram();
+    void namesAServerWithItsPort();
     void refusesADamagedFile();
     void refusesAFileFromTheFuture();
     void saysWhoHoldsTheLock();
@@ -198,6 +200,16 @@ void TestDatabase::refusesADatabaseOfAnotherProgram()
     const QByteArray before = bytes(at("other.db"));
     REFUSED(at("other.db"), ErrorCode::WrongKind, "belongs to another program");
     QCOMPARE(bytes(at("other.db")), before);
+}
+
+/// As it was given, so that it can be used again.
+void TestDatabase::namesAServerWithItsPort()
+{
+    if (!QSqlDatabase::isDriverAvailable("QPSQL"))
+        QSKIP("this computer cannot speak with PostgreSQL");
+    REFUSED("postgresql://cusp@127.0.0.1:1/school", ErrorCode::ConnectionLost, "does not answer");
+    const QString folder = QString(QUrl::toPercentEncoding(at("no-socket")));
+    REFUSED("postgresql://cusp@" + folder + ":1/school", ErrorCode::ConnectionLost, "does not answer");
 }
 
 void TestDatabase::refusesADamagedFile()

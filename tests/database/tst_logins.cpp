@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cstdlib>
 #include <ctime>
 #include <set>
 #include <vector>
 
+#include <QSqlError>
 #include <QSqlQuery>
 #include <QTest>
 
@@ -30,6 +32,9 @@ private slots:
     void failuresDoubleTheWaitAcrossRuns();
     void aClockThatGoesBackLocksNobodyOutForLong_data() { support::addEngines(); }
     void aClockThatGoesBackLocksNobodyOutForLong();
+    void aClockThatWasAheadLocksNobodyOutForLong_data() { support::addEngines(); }
+    void aClockThatWasAheadLocksNobodyOutForLong();
+    void aServersClockIsTaken();
     void aCodeIsGoodOnceAndForThreeDays_data() { support::addEngines(); }
     void aCodeIsGoodOnceAndForThreeDays();
     void aHashIsRaisedOnLogin_data() { support::addEngines(); }
@@ -178,6 +183,42 @@ void TestLogins::aClockThatGoesBackLocksNobodyOutForLong()
     VERIFY_REFUSED(Logins::login(rig.school(), "s1001", SchoolRig::kPassword), ErrorCode::TooSoon);
     rig.nowUtc = rig.nowUtc.addYears(1).addSecs(10);
     VERIFY_DONE(Logins::login(rig.school(), "s1001", SchoolRig::kPassword));
+}
+
+/// As one station's is, and not that of the next.
+void TestLogins::aClockThatWasAheadLocksNobodyOutForLong()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    rig.nowUtc = rig.nowUtc.addYears(1);
+    for (int k = 0; k < Logins::kFreeFailures; ++k)
+        VERIFY_REFUSED(Logins::login(rig.school(), "s1001", "wrong"), ErrorCode::WrongLogin);
+    rig.nowUtc = rig.nowUtc.addYears(-1);
+    VERIFY_REFUSED(Logins::login(rig.school(), "s1001", SchoolRig::kPassword), ErrorCode::TooSoon);
+    rig.nowUtc = rig.nowUtc.addSecs(1);
+    VERIFY_DONE(Logins::login(rig.school(), "s1001", SchoolRig::kPassword));
+}
+
+void TestLogins::aServersClockIsTaken()
+{
+    {
+        SchoolRig file(false);
+        QVERIFY(std::abs(clockOf(file.school().db)().secsTo(QDateTime::currentDateTimeUtc())) < 60);
+    }
+    if (!support::sharedServer().fault().isEmpty())
+        QSKIP(qPrintable(support::sharedServer().fault()));
+    SchoolRig rig(true);
+    QVERIFY(rig.isOpen());
+    const QSqlDatabase& db = rig.school().db;
+    QVERIFY(std::abs(clockOf(db)().secsTo(QDateTime::currentDateTimeUtc())) < 60);
+    // A clock that is two hours ahead.
+    QSqlQuery query(db);
+    for (const char* sql : {"CREATE FUNCTION clock_timestamp() RETURNS timestamptz LANGUAGE sql AS $$ SELECT "
+                            "pg_catalog.clock_timestamp() + interval '2 hours' $$",
+                            "SET search_path = public, pg_catalog"})
+        QVERIFY2(query.exec(sql), qPrintable(query.lastError().text()));
+    const qint64 ahead = QDateTime::currentDateTimeUtc().secsTo(clockOf(db)());
+    QVERIFY2(std::abs(ahead - 7200) < 60, qPrintable(QString::number(ahead)));
 }
 
 void TestLogins::aCodeIsGoodOnceAndForThreeDays()
