@@ -1136,6 +1136,42 @@
         <source>the newest row of the audit was signed with the key %1, and the audit knows no station that has it</source>
         <translation>die neueste Zeile des Protokolls wurde mit dem Schlüssel %1 signiert, und das Protokoll kennt keinen Arbeitsplatz, der ihn hat</translation>
     </message>
+    <message>
+        <source>the pages of the file could not be looked at (%1)</source>
+        <translation>die Seiten der Datei konnten nicht geprüft werden (%1)</translation>
+    </message>
+    <message>
+        <source>the audit could not be looked at (%1)</source>
+        <translation>das Protokoll konnte nicht geprüft werden (%1)</translation>
+    </message>
+    <message>
+        <source>tables, indexes and triggers could not be looked at (%1)</source>
+        <translation>Tabellen, Indizes und Trigger konnten nicht geprüft werden (%1)</translation>
+    </message>
+    <message>
+        <source>the attempts could not be looked at (%1)</source>
+        <translation>die Versuche konnten nicht geprüft werden (%1)</translation>
+    </message>
+    <message>
+        <source>the exams that were begun could not be looked at (%1)</source>
+        <translation>die begonnenen Prüfungen konnten nicht geprüft werden (%1)</translation>
+    </message>
+    <message>
+        <source>score sheets and standings could not be looked at (%1)</source>
+        <translation>Bewertungsbögen und Stände konnten nicht geprüft werden (%1)</translation>
+    </message>
+    <message>
+        <source>people, classes, comments, presets and settings could not be compared with the audit (%1)</source>
+        <translation>Personen, Klassen, Kommentare, Härte-Voreinstellungen und Einstellungen konnten nicht mit dem Protokoll verglichen werden (%1)</translation>
+    </message>
+    <message>
+        <source>the recordings could not be looked at (%1)</source>
+        <translation>die Aufzeichnungen konnten nicht geprüft werden (%1)</translation>
+    </message>
+    <message>
+        <source>who signed the head of the audit could not be looked at (%1)</source>
+        <translation>wer den Kopf des Protokolls signiert hat, konnte nicht geprüft werden (%1)</translation>
+    </message>
 </context>
 <context>
     <name>Handpiece</name>

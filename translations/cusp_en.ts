@@ -1136,6 +1136,42 @@
         <source>the newest row of the audit was signed with the key %1, and the audit knows no station that has it</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>the pages of the file could not be looked at (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the audit could not be looked at (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tables, indexes and triggers could not be looked at (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the attempts could not be looked at (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the exams that were begun could not be looked at (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>score sheets and standings could not be looked at (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>people, classes, comments, presets and settings could not be compared with the audit (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the recordings could not be looked at (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>who signed the head of the audit could not be looked at (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Handpiece</name>

@@ -1136,6 +1136,42 @@
         <source>the newest row of the audit was signed with the key %1, and the audit knows no station that has it</source>
         <translation>la última fila del registro se firmó con la clave %1, y el registro no conoce ningún puesto que la tenga</translation>
     </message>
+    <message>
+        <source>the pages of the file could not be looked at (%1)</source>
+        <translation>no se pudieron revisar las páginas del archivo (%1)</translation>
+    </message>
+    <message>
+        <source>the audit could not be looked at (%1)</source>
+        <translation>no se pudo revisar el registro (%1)</translation>
+    </message>
+    <message>
+        <source>tables, indexes and triggers could not be looked at (%1)</source>
+        <translation>no se pudieron revisar las tablas, los índices y los disparadores (%1)</translation>
+    </message>
+    <message>
+        <source>the attempts could not be looked at (%1)</source>
+        <translation>no se pudieron revisar los intentos (%1)</translation>
+    </message>
+    <message>
+        <source>the exams that were begun could not be looked at (%1)</source>
+        <translation>no se pudieron revisar los exámenes empezados (%1)</translation>
+    </message>
+    <message>
+        <source>score sheets and standings could not be looked at (%1)</source>
+        <translation>no se pudieron revisar las hojas de puntuación ni los resultados (%1)</translation>
+    </message>
+    <message>
+        <source>people, classes, comments, presets and settings could not be compared with the audit (%1)</source>
+        <translation>no se pudieron comparar con el registro las personas, los grupos, los comentarios, los ajustes de dureza ni la configuración (%1)</translation>
+    </message>
+    <message>
+        <source>the recordings could not be looked at (%1)</source>
+        <translation>no se pudieron revisar las grabaciones (%1)</translation>
+    </message>
+    <message>
+        <source>who signed the head of the audit could not be looked at (%1)</source>
+        <translation>no se pudo revisar quién firmó la cabecera del registro (%1)</translation>
+    </message>
 </context>
 <context>
     <name>Handpiece</name>

@@ -1134,6 +1134,42 @@
         <source>the newest row of the audit was signed with the key %1, and the audit knows no station that has it</source>
         <translation>監査記録の最新の行は鍵 %1 で署名されていますが、その鍵を持つ端末は監査記録にありません</translation>
     </message>
+    <message>
+        <source>the pages of the file could not be looked at (%1)</source>
+        <translation>ファイルのページを調べられませんでした（%1）</translation>
+    </message>
+    <message>
+        <source>the audit could not be looked at (%1)</source>
+        <translation>監査記録を調べられませんでした（%1）</translation>
+    </message>
+    <message>
+        <source>tables, indexes and triggers could not be looked at (%1)</source>
+        <translation>表、インデックス、トリガーを調べられませんでした（%1）</translation>
+    </message>
+    <message>
+        <source>the attempts could not be looked at (%1)</source>
+        <translation>試行を調べられませんでした（%1）</translation>
+    </message>
+    <message>
+        <source>the exams that were begun could not be looked at (%1)</source>
+        <translation>開始された試験を調べられませんでした（%1）</translation>
+    </message>
+    <message>
+        <source>score sheets and standings could not be looked at (%1)</source>
+        <translation>採点表と成績を調べられませんでした（%1）</translation>
+    </message>
+    <message>
+        <source>people, classes, comments, presets and settings could not be compared with the audit (%1)</source>
+        <translation>利用者、クラス、コメント、プリセット、設定を監査記録と比較できませんでした（%1）</translation>
+    </message>
+    <message>
+        <source>the recordings could not be looked at (%1)</source>
+        <translation>記録を調べられませんでした（%1）</translation>
+    </message>
+    <message>
+        <source>who signed the head of the audit could not be looked at (%1)</source>
+        <translation>監査記録の先頭の署名者を調べられませんでした（%1）</translation>
+    </message>
 </context>
 <context>
     <name>Handpiece</name>
