@@ -72,8 +72,6 @@ QString why(const core::Error& error)
     case core::ErrorCode::OutOfRange:
         return AdminDesk::tr("That cannot be: the name is empty or taken, or has other signs than letters, digits and "
                              ". _ - @");
-    case core::ErrorCode::NobodyLeft:
-        return AdminDesk::tr("This is the last admin who can log in. Make somebody else an admin first.");
     default:
         return errorText(error, Failed::ChangingSchool);
     }

@@ -802,6 +802,10 @@
         <source>Somebody else has changed it meanwhile. Here is what there is now; change it again if need be.</source>
         <translation>Jemand anderes hat das inzwischen geändert. Hier steht, was jetzt gilt; ändern Sie es bei Bedarf noch einmal.</translation>
     </message>
+    <message>
+        <source>This is the last admin who can log in. Make somebody else an admin first.</source>
+        <translation>Das ist der letzte Admin, der sich anmelden kann. Machen Sie zuerst jemand anderen zum Admin.</translation>
+    </message>
 </context>
 <context>
     <name>ExerciseMarks</name>
@@ -1876,10 +1880,6 @@
         <translation>Das geht nicht: Der Name ist leer oder vergeben oder hat andere Zeichen als Buchstaben, Ziffern und . _ - @</translation>
     </message>
     <message>
-        <source>This is the last admin who can log in. Make somebody else an admin first.</source>
-        <translation>Das ist der letzte Admin, der sich anmelden kann. Machen Sie zuerst jemand anderen zum Admin.</translation>
-    </message>
-    <message>
         <source>%1 is empty. The first line of a class list names its columns: username, given_name, family_name, role, class.</source>
         <translation>%1 ist leer. Die erste Zeile einer Klassenliste nennt ihre Spalten: username, given_name, family_name, role, class.</translation>
     </message>
@@ -2081,7 +2081,7 @@
     <name>app::PeopleDesk</name>
     <message>
         <source>Save the class report</source>
-        <translation>Gruppenbericht speichern</translation>
+        <translation>Klassenbericht speichern</translation>
     </message>
     <message>
         <source>The report was saved as %1.</source>
@@ -7768,16 +7768,16 @@ ungesichert</translation>
         <source>Of the best results of %n people in your class, %1 % are below this.</source>
         <extracomment>%1 is a number of per cent</extracomment>
         <translation>
-            <numerusform>Von %n Person Ihrer Gruppe liegen %1 % der besten Ergebnisse darunter.</numerusform>
-            <numerusform>Von den besten Ergebnissen von %n Personen Ihrer Gruppe liegen %1 % darunter.</numerusform>
+            <numerusform>Von %n Person Ihrer Klasse liegen %1 % der besten Ergebnisse darunter.</numerusform>
+            <numerusform>Von den besten Ergebnissen von %n Personen Ihrer Klasse liegen %1 % darunter.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>No comparison with a class: it takes %1 people, so that nobody can be made out, and here are the results of %n person(s).</source>
         <extracomment>%1 is a number of people</extracomment>
         <translation>
-            <numerusform>Kein Vergleich mit einer Gruppe: Er braucht %1 Personen, damit niemand zu erkennen ist; hier sind die Ergebnisse von %n Person.</numerusform>
-            <numerusform>Kein Vergleich mit einer Gruppe: Er braucht %1 Personen, damit niemand zu erkennen ist; hier sind die Ergebnisse von %n Personen.</numerusform>
+            <numerusform>Kein Vergleich mit einer Klasse: Er braucht %1 Personen, damit niemand zu erkennen ist; hier sind die Ergebnisse von %n Person.</numerusform>
+            <numerusform>Kein Vergleich mit einer Klasse: Er braucht %1 Personen, damit niemand zu erkennen ist; hier sind die Ergebnisse von %n Personen.</numerusform>
         </translation>
     </message>
     <message>

@@ -802,6 +802,10 @@
         <source>Somebody else has changed it meanwhile. Here is what there is now; change it again if need be.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>This is the last admin who can log in. Make somebody else an admin first.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ExerciseMarks</name>
@@ -1873,10 +1877,6 @@
     </message>
     <message>
         <source>That cannot be: the name is empty or taken, or has other signs than letters, digits and . _ - @</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>This is the last admin who can log in. Make somebody else an admin first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -802,6 +802,10 @@
         <source>Somebody else has changed it meanwhile. Here is what there is now; change it again if need be.</source>
         <translation>Otra persona lo ha cambiado mientras tanto. Aquí está lo que hay ahora; cámbielo de nuevo si hace falta.</translation>
     </message>
+    <message>
+        <source>This is the last admin who can log in. Make somebody else an admin first.</source>
+        <translation>Es el último administrador que puede iniciar sesión. Nombre antes a otro administrador.</translation>
+    </message>
 </context>
 <context>
     <name>ExerciseMarks</name>
@@ -1874,10 +1878,6 @@
     <message>
         <source>That cannot be: the name is empty or taken, or has other signs than letters, digits and . _ - @</source>
         <translation>No puede ser: el nombre está vacío u ocupado, o tiene otros signos que letras, cifras y . _ - @</translation>
-    </message>
-    <message>
-        <source>This is the last admin who can log in. Make somebody else an admin first.</source>
-        <translation>Es el último administrador que puede iniciar sesión. Nombre antes a otro administrador.</translation>
     </message>
     <message>
         <source>%1 is empty. The first line of a class list names its columns: username, given_name, family_name, role, class.</source>

@@ -800,6 +800,10 @@
         <source>Somebody else has changed it meanwhile. Here is what there is now; change it again if need be.</source>
         <translation>その間にほかの人が変更しました。現在の内容を表示しています。必要ならもう一度変更してください。</translation>
     </message>
+    <message>
+        <source>This is the last admin who can log in. Make somebody else an admin first.</source>
+        <translation>ログインできる最後の管理者です。先にほかの人を管理者にしてください。</translation>
+    </message>
 </context>
 <context>
     <name>ExerciseMarks</name>
@@ -1864,10 +1868,6 @@
     <message>
         <source>That cannot be: the name is empty or taken, or has other signs than letters, digits and . _ - @</source>
         <translation>できません：名前が空か、使われているか、英字・数字・. _ - @ 以外の文字があります</translation>
-    </message>
-    <message>
-        <source>This is the last admin who can log in. Make somebody else an admin first.</source>
-        <translation>ログインできる最後の管理者です。先にほかの人を管理者にしてください。</translation>
     </message>
     <message>
         <source>%1 is empty. The first line of a class list names its columns: username, given_name, family_name, role, class.</source>

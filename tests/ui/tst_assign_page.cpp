@@ -364,6 +364,16 @@ void TestAssignPage::whoHasNoAttemptsLeftIsTold()
              qPrintable(get<QLabel>("assignSaid")->text()));
     m_page->confirm({{once, ClassAssignment{1, kClass, "a", "", 2}}});
     QCOMPARE(get<QLabel>("assignSaid")->text(), QString("1 lesson(s) changed."));
+    // Of two lessons everybody is counted once: another is stuck at each, and one at both.
+    database::ClassOverview two = overview();
+    two.lessons = {"a", "b"};
+    two.cells.assign(two.students.size(), std::vector<database::MatrixCell>(2));
+    for (const auto& [student, lesson] : {std::pair(0, 0), std::pair(1, 1), std::pair(2, 0), std::pair(2, 1)})
+        two.cells[static_cast<std::size_t>(student)][static_cast<std::size_t>(lesson)].attempts = 1;
+    m_page->setAssignments(two, {given}, kNow);
+    m_page->confirm({{given, once}, {{}, ClassAssignment{2, kClass, "b", "", 1}}});
+    QVERIFY2(get<QLabel>("assignSaid")->text().contains("3 student(s) who have not passed have no attempts left"),
+             qPrintable(get<QLabel>("assignSaid")->text()));
 }
 
 void TestAssignPage::whatIsRefusedIsSaid()

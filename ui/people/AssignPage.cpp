@@ -382,15 +382,18 @@ QString AssignPage::titleOf(const std::string& lessonId) const
 }
 
 /// How many have tried as often as that allows: what they did before it was given counts.
-int AssignPage::usedUp(const database::ClassAssignment& given) const
+std::set<std::size_t> AssignPage::usedUp(const database::ClassAssignment& given) const
 {
+    std::set<std::size_t> students;
     const auto place = std::find(m_overview.lessons.begin(), m_overview.lessons.end(), given.lessonId);
     if (given.attemptLimit == 0 || place == m_overview.lessons.end())
-        return 0;
+        return students;
     const auto column = static_cast<std::size_t>(place - m_overview.lessons.begin());
-    return static_cast<int>(std::count_if(m_overview.cells.begin(), m_overview.cells.end(), [&](const auto& row) {
-        return row[column].attempts >= given.attemptLimit && !row[column].passed;
-    }));
+    for (std::size_t row = 0; row < m_overview.cells.size(); ++row)
+        if (const database::MatrixCell& cell = m_overview.cells[row][column];
+            cell.attempts >= given.attemptLimit && !cell.passed)
+            students.insert(row);
+    return students;
 }
 
 /// What is ticked stays, unless it has been given meanwhile.
@@ -561,9 +564,11 @@ void AssignPage::confirm(const QList<AssignmentChange>& changes)
     const int count = static_cast<int>(changes.size());
     const auto isAll = [&](auto has) { return std::all_of(changes.begin(), changes.end(), has); };
     m_last = wasUndone ? QList<AssignmentChange>() : changes;
-    int noneLeft = 0;
+    std::set<std::size_t> stuck;  // at any of the lessons
     for (const AssignmentChange& change : changes)
-        noneLeft = std::max(noneLeft, change.after ? usedUp(*change.after) : 0);
+        if (change.after)
+            stuck.merge(usedUp(*change.after));
+    const int noneLeft = static_cast<int>(stuck.size());
     m_saying = [wasUndone, count, noneLeft, isNew = isAll([](const AssignmentChange& one) { return !one.before; }),
                 isGone = isAll([](const AssignmentChange& one) { return !one.after; })] {
         QString done = wasUndone ? tr("That was undone.")

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -83,7 +84,7 @@ private:
     [[nodiscard]] std::vector<std::string> ticked() const;
     [[nodiscard]] QList<database::ClassAssignment> chosen() const;
     [[nodiscard]] QString titleOf(const std::string& lessonId) const;
-    [[nodiscard]] int usedUp(const database::ClassAssignment& given) const;
+    [[nodiscard]] std::set<std::size_t> usedUp(const database::ClassAssignment& given) const;
 
     std::vector<LessonOffer> m_lessons;
     database::ClassOverview m_overview;

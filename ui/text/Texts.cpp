@@ -159,8 +159,10 @@ QString reason(core::ErrorCode code, Failed failed)
     case core::ErrorCode::ConnectionLost:
         return QCoreApplication::translate("Error", "The school's server does not answer. Cusp tries again by itself.");
     case core::ErrorCode::NotAllowed:
-    case core::ErrorCode::NobodyLeft:
         return QCoreApplication::translate("Error", "Your role does not allow it.");
+    case core::ErrorCode::NobodyLeft:
+        return QCoreApplication::translate(
+            "Error", "This is the last admin who can log in. Make somebody else an admin first.");
     case core::ErrorCode::WrongLogin:
         return QCoreApplication::translate("Error", "Name or password is wrong.");
     case core::ErrorCode::TooSoon:
