@@ -499,7 +499,7 @@ void Application::enter(const database::Session& who)
     tellIdleLimit();
     keepJournal();
     if (keeps)
-        keepGrade();
+        keepGuestsGrade();
     else
         m_window->openHome();
     if (m_tour && !keeps)
@@ -1144,7 +1144,8 @@ void Application::keepGrade()
     // A guest could do an exam as often as he likes, and log in for the best; what he has taken up may be another
     // guest's; and the simulated hand is nobody's.
     const bool isExam = m_assignment.lesson && m_assignment.lesson->exam;
-    const bool isNobodys = m_options.simulatedDevice || (m_who.isGuest() && (isExam || m_isTakenUp));
+    const bool isNobodys =
+        m_options.simulatedDevice || m_graded->isOverLimit || (m_who.isGuest() && (isExam || m_isTakenUp));
     m_graded->keeping = !m_desk || isNobodys ? Keeping::Nowhere : m_who.isGuest() ? Keeping::Guest : Keeping::Pending;
     tellKeeping();
     if (m_graded->keeping != Keeping::Pending)
@@ -1158,6 +1159,28 @@ void Application::keepGrade()
                      m_graded->keeping = kept ? Keeping::Waiting : Keeping::Nowhere;
                      tellKeeping();
                  });
+}
+
+/// A guest's grade becomes that of who has logged in for it, where he may still try the lesson.
+void Application::keepGuestsGrade()
+{
+    m_graded->keeping = Keeping::Pending;
+    tellKeeping();
+    m_desk->ask(
+        this,
+        [who = m_who, lesson = m_graded->record.lessonId](const School& school) {
+            return database::sql::attemptsLeft(school, who, lesson);
+        },
+        [this, uid = m_graded->record.uid](const core::Result<std::optional<int>>& left) {
+            if (!m_graded || m_graded->record.uid != uid)
+                return;
+            m_graded->isOverLimit = m_who.role() == database::Role::Student && left && *left == 0;
+            keepGrade();
+            if (!m_graded->isOverLimit || m_graded->generation != m_ownGeneration)
+                return;
+            m_window->setUsedUp(true);
+            m_window->showOverLimit();
+        });
 }
 
 /// Of the work on the table, in place of an old one that was opened.

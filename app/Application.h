@@ -110,6 +110,7 @@ private:
     void connectExplainer(Explainer& explainer);
     void showGrade();
     void keepGrade();
+    void keepGuestsGrade();
     void tellKeeping();
     void tellHistory();
     [[nodiscard]] std::optional<CardDesk::Subject> shownCard() const;
@@ -203,6 +204,7 @@ private:
         ui::study::ScoredWork work;
         core::recording::Recording recording;
         std::optional<core::grading::Practised> practised;  ///< of an exercise, which leaves no mark on the tooth
+        bool isOverLimit = false;  ///< a guest's, who has logged in for it and had no attempt left
     };
     std::optional<core::session::Concluded> m_toMark;  ///< while what is expected of it is asked
     std::optional<Graded> m_graded;

@@ -97,6 +97,7 @@ private slots:
     void aLockedDatabaseIsTriedAgain();
     void whatTheDiskRefusesIsKeptWhenItCanBe();
     void aGuestsGradeIsKeptWhenHeLogsIn();
+    void aGuestsGradeCountsAsAnAttempt();
     void whatWasGradedIsNotUnfinished_data();
     void whatWasGradedIsNotUnfinished();
     void nobodyIsOfferedAnothersWork();
@@ -460,6 +461,45 @@ void TestSchool::aGuestsGradeIsKeptWhenHeLogsIn()
     leaveFor("sam");
     toTheTooth();
     QTRY_COMPARE_WITH_TIMEOUT(removed(), QString("0.00"), kPatienceMs);
+}
+
+/// Else the limit would be got round by logging in afterwards.
+void TestSchool::aGuestsGradeCountsAsAnAttempt()
+{
+    give("block-line", 1);
+    start();
+    const auto gradeAsGuest = [this] {
+        QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("practiseAsGuest")->isVisible(), kPatienceMs);
+        click("practiseAsGuest");
+        toTheTooth();
+        beginLesson("block-line");
+        drill(0.0);
+        gradeLesson();
+        click("keepGrade");
+        logIn("sam");
+    };
+    gradeAsGuest();
+    QTRY_COMPARE_WITH_TIMEOUT(attemptsKept(), 1, kPatienceMs);
+    actions().lock->trigger();
+    click("otherLogin");
+    QTRY_COMPARE_WITH_TIMEOUT(door(), Door::Login, kPatienceMs);
+    gradeAsGuest();
+    QTRY_VERIFY2_WITH_TIMEOUT(message().contains("this grade is not kept"), qPrintable(message()), kPatienceMs);
+    QVERIFY2(keeping().contains("not being kept"), qPrintable(keeping()));
+    QVERIFY(!child<QPushButton>("keepGrade")->isVisible());
+    QVERIFY(!actions().reload->isEnabled());
+    // Nor when the same work is graded once more.
+    toTheTooth();
+    actions().grade->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(child<ui::study::ScorePage>()->isVisible(), kPatienceMs);
+    QTest::qWait(500);
+    QCOMPARE(attemptsKept(), 1);
+    // What was done can be kept as a recording.
+    for (QPushButton* button : child<ui::shell::MessageBar>()->findChildren<QPushButton*>())
+        if (button->text() == actions().saveRecording->text())
+            button->click();
+    QVERIFY(child<QFileDialog>("QFileDialog") != nullptr);
+    child<QFileDialog>("QFileDialog")->reject();
 }
 
 void TestSchool::whatWasGradedIsNotUnfinished_data()

@@ -1820,6 +1820,14 @@ void MainWindow::showWorkKept()
     m_savedWork = m_workGraded;
 }
 
+void MainWindow::showOverLimit()
+{
+    m_messages->say({MessageBar::Kind::Warning,
+                     tr("You had used up your attempts at this lesson before, so this grade is not kept."),
+                     tr("The work itself can be kept as a recording."), m_actions->saveRecording->text(),
+                     [this] { askToSave(); }, MessageBar::Topic::Tooth});
+}
+
 void MainWindow::tellInfraction(const core::grading::Infraction& infraction, bool canTakeBack)
 {
     m_infractionTick = infraction.tick;

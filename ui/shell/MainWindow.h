@@ -156,6 +156,8 @@ public slots:
                    const std::optional<study::ScoredWork>& scored = {});
     /// The attempt that showScore() was about is kept with its recording: as it was graded, nothing of it can be lost.
     void showWorkKept();
+    /// It is not kept: who has logged in for it had no attempt left.
+    void showOverLimit();
     /// A rule of the lesson has been broken, in practice: the bur stops, and the student chooses.
     void tellInfraction(const core::grading::Infraction& infraction, bool canTakeBack);
     /// How the exercise of the student's lesson has gone so far.
