@@ -128,6 +128,18 @@ bool isDone(const core::recording::Recording& recording)
     return (read.lesson && read.lesson->exam) || !isCutOn(recording);
 }
 
+/// What the attempt of a recording was made for. The file of an expert's attempt lies beside the lesson of today.
+core::Result<lessons::Assignment> playedFor(const std::shared_ptr<const core::terrain::ToothAnatomy>& anatomy,
+                                            const std::string& lessonJson)
+{
+    auto assignment = lessons::assignmentOf(anatomy, lessonJson);
+    if (assignment && assignment->lesson && assignment->lesson->expert)
+        for (const lessons::CatalogEntry& entry : lessons::readCatalog(lessons::teachersFolder()))
+            if (!entry.isFaulty() && entry.read.lesson->id == assignment->lesson->id && entry.read.lesson->expert)
+                assignment->lesson->expert = entry.read.lesson->expert;
+    return assignment;
+}
+
 using Wishes = core::rt::TripleBuffer<core::session::PointerInput>;
 
 std::unique_ptr<haptics::HapticDevice> makeDevice(bool simulated, Wishes& demo, Wishes& pointer)
@@ -1356,29 +1368,54 @@ void Application::openBeside(const QString& path)
     });
 }
 
-/// The one that the lesson names, or if it names none, what a simulated hand makes of it.
+/// At the lesson of the attempt that is played, or of the work on the table.
 void Application::openExpert()
 {
-    if (!m_assignment.lesson)
-        return;
-    if (!m_assignment.lesson->expert) {
-        openDemonstration();
+    if (!m_replay) {
+        if (m_assignment.lesson)
+            openExpertAt(m_assignment);
         return;
     }
-    const QString path = QString::fromStdString(m_assignment.lesson->expert->file);
+    if (!m_replay->attempt().lesson())
+        return;
+    const int load = ++m_loading;
+    m_window->showBusy(tr("Preparing the lesson …"));
+    inBackground(
+        this,
+        [anatomy = m_replayed, lesson = m_replay->attempt().lesson()->json] { return playedFor(anatomy, lesson); },
+        [this, load](const core::Result<lessons::Assignment>& assignment) {
+            if (load != m_loading)
+                return;
+            if (!assignment)
+                refuse(assignment.error(), Failed::OpeningLesson, {});
+            else if (m_replay)
+                openExpertAt(*assignment);
+            else
+                m_window->stopBusy();
+        });
+}
+
+/// The one that the lesson names, or if it names none, what a simulated hand makes of it.
+void Application::openExpertAt(const lessons::Assignment& assignment)
+{
+    if (!assignment.lesson->expert) {
+        openDemonstration(assignment);
+        return;
+    }
+    const QString path = QString::fromStdString(assignment.lesson->expert->file);
     readRecording(
         path,
         [this, path](const core::recording::Recording& recording) { showExpert(recording, tr("The expert"), path); },
-        [assignment = m_assignment] { return lessons::readExpert(assignment); });
+        [assignment] { return lessons::readExpert(assignment); });
 }
 
-void Application::openDemonstration()
+void Application::openDemonstration(const lessons::Assignment& assignment)
 {
     const int load = ++m_loading;
     m_window->showBusy(tr("A simulated hand does the lesson …"));
     inBackground(
         this,
-        [assignment = m_assignment]() -> std::optional<core::recording::Recording> {
+        [assignment]() -> std::optional<core::recording::Recording> {
             const auto outcome = demonstrate(assignment, false);
             const auto marked = outcome ? lessons::markAgain(*outcome->recording)
                                         : core::Result<lessons::Remarked>(tl::unexpected(outcome.error()));

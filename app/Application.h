@@ -118,7 +118,8 @@ private:
     void openBeside(const QString& path);
     void openExpert();
     void unpack(const QString& pack, const QString& name);
-    void openDemonstration();
+    void openExpertAt(const lessons::Assignment& assignment);
+    void openDemonstration(const lessons::Assignment& assignment);
     void showExpert(const core::recording::Recording& recording, const QString& name, const QString& path);
     using UseRecording = std::function<void(const core::recording::Recording&)>;
     using ReadRecording = std::function<core::Result<core::recording::Recording>()>;

@@ -2324,6 +2324,7 @@ void TestMainWindow::theExpertIsOfferedWhereSomethingIsCut()
     press(Qt::Key_Y);
     QCOMPARE(expert.size(), 1);
     assignment.exercise = core::grading::ForceToHold{};
+    assignment.lesson->task = lessons::Task::HoldForce;
     m_window->setAssignment(assignment);
     QVERIFY(!actions().expert->isVisible());
     assignment.lesson->expert.emplace();
@@ -2333,6 +2334,20 @@ void TestMainWindow::theExpertIsOfferedWhereSomethingIsCut()
     m_window->setAssignment(assignment);
     press(Qt::Key_Y);
     QCOMPARE(expert.size(), 1);
+    QVERIFY(!actions().expert->isVisible());
+    // In a replay it is that of the lesson which is played, whatever lies on the table; but in an exam nothing is told.
+    const lessons::Lesson played;
+    m_window->setReplaying(true, 10.0, nullptr, played);
+    QVERIFY(!actions().expert->isVisible());
+    m_window->setReplaying(false);
+    assignment.lesson.reset();
+    assignment.exercise.reset();
+    m_window->setAssignment(assignment);
+    QVERIFY(!actions().expert->isVisible());
+    m_window->setReplaying(true, 10.0, nullptr, played);
+    press(Qt::Key_Y);
+    QCOMPARE(expert.size(), 2);
+    m_window->setReplaying(false);
     QVERIFY(!actions().expert->isVisible());
 }
 

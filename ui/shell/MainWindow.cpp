@@ -1591,9 +1591,9 @@ void MainWindow::enableActions()
         action->setEnabled(inRoom && m_replaying && !m_busy->isWorking());
     }
     // Where no recording lies with the lesson, a simulated hand shows it, if anything is to be cut.
-    const bool hasExpert =
-        m_assignment && m_assignment->lesson && (m_assignment->lesson->expert || !m_assignment->exercise);
-    m_actions->expert->setVisible(hasExpert && !m_assignment->lesson->exam);
+    const lessons::Lesson* const lesson = lessonShown();
+    const bool hasExpert = lesson != nullptr && (lesson->expert || !lessons::isExercise(lesson->task));
+    m_actions->expert->setVisible(hasExpert && !lesson->exam && !isExamRunning());
     m_actions->expert->setEnabled(inRoom && m_tooth != nullptr && !m_busy->isWorking());
     if (m_beside != nullptr)  // there is no room for it
         m_actions->section->setEnabled(false);
