@@ -242,6 +242,7 @@ private slots:
     void theFirstWindowFitsTheScreen();
     void everyControlHasAName();
     void aPlaceThatWasLeftIsLocked();
+    void nothingStaysOpenOverTheLock();
     void everyActionIsFitToBeRead();
     void longTooltipsAreBrokenIntoLines();
     void tabReachesEveryButtonOfTheRoom();
@@ -3011,6 +3012,41 @@ void TestMainWindow::aPlaceThatWasLeftIsLocked()
     m_window->setWho(rig.student);
     QVERIFY(!child<ui::people::LoginPage>()->isVisible());
     QVERIFY(child<ui::study::ScorePage>()->isVisible());
+}
+
+/// What the one who left had open would go on working for whoever comes by.
+void TestMainWindow::nothingStaysOpenOverTheLock()
+{
+    support::SchoolRig rig(false);
+    rig.populate();
+    m_window->setWho(rig.student);
+    cutSomething(1.0);
+    const auto* const door = child<ui::people::LoginPage>();
+    const auto lockAndComeBack = [&] {
+        m_window->askWho(ui::people::Door::Locked);
+        QVERIFY(door->isVisible());
+        for (const QWidget* window : m_window->findChildren<QWidget*>())
+            QVERIFY2(!window->isWindow() || !window->isVisible(), window->metaObject()->className());
+        m_window->setWho(rig.student);
+    };
+    QSignalSpy save(m_window.get(), &MainWindow::recordingSaveRequested);
+    actions().saveRecording->trigger();
+    QVERIFY(child<QFileDialog>("QFileDialog") != nullptr);
+    lockAndComeBack();
+    QCOMPARE(save.size(), 0);
+    QTRY_VERIFY(child<QFileDialog>("QFileDialog") == nullptr);
+    QMenu menu(m_window.get());
+    menu.addAction(QStringLiteral("something"));
+    menu.popup(m_window->mapToGlobal(QPoint(10, 10)));
+    QTRY_VERIFY(menu.isVisible());
+    lockAndComeBack();
+    QSignalSpy chosen(m_window.get(), &MainWindow::toothChosen);
+    press(Qt::Key_T);
+    press(Qt::Key_Return);
+    QVERIFY(question() != nullptr && question()->isVisible());
+    m_window->askWho(ui::people::Door::Locked);
+    QTRY_VERIFY(question() == nullptr);
+    QCOMPARE(chosen.size(), 0);
 }
 
 void TestMainWindow::everyControlHasAName()

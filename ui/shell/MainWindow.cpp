@@ -567,8 +567,22 @@ void MainWindow::changePassword()
     enableActions();
 }
 
+/// What stands over the window would go on working behind the door.
+void MainWindow::closeAllOver()
+{
+    m_afterSaving = {};
+    if (m_question) {
+        m_question->hide();
+        m_question->deleteLater();  // it may be its answer that led here
+    }
+    for (QWidget* one : findChildren<QWidget*>())
+        if (one->isWindow() && one->isVisible())
+            one->close();
+}
+
 void MainWindow::askWho(people::Door door)
 {
+    closeAllOver();
     if (!isAtDoor())
         m_behindDoor = m_pages->currentWidget();
     m_mayLeaveDoor = false;

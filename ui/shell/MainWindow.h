@@ -406,6 +406,7 @@ private:
     void discardUnfinished();
     void forgetUnfinished();
     void lockIfIdle();
+    void closeAllOver();
     /// Whether something is saved or discarded; cancelled, nothing happens.
     /// @param name  for tests
     void ask(const char* name, const QuestionCard::Question& question);
