@@ -61,6 +61,7 @@ constexpr int kLooksForJournal = 6;
 constexpr unsigned long kJournalRestMs = 500;
 constexpr int kMostKnownAttempts = 200;
 constexpr double kMnPerN = 1000.0;
+constexpr double kMsPerS = 1000.0;
 constexpr int kSpareTooth = 36;  ///< FDI number
 constexpr int kAttemptWatchMs = 50;
 constexpr int kJournalWatchMs = 500;
@@ -1127,7 +1128,7 @@ database::AttemptRecord Application::recordOf(const core::session::Concluded& do
     }
     for (const lessons::Criterion& criterion : sheet.criteria)
         record.criteria.push_back({criterion.id, criterion.lostTenths, criterion.weightTenths});
-    record.durationMs = std::chrono::duration_cast<std::chrono::milliseconds>(done.recording.duration()).count();
+    record.durationMs = std::llround(kMsPerS * done.findings.process.totalS);
     record.scoreSheetJson = lessons::toJson(sheet, preset).toStdString();
     record.stateHash =
         QStringLiteral("%1").arg(core::terrain::stateHash(done.tooth), 16, 16, QLatin1Char('0')).toStdString();

@@ -243,6 +243,7 @@ private slots:
     void everyControlHasAName();
     void aPlaceThatWasLeftIsLocked();
     void nothingStaysOpenOverTheLock();
+    void timeAwayFromTheWorkIsNoted();
     void everyActionIsFitToBeRead();
     void longTooltipsAreBrokenIntoLines();
     void tabReachesEveryButtonOfTheRoom();
@@ -269,13 +270,27 @@ private:
         QTest::keyClick(QApplication::focusWidget() != nullptr ? QApplication::focusWidget() : m_window.get(), key,
                         modifiers);
     }
-    /// What the person has asked for since the last call. Which aids are in use is noted unasked.
+    /// What the person has asked for since the last call. Which aids are in use is noted unasked, and where he is.
     QList<SessionCommand> sent() const
     {
         QList<SessionCommand> all;
         for (SessionCommand c; m_links->commands.tryPop(c);)
-            if (!std::holds_alternative<SetAids>(c))
+            if (!std::holds_alternative<SetAids>(c) && !isRest(c))
                 all << c;
+        return all;
+    }
+    static bool isRest(const SessionCommand& command)
+    {
+        const auto* note = std::get_if<AddNote>(&command);
+        return note != nullptr && (note->code == kRestNote || note->code == kWorkNote);
+    }
+    /// What was noted of that since the last call.
+    QList<quint64> restsNoted() const
+    {
+        QList<quint64> all;
+        for (SessionCommand c; m_links->commands.tryPop(c);)
+            if (isRest(c))
+                all << std::get<AddNote>(c).code;
         return all;
     }
     /// The aids that were noted last; nothing if none were since the last call.
@@ -3047,6 +3062,26 @@ void TestMainWindow::nothingStaysOpenOverTheLock()
     m_window->askWho(ui::people::Door::Locked);
     QTRY_VERIFY(question() == nullptr);
     QCOMPARE(chosen.size(), 0);
+}
+
+/// So that it counts nowhere as time of the attempt. In an exam it does.
+void TestMainWindow::timeAwayFromTheWorkIsNoted()
+{
+    QTest::qWait(100);
+    QCOMPARE(restsNoted(), QList<quint64>());
+    m_window->askWho(ui::people::Door::Locked);
+    QTRY_COMPARE(restsNoted(), QList<quint64>{kRestNote});
+    m_window->setWho({});
+    QTRY_COMPARE(restsNoted(), QList<quint64>{kWorkNote});
+    lessons::Assignment exam;
+    exam.anatomy = support::syntheticMolar();
+    exam.lesson.emplace();
+    exam.lesson->exam = true;
+    m_window->setAssignment(exam);
+    m_window->showTooth(exam.anatomy, 2, {});
+    m_window->askWho(ui::people::Door::Locked);
+    QTest::qWait(100);
+    QCOMPARE(restsNoted(), QList<quint64>());
 }
 
 void TestMainWindow::everyControlHasAName()

@@ -1361,6 +1361,7 @@ void MainWindow::takeSession()
     if (moved)
         enableActions();
     tellAids();
+    tellRest();
 }
 
 /// Which aids are in use goes on the recording.
@@ -1383,6 +1384,19 @@ void MainWindow::tellAids()
         inUse(seesIdeal && (m_actions->idealColours->isChecked() || m_actions->section->isChecked()), kIdealAid));
     if (m_aidsTold != std::pair(m_ownGeneration, aids) && m_links.commands.tryPush(SetAids{aids}))
         m_aidsTold = {m_ownGeneration, aids};
+}
+
+/// Time on another page, or away behind the lock, is none of the attempt's: that goes on the recording, and so all
+/// count what the lesson's clock does. An exam goes on.
+void MainWindow::tellRest()
+{
+    if (m_replaying || m_tooth == nullptr)
+        return;
+    const bool rests = m_pages->currentWidget() != m_room && !isExam();
+    const bool isTold = m_restTold.first == m_ownGeneration && m_restTold.second;
+    if (rests != isTold &&
+        m_links.commands.tryPush(core::session::AddNote{rests ? core::session::kRestNote : core::session::kWorkNote}))
+        m_restTold = {m_ownGeneration, rests};
 }
 
 /// Told when it happens, not when a tooth is shown to which it has happened before.

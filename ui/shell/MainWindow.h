@@ -369,6 +369,7 @@ private:
     void takeFrame(const core::session::ServoState& servo);
     void takeSession();
     void tellAids();
+    void tellRest();
     void guide(const core::session::ServoState& servo);
     void tellHarm(const core::session::SessionState& now);
     bool send(const core::session::SessionCommand& command);
@@ -513,6 +514,7 @@ private:
     lessons::Aids m_aids;
     std::optional<lessons::Assignment> m_assignment;      ///< of the student's tooth
     std::pair<std::uint64_t, std::uint8_t> m_aidsTold{};  ///< of which tooth
+    std::pair<std::uint64_t, bool> m_restTold{};          ///< the same
     Wish m_drillWish;
     Wish m_burWish;
     Wish m_handpieceWish;
