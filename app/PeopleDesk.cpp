@@ -237,6 +237,7 @@ void PeopleDesk::talkAbout(const std::optional<database::AttemptRecord>& attempt
     m_follows = false;
     ui::study::ScorePage& page = m_window.scorePage();
     page.setTalkVisible(attempt.has_value());
+    page.talk().setAttempt(attempt ? attempt->id : 0);
     if (!attempt)
         return;
     page.talk().setScore(attempt->scoreTenths, attempt->passMarkTenths, attempt->passed);

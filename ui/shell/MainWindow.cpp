@@ -44,6 +44,7 @@
 #include "ui/people/ClassPage.h"
 #include "ui/people/HistoryPage.h"
 #include "ui/people/LoginPage.h"
+#include "ui/people/TalkPanel.h"
 #include "ui/presets/PresetWords.h"
 #include "ui/presets/PresetsPage.h"
 #include "ui/presets/TrialCard.h"
@@ -658,6 +659,7 @@ void MainWindow::leaveAll()
     m_behindHistory = m_room;
     m_lessonsPage->setUnfinished({}, {});
     m_lessonsPage->forget();
+    m_scorePage->talk().forget();
     for (const auto topic : {MessageBar::Topic::Tooth, MessageBar::Topic::Unfinished, MessageBar::Topic::General})
         m_messages->withdraw(topic);
 }
