@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The whole program and the school's database: people come and go, and the database is damaged, gone, locked or full.
+#include <QAbstractButton>
 #include <QAction>
 #include <QCheckBox>
 #include <QDir>
@@ -586,10 +587,13 @@ void TestSchool::theLessonsForgetWhoLeft()
     auto* search = child<ui::study::LessonsPage>()->findChild<QLineEdit*>();
     search->setText("decay 26");
     QVERIFY(list->currentIndex().data().toString() != first);
+    const auto* const clear = search->findChild<QAbstractButton*>();
+    QTRY_VERIFY(clear->property("opacity").toDouble() > 0.0);
     leaveFor("sue");
     actions().lessons->trigger();
     QTRY_VERIFY_WITH_TIMEOUT(list->isVisible() && list->model()->rowCount() > 10, kPatienceMs);
     QVERIFY2(search->text().isEmpty(), qPrintable(search->text()));
+    QTRY_COMPARE(clear->property("opacity").toDouble(), 0.0);
     QTRY_COMPARE_WITH_TIMEOUT(list->currentIndex().data().toString(), first, kPatienceMs);
 }
 

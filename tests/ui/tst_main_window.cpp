@@ -19,6 +19,7 @@
 #include <QListWidget>
 #include <QMenu>
 #include <QMimeData>
+#include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QRegularExpression>
@@ -49,6 +50,7 @@
 #include "ui/admin/PeoplePart.h"
 #include "ui/admin/RosterPart.h"
 #include "ui/console/Console.h"
+#include "ui/console/WatchPanel.h"
 #include "ui/inside/SectionView.h"
 #include "ui/inside/XrayPage.h"
 #include "ui/people/HistoryPage.h"
@@ -244,6 +246,8 @@ private slots:
     void aPlaceThatWasLeftIsLocked();
     void nothingStaysOpenOverTheLock();
     void timeAwayFromTheWorkIsNoted();
+    void nothingOfWhoLeftStays();
+    void aReturnAtTheLockIsNoWrongPassword();
     void everyActionIsFitToBeRead();
     void longTooltipsAreBrokenIntoLines();
     void tabReachesEveryButtonOfTheRoom();
@@ -3082,6 +3086,44 @@ void TestMainWindow::timeAwayFromTheWorkIsNoted()
     m_window->askWho(ui::people::Door::Locked);
     QTest::qWait(100);
     QCOMPARE(restsNoted(), QList<quint64>());
+}
+
+void TestMainWindow::nothingOfWhoLeftStays()
+{
+    auto* console = child<ui::console::Console>();
+    actions().console->trigger();
+    console->execute(QStringLiteral("get force.stiffness"));
+    console->execute(QStringLiteral("watch force.stiffness"));
+    auto* line = child<QLineEdit>("consoleLine");
+    line->setText(QStringLiteral("list"));
+    QTest::keyClick(line, Qt::Key_Return);
+    const double usualN = m_window->view().pushForce();
+    m_window->view().setPushForce(usualN + 1.0);
+    m_window->leaveAll();
+    QCOMPARE(m_window->view().pushForce(), usualN);
+    QVERIFY(!console->isVisible());
+    QVERIFY(child<ui::console::WatchPanel>()->names().isEmpty());
+    actions().console->trigger();
+    QCOMPARE(child<QPlainTextEdit>("consoleOutput")->toPlainText(), QString());
+    QTest::keyClick(line, Qt::Key_Up);
+    QCOMPARE(line->text(), QString());
+    actions().console->trigger();
+}
+
+/// It may have been meant for what was open before.
+void TestMainWindow::aReturnAtTheLockIsNoWrongPassword()
+{
+    support::SchoolRig rig(false);
+    rig.populate();
+    m_window->setWho(rig.student);
+    m_window->askWho(ui::people::Door::Locked);
+    QSignalSpy wanted(m_window.get(), &MainWindow::loginWanted);
+    QTest::keyClick(child<QLineEdit>("password"), Qt::Key_Return);
+    QCOMPARE(wanted.size(), 0);
+    QVERIFY(child<QLineEdit>("password")->isEnabled());
+    child<QLineEdit>("password")->setText(QStringLiteral("something"));
+    QTest::keyClick(child<QLineEdit>("password"), Qt::Key_Return);
+    QCOMPARE(wanted.size(), 1);
 }
 
 void TestMainWindow::everyControlHasAName()

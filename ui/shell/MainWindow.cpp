@@ -73,6 +73,7 @@
 #include "ui/study/Limit.h"
 #include "ui/study/ScorePage.h"
 #include "ui/text/EveryLanguage.h"
+#include "ui/tooth/PointerControl.h"
 #include "ui/tooth/ToothView.h"
 
 namespace ui::shell {
@@ -660,6 +661,8 @@ void MainWindow::leaveAll()
     m_lessonsPage->setUnfinished({}, {});
     m_lessonsPage->forget();
     m_scorePage->talk().forget();
+    m_console->forget();
+    m_view->setPushForce(tooth::PointerControl::kFirstN);
     for (const auto topic : {MessageBar::Topic::Tooth, MessageBar::Topic::Unfinished, MessageBar::Topic::General})
         m_messages->withdraw(topic);
 }
