@@ -590,6 +590,7 @@ void Application::clearTable()
     m_graded.reset();
     m_opened.reset();
     m_openedExplainer.forget();
+    m_tried.reset();
     if (!m_assignment.anatomy)  // it is still being made
         return;
     if (const auto practice = lessons::practiceOn(m_assignment.anatomy))
@@ -876,6 +877,9 @@ void Application::begin(const lessons::Assignment& assignment, const std::functi
         return;
     }
     lay(assignment, settings, notes, unitInDoubt);
+    // A block on which a preset is tried is nobody's work.
+    if (m_tried && m_journal)
+        m_journal->leaveOut(m_ownGeneration);
     m_window->showFeel(preset, usual);
     auto tooth = std::make_unique<core::terrain::Tooth>(m_assignment.anatomy);
     auto lesson = std::make_unique<const std::string>(m_assignment.lesson ? m_assignment.lesson->json : std::string());
@@ -1472,6 +1476,8 @@ void Application::keepJournal()
         return;
     stopJournal(m_journal != nullptr && !m_who.isGuest());
     m_journal = std::make_unique<core::session::JournalLoop>(m_session, journalFolder(m_stationFolder, m_who));
+    if (m_tried)
+        m_journal->leaveOut(m_ownGeneration);
     m_journalThread =
         std::make_unique<LoopThread>(*m_journal, core::session::JournalLoop::kPeriod, LoopThread::Urgency::Normal);
     m_syncThread = std::make_unique<LoopThread>(m_journal->syncing(), core::session::JournalLoop::kSyncRest,
