@@ -345,6 +345,9 @@ void Application::openDatabase()
     m_people = std::make_unique<PeopleDesk>(*m_window, *m_desk, [this] { return m_who; });
     connect(m_people.get(), &PeopleDesk::replayWanted, this,
             [this](const core::recording::Recording& recording, const QString& whose) { play(recording, {}, whose); });
+    connect(
+        m_people.get(), &PeopleDesk::besideWanted, this,
+        [this](const core::recording::Recording& recording, const QString& name) { putBeside(recording, name, {}); });
     connect(m_people.get(), &PeopleDesk::scoreWanted, this, &Application::showAttempt);
     const auto open = [this] {
         m_desk->open(this, [this](const SchoolDesk::Opening& opening) { takeOpening(opening); });
@@ -1366,11 +1369,17 @@ void Application::openRecording(const QString& path)
 void Application::openBeside(const QString& path)
 {
     readRecording(path, [this, path](const core::recording::Recording& recording) {
-        if (!m_replay)
-            return;
-        if (const auto put = m_replay->putBeside(recording, QFileInfo(path).completeBaseName()); !put)
-            refuse(put.error(), Failed::OpeningRecording, path);
+        putBeside(recording, QFileInfo(path).completeBaseName(), path);
     });
+}
+
+/// @param path  of the recording, where it is a file's
+void Application::putBeside(const core::recording::Recording& recording, const QString& name, const QString& path)
+{
+    if (!m_replay)
+        return;
+    if (const auto put = m_replay->putBeside(recording, name); !put)
+        refuse(put.error(), Failed::OpeningRecording, path);
 }
 
 /// At the lesson of the attempt that is played, or of the work on the table.
@@ -1442,10 +1451,10 @@ void Application::openDemonstration(const lessons::Assignment& assignment)
 /// By itself, or beside the attempt that is played.
 void Application::showExpert(const core::recording::Recording& recording, const QString& name, const QString& path)
 {
-    if (!m_replay)
+    if (m_replay)
+        putBeside(recording, name, path);
+    else
         play(recording);
-    else if (const auto put = m_replay->putBeside(recording, name); !put)
-        refuse(put.error(), Failed::OpeningRecording, path);
 }
 
 void Application::readRecording(const QString& path, const UseRecording& use)

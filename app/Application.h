@@ -116,6 +116,7 @@ private:
     [[nodiscard]] std::optional<CardDesk::Subject> shownCard() const;
     void showAttempt(const database::AttemptRecord& attempt, const core::recording::Recording& recording);
     void openBeside(const QString& path);
+    void putBeside(const core::recording::Recording& recording, const QString& name, const QString& path);
     void openExpert();
     void unpack(const QString& pack, const QString& name);
     void openExpertAt(const lessons::Assignment& assignment);

@@ -104,6 +104,7 @@ private slots:
     void nobodyIsOfferedAnothersWork();
     void theLessonsForgetWhoLeft();
     void anOpenedAttemptHasThoseBeforeIt();
+    void onesOwnAttemptsAreComparedInAReplay();
     void theSchoolsPresetIsTheAdmins();
     void whatIsGivenIsDueAndLimited();
     void noneBeginsAgainWhenTheAttemptsAreUsedUp();
@@ -628,6 +629,37 @@ void TestSchool::anOpenedAttemptHasThoseBeforeIt()
 }
 
 /// What an admin keeps and puts to use, everybody's teeth feel like; a student looks on.
+void TestSchool::onesOwnAttemptsAreComparedInAReplay()
+{
+    start();
+    logIn("sam");
+    toTheTooth();
+    drill(-2.0);
+    grade("first grade");
+    QTRY_COMPARE_WITH_TIMEOUT(attemptsKept(), 1, kPatienceMs);
+    toTheTooth();
+    drill(2.0);
+    actions().grade->trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(attemptsKept(), 2, kPatienceMs);
+    actions().attempts->trigger();
+    openNewest();
+    click("replayScored");
+    QTRY_VERIFY_WITH_TIMEOUT(m_application->window().view().isVisible() && actions().beside->isEnabled(), kPatienceMs);
+    actions().beside->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(child<QMenu>("besideMenu") != nullptr, kPatienceMs);
+    // The other one, and any file.
+    const QList<QAction*> offered = child<QMenu>("besideMenu")->actions();
+    QCOMPARE(offered.size(), 3);
+    QVERIFY2(offered[0]->text().startsWith("Free practice"), qPrintable(offered[0]->text()));
+    QVERIFY(offered[1]->isSeparator());
+    QCOMPARE(offered[2]->text(), QString("From a file …"));
+    offered[0]->trigger();
+    child<QMenu>("besideMenu")->close();
+    const auto views = [this] { return m_application->window().findChildren<ui::tooth::ToothView*>().size(); };
+    QTRY_COMPARE_WITH_TIMEOUT(views(), 2, kPatienceMs);
+    QVERIFY(actions().beside->isChecked());
+}
+
 void TestSchool::theSchoolsPresetIsTheAdmins()
 {
     start();

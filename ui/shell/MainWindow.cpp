@@ -21,6 +21,7 @@
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QListView>
+#include <QMenu>
 #include <QMimeData>
 #include <QPushButton>
 #include <QRandomGenerator>
@@ -28,6 +29,7 @@
 #include <QScreen>
 #include <QStackedWidget>
 #include <QTimer>
+#include <QToolButton>
 
 #include "core/drilling/Bur.h"
 #include "core/teeth/Block.h"
@@ -988,11 +990,12 @@ void MainWindow::connectReplay()
     });
     on(m_actions->beside, [this](bool wanted) {
         m_actions->beside->setChecked(m_beside != nullptr);
-        if (wanted)
-            askForFile(m_actions->beside->text(), FileKind::Recording,
-                       [this](const QString& path) { emit besideWanted(path); });
-        else
+        if (!wanted)
             emit besideCloseWanted();
+        else if (m_who.isGuest())
+            offerBeside({});
+        else
+            emit besidesWanted(lessonShown() != nullptr ? lessonShown()->id : std::string(), m_tooth->name);
     });
     on(m_actions->expert, [this] { emit expertWanted(); });
     on(m_actions->along, [this](bool wanted) { emit leadWanted(wanted); });
@@ -1027,6 +1030,34 @@ void MainWindow::showBeside(core::session::UiLinks& links, std::shared_ptr<const
     m_actions->beside->setChecked(true);
     enableActions();
     placeOverlays();
+}
+
+void MainWindow::offerBeside(const QList<MessageBar::Choice>& attempts)
+{
+    if (!m_replaying || m_pages->currentWidget() != m_room)
+        return;
+    const auto askForOne = [this] {
+        askForFile(m_actions->beside->text(), FileKind::Recording,
+                   [this](const QString& path) { emit besideWanted(path); });
+    };
+    if (attempts.isEmpty()) {
+        askForOne();
+        return;
+    }
+    auto* menu = new QMenu(this);
+    menu->setObjectName(QStringLiteral("besideMenu"));
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    for (const MessageBar::Choice& attempt : attempts)
+        connect(menu->addAction(QString(attempt.text).replace(u'&', QStringLiteral("&&"))), &QAction::triggered, this,
+                attempt.action);
+    menu->addSeparator();
+    connect(menu->addAction(tr("From a file …")), &QAction::triggered, this, askForOne);
+    // Above the button, which stands at the lower edge.
+    const QWidget* at = &m_room->replay();
+    for (const auto* button : m_room->replay().findChildren<QToolButton*>())
+        if (button->defaultAction() == m_actions->beside)
+            at = button;
+    menu->popup(at->mapToGlobal(QPoint(0, -menu->sizeHint().height())));
 }
 
 void MainWindow::setBesideCourse(const replay::Course& course)

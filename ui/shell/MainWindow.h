@@ -207,6 +207,8 @@ public slots:
     /// @param links  must outlive it: until hideBeside()
     void showBeside(core::session::UiLinks& links, std::shared_ptr<const core::terrain::ToothAnatomy> tooth,
                     std::uint64_t generation, const core::grading::IdealTop& ideal, const QString& name);
+    /// Answers besidesWanted(): attempts to choose from, beside a file; none: a file is asked for at once.
+    void offerBeside(const QList<MessageBar::Choice>& attempts);
     void setBesideCourse(const replay::Course& course);
     void hideBeside();
     /// The hand is led no longer: it has pushed, or the device is lost.
@@ -335,6 +337,9 @@ signals:
     void replaySpeedChosen(double times);
     /// The replay is to show this moment of the recording.
     void seekWanted(double seconds);
+    /// Another attempt is to be put beside what is played: which there are.
+    /// @param lesson  that it was made for; empty: practised freely
+    void besidesWanted(const std::string& lesson, const std::string& tooth);
     void besideWanted(const QString& path);
     void besideCloseWanted();
     /// The recording that the lesson names: to be played, or to be put beside what is played.
