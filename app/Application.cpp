@@ -61,6 +61,7 @@ constexpr int kLooksForJournal = 6;
 constexpr unsigned long kJournalRestMs = 500;
 constexpr int kMostKnownAttempts = 200;
 constexpr double kMnPerN = 1000.0;
+constexpr double kMsPerS = 1000.0;
 constexpr int kSpareTooth = 36;  ///< FDI number
 constexpr int kAttemptWatchMs = 50;
 constexpr int kJournalWatchMs = 500;
@@ -126,6 +127,18 @@ bool isDone(const core::recording::Recording& recording)
         return isGraded;
     const auto read = lessons::readLessonText(QByteArray::fromStdString(recording.lesson()), QStringLiteral("lesson"));
     return (read.lesson && read.lesson->exam) || !isCutOn(recording);
+}
+
+/// What the attempt of a recording was made for. The file of an expert's attempt lies beside the lesson of today.
+core::Result<lessons::Assignment> playedFor(const std::shared_ptr<const core::terrain::ToothAnatomy>& anatomy,
+                                            const std::string& lessonJson)
+{
+    auto assignment = lessons::assignmentOf(anatomy, lessonJson);
+    if (assignment && assignment->lesson && assignment->lesson->expert)
+        for (const lessons::CatalogEntry& entry : lessons::readCatalog(lessons::teachersFolder()))
+            if (!entry.isFaulty() && entry.read.lesson->id == assignment->lesson->id && entry.read.lesson->expert)
+                assignment->lesson->expert = entry.read.lesson->expert;
+    return assignment;
 }
 
 using Wishes = core::rt::TripleBuffer<core::session::PointerInput>;
@@ -332,6 +345,9 @@ void Application::openDatabase()
     m_people = std::make_unique<PeopleDesk>(*m_window, *m_desk, [this] { return m_who; });
     connect(m_people.get(), &PeopleDesk::replayWanted, this,
             [this](const core::recording::Recording& recording, const QString& whose) { play(recording, {}, whose); });
+    connect(
+        m_people.get(), &PeopleDesk::besideWanted, this,
+        [this](const core::recording::Recording& recording, const QString& name) { putBeside(recording, name, {}); });
     connect(m_people.get(), &PeopleDesk::scoreWanted, this, &Application::showAttempt);
     const auto open = [this] {
         m_desk->open(this, [this](const SchoolDesk::Opening& opening) { takeOpening(opening); });
@@ -499,7 +515,7 @@ void Application::enter(const database::Session& who)
     tellIdleLimit();
     keepJournal();
     if (keeps)
-        keepGrade();
+        keepGuestsGrade();
     else
         m_window->openHome();
     if (m_tour && !keeps)
@@ -577,6 +593,7 @@ void Application::clearTable()
     m_graded.reset();
     m_opened.reset();
     m_openedExplainer.forget();
+    m_tried.reset();
     if (!m_assignment.anatomy)  // it is still being made
         return;
     if (const auto practice = lessons::practiceOn(m_assignment.anatomy))
@@ -863,6 +880,9 @@ void Application::begin(const lessons::Assignment& assignment, const std::functi
         return;
     }
     lay(assignment, settings, notes, unitInDoubt);
+    // A block on which a preset is tried is nobody's work.
+    if (m_tried && m_journal)
+        m_journal->leaveOut(m_ownGeneration);
     m_window->showFeel(preset, usual);
     auto tooth = std::make_unique<core::terrain::Tooth>(m_assignment.anatomy);
     auto lesson = std::make_unique<const std::string>(m_assignment.lesson ? m_assignment.lesson->json : std::string());
@@ -1115,7 +1135,7 @@ database::AttemptRecord Application::recordOf(const core::session::Concluded& do
     }
     for (const lessons::Criterion& criterion : sheet.criteria)
         record.criteria.push_back({criterion.id, criterion.lostTenths, criterion.weightTenths});
-    record.durationMs = std::chrono::duration_cast<std::chrono::milliseconds>(done.recording.duration()).count();
+    record.durationMs = std::llround(kMsPerS * done.findings.process.totalS);
     record.scoreSheetJson = lessons::toJson(sheet, preset).toStdString();
     record.stateHash =
         QStringLiteral("%1").arg(core::terrain::stateHash(done.tooth), 16, 16, QLatin1Char('0')).toStdString();
@@ -1144,7 +1164,8 @@ void Application::keepGrade()
     // A guest could do an exam as often as he likes, and log in for the best; what he has taken up may be another
     // guest's; and the simulated hand is nobody's.
     const bool isExam = m_assignment.lesson && m_assignment.lesson->exam;
-    const bool isNobodys = m_options.simulatedDevice || (m_who.isGuest() && (isExam || m_isTakenUp));
+    const bool isNobodys =
+        m_options.simulatedDevice || m_graded->isOverLimit || (m_who.isGuest() && (isExam || m_isTakenUp));
     m_graded->keeping = !m_desk || isNobodys ? Keeping::Nowhere : m_who.isGuest() ? Keeping::Guest : Keeping::Pending;
     tellKeeping();
     if (m_graded->keeping != Keeping::Pending)
@@ -1158,6 +1179,28 @@ void Application::keepGrade()
                      m_graded->keeping = kept ? Keeping::Waiting : Keeping::Nowhere;
                      tellKeeping();
                  });
+}
+
+/// A guest's grade becomes that of who has logged in for it, where he may still try the lesson.
+void Application::keepGuestsGrade()
+{
+    m_graded->keeping = Keeping::Pending;
+    tellKeeping();
+    m_desk->ask(
+        this,
+        [who = m_who, lesson = m_graded->record.lessonId](const School& school) {
+            return database::sql::attemptsLeft(school, who, lesson);
+        },
+        [this, uid = m_graded->record.uid](const core::Result<std::optional<int>>& left) {
+            if (!m_graded || m_graded->record.uid != uid)
+                return;
+            m_graded->isOverLimit = m_who.role() == database::Role::Student && left && *left == 0;
+            keepGrade();
+            if (!m_graded->isOverLimit || m_graded->generation != m_ownGeneration)
+                return;
+            m_window->setUsedUp(true);
+            m_window->showOverLimit();
+        });
 }
 
 /// Of the work on the table, in place of an old one that was opened.
@@ -1326,36 +1369,67 @@ void Application::openRecording(const QString& path)
 void Application::openBeside(const QString& path)
 {
     readRecording(path, [this, path](const core::recording::Recording& recording) {
-        if (!m_replay)
-            return;
-        if (const auto put = m_replay->putBeside(recording, QFileInfo(path).completeBaseName()); !put)
-            refuse(put.error(), Failed::OpeningRecording, path);
+        putBeside(recording, QFileInfo(path).completeBaseName(), path);
     });
 }
 
-/// The one that the lesson names, or if it names none, what a simulated hand makes of it.
+/// @param path  of the recording, where it is a file's
+void Application::putBeside(const core::recording::Recording& recording, const QString& name, const QString& path)
+{
+    if (!m_replay)
+        return;
+    if (const auto put = m_replay->putBeside(recording, name); !put)
+        refuse(put.error(), Failed::OpeningRecording, path);
+}
+
+/// At the lesson of the attempt that is played, or of the work on the table.
 void Application::openExpert()
 {
-    if (!m_assignment.lesson)
-        return;
-    if (!m_assignment.lesson->expert) {
-        openDemonstration();
+    if (!m_replay) {
+        if (m_assignment.lesson)
+            openExpertAt(m_assignment);
         return;
     }
-    const QString path = QString::fromStdString(m_assignment.lesson->expert->file);
+    if (!m_replay->attempt().lesson())
+        return;
+    const int load = ++m_loading;
+    m_window->showBusy(tr("Preparing the lesson …"));
+    inBackground(
+        this,
+        [anatomy = m_replayed, lesson = m_replay->attempt().lesson()->json] { return playedFor(anatomy, lesson); },
+        [this, load](const core::Result<lessons::Assignment>& assignment) {
+            if (load != m_loading)
+                return;
+            if (!assignment)
+                refuse(assignment.error(), Failed::OpeningLesson, {});
+            else if (m_replay)
+                openExpertAt(*assignment);
+            else
+                m_window->stopBusy();
+        });
+}
+
+/// The one that the lesson names, or if it names none, what a simulated hand makes of it.
+void Application::openExpertAt(const lessons::Assignment& assignment)
+{
+    if (!assignment.lesson->expert) {
+        openDemonstration(assignment);
+        return;
+    }
+    const QString path = QString::fromStdString(assignment.lesson->expert->file);
     readRecording(
         path,
         [this, path](const core::recording::Recording& recording) { showExpert(recording, tr("The expert"), path); },
-        [assignment = m_assignment] { return lessons::readExpert(assignment); });
+        [assignment] { return lessons::readExpert(assignment); });
 }
 
-void Application::openDemonstration()
+void Application::openDemonstration(const lessons::Assignment& assignment)
 {
     const int load = ++m_loading;
     m_window->showBusy(tr("A simulated hand does the lesson …"));
     inBackground(
         this,
-        [assignment = m_assignment]() -> std::optional<core::recording::Recording> {
+        [assignment]() -> std::optional<core::recording::Recording> {
             const auto outcome = demonstrate(assignment, false);
             const auto marked = outcome ? lessons::markAgain(*outcome->recording)
                                         : core::Result<lessons::Remarked>(tl::unexpected(outcome.error()));
@@ -1377,10 +1451,10 @@ void Application::openDemonstration()
 /// By itself, or beside the attempt that is played.
 void Application::showExpert(const core::recording::Recording& recording, const QString& name, const QString& path)
 {
-    if (!m_replay)
+    if (m_replay)
+        putBeside(recording, name, path);
+    else
         play(recording);
-    else if (const auto put = m_replay->putBeside(recording, name); !put)
-        refuse(put.error(), Failed::OpeningRecording, path);
 }
 
 void Application::readRecording(const QString& path, const UseRecording& use)
@@ -1411,6 +1485,8 @@ void Application::keepJournal()
         return;
     stopJournal(m_journal != nullptr && !m_who.isGuest());
     m_journal = std::make_unique<core::session::JournalLoop>(m_session, journalFolder(m_stationFolder, m_who));
+    if (m_tried)
+        m_journal->leaveOut(m_ownGeneration);
     m_journalThread =
         std::make_unique<LoopThread>(*m_journal, core::session::JournalLoop::kPeriod, LoopThread::Urgency::Normal);
     m_syncThread = std::make_unique<LoopThread>(m_journal->syncing(), core::session::JournalLoop::kSyncRest,

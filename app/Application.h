@@ -110,14 +110,17 @@ private:
     void connectExplainer(Explainer& explainer);
     void showGrade();
     void keepGrade();
+    void keepGuestsGrade();
     void tellKeeping();
     void tellHistory();
     [[nodiscard]] std::optional<CardDesk::Subject> shownCard() const;
     void showAttempt(const database::AttemptRecord& attempt, const core::recording::Recording& recording);
     void openBeside(const QString& path);
+    void putBeside(const core::recording::Recording& recording, const QString& name, const QString& path);
     void openExpert();
     void unpack(const QString& pack, const QString& name);
-    void openDemonstration();
+    void openExpertAt(const lessons::Assignment& assignment);
+    void openDemonstration(const lessons::Assignment& assignment);
     void showExpert(const core::recording::Recording& recording, const QString& name, const QString& path);
     using UseRecording = std::function<void(const core::recording::Recording&)>;
     using ReadRecording = std::function<core::Result<core::recording::Recording>()>;
@@ -203,6 +206,7 @@ private:
         ui::study::ScoredWork work;
         core::recording::Recording recording;
         std::optional<core::grading::Practised> practised;  ///< of an exercise, which leaves no mark on the tooth
+        bool isOverLimit = false;  ///< a guest's, who has logged in for it and had no attempt left
     };
     std::optional<core::session::Concluded> m_toMark;  ///< while what is expected of it is asked
     std::optional<Graded> m_graded;

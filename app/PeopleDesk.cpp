@@ -27,6 +27,8 @@
 namespace app {
 namespace {
 
+constexpr std::size_t kMostBesides = 12;  ///< attempts to choose from
+
 namespace text = ui::text;
 using database::sql::School;
 using ui::people::AssignPage;
@@ -107,8 +109,10 @@ PeopleDesk::PeopleDesk(MainWindow& window, SchoolDesk& desk, std::function<datab
     connect(&history, &HistoryPage::replayWanted, this, [this](qint64 id) {
         fetch(id, [this](const auto& attempt, const auto& recording) {
             emit replayWanted(recording, whose(makerOf(attempt), attempt));
+            m_played = attempt;
         });
     });
+    connect(&m_window, &MainWindow::besidesWanted, this, &PeopleDesk::offerBeside);
     connect(&history, &HistoryPage::attemptOpenWanted, this, [this](qint64 id) {
         fetch(id, [this](const auto& attempt, const auto& recording) { emit scoreWanted(attempt, recording); });
     });
@@ -237,6 +241,7 @@ void PeopleDesk::talkAbout(const std::optional<database::AttemptRecord>& attempt
     m_follows = false;
     ui::study::ScorePage& page = m_window.scorePage();
     page.setTalkVisible(attempt.has_value());
+    page.talk().setAttempt(attempt ? attempt->id : 0);
     if (!attempt)
         return;
     page.talk().setScore(attempt->scoreTenths, attempt->passMarkTenths, attempt->passed);
@@ -377,6 +382,56 @@ void PeopleDesk::withReport(const std::function<void(const ui::report::ClassRepo
               m_window.classPage().repaint();  // so that it is seen what goes on: writing takes a while
               use(report);
           });
+}
+
+void PeopleDesk::followReplay(bool follows)
+{
+    m_follows = follows;
+    m_played.reset();
+}
+
+/// Null: it is none of those that are kept, or not known to be.
+const database::AttemptRecord* PeopleDesk::played() const
+{
+    if (m_follows && m_talkedAbout)
+        return &*m_talkedAbout;
+    return m_played ? &*m_played : nullptr;
+}
+
+/// Of who made the attempt that is played, the newest at the same work first.
+void PeopleDesk::offerBeside(const std::string& lesson, const std::string& tooth)
+{
+    const database::AttemptRecord* const now = played();
+    readLessons([this, lesson, tooth, id = now != nullptr ? now->id : 0,
+                 person = now != nullptr ? now->person : m_who().person()] {
+        askAs([who = m_who(), person](const School& school) { return database::sql::history(school, who, person, {}); },
+              [this, lesson, tooth, id](core::Result<std::vector<database::AttemptRecord>>& found) {
+                  std::vector<database::AttemptRecord> others;
+                  if (found)
+                      others = std::move(*found);
+                  std::erase_if(others, [id](const auto& one) { return one.id == id || one.recordingHash.empty(); });
+                  std::stable_partition(others.begin(), others.end(), [&](const auto& one) {
+                      return one.lessonId == lesson && (!lesson.empty() || one.tooth == tooth);
+                  });
+                  others.resize(std::min(others.size(), kMostBesides));
+                  tellBesides(others);
+              });
+    });
+}
+
+void PeopleDesk::tellBesides(const std::vector<database::AttemptRecord>& attempts)
+{
+    QList<ui::shell::MessageBar::Choice> choices;
+    for (const database::AttemptRecord& attempt : attempts) {
+        const QString name = QStringLiteral("%1, %2").arg(ui::people::lessonTitle(m_titles, attempt.lessonId),
+                                                          ui::people::when(attempt.finishedUtc));
+        //: %1: a lesson, and when it was done
+        choices.push_back(
+            {tr("%1: %2 points").arg(name, text::points(attempt.countingTenths())), [this, id = attempt.id, name] {
+                 fetch(id, [this, name](const auto&, const auto& recording) { emit besideWanted(recording, name); });
+             }});
+    }
+    m_window.offerBeside(choices);
 }
 
 void PeopleDesk::refuse(const core::Error& error)

@@ -38,12 +38,14 @@ public:
     /// Who made it, and when; empty: none is open.
     [[nodiscard]] QString whoseIsTalkedAbout() const;
     /// The attempt that is talked about is played now, so that comments can be pinned to its moments; or another one.
-    void followReplay(bool follows) { m_follows = follows; }
+    void followReplay(bool follows);
 
 signals:
     /// This recording is to be played.
     /// @param whose  who made it, and when
     void replayWanted(const core::recording::Recording& recording, const QString& whose);
+    /// This recording is to be put beside what is played.
+    void besideWanted(const core::recording::Recording& recording, const QString& name);
     /// This attempt's score card is to be shown.
     void scoreWanted(const database::AttemptRecord& attempt, const core::recording::Recording& recording);
 
@@ -69,6 +71,9 @@ private:
     void tellResults(const QString& lesson);
     void fetch(qint64 attempt,
                const std::function<void(const database::AttemptRecord&, const core::recording::Recording&)>& use);
+    [[nodiscard]] const database::AttemptRecord* played() const;
+    void offerBeside(const std::string& lesson, const std::string& tooth);
+    void tellBesides(const std::vector<database::AttemptRecord>& attempts);
     void refuse(const core::Error& error);
     void connectTalk();
     [[nodiscard]] QString makerOf(const database::AttemptRecord& attempt) const;
@@ -89,10 +94,11 @@ private:
     QList<database::ClassAssignment> m_given;  ///< to that class
     database::LessonResults m_results;
     std::optional<database::AttemptRecord> m_talkedAbout;
-    QString m_talkedName;                          ///< of who made it
-    bool m_follows = false;                        ///< it is played
-    database::AttemptId m_reads;                   ///< what was said of this one is to be read
-    std::vector<lessons::CatalogEntry> m_catalog;  ///< as it was when a page was opened last
+    QString m_talkedName;                             ///< of who made it
+    bool m_follows = false;                           ///< it is played
+    std::optional<database::AttemptRecord> m_played;  ///< in place of it, from the list of attempts
+    database::AttemptId m_reads;                      ///< what was said of this one is to be read
+    std::vector<lessons::CatalogEntry> m_catalog;     ///< as it was when a page was opened last
     ui::people::LessonTitles m_titles;
 };
 

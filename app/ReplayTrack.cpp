@@ -26,6 +26,12 @@ std::uint64_t patchAfter(std::uint64_t tick)
     return (tick + Player::kTicksAPatch - 1) / Player::kTicksAPatch * Player::kTicksAPatch + kMarginTicks;
 }
 
+/// Nothing happens to the tooth then.
+bool isRest(std::uint64_t note)
+{
+    return note == core::session::kRestNote || note == core::session::kWorkNote;
+}
+
 /// The events in words of a time line. A bur that is taken again and aids that stay the same are no news.
 class MarkMaker
 {
@@ -42,7 +48,7 @@ public:
         case ServoEvent::Kind::Handpiece:
             return ifNews(marked, m_handpiece, Mark::Kind::Handpiece);
         case ServoEvent::Kind::Note:
-            return Mark::Kind::Note;
+            return isRest(marked.event.value) ? std::nullopt : std::optional(Mark::Kind::Note);
         case ServoEvent::Kind::Home:
             return Mark::Kind::Home;
         case ServoEvent::Kind::Resume:

@@ -487,7 +487,7 @@ constexpr auto kTable = std::to_array<MeasureInfo>({
          return ofPart<Node>(m, &Deviation::zones, [](const Zones& z) { return worstOf(z.containerBottomMm3); });
      }},
 
-    {"time_total_s", "s", "Time of the attempt, from its first tick to its last.", kMetrics,
+    {"time_total_s", "s", "Time of the attempt, without what was spent away from the work.", kMetrics,
      [](const Measured& m) -> Value { return ofProcess(m, [](const Process& p) { return p.totalS; }); }, nullptr},
     {"time_to_first_cut_s", "s", "Time until material first came away.", kHapTel,
      [](const Measured& m) -> Value { return m.process ? m.process->firstCutS : std::nullopt; }, nullptr},

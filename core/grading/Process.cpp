@@ -63,6 +63,13 @@ void ProcessMeter::undone() noexcept
     endStroke();
 }
 
+void ProcessMeter::interrupted() noexcept
+{
+    endStroke();
+    m_way = {};
+    forgetMotion();
+}
+
 void ProcessMeter::takeStroke(const session::ServoState& state, Micros dt) noexcept
 {
     const Micros idle = m_total - (state.cutting ? dt : 0) - m_lastCut;
@@ -126,12 +133,18 @@ void ProcessMeter::takeContact(const session::ServoState& state, Micros dt) noex
     m_histogram[static_cast<std::size_t>(std::clamp(newtons / kBinN, 0.0, kBins - 1.0))] += dt;
 }
 
+/// Of which the next jerk would be made.
+void ProcessMeter::forgetMotion() noexcept
+{
+    m_blockFor = 0;
+    m_blockSum = glm::dvec3(0.0);
+    m_blockCount = 0;
+}
+
 void ProcessMeter::takeJerk(const session::ServoState& state, Micros dt) noexcept
 {
     if (!state.drillOn) {
-        m_blockFor = 0;
-        m_blockSum = glm::dvec3(0.0);
-        m_blockCount = 0;
+        forgetMotion();
         return;
     }
     m_blockSum += state.deviceMm * seconds(dt);

@@ -70,6 +70,8 @@ public:
     void take(const session::ServoState& state, std::chrono::microseconds dt) noexcept;
     /// The tooth was put back to an earlier state.
     void undone() noexcept;
+    /// Ticks are left out: where the hand is next it has not gone in the attempt.
+    void interrupted() noexcept;
 
     /// As of the last tick; an unfinished stroke counts as far as it goes.
     [[nodiscard]] Process process() const noexcept;
@@ -92,6 +94,7 @@ private:
     void takeStroke(const session::ServoState& state, Micros dt) noexcept;
     void takeContact(const session::ServoState& state, Micros dt) noexcept;
     void takeJerk(const session::ServoState& state, Micros dt) noexcept;
+    void forgetMotion() noexcept;
     void endStroke() noexcept;
     [[nodiscard]] Process::Force force() const noexcept;
 

@@ -29,14 +29,28 @@ void Examiner::take(const ServoEvent& event, const recording::Replayer& replayed
         m_aids |= static_cast<std::uint8_t>(event.value);
     if (event.kind == ServoEvent::Kind::Note && m_exercise)
         m_exercise->noted(event.value);
+    if (event.kind == ServoEvent::Kind::Note && (event.value == kRestNote || event.value == kWorkNote))
+        setRests(event.value == kRestNote);
+    if (event.kind == ServoEvent::Kind::Resume)  // whoever takes it up again is there
+        setRests(false);
     if (!recording::isStep(event))
         return;
     const std::chrono::microseconds dt(event.dtUs);
-    m_meter->take(replayed.state(), dt);
-    if (m_exercise)
-        m_exercise->take(replayed.state(), dt);
+    // Whatever a note says, what is cut is cut in the attempt.
+    if (!m_rests || replayed.state().cutting) {
+        m_meter->take(replayed.state(), dt);
+        if (m_exercise)
+            m_exercise->take(replayed.state(), dt);
+    }
     for (const grading::Infraction& infraction : m_referee.look(replayed.state(), replayed.changed(), tooth, dt))
         m_infractions.push_back(infraction);
+}
+
+void Examiner::setRests(bool rests)
+{
+    if (rests && !m_rests)
+        m_meter->interrupted();
+    m_rests = rests;
 }
 
 }  // namespace core::session

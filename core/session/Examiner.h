@@ -43,10 +43,13 @@ public:
     [[nodiscard]] std::optional<grading::Practised> practised() const;
 
 private:
+    void setRests(bool rests);
+
     std::unique_ptr<grading::ProcessMeter> m_meter;
     grading::Referee m_referee;
     std::optional<grading::ExerciseMeter> m_exercise;
     std::uint8_t m_aids = 0;
+    bool m_rests = false;  ///< the student has turned from the work
     std::vector<grading::Infraction> m_infractions;
 };
 

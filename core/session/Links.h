@@ -150,6 +150,10 @@ struct AddNote
 };
 /// The note that the work was graded at this moment: "GRADED".
 inline constexpr std::uint64_t kGradedNote = 0x475241444544ULL << 16U;
+/// The notes that the student has turned from the work ("RESTED"), and is back at it ("WORKED"): what is between them
+/// is no time of the attempt (Examiner).
+inline constexpr std::uint64_t kRestNote = 0x524553544544ULL << 16U;
+inline constexpr std::uint64_t kWorkNote = 0x574F524B4544ULL << 16U;
 struct SetBur
 {
     std::uint8_t index = 0;

@@ -41,6 +41,7 @@ private slots:
     void theOwnWorkIsStillAskedAboutAfterTwoReplays();
     void aMomentOfTheOwnAttemptIsShownAndLeft();
     void anotherAttemptIsPlayedBeside();
+    void theExpertOfWhatIsPlayedIsPutBeside();
     void aHandIsLedAlongARecording();
     void theUndoHistoryLeadsToAnyMoment();
     void stoppingTheReplayOfWhoHasNoWorkGivesAWholeTooth();
@@ -603,6 +604,21 @@ void TestApplication::anotherAttemptIsPlayedBeside()
     actions().back->trigger();
     QCOMPARE(views().size(), 1);
     QTRY_COMPARE(enamelRemoved(), own);
+}
+
+/// Whatever lies on the table meanwhile.
+void TestApplication::theExpertOfWhatIsPlayedIsPutBeside()
+{
+    start();
+    static_cast<void>(openLesson("decay-36-small"));
+    drillAt({-2.0, 1.0, -1.0});
+    const QString recording = m_folder->filePath("lesson.cusprec");
+    save(recording);
+    m_application.reset();
+    start(recording);
+    actions().expert->trigger();
+    QTRY_VERIFY2_WITH_TIMEOUT(message().contains("a simulated hand shows it"), qPrintable(message()), 60000);
+    QCOMPARE(m_application->window().findChildren<ui::tooth::ToothView*>().size(), 2);
 }
 
 void TestApplication::aHandIsLedAlongARecording()

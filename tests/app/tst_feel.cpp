@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QAction>
 #include <QComboBox>
+#include <QDir>
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
@@ -190,6 +191,8 @@ void TestFeel::twoPresetsAreComparedBlind()
     QTRY_VERIFY_WITH_TIMEOUT(actions().undo->isEnabled(), 30000);
     QTest::mouseRelease(&view, Qt::LeftButton, {}, view.rect().center());
     QTest::qWait(500);
+    // It is nobody's work, and is not offered to be gone on with.
+    QCOMPARE(QDir(m_folder->filePath("unfinished")).entryList({"*.cuspjournal"}, QDir::Files), QStringList());
     actions().grade->trigger();
     auto* score = child<ui::study::ScorePage>();
     QTRY_VERIFY_WITH_TIMEOUT(score->isVisible(), 30000);

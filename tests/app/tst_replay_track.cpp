@@ -52,6 +52,8 @@ Recording attempt()
     rig.send(session::Redo{});
     rig.run(60);
     rig.send(session::AddNote{5});
+    rig.send(session::AddNote{session::kRestNote});
+    rig.send(session::AddNote{session::kWorkNote});
     rig.send(session::SetBur{3});
     rig.run(20);
     stroke(1.2, 130);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The whole program and the school's database: people come and go, and the database is damaged, gone, locked or full.
+#include <QAbstractButton>
 #include <QAction>
 #include <QCheckBox>
 #include <QDir>
@@ -97,11 +98,13 @@ private slots:
     void aLockedDatabaseIsTriedAgain();
     void whatTheDiskRefusesIsKeptWhenItCanBe();
     void aGuestsGradeIsKeptWhenHeLogsIn();
+    void aGuestsGradeCountsAsAnAttempt();
     void whatWasGradedIsNotUnfinished_data();
     void whatWasGradedIsNotUnfinished();
     void nobodyIsOfferedAnothersWork();
     void theLessonsForgetWhoLeft();
     void anOpenedAttemptHasThoseBeforeIt();
+    void onesOwnAttemptsAreComparedInAReplay();
     void theSchoolsPresetIsTheAdmins();
     void whatIsGivenIsDueAndLimited();
     void noneBeginsAgainWhenTheAttemptsAreUsedUp();
@@ -462,6 +465,45 @@ void TestSchool::aGuestsGradeIsKeptWhenHeLogsIn()
     QTRY_COMPARE_WITH_TIMEOUT(removed(), QString("0.00"), kPatienceMs);
 }
 
+/// Else the limit would be got round by logging in afterwards.
+void TestSchool::aGuestsGradeCountsAsAnAttempt()
+{
+    give("block-line", 1);
+    start();
+    const auto gradeAsGuest = [this] {
+        QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("practiseAsGuest")->isVisible(), kPatienceMs);
+        click("practiseAsGuest");
+        toTheTooth();
+        beginLesson("block-line");
+        drill(0.0);
+        gradeLesson();
+        click("keepGrade");
+        logIn("sam");
+    };
+    gradeAsGuest();
+    QTRY_COMPARE_WITH_TIMEOUT(attemptsKept(), 1, kPatienceMs);
+    actions().lock->trigger();
+    click("otherLogin");
+    QTRY_COMPARE_WITH_TIMEOUT(door(), Door::Login, kPatienceMs);
+    gradeAsGuest();
+    QTRY_VERIFY2_WITH_TIMEOUT(message().contains("this grade is not kept"), qPrintable(message()), kPatienceMs);
+    QVERIFY2(keeping().contains("not being kept"), qPrintable(keeping()));
+    QVERIFY(!child<QPushButton>("keepGrade")->isVisible());
+    QVERIFY(!actions().reload->isEnabled());
+    // Nor when the same work is graded once more.
+    toTheTooth();
+    actions().grade->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(child<ui::study::ScorePage>()->isVisible(), kPatienceMs);
+    QTest::qWait(500);
+    QCOMPARE(attemptsKept(), 1);
+    // What was done can be kept as a recording.
+    for (QPushButton* button : child<ui::shell::MessageBar>()->findChildren<QPushButton*>())
+        if (button->text() == actions().saveRecording->text())
+            button->click();
+    QVERIFY(child<QFileDialog>("QFileDialog") != nullptr);
+    child<QFileDialog>("QFileDialog")->reject();
+}
+
 void TestSchool::whatWasGradedIsNotUnfinished_data()
 {
     QTest::addColumn<bool>("asGuest");
@@ -546,10 +588,13 @@ void TestSchool::theLessonsForgetWhoLeft()
     auto* search = child<ui::study::LessonsPage>()->findChild<QLineEdit*>();
     search->setText("decay 26");
     QVERIFY(list->currentIndex().data().toString() != first);
+    const auto* const clear = search->findChild<QAbstractButton*>();
+    QTRY_VERIFY(clear->property("opacity").toDouble() > 0.0);
     leaveFor("sue");
     actions().lessons->trigger();
     QTRY_VERIFY_WITH_TIMEOUT(list->isVisible() && list->model()->rowCount() > 10, kPatienceMs);
     QVERIFY2(search->text().isEmpty(), qPrintable(search->text()));
+    QTRY_COMPARE(clear->property("opacity").toDouble(), 0.0);
     QTRY_COMPARE_WITH_TIMEOUT(list->currentIndex().data().toString(), first, kPatienceMs);
 }
 
@@ -584,6 +629,37 @@ void TestSchool::anOpenedAttemptHasThoseBeforeIt()
 }
 
 /// What an admin keeps and puts to use, everybody's teeth feel like; a student looks on.
+void TestSchool::onesOwnAttemptsAreComparedInAReplay()
+{
+    start();
+    logIn("sam");
+    toTheTooth();
+    drill(-2.0);
+    grade("first grade");
+    QTRY_COMPARE_WITH_TIMEOUT(attemptsKept(), 1, kPatienceMs);
+    toTheTooth();
+    drill(2.0);
+    actions().grade->trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(attemptsKept(), 2, kPatienceMs);
+    actions().attempts->trigger();
+    openNewest();
+    click("replayScored");
+    QTRY_VERIFY_WITH_TIMEOUT(m_application->window().view().isVisible() && actions().beside->isEnabled(), kPatienceMs);
+    actions().beside->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(child<QMenu>("besideMenu") != nullptr, kPatienceMs);
+    // The other one, and any file.
+    const QList<QAction*> offered = child<QMenu>("besideMenu")->actions();
+    QCOMPARE(offered.size(), 3);
+    QVERIFY2(offered[0]->text().startsWith("Free practice"), qPrintable(offered[0]->text()));
+    QVERIFY(offered[1]->isSeparator());
+    QCOMPARE(offered[2]->text(), QString("From a file …"));
+    offered[0]->trigger();
+    child<QMenu>("besideMenu")->close();
+    const auto views = [this] { return m_application->window().findChildren<ui::tooth::ToothView*>().size(); };
+    QTRY_COMPARE_WITH_TIMEOUT(views(), 2, kPatienceMs);
+    QVERIFY(actions().beside->isChecked());
+}
+
 void TestSchool::theSchoolsPresetIsTheAdmins()
 {
     start();

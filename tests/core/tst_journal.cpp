@@ -78,6 +78,7 @@ private slots:
     void discardedOnesAreKeptForAWeek();
     void beforeTheDiskHasItThereAreTwo();
     void whatAnInterruptedStartLeftIsCleared();
+    void whatIsLeftOutIsNotWritten();
     void aMinuteIsUnderAMegabyte();
     void corpusOfTheFuzzerIsHarmless();
 
@@ -123,6 +124,28 @@ std::string TestJournal::shortJournal() const
     std::string bytes = bytesOf(files().front());
     journal.putAway();
     return bytes;
+}
+
+void TestJournal::whatIsLeftOutIsNotWritten()
+{
+    support::Rig rig;
+    JournalLoop journal(*rig.session, m_path);
+    journal.leaveOut(1);
+    rig.open(block(), 1);
+    rig.send(SetDrill{true});
+    cut(rig, journal, 130);
+    rig.settle();
+    journal.tick(JournalLoop::kPeriod);
+    QVERIFY(rig.session->recordedSince(1, 0).isWorthKeeping);
+    QVERIFY(files().empty());
+    // The next is again.
+    rig.open(block(), 2);
+    rig.send(SetDrill{true});
+    cut(rig, journal, 130);
+    rig.settle();
+    journal.tick(JournalLoop::kPeriod);
+    QCOMPARE(files().size(), std::size_t{1});
+    journal.putAway();
 }
 
 void TestJournal::holdsAllThatHappened()

@@ -8,6 +8,7 @@
 #include "core/base/Rng.h"
 #include "core/grading/Process.h"
 #include "core/recording/Replay.h"
+#include "core/session/Examiner.h"
 #include "tests/support/Allocations.h"
 #include "tests/support/Rig.h"
 #include "tests/support/SyntheticTooth.h"
@@ -85,6 +86,7 @@ private slots:
     void aStateThatIsNoNumberIsTimeAlone();
     void takesNoMemory();
     void aReplayGivesTheSameBits();
+    void timeAwayFromTheWorkIsNone();
 };
 
 void TestProcess::nothingHappened()
@@ -379,6 +381,34 @@ void TestProcess::aReplayGivesTheSameBits()
     QVERIFY(live.process().strokes > 0);
     QVERIFY(live.process().force.has_value());
     QVERIFY(live.process() == replayed.process());
+}
+
+void TestProcess::timeAwayFromTheWorkIsNone()
+{
+    support::Rig rig;
+    const auto block = support::makeBlock({});
+    rig.open(block);
+    const auto wait = [&rig](std::uint64_t note, int ticks) {
+        rig.settle();
+        rig.send(session::AddNote{note});
+        rig.settle();
+        rig.device.tipMm = {5.0, 5.0, 5.0};
+        rig.run(ticks);
+        rig.settle();
+    };
+    wait(session::kWorkNote, 500);
+    const double before = std::chrono::duration<double>(rig.session->recordingSoFar()->duration()).count();
+    wait(session::kRestNote, 2000);
+    const double away = std::chrono::duration<double>(rig.session->recordingSoFar()->duration()).count() - before;
+    QVERIFY(away >= 2.0);
+    wait(session::kWorkNote, 300);
+    const auto recording = rig.session->recordingSoFar();
+    session::Examiner examiner({}, block);
+    QVERIFY(recording::replay(*recording, [&](const session::ServoEvent& event, const recording::Replayer& servo) {
+        examiner.take(event, servo);
+    }));
+    const double all = std::chrono::duration<double>(recording->duration()).count();
+    QVERIFY2(std::abs(examiner.process().totalS - (all - away)) < 0.1, qPrintable(QString::number(all)));
 }
 
 QTEST_GUILESS_MAIN(TestProcess)

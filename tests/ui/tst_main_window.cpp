@@ -19,6 +19,7 @@
 #include <QListWidget>
 #include <QMenu>
 #include <QMimeData>
+#include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QRegularExpression>
@@ -49,6 +50,7 @@
 #include "ui/admin/PeoplePart.h"
 #include "ui/admin/RosterPart.h"
 #include "ui/console/Console.h"
+#include "ui/console/WatchPanel.h"
 #include "ui/inside/SectionView.h"
 #include "ui/inside/XrayPage.h"
 #include "ui/people/HistoryPage.h"
@@ -242,6 +244,10 @@ private slots:
     void theFirstWindowFitsTheScreen();
     void everyControlHasAName();
     void aPlaceThatWasLeftIsLocked();
+    void nothingStaysOpenOverTheLock();
+    void timeAwayFromTheWorkIsNoted();
+    void nothingOfWhoLeftStays();
+    void aReturnAtTheLockIsNoWrongPassword();
     void everyActionIsFitToBeRead();
     void longTooltipsAreBrokenIntoLines();
     void tabReachesEveryButtonOfTheRoom();
@@ -268,13 +274,27 @@ private:
         QTest::keyClick(QApplication::focusWidget() != nullptr ? QApplication::focusWidget() : m_window.get(), key,
                         modifiers);
     }
-    /// What the person has asked for since the last call. Which aids are in use is noted unasked.
+    /// What the person has asked for since the last call. Which aids are in use is noted unasked, and where he is.
     QList<SessionCommand> sent() const
     {
         QList<SessionCommand> all;
         for (SessionCommand c; m_links->commands.tryPop(c);)
-            if (!std::holds_alternative<SetAids>(c))
+            if (!std::holds_alternative<SetAids>(c) && !isRest(c))
                 all << c;
+        return all;
+    }
+    static bool isRest(const SessionCommand& command)
+    {
+        const auto* note = std::get_if<AddNote>(&command);
+        return note != nullptr && (note->code == kRestNote || note->code == kWorkNote);
+    }
+    /// What was noted of that since the last call.
+    QList<quint64> restsNoted() const
+    {
+        QList<quint64> all;
+        for (SessionCommand c; m_links->commands.tryPop(c);)
+            if (isRest(c))
+                all << std::get<AddNote>(c).code;
         return all;
     }
     /// The aids that were noted last; nothing if none were since the last call.
@@ -2324,6 +2344,7 @@ void TestMainWindow::theExpertIsOfferedWhereSomethingIsCut()
     press(Qt::Key_Y);
     QCOMPARE(expert.size(), 1);
     assignment.exercise = core::grading::ForceToHold{};
+    assignment.lesson->task = lessons::Task::HoldForce;
     m_window->setAssignment(assignment);
     QVERIFY(!actions().expert->isVisible());
     assignment.lesson->expert.emplace();
@@ -2333,6 +2354,20 @@ void TestMainWindow::theExpertIsOfferedWhereSomethingIsCut()
     m_window->setAssignment(assignment);
     press(Qt::Key_Y);
     QCOMPARE(expert.size(), 1);
+    QVERIFY(!actions().expert->isVisible());
+    // In a replay it is that of the lesson which is played, whatever lies on the table; but in an exam nothing is told.
+    const lessons::Lesson played;
+    m_window->setReplaying(true, 10.0, nullptr, played);
+    QVERIFY(!actions().expert->isVisible());
+    m_window->setReplaying(false);
+    assignment.lesson.reset();
+    assignment.exercise.reset();
+    m_window->setAssignment(assignment);
+    QVERIFY(!actions().expert->isVisible());
+    m_window->setReplaying(true, 10.0, nullptr, played);
+    press(Qt::Key_Y);
+    QCOMPARE(expert.size(), 2);
+    m_window->setReplaying(false);
     QVERIFY(!actions().expert->isVisible());
 }
 
@@ -2996,6 +3031,99 @@ void TestMainWindow::aPlaceThatWasLeftIsLocked()
     m_window->setWho(rig.student);
     QVERIFY(!child<ui::people::LoginPage>()->isVisible());
     QVERIFY(child<ui::study::ScorePage>()->isVisible());
+}
+
+/// What the one who left had open would go on working for whoever comes by.
+void TestMainWindow::nothingStaysOpenOverTheLock()
+{
+    support::SchoolRig rig(false);
+    rig.populate();
+    m_window->setWho(rig.student);
+    cutSomething(1.0);
+    const auto* const door = child<ui::people::LoginPage>();
+    const auto lockAndComeBack = [&] {
+        m_window->askWho(ui::people::Door::Locked);
+        QVERIFY(door->isVisible());
+        for (const QWidget* window : m_window->findChildren<QWidget*>())
+            QVERIFY2(!window->isWindow() || !window->isVisible(), window->metaObject()->className());
+        m_window->setWho(rig.student);
+    };
+    QSignalSpy save(m_window.get(), &MainWindow::recordingSaveRequested);
+    actions().saveRecording->trigger();
+    QVERIFY(child<QFileDialog>("QFileDialog") != nullptr);
+    lockAndComeBack();
+    QCOMPARE(save.size(), 0);
+    QTRY_VERIFY(child<QFileDialog>("QFileDialog") == nullptr);
+    QMenu menu(m_window.get());
+    menu.addAction(QStringLiteral("something"));
+    menu.popup(m_window->mapToGlobal(QPoint(10, 10)));
+    QTRY_VERIFY(menu.isVisible());
+    lockAndComeBack();
+    QSignalSpy chosen(m_window.get(), &MainWindow::toothChosen);
+    press(Qt::Key_T);
+    press(Qt::Key_Return);
+    QVERIFY(question() != nullptr && question()->isVisible());
+    m_window->askWho(ui::people::Door::Locked);
+    QTRY_VERIFY(question() == nullptr);
+    QCOMPARE(chosen.size(), 0);
+}
+
+/// So that it counts nowhere as time of the attempt. In an exam it does.
+void TestMainWindow::timeAwayFromTheWorkIsNoted()
+{
+    QTest::qWait(100);
+    QCOMPARE(restsNoted(), QList<quint64>());
+    m_window->askWho(ui::people::Door::Locked);
+    QTRY_COMPARE(restsNoted(), QList<quint64>{kRestNote});
+    m_window->setWho({});
+    QTRY_COMPARE(restsNoted(), QList<quint64>{kWorkNote});
+    lessons::Assignment exam;
+    exam.anatomy = support::syntheticMolar();
+    exam.lesson.emplace();
+    exam.lesson->exam = true;
+    m_window->setAssignment(exam);
+    m_window->showTooth(exam.anatomy, 2, {});
+    m_window->askWho(ui::people::Door::Locked);
+    QTest::qWait(100);
+    QCOMPARE(restsNoted(), QList<quint64>());
+}
+
+void TestMainWindow::nothingOfWhoLeftStays()
+{
+    auto* console = child<ui::console::Console>();
+    actions().console->trigger();
+    console->execute(QStringLiteral("get force.stiffness"));
+    console->execute(QStringLiteral("watch force.stiffness"));
+    auto* line = child<QLineEdit>("consoleLine");
+    line->setText(QStringLiteral("list"));
+    QTest::keyClick(line, Qt::Key_Return);
+    const double usualN = m_window->view().pushForce();
+    m_window->view().setPushForce(usualN + 1.0);
+    m_window->leaveAll();
+    QCOMPARE(m_window->view().pushForce(), usualN);
+    QVERIFY(!console->isVisible());
+    QVERIFY(child<ui::console::WatchPanel>()->names().isEmpty());
+    actions().console->trigger();
+    QCOMPARE(child<QPlainTextEdit>("consoleOutput")->toPlainText(), QString());
+    QTest::keyClick(line, Qt::Key_Up);
+    QCOMPARE(line->text(), QString());
+    actions().console->trigger();
+}
+
+/// It may have been meant for what was open before.
+void TestMainWindow::aReturnAtTheLockIsNoWrongPassword()
+{
+    support::SchoolRig rig(false);
+    rig.populate();
+    m_window->setWho(rig.student);
+    m_window->askWho(ui::people::Door::Locked);
+    QSignalSpy wanted(m_window.get(), &MainWindow::loginWanted);
+    QTest::keyClick(child<QLineEdit>("password"), Qt::Key_Return);
+    QCOMPARE(wanted.size(), 0);
+    QVERIFY(child<QLineEdit>("password")->isEnabled());
+    child<QLineEdit>("password")->setText(QStringLiteral("something"));
+    QTest::keyClick(child<QLineEdit>("password"), Qt::Key_Return);
+    QCOMPARE(wanted.size(), 1);
 }
 
 void TestMainWindow::everyControlHasAName()

@@ -48,6 +48,7 @@ private slots:
     void pinsLeadThere();
     void aScoreNeedsAReason();
     void whatWasRefusedStaysTyped();
+    void whatIsTypedStaysWithItsAttempt();
     void theKeyboardStaysWithTheComment();
     void theKeyboardStaysWithTheScoreThatWasGiven();
     void theWheelScrollsOverTheScore();
@@ -231,6 +232,32 @@ void TestTalkPanel::whatWasRefusedStaysTyped()
 }
 
 /// The button rests once the comment is there; a digit that is typed next must not become the score.
+/// It is shown with no other, and to nobody else.
+void TestTalkPanel::whatIsTypedStaysWithItsAttempt()
+{
+    auto* words = get<QPlainTextEdit>("commentWords");
+    auto* reason = get<QLineEdit>("reason");
+    m_panel->setAttempt(7);
+    words->setPlainText("Half a sentence");
+    reason->setText("Half a reason");
+    m_panel->refuse("It could not be kept.");
+    m_panel->setAttempt(8);
+    QCOMPARE(words->toPlainText(), QString());
+    QCOMPARE(reason->text(), QString());
+    QVERIFY(!get<QLabel>("fault")->isVisible());
+    words->setPlainText("Of another");
+    m_panel->setAttempt(0);  // work that is on the table
+    m_panel->setAttempt(7);
+    QCOMPARE(words->toPlainText(), QString("Half a sentence"));
+    QCOMPARE(reason->text(), QString("Half a reason"));
+    m_panel->forget();
+    for (const qint64 attempt : {7, 8}) {
+        m_panel->setAttempt(attempt);
+        QCOMPARE(words->toPlainText(), QString());
+        QCOMPARE(reason->text(), QString());
+    }
+}
+
 void TestTalkPanel::theKeyboardStaysWithTheComment()
 {
     auto* comment = get<QPlainTextEdit>("commentWords");

@@ -342,6 +342,16 @@ void Console::say(const QString& text)
     m_output->verticalScrollBar()->setValue(m_output->verticalScrollBar()->maximum());
 }
 
+void Console::forget()
+{
+    m_line->clear();
+    m_output->clear();
+    m_history.clear();
+    m_recalled = 0;
+    m_panel.forget({});
+    hide();
+}
+
 void Console::recall(int step)
 {
     if (m_history.isEmpty())

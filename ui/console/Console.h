@@ -38,6 +38,8 @@ public:
     void execute(const QString& line);
     /// What Tab would make of a line that has been begun.
     [[nodiscard]] QString completed(const QString& line) const;
+    /// Somebody else works here: what was typed, answered and watched is gone, and so is the console.
+    void forget();
     /// Shows itself, the line ready for typing.
     void open();
 

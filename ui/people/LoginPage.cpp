@@ -376,6 +376,10 @@ void LoginPage::submit()
         emit loginWanted(m_name->text(), password);
         break;
     case Door::Locked:
+        if (password.isEmpty()) {  // a Return that was meant for something else is no wrong password
+            m_password->setFocus();
+            return;
+        }
         setBusy(true);
         emit loginWanted(m_lockedBy, password);
         break;

@@ -154,6 +154,26 @@ void TalkPanel::makeOverride(QVBoxLayout& column)
     connect(m_again, &QPushButton::clicked, this, [ask] { ask(std::nullopt); });
 }
 
+void TalkPanel::setAttempt(qint64 attempt)
+{
+    if (attempt == m_attempt)
+        return;
+    m_drafts[m_attempt] = {m_words->toPlainText(), m_reason->text()};
+    m_attempt = attempt;
+    const Draft draft = m_drafts[m_attempt];
+    m_words->setPlainText(draft.words);
+    m_reason->setText(draft.reason);
+    refuse({});
+}
+
+void TalkPanel::forget()
+{
+    m_words->clear();
+    m_reason->clear();
+    setAttempt(0);
+    m_drafts.clear();
+}
+
 void TalkPanel::setScore(int machineTenths, int passMarkTenths, bool passedByMachine)
 {
     m_machineTenths = machineTenths;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 
 #include <QString>
@@ -29,6 +30,11 @@ class TalkPanel final : public QWidget
 public:
     explicit TalkPanel(QWidget* parent);
 
+    /// It is about this attempt from now on, 0: none that is kept. What was being written of the one before waits until
+    /// that comes again.
+    void setAttempt(qint64 attempt);
+    /// Who was writing has left: nothing of it stays.
+    void forget();
     /// @param machineTenths  what the machine gave
     void setScore(int machineTenths, int passMarkTenths, bool passedByMachine);
     /// What was being written is cleared when it is among these.
@@ -67,6 +73,15 @@ private:
     void unpin();
     [[nodiscard]] QWidget* formInUse() const;
 
+    /// What is typed, and kept nowhere yet.
+    struct Draft
+    {
+        QString words;
+        QString reason;
+    };
+
+    std::map<qint64, Draft> m_drafts;  ///< of the other attempts
+    qint64 m_attempt = 0;
     database::AttemptTalk m_talk;
     int m_machineTenths = 0;
     int m_passMarkTenths = 0;

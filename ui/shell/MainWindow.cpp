@@ -21,6 +21,7 @@
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QListView>
+#include <QMenu>
 #include <QMimeData>
 #include <QPushButton>
 #include <QRandomGenerator>
@@ -28,6 +29,7 @@
 #include <QScreen>
 #include <QStackedWidget>
 #include <QTimer>
+#include <QToolButton>
 
 #include "core/drilling/Bur.h"
 #include "core/teeth/Block.h"
@@ -44,6 +46,7 @@
 #include "ui/people/ClassPage.h"
 #include "ui/people/HistoryPage.h"
 #include "ui/people/LoginPage.h"
+#include "ui/people/TalkPanel.h"
 #include "ui/presets/PresetWords.h"
 #include "ui/presets/PresetsPage.h"
 #include "ui/presets/TrialCard.h"
@@ -72,6 +75,7 @@
 #include "ui/study/Limit.h"
 #include "ui/study/ScorePage.h"
 #include "ui/text/EveryLanguage.h"
+#include "ui/tooth/PointerControl.h"
 #include "ui/tooth/ToothView.h"
 
 namespace ui::shell {
@@ -567,8 +571,22 @@ void MainWindow::changePassword()
     enableActions();
 }
 
+/// What stands over the window would go on working behind the door.
+void MainWindow::closeAllOver()
+{
+    m_afterSaving = {};
+    if (m_question) {
+        m_question->hide();
+        m_question->deleteLater();  // it may be its answer that led here
+    }
+    for (QWidget* one : findChildren<QWidget*>())
+        if (one->isWindow() && one->isVisible())
+            one->close();
+}
+
 void MainWindow::askWho(people::Door door)
 {
+    closeAllOver();
     if (!isAtDoor())
         m_behindDoor = m_pages->currentWidget();
     m_mayLeaveDoor = false;
@@ -644,6 +662,9 @@ void MainWindow::leaveAll()
     m_behindHistory = m_room;
     m_lessonsPage->setUnfinished({}, {});
     m_lessonsPage->forget();
+    m_scorePage->talk().forget();
+    m_console->forget();
+    m_view->setPushForce(tooth::PointerControl::kFirstN);
     for (const auto topic : {MessageBar::Topic::Tooth, MessageBar::Topic::Unfinished, MessageBar::Topic::General})
         m_messages->withdraw(topic);
 }
@@ -969,11 +990,12 @@ void MainWindow::connectReplay()
     });
     on(m_actions->beside, [this](bool wanted) {
         m_actions->beside->setChecked(m_beside != nullptr);
-        if (wanted)
-            askForFile(m_actions->beside->text(), FileKind::Recording,
-                       [this](const QString& path) { emit besideWanted(path); });
-        else
+        if (!wanted)
             emit besideCloseWanted();
+        else if (m_who.isGuest())
+            offerBeside({});
+        else
+            emit besidesWanted(lessonShown() != nullptr ? lessonShown()->id : std::string(), m_tooth->name);
     });
     on(m_actions->expert, [this] { emit expertWanted(); });
     on(m_actions->along, [this](bool wanted) { emit leadWanted(wanted); });
@@ -1008,6 +1030,34 @@ void MainWindow::showBeside(core::session::UiLinks& links, std::shared_ptr<const
     m_actions->beside->setChecked(true);
     enableActions();
     placeOverlays();
+}
+
+void MainWindow::offerBeside(const QList<MessageBar::Choice>& attempts)
+{
+    if (!m_replaying || m_pages->currentWidget() != m_room)
+        return;
+    const auto askForOne = [this] {
+        askForFile(m_actions->beside->text(), FileKind::Recording,
+                   [this](const QString& path) { emit besideWanted(path); });
+    };
+    if (attempts.isEmpty()) {
+        askForOne();
+        return;
+    }
+    auto* menu = new QMenu(this);
+    menu->setObjectName(QStringLiteral("besideMenu"));
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    for (const MessageBar::Choice& attempt : attempts)
+        connect(menu->addAction(QString(attempt.text).replace(u'&', QStringLiteral("&&"))), &QAction::triggered, this,
+                attempt.action);
+    menu->addSeparator();
+    connect(menu->addAction(tr("From a file …")), &QAction::triggered, this, askForOne);
+    // Above the button, which stands at the lower edge.
+    const QWidget* at = &m_room->replay();
+    for (const auto* button : m_room->replay().findChildren<QToolButton*>())
+        if (button->defaultAction() == m_actions->beside)
+            at = button;
+    menu->popup(at->mapToGlobal(QPoint(0, -menu->sizeHint().height())));
 }
 
 void MainWindow::setBesideCourse(const replay::Course& course)
@@ -1347,6 +1397,7 @@ void MainWindow::takeSession()
     if (moved)
         enableActions();
     tellAids();
+    tellRest();
 }
 
 /// Which aids are in use goes on the recording.
@@ -1369,6 +1420,19 @@ void MainWindow::tellAids()
         inUse(seesIdeal && (m_actions->idealColours->isChecked() || m_actions->section->isChecked()), kIdealAid));
     if (m_aidsTold != std::pair(m_ownGeneration, aids) && m_links.commands.tryPush(SetAids{aids}))
         m_aidsTold = {m_ownGeneration, aids};
+}
+
+/// Time on another page, or away behind the lock, is none of the attempt's: that goes on the recording, and so all
+/// count what the lesson's clock does. An exam goes on.
+void MainWindow::tellRest()
+{
+    if (m_replaying || m_tooth == nullptr)
+        return;
+    const bool rests = m_pages->currentWidget() != m_room && !isExam();
+    const bool isTold = m_restTold.first == m_ownGeneration && m_restTold.second;
+    if (rests != isTold &&
+        m_links.commands.tryPush(core::session::AddNote{rests ? core::session::kRestNote : core::session::kWorkNote}))
+        m_restTold = {m_ownGeneration, rests};
 }
 
 /// Told when it happens, not when a tooth is shown to which it has happened before.
@@ -1591,9 +1655,9 @@ void MainWindow::enableActions()
         action->setEnabled(inRoom && m_replaying && !m_busy->isWorking());
     }
     // Where no recording lies with the lesson, a simulated hand shows it, if anything is to be cut.
-    const bool hasExpert =
-        m_assignment && m_assignment->lesson && (m_assignment->lesson->expert || !m_assignment->exercise);
-    m_actions->expert->setVisible(hasExpert && !m_assignment->lesson->exam);
+    const lessons::Lesson* const lesson = lessonShown();
+    const bool hasExpert = lesson != nullptr && (lesson->expert || !lessons::isExercise(lesson->task));
+    m_actions->expert->setVisible(hasExpert && !lesson->exam && !isExamRunning());
     m_actions->expert->setEnabled(inRoom && m_tooth != nullptr && !m_busy->isWorking());
     if (m_beside != nullptr)  // there is no room for it
         m_actions->section->setEnabled(false);
@@ -1818,6 +1882,14 @@ void MainWindow::showScore(const lessons::ScoreSheet& sheet, const QList<databas
 void MainWindow::showWorkKept()
 {
     m_savedWork = m_workGraded;
+}
+
+void MainWindow::showOverLimit()
+{
+    m_messages->say({MessageBar::Kind::Warning,
+                     tr("You had used up your attempts at this lesson before, so this grade is not kept."),
+                     tr("The work itself can be kept as a recording."), m_actions->saveRecording->text(),
+                     [this] { askToSave(); }, MessageBar::Topic::Tooth});
 }
 
 void MainWindow::tellInfraction(const core::grading::Infraction& infraction, bool canTakeBack)

@@ -156,6 +156,8 @@ public slots:
                    const std::optional<study::ScoredWork>& scored = {});
     /// The attempt that showScore() was about is kept with its recording: as it was graded, nothing of it can be lost.
     void showWorkKept();
+    /// It is not kept: who has logged in for it had no attempt left.
+    void showOverLimit();
     /// A rule of the lesson has been broken, in practice: the bur stops, and the student chooses.
     void tellInfraction(const core::grading::Infraction& infraction, bool canTakeBack);
     /// How the exercise of the student's lesson has gone so far.
@@ -205,6 +207,8 @@ public slots:
     /// @param links  must outlive it: until hideBeside()
     void showBeside(core::session::UiLinks& links, std::shared_ptr<const core::terrain::ToothAnatomy> tooth,
                     std::uint64_t generation, const core::grading::IdealTop& ideal, const QString& name);
+    /// Answers besidesWanted(): attempts to choose from, beside a file; none: a file is asked for at once.
+    void offerBeside(const QList<MessageBar::Choice>& attempts);
     void setBesideCourse(const replay::Course& course);
     void hideBeside();
     /// The hand is led no longer: it has pushed, or the device is lost.
@@ -333,6 +337,9 @@ signals:
     void replaySpeedChosen(double times);
     /// The replay is to show this moment of the recording.
     void seekWanted(double seconds);
+    /// Another attempt is to be put beside what is played: which there are.
+    /// @param lesson  that it was made for; empty: practised freely
+    void besidesWanted(const std::string& lesson, const std::string& tooth);
     void besideWanted(const QString& path);
     void besideCloseWanted();
     /// The recording that the lesson names: to be played, or to be put beside what is played.
@@ -367,6 +374,7 @@ private:
     void takeFrame(const core::session::ServoState& servo);
     void takeSession();
     void tellAids();
+    void tellRest();
     void guide(const core::session::ServoState& servo);
     void tellHarm(const core::session::SessionState& now);
     bool send(const core::session::SessionCommand& command);
@@ -404,6 +412,7 @@ private:
     void discardUnfinished();
     void forgetUnfinished();
     void lockIfIdle();
+    void closeAllOver();
     /// Whether something is saved or discarded; cancelled, nothing happens.
     /// @param name  for tests
     void ask(const char* name, const QuestionCard::Question& question);
@@ -510,6 +519,7 @@ private:
     lessons::Aids m_aids;
     std::optional<lessons::Assignment> m_assignment;      ///< of the student's tooth
     std::pair<std::uint64_t, std::uint8_t> m_aidsTold{};  ///< of which tooth
+    std::pair<std::uint64_t, bool> m_restTold{};          ///< the same
     Wish m_drillWish;
     Wish m_burWish;
     Wish m_handpieceWish;

@@ -19,7 +19,6 @@
 #include <QListView>
 #include <QPushButton>
 #include <QScreen>
-#include <QSignalBlocker>
 #include <QStandardItemModel>
 #include <QVBoxLayout>
 
@@ -458,10 +457,7 @@ void LessonsPage::tellMissing()
 
 void LessonsPage::forget()
 {
-    {
-        const QSignalBlocker quiet(m_search);
-        m_search->clear();
-    }
+    m_search->clear();
     m_filter->button(static_cast<int>(Filter::All))->setChecked(true);
     fillList();
     m_list->setCurrentIndex({});  // the next list chooses its own first
