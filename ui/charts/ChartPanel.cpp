@@ -36,7 +36,6 @@ using namespace ui::shell;
 
 constexpr double kRingPx = 8.0;
 constexpr double kReachPx = 40.0;  ///< from the pointer to a value
-constexpr int kTickPx = 48;        ///< of the chart's height, with what its legend takes
 constexpr int kCalloutPx = 300;
 
 QLabel* label(int size, QFont::Weight weight, QPalette::ColorRole role, QWidget* parent)
@@ -146,26 +145,11 @@ void ChartPanel::setChart(const Chart& chart)
     redraw();
 }
 
-int ChartPanel::ticks() const
-{
-    return ticksFor(m_view->height());
-}
-
-/// A bar's name is drawn whole, or Qt leaves dots of it.
-int ChartPanel::rows() const
-{
-    constexpr int kRowPx = 21;
-    constexpr int kAxisPx = 56;
-    return std::max(3, (m_view->height() - kAxisPx) / kRowPx);
-}
-
 void ChartPanel::redraw()
 {
     m_save->setIcon(lineIcon(QStringLiteral("save"), palette()));
     QChart* const old = m_view->chart();
-    m_ticks = ticks();
-    m_rows = rows();
-    m_shown = fitted(m_chart, m_rows);
+    m_shown = fitted(m_chart, rowsFor(m_chart, m_view->size()));
     m_stops = stopsOf(m_shown);
     if (m_stop && *m_stop >= m_stops.size())
         m_stop.reset();
@@ -313,6 +297,9 @@ void ChartPanel::keyPressEvent(QKeyEvent* event)
 
 bool ChartPanel::eventFilter(QObject* watched, QEvent* event)
 {
+    // Names and the key have a share of the room; the view gets it after the panel, or when it is shown first.
+    if (event->type() == QEvent::Resize)
+        redraw();
     if (event->type() == QEvent::MouseMove) {
         setStop(nearest(static_cast<QMouseEvent*>(event)->position()));
     } else if (event->type() == QEvent::MouseButtonPress) {
@@ -361,9 +348,6 @@ void ChartPanel::changeEvent(QEvent* event)
 void ChartPanel::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
-    const bool isNamed = std::holds_alternative<Bars>(m_chart.content);  // names have a share of the width
-    if (ticks() != m_ticks || rows() != m_rows || (isNamed && event->size().width() != event->oldSize().width()))
-        redraw();
     tell();
 }
 
