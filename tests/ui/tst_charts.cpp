@@ -103,6 +103,7 @@ private slots:
     void namesOfBarsAreSeenWhole();
     void namesHaveTheRoomThatIsThereWhenTheyCome();
     void theKeyIsSeenWhole();
+    void aFileThatIsSavedMovesNothing();
 
 private:
     /// The names of bars as they are drawn, each inside the chart and before its axis; empty: one is not.
@@ -437,6 +438,20 @@ void TestCharts::theKeyIsSeenWhole()
     for (const char* name :
          {">Middle half of the class<", ">Median<", ">Pass mark<", ">Score<", ">Passed<", ">Not passed<"})
         QVERIFY2(drawn.contains(name), name);
+}
+
+void TestCharts::aFileThatIsSavedMovesNothing()
+{
+    const QTemporaryDir folder;
+    const auto* view = m_panel->findChild<QChartView*>();
+    const QRect before = view->geometry();
+    QVERIFY(m_panel->save(folder.filePath("chart.csv")));
+    QCoreApplication::processEvents();
+    QVERIFY(m_panel->findChild<QLabel*>("chartSaved")->isVisible());
+    QCOMPARE(view->geometry(), before);
+    m_panel->setChart(curve());
+    QCoreApplication::processEvents();
+    QCOMPARE(view->geometry(), before);
 }
 
 QTEST_MAIN(TestCharts)

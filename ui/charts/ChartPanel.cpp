@@ -84,6 +84,9 @@ ChartPanel::ChartPanel(QWidget* parent)
     m_callout->setAttribute(Qt::WA_TransparentForMouseEvents);
     m_callout->setContentsMargins(kSpace2, kSpace1, kSpace2, kSpace1);
     m_callout->hide();
+    QSizePolicy kept = m_saved->sizePolicy();
+    kept.setRetainSizeWhenHidden(true);  // what lies below does not move when it comes, and goes
+    m_saved->setSizePolicy(kept);
     m_saved->hide();
 
     auto* menu = new QMenu(this);

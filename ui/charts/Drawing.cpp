@@ -40,9 +40,9 @@ constexpr double kMarkPx = 9.0;
 constexpr double kBarShare = 0.62;    ///< of the height of its row
 constexpr double kNameShare = 0.42;   ///< of the width of the chart, for the names of bars
 constexpr int kNameLines = 2;         ///< and no more, or too few bars have room
-constexpr double kNameEdgesPx = 6.0;  ///< above and below together
+constexpr double kNameEdgesPx = 4.0;  ///< above and below together
 constexpr double kNameGapPx = 8.0;    ///< to the axis
-constexpr double kFootPx = 56.0;      ///< of the axis beneath bars
+constexpr double kFootPx = 46.0;      ///< of the axis beneath bars
 constexpr int kFewestRows = 3;
 constexpr QSize kPicturePx{960, 600};
 constexpr double kPictureDensity = 2.0;
