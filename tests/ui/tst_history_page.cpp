@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QApplication>
 #include <QComboBox>
+#include <QHeaderView>
+#include <QImage>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -65,6 +67,7 @@ private slots:
     void theNewestIsFirstAndChosen();
     void columnsSortByValue_data();
     void columnsSortByValue();
+    void theArrowOfSortingStandsBesideTheWords();
     void aLessonFiltersListAndCharts();
     void theBandNeedsFivePeople();
     void anAttemptOpens();
@@ -150,6 +153,26 @@ void TestHistoryPage::columnsSortByValue()
     const auto expected = column == 2 ? some[4] : column == 4 ? some[3] : some[5];
     table()->selectRow(0);
     QCOMPARE(m_page->chosen(), expected.id);
+}
+
+void TestHistoryPage::theArrowOfSortingStandsBesideTheWords()
+{
+    m_page->setHistory(attempts(30));
+    QHeaderView* heads = table()->horizontalHeader();
+    // Where, in the heading of the score, something is drawn first.
+    const auto begins = [&] {
+        const QImage drawn = heads->viewport()->grab().toImage();
+        const int left = heads->sectionViewportPosition(2) + 2;
+        const QRgb ground = drawn.pixel(left, drawn.height() / 2);
+        for (int x = left; x < drawn.width(); ++x)
+            for (int y = drawn.height() / 3; y < 2 * drawn.height() / 3; ++y)
+                if (drawn.pixel(x, y) != ground)
+                    return x;
+        return -1;
+    };
+    const int bare = begins();
+    table()->sortByColumn(2, Qt::DescendingOrder);
+    QVERIFY2(begins() < bare - 5, qPrintable(QString("%1, %2").arg(begins()).arg(bare)));
 }
 
 void TestHistoryPage::aLessonFiltersListAndCharts()

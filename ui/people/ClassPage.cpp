@@ -467,7 +467,7 @@ void ClassPage::fitColumns()
         for (const QString& word : m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole)
                                        .toString()
                                        .split(QRegularExpression(QStringLiteral("\\s+"))))
-            widest = std::max(widest, letters.horizontalAdvance(word) + kSpace4 + kSpace2);
+            widest = std::max(widest, letters.horizontalAdvance(word) + kSpace6 + kSpace2);
         columns->resizeSection(column, std::min(widest, 2 * kLessonPx));
     }
 }

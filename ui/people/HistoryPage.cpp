@@ -28,7 +28,7 @@ namespace {
 
 using namespace ui::shell;
 
-constexpr int kArrowPx = 14;  ///< that tells the sorting
+constexpr int kArrowPx = 18;  ///< that tells the sorting
 constexpr int kEmptyPx = 460;
 constexpr int kLeastTitlePx = 190;
 constexpr qsizetype kMostStarts = 3;  ///< that are named
