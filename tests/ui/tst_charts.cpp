@@ -92,6 +92,7 @@ private slots:
     void tablesAreSafeForSpreadsheets();
     void numbersOfTablesKnowNoLanguage();
     void aChartIsATable();
+    void everySeriesOfATableHasAName();
     void filesAreWritten();
     void whatCannotBeWrittenIsSaid();
     void picturesShowSomethingInBothThemes_data();
@@ -263,6 +264,17 @@ void TestCharts::aChartIsATable()
     std::get<Curve>(timed.content).x.isTime = true;
     std::get<Curve>(timed.content).lines[1].dots[0].x = 1'763'633'700'000.0;
     QVERIFY(csv(tableOf(timed)).contains("2025-11-20T10:15:00Z"));
+}
+
+void TestCharts::everySeriesOfATableHasAName()
+{
+    Chart chart = curve();
+    auto& content = std::get<Curve>(chart.content);
+    content.lines = {Line{{}, {Dot{1.0, 48.5, {}, 0}}, Mark::Circle, false}};
+    QVERIFY(!csv(tableOf(chart)).contains("\r\n,"));  // the band says it already
+    QVERIFY(!csv(tableOf(chart)).contains("48.5"));
+    content.band = {};
+    QVERIFY(csv(tableOf(chart)).contains("\r\nPoints,1,48.5\r\n"));
 }
 
 void TestCharts::filesAreWritten()
