@@ -189,7 +189,9 @@ void TestHistoryPage::aLessonFiltersListAndCharts()
     auto* score = m_page->findChild<ChartPanel*>("scoreChart");
     QCOMPARE(ui::charts::stopsOf(score->chart()).size(), 10);
     QCOMPARE(ui::charts::stopsOf(score->chart()).front().x, 1.0);
+    QCOMPARE(score->chart().of, QString("Class I on 36"));  // told in files
     m_page->setLesson({});
+    QCOMPARE(score->chart().of, QString("All lessons"));
     QCOMPARE(table()->model()->rowCount(), 30);
 }
 

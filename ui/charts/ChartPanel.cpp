@@ -15,7 +15,6 @@
 #include <QMenu>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QRegularExpression>
 #include <QSaveFile>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -46,13 +45,6 @@ QLabel* label(int size, QFont::Weight weight, QPalette::ColorRole role, QWidget*
     made->setForegroundRole(role);
     made->setWordWrap(true);
     return made;
-}
-
-QString fileNameOf(const Chart& chart)
-{
-    static const QRegularExpression kUnfit(QStringLiteral(R"([^\w .,()-]+)"),
-                                           QRegularExpression::UseUnicodePropertiesOption);
-    return QStringLiteral("%1, %2").arg(chart.title, chart.of).replace(kUnfit, QStringLiteral(" ")).simplified();
 }
 
 }  // namespace
@@ -356,14 +348,10 @@ void ChartPanel::resizeEvent(QResizeEvent* event)
 
 void ChartPanel::askForFile(const QString& ending, const QString& filter)
 {
-    auto* dialog = new FileDialog(this, tr("Save the chart"), documentsFolder());
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setNameFilter(filter);
-    dialog->setDefaultSuffix(ending);
-    if (!m_chart.of.isEmpty())
-        dialog->selectFile(fileNameOf(m_chart) + u'.' + ending);
+    auto* dialog = new FileDialog(this, tr("Save the chart"), documentsFolder(), filter);
     connect(dialog, &QFileDialog::fileSelected, this, &ChartPanel::save);
-    dialog->open();
+    dialog->askWhere(m_chart.of.isEmpty() ? m_chart.title : QStringLiteral("%1, %2").arg(m_chart.title, m_chart.of),
+                     ending);
 }
 
 bool ChartPanel::save(const QString& path)

@@ -494,12 +494,10 @@ bool ClassPage::saveTable(const QString& path)
 
 void ClassPage::askForFile()
 {
-    auto* dialog = new shell::FileDialog(this, tr("Save the matrix"), shell::documentsFolder());
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setNameFilter(QStringLiteral("CSV (*.csv)"));
-    dialog->setDefaultSuffix(QStringLiteral("csv"));
+    auto* dialog =
+        new shell::FileDialog(this, tr("Save the matrix"), shell::documentsFolder(), QStringLiteral("CSV (*.csv)"));
     connect(dialog, &QFileDialog::fileSelected, this, &ClassPage::saveTable);
-    dialog->open();
+    dialog->askWhere(QString::fromStdString(m_model->overview().name), QStringLiteral("csv"));
 }
 
 void ClassPage::retell()
