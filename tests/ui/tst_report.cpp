@@ -237,7 +237,7 @@ void TestReport::aScoreCardSaysEverything()
                          kCode,
                          "Cusp 0.1.0",
                          "natural v4",
-                         "pointer",
+                         "Device: mouse, pen or gamepad; contact: spring",
                          "256 columns",
                          "seed: 42",
                          "Here you pressed too hard.",
@@ -322,7 +322,8 @@ void TestReport::everyWordIsOfTheLanguage()
         ScoreCard card = m_card;
         card.lesson = card.person = "[···]";
         card.attempt.preset = "[···]";
-        card.attempt.device = card.attempt.method = card.attempt.viewMode = card.attempt.program = "";
+        card.attempt.method = "continuous";
+        card.attempt.program = "";
         card.proof.program = "1";
         card.attempt.uid = "1";
         card.attempt.presetHash = card.attempt.recordingHash = card.sheet.rubricHash = std::string(64, '1');
