@@ -143,9 +143,9 @@ QWidget* ClassPage::makeMatrix()
     lessons->setFixedHeight(kHeadPx);
     lessons->setSortIndicatorClearable(true);
     lessons->setSortIndicator(-1, Qt::AscendingOrder);
-    QHeaderView* names = m_table->verticalHeader();
+    auto* names = new NameHeads(m_table);
     names->setFixedWidth(kNamesPx);
-    names->setSectionsClickable(true);
+    m_table->setVerticalHeader(names);
     connect(names, &QHeaderView::sectionDoubleClicked, this, [this](int row) {
         const QModelIndex source = m_filter->mapToSource(m_filter->index(row, 0));
         emit studentWanted(m_model->overview().students[static_cast<std::size_t>(source.row())].id.value);
