@@ -79,6 +79,7 @@
 #include "ui/shell/Theme.h"
 #include "ui/shell/ToothChooser.h"
 #include "ui/study/InfractionCard.h"
+#include "ui/study/LessonCards.h"
 #include "ui/study/LessonEditor.h"
 #include "ui/study/LessonsPage.h"
 #include "ui/study/ScorePage.h"
@@ -2831,6 +2832,8 @@ void TestMainWindow::usedUpAttemptsAreToldBeforeTheStart()
         page->findChild<QLineEdit*>()->setText("class1-37");
         QCOMPARE(child<QPushButton>("startLesson")->isEnabled(), left > 0);
         QCOMPARE(child<QLabel>("whyNotStart")->isVisible(), left == 0);
+        const QModelIndex card = child<QListView>("lessonList")->currentIndex();
+        QCOMPARE(card.data(ui::study::CardDue).toString(), QString(left == 0 ? "no attempts left · Year 1" : "Year 1"));
     }
     page->findChild<QLineEdit*>()->setFocus();
     press(Qt::Key_Return);
