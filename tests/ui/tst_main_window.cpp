@@ -2816,6 +2816,9 @@ void TestMainWindow::datesAndPointsAreNotSearched()
     }
     search->setText("year");
     QCOMPARE(child<QLabel>("lessonTitle")->text(), QString("Class I on 37"));
+    QTRY_VERIFY(!child<QListView>("lessonList")->verticalScrollBar()->isEnabled());  // and nothing is drawn of it
+    search->clear();
+    QTRY_VERIFY(child<QListView>("lessonList")->verticalScrollBar()->isEnabled());
     // The number of a tooth is that first, though what is due comes first otherwise.
     search->setText("26");
     const QString first = child<QLabel>("lessonTitle")->text();

@@ -19,6 +19,7 @@
 #include <QListView>
 #include <QPushButton>
 #include <QScreen>
+#include <QScrollBar>
 #include <QSignalBlocker>
 #include <QStandardItemModel>
 #include <QVBoxLayout>
@@ -149,6 +150,9 @@ QWidget* LessonsPage::makeList()
     m_list->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_list->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
+    // Its room is kept, or cards would move to and fro; where there is nothing to scroll, nothing is drawn in it.
+    QScrollBar* const bar = m_list->verticalScrollBar();
+    connect(bar, &QScrollBar::rangeChanged, bar, [bar](int low, int high) { bar->setEnabled(low < high); });
     m_list->setFrameShape(QFrame::NoFrame);
     m_list->setProperty("kind", "plain");
     m_list->setObjectName(QStringLiteral("lessonList"));
