@@ -708,7 +708,8 @@ void TestSchool::whatIsGivenIsDueAndLimited()
     QTRY_VERIFY_WITH_TIMEOUT(list->model()->rowCount() > 2, kPatienceMs);
     QCOMPARE(list->model()->index(0, 0).data().toString(), QString("Given to you"));
     const QModelIndex card = list->model()->index(1, 0);
-    QCOMPARE(card.data(ui::study::CardDue).toString(), QString("1 day(s) late · DEN101-A"));
+    QVERIFY2(card.data(ui::study::CardDue).toString().endsWith(", 1 day(s) late · DEN101-A"),
+             qPrintable(card.data(ui::study::CardDue).toString()));
     QVERIFY(card.data(ui::study::CardIsLate).toBool());
     const auto* const page = child<ui::study::LessonsPage>();
     const auto words = page->findChildren<QLabel*>();

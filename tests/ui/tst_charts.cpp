@@ -2,12 +2,19 @@
 // Charts tell their values in words, and give them away as pictures and tables.
 #include <QAction>
 #include <QApplication>
+#include <QBuffer>
+#include <QChart>
+#include <QChartView>
 #include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QGraphicsScene>
+#include <QGraphicsSimpleTextItem>
 #include <QImage>
 #include <QLabel>
+#include <QPainter>
 #include <QSignalSpy>
+#include <QSvgGenerator>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QXmlStreamReader>
@@ -85,6 +92,7 @@ private slots:
     void tablesAreSafeForSpreadsheets();
     void numbersOfTablesKnowNoLanguage();
     void aChartIsATable();
+    void everySeriesOfATableHasAName();
     void filesAreWritten();
     void whatCannotBeWrittenIsSaid();
     void picturesShowSomethingInBothThemes_data();
@@ -92,8 +100,16 @@ private slots:
     void axesEndAtRoundNumbers();
     void barsThatBeginAlikeAreToldApart();
     void aFileSaysWhoseItIs();
+    void namesOfBarsAreSeenWhole_data();
+    void namesOfBarsAreSeenWhole();
+    void namesHaveTheRoomThatIsThereWhenTheyCome();
+    void theKeyIsSeenWhole();
+    void aFileThatIsSavedMovesNothing();
 
 private:
+    /// The names of bars as they are drawn, each inside the chart and before its axis; empty: one is not.
+    [[nodiscard]] QStringList namesDrawn() const;
+
     std::unique_ptr<ChartPanel> m_panel;
 };
 
@@ -250,6 +266,17 @@ void TestCharts::aChartIsATable()
     QVERIFY(csv(tableOf(timed)).contains("2025-11-20T10:15:00Z"));
 }
 
+void TestCharts::everySeriesOfATableHasAName()
+{
+    Chart chart = curve();
+    auto& content = std::get<Curve>(chart.content);
+    content.lines = {Line{{}, {Dot{1.0, 48.5, {}, 0}}, Mark::Circle, false}};
+    QVERIFY(!csv(tableOf(chart)).contains("\r\n,"));  // the band says it already
+    QVERIFY(!csv(tableOf(chart)).contains("48.5"));
+    content.band = {};
+    QVERIFY(csv(tableOf(chart)).contains("\r\nPoints,1,48.5\r\n"));
+}
+
 void TestCharts::filesAreWritten()
 {
     const QTemporaryDir folder;
@@ -355,6 +382,88 @@ void TestCharts::aFileSaysWhoseItIs()
     QVERIFY(dialog != nullptr);
     QCOMPARE(QFileInfo(dialog->selectedFiles().front()).fileName(), QString("Best scores, Year 1, Decay on 36.csv"));
     dialog->reject();
+}
+
+QStringList TestCharts::namesDrawn() const
+{
+    const auto* view = m_panel->findChild<QChartView*>();
+    QStringList names;
+    for (const QGraphicsItem* item : view->scene()->items(Qt::DescendingOrder)) {
+        const auto* name = qgraphicsitem_cast<const QGraphicsSimpleTextItem*>(item);
+        if (name == nullptr)
+            continue;
+        const QRectF box = name->sceneBoundingRect();
+        const QRectF plot = view->chart()->plotArea();
+        if (box.left() < 0.0 || box.right() > plot.left() || box.top() < plot.top() - 2.0 ||
+            box.bottom() > plot.bottom() + 2.0)
+            return {};
+        names << name->text().simplified();
+    }
+    return names;
+}
+
+void TestCharts::namesOfBarsAreSeenWhole_data()
+{
+    QTest::addColumn<QSize>("size");
+    QTest::addColumn<int>("shown");
+    QTest::newRow("in a small window") << QSize(450, 290) << 5;
+    QTest::newRow("in a large one") << QSize(720, 400) << 13;
+}
+
+void TestCharts::namesOfBarsAreSeenWhole()
+{
+    QFETCH(QSize, size);
+    QFETCH(int, shown);
+    Bars lost;
+    lost.value = {"Verlorene Punkte", 0.0, 30.0, false, false};
+    for (int k = 0; k < 20; ++k)
+        lost.bars << Bars::Bar{k == 1   ? QString("Gesunde Substanz neben der Karies entfernt")
+                               : k == 2 ? QString("Gesunde Substanz neben der Öffnung entfernt")
+                                        : QString("Verbliebene Karies %1").arg(k),
+                               2.0,
+                               {}};
+    m_panel->resize(size);
+    m_panel->setChart({"Was Punkte kostet", "Mittel der letzten 3 Versuche", {}, lost});
+    QTRY_VERIFY(namesDrawn().contains("Gesunde Substanz neben der Karies entfernt"));
+    QVERIFY(namesDrawn().contains("Gesunde Substanz neben der Öffnung entfernt"));
+    QVERIFY2(namesDrawn().size() >= shown, qPrintable(QString::number(namesDrawn().size())));
+}
+
+void TestCharts::namesHaveTheRoomThatIsThereWhenTheyCome()
+{
+    m_panel->setChart({"What cost points", {}, "Nothing yet", Curve()});
+    m_panel->resize(900, 500);
+    m_panel->setChart(bars());
+    QTRY_VERIFY(namesDrawn().contains("Depth of the pulpal floor against the ideal"));
+}
+
+void TestCharts::theKeyIsSeenWhole()
+{
+    m_panel->resize(450, 330);
+    QByteArray drawn;
+    QBuffer buffer(&drawn);
+    QSvgGenerator generator;
+    generator.setOutputDevice(&buffer);
+    QPainter painter(&generator);
+    m_panel->findChild<QChartView*>()->scene()->render(&painter);
+    painter.end();
+    for (const char* name :
+         {">Middle half of the class<", ">Median<", ">Pass mark<", ">Score<", ">Passed<", ">Not passed<"})
+        QVERIFY2(drawn.contains(name), name);
+}
+
+void TestCharts::aFileThatIsSavedMovesNothing()
+{
+    const QTemporaryDir folder;
+    const auto* view = m_panel->findChild<QChartView*>();
+    const QRect before = view->geometry();
+    QVERIFY(m_panel->save(folder.filePath("chart.csv")));
+    QCoreApplication::processEvents();
+    QVERIFY(m_panel->findChild<QLabel*>("chartSaved")->isVisible());
+    QCOMPARE(view->geometry(), before);
+    m_panel->setChart(curve());
+    QCoreApplication::processEvents();
+    QCOMPARE(view->geometry(), before);
 }
 
 QTEST_MAIN(TestCharts)

@@ -98,6 +98,7 @@ private slots:
     void lateAnswersOfAnotherLessonAreLeft();
     void theTableIsSaved();
     void cellsSayWhatTheyAre();
+    void aNameThatIsTooLongKeepsItsSign();
     void aLargeClass();
     void anEmptyPageSaysWhatWillBeHere();
     void everyControlHasAName();
@@ -375,6 +376,17 @@ void TestClassPage::cellsSayWhatTheyAre()
     QVERIFY(words(3, 1).startsWith("Student 1004, Class I on 36: best 62.1, not passed, 4 attempt(s), last "));
     QCOMPARE(words(1, 1), QString("Student 1002, Class I on 36: not tried"));
     QCOMPARE(words(1, 0), QString("Student 1002: no attempt yet"));
+}
+
+void TestClassPage::aNameThatIsTooLongKeepsItsSign()
+{
+    const QFontMetrics metrics(ui::shell::typeface(ui::shell::kBody));
+    const QString need = "  ▲ never logged in";
+    const QString shown = ui::people::shortened("Maximiliane von und zu Hohenberg-Schwarzenstein" + need, metrics, 250);
+    QVERIFY2(shown.startsWith("Maxi") && shown.endsWith(QString(u'…') + need), qPrintable(shown));
+    QVERIFY(metrics.horizontalAdvance(shown) <= 250);
+    QCOMPARE(ui::people::shortened("Ada" + need, metrics, 250), "Ada" + need);
+    QVERIFY(ui::people::shortened("Maximiliane von und zu Hohenberg-Schwarzenstein", metrics, 150).endsWith(u'…'));
 }
 
 void TestClassPage::aLargeClass()

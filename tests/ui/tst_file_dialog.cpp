@@ -4,11 +4,14 @@
 #include <QDir>
 #include <QFile>
 #include <QFileSystemModel>
+#include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
 #include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+#include <memory>
 
 #include "ui/shell/FileDialog.h"
 
@@ -40,6 +43,7 @@ class TestFileDialog : public QObject
     Q_OBJECT
 private slots:
     void looksAtNamesOnly();
+    void beginsWhereTheLastFileWasSaved();
 };
 
 void TestFileDialog::looksAtNamesOnly()
@@ -70,6 +74,27 @@ void TestFileDialog::looksAtNamesOnly()
     QVERIFY(isLockedForOthers(path));
     close(file);
     QVERIFY(!isLockedForOthers(path));
+}
+
+void TestFileDialog::beginsWhereTheLastFileWasSaved()
+{
+    const QTemporaryDir settings, documents, stick;
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
+    const auto ask = [&] {
+        auto dialog = std::make_unique<ui::shell::FileDialog>(nullptr, "Save", documents.path(), "Tables (*.csv)");
+        dialog->setAttribute(Qt::WA_DeleteOnClose, false);
+        dialog->askWhere("Time: Decay/36", "csv");
+        return dialog;
+    };
+    const auto first = ask();
+    QCOMPARE(first->selectedFiles(), QStringList{documents.filePath("Time Decay 36.csv")});
+    first->selectFile(stick.filePath("mine.csv"));
+    static_cast<QDialog*>(first.get())->accept();
+    const auto second = ask();
+    QCOMPARE(second->selectedFiles(), QStringList{stick.filePath("Time Decay 36.csv")});
+    second->reject();
+    QVERIFY(QDir(stick.path()).removeRecursively());  // pulled out meanwhile
+    QCOMPARE(ask()->selectedFiles(), QStringList{documents.filePath("Time Decay 36.csv")});
 }
 
 QTEST_MAIN(TestFileDialog)

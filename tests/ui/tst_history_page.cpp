@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QApplication>
 #include <QComboBox>
+#include <QHeaderView>
+#include <QImage>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -65,6 +67,7 @@ private slots:
     void theNewestIsFirstAndChosen();
     void columnsSortByValue_data();
     void columnsSortByValue();
+    void theArrowOfSortingStandsBesideTheWords();
     void aLessonFiltersListAndCharts();
     void theBandNeedsFivePeople();
     void anAttemptOpens();
@@ -152,6 +155,26 @@ void TestHistoryPage::columnsSortByValue()
     QCOMPARE(m_page->chosen(), expected.id);
 }
 
+void TestHistoryPage::theArrowOfSortingStandsBesideTheWords()
+{
+    m_page->setHistory(attempts(30));
+    QHeaderView* heads = table()->horizontalHeader();
+    // Where, in the heading of the score, something is drawn first.
+    const auto begins = [&] {
+        const QImage drawn = heads->viewport()->grab().toImage();
+        const int left = heads->sectionViewportPosition(2) + 2;
+        const QRgb ground = drawn.pixel(left, drawn.height() / 2);
+        for (int x = left; x < drawn.width(); ++x)
+            for (int y = drawn.height() / 3; y < 2 * drawn.height() / 3; ++y)
+                if (drawn.pixel(x, y) != ground)
+                    return x;
+        return -1;
+    };
+    const int bare = begins();
+    table()->sortByColumn(2, Qt::DescendingOrder);
+    QVERIFY2(begins() < bare - 5, qPrintable(QString("%1, %2").arg(begins()).arg(bare)));
+}
+
 void TestHistoryPage::aLessonFiltersListAndCharts()
 {
     m_page->setHistory(attempts(30));
@@ -166,7 +189,9 @@ void TestHistoryPage::aLessonFiltersListAndCharts()
     auto* score = m_page->findChild<ChartPanel*>("scoreChart");
     QCOMPARE(ui::charts::stopsOf(score->chart()).size(), 10);
     QCOMPARE(ui::charts::stopsOf(score->chart()).front().x, 1.0);
+    QCOMPARE(score->chart().of, QString("Class I on 36"));  // told in files
     m_page->setLesson({});
+    QCOMPARE(score->chart().of, QString("All lessons"));
     QCOMPARE(table()->model()->rowCount(), 30);
 }
 

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
+#include <QApplication>
+#include <QFontMetrics>
 #include <QImage>
 #include <QtTest>
 
 #include "lessons/LessonCatalog.h"
 #include "ui/study/LessonPicture.h"
+#include "ui/study/LessonWords.h"
 
 using lessons::Lesson;
 using ui::study::LessonPicture;
@@ -39,6 +42,7 @@ private slots:
     void theLastOfManyIsShown();
     void aToothThatCannotBeMadeIsSaid();
     void itMayGoWhileAToothIsMade();
+    void theNumberOfAToothIsNotCutOff();
 
 private:
     static Lesson named(const char* id) { return lessons::lessonNamed(QString::fromLatin1(id)).value(); }
@@ -134,6 +138,16 @@ void TestLessonPicture::itMayGoWhileAToothIsMade()
     m_picture->setLesson(named("class1-36"));
     m_picture.reset();
     QCoreApplication::processEvents();
+}
+
+void TestLessonPicture::theNumberOfAToothIsNotCutOff()
+{
+    const QFontMetrics metrics(QApplication::font());
+    const QString whole = "Primer molar inferior izquierdo (36)";
+    const QString cut = ui::study::shortTooth(whole, metrics, metrics.horizontalAdvance(whole) * 3 / 4);
+    QVERIFY2(cut.startsWith("Primer") && cut.endsWith("… (36)"), qPrintable(cut));
+    QCOMPARE(ui::study::shortTooth(whole, metrics, metrics.horizontalAdvance(whole) + 2), whole);
+    QVERIFY(ui::study::shortTooth("a-scan-with-a-long-name.stl", metrics, 60).endsWith(u'…'));
 }
 
 QTEST_MAIN(TestLessonPicture)

@@ -81,6 +81,7 @@
 #include "ui/shell/Theme.h"
 #include "ui/shell/ToothChooser.h"
 #include "ui/study/InfractionCard.h"
+#include "ui/study/LessonCards.h"
 #include "ui/study/LessonEditor.h"
 #include "ui/study/LessonsPage.h"
 #include "ui/study/ScorePage.h"
@@ -2850,6 +2851,9 @@ void TestMainWindow::datesAndPointsAreNotSearched()
     }
     search->setText("year");
     QCOMPARE(child<QLabel>("lessonTitle")->text(), QString("Class I on 37"));
+    QTRY_VERIFY(!child<QListView>("lessonList")->verticalScrollBar()->isEnabled());  // and nothing is drawn of it
+    search->clear();
+    QTRY_VERIFY(child<QListView>("lessonList")->verticalScrollBar()->isEnabled());
     // The number of a tooth is that first, though what is due comes first otherwise.
     search->setText("26");
     const QString first = child<QLabel>("lessonTitle")->text();
@@ -2866,6 +2870,8 @@ void TestMainWindow::usedUpAttemptsAreToldBeforeTheStart()
         page->findChild<QLineEdit*>()->setText("class1-37");
         QCOMPARE(child<QPushButton>("startLesson")->isEnabled(), left > 0);
         QCOMPARE(child<QLabel>("whyNotStart")->isVisible(), left == 0);
+        const QModelIndex card = child<QListView>("lessonList")->currentIndex();
+        QCOMPARE(card.data(ui::study::CardDue).toString(), QString(left == 0 ? "no attempts left · Year 1" : "Year 1"));
     }
     page->findChild<QLineEdit*>()->setFocus();
     press(Qt::Key_Return);

@@ -209,6 +209,8 @@ private slots:
     void whoHasNoAttemptsLeftIsNamed();
     void aCommentsPlaceIsNumberedInThePicture();
     void theMatrixHasItsTitleOnEveryPage();
+    void headsOfLessonsAreNotCutInTheMiddleOfAWord();
+    void aNameThatIsTooLongKeepsItsSign();
     void pagesAreFilledAndNotOverfull_data();
     void pagesAreFilledAndNotOverfull();
     void paperIsWhiteInTheDarkThemeToo();
@@ -237,7 +239,7 @@ void TestReport::aScoreCardSaysEverything()
                          kCode,
                          "Cusp 0.1.0",
                          "natural v4",
-                         "pointer",
+                         "Device: mouse, pen or gamepad; contact: spring",
                          "256 columns",
                          "seed: 42",
                          "Here you pressed too hard.",
@@ -322,7 +324,8 @@ void TestReport::everyWordIsOfTheLanguage()
         ScoreCard card = m_card;
         card.lesson = card.person = "[···]";
         card.attempt.preset = "[···]";
-        card.attempt.device = card.attempt.method = card.attempt.viewMode = card.attempt.program = "";
+        card.attempt.method = "continuous";
+        card.attempt.program = "";
         card.proof.program = "1";
         card.attempt.uid = "1";
         card.attempt.presetHash = card.attempt.recordingHash = card.sheet.rubricHash = std::string(64, '1');
@@ -415,6 +418,41 @@ void TestReport::theMatrixHasItsTitleOnEveryPage()
     if (const QString folder = qEnvironmentVariable("CUSP_PICTURES"); !folder.isEmpty())
         for (qsizetype k = 0; k < pages.size(); ++k)
             pages[k].save(QString("%1/class-%2.png").arg(folder).arg(k));
+}
+
+/// Where words begin and end, on the paper of a class of one.
+void TestReport::headsOfLessonsAreNotCutInTheMiddleOfAWord()
+{
+    ClassReport narrow = classReport(1, 1);
+    narrow.results = {};
+    ClassReport wide = narrow;
+    narrow.titles["lesson-0"] = "Kasten";
+    wide.titles["lesson-0"] = "Schwalbenschwanz Kasten";
+    // The mark in the cell is in the middle of its column, which is as wide as the longest word.
+    const auto markAt = [](const ClassReport& report) {
+        QByteArray bytes;
+        QBuffer buffer(&bytes);
+        QSvgGenerator generator;
+        generator.setOutputDevice(&buffer);
+        generator.setSize(kA4.toSize());
+        QPainter painter(&generator);
+        ui::report::paint(
+            painter, kA4, [] {}, report);
+        painter.end();
+        static const QRegularExpression kCell("x=\"([\\d.]+)\"[^>]*>30</text>");
+        return kCell.match(QString::fromUtf8(bytes)).captured(1).toDouble();
+    };
+    QVERIFY(markAt(narrow) > 0.0);
+    QVERIFY2(markAt(wide) > markAt(narrow) + 5.0, qPrintable(QString::number(markAt(wide))));
+}
+
+void TestReport::aNameThatIsTooLongKeepsItsSign()
+{
+    ClassReport report = classReport(2, 1);
+    report.overview.students[1].fullName = "Maximiliane Theodora von und zu Hohenberg-Schwarzenstein";
+    const QString words = wordsOf(report, kA4);
+    static const QRegularExpression kShort("Maximiliane[^…]*…  ?▲");
+    QVERIFY2(words.contains(kShort), qPrintable(words));
 }
 
 void TestReport::pagesAreFilledAndNotOverfull_data()

@@ -2,6 +2,7 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QLabel>
+#include <QLayout>
 #include <QLineEdit>
 #include <QProgressBar>
 #include <QPushButton>
@@ -128,6 +129,7 @@ private slots:
     void theFirstViewNeedsNoScrolling();
     void keysReachRowsAndMoments();
     void aNarrowWindowScrolls();
+    void theButtonsEndWhereTheCardsDo();
     void aPlaceIsPinnedAndFoundAgain();
     void aPinMovesWithTheKeys();
     void theSumStandsBesideTheTalk();
@@ -463,6 +465,25 @@ void TestScorePage::keysReachRowsAndMoments()
     }
     for (QPushButton* chip : first->findChildren<QPushButton*>())
         QVERIFY2(reached.contains(chip), qPrintable(chip->text()));
+}
+
+void TestScorePage::theButtonsEndWhereTheCardsDo()
+{
+    show(faulty("decay-36-moderate"));
+    const auto* pane = m_page->findChild<ui::shell::ScrollPane*>();
+    const QWidget* cards = pane->widget()->layout()->itemAt(1)->widget();
+    const auto buttonsEnd = [&] {
+        int end = 0;
+        for (const QPushButton* button : m_page->findChildren<QPushButton*>(QString(), Qt::FindDirectChildrenOnly))
+            if (button->isVisible() && button->y() > pane->geometry().bottom())
+                end = std::max(end, button->geometry().right());
+        return end;
+    };
+    for (const QSize size : {QSize(1280, 800), QSize(853, 533), QSize(2400, 1080)}) {  // with a scroll bar and without
+        m_window->resize(size);
+        m_page->resize(size);
+        QTRY_COMPARE(buttonsEnd(), cards->mapTo(m_page, cards->rect().bottomRight()).x());
+    }
 }
 
 /// Everything has the room it needs, one below the other.

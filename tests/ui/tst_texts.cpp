@@ -15,6 +15,7 @@
 #include "lessons/Rubric.h"
 #include "ui/admin/AdminWords.h"
 #include "ui/people/PeopleWords.h"
+#include "ui/study/LessonWords.h"
 #include "ui/text/Texts.h"
 
 using core::ErrorCode;
@@ -30,6 +31,7 @@ private slots:
     void notesOfAScanAreSentences();
     void everyMaterialHasANameAndALetterOfItsOwn();
     void allSixteenTeethHaveNames();
+    void whatIsLateSaysSinceWhen();
     void whatIsNoToothHasNoName_data();
     void whatIsNoToothHasNoName();
     void aScanIsCalledByItsFile();
@@ -232,6 +234,15 @@ void TestTexts::allSixteenTeethHaveNames()
     QCOMPARE(names.size(), 16);
     QCOMPARE(ui::text::toothName(36), QString("lower left first molar"));
     QCOMPARE(ui::text::toothName(21), QString("upper left central incisor"));
+}
+
+void TestTexts::whatIsLateSaysSinceWhen()
+{
+    const QDateTime due(QDate(2026, 11, 17), QTime(12, 0));
+    const QDateTime now = due.addDays(5);
+    QCOMPARE(ui::study::dueWords(due, now), QString("17 Nov, 5 day(s) late"));
+    QCOMPARE(ui::study::dueDayWords(due, now), QString("due 17 Nov"));
+    QVERIFY(ui::study::dueWords(due, now.addYears(1)).contains("2026"));
 }
 
 void TestTexts::whatIsNoToothHasNoName_data()

@@ -15,7 +15,6 @@
 #include <QMenu>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QRegularExpression>
 #include <QSaveFile>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -36,7 +35,6 @@ using namespace ui::shell;
 
 constexpr double kRingPx = 8.0;
 constexpr double kReachPx = 40.0;  ///< from the pointer to a value
-constexpr int kTickPx = 48;        ///< of the chart's height, with what its legend takes
 constexpr int kCalloutPx = 300;
 
 QLabel* label(int size, QFont::Weight weight, QPalette::ColorRole role, QWidget* parent)
@@ -47,13 +45,6 @@ QLabel* label(int size, QFont::Weight weight, QPalette::ColorRole role, QWidget*
     made->setForegroundRole(role);
     made->setWordWrap(true);
     return made;
-}
-
-QString fileNameOf(const Chart& chart)
-{
-    static const QRegularExpression kUnfit(QStringLiteral(R"([^\w .,()-]+)"),
-                                           QRegularExpression::UseUnicodePropertiesOption);
-    return QStringLiteral("%1, %2").arg(chart.title, chart.of).replace(kUnfit, QStringLiteral(" ")).simplified();
 }
 
 }  // namespace
@@ -85,6 +76,9 @@ ChartPanel::ChartPanel(QWidget* parent)
     m_callout->setAttribute(Qt::WA_TransparentForMouseEvents);
     m_callout->setContentsMargins(kSpace2, kSpace1, kSpace2, kSpace1);
     m_callout->hide();
+    QSizePolicy kept = m_saved->sizePolicy();
+    kept.setRetainSizeWhenHidden(true);  // what lies below does not move when it comes, and goes
+    m_saved->setSizePolicy(kept);
     m_saved->hide();
 
     auto* menu = new QMenu(this);
@@ -146,26 +140,11 @@ void ChartPanel::setChart(const Chart& chart)
     redraw();
 }
 
-int ChartPanel::ticks() const
-{
-    return ticksFor(m_view->height());
-}
-
-/// A bar's name is drawn whole, or Qt leaves dots of it.
-int ChartPanel::rows() const
-{
-    constexpr int kRowPx = 21;
-    constexpr int kAxisPx = 56;
-    return std::max(3, (m_view->height() - kAxisPx) / kRowPx);
-}
-
 void ChartPanel::redraw()
 {
     m_save->setIcon(lineIcon(QStringLiteral("save"), palette()));
     QChart* const old = m_view->chart();
-    m_ticks = ticks();
-    m_rows = rows();
-    m_shown = fitted(m_chart, m_rows);
+    m_shown = fitted(m_chart, rowsFor(m_chart, m_view->size()));
     m_stops = stopsOf(m_shown);
     if (m_stop && *m_stop >= m_stops.size())
         m_stop.reset();
@@ -313,6 +292,9 @@ void ChartPanel::keyPressEvent(QKeyEvent* event)
 
 bool ChartPanel::eventFilter(QObject* watched, QEvent* event)
 {
+    // Names and the key have a share of the room; the view gets it after the panel, or when it is shown first.
+    if (event->type() == QEvent::Resize)
+        redraw();
     if (event->type() == QEvent::MouseMove) {
         setStop(nearest(static_cast<QMouseEvent*>(event)->position()));
     } else if (event->type() == QEvent::MouseButtonPress) {
@@ -361,22 +343,15 @@ void ChartPanel::changeEvent(QEvent* event)
 void ChartPanel::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
-    const bool isNamed = std::holds_alternative<Bars>(m_chart.content);  // names have a share of the width
-    if (ticks() != m_ticks || rows() != m_rows || (isNamed && event->size().width() != event->oldSize().width()))
-        redraw();
     tell();
 }
 
 void ChartPanel::askForFile(const QString& ending, const QString& filter)
 {
-    auto* dialog = new FileDialog(this, tr("Save the chart"), documentsFolder());
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setNameFilter(filter);
-    dialog->setDefaultSuffix(ending);
-    if (!m_chart.of.isEmpty())
-        dialog->selectFile(fileNameOf(m_chart) + u'.' + ending);
+    auto* dialog = new FileDialog(this, tr("Save the chart"), documentsFolder(), filter);
     connect(dialog, &QFileDialog::fileSelected, this, &ChartPanel::save);
-    dialog->open();
+    dialog->askWhere(m_chart.of.isEmpty() ? m_chart.title : QStringLiteral("%1, %2").arg(m_chart.title, m_chart.of),
+                     ending);
 }
 
 bool ChartPanel::save(const QString& path)

@@ -54,9 +54,6 @@ protected:
 
 private:
     void redraw();
-    [[nodiscard]] int rows() const;
-    /// How many ticks the upright axis has room for.
-    [[nodiscard]] int ticks() const;
     void tell();
     void open();
     void askForFile(const QString& ending, const QString& filter);
@@ -71,8 +68,6 @@ private:
     QLabel* m_title;
     QLabel* m_note;
     QToolButton* m_save;
-    int m_ticks = 0;  ///< that were drawn
-    int m_rows = 0;
     QChart* m_drawn = nullptr;
     QChartView* m_view;
     QGraphicsEllipseItem* m_ring = nullptr;

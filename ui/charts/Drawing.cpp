@@ -8,7 +8,6 @@
 
 #include <QAreaSeries>
 #include <QBuffer>
-#include <QCategoryAxis>
 #include <QChart>
 #include <QCoreApplication>
 #include <QDateTime>
@@ -16,6 +15,7 @@
 #include <QFontMetricsF>
 #include <QGraphicsLayout>
 #include <QGraphicsScene>
+#include <QGraphicsSimpleTextItem>
 #include <QImage>
 #include <QLegendMarker>
 #include <QLineSeries>
@@ -23,7 +23,7 @@
 #include <QPainter>
 #include <QScatterSeries>
 #include <QSvgGenerator>
-#include <QTextDocument>
+#include <QTextLayout>
 #include <QTextOption>
 #include <QValueAxis>
 
@@ -38,10 +38,12 @@ constexpr double kEdgeShare = 0.05;
 constexpr double kLinePx = 2.0;
 constexpr double kMarkPx = 9.0;
 constexpr double kBarShare = 0.62;    ///< of the height of its row
-constexpr double kNameShare = 0.4;    ///< of the width of the chart, for the names of bars
-constexpr double kFootPx = 56.0;      ///< of the axis beneath bars
-constexpr int kLineLetters = 16;      ///< a longer name has two
-constexpr double kNameEdgesPx = 8.0;  ///< that Qt leaves above and below
+constexpr double kNameShare = 0.42;   ///< of the width of the chart, for the names of bars
+constexpr int kNameLines = 2;         ///< and no more, or too few bars have room
+constexpr double kNameEdgesPx = 4.0;  ///< above and below together
+constexpr double kNameGapPx = 8.0;    ///< to the axis
+constexpr double kFootPx = 46.0;      ///< of the axis beneath bars
+constexpr int kFewestRows = 3;
 constexpr QSize kPicturePx{960, 600};
 constexpr double kPictureDensity = 2.0;
 constexpr std::array kStrokes{Qt::SolidLine, Qt::DashLine, Qt::DashDotLine};
@@ -54,6 +56,7 @@ struct Board
     QChart& chart;
     const Ink& ink;
     QSizeF roomPx;
+    QMargins edges;  ///< of the chart, for what is beside its axes
     QAbstractAxis* x = nullptr;
     QAbstractAxis* y = nullptr;
 
@@ -64,9 +67,6 @@ struct Board
         chart.addSeries(series);
         series->attachAxis(x);
         series->attachAxis(y);
-        if (legend.isEmpty())
-            for (QLegendMarker* marker : chart.legend()->markers(series))
-                marker->setVisible(false);
         return series;
     }
     QLineSeries* line(const QList<QPointF>& points, const QPen& pen, const QString& legend)
@@ -182,7 +182,6 @@ void draw(const Curve& curve, Board& board)
         edge.setAlphaF(0.6F);
         QAreaSeries* half = board.area(high, low, board.ink.band, QPen(edge, 0.8), curve.band.name);
         for (QLegendMarker* marker : board.chart.legend()->markers(half)) {
-            marker->setShape(QLegend::MarkerShapeRectangle);
             marker->setPen(QPen(edge, 0.8));
             marker->setBrush(board.ink.band);
         }
@@ -252,44 +251,81 @@ void makeAxes(const Histogram& histogram, Board& board)
     board.x->setGridLineVisible(false);
 }
 
-/// As rich text, which the axis shows: where it is long, broken at the space that is nearest to the middle, if a bar
-/// has room for two lines. What is left out is left out in the middle, for names often begin alike.
-QString barName(const QString& name, double widthPx, double rowPx)
+/// Words in lines that are not wider, broken between words where that is possible.
+QStringList wrapped(const QString& words, double widthPx)
 {
-    const QFontMetricsF metrics(typeface(kSmall));
-    const auto shortened = [&](const QString& part) {
-        return metrics.elidedText(part, Qt::ElideMiddle, widthPx).toHtmlEscaped();
-    };
-    if (name.size() <= kLineLetters || rowPx < 2.0 * metrics.lineSpacing() + kNameEdgesPx)
-        return shortened(name);
-    qsizetype at = -1;
-    for (qsizetype k = name.indexOf(u' '); k >= 0; k = name.indexOf(u' ', k + 1))
-        if (at < 0 || std::abs(2 * k - name.size()) < std::abs(2 * at - name.size()))
-            at = k;
-    if (at < 0)
-        return shortened(name);
-    return shortened(name.left(at)) + QStringLiteral("<br>") + shortened(name.mid(at + 1));
+    QTextLayout layout(words, typeface(kSmall));
+    QTextOption option;
+    option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
+    layout.setTextOption(option);
+    QStringList lines;
+    layout.beginLayout();
+    for (QTextLine line = layout.createLine(); line.isValid(); line = layout.createLine()) {
+        line.setLineWidth(widthPx);
+        lines << words.mid(line.textStart(), line.textLength()).trimmed();
+    }
+    layout.endLayout();
+    return lines;
+}
+
+/// In as many lines as a bar has room for, about as long as each other. What is left out is left out in the middle,
+/// for names often begin alike.
+QString folded(const QString& name, double widthPx, int most)
+{
+    constexpr double kStepPx = 6.0;
+    QStringList lines = wrapped(name, widthPx);
+    if (lines.size() > most) {
+        const QString rest = lines.mid(most - 1).join(u' ');
+        lines = lines.mid(0, most - 1) << QFontMetricsF(typeface(kSmall)).elidedText(rest, Qt::ElideMiddle, widthPx);
+    } else if (lines.size() > 1) {
+        for (double narrow = widthPx - kStepPx;; narrow -= kStepPx) {
+            const QStringList closer = wrapped(name, narrow);
+            if (closer.size() != lines.size() || closer.join(u' ') != name)  // a word would be broken
+                break;
+            lines = closer;
+        }
+    }
+    return lines.join(u'\n');
+}
+
+/// The names of bars stand where their axis has no labels: those of Qt are cut, and at the front, wherever they are
+/// wider than it thinks.
+void addNames(const Bars& bars, Board& board)
+{
+    const double rowPx =
+        (board.roomPx.height() - kFootPx) / static_cast<double>(std::max(qsizetype{1}, bars.bars.size()));
+    const double linePx = QFontMetricsF(typeface(kSmall)).lineSpacing();
+    const int lines = std::clamp(static_cast<int>((rowPx - kNameEdgesPx) / linePx), 1, kNameLines);
+    QList<QGraphicsSimpleTextItem*> names;
+    double widest = 0.0;
+    for (const Bars::Bar& bar : bars.bars) {
+        const QString words = folded(bar.name, kNameShare * board.roomPx.width(), lines);
+        auto* name = new QGraphicsSimpleTextItem(words, &board.chart);
+        name->setFont(typeface(kSmall));
+        name->setBrush(board.ink.words);
+        widest = std::max(widest, name->boundingRect().width());
+        names << name;
+    }
+    board.edges.setLeft(static_cast<int>(std::ceil(widest)));
+    QObject::connect(&board.chart, &QChart::plotAreaChanged, &board.chart, [names](const QRectF& plot) {
+        const double eachPx = plot.height() / static_cast<double>(names.size());
+        double middle = plot.top() + 0.5 * eachPx;
+        for (QGraphicsSimpleTextItem* name : names) {
+            const QRectF box = name->boundingRect();
+            name->setPos(plot.left() - kNameGapPx - box.width(), middle - 0.5 * box.height());
+            middle += eachPx;
+        }
+    });
 }
 
 void makeAxes(const Bars& bars, Board& board)
 {
-    board.x = axisOf(bars.value, board.ink);
-    auto* names = new QCategoryAxis;
-    names->setLabelsPosition(QCategoryAxis::AxisLabelsPositionOnValue);
     const Frame frame = frameOf({{}, {}, {}, bars});
-    names->setStartValue(frame.yLow);
-    const double rowPx = (board.roomPx.height() - kFootPx) / static_cast<double>(bars.bars.size());
-    for (qsizetype k = bars.bars.size() - 1; k >= 0; --k) {
-        QString name = barName(bars.bars[k].name, kNameShare * board.roomPx.width(), rowPx);
-        while (names->categoriesLabels().contains(name))
-            name += QChar(0x200B);  // two of one name are two categories all the same
-        names->append(name, -static_cast<double>(k));
-    }
-    names->setRange(frame.yLow, frame.yHigh);
-    dressAxis(*names, {}, board.ink);
-    names->setLabelsColor(board.ink.words);
-    names->setGridLineVisible(false);
-    board.y = names;
+    board.x = axisOf(bars.value, board.ink);
+    board.y = axisOf({{}, frame.yLow, frame.yHigh}, board.ink);
+    board.y->setLabelsVisible(false);
+    board.y->setGridLineVisible(false);
+    addNames(bars, board);
 }
 
 /// Words in a column, as high as they come out.
@@ -305,10 +341,10 @@ double paintWords(QPainter& painter, const QRectF& area, const QString& words, c
 }
 
 /// What lines and marks stand for, in as many rows as they need: the legend of Qt Charts has one, and cuts their names.
-class Key
+class Key final : public QGraphicsItem
 {
 public:
-    Key(const QChart& chart, double widthPx)
+    Key(QChart& chart, double widthPx, const Ink& ink) : QGraphicsItem(&chart), m_words(ink.words), m_widthPx(widthPx)
     {
         const QFontMetricsF metrics(typeface(kSmall));
         m_rowPx = metrics.height() + kSpace1;
@@ -327,17 +363,18 @@ public:
     }
 
     [[nodiscard]] double height() const { return m_entries.isEmpty() ? 0.0 : (m_rows + 1) * m_rowPx + kSpace1; }
+    [[nodiscard]] QRectF boundingRect() const override { return {0.0, 0.0, m_widthPx, height()}; }
 
-    void paint(QPainter& painter, const QPointF& corner, const Ink& ink) const
+    void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override
     {
-        painter.setRenderHint(QPainter::Antialiasing);
+        painter->setRenderHint(QPainter::Antialiasing);
         for (const Entry& entry : m_entries) {
-            const QRectF sign(corner + entry.at, QSizeF(kSignPx, m_rowPx));
-            paintSign(painter, sign, *entry.marker);
-            painter.setFont(typeface(kSmall));
-            painter.setPen(ink.words);
-            painter.drawText(QRectF(sign.right() + kSpace1, sign.top(), 1.0e4, m_rowPx),
-                             Qt::AlignLeft | Qt::AlignVCenter, entry.marker->label());
+            const QRectF sign(entry.at, QSizeF(kSignPx, m_rowPx));
+            paintSign(*painter, sign, *entry.marker);
+            painter->setFont(typeface(kSmall));
+            painter->setPen(m_words);
+            painter->drawText(QRectF(sign.right() + kSpace1, sign.top(), m_widthPx, m_rowPx),
+                              Qt::AlignLeft | Qt::AlignVCenter, entry.marker->label());
         }
     }
 
@@ -375,9 +412,20 @@ private:
 
     static constexpr double kSignPx = 24.0;
     QList<Entry> m_entries;
+    QColor m_words;
+    double m_widthPx;
     double m_rowPx = 0.0;
     int m_rows = 0;  ///< after the first
 };
+
+void addKey(Board& board)
+{
+    auto* key = new Key(board.chart, board.roomPx.width(), board.ink);
+    board.chart.legend()->hide();
+    board.edges.setBottom(static_cast<int>(std::ceil(key->height())));
+    QObject::connect(&board.chart, &QChart::plotAreaChanged, &board.chart,
+                     [key, &chart = board.chart] { key->setPos(0.0, chart.size().height() - key->height()); });
+}
 
 void paintPicture(QPainter& painter, const Chart& chart)
 {
@@ -426,25 +474,32 @@ int ticksFor(double heightPx)
     return std::clamp(static_cast<int>(heightPx / kTickPx), 2, kMostTicks);
 }
 
+int rowsFor(const Chart& chart, const QSizeF& roomPx)
+{
+    const auto* const bars = std::get_if<Bars>(&chart.content);
+    if (bars == nullptr)
+        return kFewestRows;
+    const QFontMetricsF metrics(typeface(kSmall));
+    const bool isLong = std::any_of(bars->bars.begin(), bars->bars.end(), [&](const Bars::Bar& bar) {
+        return metrics.horizontalAdvance(bar.name) > kNameShare * roomPx.width();
+    });
+    const double rowPx = (isLong ? kNameLines : 1) * metrics.lineSpacing() + kNameEdgesPx;
+    return std::max(kFewestRows, static_cast<int>((roomPx.height() - kFootPx) / rowPx));
+}
+
 void draw(const Chart& content, const Ink& ink, QChart& into, const QSizeF& roomPx)
 {
     into.setBackgroundVisible(false);
-    into.setMargins({0, 0, 0, 0});
     into.layout()->setContentsMargins(0, 0, 0, 0);
     into.setLocalizeNumbers(true);
     into.setLocale(QLocale());
-    into.legend()->setAlignment(Qt::AlignBottom);
-    into.legend()->setMarkerShape(QLegend::MarkerShapeFromSeries);
-    into.legend()->setLabelColor(ink.words);
-    into.legend()->setFont(typeface(kSmall));
-    Board board{into, ink, roomPx};
+    Board board{into, ink, roomPx, {}};
     std::visit([&](const auto& what) { makeAxes(what, board); }, content.content);
     into.addAxis(board.x, Qt::AlignBottom);
     into.addAxis(board.y, Qt::AlignLeft);
     std::visit([&](const auto& what) { draw(what, board); }, content.content);
-    const auto series = into.series();
-    into.legend()->setVisible(
-        std::any_of(series.begin(), series.end(), [](const QAbstractSeries* one) { return !one->name().isEmpty(); }));
+    addKey(board);
+    into.setMargins(board.edges);
 }
 
 void paint(QPainter& painter, const QRectF& area, const Chart& chart, const Ink& ink)
@@ -464,15 +519,11 @@ void paint(QPainter& painter, const QRectF& area, const Chart& chart, const Ink&
         drawn->setAnimationOptions(QChart::NoAnimation);
         scene.addItem(drawn);
         draw(chart, ink, *drawn, plot.size());
-        const Key key(*drawn, plot.width());
-        drawn->legend()->hide();
-        const QRectF above = plot.adjusted(0.0, 0.0, 0.0, -key.height());
-        drawn->resize(above.size());
-        scene.setSceneRect(QRectF(QPointF(0.0, 0.0), above.size()));
+        drawn->resize(plot.size());
+        scene.setSceneRect(QRectF(QPointF(0.0, 0.0), plot.size()));
         drawn->layout()->activate();
         painter.setRenderHint(QPainter::Antialiasing);
-        scene.render(&painter, above, scene.sceneRect());
-        key.paint(painter, above.bottomLeft(), ink);
+        scene.render(&painter, plot, scene.sceneRect());
     }
     painter.restore();
 }

@@ -33,6 +33,8 @@ struct Ink
 inline constexpr int kMostTicks = 6;
 /// So many of the upright axis have room on a chart of this height.
 [[nodiscard]] int ticksFor(double heightPx);
+/// So many bars have room for their names, in two lines where one is not enough for one of them.
+[[nodiscard]] int rowsFor(const Chart& chart, const QSizeF& roomPx);
 
 /// Fills an empty chart with axes and series. Everything lies linearly between the ends of frameOf(chart).
 /// @param roomPx  what there is for axes, names of bars and the rest

@@ -54,10 +54,14 @@ Cell place(const Axis& axis, double x)
 Table table(const Curve& curve)
 {
     Table made{{Words::tr("series"), curve.x.title, curve.y.title}, {}};
-    for (const Line& line : curve.lines)
-        if (line.mark != Mark::None)
-            for (const Dot& dot : line.dots)
-                made.rows << QList<Cell>{line.name, place(curve.x, dot.x), dot.y};
+    for (const Line& line : curve.lines) {
+        // Without a name it needs none in the key: it is the middle of the band, told below, or the only one.
+        const bool isBand = line.name.isEmpty() && !curve.band.slices.isEmpty();
+        if (line.mark == Mark::None || isBand)
+            continue;
+        for (const Dot& dot : line.dots)
+            made.rows << QList<Cell>{line.name.isEmpty() ? curve.y.title : line.name, place(curve.x, dot.x), dot.y};
+    }
     for (const Slice& slice : curve.band.slices) {
         made.rows << QList<Cell>{Words::tr("class, lower quartile"), place(curve.x, slice.x), slice.low};
         made.rows << QList<Cell>{Words::tr("class, median"), place(curve.x, slice.x), slice.middle};

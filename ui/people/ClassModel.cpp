@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <QPainter>
+#include <QStyleOptionHeader>
 
 #include "lessons/Stuck.h"
 #include "ui/shell/Theme.h"
@@ -21,7 +22,8 @@ namespace {
 constexpr double kPaleAt = 200.0;  ///< tenths: below this the ground is at its faintest
 constexpr double kFullTenths = 1000.0;
 constexpr double kFaintest = 0.06;
-constexpr double kFullest = 0.42;  ///< more, and the words on it would be hard to read
+constexpr double kFullest = 0.42;       ///< more, and the words on it would be hard to read
+constexpr QStringView kSign = u"  ▲ ";  ///< between a name and what is needed
 
 }  // namespace
 
@@ -67,6 +69,31 @@ QString needWord(Need need)
 QString nameOf(const MatrixStudent& student)
 {
     return QString::fromStdString(student.fullName);
+}
+
+QString shortened(const QString& head, const QFontMetrics& metrics, int widthPx)
+{
+    const qsizetype sign = head.indexOf(kSign);
+    if (sign < 0)
+        return metrics.elidedText(head, Qt::ElideRight, widthPx);
+    const QString need = head.mid(sign);
+    const int namePx = std::max(widthPx / 2, widthPx - metrics.horizontalAdvance(need));
+    return metrics.elidedText(metrics.elidedText(head.left(sign), Qt::ElideRight, namePx) + need, Qt::ElideRight,
+                              widthPx);
+}
+
+NameHeads::NameHeads(QTableView* table) : QHeaderView(Qt::Vertical, table)
+{
+    setSectionsClickable(true);
+    setHighlightSections(false);
+    setDefaultSectionSize(table->verticalHeader()->defaultSectionSize());
+    setSectionResizeMode(QHeaderView::Fixed);
+}
+
+void NameHeads::initStyleOptionForIndex(QStyleOptionHeader* option, int logicalIndex) const
+{
+    QHeaderView::initStyleOptionForIndex(option, logicalIndex);
+    option->text = shortened(option->text, QFontMetrics(typeface(kBody)), width() - 2 * kSpace2 - 1);
 }
 
 void ClassModel::setOverview(const database::ClassOverview& overview, const QDateTime& now)
@@ -272,7 +299,7 @@ QVariant ClassModel::headerData(int section, Qt::Orientation orientation, int ro
     switch (role) {
     case Qt::DisplayRole: {
         const QString word = needWord(m_needs[section]);
-        return word.isEmpty() ? nameOf(student) : QStringLiteral("%1  ▲ %2").arg(nameOf(student), word);
+        return word.isEmpty() ? nameOf(student) : nameOf(student) + kSign.toString() + word;
     }
     case Qt::ToolTipRole:
         return student.lastLoginUtc.empty()

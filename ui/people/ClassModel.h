@@ -7,8 +7,11 @@
 
 #include <QAbstractTableModel>
 #include <QDateTime>
+#include <QFontMetrics>
+#include <QHeaderView>
 #include <QSortFilterProxyModel>
 #include <QStyledItemDelegate>
+#include <QTableView>
 
 #include "database/overview.h"
 #include "database/people.h"
@@ -33,6 +36,9 @@ enum class Need {
 [[nodiscard]] QString needWord(Need need);
 /// The full name, or the user name where there is none.
 [[nodiscard]] QString nameOf(const database::MatrixStudent& student);
+/// A name as ClassModel heads its row, where it is too long: of the name is left out first, and the sign behind it,
+/// with the word of what is needed, is kept.
+[[nodiscard]] QString shortened(const QString& head, const QFontMetrics& metrics, int widthPx);
 
 /// A class as a matrix: students down, with their names as headings; the last attempt and then a column for each lesson
 /// across.
@@ -114,6 +120,16 @@ private:
     ClassModel* m_source;
     Need m_need = Need::Nothing;
     bool m_isDescending = false;
+};
+
+/// The names beside the matrix.
+class NameHeads final : public QHeaderView
+{
+public:
+    explicit NameHeads(QTableView* table);
+
+protected:
+    void initStyleOptionForIndex(QStyleOptionHeader* option, int logicalIndex) const override;
 };
 
 /// A cell of the matrix: the best score on a ground that is the fuller the higher it is, with a tick where the lesson

@@ -143,9 +143,9 @@ QWidget* ClassPage::makeMatrix()
     lessons->setFixedHeight(kHeadPx);
     lessons->setSortIndicatorClearable(true);
     lessons->setSortIndicator(-1, Qt::AscendingOrder);
-    QHeaderView* names = m_table->verticalHeader();
+    auto* names = new NameHeads(m_table);
     names->setFixedWidth(kNamesPx);
-    names->setSectionsClickable(true);
+    m_table->setVerticalHeader(names);
     connect(names, &QHeaderView::sectionDoubleClicked, this, [this](int row) {
         const QModelIndex source = m_filter->mapToSource(m_filter->index(row, 0));
         emit studentWanted(m_model->overview().students[static_cast<std::size_t>(source.row())].id.value);
@@ -467,7 +467,7 @@ void ClassPage::fitColumns()
         for (const QString& word : m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole)
                                        .toString()
                                        .split(QRegularExpression(QStringLiteral("\\s+"))))
-            widest = std::max(widest, letters.horizontalAdvance(word) + kSpace4 + kSpace2);
+            widest = std::max(widest, letters.horizontalAdvance(word) + kSpace6 + kSpace2);
         columns->resizeSection(column, std::min(widest, 2 * kLessonPx));
     }
 }
@@ -494,12 +494,10 @@ bool ClassPage::saveTable(const QString& path)
 
 void ClassPage::askForFile()
 {
-    auto* dialog = new shell::FileDialog(this, tr("Save the matrix"), shell::documentsFolder());
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setNameFilter(QStringLiteral("CSV (*.csv)"));
-    dialog->setDefaultSuffix(QStringLiteral("csv"));
+    auto* dialog =
+        new shell::FileDialog(this, tr("Save the matrix"), shell::documentsFolder(), QStringLiteral("CSV (*.csv)"));
     connect(dialog, &QFileDialog::fileSelected, this, &ClassPage::saveTable);
-    dialog->open();
+    dialog->askWhere(QString::fromStdString(m_model->overview().name), QStringLiteral("csv"));
 }
 
 void ClassPage::retell()

@@ -28,7 +28,7 @@ namespace {
 
 using namespace ui::shell;
 
-constexpr int kArrowPx = 14;  ///< that tells the sorting
+constexpr int kArrowPx = 18;  ///< that tells the sorting
 constexpr int kEmptyPx = 460;
 constexpr int kLeastTitlePx = 190;
 constexpr qsizetype kMostStarts = 3;  ///< that are named
@@ -342,19 +342,25 @@ void HistoryPage::tellChosen()
 
 void HistoryPage::drawCharts()
 {
-    m_score->setChart(scoreChart(m_charted));
+    const auto chosenLesson = lesson();
+    const QString of = chosenLesson ? lessonTitle(m_charted.titles, *chosenLesson) : tr("All lessons");
+    const auto show = [&](charts::ChartPanel* panel, charts::Chart chart) {
+        chart.of = m_person.isEmpty() ? of : QStringLiteral("%1, %2").arg(m_person, of);
+        panel->setChart(chart);
+    };
+    show(m_score, scoreChart(m_charted));
     switch (m_which->checkedId()) {
     case Time:
-        m_other->setChart(timeChart(m_charted));
+        show(m_other, timeChart(m_charted));
         break;
     case Force:
-        m_other->setChart(forceChart(m_charted));
+        show(m_other, forceChart(m_charted));
         break;
     case Speed:
-        m_other->setChart(speedChart(m_charted));
+        show(m_other, speedChart(m_charted));
         break;
     default:
-        m_other->setChart(criteriaChart(m_charted));
+        show(m_other, criteriaChart(m_charted));
     }
 }
 

@@ -4,6 +4,7 @@
 #include <QAbstractButton>
 #include <QHeaderView>
 #include <QKeyEvent>
+#include <QStyleOptionHeader>
 
 #include "ui/text/EveryLanguage.h"
 
@@ -12,11 +13,32 @@ namespace {
 
 constexpr int kRowPx = 34;
 
+/// The arrow of the sorting is one of the words of its heading, before those that are aligned to the right: Qt's own
+/// lies at the right, over their last letters.
+class Heads final : public QHeaderView
+{
+public:
+    explicit Heads(QWidget* parent) : QHeaderView(Qt::Horizontal, parent) { setSectionsClickable(true); }
+
+protected:
+    void initStyleOptionForIndex(QStyleOptionHeader* option, int logicalIndex) const override
+    {
+        QHeaderView::initStyleOptionForIndex(option, logicalIndex);
+        if (option->sortIndicator == QStyleOptionHeader::None || option->text.isEmpty())
+            return;
+        const QChar arrow = option->sortIndicator == QStyleOptionHeader::SortUp ? QChar(0x2191) : QChar(0x2193);
+        option->sortIndicator = QStyleOptionHeader::None;
+        option->text = option->textAlignment.testFlag(Qt::AlignRight) ? arrow + QStringLiteral(" ") + option->text
+                                                                      : option->text + QStringLiteral(" ") + arrow;
+    }
+};
+
 }  // namespace
 
 ListTable::ListTable(QWidget* parent) : QTableView(parent)
 {
     setProperty("kind", "list");
+    setHorizontalHeader(new Heads(this));
     setSortingEnabled(true);
     setSelectionMode(QAbstractItemView::SingleSelection);
     setShowGrid(false);

@@ -4,6 +4,7 @@
 
 #include <QCoreApplication>
 #include <QLocale>
+#include <QTextBoundaryFinder>
 
 #include "ui/people/ClassCharts.h"
 #include "ui/people/ClassModel.h"
@@ -23,7 +24,8 @@ struct Words
 
 constexpr double kNamePt = 130.0;
 constexpr double kLastPt = 48.0;
-constexpr double kCellPt = 44.0;
+constexpr double kCellPt = 44.0;  ///< or as much as the longest word of a lesson's title
+constexpr double kCellGapPt = 4.0;
 constexpr double kRowPt = 14.0;
 constexpr double kHeadsPt = 47.0;   ///< four lines of a lesson's title, and when it is due
 constexpr double kTitlesPt = 44.0;  ///< of the matrix, with the words that explain its signs
@@ -76,8 +78,23 @@ QString cellWords(const people::ClassModel& model, const QModelIndex& index)
     return words;
 }
 
+/// How wide the column of a lesson is, so that no title is cut in the middle of a word.
+double cellWidth(Sheet& sheet, const people::ClassModel& model, int lessons)
+{
+    double widest = kCellPt;
+    for (int k = 0; k < lessons; ++k) {
+        const QString title =
+            model.headerData(people::ClassModel::kFirstLesson + k, Qt::Horizontal, Qt::DisplayRole).toString();
+        QTextBoundaryFinder finder(QTextBoundaryFinder::Line, title);
+        for (qsizetype from = 0, to = finder.toNextBoundary(); to > from; from = to, to = finder.toNextBoundary())
+            widest = std::max(
+                widest, kCellGapPt + sheet.widthOf(title.mid(from, to - from).trimmed(), kSmallPt, QFont::DemiBold));
+    }
+    return std::min(widest, sheet.width() - kNamePt - kLastPt);
+}
+
 /// Some of the lessons: as many as the paper is wide. The next part begins below, where there is room for some of it.
-void paintPart(Sheet& sheet, const people::ClassModel& model, int first, int count)
+void paintPart(Sheet& sheet, const people::ClassModel& model, double cellPt, int first, int count)
 {
     const auto heads = [&] {
         if (sheet.top() == 0.0)
@@ -90,7 +107,7 @@ void paintPart(Sheet& sheet, const people::ClassModel& model, int first, int cou
         };
         head(kNamePt, kLastPt, people::ClassModel::kLast, Qt::AlignLeft);
         for (int k = 0; k < count; ++k)
-            head(kNamePt + kLastPt + k * kCellPt, kCellPt, people::ClassModel::kFirstLesson + first + k,
+            head(kNamePt + kLastPt + k * cellPt, cellPt, people::ClassModel::kFirstLesson + first + k,
                  Qt::AlignHCenter);
         sheet.skip(kHeadsPt + 2.0);
         sheet.rule();
@@ -108,15 +125,15 @@ void paintPart(Sheet& sheet, const people::ClassModel& model, int first, int cou
         QPainter& painter = sheet.painter();
         painter.setFont(paperFont(kTextPt));
         const QString whole = model.headerData(row, Qt::Vertical, Qt::DisplayRole).toString();
-        sheet.put(name, painter.fontMetrics().elidedText(whole, Qt::ElideRight, static_cast<int>(name.width())),
-                  kTextPt, QFont::Normal, Qt::AlignLeft | Qt::AlignVCenter);
+        sheet.put(name, people::shortened(whole, painter.fontMetrics(), static_cast<int>(name.width())), kTextPt,
+                  QFont::Normal, Qt::AlignLeft | Qt::AlignVCenter);
         sheet.put(QRectF(kNamePt, sheet.top(), kLastPt, kRowPt),
                   day(model.overview().students[static_cast<std::size_t>(row)].lastAttemptUtc), kSmallPt, QFont::Normal,
                   Qt::AlignLeft | Qt::AlignVCenter);
         for (int k = 0; k < count; ++k) {
             const QModelIndex index = model.index(row, people::ClassModel::kFirstLesson + first + k);
             const database::MatrixCell& cell = *model.cell(index);
-            const QRectF box(kNamePt + kLastPt + k * kCellPt, sheet.top(), kCellPt - 1.0, kRowPt - 1.0);
+            const QRectF box(kNamePt + kLastPt + k * cellPt, sheet.top(), cellPt - 1.0, kRowPt - 1.0);
             if (cell.attempts > 0) {
                 // The higher the darker, never so dark that black cannot be read on it.
                 const int grey = 250 - cell.bestTenths * 70 / 1000;
@@ -162,11 +179,12 @@ int paint(QPainter& painter, const QSizeF& pagePt, const NextPage& next, const C
     }
 
     const auto lessons = static_cast<int>(report.overview.lessons.size());
-    const int most = std::max(1, static_cast<int>((pagePt.width() - kNamePt - kLastPt) / kCellPt));
+    const double cellPt = cellWidth(sheet, model, lessons);
+    const int most = std::max(1, static_cast<int>((pagePt.width() - kNamePt - kLastPt) / cellPt));
     const int parts = std::max(1, (lessons + most - 1) / most);
     const int each = std::max(1, (lessons + parts - 1) / parts);
     for (int first = 0; first < lessons; first += each)
-        paintPart(sheet, model, first, std::min(each, lessons - first));
+        paintPart(sheet, model, cellPt, first, std::min(each, lessons - first));
     return sheet.pages();
 }
 

@@ -10,7 +10,6 @@
 #include <QPdfWriter>
 #include <QPrintDialog>
 #include <QPrinter>
-#include <QRegularExpression>
 #include <QSaveFile>
 
 #include "ui/shell/FileDialog.h"
@@ -65,15 +64,10 @@ QPageSize::PageSizeId usualPaper()
 void askForPdf(QWidget* window, const QString& title, const QString& name,
                const std::function<void(const QString& path)>& chosen)
 {
-    static const QRegularExpression kUnfit(QStringLiteral(R"([^\w .,()-]+)"),
-                                           QRegularExpression::UseUnicodePropertiesOption);
     auto* dialog = new shell::FileDialog(window, title, shell::documentsFolder(),
                                          QCoreApplication::translate("Printing", "PDF (*.pdf)"));
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setDefaultSuffix(QStringLiteral("pdf"));
-    dialog->selectFile(QString(name).replace(kUnfit, QStringLiteral(" ")).simplified() + QStringLiteral(".pdf"));
     QObject::connect(dialog, &QFileDialog::fileSelected, window, chosen);
-    dialog->open();
+    dialog->askWhere(name, QStringLiteral("pdf"));
 }
 
 bool savePdf(const QString& path, const QString& title, const ScoreCard& card, QPageSize::PageSizeId paper)

@@ -240,14 +240,60 @@ void paintTalk(Sheet& sheet, const ScoreCard& card)
     }
 }
 
+/// As it is noted, where this program does not know the word.
+QString noted(const std::string& words)
+{
+    return words.empty() ? QStringLiteral("–") : QString::fromStdString(words);
+}
+
+QString deviceWords(const std::string& device)
+{
+    if (device == "pointer")
+        return Words::tr("mouse, pen or gamepad");
+    if (device == "simulated")
+        return Words::tr("simulated handpiece");
+    return noted(device);
+}
+
+/// How the point of contact is found.
+QString methodWords(const std::string& method)
+{
+    if (method == "continuous")
+        //: How the point of contact is found: anywhere, not only on a lattice
+        return Words::tr("continuous");
+    if (method == "lattice")
+        //: How the point of contact is found
+        return Words::tr("on a lattice");
+    if (method == "lattice16")
+        //: How the point of contact is found
+        return Words::tr("on a lattice, 16 steps a tick");
+    if (method == "penalty")
+        //: How force is found: the deeper inside, the harder it is pushed out
+        return Words::tr("by depth");
+    return noted(method);
+}
+
+QString viewWords(const std::string& view)
+{
+    if (view == "flat")
+        //: A picture that is no stereo picture
+        return Words::tr("flat");
+    if (view == "red-cyan")
+        return Words::tr("red and cyan glasses, in colour");
+    if (view == "red-cyan-grey")
+        return Words::tr("red and cyan glasses, in grey");
+    if (view == "side-by-side")
+        return Words::tr("stereo, halves side by side");
+    if (view == "top-bottom")
+        return Words::tr("stereo, halves one above the other");
+    return noted(view);
+}
+
 /// What has to be the same for the same score.
 void paintCircumstances(Sheet& sheet, const ScoreCard& card)
 {
     const database::AttemptRecord& attempt = card.attempt;
-    const auto or_ = [](const std::string& words) {
-        return words.empty() ? QStringLiteral("–") : QString::fromStdString(words);
-    };
-    const auto shown = [&](const std::string& hash) { return or_(hash.substr(0, kShownHash)); };
+    const auto shown = [](const std::string& hash) { return noted(hash.substr(0, kShownHash)); };
     sheet.head(Words::tr("How it was marked and made"), 40.0);
     const QString rubric =
         QString::fromStdString(lessons::inLanguage(card.sheet.rubricTitle, QLocale().name().toStdString()));
@@ -256,14 +302,14 @@ void paintCircumstances(Sheet& sheet, const ScoreCard& card)
                   .arg(card.sheet.rubricVersion)
                   .arg(shown(card.sheet.rubricHash.empty() ? attempt.rubricHash : card.sheet.rubricHash)),
               kTextPt);
-    sheet.say(Words::tr("Hardness: %1, content %2").arg(or_(attempt.preset), shown(attempt.presetHash)), kTextPt);
+    sheet.say(Words::tr("Hardness: %1, content %2").arg(noted(attempt.preset), shown(attempt.presetHash)), kTextPt);
     sheet.say(Words::tr("Device: %1; contact: %2; grid: %3 columns a side; view: %4; seed: %5")
-                  .arg(or_(attempt.device), or_(attempt.method))
+                  .arg(deviceWords(attempt.device), methodWords(attempt.method))
                   .arg(attempt.grid)
-                  .arg(or_(attempt.viewMode), or_(attempt.seed)),
+                  .arg(viewWords(attempt.viewMode), noted(attempt.seed)),
               kTextPt);
     sheet.say(Words::tr("Made with Cusp %1; recording %2; attempt %3")
-                  .arg(or_(attempt.program), shown(attempt.recordingHash), QString::fromStdString(attempt.uid)),
+                  .arg(noted(attempt.program), shown(attempt.recordingHash), QString::fromStdString(attempt.uid)),
               kTextPt);
     sheet.say(Words::tr("Not measured: undercuts and walls past 90°, because the model is a height field."), kTextPt);
 }

@@ -5,6 +5,9 @@
 #include <QFileIconProvider>
 #include <QFileInfo>
 #include <QMimeDatabase>
+#include <QRegularExpression>
+
+#include "ui/shell/Memory.h"
 
 namespace ui::shell {
 namespace {
@@ -39,6 +42,22 @@ FileDialog::FileDialog(QWidget* parent, const QString& title, const QString& fol
     // Without a window manager nobody else gives the keys back.
     if (parent != nullptr)
         connect(this, &QDialog::finished, parent->window(), [window = parent->window()] { window->activateWindow(); });
+}
+
+void FileDialog::askWhere(const QString& name, const QString& ending)
+{
+    static const QRegularExpression kUnfit(QStringLiteral(R"([^\w .,()-]+)"),
+                                           QRegularExpression::UseUnicodePropertiesOption);
+    const QString key = QStringLiteral("folders/export");
+    const QString last = memory().value(key).toString();
+    if (QFileInfo(last).isDir())
+        setDirectory(last);
+    setAcceptMode(AcceptSave);
+    setDefaultSuffix(ending);
+    selectFile(QString(name).replace(kUnfit, QStringLiteral(" ")).simplified() + u'.' + ending);
+    connect(this, &QFileDialog::fileSelected, this,
+            [key](const QString& path) { memory().setValue(key, QFileInfo(path).absolutePath()); });
+    open();
 }
 
 }  // namespace ui::shell

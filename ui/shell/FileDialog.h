@@ -17,6 +17,11 @@ public:
     /// @param folder  where it begins
     /// @param filter  "Tables (*.csv)"; empty: all files
     FileDialog(QWidget* parent, const QString& title, const QString& folder, const QString& filter = {});
+
+    /// Asks where something that is given away is saved: begins where the last was, in this run or in one before.
+    /// @param name    what the file may be called: words, made fit for a file's name
+    /// @param ending  "pdf"
+    void askWhere(const QString& name, const QString& ending);
 };
 
 }  // namespace ui::shell

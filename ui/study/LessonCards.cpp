@@ -12,6 +12,7 @@
 #include "ui/shell/Theme.h"
 #include "ui/study/LessonScene.h"
 #include "ui/study/LessonThumbs.h"
+#include "ui/study/LessonWords.h"
 
 namespace ui::study {
 namespace {
@@ -127,9 +128,9 @@ void LessonCards::paintCard(QPainter& painter, const QStyleOptionViewItem& optio
     const double high = paintLines(painter, words, index.data(Qt::DisplayRole).toString(), kTitleLines);
     painter.setFont(typeface(kSmall));
     painter.setPen(palette.color(QPalette::PlaceholderText));
-    painter.drawText(words.adjusted(0.0, high + 1.0, 0.0, 0.0), Qt::AlignLeft | Qt::AlignTop,
-                     painter.fontMetrics().elidedText(index.data(CardTooth).toString(), Qt::ElideRight,
-                                                      static_cast<int>(words.width())));
+    painter.drawText(
+        words.adjusted(0.0, high + 1.0, 0.0, 0.0), Qt::AlignLeft | Qt::AlignTop,
+        shortTooth(index.data(CardTooth).toString(), painter.fontMetrics(), static_cast<int>(words.width())));
     const Tones tone = tones(palette);
     const QString score = index.data(CardScore).toString();
     painter.setFont(typeface(kBody, QFont::DemiBold));

@@ -16,7 +16,7 @@ class LessonThumbs;
 enum CardRole {
     CardEntry = Qt::UserRole + 1,  ///< int: which lesson
     CardTooth,                     ///< second line
-    CardDue,                       ///< when it is due; empty: not given
+    CardDue,                       ///< that it is used up, when it is due, who gave it; empty: not given
     CardIsLate,
     CardScore,  ///< best so far; empty: not tried yet
     CardPassed,

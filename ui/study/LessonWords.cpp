@@ -9,6 +9,7 @@
 #include <QtMath>
 
 #include "lessons/Capture.h"
+#include "ui/people/PeopleWords.h"
 #include "ui/text/Texts.h"
 
 namespace ui::study {
@@ -45,6 +46,11 @@ namespace {
     QT_TRANSLATE_NOOP("Field", "flare of the dovetail"),
     QT_TRANSLATE_NOOP("Field", "number of steps"),
     QT_TRANSLATE_NOOP("Field", "radius of inner corners")};
+
+QString dayWords(const QDateTime& due, const QDateTime& now)
+{
+    return people::dueShort(due.toUTC().toString(Qt::ISODate).toStdString(), now);
+}
 
 }  // namespace
 
@@ -110,6 +116,14 @@ QString toothWords(const Lesson& lesson)
     if (std::holds_alternative<::lessons::Block>(lesson.tooth))
         return QCoreApplication::translate("Lesson", "Practice block");
     return QFileInfo(QString::fromStdString(std::get<::lessons::Scan>(lesson.tooth).file)).fileName();
+}
+
+QString shortTooth(const QString& words, const QFontMetrics& metrics, int widthPx)
+{
+    const qsizetype at = words.lastIndexOf(QStringLiteral(" ("));
+    const QString number = at < 0 ? QString() : words.mid(at);
+    const QString kind = at < 0 ? words : words.left(at);
+    return metrics.elidedText(kind, Qt::ElideRight, widthPx - metrics.horizontalAdvance(number)) + number;
 }
 
 QString burWords(const Lesson& lesson)
@@ -215,6 +229,11 @@ QString freeWords(const ::lessons::Rubric& rubric)
     return words.join(QStringLiteral("; "));
 }
 
+QString dueDayWords(const QDateTime& due, const QDateTime& now)
+{
+    return QCoreApplication::translate("Lesson", "due %1").arg(dayWords(due, now));
+}
+
 QString dueWords(const QDateTime& due, const QDateTime& now)
 {
     const QLocale locale;
@@ -223,7 +242,9 @@ QString dueWords(const QDateTime& due, const QDateTime& now)
     if (due < now)
         return days == 0 ? QCoreApplication::translate("Lesson", "due since %1")
                                .arg(locale.toString(due.toLocalTime().time(), QLocale::ShortFormat))
-                         : QCoreApplication::translate("Lesson", "%n day(s) late", nullptr, -days);
+                         //: %1: the day it was due, "17 Nov"
+                         : QCoreApplication::translate("Lesson", "%1, %n day(s) late", nullptr, -days)
+                               .arg(dayWords(due, now));
     if (days == 0)
         return QCoreApplication::translate("Lesson", "due today %1")
             .arg(locale.toString(due.toLocalTime().time(), QLocale::ShortFormat));

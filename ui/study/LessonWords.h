@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QDateTime>
+#include <QFontMetrics>
 #include <QString>
 #include <QStringList>
 
@@ -18,6 +19,8 @@ namespace ui::study {
 [[nodiscard]] int groupPlace(::lessons::Task task);
 /// "Lower left first molar (36)", "Practice block", a scan's file name.
 [[nodiscard]] QString toothWords(const ::lessons::Lesson& lesson);
+/// Those words where they are too long: the kind is cut short, and not the number behind it.
+[[nodiscard]] QString shortTooth(const QString& words, const QFontMetrics& metrics, int widthPx);
 /// "Pear, No. 330; round, No. 2", or that any may be taken.
 [[nodiscard]] QString burWords(const ::lessons::Lesson& lesson);
 /// The aids that are allowed; "none", "all".
@@ -26,8 +29,11 @@ namespace ui::study {
 [[nodiscard]] QString timeWords(const ::lessons::Lesson& lesson);
 /// That no attempt is left to who has been given it.
 [[nodiscard]] QString usedUpWords();
-/// When it is due, as one says it: "due today 17:00", "due Friday", "due 12 Dec", "3 days late". Local time.
+/// When it is due, as one says it: "due today 17:00", "due Friday", "due 12/12/2026", "17 Nov, 3 days late". Local
+/// time.
 [[nodiscard]] QString dueWords(const QDateTime& due, const QDateTime& now);
+/// Of what nobody waits for any more: "due 17 Nov". Local time.
+[[nodiscard]] QString dueDayWords(const QDateTime& due, const QDateTime& now);
 /// Each criterion with what it may cost: "Decay left: 60.0 points".
 [[nodiscard]] QStringList criteriaWords(const ::lessons::Rubric& rubric);
 

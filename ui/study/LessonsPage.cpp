@@ -19,6 +19,7 @@
 #include <QListView>
 #include <QPushButton>
 #include <QScreen>
+#include <QScrollBar>
 #include <QStandardItemModel>
 #include <QVBoxLayout>
 
@@ -148,6 +149,9 @@ QWidget* LessonsPage::makeList()
     m_list->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_list->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
+    // Its room is kept, or cards would move to and fro; where there is nothing to scroll, nothing is drawn in it.
+    QScrollBar* const bar = m_list->verticalScrollBar();
+    connect(bar, &QScrollBar::rangeChanged, bar, [bar](int low, int high) { bar->setEnabled(low < high); });
     m_list->setFrameShape(QFrame::NoFrame);
     m_list->setProperty("kind", "plain");
     m_list->setObjectName(QStringLiteral("lessonList"));
@@ -513,11 +517,15 @@ void LessonsPage::fillCard(QStandardItem& item, const CatalogEntry& entry) const
     if (const Given* const given = givenOf(entry)) {
         const QDateTime now = QDateTime::currentDateTime();
         QStringList due{given->className};
-        if (given->due.isValid() && !isPassed)
-            due.prepend(dueWords(given->due, now));
+        if (given->due.isValid())
+            due.prepend(isPassed ? dueDayWords(given->due, now) : dueWords(given->due, now));
+        if (isUsedUp(entry))
+            //: On the card of a lesson
+            due.prepend(QCoreApplication::translate("Lesson", "no attempts left"));
         item.setData(due.join(QStringLiteral(" · ")), CardDue);
         item.setData(given->due.isValid() && given->due < now && !isPassed, CardIsLate);
         notes << due;
+        item.setToolTip(due.join(u'\n'));
     }
     if (standing != nullptr) {
         const QString points = text::points(standing->bestTenths);
@@ -643,8 +651,11 @@ void LessonsPage::describe()
         const ::lessons::Lesson& lesson = *entry->read.lesson;
         if (const Given* const given = givenOf(*entry)) {
             QStringList what{given->className};
+            const QDateTime now = QDateTime::currentDateTime();
+            const Standing* const done = standingOf(*entry);
+            const bool isPassed = done != nullptr && done->passed;
             if (given->due.isValid())
-                what << dueWords(given->due, QDateTime::currentDateTime());
+                what << (isPassed ? dueDayWords(given->due, now) : dueWords(given->due, now));
             if (given->attemptsLeft)
                 what << tr("%n attempt(s) left", nullptr, *given->attemptsLeft);
             fact(tr("Given to"), what.join(QStringLiteral(", ")));

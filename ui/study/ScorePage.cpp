@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include <QDateTime>
+#include <QEvent>
 #include <QFrame>
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -185,9 +186,10 @@ QString rubricWords(const ::lessons::ScoreSheet& sheet)
 
 ScorePage::ScorePage(const Actions& actions, QWidget* parent) : Page(actions, parent)
 {
-    auto* block = new QWidget(this);
-    block->setMaximumWidth(kWidestPx);
-    m_cards = new QGridLayout(block);
+    m_block = new QWidget(this);
+    m_block->setMaximumWidth(kWidestPx);
+    m_block->installEventFilter(this);
+    m_cards = new QGridLayout(m_block);
     m_cards->setContentsMargins(0, 0, 0, 0);
     m_cards->setSpacing(kSpace4);
     m_resultCard = makeResult();
@@ -207,7 +209,7 @@ ScorePage::ScorePage(const Actions& actions, QWidget* parent) : Page(actions, pa
     auto* row = new QHBoxLayout(content);
     row->setContentsMargins(kSpace2, 0, kSpace2, 0);
     row->addStretch(1);
-    row->addWidget(block, 1000);
+    row->addWidget(m_block, 1000);
     row->addStretch(1);
     m_scroll = new ScrollPane(content, QPalette::Window, this);
     body()->addWidget(m_scroll, 1);
@@ -219,14 +221,14 @@ ScorePage::ScorePage(const Actions& actions, QWidget* parent) : Page(actions, pa
         QTimer::singleShot(0, form, [this, form] { m_scroll->ensureWidgetVisible(form, 0, kFormMarginPx); });
     });
 
-    auto* buttons = new QHBoxLayout;
-    buttons->setSpacing(kSpace2);
+    m_buttons = new QHBoxLayout;
+    m_buttons->setSpacing(kSpace2);
     m_said = label({}, kSmall, QFont::Normal, QPalette::PlaceholderText, this);
     m_said->setObjectName(QStringLiteral("scoreSaid"));
     fold(m_said);
     m_said->setContentsMargins(kSpace4, 0, 0, 0);
-    buttons->addWidget(m_said, 1);
-    buttons->addWidget(makeReport());
+    m_buttons->addWidget(m_said, 1);
+    m_buttons->addWidget(makeReport());
     m_replay = new QPushButton(this);
     m_replay->setObjectName(QStringLiteral("replayScored"));
     m_replay->setAutoDefault(true);
@@ -236,13 +238,13 @@ ScorePage::ScorePage(const Actions& actions, QWidget* parent) : Page(actions, pa
     });
     m_replay->hide();
     connect(m_replay, &QPushButton::clicked, this, &ScorePage::replayWanted);
-    buttons->addWidget(m_replay);
+    m_buttons->addWidget(m_replay);
     m_ofTheTable = {pageButton(actions.saveRecording, "", this), pageButton(actions.reload, "", this)};
     for (QPushButton* button : m_ofTheTable)
-        buttons->addWidget(button);
+        m_buttons->addWidget(button);
     m_back = pageButton(actions.back, "filled", this);
-    buttons->addWidget(m_back);
-    body()->addLayout(buttons);
+    m_buttons->addWidget(m_back);
+    body()->addLayout(m_buttons);
     text::inEveryLanguage(this, [this] { speak(); });
 }
 
@@ -284,6 +286,16 @@ void ScorePage::resizeEvent(QResizeEvent* event)
 {
     Page::resizeEvent(event);
     arrange();
+}
+
+/// The buttons end where the cards above them do, which leave room to a scroll bar.
+bool ScorePage::eventFilter(QObject* watched, QEvent* event)
+{
+    if (watched == m_block && (event->type() == QEvent::Resize || event->type() == QEvent::Move)) {
+        const int end = m_block->mapTo(this, QPoint(m_block->width(), 0)).x();
+        m_buttons->setContentsMargins(0, 0, std::max(0, body()->contentsRect().right() + 1 - end), 0);
+    }
+    return Page::eventFilter(watched, event);
 }
 
 void ScorePage::showEvent(QShowEvent* event)

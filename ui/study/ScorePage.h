@@ -16,6 +16,7 @@
 #include "ui/study/ScoredWork.h"
 
 class QGridLayout;
+class QHBoxLayout;
 class QLabel;
 class QProgressBar;
 class QPushButton;
@@ -113,6 +114,7 @@ signals:
     void keepWanted();
 
 protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void showEvent(QShowEvent* event) override;
 
@@ -148,6 +150,7 @@ private:
     std::string m_chosen;  ///< criterion that is looked at, by id
     std::optional<ScoredWork> m_scored;
     std::size_t m_criterionCount = 0;
+    QWidget* m_block = nullptr;  ///< the cards
     QGridLayout* m_cards = nullptr;
     QWidget* m_resultCard = nullptr;
     QWidget* m_criteriaCard = nullptr;
@@ -156,6 +159,7 @@ private:
     people::TalkPanel* m_talk = nullptr;
     QWidget* m_talkCard = nullptr;
     shell::ScrollPane* m_scroll = nullptr;
+    QHBoxLayout* m_buttons = nullptr;
     QLabel* m_said = nullptr;
     QPushButton* m_replay = nullptr;
     bool m_talks = false;
