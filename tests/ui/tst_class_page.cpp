@@ -3,6 +3,7 @@
 #include <QComboBox>
 #include <QHeaderView>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTableView>
@@ -84,6 +85,7 @@ private slots:
     void init();
     void itSaysWhoNeedsTheTeacher();
     void theListsLieBehindTheNumbers();
+    void aStudentIsSearchedFor();
     void nobodyNeedsYou();
     void whoIsLateNeedsTheTeacher();
     void whoHasNoAttemptsLeftNeedsTheTeacher();
@@ -161,6 +163,29 @@ void TestClassPage::theListsLieBehindTheNumbers()
     QVERIFY(!button("1 stuck")->isChecked());
     button("1 no login")->click();
     QCOMPARE(matrix()->model()->rowCount(), 12);
+}
+
+void TestClassPage::aStudentIsSearchedFor()
+{
+    m_page->setOverview(overview(200, 6), kNow);
+    auto* search = m_page->findChild<QLineEdit*>("studentSearch");
+    QVERIFY(search->isVisible());
+    search->setText(" student 107");
+    QCOMPARE(matrix()->model()->rowCount(), 10);
+    QVERIFY(name(0).startsWith("Student 1070"));
+    QCOMPARE(m_page->findChild<QLabel*>("studentsFound")->text(), QString("10 student(s)"));
+    search->setText("S-1002");  // a user name
+    QCOMPARE(matrix()->model()->rowCount(), 1);
+    // Among those who need the teacher, too.
+    button("1 stuck")->click();
+    QCOMPARE(matrix()->model()->rowCount(), 0);
+    button("1 stuck")->click();
+    // In another class nobody is searched for.
+    ClassOverview other = overview(3, 6);
+    other.id = {8};
+    m_page->setOverview(other, kNow);
+    QCOMPARE(search->text(), QString());
+    QCOMPARE(matrix()->model()->rowCount(), 3);
 }
 
 void TestClassPage::nobodyNeedsYou()

@@ -321,6 +321,12 @@ void ClassFilter::setNeed(Need need)
     invalidateFilter();
 }
 
+void ClassFilter::setWords(const QString& words)
+{
+    m_words = words.trimmed();
+    invalidateFilter();
+}
+
 void ClassFilter::sort(int column, Qt::SortOrder order)
 {
     m_isDescending = order == Qt::DescendingOrder;
@@ -329,7 +335,10 @@ void ClassFilter::sort(int column, Qt::SortOrder order)
 
 bool ClassFilter::filterAcceptsRow(int row, const QModelIndex&) const
 {
-    return m_need == Need::Nothing || m_source->need(row) == m_need;
+    const MatrixStudent& student = m_source->overview().students[static_cast<std::size_t>(row)];
+    const bool isCalledSo = nameOf(student).contains(m_words, Qt::CaseInsensitive) ||
+                            QString::fromStdString(student.username).contains(m_words, Qt::CaseInsensitive);
+    return isCalledSo && (m_need == Need::Nothing || m_source->need(row) == m_need);
 }
 
 bool ClassFilter::lessThan(const QModelIndex& left, const QModelIndex& right) const

@@ -95,7 +95,7 @@ private:
     QDateTime m_now;
 };
 
-/// All students, or those who need something; sorted by value, those who have none last.
+/// All students, or those who need something or are called so; sorted by value, those who have none last.
 class ClassFilter final : public QSortFilterProxyModel
 {
     Q_OBJECT
@@ -104,6 +104,8 @@ public:
 
     /// @param need  Nothing: all students
     void setNeed(Need need);
+    /// @param words  of a name or a user name; empty: all students
+    void setWords(const QString& words);
     void sort(int column, Qt::SortOrder order) override;
 
 protected:
@@ -113,6 +115,7 @@ protected:
 private:
     ClassModel* m_source;
     Need m_need = Need::Nothing;
+    QString m_words;
     bool m_isDescending = false;
 };
 

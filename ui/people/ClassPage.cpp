@@ -11,6 +11,7 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
 #include <QRegularExpression>
@@ -28,6 +29,7 @@
 #include "ui/shell/Folders.h"
 #include "ui/shell/Theme.h"
 #include "ui/study/FormInputs.h"
+#include "ui/text/EveryLanguage.h"
 
 namespace ui::people {
 namespace {
@@ -38,6 +40,7 @@ constexpr int kLessonPx = 104;
 constexpr int kHeadPx = 62;  ///< three lines of a lesson's title
 constexpr int kDuePx = 18;   ///< and one for when it is due
 constexpr int kNamesPx = 250;
+constexpr int kSearchPx = 240;
 constexpr std::array kNeeds{Need::NoneLeft, Need::Stuck, Need::NeverLoggedIn, Need::Late, Need::NotBegun};
 
 }  // namespace
@@ -76,6 +79,19 @@ QWidget* ClassPage::makeHead()
             emit classChosen(chosenClass().value);
     });
     row->addWidget(m_class);
+    m_search = new QLineEdit(part);
+    m_search->setObjectName(QStringLiteral("studentSearch"));
+    m_search->setClearButtonEnabled(true);
+    for (auto* clear : m_search->findChildren<QAbstractButton*>())
+        text::inEveryLanguage(clear, [clear] { clear->setAccessibleName(tr("Clear the search")); });
+    m_search->setFont(typeface(kBody));
+    m_search->setFixedWidth(kSearchPx);
+    connect(m_search, &QLineEdit::textChanged, this, &ClassPage::search);
+    row->addWidget(m_search);
+    m_found = new QLabel(part);
+    m_found->setObjectName(QStringLiteral("studentsFound"));
+    m_found->setForegroundRole(QPalette::PlaceholderText);
+    row->addWidget(m_found);
     m_needs = new QLabel(part);
     m_needs->setObjectName(QStringLiteral("needs"));
     m_needs->setTextFormat(Qt::PlainText);
@@ -100,6 +116,7 @@ QWidget* ClassPage::makeHead()
                 button->setChecked(false);
             }
         m_filter->setNeed(m_need->checkedId() < 0 ? Need::Nothing : static_cast<Need>(m_need->checkedId()));
+        search();
     });
     row->addStretch(1);
     m_report = new QToolButton(part);
@@ -283,6 +300,8 @@ void ClassPage::setOverview(const database::ClassOverview& overview, const QDate
 {
     const QString before = chosenLesson();
     const bool wasEmpty = m_model->rowCount() == 0;
+    if (overview.id != m_model->overview().id)
+        m_search->clear();
     m_model->setOverview(overview, now);
     for (QAbstractButton* button : m_need->buttons())
         button->setChecked(false);
@@ -414,7 +433,16 @@ void ClassPage::tellNeeds()
     m_charts->setVisible(m_lesson->count() > 0);
     m_report->setVisible(!m_classes.isEmpty());
     m_report->setEnabled(hasStudents);
+    m_search->setVisible(hasStudents);
+    search();
     m_assign->setVisible(!m_classes.isEmpty());
+}
+
+void ClassPage::search()
+{
+    m_filter->setWords(m_search->text());
+    m_found->setText(m_search->text().trimmed().isEmpty() ? QString()
+                                                          : tr("%Ln student(s)", nullptr, m_filter->rowCount()));
 }
 
 void ClassPage::tellEmpty()
@@ -506,6 +534,8 @@ void ClassPage::retell()
 {
     setTitle(tr("Class"));
     study::nameInput(m_class, tr("Class"));
+    m_search->setPlaceholderText(tr("Search: a student"));
+    m_search->setAccessibleName(m_search->placeholderText());
     m_lessonWord->setText(tr("How the class does at"));
     study::nameInput(m_lesson, tr("Lesson whose charts are shown"));
     m_table->setAccessibleName(tr("Best scores, students by lessons"));

@@ -15,6 +15,7 @@
 class QButtonGroup;
 class QComboBox;
 class QLabel;
+class QLineEdit;
 class QPushButton;
 class QStackedWidget;
 class QToolButton;
@@ -88,6 +89,7 @@ private:
     void retell();
     void tellNeeds();
     void tellEmpty();
+    void search();
     void drawCharts();
     void fitColumns();
     void askForFile();
@@ -101,6 +103,8 @@ private:
     ClassModel* m_model;
     ClassFilter* m_filter;
     QComboBox* m_class = nullptr;
+    QLineEdit* m_search = nullptr;  ///< for a student
+    QLabel* m_found = nullptr;      ///< how many are called so
     QLabel* m_needs = nullptr;
     QButtonGroup* m_need = nullptr;
     QPushButton* m_assign = nullptr;
