@@ -465,9 +465,10 @@ void PeopleDesk::openClasses()
         }
         ClassPage& page = m_window.classPage();
         page.setClasses(QList<database::SchoolClass>(classes->begin(), classes->end()));
-        if (page.chosenClass().value != 0)
-            tellOverview(page.chosenClass());
+        const bool isShown = page.isVisible();  // otherwise it is read when it is shown
         m_window.openClasses();
+        if (isShown)
+            page.readAgain();
     };
     readLessons([this, show] {
         askAs([who = m_who()](const School& school) { return database::sql::listClasses(school, who); }, show);

@@ -579,7 +579,14 @@ void TestSchool::anOpenedAttemptHasThoseBeforeIt()
     actions().back->trigger();
     QVERIFY(child<ui::people::ClassPage>()->isVisible());
     QCOMPARE(actions().back->text(), QString("Back to the tooth"));
+    // What is done elsewhere meanwhile is read with F5.
+    QVERIFY(sql::execute(sql::Database::open(file()).value()->handle(),
+                         "UPDATE people SET given_name = 'Samuel' WHERE username = 'sam'", "write"));
+    QTest::keyClick(&m_application->window(), Qt::Key_F5);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        child<QTableView>("matrix")->model()->headerData(0, Qt::Vertical).toString().contains("Samuel"), kPatienceMs);
     actions().back->trigger();
+    QVERIFY(!actions().readAgain->isEnabled());
     QVERIFY(m_application->window().view().isVisible());
 }
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QApplication>
+#include <QButtonGroup>
 #include <QComboBox>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTableView>
 #include <QTemporaryDir>
@@ -86,6 +88,8 @@ private slots:
     void itSaysWhoNeedsTheTeacher();
     void theListsLieBehindTheNumbers();
     void aStudentIsSearchedFor();
+    void whatIsReadAgainLeavesEverythingInItsPlace();
+    void itIsReadAgainWhenItIsShownAgain();
     void nobodyNeedsYou();
     void whoIsLateNeedsTheTeacher();
     void whoHasNoAttemptsLeftNeedsTheTeacher();
@@ -186,6 +190,46 @@ void TestClassPage::aStudentIsSearchedFor()
     m_page->setOverview(other, kNow);
     QCOMPARE(search->text(), QString());
     QCOMPARE(matrix()->model()->rowCount(), 3);
+}
+
+void TestClassPage::whatIsReadAgainLeavesEverythingInItsPlace()
+{
+    const ClassOverview large = overview(200, 40);
+    const QList<database::ClassAssignment> given{{1, {7}, "lesson-10", "2026-11-19T23:59:59Z", 0}};
+    m_page->setOverview(large, kNow);
+    m_page->setAssignments(given);
+    auto* late = m_page->findChild<QButtonGroup*>()->button(static_cast<int>(Need::Late));
+    late->click();
+    m_page->findChild<QLineEdit*>("studentSearch")->setText("Student 1");
+    matrix()->setCurrentIndex(matrix()->model()->index(60, 20));
+    m_page->findChild<QComboBox*>("lessonChooser")->setCurrentIndex(3);
+    const QString who = name(60);
+    const QPoint scrolled(matrix()->horizontalScrollBar()->value(), matrix()->verticalScrollBar()->value() - 20);
+    QVERIFY(scrolled.x() > 0 && scrolled.y() > 0);
+    matrix()->verticalScrollBar()->setValue(scrolled.y());
+
+    ClassOverview later = large;
+    later.students.erase(later.students.begin());
+    later.cells.erase(later.cells.begin());
+    QSignalSpy charted(m_page, &ClassPage::lessonChosen);
+    m_page->setOverview(later, kNow);
+    m_page->setAssignments(given);
+    QVERIFY(late->isChecked());
+    QCOMPARE(name(matrix()->currentIndex().row()), who);
+    QCOMPARE(matrix()->currentIndex().column(), 20);
+    QCOMPARE(QPoint(matrix()->horizontalScrollBar()->value(), matrix()->verticalScrollBar()->value()), scrolled);
+    QCOMPARE(m_page->chosenLesson(), QString("lesson-13"));
+    QCOMPARE(charted.count(), 0);
+}
+
+/// Others practise at other computers meanwhile.
+void TestClassPage::itIsReadAgainWhenItIsShownAgain()
+{
+    QSignalSpy wanted(m_page, &ClassPage::classChosen);
+    m_page->hide();
+    m_page->show();
+    QCOMPARE(wanted.count(), 1);
+    QCOMPARE(wanted[0][0].toLongLong(), 7);
 }
 
 void TestClassPage::nobodyNeedsYou()

@@ -72,12 +72,13 @@ QString nameOf(const MatrixStudent& student)
 void ClassModel::setOverview(const database::ClassOverview& overview, const QDateTime& now)
 {
     beginResetModel();
+    if (overview.id != m_overview.id)  // what another one is to do
+        m_given.clear();
     m_overview = overview;
     m_now = now;
     m_overview.cells.resize(m_overview.students.size());
     for (std::vector<MatrixCell>& row : m_overview.cells)
         row.resize(m_overview.lessons.size());
-    m_given.clear();
     findNeeds();
     endResetModel();
 }

@@ -16,6 +16,7 @@
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QSaveFile>
+#include <QScrollBar>
 #include <QSignalBlocker>
 #include <QStackedWidget>
 #include <QToolButton>
@@ -34,6 +35,7 @@
 namespace ui::people {
 namespace {
 
+using database::MatrixStudent;
 using namespace ui::shell;
 
 constexpr int kLessonPx = 104;
@@ -300,12 +302,18 @@ void ClassPage::setOverview(const database::ClassOverview& overview, const QDate
 {
     const QString before = chosenLesson();
     const bool wasEmpty = m_model->rowCount() == 0;
-    if (overview.id != m_model->overview().id)
+    if (overview.id == m_model->overview().id) {
+        const Place seen = place();
+        m_model->setOverview(overview, now);
+        fitColumns();
+        goTo(seen);
+    } else {
+        m_model->setOverview(overview, now);
         m_search->clear();
-    m_model->setOverview(overview, now);
-    for (QAbstractButton* button : m_need->buttons())
-        button->setChecked(false);
-    fitColumns();
+        for (QAbstractButton* button : m_need->buttons())
+            button->setChecked(false);
+        fitColumns();
+    }
     fillLessons();
     tellNeeds();
     m_said->clear();
@@ -313,6 +321,45 @@ void ClassPage::setOverview(const database::ClassOverview& overview, const QDate
         m_table->setFocus();
     if (chosenLesson() != before || chosenLesson().isEmpty())
         takeLesson();
+}
+
+ClassPage::Place ClassPage::place() const
+{
+    Place made{{}, {}, {m_table->horizontalScrollBar()->value(), m_table->verticalScrollBar()->value()}};
+    const QModelIndex current = m_filter->mapToSource(m_table->currentIndex());
+    if (!current.isValid())
+        return made;
+    made.student = m_model->overview().students[static_cast<std::size_t>(current.row())].id;
+    if (const auto lesson = ClassModel::lessonOf(current.column()))
+        made.lesson = m_model->overview().lessons[*lesson];
+    return made;
+}
+
+void ClassPage::goTo(const Place& place)
+{
+    const std::vector<MatrixStudent>& students = m_model->overview().students;
+    const std::vector<std::string>& lessons = m_model->overview().lessons;
+    const auto student = std::find_if(students.begin(), students.end(),
+                                      [&place](const MatrixStudent& one) { return one.id == place.student; });
+    const auto lesson = std::find(lessons.begin(), lessons.end(), place.lesson);
+    if (student != students.end() && (lesson != lessons.end() || place.lesson.empty())) {
+        const QSignalBlocker quiet(m_lesson);  // the charts stay those of the lesson that is chosen
+        const int column = place.lesson.empty() ? ClassModel::kLast
+                                                : ClassModel::kFirstLesson + static_cast<int>(lesson - lessons.begin());
+        const QString charted = chosenLesson();
+        m_table->setCurrentIndex(
+            m_filter->mapFromSource(m_model->index(static_cast<int>(student - students.begin()), column)));
+        m_lesson->setCurrentIndex(m_lesson->findData(charted));
+    }
+    m_table->doItemsLayout();
+    m_table->horizontalScrollBar()->setValue(place.scrolled.x());
+    m_table->verticalScrollBar()->setValue(place.scrolled.y());
+}
+
+void ClassPage::readAgain()
+{
+    if (chosenClass().value != 0)
+        emit classChosen(chosenClass().value);
 }
 
 void ClassPage::setAssignments(const QList<database::ClassAssignment>& given)
@@ -578,6 +625,7 @@ void ClassPage::showEvent(QShowEvent* event)
 {
     Page::showEvent(event);
     m_table->setFocus();
+    readAgain();
 }
 
 }  // namespace ui::people

@@ -6,6 +6,7 @@
 
 #include <QDateTime>
 #include <QList>
+#include <QPoint>
 
 #include "database/overview.h"
 #include "database/people.h"
@@ -41,6 +42,7 @@ public:
     /// Those that are his. What is chosen stays, where it is among them.
     void setClasses(const QList<database::SchoolClass>& classes);
     /// @param now  days are counted from here
+    /// What is chosen and seen of the same class stays.
     void setOverview(const database::ClassOverview& overview, const QDateTime& now = QDateTime::currentDateTimeUtc());
     /// What the class is to do: when it is due, and who is late. After setOverview().
     void setAssignments(const QList<database::ClassAssignment>& given);
@@ -58,8 +60,11 @@ public:
     /// Writes the matrix and says below it what became of that.
     bool saveTable(const QString& path);
     void say(const QString& words);
+    /// Asks for the class that is chosen once more: others work at it, too.
+    void readAgain();
 
 signals:
+    /// Or it is to be read again.
     void classChosen(qint64 classId);
     /// How the class does at it is wanted.
     void lessonChosen(const QString& lessonId);
@@ -84,6 +89,15 @@ private:
     QWidget* makeCharts();
     void fillLessons();
     void fillClasses();
+    /// Of the matrix.
+    struct Place
+    {
+        database::PersonId student;  ///< of the current cell
+        std::string lesson;          ///< empty: its last attempt
+        QPoint scrolled;
+    };
+    [[nodiscard]] Place place() const;
+    void goTo(const Place& place);
     void takeLesson();
     void takeCell(const QModelIndex& index);
     void retell();
