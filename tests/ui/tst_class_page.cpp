@@ -241,7 +241,7 @@ void TestClassPage::nobodyNeedsYou()
     QCOMPARE(m_page->findChild<QLabel*>("needs")->text(), QString("Nobody needs you just now"));
 }
 
-/// Overdue, and not passed: but who is stuck or never came is so in the first place.
+/// Overdue, and not passed; who is stuck or never came is called so in the first place, and is late as well.
 void TestClassPage::whoIsLateNeedsTheTeacher()
 {
     ClassOverview shown = overview(5, 2);
@@ -256,11 +256,11 @@ void TestClassPage::whoIsLateNeedsTheTeacher()
     QVERIFY(name(2).contains("late"));  // has logged in, and has not begun
     QCOMPARE(name(3), QString("Student 1004"));
     QVERIFY(name(4).contains("late"));
-    QVERIFY(button("2 late") != nullptr && button("2 late")->isVisible());
+    QVERIFY(button("4 late") != nullptr && button("4 late")->isVisible());
     QCOMPARE(m_page->findChild<QLabel*>("needs")->text(), QString("4 need(s) you:"));
-    button("2 late")->click();
-    QCOMPARE(matrix()->model()->rowCount(), 2);
-    const QModelIndex late = matrix()->model()->index(1, 1);
+    button("4 late")->click();
+    QCOMPARE(matrix()->model()->rowCount(), 4);
+    const QModelIndex late = matrix()->model()->index(3, 1);
     QVERIFY2(late.data(Qt::ToolTipRole).toString().contains("overdue"),
              qPrintable(late.data(Qt::ToolTipRole).toString()));
 }
@@ -280,6 +280,7 @@ void TestClassPage::whoHasNoAttemptsLeftNeedsTheTeacher()
     QVERIFY(name(4).contains("out of tries"));
     QVERIFY(name(5).contains("late"));
     QVERIFY(button("2 out of tries") != nullptr && button("2 out of tries")->isVisible());
+    QVERIFY(button("5 late") != nullptr);  // all but the one who has passed
     const QString words = matrix()->model()->index(4, 1).data(Qt::ToolTipRole).toString();
     QVERIFY2(words.contains("no attempts left"), qPrintable(words));
     button("2 out of tries")->click();

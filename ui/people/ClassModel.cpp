@@ -96,6 +96,7 @@ void ClassModel::setAssignments(const QList<database::ClassAssignment>& given)
 void ClassModel::findNeeds()
 {
     m_needs.clear();
+    m_areLate.clear();
     for (std::size_t k = 0; k < m_overview.students.size(); ++k) {
         bool noneLeft = false;
         bool late = false;
@@ -104,6 +105,7 @@ void ClassModel::findNeeds()
             late = late || isLate(k, lesson);
         }
         m_needs << needOf(m_overview.students[k], noneLeft, late);
+        m_areLate << late;
     }
 }
 
@@ -154,9 +156,17 @@ void ClassModel::retell()
         emit headerDataChanged(Qt::Vertical, 0, rowCount() - 1);
 }
 
+bool ClassModel::needs(int row, Need need) const
+{
+    return need == Need::Late ? m_areLate[row] : m_needs[row] == need;
+}
+
 int ClassModel::count(Need need) const
 {
-    return static_cast<int>(std::count(m_needs.begin(), m_needs.end(), need));
+    int count = 0;
+    for (int row = 0; row < rowCount(); ++row)
+        count += needs(row, need) ? 1 : 0;
+    return count;
 }
 
 std::optional<std::size_t> ClassModel::lessonOf(int column)
@@ -339,7 +349,7 @@ bool ClassFilter::filterAcceptsRow(int row, const QModelIndex&) const
     const MatrixStudent& student = m_source->overview().students[static_cast<std::size_t>(row)];
     const bool isCalledSo = nameOf(student).contains(m_words, Qt::CaseInsensitive) ||
                             QString::fromStdString(student.username).contains(m_words, Qt::CaseInsensitive);
-    return isCalledSo && (m_need == Need::Nothing || m_source->need(row) == m_need);
+    return isCalledSo && (m_need == Need::Nothing || m_source->needs(row, m_need));
 }
 
 bool ClassFilter::lessThan(const QModelIndex& left, const QModelIndex& right) const

@@ -53,7 +53,10 @@ public:
     void retell();
 
     [[nodiscard]] const database::ClassOverview& overview() const { return m_overview; }
+    /// The first of them.
     [[nodiscard]] Need need(int row) const { return m_needs[row]; }
+    /// Late are also those who have no attempts left, are stuck or have never logged in.
+    [[nodiscard]] bool needs(int row, Need need) const;
     /// How many need so.
     [[nodiscard]] int count(Need need) const;
     /// Nothing for the column of the last attempt.
@@ -91,6 +94,7 @@ private:
     database::ClassOverview m_overview;
     std::map<std::string, database::ClassAssignment> m_given;  ///< by lesson
     QList<Need> m_needs;
+    QList<bool> m_areLate;
     LessonTitles m_titles;
     QDateTime m_now;
 };

@@ -446,10 +446,10 @@ void ClassPage::takeCell(const QModelIndex& index)
 
 void ClassPage::tellNeeds()
 {
-    int all = 0;
+    // Some have more than one need.
+    const int all = m_model->rowCount() - m_model->count(Need::Nothing);
     for (const Need need : kNeeds) {
         const int count = m_model->count(need);
-        all += count;
         QAbstractButton* button = m_need->button(static_cast<int>(need));
         //: %1: how many; %2: "stuck"
         button->setText(tr("%1 %2").arg(count).arg(needWord(need)));
