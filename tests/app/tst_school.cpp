@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QDir>
+#include <QDoubleSpinBox>
 #include <QElapsedTimer>
 #include <QFile>
 #include <QFileDialog>
@@ -907,6 +908,15 @@ void TestSchool::commentsArePinnedToMomentsAndPlaces()
     QTRY_COMPARE_WITH_TIMEOUT(pins().size(), 2, kPatienceMs);
     QCOMPARE(count("comments WHERE moment_ms IS NOT NULL AND x_um IS NOT NULL"), 1);
     const auto place = heat->pin();
+    // Another score is in the list behind the card, too.
+    child<QDoubleSpinBox>("givenPoints")->setValue(91.5);
+    child<QLineEdit>("reason")->setText("Seen by hand.");
+    click("giveScore");
+    const auto listed = [this] {
+        const auto* model = child<QTableView>("attempts")->model();
+        return model->index(0, ui::people::HistoryModel::Score).data().toString();
+    };
+    QTRY_COMPARE_WITH_TIMEOUT(listed(), QString("91.5"), kPatienceMs);
 
     // He is told of it at home, and reads it from there.
     leaveFor("sam");

@@ -47,6 +47,7 @@ private slots:
     void whatIsMarkedForACommentIsPinned();
     void pinsLeadThere();
     void aScoreNeedsAReason();
+    void theScoreBeginsWithWhatCounts();
     void whatWasRefusedStaysTyped();
     void theKeyboardStaysWithTheComment();
     void theKeyboardStaysWithTheScoreThatWasGiven();
@@ -217,6 +218,23 @@ void TestTalkPanel::aScoreNeedsAReason()
     m_panel->setTalk(talk());
     get<QPushButton>("machineAgain")->click();
     QVERIFY(given && !*given);
+}
+
+void TestTalkPanel::theScoreBeginsWithWhatCounts()
+{
+    auto* points = get<QDoubleSpinBox>("givenPoints");
+    m_panel->setTalk(talk());
+    QCOMPARE(points->value(), 80.0);
+    // What somebody has begun to type outlasts a comment.
+    points->setValue(77.7);
+    AttemptTalk commented = talk();
+    commented.comments.push_back({3, "Grace Hopper", "2026-11-20T14:00:00Z", "Lift the bur here.", {}, {}});
+    m_panel->setTalk(commented);
+    QCOMPARE(points->value(), 77.7);
+    // Another attempt begins with its own.
+    m_panel->setScore(500, 750, false);
+    m_panel->setTalk({});
+    QCOMPARE(points->value(), 50.0);
 }
 
 void TestTalkPanel::whatWasRefusedStaysTyped()

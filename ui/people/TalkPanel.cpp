@@ -180,7 +180,11 @@ void TalkPanel::setTalk(const database::AttemptTalk& talk)
             m_reason->setFocus();
         m_reason->clear();
     }
+    const int countedTenths = given().value_or(m_machineTenths);
     m_talk = talk;
+    // A number that somebody has begun to type stays, unless another score counts by now.
+    if (const int countsTenths = given().value_or(m_machineTenths); countsTenths != countedTenths)
+        m_points->setValue(countsTenths / 10.0);
     fill();
     tellScore();
     if (form != nullptr)
@@ -232,17 +236,22 @@ void TalkPanel::refuse(const QString& sentence)
         announce(*m_fault);
 }
 
+std::optional<int> TalkPanel::given() const
+{
+    return m_talk.overrides.empty() ? std::nullopt : m_talk.overrides.back().givenTenths;
+}
+
 /// What counts, and beneath it what the machine said, whenever that is another.
 void TalkPanel::tellScore()
 {
-    const auto& overrides = m_talk.overrides;
-    const std::optional<int> given = overrides.empty() ? std::nullopt : overrides.back().givenTenths;
+    const std::optional<int> given = this->given();
     const bool passed = given ? *given >= m_passMarkTenths : m_passedByMachine;
     const QString points = text::points(given.value_or(m_machineTenths));
     m_counts->setText(passed ? tr("%1 points, passed").arg(points) : tr("%1 points, not passed").arg(points));
-    m_machine->setText(given ? tr("Given by %1. The machine's score: %2 points.")
-                                   .arg(QString::fromStdString(overrides.back().author), text::points(m_machineTenths))
-                             : tr("The machine's score"));
+    m_machine->setText(
+        given ? tr("Given by %1. The machine's score: %2 points.")
+                    .arg(QString::fromStdString(m_talk.overrides.back().author), text::points(m_machineTenths))
+              : tr("The machine's score"));
     m_again->setVisible(given.has_value());
 }
 

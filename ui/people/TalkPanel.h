@@ -62,6 +62,8 @@ private:
     void makeOverride(QVBoxLayout& column);
     void retell();
     void fill();
+    /// What an instructor has given; nothing: the machine's score counts.
+    [[nodiscard]] std::optional<int> given() const;
     void tellScore();
     void tellPins();
     void unpin();
