@@ -43,6 +43,7 @@ private slots:
     void theMachinesScoreStaysInSight();
     void everythingIsSignedAndInOrder();
     void whoMayNotWriteReads();
+    void aCommentThatIsTooLongSaysSoBesideItsField();
     void aCommentIsPinned();
     void whatIsMarkedForACommentIsPinned();
     void pinsLeadThere();
@@ -122,6 +123,20 @@ void TestTalkPanel::whoMayNotWriteReads()
     QVERIFY(words().contains("Here you pressed too hard."));
     m_panel->setTalk({});
     QVERIFY(get<QLabel>("noTalk")->text().contains("What your instructor says"));
+}
+
+void TestTalkPanel::aCommentThatIsTooLongSaysSoBesideItsField()
+{
+    auto* field = get<QPlainTextEdit>("commentWords");
+    auto* room = get<QLabel>("commentRoom");
+    field->setPlainText(QString(3000, 'w'));
+    QVERIFY(!room->isVisible());
+    field->setPlainText(QString(3990, 'w'));
+    QVERIFY2(room->isVisible() && room->text().contains("10 more"), qPrintable(room->text()));
+    QVERIFY(get<QPushButton>("addComment")->isEnabled());
+    field->setPlainText(QString(4020, 'w'));
+    QVERIFY2(room->text().startsWith("20 ") && room->text().contains("4,000"), qPrintable(room->text()));
+    QVERIFY(!get<QPushButton>("addComment")->isEnabled());
 }
 
 void TestTalkPanel::aCommentIsPinned()

@@ -66,6 +66,7 @@ private:
     [[nodiscard]] std::optional<int> given() const;
     void tellScore();
     void tellPins();
+    void tellRoom();
     void unpin();
     [[nodiscard]] QWidget* formInUse() const;
 
@@ -85,6 +86,7 @@ private:
     QPlainTextEdit* m_words = nullptr;
     QCheckBox* m_atMoment = nullptr;
     QCheckBox* m_atPlace = nullptr;
+    QLabel* m_room = nullptr;  ///< for so many more characters
     QPushButton* m_add = nullptr;
     QLabel* m_howToPin = nullptr;
     QWidget* m_override = nullptr;
