@@ -55,6 +55,7 @@ private slots:
     void aCapturedIdealIsChosenAndUndone();
     void fitWidensToWhatTheIdealNeeds();
     void sweepMarksEachAttemptUnderEachTolerance();
+    void attemptsWithoutMeasuresAreLeftOutOfTheSweep();
     void attemptsOfAFolderAreReadAndTheRestIsNamed();
     void replayingIsCalledOff();
 
@@ -517,6 +518,19 @@ void TestLessonEditor::sweepMarksEachAttemptUnderEachTolerance()
     SweepChart chart(nullptr);
     chart.setSweep(sweep);
     QVERIFY2(chart.words(1.0).contains("of 3 pass"), qPrintable(chart.words(1.0)));
+}
+
+/// They would count as failed under every tolerance.
+void TestLessonEditor::attemptsWithoutMeasuresAreLeftOutOfTheSweep()
+{
+    open("class1-36");
+    const auto* words = m_editor->findChild<QLabel*>("sweepWords");
+    m_editor->setKnown({{"a", {}}, {"b", {}}});
+    QVERIFY2(words->text().startsWith("Choose a folder") && words->text().contains("2 attempt(s) of the history"),
+             qPrintable(words->text()));
+    m_editor->setKnown({{"a", {}}, {"b", {{"depth_mean_mm", 1.5}}}});
+    QVERIFY2(words->text().contains("of 1 pass") && words->text().contains("1 attempt(s) of the history"),
+             qPrintable(words->text()));
 }
 
 void TestLessonEditor::attemptsOfAFolderAreReadAndTheRestIsNamed()
