@@ -193,7 +193,8 @@ void PeopleDesk::tellLessons()
         criteria[one.id] = criteriaOf(one);
         const QString title = ui::study::said(one.title);
         m_titles[QString::fromStdString(one.id)] = title;
-        offers.push_back({one.id, title, ui::study::toothWords(one), ui::study::groupName(one.task)});
+        const QString file = entry.isShipped ? QString() : entry.pack.isEmpty() ? entry.read.file : entry.pack;
+        offers.push_back({one.id, title, ui::study::toothWords(one), ui::study::groupName(one.task), file});
     }
     m_window.historyPage().setLessonTitles(m_titles);
     m_window.historyPage().setCriterionNames(criteria);
