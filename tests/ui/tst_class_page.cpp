@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <QAbstractItemView>
 #include <QApplication>
 #include <QButtonGroup>
 #include <QComboBox>
@@ -99,6 +100,7 @@ private slots:
     void aCellOpensTheAttempts();
     void keysWalkAndOpen();
     void aLessonIsChosen();
+    void allClassesAreSeenInTheListThatOpens();
     void nothingIsToldOfFourPeople();
     void chartsOfALesson();
     void lateAnswersOfAnotherLessonAreLeft();
@@ -381,6 +383,16 @@ void TestClassPage::aLessonIsChosen()
     m_page->findChild<QComboBox*>("classChooser")->setCurrentIndex(1);
     QCOMPARE(classes.count(), 1);
     QCOMPARE(classes[0][0].toLongLong(), 8);
+}
+
+void TestClassPage::allClassesAreSeenInTheListThatOpens()
+{
+    auto* classes = m_page->findChild<QComboBox*>("classChooser");
+    classes->setFocus();
+    classes->showPopup();
+    QTRY_VERIFY(classes->view()->isVisible());
+    QCOMPARE(classes->view()->verticalScrollBar()->maximum(), 0);
+    classes->hidePopup();
 }
 
 void TestClassPage::nothingIsToldOfFourPeople()
