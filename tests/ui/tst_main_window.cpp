@@ -171,6 +171,7 @@ private slots:
     void aRefusedPasswordIsTypedAnew();
     void anAdminIsToldHowToBeginWithClasses();
     void aHalfFilledFormIsPutAside();
+    void nobodyIsChosenByPassingThroughTheList();
     void aCodeStaysWithItsPerson();
     void aDoubleClickOnEnterTakesNoPasswordAway();
     void theQuestionOfAPasswordEndsWithAnythingElse();
@@ -1500,6 +1501,28 @@ void TestMainWindow::aHalfFilledFormIsPutAside()
     child<QPushButton>("personAsideBack")->click();
     QCOMPARE(given->text(), QString("Adalina"));
     QVERIFY(!aside->isVisible());
+}
+
+/// Tab on the way to something else.
+void TestMainWindow::nobodyIsChosenByPassingThroughTheList()
+{
+    ui::admin::PeoplePart& people = openPeople();
+    people.setPeople({someone(1, "Ada", true), someone(2, "Bob", true)}, {});
+    child<QPushButton>("newPerson")->click();
+    const auto* given = child<QLineEdit>("personGiven");
+    auto* table = child<QTableView>("people");
+    table->setFocus();
+    table->selectionModel()->setCurrentIndex(table->model()->index(0, 0), QItemSelectionModel::NoUpdate);
+    QVERIFY(given->text().isEmpty());
+    QTest::keyClick(table, Qt::Key_Space);
+    QCOMPARE(given->text(), QString("Ada"));
+    QTest::keyClick(table, Qt::Key_Down);
+    QCOMPARE(given->text(), QString("Bob"));
+    // Who is searched for meanwhile is not chosen by that.
+    child<QLineEdit>("peopleSearch")->setText("Ada");
+    QCOMPARE(given->text(), QString("Bob"));
+    child<QLineEdit>("peopleSearch")->clear();
+    QVERIFY(table->selectionModel()->isRowSelected(1));
 }
 
 void TestMainWindow::aCodeStaysWithItsPerson()

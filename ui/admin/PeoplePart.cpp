@@ -135,10 +135,13 @@ QWidget* PeoplePart::makeList()
         select(0);
         m_username->setFocus();
     });
-    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& now) {
-        if (now.isValid())
-            choose(now.siblingAtColumn(kName).data(kId).toLongLong());
+    // A row that becomes the current one when the table gets the focus was chosen by nobody.
+    connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
+        if (const QModelIndexList rows = m_table->selectionModel()->selectedRows(kName); !rows.isEmpty())
+            choose(rows.front().data(kId).toLongLong());
     });
+    connect(m_table, &QAbstractItemView::activated, this,
+            [this](const QModelIndex& index) { m_table->selectRow(index.row()); });
     return side;
 }
 
@@ -394,6 +397,10 @@ void PeoplePart::filter()
 {
     m_shown->setFilterFixedString(m_search->text().trimmed());
     m_count->setText(tr("%Ln person(s)", nullptr, m_shown->rowCount()));
+    // Whom the form shows is marked again when the search no longer hides him.
+    for (int row = 0; row < m_shown->rowCount() && m_chosen != 0; ++row)
+        if (m_shown->index(row, kName).data(kId).toLongLong() == m_chosen)
+            m_table->selectRow(row);
 }
 
 void PeoplePart::setPeople(const QList<Person>& people, const QList<database::SchoolClass>& classes)
