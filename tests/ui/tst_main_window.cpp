@@ -1535,6 +1535,11 @@ void TestMainWindow::aCodeStaysWithItsPerson()
     QVERIFY(code->isVisible());
     choosePerson(1);
     QVERIFY(!code->isVisible());
+    // The list says whose code can still be seen.
+    const auto state = [this](int row) {
+        return child<QTableView>("people")->model()->index(row, 5).data().toString();
+    };
+    QVERIFY2(state(0).contains("shown here") && !state(1).contains("shown here"), qPrintable(state(0)));
     m_window->adminPage().show(ui::admin::AdminPage::Roster);
     m_window->adminPage().show(ui::admin::AdminPage::People);
     choosePerson(0);
@@ -1547,6 +1552,7 @@ void TestMainWindow::aCodeStaysWithItsPerson()
     actions().lessons->trigger();
     actions().school->trigger();
     QVERIFY(child<QWidget>("people")->isVisible() && !code->isVisible());
+    QVERIFY2(!state(0).contains("shown here"), qPrintable(state(0)));
 }
 
 void TestMainWindow::aDoubleClickOnEnterTakesNoPasswordAway()

@@ -355,6 +355,8 @@ QString PeoplePart::stateOf(const Person& person) const
         return tr("disabled");
     if (person.hasPassword)
         return tr("can log in");
+    if (m_codes.contains(person.id.value))
+        return tr("has a one-time code, shown here");
     return person.codeUntilUtc >= QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString()
                ? tr("has a one-time code")
                : tr("needs a one-time code");
@@ -562,6 +564,7 @@ bool PeoplePart::isSecondClick() const
 void PeoplePart::forgetCodes()
 {
     m_codes.clear();
+    fill();
     showForm();
 }
 
@@ -586,7 +589,9 @@ void PeoplePart::showForm()
     const Code code = m_codes.value(m_chosen);
     m_codeCard->setVisible(!code.code.isEmpty());
     m_code->setText(code.code);
-    m_codeWords->setText(tr("One-time code of %1. Tell it now: it is kept nowhere.").arg(code.fullName));
+    m_codeWords->setText(tr("One-time code of %1. Tell it now: it is kept nowhere. It is shown here, whenever %1 is "
+                            "chosen, until School is left.")
+                             .arg(code.fullName));
     tellAside();
 }
 
@@ -718,6 +723,7 @@ void PeoplePart::toggleDisabled()
 void PeoplePart::showCode(database::PersonId person, const QString& fullName, const QString& code)
 {
     m_codes.insert(person.value, {fullName, code});
+    fill();
     showForm();
     m_pane->ensureVisible(0, 0);
 }
