@@ -31,6 +31,7 @@
 #include <QSignalSpy>
 #include <QSlider>
 #include <QStackedWidget>
+#include <QStyleOptionButton>
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
@@ -171,6 +172,8 @@ private slots:
     void aRefusedPasswordIsTypedAnew();
     void anAdminIsToldHowToBeginWithClasses();
     void aHalfFilledFormIsPutAside();
+    void presetsAreFoundFromTheSchoolAndFromOnesPlace();
+    void theChosenPartOfTheSchoolIsReadWhole();
     void nobodyIsChosenByPassingThroughTheList();
     void aCodeStaysWithItsPerson();
     void aDoubleClickOnEnterTakesNoPasswordAway();
@@ -1501,6 +1504,37 @@ void TestMainWindow::aHalfFilledFormIsPutAside()
     child<QPushButton>("personAsideBack")->click();
     QCOMPARE(given->text(), QString("Adalina"));
     QVERIFY(!aside->isVisible());
+}
+
+void TestMainWindow::presetsAreFoundFromTheSchoolAndFromOnesPlace()
+{
+    openPeople();
+    QVERIFY(child<QMenu>("accountMenu")->actions().contains(actions().presets));
+    const auto buttons = m_window->adminPage().findChildren<QPushButton*>();
+    const auto found = std::find_if(buttons.begin(), buttons.end(), [this](const QPushButton* button) {
+        return button->text() == actions().presets->text();
+    });
+    QVERIFY(found != buttons.end() && (*found)->isVisible());
+    (*found)->click();
+    QVERIFY(child<ui::presets::PresetsPage>()->isVisible());
+}
+
+/// Its word is bold.
+void TestMainWindow::theChosenPartOfTheSchoolIsReadWhole()
+{
+    openPeople();
+    for (QPushButton* button : m_window->adminPage().findChildren<QPushButton*>()) {
+        if (button->property("kind") != "segment" || !button->isVisible())
+            continue;
+        button->click();
+        QStyleOptionButton look;
+        look.initFrom(button);
+        look.text = button->text();
+        look.state |= QStyle::State_On;
+        const int room = button->style()->subElementRect(QStyle::SE_PushButtonContents, &look, button).width();
+        const int word = QFontMetrics(typeface(kBody, QFont::DemiBold)).horizontalAdvance(button->text());
+        QVERIFY2(room >= word, qPrintable(QString("%1: %2 of %3 px").arg(button->text()).arg(room).arg(word)));
+    }
 }
 
 /// Tab on the way to something else.
