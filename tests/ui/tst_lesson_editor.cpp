@@ -47,6 +47,7 @@ private slots:
     void saveRefusesNothingSilently();
     void stepsBackShowNumbersOfARubricThatIsNone();
     void theTitleIsTakenBackAsWell();
+    void aLessonWithoutATitleIsToldOfInPlainWords();
     void aTitleIsShownHoweverItIsWritten();
     void nothingOfTheLessonBeforeIsLeft();
     void draftsAreKeptAndSavedTogether();
@@ -335,6 +336,19 @@ void TestLessonEditor::aTitleIsShownHoweverItIsWritten()
     plain.setTitle("Yours", "de");
     QCOMPARE(plain.object().value("title"), QJsonValue("Yours"));
     QCOMPARE(plain.title(), QString("Yours"));
+}
+
+void TestLessonEditor::aLessonWithoutATitleIsToldOfInPlainWords()
+{
+    open("class1-36");
+    auto* title = m_editor->findChild<QLineEdit*>("draftTitle");
+    title->setFocus();
+    title->selectAll();
+    QTest::keyClick(title, Qt::Key_Delete);
+    QTRY_COMPARE_WITH_TIMEOUT(check(), QStringLiteral("⚠ Wrong: The lesson needs a title."), kLoadedMs);
+    QVERIFY(anyFault("The lesson needs a title."));
+    QVERIFY(!m_editor->saveAll());
+    QVERIFY2(saidBelow().contains("Not saved: The lesson needs a title."), qPrintable(saidBelow()));
 }
 
 /// A lesson whose tooth cannot be made: what is wrong is said, and nothing of another lesson's can be changed in it.
