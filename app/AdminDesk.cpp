@@ -431,7 +431,18 @@ void AdminDesk::tellChecked(const database::sql::CheckReport& report, const QStr
                    ? sound
                    : sound + u' ' + tr("The audit is still the one that the report with the code %1 names.").arg(code);
     };
-    part.finish(sentence, report.findings);
+    m_found = report.findings;
+    part.finish(sentence, m_found);
+}
+
+void AdminDesk::tellDone(const std::function<QString()>& done)
+{
+    m_window.adminPage().backups().finish(
+        [done, isSound = m_found.empty()] {
+            return isSound ? done()
+                           : done() + u' ' + tr("What the last check found is in this backup, too; it stands below.");
+        },
+        m_found);
 }
 
 void AdminDesk::connectBackups()
@@ -439,7 +450,7 @@ void AdminDesk::connectBackups()
     using ui::admin::BackupPart;
     BackupPart& part = m_window.adminPage().backups();
     connect(&part, &BackupPart::stopWanted, this, [this] { *m_isStopped = true; });
-    connect(&part, &BackupPart::backUpWanted, this, [this, &part] {
+    connect(&part, &BackupPart::backUpWanted, this, [this] {
         beside(
             tr("The data are being backed up …"),
             [place = m_place, who = m_who()](const School& school, Work& work) -> core::Result<QString> {
@@ -450,26 +461,27 @@ void AdminDesk::connectBackups()
                         return tl::unexpected(noted.error());
                 return made;
             },
-            [this, &part](const core::Result<QString>& made) {
+            [this](const core::Result<QString>& made) {
                 if (!made)
                     return tellFailed(made.error());
                 tellBackups();
-                part.finish(
-                    [file = QDir::toNativeSeparators(*made)] { return tr("Backed up and checked: %1.").arg(file); });
+                tellDone([file = QDir::toNativeSeparators(*made)] {
+                    return tr("Backed up: %1. Its pages and keys are whole.").arg(file);
+                });
             });
     });
-    connect(&part, &BackupPart::drillWanted, this, [this, &part] {
+    connect(&part, &BackupPart::drillWanted, this, [this] {
         beside(
             tr("A backup is made and restored …"),
             [](const School& school, Work& work) {
                 return database::sql::restoreDrill(school.db,
                                                    [&work](int done, int all) { return work.tell(done, all); });
             },
-            [this, &part](const core::Result<qint64>& rows) {
+            [this](const core::Result<qint64>& rows) {
                 if (!rows)
                     return tellFailed(rows.error());
-                part.finish([count = *rows] {
-                    return tr("It works: a backup was made, restored beside the database and compared, %1 rows.")
+                tellDone([count = *rows] {
+                    return tr("Restoring works: a backup was made, restored beside the database and compared, %1 rows.")
                         .arg(QLocale().toString(count));
                 });
             });

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <vector>
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -51,6 +52,9 @@ private:
     void connectBackups();
     void tellBackups();
     void tellFailed(const core::Error& error);
+    /// A backup was made or tried, which looks at less than a check: what the last check has found stays in view.
+    /// @param done  says what was done, in the language there is
+    void tellDone(const std::function<QString()>& done);
     /// @param code  of a report; empty: there is none
     void check(const QString& code);
     void tellChecked(const database::sql::CheckReport& report, const QString& code);
@@ -67,6 +71,7 @@ private:
     QList<database::Person> m_people;
     QByteArray m_roster;
     QString m_rosterFile;
+    std::vector<database::Finding> m_found;  ///< by the last check
     std::shared_ptr<std::atomic<bool>> m_isStopped;
 };
 

@@ -77,6 +77,33 @@ struct ClassNow
     std::vector<database::ClassAssignment> given;
 };
 
+/// Of one person.
+struct AttemptsNow
+{
+    std::vector<database::AttemptRecord> attempts;
+    std::vector<database::ExamStart> withoutScore;
+    std::vector<database::Feedback> feedback;
+};
+
+core::Result<AttemptsNow> readAttempts(const School& school, const database::Session& who, database::PersonId person)
+{
+    auto attempts = database::sql::history(school, who, person, {});
+    auto withoutScore = database::sql::examsWithoutScore(school, who, person);
+    auto feedback = database::sql::feedbackFor(school, who, person);
+    if (!attempts || !withoutScore)
+        return tl::unexpected(attempts ? withoutScore.error() : attempts.error());
+    if (!feedback)
+        return tl::unexpected(feedback.error());
+    return AttemptsNow{std::move(*attempts), std::move(*withoutScore), std::move(*feedback)};
+}
+
+void showAttempts(HistoryPage& page, const AttemptsNow& now)
+{
+    page.setExamsWithoutScore({now.withoutScore.begin(), now.withoutScore.end()});
+    page.setHistory({now.attempts.begin(), now.attempts.end()});
+    page.setFeedback(now.feedback);
+}
+
 core::Result<ClassNow> readClass(const School& school, const database::Session& who, database::ClassId ofClass)
 {
     auto overview = database::sql::classOverview(school, who, ofClass);
@@ -170,7 +197,8 @@ void PeopleDesk::tellLessons()
         criteria[one.id] = criteriaOf(one);
         const QString title = ui::study::said(one.title);
         m_titles[QString::fromStdString(one.id)] = title;
-        offers.push_back({one.id, title, ui::study::toothWords(one), ui::study::groupName(one.task)});
+        const QString file = entry.isShipped ? QString() : entry.pack.isEmpty() ? entry.read.file : entry.pack;
+        offers.push_back({one.id, title, ui::study::toothWords(one), ui::study::groupName(one.task), file});
     }
     m_window.historyPage().setLessonTitles(m_titles);
     m_window.historyPage().setCriterionNames(criteria);
@@ -228,9 +256,10 @@ void PeopleDesk::sayInTalk(Work work)
             return true;
         },
         [this](const core::Result<bool>& done) {
-            if (done)
+            if (done) {
                 tellTalk();
-            else
+                tellAttempts();
+            } else
                 m_window.scorePage().talk().refuse(text::errorText(done.error(), text::Failed::ChangingSchool));
         });
 }
@@ -444,13 +473,7 @@ void PeopleDesk::openHistory(database::PersonId person, const QString& fullName,
 {
     m_person = person;
     m_personName = fullName;
-    struct Found
-    {
-        std::vector<database::AttemptRecord> attempts;
-        std::vector<database::ExamStart> withoutScore;
-        std::vector<database::Feedback> feedback;
-    };
-    const auto show = [this, person, fullName, lesson](const core::Result<Found>& found) {
+    const auto show = [this, person, fullName, lesson](const core::Result<AttemptsNow>& found) {
         if (!found) {
             refuse(found.error());
             return;
@@ -459,28 +482,25 @@ void PeopleDesk::openHistory(database::PersonId person, const QString& fullName,
             return;
         HistoryPage& page = m_window.historyPage();
         page.setPerson(fullName);
-        page.setExamsWithoutScore({found->withoutScore.begin(), found->withoutScore.end()});
-        page.setHistory(QList<database::AttemptRecord>(found->attempts.begin(), found->attempts.end()));
-        page.setFeedback(found->feedback);
+        showAttempts(page, *found);
         page.setLesson(lesson);
         if (lesson)
             tellClassAt(QString::fromStdString(*lesson));
         m_window.openHistory();
     };
     readLessons([this, person, show] {
-        askAs(
-            [who = m_who(), person](const School& school) -> core::Result<Found> {
-                auto attempts = database::sql::history(school, who, person, {});
-                auto withoutScore = database::sql::examsWithoutScore(school, who, person);
-                auto feedback = database::sql::feedbackFor(school, who, person);
-                if (!attempts || !withoutScore)
-                    return tl::unexpected(attempts ? withoutScore.error() : attempts.error());
-                if (!feedback)
-                    return tl::unexpected(feedback.error());
-                return Found{std::move(*attempts), std::move(*withoutScore), std::move(*feedback)};
-            },
-            show);
+        askAs([who = m_who(), person](const School& school) { return readAttempts(school, who, person); }, show);
     });
+}
+
+/// What was said of one of them has changed the list.
+void PeopleDesk::tellAttempts()
+{
+    askAs([who = m_who(), person = m_person](const School& school) { return readAttempts(school, who, person); },
+          [this, person = m_person](const core::Result<AttemptsNow>& found) {
+              if (found && person == m_person)
+                  showAttempts(m_window.historyPage(), *found);
+          });
 }
 
 /// How the class of the person whose attempts are shown did at a lesson.
@@ -520,9 +540,10 @@ void PeopleDesk::openClasses()
         }
         ClassPage& page = m_window.classPage();
         page.setClasses(QList<database::SchoolClass>(classes->begin(), classes->end()));
-        if (page.chosenClass().value != 0)
-            tellOverview(page.chosenClass());
+        const bool isShown = page.isVisible();  // otherwise it is read when it is shown
         m_window.openClasses();
+        if (isShown)
+            page.readAgain();
     };
     readLessons([this, show] {
         askAs([who = m_who()](const School& school) { return database::sql::listClasses(school, who); }, show);

@@ -78,6 +78,7 @@ private:
     void connectTalk();
     [[nodiscard]] QString makerOf(const database::AttemptRecord& attempt) const;
     void tellTalk();
+    void tellAttempts();
     void tellBefore();
     void noteSeen(const database::AttemptRecord& attempt);
     template <class Work>

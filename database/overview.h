@@ -96,6 +96,9 @@ struct LessonResults
     bool operator==(const LessonResults&) const = default;
 };
 
+/// Characters of a comment, and of the reason for another score (0004_attempts_of_people.sql).
+inline constexpr int kLongestComment = 4000;
+
 struct AttemptComment
 {
     std::int64_t id = 0;

@@ -74,7 +74,7 @@ struct RosterFault
         NoUtf8,         ///< the file, from this sign of the line on, which is the value
         OpenQuote,      ///< begins at this sign of the line, which is the value, and is not closed
         AfterQuote,     ///< words stand behind a closing quote, at this sign
-        NoSuchColumn,   ///< that a class list has; the value is the nearest one
+        NoSuchColumn,   ///< that a class list has; the value is the one that was perhaps meant
         ColumnTwice,    ///< is named by the head again
         ColumnMissing,  ///< in the head
         Refused         ///< by the database

@@ -11,6 +11,7 @@
 
 #include "core/base/Bytes.h"
 #include "database/Passwords.h"
+#include "database/overview.h"
 #include "database/sql/Audit.h"
 #include "database/sql/Recordings.h"
 #include "database/sql/Statement.h"
@@ -23,7 +24,6 @@ using core::ErrorCode;
 const std::string kAdd = "add the attempt";
 const std::string kRead = "read the attempts";
 constexpr double kUmPerMm = 1000.0;
-constexpr qsizetype kMostWords = 4000;
 
 const QString kColumns =
     QStringLiteral("a.id, a.uid, a.person_id, a.finished_utc, a.tooth, a.lesson_id, a.lesson_hash, a.rubric_hash, "
@@ -224,9 +224,9 @@ core::Result<std::string> uidOf(const School& school, AttemptId id)
 core::Result<std::string> checkWords(const std::string& words, const char* what)
 {
     const QString trimmed = QString::fromStdString(words).trimmed();
-    if (trimmed.isEmpty() || trimmed.size() > kMostWords)
+    if (trimmed.isEmpty() || trimmed.size() > kLongestComment)
         return core::unexpected(ErrorCode::OutOfRange,
-                                std::string(what) + " has 1 to " + std::to_string(kMostWords) + " characters");
+                                std::string(what) + " has 1 to " + std::to_string(kLongestComment) + " characters");
     return trimmed.toStdString();
 }
 

@@ -28,6 +28,39 @@ using Kind = RosterFault::Kind;
 const std::string kDoing = "import the class list";
 constexpr std::array<const char*, 5> kColumns{"username", "given_name", "family_name", "role", "class"};
 
+/// What spreadsheets in the languages of the window call the columns, beside English names that people think of first.
+constexpr std::array kMeant{
+    std::pair{"benutzername", "username"},
+    std::pair{"anmeldename", "username"},
+    std::pair{"login", "username"},
+    std::pair{"usuario", "username"},
+    std::pair{"nombre de usuario", "username"},
+    std::pair{"ユーザー名", "username"},
+    std::pair{"ログイン名", "username"},
+    std::pair{"vorname", "given_name"},
+    std::pair{"first name", "given_name"},
+    std::pair{"nombre", "given_name"},
+    std::pair{"nombre de pila", "given_name"},
+    std::pair{"名", "given_name"},
+    std::pair{"nachname", "family_name"},
+    std::pair{"familienname", "family_name"},
+    std::pair{"last name", "family_name"},
+    std::pair{"surname", "family_name"},
+    std::pair{"apellido", "family_name"},
+    std::pair{"apellidos", "family_name"},
+    std::pair{"姓", "family_name"},
+    std::pair{"rolle", "role"},
+    std::pair{"rol", "role"},
+    std::pair{"papel", "role"},
+    std::pair{"役割", "role"},
+    std::pair{"klasse", "class"},
+    std::pair{"klassen", "class"},
+    std::pair{"grupo", "class"},
+    std::pair{"grupos", "class"},
+    std::pair{"clase", "class"},
+    std::pair{"クラス", "class"},
+};
+
 std::string trimmed(const std::string& text)
 {
     return QString::fromStdString(text).simplified().toStdString();
@@ -59,8 +92,12 @@ std::size_t distance(std::string_view a, std::string_view b)
     return row.back();
 }
 
+/// By its meaning where that is known, or else by its letters.
 std::string nearestColumn(std::string_view name)
 {
+    for (const auto& [word, column] : kMeant)
+        if (name == word)
+            return column;
     return *std::min_element(kColumns.begin(), kColumns.end(),
                              [name](const char* a, const char* b) { return distance(name, a) < distance(name, b); });
 }
@@ -75,7 +112,7 @@ Places placesOf(const CsvRow& head, std::vector<RosterFault>& faults)
             continue;
         if (std::find(kColumns.begin(), kColumns.end(), name) == kColumns.end())
             faults.push_back({head.line, name,
-                              "is no column of a class list, the nearest is \"" + nearestColumn(name) +
+                              "is no column of a class list, perhaps it is \"" + nearestColumn(name) +
                                   "\"; the columns are username, given_name, family_name, role and class",
                               Kind::NoSuchColumn, nearestColumn(name)});
         else if (!places.emplace(name, at).second)

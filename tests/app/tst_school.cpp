@@ -4,6 +4,7 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QDir>
+#include <QDoubleSpinBox>
 #include <QElapsedTimer>
 #include <QFile>
 #include <QFileDialog>
@@ -405,7 +406,7 @@ void TestSchool::aSchoolWithoutPeopleIsNotBackedUp()
     openSchool(ui::admin::AdminPage::Backups);
     click("backUp");
     const auto said = [this] { return child<QLabel>("backupSaid")->text(); };
-    QTRY_VERIFY2_WITH_TIMEOUT(said().contains("Backed up and checked"), qPrintable(said()), kPatienceMs);
+    QTRY_VERIFY2_WITH_TIMEOUT(said().contains("Its pages and keys are whole"), qPrintable(said()), kPatienceMs);
     QCOMPARE(sql::backupsIn(folder).size(), 2);
     QTRY_COMPARE_WITH_TIMEOUT(child<QTableView>("backups")->model()->rowCount(), 1, kPatienceMs);
 }
@@ -624,7 +625,14 @@ void TestSchool::anOpenedAttemptHasThoseBeforeIt()
     actions().back->trigger();
     QVERIFY(child<ui::people::ClassPage>()->isVisible());
     QCOMPARE(actions().back->text(), QString("Back to the tooth"));
+    // What is done elsewhere meanwhile is read with F5.
+    QVERIFY(sql::execute(sql::Database::open(file()).value()->handle(),
+                         "UPDATE people SET given_name = 'Samuel' WHERE username = 'sam'", "write"));
+    QTest::keyClick(&m_application->window(), Qt::Key_F5);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        child<QTableView>("matrix")->model()->headerData(0, Qt::Vertical).toString().contains("Samuel"), kPatienceMs);
     actions().back->trigger();
+    QVERIFY(!actions().readAgain->isEnabled());
     QVERIFY(m_application->window().view().isVisible());
 }
 
@@ -977,6 +985,15 @@ void TestSchool::commentsArePinnedToMomentsAndPlaces()
     QTRY_COMPARE_WITH_TIMEOUT(pins().size(), 2, kPatienceMs);
     QCOMPARE(count("comments WHERE moment_ms IS NOT NULL AND x_um IS NOT NULL"), 1);
     const auto place = heat->pin();
+    // Another score is in the list behind the card, too.
+    child<QDoubleSpinBox>("givenPoints")->setValue(91.5);
+    child<QLineEdit>("reason")->setText("Seen by hand.");
+    click("giveScore");
+    const auto listed = [this] {
+        const auto* model = child<QTableView>("attempts")->model();
+        return model->index(0, ui::people::HistoryModel::Score).data().toString();
+    };
+    QTRY_COMPARE_WITH_TIMEOUT(listed(), QString("91.5"), kPatienceMs);
 
     // He is told of it at home, and reads it from there.
     leaveFor("sam");
@@ -1172,7 +1189,7 @@ void TestSchool::aBackupIsMadeTriedAndRestored()
     QTest::qWait(1100);  // names differ by the second
     const auto said = [this] { return child<QLabel>("backupSaid")->text(); };
     click("backUp");
-    QTRY_VERIFY2_WITH_TIMEOUT(said().contains("Backed up and checked"), qPrintable(said()), kPatienceMs);
+    QTRY_VERIFY2_WITH_TIMEOUT(said().contains("Its pages and keys are whole"), qPrintable(said()), kPatienceMs);
     // What was made before an accident is not thinned out by the one that is made after it.
     QCOMPARE(sql::backupsIn(folder).size(), 2);
     QTRY_COMPARE_WITH_TIMEOUT(backups->model()->rowCount(), 2, kPatienceMs);
@@ -1184,10 +1201,15 @@ void TestSchool::aBackupIsMadeTriedAndRestored()
     QTest::keyClick(child<QTableView>("backups"), Qt::Key_Space);
     QVERIFY(child<QPushButton>("restoreThis")->isEnabled());
     click("drillRestore");
-    QTRY_VERIFY2_WITH_TIMEOUT(said().contains("It works"), qPrintable(said()), kPatienceMs);
+    QTRY_VERIFY2_WITH_TIMEOUT(said().contains("Restoring works"), qPrintable(said()), kPatienceMs);
     click("checkAll");
     QTRY_VERIFY2_WITH_TIMEOUT(said().contains("Nothing is wrong"), qPrintable(said()), kPatienceMs);
     checkReportCodes();
+    // A backup is looked at less thoroughly, and says nothing against what was found.
+    click("backUp");
+    QTRY_VERIFY2_WITH_TIMEOUT(said().contains("found is in this backup, too"), qPrintable(said()), kPatienceMs);
+    QVERIFY(child<QPlainTextEdit>("findings")->isVisible());
+    QTRY_COMPARE_WITH_TIMEOUT(backups->model()->rowCount(), 3, kPatienceMs);
     // Somebody is entered after the backup, and is gone with the restore.
     child<ui::admin::AdminPage>()->show(ui::admin::AdminPage::People);
     QTRY_COMPARE_WITH_TIMEOUT(child<QTableView>("people")->model()->rowCount(), 4, kPatienceMs);
@@ -1261,7 +1283,7 @@ void TestSchool::aNetworkDriveIsForOneAndIsBackedUp()
     QTRY_COMPARE_WITH_TIMEOUT(sql::backupsIn(sql::backupFolder(file())).size(), 1, kPatienceMs);
     const auto said = [this] { return child<QLabel>("backupSaid")->text(); };
     for (const auto& [button, words] :
-         {std::pair{"backUp", "Backed up and checked"}, std::pair{"drillRestore", "It works"},
+         {std::pair{"backUp", "Its pages and keys are whole"}, std::pair{"drillRestore", "Restoring works"},
           std::pair{"checkAll", "Nothing is wrong: 1 attempts"}}) {
         click(button);
         QTRY_VERIFY2_WITH_TIMEOUT(said().contains(words), qPrintable(said()), kPatienceMs);

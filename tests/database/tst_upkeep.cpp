@@ -636,6 +636,18 @@ void TestUpkeep::aClassListSaysWhatIsWrongWithItsFile()
     QVERIFY(head[0].kind == Kind::NoSuchColumn && head[0].column == "user_name" && head[0].value == "username");
     QVERIFY(head[1].kind == Kind::ColumnTwice && head[1].column == "family_name");
     QVERIFY(head[2].kind == Kind::ColumnMissing && head[2].column == "username");
+    // A head in one of the window's languages names the column that it means.
+    const auto meant = [&](std::string_view file) {
+        QStringList columns;
+        for (const RosterFault& fault : faults(file))
+            if (fault.kind == Kind::NoSuchColumn)
+                columns << QString::fromStdString(fault.value);
+        return columns.join(u' ');
+    };
+    const QString all = "username given_name family_name role class";
+    QCOMPARE(meant("Benutzername;Vorname;Nachname;Rolle;Klasse\n"), all);
+    QCOMPARE(meant("Usuario;Nombre;Apellidos;Rol;Grupo\n"), all);
+    QCOMPARE(meant("ユーザー名,名,姓,役割,クラス\n"), all);
     const auto quote = faults("username,given_name\nok,\"Ada\n");
     QVERIFY(quote.size() == 1 && quote[0].kind == Kind::OpenQuote && quote[0].line == 2 && quote[0].value == "4");
 }

@@ -53,6 +53,7 @@ private slots:
     void initTestCase();
     void init();
     void severalLessonsAreGivenAtOnce();
+    void whereALessonOfOnesOwnIsFoundIsToldBeforeItIsGiven();
     void aLessonIsTickedByKeyAndByAClickAnywhere();
     void whatIsGivenCannotBeGivenAgain();
     void theSearchLooksAtTitlesTeethAndGroups();
@@ -141,10 +142,10 @@ void TestAssignPage::init()
     m_page->resize(1280, 800);
     m_window->show();
     QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
-    m_page->setLessons({{"a", "Decay, small", "Upper left first molar (26)", "Removing decay"},
-                        {"b", "Decay, deep", "Lower left first molar (36)", "Removing decay"},
-                        {"c", "Class I", "Lower left first molar (36)", "Cavities"},
-                        {"d", "Cross", "Practice block", "Blocks"}});
+    m_page->setLessons({{"a", "Decay, small", "Upper left first molar (26)", "Removing decay", {}},
+                        {"b", "Decay, deep", "Lower left first molar (36)", "Removing decay", {}},
+                        {"c", "Class I", "Lower left first molar (36)", "Cavities", {}},
+                        {"d", "Cross", "Practice block", "Blocks", "/home/ines/lessons/cross.lesson.json"}});
     m_page->setAssignments(
         overview(), {{1, kClass, "a", "2026-11-15T23:59:59Z", 3}, {2, {8}, "c", "", 0}, {3, kClass, "b", "", 0}}, kNow);
 }
@@ -169,6 +170,20 @@ void TestAssignPage::severalLessonsAreGivenAtOnce()
     m_page->confirm(expected);
     QCOMPARE(get<QLabel>("assignSaid")->text(), QString("2 lesson(s) assigned."));
     QVERIFY(get<QPushButton>("undoAssign")->isVisible());
+}
+
+void TestAssignPage::whereALessonOfOnesOwnIsFoundIsToldBeforeItIsGiven()
+{
+    const auto* where = get<QLabel>("whereLessonsAre");
+    click("Class I");  // shipped
+    QVERIFY(!where->isVisible());
+    click("Cross");
+    QVERIFY(where->isVisible());
+    QVERIFY2(where->text().startsWith("1 lesson(s) of your own: Cross.") &&
+                 where->text().contains("/home/ines/lessons/cross.lesson.json"),
+             qPrintable(where->text()));
+    click("Cross");
+    QVERIFY(!where->isVisible());
 }
 
 void TestAssignPage::aLessonIsTickedByKeyAndByAClickAnywhere()

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <QAbstractItemView>
 #include <QApplication>
+#include <QButtonGroup>
 #include <QComboBox>
 #include <QHeaderView>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTableView>
 #include <QTemporaryDir>
@@ -84,6 +88,9 @@ private slots:
     void init();
     void itSaysWhoNeedsTheTeacher();
     void theListsLieBehindTheNumbers();
+    void aStudentIsSearchedFor();
+    void whatIsReadAgainLeavesEverythingInItsPlace();
+    void itIsReadAgainWhenItIsShownAgain();
     void nobodyNeedsYou();
     void whoIsLateNeedsTheTeacher();
     void whoHasNoAttemptsLeftNeedsTheTeacher();
@@ -93,6 +100,7 @@ private slots:
     void aCellOpensTheAttempts();
     void keysWalkAndOpen();
     void aLessonIsChosen();
+    void allClassesAreSeenInTheListThatOpens();
     void nothingIsToldOfFourPeople();
     void chartsOfALesson();
     void lateAnswersOfAnotherLessonAreLeft();
@@ -164,6 +172,69 @@ void TestClassPage::theListsLieBehindTheNumbers()
     QCOMPARE(matrix()->model()->rowCount(), 12);
 }
 
+void TestClassPage::aStudentIsSearchedFor()
+{
+    m_page->setOverview(overview(200, 6), kNow);
+    auto* search = m_page->findChild<QLineEdit*>("studentSearch");
+    QVERIFY(search->isVisible());
+    search->setText(" student 107");
+    QCOMPARE(matrix()->model()->rowCount(), 10);
+    QVERIFY(name(0).startsWith("Student 1070"));
+    QCOMPARE(m_page->findChild<QLabel*>("studentsFound")->text(), QString("10 student(s)"));
+    search->setText("S-1002");  // a user name
+    QCOMPARE(matrix()->model()->rowCount(), 1);
+    // Among those who need the teacher, too.
+    button("1 stuck")->click();
+    QCOMPARE(matrix()->model()->rowCount(), 0);
+    button("1 stuck")->click();
+    // In another class nobody is searched for.
+    ClassOverview other = overview(3, 6);
+    other.id = {8};
+    m_page->setOverview(other, kNow);
+    QCOMPARE(search->text(), QString());
+    QCOMPARE(matrix()->model()->rowCount(), 3);
+}
+
+void TestClassPage::whatIsReadAgainLeavesEverythingInItsPlace()
+{
+    const ClassOverview large = overview(200, 40);
+    const QList<database::ClassAssignment> given{{1, {7}, "lesson-10", "2026-11-19T23:59:59Z", 0}};
+    m_page->setOverview(large, kNow);
+    m_page->setAssignments(given);
+    auto* late = m_page->findChild<QButtonGroup*>()->button(static_cast<int>(Need::Late));
+    late->click();
+    m_page->findChild<QLineEdit*>("studentSearch")->setText("Student 1");
+    matrix()->setCurrentIndex(matrix()->model()->index(60, 20));
+    m_page->findChild<QComboBox*>("lessonChooser")->setCurrentIndex(3);
+    const QString who = name(60);
+    const QPoint scrolled(matrix()->horizontalScrollBar()->value(), matrix()->verticalScrollBar()->value() - 20);
+    QVERIFY(scrolled.x() > 0 && scrolled.y() > 0);
+    matrix()->verticalScrollBar()->setValue(scrolled.y());
+
+    ClassOverview later = large;
+    later.students.erase(later.students.begin());
+    later.cells.erase(later.cells.begin());
+    QSignalSpy charted(m_page, &ClassPage::lessonChosen);
+    m_page->setOverview(later, kNow);
+    m_page->setAssignments(given);
+    QVERIFY(late->isChecked());
+    QCOMPARE(name(matrix()->currentIndex().row()), who);
+    QCOMPARE(matrix()->currentIndex().column(), 20);
+    QCOMPARE(QPoint(matrix()->horizontalScrollBar()->value(), matrix()->verticalScrollBar()->value()), scrolled);
+    QCOMPARE(m_page->chosenLesson(), QString("lesson-13"));
+    QCOMPARE(charted.count(), 0);
+}
+
+/// Others practise at other computers meanwhile.
+void TestClassPage::itIsReadAgainWhenItIsShownAgain()
+{
+    QSignalSpy wanted(m_page, &ClassPage::classChosen);
+    m_page->hide();
+    m_page->show();
+    QCOMPARE(wanted.count(), 1);
+    QCOMPARE(wanted[0][0].toLongLong(), 7);
+}
+
 void TestClassPage::nobodyNeedsYou()
 {
     ClassOverview fine = overview(12, 6);
@@ -173,7 +244,7 @@ void TestClassPage::nobodyNeedsYou()
     QCOMPARE(m_page->findChild<QLabel*>("needs")->text(), QString("Nobody needs you just now"));
 }
 
-/// Overdue, and not passed: but who is stuck or never came is so in the first place.
+/// Overdue, and not passed; who is stuck or never came is called so in the first place, and is late as well.
 void TestClassPage::whoIsLateNeedsTheTeacher()
 {
     ClassOverview shown = overview(5, 2);
@@ -188,11 +259,11 @@ void TestClassPage::whoIsLateNeedsTheTeacher()
     QVERIFY(name(2).contains("late"));  // has logged in, and has not begun
     QCOMPARE(name(3), QString("Student 1004"));
     QVERIFY(name(4).contains("late"));
-    QVERIFY(button("2 late") != nullptr && button("2 late")->isVisible());
+    QVERIFY(button("4 late") != nullptr && button("4 late")->isVisible());
     QCOMPARE(m_page->findChild<QLabel*>("needs")->text(), QString("4 need(s) you:"));
-    button("2 late")->click();
-    QCOMPARE(matrix()->model()->rowCount(), 2);
-    const QModelIndex late = matrix()->model()->index(1, 1);
+    button("4 late")->click();
+    QCOMPARE(matrix()->model()->rowCount(), 4);
+    const QModelIndex late = matrix()->model()->index(3, 1);
     QVERIFY2(late.data(Qt::ToolTipRole).toString().contains("overdue"),
              qPrintable(late.data(Qt::ToolTipRole).toString()));
 }
@@ -212,6 +283,7 @@ void TestClassPage::whoHasNoAttemptsLeftNeedsTheTeacher()
     QVERIFY(name(4).contains("out of tries"));
     QVERIFY(name(5).contains("late"));
     QVERIFY(button("2 out of tries") != nullptr && button("2 out of tries")->isVisible());
+    QVERIFY(button("5 late") != nullptr);  // all but the one who has passed
     const QString words = matrix()->model()->index(4, 1).data(Qt::ToolTipRole).toString();
     QVERIFY2(words.contains("no attempts left"), qPrintable(words));
     button("2 out of tries")->click();
@@ -312,6 +384,16 @@ void TestClassPage::aLessonIsChosen()
     m_page->findChild<QComboBox*>("classChooser")->setCurrentIndex(1);
     QCOMPARE(classes.count(), 1);
     QCOMPARE(classes[0][0].toLongLong(), 8);
+}
+
+void TestClassPage::allClassesAreSeenInTheListThatOpens()
+{
+    auto* classes = m_page->findChild<QComboBox*>("classChooser");
+    classes->setFocus();
+    classes->showPopup();
+    QTRY_VERIFY(classes->view()->isVisible());
+    QCOMPARE(classes->view()->verticalScrollBar()->maximum(), 0);
+    classes->hidePopup();
 }
 
 void TestClassPage::nothingIsToldOfFourPeople()

@@ -244,10 +244,12 @@ void TestHistoryPage::withoutRecordingThereIsNoReplay()
 {
     m_page->setHistory(attempts(3));
     auto* replay = m_page->findChild<QPushButton*>("replayAttempt");
-    QVERIFY(replay->isEnabled());
+    const auto* why = m_page->findChild<QLabel*>("recordingMissing");
+    QVERIFY(replay->isEnabled() && why->text().isEmpty());
     table()->selectRow(2);
     QVERIFY(!replay->isEnabled());
     QVERIFY(!replay->toolTip().isEmpty());
+    QVERIFY2(why->isVisible() && why->text().contains("no recording"), qPrintable(why->text()));
 }
 
 void TestHistoryPage::whatIsChosenStays()

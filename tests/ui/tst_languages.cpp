@@ -401,7 +401,7 @@ void TestLanguages::pages_data()
     });
     page("no classes", [this] { m_window->openClasses(); });
     page("assign", [this] {
-        m_window->assignPage().setLessons({{"0", "[···]", "[··]", "[·]"}, {"1", "[····]", "[··]", "[·]"}});
+        m_window->assignPage().setLessons({{"0", "[···]", "[··]", "[·]", {}}, {"1", "[····]", "[··]", "[·]", {}}});
         // Of today: names of months are Qt's.
         const std::string now = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
         m_window->assignPage().setAssignments({{7}, "[·]", {}, {}, {}}, {{1, {7}, "1", now, 3}});

@@ -47,6 +47,7 @@ private slots:
     void saveRefusesNothingSilently();
     void stepsBackShowNumbersOfARubricThatIsNone();
     void theTitleIsTakenBackAsWell();
+    void aLessonWithoutATitleIsToldOfInPlainWords();
     void aTitleIsShownHoweverItIsWritten();
     void nothingOfTheLessonBeforeIsLeft();
     void draftsAreKeptAndSavedTogether();
@@ -55,6 +56,7 @@ private slots:
     void aCapturedIdealIsChosenAndUndone();
     void fitWidensToWhatTheIdealNeeds();
     void sweepMarksEachAttemptUnderEachTolerance();
+    void attemptsWithoutMeasuresAreLeftOutOfTheSweep();
     void attemptsOfAFolderAreReadAndTheRestIsNamed();
     void replayingIsCalledOff();
 
@@ -336,6 +338,19 @@ void TestLessonEditor::aTitleIsShownHoweverItIsWritten()
     QCOMPARE(plain.title(), QString("Yours"));
 }
 
+void TestLessonEditor::aLessonWithoutATitleIsToldOfInPlainWords()
+{
+    open("class1-36");
+    auto* title = m_editor->findChild<QLineEdit*>("draftTitle");
+    title->setFocus();
+    title->selectAll();
+    QTest::keyClick(title, Qt::Key_Delete);
+    QTRY_COMPARE_WITH_TIMEOUT(check(), QStringLiteral("⚠ Wrong: The lesson needs a title."), kLoadedMs);
+    QVERIFY(anyFault("The lesson needs a title."));
+    QVERIFY(!m_editor->saveAll());
+    QVERIFY2(saidBelow().contains("Not saved: The lesson needs a title."), qPrintable(saidBelow()));
+}
+
 /// A lesson whose tooth cannot be made: what is wrong is said, and nothing of another lesson's can be changed in it.
 void TestLessonEditor::nothingOfTheLessonBeforeIsLeft()
 {
@@ -517,6 +532,19 @@ void TestLessonEditor::sweepMarksEachAttemptUnderEachTolerance()
     SweepChart chart(nullptr);
     chart.setSweep(sweep);
     QVERIFY2(chart.words(1.0).contains("of 3 pass"), qPrintable(chart.words(1.0)));
+}
+
+/// They would count as failed under every tolerance.
+void TestLessonEditor::attemptsWithoutMeasuresAreLeftOutOfTheSweep()
+{
+    open("class1-36");
+    const auto* words = m_editor->findChild<QLabel*>("sweepWords");
+    m_editor->setKnown({{"a", {}}, {"b", {}}});
+    QVERIFY2(words->text().startsWith("Choose a folder") && words->text().contains("2 attempt(s) of the history"),
+             qPrintable(words->text()));
+    m_editor->setKnown({{"a", {}}, {"b", {{"depth_mean_mm", 1.5}}}});
+    QVERIFY2(words->text().contains("of 1 pass") && words->text().contains("1 attempt(s) of the history"),
+             qPrintable(words->text()));
 }
 
 void TestLessonEditor::attemptsOfAFolderAreReadAndTheRestIsNamed()

@@ -32,6 +32,7 @@
 #include <QSignalSpy>
 #include <QSlider>
 #include <QStackedWidget>
+#include <QStyleOptionButton>
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
@@ -174,6 +175,9 @@ private slots:
     void aRefusedPasswordIsTypedAnew();
     void anAdminIsToldHowToBeginWithClasses();
     void aHalfFilledFormIsPutAside();
+    void presetsAreFoundFromTheSchoolAndFromOnesPlace();
+    void theChosenPartOfTheSchoolIsReadWhole();
+    void nobodyIsChosenByPassingThroughTheList();
     void aCodeStaysWithItsPerson();
     void aDoubleClickOnEnterTakesNoPasswordAway();
     void theQuestionOfAPasswordEndsWithAnythingElse();
@@ -1523,6 +1527,59 @@ void TestMainWindow::aHalfFilledFormIsPutAside()
     QVERIFY(!aside->isVisible());
 }
 
+void TestMainWindow::presetsAreFoundFromTheSchoolAndFromOnesPlace()
+{
+    openPeople();
+    QVERIFY(child<QMenu>("accountMenu")->actions().contains(actions().presets));
+    const auto buttons = m_window->adminPage().findChildren<QPushButton*>();
+    const auto found = std::find_if(buttons.begin(), buttons.end(), [this](const QPushButton* button) {
+        return button->text() == actions().presets->text();
+    });
+    QVERIFY(found != buttons.end() && (*found)->isVisible());
+    (*found)->click();
+    QVERIFY(child<ui::presets::PresetsPage>()->isVisible());
+}
+
+/// Its word is bold.
+void TestMainWindow::theChosenPartOfTheSchoolIsReadWhole()
+{
+    openPeople();
+    for (QPushButton* button : m_window->adminPage().findChildren<QPushButton*>()) {
+        if (button->property("kind") != "segment" || !button->isVisible())
+            continue;
+        button->click();
+        QStyleOptionButton look;
+        look.initFrom(button);
+        look.text = button->text();
+        look.state |= QStyle::State_On;
+        const int room = button->style()->subElementRect(QStyle::SE_PushButtonContents, &look, button).width();
+        const int word = QFontMetrics(typeface(kBody, QFont::DemiBold)).horizontalAdvance(button->text());
+        QVERIFY2(room >= word, qPrintable(QString("%1: %2 of %3 px").arg(button->text()).arg(room).arg(word)));
+    }
+}
+
+/// Tab on the way to something else.
+void TestMainWindow::nobodyIsChosenByPassingThroughTheList()
+{
+    ui::admin::PeoplePart& people = openPeople();
+    people.setPeople({someone(1, "Ada", true), someone(2, "Bob", true)}, {});
+    child<QPushButton>("newPerson")->click();
+    const auto* given = child<QLineEdit>("personGiven");
+    auto* table = child<QTableView>("people");
+    table->setFocus();
+    table->selectionModel()->setCurrentIndex(table->model()->index(0, 0), QItemSelectionModel::NoUpdate);
+    QVERIFY(given->text().isEmpty());
+    QTest::keyClick(table, Qt::Key_Space);
+    QCOMPARE(given->text(), QString("Ada"));
+    QTest::keyClick(table, Qt::Key_Down);
+    QCOMPARE(given->text(), QString("Bob"));
+    // Who is searched for meanwhile is not chosen by that.
+    child<QLineEdit>("peopleSearch")->setText("Ada");
+    QCOMPARE(given->text(), QString("Bob"));
+    child<QLineEdit>("peopleSearch")->clear();
+    QVERIFY(table->selectionModel()->isRowSelected(1));
+}
+
 void TestMainWindow::aCodeStaysWithItsPerson()
 {
     ui::admin::PeoplePart& people = openPeople();
@@ -1533,6 +1590,11 @@ void TestMainWindow::aCodeStaysWithItsPerson()
     QVERIFY(code->isVisible());
     choosePerson(1);
     QVERIFY(!code->isVisible());
+    // The list says whose code can still be seen.
+    const auto state = [this](int row) {
+        return child<QTableView>("people")->model()->index(row, 5).data().toString();
+    };
+    QVERIFY2(state(0).contains("shown here") && !state(1).contains("shown here"), qPrintable(state(0)));
     m_window->adminPage().show(ui::admin::AdminPage::Roster);
     m_window->adminPage().show(ui::admin::AdminPage::People);
     choosePerson(0);
@@ -1545,6 +1607,7 @@ void TestMainWindow::aCodeStaysWithItsPerson()
     actions().lessons->trigger();
     actions().school->trigger();
     QVERIFY(child<QWidget>("people")->isVisible() && !code->isVisible());
+    QVERIFY2(!state(0).contains("shown here"), qPrintable(state(0)));
 }
 
 void TestMainWindow::aDoubleClickOnEnterTakesNoPasswordAway()

@@ -43,10 +43,12 @@ private slots:
     void theMachinesScoreStaysInSight();
     void everythingIsSignedAndInOrder();
     void whoMayNotWriteReads();
+    void aCommentThatIsTooLongSaysSoBesideItsField();
     void aCommentIsPinned();
     void whatIsMarkedForACommentIsPinned();
     void pinsLeadThere();
     void aScoreNeedsAReason();
+    void theScoreBeginsWithWhatCounts();
     void whatWasRefusedStaysTyped();
     void whatIsTypedStaysWithItsAttempt();
     void theKeyboardStaysWithTheComment();
@@ -122,6 +124,20 @@ void TestTalkPanel::whoMayNotWriteReads()
     QVERIFY(words().contains("Here you pressed too hard."));
     m_panel->setTalk({});
     QVERIFY(get<QLabel>("noTalk")->text().contains("What your instructor says"));
+}
+
+void TestTalkPanel::aCommentThatIsTooLongSaysSoBesideItsField()
+{
+    auto* field = get<QPlainTextEdit>("commentWords");
+    auto* room = get<QLabel>("commentRoom");
+    field->setPlainText(QString(3000, 'w'));
+    QVERIFY(!room->isVisible());
+    field->setPlainText(QString(3990, 'w'));
+    QVERIFY2(room->isVisible() && room->text().contains("10 more"), qPrintable(room->text()));
+    QVERIFY(get<QPushButton>("addComment")->isEnabled());
+    field->setPlainText(QString(4020, 'w'));
+    QVERIFY2(room->text().startsWith("20 ") && room->text().contains("4,000"), qPrintable(room->text()));
+    QVERIFY(!get<QPushButton>("addComment")->isEnabled());
 }
 
 void TestTalkPanel::aCommentIsPinned()
@@ -218,6 +234,23 @@ void TestTalkPanel::aScoreNeedsAReason()
     m_panel->setTalk(talk());
     get<QPushButton>("machineAgain")->click();
     QVERIFY(given && !*given);
+}
+
+void TestTalkPanel::theScoreBeginsWithWhatCounts()
+{
+    auto* points = get<QDoubleSpinBox>("givenPoints");
+    m_panel->setTalk(talk());
+    QCOMPARE(points->value(), 80.0);
+    // What somebody has begun to type outlasts a comment.
+    points->setValue(77.7);
+    AttemptTalk commented = talk();
+    commented.comments.push_back({3, "Grace Hopper", "2026-11-20T14:00:00Z", "Lift the bur here.", {}, {}});
+    m_panel->setTalk(commented);
+    QCOMPARE(points->value(), 77.7);
+    // Another attempt begins with its own.
+    m_panel->setScore(500, 750, false);
+    m_panel->setTalk({});
+    QCOMPARE(points->value(), 50.0);
 }
 
 void TestTalkPanel::whatWasRefusedStaysTyped()

@@ -13,6 +13,7 @@
 #include "ui/admin/PeoplePart.h"
 #include "ui/admin/RosterPart.h"
 #include "ui/admin/StationPart.h"
+#include "ui/shell/Actions.h"
 #include "ui/shell/Theme.h"
 #include "ui/text/EveryLanguage.h"
 
@@ -47,6 +48,8 @@ AdminPage::AdminPage(const Actions& actions, QWidget* parent)
     offer(Audit, m_audit, [] { return tr("Audit"); });
     offer(Station, m_station, [] { return tr("This computer"); });
     choice->addStretch(1);
+    // A page of its own, which everybody may look at; but what it keeps is the school's.
+    choice->addWidget(pageButton(actions.presets, "quiet", this));
     m_choice->button(People)->setChecked(true);
     m_stack->setContentsMargins(kSpace4, 0, kSpace4, kSpace2);
     body()->addLayout(choice);

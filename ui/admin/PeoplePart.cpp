@@ -135,10 +135,13 @@ QWidget* PeoplePart::makeList()
         select(0);
         m_username->setFocus();
     });
-    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& now) {
-        if (now.isValid())
-            choose(now.siblingAtColumn(kName).data(kId).toLongLong());
+    // A row that becomes the current one when the table gets the focus was chosen by nobody.
+    connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
+        if (const QModelIndexList rows = m_table->selectionModel()->selectedRows(kName); !rows.isEmpty())
+            choose(rows.front().data(kId).toLongLong());
     });
+    connect(m_table, &QAbstractItemView::activated, this,
+            [this](const QModelIndex& index) { m_table->selectRow(index.row()); });
     return side;
 }
 
@@ -352,6 +355,8 @@ QString PeoplePart::stateOf(const Person& person) const
         return tr("disabled");
     if (person.hasPassword)
         return tr("can log in");
+    if (m_codes.contains(person.id.value))
+        return tr("has a one-time code, shown here");
     return person.codeUntilUtc >= QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString()
                ? tr("has a one-time code")
                : tr("needs a one-time code");
@@ -394,6 +399,10 @@ void PeoplePart::filter()
 {
     m_shown->setFilterFixedString(m_search->text().trimmed());
     m_count->setText(tr("%Ln person(s)", nullptr, m_shown->rowCount()));
+    // Whom the form shows is marked again when the search no longer hides him.
+    for (int row = 0; row < m_shown->rowCount() && m_chosen != 0; ++row)
+        if (m_shown->index(row, kName).data(kId).toLongLong() == m_chosen)
+            m_table->selectRow(row);
 }
 
 void PeoplePart::setPeople(const QList<Person>& people, const QList<database::SchoolClass>& classes)
@@ -555,6 +564,7 @@ bool PeoplePart::isSecondClick() const
 void PeoplePart::forgetCodes()
 {
     m_codes.clear();
+    fill();
     showForm();
 }
 
@@ -579,7 +589,9 @@ void PeoplePart::showForm()
     const Code code = m_codes.value(m_chosen);
     m_codeCard->setVisible(!code.code.isEmpty());
     m_code->setText(code.code);
-    m_codeWords->setText(tr("One-time code of %1. Tell it now: it is kept nowhere.").arg(code.fullName));
+    m_codeWords->setText(tr("One-time code of %1. Tell it now: it is kept nowhere. It is shown here, whenever %1 is "
+                            "chosen, until School is left.")
+                             .arg(code.fullName));
     tellAside();
 }
 
@@ -711,6 +723,7 @@ void PeoplePart::toggleDisabled()
 void PeoplePart::showCode(database::PersonId person, const QString& fullName, const QString& code)
 {
     m_codes.insert(person.value, {fullName, code});
+    fill();
     showForm();
     m_pane->ensureVisible(0, 0);
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <QAbstractButton>
+#include <QDir>
 #include <QFrame>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -223,6 +224,12 @@ QWidget* AssignPage::makeOffers()
     column->addWidget(line(part));
     m_newTerms = new AssignTerms(part);
     column->addWidget(m_newTerms);
+    m_where = new QLabel(part);
+    m_where->setObjectName(QStringLiteral("whereLessonsAre"));
+    m_where->setTextFormat(Qt::PlainText);
+    m_where->setFont(typeface(kSmall));
+    m_where->setWordWrap(true);
+    column->addWidget(m_where);
     m_assign = new QPushButton(part);
     m_assign->setObjectName(QStringLiteral("assignTicked"));
     m_assign->setProperty("kind", "filled");
@@ -606,11 +613,33 @@ void AssignPage::tellChosen()
     m_assign->setText(count == 0 ? tr("Assign") : tr("Assign %n lesson(s)", nullptr, count));
     m_assign->setAccessibleName(m_assign->text());
     m_assign->setEnabled(count > 0 && !m_isAsking && m_overview.id.value != 0);
+    tellWhere();
     const bool hasChosen = !m_table->selectionModel()->selectedRows().isEmpty();
     m_change->setEnabled(hasChosen && !m_isAsking);
     m_takeBack->setEnabled(hasChosen && !m_isAsking);
     m_terms->setEnabled(hasChosen);
     m_undo->setEnabled(!m_isAsking);
+}
+
+/// The school's database has no lessons: whoever is given one that is not shipped finds it only where its file is.
+void AssignPage::tellWhere()
+{
+    QStringList titles;
+    QStringList files;
+    for (const std::string& id : ticked())
+        for (const LessonOffer& lesson : m_lessons)
+            if (lesson.id == id && !lesson.file.isEmpty()) {
+                titles << lesson.title;
+                files << QDir::toNativeSeparators(lesson.file);
+            }
+    files.removeDuplicates();  // of a pack
+    m_where->setVisible(!titles.isEmpty());
+    //: %1: titles; %2: files
+    m_where->setText(tr("%n lesson(s) of your own: %1. Students find them only at computers that have their files, "
+                        "too: put a copy of %2 there into the folder that \"Your own lessons\" opens on the page of "
+                        "lessons.",
+                        nullptr, static_cast<int>(titles.size()))
+                         .arg(titles.join(QStringLiteral(", ")), files.join(QStringLiteral(", "))));
 }
 
 void AssignPage::retell()

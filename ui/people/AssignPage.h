@@ -34,6 +34,7 @@ struct LessonOffer
     QString title;
     QString tooth;  ///< "Lower left first molar (36)"
     QString group;  ///< that it stands under
+    QString file;   ///< its own or its pack's; empty: it is shipped, and on every computer
 };
 
 /// One lesson of a class, as it was given and as it shall be; nothing: not given.
@@ -80,6 +81,7 @@ private:
     void search();
     void fillGiven();
     void tellChosen();
+    void tellWhere();
     void take(const QList<AssignmentChange>& changes);
     [[nodiscard]] std::vector<std::string> ticked() const;
     [[nodiscard]] QList<database::ClassAssignment> chosen() const;
@@ -100,6 +102,7 @@ private:
     QStandardItemModel* m_offers = nullptr;
     QListView* m_list = nullptr;
     AssignTerms* m_newTerms = nullptr;
+    QLabel* m_where = nullptr;  ///< lessons are that are not shipped
     QPushButton* m_assign = nullptr;
     QLabel* m_givenTitle = nullptr;
     QStackedWidget* m_stack = nullptr;

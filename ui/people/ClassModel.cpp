@@ -99,12 +99,13 @@ void NameHeads::initStyleOptionForIndex(QStyleOptionHeader* option, int logicalI
 void ClassModel::setOverview(const database::ClassOverview& overview, const QDateTime& now)
 {
     beginResetModel();
+    if (overview.id != m_overview.id)  // what another one is to do
+        m_given.clear();
     m_overview = overview;
     m_now = now;
     m_overview.cells.resize(m_overview.students.size());
     for (std::vector<MatrixCell>& row : m_overview.cells)
         row.resize(m_overview.lessons.size());
-    m_given.clear();
     findNeeds();
     endResetModel();
 }
@@ -122,6 +123,7 @@ void ClassModel::setAssignments(const QList<database::ClassAssignment>& given)
 void ClassModel::findNeeds()
 {
     m_needs.clear();
+    m_areLate.clear();
     for (std::size_t k = 0; k < m_overview.students.size(); ++k) {
         bool noneLeft = false;
         bool late = false;
@@ -130,6 +132,7 @@ void ClassModel::findNeeds()
             late = late || isLate(k, lesson);
         }
         m_needs << needOf(m_overview.students[k], noneLeft, late);
+        m_areLate << late;
     }
 }
 
@@ -180,9 +183,17 @@ void ClassModel::retell()
         emit headerDataChanged(Qt::Vertical, 0, rowCount() - 1);
 }
 
+bool ClassModel::needs(int row, Need need) const
+{
+    return need == Need::Late ? m_areLate[row] : m_needs[row] == need;
+}
+
 int ClassModel::count(Need need) const
 {
-    return static_cast<int>(std::count(m_needs.begin(), m_needs.end(), need));
+    int count = 0;
+    for (int row = 0; row < rowCount(); ++row)
+        count += needs(row, need) ? 1 : 0;
+    return count;
 }
 
 std::optional<std::size_t> ClassModel::lessonOf(int column)
@@ -348,6 +359,12 @@ void ClassFilter::setNeed(Need need)
     invalidateFilter();
 }
 
+void ClassFilter::setWords(const QString& words)
+{
+    m_words = words.trimmed();
+    invalidateFilter();
+}
+
 void ClassFilter::sort(int column, Qt::SortOrder order)
 {
     m_isDescending = order == Qt::DescendingOrder;
@@ -356,7 +373,10 @@ void ClassFilter::sort(int column, Qt::SortOrder order)
 
 bool ClassFilter::filterAcceptsRow(int row, const QModelIndex&) const
 {
-    return m_need == Need::Nothing || m_source->need(row) == m_need;
+    const MatrixStudent& student = m_source->overview().students[static_cast<std::size_t>(row)];
+    const bool isCalledSo = nameOf(student).contains(m_words, Qt::CaseInsensitive) ||
+                            QString::fromStdString(student.username).contains(m_words, Qt::CaseInsensitive);
+    return isCalledSo && (m_need == Need::Nothing || m_source->needs(row, m_need));
 }
 
 bool ClassFilter::lessThan(const QModelIndex& left, const QModelIndex& right) const

@@ -59,7 +59,10 @@ public:
     void retell();
 
     [[nodiscard]] const database::ClassOverview& overview() const { return m_overview; }
+    /// The first of them.
     [[nodiscard]] Need need(int row) const { return m_needs[row]; }
+    /// Late are also those who have no attempts left, are stuck or have never logged in.
+    [[nodiscard]] bool needs(int row, Need need) const;
     /// How many need so.
     [[nodiscard]] int count(Need need) const;
     /// Nothing for the column of the last attempt.
@@ -97,11 +100,12 @@ private:
     database::ClassOverview m_overview;
     std::map<std::string, database::ClassAssignment> m_given;  ///< by lesson
     QList<Need> m_needs;
+    QList<bool> m_areLate;
     LessonTitles m_titles;
     QDateTime m_now;
 };
 
-/// All students, or those who need something; sorted by value, those who have none last.
+/// All students, or those who need something or are called so; sorted by value, those who have none last.
 class ClassFilter final : public QSortFilterProxyModel
 {
     Q_OBJECT
@@ -110,6 +114,8 @@ public:
 
     /// @param need  Nothing: all students
     void setNeed(Need need);
+    /// @param words  of a name or a user name; empty: all students
+    void setWords(const QString& words);
     void sort(int column, Qt::SortOrder order) override;
 
 protected:
@@ -119,6 +125,7 @@ protected:
 private:
     ClassModel* m_source;
     Need m_need = Need::Nothing;
+    QString m_words;
     bool m_isDescending = false;
 };
 

@@ -11,10 +11,12 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QSaveFile>
+#include <QScrollBar>
 #include <QSignalBlocker>
 #include <QStackedWidget>
 #include <QToolButton>
@@ -28,16 +30,19 @@
 #include "ui/shell/Folders.h"
 #include "ui/shell/Theme.h"
 #include "ui/study/FormInputs.h"
+#include "ui/text/EveryLanguage.h"
 
 namespace ui::people {
 namespace {
 
+using database::MatrixStudent;
 using namespace ui::shell;
 
 constexpr int kLessonPx = 104;
 constexpr int kHeadPx = 62;  ///< three lines of a lesson's title
 constexpr int kDuePx = 18;   ///< and one for when it is due
 constexpr int kNamesPx = 250;
+constexpr int kSearchPx = 240;
 constexpr std::array kNeeds{Need::NoneLeft, Need::Stuck, Need::NeverLoggedIn, Need::Late, Need::NotBegun};
 
 }  // namespace
@@ -76,6 +81,19 @@ QWidget* ClassPage::makeHead()
             emit classChosen(chosenClass().value);
     });
     row->addWidget(m_class);
+    m_search = new QLineEdit(part);
+    m_search->setObjectName(QStringLiteral("studentSearch"));
+    m_search->setClearButtonEnabled(true);
+    for (auto* clear : m_search->findChildren<QAbstractButton*>())
+        text::inEveryLanguage(clear, [clear] { clear->setAccessibleName(tr("Clear the search")); });
+    m_search->setFont(typeface(kBody));
+    m_search->setFixedWidth(kSearchPx);
+    connect(m_search, &QLineEdit::textChanged, this, &ClassPage::search);
+    row->addWidget(m_search);
+    m_found = new QLabel(part);
+    m_found->setObjectName(QStringLiteral("studentsFound"));
+    m_found->setForegroundRole(QPalette::PlaceholderText);
+    row->addWidget(m_found);
     m_needs = new QLabel(part);
     m_needs->setObjectName(QStringLiteral("needs"));
     m_needs->setTextFormat(Qt::PlainText);
@@ -100,6 +118,7 @@ QWidget* ClassPage::makeHead()
                 button->setChecked(false);
             }
         m_filter->setNeed(m_need->checkedId() < 0 ? Need::Nothing : static_cast<Need>(m_need->checkedId()));
+        search();
     });
     row->addStretch(1);
     m_report = new QToolButton(part);
@@ -283,10 +302,18 @@ void ClassPage::setOverview(const database::ClassOverview& overview, const QDate
 {
     const QString before = chosenLesson();
     const bool wasEmpty = m_model->rowCount() == 0;
-    m_model->setOverview(overview, now);
-    for (QAbstractButton* button : m_need->buttons())
-        button->setChecked(false);
-    fitColumns();
+    if (overview.id == m_model->overview().id) {
+        const Place seen = place();
+        m_model->setOverview(overview, now);
+        fitColumns();
+        goTo(seen);
+    } else {
+        m_model->setOverview(overview, now);
+        m_search->clear();
+        for (QAbstractButton* button : m_need->buttons())
+            button->setChecked(false);
+        fitColumns();
+    }
     fillLessons();
     tellNeeds();
     m_said->clear();
@@ -294,6 +321,45 @@ void ClassPage::setOverview(const database::ClassOverview& overview, const QDate
         m_table->setFocus();
     if (chosenLesson() != before || chosenLesson().isEmpty())
         takeLesson();
+}
+
+ClassPage::Place ClassPage::place() const
+{
+    Place made{{}, {}, {m_table->horizontalScrollBar()->value(), m_table->verticalScrollBar()->value()}};
+    const QModelIndex current = m_filter->mapToSource(m_table->currentIndex());
+    if (!current.isValid())
+        return made;
+    made.student = m_model->overview().students[static_cast<std::size_t>(current.row())].id;
+    if (const auto lesson = ClassModel::lessonOf(current.column()))
+        made.lesson = m_model->overview().lessons[*lesson];
+    return made;
+}
+
+void ClassPage::goTo(const Place& place)
+{
+    const std::vector<MatrixStudent>& students = m_model->overview().students;
+    const std::vector<std::string>& lessons = m_model->overview().lessons;
+    const auto student = std::find_if(students.begin(), students.end(),
+                                      [&place](const MatrixStudent& one) { return one.id == place.student; });
+    const auto lesson = std::find(lessons.begin(), lessons.end(), place.lesson);
+    if (student != students.end() && (lesson != lessons.end() || place.lesson.empty())) {
+        const QSignalBlocker quiet(m_lesson);  // the charts stay those of the lesson that is chosen
+        const int column = place.lesson.empty() ? ClassModel::kLast
+                                                : ClassModel::kFirstLesson + static_cast<int>(lesson - lessons.begin());
+        const QString charted = chosenLesson();
+        m_table->setCurrentIndex(
+            m_filter->mapFromSource(m_model->index(static_cast<int>(student - students.begin()), column)));
+        m_lesson->setCurrentIndex(m_lesson->findData(charted));
+    }
+    m_table->doItemsLayout();
+    m_table->horizontalScrollBar()->setValue(place.scrolled.x());
+    m_table->verticalScrollBar()->setValue(place.scrolled.y());
+}
+
+void ClassPage::readAgain()
+{
+    if (chosenClass().value != 0)
+        emit classChosen(chosenClass().value);
 }
 
 void ClassPage::setAssignments(const QList<database::ClassAssignment>& given)
@@ -380,10 +446,10 @@ void ClassPage::takeCell(const QModelIndex& index)
 
 void ClassPage::tellNeeds()
 {
-    int all = 0;
+    // Some have more than one need.
+    const int all = m_model->rowCount() - m_model->count(Need::Nothing);
     for (const Need need : kNeeds) {
         const int count = m_model->count(need);
-        all += count;
         QAbstractButton* button = m_need->button(static_cast<int>(need));
         //: %1: how many; %2: "stuck"
         button->setText(tr("%1 %2").arg(count).arg(needWord(need)));
@@ -414,7 +480,16 @@ void ClassPage::tellNeeds()
     m_charts->setVisible(m_lesson->count() > 0);
     m_report->setVisible(!m_classes.isEmpty());
     m_report->setEnabled(hasStudents);
+    m_search->setVisible(hasStudents);
+    search();
     m_assign->setVisible(!m_classes.isEmpty());
+}
+
+void ClassPage::search()
+{
+    m_filter->setWords(m_search->text());
+    m_found->setText(m_search->text().trimmed().isEmpty() ? QString()
+                                                          : tr("%Ln student(s)", nullptr, m_filter->rowCount()));
 }
 
 void ClassPage::tellEmpty()
@@ -504,6 +579,8 @@ void ClassPage::retell()
 {
     setTitle(tr("Class"));
     study::nameInput(m_class, tr("Class"));
+    m_search->setPlaceholderText(tr("Search: a student"));
+    m_search->setAccessibleName(m_search->placeholderText());
     m_lessonWord->setText(tr("How the class does at"));
     study::nameInput(m_lesson, tr("Lesson whose charts are shown"));
     m_table->setAccessibleName(tr("Best scores, students by lessons"));
@@ -546,6 +623,7 @@ void ClassPage::showEvent(QShowEvent* event)
 {
     Page::showEvent(event);
     m_table->setFocus();
+    readAgain();
 }
 
 }  // namespace ui::people

@@ -6,6 +6,7 @@
 
 #include <QDateTime>
 #include <QList>
+#include <QPoint>
 
 #include "database/overview.h"
 #include "database/people.h"
@@ -15,6 +16,7 @@
 class QButtonGroup;
 class QComboBox;
 class QLabel;
+class QLineEdit;
 class QPushButton;
 class QStackedWidget;
 class QToolButton;
@@ -40,6 +42,7 @@ public:
     /// Those that are his. What is chosen stays, where it is among them.
     void setClasses(const QList<database::SchoolClass>& classes);
     /// @param now  days are counted from here
+    /// What is chosen and seen of the same class stays.
     void setOverview(const database::ClassOverview& overview, const QDateTime& now = QDateTime::currentDateTimeUtc());
     /// What the class is to do: when it is due, and who is late. After setOverview().
     void setAssignments(const QList<database::ClassAssignment>& given);
@@ -57,8 +60,11 @@ public:
     /// Writes the matrix and says below it what became of that.
     bool saveTable(const QString& path);
     void say(const QString& words);
+    /// Asks for the class that is chosen once more: others work at it, too.
+    void readAgain();
 
 signals:
+    /// Or it is to be read again.
     void classChosen(qint64 classId);
     /// How the class does at it is wanted.
     void lessonChosen(const QString& lessonId);
@@ -83,11 +89,21 @@ private:
     QWidget* makeCharts();
     void fillLessons();
     void fillClasses();
+    /// Of the matrix.
+    struct Place
+    {
+        database::PersonId student;  ///< of the current cell
+        std::string lesson;          ///< empty: its last attempt
+        QPoint scrolled;
+    };
+    [[nodiscard]] Place place() const;
+    void goTo(const Place& place);
     void takeLesson();
     void takeCell(const QModelIndex& index);
     void retell();
     void tellNeeds();
     void tellEmpty();
+    void search();
     void drawCharts();
     void fitColumns();
     void askForFile();
@@ -101,6 +117,8 @@ private:
     ClassModel* m_model;
     ClassFilter* m_filter;
     QComboBox* m_class = nullptr;
+    QLineEdit* m_search = nullptr;  ///< for a student
+    QLabel* m_found = nullptr;      ///< how many are called so
     QLabel* m_needs = nullptr;
     QButtonGroup* m_need = nullptr;
     QPushButton* m_assign = nullptr;

@@ -101,7 +101,12 @@ QWidget* HistoryPage::makeList()
 
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(kSpace2);
-    buttons->addStretch(1);
+    m_missing = new QLabel(part);
+    m_missing->setObjectName(QStringLiteral("recordingMissing"));
+    m_missing->setTextFormat(Qt::PlainText);
+    m_missing->setForegroundRole(QPalette::PlaceholderText);
+    m_missing->setWordWrap(true);
+    buttons->addWidget(m_missing, 1);
     m_replay = new QPushButton(part);
     m_replay->setObjectName(QStringLiteral("replayAttempt"));
     m_replay->setAutoDefault(true);
@@ -336,6 +341,7 @@ void HistoryPage::tellChosen()
         button->setEnabled(isRecorded);
     const QString missing = tr("Of this attempt no recording was kept.");
     const bool isMissing = attempt != nullptr && !isRecorded;
+    m_missing->setText(isMissing ? missing : QString());
     m_open->setToolTip(isMissing ? missing : tr("See what cost points, and where"));
     m_replay->setToolTip(isMissing ? missing : tr("See again how it was done"));
 }

@@ -96,6 +96,7 @@ private:
     QLabel* m_withoutScore = nullptr;
     ListTable* m_table = nullptr;
     std::map<int, int> m_columnPx;  ///< what each needs
+    QLabel* m_missing = nullptr;    ///< why the chosen one cannot be opened
     QPushButton* m_open = nullptr;
     QPushButton* m_replay = nullptr;
     QButtonGroup* m_which = nullptr;

@@ -9,6 +9,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QLocale>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -26,6 +27,7 @@ using namespace ui::shell;
 
 constexpr int kWordsPx = 72;
 constexpr double kFullPoints = 100.0;
+constexpr int kSoonFull = 500;  ///< so many characters before a comment is full, that is said
 
 QLabel* label(int size, QFont::Weight weight, QPalette::ColorRole role, QWidget* parent)
 {
@@ -75,6 +77,9 @@ void TalkPanel::makeComposer(QVBoxLayout& column)
     m_words->setTabChangesFocus(true);
     m_words->setFixedHeight(kWordsPx);
     inside->addWidget(m_words);
+    m_room = label(kSmall, QFont::Normal, QPalette::WindowText, m_composer);
+    m_room->setObjectName(QStringLiteral("commentRoom"));
+    inside->addWidget(m_room);
     auto* row = new QHBoxLayout;
     row->setSpacing(kSpace4);
     m_atMoment = new QCheckBox(m_composer);
@@ -93,9 +98,7 @@ void TalkPanel::makeComposer(QVBoxLayout& column)
     m_howToPin->setObjectName(QStringLiteral("howToPin"));
     inside->addWidget(m_howToPin);
     column.addWidget(m_composer);
-    const auto ready = [this] { m_add->setEnabled(!m_words->toPlainText().trimmed().isEmpty()); };
-    connect(m_words, &QPlainTextEdit::textChanged, this, ready);
-    ready();
+    connect(m_words, &QPlainTextEdit::textChanged, this, &TalkPanel::tellRoom);
     connect(m_add, &QPushButton::clicked, this, [this] {
         m_fault->hide();
         emit commentWanted(m_words->toPlainText().trimmed(), m_atMoment->isChecked() ? m_moment : std::nullopt,
@@ -123,6 +126,7 @@ void TalkPanel::makeOverride(QVBoxLayout& column)
     study::bindToForm(m_points);
     m_reason = new QLineEdit(m_override);
     m_reason->setObjectName(QStringLiteral("reason"));
+    m_reason->setMaxLength(database::kLongestComment);
     row->addWidget(m_points);
     row->addWidget(m_reason, 1);
     inside->addLayout(row);
@@ -200,7 +204,11 @@ void TalkPanel::setTalk(const database::AttemptTalk& talk)
             m_reason->setFocus();
         m_reason->clear();
     }
+    const int countedTenths = given().value_or(m_machineTenths);
     m_talk = talk;
+    // A number that somebody has begun to type stays, unless another score counts by now.
+    if (const int countsTenths = given().value_or(m_machineTenths); countsTenths != countedTenths)
+        m_points->setValue(countsTenths / 10.0);
     fill();
     tellScore();
     if (form != nullptr)
@@ -252,18 +260,35 @@ void TalkPanel::refuse(const QString& sentence)
         announce(*m_fault);
 }
 
+std::optional<int> TalkPanel::given() const
+{
+    return m_talk.overrides.empty() ? std::nullopt : m_talk.overrides.back().givenTenths;
+}
+
 /// What counts, and beneath it what the machine said, whenever that is another.
 void TalkPanel::tellScore()
 {
-    const auto& overrides = m_talk.overrides;
-    const std::optional<int> given = overrides.empty() ? std::nullopt : overrides.back().givenTenths;
+    const std::optional<int> given = this->given();
     const bool passed = given ? *given >= m_passMarkTenths : m_passedByMachine;
     const QString points = text::points(given.value_or(m_machineTenths));
     m_counts->setText(passed ? tr("%1 points, passed").arg(points) : tr("%1 points, not passed").arg(points));
-    m_machine->setText(given ? tr("Given by %1. The machine's score: %2 points.")
-                                   .arg(QString::fromStdString(overrides.back().author), text::points(m_machineTenths))
-                             : tr("The machine's score"));
+    m_machine->setText(
+        given ? tr("Given by %1. The machine's score: %2 points.")
+                    .arg(QString::fromStdString(m_talk.overrides.back().author), text::points(m_machineTenths))
+              : tr("The machine's score"));
     m_again->setVisible(given.has_value());
+}
+
+/// Whether the comment can be added: beside the field, where it is typed.
+void TalkPanel::tellRoom()
+{
+    const auto length = static_cast<int>(m_words->toPlainText().trimmed().size());
+    const int room = database::kLongestComment - length;
+    m_room->setVisible(room < kSoonFull);
+    m_room->setText(room >= 0 ? tr("Room for %Ln more character(s)", nullptr, room)
+                              : tr("%Ln character(s) too many: a comment has at most %1.", nullptr, -room)
+                                    .arg(QLocale().toString(database::kLongestComment)));
+    m_add->setEnabled(length > 0 && room >= 0);
 }
 
 void TalkPanel::tellPins()
@@ -373,6 +398,7 @@ void TalkPanel::retell()
     setMay(m_mayComment, m_mayOverride);
     tellScore();
     tellPins();
+    tellRoom();
 }
 
 void TalkPanel::changeEvent(QEvent* event)

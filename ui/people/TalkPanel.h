@@ -68,8 +68,11 @@ private:
     void makeOverride(QVBoxLayout& column);
     void retell();
     void fill();
+    /// What an instructor has given; nothing: the machine's score counts.
+    [[nodiscard]] std::optional<int> given() const;
     void tellScore();
     void tellPins();
+    void tellRoom();
     void unpin();
     [[nodiscard]] QWidget* formInUse() const;
 
@@ -98,6 +101,7 @@ private:
     QPlainTextEdit* m_words = nullptr;
     QCheckBox* m_atMoment = nullptr;
     QCheckBox* m_atPlace = nullptr;
+    QLabel* m_room = nullptr;  ///< for so many more characters
     QPushButton* m_add = nullptr;
     QLabel* m_howToPin = nullptr;
     QWidget* m_override = nullptr;

@@ -39,7 +39,7 @@ void paintNeeds(Sheet& sheet, const people::ClassModel& model)
     const auto list = [&](Need need, const QString& what) {
         QStringList names;
         for (int row = 0; row < model.rowCount(); ++row)
-            if (model.need(row) == need)
+            if (model.needs(row, need))
                 names << people::nameOf(model.overview().students[static_cast<std::size_t>(row)]);
         if (!names.isEmpty())
             //: %1: what they need; %2: names

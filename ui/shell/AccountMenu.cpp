@@ -11,7 +11,7 @@ AccountMenu::AccountMenu(const Actions& actions, QWidget* parent) : QMenu(parent
 {
     setObjectName(QStringLiteral("accountMenu"));
     // Drawings are made for the dark bars of the practice room.
-    for (QAction* action : {actions.lock, actions.settings})
+    for (QAction* action : {actions.lock, actions.presets, actions.settings})
         action->setIconVisibleInMenu(false);
     addAction(actions.lock);
     QAction* password = addAction(QString());
@@ -19,6 +19,7 @@ AccountMenu::AccountMenu(const Actions& actions, QWidget* parent) : QMenu(parent
     connect(password, &QAction::triggered, this, &AccountMenu::passwordWanted);
     addSeparator();
     addMenu(new LanguageMenu(this));
+    addAction(actions.presets);
     addAction(actions.settings);
     text::inEveryLanguage(this, [this, password] {
         setAccessibleName(tr("My place"));

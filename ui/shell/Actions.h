@@ -58,9 +58,10 @@ public:
     QAction* lessons = nullptr;
     QAction* editLesson = nullptr;  ///< on the page of lessons
     QAction* presets = nullptr;
-    QAction* attempts = nullptr;  ///< hidden for a guest
-    QAction* school = nullptr;    ///< hidden for who is no admin
-    QAction* classes = nullptr;   ///< hidden for who has none
+    QAction* attempts = nullptr;   ///< hidden for a guest
+    QAction* school = nullptr;     ///< hidden for who is no admin
+    QAction* classes = nullptr;    ///< hidden for who has none
+    QAction* readAgain = nullptr;  ///< on the page of classes
     QAction* chooseTooth = nullptr;
     QAction* mouth = nullptr;  ///< hidden where there is no OpenGL to draw it
     QAction* openScan = nullptr;

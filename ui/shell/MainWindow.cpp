@@ -384,6 +384,7 @@ void MainWindow::connectActions()
     connect(m_login, &people::LoginPage::leaveWanted, this, &MainWindow::goBack);
     on(m_actions->attempts, [this] { emit attemptsWanted(); });
     on(m_actions->classes, [this] { emit classesWanted(); });
+    on(m_actions->readAgain, [this] { m_classes->readAgain(); });
     on(m_actions->quit, [this] { close(); });
 }
 
@@ -602,7 +603,8 @@ void MainWindow::setWho(const database::Session& who)
     m_actions->attempts->setVisible(!who.isGuest());
     m_actions->school->setVisible(who.role() == database::Role::Admin);
     m_classes->setMayEnter(who.role() == database::Role::Admin);
-    m_actions->classes->setVisible(who.role() == database::Role::Instructor || who.role() == database::Role::Admin);
+    for (QAction* action : {m_actions->classes, m_actions->readAgain})
+        action->setVisible(who.role() == database::Role::Instructor || who.role() == database::Role::Admin);
     if (!isAtDoor())
         return;
     m_mayLeaveDoor = true;
@@ -1635,6 +1637,7 @@ void MainWindow::enableActions()
     m_actions->undo->setEnabled(inEditor ? m_editor->canUndo() : inRoom && mayGoBack && m_session.undoSteps > 0);
     m_actions->redo->setEnabled(inEditor ? m_editor->canRedo() : inRoom && mayGoBack && m_session.redoSteps > 0);
     m_actions->editLesson->setEnabled(m_mayEdit && m_pages->currentWidget() == m_lessonsPage);
+    m_actions->readAgain->setEnabled(m_pages->currentWidget() == m_classes);
     m_actions->saveReference->setEnabled(inRoom && mine && !isExamRunning());
     m_actions->reload->setEnabled((mayGoBack || (mine && m_examIsOver)) && !m_isUsedUp);
     m_actions->grade->setEnabled(inRoom && m_tooth != nullptr && !m_busy->isWorking());

@@ -49,13 +49,21 @@ std::filesystem::path toPath(const QString& file)
     return {file.toStdU16String()};
 }
 
+/// What a form that is filled in can come to is said in its language; the rest is for who writes the file.
+QString wordsOf(const ::lessons::Fault& fault, const LessonDraft& draft)
+{
+    return fault.key == QStringLiteral("title") && draft.title().isEmpty()
+               ? LessonEditor::tr("The lesson needs a title.")
+               : fault.sentence();
+}
+
 /// Writes a draft where it stands. Empty when that is done, else a sentence that says why not.
 /// @param weighed  what it comes to
 QString write(LessonDraft& draft, const Weighed& weighed)
 {
     for (const ::lessons::Fault& fault : weighed.read.faults)
         if (fault.grave)
-            return LessonEditor::tr("Not saved: %1").arg(fault.sentence());
+            return LessonEditor::tr("Not saved: %1").arg(wordsOf(fault, draft));
     if (weighed.itself && !weighed.isFullMarks())
         return LessonEditor::tr("Not saved: whoever cuts exactly this ideal would lose points. Widen the tolerances "
                                 "that are named, or press Fit.");
@@ -401,7 +409,7 @@ void LessonEditor::showFaults()
 {
     QStringList general;
     for (const ::lessons::Fault& fault : m_rubric->takeFaults(m_ideal->takeFaults(m_now->read.faults)))
-        general << fault.sentence();
+        general << wordsOf(fault, draft());
     showFault(m_generalFault, general.join(u' '));
 }
 
@@ -425,7 +433,7 @@ void LessonEditor::showCheck()
     m_check->setPalette(colours);
     m_check->setText(
         //: %1: where in the lesson, and what is wrong there
-        wrong != m_now->read.faults.end() ? QStringLiteral("⚠ ") + tr("Wrong: %1").arg(wrong->sentence())
+        wrong != m_now->read.faults.end() ? QStringLiteral("⚠ ") + tr("Wrong: %1").arg(wordsOf(*wrong, draft()))
         : !m_now->assignment              ? tr("The ideal is checked as soon as nothing is wrong.")
         : !itself                         ? tr("An exercise has no ideal that could be checked.")
         : isFull

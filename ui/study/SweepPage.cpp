@@ -25,6 +25,13 @@ using namespace ui::shell;
 
 namespace {
 
+QString howToBegin()
+{
+    return SweepPage::tr(
+        "Choose a folder with recordings of this tooth: each is replayed once, and its score is drawn for tolerances "
+        "from 0 to 3 times those at the left.");
+}
+
 std::string idsOf(const ::lessons::Rubric& rubric)
 {
     std::string ids;
@@ -110,9 +117,7 @@ void SweepPage::nameCriteria()
 
 void SweepPage::sayHowToBegin()
 {
-    say(tr(
-        "Choose a folder with recordings of this tooth: each is replayed once, and its score is drawn for tolerances "
-        "from 0 to 3 times those at the left."));
+    say(howToBegin());
 }
 
 SweepPage::~SweepPage()
@@ -128,6 +133,7 @@ void SweepPage::begin(const std::optional<::lessons::Lesson>& opened)
     m_opened = opened;
     m_good.reset();
     m_known.clear();
+    m_unmeasured = 0;
     m_measured.clear();
     m_measuredFor.reset();
     ++*m_measuring;
@@ -140,6 +146,11 @@ void SweepPage::begin(const std::optional<::lessons::Lesson>& opened)
 void SweepPage::setKnown(std::vector<MeasuredAttempt> attempts)
 {
     m_known = std::move(attempts);
+    // Under no tolerance would they score anything.
+    const auto measured = std::remove_if(m_known.begin(), m_known.end(),
+                                         [](const MeasuredAttempt& attempt) { return attempt.values.empty(); });
+    m_unmeasured = static_cast<int>(m_known.end() - measured);
+    m_known.erase(measured, m_known.end());
     sweepAgain();
 }
 
@@ -262,10 +273,14 @@ void SweepPage::sweepAgain()
     else if (!m_known.empty())
         said << tr("The attempts of the history were made for another ideal than this draft's. Choose a folder with "
                    "recordings.");
+    else if (m_unmeasured > 0)
+        said << howToBegin();
     else
         return;  // it has been said what to do
     if (countsKnown)
         said << tr("%n of them from the history.", nullptr, static_cast<int>(m_known.size()));
+    if (m_unmeasured > 0)
+        said << tr("%n attempt(s) of the history without measured values are left out.", nullptr, m_unmeasured);
     const int others = m_past ? static_cast<int>(m_past->attempts.size() - m_measured.size()) : 0;
     if (!m_measured.empty() && others > 0)
         said << tr("%n attempt(s) at other teeth are left out.", nullptr, others);

@@ -55,6 +55,7 @@ private:
     std::optional<::lessons::Lesson> m_opened;
     std::shared_ptr<const PastAttempts> m_past;
     std::vector<MeasuredAttempt> m_known;
+    int m_unmeasured = 0;                     ///< of which the history knows no measures
     std::vector<MeasuredAttempt> m_measured;  ///< of m_past
     core::grading::IdealTop m_measuredFor;
     std::string m_criteriaOffered;  ///< their ids
