@@ -1398,13 +1398,6 @@
         <source>due since %1</source>
         <translation>fällig seit %1</translation>
     </message>
-    <message numerus="yes">
-        <source>%n day(s) late</source>
-        <translation>
-            <numerusform>%n Tag zu spät</numerusform>
-            <numerusform>%n Tage zu spät</numerusform>
-        </translation>
-    </message>
     <message>
         <source>due today %1</source>
         <translation>heute fällig, %1</translation>
@@ -1421,6 +1414,19 @@
     <message>
         <source>You have used up your attempts at this lesson. Your teacher can give you more.</source>
         <translation>Sie haben Ihre Versuche an dieser Lektion aufgebraucht. Ihre Lehrperson kann Ihnen weitere geben.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, %n day(s) late</source>
+        <extracomment>%1: the day it was due, &quot;17 Nov&quot;</extracomment>
+        <translation>
+            <numerusform>%1, %n Tag zu spät</numerusform>
+            <numerusform>%1, %n Tage zu spät</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>no attempts left</source>
+        <extracomment>On the card of a lesson</extracomment>
+        <translation>keine Versuche mehr</translation>
     </message>
 </context>
 <context>
@@ -1849,16 +1855,8 @@
         <translation>Die Daten werden gesichert …</translation>
     </message>
     <message>
-        <source>Backed up and checked: %1.</source>
-        <translation>Gesichert und geprüft: %1.</translation>
-    </message>
-    <message>
         <source>A backup is made and restored …</source>
         <translation>Eine Sicherung wird gemacht und zurückgespielt …</translation>
-    </message>
-    <message>
-        <source>It works: a backup was made, restored beside the database and compared, %1 rows.</source>
-        <translation>Es klappt: Eine Sicherung wurde gemacht, neben der Datenbank zurückgespielt und verglichen, %1 Zeilen.</translation>
     </message>
     <message>
         <source>Everything is looked at …</source>
@@ -1917,6 +1915,18 @@
     <message>
         <source>The audit is still the one that the report with the code %1 names.</source>
         <translation>Das Protokoll ist noch das, das der Bericht mit dem Code %1 nennt.</translation>
+    </message>
+    <message>
+        <source>What the last check found is in this backup, too; it stands below.</source>
+        <translation>Was die letzte Prüfung gefunden hat, steckt auch in dieser Sicherung; es steht unten.</translation>
+    </message>
+    <message>
+        <source>Backed up: %1. Its pages and keys are whole.</source>
+        <translation>Gesichert: %1. Seiten und Schlüssel der Sicherung sind heil.</translation>
+    </message>
+    <message>
+        <source>Restoring works: a backup was made, restored beside the database and compared, %1 rows.</source>
+        <translation>Zurückspielen klappt: Eine Sicherung wurde gemacht, neben der Datenbank zurückgespielt und verglichen, %1 Zeilen.</translation>
     </message>
 </context>
 <context>
@@ -2106,6 +2116,11 @@
     <message>
         <source>The report is being written …</source>
         <translation>Der Bericht wird geschrieben …</translation>
+    </message>
+    <message>
+        <source>%1: %2 points</source>
+        <extracomment>%1: a lesson, and when it was done</extracomment>
+        <translation>%1: %2 Punkte</translation>
     </message>
 </context>
 <context>
@@ -2456,10 +2471,6 @@
         <translation>Wer gesperrt ist, kann sich nicht anmelden; Versuche und Namen bleiben</translation>
     </message>
     <message>
-        <source>One-time code of %1. Tell it now: it is kept nowhere.</source>
-        <translation>Einmalcode von %1. Sagen Sie ihn jetzt: Er wird nirgends aufbewahrt.</translation>
-    </message>
-    <message>
         <source>needs a one-time code</source>
         <translation>braucht einen Einmalcode</translation>
     </message>
@@ -2515,6 +2526,14 @@
     <message>
         <source>What you have changed of %1 is not saved.</source>
         <translation>Was Sie an %1 geändert haben, ist nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>has a one-time code, shown here</source>
+        <translation>hat einen Einmalcode, hier zu sehen</translation>
+    </message>
+    <message>
+        <source>One-time code of %1. Tell it now: it is kept nowhere. It is shown here, whenever %1 is chosen, until School is left.</source>
+        <translation>Einmalcode von %1. Sagen Sie ihn jetzt: Er wird nirgends aufbewahrt. Bis Sie „Schule“ verlassen, steht er hier, sooft Sie %1 wählen.</translation>
     </message>
 </context>
 <context>
@@ -3269,6 +3288,14 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
             <numerusform>%n Personen, die noch nicht bestanden haben, haben keinen Versuch mehr: Frühere zählen mit.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n lesson(s) of your own: %1. Students find them only at computers that have their files, too: put a copy of %2 there into the folder that &quot;Your own lessons&quot; opens on the page of lessons.</source>
+        <extracomment>%1: titles; %2: files</extracomment>
+        <translation>
+            <numerusform>Eine eigene Lektion: %1. Studierende finden sie nur an Computern, die ihre Datei auch haben: Legen Sie dort eine Kopie von %2 in den Ordner, den „Eigene Lektionen“ auf der Seite der Lektionen öffnet.</numerusform>
+            <numerusform>%n eigene Lektionen: %1. Studierende finden sie nur an Computern, die ihre Dateien auch haben: Legen Sie dort eine Kopie von %2 in den Ordner, den „Eigene Lektionen“ auf der Seite der Lektionen öffnet.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ui::people::AssignTerms</name>
@@ -3649,6 +3676,21 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>Best score of each student; a tick: passed; ▲: overdue, or no attempts left. A heading sorts, once more the other way, then by name. A cell opens the attempts.</source>
         <translation>Bestes Ergebnis jeder Person; ein Haken: bestanden; ▲: überfällig oder keine Versuche mehr. Eine Überschrift sortiert, noch einmal andersherum, dann nach Namen. Eine Zelle öffnet die Versuche.</translation>
+    </message>
+    <message>
+        <source>Clear the search</source>
+        <translation>Suche leeren</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln student(s)</source>
+        <translation>
+            <numerusform>%Ln Person</numerusform>
+            <numerusform>%Ln Studierende</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Search: a student</source>
+        <translation>Suche: eine Person</translation>
     </message>
 </context>
 <context>
@@ -4291,6 +4333,20 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>To pin it to a place, click on the tooth above.</source>
         <translation>Um ihn an eine Stelle zu heften, klicken Sie oben auf den Zahn.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Room for %Ln more character(s)</source>
+        <translation>
+            <numerusform>Platz für noch %Ln Zeichen</numerusform>
+            <numerusform>Platz für noch %Ln Zeichen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln character(s) too many: a comment has at most %1.</source>
+        <translation>
+            <numerusform>%Ln Zeichen zu viel: Ein Kommentar hat höchstens %1.</numerusform>
+            <numerusform>%Ln Zeichen zu viel: Ein Kommentar hat höchstens %1.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5116,6 +5172,55 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <source>Comments, with the numbers of their places in the picture of the tooth</source>
         <translation>Kommentare, mit den Nummern ihrer Stellen im Bild des Zahns</translation>
     </message>
+    <message>
+        <source>mouse, pen or gamepad</source>
+        <translation>Maus, Stift oder Gamepad</translation>
+    </message>
+    <message>
+        <source>simulated handpiece</source>
+        <translation>simuliertes Handstück</translation>
+    </message>
+    <message>
+        <source>continuous</source>
+        <extracomment>How the point of contact is found: anywhere, not only on a lattice</extracomment>
+        <translation>stufenlos</translation>
+    </message>
+    <message>
+        <source>on a lattice</source>
+        <extracomment>How the point of contact is found</extracomment>
+        <translation>auf einem Gitter</translation>
+    </message>
+    <message>
+        <source>on a lattice, 16 steps a tick</source>
+        <extracomment>How the point of contact is found</extracomment>
+        <translation>auf einem Gitter, 16 Schritte je Takt</translation>
+    </message>
+    <message>
+        <source>by depth</source>
+        <extracomment>How force is found: the deeper inside, the harder it is pushed out</extracomment>
+        <translation>nach Eindringtiefe</translation>
+    </message>
+    <message>
+        <source>flat</source>
+        <extracomment>A picture that is no stereo picture</extracomment>
+        <translation>flach</translation>
+    </message>
+    <message>
+        <source>red and cyan glasses, in colour</source>
+        <translation>Rot-Cyan-Brille, in Farbe</translation>
+    </message>
+    <message>
+        <source>red and cyan glasses, in grey</source>
+        <translation>Rot-Cyan-Brille, in Grau</translation>
+    </message>
+    <message>
+        <source>stereo, halves side by side</source>
+        <translation>Stereo, Hälften nebeneinander</translation>
+    </message>
+    <message>
+        <source>stereo, halves one above the other</source>
+        <translation>Stereo, Hälften übereinander</translation>
+    </message>
 </context>
 <context>
     <name>ui::report::Sheet</name>
@@ -5776,6 +5881,14 @@ unsaved</source>
         <translation>Gast,
 ungesichert</translation>
     </message>
+    <message>
+        <source>Read the class again</source>
+        <translation>Klasse neu lesen</translation>
+    </message>
+    <message>
+        <source>Show what was done at other computers meanwhile</source>
+        <translation>Zeigen, was inzwischen an anderen Computern getan wurde</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::ArchTooth</name>
@@ -6307,6 +6420,18 @@ ungesichert</translation>
     <message>
         <source>&amp;Keep it</source>
         <translation>&amp;Behalten</translation>
+    </message>
+    <message>
+        <source>From a file …</source>
+        <translation>Aus einer Datei …</translation>
+    </message>
+    <message>
+        <source>You had used up your attempts at this lesson before, so this grade is not kept.</source>
+        <translation>Sie hatten Ihre Versuche an dieser Lektion schon aufgebraucht, darum wird diese Bewertung nicht behalten.</translation>
+    </message>
+    <message>
+        <source>The work itself can be kept as a recording.</source>
+        <translation>Die Arbeit selbst kann als Aufzeichnung behalten werden.</translation>
     </message>
 </context>
 <context>
@@ -7321,6 +7446,10 @@ ungesichert</translation>
         <source>Not measured or not earned on this ideal, so no tolerance helps: %1. Mark by another rubric.</source>
         <translation>An diesem Ideal nicht gemessen oder nicht verdient, da hilft keine Toleranz: %1. Bewerten Sie nach einem anderen Schema.</translation>
     </message>
+    <message>
+        <source>The lesson needs a title.</source>
+        <translation>Die Lektion braucht einen Titel.</translation>
+    </message>
 </context>
 <context>
     <name>ui::study::LessonPicture</name>
@@ -8032,6 +8161,13 @@ ungesichert</translation>
         <translation>
             <numerusform>%n Aufzeichnung war nicht lesbar.</numerusform>
             <numerusform>%n Aufzeichnungen waren nicht lesbar.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s) of the history without measured values are left out.</source>
+        <translation>
+            <numerusform>%n Versuch aus dem Verlauf ohne Messwerte bleibt weg.</numerusform>
+            <numerusform>%n Versuche aus dem Verlauf ohne Messwerte bleiben weg.</numerusform>
         </translation>
     </message>
 </context>

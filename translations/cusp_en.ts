@@ -1398,13 +1398,6 @@
         <source>due since %1</source>
         <translation type="unfinished"></translation>
     </message>
-    <message numerus="yes">
-        <source>%n day(s) late</source>
-        <translation>
-            <numerusform>%n day late</numerusform>
-            <numerusform>%n days late</numerusform>
-        </translation>
-    </message>
     <message>
         <source>due today %1</source>
         <translation type="unfinished"></translation>
@@ -1420,6 +1413,19 @@
     </message>
     <message>
         <source>You have used up your attempts at this lesson. Your teacher can give you more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, %n day(s) late</source>
+        <extracomment>%1: the day it was due, &quot;17 Nov&quot;</extracomment>
+        <translation>
+            <numerusform>%1, %n day late</numerusform>
+            <numerusform>%1, %n days late</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>no attempts left</source>
+        <extracomment>On the card of a lesson</extracomment>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1849,15 +1855,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Backed up and checked: %1.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>A backup is made and restored …</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>It works: a backup was made, restored beside the database and compared, %1 rows.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1916,6 +1914,18 @@
     </message>
     <message>
         <source>The audit is still the one that the report with the code %1 names.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the last check found is in this backup, too; it stands below.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Backed up: %1. Its pages and keys are whole.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Restoring works: a backup was made, restored beside the database and compared, %1 rows.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2105,6 +2115,11 @@
     </message>
     <message>
         <source>The report is being written …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 points</source>
+        <extracomment>%1: a lesson, and when it was done</extracomment>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2456,10 +2471,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>One-time code of %1. Tell it now: it is kept nowhere.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>needs a one-time code</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2514,6 +2525,14 @@
     </message>
     <message>
         <source>What you have changed of %1 is not saved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has a one-time code, shown here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One-time code of %1. Tell it now: it is kept nowhere. It is shown here, whenever %1 is chosen, until School is left.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3261,6 +3280,14 @@ load NAME        feels a hardness preset that is kept</source>
             <numerusform>%n students who have not passed have no attempts left: earlier ones count.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n lesson(s) of your own: %1. Students find them only at computers that have their files, too: put a copy of %2 there into the folder that &quot;Your own lessons&quot; opens on the page of lessons.</source>
+        <extracomment>%1: titles; %2: files</extracomment>
+        <translation>
+            <numerusform>A lesson of your own: %1. Students find it only at computers that have its file, too: put a copy of %2 there into the folder that &quot;Your own lessons&quot; opens on the page of lessons.</numerusform>
+            <numerusform>%n lessons of your own: %1. Students find them only at computers that have their files, too: put a copy of %2 there into the folder that &quot;Your own lessons&quot; opens on the page of lessons.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ui::people::AssignTerms</name>
@@ -3640,6 +3667,21 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
     <message>
         <source>Best score of each student; a tick: passed; ▲: overdue, or no attempts left. A heading sorts, once more the other way, then by name. A cell opens the attempts.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clear the search</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln student(s)</source>
+        <translation>
+            <numerusform>%Ln student</numerusform>
+            <numerusform>%Ln students</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Search: a student</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4283,6 +4325,20 @@ load NAME        feels a hardness preset that is kept</source>
     <message>
         <source>To pin it to a place, click on the tooth above.</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Room for %Ln more character(s)</source>
+        <translation>
+            <numerusform>Room for %Ln more character</numerusform>
+            <numerusform>Room for %Ln more characters</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln character(s) too many: a comment has at most %1.</source>
+        <translation>
+            <numerusform>%Ln character too many: a comment has at most %1.</numerusform>
+            <numerusform>%Ln characters too many: a comment has at most %1.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5108,6 +5164,55 @@ load NAME        feels a hardness preset that is kept</source>
         <source>Comments, with the numbers of their places in the picture of the tooth</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>mouse, pen or gamepad</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>simulated handpiece</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>continuous</source>
+        <extracomment>How the point of contact is found: anywhere, not only on a lattice</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>on a lattice</source>
+        <extracomment>How the point of contact is found</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>on a lattice, 16 steps a tick</source>
+        <extracomment>How the point of contact is found</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>by depth</source>
+        <extracomment>How force is found: the deeper inside, the harder it is pushed out</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>flat</source>
+        <extracomment>A picture that is no stereo picture</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>red and cyan glasses, in colour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>red and cyan glasses, in grey</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stereo, halves side by side</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stereo, halves one above the other</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::report::Sheet</name>
@@ -5767,6 +5872,14 @@ unsaved</source>
         <extracomment>Beside &quot;Log in&quot;, on every page: what is done now is kept for nobody. Two short lines.</extracomment>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Read the class again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show what was done at other computers meanwhile</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::ArchTooth</name>
@@ -6297,6 +6410,18 @@ unsaved</source>
     </message>
     <message>
         <source>&amp;Keep it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From a file …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>You had used up your attempts at this lesson before, so this grade is not kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The work itself can be kept as a recording.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7312,6 +7437,10 @@ unsaved</source>
         <source>Not measured or not earned on this ideal, so no tolerance helps: %1. Mark by another rubric.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The lesson needs a title.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::study::LessonPicture</name>
@@ -8023,6 +8152,13 @@ unsaved</source>
         <translation>
             <numerusform>%n recording could not be read.</numerusform>
             <numerusform>%n recordings could not be read.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s) of the history without measured values are left out.</source>
+        <translation>
+            <numerusform>%n attempt of the history without measured values is left out.</numerusform>
+            <numerusform>%n attempts of the history without measured values are left out.</numerusform>
         </translation>
     </message>
 </context>

@@ -1398,13 +1398,6 @@
         <source>due since %1</source>
         <translation>venció a las %1</translation>
     </message>
-    <message numerus="yes">
-        <source>%n day(s) late</source>
-        <translation>
-            <numerusform>%n día de retraso</numerusform>
-            <numerusform>%n días de retraso</numerusform>
-        </translation>
-    </message>
     <message>
         <source>due today %1</source>
         <translation>vence hoy, %1</translation>
@@ -1421,6 +1414,19 @@
     <message>
         <source>You have used up your attempts at this lesson. Your teacher can give you more.</source>
         <translation>Ha agotado sus intentos en esta lección. Su docente puede darle más.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, %n day(s) late</source>
+        <extracomment>%1: the day it was due, &quot;17 Nov&quot;</extracomment>
+        <translation>
+            <numerusform>%1, %n día de retraso</numerusform>
+            <numerusform>%1, %n días de retraso</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>no attempts left</source>
+        <extracomment>On the card of a lesson</extracomment>
+        <translation>sin más intentos</translation>
     </message>
 </context>
 <context>
@@ -1849,16 +1855,8 @@
         <translation>Se está haciendo la copia de seguridad …</translation>
     </message>
     <message>
-        <source>Backed up and checked: %1.</source>
-        <translation>Copiado y comprobado: %1.</translation>
-    </message>
-    <message>
         <source>A backup is made and restored …</source>
         <translation>Se hace y se restaura una copia …</translation>
-    </message>
-    <message>
-        <source>It works: a backup was made, restored beside the database and compared, %1 rows.</source>
-        <translation>Funciona: se hizo una copia, se restauró junto a la base de datos y se comparó, %1 filas.</translation>
     </message>
     <message>
         <source>Everything is looked at …</source>
@@ -1917,6 +1915,18 @@
     <message>
         <source>The audit is still the one that the report with the code %1 names.</source>
         <translation>El registro sigue siendo el que nombra el informe con el código %1.</translation>
+    </message>
+    <message>
+        <source>What the last check found is in this backup, too; it stands below.</source>
+        <translation>Lo que encontró la última comprobación está también en esta copia; se indica abajo.</translation>
+    </message>
+    <message>
+        <source>Backed up: %1. Its pages and keys are whole.</source>
+        <translation>Copiado: %1. Sus páginas y claves están íntegras.</translation>
+    </message>
+    <message>
+        <source>Restoring works: a backup was made, restored beside the database and compared, %1 rows.</source>
+        <translation>La restauración funciona: se hizo una copia, se restauró junto a la base de datos y se comparó, %1 filas.</translation>
     </message>
 </context>
 <context>
@@ -2106,6 +2116,11 @@
     <message>
         <source>The report is being written …</source>
         <translation>Redactando el informe …</translation>
+    </message>
+    <message>
+        <source>%1: %2 points</source>
+        <extracomment>%1: a lesson, and when it was done</extracomment>
+        <translation>%1: %2 puntos</translation>
     </message>
 </context>
 <context>
@@ -2456,10 +2471,6 @@
         <translation>Quien está desactivado no puede iniciar sesión; sus intentos y su nombre se conservan</translation>
     </message>
     <message>
-        <source>One-time code of %1. Tell it now: it is kept nowhere.</source>
-        <translation>Código de un solo uso de %1. Comuníquelo ahora: no se guarda en ningún sitio.</translation>
-    </message>
-    <message>
         <source>needs a one-time code</source>
         <translation>necesita un código de un solo uso</translation>
     </message>
@@ -2515,6 +2526,14 @@
     <message>
         <source>What you have changed of %1 is not saved.</source>
         <translation>Lo que ha cambiado de %1 no está guardado.</translation>
+    </message>
+    <message>
+        <source>has a one-time code, shown here</source>
+        <translation>tiene un código de un solo uso, visible aquí</translation>
+    </message>
+    <message>
+        <source>One-time code of %1. Tell it now: it is kept nowhere. It is shown here, whenever %1 is chosen, until School is left.</source>
+        <translation>Código de un solo uso de %1. Comuníquelo ahora: no se guarda en ningún sitio. Se muestra aquí, cada vez que elija a %1, hasta que salga de Escuela.</translation>
     </message>
 </context>
 <context>
@@ -3269,6 +3288,14 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
             <numerusform>%n estudiantes que no han aprobado no tienen más intentos: los anteriores cuentan.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n lesson(s) of your own: %1. Students find them only at computers that have their files, too: put a copy of %2 there into the folder that &quot;Your own lessons&quot; opens on the page of lessons.</source>
+        <extracomment>%1: titles; %2: files</extracomment>
+        <translation>
+            <numerusform>Una lección propia: %1. Los estudiantes la encuentran solo en los ordenadores que también tienen su archivo: ponga allí una copia de %2 en la carpeta que abre «Sus propias lecciones» en la página de lecciones.</numerusform>
+            <numerusform>%n lecciones propias: %1. Los estudiantes las encuentran solo en los ordenadores que también tienen sus archivos: ponga allí una copia de %2 en la carpeta que abre «Sus propias lecciones» en la página de lecciones.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ui::people::AssignTerms</name>
@@ -3649,6 +3676,21 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>Best score of each student; a tick: passed; ▲: overdue, or no attempts left. A heading sorts, once more the other way, then by name. A cell opens the attempts.</source>
         <translation>Mejor puntuación de cada estudiante; una marca: aprobado; ▲: plazo vencido o sin más intentos. Un encabezado ordena, otra vez al revés, y luego por nombre. Una celda abre los intentos.</translation>
+    </message>
+    <message>
+        <source>Clear the search</source>
+        <translation>Borrar la búsqueda</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln student(s)</source>
+        <translation>
+            <numerusform>%Ln estudiante</numerusform>
+            <numerusform>%Ln estudiantes</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Search: a student</source>
+        <translation>Buscar: un estudiante</translation>
     </message>
 </context>
 <context>
@@ -4291,6 +4333,20 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>To pin it to a place, click on the tooth above.</source>
         <translation>Para fijarlo a un lugar, haga clic arriba en el diente.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Room for %Ln more character(s)</source>
+        <translation>
+            <numerusform>Cabe %Ln carácter más</numerusform>
+            <numerusform>Caben %Ln caracteres más</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln character(s) too many: a comment has at most %1.</source>
+        <translation>
+            <numerusform>Sobra %Ln carácter: un comentario tiene %1 como máximo.</numerusform>
+            <numerusform>Sobran %Ln caracteres: un comentario tiene %1 como máximo.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5116,6 +5172,55 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <source>Comments, with the numbers of their places in the picture of the tooth</source>
         <translation>Comentarios, con los números de sus lugares en la imagen del diente</translation>
     </message>
+    <message>
+        <source>mouse, pen or gamepad</source>
+        <translation>ratón, lápiz o mando</translation>
+    </message>
+    <message>
+        <source>simulated handpiece</source>
+        <translation>pieza de mano simulada</translation>
+    </message>
+    <message>
+        <source>continuous</source>
+        <extracomment>How the point of contact is found: anywhere, not only on a lattice</extracomment>
+        <translation>continuo</translation>
+    </message>
+    <message>
+        <source>on a lattice</source>
+        <extracomment>How the point of contact is found</extracomment>
+        <translation>sobre una retícula</translation>
+    </message>
+    <message>
+        <source>on a lattice, 16 steps a tick</source>
+        <extracomment>How the point of contact is found</extracomment>
+        <translation>sobre una retícula, 16 pasos por ciclo</translation>
+    </message>
+    <message>
+        <source>by depth</source>
+        <extracomment>How force is found: the deeper inside, the harder it is pushed out</extracomment>
+        <translation>según la profundidad</translation>
+    </message>
+    <message>
+        <source>flat</source>
+        <extracomment>A picture that is no stereo picture</extracomment>
+        <translation>plana</translation>
+    </message>
+    <message>
+        <source>red and cyan glasses, in colour</source>
+        <translation>gafas rojo-cian, en color</translation>
+    </message>
+    <message>
+        <source>red and cyan glasses, in grey</source>
+        <translation>gafas rojo-cian, en gris</translation>
+    </message>
+    <message>
+        <source>stereo, halves side by side</source>
+        <translation>estéreo, mitades una al lado de otra</translation>
+    </message>
+    <message>
+        <source>stereo, halves one above the other</source>
+        <translation>estéreo, mitades una encima de otra</translation>
+    </message>
 </context>
 <context>
     <name>ui::report::Sheet</name>
@@ -5776,6 +5881,14 @@ unsaved</source>
         <translation>Invitado,
 sin guardar</translation>
     </message>
+    <message>
+        <source>Read the class again</source>
+        <translation>Volver a leer el grupo</translation>
+    </message>
+    <message>
+        <source>Show what was done at other computers meanwhile</source>
+        <translation>Mostrar lo que se hizo entretanto en otros ordenadores</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::ArchTooth</name>
@@ -6307,6 +6420,18 @@ sin guardar</translation>
     <message>
         <source>&amp;Keep it</source>
         <translation>C&amp;onservar</translation>
+    </message>
+    <message>
+        <source>From a file …</source>
+        <translation>De un archivo …</translation>
+    </message>
+    <message>
+        <source>You had used up your attempts at this lesson before, so this grade is not kept.</source>
+        <translation>Ya había agotado sus intentos en esta lección, así que esta calificación no se conserva.</translation>
+    </message>
+    <message>
+        <source>The work itself can be kept as a recording.</source>
+        <translation>El trabajo en sí puede conservarse como grabación.</translation>
     </message>
 </context>
 <context>
@@ -7321,6 +7446,10 @@ sin guardar</translation>
         <source>Not measured or not earned on this ideal, so no tolerance helps: %1. Mark by another rubric.</source>
         <translation>No medido o no ganado en este ideal, así que ninguna tolerancia ayuda: %1. Califique según otra rúbrica.</translation>
     </message>
+    <message>
+        <source>The lesson needs a title.</source>
+        <translation>La lección necesita un título.</translation>
+    </message>
 </context>
 <context>
     <name>ui::study::LessonPicture</name>
@@ -8032,6 +8161,13 @@ sin guardar</translation>
         <translation>
             <numerusform>%n grabación no se pudo leer.</numerusform>
             <numerusform>%n grabaciones no se pudieron leer.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s) of the history without measured values are left out.</source>
+        <translation>
+            <numerusform>Se omite %n intento del historial sin valores medidos.</numerusform>
+            <numerusform>Se omiten %n intentos del historial sin valores medidos.</numerusform>
         </translation>
     </message>
 </context>

@@ -1396,12 +1396,6 @@
         <source>due since %1</source>
         <translation>%1 が締切でした</translation>
     </message>
-    <message numerus="yes">
-        <source>%n day(s) late</source>
-        <translation>
-            <numerusform>%n 日遅れ</numerusform>
-        </translation>
-    </message>
     <message>
         <source>due today %1</source>
         <translation>今日 %1 締切</translation>
@@ -1418,6 +1412,18 @@
     <message>
         <source>You have used up your attempts at this lesson. Your teacher can give you more.</source>
         <translation>この課題の試行回数を使い切りました。教員が追加できます。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, %n day(s) late</source>
+        <extracomment>%1: the day it was due, &quot;17 Nov&quot;</extracomment>
+        <translation>
+            <numerusform>%1、%n 日遅れ</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>no attempts left</source>
+        <extracomment>On the card of a lesson</extracomment>
+        <translation>試行回数の残りなし</translation>
     </message>
 </context>
 <context>
@@ -1840,16 +1846,8 @@
         <translation>データをバックアップしています…</translation>
     </message>
     <message>
-        <source>Backed up and checked: %1.</source>
-        <translation>バックアップして確認しました：%1</translation>
-    </message>
-    <message>
         <source>A backup is made and restored …</source>
         <translation>バックアップを作成して復元しています…</translation>
-    </message>
-    <message>
-        <source>It works: a backup was made, restored beside the database and compared, %1 rows.</source>
-        <translation>成功しました：バックアップを作成し、データベースの横に復元して %1 行を比較しました。</translation>
     </message>
     <message>
         <source>Everything is looked at …</source>
@@ -1906,6 +1904,18 @@
     <message>
         <source>The audit is still the one that the report with the code %1 names.</source>
         <translation>監査記録は、コード %1 の報告書が示すものと同じです。</translation>
+    </message>
+    <message>
+        <source>What the last check found is in this backup, too; it stands below.</source>
+        <translation>前回の確認で見つかった異常は、このバックアップにも含まれています。下に示します。</translation>
+    </message>
+    <message>
+        <source>Backed up: %1. Its pages and keys are whole.</source>
+        <translation>バックアップしました：%1。ページとキーに損傷はありません。</translation>
+    </message>
+    <message>
+        <source>Restoring works: a backup was made, restored beside the database and compared, %1 rows.</source>
+        <translation>復元できます：バックアップを作成し、データベースの横に復元して %1 行を比較しました。</translation>
     </message>
 </context>
 <context>
@@ -2094,6 +2104,11 @@
     <message>
         <source>The report is being written …</source>
         <translation>報告書を作成しています …</translation>
+    </message>
+    <message>
+        <source>%1: %2 points</source>
+        <extracomment>%1: a lesson, and when it was done</extracomment>
+        <translation>%1：%2点</translation>
     </message>
 </context>
 <context>
@@ -2442,10 +2457,6 @@
         <translation>無効にするとログインできません。試行と名前は残ります</translation>
     </message>
     <message>
-        <source>One-time code of %1. Tell it now: it is kept nowhere.</source>
-        <translation>%1 のワンタイムコードです。今伝えてください。どこにも保存されません。</translation>
-    </message>
-    <message>
         <source>needs a one-time code</source>
         <translation>ワンタイムコードが必要</translation>
     </message>
@@ -2500,6 +2511,14 @@
     <message>
         <source>What you have changed of %1 is not saved.</source>
         <translation>%1 の変更は保存されていません。</translation>
+    </message>
+    <message>
+        <source>has a one-time code, shown here</source>
+        <translation>ワンタイムコードあり（ここで見られます）</translation>
+    </message>
+    <message>
+        <source>One-time code of %1. Tell it now: it is kept nowhere. It is shown here, whenever %1 is chosen, until School is left.</source>
+        <translation>%1 のワンタイムコードです。今伝えてください。どこにも保存されません。「学校」を離れるまでは、%1 を選ぶたびにここに表示されます。</translation>
     </message>
 </context>
 <context>
@@ -3245,6 +3264,13 @@ load 名前        保存済みの硬さのプリセットを使います</trans
             <numerusform>未合格の学生%n人には試行が残っていません。以前の試行も数えられます。</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n lesson(s) of your own: %1. Students find them only at computers that have their files, too: put a copy of %2 there into the folder that &quot;Your own lessons&quot; opens on the page of lessons.</source>
+        <extracomment>%1: titles; %2: files</extracomment>
+        <translation>
+            <numerusform>自作の課題%n件：%1。学生がこれを使えるのは、そのファイルもあるコンピューターだけです。課題のページの「あなたの課題」で開くフォルダーに %2 をコピーしてください。</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ui::people::AssignTerms</name>
@@ -3620,6 +3646,20 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>Best score of each student; a tick: passed; ▲: overdue, or no attempts left. A heading sorts, once more the other way, then by name. A cell opens the attempts.</source>
         <translation>各学生の最高点。チェック印：合格、▲：期限超過または残り回数なし。見出しで並べ替え、もう一度で逆順、次に名前順。セルで試行を開きます。</translation>
+    </message>
+    <message>
+        <source>Clear the search</source>
+        <translation>検索を消去</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln student(s)</source>
+        <translation>
+            <numerusform>学生%Ln人</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Search: a student</source>
+        <translation>検索：学生</translation>
     </message>
 </context>
 <context>
@@ -4257,6 +4297,18 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>To pin it to a place, click on the tooth above.</source>
         <translation>場所に付けるには、上の歯をクリックしてください。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Room for %Ln more character(s)</source>
+        <translation>
+            <numerusform>あと%Ln文字入力できます</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln character(s) too many: a comment has at most %1.</source>
+        <translation>
+            <numerusform>%Ln文字多すぎます。コメントは%1文字までです。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5076,6 +5128,55 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <source>Comments, with the numbers of their places in the picture of the tooth</source>
         <translation>コメント（番号は歯の画像での位置）</translation>
     </message>
+    <message>
+        <source>mouse, pen or gamepad</source>
+        <translation>マウス、ペン、ゲームパッド</translation>
+    </message>
+    <message>
+        <source>simulated handpiece</source>
+        <translation>模擬ハンドピース</translation>
+    </message>
+    <message>
+        <source>continuous</source>
+        <extracomment>How the point of contact is found: anywhere, not only on a lattice</extracomment>
+        <translation>連続</translation>
+    </message>
+    <message>
+        <source>on a lattice</source>
+        <extracomment>How the point of contact is found</extracomment>
+        <translation>格子上</translation>
+    </message>
+    <message>
+        <source>on a lattice, 16 steps a tick</source>
+        <extracomment>How the point of contact is found</extracomment>
+        <translation>格子上、1周期に16段階</translation>
+    </message>
+    <message>
+        <source>by depth</source>
+        <extracomment>How force is found: the deeper inside, the harder it is pushed out</extracomment>
+        <translation>深さによる</translation>
+    </message>
+    <message>
+        <source>flat</source>
+        <extracomment>A picture that is no stereo picture</extracomment>
+        <translation>平面</translation>
+    </message>
+    <message>
+        <source>red and cyan glasses, in colour</source>
+        <translation>赤青めがね、カラー</translation>
+    </message>
+    <message>
+        <source>red and cyan glasses, in grey</source>
+        <translation>赤青めがね、グレー</translation>
+    </message>
+    <message>
+        <source>stereo, halves side by side</source>
+        <translation>立体視、左右に分割</translation>
+    </message>
+    <message>
+        <source>stereo, halves one above the other</source>
+        <translation>立体視、上下に分割</translation>
+    </message>
 </context>
 <context>
     <name>ui::report::Sheet</name>
@@ -5736,6 +5837,14 @@ unsaved</source>
         <translation>ゲスト
 保存なし</translation>
     </message>
+    <message>
+        <source>Read the class again</source>
+        <translation>クラスを読み直す</translation>
+    </message>
+    <message>
+        <source>Show what was done at other computers meanwhile</source>
+        <translation>その間にほかのコンピューターで行われたことを表示します</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::ArchTooth</name>
@@ -6265,6 +6374,18 @@ unsaved</source>
     <message>
         <source>&amp;Keep it</source>
         <translation>残す(&amp;K)</translation>
+    </message>
+    <message>
+        <source>From a file …</source>
+        <translation>ファイルから …</translation>
+    </message>
+    <message>
+        <source>You had used up your attempts at this lesson before, so this grade is not kept.</source>
+        <translation>この課題の試行回数はすでに使い切られているため、この成績は保存されません。</translation>
+    </message>
+    <message>
+        <source>The work itself can be kept as a recording.</source>
+        <translation>作業そのものは記録として残せます。</translation>
     </message>
 </context>
 <context>
@@ -7272,6 +7393,10 @@ unsaved</source>
         <source>Saved as %1.</source>
         <translation>%1として保存しました。</translation>
     </message>
+    <message>
+        <source>The lesson needs a title.</source>
+        <translation>課題には題名が必要です。</translation>
+    </message>
 </context>
 <context>
     <name>ui::study::LessonPicture</name>
@@ -7976,6 +8101,12 @@ unsaved</source>
         <source>%n recording(s) could not be read.</source>
         <translation>
             <numerusform>%n件の記録を読み取れませんでした。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s) of the history without measured values are left out.</source>
+        <translation>
+            <numerusform>測定値のない履歴の試行%n件は除外しました。</numerusform>
         </translation>
     </message>
 </context>

@@ -397,12 +397,16 @@ void PeoplePart::fill()
 
 void PeoplePart::filter()
 {
+    // Whom the form shows stays there: of a row that is hidden the table chooses the neighbour. When the search no
+    // longer hides him he is marked again.
+    const QSignalBlocker quiet(m_table->selectionModel());
     m_shown->setFilterFixedString(m_search->text().trimmed());
     m_count->setText(tr("%Ln person(s)", nullptr, m_shown->rowCount()));
-    // Whom the form shows is marked again when the search no longer hides him.
+    m_table->clearSelection();
     for (int row = 0; row < m_shown->rowCount() && m_chosen != 0; ++row)
         if (m_shown->index(row, kName).data(kId).toLongLong() == m_chosen)
             m_table->selectRow(row);
+    m_table->viewport()->update();
 }
 
 void PeoplePart::setPeople(const QList<Person>& people, const QList<database::SchoolClass>& classes)
