@@ -107,6 +107,7 @@ private slots:
     void theTableIsSaved();
     void cellsSayWhatTheyAre();
     void aNameThatIsTooLongKeepsItsSign();
+    void aRowThatIsGoneHasNoName();
     void aLargeClass();
     void anEmptyPageSaysWhatWillBeHere();
     void everyControlHasAName();
@@ -469,6 +470,16 @@ void TestClassPage::aNameThatIsTooLongKeepsItsSign()
     QVERIFY(metrics.horizontalAdvance(shown) <= 250);
     QCOMPARE(ui::people::shortened("Ada" + need, metrics, 250), "Ada" + need);
     QVERIFY(ui::people::shortened("Maximiliane von und zu Hohenberg-Schwarzenstein", metrics, 150).endsWith(u'…'));
+}
+
+/// A header that has not heard yet of fewer rows asks for those that were there.
+void TestClassPage::aRowThatIsGoneHasNoName()
+{
+    const int gone = matrix()->model()->rowCount();
+    QVERIFY(!matrix()->model()->headerData(gone, Qt::Vertical).isValid());
+    ui::people::ClassModel model(nullptr);
+    model.setOverview(overview(3, 2), kNow);
+    QVERIFY(!model.headerData(-1, Qt::Vertical, Qt::DisplayRole).isValid());
 }
 
 void TestClassPage::aLargeClass()

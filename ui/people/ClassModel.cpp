@@ -304,7 +304,7 @@ QVariant ClassModel::headerData(int section, Qt::Orientation orientation, int ro
                                    : static_cast<int>(Qt::AlignLeft | Qt::AlignBottom));
         return {};
     }
-    if (section >= m_needs.size())
+    if (section < 0 || section >= m_needs.size())  // a header asks a filter for a row that is gone: that is row -1
         return {};
     const MatrixStudent& student = m_overview.students[static_cast<std::size_t>(section)];
     switch (role) {

@@ -152,6 +152,10 @@ QWidget* ClassPage::makeMatrix()
     m_table = new ListTable(part);
     m_table->setObjectName(QStringLiteral("matrix"));
     m_table->installEventFilter(this);
+    // Before the model, so that it learns of fewer rows before the view asks how wide it wants to be.
+    auto* names = new NameHeads(m_table);
+    names->setFixedWidth(kNamesPx);
+    m_table->setVerticalHeader(names);
     m_table->setModel(m_filter);
     m_table->setItemDelegate(new ScoreCell(m_filter, m_model, m_table));
     m_table->setSelectionBehavior(QAbstractItemView::SelectItems);
@@ -162,9 +166,6 @@ QWidget* ClassPage::makeMatrix()
     lessons->setFixedHeight(kHeadPx);
     lessons->setSortIndicatorClearable(true);
     lessons->setSortIndicator(-1, Qt::AscendingOrder);
-    auto* names = new NameHeads(m_table);
-    names->setFixedWidth(kNamesPx);
-    m_table->setVerticalHeader(names);
     connect(names, &QHeaderView::sectionDoubleClicked, this, [this](int row) {
         const QModelIndex source = m_filter->mapToSource(m_filter->index(row, 0));
         emit studentWanted(m_model->overview().students[static_cast<std::size_t>(source.row())].id.value);
