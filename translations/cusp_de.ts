@@ -3292,7 +3292,7 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <source>%n lesson(s) of your own: %1. Students find them only at computers that have their files, too: put a copy of %2 there into the folder that &quot;Your own lessons&quot; opens on the page of lessons.</source>
         <extracomment>%1: titles; %2: files</extracomment>
         <translation>
-            <numerusform>Eine eigene Lektion: %1. Studierende finden sie nur an Computern, die ihre Datei auch haben: Legen Sie dort eine Kopie von %2 in den Ordner, den „Eigene Lektionen“ auf der Seite der Lektionen öffnet.</numerusform>
+            <numerusform>%n eigene Lektion: %1. Studierende finden sie nur an Computern, die ihre Datei auch haben: Legen Sie dort eine Kopie von %2 in den Ordner, den „Eigene Lektionen“ auf der Seite der Lektionen öffnet.</numerusform>
             <numerusform>%n eigene Lektionen: %1. Studierende finden sie nur an Computern, die ihre Dateien auch haben: Legen Sie dort eine Kopie von %2 in den Ordner, den „Eigene Lektionen“ auf der Seite der Lektionen öffnet.</numerusform>
         </translation>
     </message>

@@ -3292,7 +3292,7 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <source>%n lesson(s) of your own: %1. Students find them only at computers that have their files, too: put a copy of %2 there into the folder that &quot;Your own lessons&quot; opens on the page of lessons.</source>
         <extracomment>%1: titles; %2: files</extracomment>
         <translation>
-            <numerusform>Una lección propia: %1. Los estudiantes la encuentran solo en los ordenadores que también tienen su archivo: ponga allí una copia de %2 en la carpeta que abre «Sus propias lecciones» en la página de lecciones.</numerusform>
+            <numerusform>%n lección propia: %1. Los estudiantes la encuentran solo en los ordenadores que también tienen su archivo: ponga allí una copia de %2 en la carpeta que abre «Sus propias lecciones» en la página de lecciones.</numerusform>
             <numerusform>%n lecciones propias: %1. Los estudiantes las encuentran solo en los ordenadores que también tienen sus archivos: ponga allí una copia de %2 en la carpeta que abre «Sus propias lecciones» en la página de lecciones.</numerusform>
         </translation>
     </message>

@@ -139,6 +139,7 @@ void TestJournal::whatIsLeftOutIsNotWritten()
     QVERIFY(rig.session->recordedSince(1, 0).isWorthKeeping);
     QVERIFY(files().empty());
     // The next is again.
+    rig.lift();
     rig.open(block(), 2);
     rig.send(SetDrill{true});
     cut(rig, journal, 130);
