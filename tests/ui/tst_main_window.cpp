@@ -3140,12 +3140,14 @@ void TestMainWindow::nothingStaysOpenOverTheLock()
 /// So that it counts nowhere as time of the attempt. In an exam it does.
 void TestMainWindow::timeAwayFromTheWorkIsNoted()
 {
+    QList<quint64> noted;
+    const auto have = [&] { return noted += restsNoted(); };  // each is asked for once
     QTest::qWait(100);
-    QCOMPARE(restsNoted(), QList<quint64>());
+    QCOMPARE(have(), QList<quint64>());
     m_window->askWho(ui::people::Door::Locked);
-    QTRY_COMPARE(restsNoted(), QList<quint64>{kRestNote});
+    QTRY_COMPARE(have(), QList<quint64>{kRestNote});
     m_window->setWho({});
-    QTRY_COMPARE(restsNoted(), QList<quint64>{kWorkNote});
+    QTRY_COMPARE(have(), (QList<quint64>{kRestNote, kWorkNote}));
     lessons::Assignment exam;
     exam.anatomy = support::syntheticMolar();
     exam.lesson.emplace();
@@ -3173,7 +3175,7 @@ void TestMainWindow::nothingOfWhoLeftStays()
     QVERIFY(!console->isVisible());
     QVERIFY(child<ui::console::WatchPanel>()->names().isEmpty());
     actions().console->trigger();
-    QCOMPARE(child<QPlainTextEdit>("consoleOutput")->toPlainText(), QString());
+    QVERIFY(!child<QPlainTextEdit>("consoleOutput")->toPlainText().contains("force.stiffness"));
     QTest::keyClick(line, Qt::Key_Up);
     QCOMPARE(line->text(), QString());
     actions().console->trigger();
