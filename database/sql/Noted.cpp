@@ -323,7 +323,7 @@ core::Status compareKept(const QSqlDatabase& db, const QString& sql, std::map<st
         !read)
         return read;
     for (const auto& [name, value] : expected)
-        say({kRemoved, {kind + ':' + name}});
+        say({kRemoved, {std::string(kind).append(":").append(name)}});
     return {};
 }
 

@@ -26,7 +26,8 @@ protected:
         QHeaderView::initStyleOptionForIndex(option, logicalIndex);
         if (option->sortIndicator == QStyleOptionHeader::None || option->text.isEmpty())
             return;
-        const QChar arrow = option->sortIndicator == QStyleOptionHeader::SortUp ? QChar(0x2191) : QChar(0x2193);
+        // Qt calls "down" what is sorted from the least up.
+        const QChar arrow = option->sortIndicator == QStyleOptionHeader::SortDown ? QChar(0x2191) : QChar(0x2193);
         option->sortIndicator = QStyleOptionHeader::None;
         option->text = option->textAlignment.testFlag(Qt::AlignRight) ? arrow + QStringLiteral(" ") + option->text
                                                                       : option->text + QStringLiteral(" ") + arrow;

@@ -161,8 +161,8 @@ QString reason(core::ErrorCode code, Failed failed)
     case core::ErrorCode::NotAllowed:
         return QCoreApplication::translate("Error", "Your role does not allow it.");
     case core::ErrorCode::NobodyLeft:
-        return QCoreApplication::translate(
-            "Error", "This is the last admin who can log in. Make somebody else an admin first.");
+        return QCoreApplication::translate("Error",
+                                           "This is the last admin who can log in. Make somebody else an admin first.");
     case core::ErrorCode::WrongLogin:
         return QCoreApplication::translate("Error", "Name or password is wrong.");
     case core::ErrorCode::TooSoon:
