@@ -502,8 +502,10 @@ void AdminDesk::connectBackups()
                                    : tr("%1 is no whole backup of a school, and was not restored. Choose another one.")
                                          .arg(name);
                 });
-                if (sound)
+                if (sound) {
+                    m_found.clear();  // of what is replaced
                     emit restoreWanted(backup);
+                }
             });
     });
 }

@@ -502,7 +502,11 @@ void Application::enter(const database::Session& who)
         m_window->setWho(who);
         return;
     }
-    m_isNewSchool = false;
+    if (std::exchange(m_isNewSchool, false)) {
+        // Nobody puts what was there before in the place of what has just been begun.
+        m_backup.clear();
+        m_window->setUnreachable({}, m_where, {});
+    }
     m_who = who;
     m_byHand.reset();
     m_presets.refresh();
@@ -1162,10 +1166,10 @@ database::AttemptRecord Application::recordOf(const core::session::Concluded& do
 void Application::keepGrade()
 {
     // A guest could do an exam as often as he likes, and log in for the best; what he has taken up may be another
-    // guest's; and the simulated hand is nobody's.
+    // guest's; the simulated hand is nobody's, nor is the block on which a preset is tried.
     const bool isExam = m_assignment.lesson && m_assignment.lesson->exam;
     const bool isNobodys =
-        m_options.simulatedDevice || m_graded->isOverLimit || (m_who.isGuest() && (isExam || m_isTakenUp));
+        m_options.simulatedDevice || m_tried || m_graded->isOverLimit || (m_who.isGuest() && (isExam || m_isTakenUp));
     m_graded->keeping = !m_desk || isNobodys ? Keeping::Nowhere : m_who.isGuest() ? Keeping::Guest : Keeping::Pending;
     tellKeeping();
     if (m_graded->keeping != Keeping::Pending)
@@ -1181,7 +1185,8 @@ void Application::keepGrade()
                  });
 }
 
-/// A guest's grade becomes that of who has logged in for it, where he may still try the lesson.
+/// A guest's grade becomes that of who has logged in for it, unless he has no attempt left. Where nobody can be asked
+/// it is kept.
 void Application::keepGuestsGrade()
 {
     m_graded->keeping = Keeping::Pending;
@@ -1191,10 +1196,19 @@ void Application::keepGuestsGrade()
         [who = m_who, lesson = m_graded->record.lessonId](const School& school) {
             return database::sql::attemptsLeft(school, who, lesson);
         },
-        [this, uid = m_graded->record.uid](const core::Result<std::optional<int>>& left) {
-            if (!m_graded || m_graded->record.uid != uid)
+        [this, who = m_who, record = m_graded->record,
+         recording = m_graded->recording](const core::Result<std::optional<int>>& left) {
+            const bool isOverLimit = who.role() == database::Role::Student && left && *left == 0;
+            if (!m_graded || m_graded->record.uid != record.uid || m_who != who) {
+                // He has gone on meanwhile.
+                if (!isOverLimit)
+                    m_desk->keep(this, who, record, recording, [this](const core::Status& kept) {
+                        if (!kept)
+                            m_window->showError(kept.error(), Failed::KeepingGrades);
+                    });
                 return;
-            m_graded->isOverLimit = m_who.role() == database::Role::Student && left && *left == 0;
+            }
+            m_graded->isOverLimit = isOverLimit;
             keepGrade();
             if (!m_graded->isOverLimit || m_graded->generation != m_ownGeneration)
                 return;

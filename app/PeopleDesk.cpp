@@ -320,6 +320,8 @@ void PeopleDesk::tellBefore()
 
 void PeopleDesk::tellTalk()
 {
+    if (!m_talkedAbout)  // another is shown by now
+        return;
     askAs([who = m_who(), id = database::AttemptId{m_talkedAbout->id}](
               const School& school) { return database::sql::readTalk(school, who, id); },
           [this, id = m_talkedAbout->id](const core::Result<database::AttemptTalk>& talk) {

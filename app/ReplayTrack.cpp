@@ -131,7 +131,8 @@ bool ReplayTrack::prepare(std::uint64_t ticks)
         if (const auto* touched = std::get_if<core::grading::Touched>(&*practised)) {
             const std::lock_guard lock(m_mutex);
             for (std::size_t k = 0; k < m_points.size(); ++k)
-                m_points[k].touchedAtS = touched->atS.at(k);
+                m_points[k].touchedAtS =
+                    touched->atS.at(k) ? std::optional(m_examiner.recordedS(*touched->atS.at(k))) : std::nullopt;
         }
     return goesOn;
 }

@@ -91,11 +91,13 @@ core::Status SchoolDesk::connect()
 {
     if (!m_database)
         return openDatabase();
-    if (std::exchange(m_isLost, false))
+    if (std::exchange(m_isLost, false)) {
         if (auto again = m_database->reconnect(); !again) {
             m_isLost = true;
             return again;
         }
+        m_school->nowUtc = database::sql::clockOf(m_database->handle());
+    }
     return {};
 }
 

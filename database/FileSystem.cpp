@@ -19,7 +19,7 @@ FileSystem fileSystemOf(const QString& path)
 {
 #ifdef __linux__
     // The magic numbers of statfs(2).
-    static constexpr std::array<std::uint32_t, 10> kNetworks{0x6969,       // NFS
+    static constexpr std::array<std::uint32_t, 14> kNetworks{0x6969,       // NFS
                                                              0x517B,       // SMB
                                                              0xFF534D42,   // CIFS
                                                              0xFE534D42,   // SMB 2
@@ -28,7 +28,11 @@ FileSystem fileSystemOf(const QString& path)
                                                              0x73757245,   // Coda
                                                              0x0BD00BD0,   // Lustre
                                                              0x00C36400,   // Ceph
-                                                             0x7461636F};  // OCFS2
+                                                             0x7461636F,   // OCFS2
+                                                             0x01161970,   // GFS2
+                                                             0x01021997,   // 9P, of virtual machines
+                                                             0x786F4256,   // VirtualBox
+                                                             0xBACBACBC};  // VMware
     struct statfs found
     {};
     const QByteArray folder = QFile::encodeName(QFileInfo(path).absolutePath());

@@ -185,8 +185,9 @@ core::Result<std::string> Outbox::contentOf(const QString& path) const
     const QFileInfo info(path);
     // Cusp puts no links there, and what one leads to is not its to move.
     const auto all = info.isSymLink() ? std::nullopt : database::contentOf(path, kLargest);
-    if (!all && !info.isSymLink() && !info.isReadable())
-        return tl::unexpected(refused(ErrorCode::FileUnreadable, path, "it cannot be read; check who may read it"));
+    if (!all && !info.isSymLink() && info.isFile() && info.size() <= kLargest)
+        return tl::unexpected(
+            refused(ErrorCode::FileUnreadable, path, "it cannot be read; check the disk and who may read it"));
     if (!all)
         return tl::unexpected(damaged(path));
     const std::string_view bytes(all->constData(), static_cast<std::size_t>(all->size()));

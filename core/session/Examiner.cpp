@@ -30,14 +30,22 @@ void Examiner::take(const ServoEvent& event, const recording::Replayer& replayed
     if (event.kind == ServoEvent::Kind::Note && m_exercise)
         m_exercise->noted(event.value);
     if (event.kind == ServoEvent::Kind::Note && (event.value == kRestNote || event.value == kWorkNote))
-        setRests(event.value == kRestNote);
+        m_rests = event.value == kRestNote;
     if (event.kind == ServoEvent::Kind::Resume)  // whoever takes it up again is there
-        setRests(false);
+        m_rests = false;
     if (!recording::isStep(event))
         return;
     const std::chrono::microseconds dt(event.dtUs);
     // Whatever a note says, what is cut is cut in the attempt.
-    if (!m_rests || replayed.state().cutting) {
+    if (m_rests && !replayed.state().cutting) {
+        if (m_left.empty() || m_left.back().after != m_worked)
+            m_left.push_back({m_worked});
+        m_left.back().length += dt;
+        m_leftOut = true;
+    } else {
+        if (std::exchange(m_leftOut, false))
+            m_meter->interrupted();
+        m_worked += dt;
         m_meter->take(replayed.state(), dt);
         if (m_exercise)
             m_exercise->take(replayed.state(), dt);
@@ -46,11 +54,13 @@ void Examiner::take(const ServoEvent& event, const recording::Replayer& replayed
         m_infractions.push_back(infraction);
 }
 
-void Examiner::setRests(bool rests)
+double Examiner::recordedS(double atS) const
 {
-    if (rests && !m_rests)
-        m_meter->interrupted();
-    m_rests = rests;
+    double recorded = atS;
+    for (const Rest& rest : m_left)
+        if (std::chrono::duration<double>(rest.after).count() < atS)
+            recorded += std::chrono::duration<double>(rest.length).count();
+    return recorded;
 }
 
 }  // namespace core::session

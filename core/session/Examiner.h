@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -41,15 +42,25 @@ public:
     [[nodiscard]] const std::vector<grading::Infraction>& infractions() const { return m_infractions; }
     /// How the exercise goes; nothing where there is none.
     [[nodiscard]] std::optional<grading::Practised> practised() const;
+    /// When something was on the recording that was `atS` seconds into the work, of which rests are none.
+    [[nodiscard]] double recordedS(double atS) const;
 
 private:
-    void setRests(bool rests);
+    /// Time on the recording that is none of the work.
+    struct Rest
+    {
+        std::chrono::microseconds after;  ///< of work
+        std::chrono::microseconds length{0};
+    };
 
     std::unique_ptr<grading::ProcessMeter> m_meter;
     grading::Referee m_referee;
     std::optional<grading::ExerciseMeter> m_exercise;
     std::uint8_t m_aids = 0;
-    bool m_rests = false;  ///< the student has turned from the work
+    bool m_rests = false;    ///< the student has turned from the work
+    bool m_leftOut = false;  ///< the last step was none of the work
+    std::chrono::microseconds m_worked{0};
+    std::vector<Rest> m_left;
     std::vector<grading::Infraction> m_infractions;
 };
 

@@ -59,7 +59,7 @@ Status JournalLoop::bringUpToDate()
                 return written;
             tellWritten();
         } else {
-            if (!part.isWorthKeeping || m_generation == m_leftOut.load(std::memory_order_acquire))
+            if (!part.isWorthKeeping || m_generation <= m_leftOut.load(std::memory_order_acquire))
                 return {};
             const auto soFar = m_session.recordingSoFar();
             if (!soFar)

@@ -39,8 +39,8 @@ public:
     /// Before an attempt that was found is resumed as the tooth of this generation: its file is kept for it. Any
     /// thread.
     void takeUp(std::uint64_t generation, recording::FoundAttempt found);
-    /// What is done to the tooth of this generation is nobody's work, and is not written. Before it is begun. Any
-    /// thread.
+    /// What is done to the tooth of this generation is nobody's work, and of it and those before no file is begun any
+    /// more. Before it is begun. Any thread.
     void leaveOut(std::uint64_t generation) { m_leftOut.store(generation, std::memory_order_release); }
     /// The attempt has been saved or given up: its file goes. When the loop has ended.
     void putAway();
@@ -80,7 +80,7 @@ private:
     std::chrono::microseconds m_rest{0};            ///< until writing is tried again
     bool m_cannotWrite = false;
     std::atomic<std::uint64_t> m_written{0};
-    std::atomic<std::uint64_t> m_leftOut{0};  ///< the generation of which nothing is written
+    std::atomic<std::uint64_t> m_leftOut{0};  ///< the last generation of which no file is begun
     Syncing m_syncing{*this};
     bool m_cannotSync = false;  ///< of the thread that syncs
 

@@ -327,6 +327,7 @@ core::Status AuditBatch::begin()
     bool isThere = false;
     bool isSound = false;
     bool mustJoin = false;
+    bool isFirst = false;
     const QString joined = QStringLiteral("EXISTS (SELECT 1 FROM audit j WHERE j.action = '%1' AND j.object = %2)")
                                .arg(QString::fromStdString(kJoin));
     if (auto read = forEach(
@@ -341,7 +342,8 @@ core::Status AuditBatch::begin()
                 m_seq = row.value(0).toLongLong();
                 m_hash = textOf(row, 1);
                 isThere = true;
-                const bool areStationsNoted = m_seq == 0 || textOf(row, 6) == kJoin;
+                isFirst = m_seq == 0;
+                const bool areStationsNoted = isFirst || textOf(row, 6) == kJoin;
                 isSound =
                     m_seq == row.value(5).toLongLong() && m_hash == textOf(row, 4) &&
                     (m_seq == 0 || (StationKey::isSigned(wordsOf({m_seq, m_hash}), textOf(row, 2), textOf(row, 3)) &&
@@ -361,7 +363,9 @@ core::Status AuditBatch::begin()
     // To sign on as if nothing had happened would make good what somebody has done to the chain.
     if (auto noted = isSound ? core::Status() : note("system", kBroken, "audit"); !noted || !mustJoin)
         return noted;
-    return note("system", kJoin, stationOf(m_school.key.publicHex()));
+    // The first row of all tells schools apart, whoever begins two of them at once.
+    const QJsonObject school{{"school", QString::fromStdString(newUid())}};
+    return note("system", kJoin, stationOf(m_school.key.publicHex()), isFirst ? school : QJsonObject());
 }
 
 core::Status AuditBatch::note(const std::string& actor, const std::string& action, const std::string& object,

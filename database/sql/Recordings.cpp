@@ -93,8 +93,13 @@ core::Result<QByteArray> recordingOf(const QSqlDatabase& db, const std::string& 
             return tl::unexpected(read.error());
     } else {
         const QString file = fileOf(db, hash);
-        isThere = QFileInfo::exists(file);
-        bytes = contentOf(file, kLargest).value_or(QByteArray());
+        const QFileInfo info(file);
+        isThere = info.exists();
+        const auto read = contentOf(file, kLargest);
+        if (!read && info.isFile() && info.size() <= kLargest)
+            return core::unexpected(ErrorCode::FileUnreadable,
+                                    name + "it cannot be read; check the disk and who may read it");
+        bytes = read.value_or(QByteArray());
     }
     if (!isThere)
         return core::unexpected(ErrorCode::FileMissing,

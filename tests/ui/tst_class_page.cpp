@@ -241,8 +241,11 @@ void TestClassPage::nobodyNeedsYou()
     ClassOverview fine = overview(12, 6);
     fine.students.erase(fine.students.begin(), fine.students.begin() + 3);
     fine.cells.erase(fine.cells.begin(), fine.cells.begin() + 3);
+    button("1 stuck")->click();
+    QCOMPARE(matrix()->model()->rowCount(), 1);
     m_page->setOverview(fine, kNow);
     QCOMPARE(m_page->findChild<QLabel*>("needs")->text(), QString("Nobody needs you just now"));
+    QCOMPARE(matrix()->model()->rowCount(), 9);  // who was shown alone has been helped
 }
 
 /// Overdue, and not passed; who is stuck or never came is called so in the first place, and is late as well.

@@ -264,8 +264,7 @@ void TestTalkPanel::whatWasRefusedStaysTyped()
     QVERIFY(!get<QLabel>("fault")->isVisible());
 }
 
-/// The button rests once the comment is there; a digit that is typed next must not become the score.
-/// It is shown with no other, and to nobody else.
+/// It is shown with no other, and to nobody else. A reason goes: the number that it was for is the machine's again.
 void TestTalkPanel::whatIsTypedStaysWithItsAttempt()
 {
     auto* words = get<QPlainTextEdit>("commentWords");
@@ -282,7 +281,7 @@ void TestTalkPanel::whatIsTypedStaysWithItsAttempt()
     m_panel->setAttempt(0);  // work that is on the table
     m_panel->setAttempt(7);
     QCOMPARE(words->toPlainText(), QString("Half a sentence"));
-    QCOMPARE(reason->text(), QString("Half a reason"));
+    QCOMPARE(reason->text(), QString());
     m_panel->forget();
     for (const qint64 attempt : {7, 8}) {
         m_panel->setAttempt(attempt);
@@ -291,6 +290,7 @@ void TestTalkPanel::whatIsTypedStaysWithItsAttempt()
     }
 }
 
+/// The button rests once the comment is there; a digit that is typed next must not become the score.
 void TestTalkPanel::theKeyboardStaysWithTheComment()
 {
     auto* comment = get<QPlainTextEdit>("commentWords");

@@ -196,7 +196,8 @@ QString detailWords(const database::AuditRow& row, const NamesByUid& names)
     for (auto it = noted.begin(); it != noted.end(); ++it) {
         if (row.action == "person.change" && it.key() == u"names_digest")
             words << QCoreApplication::translate("Admin", "another name");
-        if (it.key().contains(QStringLiteral("digest")) || it.value().isNull() || it.value() == QString())
+        if (it.key().contains(QStringLiteral("digest")) || it.key() == u"school" || it.value().isNull() ||
+            it.value() == QString())
             continue;
         words << detailOf(it.key(), it.value(), names);
     }

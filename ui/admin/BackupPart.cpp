@@ -103,7 +103,6 @@ BackupPart::BackupPart(QWidget* parent)
     column->addLayout(last);
     const auto keep = [this] {
         m_thought->end();
-        m_said->clear();
         tell();
         m_restore->setFocus();
     };

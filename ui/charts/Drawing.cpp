@@ -278,7 +278,7 @@ QString folded(const QString& name, double widthPx, int most)
         const QString rest = lines.mid(most - 1).join(u' ');
         lines = lines.mid(0, most - 1) << QFontMetricsF(typeface(kSmall)).elidedText(rest, Qt::ElideMiddle, widthPx);
     } else if (lines.size() > 1) {
-        for (double narrow = widthPx - kStepPx;; narrow -= kStepPx) {
+        for (double narrow = widthPx - kStepPx; narrow > 0.0; narrow -= kStepPx) {
             const QStringList closer = wrapped(name, narrow);
             if (closer.size() != lines.size() || closer.join(u' ') != name)  // a word would be broken
                 break;

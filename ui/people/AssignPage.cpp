@@ -571,6 +571,12 @@ void AssignPage::confirm(const QList<AssignmentChange>& changes)
     const int count = static_cast<int>(changes.size());
     const auto isAll = [&](auto has) { return std::all_of(changes.begin(), changes.end(), has); };
     m_last = wasUndone ? QList<AssignmentChange>() : changes;
+    for (const AssignmentChange& change : changes) {
+        const std::string& id = change.after ? change.after->lessonId : change.before->lessonId;
+        m_given.removeIf([&id](const database::ClassAssignment& one) { return one.lessonId == id; });
+        if (change.after)
+            m_given.append(*change.after);
+    }
     std::set<std::size_t> stuck;  // at any of the lessons
     for (const AssignmentChange& change : changes)
         if (change.after)

@@ -59,8 +59,6 @@ public:
     void retell();
 
     [[nodiscard]] const database::ClassOverview& overview() const { return m_overview; }
-    /// The first of them.
-    [[nodiscard]] Need need(int row) const { return m_needs[row]; }
     /// Late are also those who have no attempts left, are stuck or have never logged in.
     [[nodiscard]] bool needs(int row, Need need) const;
     /// How many need so.

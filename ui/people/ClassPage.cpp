@@ -445,6 +445,13 @@ void ClassPage::takeCell(const QModelIndex& index)
     }
 }
 
+void ClassPage::forget()
+{
+    m_search->clear();
+    for (QAbstractButton* button : m_need->buttons())
+        button->setChecked(false);
+}
+
 void ClassPage::tellNeeds()
 {
     // Some have more than one need.
@@ -455,6 +462,8 @@ void ClassPage::tellNeeds()
         //: %1: how many; %2: "stuck"
         button->setText(tr("%1 %2").arg(count).arg(needWord(need)));
         button->setVisible(count > 0);
+        if (count == 0)  // else nobody would be shown, and it could not be taken off
+            button->setChecked(false);
     }
     const auto explain = [this](Need need, const QString& words) {
         QAbstractButton* button = m_need->button(static_cast<int>(need));

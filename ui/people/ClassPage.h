@@ -41,6 +41,8 @@ public:
     void setMayEnter(bool may);
     /// Those that are his. What is chosen stays, where it is among them.
     void setClasses(const QList<database::SchoolClass>& classes);
+    /// Somebody else comes: what was searched and filtered is shown to nobody.
+    void forget();
     /// @param now  days are counted from here
     /// What is chosen and seen of the same class stays.
     void setOverview(const database::ClassOverview& overview, const QDateTime& now = QDateTime::currentDateTimeUtc());

@@ -162,11 +162,10 @@ void TalkPanel::setAttempt(qint64 attempt)
 {
     if (attempt == m_attempt)
         return;
-    m_drafts[m_attempt] = {m_words->toPlainText(), m_reason->text()};
+    m_drafts[m_attempt] = m_words->toPlainText();
     m_attempt = attempt;
-    const Draft draft = m_drafts[m_attempt];
-    m_words->setPlainText(draft.words);
-    m_reason->setText(draft.reason);
+    m_words->setPlainText(m_drafts[m_attempt]);
+    m_reason->clear();  // without the number it was meant for it would be given for another
     refuse({});
 }
 

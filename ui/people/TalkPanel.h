@@ -30,8 +30,8 @@ class TalkPanel final : public QWidget
 public:
     explicit TalkPanel(QWidget* parent);
 
-    /// It is about this attempt from now on, 0: none that is kept. What was being written of the one before waits until
-    /// that comes again.
+    /// It is about this attempt from now on, 0: none that is kept. A comment that was being written on the one before
+    /// waits until that comes again.
     void setAttempt(qint64 attempt);
     /// Who was writing has left: nothing of it stays.
     void forget();
@@ -76,14 +76,7 @@ private:
     void unpin();
     [[nodiscard]] QWidget* formInUse() const;
 
-    /// What is typed, and kept nowhere yet.
-    struct Draft
-    {
-        QString words;
-        QString reason;
-    };
-
-    std::map<qint64, Draft> m_drafts;  ///< of the other attempts
+    std::map<qint64, QString> m_drafts;  ///< comments on the other attempts that are typed, and kept nowhere yet
     qint64 m_attempt = 0;
     database::AttemptTalk m_talk;
     int m_machineTenths = 0;

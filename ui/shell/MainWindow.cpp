@@ -664,6 +664,7 @@ void MainWindow::leaveAll()
     m_behindHistory = m_room;
     m_lessonsPage->setUnfinished({}, {});
     m_lessonsPage->forget();
+    m_classes->forget();
     m_scorePage->talk().forget();
     m_console->forget();
     m_view->setPushForce(tooth::PointerControl::kFirstN);
@@ -1424,8 +1425,8 @@ void MainWindow::tellAids()
         m_aidsTold = {m_ownGeneration, aids};
 }
 
-/// Time on another page, or away behind the lock, is none of the attempt's: that goes on the recording, and so all
-/// count what the lesson's clock does. An exam goes on.
+/// Time on another page, or away behind the lock, is none of the attempt's: that goes on the recording, and so score
+/// card, history and criteria leave it out, as the lesson's clock does. An exam goes on.
 void MainWindow::tellRest()
 {
     if (m_replaying || m_tooth == nullptr)
@@ -2316,8 +2317,10 @@ bool MainWindow::isNoKeyOfTheTooth(const QKeyEvent& key, const QWidget& focused)
     const QWidget* const page = m_pages->currentWidget();
     const QList<const QWidget*> offices{m_history,      m_classes, m_assign,   m_admin, m_presets,
                                         m_settingsPage, m_editor,  m_forecast, m_login};
-    return isPlain && (offices.contains(page) || qobject_cast<const QAbstractItemView*>(&focused) != nullptr ||
-                       qobject_cast<const QComboBox*>(&focused) != nullptr);
+    // In the room the history is a list, too, and the keys drill.
+    return isPlain &&
+           (offices.contains(page) || (page != m_room && qobject_cast<const QAbstractItemView*>(&focused) != nullptr) ||
+            qobject_cast<const QComboBox*>(&focused) != nullptr);
 }
 
 bool MainWindow::eventFilter(QObject* watched, QEvent* event)
