@@ -1706,6 +1706,8 @@ void Application::showMoment(double seconds)
     else if (m_graded && !m_replay) {
         play(m_graded->recording, std::max(0.0, seconds - ui::replay::kLeadUpS));
         m_playsCard = m_replay != nullptr;
+        if (m_playsCard && m_people)
+            m_people->followReplay(m_graded->record);
     }
 }
 
@@ -1714,7 +1716,8 @@ void Application::playOpened(std::optional<double> heldAtS)
 {
     play(*m_opened, heldAtS, m_people->whoseIsTalkedAbout());
     m_playsCard = m_replay != nullptr;
-    m_people->followReplay(m_playsCard);
+    if (m_playsCard)
+        m_people->followReplay(m_people->talkedAbout());
 }
 
 /// Waits until the tooth is there and drawn as it ended, saves the picture and quits.
@@ -1743,7 +1746,7 @@ void Application::putReplayAway()
 {
     m_playsCard = false;
     if (m_people)
-        m_people->followReplay(false);
+        m_people->followReplay({});
     m_replay.reset();
 }
 

@@ -136,7 +136,7 @@ PeopleDesk::PeopleDesk(MainWindow& window, SchoolDesk& desk, std::function<datab
     connect(&history, &HistoryPage::replayWanted, this, [this](qint64 id) {
         fetch(id, [this](const auto& attempt, const auto& recording) {
             emit replayWanted(recording, whose(makerOf(attempt), attempt));
-            m_played = attempt;
+            followReplay(attempt);
         });
     });
     connect(&m_window, &MainWindow::besidesWanted, this, &PeopleDesk::offerBeside);
@@ -237,7 +237,7 @@ void PeopleDesk::connectTalk()
             });
     connect(&talk, &ui::people::TalkPanel::momentWanted, &m_window, &MainWindow::momentWanted);
     connect(&m_window, &MainWindow::replayShown, this, [this, &talk](double seconds) {
-        if (m_follows && m_talkedAbout)
+        if (playsTalkedAbout())
             talk.setMoment(std::llround(1000.0 * seconds));
     });
 }
@@ -267,7 +267,6 @@ void PeopleDesk::sayInTalk(Work work)
 void PeopleDesk::talkAbout(const std::optional<database::AttemptRecord>& attempt)
 {
     m_talkedAbout = attempt;
-    m_follows = false;
     ui::study::ScorePage& page = m_window.scorePage();
     page.setTalkVisible(attempt.has_value());
     page.talk().setAttempt(attempt ? attempt->id : 0);
@@ -415,32 +414,22 @@ void PeopleDesk::withReport(const std::function<void(const ui::report::ClassRepo
           });
 }
 
-void PeopleDesk::followReplay(bool follows)
+bool PeopleDesk::playsTalkedAbout() const
 {
-    m_follows = follows;
-    m_played.reset();
-}
-
-/// Null: it is none of those that are kept, or not known to be.
-const database::AttemptRecord* PeopleDesk::played() const
-{
-    if (m_follows && m_talkedAbout)
-        return &*m_talkedAbout;
-    return m_played ? &*m_played : nullptr;
+    return m_played && m_talkedAbout && m_played->uid == m_talkedAbout->uid;
 }
 
 /// Of who made the attempt that is played, the newest at the same work first.
 void PeopleDesk::offerBeside(const std::string& lesson, const std::string& tooth)
 {
-    const database::AttemptRecord* const now = played();
-    readLessons([this, lesson, tooth, id = now != nullptr ? now->id : 0,
-                 person = now != nullptr ? now->person : m_who().person()] {
+    readLessons([this, lesson, tooth, uid = m_played ? m_played->uid : std::string(),
+                 person = m_played && m_played->person.value != 0 ? m_played->person : m_who().person()] {
         askAs([who = m_who(), person](const School& school) { return database::sql::history(school, who, person, {}); },
-              [this, lesson, tooth, id](core::Result<std::vector<database::AttemptRecord>>& found) {
+              [this, lesson, tooth, uid](core::Result<std::vector<database::AttemptRecord>>& found) {
                   std::vector<database::AttemptRecord> others;
                   if (found)
                       others = std::move(*found);
-                  std::erase_if(others, [id](const auto& one) { return one.id == id || one.recordingHash.empty(); });
+                  std::erase_if(others, [uid](const auto& one) { return one.uid == uid || one.recordingHash.empty(); });
                   std::stable_partition(others.begin(), others.end(), [&](const auto& one) {
                       return one.lessonId == lesson && (!lesson.empty() || one.tooth == tooth);
                   });

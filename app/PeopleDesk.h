@@ -37,8 +37,9 @@ public:
     [[nodiscard]] const QString& nameOfTalkedAbout() const { return m_talkedName; }
     /// Who made it, and when; empty: none is open.
     [[nodiscard]] QString whoseIsTalkedAbout() const;
-    /// The attempt that is talked about is played now, so that comments can be pinned to its moments; or another one.
-    void followReplay(bool follows);
+    /// This attempt is played now; where it is the one that is talked about, comments can be pinned to its moments.
+    /// Nothing: none that is kept is played.
+    void followReplay(const std::optional<database::AttemptRecord>& played) { m_played = played; }
 
 signals:
     /// This recording is to be played.
@@ -71,7 +72,7 @@ private:
     void tellResults(const QString& lesson);
     void fetch(qint64 attempt,
                const std::function<void(const database::AttemptRecord&, const core::recording::Recording&)>& use);
-    [[nodiscard]] const database::AttemptRecord* played() const;
+    [[nodiscard]] bool playsTalkedAbout() const;
     void offerBeside(const std::string& lesson, const std::string& tooth);
     void tellBesides(const std::vector<database::AttemptRecord>& attempts);
     void refuse(const core::Error& error);
@@ -96,8 +97,7 @@ private:
     database::LessonResults m_results;
     std::optional<database::AttemptRecord> m_talkedAbout;
     QString m_talkedName;                             ///< of who made it
-    bool m_follows = false;                           ///< it is played
-    std::optional<database::AttemptRecord> m_played;  ///< in place of it, from the list of attempts
+    std::optional<database::AttemptRecord> m_played;
     database::AttemptId m_reads;                      ///< what was said of this one is to be read
     std::vector<lessons::CatalogEntry> m_catalog;     ///< as it was when a page was opened last
     ui::people::LessonTitles m_titles;
