@@ -358,7 +358,7 @@ void Application::openDatabase()
     connect(m_window.get(), &ui::shell::MainWindow::restoreWanted, this, &Application::restore);
     open();
     if (m_options.asksWho)
-        m_window->askWho(ui::people::Door::Login);
+        m_window->askLogin();
 }
 
 void Application::takeOpening(const SchoolDesk::Opening& opening)
@@ -379,11 +379,12 @@ void Application::takeOpening(const SchoolDesk::Opening& opening)
     m_presets.setSchool(m_desk.get());
     m_window->setUnreachable({}, m_where, backupMade);
     m_isOnNetworkDrive = !opening.notice.empty();
-    const bool wasNew = std::exchange(m_isNewSchool, opening.isNew);
+    const bool wasNew = m_window->isNewSchool();
+    m_window->setNewSchool(opening.isNew);
     backUpToday();
     tellMayEdit();
     if (m_window->isAtDoor() && wasNew != opening.isNew)
-        m_window->askWho(opening.isNew ? ui::people::Door::NewSchool : ui::people::Door::Login);
+        m_window->askLogin();
 }
 
 void Application::restore()
@@ -391,15 +392,17 @@ void Application::restore()
     m_desk->restore(this, m_backup, [this](const SchoolDesk::Opening& opening) {
         const QDateTime made = database::sql::madeAt(m_backup).toLocalTime();
         takeOpening(opening);
-        if (!opening.status)
-            m_window->sayAtDoor(tr("The backup was not restored; nothing has been changed. %1")
-                                    .arg(ui::text::errorText(opening.status.error(), Failed::ReadingSchool)));
-        else if (const QString when = QLocale().toString(made, QLocale::ShortFormat); opening.replaced.isEmpty())
-            m_window->sayAtDoor(tr("The backup of %1 is in place.").arg(when));
-        else
+        m_window->sayAtDoor([made, restored = opening.restored, replaced = QFileInfo(opening.replaced).fileName()] {
+            if (!restored)
+                return tr("The backup was not restored; nothing has been changed. %1")
+                    .arg(ui::text::errorText(restored.error(), Failed::ReadingSchool));
+            const QString when = QLocale().toString(made, QLocale::ShortFormat);
             //: %2: a file's name
-            m_window->sayAtDoor(tr("The backup of %1 is in place. The file that was there is kept beside it as %2.")
-                                    .arg(when, QFileInfo(opening.replaced).fileName()));
+            return replaced.isEmpty()
+                       ? tr("The backup of %1 is in place.").arg(when)
+                       : tr("The backup of %1 is in place. The file that was there is kept beside it as %2.")
+                             .arg(when, replaced);
+        });
     });
 }
 
@@ -407,7 +410,7 @@ void Application::restore()
 void Application::backUpToday()
 {
     const QDateTime now = QDateTime::currentDateTimeUtc();
-    if (m_isNewSchool || !isBackupDue(*m_address, now))
+    if (m_window->isNewSchool() || !isBackupDue(*m_address, now))
         return;
     m_desk->askBeside(
         this,
@@ -476,7 +479,7 @@ void Application::connectDoor()
     connect(m_window.get(), &MainWindow::passwordChangeWanted, this, &Application::changePassword);
     connect(m_window.get(), &MainWindow::keepWanted, this, [this] {
         m_keepsOnLogin = true;
-        m_window->askWho(m_isNewSchool ? ui::people::Door::NewSchool : ui::people::Door::Login);
+        m_window->askLogin();
     });
 }
 
@@ -502,7 +505,8 @@ void Application::enter(const database::Session& who)
         m_window->setWho(who);
         return;
     }
-    if (std::exchange(m_isNewSchool, false)) {
+    if (m_window->isNewSchool()) {
+        m_window->setNewSchool(false);
         // Nobody puts what was there before in the place of what has just been begun.
         m_backup.clear();
         m_window->setUnreachable({}, m_where, {});
@@ -570,14 +574,14 @@ void Application::leave()
     m_window->setWho(m_who);
     tellMayEdit();
     clearTable();
-    m_window->askWho(ui::people::Door::Login);
+    m_window->askLogin();
 }
 
 /// Where there is a school its lessons, and its exams, are changed by who teaches.
 void Application::tellMayEdit()
 {
     const bool teaches = m_who.role() == database::Role::Instructor || m_who.role() == database::Role::Admin;
-    m_window->setMayEdit(!m_desk || m_isNewSchool || teaches);
+    m_window->setMayEdit(!m_desk || m_window->isNewSchool() || teaches);
 }
 
 void Application::becomeGuest()

@@ -178,7 +178,6 @@ private:
     QTimer m_openWatch;  ///< tries again what a server or another program has held up
     bool m_isOnNetworkDrive = false;
     bool m_hasTimedCost = false;
-    bool m_isNewSchool = false;
     bool m_keepsOnLogin = false;  ///< the grade that a guest was shown becomes that of who logs in now
 
     PresetDesk m_presets;

@@ -152,9 +152,9 @@ void SchoolDesk::restore(QObject* owner, const QString& backup, const Opened& do
     post([this, guard = QPointer<QObject>(owner), backup, done] {
         if (*m_besides > 0) {
             Opening busy = tryToOpen();
-            busy.status = core::unexpected(ErrorCode::Busy, "database " + m_address.file.toStdString() +
-                                                                ": a backup or a check of it goes on; try again when "
-                                                                "it has ended");
+            busy.restored = core::unexpected(ErrorCode::Busy, "database " + m_address.file.toStdString() +
+                                                                  ": a backup or a check of it goes on; try again when "
+                                                                  "it has ended");
             answer(guard, done, busy);
             return;
         }
@@ -167,7 +167,7 @@ void SchoolDesk::restore(QObject* owner, const QString& backup, const Opened& do
         Opening opening = tryToOpen();
         opening.replaced = replaced.value_or(QString());
         if (!replaced)
-            opening.status = tl::unexpected(replaced.error());
+            opening.restored = tl::unexpected(replaced.error());
         else if (opening.status)
             opening.status = database::sql::noteRestored(*m_school, backup);
         answer(guard, done, opening);

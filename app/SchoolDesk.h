@@ -39,10 +39,11 @@ public:
     struct Opening
     {
         core::Status status;
-        bool isNew = false;   ///< nobody has been entered yet
-        std::string notice;   ///< of the database
-        QString soundBackup;  ///< its path, where the file is damaged or gone and a backup is whole; else empty
-        QString replaced;     ///< after restore(): where the file lies now that was there; empty: there was none
+        bool isNew = false;     ///< nobody has been entered yet
+        std::string notice;     ///< of the database
+        QString soundBackup;    ///< its path, where the file is damaged or gone and a backup is whole; else empty
+        core::Status restored;  ///< how restore() ended; what is there now is open, or not, in either case
+        QString replaced;       ///< after it: where the file lies now that was there; empty: there was none
     };
     using Opened = std::function<void(const Opening&)>;
     /// May be called again where it came to nothing.

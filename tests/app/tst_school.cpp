@@ -393,6 +393,11 @@ void TestSchool::aSchoolWithoutPeopleIsNotBackedUp()
     QVERIFY(QFile::remove(file()));
     start();
     QTRY_COMPARE_WITH_TIMEOUT(door(), Door::NewSchool, kPatienceMs);
+    // Who has only practised comes back to where the school is created.
+    click("practiseAsGuest");
+    QTRY_VERIFY_WITH_TIMEOUT(!m_application->window().isAtDoor(), kPatienceMs);
+    actions().account->trigger();
+    QCOMPARE(door(), Door::NewSchool);
     child<QLineEdit>("username")->setText("nora");
     child<QLineEdit>("password")->setText(QString::fromStdString(kPassword));
     child<QLineEdit>("passwordAgain")->setText(QString::fromStdString(kPassword));

@@ -173,6 +173,7 @@ private slots:
     void everyPartWasBroughtUp();
     void questionsAreAskedInTheLanguageOfToday();
     void messagesThatStayFollowTheLanguage();
+    void whatIsSaidAtTheDoorFollowsTheLanguage();
     void theMenuChoosesAndRemembers();
     void numbersAndDatesFollow();
     void whatIsNotSpokenIsEnglish();
@@ -565,6 +566,26 @@ void TestLanguages::messagesThatStayFollowTheLanguage()
     QTRY_VERIFY2(bar->sentence().contains("cannot be opened"), qPrintable(bar->sentence()));
     bar->dismiss();
     QCOMPARE(bar->sentence(), "2 notes about this scan");
+}
+
+void TestLanguages::whatIsSaidAtTheDoorFollowsTheLanguage()
+{
+    m_window->askWho(ui::people::Door::Login);
+    const auto back = qScopeGuard([this] {
+        ui::text::Language::choose("en_GB");
+        m_window->setWho({});
+    });
+    m_window->sayAtDoor([] { return QCoreApplication::translate("Material", "enamel"); });
+    m_window->refuseLogin({core::ErrorCode::WrongLogin, "no"});
+    const auto says = [this](const QString& words) {
+        const auto labels = m_window->findChildren<QLabel*>();
+        return std::any_of(labels.begin(), labels.end(), [&](const QLabel* one) {
+            return one->isVisibleTo(m_window.get()) && one->text().contains(words);
+        });
+    };
+    QVERIFY(says("enamel") && says("Name or password is wrong"));
+    ui::text::Language::choose("de");
+    QTRY_VERIFY(says("Schmelz") && says("Passwort ist falsch"));
 }
 
 void TestLanguages::theMenuChoosesAndRemembers()

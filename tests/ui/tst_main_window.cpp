@@ -173,6 +173,7 @@ private slots:
     void escapeGoesBackStepByStep();
     void escapeClosesAnOpenListOnly();
     void aRefusedPasswordIsTypedAnew();
+    void whoWasLateToCreateTheSchoolLogsIn();
     void anAdminIsToldHowToBeginWithClasses();
     void aHalfFilledFormIsPutAside();
     void presetsAreFoundFromTheSchoolAndFromOnesPlace();
@@ -1463,6 +1464,22 @@ void TestMainWindow::aRefusedPasswordIsTypedAnew()
     QCOMPARE(QApplication::focusWidget(), child<QLineEdit>("password"));
     for (const char* name : {"password", "passwordAgain"})
         QVERIFY(child<QLineEdit>(name)->text().isEmpty());
+}
+
+void TestMainWindow::whoWasLateToCreateTheSchoolLogsIn()
+{
+    m_window->setNewSchool(true);
+    m_window->askLogin();
+    QCOMPARE(child<ui::people::LoginPage>()->door(), ui::people::Door::NewSchool);
+    m_window->refuseLogin({core::ErrorCode::NotAllowed, "there are people here already"});
+    QCOMPARE(child<ui::people::LoginPage>()->door(), ui::people::Door::Login);
+    const auto says = [this](const QString& words) {
+        const auto labels = child<ui::people::LoginPage>()->findChildren<QLabel*>();
+        return std::any_of(labels.begin(), labels.end(), [&](const QLabel* one) {
+            return one->isVisibleTo(m_window.get()) && one->text().contains(words);
+        });
+    };
+    QVERIFY(says("Somebody has been entered here meanwhile"));
 }
 
 void TestMainWindow::anAdminIsToldHowToBeginWithClasses()

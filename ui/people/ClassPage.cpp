@@ -42,6 +42,7 @@ constexpr int kLessonPx = 104;
 constexpr int kHeadPx = 62;  ///< three lines of a lesson's title
 constexpr int kDuePx = 18;   ///< and one for when it is due
 constexpr int kNamesPx = 250;
+constexpr int kLeastChooserPx = 240;
 constexpr int kSearchPx = 240;
 constexpr std::array kNeeds{Need::NoneLeft, Need::Stuck, Need::NeverLoggedIn, Need::Late, Need::NotBegun};
 
@@ -246,9 +247,8 @@ QWidget* ClassPage::makeCharts()
     m_lessonWord->setFont(typeface(kBody, QFont::DemiBold));
     m_lesson = new QComboBox(part);
     m_lesson->setObjectName(QStringLiteral("lessonChooser"));
-    m_lesson->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    m_lesson->setMinimumContentsLength(30);
-    m_lesson->setMinimumHeight(32);
+    m_lesson->setSizeAdjustPolicy(QComboBox::AdjustToContents);  // a title that is cut has no ellipsis
+    m_lesson->setMinimumSize(kLeastChooserPx, 32);
     m_lessonWord->setBuddy(m_lesson);
     connect(m_lesson, &QComboBox::currentIndexChanged, this, &ClassPage::takeLesson);
     head->addWidget(m_lessonWord);

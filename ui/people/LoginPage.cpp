@@ -136,7 +136,11 @@ LoginPage::LoginPage(QWidget* parent)
     };
     offer(m_tryAgain, &LoginPage::againWanted);
     offer(m_restore, &LoginPage::restoreWanted);
-    text::inEveryLanguage(this, [this] { speak(); });
+    text::inEveryLanguage(this, [this] {
+        speak();
+        say(m_saying);
+        tellFault(m_faultWords);
+    });
     ask(Door::Login);
 }
 
@@ -165,7 +169,7 @@ void LoginPage::ask(Door door, bool isIn)
         m_name->clear();
     for (QLineEdit* input : {m_given, m_family, m_old, m_password, m_again})
         input->clear();
-    study::showFault(m_fault, {});
+    tellFault({});
     say({});
     setBusy(false);
     arrange();
@@ -278,10 +282,17 @@ void LoginPage::speak()
     m_guest->setToolTip(brokenIntoLines(tr("Drill and be graded; nothing is kept")));
 }
 
-void LoginPage::say(const QString& sentence)
+void LoginPage::say(std::function<QString()> sentence)
 {
-    m_said->setText(sentence);
-    m_said->setVisible(!sentence.isEmpty());
+    m_saying = std::move(sentence);
+    m_said->setText(m_saying ? m_saying() : QString());
+    m_said->setVisible(!m_said->text().isEmpty());
+}
+
+void LoginPage::tellFault(std::function<QString()> sentence)
+{
+    m_faultWords = std::move(sentence);
+    study::showFault(m_fault, m_faultWords ? m_faultWords() : QString());
 }
 
 void LoginPage::setUnreachable(const QString& sentence)
@@ -313,19 +324,19 @@ void LoginPage::setBusy(bool busy)
         input->setEnabled(!busy);
 }
 
-void LoginPage::refuse(const QString& sentence)
+void LoginPage::refuse(std::function<QString()> sentence)
 {
     setBusy(false);
-    study::showFault(m_fault, sentence);
+    tellFault(std::move(sentence));
     QLineEdit* const again = m_old->isVisible() ? m_old : m_password;
     again->setFocus();
     again->selectAll();
 }
 
-void LoginPage::refuseNewPassword(const QString& sentence)
+void LoginPage::refuseNewPassword(std::function<QString()> sentence)
 {
     setBusy(false);
-    study::showFault(m_fault, sentence);
+    tellFault(std::move(sentence));
     m_password->clear();
     m_again->clear();
     m_password->setFocus();
@@ -334,19 +345,19 @@ void LoginPage::refuseNewPassword(const QString& sentence)
 bool LoginPage::areNamesFit()
 {
     QLineEdit* wrong = nullptr;
-    QString why;
+    std::function<QString()> why;
     if (!database::normalUsername(m_name->text().toStdString())) {
         wrong = m_name;
-        why = tr("A name to log in with has 1 to 64 letters, digits and . _ - @, and no spaces.");
+        why = [] { return tr("A name to log in with has 1 to 64 letters, digits and . _ - @, and no spaces."); };
     }
     for (QLineEdit* one : {m_family, m_given})
         if (wrong == nullptr && !database::canBeSeen(one->text().trimmed().toStdString())) {
             wrong = one;
-            why = tr("This name has signs that cannot be seen. Type it again.");
+            why = [] { return tr("This name has signs that cannot be seen. Type it again."); };
         }
     if (wrong == nullptr)
         return true;
-    study::showFault(m_fault, why);
+    tellFault(std::move(why));
     wrong->setFocus();
     wrong->selectAll();
     return false;
@@ -356,10 +367,10 @@ void LoginPage::submit()
 {
     if (m_isBusy)
         return;
-    study::showFault(m_fault, {});
+    tellFault({});
     const QString password = m_password->text();
     if (m_again->isVisibleTo(m_card) && m_again->text() != password) {
-        refuse(tr("The two passwords differ. Type the second one again."));
+        refuse([] { return tr("The two passwords differ. Type the second one again."); });
         m_again->setFocus();
         m_again->selectAll();
         return;

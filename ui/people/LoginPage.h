@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <map>
 
 #include <QDateTime>
@@ -35,16 +36,17 @@ public:
     /// The database cannot be used: why. Practice without a login still works. Empty: it can.
     void setUnreachable(const QString& sentence);
     /// How something ended that everybody was logged out for; it stands until somebody is asked anew.
-    void say(const QString& sentence);
+    /// @param sentence  in the language of the moment; empty: nothing is said
+    void say(std::function<QString()> sentence);
     /// A backup of then, UTC, can be put in the place of a database that is damaged or gone; invalid: there is none.
     /// @param where  the database, to read
     void offerBackup(const QDateTime& made, const QString& where);
     /// What was typed is being looked at: nothing can be typed meanwhile.
     void setBusy(bool busy);
     /// Says what was wrong, beside where it was typed.
-    void refuse(const QString& sentence);
+    void refuse(std::function<QString()> sentence);
     /// The same of a password that was chosen: both of its inputs begin anew.
-    void refuseNewPassword(const QString& sentence);
+    void refuseNewPassword(std::function<QString()> sentence);
 
 signals:
     void loginWanted(const QString& username, const QString& password);
@@ -69,6 +71,7 @@ private:
     [[nodiscard]] QLineEdit* firstInput() const;
     void speak();
     void submit();
+    void tellFault(std::function<QString()> sentence);
     /// Of a new school's admin; else says what is wrong.
     [[nodiscard]] bool areNamesFit();
 
@@ -88,11 +91,13 @@ private:
     QLineEdit* m_again;
     std::map<QLineEdit*, QLabel*> m_captions;  ///< above each
     QLabel* m_fault;
+    std::function<QString()> m_faultWords;  ///< empty: nothing is wrong
     QPushButton* m_go;
     QPushButton* m_other;
     QPushButton* m_guest;
     QPushButton* m_change;  ///< of one's own password
     QLabel* m_said;         ///< how something ended that everybody was logged out for
+    std::function<QString()> m_saying;
     QLabel* m_unreachable;
     QPushButton* m_tryAgain;
     QPushButton* m_restore;

@@ -555,7 +555,7 @@ void MainWindow::changeAccount()
     else if (m_who.isGuest())
         // Who logs in begins with a clean table.
         leaveWork([this] {
-            askWho(people::Door::Login);
+            askLogin();
             m_mayLeaveDoor = true;
             enableActions();
         });
@@ -674,12 +674,16 @@ void MainWindow::leaveAll()
 
 void MainWindow::refuseLogin(const core::Error& error)
 {
+    if (error.code == core::ErrorCode::NotAllowed && m_login->door() == people::Door::NewSchool) {
+        m_isNewSchool = false;  // somebody was faster
+        askLogin();
+    }
     if (error.code == core::ErrorCode::NewPassword)
         m_login->ask(people::Door::NewPassword);
     else if (error.code == core::ErrorCode::OutOfRange)
-        m_login->refuseNewPassword(text::loginFault(error));
+        m_login->refuseNewPassword([error] { return text::loginFault(error); });
     else
-        m_login->refuse(text::loginFault(error));
+        m_login->refuse([error] { return text::loginFault(error); });
 }
 
 void MainWindow::setUnreachable(const std::optional<core::Error>& error, const QString& where,
@@ -697,9 +701,9 @@ void MainWindow::tellUnreachable()
         m_unreachable ? text::errorText(*m_unreachable, text::Failed::KeepingGrades) + u'\n' + m_where : QString());
 }
 
-void MainWindow::sayAtDoor(const QString& sentence)
+void MainWindow::sayAtDoor(std::function<QString()> sentence)
 {
-    m_login->say(sentence);
+    m_login->say(std::move(sentence));
 }
 
 void MainWindow::connectPresets()

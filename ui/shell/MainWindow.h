@@ -222,6 +222,10 @@ public slots:
     /// Somebody is to log in, to create the school, or to come back. Nothing else can be done meanwhile but practising
     /// without a login where the door offers that.
     void askWho(people::Door door);
+    /// Somebody is to log in; where nobody is entered yet, to create the school.
+    void askLogin() { askWho(m_isNewSchool ? people::Door::NewSchool : people::Door::Login); }
+    void setNewSchool(bool isNew) { m_isNewSchool = isNew; }
+    [[nodiscard]] bool isNewSchool() const { return m_isNewSchool; }
     /// Opens the page of attempts, or that of classes.
     void openHistory();
     void openClasses();
@@ -241,7 +245,8 @@ public slots:
     /// Somebody else will work here: nothing that was said to the one before stays to be read.
     void leaveAll();
     /// Beside what is typed there, until somebody is asked anew.
-    void sayAtDoor(const QString& sentence);
+    /// @param sentence  in the language of the moment
+    void sayAtDoor(std::function<QString()> sentence);
     /// Shows who works here round; tourEnded() follows.
     void beginTour();
     /// Is somebody asked to log in?
@@ -550,7 +555,8 @@ private:
     QWidget* m_behindScore = nullptr;    ///< the page from which the score card was opened
     QWidget* m_behindHistory = nullptr;  ///< the same of the attempts
     QWidget* m_behindDoor = nullptr;     ///< the page to go on with
-    bool m_mayLeaveDoor = false;         ///< who practises as a guest, and has only looked at it
+    bool m_isNewSchool = false;
+    bool m_mayLeaveDoor = false;  ///< who practises as a guest, and has only looked at it
     bool m_mayClose = false;
     bool m_hasCut = false;
     bool m_knowsTheFarSide = false;  ///< has been told why nothing is drilled from below
