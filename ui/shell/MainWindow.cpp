@@ -405,8 +405,6 @@ void MainWindow::startAgain()
         m_isGraded = false;
         if (!send(core::session::Reload{}))
             return;
-        if (isLesson)
-            restartClock();
         m_messages->say({MessageBar::Kind::News, tr("The tooth is whole again."), {}, tr("Bring my work back"), [this] {
                              send(core::session::Undo{});
                          }});
@@ -427,13 +425,6 @@ void MainWindow::setUsedUp(bool usedUp)
     Actions::setAllowed(m_actions->reload, !usedUp, study::usedUpWords());
     m_room->lesson().setUsedUp(usedUp);
     enableActions();
-}
-
-/// The lesson's time begins now.
-void MainWindow::restartClock()
-{
-    m_clockRestedS = m_recordedAtS;
-    m_room->lesson().restartTime();
 }
 
 /// It runs while one works: not on other pages, but in an exam, and not once there is a grade.

@@ -438,7 +438,6 @@ private:
     void showHistory();
     void restBur();
     void startAgain();
-    void restartClock();
     void runClock();
     [[nodiscard]] bool isExam() const;
     void endExam();

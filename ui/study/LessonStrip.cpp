@@ -90,7 +90,8 @@ void LessonStrip::setLesson(const ::lessons::Lesson& lesson)
     m_isConcluded = false;
     m_hint->setChecked(false);
     showStep();
-    restartTime();
+    m_overSaid = false;
+    setTime(0.0);
 }
 
 /// A hint is for who asks for it, at each step anew.
@@ -128,12 +129,6 @@ void LessonStrip::showStep()
     for (QWidget* control :
          {static_cast<QWidget*>(m_before), static_cast<QWidget*>(m_next), static_cast<QWidget*>(m_hint)})
         control->setAccessibleDescription(m_text->text());
-}
-
-void LessonStrip::restartTime()
-{
-    m_overSaid = false;
-    setTime(0.0);
 }
 
 void LessonStrip::setUsedUp(bool usedUp)

@@ -26,8 +26,6 @@ public:
     void setLesson(const ::lessons::Lesson& lesson);
     /// @param workedS  seconds of this attempt so far
     void setTime(double workedS);
-    /// "Start again": the time begins anew, and may come to its end once more.
-    void restartTime();
     /// No other attempt can begin.
     void setUsedUp(bool usedUp);
     /// The exam is over: the clock stops, and the strip says how to go on, until another lesson is set.
