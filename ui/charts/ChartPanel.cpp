@@ -69,6 +69,7 @@ ChartPanel::ChartPanel(QWidget* parent)
     m_view->setBackgroundBrush(Qt::NoBrush);
     m_view->setStyleSheet(QStringLiteral("background: transparent"));
     m_view->setMinimumSize(1, 1);
+    m_view->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);  // else it asks for what it had before
     m_view->viewport()->setMouseTracking(true);
     m_view->viewport()->installEventFilter(this);
     m_empty->setAlignment(Qt::AlignCenter);
