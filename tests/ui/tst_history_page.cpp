@@ -80,7 +80,6 @@ private slots:
     void titlesAreReadInASmallWindow();
     void theForceColumnSaysWhatItsTwoFiguresAre();
     void thousandsOfRows();
-    void theChartsShareASmallerWindowAsBefore();
     void everyControlHasAName();
 
 private:
@@ -357,28 +356,6 @@ void TestHistoryPage::thousandsOfRows()
     m_page->setLesson("c1-36");
     QCOMPARE(table()->model()->rowCount(), 2000);
     QCOMPARE(ui::charts::stopsOf(score->chart()).back().x, 2000.0);
-}
-
-void TestHistoryPage::theChartsShareASmallerWindowAsBefore()
-{
-    QList<AttemptRecord> some = attempts(5);
-    for (AttemptRecord& one : some)
-        for (int k = 0; k < 15; ++k)
-            one.criteria.push_back({"criterion" + std::to_string(k), 100 - k, 300});
-    m_page->setHistory(some);
-    auto* score = m_page->findChild<ChartPanel*>("scoreChart");
-    auto* other = m_page->findChild<ChartPanel*>("otherChart");
-    const auto resize = [&](const QSize& size) {
-        m_window->resize(size);
-        m_page->resize(size);
-        QTest::qWait(50);
-    };
-    const auto areAlike = [&] { return std::abs(score->height() - other->height()) < 80; };
-    resize({1280, 800});
-    QVERIFY2(areAlike(), qPrintable(QString("%1 over %2").arg(score->height()).arg(other->height())));
-    resize({1900, 1000});
-    resize({1280, 800});
-    QVERIFY2(areAlike(), qPrintable(QString("%1 over %2").arg(score->height()).arg(other->height())));
 }
 
 void TestHistoryPage::everyControlHasAName()

@@ -50,6 +50,7 @@
 #include "ui/admin/AdminPage.h"
 #include "ui/admin/PeoplePart.h"
 #include "ui/admin/RosterPart.h"
+#include "ui/charts/ChartPanel.h"
 #include "ui/console/Console.h"
 #include "ui/console/WatchPanel.h"
 #include "ui/inside/SectionView.h"
@@ -172,6 +173,7 @@ private slots:
     void helpListsEveryAction();
     void escapeGoesBackStepByStep();
     void escapeClosesAnOpenListOnly();
+    void theChartsShareASmallerWindowAsBefore();
     void aRefusedPasswordIsTypedAnew();
     void whoWasLateToCreateTheSchoolLogsIn();
     void anAdminIsToldHowToBeginWithClasses();
@@ -1452,6 +1454,38 @@ void TestMainWindow::escapeClosesAnOpenListOnly()
     QVERIFY(child<ui::people::HistoryPage>()->isVisible());
     press(Qt::Key_Escape);
     QVERIFY(child<PracticeRoom>()->isVisible());
+}
+
+/// Else one of them keeps the room it had, and the other has none.
+void TestMainWindow::theChartsShareASmallerWindowAsBefore()
+{
+    QList<database::AttemptRecord> attempts;
+    for (int k = 40; k-- > 0;) {
+        database::AttemptRecord one;
+        one.id = k + 1;
+        one.lessonId = "lesson" + std::to_string(k % 5);
+        one.finishedUtc = QDateTime({2026, 1, 1}, {9, 0}, Qt::UTC).addDays(k).toString(Qt::ISODate).toStdString();
+        one.scoreTenths = 600 + 7 * k;
+        for (int c = 0; c < 16; ++c)
+            one.criteria.push_back({"sound tissue removed beside the decay " + std::to_string(c), 100 - c, 300});
+        attempts << one;
+    }
+    m_window->openHistory();
+    m_window->historyPage().setHistory(attempts);
+    const auto height = [this](const char* chart) { return child<ui::charts::ChartPanel>(chart)->height(); };
+    const auto resize = [this](const QSize& size) {
+        m_window->resize(size);
+        QTRY_COMPARE(m_window->size(), size);
+        QTest::qWait(50);
+    };
+    resize({1280, 800});
+    const int score = height("scoreChart");
+    const int other = height("otherChart");
+    resize({1900, 1060});
+    QVERIFY(height("scoreChart") > score);
+    resize({1280, 800});
+    QCOMPARE(height("scoreChart"), score);
+    QCOMPARE(height("otherChart"), other);
 }
 
 void TestMainWindow::aRefusedPasswordIsTypedAnew()
