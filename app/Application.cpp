@@ -141,6 +141,15 @@ core::Result<lessons::Assignment> playedFor(const std::shared_ptr<const core::te
     return assignment;
 }
 
+/// The database was not asked at all: it says nothing of who may come in.
+bool isAway(core::ErrorCode code)
+{
+    using core::ErrorCode;
+    return code == ErrorCode::ConnectionLost || code == ErrorCode::Busy || code == ErrorCode::FileMissing ||
+           code == ErrorCode::FileUnreadable || code == ErrorCode::FileUnwritable || code == ErrorCode::BadStructure ||
+           code == ErrorCode::WrongKind;
+}
+
 using Wishes = core::rt::TripleBuffer<core::session::PointerInput>;
 
 std::unique_ptr<haptics::HapticDevice> makeDevice(bool simulated, Wishes& demo, Wishes& pointer)
@@ -336,9 +345,10 @@ void Application::openDatabase()
                                                            1.0 / std::chrono::duration<double>(kServoPeriod).count()},
                                           [this] { return m_who; });
     connect(m_admin.get(), &AdminDesk::restoreWanted, this, [this](const QString& backup) {
+        const database::Session who = m_who;
         leave();
         m_backup = backup;
-        restore();
+        restore(who);
     });
     connect(m_admin.get(), &AdminDesk::idleMinutesChanged, this,
             [this](int minutes) { m_window->setIdleLimit(std::chrono::minutes(minutes)); });
@@ -355,7 +365,7 @@ void Application::openDatabase()
     m_openWatch.setInterval(kOpenWatchMs);
     connect(&m_openWatch, &QTimer::timeout, this, open);
     connect(m_window.get(), &ui::shell::MainWindow::openAgainWanted, this, open);
-    connect(m_window.get(), &ui::shell::MainWindow::restoreWanted, this, &Application::restore);
+    connect(m_window.get(), &ui::shell::MainWindow::restoreWanted, this, [this] { restore(m_who); });
     open();
     if (m_options.asksWho)
         m_window->askLogin();
@@ -387,9 +397,9 @@ void Application::takeOpening(const SchoolDesk::Opening& opening)
         m_window->askLogin();
 }
 
-void Application::restore()
+void Application::restore(const database::Session& who)
 {
-    m_desk->restore(this, m_backup, [this](const SchoolDesk::Opening& opening) {
+    m_desk->restore(this, who, m_backup, [this](const SchoolDesk::Opening& opening) {
         const QDateTime made = database::sql::madeAt(m_backup).toLocalTime();
         takeOpening(opening);
         m_window->sayAtDoor([made, restored = opening.restored, replaced = QFileInfo(opening.replaced).fileName()] {
@@ -450,6 +460,7 @@ void Application::changePassword(const QString& old, const QString& password)
                 m_window->refuseLogin(done.error());
                 return;
             }
+            readOwnHash();
             m_window->setWho(m_who);
             m_window->showMessage(tr("Your password was changed."));
         });
@@ -459,9 +470,14 @@ void Application::connectDoor()
 {
     using ui::shell::MainWindow;
     connect(m_window.get(), &MainWindow::loginWanted, this, [this](const QString& name, const QString& password) {
-        askAtDoor([name = name.toStdString(), password = password.toStdString()](const School& school) {
-            return Logins::login(school, name, password);
-        });
+        askAtDoor([name = name.toStdString(), password = password.toStdString()](
+                      const School& school) { return Logins::login(school, name, password); },
+                  [this, isOwner = name.toStdString() == m_who.username(), password](const core::Error& why) {
+                      if (isOwner && isAway(why.code))
+                          unlockAlone(password, why);
+                      else
+                          m_window->refuseLogin(why);
+                  });
     });
     connect(m_window.get(), &MainWindow::codeWanted, this,
             [this](const QString& name, const QString& code, const QString& password) {
@@ -484,11 +500,15 @@ void Application::connectDoor()
 }
 
 /// Lets in who has given the right answer; where there is no database to ask, says why.
-void Application::askAtDoor(const std::function<core::Result<database::Session>(const School&)>& work)
+/// @param refuse  does the latter; empty: at the door
+void Application::askAtDoor(const std::function<core::Result<database::Session>(const School&)>& work,
+                            const std::function<void(const core::Error&)>& refuse)
 {
-    const auto answer = [this](const core::Result<database::Session>& who) {
+    const auto answer = [this, refuse](const core::Result<database::Session>& who) {
         if (who)
             enter(*who);
+        else if (refuse)
+            refuse(who.error());
         else
             m_window->refuseLogin(who.error());
     };
@@ -496,6 +516,51 @@ void Application::askAtDoor(const std::function<core::Result<database::Session>(
         m_desk->ask(this, work, answer);
     else
         answer(tl::unexpected(m_whyNoDesk));
+}
+
+void Application::readOwnHash()
+{
+    m_desk->ask(
+        this, [who = m_who](const School& school) { return Logins::ownHash(school, who); },
+        [this, who = m_who](const core::Result<std::string>& hash) {
+            if (hash && m_who == who)
+                m_ownHash = *hash;
+        });
+}
+
+/// Who left his place comes back to his work though the database is away: by the password it knew last. Who tries
+/// others waits longer each time, as at the database.
+/// @param why  it cannot be asked
+void Application::unlockAlone(const QString& password, const core::Error& why)
+{
+    if (m_ownHash.empty()) {
+        m_window->refuseLogin(why);
+        return;
+    }
+    const auto now = std::chrono::steady_clock::now();
+    if (now < m_nextAlone) {
+        const auto wait = std::chrono::ceil<std::chrono::seconds>(m_nextAlone - now);
+        m_window->refuseLogin({core::ErrorCode::TooSoon, "wait " + std::to_string(wait.count()) + " s"});
+        return;
+    }
+    inBackground(
+        this, [password = password.toStdString(), hash = m_ownHash] { return database::fits(password, hash); },
+        [this, who = m_who](const core::Result<bool>& fits) {
+            if (m_who != who)
+                return;
+            if (fits && *fits) {
+                m_wrongAlone = 0;
+                enter(who);
+                return;
+            }
+            constexpr int kFreeTries = 3;
+            constexpr int kMostDoublings = 10;
+            if (++m_wrongAlone > kFreeTries)
+                m_nextAlone = std::chrono::steady_clock::now() +
+                              std::chrono::seconds(1 << std::min(m_wrongAlone - kFreeTries, kMostDoublings));
+            m_window->refuseLogin(fits ? core::Error{core::ErrorCode::WrongLogin, "the password is wrong"}
+                                       : fits.error());
+        });
 }
 
 /// A person has logged in, or come back to the place he had locked.
@@ -512,6 +577,10 @@ void Application::enter(const database::Session& who)
         m_window->setUnreachable({}, m_where, {});
     }
     m_who = who;
+    m_lessonsRead = {};
+    m_ownHash.clear();
+    m_wrongAlone = 0;
+    readOwnHash();
     m_byHand.reset();
     m_presets.refresh();
     // What was practised without a login is nobody's, unless its grade is what he logs in for.
@@ -568,6 +637,8 @@ void Application::leave()
     ++m_loading;  // what was being made for him opens for nobody else
     m_window->stopBusy();
     m_who = {};
+    m_lessonsRead = {};
+    m_ownHash.clear();
     m_byHand.reset();
     m_presets.refresh();
     m_window->leaveAll();
@@ -712,34 +783,28 @@ void Application::openLesson(const lessons::Lesson& lesson)
 /// A teacher's folder may have changed since it was read last.
 void Application::showLessons()
 {
-    struct Found
-    {
-        std::map<std::string, ui::study::Standing> standings;
-        std::map<std::string, ui::study::Given> given;
-        std::vector<database::Feedback> feedback;
-    };
-    const auto show = [this, who = m_who](const Found& found) {
+    const auto show = [this, who = m_who] {
         inBackground(
             this, [] { return lessons::readCatalog(lessons::teachersFolder()); },
-            [this, found, who](std::vector<lessons::CatalogEntry>& entries) {
+            [this, who](std::vector<lessons::CatalogEntry>& entries) {
                 if (m_who != who)
                     return;
-                m_window->setLessons(std::move(entries), found.standings, found.given);
-                m_window->setFeedback(found.feedback);
+                m_window->setLessons(std::move(entries), m_lessonsRead.standings, m_lessonsRead.given);
+                m_window->setFeedback(m_lessonsRead.feedback);
                 tellUnfinished();  // who put the offer away finds it here again
             });
     };
     if (!m_desk || m_who.isGuest()) {
-        show({});
+        show();
         return;
     }
     m_desk->ask(
         this,
-        [who = m_who](const School& school) -> core::Result<Found> {
+        [who = m_who](const School& school) -> core::Result<LessonsRead> {
             const auto standings = database::sql::standingsOf(school, who, who.person());
             if (!standings)
                 return tl::unexpected(standings.error());
-            Found found;
+            LessonsRead found;
             for (const database::LessonStanding& one : *standings)
                 found.standings[one.lessonId] = {one.attempts, one.bestTenths, one.passed,
                                                  QString::fromStdString(one.lastUtc)};
@@ -770,12 +835,14 @@ void Application::showLessons()
             }
             return found;
         },
-        [this, show, who = m_who](const core::Result<Found>& found) {
+        [this, show, who = m_who](const core::Result<LessonsRead>& found) {
             if (m_who != who)
                 return;
-            if (!found)
+            if (found)
+                m_lessonsRead = *found;
+            else  // what was read before may be old, but is no "not tried yet"
                 m_window->showError(found.error(), Failed::ReadingSchool);
-            show(found.value_or(Found{}));
+            show();
         });
 }
 

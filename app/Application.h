@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <functional>
 #include <map>
 #include <memory>
@@ -72,12 +73,16 @@ private:
 
     void openDatabase();
     void takeOpening(const SchoolDesk::Opening& opening);
-    void restore();
+    /// @param who  wants it; a guest, where there is nobody to ask
+    void restore(const database::Session& who);
     void backUpToday();
     void tellIdleLimit();
     void changePassword(const QString& old, const QString& password);
     void connectDoor();
-    void askAtDoor(const std::function<core::Result<database::Session>(const database::sql::School&)>& work);
+    void readOwnHash();
+    void unlockAlone(const QString& password, const core::Error& why);
+    void askAtDoor(const std::function<core::Result<database::Session>(const database::sql::School&)>& work,
+                   const std::function<void(const core::Error&)>& refuse = {});
     void enter(const database::Session& who);
     void leave();
     void becomeGuest();
@@ -177,6 +182,9 @@ private:
     QString m_backup;    ///< that can be put in the place of the database; empty: none
     QTimer m_openWatch;  ///< tries again what a server or another program has held up
     bool m_isOnNetworkDrive = false;
+    std::string m_ownHash;  ///< of the password of who works here: unlocks his place where the database is away
+    int m_wrongAlone = 0;   ///< so many passwords in a row did not fit that
+    std::chrono::steady_clock::time_point m_nextAlone;
     bool m_hasTimedCost = false;
     bool m_keepsOnLogin = false;  ///< the grade that a guest was shown becomes that of who logs in now
 
@@ -207,6 +215,13 @@ private:
         std::optional<core::grading::Practised> practised;  ///< of an exercise, which leaves no mark on the tooth
         bool isOverLimit = false;  ///< a guest's, who has logged in for it and had no attempt left
     };
+    struct LessonsRead
+    {
+        std::map<std::string, ui::study::Standing> standings;
+        std::map<std::string, ui::study::Given> given;
+        std::vector<database::Feedback> feedback;
+    };
+    LessonsRead m_lessonsRead;                         ///< of who works here, as the database said last
     std::optional<core::session::Concluded> m_toMark;  ///< while what is expected of it is asked
     std::optional<Graded> m_graded;
     std::optional<core::recording::Recording> m_opened;  ///< of the score card that is shown, where it is an old one

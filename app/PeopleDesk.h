@@ -96,10 +96,10 @@ private:
     QList<database::ClassAssignment> m_given;  ///< to that class
     database::LessonResults m_results;
     std::optional<database::AttemptRecord> m_talkedAbout;
-    QString m_talkedName;                             ///< of who made it
+    QString m_talkedName;  ///< of who made it
     std::optional<database::AttemptRecord> m_played;
-    database::AttemptId m_reads;                      ///< what was said of this one is to be read
-    std::vector<lessons::CatalogEntry> m_catalog;     ///< as it was when a page was opened last
+    database::AttemptId m_reads;                   ///< what was said of this one is to be read
+    std::vector<lessons::CatalogEntry> m_catalog;  ///< as it was when a page was opened last
     ui::people::LessonTitles m_titles;
 };
 

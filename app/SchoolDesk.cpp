@@ -91,6 +91,13 @@ core::Status SchoolDesk::connect()
 {
     if (!m_database)
         return openDatabase();
+    if (const auto there = m_database->stillThere(); !there) {
+        if (there.error().code == ErrorCode::FileMissing)
+            return there;
+        m_school.reset();
+        m_database.reset();
+        return openDatabase();
+    }
     if (std::exchange(m_isLost, false)) {
         if (auto again = m_database->reconnect(); !again) {
             m_isLost = true;
@@ -147,15 +154,25 @@ void SchoolDesk::open(QObject* owner, const Opened& done)
     });
 }
 
-void SchoolDesk::restore(QObject* owner, const QString& backup, const Opened& done)
+core::Status SchoolDesk::mayRestore(const database::Session& session)
 {
-    post([this, guard = QPointer<QObject>(owner), backup, done] {
-        if (*m_besides > 0) {
-            Opening busy = tryToOpen();
-            busy.restored = core::unexpected(ErrorCode::Busy, "database " + m_address.file.toStdString() +
-                                                                  ": a backup or a check of it goes on; try again when "
-                                                                  "it has ended");
-            answer(guard, done, busy);
+    if (*m_besides > 0)
+        return core::unexpected(ErrorCode::Busy,
+                                "database " + m_address.file.toStdString() +
+                                    ": a backup or a check of it goes on; try again when it has ended");
+    // Who is at a file that is damaged, gone or empty can be anybody: so can who has its folder.
+    if (!connect() || database::sql::Logins::isNew(*m_school).value_or(true))
+        return {};
+    return database::sql::mayRestore(*m_school, session);
+}
+
+void SchoolDesk::restore(QObject* owner, const database::Session& session, const QString& backup, const Opened& done)
+{
+    post([this, guard = QPointer<QObject>(owner), session, backup, done] {
+        if (const core::Status may = mayRestore(session); !may) {
+            Opening as = tryToOpen();
+            as.restored = may;
+            answer(guard, done, as);
             return;
         }
         m_school.reset();

@@ -49,8 +49,8 @@ public:
     /// May be called again where it came to nothing.
     void open(QObject* owner, const Opened& done);
     /// Puts a backup in the place of the file, and opens that. Attempts of this station that were delivered after the
-    /// backup was made are delivered again.
-    void restore(QObject* owner, const QString& backup, const Opened& done);
+    /// backup was made are delivered again. Where a school is open, admins only.
+    void restore(QObject* owner, const database::Session& session, const QString& backup, const Opened& done);
 
     /// Does `work` with the school on the desk's thread and gives its result to `done` on the ui thread, unless `owner`
     /// has gone meanwhile. Where there is no connection, the error of that is the result.
@@ -136,6 +136,7 @@ private:
     // What follows runs on the desk's thread.
     [[nodiscard]] core::Status connect();
     [[nodiscard]] core::Status openDatabase();
+    [[nodiscard]] core::Status mayRestore(const database::Session& session);
     [[nodiscard]] Opening tryToOpen();
     [[nodiscard]] QString outboxFolder() const;
     [[nodiscard]] database::Outbox outbox() const;

@@ -508,6 +508,11 @@ core::Result<QString> restoreBackup(const QString& backup, const QString& databa
     return wasThere ? replaced : QString();
 }
 
+core::Status mayRestore(const School& school, const Session& session)
+{
+    return admit(school, session, Operation::KeepBackups).map([](const auto&) {});
+}
+
 core::Status noteBackup(const School& school, const Session& session, const QString& backup)
 {
     if (auto may = admit(school, session, Operation::KeepBackups); !may)

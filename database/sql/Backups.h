@@ -74,6 +74,10 @@ using BackupProgress = std::function<bool(int done, int all)>;
 [[nodiscard]] core::Result<QString> restoreBackup(const QString& backup, const QString& databaseFile,
                                                   const QDateTime& nowUtc);
 
+/// Whether this person may put a backup in the place of the school. Admins. Of a file that is damaged or gone nobody
+/// can be asked.
+[[nodiscard]] core::Status mayRestore(const School& school, const Session& session);
+
 /// Into the audit: that a person made it. Admins.
 [[nodiscard]] core::Status noteBackup(const School& school, const Session& session, const QString& backup);
 

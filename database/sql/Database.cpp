@@ -5,6 +5,9 @@
 
 #include <QFile>
 #include <QFileInfo>
+#include <QSqlDriver>
+#include <QVariant>
+#include <sqlite3.h>
 
 #include "database/sql/Backups.h"
 #include "database/sql/Dialect.h"
@@ -163,6 +166,22 @@ core::Status Database::connect()
         db.setConnectOptions(QStringLiteral("QSQLITE_BUSY_TIMEOUT=%1").arg(patience));
     }
     return reconnect();
+}
+
+core::Status Database::stillThere() const
+{
+    const QVariant connection = handle().driver()->handle();
+    if (!connection.isValid() || qstrcmp(connection.typeName(), "sqlite3*") != 0)
+        return {};
+    int hasMoved = 0;
+    auto* const file = *static_cast<sqlite3* const*>(connection.data());
+    if (sqlite3_file_control(file, "main", SQLITE_FCNTL_HAS_MOVED, &hasMoved) != SQLITE_OK || hasMoved == 0)
+        return {};
+    if (!QFileInfo::exists(m_address.file))
+        return core::unexpected(ErrorCode::FileMissing, head(m_address.file) +
+                                                            "it was moved or removed while it was open; put it back, "
+                                                            "or start again");
+    return core::unexpected(ErrorCode::WrongKind, head(m_address.file) + "another file has taken its place");
 }
 
 core::Status Database::prepareFile(const Options& options)

@@ -57,6 +57,10 @@ public:
     /// False on a network drive: this connection keeps out every other one, those of this program too.
     [[nodiscard]] bool allowsOthers() const { return m_allowsOthers; }
 
+    /// Of a file: whether it still is the one of that name. Who goes on in one that was moved or removed writes where
+    /// nobody looks. core::ErrorCode::FileMissing: none is there; core::ErrorCode::WrongKind: another one is.
+    [[nodiscard]] core::Status stillThere() const;
+
     /// After core::ErrorCode::ConnectionLost: connects again. What was in a transaction is gone.
     [[nodiscard]] core::Status reconnect();
 

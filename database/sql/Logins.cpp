@@ -568,4 +568,15 @@ core::Status Logins::changePassword(const School& school, const Session& session
     });
 }
 
+core::Result<std::string> Logins::ownHash(const School& school, const Session& session)
+{
+    if (auto who = admit(school, session, Operation::ChangeOwnPassword); !who)
+        return tl::unexpected(who.error());
+    const auto hash = ask(school.db, QStringLiteral("SELECT password_hash FROM people WHERE id = ?"),
+                          "read one's own account", {number(session.person().value)});
+    if (!hash)
+        return tl::unexpected(hash.error());
+    return hash->toString().toStdString();
+}
+
 }  // namespace database::sql

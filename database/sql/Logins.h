@@ -51,6 +51,10 @@ public:
     /// WrongLogin if the present password is not `old`.
     [[nodiscard]] static core::Status changePassword(const School& school, const Session& session,
                                                      const std::string& old, const std::string& newPassword);
+
+    /// What one's own password is compared with (database::fits), for where the database is away when a place that was
+    /// left is unlocked.
+    [[nodiscard]] static core::Result<std::string> ownHash(const School& school, const Session& session);
 };
 
 /// What passwords cost in this school, never less than School::leastCost.

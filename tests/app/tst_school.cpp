@@ -97,6 +97,8 @@ private slots:
     void aDatabaseIsRestoredFromTheDoor();
     void aSchoolWithoutPeopleIsNotBackedUp();
     void aLockedDatabaseIsTriedAgain();
+    void aFileThatIsMovedAwayIsMissed();
+    void whoLeftHisPlaceComesBackWithoutTheDatabase();
     void whatTheDiskRefusesIsKeptWhenItCanBe();
     void aGuestsGradeIsKeptWhenHeLogsIn();
     void aGuestsGradeCountsAsAnAttempt();
@@ -429,6 +431,73 @@ void TestSchool::aLockedDatabaseIsTriedAgain()
     click("tryAgain");
     QTRY_VERIFY_WITH_TIMEOUT(!child<QPushButton>("tryAgain")->isVisible(), kPatienceMs);
     logIn("sam");
+}
+
+/// Else everything would be written into a file that nobody finds any more.
+void TestSchool::aFileThatIsMovedAwayIsMissed()
+{
+    start();
+    logIn("sam");
+    give("block-line", 3);
+    toTheTooth();
+    actions().lessons->trigger();
+    const auto given = [this] {
+        const auto* cards = child<QListView>("lessonList")->model();
+        QStringList said;
+        for (int row = 0; row < cards->rowCount(); ++row)
+            said << cards->index(row, 0).data(Qt::AccessibleDescriptionRole).toString();
+        return said.join('\n');
+    };
+    QTRY_VERIFY2_WITH_TIMEOUT(given().contains("DEN101-A"), qPrintable(given()), kPatienceMs);
+    toTheTooth();
+    drill(-2.0);
+    QVERIFY(QFile::rename(file(), file() + ".away"));
+    grade("The school's database gets it when it can be reached");
+    actions().attempts->trigger();
+    QTRY_VERIFY2_WITH_TIMEOUT(message().contains("The file is not there"), qPrintable(message()), kPatienceMs);
+    // What was read before still stands.
+    actions().lessons->trigger();
+    QTest::qWait(200);
+    QVERIFY2(given().contains("DEN101-A"), qPrintable(given()));
+    QVERIFY(!QFile::exists(file()));
+    QVERIFY(QFile::rename(file() + ".away", file()));
+    QTRY_COMPARE_WITH_TIMEOUT(attemptsKept(), 1, kPatienceMs);
+}
+
+void TestSchool::whoLeftHisPlaceComesBackWithoutTheDatabase()
+{
+    start();
+    logIn("sam");
+    toTheTooth();
+    drill(-2.0);
+    QVERIFY(QFile::rename(file(), file() + ".away"));
+    actions().lock->trigger();
+    QCOMPARE(door(), Door::Locked);
+    const auto tryWith = [this](const QString& password) {
+        QTRY_VERIFY_WITH_TIMEOUT(child<QLineEdit>("password")->isEnabled(), kPatienceMs);
+        child<QLineEdit>("password")->setText(password);
+        click("logIn");
+        QTRY_VERIFY_WITH_TIMEOUT(!m_application->window().isAtDoor() || child<QLineEdit>("password")->isEnabled(),
+                                 kPatienceMs);
+    };
+    for (int k = 0; k < 4; ++k) {
+        tryWith("somebody else's");
+        QVERIFY2(saidAtDoor().contains("Name or password is wrong"), qPrintable(saidAtDoor()));
+        QVERIFY(m_application->window().isAtDoor());
+    }
+    tryWith(QString::fromStdString(kPassword));
+    QVERIFY2(saidAtDoor().contains("Too many logins have failed"), qPrintable(saidAtDoor()));
+    QTest::qWait(2100);
+    tryWith(QString::fromStdString(kPassword));
+    QTRY_VERIFY_WITH_TIMEOUT(!m_application->window().isAtDoor(), kPatienceMs);
+    QVERIFY(m_application->window().view().isVisible());
+    // Nobody else comes in so.
+    actions().lock->trigger();
+    click("otherLogin");
+    QTRY_COMPARE_WITH_TIMEOUT(door(), Door::Login, kPatienceMs);
+    child<QLineEdit>("username")->setText("sam");
+    tryWith(QString::fromStdString(kPassword));
+    QVERIFY(m_application->window().isAtDoor());
 }
 
 void TestSchool::whatTheDiskRefusesIsKeptWhenItCanBe()

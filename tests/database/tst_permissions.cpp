@@ -115,6 +115,8 @@ std::vector<Call> TestPermissions::callsOn(SchoolRig& rig)
              return Logins::changePassword(s, me, SchoolRig::kPassword, SchoolRig::kPassword);
          },
          false},
+        {Operation::ChangeOwnPassword, "ownHash",
+         [&s](const Session& me, Target) { return plain(Logins::ownHash(s, me)); }, false},
         {Operation::ListPeople, "listPeople", [&s](const Session& me, Target) { return plain(listPeople(s, me)); },
          false},
         {Operation::AddPerson, "addPerson",
@@ -230,6 +232,7 @@ std::vector<Call> TestPermissions::callsOn(SchoolRig& rig)
          [&s](const Session& me, Target) { return changeOwnSetting(s, me, "language", "de"); }, false},
         {Operation::ReadAudit, "readAudit", [&s](const Session& me, Target) { return plain(readAudit(s, me, 10)); },
          false},
+        {Operation::KeepBackups, "mayRestore", [&s](const Session& me, Target) { return mayRestore(s, me); }, false},
         {Operation::KeepBackups, "noteBackup",
          [&s](const Session& me, Target) { return noteBackup(s, me, QStringLiteral("backup.sqlite")); }, false},
         {Operation::CopySchool, "copySchool",
