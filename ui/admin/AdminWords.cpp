@@ -10,6 +10,7 @@
 #include <QJsonObject>
 #include <QLocale>
 
+#include "core/base/Words.h"
 #include "ui/people/PeopleWords.h"
 #include "ui/text/Texts.h"
 
@@ -206,10 +207,11 @@ QString detailWords(const database::AuditRow& row, const NamesByUid& names)
 
 QString findingWords(const database::Finding& finding, const NamesByUid& names)
 {
-    QStringList values;
+    std::vector<std::string> values;
     for (const std::string& value : finding.values)
-        values << noted(QString::fromStdString(value), names);
-    return database::filled(QCoreApplication::translate("Finding", finding.words), values);
+        values.push_back(noted(QString::fromStdString(value), names).toStdString());
+    const QString words = QCoreApplication::translate("Finding", finding.words);
+    return QString::fromStdString(core::filled(words.toStdString(), values));
 }
 
 QString rosterFaultWords(const database::RosterFault& fault)
