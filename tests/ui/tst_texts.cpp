@@ -345,20 +345,30 @@ void TestTexts::whatACheckFoundIsToldInWords()
     const ui::admin::NamesByUid names{{"1f", "Sam %2 (s1001)"}, {"class:5", "DEN101-A"}};
     const database::Finding enrolled{"%1 was put into %2, and it was not noted", {"person:1f", "class:5"}};
     QCOMPARE(enrolled.english(), QString("person:1f was put into class:5, and it was not noted"));
-    QCOMPARE(ui::admin::findingWords(enrolled, names),
+    QCOMPARE(ui::admin::findingWords(enrolled, names, {}),
              QString("Sam %2 (s1001) was put into DEN101-A, and it was not noted"));
     const database::Finding role{"%1 has the role %2, the audit says %3", {"person:1f", "admin", "student"}};
     const QString at = ui::people::when("2026-11-20T10:15:00Z");
     const database::Finding row{"audit row %1 (%2, %3, %4) was changed, or the one before it was and its hash with it",
                                 {"9", "2026-11-20T10:15:00Z", "login", "person:1f"}};
-    QCOMPARE(ui::admin::findingWords(row, names),
+    QCOMPARE(ui::admin::findingWords(row, names, {}),
              QString("audit row 9 (%1, logged in, Sam %2 (s1001)) was changed, or the one before it was and its hash "
                      "with it")
                  .replace("%1", at));
+    // A lesson by its title, as long as somebody knows it.
+    const database::Finding given{"that %1 was given the lesson %2 was removed", {"class:5", "class1-36"}};
+    QCOMPARE(ui::admin::findingWords(given, names, {{"class1-36", "Class I, 36"}}),
+             QString("that DEN101-A was given the lesson Class I, 36 was removed"));
+    QCOMPARE(ui::admin::findingWords(given, names, {}),
+             QString("that DEN101-A was given the lesson class1-36 was removed"));
+    database::AuditRow assigned;
+    assigned.action = "lesson.assign";
+    assigned.detail = R"({"lesson": "class1-36"})";
+    QCOMPARE(ui::admin::detailWords(assigned, names, {{"class1-36", "Class I, 36"}}), QString("Class I, 36"));
     QTranslator german;
     QVERIFY(german.load(QStringLiteral(":/i18n/cusp_de.qm")));
     QCoreApplication::installTranslator(&german);
-    QCOMPARE(ui::admin::findingWords(role, names),
+    QCOMPARE(ui::admin::findingWords(role, names, {}),
              QStringLiteral("Rolle: Sam %2 (s1001) – Admin; das Protokoll sagt Student/in"));
 }
 
