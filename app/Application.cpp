@@ -42,6 +42,7 @@
 #include "ui/shell/Memory.h"
 #include "ui/study/LessonWords.h"
 #include "ui/study/ScorePage.h"
+#include "ui/text/FaultWords.h"
 #include "ui/tooth/ToothView.h"
 
 namespace app {
@@ -893,8 +894,9 @@ void Application::unpack(const QString& pack, const QString& name)
                 m_window->editLesson(*unpacked);
                 return;
             }
-            m_window->showMessage(tr("The pack was not unpacked, so its lesson cannot be changed. %1")
-                                      .arg(QString::fromStdString(unpacked ? std::string() : unpacked.error().detail)));
+            m_window->showMessage(
+                tr("The pack was not unpacked, so its lesson cannot be changed. %1")
+                    .arg(unpacked ? QString() : ui::text::faultWords(core::wordsOf(unpacked.error()))));
         });
 }
 

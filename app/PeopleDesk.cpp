@@ -16,6 +16,7 @@
 #include "database/sql/ExamStarts.h"
 #include "database/sql/Feedback.h"
 #include "database/sql/Overview.h"
+#include "ui/admin/AdminPage.h"
 #include "ui/people/ClassPage.h"
 #include "ui/people/HistoryPage.h"
 #include "ui/people/TalkPanel.h"
@@ -146,6 +147,10 @@ PeopleDesk::PeopleDesk(MainWindow& window, SchoolDesk& desk, std::function<datab
     connectTalk();
     connectReport();
     ClassPage& classes = m_window.classPage();
+    connect(&m_window.adminPage(), &ui::admin::AdminPage::partOpened, this, [this] {
+        if (m_titles.isEmpty())
+            readLessons([] {});
+    });
     connect(&m_window, &MainWindow::classesWanted, this, &PeopleDesk::openClasses);
     connect(&classes, &ClassPage::classChosen, this, [this](qint64 id) { tellOverview({id}); });
     connect(&classes, &ClassPage::lessonChosen, this, &PeopleDesk::tellResults);
@@ -203,6 +208,7 @@ void PeopleDesk::tellLessons()
     m_window.historyPage().setLessonTitles(m_titles);
     m_window.historyPage().setCriterionNames(criteria);
     m_window.classPage().setLessonTitles(m_titles);
+    m_window.adminPage().setLessonTitles(m_titles);
     m_window.assignPage().setLessons(offers);
     if (const lessons::Lesson* shown = lesson(m_results.lessonId))
         m_window.classPage().setResults(m_results, shown->rubric.passMarkTenths, criteriaOf(*shown));

@@ -20,7 +20,4 @@ struct Finding
     [[nodiscard]] QString english() const;
 };
 
-/// Puts each value where "%1" to "%9" call for it; what a value itself contains is not looked at.
-[[nodiscard]] QString filled(const QString& words, const QStringList& values);
-
 }  // namespace database

@@ -53,7 +53,8 @@ core::Result<core::teeth::BuiltTooth> build(const Lesson& lesson, std::uint64_t 
     options.fdi = scan.fdi;
     auto built = core::teeth::buildTooth({std::filesystem::path(scan.file)}, options);
     if (!built)
-        return core::unexpected(built.error().code, "tooth.scan: " + built.error().detail);
+        return core::unexpected(built.error().code,
+                                core::Words{"%1: %2", {core::noted("tooth.scan"), core::wordsOf(built.error())}});
     return built;
 }
 
@@ -74,8 +75,10 @@ core::Result<core::grading::Preparation> capturedOf(const Captured& captured,
                              : core::Result<core::grading::Preparation>(tl::unexpected(ideal.error()));
     if (!preparation)
         return core::unexpected(preparation.error().code,
-                                "ideal.captured: " + std::filesystem::path(captured.file).filename().string() + ": " +
-                                    preparation.error().detail);
+                                core::Words{"%1: %2: %3",
+                                            {core::noted("ideal.captured"),
+                                             core::noted(std::filesystem::path(captured.file).filename().string()),
+                                             core::wordsOf(preparation.error())}});
     return preparation;
 }
 
@@ -107,9 +110,12 @@ core::Result<core::grading::Exercise> exerciseOf(const Lesson& lesson, const cor
         return core::grading::PadsToName{core::teeth::padMaterials(anatomy.seed)};
     for (std::size_t k = 0; k < lesson.touch->pointsMm.size(); ++k)
         if (const glm::dvec2 place = lesson.touch->pointsMm[k]; !standsAt(anatomy, place))
-            return core::unexpected(core::ErrorCode::OutOfRange,
-                                    "touch.points[" + std::to_string(k) + "]: there is no tooth at x = " +
-                                        core::plainNumber(place.x) + ", y = " + core::plainNumber(place.y) + " mm");
+            return core::unexpected(
+                core::ErrorCode::OutOfRange,
+                core::Words{QT_TRANSLATE_NOOP("Fault", "touch.points[%1]: there is no tooth at x = "
+                                                       "%2, y = %3 mm"),
+                            {core::noted(std::to_string(k)), core::noted(core::plainNumber(place.x)),
+                             core::noted(core::plainNumber(place.y))}});
     return *lesson.touch;
 }
 

@@ -7,11 +7,16 @@
 
 namespace lessons {
 
+QString Fault::english() const
+{
+    return QString::fromStdString(core::inEnglish(what));
+}
+
 QString Fault::sentence() const
 {
     const QString where = QFileInfo(file).fileName();
     return (key.isEmpty() ? where + QLatin1Char(' ') : where + QStringLiteral(", ") + key + QStringLiteral(": ")) +
-           what;
+           english();
 }
 
 bool anyGrave(const std::vector<Fault>& faults)

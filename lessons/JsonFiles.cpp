@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "lessons/JsonFiles.h"
 
+#include <utility>
+
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -14,6 +16,7 @@ namespace {
 constexpr int kMostFiles = 8;
 const QString kBasedOn = QStringLiteral("based_on");
 const QString kFormat = QStringLiteral("format");
+constexpr const char* kTooLarge = QT_TRANSLATE_NOOP("Fault", "has %1; a lesson has at most %2");
 
 /// Puts one object over another: what is null goes, objects are merged, everything else is replaced (RFC 7386).
 QJsonObject merged(QJsonObject base, const QJsonObject& over)
@@ -55,6 +58,42 @@ QStringList keysSaidTwice(const QByteArray& json)
     return twice;
 }
 
+/// As Qt says it, whatever language the program speaks.
+const char* parseFault(QJsonParseError::ParseError error)
+{
+    switch (error) {
+    case QJsonParseError::UnterminatedObject:
+        return QT_TRANSLATE_NOOP("Fault", "unterminated object");
+    case QJsonParseError::MissingNameSeparator:
+        return QT_TRANSLATE_NOOP("Fault", "missing name separator");
+    case QJsonParseError::UnterminatedArray:
+        return QT_TRANSLATE_NOOP("Fault", "unterminated array");
+    case QJsonParseError::MissingValueSeparator:
+        return QT_TRANSLATE_NOOP("Fault", "missing value separator");
+    case QJsonParseError::TerminationByNumber:
+        return QT_TRANSLATE_NOOP("Fault", "invalid termination by number");
+    case QJsonParseError::IllegalNumber:
+        return QT_TRANSLATE_NOOP("Fault", "illegal number");
+    case QJsonParseError::IllegalEscapeSequence:
+        return QT_TRANSLATE_NOOP("Fault", "invalid escape sequence");
+    case QJsonParseError::UnterminatedString:
+        return QT_TRANSLATE_NOOP("Fault", "unterminated string");
+    case QJsonParseError::MissingObject:
+        return QT_TRANSLATE_NOOP("Fault", "object is missing after a comma");
+    case QJsonParseError::DeepNesting:
+        return QT_TRANSLATE_NOOP("Fault", "too deeply nested document");
+    case QJsonParseError::DocumentTooLarge:
+        return QT_TRANSLATE_NOOP("Fault", "too large document");
+    case QJsonParseError::GarbageAtEnd:
+        return QT_TRANSLATE_NOOP("Fault", "garbage at the end of the document");
+    case QJsonParseError::NoError:
+    case QJsonParseError::IllegalUTF8String:  // is told of with what to do
+    case QJsonParseError::IllegalValue:
+        break;
+    }
+    return QT_TRANSLATE_NOOP("Fault", "illegal value");
+}
+
 /// Whether an object has such a key ("rubric.criteria[2].weight").
 bool has(const QJsonObject& object, const QString& key)
 {
@@ -76,50 +115,52 @@ bool isNameBeside(const QString& name)
            !name.startsWith(QLatin1Char(':'));
 }
 
-QString sizeWords(qint64 bytes)
+core::Words sizeWords(qint64 bytes)
 {
-    return bytes >= 1024 * 1024 ? QStringLiteral("%1 MB").arg(static_cast<double>(bytes) / (1024.0 * 1024.0), 0, 'f', 1)
-                                : QStringLiteral("%1 bytes").arg(bytes);
+    return bytes >= 1024 * 1024
+               ? noted(QStringLiteral("%1 MB").arg(static_cast<double>(bytes) / (1024.0 * 1024.0), 0, 'f', 1))
+               : core::Words{QT_TRANSLATE_NOOP("Fault", "%1 bytes"), {noted(bytes)}};
 }
 
-QString newerFormat(double format)
+core::Words newerFormat(double format)
 {
-    return QStringLiteral("is %1, from a newer Cusp; this one reads %2. Update Cusp to give this lesson")
-        .arg(format)
-        .arg(kLessonFormat);
+    return {QT_TRANSLATE_NOOP("Fault", "is %1, from a newer Cusp; this one reads %2. Update Cusp to give this lesson"),
+            {noted(format), noted(kLessonFormat)}};
 }
 
 std::optional<QJsonObject> parseObject(QByteArray json, const QString& file, std::vector<Fault>& faults)
 {
-    const auto complain = [&](const QString& what) {
-        faults.push_back({file, {}, what, true});
+    const auto complain = [&](core::Words what) {
+        faults.push_back({file, {}, std::move(what), true});
         return std::nullopt;
     };
     if (json.isEmpty())
-        return complain(QStringLiteral("is empty"));
+        return complain({QT_TRANSLATE_NOOP("Fault", "is empty")});
     if (json.size() > kLargestLessonBytes)
-        return complain(QStringLiteral("has %1; a lesson has at most %2")
-                            .arg(sizeWords(json.size()), sizeWords(kLargestLessonBytes)));
+        return complain({kTooLarge, {sizeWords(json.size()), sizeWords(kLargestLessonBytes)}});
     if (json.startsWith("\xFF\xFE") || json.startsWith("\xFE\xFF") || json.left(4).contains('\0'))
-        return complain(QStringLiteral("is written in UTF-16 or UTF-32; save it as UTF-8"));
+        return complain({QT_TRANSLATE_NOOP("Fault", "is written in UTF-16 or UTF-32; save it as UTF-8")});
     if (json.startsWith("\xEF\xBB\xBF"))
         json.remove(0, 3);
     QJsonParseError error;
     const QJsonDocument document = QJsonDocument::fromJson(json, &error);
     if (document.isNull()) {
         const auto before = json.left(error.offset);
-        return complain(QStringLiteral("is not JSON: line %1, column %2: %3%4")
-                            .arg(before.count('\n') + 1)
-                            .arg(error.offset - before.lastIndexOf('\n'))
-                            .arg(error.errorString(), error.error == QJsonParseError::IllegalUTF8String
-                                                          ? QStringLiteral("; save the file as UTF-8")
-                                                          : QString()));
+        std::vector<core::Words> values{noted(before.count('\n') + 1), noted(error.offset - before.lastIndexOf('\n'))};
+        if (error.error == QJsonParseError::IllegalUTF8String)
+            return complain(
+                {QT_TRANSLATE_NOOP("Fault", "is not JSON: line %1, column %2: invalid UTF8 string; save the "
+                                            "file as UTF-8"),
+                 std::move(values)});
+        values.push_back({parseFault(error.error)});
+        return complain({QT_TRANSLATE_NOOP("Fault", "is not JSON: line %1, column %2: %3"), std::move(values)});
     }
     if (!document.isObject())
-        return complain(QStringLiteral("must be one JSON object in braces"));
+        return complain({QT_TRANSLATE_NOOP("Fault", "must be one JSON object in braces")});
     if (const QStringList twice = keysSaidTwice(json); !twice.isEmpty()) {
         for (const QString& key : twice)
-            faults.push_back({file, key.left(60), QStringLiteral("is said twice in one object; leave one out"), true});
+            faults.push_back(
+                {file, key.left(60), {QT_TRANSLATE_NOOP("Fault", "is said twice in one object; leave one out")}, true});
         return std::nullopt;
     }
     return document.object();
@@ -143,7 +184,8 @@ QString JsonFiles::find(const QString& file, const QString& key, const QString& 
 {
     if (!isNameBeside(name)) {
         say(file, key,
-            QStringLiteral("\"%1\" leads out of the lesson's folder; name a file beside it").arg(name.left(80)));
+            {QT_TRANSLATE_NOOP("Fault", "\"%1\" leads out of the lesson's folder; name a file beside it"),
+             {noted(name.left(80))}});
         return {};
     }
     const QString shipped = QLatin1String(kShippedFolder);
@@ -158,16 +200,22 @@ std::optional<Gathered> JsonFiles::gather(const QString& file, const QString& na
     std::optional<QJsonObject> object;
     if (way.contains(file))
         faults.push_back(
-            {file, {}, QStringLiteral("is based on itself by way of %1").arg(QFileInfo(way.back()).fileName()), true});
+            {file,
+             {},
+             {QT_TRANSLATE_NOOP("Fault", "is based on itself by way of %1"), {noted(QFileInfo(way.back()).fileName())}},
+             true});
     else if (way.size() >= kMostFiles)
         faults.push_back(
-            {file, {}, QStringLiteral("more than %1 files are based on one another").arg(kMostFiles), true});
+            {file,
+             {},
+             {QT_TRANSLATE_NOOP("Fault", "more than %1 files are based on one another"), {noted(kMostFiles)}},
+             true});
     else
         object = read(file, faults);
     for (Fault& fault : faults) {
         // Who named the file has to mend what is wrong with all of it.
         if (fault.key.isEmpty() && !namedIn.isEmpty())
-            fault = {namedIn, kBasedOn, QStringLiteral("%1: %2").arg(QFileInfo(file).fileName(), fault.what), true};
+            fault = {namedIn, kBasedOn, {"%1: %2", {noted(QFileInfo(file).fileName()), fault.what}}, true};
         m_faults.push_back(std::move(fault));
     }
     way << file;
@@ -179,7 +227,8 @@ std::optional<Gathered> JsonFiles::underlaid(const QJsonObject& object, const QS
     if (!object.contains(kBasedOn))
         return Gathered{merged({}, object), {{file, object}}};
     if (!object.value(kBasedOn).isString()) {
-        say(file, kBasedOn, QStringLiteral("must be the name of a file beside this one, or of one that is shipped"));
+        say(file, kBasedOn,
+            {QT_TRANSLATE_NOOP("Fault", "must be the name of a file beside this one, or of one that is shipped")});
         return std::nullopt;
     }
     const QString baseFile = find(file, kBasedOn, object.value(kBasedOn).toString());
@@ -200,22 +249,21 @@ std::optional<Gathered> JsonFiles::underlaid(const QJsonObject& object, const QS
 std::optional<QJsonObject> JsonFiles::read(const QString& name, std::vector<Fault>& faults)
 {
     note(name);
-    const auto complain = [&](const QString& what) {
-        faults.push_back({name, {}, what, true});
+    const auto complain = [&](core::Words what) {
+        faults.push_back({name, {}, std::move(what), true});
         return std::nullopt;
     };
     const QFileInfo info(name);
     if (!info.exists())
-        return complain(QStringLiteral("does not exist"));
+        return complain({QT_TRANSLATE_NOOP("Fault", "does not exist")});
     QFile file(name);
-    if (!info.isFile() || !file.open(QIODevice::ReadOnly))
-        return complain(QStringLiteral("cannot be read (%1)")
-                            .arg(info.isFile()  ? file.errorString()
-                                 : info.isDir() ? QStringLiteral("it is a folder")
-                                                : QStringLiteral("it is no file")));
+    if (!info.isFile())
+        return complain({info.isDir() ? QT_TRANSLATE_NOOP("Fault", "cannot be read (it is a folder)")
+                                      : QT_TRANSLATE_NOOP("Fault", "cannot be read (it is no file)")});
+    if (!file.open(QIODevice::ReadOnly))
+        return complain({QT_TRANSLATE_NOOP("Fault", "cannot be read (%1)"), {noted(file.errorString())}});
     if (file.size() > kLargestLessonBytes)
-        return complain(QStringLiteral("has %1; a lesson has at most %2")
-                            .arg(sizeWords(file.size()), sizeWords(kLargestLessonBytes)));
+        return complain({kTooLarge, {sizeWords(file.size()), sizeWords(kLargestLessonBytes)}});
     auto object = parseObject(file.read(kLargestLessonBytes + 1), name, faults);
     if (object && object->value(kFormat).toDouble() > kLessonFormat) {
         faults.push_back({name, kFormat, newerFormat(object->value(kFormat).toDouble()), true});

@@ -24,10 +24,10 @@ inline constexpr const char* kShippedFolder = ":/lessons/";
 [[nodiscard]] bool isNameBeside(const QString& name);
 
 /// "1.5 MB", "200 bytes".
-[[nodiscard]] QString sizeWords(qint64 bytes);
+[[nodiscard]] core::Words sizeWords(qint64 bytes);
 
 /// What is wrong with a format from the future.
-[[nodiscard]] QString newerFormat(double format);
+[[nodiscard]] core::Words newerFormat(double format);
 
 /// The object that a JSON text holds; nothing, and faults, if it holds none, or says a key twice.
 /// @param file  what the faults call it
@@ -65,9 +65,9 @@ public:
     [[nodiscard]] const QStringList& uses() const { return m_uses; }
     void note(const QString& file);
     /// A grave fault.
-    void say(const QString& file, const QString& key, const QString& what)
+    void say(const QString& file, const QString& key, core::Words what)
     {
-        m_faults.push_back({file, key, what, true});
+        m_faults.push_back({file, key, std::move(what), true});
     }
 
 private:

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include <QJsonArray>
 
@@ -33,24 +34,24 @@ int lettersApart(const QString& a, const QString& b)
     return row.back();
 }
 
-QString kindOf(const QJsonValue& value)
+core::Words kindOf(const QJsonValue& value)
 {
     switch (value.type()) {
     case QJsonValue::Bool:
-        return QStringLiteral("true or false");
+        return {QT_TRANSLATE_NOOP("Fault", "true or false")};
     case QJsonValue::Double:
-        return QStringLiteral("a number");
+        return {QT_TRANSLATE_NOOP("Fault", "a number")};
     case QJsonValue::String:
-        return QStringLiteral("a text");
+        return {QT_TRANSLATE_NOOP("Fault", "a text")};
     case QJsonValue::Array:
-        return QStringLiteral("a list");
+        return {QT_TRANSLATE_NOOP("Fault", "a list")};
     case QJsonValue::Object:
-        return QStringLiteral("an object");
+        return {QT_TRANSLATE_NOOP("Fault", "an object")};
     case QJsonValue::Null:
     case QJsonValue::Undefined:
         break;
     }
-    return QStringLiteral("null");
+    return {QT_TRANSLATE_NOOP("Fault", "null")};
 }
 
 /// Control characters, but for the ends of lines and tabs, and those that turn the direction of what follows.
@@ -72,9 +73,9 @@ QString JsonKeys::pathOf(const QString& key) const
     return m_path.isEmpty() ? key : key.isEmpty() ? m_path : m_path + QLatin1Char('.') + key;
 }
 
-void JsonKeys::fault(const char* key, const QString& what, bool grave)
+void JsonKeys::fault(const char* key, core::Words what, bool grave)
 {
-    m_faults->push_back({m_file, pathOf(QLatin1String(key)), what, grave});
+    m_faults->push_back({m_file, pathOf(QLatin1String(key)), std::move(what), grave});
 }
 
 QJsonValue JsonKeys::take(const char* key)
@@ -93,20 +94,19 @@ std::optional<double> JsonKeys::number(const char* key, double low, double high,
     const QJsonValue value = take(key);
     if (value.isUndefined())
         return std::nullopt;
+    const bool hasUnit = *unit != '\0';
     if (!value.isDouble()) {
-        const QString withoutUnit =
-            *unit == '\0' ? QString() : QStringLiteral(" of %1 without its unit").arg(QString::fromUtf8(unit));
-        fault(key, QStringLiteral("is %1; write a number%2").arg(kindOf(value), withoutUnit));
+        fault(key, hasUnit ? core::Words{QT_TRANSLATE_NOOP("Fault", "is %1; write a number of %2 without its unit"),
+                                         {kindOf(value), {unit}}}
+                           : core::Words{QT_TRANSLATE_NOOP("Fault", "is %1; write a number"), {kindOf(value)}});
         return std::nullopt;
     }
     const double number = value.toDouble();
     if (!std::isfinite(number) || number < low || number > high) {
-        fault(key, QStringLiteral("is %1, it must lie between %2 and %3 %4")
-                       .arg(number)
-                       .arg(low)
-                       .arg(high)
-                       .arg(QString::fromUtf8(unit))
-                       .trimmed());
+        fault(key, hasUnit ? core::Words{QT_TRANSLATE_NOOP("Fault", "is %1, it must lie between %2 and %3 %4"),
+                                         {noted(number), noted(low), noted(high), {unit}}}
+                           : core::Words{QT_TRANSLATE_NOOP("Fault", "is %1, it must lie between %2 and %3"),
+                                         {noted(number), noted(low), noted(high)}});
         return std::nullopt;
     }
     return number;
@@ -123,7 +123,7 @@ qint64 JsonKeys::whole(const char* key, qint64 low, qint64 high, qint64 otherwis
     if (!value)
         return otherwise;
     if (*value != std::floor(*value)) {
-        fault(key, QStringLiteral("is %1, it must be a whole number").arg(*value));
+        fault(key, {QT_TRANSLATE_NOOP("Fault", "is %1, it must be a whole number"), {noted(*value)}});
         return otherwise;
     }
     return static_cast<qint64>(*value);
@@ -133,7 +133,7 @@ bool JsonKeys::flag(const char* key, bool otherwise)
 {
     const QJsonValue value = take(key);
     if (!value.isUndefined() && !value.isBool())
-        fault(key, QStringLiteral("is %1; write true or false").arg(kindOf(value)));
+        fault(key, {QT_TRANSLATE_NOOP("Fault", "is %1; write true or false"), {kindOf(value)}});
     return value.toBool(otherwise);
 }
 
@@ -143,12 +143,13 @@ std::string JsonKeys::text(const char* key, qsizetype longest)
     if (value.isUndefined())
         return {};
     if (!value.isString()) {
-        fault(key, QStringLiteral("is %1; write a text in quotes").arg(kindOf(value)));
+        fault(key, {QT_TRANSLATE_NOOP("Fault", "is %1; write a text in quotes"), {kindOf(value)}});
         return {};
     }
     const QString text = value.toString();
     if (text.size() > longest) {
-        fault(key, QStringLiteral("has %1 characters; at most %2 are read").arg(text.size()).arg(longest));
+        fault(key, {QT_TRANSLATE_NOOP("Fault", "has %1 characters; at most %2 are read"),
+                    {noted(text.size()), noted(longest)}});
         return {};
     }
     return text.toStdString();
@@ -157,8 +158,8 @@ std::string JsonKeys::text(const char* key, qsizetype longest)
 void JsonKeys::refuseHidden(const QString& text, const char* key)
 {
     if (const auto hidden = std::find_if(text.begin(), text.end(), isHidden); hidden != text.end())
-        fault(key, QStringLiteral("holds the character U+%1, which cannot be seen; leave it out")
-                       .arg(static_cast<uint>(hidden->unicode()), 4, 16, QLatin1Char('0')));
+        fault(key, {QT_TRANSLATE_NOOP("Fault", "holds the character U+%1, which cannot be seen; leave it out"),
+                    {noted(QStringLiteral("%1").arg(static_cast<uint>(hidden->unicode()), 4, 16, QLatin1Char('0')))}});
 }
 
 std::string JsonKeys::visibleText(const char* key, qsizetype longest)
@@ -171,7 +172,7 @@ std::string JsonKeys::visibleText(const char* key, qsizetype longest)
 std::string JsonKeys::neededText(const char* key, qsizetype longest)
 {
     if (take(key).isUndefined() || take(key) == QJsonValue(QString())) {
-        fault(key, QStringLiteral("is missing"));
+        fault(key, {QT_TRANSLATE_NOOP("Fault", "is missing")});
         return {};
     }
     return text(key, longest);
@@ -182,7 +183,8 @@ LocalText JsonKeys::localOf(const QJsonValue& value, const char* key)
     LocalText result;
     const auto take = [&](const QString& code, const QString& text) {
         if (text.isEmpty() || text.size() > kLongestText)
-            fault(key, QStringLiteral("has %1 characters; it takes 1 to %2").arg(text.size()).arg(kLongestText));
+            fault(key, {QT_TRANSLATE_NOOP("Fault", "has %1 characters; it takes 1 to %2"),
+                        {noted(text.size()), noted(kLongestText)}});
         refuseHidden(text, key);
         result.emplace(code.toStdString(), text.toStdString());
     };
@@ -191,20 +193,21 @@ LocalText JsonKeys::localOf(const QJsonValue& value, const char* key)
         return result;
     }
     if (!value.isObject()) {
-        fault(key, QStringLiteral("is %1; write {\"en\": \"...\", \"de\": \"...\"}").arg(kindOf(value)));
+        fault(key, {QT_TRANSLATE_NOOP("Fault", "is %1; write {\"en\": \"...\", \"de\": \"...\"}"), {kindOf(value)}});
         return result;
     }
     const QJsonObject languages = value.toObject();
     if (languages.isEmpty() || languages.size() > kMostLanguages) {
-        fault(key,
-              QStringLiteral("has texts in %1 languages; it takes 1 to %2").arg(languages.size()).arg(kMostLanguages));
+        fault(key, {QT_TRANSLATE_NOOP("Fault", "has texts in %1 languages; it takes 1 to %2"),
+                    {noted(languages.size()), noted(kMostLanguages)}});
         return result;
     }
     for (auto language = languages.begin(); language != languages.end(); ++language) {
         const QString code = language.key();
         if (code.size() < 2 || code.size() > 12 || !language.value().isString())
-            fault(key, QStringLiteral("\"%1\" must be the code of a language (en, de, es, ja) with a text")
-                           .arg(code.left(12)));
+            fault(key,
+                  {QT_TRANSLATE_NOOP("Fault", "\"%1\" must be the code of a language (en, de, es, ja) with a text"),
+                   {noted(code.left(12))}});
         else
             take(code, language.value().toString());
     }
@@ -217,7 +220,7 @@ LocalText JsonKeys::local(const char* key, bool isNeeded)
     if (!value.isUndefined())
         return localOf(value, key);
     if (isNeeded)
-        fault(key, QStringLiteral("is missing"));
+        fault(key, {QT_TRANSLATE_NOOP("Fault", "is missing")});
     return {};
 }
 
@@ -231,7 +234,8 @@ QStringList JsonKeys::names(const char* key)
         if (name.isString() && name.toString().size() <= kLongestText)
             found << name.toString();
     if (!value.isArray() || found.size() != value.toArray().size() || found.size() > kMostNames) {
-        fault(key, QStringLiteral("must be a list of at most %1 texts: [\"...\", \"...\"]").arg(kMostNames));
+        fault(key, {QT_TRANSLATE_NOOP("Fault", "must be a list of at most %1 texts: [\"...\", \"...\"]"),
+                    {noted(kMostNames)}});
         return {};
     }
     return found;
@@ -243,7 +247,7 @@ std::optional<JsonKeys> JsonKeys::object(const char* key)
     if (value.isUndefined())
         return std::nullopt;
     if (!value.isObject()) {
-        fault(key, QStringLiteral("is %1; write an object in braces").arg(kindOf(value)));
+        fault(key, {QT_TRANSLATE_NOOP("Fault", "is %1; write an object in braces"), {kindOf(value)}});
         return std::nullopt;
     }
     return JsonKeys(value.toObject(), m_file, pathOf(QLatin1String(key)), *m_faults);
@@ -256,14 +260,14 @@ void JsonKeys::objects(const char* key, int most, const std::function<void(JsonK
         return;
     const QJsonArray list = value.toArray();
     if (!value.isArray() || list.size() > most) {
-        fault(key, QStringLiteral("must be a list of at most %1 objects").arg(most));
+        fault(key, {QT_TRANSLATE_NOOP("Fault", "must be a list of at most %1 objects"), {noted(most)}});
         return;
     }
     for (qsizetype k = 0; k < list.size(); ++k) {
         JsonKeys item(list[k].toObject(), m_file, pathOf(QStringLiteral("%1[%2]").arg(QLatin1String(key)).arg(k)),
                       *m_faults);
         if (!list[k].isObject())
-            item.fault("", QStringLiteral("is %1; write an object in braces").arg(kindOf(list[k])));
+            item.fault("", {QT_TRANSLATE_NOOP("Fault", "is %1; write an object in braces"), {kindOf(list[k])}});
         else
             each(item);
     }
@@ -276,8 +280,8 @@ int JsonKeys::choice(const char* key, const QStringList& known)
         return -1;
     const auto place = known.indexOf(value.toString());
     if (!value.isString() || place < 0)
-        fault(key, QStringLiteral("\"%1\" is not known; there are %2")
-                       .arg(value.toVariant().toString().left(40), known.join(QStringLiteral(", "))));
+        fault(key, {QT_TRANSLATE_NOOP("Fault", "\"%1\" is not known; there are %2"),
+                    {noted(value.toVariant().toString().left(40)), noted(known.join(QStringLiteral(", ")))}});
     return static_cast<int>(value.isString() ? place : -1);
 }
 
@@ -286,7 +290,7 @@ std::vector<glm::dvec2> JsonKeys::places(const char* key, int most, double far)
     const QJsonValue value = take(key);
     const QJsonArray list = value.toArray();
     if (list.isEmpty() || list.size() > most) {
-        fault(key, QStringLiteral("must be a list of 1 to %1 places: [[x, y], ...]").arg(most));
+        fault(key, {QT_TRANSLATE_NOOP("Fault", "must be a list of 1 to %1 places: [[x, y], ...]"), {noted(most)}});
         return {};
     }
     std::vector<glm::dvec2> places;
@@ -298,7 +302,8 @@ std::vector<glm::dvec2> JsonKeys::places(const char* key, int most, double far)
             places.push_back(place);
         else
             fault(qPrintable(QStringLiteral("%1[%2]").arg(QLatin1String(key)).arg(k)),
-                  QStringLiteral("must be [x, y], two numbers between %1 and %2 mm").arg(-far).arg(far));
+                  {QT_TRANSLATE_NOOP("Fault", "must be [x, y], two numbers between %1 and %2 mm"),
+                   {noted(-far), noted(far)}});
     }
     return places;
 }
@@ -316,11 +321,11 @@ void JsonKeys::nameTheRest()
                 nearest = known;
             }
         }
-        m_faults->push_back({m_file, pathOf(key.left(60)),
-                             nearest.isEmpty()
-                                 ? QStringLiteral("is not a key that is known here, so it is left out")
-                                 : QStringLiteral("is not a key that is known here; did you mean \"%1\"?").arg(nearest),
-                             false});
+        core::Words what{QT_TRANSLATE_NOOP("Fault", "is not a key that is known here, so it is left out")};
+        if (!nearest.isEmpty())
+            what = {QT_TRANSLATE_NOOP("Fault", "is not a key that is known here; did you mean \"%1\"?"),
+                    {noted(nearest)}};
+        m_faults->push_back({m_file, pathOf(key.left(60)), std::move(what), false});
     }
 }
 

@@ -53,7 +53,7 @@ public:
 
     /// Warns of every key that was not asked for, with the nearest that was.
     void nameTheRest();
-    void fault(const char* key, const QString& what, bool grave = true);
+    void fault(const char* key, core::Words what, bool grave = true);
     [[nodiscard]] QString pathOf(const QString& key) const;
 
 private:

@@ -47,8 +47,7 @@ void addPacks(const QDir& folder, std::vector<CatalogEntry>& entries)
         const QString file = folder.filePath(name);
         const auto opened = openPack(file);
         if (!opened) {
-            entries.push_back(
-                {{file, {}, {{file, {}, QString::fromStdString(opened.error().detail), true}}, {}}, false, file});
+            entries.push_back({{file, {}, {{file, {}, core::wordsOf(opened.error()), true}}, {}}, false, file});
             continue;
         }
         std::vector<CatalogEntry> packed;
@@ -58,7 +57,7 @@ void addPacks(const QDir& folder, std::vector<CatalogEntry>& entries)
                 continue;
             entry.pack = file;
             for (Fault& fault : entry.read.faults)
-                fault.what += QStringLiteral(" (in the pack %1)").arg(name);
+                fault.what = {QT_TRANSLATE_NOOP("Fault", "%1 (in the pack %2)"), {fault.what, noted(name)}};
             entries.push_back(std::move(entry));
         }
     }
@@ -86,10 +85,12 @@ std::vector<CatalogEntry> readCatalog(const QString& folder)
     for (CatalogEntry& entry : entries) {
         if (!entry.read.lesson || ids.insert(entry.read.lesson->id).second)
             continue;
-        entry.read.faults.push_back({entry.read.file, QStringLiteral("id"),
-                                     QStringLiteral("\"%1\" belongs to another lesson; give this one an id of its own")
-                                         .arg(QString::fromStdString(entry.read.lesson->id)),
-                                     true});
+        entry.read.faults.push_back(
+            {entry.read.file,
+             QStringLiteral("id"),
+             {QT_TRANSLATE_NOOP("Fault", "\"%1\" belongs to another lesson; give this one an id of its own"),
+              {core::noted(entry.read.lesson->id)}},
+             true});
         entry.read.lesson.reset();
     }
     return entries;

@@ -39,7 +39,7 @@ const QStringList kTasks{QStringLiteral("remove_decay"), QStringLiteral("cut_ide
 bool checkFormat(JsonKeys& keys)
 {
     if (!keys.has("format")) {
-        keys.fault("format", QStringLiteral("is missing; write \"format\": %1").arg(kLessonFormat));
+        keys.fault("format", {QT_TRANSLATE_NOOP("Fault", "is missing; write \"format\": %1"), {noted(kLessonFormat)}});
         return false;
     }
     const qint64 format = keys.whole("format", 1, kNewestVersion, 0);
@@ -54,11 +54,12 @@ std::string hashOf(const QString& path, JsonKeys& keys, const char* key)
     QFile file(path);
     QCryptographicHash hash(QCryptographicHash::Sha256);
     if (!QFileInfo(path).isFile()) {
-        keys.fault(key, QStringLiteral("there is no file \"%1\" beside the lesson").arg(QFileInfo(path).fileName()));
+        keys.fault(key, {QT_TRANSLATE_NOOP("Fault", "there is no file \"%1\" beside the lesson"),
+                         {noted(QFileInfo(path).fileName())}});
         return {};
     }
     if (QFileInfo(path).size() > kLargestScanBytes || !file.open(QIODevice::ReadOnly) || !hash.addData(&file)) {
-        keys.fault(key, QStringLiteral("\"%1\" cannot be read").arg(QFileInfo(path).fileName()));
+        keys.fault(key, {QT_TRANSLATE_NOOP("Fault", "\"%1\" cannot be read"), {noted(QFileInfo(path).fileName())}});
         return {};
     }
     return hash.result().toHex().toStdString();
@@ -88,7 +89,8 @@ public:
         lesson.goal = m_keys.local("goal", true);
         lesson.notModelled = m_keys.local("not_modelled", false);
         if (!m_keys.has("task"))
-            m_keys.fault("task", QStringLiteral("is missing; there are %1").arg(kTasks.join(QStringLiteral(", "))));
+            m_keys.fault("task", {QT_TRANSLATE_NOOP("Fault", "is missing; there are %1"),
+                                  {noted(kTasks.join(QStringLiteral(", ")))}});
         lesson.task = static_cast<Task>(std::max(0, m_keys.choice("task", kTasks)));
         takeTooth(lesson);
         lesson.gridSide = static_cast<int>(m_keys.whole("grid", core::terrain::kMinGridSide,
@@ -104,7 +106,7 @@ public:
         lesson.minutes = m_keys.number("minutes", 0.0, 600.0, "minutes", 0.0);
         lesson.exam = m_keys.flag("exam", false);
         if (!m_keys.has("rubric"))
-            m_keys.fault("rubric", QStringLiteral("is missing"));
+            m_keys.fault("rubric", {QT_TRANSLATE_NOOP("Fault", "is missing")});
         else if (m_keys.object("rubric"))
             lesson.rubric = rubricFrom(m_whole.value(QStringLiteral("rubric")).toObject(), rubricFile,
                                        rubricFile == m_file ? QStringLiteral("rubric") : QString(), m_faults);
@@ -112,10 +114,10 @@ public:
         checkWhole(lesson);
         lesson.json = QJsonDocument(m_whole).toJson(QJsonDocument::Compact).toStdString();
         if (lesson.json.size() > static_cast<std::size_t>(kLargestLessonBytes))
-            m_keys.fault("",
-                         QStringLiteral("has %1 with all that it names; a recording takes at most %2 along. Shorten "
-                                        "its texts")
-                             .arg(sizeWords(static_cast<qint64>(lesson.json.size())), sizeWords(kLargestLessonBytes)));
+            m_keys.fault(
+                "", {QT_TRANSLATE_NOOP("Fault", "has %1 with all that it names; a recording takes at most %2 along. "
+                                                "Shorten its texts"),
+                     {sizeWords(static_cast<qint64>(lesson.json.size())), sizeWords(kLargestLessonBytes)}});
         lesson.hash = QCryptographicHash::hash(QByteArray::fromStdString(lesson.json), QCryptographicHash::Sha256)
                           .toHex()
                           .toStdString();
@@ -127,13 +129,14 @@ private:
     {
         auto tooth = m_keys.object("tooth");
         if (!tooth) {
-            m_keys.fault("tooth", QStringLiteral("is missing; write {\"fdi\": 36}, {\"block\": \"line\"} or "
-                                                 "{\"scan\": \"tooth.stl\"}"));
+            m_keys.fault("tooth", {QT_TRANSLATE_NOOP(
+                                      "Fault", "is missing; write {\"fdi\": 36}, {\"block\": \"line\"} or {\"scan\": "
+                                               "\"tooth.stl\"}")});
             return;
         }
         const int named = (tooth->has("block") ? 1 : 0) + (tooth->has("scan") ? 1 : 0);
         if (named > 1 || (named == 0 && !tooth->has("fdi")))
-            tooth->fault("", QStringLiteral("must name one of \"fdi\", \"block\" and \"scan\""));
+            tooth->fault("", {QT_TRANSLATE_NOOP("Fault", "must name one of \"fdi\", \"block\" and \"scan\"")});
         else if (tooth->has("block"))
             lesson.tooth = takeBlock(*tooth);
         else if (tooth->has("scan"))
@@ -150,7 +153,7 @@ private:
             block.seed = seedOf(keys);
         block.sizes = sizesOf(keys, core::teeth::blockFields());
         if (const auto design = designOf(block); !design)
-            keys.fault("block", QString::fromStdString(design.error().detail));
+            keys.fault("block", core::wordsOf(design.error()));
         return block;
     }
 
@@ -165,7 +168,8 @@ private:
         for (const core::NumberField<Design>& field : fields) {
             const auto value = keys->number(field.id, field.minimum, field.maximum, field.unit);
             if (value && field.whole && *value != std::floor(*value))
-                keys->fault(field.id, QStringLiteral("is %1, it must be a whole number").arg(*value));
+                keys->fault(field.id,
+                            {QT_TRANSLATE_NOOP("Fault", "is %1, it must be a whole number"), {noted(*value)}});
             else if (value)
                 sizes.emplace(field.id, *value);
         }
@@ -182,9 +186,10 @@ private:
     {
         const int fdi = static_cast<int>(keys.whole("fdi", 11, 48, 0));
         if (fdi != 0 && !core::teeth::findToothSizes(fdi))
-            keys.fault("fdi",
-                       QStringLiteral("there is no tooth %1 here; those of the left are made: 21 to 28 and 31 to 38")
-                           .arg(fdi));
+            keys.fault("fdi", {QT_TRANSLATE_NOOP("Fault",
+                                                 "there is no tooth %1 here; those of the left are made: 21 to 28 and "
+                                                 "31 to 38"),
+                               {noted(fdi)}});
         return fdi;
     }
 
@@ -196,11 +201,12 @@ private:
         scan.up = keys.text("up", 4);
         scan.fdi = static_cast<int>(keys.whole("fdi", 11, 48, 0));
         if (!scan.unit.empty() && !core::mesh::parseUnit(scan.unit))
-            keys.fault("unit", QStringLiteral("\"%1\" is no unit; write mm, cm, m or the millimetres of one unit")
-                                   .arg(QString::fromStdString(scan.unit)));
+            keys.fault("unit",
+                       {QT_TRANSLATE_NOOP("Fault", "\"%1\" is no unit; write mm, cm, m or the millimetres of one unit"),
+                        {core::noted(scan.unit)}});
         if (!scan.up.empty() && !core::mesh::parseAxis(scan.up))
-            keys.fault("up", QStringLiteral("\"%1\" is no direction; write +x, -x, +y, -y, +z or -z")
-                                 .arg(QString::fromStdString(scan.up)));
+            keys.fault("up", {QT_TRANSLATE_NOOP("Fault", "\"%1\" is no direction; write +x, -x, +y, -y, +z or -z"),
+                              {core::noted(scan.up)}});
         takeFile(keys, "scan", QStringLiteral("tooth"), name, scan.file, scan.hash);
         return scan;
     }
@@ -238,12 +244,13 @@ private:
         if (isCaptured && (keys.has("kind") || keys.has("sizes")))
             keys.fault(
                 "captured",
-                QStringLiteral("an ideal is captured, or has a kind and sizes; leave one out (where the lesson is "
-                               "based on another, with \"kind\": null, \"sizes\": null)"));
+                {QT_TRANSLATE_NOOP("Fault", "an ideal is captured, or has a kind and sizes; leave one out (where the "
+                                            "lesson is based on another, with \"kind\": null, \"sizes\": null)")});
         else if (isCaptured)
             asked.captured = takeCaptured(keys);
         else if (!keys.has("kind"))
-            keys.fault("kind", QStringLiteral("is missing; name the preparation, or a file \"captured\""));
+            keys.fault("kind",
+                       {QT_TRANSLATE_NOOP("Fault", "is missing; name the preparation, or a file \"captured\"")});
         else
             asked.kind = keys.neededText("kind", 40);
         for (const char* const ours : {"sizes", "content", "data"})
@@ -252,7 +259,7 @@ private:
             const auto fields = core::preparation::fieldsOf(*kind);
             asked.sizes = sizesOf(keys, std::span(fields));
         } else if (!asked.kind.empty()) {
-            keys.fault("kind", QString::fromStdString(kind.error().detail));
+            keys.fault("kind", core::wordsOf(kind.error()));
         }
         keys.nameTheRest();
         return asked;
@@ -273,9 +280,9 @@ private:
             QFile file(QString::fromStdString(captured.file));
             if (file.size() > kLargestIdealBytes) {
                 keys.fault("captured",
-                           QStringLiteral("\"%1\" has %2; a lesson takes at most %3. Capture it on a coarser "
-                                          "grid")
-                               .arg(name, sizeWords(file.size()), sizeWords(kLargestIdealBytes)));
+                           {QT_TRANSLATE_NOOP("Fault", "\"%1\" has %2; a lesson takes at most %3. Capture it on a "
+                                                       "coarser grid"),
+                            {noted(name), sizeWords(file.size()), sizeWords(kLargestIdealBytes)}});
                 return captured;
             }
             const QByteArray bytes = file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
@@ -283,8 +290,7 @@ private:
             putInto(QStringLiteral("ideal"), QStringLiteral("data"), QString::fromLatin1(bytes.toBase64()));
         }
         if (const auto ideal = core::preparation::capturedFrom(captured.bytes); !ideal)
-            keys.fault("captured",
-                       QStringLiteral("\"%1\": %2").arg(name, QString::fromStdString(ideal.error().detail)));
+            keys.fault("captured", {"\"%1\": %2", {noted(name), core::wordsOf(ideal.error())}});
         return captured;
     }
 
@@ -356,14 +362,15 @@ private:
             return;
         }
         if (m_keys.has("hardness") && !(lesson.kind == core::settings::ToothKind{}))
-            m_keys.fault("hardness", QStringLiteral("has its own caries and plastic; leave it out, or leave out "
-                                                    "\"caries\" and \"plastic\""));
+            m_keys.fault("hardness",
+                         {QT_TRANSLATE_NOOP("Fault", "has its own caries and plastic; leave it out, or leave out "
+                                                     "\"caries\" and \"plastic\"")});
         if (m_whole.value(QStringLiteral("hardness")).isString()) {
             const std::string name = m_keys.text("hardness");
             if (const auto known = core::settings::findHardnessPreset(name))
                 lesson.hardness = *known;
             else
-                m_keys.fault("hardness", QString::fromStdString(known.error().detail));
+                m_keys.fault("hardness", core::wordsOf(known.error()));
             return;
         }
         auto keys = m_keys.object("hardness");
@@ -373,7 +380,7 @@ private:
         if (const auto known = core::settings::findHardnessPreset(base))
             lesson.hardness = *known;
         else
-            keys->fault("like", QString::fromStdString(known.error().detail));
+            keys->fault("like", core::wordsOf(known.error()));
         if (!lesson.hardness)
             return;
         lesson.hardness->name = keys->neededText("name", kLongestHardnessName);
@@ -400,13 +407,13 @@ private:
         for (const QString& name : m_keys.names("handpieces")) {
             const auto known = core::settings::findHandpiece(name.toStdString());
             if (!known)
-                m_keys.fault("handpieces", QString::fromStdString(known.error().detail));
+                m_keys.fault("handpieces", core::wordsOf(known.error()));
             else if (std::find(lesson.handpieces.begin(), lesson.handpieces.end(), *known) == lesson.handpieces.end())
                 lesson.handpieces.push_back(*known);
         }
         for (const QString& bur : m_keys.names("burs")) {
             if (const auto known = core::drilling::findBur(bur.toStdString()); !known)
-                m_keys.fault("burs", QString::fromStdString(known.error().detail));
+                m_keys.fault("burs", core::wordsOf(known.error()));
             lesson.burs.push_back(bur.toStdString());
         }
         const bool isUnseen = lesson.task == Task::TellLayers;
@@ -416,9 +423,10 @@ private:
             if (bool* const aid = aidNamed(lesson.aids, name))
                 *aid = true;
             else
-                m_keys.fault("aids", QStringLiteral("\"%1\" is no aid; there are section, depth_gauge, radiograph, "
-                                                    "heat_map, mirror, ideal, bur_colour, fixture")
-                                         .arg(name.left(40)));
+                m_keys.fault(
+                    "aids", {QT_TRANSLATE_NOOP("Fault", "\"%1\" is no aid; there are section, depth_gauge, radiograph, "
+                                                        "heat_map, mirror, ideal, bur_colour, fixture"),
+                             {noted(name.left(40))}});
         }
     }
 
@@ -456,7 +464,8 @@ private:
         set.perforated = rules->flag("perforated", set.perforated);
         set.neighbourHit = rules->flag("neighbour_hit", set.neighbourHit);
         if (set.neighbourHit && !std::holds_alternative<MadeTooth>(lesson.tooth))
-            rules->fault("neighbour_hit", QStringLiteral("only a tooth of ours has neighbours; write false"));
+            rules->fault("neighbour_hit",
+                         {QT_TRANSLATE_NOOP("Fault", "only a tooth of ours has neighbours; write false")});
         set.depthLimitMm = rules->number("depth_limit_mm", 0.1, 10.0, "mm");
         set.ridgeLimitMm = rules->number("ridge_limit_mm", 0.1, 5.0, "mm");
         set.besideMm = rules->number("beside_mm", 0.0, 10.0, "mm");
@@ -470,25 +479,28 @@ private:
     {
         const bool isBlock = std::holds_alternative<Block>(lesson.tooth);
         if (lesson.task == Task::RemoveDecay && (isBlock || !lesson.lesion || lesson.lesion->extent <= 0.0))
-            m_keys.fault("lesion",
-                         QStringLiteral("to remove decay there must be some: write \"lesion\": {\"extent\": 0.5} for a "
-                                        "tooth"));
+            m_keys.fault("lesion", {QT_TRANSLATE_NOOP("Fault", "to remove decay there must be some: write \"lesion\": "
+                                                               "{\"extent\": 0.5} for a tooth")});
         if (lesson.task == Task::CutIdeal && !lesson.ideal)
-            m_keys.fault("ideal", QStringLiteral("is missing; it says which preparation is to be cut"));
+            m_keys.fault("ideal", {QT_TRANSLATE_NOOP("Fault", "is missing; it says which preparation is to be cut")});
         else if (lesson.task == Task::CutIdeal)
             checkKind(lesson);
         if (lesson.task == Task::TraceShape && !isBlock)
-            m_keys.fault("tooth", QStringLiteral("a shape is traced in a block: write {\"block\": \"line\"}"));
+            m_keys.fault("tooth",
+                         {QT_TRANSLATE_NOOP("Fault", "a shape is traced in a block: write {\"block\": \"line\"}")});
         if (lesson.task == Task::TouchPoints && !lesson.touch)
-            m_keys.fault("touch", QStringLiteral("is missing; it says which points are to be touched: {\"points\": "
-                                                 "[[x, y], ...]}"));
+            m_keys.fault("touch",
+                         {QT_TRANSLATE_NOOP("Fault", "is missing; it says which points are to be touched: {\"points\": "
+                                                     "[[x, y], ...]}")});
         if (lesson.task == Task::HoldForce && !lesson.hold)
-            m_keys.fault("hold", QStringLiteral("is missing; it says which force is to be held: {\"force_n\": 1}"));
+            m_keys.fault("hold", {QT_TRANSLATE_NOOP(
+                                     "Fault", "is missing; it says which force is to be held: {\"force_n\": 1}")});
         if (lesson.task == Task::TellLayers && (!isBlock || std::get<Block>(lesson.tooth).shape != "layers"))
-            m_keys.fault("tooth", QStringLiteral("layers are told apart in a block of them: write {\"block\": "
-                                                 "\"layers\"}"));
+            m_keys.fault("tooth",
+                         {QT_TRANSLATE_NOOP("Fault", "layers are told apart in a block of them: write {\"block\": "
+                                                     "\"layers\"}")});
         if (lesson.task == Task::TellLayers && lesson.aids != Aids::none())
-            m_keys.fault("aids", QStringLiteral("layers are told apart without any; leave the key out"));
+            m_keys.fault("aids", {QT_TRANSLATE_NOOP("Fault", "layers are told apart without any; leave the key out")});
     }
 
     /// Whether it was captured on this tooth. Of a scan that is known when it is read.
@@ -499,14 +511,12 @@ private:
         if (made == nullptr || !ideal || made->fdi == 0)
             return;
         if (ideal->fdi != made->fdi || ideal->seed != made->seed || ideal->grid.side != lesson.gridSide)
-            m_keys.fault(
-                "ideal.captured",
-                QStringLiteral("\"%1\" was captured on the tooth '%2' (seed %3, grid %4); name that tooth, seed "
-                               "and grid, or capture it on this one")
-                    .arg(QFileInfo(QString::fromStdString(captured.file)).fileName())
-                    .arg(QString::fromStdString(ideal->tooth))
-                    .arg(ideal->seed)
-                    .arg(ideal->grid.side));
+            m_keys.fault("ideal.captured",
+                         {QT_TRANSLATE_NOOP(
+                              "Fault", "\"%1\" was captured on the tooth '%2' (seed %3, grid %4); name that tooth, "
+                                       "seed and grid, or capture it on this one"),
+                          {noted(QFileInfo(QString::fromStdString(captured.file)).fileName()),
+                           core::noted(ideal->tooth), noted(ideal->seed), noted(ideal->grid.side)}});
     }
 
     /// Whether this ideal can be made on this tooth.
@@ -519,10 +529,12 @@ private:
             return;
         const auto* const made = std::get_if<MadeTooth>(&lesson.tooth);
         if (made == nullptr)
-            m_keys.fault("ideal", QStringLiteral("is made by rule for a tooth of ours only, \"tooth\": {\"fdi\": 36}; "
-                                                 "for a scan name a captured one: {\"captured\": \"mine.cuspideal\"}"));
+            m_keys.fault("ideal", {QT_TRANSLATE_NOOP(
+                                      "Fault", "is made by rule for a tooth of ours only, \"tooth\": {\"fdi\": 36}; "
+                                               "for a scan name a captured one: {\"captured\": "
+                                               "\"mine.cuspideal\"}")});
         else if (const auto usual = core::preparation::usualDesign(*kind, made->fdi); !usual && made->fdi != 0)
-            m_keys.fault("ideal.kind", QString::fromStdString(usual.error().detail));
+            m_keys.fault("ideal.kind", core::wordsOf(usual.error()));
     }
 
     QJsonObject m_whole;

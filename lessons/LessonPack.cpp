@@ -29,9 +29,12 @@ const QStringList kSuffixes{QStringLiteral("json"),   QStringLiteral("cuspideal"
                             QStringLiteral("obj"),    QStringLiteral("ply"),       QStringLiteral("mtl"),
                             QStringLiteral("cusprec")};
 
-tl::unexpected<core::Error> refused(core::ErrorCode code, const QString& sentence)
+tl::unexpected<core::Error> refused(core::ErrorCode code, const char* sentence, const QStringList& values = {})
 {
-    return core::unexpected(code, sentence.toStdString());
+    core::Words words{sentence};
+    for (const QString& value : values)
+        words.values.push_back(noted(value));
+    return core::unexpected(code, std::move(words));
 }
 
 QString megabytes(qint64 bytes)
@@ -71,13 +74,14 @@ core::Result<QByteArray> contentOf(const QString& path, qint64 most)
 {
     QFile file(path);
     if (!QFileInfo(path).isFile() || !file.open(QIODevice::ReadOnly))
-        return refused(
-            core::ErrorCode::FileUnreadable,
-            QStringLiteral("%1 cannot be read; check its name and rights.").arg(QDir::toNativeSeparators(path)));
+        return refused(core::ErrorCode::FileUnreadable,
+                       QT_TRANSLATE_NOOP("Fault", "%1 cannot be read; check its name and rights."),
+                       {QDir::toNativeSeparators(path)});
     if (file.size() > most)
-        return refused(core::ErrorCode::FileTooLarge,
-                       QStringLiteral("%1 has %2, and a pack takes %3 in all; pack fewer lessons, or coarser scans.")
-                           .arg(QFileInfo(path).fileName(), megabytes(file.size()), megabytes(kLargestPackBytes)));
+        return refused(
+            core::ErrorCode::FileTooLarge,
+            QT_TRANSLATE_NOOP("Fault", "%1 has %2, and a pack takes %3 in all; pack fewer lessons, or coarser scans."),
+            {QFileInfo(path).fileName(), megabytes(file.size()), megabytes(kLargestPackBytes)});
     return file.readAll();
 }
 
@@ -91,9 +95,9 @@ core::Status writeInto(const QString& path, const QByteArray& content)
 {
     const QString folder = QFileInfo(path).absolutePath();
     if (!QDir().mkpath(folder))
-        return refused(
-            core::ErrorCode::FileUnwritable,
-            QStringLiteral("The folder %1 cannot be made; name another.").arg(QDir::toNativeSeparators(folder)));
+        return refused(core::ErrorCode::FileUnwritable,
+                       QT_TRANSLATE_NOOP("Fault", "The folder %1 cannot be made; name another."),
+                       {QDir::toNativeSeparators(folder)});
     return core::writeWhole(std::filesystem::path(path.toStdU16String()),
                             {content.constData(), static_cast<std::size_t>(content.size())}, "A file of the pack");
 }
@@ -102,19 +106,19 @@ core::Result<PackedFile> packedFile(const QJsonObject& entry)
 {
     PackedFile file{entry.value(QStringLiteral("name")).toString(), {}};
     if (!isNameInPack(file.name))
-        return refused(
-            core::ErrorCode::BadStructure,
-            QStringLiteral("The pack names a file \"%1\", which leads out of its folder or is of no kind that "
-                           "lessons have; nothing was unpacked.")
-                .arg(shown(file.name)));
+        return refused(core::ErrorCode::BadStructure,
+                       QT_TRANSLATE_NOOP("Fault",
+                                         "The pack names a file \"%1\", which leads out of its folder or is of no kind "
+                                         "that lessons have; nothing was unpacked."),
+                       {shown(file.name)});
     const auto decoded = QByteArray::fromBase64Encoding(entry.value(QStringLiteral("base64")).toString().toLatin1(),
                                                         QByteArray::AbortOnBase64DecodingErrors);
     if (!decoded || hashOf(decoded.decoded) != entry.value(QStringLiteral("sha256")).toString())
-        return refused(
-            core::ErrorCode::BadStructure,
-            QStringLiteral("The file \"%1\" in the pack is not what its hash says: it was damaged or changed; "
-                           "nothing was unpacked. Ask for the pack again.")
-                .arg(file.name));
+        return refused(core::ErrorCode::BadStructure,
+                       QT_TRANSLATE_NOOP("Fault",
+                                         "The file \"%1\" in the pack is not what its hash says: it was damaged or "
+                                         "changed; nothing was unpacked. Ask for the pack again."),
+                       {file.name});
     file.content = decoded.decoded;
     return file;
 }
@@ -131,8 +135,8 @@ core::Result<QByteArray> packLessons(const QStringList& lessonFiles)
         if (!read.lesson) {
             const auto grave =
                 std::find_if(read.faults.begin(), read.faults.end(), [](const Fault& fault) { return fault.grave; });
-            return refused(core::ErrorCode::BadStructure,
-                           QStringLiteral("%1. Only a lesson that can be given is packed.").arg(grave->sentence()));
+            return refused(core::ErrorCode::BadStructure, "%1. Only a lesson that can be given is packed.",
+                           {grave->sentence()});
         }
         // A scan is looked at when its tooth is made.
         if (std::holds_alternative<Scan>(read.lesson->tooth))
@@ -143,17 +147,16 @@ core::Result<QByteArray> packLessons(const QStringList& lessonFiles)
             const QString name = folder.relativeFilePath(QFileInfo(path).absoluteFilePath());
             if (!isNameInPack(name))
                 return refused(core::ErrorCode::BadStructure,
-                               QStringLiteral("A file of the name \"%1\" cannot go into a pack; rename it (%2).")
-                                   .arg(name, kSuffixes.join(QStringLiteral(", "))));
+                               "A file of the name \"%1\" cannot go into a pack; rename it (%2).",
+                               {name, kSuffixes.join(QStringLiteral(", "))});
             const auto content = contentOf(path, kLargestPackBytes - sum);
             if (!content)
                 return tl::unexpected(content.error());
             const QString key = name.toLower();
             if (packed.contains(key)) {
                 if (packed[key] != *content)
-                    return refused(
-                        core::ErrorCode::BadStructure,
-                        QStringLiteral("Two different files are called \"%1\"; rename one of them.").arg(name));
+                    return refused(core::ErrorCode::BadStructure,
+                                   "Two different files are called \"%1\"; rename one of them.", {name});
                 continue;
             }
             packed[key] = *content;
@@ -163,9 +166,8 @@ core::Result<QByteArray> packLessons(const QStringList& lessonFiles)
         }
     }
     if (files.isEmpty() || files.size() > kMostPackedFiles)
-        return refused(
-            core::ErrorCode::OutOfRange,
-            QStringLiteral("A pack takes 1 to %1 files of lessons, not %2.").arg(kMostPackedFiles).arg(files.size()));
+        return refused(core::ErrorCode::OutOfRange, "A pack takes 1 to %1 files of lessons, not %2.",
+                       {QString::number(kMostPackedFiles), QString::number(files.size())});
     const QByteArray json = QJsonDocument(QJsonObject{{"format", kPackFormat}, {"cusp", "lessons"}, {"files", files}})
                                 .toJson(QJsonDocument::Compact);
     return QByteArray::fromStdString(core::recording::pack({json.constData(), static_cast<std::size_t>(json.size())}));
@@ -178,25 +180,28 @@ core::Result<std::vector<PackedFile>> unpackLessons(const QByteArray& bytes)
     if (!json)
         return refused(
             core::ErrorCode::WrongKind,
-            QStringLiteral("This is no pack of lessons, it is damaged, or it holds more than %1; choose a file "
-                           "that \"cusp lesson pack\" has made.")
-                .arg(megabytes(kLargestPackBytes)));
+            QT_TRANSLATE_NOOP("Fault", "This is no pack of lessons, it is damaged, or it holds more than %1; choose a "
+                                       "file that \"cusp lesson pack\" has made."),
+            {megabytes(kLargestPackBytes)});
     const QJsonObject pack =
         QJsonDocument::fromJson(QByteArray::fromRawData(json->data(), static_cast<qsizetype>(json->size()))).object();
     const int format = pack.value(QStringLiteral("format")).toInt();
     if (pack.value(QStringLiteral("cusp")).toString() != u"lessons" || format < 1)
         return refused(core::ErrorCode::WrongKind,
-                       QStringLiteral("This is no pack of lessons; choose a file that \"cusp lesson pack\" has made."));
+                       QT_TRANSLATE_NOOP("Fault",
+                                         "This is no pack of lessons; choose a file that \"cusp lesson pack\" has "
+                                         "made."));
     if (format > kPackFormat)
         return refused(core::ErrorCode::NewerVersion,
-                       QStringLiteral("The pack is of format %1, from a newer Cusp; this one reads %2. Update Cusp.")
-                           .arg(format)
-                           .arg(kPackFormat));
+                       QT_TRANSLATE_NOOP("Fault",
+                                         "The pack is of format %1, from a newer Cusp; this one reads %2. Update "
+                                         "Cusp."),
+                       {QString::number(format), QString::number(kPackFormat)});
     const QJsonArray list = pack.value(QStringLiteral("files")).toArray();
     if (list.isEmpty() || list.size() > kMostPackedFiles)
-        return refused(
-            core::ErrorCode::BadStructure,
-            QStringLiteral("The pack lists %1 files; it may hold 1 to %2.").arg(list.size()).arg(kMostPackedFiles));
+        return refused(core::ErrorCode::BadStructure,
+                       QT_TRANSLATE_NOOP("Fault", "The pack lists %1 files; it may hold 1 to %2."),
+                       {QString::number(list.size()), QString::number(kMostPackedFiles)});
     std::vector<PackedFile> files;
     QSet<QString> names;
     for (const QJsonValue entry : list) {
@@ -205,7 +210,8 @@ core::Result<std::vector<PackedFile>> unpackLessons(const QByteArray& bytes)
             return tl::unexpected(file.error());
         if (names.contains(file->name.toLower()))
             return refused(core::ErrorCode::BadStructure,
-                           QStringLiteral("The pack holds \"%1\" twice; nothing was unpacked.").arg(file->name));
+                           QT_TRANSLATE_NOOP("Fault", "The pack holds \"%1\" twice; nothing was unpacked."),
+                           {file->name});
         names << file->name.toLower();
         files.push_back(std::move(*file));
     }
@@ -217,8 +223,9 @@ core::Result<std::vector<PackedFile>> readPack(const QString& file)
     const auto bytes = contentOf(file, kLargestJsonBytes);
     auto files = bytes ? unpackLessons(*bytes) : core::Result<std::vector<PackedFile>>(tl::unexpected(bytes.error()));
     if (!files && bytes)
-        return core::unexpected(files.error().code,
-                                QFileInfo(file).fileName().toStdString() + ": " + files.error().detail);
+        return core::unexpected(
+            files.error().code,
+            core::Words{"%1: %2", {noted(QFileInfo(file).fileName()), core::wordsOf(files.error())}});
     return files;
 }
 
@@ -231,9 +238,10 @@ core::Status putInto(const QString& folder, const std::vector<PackedFile>& files
         for (const QString& part : file.name.split(u'/')) {
             way = QDir(way).filePath(part);
             if (QFileInfo(way).isSymLink())
-                return refused(core::ErrorCode::FileUnwritable,
-                               QStringLiteral("%1 is a link to elsewhere; nothing was unpacked. Name another folder.")
-                                   .arg(QDir::toNativeSeparators(way)));
+                return refused(
+                    core::ErrorCode::FileUnwritable,
+                    QT_TRANSLATE_NOOP("Fault", "%1 is a link to elsewhere; nothing was unpacked. Name another folder."),
+                    {QDir::toNativeSeparators(way)});
         }
         const QString path = into.filePath(file.name);
         if (!QFileInfo::exists(path)) {
@@ -243,9 +251,9 @@ core::Status putInto(const QString& folder, const std::vector<PackedFile>& files
         if (!holds(path, file.content))
             return refused(
                 core::ErrorCode::FileUnwritable,
-                QStringLiteral("There is another file \"%1\" in %2 already; nothing was unpacked. Move it away, "
-                               "or name another folder.")
-                    .arg(file.name, QDir::toNativeSeparators(folder)));
+                QT_TRANSLATE_NOOP("Fault", "There is another file \"%1\" in %2 already; nothing was unpacked. Move it "
+                                           "away, or name another folder."),
+                {file.name, QDir::toNativeSeparators(folder)});
     }
     QStringList made;
     for (const PackedFile* const file : missing) {
@@ -284,17 +292,17 @@ core::Result<QString> openPack(const QString& file)
     // Whole or not at all: another Cusp may look meanwhile.
     QDir().mkpath(cache.path());
     QTemporaryDir beside(cache.filePath(QStringLiteral("part-XXXXXX")));
-    const core::Status put = beside.isValid()
-                                 ? putInto(beside.path(), *files)
-                                 : refused(core::ErrorCode::FileUnwritable,
-                                           QStringLiteral("The folder %1 cannot be written.").arg(cache.path()));
+    const core::Status put =
+        beside.isValid() ? putInto(beside.path(), *files)
+                         : refused(core::ErrorCode::FileUnwritable,
+                                   QT_TRANSLATE_NOOP("Fault", "The folder %1 cannot be written."), {cache.path()});
     if (!put)
         return tl::unexpected(put.error());
     if (QDir().rename(beside.path(), folder))
         beside.setAutoRemove(false);
     else if (!QFileInfo(folder).isDir())
-        return refused(core::ErrorCode::FileUnwritable,
-                       QStringLiteral("The folder %1 cannot be written.").arg(cache.path()));
+        return refused(core::ErrorCode::FileUnwritable, QT_TRANSLATE_NOOP("Fault", "The folder %1 cannot be written."),
+                       {cache.path()});
     return folder;
 }
 

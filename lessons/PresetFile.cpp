@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <utility>
 
 #include <QCryptographicHash>
 #include <QFile>
@@ -76,10 +77,10 @@ bool isOneLine(const std::string& name)
     return std::none_of(name.begin(), name.end(), [](char c) { return c == '\n' || c == '\t'; });
 }
 
-QString tooLarge(qint64 bytes)
+core::Words tooLarge(qint64 bytes)
 {
-    return QStringLiteral("has %1; a hardness preset has at most %2")
-        .arg(sizeWords(bytes), sizeWords(kLargestPresetBytes));
+    return {QT_TRANSLATE_NOOP("Fault", "has %1; a hardness preset has at most %2"),
+            {sizeWords(bytes), sizeWords(kLargestPresetBytes)}};
 }
 
 }  // namespace
@@ -88,8 +89,8 @@ ReadPreset readPresetText(const QByteArray& json, const QString& file)
 {
     ReadPreset read;
     read.file = file;
-    const auto complain = [&](const QString& what, const QString& key = {}) {
-        read.faults.push_back({file, key, what, true});
+    const auto complain = [&](core::Words what, const QString& key = {}) {
+        read.faults.push_back({file, key, std::move(what), true});
         return read;
     };
     if (json.size() > kLargestPresetBytes)
@@ -99,18 +100,20 @@ ReadPreset readPresetText(const QByteArray& json, const QString& file)
         return read;
     JsonKeys keys(*whole, file, {}, read.faults);
     if (const qint64 format = keys.whole("format", 1, kNewestPresetVersion, kPresetFormat); format > kPresetFormat)
-        return complain(QStringLiteral("is %1, from a newer Cusp; this one reads %2. Update Cusp to use it")
-                            .arg(format)
-                            .arg(kPresetFormat),
-                        QStringLiteral("format"));
+        return complain(
+            {QT_TRANSLATE_NOOP("Fault", "is %1, from a newer Cusp; this one reads %2. Update Cusp to use it"),
+             {noted(format), noted(kPresetFormat)}},
+            QStringLiteral("format"));
     if (keys.has("kind") && keys.text("kind") != kKind.toStdString())
-        return complain(QStringLiteral("says that this is no hardness preset; choose a file that Cusp has exported"),
+        return complain({QT_TRANSLATE_NOOP("Fault", "says that this is no hardness preset; choose a file that Cusp has "
+                                                    "exported")},
                         QStringLiteral("kind"));
     FeelPreset preset;
     preset.name = keys.has("name") ? keys.visibleText("name", kLongestPresetName)
                                    : QFileInfo(file).completeBaseName().left(kLongestPresetName).toStdString();
     if (preset.name.empty() || !isOneLine(preset.name))
-        keys.fault("name", QStringLiteral("must be one line of 1 to %1 characters").arg(kLongestPresetName));
+        keys.fault("name",
+                   {QT_TRANSLATE_NOOP("Fault", "must be one line of 1 to %1 characters"), {noted(kLongestPresetName)}});
     preset.version = static_cast<int>(keys.whole("version", 1, kNewestPresetVersion, 1));
     preset.notes = keys.visibleText("notes", kLongestPresetNotes);
     takeNumbers(keys, preset);
@@ -119,7 +122,7 @@ ReadPreset readPresetText(const QByteArray& json, const QString& file)
         return read;
     if (const core::Status held = core::settings::checkStability(preset); !held) {
         read.beyondBound = preset;
-        return complain(QString::fromStdString(held.error().detail), QStringLiteral("force"));
+        return complain(core::wordsOf(held.error()), QStringLiteral("force"));
     }
     read.preset = hashed(std::move(preset));
     return read;
@@ -129,15 +132,15 @@ ReadPreset readPreset(const QString& path)
 {
     ReadPreset read;
     read.file = path;
-    const auto complain = [&](const QString& what) {
-        read.faults.push_back({path, {}, what, true});
+    const auto complain = [&](core::Words what) {
+        read.faults.push_back({path, {}, std::move(what), true});
         return read;
     };
     if (!QFileInfo::exists(path))
-        return complain(QStringLiteral("is not there; check the name"));
+        return complain({QT_TRANSLATE_NOOP("Fault", "is not there; check the name")});
     QFile file(path);
     if (!QFileInfo(path).isFile() || !file.open(QIODevice::ReadOnly))
-        return complain(QStringLiteral("cannot be read; name a file that you may read"));
+        return complain({QT_TRANSLATE_NOOP("Fault", "cannot be read; name a file that you may read")});
     if (file.size() > kLargestPresetBytes)
         return complain(tooLarge(file.size()));
     return readPresetText(file.read(kLargestPresetBytes + 1), path);
@@ -151,8 +154,9 @@ core::Status checkPreset(const FeelPreset& preset)
         return {};
     const auto grave =
         std::find_if(read.faults.begin(), read.faults.end(), [](const Fault& fault) { return fault.grave; });
-    return core::unexpected(core::ErrorCode::OutOfRange,
-                            ((grave->key.isEmpty() ? QString() : grave->key + u' ') + grave->what).toStdString());
+    if (grave->key.isEmpty())
+        return core::unexpected(core::ErrorCode::OutOfRange, grave->what);
+    return core::unexpected(core::ErrorCode::OutOfRange, core::Words{"%1 %2", {noted(grave->key), grave->what}});
 }
 
 QJsonObject toJson(const FeelPreset& preset)

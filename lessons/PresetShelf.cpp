@@ -56,11 +56,12 @@ std::vector<ReadPreset> shelved(std::vector<ReadPreset> kept)
         if (other != all.end() && other->preset->hash == read.preset->hash)
             continue;
         if (other != all.end()) {
-            read.faults.push_back({read.file, QStringLiteral("version"),
-                                   QStringLiteral("there is another %1 of version %2; give this one another number")
-                                       .arg(QString::fromStdString(read.preset->name))
-                                       .arg(read.preset->version),
-                                   true});
+            read.faults.push_back(
+                {read.file,
+                 QStringLiteral("version"),
+                 {QT_TRANSLATE_NOOP("Fault", "there is another %1 of version %2; give this one another number"),
+                  {core::noted(read.preset->name), noted(read.preset->version)}},
+                 true});
             read.preset.reset();
         }
         all.push_back(std::move(read));

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
+
+#include <QtGlobal>
 
 namespace lessons {
 namespace {
@@ -12,18 +15,25 @@ namespace {
 constexpr double kRoundingUnits = 1.0e-9;
 constexpr double kRoundingShare = 1.0e-14;
 
-std::string in(const Rubric& rubric, const CriterionRule& rule, const char* key)
+/// Says where, and what is wrong there.
+tl::unexpected<core::Error> wrong(core::ErrorCode code, const Rubric& rubric, const CriterionRule& rule,
+                                  const char* key, core::Words what)
 {
-    return "rubric " + rubric.id + ", criterion " + rule.id + ", " + key + ": ";
+    return core::unexpected(
+        code, core::Words{QT_TRANSLATE_NOOP("Fault", "rubric %1, criterion %2, %3: %4"),
+                          {core::noted(rubric.id), core::noted(rule.id), core::noted(key), std::move(what)}});
 }
 
 core::Status checkNumber(const Rubric& rubric, const CriterionRule& rule, const char* key, double value, double least)
 {
     if (std::isfinite(value) && value >= least && value <= kLargestRubricNumber)
         return {};
-    return core::unexpected(core::ErrorCode::OutOfRange, in(rubric, rule, key) + std::to_string(value) + " " +
-                                                             rule.unit + " is not between " + std::to_string(least) +
-                                                             " and " + std::to_string(kLargestRubricNumber));
+    return wrong(core::ErrorCode::OutOfRange, rubric, rule, key,
+                 {QT_TRANSLATE_NOOP("Fault", "%1 %2 is not between %3 and %4"),
+                  {core::noted(std::to_string(value)),
+                   {rule.unit},
+                   core::noted(std::to_string(least)),
+                   core::noted(std::to_string(kLargestRubricNumber))}});
 }
 
 core::Status checkCriterion(const Rubric& rubric, const CriterionRule& rule)
@@ -41,16 +51,15 @@ core::Status checkCriterion(const Rubric& rubric, const CriterionRule& rule)
         if (auto sound = checkNumber(rubric, rule, "once", rule.once->reaches, -kLargestRubricNumber); !sound)
             return sound;
     if (rule.critical && rule.once)
-        return core::unexpected(core::ErrorCode::BadStructure,
-                                in(rubric, rule, "once") + "a critical criterion earns nothing, it has nothing to wait "
-                                                           "for");
+        return wrong(core::ErrorCode::BadStructure, rubric, rule, "once",
+                     {QT_TRANSLATE_NOOP("Fault", "a critical criterion earns nothing, it has nothing to wait for")});
     if (rule.critical && rule.weightTenths != 0)
-        return core::unexpected(core::ErrorCode::BadStructure,
-                                in(rubric, rule, "weight") + "a critical criterion has none; it fails the attempt and "
-                                                             "takes all points that are left");
+        return wrong(core::ErrorCode::BadStructure, rubric, rule, "weight",
+                     {QT_TRANSLATE_NOOP("Fault", "a critical criterion has none; it fails the attempt and takes all "
+                                                 "points that are left")});
     if (!rule.critical && rule.weightTenths <= 0)
-        return core::unexpected(core::ErrorCode::OutOfRange,
-                                in(rubric, rule, "weight") + "must be at least 0.1 points");
+        return wrong(core::ErrorCode::OutOfRange, rubric, rule, "weight",
+                     {QT_TRANSLATE_NOOP("Fault", "must be at least 0.1 points")});
     return {};
 }
 
@@ -142,26 +151,32 @@ Values valuesOf(const core::grading::Measured& measured)
 core::Status check(const Rubric& rubric)
 {
     if (rubric.criteria.empty() || rubric.criteria.size() > kMostCriteria)
-        return core::unexpected(core::ErrorCode::BadStructure, "rubric " + rubric.id + ", criteria: there are " +
-                                                                   std::to_string(rubric.criteria.size()) +
-                                                                   ", it takes 1 to " + std::to_string(kMostCriteria));
+        return core::unexpected(
+            core::ErrorCode::BadStructure,
+            core::Words{QT_TRANSLATE_NOOP("Fault", "rubric %1, criteria: there are %2, it takes 1 to %3"),
+                        {core::noted(rubric.id), core::noted(std::to_string(rubric.criteria.size())),
+                         core::noted(std::to_string(kMostCriteria))}});
     if (rubric.passMarkTenths < 0 || rubric.passMarkTenths > kFullTenths)
         return core::unexpected(core::ErrorCode::OutOfRange,
-                                "rubric " + rubric.id + ", pass_mark: must lie between 0 and 100 points");
+                                core::Words{QT_TRANSLATE_NOOP("Fault", "rubric %1, pass_mark: must lie between 0 and "
+                                                                       "100 points"),
+                                            {core::noted(rubric.id)}});
     std::set<std::string> ids;
     int sum = 0;
     for (const CriterionRule& rule : rubric.criteria) {
         if (auto sound = checkCriterion(rubric, rule); !sound)
             return sound;
         if (!ids.insert(rule.id).second)
-            return core::unexpected(core::ErrorCode::BadStructure, in(rubric, rule, "id") + "is there twice");
+            return wrong(core::ErrorCode::BadStructure, rubric, rule, "id",
+                         {QT_TRANSLATE_NOOP("Fault", "is there twice")});
         sum += rule.weightTenths;
     }
     if (sum != kFullTenths) {
         const std::string whole = std::to_string(sum / 10) + "." + std::to_string(sum % 10);
-        return core::unexpected(core::ErrorCode::BadStructure, "rubric " + rubric.id +
-                                                                   ", weight: those of all criteria make " + whole +
-                                                                   " points; they must make 100");
+        return core::unexpected(core::ErrorCode::BadStructure,
+                                core::Words{QT_TRANSLATE_NOOP("Fault", "rubric %1, weight: those of all criteria make "
+                                                                       "%2 points; they must make 100"),
+                                            {core::noted(rubric.id), core::noted(whole)}});
     }
     return {};
 }

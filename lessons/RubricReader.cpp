@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <QCryptographicHash>
 #include <QFileInfo>
@@ -32,7 +33,7 @@ int takeTenths(JsonKeys& keys, const char* key, int otherwise)
         return otherwise;
     const double tenths = *points * 10.0;
     if (std::abs(tenths - std::round(tenths)) > 1.0e-9)
-        keys.fault(key, QStringLiteral("is %1; points are given to a tenth").arg(*points));
+        keys.fault(key, {QT_TRANSLATE_NOOP("Fault", "is %1; points are given to a tenth"), {noted(*points)}});
     return static_cast<int>(std::lround(tenths));
 }
 
@@ -44,8 +45,8 @@ std::string takeMeasure(JsonKeys& keys, const char* key, std::string* unit)
         return id;
     const auto measure = core::grading::findMeasure(id);
     if (!measure)
-        keys.fault(key, QStringLiteral("\"%1\" is no measure; \"cusp lesson measures\" lists them")
-                            .arg(QString::fromStdString(id)));
+        keys.fault(key, {QT_TRANSLATE_NOOP("Fault", "\"%1\" is no measure; \"cusp lesson measures\" lists them"),
+                         {core::noted(id)}});
     else if (unit != nullptr)
         *unit = std::string(measure->unit);
     return id;
@@ -64,7 +65,7 @@ CriterionRule takeCriterion(JsonKeys& keys)
     rule.span = keys.number("span", 0.0, kLargestRubricNumber, rule.unit.c_str(), 0.0);
     if (auto allowance = keys.object("allowance")) {
         if (!allowance->has("each"))
-            allowance->fault("each", QStringLiteral("is missing"));
+            allowance->fault("each", {QT_TRANSLATE_NOOP("Fault", "is missing")});
         rule.allowance = Allowance{takeMeasure(*allowance, "measure", nullptr),
                                    allowance->number("each", 0.0, kLargestRubricNumber, "", 0.0)};
         allowance->nameTheRest();
@@ -73,13 +74,13 @@ CriterionRule takeCriterion(JsonKeys& keys)
         rule.once.emplace();
         rule.once->measure = takeMeasure(*once, "measure", &rule.once->unit);
         if (!once->has("reaches"))
-            once->fault("reaches", QStringLiteral("is missing"));
+            once->fault("reaches", {QT_TRANSLATE_NOOP("Fault", "is missing")});
         rule.once->reaches =
             once->number("reaches", -kLargestRubricNumber, kLargestRubricNumber, rule.once->unit.c_str(), 0.0);
         once->nameTheRest();
     }
     if (!rule.critical && !keys.has("weight"))
-        keys.fault("weight", QStringLiteral("is missing"));
+        keys.fault("weight", {QT_TRANSLATE_NOOP("Fault", "is missing")});
     rule.weightTenths = takeTenths(keys, "weight", 0);
     keys.nameTheRest();
     return rule;
@@ -92,30 +93,31 @@ std::string takeId(JsonKeys& keys)
     static const QRegularExpression kPattern(QStringLiteral("^[a-z0-9][a-z0-9_-]{0,63}$"));
     std::string id = keys.neededText("id", 64);
     if (!id.empty() && !kPattern.match(QString::fromStdString(id)).hasMatch())
-        keys.fault("id", QStringLiteral(
-                             "may hold small letters, digits, '-' and '_' only, and begins with a letter or digit"));
+        keys.fault("id",
+                   {QT_TRANSLATE_NOOP("Fault", "may hold small letters, digits, '-' and '_' only, and begins with a "
+                                               "letter or digit")});
     return id;
 }
 
 std::optional<Gathered> gatherRubric(const QJsonValue& value, const QString& file, JsonFiles& files)
 {
-    const auto complain = [&](const QString& what) {
-        files.say(file, QStringLiteral("rubric"), what);
+    const auto complain = [&](core::Words what) {
+        files.say(file, QStringLiteral("rubric"), std::move(what));
         return std::nullopt;
     };
     if (value.isObject())
         return files.underlaid(value.toObject(), file);
     if (!value.isString())
         return complain(
-            QStringLiteral("is missing; name one that is shipped (\"decay_removal\"), a file beside the lesson, or "
-                           "write it out"));
+            {QT_TRANSLATE_NOOP("Fault", "is missing; name one that is shipped (\"decay_removal\"), a file beside the "
+                                        "lesson, or write it out")});
     const QString name = value.toString();
     const QString found =
         name.endsWith(QStringLiteral(".json")) ? files.find(file, QStringLiteral("rubric"), name) : shippedFile(name);
     if (found.isEmpty())
         return std::nullopt;
     if (!QFileInfo::exists(found))
-        return complain(QStringLiteral("there is no rubric \"%1\"").arg(name.left(80)));
+        return complain({QT_TRANSLATE_NOOP("Fault", "there is no rubric \"%1\""), {noted(name.left(80))}});
     return files.gather(found);
 }
 
@@ -139,7 +141,7 @@ Rubric rubricFrom(const QJsonObject& object, const QString& file, const QString&
             .toStdString();
     if (!anyGrave(found))
         if (const auto sound = check(rubric); !sound)
-            keys.fault("", QString::fromStdString(sound.error().detail));
+            keys.fault("", core::wordsOf(sound.error()));
     faults.insert(faults.end(), found.begin(), found.end());
     return rubric;
 }

@@ -46,7 +46,7 @@ QJsonObject toJson(const lessons::ReadLesson& read)
     QJsonArray faults;
     for (const lessons::Fault& fault : read.faults)
         faults.append(
-            QJsonObject{{"file", fault.file}, {"key", fault.key}, {"what", fault.what}, {"grave", fault.grave}});
+            QJsonObject{{"file", fault.file}, {"key", fault.key}, {"what", fault.english()}, {"grave", fault.grave}});
     QJsonObject object{{"file", read.file}, {"sound", read.lesson.has_value()}, {"faults", faults}};
     if (read.lesson) {
         object.insert("id", QString::fromStdString(read.lesson->id));
@@ -192,16 +192,16 @@ int checkLessons(const QStringList& arguments)
         if (read.lesson) {
             const auto assigned = lessons::assign(*read.lesson);
             if (!assigned) {
-                read.faults.push_back({file, {}, QString::fromStdString(assigned.error().detail), true});
+                read.faults.push_back({file, {}, core::wordsOf(assigned.error()), true});
                 read.lesson.reset();
             } else if (const QString what = lostByTheIdeal(assigned->assignment); !what.isEmpty()) {
-                read.faults.push_back({file, QStringLiteral("rubric"), what, false});
+                read.faults.push_back({file, QStringLiteral("rubric"), lessons::noted(what), false});
             }
             if (assigned && read.lesson->expert) {
                 // The lesson can be given all the same.
                 if (const auto expert = lessons::readExpert(assigned->assignment); !expert)
-                    read.faults.push_back({file, QStringLiteral("expert.recording"),
-                                           QString::fromStdString(expert.error().detail), false});
+                    read.faults.push_back(
+                        {file, QStringLiteral("expert.recording"), core::wordsOf(expert.error()), false});
             }
         }
         isSound = isSound && read.lesson;

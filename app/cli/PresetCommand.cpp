@@ -30,7 +30,7 @@ QJsonArray toJson(const std::vector<lessons::Fault>& faults)
     QJsonArray list;
     for (const lessons::Fault& fault : faults)
         list.append(
-            QJsonObject{{"file", fault.file}, {"key", fault.key}, {"what", fault.what}, {"grave", fault.grave}});
+            QJsonObject{{"file", fault.file}, {"key", fault.key}, {"what", fault.english()}, {"grave", fault.grave}});
     return list;
 }
 

@@ -7,6 +7,8 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "core/base/Result.h"
 
@@ -50,18 +52,20 @@ template <class Design>
 {
     for (const NumberField<Design>& field : fields) {
         const double value = design.*field.value;
-        std::string sentence = "the ";
-        sentence.append(field.name).append(" (").append(field.id).append(") ");
+        std::vector<Words> values{{field.name}, noted(field.id), noted(plainNumber(value))};
         if (!std::isfinite(value))
-            return unexpected(ErrorCode::BadNumber, sentence.append("is not a number"));
+            return unexpected(ErrorCode::BadNumber, Words{"the %1 (%2) is not a number", std::move(values)});
         if (value < field.minimum || value > field.maximum) {
-            sentence.append("must be from ").append(plainNumber(field.minimum)).append(" to ");
-            sentence.append(plainNumber(field.maximum)).append(*field.unit == '\0' ? "" : " ").append(field.unit);
-            return unexpected(ErrorCode::OutOfRange, sentence.append(", not ").append(plainNumber(value)));
+            values.insert(values.end(),
+                          {noted(plainNumber(field.minimum)), noted(plainNumber(field.maximum)), {field.unit}});
+            return unexpected(ErrorCode::OutOfRange,
+                              Words{*field.unit == '\0' ? "the %1 (%2) must be from %4 to %5, not %3"
+                                                        : "the %1 (%2) must be from %4 to %5 %6, not %3",
+                                    std::move(values)});
         }
         if (field.whole && value != std::floor(value))
             return unexpected(ErrorCode::OutOfRange,
-                              sentence.append("must be a whole number, not ").append(plainNumber(value)));
+                              Words{"the %1 (%2) must be a whole number, not %3", std::move(values)});
     }
     return {};
 }
@@ -79,7 +83,8 @@ template <class Design>
         }
         known += (known.empty() ? "" : ", ") + std::string(field.id);
     }
-    return unexpected(ErrorCode::UnknownName, "there is no size \"" + std::string(id) + "\"; there are " + known);
+    return unexpected(ErrorCode::UnknownName,
+                      Words{"there is no size \"%1\"; there are %2", {noted(std::string(id)), noted(known)}});
 }
 
 }  // namespace core

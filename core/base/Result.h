@@ -6,6 +6,8 @@
 
 #include <tl/expected.hpp>
 
+#include "core/base/Words.h"
+
 namespace core {
 
 /// What went wrong, for code that must tell cases apart and for the ui, which owns the translated sentences.
@@ -39,6 +41,7 @@ struct Error
 {
     ErrorCode code = ErrorCode::WrongKind;
     std::string detail;  ///< one English sentence: what, where, what to do; for the log and the command line
+    Words words{};       ///< the same for a window, where it can say it in its language; else empty
 };
 
 /// Expected failure as a value (style guide, section 6). C++23's std::expected has the same member names.
@@ -49,6 +52,18 @@ using Status = Result<void>;
 [[nodiscard]] inline tl::unexpected<Error> unexpected(ErrorCode code, std::string detail)
 {
     return tl::unexpected<Error>(Error{code, std::move(detail)});
+}
+
+[[nodiscard]] inline tl::unexpected<Error> unexpected(ErrorCode code, Words words)
+{
+    std::string detail = inEnglish(words);
+    return tl::unexpected<Error>(Error{code, std::move(detail), std::move(words)});
+}
+
+/// What is said of an error. A window puts a word of its own round what it can say in English only: "%1".
+[[nodiscard]] inline Words wordsOf(const Error& error)
+{
+    return error.words.english.empty() ? Words{"%1", {noted(error.detail)}} : error.words;
 }
 
 }  // namespace core

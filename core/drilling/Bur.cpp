@@ -126,8 +126,8 @@ Result<std::size_t> findBur(std::string_view id)
     std::string known;
     for (const Bur& bur : all)
         known += (known.empty() ? "" : ", ") + std::string(bur.id);
-    return unexpected(ErrorCode::UnknownName,
-                      "There is no bur '" + std::string(id) + "'; choose one of " + known + ".");
+    return unexpected(ErrorCode::UnknownName, Words{"There is no bur '%1'; choose one of %2.",
+                                                    {noted(std::string(id)), noted(std::move(known))}});
 }
 
 }  // namespace core::drilling

@@ -192,7 +192,7 @@ Result<grading::Preparation> accessOpening(const ToothDesign& design, const terr
         }
     if (chamber.size() < 8)
         return unexpected(ErrorCode::BadStructure,
-                          "tooth " + anatomy.name + " has no pulp chamber that could be opened from above");
+                          Words{"tooth %1 has no pulp chamber that could be opened from above", {noted(anatomy.name)}});
     // Half of a molar's chamber has its floor in common, whatever canals leave it; an incisor's has none, and is opened
     // towards where its horns have joined.
     std::nth_element(floors.begin(), floors.begin() + static_cast<std::ptrdiff_t>(floors.size() / 2), floors.end());

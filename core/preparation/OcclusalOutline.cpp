@@ -319,8 +319,9 @@ private:
 
     [[nodiscard]] static tl::unexpected<Error> noRoom(const char* where, const char* figures)
     {
-        return unexpected(ErrorCode::OutOfRange, std::string("there is no room for the ") + where +
-                                                     " on this tooth; make one of these less: " + figures);
+        return unexpected(
+            ErrorCode::OutOfRange,
+            Words{"there is no room for the %1 on this tooth; make one of these less: %2", {{where}, {figures}}});
     }
 
     [[nodiscard]] static std::size_t nearestTo(const Line& line, double u)

@@ -70,8 +70,8 @@ Result<Kind> findKind(std::string_view id)
     std::string known;
     for (const std::string_view kind : kKinds)
         known.append(known.empty() ? "" : ", ").append(kind);
-    return unexpected(ErrorCode::UnknownName,
-                      "there is no preparation '" + std::string(id) + "'; choose one of " + known);
+    return unexpected(ErrorCode::UnknownName, Words{"there is no preparation '%1'; choose one of %2",
+                                                    {noted(std::string(id)), noted(std::move(known))}});
 }
 
 std::vector<NumberField<ToothDesign>> fieldsOf(Kind kind)
@@ -90,9 +90,9 @@ Result<ToothDesign> usualDesign(Kind kind, int fdi)
         std::string known;
         for (const int tooth : teeth)
             known.append(known.empty() ? "" : ", ").append(std::to_string(tooth));
-        return unexpected(ErrorCode::UnknownName, "the preparation '" + std::string(kindId(kind)) +
-                                                      "' is not made for tooth " + std::to_string(fdi) +
-                                                      "; it is for " + known);
+        return unexpected(ErrorCode::UnknownName, Words{"the preparation '%1' is not made for tooth %2; it is for %3",
+                                                        {noted(std::string(kindId(kind))), noted(std::to_string(fdi)),
+                                                         noted(std::move(known))}});
     }
     ToothDesign design;
     if (fdi % 10 >= 6) {
@@ -113,11 +113,12 @@ Status validate(Kind kind, const ToothDesign& design)
         return numbers;
     if (design.lineAngleMm > design.burRadiusMm)
         return unexpected(ErrorCode::OutOfRange,
-                          "the radius between floor and wall (line_angle_mm) is more than the radius of the bur "
-                          "(bur_radius_mm): no bur leaves that");
+                          Words{"the radius between floor and wall (line_angle_mm) is more than the radius of the "
+                                "bur (bur_radius_mm): no bur leaves that"});
     if (kind != Kind::Access && design.isthmusMm < 2.0 * design.burRadiusMm)
-        return unexpected(ErrorCode::OutOfRange, "the width of the isthmus (isthmus_mm) is less than the bur is wide "
-                                                 "(twice bur_radius_mm)");
+        return unexpected(ErrorCode::OutOfRange,
+                          Words{"the width of the isthmus (isthmus_mm) is less than the bur is wide (twice "
+                                "bur_radius_mm)"});
     return {};
 }
 

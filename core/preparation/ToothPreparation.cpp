@@ -144,8 +144,10 @@ Status checkPulp(Kind kind, const grading::Preparation& ideal, const terrain::To
             (*ideal.top)[k] <= anatomy.layers[k].pulpRoof)
             return unexpected(
                 ErrorCode::OutOfRange,
-                std::string("this preparation would open the pulp; make its depth (depth_mm) ") +
-                    (kind == Kind::ClassOne ? "less" : "or that of the box (box_floor_mm, box_axial_mm) less"));
+                Words{kind == Kind::ClassOne
+                          ? "this preparation would open the pulp; make its depth (depth_mm) less"
+                          : "this preparation would open the pulp; make its depth (depth_mm) or that of the box "
+                            "(box_floor_mm, box_axial_mm) less"});
     return {};
 }
 
@@ -195,9 +197,9 @@ Result<ToothDesign> checkTooth(Kind kind, const terrain::ToothAnatomy& anatomy)
 {
     if (!teeth::isGenerated(anatomy))
         return unexpected(ErrorCode::UnknownName,
-                          "nobody knows where the fissures of '" + anatomy.name +
-                              "' run or which side is mesial; choose a tooth by its FDI number, "
-                              "or take an ideal from attempts at this one");
+                          Words{"nobody knows where the fissures of '%1' run or which side is mesial; choose a tooth "
+                                "by its FDI number, or take an ideal from attempts at this one",
+                                {noted(anatomy.name)}});
     return usualDesign(kind, anatomy.fdi);
 }
 

@@ -23,8 +23,9 @@ Result<HardnessPreset> findHardnessPreset(std::string_view name)
         plastic.material.fill({2.5, 0.12});
         return plastic;
     }
-    return unexpected(ErrorCode::UnknownName, "There is no hardness preset '" + std::string(name) +
-                                                  "'; choose natural or typodont, or name a file.");
+    return unexpected(ErrorCode::UnknownName,
+                      Words{"There is no hardness preset '%1'; choose natural or typodont, or name a file.",
+                            {noted(std::string(name))}});
 }
 
 Status check(const HardnessPreset& preset)

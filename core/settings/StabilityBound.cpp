@@ -40,22 +40,25 @@ Status checkStability(const FeelPreset& preset, const LoopFigures& loop, double 
     if (auto sound = check(preset); !sound)
         return sound;
     if (preset.clampN > loop.forceLimitN)
-        return unexpected(ErrorCode::OutOfRange, "the force limit is " + plainNumber(preset.clampN) +
-                                                     " N, and the device gives at most " +
-                                                     plainNumber(loop.forceLimitN) + " N; lower it");
+        return unexpected(ErrorCode::OutOfRange,
+                          Words{"the force limit is %1 N, and the device gives at most %2 N; lower it",
+                                {noted(plainNumber(preset.clampN)), noted(plainNumber(loop.forceLimitN))}});
     const StabilityBound bound = stabilityBound(preset, loop, periodS);
     if (preset.stiffnessNPerMm <= bound.stiffnessNPerMm)
         return {};
-    std::string why = "with this damping";
+    const char* why = "the stiffness is %1 N/mm, and a light hand at %2 ms of delay is held up to %3 N/mm with this "
+                      "damping; lower the stiffness, or damp more";
     if (bound.set == StabilityBound::Set::Lateness)
-        why = "however it is damped";
+        why =
+            "the stiffness is %1 N/mm, and a light hand at %2 ms of delay is held up to %3 N/mm however it is damped; "
+            "lower the stiffness";
     else if (bound.set == StabilityBound::Set::Buzz)
-        why = "before it buzzes";
-    return unexpected(ErrorCode::OutOfRange, "the stiffness is " + plainNumber(preset.stiffnessNPerMm) +
-                                                 " N/mm, and a light hand at " + plainNumber(1000.0 * loop.delayS) +
-                                                 " ms of delay is held up to " + told(bound.stiffnessNPerMm) +
-                                                 " N/mm " + why + "; lower the stiffness" +
-                                                 (bound.set == StabilityBound::Set::Damping ? ", or damp more" : ""));
+        why = "the stiffness is %1 N/mm, and a light hand at %2 ms of delay is held up to %3 N/mm before it buzzes; "
+              "lower the stiffness";
+    return unexpected(ErrorCode::OutOfRange,
+                      Words{why,
+                            {noted(plainNumber(preset.stiffnessNPerMm)), noted(plainNumber(1000.0 * loop.delayS)),
+                             noted(told(bound.stiffnessNPerMm))}});
 }
 
 }  // namespace core::settings

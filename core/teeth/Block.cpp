@@ -31,9 +31,14 @@ constexpr double kMarginMm = 0.5;       ///< of block that stays around and belo
 constexpr double kLeastIslandMm = 0.5;  ///< what a ring or frame stands around
 constexpr double kPadSoftMm = 2.0;      ///< a pad's material goes so deep
 
-Status misfit(std::string sentence)
+Status misfit(const char* sentence, std::vector<Words> values = {})
 {
-    return unexpected(ErrorCode::OutOfRange, std::move(sentence));
+    return unexpected(ErrorCode::OutOfRange, Words{sentence, std::move(values)});
+}
+
+Words number(double value)
+{
+    return noted(plainNumber(value));
 }
 
 /// Boxes side by side that share their corners: heights over a lattice of rectangles, as one closed surface.
@@ -113,18 +118,18 @@ Status validate(const BlockDesign& design)
         return misfit("the thickness of the enamel layer (enamel_mm) is more than the block's height (height_mm)");
     if (design.shape == BlockShape::Layers) {
         if (design.sideMm < 2.0 * kPadX.back() + kPadWidthMm || design.heightMm < kPadHeightMm + kPadSoftMm)
-            return misfit("the block's side or height (side_mm, height_mm) is too small for three pads: they take " +
-                          plainNumber(2.0 * kPadX.back() + kPadWidthMm) + " and " +
-                          plainNumber(kPadHeightMm + kPadSoftMm) + " mm");
+            return misfit("the block's side or height (side_mm, height_mm) is too small for three pads: they take %1 "
+                          "and %2 mm",
+                          {number(2.0 * kPadX.back() + kPadWidthMm), number(kPadHeightMm + kPadSoftMm)});
         return {};
     }
     const double widest = design.lengthMm + (design.shape == BlockShape::Dovetail ? 2.0 * design.flareMm : 0.0);
     if (widest > design.sideMm - 2.0 * kMarginMm)
-        return misfit("the length of the shape (length_mm) leaves less than " + plainNumber(kMarginMm) +
-                      " mm of the block around it");
+        return misfit("the length of the shape (length_mm) leaves less than %1 mm of the block around it",
+                      {number(kMarginMm)});
     if (design.depthMm > design.heightMm - kMarginMm)
-        return misfit("the depth of the channel (depth_mm) leaves less than " + plainNumber(kMarginMm) +
-                      " mm of the block below it");
+        return misfit("the depth of the channel (depth_mm) leaves less than %1 mm of the block below it",
+                      {number(kMarginMm)});
     if (2.0 * design.cornerRadiusMm > design.widthMm)
         return misfit("the radius of inner corners (corner_radius_mm) is more than half of the width of the channel "
                       "(width_mm)");
@@ -136,8 +141,9 @@ Status validate(const BlockDesign& design)
     const bool goesRound = design.shape == BlockShape::Circle || design.shape == BlockShape::Square;
     const double needed = goesRound ? 2.0 * design.widthMm + kLeastIslandMm : 3.0 * design.widthMm;
     if (design.shape != BlockShape::Line && design.shape != BlockShape::Staircase && design.lengthMm < needed)
-        return misfit("the length of the shape (length_mm) must be at least " + plainNumber(needed) +
-                      " mm with a channel of that width (width_mm)");
+        return misfit("the length of the shape (length_mm) must be at least %1 mm with a channel of that width "
+                      "(width_mm)",
+                      {number(needed)});
     if (design.lengthMm < design.widthMm)
         return misfit("the length of the shape (length_mm) is less than the width of the channel (width_mm)");
     if (design.shape == BlockShape::Staircase && design.lengthMm / design.steps < design.widthMm)
@@ -164,8 +170,8 @@ std::optional<Result<BlockDesign>> findBlock(std::string_view name)
     std::string known;
     for (const std::string_view shape : kShapes)
         known.append(known.empty() ? "" : ", ").append(kPrefix).append(shape);
-    return unexpected(ErrorCode::UnknownName,
-                      "there is no practice block '" + std::string(name) + "'; choose one of " + known);
+    return unexpected(ErrorCode::UnknownName, Words{"there is no practice block '%1'; choose one of %2",
+                                                    {noted(std::string(name)), noted(std::move(known))}});
 }
 
 std::array<terrain::Material, 3> padMaterials(std::uint64_t seed)

@@ -24,7 +24,7 @@ void exerciseLesson(std::string_view bytes)
     const lessons::ReadLesson read =
         lessons::readLessonText(QByteArray(bytes.data(), static_cast<qsizetype>(bytes.size())), name);
     for (const lessons::Fault& fault : read.faults)
-        promise(!fault.what.isEmpty() && !fault.sentence().isEmpty());
+        promise(!fault.english().isEmpty() && !fault.sentence().isEmpty());
     if (!read.lesson) {
         promise(!read.faults.empty());
         return;

@@ -421,6 +421,15 @@ void TestLessonReader::refusesAFileThatIsNotThere()
     QVERIFY(sentences(readLesson(write("text.lesson.json", QByteArray("Dear all,\nhello"))))
                 .contains("is not JSON: line 1, column"));
     QVERIFY(sentences(readLesson(write("list.lesson.json", QByteArray("[]")))).contains("one JSON object"));
+    // What is wrong with a JSON text is told as Qt tells it.
+    for (const QByteArray json :
+         {"{", "{\"a\" 1}", "{\"a\": [1", "{\"a\": 1 \"b\": 2}", "{\"a\": 1e}", "{\"a\": \"\\u1\"}", "{\"a\": \"",
+          "{\"a\": 1,}", "{\"a\": 1} {", "{\"a\": x}", "{\"a\": \"\xFF\"}"}) {
+        QJsonParseError error{};
+        QVERIFY2(QJsonDocument::fromJson(json, &error).isNull(), json);
+        const QString said = sentences(readLesson(write("broken.lesson.json", json)));
+        QVERIFY2(said.contains(error.errorString()), qPrintable(said + " / " + error.errorString()));
+    }
     QVERIFY(!readLesson(write("latin.lesson.json", QByteArray("{\"id\": \"\xE4\"}"))).lesson);
     // A mark at the beginning that some editors set is no fault.
     QVERIFY(readLesson(write("bom.lesson.json", "\xEF\xBB\xBF" + QJsonDocument(lesson()).toJson())).lesson);

@@ -40,7 +40,7 @@ QString allFaults(const lessons::ReadPreset& read)
 {
     QString text;
     for (const lessons::Fault& fault : read.faults)
-        text += (fault.grave ? "grave " : "note ") + fault.key + ": " + fault.what + u'\n';
+        text += (fault.grave ? "grave " : "note ") + fault.key + ": " + fault.english() + u'\n';
     return text;
 }
 

@@ -15,11 +15,13 @@
 #include <QSet>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTranslator>
 
 #include "core/preparation/CapturedIdeal.h"
 #include "lessons/LessonCatalog.h"
 #include "ui/shell/Actions.h"
 #include "ui/study/LessonEditor.h"
+#include "ui/study/LessonsPage.h"
 #include "ui/study/SweepChart.h"
 
 using namespace ui::study;
@@ -42,6 +44,8 @@ private slots:
     void aDeeperIdealIsCutDeeper();
     void aWiderToleranceIsAWiderBand();
     void whatIsWrongIsSaidBesideItsField();
+    void whatIsWrongIsSaidInTheLanguageOfTheWindow();
+    void aFaultyLessonIsToldOfInTheLanguageOfTheWindow();
     void changesInARowAreOneStepBack();
     void aShippedLessonIsSavedAsTheTeachersOwn();
     void saveRefusesNothingSilently();
@@ -189,6 +193,59 @@ void TestLessonEditor::whatIsWrongIsSaidBesideItsField()
     m_editor->undo();
     QTRY_VERIFY_WITH_TIMEOUT(!anyFault("no bur leaves that"), kLoadedMs);
     QTRY_COMPARE_WITH_TIMEOUT(spin("line_angle_mm")->value(), 0.2, kLoadedMs);
+}
+
+void TestLessonEditor::whatIsWrongIsSaidInTheLanguageOfTheWindow()
+{
+    open("class1-36");
+    spin("bur_radius_mm")->setValue(0.3);
+    spin("line_angle_mm")->setValue(0.5);
+    QTRY_VERIFY_WITH_TIMEOUT(anyFault("no bur leaves that"), kLoadedMs);
+    QVERIFY2(check().contains("no bur leaves that"), qPrintable(check()));
+    {
+        QTranslator german;
+        QVERIFY(german.load(QStringLiteral(":/i18n/cusp_de.qm")));
+        QCoreApplication::installTranslator(&german);
+        QTRY_VERIFY_WITH_TIMEOUT(anyFault("das hinterlässt kein Bohrer") && !anyFault("no bur"), kLoadedMs);
+        QVERIFY2(check().contains("das hinterlässt kein Bohrer"), qPrintable(check()));
+        m_editor->save();
+        QTRY_VERIFY2_WITH_TIMEOUT(saidBelow().contains("das hinterlässt kein Bohrer"), qPrintable(saidBelow()),
+                                  kLoadedMs);
+    }
+    QTRY_VERIFY_WITH_TIMEOUT(anyFault("no bur leaves that"), kLoadedMs);
+}
+
+void TestLessonEditor::aFaultyLessonIsToldOfInTheLanguageOfTheWindow()
+{
+    QJsonObject object = QJsonDocument::fromJson(QByteArray::fromStdString(shipped("class1-36").lesson->json)).object();
+    object.insert("grid", 3);
+    object.insert("exam", "maybe");
+    object.insert("burs", QJsonArray{"9999"});
+    object.insert("minuts", 4);
+    object.remove("title");
+    const auto read = ::lessons::readDraft(object, m_folder->filePath("odd.lesson.json"));
+    QCOMPARE(read.faults.size(), std::size_t{5});
+    LessonsPage page(*m_window->findChild<ui::shell::Actions*>(), m_window.get());
+    page.setLessons({{read, false, {}}}, {});
+    const auto labels = [&page] {
+        QStringList all;
+        for (const QLabel* label : page.findChildren<QLabel*>())
+            all << label->text();
+        return all;
+    };
+    for (const ::lessons::Fault& fault : read.faults)
+        QVERIFY2(labels().contains(fault.sentence()), qPrintable(fault.sentence()));
+    {
+        QTranslator german;
+        QVERIFY(german.load(QStringLiteral(":/i18n/cusp_de.qm")));
+        QCoreApplication::installTranslator(&german);
+        QTRY_VERIFY(labels().contains("odd.lesson.json, title: fehlt"));
+        QVERIFY(labels().contains("odd.lesson.json, grid: ist 3, muss aber zwischen 64 und 1024 liegen"));
+        QVERIFY(labels().contains("odd.lesson.json, exam: ist ein Text; schreiben Sie true oder false"));
+        for (const ::lessons::Fault& fault : read.faults)
+            QVERIFY2(!labels().join(u'\n').contains(fault.english()), qPrintable(fault.english()));
+    }
+    QTRY_VERIFY(labels().contains(read.faults.front().sentence()));
 }
 
 void TestLessonEditor::changesInARowAreOneStepBack()

@@ -10,12 +10,18 @@
 #include <QXmlStreamReader>
 
 #include "core/drilling/Bur.h"
+#include "core/preparation/CapturedIdeal.h"
+#include "core/preparation/ToothDesign.h"
 #include "core/session/Links.h"
+#include "core/teeth/Block.h"
 #include "core/teeth/ToothBuilder.h"
+#include "lessons/LessonReader.h"
+#include "lessons/PresetFile.h"
 #include "lessons/Rubric.h"
 #include "ui/admin/AdminWords.h"
 #include "ui/people/PeopleWords.h"
 #include "ui/study/LessonWords.h"
+#include "ui/text/FaultWords.h"
 #include "ui/text/Texts.h"
 
 using core::ErrorCode;
@@ -37,6 +43,11 @@ private slots:
     void aScanIsCalledByItsFile();
     void everyBlockHasATitleOfItsOwn();
     void whatACheckFoundIsToldInWords();
+    void faultsAreToldInEveryLanguage_data();
+    void faultsAreToldInEveryLanguage();
+    void whatCoreRefusesIsToldInEveryLanguage_data();
+    void whatCoreRefusesIsToldInEveryLanguage();
+    void aFaultWithoutWordsIsToldAsWhatItIs();
     void everyBurHasAName();
     void whatAnAuditRowIsAboutIsToldInWords_data();
     void whatAnAuditRowIsAboutIsToldInWords();
@@ -334,21 +345,136 @@ void TestTexts::whatACheckFoundIsToldInWords()
     const ui::admin::NamesByUid names{{"1f", "Sam %2 (s1001)"}, {"class:5", "DEN101-A"}};
     const database::Finding enrolled{"%1 was put into %2, and it was not noted", {"person:1f", "class:5"}};
     QCOMPARE(enrolled.english(), QString("person:1f was put into class:5, and it was not noted"));
-    QCOMPARE(ui::admin::findingWords(enrolled, names),
+    QCOMPARE(ui::admin::findingWords(enrolled, names, {}),
              QString("Sam %2 (s1001) was put into DEN101-A, and it was not noted"));
     const database::Finding role{"%1 has the role %2, the audit says %3", {"person:1f", "admin", "student"}};
     const QString at = ui::people::when("2026-11-20T10:15:00Z");
     const database::Finding row{"audit row %1 (%2, %3, %4) was changed, or the one before it was and its hash with it",
                                 {"9", "2026-11-20T10:15:00Z", "login", "person:1f"}};
-    QCOMPARE(ui::admin::findingWords(row, names),
+    QCOMPARE(ui::admin::findingWords(row, names, {}),
              QString("audit row 9 (%1, logged in, Sam %2 (s1001)) was changed, or the one before it was and its hash "
                      "with it")
                  .replace("%1", at));
+    // A lesson by its title, as long as somebody knows it.
+    const database::Finding given{"that %1 was given the lesson %2 was removed", {"class:5", "class1-36"}};
+    QCOMPARE(ui::admin::findingWords(given, names, {{"class1-36", "Class I, 36"}}),
+             QString("that DEN101-A was given the lesson Class I, 36 was removed"));
+    QCOMPARE(ui::admin::findingWords(given, names, {}),
+             QString("that DEN101-A was given the lesson class1-36 was removed"));
+    database::AuditRow assigned;
+    assigned.action = "lesson.assign";
+    assigned.detail = R"({"lesson": "class1-36"})";
+    QCOMPARE(ui::admin::detailWords(assigned, names, {{"class1-36", "Class I, 36"}}), QString("Class I, 36"));
     QTranslator german;
     QVERIFY(german.load(QStringLiteral(":/i18n/cusp_de.qm")));
     QCoreApplication::installTranslator(&german);
-    QCOMPARE(ui::admin::findingWords(role, names),
+    QCOMPARE(ui::admin::findingWords(role, names, {}),
              QStringLiteral("Rolle: Sam %2 (s1001) – Admin; das Protokoll sagt Student/in"));
+}
+
+void TestTexts::faultsAreToldInEveryLanguage_data()
+{
+    addLanguages();
+}
+
+void TestTexts::faultsAreToldInEveryLanguage()
+{
+    QFETCH(QString, language);
+    const char* lesson = R"({"format": 1, "id": "A b", "title": "", "goal": {"en": 3}, "task": "fly", "grid": 3,
+        "tooth": {"scan": "../a.stl", "fdi": 9, "unit": "ell", "up": "x"}, "exam": 1, "minutes": "8", "burs": ["x"],
+        "handpieces": ["x"], "aids": ["x"], "hardness": "x", "ideal": {"kind": "x", "captured": "a"}, "version": 1.5,
+        "lesion": 1, "touch": {"points": [[99, 0]]}, "rules": {"neighbour_hit": true, "air_limit_s": 0}, "minuts": 1,
+        "steps": [1], "rubric": {"id": "r", "criteria": [{"id": "c", "measure": "x", "weight": 1.23}, 2]}})";
+    std::vector<lessons::Fault> faults = lessons::readLessonText(lesson, "a.json").faults;
+    QVERIFY(faults.size() > 20);
+    for (const QByteArray json :
+         {"", "{", "[]", "{\"a\" 1}", "{\"a\": 1, \"a\": 2}", "{\"a\": \"\xFF\"}", "{\"a\": [1}"})
+        faults.push_back(lessons::readLessonText(json, "a.json").faults.front());
+    for (const QByteArray json : {R"({"format": 9})", R"({"kind": "x"})", R"({"name": ""})",
+                                  R"({"force": {"stiffness_n_per_mm": 15}})", R"({"enamel": {"rate_mm3_per_ns": -1}})"})
+        faults.push_back(lessons::readPresetText(json, "a.cusppreset").faults.front());
+    for (const char* rubric : {R"({"id": "r", "title": "R"})",
+                               R"({"id": "r", "title": "R", "criteria": [{"id": "c", "measure": "caries_left_percent",
+                                   "weight": 90}]})",
+                               R"({"id": "r", "title": "R", "criteria": [{"id": "c", "measure": "caries_left_percent",
+                                   "weight": 10, "critical": true}]})"}) {
+        QByteArray json(
+            R"({"format": 1, "id": "a", "title": "A", "goal": "A", "task": "remove_decay", "tooth": {"fdi": 36},
+                           "lesion": {"extent": 0.5}, "rubric": %1})");
+        faults.push_back(lessons::readLessonText(json.replace("%1", rubric), "a.json").faults.front());
+    }
+    QTranslator words;
+    QVERIFY(words.load(":/i18n/cusp_" + language + ".qm"));
+    QCoreApplication::installTranslator(&words);
+    static const QRegularExpression english("\\b(is|the|must|there|with|write|missing|leave|which|and)\\b");
+    for (const lessons::Fault& fault : faults) {
+        const QString said = ui::text::faultWords(fault);
+        QVERIFY2(said.contains("a.") && said.contains(fault.key), qPrintable(said));
+        QVERIFY2(!ui::text::faultWords(fault.what).contains(english), qPrintable(said));
+        QVERIFY2(!said.contains("%"), qPrintable(said));
+    }
+}
+
+void TestTexts::whatCoreRefusesIsToldInEveryLanguage_data()
+{
+    addLanguages();
+}
+
+void TestTexts::whatCoreRefusesIsToldInEveryLanguage()
+{
+    using namespace core::preparation;
+    QFETCH(QString, language);
+    std::vector<core::Error> errors;
+    const auto refused = [&](const auto& result) {
+        if (!result)
+            errors.push_back(result.error());
+    };
+    refused(core::drilling::findBur("x"));
+    refused(core::settings::findHandpiece("x"));
+    refused(core::settings::findHardnessPreset("x"));
+    refused(*core::teeth::findBlock("block:x"));
+    refused(findKind("x"));
+    refused(usualDesign(Kind::ClassOne, 31));
+    refused(capturedFrom({}));
+    refused(capturedFrom("x"));
+    refused(capturedFrom(toBytes({}).substr(0, 9)));
+    const ToothDesign usual = usualDesign(Kind::ClassOne, 36).value();
+    const auto refuse = [&](double ToothDesign::*number, double value) {
+        ToothDesign design = usual;
+        design.*number = value;
+        refused(validate(Kind::ClassOne, design));
+    };
+    refuse(&ToothDesign::depthMm, 99.0);
+    refuse(&ToothDesign::lineAngleMm, usual.burRadiusMm + 0.01);
+    refuse(&ToothDesign::isthmusMm, 2.0 * usual.burRadiusMm - 0.01);
+    const auto refuseBlock = [&](double core::teeth::BlockDesign::*number, double value) {
+        core::teeth::BlockDesign design;
+        design.*number = value;
+        refused(core::teeth::validate(design));
+    };
+    refuseBlock(&core::teeth::BlockDesign::enamelMm, 9.9);
+    refuseBlock(&core::teeth::BlockDesign::steps, 2.5);
+    refuseBlock(&core::teeth::BlockDesign::lengthMm, 28.0);
+    QCOMPARE(errors.size(), std::size_t{15});
+    QTranslator words;
+    QVERIFY(words.load(":/i18n/cusp_" + language + ".qm"));
+    QCoreApplication::installTranslator(&words);
+    static const QRegularExpression english("\\b(is|the|must|there|with|choose|this|from)\\b");
+    for (const core::Error& error : errors) {
+        const QString said = ui::text::faultWords(core::wordsOf(error));
+        QVERIFY2(!said.contains(english) && !said.contains("%"), qPrintable(said));
+        QVERIFY2(said != QString::fromStdString(error.detail), qPrintable(said));
+    }
+}
+
+void TestTexts::aFaultWithoutWordsIsToldAsWhatItIs()
+{
+    const core::Error error{ErrorCode::BadStructure, "it is 100%1 odd", {}};
+    QCOMPARE(ui::text::faultWords(core::wordsOf(error)), QString("it is 100%1 odd"));
+    QTranslator german;
+    QVERIFY(german.load(QStringLiteral(":/i18n/cusp_de.qm")));
+    QCoreApplication::installTranslator(&german);
+    QCOMPARE(ui::text::faultWords(core::wordsOf(error)), QString("it is 100%1 odd (nur auf Englisch bekannt)"));
 }
 
 void TestTexts::everyBurHasAName()
@@ -460,6 +586,10 @@ void TestTexts::translationIsComplete()
     QFETCH(QString, language);
     const QList<Entry> entries = entriesOf(tsFile(language));
     QVERIFY(entries.size() > 150);
+    // Sentences of the rooms below, which are only marked there.
+    for (const char* context : {"Finding", "Fault"})
+        QVERIFY2(std::any_of(entries.begin(), entries.end(), [&](const Entry& one) { return one.context == context; }),
+                 context);
     for (const Entry& entry : entries) {
         const QString where = entry.context + ": " + entry.source;
         QVERIFY2(entry.type.isEmpty(), qPrintable(where + " is " + entry.type));

@@ -63,6 +63,12 @@ AdminPage::Part AdminPage::part() const
     return static_cast<Part>(m_choice->checkedId());
 }
 
+void AdminPage::setLessonTitles(const people::LessonTitles& titles)
+{
+    m_backups->setLessonTitles(titles);
+    m_audit->setLessonTitles(titles);
+}
+
 void AdminPage::show(Part part)
 {
     m_choice->button(part)->setChecked(true);

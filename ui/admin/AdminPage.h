@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/people/PeopleWords.h"
 #include "ui/shell/Page.h"
 
 class QButtonGroup;
@@ -30,6 +31,8 @@ public:
     [[nodiscard]] BackupPart& backups() { return *m_backups; }
     [[nodiscard]] AuditPart& audit() { return *m_audit; }
     [[nodiscard]] StationPart& station() { return *m_station; }
+    /// Lessons are told by title where a check or the audit names them.
+    void setLessonTitles(const people::LessonTitles& titles);
 
 signals:
     /// What it shows is to be brought up to date.

@@ -10,7 +10,7 @@
 #include <QJsonObject>
 #include <QLocale>
 
-#include "ui/people/PeopleWords.h"
+#include "core/base/Words.h"
 #include "ui/text/Texts.h"
 
 namespace ui::admin {
@@ -117,9 +117,11 @@ QString named(const QString& what, const NamesByUid& names)
     return what;
 }
 
-/// Of a finding: a moment, an action, a role, or what something was done to.
-QString noted(const QString& value, const NamesByUid& names)
+/// Of a finding: a moment, an action, a role, a lesson, or what something was done to.
+QString noted(const QString& value, const NamesByUid& names, const people::LessonTitles& titles)
 {
+    if (const auto title = titles.find(value); title != titles.end())
+        return *title;
     if (QDateTime::fromString(value, Qt::ISODate).isValid())
         return people::when(value.toStdString());
     if (const auto role = database::roleOf(value.toStdString()))
@@ -129,7 +131,8 @@ QString noted(const QString& value, const NamesByUid& names)
 }
 
 /// One thing that was noted beside an action; some say all by their value.
-QString detailOf(const QString& key, const QJsonValue& noted, const NamesByUid& names)
+QString detailOf(const QString& key, const QJsonValue& noted, const NamesByUid& names,
+                 const people::LessonTitles& titles)
 {
     constexpr double kTenths = 10.0;
     if (noted.isBool() || key == u"disabled")
@@ -138,6 +141,8 @@ QString detailOf(const QString& key, const QJsonValue& noted, const NamesByUid& 
     const QString value = noted.toVariant().toString();
     if (key == u"role")
         return roleWord(database::roleOf(value.toStdString()).value_or(database::Role::Student));
+    if (key == u"lesson")
+        return people::lessonTitle(titles, value.toStdString());
     if (key == u"given_tenths")
         return text::number(noted.toDouble() / kTenths, 1);
     if (key == u"due" || key == u"begun")
@@ -189,7 +194,7 @@ QString objectWords(const database::AuditRow& row, const NamesByUid& names)
     return named(QString::fromStdString(row.object), names);
 }
 
-QString detailWords(const database::AuditRow& row, const NamesByUid& names)
+QString detailWords(const database::AuditRow& row, const NamesByUid& names, const people::LessonTitles& titles)
 {
     const QJsonObject noted = QJsonDocument::fromJson(QByteArray::fromStdString(row.detail)).object();
     QStringList words;
@@ -199,17 +204,18 @@ QString detailWords(const database::AuditRow& row, const NamesByUid& names)
         if (it.key().contains(QStringLiteral("digest")) || it.key() == u"school" || it.value().isNull() ||
             it.value() == QString())
             continue;
-        words << detailOf(it.key(), it.value(), names);
+        words << detailOf(it.key(), it.value(), names, titles);
     }
     return words.join(QStringLiteral(", "));
 }
 
-QString findingWords(const database::Finding& finding, const NamesByUid& names)
+QString findingWords(const database::Finding& finding, const NamesByUid& names, const people::LessonTitles& titles)
 {
-    QStringList values;
+    std::vector<std::string> values;
     for (const std::string& value : finding.values)
-        values << noted(QString::fromStdString(value), names);
-    return database::filled(QCoreApplication::translate("Finding", finding.words), values);
+        values.push_back(noted(QString::fromStdString(value), names, titles).toStdString());
+    const QString words = QCoreApplication::translate("Finding", finding.words);
+    return QString::fromStdString(core::filled(words.toStdString(), values));
 }
 
 QString rosterFaultWords(const database::RosterFault& fault)

@@ -10,6 +10,7 @@
 #include "database/Session.h"
 #include "database/people.h"
 #include "database/records.h"
+#include "ui/people/PeopleWords.h"
 
 /// What an admin's page calls things.
 namespace ui::admin {
@@ -25,9 +26,11 @@ using NamesByUid = std::map<std::string, QString>;
 /// Who did it, and to what, by name where there is one.
 [[nodiscard]] QString actorWords(const database::AuditRow& row, const NamesByUid& names);
 /// What else was noted, in a line; without what only the check reads.
-[[nodiscard]] QString detailWords(const database::AuditRow& row, const NamesByUid& names);
+[[nodiscard]] QString detailWords(const database::AuditRow& row, const NamesByUid& names,
+                                  const people::LessonTitles& titles);
 [[nodiscard]] QString objectWords(const database::AuditRow& row, const NamesByUid& names);
-/// What a check found, people and classes by name.
-[[nodiscard]] QString findingWords(const database::Finding& finding, const NamesByUid& names);
+/// What a check found, people, classes and lessons by name.
+[[nodiscard]] QString findingWords(const database::Finding& finding, const NamesByUid& names,
+                                   const people::LessonTitles& titles);
 
 }  // namespace ui::admin

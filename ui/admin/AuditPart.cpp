@@ -122,8 +122,9 @@ void AuditPart::fill()
         {tr("No."), tr("When"), tr("Who"), tr("What"), tr("Whom or what"), tr("Details")});
     for (const database::AuditRow& row : m_audit) {
         QList<QStandardItem*> items;
-        for (const QString& words : {QString::number(row.seq), people::when(row.atUtc), actorWords(row, m_names),
-                                     actionWords(row.action), objectWords(row, m_names), detailWords(row, m_names)})
+        for (const QString& words :
+             {QString::number(row.seq), people::when(row.atUtc), actorWords(row, m_names), actionWords(row.action),
+              objectWords(row, m_names), detailWords(row, m_names, m_titles)})
             items << new QStandardItem(words);
         items[kObject]->setToolTip(brokenIntoLines(items[kObject]->text()));
         items.back()->setToolTip(brokenIntoLines(QString::fromStdString(row.detail)));
@@ -136,6 +137,12 @@ void AuditPart::fill()
 void AuditPart::setNames(const NamesByUid& names)
 {
     m_names = names;
+    fill();
+}
+
+void AuditPart::setLessonTitles(const people::LessonTitles& titles)
+{
+    m_titles = titles;
     fill();
 }
 

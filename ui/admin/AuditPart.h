@@ -28,6 +28,7 @@ public:
     explicit AuditPart(QWidget* parent);
 
     void setNames(const NamesByUid& names);
+    void setLessonTitles(const people::LessonTitles& titles);
     /// In place of what is there.
     void setRows(const QList<database::AuditRow>& newestFirst, const QString& code);
     /// Older ones, beneath.
@@ -44,6 +45,7 @@ private:
 
     QList<database::AuditRow> m_audit;
     NamesByUid m_names;
+    people::LessonTitles m_titles;
     QLabel* m_code;
     QPushButton* m_copy;
     QLineEdit* m_search;

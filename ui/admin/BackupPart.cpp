@@ -158,7 +158,7 @@ void BackupPart::tellEnd()
     m_said->setText(m_sentence ? m_sentence() : QString());
     QStringList lines;
     for (const database::Finding& one : m_found)
-        lines << findingWords(one, m_names);
+        lines << findingWords(one, m_names, m_titles);
     if (const QString words = lines.join(u'\n'); m_findings->toPlainText() != words)
         m_findings->setPlainText(words);
     m_findings->setVisible(!lines.isEmpty());
@@ -261,6 +261,12 @@ void BackupPart::showProgress(const QString& what, qint64 done, qint64 all)
 void BackupPart::setNames(const NamesByUid& names)
 {
     m_names = names;
+}
+
+void BackupPart::setLessonTitles(const people::LessonTitles& titles)
+{
+    m_titles = titles;
+    tell();
 }
 
 void BackupPart::finish(std::function<QString()> sentence, std::vector<database::Finding> findings)

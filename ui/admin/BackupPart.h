@@ -57,6 +57,7 @@ public:
     void finish(std::function<QString()> sentence, std::vector<database::Finding> findings = {});
     /// What findings call people and classes by.
     void setNames(const NamesByUid& names);
+    void setLessonTitles(const people::LessonTitles& titles);
     /// What was typed is no audit code; nothing has begun.
     void refuseCode();
 
@@ -101,6 +102,7 @@ private:
     std::function<QString()> m_sentence;  ///< how the last work ended
     std::vector<database::Finding> m_found;
     NamesByUid m_names;
+    people::LessonTitles m_titles;
     QPlainTextEdit* m_findings;
     QStandardItemModel* m_rows;
     people::ListTable* m_table;

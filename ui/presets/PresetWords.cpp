@@ -6,6 +6,7 @@
 
 #include <QCoreApplication>
 
+#include "ui/text/FaultWords.h"
 #include "ui/text/Texts.h"
 
 namespace ui::presets {
@@ -21,29 +22,6 @@ constexpr int kHashShown = 8;
 bool isRate(const QString& id)
 {
     return id.endsWith(QLatin1String("rate_mm3_per_ns"));
-}
-
-QString faultWords(const lessons::Fault& fault)
-{
-    if (!fault.grave)
-        return Words::tr("\"%1\" is not known here and was left out.").arg(fault.key);
-    for (const auto& field : core::settings::feelFields())
-        if (fault.key == QLatin1String(field.id))
-            //: %1 is a number of a hardness preset, %2 a range
-            return Words::tr("%1: only a number from %2 can be taken.").arg(fieldName(field.id), rangeWords(field));
-    if (fault.key == u"name")
-        return Words::tr("The name must be one line of 1 to %1 characters that can be seen.")
-            .arg(lessons::kLongestPresetName);
-    if (fault.key == u"notes")
-        return Words::tr("The notes take at most %1 characters, and only those that can be seen.")
-            .arg(lessons::kLongestPresetNotes);
-    if (fault.key == u"version")
-        return Words::tr("The version must be a whole number from 1 that no other preset of this name has.");
-    if (fault.key == u"format")
-        return Words::tr("It is from a newer Cusp. Update Cusp to use it.");
-    if (fault.key.isEmpty() || fault.key == u"kind")
-        return Words::tr("This is no hardness preset that can be read. Choose a file that Cusp has exported.");
-    return Words::tr("What stands under \"%1\" cannot be taken.").arg(fault.key);
 }
 
 }  // namespace
@@ -164,8 +142,7 @@ QString faultWords(const lessons::ReadPreset& read)
         return boundWords(*read.beyondBound);
     const auto grave =
         std::find_if(read.faults.begin(), read.faults.end(), [](const lessons::Fault& fault) { return fault.grave; });
-    const lessons::Fault& told = grave != read.faults.end() ? *grave : read.faults.front();
-    return faultWords(told) + u'\n' + told.sentence();
+    return text::faultWords(grave != read.faults.end() ? *grave : read.faults.front());
 }
 
 bool isHeld(const core::settings::FeelPreset& preset)

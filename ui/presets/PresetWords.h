@@ -23,8 +23,7 @@ namespace ui::presets {
 
 /// Up to where the loop holds it, or that it does not and what to change.
 [[nodiscard]] QString boundWords(const core::settings::FeelPreset& preset);
-/// What is wrong with a preset that was read, or what deserves a look; in a second line exactly that, in English, as
-/// `cusp preset check` says it, where it says more.
+/// What is wrong with a preset that was read, or what deserves a look, with file and key.
 [[nodiscard]] QString faultWords(const lessons::ReadPreset& read);
 [[nodiscard]] bool isHeld(const core::settings::FeelPreset& preset);
 

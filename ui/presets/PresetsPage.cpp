@@ -394,10 +394,12 @@ void PresetsPage::fill()
     for (std::size_t k = 0; k < m_all.size(); ++k) {
         const lessons::ReadPreset& read = m_all[k];
         if (!read.preset) {
-            auto* item = new QListWidgetItem(QStringLiteral("⚠ ") + faultWords(read), m_list);
+            const QString words = faultWords(read);
+            auto* item = new QListWidgetItem(QStringLiteral("⚠ ") + words, m_list);
             item->setFlags(Qt::NoItemFlags);
             item->setSizeHint({0, kRowPx});
-            item->setToolTip(brokenIntoLines(QFileInfo(read.file).fileName() + u'\n' + faultWords(read)));
+            item->setToolTip(
+                brokenIntoLines(read.beyondBound ? QFileInfo(read.file).fileName() + u'\n' + words : words));
             continue;
         }
         QStringList standing;

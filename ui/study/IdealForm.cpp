@@ -15,6 +15,7 @@
 #include "ui/shell/Theme.h"
 #include "ui/study/FormInputs.h"
 #include "ui/text/EveryLanguage.h"
+#include "ui/text/FaultWords.h"
 #include "ui/text/Texts.h"
 
 namespace ui::study {
@@ -166,14 +167,14 @@ std::vector<::lessons::Fault> IdealForm::takeFaults(const std::vector<::lessons:
     for (const ::lessons::Fault& fault : faults) {
         QLabel* place = fault.key.startsWith(u"ideal") || fault.key.startsWith(u"tooth") ? m_fault : nullptr;
         for (const auto& [id, beside] : m_faults)
-            if (fault.key.endsWith(u'.' + id) || fault.what.contains(u'(' + id + u')'))
+            if (fault.key.endsWith(u'.' + id) || fault.english().contains(u'(' + id + u')'))
                 place = beside;
         if (place == nullptr) {
             others.push_back(fault);
             continue;
         }
         QString& words = said[place];
-        words += (words.isEmpty() ? QString() : QStringLiteral(" ")) + text::capitalised(fault.what);
+        words += (words.isEmpty() ? QString() : QStringLiteral(" ")) + text::capitalised(text::faultWords(fault.what));
     }
     for (const auto& [label, what] : said)
         showFault(label, what);

@@ -121,7 +121,7 @@ core::Result<Assignment> assignmentFor(const Lesson& lesson, const Kept& kept, c
     for (const auto& [id, value] : lesson.ideal ? lesson.ideal->sizes : std::map<std::string, double>())
         if (what.contains(u'(' + QString::fromStdString(id) + u')'))
             key = QStringLiteral("ideal.sizes.") + QString::fromStdString(id);
-    return {file, key, what, true};
+    return {file, key, core::wordsOf(error), true};
 }
 
 }  // namespace

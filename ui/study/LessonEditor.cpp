@@ -32,6 +32,7 @@
 #include "ui/study/SweepPage.h"
 #include "ui/study/ToleranceView.h"
 #include "ui/text/EveryLanguage.h"
+#include "ui/text/FaultWords.h"
 #include "ui/text/Texts.h"
 
 namespace ui::study {
@@ -49,12 +50,12 @@ std::filesystem::path toPath(const QString& file)
     return {file.toStdU16String()};
 }
 
-/// What a form that is filled in can come to is said in its language; the rest is for who writes the file.
+/// An empty field has no place in a file that one could go to.
 QString wordsOf(const ::lessons::Fault& fault, const LessonDraft& draft)
 {
     return fault.key == QStringLiteral("title") && draft.title().isEmpty()
                ? LessonEditor::tr("The lesson needs a title.")
-               : fault.sentence();
+               : text::faultWords(fault);
 }
 
 /// Writes a draft where it stands. Empty when that is done, else a sentence that says why not.
@@ -519,8 +520,8 @@ void LessonEditor::captureFrom(const QStringList& recordings)
             [this, written, name, of] {
                 m_ideal->setCapturing(false);
                 if (!written) {
-                    say([why = QString::fromStdString(
-                             written.error().detail)] { return tr("No reference was made: %1").arg(why); },
+                    say([why = core::wordsOf(
+                             written.error())] { return tr("No reference was made: %1").arg(text::faultWords(why)); },
                         true);
                     return;
                 }

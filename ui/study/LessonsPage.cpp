@@ -34,6 +34,7 @@
 #include "ui/study/LessonThumbs.h"
 #include "ui/study/LessonWords.h"
 #include "ui/text/EveryLanguage.h"
+#include "ui/text/FaultWords.h"
 #include "ui/text/Texts.h"
 
 namespace ui::study {
@@ -681,7 +682,7 @@ void LessonsPage::describe()
     }
     if (entry != nullptr)
         for (const ::lessons::Fault& fault : entry->read.faults)
-            fact(fault.grave ? tr("Wrong") : tr("Note"), fault.sentence());
+            fact(fault.grave ? tr("Wrong") : tr("Note"), text::faultWords(fault));
 }
 
 void LessonsPage::start()

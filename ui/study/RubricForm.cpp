@@ -18,6 +18,7 @@
 #include "ui/study/FormInputs.h"
 #include "ui/study/LessonWords.h"
 #include "ui/text/EveryLanguage.h"
+#include "ui/text/FaultWords.h"
 #include "ui/text/Texts.h"
 
 namespace ui::study {
@@ -216,7 +217,7 @@ std::vector<::lessons::Fault> RubricForm::takeFaults(const std::vector<::lessons
         said[inputs.fault] = {};
     for (const ::lessons::Fault& fault : faults) {
         // The sum says it, beside the weights.
-        if (fault.key == u"rubric" && fault.what.contains(u"weight"))
+        if (fault.key == u"rubric" && fault.english().contains(u"weight"))
             continue;
         QLabel* place = nullptr;
         for (std::size_t k = 0; k < m_criteria.size(); ++k)
@@ -227,7 +228,7 @@ std::vector<::lessons::Fault> RubricForm::takeFaults(const std::vector<::lessons
             continue;
         }
         QString& words = said[place];
-        words += (words.isEmpty() ? QString() : QStringLiteral(" ")) + text::capitalised(fault.what);
+        words += (words.isEmpty() ? QString() : QStringLiteral(" ")) + text::capitalised(text::faultWords(fault.what));
     }
     for (const auto& [label, what] : said)
         showFault(label, what);

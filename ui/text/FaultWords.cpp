@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/text/FaultWords.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+
+namespace ui::text {
+namespace {
+
+// What core says of a lesson's words and numbers, which knows no Qt, for translators.
+[[maybe_unused]] constexpr const char* kSaidByCore[] = {
+    //: %1: what has no words of its own but English ones
+    QT_TRANSLATE_NOOP("Fault", "%1"),
+    //: %1: a number of an ideal or a block, %2: its key, %3: the number that was given
+    QT_TRANSLATE_NOOP("Fault", "the %1 (%2) is not a number"),
+    QT_TRANSLATE_NOOP("Fault", "the %1 (%2) must be from %4 to %5, not %3"),
+    QT_TRANSLATE_NOOP("Fault", "the %1 (%2) must be from %4 to %5 %6, not %3"),
+    QT_TRANSLATE_NOOP("Fault", "the %1 (%2) must be a whole number, not %3"),
+    QT_TRANSLATE_NOOP("Fault", "there is no size \"%1\"; there are %2"),
+    QT_TRANSLATE_NOOP("Fault",
+                      "the thickness of the enamel layer (enamel_mm) is more than the block's height (height_mm)"),
+    QT_TRANSLATE_NOOP("Fault", "the block's side or height (side_mm, height_mm) is too small for three pads: they take "
+                               "%1 and %2 mm"),
+    QT_TRANSLATE_NOOP("Fault", "the length of the shape (length_mm) leaves less than %1 mm of the block around it"),
+    QT_TRANSLATE_NOOP("Fault", "the depth of the channel (depth_mm) leaves less than %1 mm of the block below it"),
+    QT_TRANSLATE_NOOP("Fault", "the radius of inner corners (corner_radius_mm) is more than half of the width of the "
+                               "channel (width_mm)"),
+    QT_TRANSLATE_NOOP("Fault", "the radius between floor and wall (line_angle_mm) is more than the radius of inner "
+                               "corners (corner_radius_mm): no bur leaves that"),
+    QT_TRANSLATE_NOOP("Fault", "the radius between floor and wall (line_angle_mm) is more than the depth (depth_mm)"),
+    QT_TRANSLATE_NOOP("Fault",
+                      "the length of the shape (length_mm) must be at least %1 mm with a channel of that width "
+                      "(width_mm)"),
+    QT_TRANSLATE_NOOP("Fault", "the length of the shape (length_mm) is less than the width of the channel (width_mm)"),
+    QT_TRANSLATE_NOOP("Fault",
+                      "the length of the shape (length_mm) leaves each of its steps shorter than the channel is "
+                      "wide (width_mm)"),
+    QT_TRANSLATE_NOOP("Fault", "there is no practice block '%1'; choose one of %2"),
+    QT_TRANSLATE_NOOP("Fault", "there is no preparation '%1'; choose one of %2"),
+    QT_TRANSLATE_NOOP("Fault", "the preparation '%1' is not made for tooth %2; it is for %3"),
+    QT_TRANSLATE_NOOP("Fault", "the radius between floor and wall (line_angle_mm) is more than the radius of the bur "
+                               "(bur_radius_mm): no bur leaves that"),
+    QT_TRANSLATE_NOOP("Fault",
+                      "the width of the isthmus (isthmus_mm) is less than the bur is wide (twice bur_radius_mm)"),
+    QT_TRANSLATE_NOOP("Fault", "this preparation would open the pulp; make its depth (depth_mm) less"),
+    QT_TRANSLATE_NOOP("Fault", "this preparation would open the pulp; make its depth (depth_mm) or that of the box "
+                               "(box_floor_mm, box_axial_mm) less"),
+    QT_TRANSLATE_NOOP("Fault", "nobody knows where the fissures of '%1' run or which side is mesial; choose a tooth by "
+                               "its FDI number, or take an ideal from attempts at this one"),
+    //: %1: a part of a preparation, %2: keys of numbers
+    QT_TRANSLATE_NOOP("Fault", "there is no room for the %1 on this tooth; make one of these less: %2"),
+    QT_TRANSLATE_NOOP("Fault", "occlusal outline"), QT_TRANSLATE_NOOP("Fault", "central groove"),
+    QT_TRANSLATE_NOOP("Fault", "mesial pit"), QT_TRANSLATE_NOOP("Fault", "distal pit"),
+    QT_TRANSLATE_NOOP("Fault", "pits"), QT_TRANSLATE_NOOP("Fault", "none: the tooth has no such groove"),
+    QT_TRANSLATE_NOOP("Fault", "tooth %1 has no pulp chamber that could be opened from above"),
+    QT_TRANSLATE_NOOP("Fault", "The captured ideal is damaged. Use a copy of the file, or capture it again."),
+    QT_TRANSLATE_NOOP("Fault",
+                      "The ideal was captured on the tooth '%1' (seed %2, grid %3) and does not fit '%4' (seed "
+                      "%5, grid %6); name that tooth, seed and grid, or capture it on this one."),
+    QT_TRANSLATE_NOOP("Fault", "The captured ideal is empty; choose another file."),
+    QT_TRANSLATE_NOOP("Fault", "This is not a captured ideal; choose a file that Cusp has saved as one (*.cuspideal)."),
+    QT_TRANSLATE_NOOP("Fault", "The captured ideal is of version %1, this Cusp reads up to version %2; open it with a "
+                               "newer Cusp."),
+    QT_TRANSLATE_NOOP("Fault",
+                      "The captured ideal ends early: it was cut off while being written or copied. Use a whole "
+                      "copy."),
+    QT_TRANSLATE_NOOP("Fault", "There is no handpiece '%1'; choose one of %2."),
+    QT_TRANSLATE_NOOP("Fault", "There is no bur '%1'; choose one of %2."),
+    QT_TRANSLATE_NOOP("Fault", "There is no hardness preset '%1'; choose natural or typodont, or name a file."),
+    QT_TRANSLATE_NOOP("Fault", "the force limit is %1 N, and the device gives at most %2 N; lower it"),
+    QT_TRANSLATE_NOOP("Fault",
+                      "the stiffness is %1 N/mm, and a light hand at %2 ms of delay is held up to %3 N/mm with "
+                      "this damping; lower the stiffness, or damp more"),
+    QT_TRANSLATE_NOOP("Fault", "the stiffness is %1 N/mm, and a light hand at %2 ms of delay is held up to %3 N/mm "
+                               "however it is damped; lower the stiffness"),
+    QT_TRANSLATE_NOOP("Fault", "the stiffness is %1 N/mm, and a light hand at %2 ms of delay is held up to %3 N/mm "
+                               "before it buzzes; lower the stiffness"),
+    // Units that are words.
+    QT_TRANSLATE_NOOP("Fault", "points"), QT_TRANSLATE_NOOP("Fault", "percent"), QT_TRANSLATE_NOOP("Fault", "degrees"),
+    QT_TRANSLATE_NOOP("Fault", "minutes")};
+
+/// A number of an ideal has its name in the form already.
+std::string translated(const std::string& english)
+{
+    QString words = QCoreApplication::translate("Fault", english.c_str());
+    if (words == QString::fromStdString(english))
+        words = QCoreApplication::translate("Field", english.c_str());
+    return words.toStdString();
+}
+
+}  // namespace
+
+QString faultWords(const core::Words& what)
+{
+    return QString::fromStdString(core::said(what, translated));
+}
+
+QString faultWords(const lessons::Fault& fault)
+{
+    const QString file = QFileInfo(fault.file).fileName();
+    const QString what = faultWords(fault.what);
+    return fault.key.isEmpty()
+               //: %1: the name of a file; %2: what is wrong with it: "is empty"
+               ? QCoreApplication::translate("Fault", "%1 %2").arg(file, what)
+               : QStringLiteral("%1, %2: %3").arg(file, fault.key, what);
+}
+
+}  // namespace ui::text
