@@ -816,6 +816,693 @@
     </message>
 </context>
 <context>
+    <name>Fault</name>
+    <message>
+        <source>touch.points[%1]: there is no tooth at x = %2, y = %3 mm</source>
+        <translation>touch.points[%1]: Bei x = %2, y = %3 mm ist kein Zahn</translation>
+    </message>
+    <message>
+        <source>has %1; a lesson has at most %2</source>
+        <translation>hat %1; eine Lektion hat höchstens %2</translation>
+    </message>
+    <message>
+        <source>unterminated object</source>
+        <translation>ein Objekt ist nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>missing name separator</source>
+        <translation>hinter einem Schlüssel fehlt der Doppelpunkt</translation>
+    </message>
+    <message>
+        <source>unterminated array</source>
+        <translation>eine Liste ist nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>missing value separator</source>
+        <translation>zwischen zwei Werten fehlt das Komma</translation>
+    </message>
+    <message>
+        <source>invalid termination by number</source>
+        <translation>hinter der letzten Zahl fehlt etwas</translation>
+    </message>
+    <message>
+        <source>illegal number</source>
+        <translation>keine gültige Zahl</translation>
+    </message>
+    <message>
+        <source>invalid escape sequence</source>
+        <translation>ein ungültiges Zeichen hinter einem \</translation>
+    </message>
+    <message>
+        <source>unterminated string</source>
+        <translation>ein Text ist nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>object is missing after a comma</source>
+        <translation>nach einem Komma fehlt etwas</translation>
+    </message>
+    <message>
+        <source>too deeply nested document</source>
+        <translation>zu tief verschachtelt</translation>
+    </message>
+    <message>
+        <source>too large document</source>
+        <translation>zu groß</translation>
+    </message>
+    <message>
+        <source>garbage at the end of the document</source>
+        <translation>am Ende steht noch etwas</translation>
+    </message>
+    <message>
+        <source>illegal value</source>
+        <translation>kein gültiger Wert</translation>
+    </message>
+    <message>
+        <source>%1 bytes</source>
+        <translation>%1 Byte</translation>
+    </message>
+    <message>
+        <source>is %1, from a newer Cusp; this one reads %2. Update Cusp to give this lesson</source>
+        <translation>ist %1, von einem neueren Cusp; dieses liest %2. Aktualisieren Sie Cusp, um diese Lektion zu geben</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>ist leer</translation>
+    </message>
+    <message>
+        <source>is written in UTF-16 or UTF-32; save it as UTF-8</source>
+        <translation>ist in UTF-16 oder UTF-32 geschrieben; speichern Sie es als UTF-8</translation>
+    </message>
+    <message>
+        <source>is not JSON: line %1, column %2: invalid UTF8 string; save the file as UTF-8</source>
+        <translation>ist kein JSON: Zeile %1, Spalte %2: ein Text ist kein UTF-8; speichern Sie die Datei als UTF-8</translation>
+    </message>
+    <message>
+        <source>is not JSON: line %1, column %2: %3</source>
+        <translation>ist kein JSON: Zeile %1, Spalte %2: %3</translation>
+    </message>
+    <message>
+        <source>must be one JSON object in braces</source>
+        <translation>muss ein JSON-Objekt in geschweiften Klammern sein</translation>
+    </message>
+    <message>
+        <source>is said twice in one object; leave one out</source>
+        <translation>steht zweimal in einem Objekt; lassen Sie eines weg</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; leads out of the lesson&apos;s folder; name a file beside it</source>
+        <translation>„%1“ führt aus dem Ordner der Lektion hinaus; nennen Sie eine Datei daneben</translation>
+    </message>
+    <message>
+        <source>is based on itself by way of %1</source>
+        <translation>beruht über %1 auf sich selbst</translation>
+    </message>
+    <message>
+        <source>more than %1 files are based on one another</source>
+        <translation>beruht auf mehr als %1 Dateien hintereinander</translation>
+    </message>
+    <message>
+        <source>must be the name of a file beside this one, or of one that is shipped</source>
+        <translation>muss der Name einer Datei daneben oder einer mitgelieferten sein</translation>
+    </message>
+    <message>
+        <source>does not exist</source>
+        <translation>gibt es nicht</translation>
+    </message>
+    <message>
+        <source>cannot be read (it is a folder)</source>
+        <translation>kann nicht gelesen werden (es ist ein Ordner)</translation>
+    </message>
+    <message>
+        <source>cannot be read (it is no file)</source>
+        <translation>kann nicht gelesen werden (es ist keine Datei)</translation>
+    </message>
+    <message>
+        <source>cannot be read (%1)</source>
+        <translation>kann nicht gelesen werden (%1)</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true oder false</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>ein Text</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>eine Liste</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>ein Objekt</translation>
+    </message>
+    <message>
+        <source>null</source>
+        <translation>null</translation>
+    </message>
+    <message>
+        <source>is %1; write a number of %2 without its unit</source>
+        <translation>ist %1; schreiben Sie eine Zahl ohne ihre Einheit (%2)</translation>
+    </message>
+    <message>
+        <source>is %1; write a number</source>
+        <translation>ist %1; schreiben Sie eine Zahl</translation>
+    </message>
+    <message>
+        <source>is %1, it must lie between %2 and %3 %4</source>
+        <translation>ist %1, muss aber zwischen %2 und %3 %4 liegen</translation>
+    </message>
+    <message>
+        <source>is %1, it must lie between %2 and %3</source>
+        <translation>ist %1, muss aber zwischen %2 und %3 liegen</translation>
+    </message>
+    <message>
+        <source>is %1, it must be a whole number</source>
+        <translation>ist %1, muss aber eine ganze Zahl sein</translation>
+    </message>
+    <message>
+        <source>is %1; write true or false</source>
+        <translation>ist %1; schreiben Sie true oder false</translation>
+    </message>
+    <message>
+        <source>is %1; write a text in quotes</source>
+        <translation>ist %1; schreiben Sie einen Text in Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>has %1 characters; at most %2 are read</source>
+        <translation>hat %1 Zeichen; gelesen werden höchstens %2</translation>
+    </message>
+    <message>
+        <source>holds the character U+%1, which cannot be seen; leave it out</source>
+        <translation>enthält das unsichtbare Zeichen U+%1; lassen Sie es weg</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>has %1 characters; it takes 1 to %2</source>
+        <translation>hat %1 Zeichen; es braucht 1 bis %2</translation>
+    </message>
+    <message>
+        <source>is %1; write {&quot;en&quot;: &quot;...&quot;, &quot;de&quot;: &quot;...&quot;}</source>
+        <translation>ist %1; schreiben Sie {&quot;en&quot;: &quot;...&quot;, &quot;de&quot;: &quot;...&quot;}</translation>
+    </message>
+    <message>
+        <source>has texts in %1 languages; it takes 1 to %2</source>
+        <translation>hat Texte in %1 Sprachen; es braucht 1 bis %2</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; must be the code of a language (en, de, es, ja) with a text</source>
+        <translation>„%1“ muss das Kürzel einer Sprache (en, de, es, ja) mit einem Text sein</translation>
+    </message>
+    <message>
+        <source>must be a list of at most %1 texts: [&quot;...&quot;, &quot;...&quot;]</source>
+        <translation>muss eine Liste von höchstens %1 Texten sein: [&quot;...&quot;, &quot;...&quot;]</translation>
+    </message>
+    <message>
+        <source>is %1; write an object in braces</source>
+        <translation>ist %1; schreiben Sie ein Objekt in geschweiften Klammern</translation>
+    </message>
+    <message>
+        <source>must be a list of at most %1 objects</source>
+        <translation>muss eine Liste von höchstens %1 Objekten sein</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not known; there are %2</source>
+        <translation>„%1“ ist unbekannt; es gibt %2</translation>
+    </message>
+    <message>
+        <source>must be a list of 1 to %1 places: [[x, y], ...]</source>
+        <translation>muss eine Liste von 1 bis %1 Stellen sein: [[x, y], ...]</translation>
+    </message>
+    <message>
+        <source>must be [x, y], two numbers between %1 and %2 mm</source>
+        <translation>muss [x, y] sein, zwei Zahlen zwischen %1 und %2 mm</translation>
+    </message>
+    <message>
+        <source>is not a key that is known here, so it is left out</source>
+        <translation>ist hier kein bekannter Schlüssel und wird weggelassen</translation>
+    </message>
+    <message>
+        <source>is not a key that is known here; did you mean &quot;%1&quot;?</source>
+        <translation>ist hier kein bekannter Schlüssel; ist „%1“ gemeint?</translation>
+    </message>
+    <message>
+        <source>%1 (in the pack %2)</source>
+        <translation>%1 (im Paket %2)</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; belongs to another lesson; give this one an id of its own</source>
+        <translation>„%1“ gehört einer anderen Lektion; geben Sie dieser eine eigene id</translation>
+    </message>
+    <message>
+        <source>is missing; write &quot;format&quot;: %1</source>
+        <translation>fehlt; schreiben Sie &quot;format&quot;: %1</translation>
+    </message>
+    <message>
+        <source>there is no file &quot;%1&quot; beside the lesson</source>
+        <translation>neben der Lektion gibt es keine Datei „%1“</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be read</source>
+        <translation>„%1“ kann nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>is missing; there are %1</source>
+        <translation>fehlt; es gibt %1</translation>
+    </message>
+    <message>
+        <source>has %1 with all that it names; a recording takes at most %2 along. Shorten its texts</source>
+        <translation>hat mit allem, was sie nennt, %1; eine Aufzeichnung nimmt höchstens %2 mit. Kürzen Sie ihre Texte</translation>
+    </message>
+    <message>
+        <source>is missing; write {&quot;fdi&quot;: 36}, {&quot;block&quot;: &quot;line&quot;} or {&quot;scan&quot;: &quot;tooth.stl&quot;}</source>
+        <translation>fehlt; schreiben Sie {&quot;fdi&quot;: 36}, {&quot;block&quot;: &quot;line&quot;} oder {&quot;scan&quot;: &quot;tooth.stl&quot;}</translation>
+    </message>
+    <message>
+        <source>must name one of &quot;fdi&quot;, &quot;block&quot; and &quot;scan&quot;</source>
+        <translation>muss genau eines von „fdi“, „block“ und „scan“ nennen</translation>
+    </message>
+    <message>
+        <source>there is no tooth %1 here; those of the left are made: 21 to 28 and 31 to 38</source>
+        <translation>Zahn %1 gibt es hier nicht; es gibt die linken: 21 bis 28 und 31 bis 38</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no unit; write mm, cm, m or the millimetres of one unit</source>
+        <translation>„%1“ ist keine Einheit; schreiben Sie mm, cm, m oder die Millimeter einer Einheit</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no direction; write +x, -x, +y, -y, +z or -z</source>
+        <translation>„%1“ ist keine Richtung; schreiben Sie +x, -x, +y, -y, +z oder -z</translation>
+    </message>
+    <message>
+        <source>an ideal is captured, or has a kind and sizes; leave one out (where the lesson is based on another, with &quot;kind&quot;: null, &quot;sizes&quot;: null)</source>
+        <translation>ein Ideal ist abgenommen, oder es hat kind und sizes; lassen Sie eines weg (wenn die Lektion auf einer anderen beruht: mit &quot;kind&quot;: null, &quot;sizes&quot;: null)</translation>
+    </message>
+    <message>
+        <source>is missing; name the preparation, or a file &quot;captured&quot;</source>
+        <translation>fehlt; nennen Sie die Präparation oder eine Datei „captured“</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has %2; a lesson takes at most %3. Capture it on a coarser grid</source>
+        <translation>„%1“ hat %2; eine Lektion nimmt höchstens %3. Nehmen Sie es auf einem gröberen Gitter ab</translation>
+    </message>
+    <message>
+        <source>has its own caries and plastic; leave it out, or leave out &quot;caries&quot; and &quot;plastic&quot;</source>
+        <translation>hat eigene Werte für Karies und Kunststoff; lassen Sie es weg, oder lassen Sie „caries“ und „plastic“ weg</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no aid; there are section, depth_gauge, radiograph, heat_map, mirror, ideal, bur_colour, fixture</source>
+        <translation>„%1“ ist keine Hilfe; es gibt section, depth_gauge, radiograph, heat_map, mirror, ideal, bur_colour, fixture</translation>
+    </message>
+    <message>
+        <source>only a tooth of ours has neighbours; write false</source>
+        <translation>nur ein Zahn von Cusp hat Nachbarn; schreiben Sie false</translation>
+    </message>
+    <message>
+        <source>to remove decay there must be some: write &quot;lesion&quot;: {&quot;extent&quot;: 0.5} for a tooth</source>
+        <translation>um Karies zu entfernen, muss welche da sein: Schreiben Sie &quot;lesion&quot;: {&quot;extent&quot;: 0.5} für einen Zahn</translation>
+    </message>
+    <message>
+        <source>is missing; it says which preparation is to be cut</source>
+        <translation>fehlt; es sagt, welche Präparation gefragt ist</translation>
+    </message>
+    <message>
+        <source>a shape is traced in a block: write {&quot;block&quot;: &quot;line&quot;}</source>
+        <translation>eine Form wird in einem Block nachgefahren: Schreiben Sie {&quot;block&quot;: &quot;line&quot;}</translation>
+    </message>
+    <message>
+        <source>is missing; it says which points are to be touched: {&quot;points&quot;: [[x, y], ...]}</source>
+        <translation>fehlt; es sagt, welche Punkte zu berühren sind: {&quot;points&quot;: [[x, y], ...]}</translation>
+    </message>
+    <message>
+        <source>is missing; it says which force is to be held: {&quot;force_n&quot;: 1}</source>
+        <translation>fehlt; es sagt, welche Kraft zu halten ist: {&quot;force_n&quot;: 1}</translation>
+    </message>
+    <message>
+        <source>layers are told apart in a block of them: write {&quot;block&quot;: &quot;layers&quot;}</source>
+        <translation>Schichten werden in einem Block aus Schichten unterschieden: Schreiben Sie {&quot;block&quot;: &quot;layers&quot;}</translation>
+    </message>
+    <message>
+        <source>layers are told apart without any; leave the key out</source>
+        <translation>Schichten werden ohne Hilfen unterschieden; lassen Sie den Schlüssel weg</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was captured on the tooth &apos;%2&apos; (seed %3, grid %4); name that tooth, seed and grid, or capture it on this one</source>
+        <translation>„%1“ wurde am Zahn „%2“ (seed %3, grid %4) abgenommen; nennen Sie jenen Zahn mit seed und grid, oder nehmen Sie es an diesem ab</translation>
+    </message>
+    <message>
+        <source>is made by rule for a tooth of ours only, &quot;tooth&quot;: {&quot;fdi&quot;: 36}; for a scan name a captured one: {&quot;captured&quot;: &quot;mine.cuspideal&quot;}</source>
+        <translation>entsteht nach Regeln nur für einen Zahn von Cusp, &quot;tooth&quot;: {&quot;fdi&quot;: 36}; für einen Scan nennen Sie ein abgenommenes: {&quot;captured&quot;: &quot;mine.cuspideal&quot;}</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read; check its name and rights.</source>
+        <translation>%1 kann nicht gelesen werden; prüfen Sie Name und Rechte.</translation>
+    </message>
+    <message>
+        <source>%1 has %2, and a pack takes %3 in all; pack fewer lessons, or coarser scans.</source>
+        <translation>%1 hat %2, und ein Paket fasst insgesamt %3; packen Sie weniger Lektionen oder gröbere Scans ein.</translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be made; name another.</source>
+        <translation>Der Ordner %1 lässt sich nicht anlegen; nennen Sie einen anderen.</translation>
+    </message>
+    <message>
+        <source>The pack names a file &quot;%1&quot;, which leads out of its folder or is of no kind that lessons have; nothing was unpacked.</source>
+        <translation>Das Paket nennt eine Datei „%1“, die aus seinem Ordner hinausführt oder von keiner Art ist, die Lektionen haben; nichts wurde ausgepackt.</translation>
+    </message>
+    <message>
+        <source>The file &quot;%1&quot; in the pack is not what its hash says: it was damaged or changed; nothing was unpacked. Ask for the pack again.</source>
+        <translation>Die Datei „%1“ im Paket ist nicht, was ihre Prüfsumme sagt: Sie wurde beschädigt oder verändert; nichts wurde ausgepackt. Lassen Sie sich das Paket neu geben.</translation>
+    </message>
+    <message>
+        <source>This is no pack of lessons, it is damaged, or it holds more than %1; choose a file that &quot;cusp lesson pack&quot; has made.</source>
+        <translation>Das ist kein Paket von Lektionen, es ist beschädigt, oder es enthält mehr als %1; wählen Sie eine Datei, die „cusp lesson pack“ gemacht hat.</translation>
+    </message>
+    <message>
+        <source>This is no pack of lessons; choose a file that &quot;cusp lesson pack&quot; has made.</source>
+        <translation>Das ist kein Paket von Lektionen; wählen Sie eine Datei, die „cusp lesson pack“ gemacht hat.</translation>
+    </message>
+    <message>
+        <source>The pack is of format %1, from a newer Cusp; this one reads %2. Update Cusp.</source>
+        <translation>Das Paket hat das Format %1, von einem neueren Cusp; dieses liest %2. Aktualisieren Sie Cusp.</translation>
+    </message>
+    <message>
+        <source>The pack lists %1 files; it may hold 1 to %2.</source>
+        <translation>Das Paket nennt %1 Dateien; es darf 1 bis %2 enthalten.</translation>
+    </message>
+    <message>
+        <source>The pack holds &quot;%1&quot; twice; nothing was unpacked.</source>
+        <translation>Das Paket enthält „%1“ zweimal; nichts wurde ausgepackt.</translation>
+    </message>
+    <message>
+        <source>%1 is a link to elsewhere; nothing was unpacked. Name another folder.</source>
+        <translation>%1 ist eine Verknüpfung anderswohin; nichts wurde ausgepackt. Nennen Sie einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>There is another file &quot;%1&quot; in %2 already; nothing was unpacked. Move it away, or name another folder.</source>
+        <translation>In %2 gibt es schon eine andere Datei „%1“; nichts wurde ausgepackt. Verschieben Sie sie, oder nennen Sie einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be written.</source>
+        <translation>In den Ordner %1 kann nicht geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>has %1; a hardness preset has at most %2</source>
+        <translation>hat %1; eine Härte-Voreinstellung hat höchstens %2</translation>
+    </message>
+    <message>
+        <source>is %1, from a newer Cusp; this one reads %2. Update Cusp to use it</source>
+        <translation>ist %1, von einem neueren Cusp; dieses liest %2. Aktualisieren Sie Cusp, um die Datei zu verwenden</translation>
+    </message>
+    <message>
+        <source>says that this is no hardness preset; choose a file that Cusp has exported</source>
+        <translation>sagt, dass dies keine Härte-Voreinstellung ist; wählen Sie eine Datei, die Cusp exportiert hat</translation>
+    </message>
+    <message>
+        <source>must be one line of 1 to %1 characters</source>
+        <translation>muss eine Zeile von 1 bis %1 Zeichen sein</translation>
+    </message>
+    <message>
+        <source>is not there; check the name</source>
+        <translation>ist nicht da; prüfen Sie den Namen</translation>
+    </message>
+    <message>
+        <source>cannot be read; name a file that you may read</source>
+        <translation>kann nicht gelesen werden; nennen Sie eine Datei, die Sie lesen dürfen</translation>
+    </message>
+    <message>
+        <source>there is another %1 of version %2; give this one another number</source>
+        <translation>es gibt eine andere „%1“ mit der Version %2; geben Sie dieser eine andere Nummer</translation>
+    </message>
+    <message>
+        <source>rubric %1, criterion %2, %3: %4</source>
+        <translation>Bewertungsschema %1, Kriterium %2, %3: %4</translation>
+    </message>
+    <message>
+        <source>%1 %2 is not between %3 and %4</source>
+        <translation>%1 %2 liegt nicht zwischen %3 und %4</translation>
+    </message>
+    <message>
+        <source>a critical criterion earns nothing, it has nothing to wait for</source>
+        <translation>ein kritisches Kriterium bringt keine Punkte, es hat auf nichts zu warten</translation>
+    </message>
+    <message>
+        <source>a critical criterion has none; it fails the attempt and takes all points that are left</source>
+        <translation>ein kritisches Kriterium hat keines; es lässt den Versuch scheitern und nimmt alle übrigen Punkte</translation>
+    </message>
+    <message>
+        <source>must be at least 0.1 points</source>
+        <translation>muss mindestens 0,1 Punkte sein</translation>
+    </message>
+    <message>
+        <source>rubric %1, criteria: there are %2, it takes 1 to %3</source>
+        <translation>Bewertungsschema %1, criteria: es sind %2, nötig sind 1 bis %3</translation>
+    </message>
+    <message>
+        <source>rubric %1, pass_mark: must lie between 0 and 100 points</source>
+        <translation>Bewertungsschema %1, pass_mark: muss zwischen 0 und 100 Punkten liegen</translation>
+    </message>
+    <message>
+        <source>is there twice</source>
+        <translation>ist zweimal da</translation>
+    </message>
+    <message>
+        <source>rubric %1, weight: those of all criteria make %2 points; they must make 100</source>
+        <translation>Bewertungsschema %1, weight: alle Kriterien zusammen ergeben %2 Punkte; es müssen 100 sein</translation>
+    </message>
+    <message>
+        <source>is %1; points are given to a tenth</source>
+        <translation>ist %1; Punkte gibt es auf ein Zehntel genau</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no measure; &quot;cusp lesson measures&quot; lists them</source>
+        <translation>„%1“ ist keine Messgröße; „cusp lesson measures“ zählt sie auf</translation>
+    </message>
+    <message>
+        <source>may hold small letters, digits, &apos;-&apos; and &apos;_&apos; only, and begins with a letter or digit</source>
+        <translation>darf nur Kleinbuchstaben, Ziffern, „-“ und „_“ enthalten und beginnt mit einem Buchstaben oder einer Ziffer</translation>
+    </message>
+    <message>
+        <source>is missing; name one that is shipped (&quot;decay_removal&quot;), a file beside the lesson, or write it out</source>
+        <translation>fehlt; nennen Sie ein mitgeliefertes („decay_removal“), eine Datei neben der Lektion, oder schreiben Sie es aus</translation>
+    </message>
+    <message>
+        <source>there is no rubric &quot;%1&quot;</source>
+        <translation>es gibt kein Bewertungsschema „%1“</translation>
+    </message>
+    <message>
+        <source>%1</source>
+        <extracomment>%1: what has no words of its own but English ones</extracomment>
+        <translation>%1 (nur auf Englisch bekannt)</translation>
+    </message>
+    <message>
+        <source>the %1 (%2) is not a number</source>
+        <extracomment>%1: a number of an ideal or a block, %2: its key, %3: the number that was given</extracomment>
+        <translation>%1 (%2) ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>the %1 (%2) must be from %4 to %5, not %3</source>
+        <translation>%1 (%2) muss zwischen %4 und %5 liegen und ist %3</translation>
+    </message>
+    <message>
+        <source>the %1 (%2) must be from %4 to %5 %6, not %3</source>
+        <translation>%1 (%2) muss zwischen %4 und %5 %6 liegen und ist %3</translation>
+    </message>
+    <message>
+        <source>the %1 (%2) must be a whole number, not %3</source>
+        <translation>%1 (%2) muss eine ganze Zahl sein und ist %3</translation>
+    </message>
+    <message>
+        <source>there is no size &quot;%1&quot;; there are %2</source>
+        <translation>es gibt kein Maß „%1“; es gibt %2</translation>
+    </message>
+    <message>
+        <source>the thickness of the enamel layer (enamel_mm) is more than the block&apos;s height (height_mm)</source>
+        <translation>die Schmelzschicht (enamel_mm) ist dicker, als der Block hoch ist (height_mm)</translation>
+    </message>
+    <message>
+        <source>the block&apos;s side or height (side_mm, height_mm) is too small for three pads: they take %1 and %2 mm</source>
+        <translation>Seite oder Höhe des Blocks (side_mm, height_mm) reicht nicht für drei Felder: Sie brauchen %1 und %2 mm</translation>
+    </message>
+    <message>
+        <source>the length of the shape (length_mm) leaves less than %1 mm of the block around it</source>
+        <translation>die Länge der Form (length_mm) lässt ringsum weniger als %1 mm vom Block</translation>
+    </message>
+    <message>
+        <source>the depth of the channel (depth_mm) leaves less than %1 mm of the block below it</source>
+        <translation>die Tiefe der Rinne (depth_mm) lässt darunter weniger als %1 mm vom Block</translation>
+    </message>
+    <message>
+        <source>the radius of inner corners (corner_radius_mm) is more than half of the width of the channel (width_mm)</source>
+        <translation>der Radius der Innenecken (corner_radius_mm) ist größer als die halbe Breite der Rinne (width_mm)</translation>
+    </message>
+    <message>
+        <source>the radius between floor and wall (line_angle_mm) is more than the radius of inner corners (corner_radius_mm): no bur leaves that</source>
+        <translation>der Radius zwischen Boden und Wand (line_angle_mm) ist größer als der Radius der Innenecken (corner_radius_mm): das hinterlässt kein Bohrer</translation>
+    </message>
+    <message>
+        <source>the radius between floor and wall (line_angle_mm) is more than the depth (depth_mm)</source>
+        <translation>der Radius zwischen Boden und Wand (line_angle_mm) ist größer als die Tiefe (depth_mm)</translation>
+    </message>
+    <message>
+        <source>the length of the shape (length_mm) must be at least %1 mm with a channel of that width (width_mm)</source>
+        <translation>die Form (length_mm) muss bei dieser Breite der Rinne (width_mm) mindestens %1 mm lang sein</translation>
+    </message>
+    <message>
+        <source>the length of the shape (length_mm) is less than the width of the channel (width_mm)</source>
+        <translation>die Form (length_mm) ist kürzer, als die Rinne breit ist (width_mm)</translation>
+    </message>
+    <message>
+        <source>the length of the shape (length_mm) leaves each of its steps shorter than the channel is wide (width_mm)</source>
+        <translation>bei dieser Länge der Form (length_mm) ist jede Stufe kürzer, als die Rinne breit ist (width_mm)</translation>
+    </message>
+    <message>
+        <source>there is no practice block &apos;%1&apos;; choose one of %2</source>
+        <translation>es gibt keinen Übungsblock „%1“; wählen Sie einen von %2</translation>
+    </message>
+    <message>
+        <source>there is no preparation &apos;%1&apos;; choose one of %2</source>
+        <translation>es gibt keine Präparation „%1“; wählen Sie eine von %2</translation>
+    </message>
+    <message>
+        <source>the preparation &apos;%1&apos; is not made for tooth %2; it is for %3</source>
+        <translation>die Präparation „%1“ gibt es nicht für Zahn %2, nur für %3</translation>
+    </message>
+    <message>
+        <source>the radius between floor and wall (line_angle_mm) is more than the radius of the bur (bur_radius_mm): no bur leaves that</source>
+        <translation>der Radius zwischen Boden und Wand (line_angle_mm) ist größer als der Radius des Bohrers (bur_radius_mm): das hinterlässt kein Bohrer</translation>
+    </message>
+    <message>
+        <source>the width of the isthmus (isthmus_mm) is less than the bur is wide (twice bur_radius_mm)</source>
+        <translation>der Isthmus (isthmus_mm) ist schmaler als der Bohrer (zweimal bur_radius_mm)</translation>
+    </message>
+    <message>
+        <source>this preparation would open the pulp; make its depth (depth_mm) less</source>
+        <translation>diese Präparation würde die Pulpa eröffnen; verringern Sie die Tiefe (depth_mm)</translation>
+    </message>
+    <message>
+        <source>this preparation would open the pulp; make its depth (depth_mm) or that of the box (box_floor_mm, box_axial_mm) less</source>
+        <translation>diese Präparation würde die Pulpa eröffnen; verringern Sie die Tiefe (depth_mm) oder die des Kastens (box_floor_mm, box_axial_mm)</translation>
+    </message>
+    <message>
+        <source>nobody knows where the fissures of &apos;%1&apos; run or which side is mesial; choose a tooth by its FDI number, or take an ideal from attempts at this one</source>
+        <translation>niemand weiß, wo die Fissuren von „%1“ verlaufen und welche Seite mesial ist; wählen Sie einen Zahn nach seiner FDI-Nummer, oder nehmen Sie ein Ideal aus Versuchen an diesem</translation>
+    </message>
+    <message>
+        <source>there is no room for the %1 on this tooth; make one of these less: %2</source>
+        <extracomment>%1: a part of a preparation, %2: keys of numbers</extracomment>
+        <translation>auf diesem Zahn ist kein Platz (%1); verringern Sie eines davon: %2</translation>
+    </message>
+    <message>
+        <source>occlusal outline</source>
+        <translation>okklusaler Umriss</translation>
+    </message>
+    <message>
+        <source>central groove</source>
+        <translation>Zentralfurche</translation>
+    </message>
+    <message>
+        <source>mesial pit</source>
+        <translation>mesiale Grube</translation>
+    </message>
+    <message>
+        <source>distal pit</source>
+        <translation>distale Grube</translation>
+    </message>
+    <message>
+        <source>pits</source>
+        <translation>Gruben</translation>
+    </message>
+    <message>
+        <source>none: the tooth has no such groove</source>
+        <translation>keines: der Zahn hat keine solche Furche</translation>
+    </message>
+    <message>
+        <source>tooth %1 has no pulp chamber that could be opened from above</source>
+        <translation>Zahn %1 hat keine Pulpenkammer, die sich von oben eröffnen ließe</translation>
+    </message>
+    <message>
+        <source>The captured ideal is damaged. Use a copy of the file, or capture it again.</source>
+        <translation>Das abgenommene Ideal ist beschädigt. Nehmen Sie eine Kopie der Datei, oder nehmen Sie es neu ab.</translation>
+    </message>
+    <message>
+        <source>The ideal was captured on the tooth &apos;%1&apos; (seed %2, grid %3) and does not fit &apos;%4&apos; (seed %5, grid %6); name that tooth, seed and grid, or capture it on this one.</source>
+        <translation>Das Ideal wurde am Zahn „%1“ (seed %2, grid %3) abgenommen und passt nicht zu „%4“ (seed %5, grid %6); nennen Sie jenen Zahn mit seed und grid, oder nehmen Sie es an diesem ab.</translation>
+    </message>
+    <message>
+        <source>The captured ideal is empty; choose another file.</source>
+        <translation>Das abgenommene Ideal ist leer; wählen Sie eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>This is not a captured ideal; choose a file that Cusp has saved as one (*.cuspideal).</source>
+        <translation>Das ist kein abgenommenes Ideal; wählen Sie eine Datei, die Cusp als solches gespeichert hat (*.cuspideal).</translation>
+    </message>
+    <message>
+        <source>The captured ideal is of version %1, this Cusp reads up to version %2; open it with a newer Cusp.</source>
+        <translation>Das abgenommene Ideal hat die Version %1, dieses Cusp liest bis Version %2; öffnen Sie es mit einem neueren Cusp.</translation>
+    </message>
+    <message>
+        <source>The captured ideal ends early: it was cut off while being written or copied. Use a whole copy.</source>
+        <translation>Das abgenommene Ideal endet zu früh: Es wurde beim Schreiben oder Kopieren abgeschnitten. Nehmen Sie eine vollständige Kopie.</translation>
+    </message>
+    <message>
+        <source>There is no handpiece &apos;%1&apos;; choose one of %2.</source>
+        <translation>Es gibt kein Handstück „%1“; wählen Sie eines von %2.</translation>
+    </message>
+    <message>
+        <source>There is no bur &apos;%1&apos;; choose one of %2.</source>
+        <translation>Es gibt keinen Bohrer „%1“; wählen Sie einen von %2.</translation>
+    </message>
+    <message>
+        <source>There is no hardness preset &apos;%1&apos;; choose natural or typodont, or name a file.</source>
+        <translation>Es gibt keine Härte-Voreinstellung „%1“; wählen Sie natural oder typodont, oder nennen Sie eine Datei.</translation>
+    </message>
+    <message>
+        <source>the force limit is %1 N, and the device gives at most %2 N; lower it</source>
+        <translation>die Kraftgrenze ist %1 N, und das Gerät gibt höchstens %2 N; senken Sie sie</translation>
+    </message>
+    <message>
+        <source>the stiffness is %1 N/mm, and a light hand at %2 ms of delay is held up to %3 N/mm with this damping; lower the stiffness, or damp more</source>
+        <translation>die Steifigkeit ist %1 N/mm, und eine leichte Hand bleibt bei %2 ms Verzögerung mit dieser Dämpfung nur bis %3 N/mm ruhig; senken Sie die Steifigkeit, oder dämpfen Sie mehr</translation>
+    </message>
+    <message>
+        <source>the stiffness is %1 N/mm, and a light hand at %2 ms of delay is held up to %3 N/mm however it is damped; lower the stiffness</source>
+        <translation>die Steifigkeit ist %1 N/mm, und eine leichte Hand bleibt bei %2 ms Verzögerung nur bis %3 N/mm ruhig, wie auch immer gedämpft wird; senken Sie die Steifigkeit</translation>
+    </message>
+    <message>
+        <source>the stiffness is %1 N/mm, and a light hand at %2 ms of delay is held up to %3 N/mm before it buzzes; lower the stiffness</source>
+        <translation>die Steifigkeit ist %1 N/mm, und eine leichte Hand bleibt bei %2 ms Verzögerung nur bis %3 N/mm ruhig, darüber surrt sie; senken Sie die Steifigkeit</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>percent</source>
+        <translation>Prozent</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>Grad</translation>
+    </message>
+    <message>
+        <source>minutes</source>
+        <translation>Minuten</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <extracomment>%1: the name of a file; %2: what is wrong with it: &quot;is empty&quot;</extracomment>
+        <translation>%1 %2</translation>
+    </message>
+</context>
+<context>
     <name>Field</name>
     <message>
         <source>width of the isthmus</source>
@@ -2044,11 +2731,11 @@
     </message>
     <message>
         <source>The backup of %1 is in place.</source>
+        <extracomment>%2: a file&apos;s name</extracomment>
         <translation>Die Sicherung vom %1 ist eingespielt.</translation>
     </message>
     <message>
         <source>The backup of %1 is in place. The file that was there is kept beside it as %2.</source>
-        <extracomment>%2: a file&apos;s name</extracomment>
         <translation>Die Sicherung vom %1 ist eingespielt. Die Datei, die dort lag, liegt als %2 daneben.</translation>
     </message>
 </context>
@@ -4916,39 +5603,6 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>Lower the stiffness.</source>
         <translation>Senken Sie die Steifigkeit.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not known here and was left out.</source>
-        <translation>„%1“ ist hier nicht bekannt und wurde ausgelassen.</translation>
-    </message>
-    <message>
-        <source>%1: only a number from %2 can be taken.</source>
-        <extracomment>%1 is a number of a hardness preset, %2 a range</extracomment>
-        <translation>%1: Nur eine Zahl von %2 ist möglich.</translation>
-    </message>
-    <message>
-        <source>The name must be one line of 1 to %1 characters that can be seen.</source>
-        <translation>Der Name muss eine Zeile mit 1 bis %1 sichtbaren Zeichen sein.</translation>
-    </message>
-    <message>
-        <source>The notes take at most %1 characters, and only those that can be seen.</source>
-        <translation>Die Notizen fassen höchstens %1 Zeichen, und nur sichtbare.</translation>
-    </message>
-    <message>
-        <source>The version must be a whole number from 1 that no other preset of this name has.</source>
-        <translation>Die Version muss eine ganze Zahl ab 1 sein, die keine andere Voreinstellung dieses Namens hat.</translation>
-    </message>
-    <message>
-        <source>It is from a newer Cusp. Update Cusp to use it.</source>
-        <translation>Sie stammt aus einem neueren Cusp. Aktualisieren Sie Cusp, um sie zu benutzen.</translation>
-    </message>
-    <message>
-        <source>This is no hardness preset that can be read. Choose a file that Cusp has exported.</source>
-        <translation>Das ist keine lesbare Härte-Voreinstellung. Wählen Sie eine Datei, die Cusp exportiert hat.</translation>
-    </message>
-    <message>
-        <source>What stands under &quot;%1&quot; cannot be taken.</source>
-        <translation>Was unter „%1“ steht, ist nicht verwendbar.</translation>
     </message>
 </context>
 <context>

@@ -816,6 +816,693 @@
     </message>
 </context>
 <context>
+    <name>Fault</name>
+    <message>
+        <source>touch.points[%1]: there is no tooth at x = %2, y = %3 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has %1; a lesson has at most %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unterminated object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>missing name separator</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unterminated array</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>missing value separator</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>invalid termination by number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>illegal number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>invalid escape sequence</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unterminated string</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>object is missing after a comma</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too deeply nested document</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too large document</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>garbage at the end of the document</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>illegal value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 bytes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is %1, from a newer Cusp; this one reads %2. Update Cusp to give this lesson</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is written in UTF-16 or UTF-32; save it as UTF-8</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is not JSON: line %1, column %2: invalid UTF8 string; save the file as UTF-8</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is not JSON: line %1, column %2: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>must be one JSON object in braces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is said twice in one object; leave one out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; leads out of the lesson&apos;s folder; name a file beside it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is based on itself by way of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>more than %1 files are based on one another</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>must be the name of a file beside this one, or of one that is shipped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>does not exist</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot be read (it is a folder)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot be read (it is no file)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot be read (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>null</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is %1; write a number of %2 without its unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is %1; write a number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is %1, it must lie between %2 and %3 %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is %1, it must lie between %2 and %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is %1, it must be a whole number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is %1; write true or false</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is %1; write a text in quotes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has %1 characters; at most %2 are read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>holds the character U+%1, which cannot be seen; leave it out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has %1 characters; it takes 1 to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is %1; write {&quot;en&quot;: &quot;...&quot;, &quot;de&quot;: &quot;...&quot;}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has texts in %1 languages; it takes 1 to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; must be the code of a language (en, de, es, ja) with a text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>must be a list of at most %1 texts: [&quot;...&quot;, &quot;...&quot;]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is %1; write an object in braces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>must be a list of at most %1 objects</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not known; there are %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>must be a list of 1 to %1 places: [[x, y], ...]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>must be [x, y], two numbers between %1 and %2 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is not a key that is known here, so it is left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is not a key that is known here; did you mean &quot;%1&quot;?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (in the pack %2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; belongs to another lesson; give this one an id of its own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is missing; write &quot;format&quot;: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no file &quot;%1&quot; beside the lesson</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is missing; there are %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has %1 with all that it names; a recording takes at most %2 along. Shorten its texts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is missing; write {&quot;fdi&quot;: 36}, {&quot;block&quot;: &quot;line&quot;} or {&quot;scan&quot;: &quot;tooth.stl&quot;}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>must name one of &quot;fdi&quot;, &quot;block&quot; and &quot;scan&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no tooth %1 here; those of the left are made: 21 to 28 and 31 to 38</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no unit; write mm, cm, m or the millimetres of one unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no direction; write +x, -x, +y, -y, +z or -z</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an ideal is captured, or has a kind and sizes; leave one out (where the lesson is based on another, with &quot;kind&quot;: null, &quot;sizes&quot;: null)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is missing; name the preparation, or a file &quot;captured&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has %2; a lesson takes at most %3. Capture it on a coarser grid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has its own caries and plastic; leave it out, or leave out &quot;caries&quot; and &quot;plastic&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no aid; there are section, depth_gauge, radiograph, heat_map, mirror, ideal, bur_colour, fixture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>only a tooth of ours has neighbours; write false</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>to remove decay there must be some: write &quot;lesion&quot;: {&quot;extent&quot;: 0.5} for a tooth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is missing; it says which preparation is to be cut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a shape is traced in a block: write {&quot;block&quot;: &quot;line&quot;}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is missing; it says which points are to be touched: {&quot;points&quot;: [[x, y], ...]}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is missing; it says which force is to be held: {&quot;force_n&quot;: 1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>layers are told apart in a block of them: write {&quot;block&quot;: &quot;layers&quot;}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>layers are told apart without any; leave the key out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was captured on the tooth &apos;%2&apos; (seed %3, grid %4); name that tooth, seed and grid, or capture it on this one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is made by rule for a tooth of ours only, &quot;tooth&quot;: {&quot;fdi&quot;: 36}; for a scan name a captured one: {&quot;captured&quot;: &quot;mine.cuspideal&quot;}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be read; check its name and rights.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has %2, and a pack takes %3 in all; pack fewer lessons, or coarser scans.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be made; name another.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The pack names a file &quot;%1&quot;, which leads out of its folder or is of no kind that lessons have; nothing was unpacked.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file &quot;%1&quot; in the pack is not what its hash says: it was damaged or changed; nothing was unpacked. Ask for the pack again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is no pack of lessons, it is damaged, or it holds more than %1; choose a file that &quot;cusp lesson pack&quot; has made.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is no pack of lessons; choose a file that &quot;cusp lesson pack&quot; has made.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The pack is of format %1, from a newer Cusp; this one reads %2. Update Cusp.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The pack lists %1 files; it may hold 1 to %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The pack holds &quot;%1&quot; twice; nothing was unpacked.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is a link to elsewhere; nothing was unpacked. Name another folder.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is another file &quot;%1&quot; in %2 already; nothing was unpacked. Move it away, or name another folder.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be written.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has %1; a hardness preset has at most %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is %1, from a newer Cusp; this one reads %2. Update Cusp to use it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>says that this is no hardness preset; choose a file that Cusp has exported</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>must be one line of 1 to %1 characters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is not there; check the name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot be read; name a file that you may read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is another %1 of version %2; give this one another number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rubric %1, criterion %2, %3: %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %2 is not between %3 and %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a critical criterion earns nothing, it has nothing to wait for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a critical criterion has none; it fails the attempt and takes all points that are left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>must be at least 0.1 points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rubric %1, criteria: there are %2, it takes 1 to %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rubric %1, pass_mark: must lie between 0 and 100 points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is there twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rubric %1, weight: those of all criteria make %2 points; they must make 100</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is %1; points are given to a tenth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no measure; &quot;cusp lesson measures&quot; lists them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>may hold small letters, digits, &apos;-&apos; and &apos;_&apos; only, and begins with a letter or digit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is missing; name one that is shipped (&quot;decay_removal&quot;), a file beside the lesson, or write it out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no rubric &quot;%1&quot;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1</source>
+        <extracomment>%1: what has no words of its own but English ones</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the %1 (%2) is not a number</source>
+        <extracomment>%1: a number of an ideal or a block, %2: its key, %3: the number that was given</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the %1 (%2) must be from %4 to %5, not %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the %1 (%2) must be from %4 to %5 %6, not %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the %1 (%2) must be a whole number, not %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no size &quot;%1&quot;; there are %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the thickness of the enamel layer (enamel_mm) is more than the block&apos;s height (height_mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the block&apos;s side or height (side_mm, height_mm) is too small for three pads: they take %1 and %2 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the length of the shape (length_mm) leaves less than %1 mm of the block around it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the depth of the channel (depth_mm) leaves less than %1 mm of the block below it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the radius of inner corners (corner_radius_mm) is more than half of the width of the channel (width_mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the radius between floor and wall (line_angle_mm) is more than the radius of inner corners (corner_radius_mm): no bur leaves that</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the radius between floor and wall (line_angle_mm) is more than the depth (depth_mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the length of the shape (length_mm) must be at least %1 mm with a channel of that width (width_mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the length of the shape (length_mm) is less than the width of the channel (width_mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the length of the shape (length_mm) leaves each of its steps shorter than the channel is wide (width_mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no practice block &apos;%1&apos;; choose one of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no preparation &apos;%1&apos;; choose one of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the preparation &apos;%1&apos; is not made for tooth %2; it is for %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the radius between floor and wall (line_angle_mm) is more than the radius of the bur (bur_radius_mm): no bur leaves that</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the width of the isthmus (isthmus_mm) is less than the bur is wide (twice bur_radius_mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this preparation would open the pulp; make its depth (depth_mm) less</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this preparation would open the pulp; make its depth (depth_mm) or that of the box (box_floor_mm, box_axial_mm) less</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nobody knows where the fissures of &apos;%1&apos; run or which side is mesial; choose a tooth by its FDI number, or take an ideal from attempts at this one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no room for the %1 on this tooth; make one of these less: %2</source>
+        <extracomment>%1: a part of a preparation, %2: keys of numbers</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>occlusal outline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>central groove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mesial pit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>distal pit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none: the tooth has no such groove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tooth %1 has no pulp chamber that could be opened from above</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The captured ideal is damaged. Use a copy of the file, or capture it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The ideal was captured on the tooth &apos;%1&apos; (seed %2, grid %3) and does not fit &apos;%4&apos; (seed %5, grid %6); name that tooth, seed and grid, or capture it on this one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The captured ideal is empty; choose another file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is not a captured ideal; choose a file that Cusp has saved as one (*.cuspideal).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The captured ideal is of version %1, this Cusp reads up to version %2; open it with a newer Cusp.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The captured ideal ends early: it was cut off while being written or copied. Use a whole copy.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no handpiece &apos;%1&apos;; choose one of %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no bur &apos;%1&apos;; choose one of %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no hardness preset &apos;%1&apos;; choose natural or typodont, or name a file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the force limit is %1 N, and the device gives at most %2 N; lower it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the stiffness is %1 N/mm, and a light hand at %2 ms of delay is held up to %3 N/mm with this damping; lower the stiffness, or damp more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the stiffness is %1 N/mm, and a light hand at %2 ms of delay is held up to %3 N/mm however it is damped; lower the stiffness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the stiffness is %1 N/mm, and a light hand at %2 ms of delay is held up to %3 N/mm before it buzzes; lower the stiffness</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>percent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>minutes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <extracomment>%1: the name of a file; %2: what is wrong with it: &quot;is empty&quot;</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Field</name>
     <message>
         <source>width of the isthmus</source>
@@ -2044,11 +2731,11 @@
     </message>
     <message>
         <source>The backup of %1 is in place.</source>
+        <extracomment>%2: a file&apos;s name</extracomment>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The backup of %1 is in place. The file that was there is kept beside it as %2.</source>
-        <extracomment>%2: a file&apos;s name</extracomment>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4907,39 +5594,6 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
     <message>
         <source>Lower the stiffness.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not known here and was left out.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1: only a number from %2 can be taken.</source>
-        <extracomment>%1 is a number of a hardness preset, %2 a range</extracomment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The name must be one line of 1 to %1 characters that can be seen.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The notes take at most %1 characters, and only those that can be seen.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The version must be a whole number from 1 that no other preset of this name has.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>It is from a newer Cusp. Update Cusp to use it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>This is no hardness preset that can be read. Choose a file that Cusp has exported.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>What stands under &quot;%1&quot; cannot be taken.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -816,6 +816,693 @@
     </message>
 </context>
 <context>
+    <name>Fault</name>
+    <message>
+        <source>touch.points[%1]: there is no tooth at x = %2, y = %3 mm</source>
+        <translation>touch.points[%1]: en x = %2, y = %3 mm no hay diente</translation>
+    </message>
+    <message>
+        <source>has %1; a lesson has at most %2</source>
+        <translation>tiene %1; una lección tiene como mucho %2</translation>
+    </message>
+    <message>
+        <source>unterminated object</source>
+        <translation>un objeto no está cerrado</translation>
+    </message>
+    <message>
+        <source>missing name separator</source>
+        <translation>faltan los dos puntos tras una clave</translation>
+    </message>
+    <message>
+        <source>unterminated array</source>
+        <translation>una lista no está cerrada</translation>
+    </message>
+    <message>
+        <source>missing value separator</source>
+        <translation>falta la coma entre dos valores</translation>
+    </message>
+    <message>
+        <source>invalid termination by number</source>
+        <translation>falta algo tras el último número</translation>
+    </message>
+    <message>
+        <source>illegal number</source>
+        <translation>un número no válido</translation>
+    </message>
+    <message>
+        <source>invalid escape sequence</source>
+        <translation>un carácter no válido tras \</translation>
+    </message>
+    <message>
+        <source>unterminated string</source>
+        <translation>un texto no está cerrado</translation>
+    </message>
+    <message>
+        <source>object is missing after a comma</source>
+        <translation>falta algo tras una coma</translation>
+    </message>
+    <message>
+        <source>too deeply nested document</source>
+        <translation>anidado a demasiada profundidad</translation>
+    </message>
+    <message>
+        <source>too large document</source>
+        <translation>demasiado grande</translation>
+    </message>
+    <message>
+        <source>garbage at the end of the document</source>
+        <translation>queda algo al final</translation>
+    </message>
+    <message>
+        <source>illegal value</source>
+        <translation>un valor no válido</translation>
+    </message>
+    <message>
+        <source>%1 bytes</source>
+        <translation>%1 bytes</translation>
+    </message>
+    <message>
+        <source>is %1, from a newer Cusp; this one reads %2. Update Cusp to give this lesson</source>
+        <translation>es %1, de un Cusp más nuevo; este lee %2. Actualice Cusp para dar esta lección</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>está vacío</translation>
+    </message>
+    <message>
+        <source>is written in UTF-16 or UTF-32; save it as UTF-8</source>
+        <translation>está escrito en UTF-16 o UTF-32; guárdelo como UTF-8</translation>
+    </message>
+    <message>
+        <source>is not JSON: line %1, column %2: invalid UTF8 string; save the file as UTF-8</source>
+        <translation>no es JSON: línea %1, columna %2: un texto no es UTF-8; guarde el archivo como UTF-8</translation>
+    </message>
+    <message>
+        <source>is not JSON: line %1, column %2: %3</source>
+        <translation>no es JSON: línea %1, columna %2: %3</translation>
+    </message>
+    <message>
+        <source>must be one JSON object in braces</source>
+        <translation>debe ser un objeto JSON entre llaves</translation>
+    </message>
+    <message>
+        <source>is said twice in one object; leave one out</source>
+        <translation>está dos veces en un objeto; quite una</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; leads out of the lesson&apos;s folder; name a file beside it</source>
+        <translation>«%1» lleva fuera de la carpeta de la lección; indique un archivo junto a ella</translation>
+    </message>
+    <message>
+        <source>is based on itself by way of %1</source>
+        <translation>se basa en sí mismo a través de %1</translation>
+    </message>
+    <message>
+        <source>more than %1 files are based on one another</source>
+        <translation>se basa en más de %1 archivos encadenados</translation>
+    </message>
+    <message>
+        <source>must be the name of a file beside this one, or of one that is shipped</source>
+        <translation>debe ser el nombre de un archivo junto a este o de uno incluido con Cusp</translation>
+    </message>
+    <message>
+        <source>does not exist</source>
+        <translation>no existe</translation>
+    </message>
+    <message>
+        <source>cannot be read (it is a folder)</source>
+        <translation>no se puede leer (es una carpeta)</translation>
+    </message>
+    <message>
+        <source>cannot be read (it is no file)</source>
+        <translation>no se puede leer (no es un archivo)</translation>
+    </message>
+    <message>
+        <source>cannot be read (%1)</source>
+        <translation>no se puede leer (%1)</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true o false</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>un número</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>un texto</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>una lista</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>un objeto</translation>
+    </message>
+    <message>
+        <source>null</source>
+        <translation>null</translation>
+    </message>
+    <message>
+        <source>is %1; write a number of %2 without its unit</source>
+        <translation>es %1; escriba un número sin su unidad (%2)</translation>
+    </message>
+    <message>
+        <source>is %1; write a number</source>
+        <translation>es %1; escriba un número</translation>
+    </message>
+    <message>
+        <source>is %1, it must lie between %2 and %3 %4</source>
+        <translation>es %1 y debe estar entre %2 y %3 %4</translation>
+    </message>
+    <message>
+        <source>is %1, it must lie between %2 and %3</source>
+        <translation>es %1 y debe estar entre %2 y %3</translation>
+    </message>
+    <message>
+        <source>is %1, it must be a whole number</source>
+        <translation>es %1 y debe ser un número entero</translation>
+    </message>
+    <message>
+        <source>is %1; write true or false</source>
+        <translation>es %1; escriba true o false</translation>
+    </message>
+    <message>
+        <source>is %1; write a text in quotes</source>
+        <translation>es %1; escriba un texto entre comillas</translation>
+    </message>
+    <message>
+        <source>has %1 characters; at most %2 are read</source>
+        <translation>tiene %1 caracteres; se leen como mucho %2</translation>
+    </message>
+    <message>
+        <source>holds the character U+%1, which cannot be seen; leave it out</source>
+        <translation>contiene el carácter U+%1, que no se ve; quítelo</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>falta</translation>
+    </message>
+    <message>
+        <source>has %1 characters; it takes 1 to %2</source>
+        <translation>tiene %1 caracteres; debe tener de 1 a %2</translation>
+    </message>
+    <message>
+        <source>is %1; write {&quot;en&quot;: &quot;...&quot;, &quot;de&quot;: &quot;...&quot;}</source>
+        <translation>es %1; escriba {&quot;en&quot;: &quot;...&quot;, &quot;de&quot;: &quot;...&quot;}</translation>
+    </message>
+    <message>
+        <source>has texts in %1 languages; it takes 1 to %2</source>
+        <translation>tiene textos en %1 idiomas; debe tener de 1 a %2</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; must be the code of a language (en, de, es, ja) with a text</source>
+        <translation>«%1» debe ser el código de un idioma (en, de, es, ja) con un texto</translation>
+    </message>
+    <message>
+        <source>must be a list of at most %1 texts: [&quot;...&quot;, &quot;...&quot;]</source>
+        <translation>debe ser una lista de como mucho %1 textos: [&quot;...&quot;, &quot;...&quot;]</translation>
+    </message>
+    <message>
+        <source>is %1; write an object in braces</source>
+        <translation>es %1; escriba un objeto entre llaves</translation>
+    </message>
+    <message>
+        <source>must be a list of at most %1 objects</source>
+        <translation>debe ser una lista de como mucho %1 objetos</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not known; there are %2</source>
+        <translation>«%1» no se conoce; hay %2</translation>
+    </message>
+    <message>
+        <source>must be a list of 1 to %1 places: [[x, y], ...]</source>
+        <translation>debe ser una lista de 1 a %1 puntos: [[x, y], ...]</translation>
+    </message>
+    <message>
+        <source>must be [x, y], two numbers between %1 and %2 mm</source>
+        <translation>debe ser [x, y], dos números entre %1 y %2 mm</translation>
+    </message>
+    <message>
+        <source>is not a key that is known here, so it is left out</source>
+        <translation>no es una clave conocida aquí, así que se omite</translation>
+    </message>
+    <message>
+        <source>is not a key that is known here; did you mean &quot;%1&quot;?</source>
+        <translation>no es una clave conocida aquí; ¿quería decir «%1»?</translation>
+    </message>
+    <message>
+        <source>%1 (in the pack %2)</source>
+        <translation>%1 (en el paquete %2)</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; belongs to another lesson; give this one an id of its own</source>
+        <translation>«%1» pertenece a otra lección; dé a esta un id propio</translation>
+    </message>
+    <message>
+        <source>is missing; write &quot;format&quot;: %1</source>
+        <translation>falta; escriba &quot;format&quot;: %1</translation>
+    </message>
+    <message>
+        <source>there is no file &quot;%1&quot; beside the lesson</source>
+        <translation>junto a la lección no hay ningún archivo «%1»</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be read</source>
+        <translation>«%1» no se puede leer</translation>
+    </message>
+    <message>
+        <source>is missing; there are %1</source>
+        <translation>falta; hay %1</translation>
+    </message>
+    <message>
+        <source>has %1 with all that it names; a recording takes at most %2 along. Shorten its texts</source>
+        <translation>tiene %1 con todo lo que nombra; una grabación lleva como mucho %2. Acorte sus textos</translation>
+    </message>
+    <message>
+        <source>is missing; write {&quot;fdi&quot;: 36}, {&quot;block&quot;: &quot;line&quot;} or {&quot;scan&quot;: &quot;tooth.stl&quot;}</source>
+        <translation>falta; escriba {&quot;fdi&quot;: 36}, {&quot;block&quot;: &quot;line&quot;} o {&quot;scan&quot;: &quot;tooth.stl&quot;}</translation>
+    </message>
+    <message>
+        <source>must name one of &quot;fdi&quot;, &quot;block&quot; and &quot;scan&quot;</source>
+        <translation>debe indicar uno solo de «fdi», «block» y «scan»</translation>
+    </message>
+    <message>
+        <source>there is no tooth %1 here; those of the left are made: 21 to 28 and 31 to 38</source>
+        <translation>aquí no hay diente %1; se hacen los del lado izquierdo: 21 a 28 y 31 a 38</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no unit; write mm, cm, m or the millimetres of one unit</source>
+        <translation>«%1» no es una unidad; escriba mm, cm, m o los milímetros de una unidad</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no direction; write +x, -x, +y, -y, +z or -z</source>
+        <translation>«%1» no es una dirección; escriba +x, -x, +y, -y, +z o -z</translation>
+    </message>
+    <message>
+        <source>an ideal is captured, or has a kind and sizes; leave one out (where the lesson is based on another, with &quot;kind&quot;: null, &quot;sizes&quot;: null)</source>
+        <translation>un ideal es capturado o tiene kind y sizes; quite uno (si la lección se basa en otra, con &quot;kind&quot;: null, &quot;sizes&quot;: null)</translation>
+    </message>
+    <message>
+        <source>is missing; name the preparation, or a file &quot;captured&quot;</source>
+        <translation>falta; indique la preparación o un archivo «captured»</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has %2; a lesson takes at most %3. Capture it on a coarser grid</source>
+        <translation>«%1» tiene %2; una lección admite como mucho %3. Captúrelo en una rejilla más gruesa</translation>
+    </message>
+    <message>
+        <source>has its own caries and plastic; leave it out, or leave out &quot;caries&quot; and &quot;plastic&quot;</source>
+        <translation>tiene sus propios valores de caries y plástico; quítelo o quite «caries» y «plastic»</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no aid; there are section, depth_gauge, radiograph, heat_map, mirror, ideal, bur_colour, fixture</source>
+        <translation>«%1» no es una ayuda; hay section, depth_gauge, radiograph, heat_map, mirror, ideal, bur_colour, fixture</translation>
+    </message>
+    <message>
+        <source>only a tooth of ours has neighbours; write false</source>
+        <translation>solo un diente de Cusp tiene vecinos; escriba false</translation>
+    </message>
+    <message>
+        <source>to remove decay there must be some: write &quot;lesion&quot;: {&quot;extent&quot;: 0.5} for a tooth</source>
+        <translation>para eliminar caries tiene que haberla: escriba &quot;lesion&quot;: {&quot;extent&quot;: 0.5} para un diente</translation>
+    </message>
+    <message>
+        <source>is missing; it says which preparation is to be cut</source>
+        <translation>falta; dice qué preparación hay que tallar</translation>
+    </message>
+    <message>
+        <source>a shape is traced in a block: write {&quot;block&quot;: &quot;line&quot;}</source>
+        <translation>una forma se traza en un bloque: escriba {&quot;block&quot;: &quot;line&quot;}</translation>
+    </message>
+    <message>
+        <source>is missing; it says which points are to be touched: {&quot;points&quot;: [[x, y], ...]}</source>
+        <translation>falta; dice qué puntos hay que tocar: {&quot;points&quot;: [[x, y], ...]}</translation>
+    </message>
+    <message>
+        <source>is missing; it says which force is to be held: {&quot;force_n&quot;: 1}</source>
+        <translation>falta; dice qué fuerza hay que mantener: {&quot;force_n&quot;: 1}</translation>
+    </message>
+    <message>
+        <source>layers are told apart in a block of them: write {&quot;block&quot;: &quot;layers&quot;}</source>
+        <translation>las capas se distinguen en un bloque de capas: escriba {&quot;block&quot;: &quot;layers&quot;}</translation>
+    </message>
+    <message>
+        <source>layers are told apart without any; leave the key out</source>
+        <translation>las capas se distinguen sin ayudas; quite la clave</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was captured on the tooth &apos;%2&apos; (seed %3, grid %4); name that tooth, seed and grid, or capture it on this one</source>
+        <translation>«%1» se capturó en el diente «%2» (seed %3, grid %4); indique ese diente con su seed y grid, o captúrelo en este</translation>
+    </message>
+    <message>
+        <source>is made by rule for a tooth of ours only, &quot;tooth&quot;: {&quot;fdi&quot;: 36}; for a scan name a captured one: {&quot;captured&quot;: &quot;mine.cuspideal&quot;}</source>
+        <translation>se hace por regla solo para un diente de Cusp, &quot;tooth&quot;: {&quot;fdi&quot;: 36}; para un escaneo indique uno capturado: {&quot;captured&quot;: &quot;mine.cuspideal&quot;}</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read; check its name and rights.</source>
+        <translation>%1 no se puede leer; compruebe el nombre y los permisos.</translation>
+    </message>
+    <message>
+        <source>%1 has %2, and a pack takes %3 in all; pack fewer lessons, or coarser scans.</source>
+        <translation>%1 tiene %2 y un paquete admite %3 en total; empaquete menos lecciones o escaneos más gruesos.</translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be made; name another.</source>
+        <translation>La carpeta %1 no se puede crear; indique otra.</translation>
+    </message>
+    <message>
+        <source>The pack names a file &quot;%1&quot;, which leads out of its folder or is of no kind that lessons have; nothing was unpacked.</source>
+        <translation>El paquete nombra un archivo «%1» que lleva fuera de su carpeta o no es de ningún tipo que tengan las lecciones; no se desempaquetó nada.</translation>
+    </message>
+    <message>
+        <source>The file &quot;%1&quot; in the pack is not what its hash says: it was damaged or changed; nothing was unpacked. Ask for the pack again.</source>
+        <translation>El archivo «%1» del paquete no es lo que dice su suma de verificación: se dañó o se cambió; no se desempaquetó nada. Pida el paquete de nuevo.</translation>
+    </message>
+    <message>
+        <source>This is no pack of lessons, it is damaged, or it holds more than %1; choose a file that &quot;cusp lesson pack&quot; has made.</source>
+        <translation>No es un paquete de lecciones, está dañado o contiene más de %1; elija un archivo hecho con «cusp lesson pack».</translation>
+    </message>
+    <message>
+        <source>This is no pack of lessons; choose a file that &quot;cusp lesson pack&quot; has made.</source>
+        <translation>No es un paquete de lecciones; elija un archivo hecho con «cusp lesson pack».</translation>
+    </message>
+    <message>
+        <source>The pack is of format %1, from a newer Cusp; this one reads %2. Update Cusp.</source>
+        <translation>El paquete es de formato %1, de un Cusp más nuevo; este lee %2. Actualice Cusp.</translation>
+    </message>
+    <message>
+        <source>The pack lists %1 files; it may hold 1 to %2.</source>
+        <translation>El paquete enumera %1 archivos; puede contener de 1 a %2.</translation>
+    </message>
+    <message>
+        <source>The pack holds &quot;%1&quot; twice; nothing was unpacked.</source>
+        <translation>El paquete contiene «%1» dos veces; no se desempaquetó nada.</translation>
+    </message>
+    <message>
+        <source>%1 is a link to elsewhere; nothing was unpacked. Name another folder.</source>
+        <translation>%1 es un enlace a otro sitio; no se desempaquetó nada. Indique otra carpeta.</translation>
+    </message>
+    <message>
+        <source>There is another file &quot;%1&quot; in %2 already; nothing was unpacked. Move it away, or name another folder.</source>
+        <translation>En %2 ya hay otro archivo «%1»; no se desempaquetó nada. Muévalo o indique otra carpeta.</translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be written.</source>
+        <translation>No se puede escribir en la carpeta %1.</translation>
+    </message>
+    <message>
+        <source>has %1; a hardness preset has at most %2</source>
+        <translation>tiene %1; un ajuste de dureza tiene como mucho %2</translation>
+    </message>
+    <message>
+        <source>is %1, from a newer Cusp; this one reads %2. Update Cusp to use it</source>
+        <translation>es %1, de un Cusp más nuevo; este lee %2. Actualice Cusp para usarlo</translation>
+    </message>
+    <message>
+        <source>says that this is no hardness preset; choose a file that Cusp has exported</source>
+        <translation>dice que esto no es un ajuste de dureza; elija un archivo que Cusp haya exportado</translation>
+    </message>
+    <message>
+        <source>must be one line of 1 to %1 characters</source>
+        <translation>debe ser una línea de 1 a %1 caracteres</translation>
+    </message>
+    <message>
+        <source>is not there; check the name</source>
+        <translation>no está; compruebe el nombre</translation>
+    </message>
+    <message>
+        <source>cannot be read; name a file that you may read</source>
+        <translation>no se puede leer; indique un archivo que usted pueda leer</translation>
+    </message>
+    <message>
+        <source>there is another %1 of version %2; give this one another number</source>
+        <translation>hay otro «%1» de la versión %2; dé a este otro número</translation>
+    </message>
+    <message>
+        <source>rubric %1, criterion %2, %3: %4</source>
+        <translation>rúbrica %1, criterio %2, %3: %4</translation>
+    </message>
+    <message>
+        <source>%1 %2 is not between %3 and %4</source>
+        <translation>%1 %2 no está entre %3 y %4</translation>
+    </message>
+    <message>
+        <source>a critical criterion earns nothing, it has nothing to wait for</source>
+        <translation>un criterio crítico no da puntos, no tiene nada que esperar</translation>
+    </message>
+    <message>
+        <source>a critical criterion has none; it fails the attempt and takes all points that are left</source>
+        <translation>un criterio crítico no tiene ninguno; hace fallar el intento y quita todos los puntos que quedan</translation>
+    </message>
+    <message>
+        <source>must be at least 0.1 points</source>
+        <translation>debe ser de al menos 0,1 puntos</translation>
+    </message>
+    <message>
+        <source>rubric %1, criteria: there are %2, it takes 1 to %3</source>
+        <translation>rúbrica %1, criteria: hay %2, debe haber de 1 a %3</translation>
+    </message>
+    <message>
+        <source>rubric %1, pass_mark: must lie between 0 and 100 points</source>
+        <translation>rúbrica %1, pass_mark: debe estar entre 0 y 100 puntos</translation>
+    </message>
+    <message>
+        <source>is there twice</source>
+        <translation>está dos veces</translation>
+    </message>
+    <message>
+        <source>rubric %1, weight: those of all criteria make %2 points; they must make 100</source>
+        <translation>rúbrica %1, weight: los de todos los criterios suman %2 puntos; deben sumar 100</translation>
+    </message>
+    <message>
+        <source>is %1; points are given to a tenth</source>
+        <translation>es %1; los puntos se dan con un decimal</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no measure; &quot;cusp lesson measures&quot; lists them</source>
+        <translation>«%1» no es una medida; «cusp lesson measures» las enumera</translation>
+    </message>
+    <message>
+        <source>may hold small letters, digits, &apos;-&apos; and &apos;_&apos; only, and begins with a letter or digit</source>
+        <translation>solo puede contener minúsculas, cifras, «-» y «_», y empieza por una letra o una cifra</translation>
+    </message>
+    <message>
+        <source>is missing; name one that is shipped (&quot;decay_removal&quot;), a file beside the lesson, or write it out</source>
+        <translation>falta; indique una incluida con Cusp («decay_removal»), un archivo junto a la lección, o escríbala entera</translation>
+    </message>
+    <message>
+        <source>there is no rubric &quot;%1&quot;</source>
+        <translation>no hay ninguna rúbrica «%1»</translation>
+    </message>
+    <message>
+        <source>%1</source>
+        <extracomment>%1: what has no words of its own but English ones</extracomment>
+        <translation>%1 (solo se sabe en inglés)</translation>
+    </message>
+    <message>
+        <source>the %1 (%2) is not a number</source>
+        <extracomment>%1: a number of an ideal or a block, %2: its key, %3: the number that was given</extracomment>
+        <translation>%1 (%2) no es un número</translation>
+    </message>
+    <message>
+        <source>the %1 (%2) must be from %4 to %5, not %3</source>
+        <translation>%1 (%2) debe estar entre %4 y %5, no %3</translation>
+    </message>
+    <message>
+        <source>the %1 (%2) must be from %4 to %5 %6, not %3</source>
+        <translation>%1 (%2) debe estar entre %4 y %5 %6, no %3</translation>
+    </message>
+    <message>
+        <source>the %1 (%2) must be a whole number, not %3</source>
+        <translation>%1 (%2) debe ser un número entero, no %3</translation>
+    </message>
+    <message>
+        <source>there is no size &quot;%1&quot;; there are %2</source>
+        <translation>no hay ninguna medida «%1»; hay %2</translation>
+    </message>
+    <message>
+        <source>the thickness of the enamel layer (enamel_mm) is more than the block&apos;s height (height_mm)</source>
+        <translation>la capa de esmalte (enamel_mm) es más gruesa que la altura del bloque (height_mm)</translation>
+    </message>
+    <message>
+        <source>the block&apos;s side or height (side_mm, height_mm) is too small for three pads: they take %1 and %2 mm</source>
+        <translation>el lado o la altura del bloque (side_mm, height_mm) no basta para tres campos: necesitan %1 y %2 mm</translation>
+    </message>
+    <message>
+        <source>the length of the shape (length_mm) leaves less than %1 mm of the block around it</source>
+        <translation>la longitud de la forma (length_mm) deja menos de %1 mm de bloque alrededor</translation>
+    </message>
+    <message>
+        <source>the depth of the channel (depth_mm) leaves less than %1 mm of the block below it</source>
+        <translation>la profundidad del canal (depth_mm) deja menos de %1 mm de bloque debajo</translation>
+    </message>
+    <message>
+        <source>the radius of inner corners (corner_radius_mm) is more than half of the width of the channel (width_mm)</source>
+        <translation>el radio de los ángulos internos (corner_radius_mm) es mayor que la mitad de la anchura del canal (width_mm)</translation>
+    </message>
+    <message>
+        <source>the radius between floor and wall (line_angle_mm) is more than the radius of inner corners (corner_radius_mm): no bur leaves that</source>
+        <translation>el radio entre piso y pared (line_angle_mm) es mayor que el radio de los ángulos internos (corner_radius_mm): ninguna fresa deja eso</translation>
+    </message>
+    <message>
+        <source>the radius between floor and wall (line_angle_mm) is more than the depth (depth_mm)</source>
+        <translation>el radio entre piso y pared (line_angle_mm) es mayor que la profundidad (depth_mm)</translation>
+    </message>
+    <message>
+        <source>the length of the shape (length_mm) must be at least %1 mm with a channel of that width (width_mm)</source>
+        <translation>con un canal de esa anchura (width_mm), la forma (length_mm) debe medir al menos %1 mm</translation>
+    </message>
+    <message>
+        <source>the length of the shape (length_mm) is less than the width of the channel (width_mm)</source>
+        <translation>la forma (length_mm) es más corta que la anchura del canal (width_mm)</translation>
+    </message>
+    <message>
+        <source>the length of the shape (length_mm) leaves each of its steps shorter than the channel is wide (width_mm)</source>
+        <translation>con esa longitud de la forma (length_mm), cada escalón es más corto que la anchura del canal (width_mm)</translation>
+    </message>
+    <message>
+        <source>there is no practice block &apos;%1&apos;; choose one of %2</source>
+        <translation>no hay ningún bloque de práctica «%1»; elija uno de %2</translation>
+    </message>
+    <message>
+        <source>there is no preparation &apos;%1&apos;; choose one of %2</source>
+        <translation>no hay ninguna preparación «%1»; elija una de %2</translation>
+    </message>
+    <message>
+        <source>the preparation &apos;%1&apos; is not made for tooth %2; it is for %3</source>
+        <translation>la preparación «%1» no se hace en el diente %2; es para %3</translation>
+    </message>
+    <message>
+        <source>the radius between floor and wall (line_angle_mm) is more than the radius of the bur (bur_radius_mm): no bur leaves that</source>
+        <translation>el radio entre piso y pared (line_angle_mm) es mayor que el radio de la fresa (bur_radius_mm): ninguna fresa deja eso</translation>
+    </message>
+    <message>
+        <source>the width of the isthmus (isthmus_mm) is less than the bur is wide (twice bur_radius_mm)</source>
+        <translation>el istmo (isthmus_mm) es más estrecho que la fresa (dos veces bur_radius_mm)</translation>
+    </message>
+    <message>
+        <source>this preparation would open the pulp; make its depth (depth_mm) less</source>
+        <translation>esta preparación abriría la pulpa; reduzca la profundidad (depth_mm)</translation>
+    </message>
+    <message>
+        <source>this preparation would open the pulp; make its depth (depth_mm) or that of the box (box_floor_mm, box_axial_mm) less</source>
+        <translation>esta preparación abriría la pulpa; reduzca la profundidad (depth_mm) o la del cajón (box_floor_mm, box_axial_mm)</translation>
+    </message>
+    <message>
+        <source>nobody knows where the fissures of &apos;%1&apos; run or which side is mesial; choose a tooth by its FDI number, or take an ideal from attempts at this one</source>
+        <translation>nadie sabe por dónde van las fisuras de «%1» ni qué lado es mesial; elija un diente por su número FDI o tome un ideal de intentos en este</translation>
+    </message>
+    <message>
+        <source>there is no room for the %1 on this tooth; make one of these less: %2</source>
+        <extracomment>%1: a part of a preparation, %2: keys of numbers</extracomment>
+        <translation>en este diente no hay sitio (%1); reduzca uno de estos: %2</translation>
+    </message>
+    <message>
+        <source>occlusal outline</source>
+        <translation>contorno oclusal</translation>
+    </message>
+    <message>
+        <source>central groove</source>
+        <translation>surco central</translation>
+    </message>
+    <message>
+        <source>mesial pit</source>
+        <translation>fosita mesial</translation>
+    </message>
+    <message>
+        <source>distal pit</source>
+        <translation>fosita distal</translation>
+    </message>
+    <message>
+        <source>pits</source>
+        <translation>fositas</translation>
+    </message>
+    <message>
+        <source>none: the tooth has no such groove</source>
+        <translation>ninguno: el diente no tiene ese surco</translation>
+    </message>
+    <message>
+        <source>tooth %1 has no pulp chamber that could be opened from above</source>
+        <translation>el diente %1 no tiene una cámara pulpar que se pueda abrir desde arriba</translation>
+    </message>
+    <message>
+        <source>The captured ideal is damaged. Use a copy of the file, or capture it again.</source>
+        <translation>El ideal capturado está dañado. Use una copia del archivo o captúrelo de nuevo.</translation>
+    </message>
+    <message>
+        <source>The ideal was captured on the tooth &apos;%1&apos; (seed %2, grid %3) and does not fit &apos;%4&apos; (seed %5, grid %6); name that tooth, seed and grid, or capture it on this one.</source>
+        <translation>El ideal se capturó en el diente «%1» (seed %2, grid %3) y no encaja con «%4» (seed %5, grid %6); indique ese diente con su seed y grid, o captúrelo en este.</translation>
+    </message>
+    <message>
+        <source>The captured ideal is empty; choose another file.</source>
+        <translation>El ideal capturado está vacío; elija otro archivo.</translation>
+    </message>
+    <message>
+        <source>This is not a captured ideal; choose a file that Cusp has saved as one (*.cuspideal).</source>
+        <translation>Esto no es un ideal capturado; elija un archivo que Cusp haya guardado como tal (*.cuspideal).</translation>
+    </message>
+    <message>
+        <source>The captured ideal is of version %1, this Cusp reads up to version %2; open it with a newer Cusp.</source>
+        <translation>El ideal capturado es de la versión %1 y este Cusp lee hasta la versión %2; ábralo con un Cusp más nuevo.</translation>
+    </message>
+    <message>
+        <source>The captured ideal ends early: it was cut off while being written or copied. Use a whole copy.</source>
+        <translation>El ideal capturado termina antes de tiempo: se cortó al escribirlo o copiarlo. Use una copia completa.</translation>
+    </message>
+    <message>
+        <source>There is no handpiece &apos;%1&apos;; choose one of %2.</source>
+        <translation>No hay ninguna pieza de mano «%1»; elija una de %2.</translation>
+    </message>
+    <message>
+        <source>There is no bur &apos;%1&apos;; choose one of %2.</source>
+        <translation>No hay ninguna fresa «%1»; elija una de %2.</translation>
+    </message>
+    <message>
+        <source>There is no hardness preset &apos;%1&apos;; choose natural or typodont, or name a file.</source>
+        <translation>No hay ningún ajuste de dureza «%1»; elija natural o typodont, o indique un archivo.</translation>
+    </message>
+    <message>
+        <source>the force limit is %1 N, and the device gives at most %2 N; lower it</source>
+        <translation>el límite de fuerza es %1 N y el dispositivo da como mucho %2 N; redúzcalo</translation>
+    </message>
+    <message>
+        <source>the stiffness is %1 N/mm, and a light hand at %2 ms of delay is held up to %3 N/mm with this damping; lower the stiffness, or damp more</source>
+        <translation>la rigidez es %1 N/mm y, con %2 ms de retardo y este amortiguamiento, una mano ligera solo se mantiene firme hasta %3 N/mm; reduzca la rigidez o amortigüe más</translation>
+    </message>
+    <message>
+        <source>the stiffness is %1 N/mm, and a light hand at %2 ms of delay is held up to %3 N/mm however it is damped; lower the stiffness</source>
+        <translation>la rigidez es %1 N/mm y, con %2 ms de retardo, una mano ligera solo se mantiene firme hasta %3 N/mm, se amortigüe como se amortigüe; reduzca la rigidez</translation>
+    </message>
+    <message>
+        <source>the stiffness is %1 N/mm, and a light hand at %2 ms of delay is held up to %3 N/mm before it buzzes; lower the stiffness</source>
+        <translation>la rigidez es %1 N/mm y, con %2 ms de retardo, una mano ligera solo se mantiene firme hasta %3 N/mm, y luego zumba; reduzca la rigidez</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>puntos</translation>
+    </message>
+    <message>
+        <source>percent</source>
+        <translation>por ciento</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>grados</translation>
+    </message>
+    <message>
+        <source>minutes</source>
+        <translation>minutos</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <extracomment>%1: the name of a file; %2: what is wrong with it: &quot;is empty&quot;</extracomment>
+        <translation>%1 %2</translation>
+    </message>
+</context>
+<context>
     <name>Field</name>
     <message>
         <source>width of the isthmus</source>
@@ -2044,11 +2731,11 @@
     </message>
     <message>
         <source>The backup of %1 is in place.</source>
+        <extracomment>%2: a file&apos;s name</extracomment>
         <translation>La copia del %1 está en su sitio.</translation>
     </message>
     <message>
         <source>The backup of %1 is in place. The file that was there is kept beside it as %2.</source>
-        <extracomment>%2: a file&apos;s name</extracomment>
         <translation>La copia del %1 está en su sitio. El archivo que había se conserva a su lado como %2.</translation>
     </message>
 </context>
@@ -4916,39 +5603,6 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>Lower the stiffness.</source>
         <translation>Baje la rigidez.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not known here and was left out.</source>
-        <translation>«%1» no se conoce aquí y se omitió.</translation>
-    </message>
-    <message>
-        <source>%1: only a number from %2 can be taken.</source>
-        <extracomment>%1 is a number of a hardness preset, %2 a range</extracomment>
-        <translation>%1: solo se admite un número de %2.</translation>
-    </message>
-    <message>
-        <source>The name must be one line of 1 to %1 characters that can be seen.</source>
-        <translation>El nombre debe ser una línea de 1 a %1 caracteres visibles.</translation>
-    </message>
-    <message>
-        <source>The notes take at most %1 characters, and only those that can be seen.</source>
-        <translation>Las notas admiten como máximo %1 caracteres, y solo visibles.</translation>
-    </message>
-    <message>
-        <source>The version must be a whole number from 1 that no other preset of this name has.</source>
-        <translation>La versión debe ser un número entero desde 1 que no tenga otro ajuste de este nombre.</translation>
-    </message>
-    <message>
-        <source>It is from a newer Cusp. Update Cusp to use it.</source>
-        <translation>Procede de un Cusp más nuevo. Actualice Cusp para usarlo.</translation>
-    </message>
-    <message>
-        <source>This is no hardness preset that can be read. Choose a file that Cusp has exported.</source>
-        <translation>No es un ajuste de dureza que se pueda leer. Elija un archivo que Cusp haya exportado.</translation>
-    </message>
-    <message>
-        <source>What stands under &quot;%1&quot; cannot be taken.</source>
-        <translation>Lo que figura en «%1» no se puede usar.</translation>
     </message>
 </context>
 <context>

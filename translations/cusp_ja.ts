@@ -814,6 +814,693 @@
     </message>
 </context>
 <context>
+    <name>Fault</name>
+    <message>
+        <source>touch.points[%1]: there is no tooth at x = %2, y = %3 mm</source>
+        <translation>touch.points[%1]：x = %2、y = %3 mmに歯がありません</translation>
+    </message>
+    <message>
+        <source>has %1; a lesson has at most %2</source>
+        <translation>%1あります。課題は%2までです</translation>
+    </message>
+    <message>
+        <source>unterminated object</source>
+        <translation>オブジェクトが閉じられていません</translation>
+    </message>
+    <message>
+        <source>missing name separator</source>
+        <translation>キーの後のコロンがありません</translation>
+    </message>
+    <message>
+        <source>unterminated array</source>
+        <translation>リストが閉じられていません</translation>
+    </message>
+    <message>
+        <source>missing value separator</source>
+        <translation>値と値の間のコンマがありません</translation>
+    </message>
+    <message>
+        <source>invalid termination by number</source>
+        <translation>最後の数値の後が欠けています</translation>
+    </message>
+    <message>
+        <source>illegal number</source>
+        <translation>数値が正しくありません</translation>
+    </message>
+    <message>
+        <source>invalid escape sequence</source>
+        <translation>\の後の文字が正しくありません</translation>
+    </message>
+    <message>
+        <source>unterminated string</source>
+        <translation>文字列が閉じられていません</translation>
+    </message>
+    <message>
+        <source>object is missing after a comma</source>
+        <translation>コンマの後が欠けています</translation>
+    </message>
+    <message>
+        <source>too deeply nested document</source>
+        <translation>入れ子が深すぎます</translation>
+    </message>
+    <message>
+        <source>too large document</source>
+        <translation>大きすぎます</translation>
+    </message>
+    <message>
+        <source>garbage at the end of the document</source>
+        <translation>末尾に余分なものがあります</translation>
+    </message>
+    <message>
+        <source>illegal value</source>
+        <translation>値が正しくありません</translation>
+    </message>
+    <message>
+        <source>%1 bytes</source>
+        <translation>%1バイト</translation>
+    </message>
+    <message>
+        <source>is %1, from a newer Cusp; this one reads %2. Update Cusp to give this lesson</source>
+        <translation>%1で、新しいCuspのものです。このCuspが読めるのは%2です。この課題を使うにはCuspを更新してください</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>空です</translation>
+    </message>
+    <message>
+        <source>is written in UTF-16 or UTF-32; save it as UTF-8</source>
+        <translation>UTF-16かUTF-32で書かれています。UTF-8で保存してください</translation>
+    </message>
+    <message>
+        <source>is not JSON: line %1, column %2: invalid UTF8 string; save the file as UTF-8</source>
+        <translation>JSONではありません。%1行%2列目：文字列がUTF-8ではありません。UTF-8で保存してください</translation>
+    </message>
+    <message>
+        <source>is not JSON: line %1, column %2: %3</source>
+        <translation>JSONではありません。%1行%2列目：%3</translation>
+    </message>
+    <message>
+        <source>must be one JSON object in braces</source>
+        <translation>波括弧で囲んだ1つのJSONオブジェクトでなければなりません</translation>
+    </message>
+    <message>
+        <source>is said twice in one object; leave one out</source>
+        <translation>1つのオブジェクトに2回書かれています。1つ消してください</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; leads out of the lesson&apos;s folder; name a file beside it</source>
+        <translation>「%1」は課題のフォルダーの外を指しています。同じ場所にあるファイルを指定してください</translation>
+    </message>
+    <message>
+        <source>is based on itself by way of %1</source>
+        <translation>%1を経て自分自身に基づいています</translation>
+    </message>
+    <message>
+        <source>more than %1 files are based on one another</source>
+        <translation>%1個を超えるファイルが互いに基づいています</translation>
+    </message>
+    <message>
+        <source>must be the name of a file beside this one, or of one that is shipped</source>
+        <translation>同じ場所にあるファイルか、付属のファイルの名前でなければなりません</translation>
+    </message>
+    <message>
+        <source>does not exist</source>
+        <translation>存在しません</translation>
+    </message>
+    <message>
+        <source>cannot be read (it is a folder)</source>
+        <translation>読み取れません（フォルダーです）</translation>
+    </message>
+    <message>
+        <source>cannot be read (it is no file)</source>
+        <translation>読み取れません（ファイルではありません）</translation>
+    </message>
+    <message>
+        <source>cannot be read (%1)</source>
+        <translation>読み取れません（%1）</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>trueかfalse</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>数値</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>文字列</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>リスト</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>オブジェクト</translation>
+    </message>
+    <message>
+        <source>null</source>
+        <translation>null</translation>
+    </message>
+    <message>
+        <source>is %1; write a number of %2 without its unit</source>
+        <translation>%1です。単位（%2）を付けずに数値を書いてください</translation>
+    </message>
+    <message>
+        <source>is %1; write a number</source>
+        <translation>%1です。数値を書いてください</translation>
+    </message>
+    <message>
+        <source>is %1, it must lie between %2 and %3 %4</source>
+        <translation>%1ですが、%2から%3 %4まででなければなりません</translation>
+    </message>
+    <message>
+        <source>is %1, it must lie between %2 and %3</source>
+        <translation>%1ですが、%2から%3まででなければなりません</translation>
+    </message>
+    <message>
+        <source>is %1, it must be a whole number</source>
+        <translation>%1ですが、整数でなければなりません</translation>
+    </message>
+    <message>
+        <source>is %1; write true or false</source>
+        <translation>%1です。trueかfalseと書いてください</translation>
+    </message>
+    <message>
+        <source>is %1; write a text in quotes</source>
+        <translation>%1です。引用符で囲んだ文字列を書いてください</translation>
+    </message>
+    <message>
+        <source>has %1 characters; at most %2 are read</source>
+        <translation>%1文字あります。読めるのは%2文字までです</translation>
+    </message>
+    <message>
+        <source>holds the character U+%1, which cannot be seen; leave it out</source>
+        <translation>見えない文字U+%1を含んでいます。取り除いてください</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>ありません</translation>
+    </message>
+    <message>
+        <source>has %1 characters; it takes 1 to %2</source>
+        <translation>%1文字あります。1～%2文字にしてください</translation>
+    </message>
+    <message>
+        <source>is %1; write {&quot;en&quot;: &quot;...&quot;, &quot;de&quot;: &quot;...&quot;}</source>
+        <translation>%1です。{&quot;en&quot;: &quot;...&quot;, &quot;de&quot;: &quot;...&quot;} のように書いてください</translation>
+    </message>
+    <message>
+        <source>has texts in %1 languages; it takes 1 to %2</source>
+        <translation>%1言語の文があります。1～%2言語にしてください</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; must be the code of a language (en, de, es, ja) with a text</source>
+        <translation>「%1」は言語コード（en、de、es、ja）と文字列でなければなりません</translation>
+    </message>
+    <message>
+        <source>must be a list of at most %1 texts: [&quot;...&quot;, &quot;...&quot;]</source>
+        <translation>%1個までの文字列のリストでなければなりません：[&quot;...&quot;, &quot;...&quot;]</translation>
+    </message>
+    <message>
+        <source>is %1; write an object in braces</source>
+        <translation>%1です。波括弧で囲んだオブジェクトを書いてください</translation>
+    </message>
+    <message>
+        <source>must be a list of at most %1 objects</source>
+        <translation>%1個までのオブジェクトのリストでなければなりません</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not known; there are %2</source>
+        <translation>「%1」は使えません。使えるもの：%2</translation>
+    </message>
+    <message>
+        <source>must be a list of 1 to %1 places: [[x, y], ...]</source>
+        <translation>1～%1か所のリストでなければなりません：[[x, y], ...]</translation>
+    </message>
+    <message>
+        <source>must be [x, y], two numbers between %1 and %2 mm</source>
+        <translation>[x, y] の形で、%1～%2 mmの2つの数値でなければなりません</translation>
+    </message>
+    <message>
+        <source>is not a key that is known here, so it is left out</source>
+        <translation>ここで使えるキーではないため、無視されます</translation>
+    </message>
+    <message>
+        <source>is not a key that is known here; did you mean &quot;%1&quot;?</source>
+        <translation>ここで使えるキーではありません。「%1」のことですか？</translation>
+    </message>
+    <message>
+        <source>%1 (in the pack %2)</source>
+        <translation>%1（パック%2の中）</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; belongs to another lesson; give this one an id of its own</source>
+        <translation>「%1」は別の課題のものです。この課題に固有のidを付けてください</translation>
+    </message>
+    <message>
+        <source>is missing; write &quot;format&quot;: %1</source>
+        <translation>ありません。&quot;format&quot;: %1 と書いてください</translation>
+    </message>
+    <message>
+        <source>there is no file &quot;%1&quot; beside the lesson</source>
+        <translation>課題と同じ場所にファイル「%1」がありません</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be read</source>
+        <translation>「%1」を読み取れません</translation>
+    </message>
+    <message>
+        <source>is missing; there are %1</source>
+        <translation>ありません。使えるもの：%1</translation>
+    </message>
+    <message>
+        <source>has %1 with all that it names; a recording takes at most %2 along. Shorten its texts</source>
+        <translation>指定したものを含めて%1あります。記録に入るのは%2までです。文を短くしてください</translation>
+    </message>
+    <message>
+        <source>is missing; write {&quot;fdi&quot;: 36}, {&quot;block&quot;: &quot;line&quot;} or {&quot;scan&quot;: &quot;tooth.stl&quot;}</source>
+        <translation>ありません。{&quot;fdi&quot;: 36}、{&quot;block&quot;: &quot;line&quot;}、{&quot;scan&quot;: &quot;tooth.stl&quot;} のどれかを書いてください</translation>
+    </message>
+    <message>
+        <source>must name one of &quot;fdi&quot;, &quot;block&quot; and &quot;scan&quot;</source>
+        <translation>「fdi」「block」「scan」のどれか1つを指定してください</translation>
+    </message>
+    <message>
+        <source>there is no tooth %1 here; those of the left are made: 21 to 28 and 31 to 38</source>
+        <translation>歯%1はありません。作れるのは左側の21～28と31～38です</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no unit; write mm, cm, m or the millimetres of one unit</source>
+        <translation>「%1」は単位ではありません。mm、cm、m、または1単位が何ミリメートルかを書いてください</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no direction; write +x, -x, +y, -y, +z or -z</source>
+        <translation>「%1」は方向ではありません。+x、-x、+y、-y、+z、-z のどれかを書いてください</translation>
+    </message>
+    <message>
+        <source>an ideal is captured, or has a kind and sizes; leave one out (where the lesson is based on another, with &quot;kind&quot;: null, &quot;sizes&quot;: null)</source>
+        <translation>理想形は、取り込んだものか、kindとsizesを持つもののどちらかです。一方を消してください（別の課題に基づく場合は &quot;kind&quot;: null, &quot;sizes&quot;: null と書きます）</translation>
+    </message>
+    <message>
+        <source>is missing; name the preparation, or a file &quot;captured&quot;</source>
+        <translation>ありません。窩洞の種類か、ファイル「captured」を指定してください</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has %2; a lesson takes at most %3. Capture it on a coarser grid</source>
+        <translation>「%1」は%2あります。課題に入るのは%3までです。粗い格子で取り込んでください</translation>
+    </message>
+    <message>
+        <source>has its own caries and plastic; leave it out, or leave out &quot;caries&quot; and &quot;plastic&quot;</source>
+        <translation>う蝕とプラスチックの値を自分で持っています。これを消すか、「caries」と「plastic」を消してください</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no aid; there are section, depth_gauge, radiograph, heat_map, mirror, ideal, bur_colour, fixture</source>
+        <translation>「%1」という補助はありません。あるもの：section、depth_gauge、radiograph、heat_map、mirror、ideal、bur_colour、fixture</translation>
+    </message>
+    <message>
+        <source>only a tooth of ours has neighbours; write false</source>
+        <translation>隣の歯があるのはCuspの歯だけです。falseと書いてください</translation>
+    </message>
+    <message>
+        <source>to remove decay there must be some: write &quot;lesion&quot;: {&quot;extent&quot;: 0.5} for a tooth</source>
+        <translation>う蝕を取り除くには、う蝕が必要です。歯に &quot;lesion&quot;: {&quot;extent&quot;: 0.5} と書いてください</translation>
+    </message>
+    <message>
+        <source>is missing; it says which preparation is to be cut</source>
+        <translation>ありません。どの窩洞を形成するかを書くものです</translation>
+    </message>
+    <message>
+        <source>a shape is traced in a block: write {&quot;block&quot;: &quot;line&quot;}</source>
+        <translation>形をなぞるのはブロックの上です。{&quot;block&quot;: &quot;line&quot;} と書いてください</translation>
+    </message>
+    <message>
+        <source>is missing; it says which points are to be touched: {&quot;points&quot;: [[x, y], ...]}</source>
+        <translation>ありません。触れる点を書くものです：{&quot;points&quot;: [[x, y], ...]}</translation>
+    </message>
+    <message>
+        <source>is missing; it says which force is to be held: {&quot;force_n&quot;: 1}</source>
+        <translation>ありません。保つ力を書くものです：{&quot;force_n&quot;: 1}</translation>
+    </message>
+    <message>
+        <source>layers are told apart in a block of them: write {&quot;block&quot;: &quot;layers&quot;}</source>
+        <translation>層を見分けるのは層のブロックです。{&quot;block&quot;: &quot;layers&quot;} と書いてください</translation>
+    </message>
+    <message>
+        <source>layers are told apart without any; leave the key out</source>
+        <translation>層は補助なしで見分けます。このキーを消してください</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was captured on the tooth &apos;%2&apos; (seed %3, grid %4); name that tooth, seed and grid, or capture it on this one</source>
+        <translation>「%1」は歯「%2」（seed %3、grid %4）で取り込まれました。その歯とseed、gridを指定するか、この歯で取り込んでください</translation>
+    </message>
+    <message>
+        <source>is made by rule for a tooth of ours only, &quot;tooth&quot;: {&quot;fdi&quot;: 36}; for a scan name a captured one: {&quot;captured&quot;: &quot;mine.cuspideal&quot;}</source>
+        <translation>規則で作れるのはCuspの歯だけです（&quot;tooth&quot;: {&quot;fdi&quot;: 36}）。スキャンには取り込んだものを指定してください：{&quot;captured&quot;: &quot;mine.cuspideal&quot;}</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read; check its name and rights.</source>
+        <translation>%1を読み取れません。名前と権限を確かめてください。</translation>
+    </message>
+    <message>
+        <source>%1 has %2, and a pack takes %3 in all; pack fewer lessons, or coarser scans.</source>
+        <translation>%1は%2あり、パックに入るのは合計%3までです。課題を減らすか、粗いスキャンにしてください。</translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be made; name another.</source>
+        <translation>フォルダー%1を作れません。別のフォルダーを指定してください。</translation>
+    </message>
+    <message>
+        <source>The pack names a file &quot;%1&quot;, which leads out of its folder or is of no kind that lessons have; nothing was unpacked.</source>
+        <translation>パックにあるファイル「%1」は、フォルダーの外を指しているか、課題が使う種類ではありません。何も展開しませんでした。</translation>
+    </message>
+    <message>
+        <source>The file &quot;%1&quot; in the pack is not what its hash says: it was damaged or changed; nothing was unpacked. Ask for the pack again.</source>
+        <translation>パックの中のファイル「%1」がチェックサムと合いません。壊れたか変更されています。何も展開しませんでした。パックをもう一度もらってください。</translation>
+    </message>
+    <message>
+        <source>This is no pack of lessons, it is damaged, or it holds more than %1; choose a file that &quot;cusp lesson pack&quot; has made.</source>
+        <translation>課題のパックではないか、壊れているか、%1を超えています。コマンドcuspの「lesson pack」で作ったファイルを選んでください。</translation>
+    </message>
+    <message>
+        <source>This is no pack of lessons; choose a file that &quot;cusp lesson pack&quot; has made.</source>
+        <translation>課題のパックではありません。コマンドcuspの「lesson pack」で作ったファイルを選んでください。</translation>
+    </message>
+    <message>
+        <source>The pack is of format %1, from a newer Cusp; this one reads %2. Update Cusp.</source>
+        <translation>パックの形式は%1で、新しいCuspのものです。このCuspが読めるのは%2です。Cuspを更新してください。</translation>
+    </message>
+    <message>
+        <source>The pack lists %1 files; it may hold 1 to %2.</source>
+        <translation>パックに%1個のファイルがあります。入れられるのは1～%2個です。</translation>
+    </message>
+    <message>
+        <source>The pack holds &quot;%1&quot; twice; nothing was unpacked.</source>
+        <translation>パックに「%1」が2つあります。何も展開しませんでした。</translation>
+    </message>
+    <message>
+        <source>%1 is a link to elsewhere; nothing was unpacked. Name another folder.</source>
+        <translation>%1は別の場所へのリンクです。何も展開しませんでした。別のフォルダーを指定してください。</translation>
+    </message>
+    <message>
+        <source>There is another file &quot;%1&quot; in %2 already; nothing was unpacked. Move it away, or name another folder.</source>
+        <translation>%2にはすでに別のファイル「%1」があります。何も展開しませんでした。それを移すか、別のフォルダーを指定してください。</translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be written.</source>
+        <translation>フォルダー%1に書き込めません。</translation>
+    </message>
+    <message>
+        <source>has %1; a hardness preset has at most %2</source>
+        <translation>%1あります。硬さのプリセットは%2までです</translation>
+    </message>
+    <message>
+        <source>is %1, from a newer Cusp; this one reads %2. Update Cusp to use it</source>
+        <translation>%1で、新しいCuspのものです。このCuspが読めるのは%2です。使うにはCuspを更新してください</translation>
+    </message>
+    <message>
+        <source>says that this is no hardness preset; choose a file that Cusp has exported</source>
+        <translation>硬さのプリセットではないと書かれています。Cuspが書き出したファイルを選んでください</translation>
+    </message>
+    <message>
+        <source>must be one line of 1 to %1 characters</source>
+        <translation>1～%1文字の1行でなければなりません</translation>
+    </message>
+    <message>
+        <source>is not there; check the name</source>
+        <translation>見つかりません。名前を確かめてください</translation>
+    </message>
+    <message>
+        <source>cannot be read; name a file that you may read</source>
+        <translation>読み取れません。読み取れるファイルを指定してください</translation>
+    </message>
+    <message>
+        <source>there is another %1 of version %2; give this one another number</source>
+        <translation>別の「%1」第%2版があります。こちらには別の番号を付けてください</translation>
+    </message>
+    <message>
+        <source>rubric %1, criterion %2, %3: %4</source>
+        <translation>評価基準%1、評価項目%2、%3：%4</translation>
+    </message>
+    <message>
+        <source>%1 %2 is not between %3 and %4</source>
+        <translation>%1 %2は%3から%4の間にありません</translation>
+    </message>
+    <message>
+        <source>a critical criterion earns nothing, it has nothing to wait for</source>
+        <translation>必須の評価項目は得点にならないため、待つ条件はありません</translation>
+    </message>
+    <message>
+        <source>a critical criterion has none; it fails the attempt and takes all points that are left</source>
+        <translation>必須の評価項目に配点はありません。満たさないと試行は不合格になり、残りの点をすべて失います</translation>
+    </message>
+    <message>
+        <source>must be at least 0.1 points</source>
+        <translation>0.1点以上でなければなりません</translation>
+    </message>
+    <message>
+        <source>rubric %1, criteria: there are %2, it takes 1 to %3</source>
+        <translation>評価基準%1、criteria：%2個あります。1～%3個にしてください</translation>
+    </message>
+    <message>
+        <source>rubric %1, pass_mark: must lie between 0 and 100 points</source>
+        <translation>評価基準%1、pass_mark：0～100点でなければなりません</translation>
+    </message>
+    <message>
+        <source>is there twice</source>
+        <translation>2つあります</translation>
+    </message>
+    <message>
+        <source>rubric %1, weight: those of all criteria make %2 points; they must make 100</source>
+        <translation>評価基準%1、weight：全項目の合計が%2点です。100点にしてください</translation>
+    </message>
+    <message>
+        <source>is %1; points are given to a tenth</source>
+        <translation>%1です。点数は0.1点刻みです</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no measure; &quot;cusp lesson measures&quot; lists them</source>
+        <translation>「%1」という測定値はありません。コマンドcuspの「lesson measures」で一覧を見られます</translation>
+    </message>
+    <message>
+        <source>may hold small letters, digits, &apos;-&apos; and &apos;_&apos; only, and begins with a letter or digit</source>
+        <translation>使えるのは小文字、数字、「-」「_」だけで、先頭は文字か数字です</translation>
+    </message>
+    <message>
+        <source>is missing; name one that is shipped (&quot;decay_removal&quot;), a file beside the lesson, or write it out</source>
+        <translation>ありません。付属のもの（「decay_removal」）か、課題と同じ場所のファイルを指定するか、すべて書き出してください</translation>
+    </message>
+    <message>
+        <source>there is no rubric &quot;%1&quot;</source>
+        <translation>評価基準「%1」はありません</translation>
+    </message>
+    <message>
+        <source>%1</source>
+        <extracomment>%1: what has no words of its own but English ones</extracomment>
+        <translation>%1（英語の説明のみ）</translation>
+    </message>
+    <message>
+        <source>the %1 (%2) is not a number</source>
+        <extracomment>%1: a number of an ideal or a block, %2: its key, %3: the number that was given</extracomment>
+        <translation>%1（%2）が数値ではありません</translation>
+    </message>
+    <message>
+        <source>the %1 (%2) must be from %4 to %5, not %3</source>
+        <translation>%1（%2）は%4から%5までです（今は%3）</translation>
+    </message>
+    <message>
+        <source>the %1 (%2) must be from %4 to %5 %6, not %3</source>
+        <translation>%1（%2）は%4から%5 %6までです（今は%3）</translation>
+    </message>
+    <message>
+        <source>the %1 (%2) must be a whole number, not %3</source>
+        <translation>%1（%2）は整数です（今は%3）</translation>
+    </message>
+    <message>
+        <source>there is no size &quot;%1&quot;; there are %2</source>
+        <translation>寸法「%1」はありません。あるもの：%2</translation>
+    </message>
+    <message>
+        <source>the thickness of the enamel layer (enamel_mm) is more than the block&apos;s height (height_mm)</source>
+        <translation>エナメル質層の厚さ（enamel_mm）がブロックの高さ（height_mm）を超えています</translation>
+    </message>
+    <message>
+        <source>the block&apos;s side or height (side_mm, height_mm) is too small for three pads: they take %1 and %2 mm</source>
+        <translation>ブロックの一辺か高さ（side_mm、height_mm）が3つのパッドには足りません。%1 mmと%2 mmが必要です</translation>
+    </message>
+    <message>
+        <source>the length of the shape (length_mm) leaves less than %1 mm of the block around it</source>
+        <translation>形の長さ（length_mm）では、まわりに残るブロックが%1 mm未満になります</translation>
+    </message>
+    <message>
+        <source>the depth of the channel (depth_mm) leaves less than %1 mm of the block below it</source>
+        <translation>溝の深さ（depth_mm）では、下に残るブロックが%1 mm未満になります</translation>
+    </message>
+    <message>
+        <source>the radius of inner corners (corner_radius_mm) is more than half of the width of the channel (width_mm)</source>
+        <translation>内角の半径（corner_radius_mm）が溝の幅（width_mm）の半分を超えています</translation>
+    </message>
+    <message>
+        <source>the radius between floor and wall (line_angle_mm) is more than the radius of inner corners (corner_radius_mm): no bur leaves that</source>
+        <translation>窩底と壁の間の半径（line_angle_mm）が内角の半径（corner_radius_mm）を超えています。そのような形を残すバーはありません</translation>
+    </message>
+    <message>
+        <source>the radius between floor and wall (line_angle_mm) is more than the depth (depth_mm)</source>
+        <translation>窩底と壁の間の半径（line_angle_mm）が深さ（depth_mm）を超えています</translation>
+    </message>
+    <message>
+        <source>the length of the shape (length_mm) must be at least %1 mm with a channel of that width (width_mm)</source>
+        <translation>この溝の幅（width_mm）では、形の長さ（length_mm）は%1 mm以上必要です</translation>
+    </message>
+    <message>
+        <source>the length of the shape (length_mm) is less than the width of the channel (width_mm)</source>
+        <translation>形の長さ（length_mm）が溝の幅（width_mm）より短くなっています</translation>
+    </message>
+    <message>
+        <source>the length of the shape (length_mm) leaves each of its steps shorter than the channel is wide (width_mm)</source>
+        <translation>この形の長さ（length_mm）では、各段が溝の幅（width_mm）より短くなります</translation>
+    </message>
+    <message>
+        <source>there is no practice block &apos;%1&apos;; choose one of %2</source>
+        <translation>練習ブロック「%1」はありません。次から選んでください：%2</translation>
+    </message>
+    <message>
+        <source>there is no preparation &apos;%1&apos;; choose one of %2</source>
+        <translation>窩洞「%1」はありません。次から選んでください：%2</translation>
+    </message>
+    <message>
+        <source>the preparation &apos;%1&apos; is not made for tooth %2; it is for %3</source>
+        <translation>窩洞「%1」は歯%2にはありません。対象の歯：%3</translation>
+    </message>
+    <message>
+        <source>the radius between floor and wall (line_angle_mm) is more than the radius of the bur (bur_radius_mm): no bur leaves that</source>
+        <translation>窩底と壁の間の半径（line_angle_mm）がバーの半径（bur_radius_mm）を超えています。そのような形を残すバーはありません</translation>
+    </message>
+    <message>
+        <source>the width of the isthmus (isthmus_mm) is less than the bur is wide (twice bur_radius_mm)</source>
+        <translation>イスムスの幅（isthmus_mm）がバーの太さ（bur_radius_mmの2倍）に足りません</translation>
+    </message>
+    <message>
+        <source>this preparation would open the pulp; make its depth (depth_mm) less</source>
+        <translation>この窩洞では露髄します。深さ（depth_mm）を減らしてください</translation>
+    </message>
+    <message>
+        <source>this preparation would open the pulp; make its depth (depth_mm) or that of the box (box_floor_mm, box_axial_mm) less</source>
+        <translation>この窩洞では露髄します。深さ（depth_mm）かボックスの深さ（box_floor_mm、box_axial_mm）を減らしてください</translation>
+    </message>
+    <message>
+        <source>nobody knows where the fissures of &apos;%1&apos; run or which side is mesial; choose a tooth by its FDI number, or take an ideal from attempts at this one</source>
+        <translation>「%1」の裂溝の位置も近心の向きも分かりません。FDI番号で歯を選ぶか、この歯の試行から理想形を取り込んでください</translation>
+    </message>
+    <message>
+        <source>there is no room for the %1 on this tooth; make one of these less: %2</source>
+        <extracomment>%1: a part of a preparation, %2: keys of numbers</extracomment>
+        <translation>この歯には入りません（%1）。次のどれかを減らしてください：%2</translation>
+    </message>
+    <message>
+        <source>occlusal outline</source>
+        <translation>咬合面の外形</translation>
+    </message>
+    <message>
+        <source>central groove</source>
+        <translation>中央溝</translation>
+    </message>
+    <message>
+        <source>mesial pit</source>
+        <translation>近心小窩</translation>
+    </message>
+    <message>
+        <source>distal pit</source>
+        <translation>遠心小窩</translation>
+    </message>
+    <message>
+        <source>pits</source>
+        <translation>小窩</translation>
+    </message>
+    <message>
+        <source>none: the tooth has no such groove</source>
+        <translation>なし（この歯にはその溝がありません）</translation>
+    </message>
+    <message>
+        <source>tooth %1 has no pulp chamber that could be opened from above</source>
+        <translation>歯%1には、上から開拡できる髄室がありません</translation>
+    </message>
+    <message>
+        <source>The captured ideal is damaged. Use a copy of the file, or capture it again.</source>
+        <translation>取り込んだ理想形が壊れています。ファイルの控えを使うか、取り込み直してください。</translation>
+    </message>
+    <message>
+        <source>The ideal was captured on the tooth &apos;%1&apos; (seed %2, grid %3) and does not fit &apos;%4&apos; (seed %5, grid %6); name that tooth, seed and grid, or capture it on this one.</source>
+        <translation>理想形は歯「%1」（seed %2、grid %3）で取り込まれ、「%4」（seed %5、grid %6）には合いません。その歯とseed、gridを指定するか、この歯で取り込んでください。</translation>
+    </message>
+    <message>
+        <source>The captured ideal is empty; choose another file.</source>
+        <translation>取り込んだ理想形が空です。別のファイルを選んでください。</translation>
+    </message>
+    <message>
+        <source>This is not a captured ideal; choose a file that Cusp has saved as one (*.cuspideal).</source>
+        <translation>取り込んだ理想形ではありません。Cuspが理想形として保存したファイル（*.cuspideal）を選んでください。</translation>
+    </message>
+    <message>
+        <source>The captured ideal is of version %1, this Cusp reads up to version %2; open it with a newer Cusp.</source>
+        <translation>取り込んだ理想形は第%1版で、このCuspが読めるのは第%2版までです。新しいCuspで開いてください。</translation>
+    </message>
+    <message>
+        <source>The captured ideal ends early: it was cut off while being written or copied. Use a whole copy.</source>
+        <translation>取り込んだ理想形が途中で終わっています。書き込みかコピーの途中で切れました。完全な控えを使ってください。</translation>
+    </message>
+    <message>
+        <source>There is no handpiece &apos;%1&apos;; choose one of %2.</source>
+        <translation>ハンドピース「%1」はありません。次から選んでください：%2。</translation>
+    </message>
+    <message>
+        <source>There is no bur &apos;%1&apos;; choose one of %2.</source>
+        <translation>バー「%1」はありません。次から選んでください：%2。</translation>
+    </message>
+    <message>
+        <source>There is no hardness preset &apos;%1&apos;; choose natural or typodont, or name a file.</source>
+        <translation>硬さのプリセット「%1」はありません。naturalかtypodontを選ぶか、ファイルを指定してください。</translation>
+    </message>
+    <message>
+        <source>the force limit is %1 N, and the device gives at most %2 N; lower it</source>
+        <translation>力の上限は%1 Nですが、装置が出せるのは%2 Nまでです。下げてください</translation>
+    </message>
+    <message>
+        <source>the stiffness is %1 N/mm, and a light hand at %2 ms of delay is held up to %3 N/mm with this damping; lower the stiffness, or damp more</source>
+        <translation>剛性は%1 N/mmですが、遅れ%2 msとこの減衰では、軽い手が安定するのは%3 N/mmまでです。剛性を下げるか、減衰を増やしてください</translation>
+    </message>
+    <message>
+        <source>the stiffness is %1 N/mm, and a light hand at %2 ms of delay is held up to %3 N/mm however it is damped; lower the stiffness</source>
+        <translation>剛性は%1 N/mmですが、遅れ%2 msでは、減衰に関わらず軽い手が安定するのは%3 N/mmまでです。剛性を下げてください</translation>
+    </message>
+    <message>
+        <source>the stiffness is %1 N/mm, and a light hand at %2 ms of delay is held up to %3 N/mm before it buzzes; lower the stiffness</source>
+        <translation>剛性は%1 N/mmですが、遅れ%2 msでは、軽い手が安定するのは%3 N/mmまでで、それを超えると細かく震えます。剛性を下げてください</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>点</translation>
+    </message>
+    <message>
+        <source>percent</source>
+        <translation>パーセント</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>度</translation>
+    </message>
+    <message>
+        <source>minutes</source>
+        <translation>分</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <extracomment>%1: the name of a file; %2: what is wrong with it: &quot;is empty&quot;</extracomment>
+        <translation>%1：%2</translation>
+    </message>
+</context>
+<context>
     <name>Field</name>
     <message>
         <source>width of the isthmus</source>
@@ -2032,11 +2719,11 @@
     </message>
     <message>
         <source>The backup of %1 is in place.</source>
+        <extracomment>%2: a file&apos;s name</extracomment>
         <translation>%1 のバックアップに置き換えました。</translation>
     </message>
     <message>
         <source>The backup of %1 is in place. The file that was there is kept beside it as %2.</source>
-        <extracomment>%2: a file&apos;s name</extracomment>
         <translation>%1 のバックアップに置き換えました。元のファイルは %2 として横に残してあります。</translation>
     </message>
 </context>
@@ -4874,39 +5561,6 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>Lower the stiffness.</source>
         <translation>剛性を下げてください。</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is not known here and was left out.</source>
-        <translation>「%1」は不明なため省かれました。</translation>
-    </message>
-    <message>
-        <source>%1: only a number from %2 can be taken.</source>
-        <extracomment>%1 is a number of a hardness preset, %2 a range</extracomment>
-        <translation>%1：%2の数値だけが使えます。</translation>
-    </message>
-    <message>
-        <source>The name must be one line of 1 to %1 characters that can be seen.</source>
-        <translation>名前は1行、見える文字で1～%1文字です。</translation>
-    </message>
-    <message>
-        <source>The notes take at most %1 characters, and only those that can be seen.</source>
-        <translation>メモは見える文字で%1文字までです。</translation>
-    </message>
-    <message>
-        <source>The version must be a whole number from 1 that no other preset of this name has.</source>
-        <translation>バージョンは1以上の整数で、同じ名前のほかのプリセットと重ならないものにします。</translation>
-    </message>
-    <message>
-        <source>It is from a newer Cusp. Update Cusp to use it.</source>
-        <translation>新しい Cusp のものです。使うには Cusp を更新してください。</translation>
-    </message>
-    <message>
-        <source>This is no hardness preset that can be read. Choose a file that Cusp has exported.</source>
-        <translation>読み取れる硬さプリセットではありません。Cusp が書き出したファイルを選んでください。</translation>
-    </message>
-    <message>
-        <source>What stands under &quot;%1&quot; cannot be taken.</source>
-        <translation>「%1」の内容は使えません。</translation>
     </message>
 </context>
 <context>
