@@ -340,6 +340,12 @@ void Application::openDatabase()
                "they are, or they were signed with another station.key. They wait.",
                nullptr, count));
     });
+    connect(m_desk.get(), &SchoolDesk::disabled, this, [this] {
+        if (m_who.isGuest())  // has been shown out already
+            return;
+        leave();
+        m_window->sayAtDoor([] { return tr("This account was disabled, and you were logged out. Ask an admin."); });
+    });
     m_address = *address;
     m_admin = std::make_unique<AdminDesk>(*m_window, *m_desk,
                                           AdminDesk::Place{*address, m_stationFolder, m_options.simulatedDevice,
@@ -1391,9 +1397,11 @@ void Application::showAttempt(const database::AttemptRecord& attempt, const core
                                              marked->conduct.aids,
                                              lessons::presetUsed(recording),
                                              assignment ? assignment->exercise : std::nullopt};
-            m_window->showOldScore(assignment && assignment->lesson ? ui::study::said(assignment->lesson->title)
-                                                                    : ui::text::toothTitle(*recording.anatomy()),
-                                   marked->mark.sheet, {attempt}, expected, work);
+            m_window->showOldScore(
+                [lesson = assignment ? assignment->lesson : std::nullopt, tooth = recording.anatomy()] {
+                    return lesson ? ui::study::said(lesson->title) : ui::text::toothTitle(*tooth);
+                },
+                marked->mark.sheet, {attempt}, expected, work);
             m_opened = recording;
             m_people->talkAbout(attempt);
             m_window->scorePage().setPerson(attempt.person == m_who.person() ? QString()

@@ -89,10 +89,12 @@ void CardDesk::save()
                          QDate::currentDate().toString(QStringLiteral(", yyyy-MM-dd"));
     ui::report::askForPdf(&m_window, tr("Save the score card"), name, [this](const QString& path) {
         withCard([this, path](const ScoreCard& card) {
-            m_window.scorePage().say(
-                ui::report::savePdf(path, titleOf(card), card)
-                    ? tr("The score card was saved as %1.").arg(QDir::toNativeSeparators(path))
-                    : tr("The score card could not be written. Choose another folder, or make room on the disk."));
+            const bool isSaved = ui::report::savePdf(path, titleOf(card), card);
+            m_window.scorePage().say([isSaved, path] {
+                return isSaved ? tr("The score card was saved as %1.").arg(QDir::toNativeSeparators(path))
+                               : tr("The score card could not be written. Choose another folder, or make room on the "
+                                    "disk.");
+            });
         });
     });
 }
@@ -102,8 +104,9 @@ void CardDesk::print()
     withCard([this](const ScoreCard& card) {
         m_window.scorePage().say({});
         ui::report::print(&m_window, titleOf(card), card, [this](bool done) {
-            m_window.scorePage().say(done ? tr("The score card was printed.")
-                                          : tr("The printer did not take the score card."));
+            m_window.scorePage().say([done] {
+                return done ? tr("The score card was printed.") : tr("The printer did not take the score card.");
+            });
         });
     });
 }
@@ -115,7 +118,7 @@ void CardDesk::withCard(const std::function<void(const ScoreCard&)>& use)
     if (!about)
         return;
     ScorePage& page = m_window.scorePage();
-    page.say(tr("The score card is being made …"));
+    page.say([] { return tr("The score card is being made …"); });
     ScoreCard card = page.card();
     card.attempt = about->attempt;
     card.person = about->person.isEmpty() ? tr("Not logged in") : about->person;
@@ -132,7 +135,8 @@ void CardDesk::withCard(const std::function<void(const ScoreCard&)>& use)
         [who = about->by, attempt = about->attempt](const School& school) { return readCard(school, who, attempt); },
         [&page, card, use](const core::Result<Known>& known) mutable {
             if (!known) {
-                page.say(ui::text::errorText(known.error(), ui::text::Failed::ReadingSchool));
+                page.say(
+                    [error = known.error()] { return ui::text::errorText(error, ui::text::Failed::ReadingSchool); });
                 return;
             }
             card.attempt = known->attempt;

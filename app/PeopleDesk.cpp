@@ -14,6 +14,7 @@
 #include "database/sql/Audit.h"
 #include "database/sql/Classes.h"
 #include "database/sql/ExamStarts.h"
+#include "database/sql/Export.h"
 #include "database/sql/Feedback.h"
 #include "database/sql/Overview.h"
 #include "ui/admin/AdminPage.h"
@@ -235,10 +236,10 @@ void PeopleDesk::connectTalk()
                 });
             });
     connect(&talk, &ui::people::TalkPanel::overrideWanted, this,
-            [this](std::optional<int> tenths, const QString& reason) {
-                sayInTalk([tenths, reason = reason.toStdString()](const School& school, const database::Session& who,
-                                                                  database::AttemptId id) {
-                    return database::sql::overrideScore(school, who, id, tenths, reason);
+            [this](std::optional<int> tenths, const QString& reason, std::size_t before) {
+                sayInTalk([tenths, before, reason = reason.toStdString()](
+                              const School& school, const database::Session& who, database::AttemptId id) {
+                    return database::sql::overrideScore(school, who, id, tenths, reason, before);
                 });
             });
     connect(&talk, &ui::people::TalkPanel::momentWanted, &m_window, &MainWindow::momentWanted);
@@ -262,10 +263,11 @@ void PeopleDesk::sayInTalk(Work work)
             return true;
         },
         [this](const core::Result<bool>& done) {
-            if (done) {
+            if (done || done.error().code == core::ErrorCode::ChangedSince) {
                 tellTalk();
                 tellAttempts();
-            } else
+            }
+            if (!done)
                 m_window.scorePage().talk().refuse(text::errorText(done.error(), text::Failed::ChangingSchool));
         });
 }
@@ -371,18 +373,25 @@ void PeopleDesk::connectReport()
             QString::fromStdString(m_overview.name) + QDate::currentDate().toString(QStringLiteral(", yyyy-MM-dd"));
         ui::report::askForPdf(&m_window, tr("Save the class report"), name, [this, &classes](const QString& path) {
             withReport([&classes, path](const ui::report::ClassReport& report) {
-                classes.say(ui::report::savePdf(path, report.className, report)
-                                ? tr("The report was saved as %1.").arg(QDir::toNativeSeparators(path))
-                                : tr("The report could not be written. Choose another folder, or make room on the "
-                                     "disk."));
+                const bool isSaved = ui::report::savePdf(path, report.className, report);
+                classes.say([isSaved, path] {
+                    return isSaved ? tr("The report was saved as %1.").arg(QDir::toNativeSeparators(path))
+                                   : tr("The report could not be written. Choose another folder, or make room on the "
+                                        "disk.");
+                });
             });
         });
+    });
+    connect(&classes, &ClassPage::tableWanted, this, [this, &classes](const QString& path) {
+        withReport([&classes, path](const ui::report::ClassReport&) { classes.saveTable(path); });
     });
     connect(&classes, &ClassPage::printWanted, this, [this, &classes] {
         withReport([this, &classes](const ui::report::ClassReport& report) {
             classes.say({});
             ui::report::print(&m_window, report.className, report, [&classes](bool done) {
-                classes.say(done ? tr("The report was printed.") : tr("The printer did not take the report."));
+                classes.say([done] {
+                    return done ? tr("The report was printed.") : tr("The printer did not take the report.");
+                });
             });
         });
     });
@@ -391,33 +400,38 @@ void PeopleDesk::connectReport()
 /// With the head of the audit as it is now, so that paper and database can be compared.
 void PeopleDesk::withReport(const std::function<void(const ui::report::ClassReport&)>& use)
 {
-    m_window.classPage().say(tr("The report is being written …"));
-    askAs([](const School& school) { return database::sql::auditHead(school); },
-          [this, use](const core::Result<database::sql::AuditHead>& head) {
-              if (!head) {
-                  m_window.classPage().say({});
-                  refuse(head.error());
-                  return;
-              }
-              ui::report::ClassReport report;
-              report.className = QString::fromStdString(m_overview.name);
-              report.teacher = QString::fromStdString(m_who().fullName());
-              report.overview = m_overview;
-              report.given = m_given;
-              report.titles = m_titles;
-              report.results = m_results;
-              if (const lessons::Lesson* known = lesson(m_results.lessonId)) {
-                  report.passMarkTenths = known->rubric.passMarkTenths;
-                  report.rubricTitle = known->rubric.title;
-                  report.rubricVersion = known->rubric.version;
-                  report.rubricHash = known->rubric.hash;
-                  report.criteria = criteriaOf(*known);
-              }
-              report.proof = {QString::fromStdString(head->code()), QStringLiteral(CUSP_VERSION),
-                              QDateTime::currentDateTime()};
-              m_window.classPage().repaint();  // so that it is seen what goes on: writing takes a while
-              use(report);
-          });
+    m_window.classPage().say([] { return tr("The report is being written …"); });
+    askAs(
+        [who = m_who(), ofClass = m_overview.id](const School& school) -> core::Result<database::sql::AuditHead> {
+            if (const auto noted = database::sql::noteClassExport(school, who, ofClass); !noted)
+                return tl::unexpected(noted.error());
+            return database::sql::auditHead(school);
+        },
+        [this, use](const core::Result<database::sql::AuditHead>& head) {
+            if (!head) {
+                m_window.classPage().say({});
+                refuse(head.error());
+                return;
+            }
+            ui::report::ClassReport report;
+            report.className = QString::fromStdString(m_overview.name);
+            report.teacher = QString::fromStdString(m_who().fullName());
+            report.overview = m_overview;
+            report.given = m_given;
+            report.titles = m_titles;
+            report.results = m_results;
+            if (const lessons::Lesson* known = lesson(m_results.lessonId)) {
+                report.passMarkTenths = known->rubric.passMarkTenths;
+                report.rubricTitle = known->rubric.title;
+                report.rubricVersion = known->rubric.version;
+                report.rubricHash = known->rubric.hash;
+                report.criteria = criteriaOf(*known);
+            }
+            report.proof = {QString::fromStdString(head->code()), QStringLiteral(CUSP_VERSION),
+                            QDateTime::currentDateTime()};
+            m_window.classPage().repaint();  // so that it is seen what goes on: writing takes a while
+            use(report);
+        });
 }
 
 bool PeopleDesk::playsTalkedAbout() const

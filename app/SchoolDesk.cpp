@@ -111,6 +111,9 @@ core::Status SchoolDesk::connect()
 void SchoolDesk::notice(const core::Error& error)
 {
     m_isLost = m_isLost || error.code == ErrorCode::ConnectionLost;
+    if (error.code == ErrorCode::Disabled)
+        QMetaObject::invokeMethod(
+            this, [this] { emit disabled(); }, Qt::QueuedConnection);
 }
 
 SchoolDesk::Opening SchoolDesk::tryToOpen()

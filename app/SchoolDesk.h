@@ -123,6 +123,8 @@ signals:
     void delivered(const QString& uid);
     /// An attempt on its way is damaged; its file is kept.
     void damaged(const core::Error& error);
+    /// Who asked has been disabled since he logged in.
+    void disabled();
     /// So many on their way cannot be delivered to this school, or with this station's key: they wait.
     void waitOn(int count);
 

@@ -30,6 +30,7 @@ enum class ErrorCode {
     Busy,            ///< another program holds it; the same may work in a moment
     ConnectionLost,  ///< a server that does not answer, or not any more
     NotAllowed,      ///< by the role of who asked
+    Disabled,        ///< the account of who asked, since he logged in
     WrongLogin,      ///< name or password, and nobody is told which
     TooSoon,         ///< after failed logins; the detail says how long to wait
     NewPassword,     ///< a one-time code was given: a password has to be chosen

@@ -457,7 +457,7 @@ core::Result<lessons::ClassStanding> standingAmongClassmates(const School& schoo
 }
 
 core::Status overrideScore(const School& school, const Session& session, AttemptId id, std::optional<int> tenths,
-                           const std::string& reason)
+                           const std::string& reason, std::optional<std::size_t> before)
 {
     if (auto who = admitToAttempt(school, session, Operation::Override, id); !who)
         return tl::unexpected(who.error());
@@ -469,6 +469,13 @@ core::Status overrideScore(const School& school, const Session& session, Attempt
         const auto uid = uidOf(school, id);
         if (!uid)
             return tl::unexpected(uid.error());
+        const auto given = ask(school.db, QStringLiteral("SELECT count(*) FROM overrides WHERE attempt_id = ?"), doing,
+                               {number(id.value)});
+        if (!given)
+            return tl::unexpected(given.error());
+        if (before && given->toULongLong() != *before)
+            return core::unexpected(core::ErrorCode::ChangedSince,
+                                    "somebody else has given another score; look at it, and give yours again");
         const QVariantList said{text(*words), text(school.now())};
         if (auto kept = execute(
                 school.db,

@@ -76,8 +76,12 @@ struct KeptSheet
                                                                            const std::string& rubricHash, int tenths);
 
 /// The machine's score stays; this one counts. Nothing: the machine's counts again.
+/// @param before  so many were given so far, as whoever gives this one has seen it; nothing: however many.
+/// ChangedSince:
+///                there are more
 [[nodiscard]] core::Status overrideScore(const School& school, const Session& session, AttemptId id,
-                                         std::optional<int> tenths, const std::string& reason);
+                                         std::optional<int> tenths, const std::string& reason,
+                                         std::optional<std::size_t> before = {});
 
 struct NewComment
 {

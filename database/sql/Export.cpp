@@ -99,4 +99,13 @@ core::Result<std::int64_t> exportAttempts(const School& school, const Session& s
     return count;
 }
 
+core::Status noteClassExport(const School& school, const Session& session, ClassId ofClass)
+{
+    if (auto who = admitToClass(school, session, Operation::ReadClass, ofClass); !who)
+        return tl::unexpected(who.error());
+    return inTurn(school, "note the report of a class", [&] {
+        return note(school, session.uid(), "class.export", "class:" + std::to_string(ofClass.value));
+    });
+}
+
 }  // namespace database::sql

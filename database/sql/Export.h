@@ -14,4 +14,7 @@ namespace database::sql {
 [[nodiscard]] core::Result<std::int64_t> exportAttempts(const School& school, const Session& session,
                                                         const std::function<bool(std::string_view line)>& write);
 
+/// Into the audit: that a table or a report of a class is taken out of the school. Its teachers, and admins.
+[[nodiscard]] core::Status noteClassExport(const School& school, const Session& session, ClassId ofClass);
+
 }  // namespace database::sql

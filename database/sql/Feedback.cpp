@@ -29,22 +29,22 @@ core::Result<std::vector<Feedback>> feedbackFor(const School& school, const Sess
         return tl::unexpected(who.error());
     std::vector<Feedback> found;
     std::set<std::int64_t> known;
-    if (auto read = forEach(
-            school.db,
-            "SELECT f.id, f.lesson_id, f.author, f.said_utc, COALESCE(s.value, '') FROM (" +
-                saidIn("comments", "written_utc") + " UNION ALL " + saidIn("overrides", "given_utc") +
-                ") f LEFT JOIN settings s ON s.owner = ? AND s.name = ? || f.uid ORDER BY f.said_utc DESC, f.id DESC",
-            "see what was said of the attempts",
-            {number(person.value), number(person.value), text(session.uid()), kSeen},
-            [&](const QSqlQuery& row) {
-                if (!known.insert(row.value(0).toLongLong()).second)
-                    return;
-                found.push_back({{row.value(0).toLongLong()},
-                                 textOf(row, 1),
-                                 textOf(row, 2),
-                                 textOf(row, 3),
-                                 textOf(row, 3) > textOf(row, 4)});
-            });
+    if (auto read = forEach(school.db,
+                            "SELECT f.id, f.lesson_id, f.author, f.said_utc, COALESCE(s.value, '') FROM (" +
+                                saidIn("comments", "written_utc") + " UNION ALL " + saidIn("overrides", "given_utc") +
+                                ") f LEFT JOIN settings s ON s.owner = (SELECT uid FROM people WHERE id = ?) AND "
+                                "s.name = ? || f.uid ORDER BY f.said_utc DESC, f.id DESC",
+                            "see what was said of the attempts",
+                            {number(person.value), number(person.value), number(person.value), kSeen},
+                            [&](const QSqlQuery& row) {
+                                if (!known.insert(row.value(0).toLongLong()).second)
+                                    return;
+                                found.push_back({{row.value(0).toLongLong()},
+                                                 textOf(row, 1),
+                                                 textOf(row, 2),
+                                                 textOf(row, 3),
+                                                 textOf(row, 3) > textOf(row, 4)});
+                            });
         !read)
         return tl::unexpected(read.error());
     return found;

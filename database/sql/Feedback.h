@@ -9,7 +9,7 @@
 namespace database::sql {
 
 /// Those attempts of a person of which others have said something, a comment or another score; what was said last comes
-/// first.
+/// first, and whether that person has seen it.
 [[nodiscard]] core::Result<std::vector<Feedback>> feedbackFor(const School& school, const Session& session,
                                                               PersonId person);
 

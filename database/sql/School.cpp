@@ -79,7 +79,7 @@ core::Result<Who> admit(const School& school, const Session& session, Operation 
         if (!row)
             return tl::unexpected(row.error());
         if (!row->next() || row->value(1).toInt() != 0)
-            return tl::unexpected(notAllowed("this account has been disabled; ask an admin"));
+            return core::unexpected(core::ErrorCode::Disabled, "this account has been disabled; ask an admin");
         who.role = roleOf(textOf(*row, 0)).value_or(Role::Guest);
     }
     who.reach = reachOf(operation, who.role);

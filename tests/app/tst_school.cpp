@@ -98,6 +98,10 @@ private slots:
     void aSchoolWithoutPeopleIsNotBackedUp();
     void aLockedDatabaseIsTriedAgain();
     void aFileThatIsMovedAwayIsMissed();
+    void whoIsDisabledIsShownOut();
+    void aClassReportIsNoted();
+    void theCardOfAnotherKeepsItsNameInAnotherLanguage();
+    void anotherScoreIsNotOverruledUnseen();
     void whoLeftHisPlaceComesBackWithoutTheDatabase();
     void whatTheDiskRefusesIsKeptWhenItCanBe();
     void aGuestsGradeIsKeptWhenHeLogsIn();
@@ -462,6 +466,105 @@ void TestSchool::aFileThatIsMovedAwayIsMissed()
     QVERIFY(!QFile::exists(file()));
     QVERIFY(QFile::rename(file() + ".away", file()));
     QTRY_COMPARE_WITH_TIMEOUT(attemptsKept(), 1, kPatienceMs);
+}
+
+void TestSchool::whoIsDisabledIsShownOut()
+{
+    start();
+    logIn("ines");
+    actions().classes->trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(child<QTableView>("matrix")->model()->rowCount(), 1, kPatienceMs);
+    QVERIFY(sql::execute(sql::Database::open(file()).value()->handle(),
+                         "UPDATE people SET disabled = 1 WHERE username = 'ines'", "write"));
+    actions().readAgain->trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(door(), Door::Login, kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(m_application->window().isAtDoor(), kPatienceMs);
+    QVERIFY2(saidAtDoor().contains("This account was disabled"), qPrintable(saidAtDoor()));
+}
+
+/// Whatever leaves the school with names and marks.
+void TestSchool::aClassReportIsNoted()
+{
+    start();
+    logIn("ines");
+    actions().classes->trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(child<QTableView>("matrix")->model()->rowCount(), 1, kPatienceMs);
+    const auto noted = [this] {
+        return sql::ask(sql::Database::open(file()).value()->handle(),
+                        "SELECT count(*) FROM audit WHERE action = 'class.export'", "count")
+            ->toInt();
+    };
+    const QString table = m_folder->filePath("class.csv");
+    emit child<ui::people::ClassPage>()->tableWanted(table);
+    QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(table), kPatienceMs);
+    QCOMPARE(noted(), 1);
+    QVERIFY(!(QFile::permissions(table) & (QFile::ReadGroup | QFile::ReadOther)));
+    // What somebody has let others read stays so.
+    QVERIFY(QFile::setPermissions(table, QFile::permissions(table) | QFile::ReadOther));
+    QVERIFY(child<ui::people::ClassPage>()->saveTable(table));
+    QVERIFY(QFile::permissions(table) & QFile::ReadOther);
+}
+
+/// On the screen and on paper, whatever lies on one's own table.
+void TestSchool::theCardOfAnotherKeepsItsNameInAnotherLanguage()
+{
+    start();
+    logIn("sam");
+    beginLesson("orientation-hold");
+    actions().grade->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(attemptsKept() == 1 || child<ui::study::Forecast>()->isVisible(), kPatienceMs);
+    if (attemptsKept() == 0)
+        gradeLesson();
+    QTRY_COMPARE_WITH_TIMEOUT(attemptsKept(), 1, kPatienceMs);
+    leaveFor("ines");
+    beginLesson("block-line");
+    actions().classes->trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(child<QTableView>("matrix")->model()->rowCount(), 1, kPatienceMs);
+    emit child<QTableView>("matrix")->verticalHeader()->sectionDoubleClicked(0);
+    openNewest();
+    const auto* const page = child<ui::study::ScorePage>();
+    const QString english = page->card().lesson;
+    ui::text::Language::choose("de");
+    const auto back = qScopeGuard([] { ui::text::Language::choose("en_GB"); });
+    QTRY_VERIFY_WITH_TIMEOUT(page->card().lesson != english, kPatienceMs);
+    QCOMPARE(page->card().lesson, QString("1 Newton halten"));
+}
+
+void TestSchool::anotherScoreIsNotOverruledUnseen()
+{
+    start();
+    logIn("sam");
+    toTheTooth();
+    drill(-2.0);
+    grade("first grade");
+    leaveFor("ines");
+    actions().classes->trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(child<QTableView>("matrix")->model()->rowCount(), 1, kPatienceMs);
+    emit child<QTableView>("matrix")->verticalHeader()->sectionDoubleClicked(0);
+    openNewest();
+    auto* const talk = child<ui::people::TalkPanel>();
+    QTRY_VERIFY_WITH_TIMEOUT(talk->findChild<QLineEdit*>("reason")->isVisible(), kPatienceMs);
+    talk->findChild<QDoubleSpinBox*>("givenPoints")->setValue(55.5);
+    talk->findChild<QLineEdit*>("reason")->setText("not so neat");
+    // Meanwhile, at another station.
+    {
+        const auto database = sql::Database::open(file()).value();
+        const sql::School school{database->handle(), StationKey::readOrMake(m_folder->filePath("station.key")).value()};
+        const auto ines = sql::Logins::login(school, "ines", kPassword).value();
+        const auto id = sql::ask(database->handle(), "SELECT max(id) FROM attempts", "read")->toLongLong();
+        QVERIFY(sql::overrideScore(school, ines, {id}, 910, "neat"));
+    }
+    click("giveScore");
+    const auto* const fault = talk->findChild<QLabel*>("fault");
+    QTRY_VERIFY_WITH_TIMEOUT(fault->isVisible(), kPatienceMs);
+    QVERIFY2(fault->text().contains("Somebody else has changed it meanwhile"), qPrintable(fault->text()));
+    QTRY_VERIFY_WITH_TIMEOUT(talk->findChild<QLabel*>("counts")->text().contains("91.0"), kPatienceMs);
+    // What was being given stays, to be given again or not.
+    QCOMPARE(talk->findChild<QDoubleSpinBox*>("givenPoints")->value(), 55.5);
+    QCOMPARE(talk->findChild<QLineEdit*>("reason")->text(), QString("not so neat"));
+    QCOMPARE(count("overrides"), 1);
+    click("giveScore");
+    QTRY_COMPARE_WITH_TIMEOUT(count("overrides"), 2, kPatienceMs);
 }
 
 void TestSchool::whoLeftHisPlaceComesBackWithoutTheDatabase()

@@ -362,7 +362,7 @@ void TestLogins::whoIsDisabledIsStoppedAtOnce()
     QVERIFY(findPerson(rig.school(), rig.admin, sam.username)->disabled);
     QCOMPARE(findPerson(rig.school(), rig.admin, sam.username)->givenName, std::string("Samuel"));
     VERIFY_DONE(changePerson(rig.school(), rig.admin, sam));
-    VERIFY_REFUSED(standingsOf(rig.school(), rig.student, rig.student.person()), ErrorCode::NotAllowed);
+    VERIFY_REFUSED(standingsOf(rig.school(), rig.student, rig.student.person()), ErrorCode::Disabled);
     // And who is no instructor any more loses what they may.
     Person ines = findPerson(rig.school(), rig.admin, "teach").value();
     ines.role = Role::Student;

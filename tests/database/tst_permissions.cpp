@@ -207,6 +207,8 @@ std::vector<Call> TestPermissions::callsOn(SchoolRig& rig)
          [&s, classOf](const Session& me, Target t) { return plain(classOverview(s, me, classOf(t))); }},
         {Operation::ReadClass, "lessonResults",
          [&s, classOf](const Session& me, Target t) { return plain(lessonResults(s, me, classOf(t), "class1-36")); }},
+        {Operation::ReadClass, "noteClassExport",
+         [&s, classOf](const Session& me, Target t) { return noteClassExport(s, me, classOf(t)); }},
         {Operation::ExportAttempts, "exportAttempts",
          [&s](const Session& me, Target) {
              return plain(exportAttempts(s, me, [](std::string_view) { return true; }));

@@ -172,7 +172,7 @@ void TestScorePage::show(const Faulty& made)
     database::AttemptRecord old = now;
     old.scoreTenths = 612;
     old.rubricHash = "another";
-    m_page->setScore(QStringLiteral("Class I, tooth 36"), made.sheet, {now, now, now, old},
+    m_page->setScore([] { return QStringLiteral("Class I, tooth 36"); }, made.sheet, {now, now, now, old},
                      ui::study::Expectation{900, "depth"}, made.work);
     m_page->setMoments(parts(made.sheet));
     m_page->setClass({1, {}});
@@ -373,7 +373,7 @@ void TestScorePage::aPointThatWasMissedIsShown()
 void TestScorePage::itSaysWhenTheGridDecides()
 {
     const auto* words = m_page->findChild<QLabel*>("noise");
-    m_page->setScore({}, faulty("decay-36-moderate").sheet, {}, {}, {});
+    m_page->setScore([] { return QString(); }, faulty("decay-36-moderate").sheet, {}, {}, {});
     QVERIFY(!words->isVisible());
     m_page->setNoise({{834, true}, {829, true}, {{836, true}}});
     QVERIFY2(words->text().contains("82.9") && words->text().contains("83.6") && words->text().contains("Not within"),
@@ -393,7 +393,7 @@ void TestScorePage::otherRubricsAreShownApart()
     database::AttemptRecord old = now;
     old.scoreTenths = 612;
     old.rubricHash = "another";
-    m_page->setScore({}, made.sheet, {now, old}, {}, {});
+    m_page->setScore([] { return QString(); }, made.sheet, {now, old}, {}, {});
     const QString spoken = m_page->findChild<ui::shell::HistoryChart*>()->accessibleName();
     QVERIFY2(spoken.contains("61.2 by another rubric, " + ui::text::points(made.sheet.totalTenths)),
              qPrintable(spoken));
@@ -406,7 +406,7 @@ void TestScorePage::otherRubricsAreShownApart()
 void TestScorePage::aClassOfFewIsNotShown()
 {
     const auto* words = m_page->findChild<QLabel*>("class");
-    m_page->setScore({}, faulty("decay-36-moderate").sheet, {}, {}, {});
+    m_page->setScore([] { return QString(); }, faulty("decay-36-moderate").sheet, {}, {}, {});
     QVERIFY(!words->isVisible());
     m_page->setClass({4, {}});
     QVERIFY2(words->text().contains("takes 5 people"), qPrintable(words->text()));

@@ -42,6 +42,7 @@ constexpr std::array kActions{
     std::pair{"backup.made", QT_TRANSLATE_NOOP("Admin", "made a backup")},
     std::pair{"backup.restored", QT_TRANSLATE_NOOP("Admin", "a backup was restored")},
     std::pair{"attempts.export", QT_TRANSLATE_NOOP("Admin", "exported attempts")},
+    std::pair{"class.export", QT_TRANSLATE_NOOP("Admin", "took out a report of a class")},
     std::pair{"school.copy", QT_TRANSLATE_NOOP("Admin", "copied the school into another database")},
     std::pair{"school.copied", QT_TRANSLATE_NOOP("Admin", "brought the school here from another database")},
 };

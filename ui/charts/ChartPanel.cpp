@@ -25,6 +25,7 @@
 #include "ui/shell/FileDialog.h"
 #include "ui/shell/Folders.h"
 #include "ui/shell/LineIcon.h"
+#include "ui/shell/SavedFile.h"
 #include "ui/shell/Theme.h"
 #include "ui/text/EveryLanguage.h"
 
@@ -362,8 +363,8 @@ bool ChartPanel::save(const QString& path)
                              : ending == QLatin1String("svg") ? svg(m_chart)
                                                               : png(m_chart);
     QSaveFile file(path);
-    const bool isWritten = file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && !bytes.isEmpty() &&
-                           file.flush() && file.commit();
+    const bool isWritten =
+        openForOwner(file) && file.write(bytes) == bytes.size() && !bytes.isEmpty() && file.flush() && file.commit();
     const QString name = QFileInfo(path).fileName();
     m_saved->setText(isWritten ? tr("Saved: %1").arg(name)
                                //: %2: the system's own words

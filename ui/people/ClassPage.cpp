@@ -28,6 +28,7 @@
 #include "ui/shell/Announce.h"
 #include "ui/shell/FileDialog.h"
 #include "ui/shell/Folders.h"
+#include "ui/shell/SavedFile.h"
 #include "ui/shell/Theme.h"
 #include "ui/study/FormInputs.h"
 #include "ui/text/EveryLanguage.h"
@@ -317,7 +318,7 @@ void ClassPage::setOverview(const database::ClassOverview& overview, const QDate
     }
     fillLessons();
     tellNeeds();
-    m_said->clear();
+    say({});
     if (wasEmpty && isVisible())
         m_table->setFocus();
     if (chosenLesson() != before || chosenLesson().isEmpty())
@@ -557,10 +558,11 @@ void ClassPage::fitColumns()
     }
 }
 
-void ClassPage::say(const QString& words)
+void ClassPage::say(std::function<QString()> words)
 {
-    m_said->setText(words);
-    if (!words.isEmpty())
+    m_saying = std::move(words);
+    m_said->setText(m_saying ? m_saying() : QString());
+    if (m_saying)
         announce(*m_said);
 }
 
@@ -569,11 +571,13 @@ bool ClassPage::saveTable(const QString& path)
     QSaveFile file(path);
     const QByteArray bytes = charts::csv(table());
     const bool isWritten =
-        file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.flush() && file.commit();
+        shell::openForOwner(file) && file.write(bytes) == bytes.size() && file.flush() && file.commit();
     const QString name = QFileInfo(path).fileName();
-    say(isWritten ? tr("Saved: %1").arg(name)
-                  //: %2: the system's own words
-                  : tr("%1 could not be written (%2). Try another folder.").arg(name, file.errorString()));
+    say([isWritten, name, why = file.errorString()] {
+        return isWritten ? tr("Saved: %1").arg(name)
+                         //: %2: the system's own words
+                         : tr("%1 could not be written (%2). Try another folder.").arg(name, why);
+    });
     return isWritten;
 }
 
@@ -581,13 +585,14 @@ void ClassPage::askForFile()
 {
     auto* dialog =
         new shell::FileDialog(this, tr("Save the matrix"), shell::documentsFolder(), QStringLiteral("CSV (*.csv)"));
-    connect(dialog, &QFileDialog::fileSelected, this, &ClassPage::saveTable);
+    connect(dialog, &QFileDialog::fileSelected, this, &ClassPage::tableWanted);
     dialog->askWhere(QString::fromStdString(m_model->overview().name), QStringLiteral("csv"));
 }
 
 void ClassPage::retell()
 {
     setTitle(tr("Class"));
+    m_said->setText(m_saying ? m_saying() : QString());
     study::nameInput(m_class, tr("Class"));
     m_search->setPlaceholderText(tr("Search: a student"));
     m_search->setAccessibleName(m_search->placeholderText());

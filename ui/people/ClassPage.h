@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 
@@ -61,7 +62,7 @@ public:
     [[nodiscard]] charts::Table table() const { return m_model->table(); }
     /// Writes the matrix and says below it what became of that.
     bool saveTable(const QString& path);
-    void say(const QString& words);
+    void say(std::function<QString()> words);
     /// Asks for the class that is chosen once more: others work at it, too.
     void readAgain();
 
@@ -77,6 +78,8 @@ signals:
     /// The page where people are entered and classes are made.
     void peopleWanted();
     void pdfWanted();
+    /// saveTable() is to follow.
+    void tableWanted(const QString& path);
     void printWanted();
 
 protected:
@@ -137,6 +140,7 @@ private:
     QLabel* m_lessonWord = nullptr;
     QComboBox* m_lesson = nullptr;
     QLabel* m_said = nullptr;
+    std::function<QString()> m_saying;
     charts::ChartPanel* m_distribution = nullptr;
     charts::ChartPanel* m_learning = nullptr;
     charts::ChartPanel* m_difficulty = nullptr;

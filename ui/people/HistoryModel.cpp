@@ -15,9 +15,10 @@ void HistoryModel::setAttempts(const QList<AttemptRecord>& attempts)
     endResetModel();
 }
 
-void HistoryModel::setFeedback(std::map<std::int64_t, bool> isNew)
+void HistoryModel::setFeedback(std::map<std::int64_t, bool> isNew, bool isOwn)
 {
     m_feedback = std::move(isNew);
+    m_isOwn = isOwn;
     retell();
 }
 
@@ -62,8 +63,8 @@ QString HistoryModel::words(const AttemptRecord& attempt, int column) const
                text::number(0.001 * attempt.peakForceMn, 2);
     case Feedback:
         if (const auto found = m_feedback.find(attempt.id); found != m_feedback.end())
-            //: Of a teacher's feedback: to be read yet; read already
-            return found->second ? tr("new") : tr("read");
+            //: Of a teacher's feedback: to be read yet; not read by the student; read already
+            return !found->second ? tr("read") : m_isOwn ? tr("new") : tr("unread");
         return {};
     default:
         return {};

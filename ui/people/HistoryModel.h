@@ -26,7 +26,9 @@ public:
 
     void setAttempts(const QList<database::AttemptRecord>& attempts);
     /// @param isNew  of the attempts of which others have said something, by number, whether that is to be read yet
-    void setFeedback(std::map<std::int64_t, bool> isNew);
+    /// @param isNew  by attempt: who made it has not read yet what was said of it
+    /// @param isOwn  that is who looks at the list
+    void setFeedback(std::map<std::int64_t, bool> isNew, bool isOwn);
     void setTitles(const LessonTitles& titles);
     /// Says everything again, in another language.
     void retell();
@@ -43,6 +45,7 @@ private:
 
     QList<database::AttemptRecord> m_attempts;
     std::map<std::int64_t, bool> m_feedback;
+    bool m_isOwn = true;
     LessonTitles m_titles;
 };
 

@@ -400,8 +400,8 @@ void HistoryPage::setFeedback(const std::vector<database::Feedback>& feedback)
 {
     std::map<std::int64_t, bool> isNew;
     for (const database::Feedback& one : feedback)
-        isNew[one.attempt.value] = one.isNew && m_person.isEmpty();
-    m_model->setFeedback(std::move(isNew));
+        isNew[one.attempt.value] = one.isNew;
+    m_model->setFeedback(std::move(isNew), m_person.isEmpty());
     m_table->setColumnHidden(HistoryModel::Feedback, feedback.empty());
     makeRoom();
 }
@@ -422,7 +422,7 @@ void HistoryPage::fitColumns()
     fit(HistoryModel::When, {when("2026-12-28T22:58:00Z"), when("2026-09-20T20:00:00Z"), when("2026-08-04T04:44:00Z")});
     fit(HistoryModel::Score, {QStringLiteral("100.0")});
     fit(HistoryModel::Result, {HistoryModel::tr("passed"), HistoryModel::tr("not passed")});
-    fit(HistoryModel::Feedback, {HistoryModel::tr("new"), HistoryModel::tr("read")});
+    fit(HistoryModel::Feedback, {HistoryModel::tr("new"), HistoryModel::tr("unread"), HistoryModel::tr("read")});
     fit(HistoryModel::Time, {QStringLiteral("1:12:07")});
     fit(HistoryModel::Force, {QStringLiteral("10.85 / 12.10")});
     makeRoom();

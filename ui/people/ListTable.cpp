@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/people/ListTable.h"
 
+#include <algorithm>
+
 #include <QAbstractButton>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QStyleOptionHeader>
 
+#include "ui/shell/Announce.h"
 #include "ui/text/EveryLanguage.h"
 
 namespace ui::people {
@@ -84,8 +87,37 @@ bool ListTable::event(QEvent* event)
     return QTableView::event(event);
 }
 
+void ListTable::sortBeside(int columns)
+{
+    const QHeaderView* heads = horizontalHeader();
+    int place = heads->isSortIndicatorShown() ? heads->visualIndex(heads->sortIndicatorSection()) : -1;
+    do
+        place += columns;
+    while (place >= 0 && place < heads->count() && heads->isSectionHidden(heads->logicalIndex(place)));
+    if (place < 0 || place >= heads->count())
+        return;
+    const int column = heads->logicalIndex(place);
+    sortByColumn(column, heads->sortIndicatorOrder());
+    scrollTo(model()->index(0, column));
+    const QString words = model()->headerData(column, Qt::Horizontal).toString();
+    setAccessibleDescription(tr("Sorted by: %1").arg(words.simplified()));
+    shell::announce(*this);
+}
+
 void ListTable::keyPressEvent(QKeyEvent* event)
 {
+    if (event->modifiers() == Qt::AltModifier && isSortingEnabled()) {
+        const int key = event->key();
+        if (key == Qt::Key_Left || key == Qt::Key_Right) {
+            sortBeside(key == Qt::Key_Left ? -1 : 1);
+            return;
+        }
+        if (key == Qt::Key_Up || key == Qt::Key_Down) {
+            sortByColumn(std::max(0, horizontalHeader()->sortIndicatorSection()),
+                         key == Qt::Key_Up ? Qt::AscendingOrder : Qt::DescendingOrder);
+            return;
+        }
+    }
     m_isByKey = true;
     if (event->key() == Qt::Key_Space && currentIndex().isValid())
         emit activated(currentIndex());

@@ -5,8 +5,8 @@
 
 namespace ui::people {
 
-/// A table of a page: sorts by its headings, and keeps the arrow keys to itself, whatever else they are keys of.
-/// Tab leaves it.
+/// A table of a page: sorts by its headings, and keeps the arrow keys to itself, whatever else they are keys of; with
+/// Alt they sort: to the sides by the column beside, up and down from the least or the most. Tab leaves it.
 class ListTable final : public QTableView
 {
     Q_OBJECT
@@ -21,6 +21,9 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
+    /// @param columns  further along the headings that are seen
+    void sortBeside(int columns);
+
     bool m_isByKey = false;
 };
 

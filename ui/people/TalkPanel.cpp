@@ -151,7 +151,7 @@ void TalkPanel::makeOverride(QVBoxLayout& column)
     ready();
     const auto ask = [this](std::optional<int> tenths) {
         m_fault->hide();
-        emit overrideWanted(tenths, m_reason->text().trimmed());
+        emit overrideWanted(tenths, m_reason->text().trimmed(), m_talk.overrides.size());
     };
     connect(m_give, &QPushButton::clicked, this,
             [this, ask] { ask(static_cast<int>(std::lround(10.0 * m_points->value()))); });
@@ -182,8 +182,25 @@ void TalkPanel::setScore(int machineTenths, int passMarkTenths, bool passedByMac
     m_machineTenths = machineTenths;
     m_passMarkTenths = passMarkTenths;
     m_passedByMachine = passedByMachine;
-    m_points->setValue(machineTenths / 10.0);
+    offerPoints(machineTenths);
     tellScore();
+}
+
+/// A number that somebody has begun to give a reason for stays.
+void TalkPanel::offerPoints(int tenths)
+{
+    if (m_reason->text().trimmed().isEmpty())
+        m_points->setValue(tenths / 10.0);
+}
+
+std::optional<qint64> TalkPanel::unkept() const
+{
+    if (!m_words->toPlainText().trimmed().isEmpty())
+        return m_attempt;
+    for (const auto& [attempt, words] : m_drafts)
+        if (attempt != m_attempt && !words.trimmed().isEmpty())
+            return attempt;
+    return std::nullopt;
 }
 
 void TalkPanel::setTalk(const database::AttemptTalk& talk)
@@ -205,9 +222,8 @@ void TalkPanel::setTalk(const database::AttemptTalk& talk)
     }
     const int countedTenths = given().value_or(m_machineTenths);
     m_talk = talk;
-    // A number that somebody has begun to type stays, unless another score counts by now.
     if (const int countsTenths = given().value_or(m_machineTenths); countsTenths != countedTenths)
-        m_points->setValue(countsTenths / 10.0);
+        offerPoints(countsTenths);
     fill();
     tellScore();
     if (form != nullptr)

@@ -33,8 +33,11 @@ public:
     /// It is about this attempt from now on, 0: none that is kept. A comment that was being written on the one before
     /// waits until that comes again.
     void setAttempt(qint64 attempt);
+    [[nodiscard]] qint64 attempt() const { return m_attempt; }
     /// Who was writing has left: nothing of it stays.
     void forget();
+    /// One of the attempts with a comment that is typed and kept nowhere yet; nothing: there is none.
+    [[nodiscard]] std::optional<qint64> unkept() const;
     /// @param machineTenths  what the machine gave
     void setScore(int machineTenths, int passMarkTenths, bool passedByMachine);
     /// What was being written is cleared when it is among these.
@@ -52,7 +55,8 @@ signals:
     void commentWanted(const QString& words, std::optional<std::int64_t> momentMs,
                        std::optional<std::array<double, 3>> placeMm);
     /// @param tenths  nothing: the machine's score counts again
-    void overrideWanted(std::optional<int> tenths, const QString& reason);
+    /// @param before  so many were given so far, as it is shown here
+    void overrideWanted(std::optional<int> tenths, const QString& reason, std::size_t before);
     /// A pinned comment is to be seen where it belongs.
     void momentWanted(double seconds);
     void placeWanted(std::array<double, 3> placeMm);
@@ -74,6 +78,7 @@ private:
     void tellPins();
     void tellRoom();
     void unpin();
+    void offerPoints(int tenths);
     [[nodiscard]] QWidget* formInUse() const;
 
     std::map<qint64, QString> m_drafts;  ///< comments on the other attempts that are typed, and kept nowhere yet

@@ -14,6 +14,7 @@
 
 #include "ui/shell/FileDialog.h"
 #include "ui/shell/Folders.h"
+#include "ui/shell/SavedFile.h"
 
 namespace ui::report {
 namespace {
@@ -25,7 +26,7 @@ template <typename Content>
 bool save(const QString& path, const QString& title, const Content& content, QPageSize::PageSizeId paper)
 {
     QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly))
+    if (!shell::openForOwner(file))
         return false;
     {
         QPdfWriter writer(&file);

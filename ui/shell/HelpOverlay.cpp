@@ -54,6 +54,16 @@ QList<Gesture> gestures()
     };
 }
 
+/// The same of ui/people/ListTable.
+QList<Gesture> inLists()
+{
+    return {
+        {HelpOverlay::tr("Open what is chosen"), {HelpOverlay::tr("Enter")}},
+        {HelpOverlay::tr("Sort by the column beside"), {HelpOverlay::tr("Alt + left, right")}},
+        {HelpOverlay::tr("Sort from the least, from the most"), {HelpOverlay::tr("Alt + up, down")}},
+    };
+}
+
 QLabel* heading(const QString& words, QWidget* parent)
 {
     auto* label = new QLabel(words, parent);
@@ -159,9 +169,14 @@ void HelpOverlay::makeGroups(const Actions& actions)
         for (const QAction* action : std::as_const(keyed))
             connect(action, &QAction::visibleChanged, m_groups.back(), follow);
     }
-    QList<QWidget*> rows;
-    for (const Gesture& gesture : gestures())
-        rows << rowOf(m_content, new QLabel(gesture.doing), gesture.with);
+    const auto rowsOf = [this](const QList<Gesture>& all) {
+        QList<QWidget*> rows;
+        for (const Gesture& gesture : all)
+            rows << rowOf(m_content, new QLabel(gesture.doing), gesture.with);
+        return rows;
+    };
+    place(tr("In a list"), rowsOf(inLists()));
+    QList<QWidget*> rows = rowsOf(gestures());
     auto* force =
         new QLabel(tr("The teal arc beside the bur shows how hard it presses; it is full at the force that is "
                       "set."),

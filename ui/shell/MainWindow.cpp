@@ -260,8 +260,6 @@ void MainWindow::speak()
         return;
     }
     sayTooth();
-    if (m_pages->currentWidget() == m_scorePage)
-        m_scorePage->setWork(workTitle());
     if (m_pages->currentWidget() == m_forecast)
         m_forecast->setWork(workTitle());
     placeOverlays();
@@ -626,13 +624,13 @@ void MainWindow::openAssign()
     goTo(m_assign);
 }
 
-void MainWindow::showOldScore(const QString& work, const lessons::ScoreSheet& sheet,
+void MainWindow::showOldScore(std::function<QString()> work, const lessons::ScoreSheet& sheet,
                               const QList<database::AttemptRecord>& history,
                               const std::optional<study::Expectation>& expected,
                               const std::optional<study::ScoredWork>& scored)
 {
     m_busy->done();
-    m_scorePage->setScore(work, sheet, history, expected, scored);
+    m_scorePage->setScore(std::move(work), sheet, history, expected, scored);
     m_behindScore = m_room;
     for (QWidget* list : std::initializer_list<QWidget*>{m_history, m_lessonsPage})
         if (m_askedFrom == list)
@@ -1873,7 +1871,14 @@ void MainWindow::showScore(const lessons::ScoreSheet& sheet, const QList<databas
         m_exerciseCard->conclude();
         markExercise();
     }
-    m_scorePage->setScore(workTitle(), sheet, history, expected, scored);
+    // What lies on the table may be another by the time the language is.
+    const lessons::Lesson* const lesson = lessonShown();
+    m_scorePage->setScore(
+        [title = lesson != nullptr ? lesson->title : lessons::LocalText(), isLesson = lesson != nullptr,
+         tooth = m_tooth] {
+            return isLesson ? study::said(title) : tooth != nullptr ? text::toothTitle(*tooth) : QString();
+        },
+        sheet, history, expected, scored);
     m_behindScore = m_room;
     goTo(m_scorePage);
 }
@@ -2149,8 +2154,20 @@ std::vector<MainWindow::Unkept> MainWindow::unkept()
     std::vector<Unkept> all{{m_admin->people().unkept(), toSchool(admin::AdminPage::People)},
                             {m_admin->roster().unkept(), toSchool(admin::AdminPage::Roster)},
                             {m_presets->unkept(), [this] { goTo(m_presets); }}};
+    if (const auto attempt = m_scorePage->talk().unkept())
+        all.push_back({tr("A comment was typed and is not added yet."), [this, attempt] { showDraft(*attempt); }});
     all.erase(std::remove_if(all.begin(), all.end(), [](const Unkept& one) { return one.what.isEmpty(); }), all.end());
     return all;
+}
+
+void MainWindow::showDraft(qint64 attempt)
+{
+    if (m_scorePage->talk().attempt() != attempt) {
+        emit m_history->attemptOpenWanted(attempt);
+        return;
+    }
+    goTo(m_scorePage);
+    m_scorePage->showTalk();
 }
 
 void MainWindow::leaveUnkept(const std::function<void()>& what)

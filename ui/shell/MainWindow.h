@@ -233,7 +233,7 @@ public slots:
     void openAssign();
     /// Another attempt than the one on the table, with its score card.
     /// @param work  its lesson, or its tooth
-    void showOldScore(const QString& work, const lessons::ScoreSheet& sheet,
+    void showOldScore(std::function<QString()> work, const lessons::ScoreSheet& sheet,
                       const QList<database::AttemptRecord>& history, const std::optional<study::Expectation>& expected,
                       const std::optional<study::ScoredWork>& scored);
     /// The score card again that was left for its replay.
@@ -404,6 +404,8 @@ private:
         std::function<void()> show;
     };
     [[nodiscard]] std::vector<Unkept> unkept();
+    /// The attempt that a comment is typed on.
+    void showDraft(qint64 attempt);
     /// The same of what other pages have that is kept nowhere yet.
     void leaveUnkept(const std::function<void()>& what);
     void connectDoor();

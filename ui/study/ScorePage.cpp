@@ -245,7 +245,10 @@ ScorePage::ScorePage(const Actions& actions, QWidget* parent) : Page(actions, pa
     m_back = pageButton(actions.back, "filled", this);
     m_buttons->addWidget(m_back);
     body()->addLayout(m_buttons);
-    text::inEveryLanguage(this, [this] { speak(); });
+    text::inEveryLanguage(this, [this] {
+        speak();
+        tellSaying();
+    });
 }
 
 void ScorePage::arrange()
@@ -496,7 +499,7 @@ QWidget* ScorePage::makeReport()
 report::ScoreCard ScorePage::card() const
 {
     report::ScoreCard made;
-    made.lesson = m_work;
+    made.lesson = m_work();
     made.sheet = m_sheet;
     made.work = m_scored;
     made.moments = m_moments;
@@ -504,19 +507,25 @@ report::ScoreCard ScorePage::card() const
     return made;
 }
 
-void ScorePage::say(const QString& words)
+void ScorePage::say(std::function<QString()> words)
 {
-    m_said->setText(words);
-    m_said->setToolTip(words);
-    if (!words.isEmpty())
+    m_saying = std::move(words);
+    tellSaying();
+    if (!m_said->text().isEmpty())
         announce(*m_said);
 }
 
-void ScorePage::setScore(const QString& work, const ::lessons::ScoreSheet& sheet,
+void ScorePage::tellSaying()
+{
+    m_said->setText(m_saying ? m_saying() : QString());
+    m_said->setToolTip(m_said->text());
+}
+
+void ScorePage::setScore(std::function<QString()> work, const ::lessons::ScoreSheet& sheet,
                          const QList<database::AttemptRecord>& history, const std::optional<Expectation>& expected,
                          const std::optional<ScoredWork>& scored)
 {
-    m_work = work;
+    m_work = std::move(work);
     m_person.clear();
     m_given = history.isEmpty() ? std::nullopt : history.front().givenTenths;
     m_sheet = sheet;
@@ -557,12 +566,6 @@ void ScorePage::setGiven(std::optional<int> tenths)
     speak();
 }
 
-void ScorePage::setWork(const QString& work)
-{
-    m_work = work;
-    speak();
-}
-
 QString ScorePage::verdictWords(const ::lessons::ScoreSheet& sheet, std::optional<int> givenTenths)
 {
     if (givenTenths)
@@ -589,7 +592,7 @@ void ScorePage::speak()
     }
     //: %1 is a lesson, "Tooth 36" or a file name
     //: %1 is a person, %2 a lesson
-    setTitle(m_person.isEmpty() ? tr("Grade: %1").arg(m_work) : tr("Grade of %1: %2").arg(m_person, m_work));
+    setTitle(m_person.isEmpty() ? tr("Grade: %1").arg(m_work()) : tr("Grade of %1: %2").arg(m_person, m_work()));
     const int total = m_given.value_or(m_sheet.totalTenths);
     m_expected->setVisible(m_expectation.has_value());
     if (m_expectation && !m_person.isEmpty())

@@ -52,7 +52,7 @@ class ScorePage final : public shell::Page
 public:
     ScorePage(const shell::Actions& actions, QWidget* parent);
 
-    /// @param work     the lesson, or the tooth
+    /// @param work     the lesson, or the tooth, in the language of the moment
     /// @param history  newest first, this attempt included
     /// @param expected  what the student had expected, where that was asked
     /// @param scored   what was marked; nothing: no pictures
@@ -60,11 +60,9 @@ public:
     void setPerson(const QString& fullName);
     /// A teacher's score counts in place of the machine's, which stays beneath; nothing: the machine's.
     void setGiven(std::optional<int> tenths);
-    void setScore(const QString& work, const ::lessons::ScoreSheet& sheet,
+    void setScore(std::function<QString()> work, const ::lessons::ScoreSheet& sheet,
                   const QList<database::AttemptRecord>& history, const std::optional<Expectation>& expected,
                   const std::optional<ScoredWork>& scored);
-    /// What it is called now: in another language.
-    void setWork(const QString& work);
     /// The same, when the database has answered.
     void setHistory(const QList<database::AttemptRecord>& history);
     /// What becomes of the grade that is shown.
@@ -86,7 +84,7 @@ public:
     /// What is shown, for paper; attempt, person, talk and proof are for who knows them.
     [[nodiscard]] report::ScoreCard card() const;
     /// What became of the card that was to be saved or printed.
-    void say(const QString& words);
+    void say(std::function<QString()> words);
     void setTalkVisible(bool visible);
     /// Scrolls to what people say, once the card is laid out.
     void showTalk();
@@ -128,6 +126,7 @@ private:
     /// The criteria beside the pictures; where there is no room for that, above.
     void arrange();
     void speak();
+    void tellSaying();
     void fillCriteria();
     void showPlace(const CriterionRow& row);
     void showPin(const std::optional<std::array<double, 3>>& placeMm);
@@ -139,7 +138,7 @@ private:
 
     // What is shown, so that it can be said again in another language.
     bool m_isShown = false;
-    QString m_work;
+    std::function<QString()> m_work;
     QString m_person;            ///< empty: one's own
     std::optional<int> m_given;  ///< tenths, by a teacher
     std::optional<Expectation> m_expectation;
@@ -161,6 +160,7 @@ private:
     shell::ScrollPane* m_scroll = nullptr;
     QHBoxLayout* m_buttons = nullptr;
     QLabel* m_said = nullptr;
+    std::function<QString()> m_saying;
     QPushButton* m_replay = nullptr;
     bool m_talks = false;
     shell::TabularLabel* m_total = nullptr;

@@ -160,6 +160,8 @@ QString reason(core::ErrorCode code, Failed failed)
         return QCoreApplication::translate("Error", "The school's server does not answer. Cusp tries again by itself.");
     case core::ErrorCode::NotAllowed:
         return QCoreApplication::translate("Error", "Your role does not allow it.");
+    case core::ErrorCode::Disabled:
+        return QCoreApplication::translate("Error", "This account was disabled. Ask an admin.");
     case core::ErrorCode::NobodyLeft:
         return QCoreApplication::translate("Error",
                                            "This is the last admin who can log in. Make somebody else an admin first.");

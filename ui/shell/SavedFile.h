@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+class QSaveFile;
+
+namespace ui::shell {
+
+/// Opens a file that something about people is saved into: one that is new only its owner may read; of one that is
+/// there it stays who may. False: see QSaveFile::errorString().
+[[nodiscard]] bool openForOwner(QSaveFile& file);
+
+}  // namespace ui::shell
