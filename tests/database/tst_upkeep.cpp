@@ -2,6 +2,7 @@
 // Backups, copies between engines, class lists, and what a check finds.
 #include <csignal>
 #include <functional>
+#include <map>
 #include <memory>
 
 #include <QDir>
@@ -22,6 +23,7 @@
 #include "database/sql/Migrations.h"
 #include "database/sql/Overview.h"
 #include "database/sql/Roster.h"
+#include "database/sql/RowSum.h"
 #include "database/sql/Sample.h"
 #include "database/sql/Statement.h"
 #include "tests/database/SchoolRig.h"
@@ -101,6 +103,25 @@ public:
 private:
     static constexpr const char* kName = "raw";
 };
+
+/// All rows of all tables, but for what nobody compares with the audit: a password, and when somebody was here.
+std::map<QString, RowSum> sumsOf(const QSqlDatabase& db)
+{
+    const QStringList logins{"password_hash", "reset_hash", "reset_until_utc", "created_utc", "last_login_utc"};
+    std::map<QString, RowSum> sums;
+    for (const QString& table : db.tables()) {
+        QStringList columns = columnsOf(db, table);
+        if (table == u"people")
+            columns.removeIf([&logins](const QString& column) { return logins.contains(column); });
+        RowSum& sum = sums[table];
+        QSqlQuery rows(db);
+        if (!rows.exec(QStringLiteral("SELECT %1 FROM %2").arg(columns.join(u','), table)))
+            qWarning("%s: %s", qPrintable(table), qPrintable(rows.lastError().text()));
+        while (rows.next())
+            sum.add(rows, columns.size());
+    }
+    return sums;
+}
 
 /// Writes noise over the page that a table begins on.
 bool spoil(const QString& file, const char* table)
@@ -946,11 +967,14 @@ void TestUpkeep::flippedBytesAreReportedOrHarmless()
 {
     QTemporaryDir folder;
     QByteArray whole;
+    std::map<QString, RowSum> sums;
     {
         SchoolRig rig(false);
         rig.populate();
         for (int k = 0; k < 60; ++k)
             VERIFY_DONE(addAttempt(rig.school(), rig.student, SchoolRig::attempt("class1-36", 500 + k), {}));
+        sums = sumsOf(rig.school().db);
+        QVERIFY(sums.size() >= 16 && sums["attempts"].rows() == 60 && sums["score_sheets"].rows() == 60);
         QSqlQuery query(rig.school().db);
         QVERIFY(query.exec("PRAGMA wal_checkpoint(TRUNCATE)"));
         query.clear();
@@ -986,12 +1010,8 @@ void TestUpkeep::flippedBytesAreReportedOrHarmless()
             ++found;
             continue;
         }
-        // Harmless: nothing that people see has changed.
-        const School school{(*opened)->handle(), StationKey::make()};
-        QSqlQuery count(school.db);
-        QVERIFY(count.exec("SELECT count(*), sum(score_tenths) FROM attempts") && count.next());
-        QCOMPARE(count.value(0).toInt(), 60);
-        QCOMPARE(count.value(1).toInt(), 60 * 500 + 59 * 30);
+        // Harmless: not a value is another one.
+        QVERIFY2(sumsOf((*opened)->handle()) == sums, qPrintable(QStringLiteral("byte %1").arg(at)));
     }
     qInfo("%d flips: %d refused at opening, %d found by the check, %d harmless", rounds, refused, found,
           rounds - refused - found);
