@@ -83,6 +83,8 @@ private slots:
     void aFullDiskTakesNothing();
     void anExamThatIsBegunIsAnAttempt_data() { support::addEngines(); }
     void anExamThatIsBegunIsAnAttempt();
+    void anAttemptBeyondTheLimitIsKept_data() { support::addEngines(); }
+    void anAttemptBeyondTheLimitIsKept();
     void whatATeacherSaysIsNewUntilItIsRead_data() { support::addEngines(); }
     void whatATeacherSaysIsNewUntilItIsRead();
     void saysThatTheDiskIsFullAndGoesOnAfterwards();
@@ -661,6 +663,36 @@ void TestAttempts::anExamThatIsBegunIsAnAttempt()
     QVERIFY2(said.contains("is no longer there") && said.contains("was inserted") &&
                  said.contains("was removed or changed") && said.contains("was changed after"),
              qPrintable(said));
+}
+
+/// The limit is held where an attempt begins. Where nobody could be asked then, or at two stations at once, one more is
+/// made: work that was done is never thrown away, and its teacher sees it.
+void TestAttempts::anAttemptBeyondTheLimitIsKept()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    const School& school = rig.school();
+    const std::string lesson = "class1-36";
+    VERIFY_DONE(assign(school, rig.instructor, {0, rig.first, lesson, "", 1}));
+    const auto left = [&] { return attemptsLeft(school, rig.student, lesson).value(); };
+    QCOMPARE(left().value(), 1);
+    VERIFY_DONE(addAttempt(school, rig.student, SchoolRig::attempt(lesson, 600, dayOf(0)), {}));
+    QCOMPARE(left().value(), 0);
+    const auto beyond = addAttempt(school, rig.student, SchoolRig::attempt(lesson, 900, dayOf(1)), "a recording");
+    VERIFY_DONE(beyond);
+    QCOMPARE(left().value(), 0);
+    // In his history, in that which his teacher reads, and in the overview of the class, as any other.
+    for (const Session* reader : {&rig.student, &rig.instructor}) {
+        const auto listed = history(school, *reader, rig.student.person(), {lesson, "", 0});
+        VERIFY_DONE(listed);
+        QCOMPARE(listed->size(), std::size_t{2});
+        QCOMPARE(listed->front().id, beyond->value);
+        QCOMPARE(openRecording(school, *reader, *beyond).value(), QByteArray("a recording"));
+    }
+    const ClassOverview overview = classOverview(school, rig.instructor, rig.first).value();
+    QVERIFY((overview.cells.at(0).at(0) == MatrixCell{2, 900, true, dayOf(1)}));
+    QCOMPARE(lessonResults(school, rig.instructor, rig.first, lesson)->bestTenths, (std::vector<int>{900}));
+    QVERIFY(checkDatabase(school.db, {})->findings.empty());
 }
 
 void TestAttempts::saysThatTheDiskIsFullAndGoesOnAfterwards()
