@@ -9,6 +9,7 @@
 #include <QLocale>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QScopeGuard>
 #include <QSlider>
 #include <QSpinBox>
 #include <QTemporaryDir>
@@ -42,6 +43,7 @@ private slots:
     void twoPresetsAreComparedBlind();
     void whatIsWrongWithAFileStaysToBeRead();
     void anExamFeelsAsItShould();
+    void withoutAFileTheDataAreTheUsersOwn();
 
 private:
     template <class T>
@@ -261,6 +263,20 @@ void TestFeel::anExamFeelsAsItShould()
     QCOMPARE(exam.settings().force.friction, core::contact::ForceSettings{}.friction);
     QVERIFY(!lessons::presetUsed(exam).isChanged);
     QVERIFY(!exam.isRetuned());
+}
+
+/// In the folder that the desktop keeps for the data of programs.
+void TestFeel::withoutAFileTheDataAreTheUsersOwn()
+{
+    const QString name = QCoreApplication::applicationName();
+    const auto back = qScopeGuard([&name] { QCoreApplication::setApplicationName(name); });
+    QCoreApplication::setApplicationName("cusp");
+    app::WindowOptions options;
+    options.source = {36};
+    m_application = app::Application::make(options).value();
+    m_application->show();
+    waitForTooth("Tooth 36");
+    QTRY_VERIFY(QFile::exists(m_folder->filePath("cusp/cusp.sqlite")));
 }
 
 int main(int argc, char** argv)

@@ -46,6 +46,7 @@ private slots:
     void init();
 
     void aSchoolIsMadeAndPeopled();
+    void withoutAFileItIsTheUsersOwn();
     void aClassListIsTriedAndEntered();
     void codesAndTablesOverwriteNothingElse();
     void tablesGoWhereALinkLeadsAndNeverIntoTheSchool();
@@ -119,6 +120,22 @@ void TestSchoolCommands::aSchoolIsMadeAndPeopled()
     QCOMPARE(checked["sound"].toBool(), true);
     QVERIFY(checked["audit_rows"].toInt() > 5);
     QVERIFY(onFile({"db", "stats"}).out.contains("students     1"));
+}
+
+/// In the folder that the desktop keeps for the data of programs.
+void TestSchoolCommands::withoutAFileItIsTheUsersOwn()
+{
+    const QStringList where{"XDG_DATA_HOME=" + at("data")};
+    const QString own = at("data/cusp/cusp.sqlite");
+    // Who only looks makes nothing.
+    QCOMPARE(runCusp({"db", "stats"}, where).exitCode, 1);
+    QVERIFY(!QFile::exists(own));
+    const Ending made = runCusp({"db", "init", "--admin", "admin"}, where, kPassword);
+    QVERIFY2(made.exitCode == 0, made.error);
+    QVERIFY(QFile::exists(own));
+    QCOMPARE(runCusp({"db", "stats", "--json"}, where).exitCode, 0);
+    QCOMPARE(runCusp({"user", "list", "--as", "admin", "--json"}, where, kPassword).json()["people"].toArray().size(),
+             1);
 }
 
 void TestSchoolCommands::aClassListIsTriedAndEntered()

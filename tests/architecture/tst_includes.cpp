@@ -135,6 +135,23 @@ QString complaint(const QString& file, const QString& line)
     return allowed ? QString() : QString(room.ruleInWords);
 }
 
+/// Whether a line of the window's puts a box before it, which stops all else until it is answered. What is to be said
+/// or asked stands within the page: MessageBar, QuestionCard. Where to save and what to print on is asked by FileDialog
+/// and QPrintDialog, by open(), beside which the window goes on.
+bool putsABox(QString line)
+{
+    static const QRegularExpression box(
+        "\\bQ(MessageBox|ErrorMessage|InputDialog|ProgressDialog|Wizard|ColorDialog|FontDialog)\\b|"
+        "\\bQFileDialog::get|\\b(public|new) QDialog\\b|\\bQDialog \\w+[;({]|"
+        "\\bsetModal\\b|\\b(Application|Window)Modal\\b|\\bQEventLoop \\w");
+    static const QRegularExpression waits("(\\w+::)?\\bexec\\(");
+    line = line.section("//", 0, 0);
+    if (line.contains(box))
+        return true;
+    const auto wait = waits.match(line);
+    return wait.hasMatch() && wait.captured(1) != "QApplication::";
+}
+
 }  // namespace
 
 class TestIncludes : public QObject
@@ -148,6 +165,9 @@ private slots:
     void everyIncludeFollowsAnArrow_data();
     void everyIncludeFollowsAnArrow();
     void whatIsSavedWasWritten();
+    void plantedBoxes_data();
+    void plantedBoxes();
+    void thePageSpeaksAndNoBox();
 };
 
 void TestIncludes::plantedLines_data()
@@ -272,6 +292,57 @@ void TestIncludes::whatIsSavedWasWritten()
         }
     }
     QVERIFY(files > 0);
+}
+
+void TestIncludes::plantedBoxes_data()
+{
+    QTest::addColumn<QString>("line");
+    QTest::addColumn<bool>("isBox");
+    const auto plant = [](const char* line, bool isBox) { QTest::newRow(line) << QString(line) << isBox; };
+    plant("QMessageBox::warning(this, title, words);", true);
+    plant("#include <QMessageBox>", true);
+    plant("QInputDialog::getText(this, title, label);", true);
+    plant("const QString file = QFileDialog::getOpenFileName(this);", true);
+    plant("class Question : public QDialog", true);
+    plant("auto* box = new QDialog(this);", true);
+    plant("QDialog box(this);", true);
+    plant("dialog->exec();", true);
+    plant("menu.exec(QCursor::pos());", true);
+    plant("setWindowModality(Qt::ApplicationModal);", true);
+    plant("QEventLoop loop;", true);
+    plant("return QApplication::exec();", false);
+    plant("dialog->open();", false);
+    plant("// instead of a QMessageBox", false);
+    plant("connect(dialog, &QDialog::accepted, this, done);", false);
+    plant("class FileDialog : public QFileDialog", false);
+    plant("m_console->execute(command);", false);
+}
+
+void TestIncludes::plantedBoxes()
+{
+    QFETCH(QString, line);
+    QFETCH(bool, isBox);
+    QCOMPARE(putsABox(line), isBox);
+}
+
+void TestIncludes::thePageSpeaksAndNoBox()
+{
+    const QDir root(CUSP_SOURCE_DIR);
+    int files = 0;
+    QStringList boxes;
+    for (const char* folder : {"ui", "app"}) {
+        QDirIterator it(root.filePath(folder), {"*.h", "*.cpp"}, QDir::Files, QDirIterator::Subdirectories);
+        while (it.hasNext()) {
+            QFile source(it.next());
+            QVERIFY2(source.open(QIODevice::ReadOnly), qPrintable(source.fileName()));
+            ++files;
+            for (int number = 1; !source.atEnd(); ++number)
+                if (const QString line = QString::fromUtf8(source.readLine()).trimmed(); putsABox(line))
+                    boxes << QString("%1:%2: %3").arg(root.relativeFilePath(source.fileName())).arg(number).arg(line);
+        }
+    }
+    QVERIFY(files > 100);
+    QVERIFY2(boxes.isEmpty(), qPrintable('\n' + boxes.join('\n')));
 }
 
 QTEST_GUILESS_MAIN(TestIncludes)

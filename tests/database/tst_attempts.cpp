@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <map>
+#include <tuple>
+#include <utility>
+
 #include <QDir>
 #include <QDirIterator>
 #include <QFile>
@@ -14,7 +18,9 @@
 #include "database/sql/Dialect.h"
 #include "database/sql/ExamStarts.h"
 #include "database/sql/Feedback.h"
+#include "database/sql/Overview.h"
 #include "database/sql/Recordings.h"
+#include "lessons/Stuck.h"
 #include "tests/database/SchoolRig.h"
 #include "tests/support/FullDisk.h"
 
@@ -23,6 +29,24 @@ using namespace database::sql;
 using core::ErrorCode;
 using support::addAttempt;
 using support::SchoolRig;
+
+namespace {
+
+/// The class "first" with four more students than the rig enters.
+std::vector<Session> sixStudents(SchoolRig& rig)
+{
+    std::vector<Session> six{rig.student, rig.classmate};
+    for (const char* name : {"Three", "Four", "Five", "Six"})
+        six.push_back(rig.join({std::string("s-") + name, "Sid", name, Role::Student}, rig.first));
+    return six;
+}
+
+std::string dayOf(std::size_t turn)
+{
+    return "2026-11-0" + std::to_string(turn + 1) + "T10:15:00Z";
+}
+
+}  // namespace
 
 class TestAttempts : public QObject
 {
@@ -48,11 +72,19 @@ private slots:
     void whatIsKeptOfPeopleIsForTheOwnerOfTheFilesOnly();
     void classmatesAreComparedWithoutNames_data() { support::addEngines(); }
     void classmatesAreComparedWithoutNames();
+    void aClassesNumbersAreThoseWorkedOutByHand_data() { support::addEngines(); }
+    void aClassesNumbersAreThoseWorkedOutByHand();
+    void ofFourPeopleNoBandIsShown_data() { support::addEngines(); }
+    void ofFourPeopleNoBandIsShown();
+    void whoIsStuckIsToldByTheLastAttempts_data() { support::addEngines(); }
+    void whoIsStuckIsToldByTheLastAttempts();
     void whatIsNoPlainFileIsNotRead();
     void aStationKeyIsAFileOfItsOwn();
     void aFullDiskTakesNothing();
     void anExamThatIsBegunIsAnAttempt_data() { support::addEngines(); }
     void anExamThatIsBegunIsAnAttempt();
+    void anAttemptBeyondTheLimitIsKept_data() { support::addEngines(); }
+    void anAttemptBeyondTheLimitIsKept();
     void whatATeacherSaysIsNewUntilItIsRead_data() { support::addEngines(); }
     void whatATeacherSaysIsNewUntilItIsRead();
     void saysThatTheDiskIsFullAndGoesOnAfterwards();
@@ -278,6 +310,146 @@ void TestAttempts::whatIsKeptOfPeopleIsForTheOwnerOfTheFilesOnly()
     QCOMPARE(seen, 5);  // two letters, "arrived", a recording and its folder
 }
 
+/// Quartiles are those that R calls type 7: between two neighbours by the distance.
+void TestAttempts::aClassesNumbersAreThoseWorkedOutByHand()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    const std::string lesson = "class1-36";
+    const std::vector<Session> six = sixStudents(rig);
+    // What the machine gave: a row for each student, from his first attempt on.
+    const std::vector<std::vector<int>> given{{400, 500, 800}, {300, 540, 450}, {610, 520, 740, 770},
+                                              {700, 700},      {900, 810},      {760}};
+    std::map<std::pair<std::size_t, std::size_t>, AttemptId> kept;
+    int minutes = 0;
+    const auto work = [&](const Session& who, std::size_t turn, int tenths) {
+        AttemptRecord attempt = SchoolRig::attempt(lesson, tenths, dayOf(turn));
+        attempt.durationMs = ++minutes * 60'000;
+        attempt.criteria = {{"depth", 30, 300}, {"outline", 100, 200}, {"pulp", 0, 0}};
+        if (who == six[0] && turn == 0)
+            attempt.criteria = {{"depth", 600, 600}, {"outline", 0, 200}, {"pulp", 0, 0}};
+        return addAttempt(rig.school(), who, attempt, {});
+    };
+    // The last ones arrive first: what counts is when they were made.
+    for (std::size_t turn = 4; turn-- > 0;)
+        for (std::size_t who = 0; who < six.size(); ++who)
+            if (turn < given[who].size()) {
+                const auto id = work(six[who], turn, given[who][turn]);
+                VERIFY_DONE(id);
+                kept[{who, turn}] = *id;
+            }
+    QCOMPARE(minutes, 15);
+    // An instructor's score counts instead: one more passes, one no longer.
+    VERIFY_DONE(overrideScore(rig.school(), rig.instructor, kept[{1, 1}], 640, "It is better than that."));
+    VERIFY_DONE(overrideScore(rig.school(), rig.instructor, kept[{3, 0}], 755, "It is better than that."));
+    VERIFY_DONE(overrideScore(rig.school(), rig.instructor, kept[{5, 0}], 205, "It is worse than that."));
+    // Who teaches, and who is of another class, changes nothing; nor does another lesson.
+    VERIFY_DONE(addAttempt(rig.school(), rig.instructor, SchoolRig::attempt(lesson, 1000), {}));
+    VERIFY_DONE(addAttempt(rig.school(), rig.stranger, SchoolRig::attempt(lesson, 1000), {}));
+    VERIFY_DONE(addAttempt(rig.school(), rig.student, SchoolRig::attempt("decay-21", 1000), {}));
+
+    // First attempts 205 300 400 610 755 900: a quarter of the way is 300 + 0.25 * 100, half 400 + 0.5 * 210, three
+    // quarters 610 + 0.75 * 145. Second attempts 500 520 640 700 810: three of them. Of third ones there are three, too
+    // few.
+    const std::vector<BandPoint> curve{{1, 6, 325, 505, 719}, {2, 5, 520, 640, 700}};
+    QVERIFY(classBand(rig.school(), rig.student, rig.student.person(), lesson).value() == curve);
+    const LessonResults results = lessonResults(rig.school(), rig.instructor, rig.first, lesson).value();
+    QVERIFY(results.curve == curve);
+    QCOMPARE(results.bestTenths, (std::vector<int>{205, 640, 755, 770, 800, 900}));
+    // Passed: one with his third attempt, one with his fourth, two with their first.
+    QCOMPARE(results.difficulty.lessonId, lesson);
+    QCOMPARE(results.difficulty.people, 6);
+    QCOMPARE(results.difficulty.passed, 4);
+    QCOMPARE(results.difficulty.meanTenths, 3170.0 / 6.0);
+    QCOMPARE(results.difficulty.attemptsToPass, 9.0 / 4.0);
+    // Of fifteen attempts: 14 times 100 of 200 and once nothing; 14 times 30 of 300 and once all.
+    QCOMPARE(results.difficulty.items.size(), std::size_t{2});
+    QCOMPARE(results.difficulty.items[0].criterion, std::string("outline"));
+    QCOMPARE(results.difficulty.items[0].share, 7.0 / 15.0);
+    QCOMPARE(results.difficulty.items[1].criterion, std::string("depth"));
+    QCOMPARE(results.difficulty.items[1].share, 2.4 / 15.0);
+    // 205 300 400 450 500 520 610 640 700 740 755 770 800 810 900: the eighth, and of 1 to 15 minutes eight.
+    const auto medians = [&] { return classMedians(rig.school(), rig.student, rig.student.person(), lesson).value(); };
+    QVERIFY((medians() == LessonMedians{6, 640, 480'000}));
+    // One more, with 660 in 16 minutes: between the eighth and the ninth.
+    VERIFY_DONE(work(six[5], 1, 660));
+    QVERIFY((medians() == LessonMedians{6, 650, 510'000}));
+    // Second attempts 500 520 640 660 700 810.
+    QVERIFY(
+        (classBand(rig.school(), rig.student, rig.student.person(), lesson)->at(1) == BandPoint{2, 6, 550, 650, 690}));
+}
+
+/// One could make out who did what.
+void TestAttempts::ofFourPeopleNoBandIsShown()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    std::vector<Session> people = sixStudents(rig);
+    people.resize(5);
+    for (const Session& who : people) {
+        QVERIFY(classBand(rig.school(), rig.student, rig.student.person(), "class1-36")->empty());
+        QVERIFY(!classMedians(rig.school(), rig.student, rig.student.person(), "class1-36")->has_value());
+        QVERIFY(lessonResults(rig.school(), rig.instructor, rig.first, "class1-36")->curve.empty());
+        VERIFY_DONE(addAttempt(rig.school(), who, SchoolRig::attempt("class1-36", 700), {}));
+    }
+    const std::vector<BandPoint> alike{{1, 5, 700, 700, 700}};
+    QVERIFY(classBand(rig.school(), rig.student, rig.student.person(), "class1-36").value() == alike);
+    QCOMPARE(classMedians(rig.school(), rig.student, rig.student.person(), "class1-36").value()->people, 5);
+}
+
+/// At the lesson he tried last, by the scores that count.
+void TestAttempts::whoIsStuckIsToldByTheLastAttempts()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    const auto isStuck = [](const MatrixStudent& student) {
+        std::vector<lessons::Try> tries;
+        for (std::size_t k = 0; k < student.recentTenths.size(); ++k)
+            tries.push_back({student.recentTenths[k], student.recentPassed[k]});
+        return lessons::isStuck(tries);
+    };
+    std::vector<AttemptId> sams;
+    const auto work = [&](const Session& who, const char* lesson, int tenths, std::size_t day) {
+        sams.push_back(addAttempt(rig.school(), who, SchoolRig::attempt(lesson, tenths, dayOf(day)), {}).value());
+    };
+    // Sam, by day: passed once; then another lesson; then five times more. What he practised freely is no lesson.
+    for (const auto& [lesson, tenths, day] :
+         {std::tuple("class1-36", 800, 0), std::tuple("decay-21", 700, 2), std::tuple("class1-36", 510, 1),
+          std::tuple("class1-36", 520, 3), std::tuple("class1-36", 530, 4), std::tuple("class1-36", 760, 5),
+          std::tuple("class1-36", 540, 6), std::tuple("class1-36", 545, 6), std::tuple("", 900, 7)})
+        work(rig.student, lesson, tenths, static_cast<std::size_t>(day));
+    // Sue has just begun another lesson.
+    for (std::size_t day = 0; day < 3; ++day)
+        work(rig.classmate, "class1-36", 400, day);
+    work(rig.classmate, "decay-21", 100, 3);
+    VERIFY_DONE(assign(rig.school(), rig.instructor, {0, rig.first, "x-assigned", "", 0}));
+    const auto read = [&] { return classOverview(rig.school(), rig.instructor, rig.first).value(); };
+    ClassOverview overview = read();
+    QCOMPARE(overview.students.size(), std::size_t{2});
+    QCOMPARE(overview.students[0].fullName, std::string("Sam One"));
+    QCOMPARE(overview.students[0].recentLesson, std::string("class1-36"));
+    QCOMPARE(overview.students[0].recentTenths, (std::vector<int>{545, 540, 760, 530, 520}));
+    QCOMPARE(overview.students[0].recentPassed, (std::vector<bool>{false, false, true, false, false}));
+    QCOMPARE(overview.students[0].lastAttemptUtc, dayOf(7));
+    QCOMPARE(overview.students[1].recentLesson, std::string("decay-21"));
+    QCOMPARE(overview.students[1].recentTenths, (std::vector<int>{100}));
+    QVERIFY(!isStuck(overview.students[0]) && !isStuck(overview.students[1]));
+    // The one that freed him is worth less: none of the last three is passed, and none better by five points.
+    VERIFY_DONE(overrideScore(rig.school(), rig.instructor, sams[5], 535, "The floor was not seen."));
+    // And Sue went back to where she was.
+    work(rig.classmate, "class1-36", 410, 4);
+    overview = read();
+    QCOMPARE(overview.students[0].recentTenths, (std::vector<int>{545, 540, 535, 530, 520}));
+    QCOMPARE(overview.students[0].recentPassed, std::vector<bool>(5, false));
+    QVERIFY(isStuck(overview.students[0]));
+    QCOMPARE(overview.students[1].recentTenths, (std::vector<int>{410, 400, 400, 400}));
+    QVERIFY(isStuck(overview.students[1]));
+    // Students by lessons: what was assigned, then what was tried.
+    QCOMPARE(overview.lessons, (std::vector<std::string>{"x-assigned", "class1-36", "decay-21"}));
+    QVERIFY((overview.cells[0] == std::vector<MatrixCell>{{}, {7, 800, true, dayOf(6)}, {1, 700, false, dayOf(2)}}));
+    QVERIFY((overview.cells[1] == std::vector<MatrixCell>{{}, {4, 410, false, dayOf(4)}, {1, 100, false, dayOf(3)}}));
+}
+
 /// A pipe would let the school wait for ever, and a device has no end.
 void TestAttempts::whatIsNoPlainFileIsNotRead()
 {
@@ -491,6 +663,36 @@ void TestAttempts::anExamThatIsBegunIsAnAttempt()
     QVERIFY2(said.contains("is no longer there") && said.contains("was inserted") &&
                  said.contains("was removed or changed") && said.contains("was changed after"),
              qPrintable(said));
+}
+
+/// The limit is held where an attempt begins. Where nobody could be asked then, or at two stations at once, one more is
+/// made: work that was done is never thrown away, and its teacher sees it.
+void TestAttempts::anAttemptBeyondTheLimitIsKept()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    const School& school = rig.school();
+    const std::string lesson = "class1-36";
+    VERIFY_DONE(assign(school, rig.instructor, {0, rig.first, lesson, "", 1}));
+    const auto left = [&] { return attemptsLeft(school, rig.student, lesson).value(); };
+    QCOMPARE(left().value(), 1);
+    VERIFY_DONE(addAttempt(school, rig.student, SchoolRig::attempt(lesson, 600, dayOf(0)), {}));
+    QCOMPARE(left().value(), 0);
+    const auto beyond = addAttempt(school, rig.student, SchoolRig::attempt(lesson, 900, dayOf(1)), "a recording");
+    VERIFY_DONE(beyond);
+    QCOMPARE(left().value(), 0);
+    // In his history, in that which his teacher reads, and in the overview of the class, as any other.
+    for (const Session* reader : {&rig.student, &rig.instructor}) {
+        const auto listed = history(school, *reader, rig.student.person(), {lesson, "", 0});
+        VERIFY_DONE(listed);
+        QCOMPARE(listed->size(), std::size_t{2});
+        QCOMPARE(listed->front().id, beyond->value);
+        QCOMPARE(openRecording(school, *reader, *beyond).value(), QByteArray("a recording"));
+    }
+    const ClassOverview overview = classOverview(school, rig.instructor, rig.first).value();
+    QVERIFY((overview.cells.at(0).at(0) == MatrixCell{2, 900, true, dayOf(1)}));
+    QCOMPARE(lessonResults(school, rig.instructor, rig.first, lesson)->bestTenths, (std::vector<int>{900}));
+    QVERIFY(checkDatabase(school.db, {})->findings.empty());
 }
 
 void TestAttempts::saysThatTheDiskIsFullAndGoesOnAfterwards()

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <ctime>
+#include <functional>
 #include <set>
 #include <vector>
 
@@ -17,6 +18,53 @@ using namespace database::sql;
 using core::ErrorCode;
 using support::SchoolRig;
 
+namespace {
+
+/// Of this thread, so that other programs do not count.
+double cpuMs(const std::function<void()>& work)
+{
+    timespec begun{};
+    timespec ended{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &begun);
+    work();
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &ended);
+    return 1e3 * static_cast<double>(ended.tv_sec - begun.tv_sec) +
+           1e-6 * static_cast<double>(ended.tv_nsec - begun.tv_nsec);
+}
+
+double failedLoginMs(SchoolRig& rig, const std::string& name)
+{
+    rig.nowUtc = rig.nowUtc.addDays(1);  // no wait
+    return cpuMs([&] { VERIFY_REFUSED(Logins::login(rig.school(), name, "wrong horse"), ErrorCode::WrongLogin); });
+}
+
+struct FailedLogins
+{
+    double knownMs = 0.0;
+    double unknownMs = 0.0;
+
+    [[nodiscard]] QString words() const
+    {
+        return QStringLiteral("unknown %1 ms, known %2 ms").arg(unknownMs).arg(knownMs);
+    }
+};
+
+/// Medians of nine: of a name that somebody has, and of names that nobody has.
+FailedLogins timeFailedLogins(SchoolRig& rig)
+{
+    std::vector<double> known;
+    std::vector<double> unknown;
+    for (int k = 0; k < 9; ++k) {
+        known.push_back(failedLoginMs(rig, "s1001"));
+        unknown.push_back(failedLoginMs(rig, "nobody" + std::to_string(k)));
+    }
+    std::nth_element(known.begin(), known.begin() + 4, known.end());
+    std::nth_element(unknown.begin(), unknown.begin() + 4, unknown.end());
+    return {known[4], unknown[4]};
+}
+
+}  // namespace
+
 class TestLogins : public QObject
 {
     Q_OBJECT
@@ -27,6 +75,7 @@ private slots:
     void unknownWrongAndDisabledGetTheSameAnswer_data() { support::addEngines(); }
     void unknownWrongAndDisabledGetTheSameAnswer();
     void unknownNamesTakeAsLongAfterTheCostWasRaised();
+    void unknownNamesAreNotAnsweredAtOnce();
     void codesAreReadAsTheyAreTyped();
     void failuresDoubleTheWaitAcrossRuns_data() { support::addEngines(); }
     void failuresDoubleTheWaitAcrossRuns();
@@ -48,6 +97,7 @@ private slots:
     void whoIsDisabledIsStoppedAtOnce();
     void namesAreComparedAsPeopleTypeThem();
     void theDearestCostIsNotUnderTheMinimum();
+    void theCostIsTimedOnThisComputer();
 };
 
 void TestLogins::theFirstPersonIsAnAdminAndEnteredOnce()
@@ -98,27 +148,24 @@ void TestLogins::unknownNamesTakeAsLongAfterTheCostWasRaised()
     rig.populate();
     constexpr PasswordCost kDear{12, 8 << 20};
     VERIFY_DONE(raisePasswordCost(rig.school(), rig.admin, kDear));
-    const auto cpuMs = [&](const std::string& name) {
-        rig.nowUtc = rig.nowUtc.addDays(1);  // no wait
-        timespec begun{};
-        timespec ended{};
-        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &begun);
-        [&] { VERIFY_REFUSED(Logins::login(rig.school(), name, "wrong horse"), ErrorCode::WrongLogin); }();
-        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &ended);
-        return 1e3 * static_cast<double>(ended.tv_sec - begun.tv_sec) +
-               1e-6 * static_cast<double>(ended.tv_nsec - begun.tv_nsec);
-    };
-    std::vector<double> known;
-    std::vector<double> unknown;
-    for (int k = 0; k < 9; ++k) {
-        known.push_back(cpuMs("s1001"));
-        unknown.push_back(cpuMs("nobody" + std::to_string(k)));
-    }
-    std::nth_element(known.begin(), known.begin() + 4, known.end());
-    std::nth_element(unknown.begin(), unknown.begin() + 4, unknown.end());
+    const FailedLogins times = timeFailedLogins(rig);
     // At the new cost it would be a hundred times as long.
-    QVERIFY2(unknown[4] < 5.0 * known[4],
-             qPrintable(QStringLiteral("unknown %1 ms, known %2 ms").arg(unknown[4]).arg(known[4])));
+    QVERIFY2(times.unknownMs < 5.0 * times.knownMs, qPrintable(times.words()));
+}
+
+/// Nor do they take longer: by either one could tell who is here.
+void TestLogins::unknownNamesAreNotAnsweredAtOnce()
+{
+    SchoolRig rig(false);
+    rig.populate();
+    const double cheapMs = timeFailedLogins(rig).knownMs;
+    VERIFY_DONE(raisePasswordCost(rig.school(), rig.admin, {12, 8 << 20}));
+    for (const char* name : {"admin", "teach", "teach2", "s1001", "s1002", "s2001"})
+        VERIFY_DONE(Logins::login(rig.school(), name, SchoolRig::kPassword));  // and so at the new cost
+    const FailedLogins times = timeFailedLogins(rig);
+    // Else it is not the comparing that takes the time, and nothing is shown.
+    QVERIFY2(times.knownMs > 5.0 * cheapMs, qPrintable(times.words() + QStringLiteral(", cheap %1 ms").arg(cheapMs)));
+    QVERIFY2(times.unknownMs < 2.0 * times.knownMs && times.knownMs < 2.0 * times.unknownMs, qPrintable(times.words()));
 }
 
 void TestLogins::codesAreReadAsTheyAreTyped()
@@ -409,6 +456,25 @@ void TestLogins::theDearestCostIsNotUnderTheMinimum()
     QCOMPARE(quick.passes, 2ULL);
     QCOMPARE(quick.memoryBytes, std::size_t{64} << 20U);
     QVERIFY(timedCost(200.0).passes >= quick.passes);
+}
+
+/// Beside a hash that is timed here: how long a pass takes is this computer's own.
+void TestLogins::theCostIsTimedOnThisComputer()
+{
+    const auto hashMs = [](const PasswordCost& cost) {
+        return cpuMs([&] { VERIFY_DONE(hashPassword(SchoolRig::kPassword, cost)); });
+    };
+    const double onePassMs = hashMs({2, std::size_t{64} << 20U}) / 2.0;
+    const double goalMs = 8.0 * onePassMs;
+    const PasswordCost timed = timedCost(goalMs);
+    QCOMPARE(timed.memoryBytes, std::size_t{64} << 20U);
+    QVERIFY2(timed.passes >= 4 && timed.passes <= 12, qPrintable(QString::number(timed.passes)));
+    const double neededMs = hashMs(timed);
+    QVERIFY2(neededMs > goalMs / 3.0 && neededMs < 2.0 * goalMs,
+             qPrintable(QStringLiteral("%1 ms instead of %2 ms").arg(neededMs).arg(goalMs)));
+    // Who wants more time gets a dearer cost, up to sixteen passes.
+    QVERIFY(timedCost(1.5 * onePassMs).passes <= timed.passes);
+    QCOMPARE(timedCost(1000.0 * onePassMs).passes, 16ULL);
 }
 
 QTEST_GUILESS_MAIN(TestLogins)

@@ -103,6 +103,7 @@ private slots:
     void allClassesAreSeenInTheListThatOpens();
     void nothingIsToldOfFourPeople();
     void chartsOfALesson();
+    void eachBestScoreIsInItsColumn();
     void lateAnswersOfAnotherLessonAreLeft();
     void theTableIsSaved();
     void cellsSayWhatTheyAre();
@@ -427,6 +428,33 @@ void TestClassPage::chartsOfALesson()
     QCOMPARE(bars[0].words, QString("Pulpal floor: the class loses 42 % of its points"));
     QCOMPARE(m_page->findChild<ChartPanel*>("difficulty")->chart().note,
              QString("21 of 23 passed, after 2.4 attempts on the average; first attempts: 58.3 points"));
+}
+
+/// Ten columns of ten points: a score on the border is in the upper one, and all points are in the last.
+void TestClassPage::eachBestScoreIsInItsColumn()
+{
+    LessonResults eight = results(8);
+    eight.bestTenths = {0, 99, 100, 499, 500, 750, 999, 1000};
+    eight.curve = {{1, 8, 325, 505, 719}, {2, 6, 520, 640, 700}};
+    m_page->setResults(eight, 750, {});
+    QList<int> counts;
+    const auto chart = m_page->findChild<ChartPanel*>("distribution")->chart();
+    for (const auto& bin : std::get<ui::charts::Histogram>(chart.content).bins) {
+        QCOMPARE(bin.from, 10.0 * static_cast<double>(counts.size()));
+        QCOMPARE(bin.to, bin.from + 10.0);
+        counts << bin.count;
+    }
+    QCOMPARE(counts, (QList<int>{2, 1, 0, 0, 1, 1, 0, 1, 0, 2}));
+    // The learning curve: what half and the middle half of them reached, attempt by attempt.
+    const auto learning = m_page->findChild<ChartPanel*>("learning")->chart();
+    const auto& slices = std::get<ui::charts::Curve>(learning.content).band.slices;
+    QCOMPARE(slices.size(), 2);
+    QCOMPARE(slices[0].x, 1.0);
+    QCOMPARE(slices[0].low, 32.5);
+    QCOMPARE(slices[0].middle, 50.5);
+    QCOMPARE(slices[0].high, 71.9);
+    QCOMPARE(slices[1].x, 2.0);
+    QCOMPARE(slices[1].middle, 64.0);
 }
 
 void TestClassPage::lateAnswersOfAnotherLessonAreLeft()

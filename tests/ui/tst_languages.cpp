@@ -31,6 +31,7 @@
 #include "ui/people/ClassPage.h"
 #include "ui/people/HistoryPage.h"
 #include "ui/people/LoginPage.h"
+#include "ui/people/PeopleWords.h"
 #include "ui/people/TalkPanel.h"
 #include "ui/shell/Actions.h"
 #include "ui/shell/LanguageMenu.h"
@@ -615,8 +616,11 @@ void TestLanguages::numbersAndDatesFollow()
     QCOMPARE(QLocale(), QLocale("de_AT"));
     QCOMPARE(ui::text::Language::current(), "de");
     QCOMPARE(ui::text::number(1.5, 1), "1,5");
+    const QDateTime now(QDate(2026, 12, 17), QTime(14, 5));
+    QCOMPARE(ui::people::whenShort("2026-11-17T12:00:00Z", now), "17. Nov.");
     ui::text::Language::choose("en_GB");
     QCOMPARE(ui::text::number(1.5, 1), "1.5");
+    QCOMPARE(ui::people::whenShort("2026-11-17T12:00:00Z", now), "17 Nov");
 }
 
 void TestLanguages::whatIsNotSpokenIsEnglish()

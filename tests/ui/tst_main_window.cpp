@@ -235,6 +235,9 @@ private slots:
     void savedWorkIsLeftWithoutAQuestion();
     void workThatWaitsForAReplayIsAskedAbout();
     void typingSearchesTheLessons();
+    void cardsShowTheToothAndTheBestScore();
+    void lessonsAreFiltered();
+    void aToothOfTheArchIsSearchedFor();
     void datesAndPointsAreNotSearched();
     void usedUpAttemptsAreToldBeforeTheStart();
     void theForecastIsAnsweredWithTheKeys();
@@ -2952,6 +2955,166 @@ void TestMainWindow::typingSearchesTheLessons()
     press(Qt::Key_Return);
     QCOMPARE(begun.size(), 1);
     QCOMPARE(QString::fromStdString(begun.front().front().value<lessons::Lesson>().id), QString("class1-26"));
+}
+
+/// By title, in the order of the list; headings left out.
+static QStringList cardsOf(const QListView& list)
+{
+    QStringList titles;
+    for (int row = 0; row < list.model()->rowCount(); ++row)
+        if (const QModelIndex card = list.model()->index(row, 0); card.data(ui::study::CardEntry).isValid())
+            titles << card.data().toString();
+    return titles;
+}
+
+/// What is drawn on a card, in shares of it.
+static QImage drawnOn(const QListView& list, const QModelIndex& card, const QRectF& part)
+{
+    const QRectF whole = list.visualRect(card);
+    return list.viewport()
+        ->grab(QRectF(whole.left() + part.left() * whole.width(), whole.top() + part.top() * whole.height(),
+                      part.width() * whole.width(), part.height() * whole.height())
+                   .toRect())
+        .toImage();
+}
+
+static qsizetype coloursOf(const QImage& image)
+{
+    QSet<QRgb> colours;
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x)
+            colours << image.pixel(x, y);
+    return colours.size();
+}
+
+void TestMainWindow::cardsShowTheToothAndTheBestScore()
+{
+    constexpr QRectF kPicture(0.15, 0.05, 0.7, 0.4);
+    constexpr QRectF kScore(0.6, 0.85, 0.35, 0.12);
+    auto* page = child<ui::study::LessonsPage>();
+    auto* list = child<QListView>("lessonList");
+    auto* search = page->findChild<QLineEdit*>();
+    actions().lessons->trigger();
+    page->setLessons(lessons::readCatalog({}), {});
+    // The tooth, when it is ready: many shades, and another tooth another picture.
+    QImage before;
+    for (const char* lesson : {"class1-36", "class1-34"}) {
+        search->setText(lesson);
+        QCOMPARE(cardsOf(*list).size(), 1);
+        const QModelIndex card = list->currentIndex();
+        QTRY_VERIFY_WITH_TIMEOUT(coloursOf(drawnOn(*list, card, kPicture)) > 50, 30000);
+        const QImage picture = drawnOn(*list, card, kPicture);
+        QVERIFY(picture != before);
+        before = picture;
+        // Not tried yet.
+        QCOMPARE(card.data(ui::study::CardScore).toString(), QString());
+    }
+    const QImage untried = drawnOn(*list, list->currentIndex(), kScore);
+    page->setLessons(lessons::readCatalog({}), {{"class1-34", {2, 603, false, "2026-11-20T10:00:00Z"}},
+                                                {"class1-36", {3, 917, true, "2026-11-20T11:00:00Z"}}});
+    QModelIndex card = list->currentIndex();
+    QCOMPARE(card.data(ui::study::CardScore).toString(), QString("60.3"));
+    QVERIFY(!card.data(ui::study::CardPassed).toBool());
+    QVERIFY(card.data(Qt::AccessibleDescriptionRole).toString().contains("best 60.3, not passed"));
+    QVERIFY(drawnOn(*list, card, kScore) != untried);
+    search->setText("class1-36");
+    card = list->currentIndex();
+    QCOMPARE(card.data(ui::study::CardScore).toString(), QString("✓ 91.7"));
+    QVERIFY(card.data(ui::study::CardPassed).toBool());
+    QVERIFY(card.data(Qt::AccessibleDescriptionRole).toString().contains("best 91.7, passed"));
+}
+
+void TestMainWindow::lessonsAreFiltered()
+{
+    auto* page = child<ui::study::LessonsPage>();
+    const auto* list = child<QListView>("lessonList");
+    std::vector<lessons::CatalogEntry> entries = lessons::readCatalog({});
+    for (lessons::CatalogEntry& entry : entries)
+        if (entry.read.lesson->id == "class1-24")
+            entry.read.lesson->exam = true;
+    const auto all = static_cast<qsizetype>(entries.size());
+    const std::map<std::string, ui::study::Standing> standings{{"class1-36", {2, 603, false, "2026-11-20T10:00:00Z"}},
+                                                               {"class1-37", {1, 917, true, "2026-11-20T11:00:00Z"}}};
+    const ui::study::Given given{"Year 1", {}, {}};
+    page->setLessons(entries, standings, {{"class1-36", given}, {"class1-37", given}, {"class1-26", given}});
+    actions().lessons->trigger();
+    const auto filter = [page](const char* words) {
+        for (auto* button : page->findChildren<QPushButton*>())
+            if (button->isCheckable() && button->text() == QLatin1String(words))
+                return button;
+        return static_cast<QPushButton*>(nullptr);
+    };
+    const auto shown = [&](const char* words) {
+        QTest::mouseClick(filter(words), Qt::LeftButton);
+        return cardsOf(*list);
+    };
+    for (const char* words : {"All", "To do", "Passed", "Exams"})
+        QVERIFY2(filter(words) != nullptr && filter(words)->isVisible(), words);
+    QVERIFY(filter("All")->isChecked());
+    QCOMPARE(cardsOf(*list).size(), all);
+    QCOMPARE(shown("To do"), (QStringList{"Class I on 36", "Class I on 26"}));
+    QCOMPARE(shown("Passed"), QStringList{"Class I on 37"});
+    QCOMPARE(shown("Exams"), QStringList{"Class I on 24"});
+    QVERIFY(filter("Exams")->isChecked() && !filter("All")->isChecked());
+    // Beside what is searched for.
+    page->findChild<QLineEdit*>()->setText("class1-36");
+    QCOMPARE(shown("Passed"), QStringList());
+    QCOMPARE(child<QLabel>("lessonTitle")->text(), QString("No lesson fits"));
+    QCOMPARE(shown("All"), QStringList{"Class I on 36"});
+    // To whom nothing was given all that he has not passed is to do.
+    page->findChild<QLineEdit*>()->clear();
+    page->setLessons(entries, standings);
+    QCOMPARE(shown("To do").size(), all - 1);
+    // The next person begins with all.
+    page->forget();
+    QVERIFY(filter("All")->isChecked());
+    QCOMPARE(cardsOf(*list).size(), all);
+}
+
+void TestMainWindow::aToothOfTheArchIsSearchedFor()
+{
+    m_window->setLessons(lessons::readCatalog({}), {});
+    auto* page = child<ui::study::LessonsPage>();
+    const auto* list = child<QListView>("lessonList");
+    const auto* search = page->findChild<QLineEdit*>();
+    actions().lessons->trigger();
+    const auto all = cardsOf(*list).size();
+    const auto tooth = [page](int fdi) {
+        const auto teeth = page->findChildren<ArchTooth*>();
+        const auto found = std::find_if(teeth.begin(), teeth.end(), [fdi](auto* one) { return one->fdi() == fdi; });
+        return found == teeth.end() ? nullptr : *found;
+    };
+    const auto open = [&] {
+        QTest::mouseClick(child<QPushButton>("pickTooth"), Qt::LeftButton);
+        const auto* popup = page->findChild<QFrame*>("archPopup");
+        return popup != nullptr && popup->isVisible();
+    };
+    // With the pointer.
+    QVERIFY(open());
+    auto* arch = page->findChild<ArchView*>();
+    QTest::mouseDClick(arch, Qt::LeftButton, {}, tooth(26)->geometry().center());
+    QTRY_VERIFY(page->findChild<QFrame*>("archPopup") == nullptr);
+    QCOMPARE(search->text(), QString("26"));
+    QTRY_VERIFY(list->hasFocus());
+    QStringList cards = cardsOf(*list);
+    QVERIFY(cards.size() < all);
+    QCOMPARE(cards.first(4).filter("26").size(), 4);
+    QVERIFY(child<QLabel>("lessonTitle")->text().contains("26"));
+    // With the keys: from the first tooth down, one further back, and that one.
+    QVERIFY(open());
+    QTest::keyClick(tooth(21), Qt::Key_Down);
+    QTest::keyClick(tooth(31), Qt::Key_Right);
+    QCOMPARE(search->text(), QString("26"));
+    QTest::keyClick(tooth(32), Qt::Key_Return);
+    QTRY_VERIFY(page->findChild<QFrame*>("archPopup") == nullptr);
+    QCOMPARE(search->text(), QString("32"));
+    cards = cardsOf(*list);
+    QCOMPARE(cards.first(3).filter("on 32").size(), 3);
+    // Escape leaves all as it was.
+    QVERIFY(open());
+    QTest::keyClick(tooth(21), Qt::Key_Escape);
+    QTRY_VERIFY(page->findChild<QFrame*>("archPopup") == nullptr);
+    QCOMPARE(search->text(), QString("32"));
 }
 
 void TestMainWindow::datesAndPointsAreNotSearched()

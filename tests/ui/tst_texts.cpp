@@ -4,6 +4,7 @@
 #include <QDir>
 #include <QFile>
 #include <QRegularExpression>
+#include <QScopeGuard>
 #include <QSet>
 #include <QTest>
 #include <QTranslator>
@@ -38,6 +39,8 @@ private slots:
     void everyMaterialHasANameAndALetterOfItsOwn();
     void allSixteenTeethHaveNames();
     void whatIsLateSaysSinceWhen();
+    void datesFollowTheLanguage_data();
+    void datesFollowTheLanguage();
     void whatIsNoToothHasNoName_data();
     void whatIsNoToothHasNoName();
     void aScanIsCalledByItsFile();
@@ -59,6 +62,8 @@ private slots:
     void numbersFollowTheLanguage();
     void translationIsComplete_data();
     void translationIsComplete();
+    void everyPluralHasAllItsForms_data();
+    void everyPluralHasAllItsForms();
     void placeholdersMatch_data();
     void placeholdersMatch();
     void germanSaysSie();
@@ -85,7 +90,8 @@ struct Entry
     QString context;
     QString source;
     QString type;  ///< "unfinished", "vanished" or empty
-    QStringList translations;
+    bool isPlural = false;
+    QStringList translations;  ///< of a plural its forms; else the lines of the text
 };
 
 QList<Entry> entriesOf(const QString& file)
@@ -98,19 +104,24 @@ QList<Entry> entriesOf(const QString& file)
     QString context;
     Entry now;
     while (!xml.atEnd()) {
-        if (xml.readNext() != QXmlStreamReader::StartElement)
+        xml.readNext();
+        if (xml.isEndElement() && xml.name() == u"message")
+            entries << now;
+        if (!xml.isStartElement())
             continue;
         if (xml.name() == u"name")
             context = xml.readElementText();
         else if (xml.name() == u"message")
-            now = Entry{context, {}, {}, {}};
+            now = Entry{context, {}, {}, xml.attributes().value("numerus") == u"yes", {}};
         else if (xml.name() == u"source")
             now.source = xml.readElementText();
+        else if (xml.name() == u"numerusform")
+            now.translations << xml.readElementText(QXmlStreamReader::IncludeChildElements);
         else if (xml.name() == u"translation") {
             now.type = xml.attributes().value("type").toString();
-            const QString text = xml.readElementText(QXmlStreamReader::IncludeChildElements);
-            now.translations << text.split('\n', Qt::SkipEmptyParts);
-            entries << now;
+            if (!now.isPlural)
+                now.translations =
+                    xml.readElementText(QXmlStreamReader::IncludeChildElements).split('\n', Qt::SkipEmptyParts);
         }
     }
     return entries;
@@ -254,6 +265,53 @@ void TestTexts::whatIsLateSaysSinceWhen()
     QCOMPARE(ui::study::dueWords(due, now), QString("17 Nov, 5 day(s) late"));
     QCOMPARE(ui::study::dueDayWords(due, now), QString("due 17 Nov"));
     QVERIFY(ui::study::dueWords(due, now.addYears(1)).contains("2026"));
+}
+
+void TestTexts::datesFollowTheLanguage_data()
+{
+    QTest::addColumn<QString>("locale");
+    QTest::addColumn<QStringList>("words");
+    QTest::newRow("en") << "en_GB"
+                        << QStringList{"17/11/2026 14:05",    "17 Nov",          "Nov 2026",    "17 Nov, 1 day late",
+                                       "17 Nov, 5 days late", "due today 14:05", "due Tuesday", "due 17/11/2026"};
+    QTest::newRow("de") << "de_DE" << QStringList{"17.11.26 14:05",
+                                                  "17. Nov.",
+                                                  "Nov. 2026",
+                                                  "17. Nov., 1 Tag zu spät",
+                                                  "17. Nov., 5 Tage zu spät",
+                                                  "heute fällig, 14:05",
+                                                  "fällig: Dienstag",
+                                                  "fällig: 17.11.26"};
+    QTest::newRow("es") << "es_ES" << QStringList{"17/11/26 14:05",
+                                                  "17 nov",
+                                                  "nov 2026",
+                                                  "17 nov, 1 día de retraso",
+                                                  "17 nov, 5 días de retraso",
+                                                  "vence hoy, 14:05",
+                                                  "vence: martes",
+                                                  "vence: 17/11/26"};
+    QTest::newRow("ja") << "ja_JP"
+                        << QStringList{"2026/11/17 14:05",   "11月17日",        "2026年11月",   "11月17日、1 日遅れ",
+                                       "11月17日、5 日遅れ", "今日 14:05 締切", "締切：火曜日", "締切：2026/11/17"};
+}
+
+/// The order of day, month and year, their names, and the words around them.
+void TestTexts::datesFollowTheLanguage()
+{
+    QFETCH(QString, locale);
+    QFETCH(QStringList, words);
+    const auto back = qScopeGuard([] { QLocale::setDefault(QLocale("en_GB")); });
+    QLocale::setDefault(QLocale(locale));
+    QTranslator translator;
+    QVERIFY(translator.load(QLocale(), "cusp", "_", ":/i18n"));
+    QCoreApplication::installTranslator(&translator);
+    const QDateTime at(QDate(2026, 11, 17), QTime(14, 5));
+    const std::string utc = at.toUTC().toString(Qt::ISODate).toStdString();
+    QCOMPARE((QStringList{ui::people::when(utc), ui::people::whenShort(utc, at.addDays(30)),
+                          ui::people::whenShort(utc, at.addDays(320)), ui::study::dueWords(at, at.addDays(1)),
+                          ui::study::dueWords(at, at.addDays(5)), ui::study::dueWords(at, at.addSecs(-3600)),
+                          ui::study::dueWords(at, at.addDays(-3)), ui::study::dueWords(at, at.addDays(-30))}),
+             words);
 }
 
 void TestTexts::whatIsNoToothHasNoName_data()
@@ -595,6 +653,34 @@ void TestTexts::translationIsComplete()
         QVERIFY2(entry.type.isEmpty(), qPrintable(where + " is " + entry.type));
         QVERIFY2(!entry.translations.join(QString()).trimmed().isEmpty(), qPrintable(where + " has no translation"));
     }
+}
+
+void TestTexts::everyPluralHasAllItsForms_data()
+{
+    QTest::addColumn<QString>("language");
+    QTest::addColumn<int>("forms");
+    // English is written down for its plurals only.
+    for (const char* language : {"en", "de", "es"})
+        QTest::newRow(language) << language << 2;
+    QTest::newRow("ja") << "ja" << 1;
+}
+
+void TestTexts::everyPluralHasAllItsForms()
+{
+    QFETCH(QString, language);
+    QFETCH(int, forms);
+    int plurals = 0;
+    for (const Entry& entry : entriesOf(tsFile(language))) {
+        const QString where = entry.context + ": " + entry.source;
+        QVERIFY2(entry.isPlural == (entry.source.contains("%n") || entry.source.contains("%Ln")), qPrintable(where));
+        if (!entry.isPlural)
+            continue;
+        ++plurals;
+        QCOMPARE(qMakePair(where, entry.translations.size()), qMakePair(where, qsizetype{forms}));
+        for (const QString& form : entry.translations)
+            QVERIFY2(!form.trimmed().isEmpty(), qPrintable(where + " lacks a form"));
+    }
+    QVERIFY(plurals > 50);
 }
 
 void TestTexts::placeholdersMatch_data()
