@@ -697,9 +697,7 @@ void Application::connectPresets()
     connect(&m_presets, &PresetDesk::inUseChanged, this, [this] {
         m_byHand.reset();
         // What nobody has begun to work on begins anew, as it feels now.
-        const auto tooth = m_session.toothSoFar();
-        if (!m_assignment.lesson && !m_tried && !m_replay && tooth && tooth->anatomy == m_assignment.anatomy &&
-            tooth->top == tooth->anatomy->top)
+        if (!m_assignment.lesson && !m_tried && isUntouched())
             clearTable();
     });
     m_window->showFeel(m_presets.inUse(), m_presets.inUse());
@@ -722,7 +720,18 @@ void Application::feelByHand(const core::settings::FeelPreset& preset)
     core::settings::FeelPreset asKept = preset;
     asKept.hash = m_presets.inUse().hash;
     m_byHand = asKept == m_presets.inUse() ? std::nullopt : std::optional(preset);
-    feel(preset);
+    // An attempt at which nothing is cut yet is made with the whole preset, and says so.
+    const bool isWhole = lessons::hashed(preset).hash == preset.hash;
+    if (isWhole && isUntouched() && !m_assignment.exercise)
+        begin(lessons::Assignment(m_assignment), {}, false);
+    else
+        feel(preset);
+}
+
+bool Application::isUntouched() const
+{
+    const auto tooth = m_session.toothSoFar();
+    return !m_replay && tooth && tooth->anatomy == m_assignment.anatomy && tooth->top == tooth->anatomy->top;
 }
 
 /// What the servo has not been told yet; the rest later, where there is no room.

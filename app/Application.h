@@ -96,6 +96,8 @@ private:
                    const std::optional<core::settings::FeelPreset>& tried = {});
     void connectPresets();
     void feel(const core::settings::FeelPreset& preset);
+    /// Nothing is cut of what lies on the table.
+    [[nodiscard]] bool isUntouched() const;
     void feelByHand(const core::settings::FeelPreset& preset);
     void tellNumbers();
     void refuse(const core::Error& error, ui::text::Failed failed, const QString& file);

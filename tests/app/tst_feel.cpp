@@ -161,6 +161,13 @@ void TestFeel::whatIsTurnedByHandIsNamedAndHoldsForTheNextTooth()
     waitForTooth("Tooth 36");
     QVERIFY(!lessons::presetUsed(recording()).isChanged);
     QVERIFY(answer("load mine").contains("mine, version 1"));
+    // Nothing is cut yet: the attempt is made with it from the beginning.
+    QTRY_COMPARE(lessons::presetUsed(recording()).name, QString("mine"));
+    QVERIFY(!lessons::presetUsed(recording()).isChanged);
+    QVERIFY(answer("reset").contains("as the preset says"));
+    QTRY_COMPARE(lessons::presetUsed(recording()).name, QString("natural"));
+    QVERIFY(!lessons::presetUsed(recording()).isChanged);
+    QVERIFY(answer("load mine").contains("mine, version 1"));
     emit m_application->window().toothChosen(26);
     waitForTooth("Tooth 26");
     QCOMPARE(lessons::presetUsed(recording()).name, QString("mine"));

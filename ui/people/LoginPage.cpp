@@ -300,6 +300,8 @@ void LoginPage::setUnreachable(const QString& sentence)
     m_unreachable->setText(sentence);
     m_unreachable->setVisible(!sentence.isEmpty());
     m_tryAgain->setVisible(!sentence.isEmpty());
+    if (sentence.isEmpty())
+        tellFault({});  // of a database that could not be asked
     setBusy(false);
 }
 

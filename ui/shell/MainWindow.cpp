@@ -832,8 +832,14 @@ void MainWindow::connectConsole()
 }
 
 /// Answers why not, or nothing.
-std::string MainWindow::feelByHand(const core::settings::FeelPreset& next)
+std::string MainWindow::feelByHand(const core::settings::FeelPreset& wanted)
 {
+    // What has all numbers of the usual one again is that one, whatever it was called in between.
+    core::settings::FeelPreset next = m_usualFeel;
+    for (const auto& field : core::settings::feelFields())
+        next.*field.value = wanted.*field.value;
+    if (!(next == m_usualFeel))
+        next = wanted;
     if (isExamRunning())
         return tr("In an exam, what is felt stays as it is.").toStdString();
     if (m_replaying)
@@ -2145,8 +2151,11 @@ std::vector<MainWindow::Unkept> MainWindow::unkept()
     const bool isAdmin = m_who.role() == database::Role::Admin;
     const auto toSchool = [this, isAdmin](admin::AdminPage::Part part) {
         return [this, isAdmin, part] {
-            if (!isAdmin)  // only an admin may see them: they wait for one
+            if (!isAdmin) {  // only an admin may see them
+                showMessage(tr("It waits until an admin logs in here."));
+                sayAtDoor([] { return tr("It waits until an admin logs in here."); });
                 return;
+            }
             goTo(m_admin);
             m_admin->show(part);
         };

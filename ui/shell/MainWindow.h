@@ -452,7 +452,7 @@ private:
     void connectPresets();
     void connectConsole();
     void registerParameters();
-    [[nodiscard]] std::string feelByHand(const core::settings::FeelPreset& next);
+    [[nodiscard]] std::string feelByHand(const core::settings::FeelPreset& wanted);
     void savePicture(const QString& path, const QImage& picture);
     /// @param chosen   what is done with the path
     /// @param newName  what a new file may be called; empty: an existing one is wanted
