@@ -385,6 +385,7 @@ void TestSchool::aDatabaseIsRestoredFromTheDoor()
     // Where it was gone, an empty one had been begun.
     QCOMPARE(replaced.size(), 1);
     QTRY_VERIFY2_WITH_TIMEOUT(saidAtDoor().contains("is in place"), qPrintable(saidAtDoor()), kPatienceMs);
+    QCOMPARE(m_application->window().focusWidget(), child<QLineEdit>("username"));  // one logs in next
     QVERIFY2(saidAtDoor().contains("is kept beside it as " + replaced.value(0)), qPrintable(saidAtDoor()));
     logIn("sam");
     QTRY_COMPARE_WITH_TIMEOUT(attemptsKept(), 2, kPatienceMs);
@@ -1219,10 +1220,25 @@ void TestSchool::aScoreCardIsSavedWithItsAuditCode()
     toTheTooth();
     drill(-2.0);
     grade("first grade");
+    // The title of a PDF is UTF-16, with the least byte last.
+    const auto hasCodeOfNow = [this](const QString& path) {
+        const auto database = sql::Database::open(file()).value();
+        const sql::School school{database->handle(), StationKey::readOrMake(m_folder->filePath("station.key")).value()};
+        QByteArray code;
+        for (const QChar one : QString::fromStdString(sql::auditHead(school)->code()))
+            code += QByteArray(1, '\0') + one.toLatin1();
+        QFile pdf(path);
+        return code.size() > 40 && pdf.open(QIODevice::ReadOnly) && pdf.readAll().contains(code);
+    };
     saveCard(m_folder->filePath("new.pdf"));
+    QVERIFY(hasCodeOfNow(m_folder->filePath("new.pdf")));
+    leaveFor("ines");
+    leaveFor("sam");
     actions().attempts->trigger();
     openNewest();
     saveCard(m_folder->filePath("old.pdf"));
+    QVERIFY(hasCodeOfNow(m_folder->filePath("old.pdf")));
+    QVERIFY(!hasCodeOfNow(m_folder->filePath("new.pdf")));
 }
 
 void TestSchool::withoutADatabaseTheCardSaysSo()

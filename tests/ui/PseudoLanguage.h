@@ -4,6 +4,7 @@
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
+#include <QAbstractSpinBox>
 #include <QAction>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -15,6 +16,7 @@
 #include <QProgressBar>
 #include <QRegularExpression>
 #include <QScrollArea>
+#include <QTableView>
 #include <QTranslator>
 #include <QWidget>
 
@@ -211,11 +213,77 @@ inline QStringList notTranslated(QWidget& root, const QStringList& fromOutside =
     return found;
 }
 
+/// Words in boxes of their own within a widget: what is asked for in a field, headings and cells of a table.
+struct Boxed
+{
+    QString words;
+    QString tooltip;
+    int widthPx = 0;
+    QFont font;
+    bool wraps = false;
+};
+
+inline QList<Boxed> boxedIn(const QWidget& widget)
+{
+    QList<Boxed> boxes;
+    if (const auto* line = qobject_cast<const QLineEdit*>(&widget)) {
+        constexpr int kMarginsPx = 4;
+        int taken = kMarginsPx + line->textMargins().left() + line->textMargins().right();
+        for (const auto* button : line->findChildren<QAbstractButton*>())
+            taken += button->isVisible() ? button->width() : 0;
+        const bool isNumber = qobject_cast<const QAbstractSpinBox*>(line->parentWidget()) != nullptr;
+        // What somebody types may be as long as it likes.
+        if (isNumber || line->text().isEmpty())
+            boxes << Boxed{isNumber ? line->text() : line->placeholderText(), line->toolTip(),
+                           line->contentsRect().width() - taken, line->font()};
+    }
+    if (const auto* box = qobject_cast<const QGroupBox*>(&widget))
+        boxes << Boxed{box->title(), box->toolTip(), box->width(), box->font()};
+    if (const auto* heads = qobject_cast<const QHeaderView*>(&widget);
+        heads != nullptr && heads->model() != nullptr && heads->orientation() == Qt::Horizontal)
+        for (int k = 0; k < heads->count(); ++k)
+            if (!heads->isSectionHidden(k))
+                boxes << Boxed{heads->model()->headerData(k, Qt::Horizontal).toString(),
+                               heads->model()->headerData(k, Qt::Horizontal, Qt::ToolTipRole).toString(),
+                               heads->sectionSize(k), heads->font(),
+                               heads->defaultAlignment().testFlag(Qt::Alignment(Qt::TextWordWrap))};
+    if (const auto* table = qobject_cast<const QTableView*>(&widget); table != nullptr && table->model() != nullptr)
+        for (int row = 0; row < table->model()->rowCount(); ++row)
+            for (int column = 0; column < table->model()->columnCount(); ++column) {
+                const QModelIndex index = table->model()->index(row, column);
+                if (!table->isColumnHidden(column) && table->visualRect(index).isValid())
+                    boxes << Boxed{index.data().toString(), index.data(Qt::ToolTipRole).toString(),
+                                   table->columnWidth(column), table->font(), table->wordWrap()};
+            }
+    return boxes;
+}
+
+/// Of a widget that draws several words.
+inline QStringList clippedWithin(const QWidget& widget)
+{
+    QStringList found;
+    for (const Boxed& box : boxedIn(widget)) {
+        int widest = 0;
+        for (const QString& part : box.words.split(box.wraps ? QRegularExpression(QStringLiteral("\\s+"))
+                                                             : QRegularExpression(QStringLiteral("\n"))))
+            widest = std::max(widest, QFontMetrics(box.font).horizontalAdvance(part));
+        if (widest > box.widthPx && !box.tooltip.contains(box.words))
+            found << QStringLiteral("%1 %2 '%3' has %4 px, wants %5")
+                         .arg(QString::fromLatin1(widget.metaObject()->className()), widget.objectName(), box.words)
+                         .arg(box.widthPx)
+                         .arg(widest);
+    }
+    return found;
+}
+
 /// Everything under `root` that has less room than its words want, or lies outside. Words may be cut short only where
 /// a tooltip tells all of them.
 inline QStringList clipped(QWidget& root)
 {
     QStringList found;
+    for (QWidget* widget : root.findChildren<QWidget*>())
+        if (widget->isVisible() && !widget->visibleRegion().isEmpty())
+            found << clippedWithin(*widget);
     for (QWidget* widget : root.findChildren<QWidget*>()) {
         const auto* label = qobject_cast<QLabel*>(widget);
         const auto* button = qobject_cast<QAbstractButton*>(widget);

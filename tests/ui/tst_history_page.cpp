@@ -69,6 +69,8 @@ private slots:
     void columnsSortByValue();
     void theArrowOfSortingStandsBesideTheWords();
     void aLessonFiltersListAndCharts();
+    void aTableOfSeveralLessonsNamesThem();
+    void listsAreSortedByKeys();
     void theBandNeedsFivePeople();
     void anAttemptOpens();
     void withoutRecordingThereIsNoReplay();
@@ -153,6 +155,42 @@ void TestHistoryPage::columnsSortByValue()
     const auto expected = column == 2 ? some[4] : column == 4 ? some[3] : some[5];
     table()->selectRow(0);
     QCOMPARE(m_page->chosen(), expected.id);
+}
+
+void TestHistoryPage::aTableOfSeveralLessonsNamesThem()
+{
+    m_page->setLessonTitles({{"c1-36", "Class I"}, {"decay-26", "Decay"}, {"pad-cross", "Cross"}});
+    m_page->setHistory(attempts(3));
+    const auto table = [this] { return ui::charts::tableOf(m_page->findChild<ChartPanel*>("scoreChart")->chart()); };
+    QCOMPARE(table().heads.size(), 4);
+    QCOMPARE(table().heads.back(), QString("Lesson"));
+    QStringList lessons;
+    for (const auto& row : table().rows)
+        lessons << std::get<QString>(row.back());
+    lessons.sort();
+    QCOMPARE(lessons, (QStringList{"Class I", "Cross", "Decay"}));
+    m_page->setLesson("decay-26");
+    QCOMPARE(table().heads.size(), 3);
+    for (const auto& row : table().rows)
+        QCOMPARE(row.size(), 3);
+}
+
+void TestHistoryPage::listsAreSortedByKeys()
+{
+    m_page->setHistory(attempts(9));
+    const auto* heads = table()->horizontalHeader();
+    QCOMPARE(heads->sortIndicatorSection(), 0);
+    QTest::keyClick(table(), Qt::Key_Right, Qt::AltModifier);
+    QTest::keyClick(table(), Qt::Key_Right, Qt::AltModifier);
+    QCOMPARE(heads->sortIndicatorSection(), 2);
+    QTest::keyClick(table(), Qt::Key_Up, Qt::AltModifier);
+    QCOMPARE(heads->sortIndicatorOrder(), Qt::AscendingOrder);
+    const double least = cell(0, 2).toDouble();
+    QTest::keyClick(table(), Qt::Key_Down, Qt::AltModifier);
+    QCOMPARE(heads->sortIndicatorOrder(), Qt::DescendingOrder);
+    QVERIFY(cell(0, 2).toDouble() > least);
+    QTest::keyClick(table(), Qt::Key_Left, Qt::AltModifier);
+    QCOMPARE(heads->sortIndicatorSection(), 1);
 }
 
 void TestHistoryPage::theArrowOfSortingStandsBesideTheWords()

@@ -459,6 +459,7 @@ void TestLanguages::pages_data()
     for (const auto& [name, door] : {std::pair("login", ui::people::Door::Login),
                                      {"new password", ui::people::Door::NewPassword},
                                      {"new school", ui::people::Door::NewSchool},
+                                     {"own password", ui::people::Door::OwnPassword},
                                      {"locked", ui::people::Door::Locked}})
         page(name, [this, door = door] { m_window->askWho(door); });
     page("login, damaged", [this] {
@@ -542,6 +543,11 @@ void TestLanguages::questionsAreAskedInTheLanguageOfToday()
     auto* question = child<ui::shell::QuestionCard>();
     QVERIFY(question != nullptr);
     QCOMPARE(pseudo::notTranslated(*question), QStringList());
+    for (const QSize& size : {QSize(1280, 800), roomInside()}) {
+        m_window->resize(size);
+        QTest::qWait(50);
+        QCOMPARE(pseudo::clipped(*question), QStringList());
+    }
     QTest::keyClick(question, Qt::Key_Escape);
 }
 

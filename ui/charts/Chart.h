@@ -18,6 +18,7 @@ struct Dot
     double y = 0.0;
     QString words;        ///< the value as a sentence
     std::int64_t id = 0;  ///< what opens when it is chosen; 0: nothing
+    QString of{};         ///< in a table of the chart: what it belongs to, under Curve::ofTitle
     bool operator==(const Dot&) const = default;
 };
 
@@ -84,6 +85,7 @@ struct Curve
     QList<Line> lines;
     Band band;
     QList<Limit> limits;
+    QString ofTitle{};  ///< "Lesson", where dots belong to several; else empty
     bool operator==(const Curve&) const = default;
 };
 

@@ -28,6 +28,7 @@
 #include <QValueAxis>
 
 #include "ui/shell/Theme.h"
+#include "ui/text/Texts.h"
 
 namespace ui::charts {
 namespace {
@@ -113,7 +114,7 @@ QAbstractAxis* axisOf(const Axis& axis, const Ink& ink, int ticks = kMostTicks)
         const double days = (axis.high - axis.low) / static_cast<double>(kDayMs);
         time->setFormat(days < 2.0 ? QLocale().timeFormat(QLocale::ShortFormat)
                         //: A day without its year, as QLocale::toString() takes it: "27 Nov". Japanese "M月d日"
-                        : days < 330.0 ? QCoreApplication::translate("Chart", "d MMM")
+                        : days < 330.0 ? text::dayFormat(QCoreApplication::translate("Chart", "d MMM"))
                                        //: A month, as QLocale::toString() takes it: "Nov 2024"
                                        : QCoreApplication::translate("Chart", "MMM yyyy"));
         time->setTickCount(5);

@@ -60,7 +60,8 @@ Table table(const Curve& curve)
         if (line.mark == Mark::None || isBand)
             continue;
         for (const Dot& dot : line.dots)
-            made.rows << QList<Cell>{line.name.isEmpty() ? curve.y.title : line.name, place(curve.x, dot.x), dot.y};
+            made.rows << QList<Cell>{line.name.isEmpty() ? curve.y.title : line.name, place(curve.x, dot.x), dot.y,
+                                     dot.of};
     }
     for (const Slice& slice : curve.band.slices) {
         made.rows << QList<Cell>{Words::tr("class, lower quartile"), place(curve.x, slice.x), slice.low};
@@ -70,6 +71,10 @@ Table table(const Curve& curve)
     for (const Limit& limit : curve.limits)
         made.rows << (limit.isUpright ? QList<Cell>{limit.name, place(curve.x, limit.at), QString()}
                                       : QList<Cell>{limit.name, QString(), limit.at});
+    for (QList<Cell>& row : made.rows)
+        row.resize(curve.ofTitle.isEmpty() ? 3 : 4, QString());
+    if (!curve.ofTitle.isEmpty())
+        made.heads << curve.ofTitle;
     return made;
 }
 

@@ -6,6 +6,7 @@
 
 #include <QButtonGroup>
 #include <QComboBox>
+#include <QDir>
 #include <QEvent>
 #include <QFileInfo>
 #include <QHBoxLayout>
@@ -572,7 +573,7 @@ bool ClassPage::saveTable(const QString& path)
     const QByteArray bytes = charts::csv(table());
     const bool isWritten =
         shell::openForOwner(file) && file.write(bytes) == bytes.size() && file.flush() && file.commit();
-    const QString name = QFileInfo(path).fileName();
+    const QString name = QDir::toNativeSeparators(path);
     say([isWritten, name, why = file.errorString()] {
         return isWritten ? tr("Saved: %1").arg(name)
                          //: %2: the system's own words

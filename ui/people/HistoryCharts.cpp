@@ -56,6 +56,12 @@ void each(const ChartedAttempts& attempts, const Take& take)
     }
 }
 
+/// In a table of several lessons' attempts.
+QString lessonOf(const ChartedAttempts& attempts, const AttemptRecord& record)
+{
+    return attempts.isOneLesson ? QString() : lessonTitle(attempts.titles, record.lessonId);
+}
+
 Axis xAxis(const ChartedAttempts& attempts)
 {
     const qsizetype shown = std::min(kMostCharted, attempts.newestFirst.size());
@@ -126,13 +132,15 @@ Band bandOf(const std::vector<database::BandPoint>& bandPoints)
 Chart scoreChart(const ChartedAttempts& attempts)
 {
     Curve curve;
+    curve.ofTitle = attempts.isOneLesson ? QString() : Words::tr("Lesson");
     curve.x = xAxis(attempts);
     curve.y = {Words::tr("Points"), 0.0, kPointsEnd, false, false};
     Line way{Words::tr("Score"), {}, Mark::None, true};
     Line passed{Words::tr("Passed"), {}, Mark::Circle, false};
     Line failed{Words::tr("Not passed"), {}, Mark::HollowDiamond, false};
     each(attempts, [&](const AttemptRecord& record, double place, const QString& which) {
-        const Dot dot{place, points(record.countingTenths()), joined(which, scoreWords(record)), record.id};
+        const Dot dot{place, points(record.countingTenths()), joined(which, scoreWords(record)), record.id,
+                      lessonOf(attempts, record)};
         way.dots << dot;
         (record.countsAsPassed() ? passed : failed).dots << dot;
     });
@@ -202,12 +210,14 @@ Chart criteriaChart(const ChartedAttempts& attempts)
 Chart timeChart(const ChartedAttempts& attempts)
 {
     Curve curve;
+    curve.ofTitle = attempts.isOneLesson ? QString() : Words::tr("Lesson");
     curve.x = xAxis(attempts);
     Line minutes{Words::tr("Minutes"), {}, Mark::Circle, attempts.isOneLesson};
     each(attempts, [&](const AttemptRecord& record, double place, const QString& which) {
         minutes.dots << Dot{place, static_cast<double>(record.durationMs) / kMsPerMinute,
                             //: %1: "12:07"
-                            joined(which, Words::tr("%1 min").arg(clock(record.durationMs))), record.id};
+                            joined(which, Words::tr("%1 min").arg(clock(record.durationMs))), record.id,
+                            lessonOf(attempts, record)};
     });
     curve.y = {Words::tr("Minutes"), 0.0, end({minutes}), false, false};
     minutes.name.clear();
@@ -219,6 +229,7 @@ Chart timeChart(const ChartedAttempts& attempts)
 Chart forceChart(const ChartedAttempts& attempts)
 {
     Curve curve;
+    curve.ofTitle = attempts.isOneLesson ? QString() : Words::tr("Lesson");
     curve.x = xAxis(attempts);
     Line mean{Words::tr("Mean"), {}, Mark::Circle, attempts.isOneLesson};
     Line peak{Words::tr("Highest"), {}, Mark::Square, attempts.isOneLesson};
@@ -228,8 +239,8 @@ Chart forceChart(const ChartedAttempts& attempts)
         const QString words = joined(
             which,
             Words::tr("mean %1 N, highest %2 N while cutting").arg(text::number(meanN, 2), text::number(peakN, 2)));
-        mean.dots << Dot{place, meanN, words, record.id};
-        peak.dots << Dot{place, peakN, words, record.id};
+        mean.dots << Dot{place, meanN, words, record.id, lessonOf(attempts, record)};
+        peak.dots << Dot{place, peakN, words, record.id, lessonOf(attempts, record)};
     });
     curve.y = {Words::tr("Newtons"), 0.0, end({mean, peak}), false, false};
     curve.lines << mean << peak;
@@ -240,15 +251,17 @@ Chart forceChart(const ChartedAttempts& attempts)
 Chart speedChart(const ChartedAttempts& attempts)
 {
     Curve curve;
+    curve.ofTitle = attempts.isOneLesson ? QString() : Words::tr("Lesson");
     Line passed{Words::tr("Passed"), {}, Mark::Circle, false};
     Line failed{Words::tr("Not passed"), {}, Mark::HollowDiamond, false};
     double longest = 0.0;
     each(attempts, [&](const AttemptRecord& record, double, const QString& which) {
         const double minutes = static_cast<double>(record.durationMs) / kMsPerMinute;
         longest = std::max(longest, minutes);
-        (record.countsAsPassed() ? passed : failed).dots << Dot{
-            minutes, points(record.countingTenths()),
-            joined(which, Words::tr("%1 in %2 min").arg(scoreWords(record), clock(record.durationMs))), record.id};
+        (record.countsAsPassed() ? passed : failed).dots
+            << Dot{minutes, points(record.countingTenths()),
+                   joined(which, Words::tr("%1 in %2 min").arg(scoreWords(record), clock(record.durationMs))),
+                   record.id, lessonOf(attempts, record)};
     });
     if (attempts.medians && attempts.medians->people >= ::lessons::kFewestPeople) {
         const double minutes = static_cast<double>(attempts.medians->durationMs) / kMsPerMinute;

@@ -107,6 +107,12 @@ LoginPage::LoginPage(QWidget* parent)
     // In a low window, and in long words, all of it is there.
     whole->addWidget(new ScrollPane(content, QPalette::Window, this));
 
+    QWidget* before = m_name;
+    for (QWidget* next : std::initializer_list<QWidget*>{m_given, m_family, m_old, m_password, m_again, m_go, m_other,
+                                                         m_guest, m_change, m_restore, m_tryAgain, m_language}) {
+        setTabOrder(before, next);
+        before = next;
+    }
     connect(m_go, &QPushButton::clicked, this, &LoginPage::submit);
     for (QLineEdit* input : {m_name, m_given, m_family, m_old, m_password, m_again})
         connect(input, &QLineEdit::returnPressed, this, [this, input] {
@@ -324,6 +330,8 @@ void LoginPage::setBusy(bool busy)
           static_cast<QWidget*>(m_again), static_cast<QWidget*>(m_go), static_cast<QWidget*>(m_other),
           static_cast<QWidget*>(m_tryAgain), static_cast<QWidget*>(m_restore)})
         input->setEnabled(!busy);
+    if (!busy && hasFocus())
+        firstInput()->setFocus();
 }
 
 void LoginPage::refuse(std::function<QString()> sentence)

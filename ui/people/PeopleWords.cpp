@@ -65,13 +65,13 @@ QString whenShort(const std::string& utc, const QDateTime& now)
         //: A month, as QLocale::toString() takes it: "Nov 2024"
         return QLocale().toString(day, Words::tr("MMM yyyy"));
     //: A day without its year, as QLocale::toString() takes it: "27 Nov". German "d. MMM", Japanese "M月d日"
-    return QLocale().toString(day, Words::tr("d MMM"));
+    return QLocale().toString(day, text::dayFormat(Words::tr("d MMM")));
 }
 
 QString dueShort(const std::string& dueUtc, const QDateTime& now)
 {
     const QDate day = dueDay(dueUtc);
-    return day.year() == now.toLocalTime().date().year() ? QLocale().toString(day, Words::tr("d MMM"))
+    return day.year() == now.toLocalTime().date().year() ? QLocale().toString(day, text::dayFormat(Words::tr("d MMM")))
                                                          : QLocale().toString(day, QLocale::ShortFormat);
 }
 

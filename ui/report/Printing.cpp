@@ -30,7 +30,9 @@ bool save(const QString& path, const QString& title, const Content& content, QPa
         return false;
     {
         QPdfWriter writer(&file);
-        writer.setTitle(title);
+        // The code is among the properties of the file, too, where it can be copied.
+        const QString& code = content.proof.auditCode;
+        writer.setTitle(code.isEmpty() ? title : title + QStringLiteral(", ") + code);
         writer.setCreator(QStringLiteral("Cusp %1").arg(content.proof.program));
         writer.setResolution(kPdfDpi);
         writer.setPageSize(QPageSize(paper));

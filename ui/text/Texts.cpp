@@ -684,6 +684,12 @@ QString capitalised(QString words)
     return words;
 }
 
+QString dayFormat(const QString& translated)
+{
+    const bool isMonthFirst = QLocale().dateFormat(QLocale::ShortFormat).startsWith(u'M');
+    return translated == u"d MMM" && isMonthFirst ? QStringLiteral("MMM d") : translated;
+}
+
 QString duration(double seconds)
 {
     const int whole = static_cast<int>(seconds);

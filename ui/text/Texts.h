@@ -98,6 +98,8 @@ enum class Failed {
 [[nodiscard]] QString capitalised(QString words);
 /// Minutes and seconds: "1:07".
 [[nodiscard]] QString duration(double seconds);
+/// How a day is written without its year: "d MMM" as it is translated, in American English the month first.
+[[nodiscard]] QString dayFormat(const QString& translated);
 
 /// Which aids were in use, or that none was.
 /// @param aids  bits of core::session::Aid
