@@ -389,9 +389,11 @@ void AdminDesk::beside(const QString& what, Job job, Done done)
 
 void AdminDesk::tellFailed(const core::Error& error)
 {
-    m_window.adminPage().backups().finish([isStopped = m_isStopped->load(), error] {
-        return isStopped ? tr("It was stopped.") : errorText(error, Failed::ChangingSchool);
-    });
+    m_window.adminPage().backups().finish(
+        [isStopped = m_isStopped->load(), error] {
+            return isStopped ? tr("It was stopped.") : errorText(error, Failed::ChangingSchool);
+        },
+        {}, !m_isStopped->load());
 }
 
 void AdminDesk::check(const QString& code)
@@ -432,7 +434,7 @@ void AdminDesk::tellChecked(const database::sql::CheckReport& report, const QStr
                    : sound + u' ' + tr("The audit is still the one that the report with the code %1 names.").arg(code);
     };
     m_found = report.findings;
-    part.finish(sentence, m_found);
+    part.finish(sentence, m_found, !m_found.empty());
 }
 
 void AdminDesk::tellDone(const std::function<QString()>& done)
@@ -497,11 +499,14 @@ void AdminDesk::connectBackups()
         inBackground(
             this, [backup] { return database::sql::verifyBackup(backup); },
             [this, &part, backup](const core::Status& sound) {
-                part.finish([isSound = sound.has_value(), name = QFileInfo(backup).fileName()] {
-                    return isSound ? QString()
+                part.finish(
+                    [isSound = sound.has_value(), name = QFileInfo(backup).fileName()] {
+                        return isSound
+                                   ? QString()
                                    : tr("%1 is no whole backup of a school, and was not restored. Choose another one.")
                                          .arg(name);
-                });
+                    },
+                    {}, !sound);
                 if (sound) {
                     m_found.clear();  // of what is replaced
                     emit restoreWanted(backup);

@@ -68,6 +68,7 @@ constexpr int kAttemptWatchMs = 50;
 constexpr int kJournalWatchMs = 500;
 constexpr int kOpenWatchMs = 10'000;
 constexpr int kExamRetryMs = 10'000;
+constexpr int kKeepAgainMs = 5000;
 constexpr int kLongestLookMs = 1500;  ///< for how often a lesson may be tried
 constexpr int kDemoBeatMs = 16;
 constexpr int kPictureDelayMs = 200;  ///< between two looks whether the picture is ready
@@ -1270,7 +1271,27 @@ void Application::keepGrade()
                          return;
                      m_graded->keeping = kept ? Keeping::Waiting : Keeping::Nowhere;
                      tellKeeping();
+                     if (!kept)
+                         QTimer::singleShot(kKeepAgainMs, this, [this, uid] { keepAgain(uid); });
                  });
+}
+
+/// What the disk has refused is offered to it again while its card is the last: there may be room by now.
+void Application::keepAgain(const std::string& uid)
+{
+    if (!m_graded || m_graded->record.uid != uid || m_graded->keeping != Keeping::Nowhere || m_who.isGuest())
+        return;
+    m_desk->keep(this, m_who, m_graded->record, m_graded->recording, [this, uid](const core::Status& kept) {
+        if (!m_graded || m_graded->record.uid != uid || m_graded->keeping != Keeping::Nowhere)
+            return;
+        if (!kept) {
+            QTimer::singleShot(kKeepAgainMs, this, [this, uid] { keepAgain(uid); });
+            return;
+        }
+        m_graded->keeping = Keeping::Waiting;
+        tellKeeping();
+        m_window->showMessage(tr("The grade that could not be kept is kept now."));
+    });
 }
 
 /// A guest's grade becomes that of who has logged in for it, unless he has no attempt left. Where nobody can be asked

@@ -117,6 +117,7 @@ private:
     void connectExplainer(Explainer& explainer);
     void showGrade();
     void keepGrade();
+    void keepAgain(const std::string& uid);
     void keepGuestsGrade();
     void tellKeeping();
     void tellHistory();

@@ -276,6 +276,10 @@
         <source>computer with the key %1</source>
         <translation>Rechner mit dem Schlüssel %1</translation>
     </message>
+    <message>
+        <source>took out a report of a class</source>
+        <translation>hat einen Klassenbericht entnommen</translation>
+    </message>
 </context>
 <context>
     <name>Block</name>
@@ -805,6 +809,10 @@
     <message>
         <source>This is the last admin who can log in. Make somebody else an admin first.</source>
         <translation>Das ist der letzte Admin, der sich anmelden kann. Machen Sie zuerst jemand anderen zum Admin.</translation>
+    </message>
+    <message>
+        <source>This account was disabled. Ask an admin.</source>
+        <translation>Dieses Konto wurde gesperrt. Fragen Sie die Verwaltung.</translation>
     </message>
 </context>
 <context>
@@ -2738,6 +2746,14 @@
         <source>The backup of %1 is in place. The file that was there is kept beside it as %2.</source>
         <translation>Die Sicherung vom %1 ist eingespielt. Die Datei, die dort lag, liegt als %2 daneben.</translation>
     </message>
+    <message>
+        <source>This account was disabled, and you were logged out. Ask an admin.</source>
+        <translation>Dieses Konto wurde gesperrt, und Sie wurden abgemeldet. Fragen Sie die Verwaltung.</translation>
+    </message>
+    <message>
+        <source>The grade that could not be kept is kept now.</source>
+        <translation>Die Bewertung, die nicht gespeichert werden konnte, ist jetzt gespeichert.</translation>
+    </message>
 </context>
 <context>
     <name>app::CardDesk</name>
@@ -4560,6 +4576,10 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <source>Points lost</source>
         <translation>Verlorene Punkte</translation>
     </message>
+    <message>
+        <source>Lesson</source>
+        <translation type="unfinished">Lektion</translation>
+    </message>
 </context>
 <context>
     <name>ui::people::HistoryModel</name>
@@ -4611,11 +4631,11 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     </message>
     <message>
         <source>new</source>
-        <extracomment>Of a teacher&apos;s feedback: to be read yet; read already</extracomment>
         <translation>neu</translation>
     </message>
     <message>
         <source>read</source>
+        <extracomment>Of a teacher&apos;s feedback: to be read yet; not read by the student; read already</extracomment>
         <translation>gelesen</translation>
     </message>
     <message>
@@ -4626,6 +4646,10 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <source>Feedback</source>
         <extracomment>Column of a table of attempts: what a teacher has said</extracomment>
         <translation>Rückmeldung</translation>
+    </message>
+    <message>
+        <source>unread</source>
+        <translation>ungelesen</translation>
     </message>
 </context>
 <context>
@@ -4737,6 +4761,10 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>Corner of the table</source>
         <translation>Ecke der Tabelle</translation>
+    </message>
+    <message>
+        <source>Sorted by: %1</source>
+        <translation>Sortiert nach: %1</translation>
     </message>
 </context>
 <context>
@@ -6536,12 +6564,12 @@ unsaved</source>
 ungesichert</translation>
     </message>
     <message>
-        <source>Read the class again</source>
-        <translation>Klasse neu lesen</translation>
-    </message>
-    <message>
         <source>Show what was done at other computers meanwhile</source>
         <translation>Zeigen, was inzwischen an anderen Computern getan wurde</translation>
+    </message>
+    <message>
+        <source>Read again</source>
+        <translation>Neu einlesen</translation>
     </message>
 </context>
 <context>
@@ -6755,6 +6783,34 @@ ungesichert</translation>
     <message>
         <source>Alt + Page Up</source>
         <translation>Alt + Bild auf</translation>
+    </message>
+    <message>
+        <source>Open what is chosen</source>
+        <translation>Das Gewählte öffnen</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Eingabe</translation>
+    </message>
+    <message>
+        <source>Sort by the column beside</source>
+        <translation>Nach der Spalte daneben sortieren</translation>
+    </message>
+    <message>
+        <source>Alt + left, right</source>
+        <translation>Alt + links, rechts</translation>
+    </message>
+    <message>
+        <source>Sort from the least, from the most</source>
+        <translation>Auf- oder absteigend sortieren</translation>
+    </message>
+    <message>
+        <source>Alt + up, down</source>
+        <translation>Alt + auf, ab</translation>
+    </message>
+    <message>
+        <source>In a list</source>
+        <translation>In einer Liste</translation>
     </message>
 </context>
 <context>
@@ -7086,6 +7142,14 @@ ungesichert</translation>
     <message>
         <source>The work itself can be kept as a recording.</source>
         <translation>Die Arbeit selbst kann als Aufzeichnung behalten werden.</translation>
+    </message>
+    <message>
+        <source>It waits until an admin logs in here.</source>
+        <translation>Es wartet, bis sich die Verwaltung hier anmeldet.</translation>
+    </message>
+    <message>
+        <source>A comment was typed and is not added yet.</source>
+        <translation>Ein Kommentar ist geschrieben und noch nicht hinzugefügt.</translation>
     </message>
 </context>
 <context>

@@ -276,6 +276,10 @@
         <source>computer with the key %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>took out a report of a class</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Block</name>
@@ -804,6 +808,10 @@
     </message>
     <message>
         <source>This is the last admin who can log in. Make somebody else an admin first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This account was disabled. Ask an admin.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2738,6 +2746,14 @@
         <source>The backup of %1 is in place. The file that was there is kept beside it as %2.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>This account was disabled, and you were logged out. Ask an admin.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The grade that could not be kept is kept now.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>app::CardDesk</name>
@@ -4552,6 +4568,10 @@ load NAME        feels a hardness preset that is kept</source>
         <source>Points lost</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Lesson</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::people::HistoryModel</name>
@@ -4603,11 +4623,11 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
     <message>
         <source>new</source>
-        <extracomment>Of a teacher&apos;s feedback: to be read yet; read already</extracomment>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>read</source>
+        <extracomment>Of a teacher&apos;s feedback: to be read yet; not read by the student; read already</extracomment>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4617,6 +4637,10 @@ load NAME        feels a hardness preset that is kept</source>
     <message>
         <source>Feedback</source>
         <extracomment>Column of a table of attempts: what a teacher has said</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unread</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4728,6 +4752,10 @@ load NAME        feels a hardness preset that is kept</source>
     <name>ui::people::ListTable</name>
     <message>
         <source>Corner of the table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sorted by: %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6527,11 +6555,11 @@ unsaved</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Read the class again</source>
+        <source>Show what was done at other computers meanwhile</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Show what was done at other computers meanwhile</source>
+        <source>Read again</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6745,6 +6773,34 @@ unsaved</source>
     </message>
     <message>
         <source>Alt + Page Up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open what is chosen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sort by the column beside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alt + left, right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sort from the least, from the most</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alt + up, down</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In a list</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7076,6 +7132,14 @@ unsaved</source>
     </message>
     <message>
         <source>The work itself can be kept as a recording.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It waits until an admin logs in here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A comment was typed and is not added yet.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -276,6 +276,10 @@
         <source>computer with the key %1</source>
         <translation>ordenador con la clave %1</translation>
     </message>
+    <message>
+        <source>took out a report of a class</source>
+        <translation>sacó un informe de una clase</translation>
+    </message>
 </context>
 <context>
     <name>Block</name>
@@ -805,6 +809,10 @@
     <message>
         <source>This is the last admin who can log in. Make somebody else an admin first.</source>
         <translation>Es el último administrador que puede iniciar sesión. Nombre antes a otro administrador.</translation>
+    </message>
+    <message>
+        <source>This account was disabled. Ask an admin.</source>
+        <translation>Esta cuenta se ha desactivado. Pregunte a la administración.</translation>
     </message>
 </context>
 <context>
@@ -2738,6 +2746,14 @@
         <source>The backup of %1 is in place. The file that was there is kept beside it as %2.</source>
         <translation>La copia del %1 está en su sitio. El archivo que había se conserva a su lado como %2.</translation>
     </message>
+    <message>
+        <source>This account was disabled, and you were logged out. Ask an admin.</source>
+        <translation>Esta cuenta se ha desactivado y se ha cerrado su sesión. Pregunte a la administración.</translation>
+    </message>
+    <message>
+        <source>The grade that could not be kept is kept now.</source>
+        <translation>La calificación que no se pudo guardar ya está guardada.</translation>
+    </message>
 </context>
 <context>
     <name>app::CardDesk</name>
@@ -4560,6 +4576,10 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <source>Points lost</source>
         <translation>Puntos perdidos</translation>
     </message>
+    <message>
+        <source>Lesson</source>
+        <translation type="unfinished">Lección</translation>
+    </message>
 </context>
 <context>
     <name>ui::people::HistoryModel</name>
@@ -4611,11 +4631,11 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     </message>
     <message>
         <source>new</source>
-        <extracomment>Of a teacher&apos;s feedback: to be read yet; read already</extracomment>
         <translation>nuevo</translation>
     </message>
     <message>
         <source>read</source>
+        <extracomment>Of a teacher&apos;s feedback: to be read yet; not read by the student; read already</extracomment>
         <translation>leído</translation>
     </message>
     <message>
@@ -4626,6 +4646,10 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <source>Feedback</source>
         <extracomment>Column of a table of attempts: what a teacher has said</extracomment>
         <translation>Comentarios</translation>
+    </message>
+    <message>
+        <source>unread</source>
+        <translation>sin leer</translation>
     </message>
 </context>
 <context>
@@ -4737,6 +4761,10 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>Corner of the table</source>
         <translation>Esquina de la tabla</translation>
+    </message>
+    <message>
+        <source>Sorted by: %1</source>
+        <translation>Ordenado por: %1</translation>
     </message>
 </context>
 <context>
@@ -6536,12 +6564,12 @@ unsaved</source>
 sin guardar</translation>
     </message>
     <message>
-        <source>Read the class again</source>
-        <translation>Volver a leer el grupo</translation>
-    </message>
-    <message>
         <source>Show what was done at other computers meanwhile</source>
         <translation>Mostrar lo que se hizo entretanto en otros ordenadores</translation>
+    </message>
+    <message>
+        <source>Read again</source>
+        <translation>Leer de nuevo</translation>
     </message>
 </context>
 <context>
@@ -6755,6 +6783,34 @@ sin guardar</translation>
     <message>
         <source>Alt + Page Up</source>
         <translation>Alt + Re Pág</translation>
+    </message>
+    <message>
+        <source>Open what is chosen</source>
+        <translation>Abrir lo elegido</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Intro</translation>
+    </message>
+    <message>
+        <source>Sort by the column beside</source>
+        <translation>Ordenar por la columna de al lado</translation>
+    </message>
+    <message>
+        <source>Alt + left, right</source>
+        <translation>Alt + izquierda, derecha</translation>
+    </message>
+    <message>
+        <source>Sort from the least, from the most</source>
+        <translation>Ordenar de menor a mayor o al revés</translation>
+    </message>
+    <message>
+        <source>Alt + up, down</source>
+        <translation>Alt + arriba, abajo</translation>
+    </message>
+    <message>
+        <source>In a list</source>
+        <translation>En una lista</translation>
     </message>
 </context>
 <context>
@@ -7086,6 +7142,14 @@ sin guardar</translation>
     <message>
         <source>The work itself can be kept as a recording.</source>
         <translation>El trabajo en sí puede conservarse como grabación.</translation>
+    </message>
+    <message>
+        <source>It waits until an admin logs in here.</source>
+        <translation>Espera a que la administración inicie sesión aquí.</translation>
+    </message>
+    <message>
+        <source>A comment was typed and is not added yet.</source>
+        <translation>Hay un comentario escrito que aún no se ha añadido.</translation>
     </message>
 </context>
 <context>

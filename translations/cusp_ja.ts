@@ -275,6 +275,10 @@
         <source>computer with the key %1</source>
         <translation>鍵 %1 のコンピューター</translation>
     </message>
+    <message>
+        <source>took out a report of a class</source>
+        <translation>クラスの報告書を取り出しました</translation>
+    </message>
 </context>
 <context>
     <name>Block</name>
@@ -803,6 +807,10 @@
     <message>
         <source>This is the last admin who can log in. Make somebody else an admin first.</source>
         <translation>ログインできる最後の管理者です。先にほかの人を管理者にしてください。</translation>
+    </message>
+    <message>
+        <source>This account was disabled. Ask an admin.</source>
+        <translation>このアカウントは無効にされました。管理者に尋ねてください。</translation>
     </message>
 </context>
 <context>
@@ -2726,6 +2734,14 @@
         <source>The backup of %1 is in place. The file that was there is kept beside it as %2.</source>
         <translation>%1 のバックアップに置き換えました。元のファイルは %2 として横に残してあります。</translation>
     </message>
+    <message>
+        <source>This account was disabled, and you were logged out. Ask an admin.</source>
+        <translation>このアカウントは無効にされ、ログアウトしました。管理者に尋ねてください。</translation>
+    </message>
+    <message>
+        <source>The grade that could not be kept is kept now.</source>
+        <translation>保存できなかった採点結果が保存されました。</translation>
+    </message>
 </context>
 <context>
     <name>app::CardDesk</name>
@@ -4526,6 +4542,10 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <source>Points lost</source>
         <translation>減点</translation>
     </message>
+    <message>
+        <source>Lesson</source>
+        <translation type="unfinished">課題</translation>
+    </message>
 </context>
 <context>
     <name>ui::people::HistoryModel</name>
@@ -4577,11 +4597,11 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
     <message>
         <source>new</source>
-        <extracomment>Of a teacher&apos;s feedback: to be read yet; read already</extracomment>
         <translation>新着</translation>
     </message>
     <message>
         <source>read</source>
+        <extracomment>Of a teacher&apos;s feedback: to be read yet; not read by the student; read already</extracomment>
         <translation>既読</translation>
     </message>
     <message>
@@ -4592,6 +4612,10 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <source>Feedback</source>
         <extracomment>Column of a table of attempts: what a teacher has said</extracomment>
         <translation>講評</translation>
+    </message>
+    <message>
+        <source>unread</source>
+        <translation>未読</translation>
     </message>
 </context>
 <context>
@@ -4701,6 +4725,10 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>Corner of the table</source>
         <translation>表の角</translation>
+    </message>
+    <message>
+        <source>Sorted by: %1</source>
+        <translation>並べ替え: %1</translation>
     </message>
 </context>
 <context>
@@ -6492,12 +6520,12 @@ unsaved</source>
 保存なし</translation>
     </message>
     <message>
-        <source>Read the class again</source>
-        <translation>クラスを読み直す</translation>
-    </message>
-    <message>
         <source>Show what was done at other computers meanwhile</source>
         <translation>その間にほかのコンピューターで行われたことを表示します</translation>
+    </message>
+    <message>
+        <source>Read again</source>
+        <translation>再読み込み</translation>
     </message>
 </context>
 <context>
@@ -6711,6 +6739,34 @@ unsaved</source>
     <message>
         <source>Over the tooth</source>
         <translation>歯の上で</translation>
+    </message>
+    <message>
+        <source>Open what is chosen</source>
+        <translation>選択したものを開く</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Enter</translation>
+    </message>
+    <message>
+        <source>Sort by the column beside</source>
+        <translation>隣の列で並べ替え</translation>
+    </message>
+    <message>
+        <source>Alt + left, right</source>
+        <translation>Alt + 左右</translation>
+    </message>
+    <message>
+        <source>Sort from the least, from the most</source>
+        <translation>昇順・降順</translation>
+    </message>
+    <message>
+        <source>Alt + up, down</source>
+        <translation>Alt + 上下</translation>
+    </message>
+    <message>
+        <source>In a list</source>
+        <translation>一覧で</translation>
     </message>
 </context>
 <context>
@@ -7040,6 +7096,14 @@ unsaved</source>
     <message>
         <source>The work itself can be kept as a recording.</source>
         <translation>作業そのものは記録として残せます。</translation>
+    </message>
+    <message>
+        <source>It waits until an admin logs in here.</source>
+        <translation>管理者がここにログインするまで保留されます。</translation>
+    </message>
+    <message>
+        <source>A comment was typed and is not added yet.</source>
+        <translation>入力中のコメントがまだ追加されていません。</translation>
     </message>
 </context>
 <context>

@@ -25,6 +25,8 @@ public:
     enum Part { People, Roster, Backups, Audit, Station };
     [[nodiscard]] Part part() const;
     void show(Part part);
+    /// Others work at it, too.
+    void readAgain() { emit partOpened(part()); }
 
     [[nodiscard]] PeoplePart& people() { return *m_people; }
     [[nodiscard]] RosterPart& roster() { return *m_roster; }

@@ -155,7 +155,8 @@ void BackupPart::speak()
 
 void BackupPart::tellEnd()
 {
-    m_said->setText(m_sentence ? m_sentence() : QString());
+    const QString said = m_sentence ? m_sentence() : QString();
+    m_said->setText(m_isFault && !said.isEmpty() ? QStringLiteral("⚠ ") + said : said);
     QStringList lines;
     for (const database::Finding& one : m_found)
         lines << findingWords(one, m_names, m_titles);
@@ -269,11 +270,12 @@ void BackupPart::setLessonTitles(const people::LessonTitles& titles)
     tell();
 }
 
-void BackupPart::finish(std::function<QString()> sentence, std::vector<database::Finding> findings)
+void BackupPart::finish(std::function<QString()> sentence, std::vector<database::Finding> findings, bool isFault)
 {
     m_isBusy = false;
     m_thought->end();
     m_sentence = std::move(sentence);
+    m_isFault = isFault;
     m_found = std::move(findings);
     QWidget* const focused = window()->focusWidget();
     tell();

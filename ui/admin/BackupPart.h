@@ -54,7 +54,8 @@ public:
     /// It has come to its end.
     /// @param sentence  what is said of it, in the language there is
     /// @param findings  what a check found
-    void finish(std::function<QString()> sentence, std::vector<database::Finding> findings = {});
+    /// @param isFault  it is not as it should be
+    void finish(std::function<QString()> sentence, std::vector<database::Finding> findings = {}, bool isFault = false);
     /// What findings call people and classes by.
     void setNames(const NamesByUid& names);
     void setLessonTitles(const people::LessonTitles& titles);
@@ -100,6 +101,7 @@ private:
     QProgressBar* m_bar;
     QLabel* m_said;
     std::function<QString()> m_sentence;  ///< how the last work ended
+    bool m_isFault = false;
     std::vector<database::Finding> m_found;
     NamesByUid m_names;
     people::LessonTitles m_titles;

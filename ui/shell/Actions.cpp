@@ -77,8 +77,8 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window)
             QT_TR_NOOP("Change the ideal and the marking of the lesson that is chosen in the list"), {Qt::Key_F4});
     attempts = add("attempts", QT_TR_NOOP("My attempts"), QT_TR_NOOP("See how your attempts went"), {Qt::Key_F3});
     classes = add("class", QT_TR_NOOP("Classes"), QT_TR_NOOP("See how a class does, and who needs help"), {Qt::Key_F6});
-    readAgain = add("reload", QT_TR_NOOP("Read the class again"),
-                    QT_TR_NOOP("Show what was done at other computers meanwhile"), {Qt::Key_F5});
+    readAgain = add("reload", QT_TR_NOOP("Read again"), QT_TR_NOOP("Show what was done at other computers meanwhile"),
+                    {Qt::Key_F5});
     school =
         add("settings", QT_TR_NOOP("School"), QT_TR_NOOP("People, class lists, backups and the audit"), {Qt::Key_F8});
     for (QAction* one : {attempts, classes, readAgain, school})

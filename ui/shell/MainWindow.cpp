@@ -382,7 +382,12 @@ void MainWindow::connectActions()
     connect(m_login, &people::LoginPage::leaveWanted, this, &MainWindow::goBack);
     on(m_actions->attempts, [this] { emit attemptsWanted(); });
     on(m_actions->classes, [this] { emit classesWanted(); });
-    on(m_actions->readAgain, [this] { m_classes->readAgain(); });
+    on(m_actions->readAgain, [this] {
+        if (m_pages->currentWidget() == m_admin)
+            m_admin->readAgain();
+        else
+            m_classes->readAgain();
+    });
     on(m_actions->quit, [this] { close(); });
 }
 
@@ -1637,7 +1642,7 @@ void MainWindow::enableActions()
     m_actions->undo->setEnabled(inEditor ? m_editor->canUndo() : inRoom && mayGoBack && m_session.undoSteps > 0);
     m_actions->redo->setEnabled(inEditor ? m_editor->canRedo() : inRoom && mayGoBack && m_session.redoSteps > 0);
     m_actions->editLesson->setEnabled(m_mayEdit && m_pages->currentWidget() == m_lessonsPage);
-    m_actions->readAgain->setEnabled(m_pages->currentWidget() == m_classes);
+    m_actions->readAgain->setEnabled(m_pages->currentWidget() == m_classes || m_pages->currentWidget() == m_admin);
     m_actions->saveReference->setEnabled(inRoom && mine && !isExamRunning());
     m_actions->reload->setEnabled((mayGoBack || (mine && m_examIsOver)) && !m_isUsedUp);
     m_actions->grade->setEnabled(inRoom && m_tooth != nullptr && !m_busy->isWorking());
