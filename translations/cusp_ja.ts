@@ -4544,7 +4544,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
     <message>
         <source>Lesson</source>
-        <translation type="unfinished">課題</translation>
+        <translation>レッスン</translation>
     </message>
 </context>
 <context>

@@ -205,6 +205,7 @@ private slots:
     void troubleStaysOutOfTheWayUntilItIsThere();
 
     void errorsStayAndComeBackAfterNews();
+    void whatStaysCoversNoWayToAnotherPage();
     void anErrorGoesWithTheNextGoodTooth();
     void theMessageButtonDoesWhatItSays();
     void anUnfinishedAttemptIsOffered();
@@ -2013,6 +2014,22 @@ void TestMainWindow::troubleStaysOutOfTheWayUntilItIsThere()
     servo.health = 0;
     publish(servo, {});
     QTRY_VERIFY(!told("handpiece is gone"));
+}
+
+void TestMainWindow::whatStaysCoversNoWayToAnotherPage()
+{
+    m_window->openHistory();
+    const auto* bar = child<MessageBar>();
+    const auto top = [this] { return m_window->historyPage().geometry().top(); };
+    QCOMPARE(top(), 0);
+    m_window->showError({core::ErrorCode::FileEmpty, "x"}, Failed::OpeningScan);
+    QTRY_VERIFY(bar->isVisible() && top() > bar->geometry().bottom());
+    actions().back->trigger();
+    QTRY_COMPARE(child<PracticeRoom>()->geometry().top(), 0);  // there it lies over the tooth
+    m_window->openHistory();
+    QTRY_VERIFY(top() > bar->geometry().bottom());
+    child<MessageBar>()->dismiss();
+    QTRY_COMPARE(top(), 0);
 }
 
 void TestMainWindow::errorsStayAndComeBackAfterNews()

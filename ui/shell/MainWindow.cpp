@@ -165,6 +165,7 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
     resize(firstSize(screen()->availableSize()));
     setAcceptDrops(true);
     setCentralWidget(m_pages);
+    connect(m_messages, &MessageBar::changed, this, &MainWindow::placeOverlays);
     for (QWidget* page :
          {static_cast<QWidget*>(m_room), static_cast<QWidget*>(m_chooser), static_cast<QWidget*>(m_scorePage),
           static_cast<QWidget*>(m_xray), static_cast<QWidget*>(m_lessonsPage), static_cast<QWidget*>(m_editor),
@@ -1698,6 +1699,9 @@ void MainWindow::placeOverlays()
     m_console->raise();
     m_infractionCard->placeIn(area);
     m_messages->placeIn(area, inRoom ? MessageBar::Place::OverTheView : MessageBar::Place::BesideTheTitle);
+    // What stays must not lie over the ways to other pages.
+    const bool isAbove = m_messages->stays() && !inRoom && !isAtDoor();
+    m_pages->setContentsMargins(0, isAbove ? m_messages->geometry().bottom() + 1 : 0, 0, 0);
     m_busy->placeIn(area);
     if (m_tour->isVisible())
         m_tour->raise();

@@ -102,8 +102,7 @@ void MessageBar::say(const std::function<Message()>& words)
 
 void MessageBar::say(const Message& message)
 {
-    const bool stays = isVisibleTo(parentWidget()) && m_now.kind != Kind::News && message.sentence != m_now.sentence;
-    if (stays)
+    if (stays() && message.sentence != m_now.sentence)
         m_waiting.push_front(m_now);
     present(message);
 }
@@ -117,6 +116,8 @@ bool MessageBar::dismiss()
     m_now = {};
     if (!m_waiting.isEmpty())
         present(m_waiting.takeFirst());
+    else
+        emit changed();
     return true;
 }
 
@@ -174,6 +175,7 @@ void MessageBar::present(const Message& message)
         m_timer.start(kNewsMs);
     else
         m_timer.stop();
+    emit changed();
 }
 
 void MessageBar::placeIn(const QRect& area, Place place)

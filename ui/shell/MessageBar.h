@@ -60,10 +60,16 @@ public:
     void withdraw(Topic topic);
 
     [[nodiscard]] QString sentence() const;
-    /// Over the middle of the tooth's view; on a page in the line of its title, so that it covers nothing.
+    /// It stands until somebody closes it.
+    [[nodiscard]] bool stays() const { return isVisibleTo(parentWidget()) && m_now.kind != Kind::News; }
+    /// Over the middle of the tooth's view; on a page in the line of its title, or above the page where it stays.
     enum class Place { OverTheView, BesideTheTitle };
     /// Puts the bar at the top of `area` (parent's coordinates), as wide as it needs.
     void placeIn(const QRect& area, Place place);
+
+signals:
+    /// Another message is shown, or none any more.
+    void changed();
 
 protected:
     void enterEvent(QEnterEvent* event) override;
