@@ -265,7 +265,7 @@ int tellRoster(const QCommandLineParser& parser, const database::RosterOutcome& 
         printText(text, stderr);
         return failed({ErrorCode::BadStructure, "nobody was entered; correct the lines above and import again"});
     }
-    printText(QStringLiteral("%1: %2 new, of whom %3 students, %4 instructors and %5 admins; %6 known already.\n")
+    printText(QStringLiteral("%1: %2 new (students: %3, instructors: %4, admins: %5); %6 known already.\n")
                   .arg(dryRun ? QStringLiteral("This would be entered") : QStringLiteral("Entered"))
                   .arg(static_cast<qint64>(outcome.people.size()) - known)
                   .arg(fresh(database::Role::Student))
