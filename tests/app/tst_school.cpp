@@ -55,6 +55,7 @@
 #include "ui/study/LessonCards.h"
 #include "ui/study/LessonsPage.h"
 #include "ui/study/ScorePage.h"
+#include "ui/text/Language.h"
 #include "ui/tooth/ToothView.h"
 
 using namespace database;

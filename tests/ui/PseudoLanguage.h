@@ -246,7 +246,7 @@ inline QList<Boxed> boxedIn(const QWidget& widget)
                 boxes << Boxed{heads->model()->headerData(k, Qt::Horizontal).toString(),
                                heads->model()->headerData(k, Qt::Horizontal, Qt::ToolTipRole).toString(),
                                heads->sectionSize(k), heads->font(),
-                               heads->defaultAlignment().testFlag(Qt::Alignment(Qt::TextWordWrap))};
+                               (heads->defaultAlignment().toInt() & Qt::TextWordWrap) != 0};
     if (const auto* table = qobject_cast<const QTableView*>(&widget); table != nullptr && table->model() != nullptr)
         for (int row = 0; row < table->model()->rowCount(); ++row)
             for (int column = 0; column < table->model()->columnCount(); ++column) {
