@@ -7145,7 +7145,7 @@ sin guardar</translation>
     </message>
     <message>
         <source>It waits until an admin logs in here.</source>
-        <translation>Espera a que la administración inicie sesión aquí.</translation>
+        <translation>Quedará en espera hasta que la administración inicie sesión aquí.</translation>
     </message>
     <message>
         <source>A comment was typed and is not added yet.</source>
