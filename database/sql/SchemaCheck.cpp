@@ -55,11 +55,12 @@ core::Result<Schema> schemaOf(const QSqlDatabase& db)
     const auto own = onServer ? ask(db, "SELECT quote_ident(current_schema())", kDoing) : QVariant();
     if (!own)
         return tl::unexpected(own.error());
-    // Of a file, what a constraint brings along has no statement, or a name that begins so.
+    // Of a file, what a constraint brings along has no statement, and two kinds of tables are SQLite's own. Nothing
+    // else is left out by its name: a trigger that somebody has called so works like any other.
     const QString question =
         onServer ? questionToServer()
-                 : QStringLiteral("SELECT type, name, sql FROM sqlite_master WHERE sql IS NOT NULL AND name NOT LIKE "
-                                  "'sqlite\\_%' ESCAPE '\\'");
+                 : QStringLiteral("SELECT type, name, sql FROM sqlite_master WHERE sql IS NOT NULL AND NOT (type = "
+                                  "'table' AND (name = 'sqlite_sequence' OR name LIKE 'sqlite\\_stat%' ESCAPE '\\'))");
     Schema schema;
     if (auto read = forEach(db, question, kDoing, {},
                             [&](const QSqlQuery& row) {

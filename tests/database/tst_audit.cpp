@@ -354,6 +354,14 @@ void TestAudit::whatGuardsIsThere_data()
                                   << QStringList{"CREATE TRIGGER gift AFTER INSERT ON attempts BEGIN UPDATE attempts "
                                                  "SET score_tenths = 1000 WHERE id = NEW.id; END"}
                                   << "trigger gift is not from this program";
+    QTest::newRow("gift under a name of SQLite's")
+        << false
+        << QStringList{"PRAGMA writable_schema = ON",
+                       "INSERT INTO sqlite_master VALUES ('trigger', 'sqlite_gift', 'attempts', 0, 'CREATE TRIGGER "
+                       "sqlite_gift AFTER INSERT ON attempts BEGIN UPDATE attempts SET score_tenths = 1000 WHERE id = "
+                       "NEW.id; END')",
+                       "PRAGMA writable_schema = OFF"}
+        << "trigger sqlite_gift is not from this program";
     QTest::newRow("gift, postgresql")
         << true
         << QStringList{"CREATE FUNCTION gift() RETURNS trigger LANGUAGE plpgsql AS $$ BEGIN NEW.score_tenths = 1000; "
