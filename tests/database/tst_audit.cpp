@@ -32,6 +32,8 @@ private slots:
     void whatOlderProgramsDidNotNoteIsNoFinding();
     void whatGuardsIsThere_data();
     void whatGuardsIsThere();
+    void whatStandsOnOthersTablesIsTheirs_data() { support::addEngines(); }
+    void whatStandsOnOthersTablesIsTheirs();
     void whatCannotBeLookedAtHidesNothingElse_data() { support::addEngines(); }
     void whatCannotBeLookedAtHidesNothingElse();
     void whoMayNotCompareIsTold();
@@ -350,6 +352,17 @@ void TestAudit::whatGuardsIsThere_data()
           std::tuple("rule, postgresql", "CREATE RULE quiet AS ON DELETE TO comments DO INSTEAD NOTHING",
                      "rule comments.quiet is not from this program")})
         QTest::newRow(name) << true << QStringList{deed} << said;
+    for (const auto& [name, deed, said] :
+         {std::tuple("bounds of somebody's, postgresql",
+                     "ALTER TABLE attempts ADD CONSTRAINT at_most CHECK (score_tenths < 500)",
+                     "constraint attempts.at_most is not from this program: it may refuse"),
+          std::tuple("another column, postgresql", "ALTER TABLE comments ADD COLUMN more TEXT NOT NULL",
+                     "column comments.more is not from this program: it may refuse"),
+          std::tuple("one attempt only, postgresql", "CREATE UNIQUE INDEX one_only ON attempts ((1))",
+                     "index one_only is not from this program: it may refuse")})
+        QTest::newRow(name) << true << QStringList{deed} << said;
+    QTest::newRow("one attempt only, sqlite") << false << QStringList{"CREATE UNIQUE INDEX one_only ON attempts ((1))"}
+                                              << "index one_only is not from this program: it may refuse";
     QTest::newRow("gift, sqlite") << false
                                   << QStringList{"CREATE TRIGGER gift AFTER INSERT ON attempts BEGIN UPDATE attempts "
                                                  "SET score_tenths = 1000 WHERE id = NEW.id; END"}
@@ -383,6 +396,19 @@ void TestAudit::whatGuardsIsThere()
     VERIFY_DONE(report);
     QCOMPARE(report->findings.size(), std::size_t{1});
     QVERIFY2(support::wordsOf(report->findings).contains(finding), qPrintable(support::wordsOf(report->findings)));
+}
+
+/// A table of somebody's own beside the school, with what stands on it.
+void TestAudit::whatStandsOnOthersTablesIsTheirs()
+{
+    SCHOOL_RIG(rig);
+    QSqlQuery query(rig.school().db);
+    for (const char* deed : {"CREATE TABLE theirs (word TEXT NOT NULL, n INTEGER CHECK (n > 0))",
+                             "CREATE UNIQUE INDEX theirs_by_n ON theirs (n)"})
+        QVERIFY2(query.exec(QLatin1String(deed)), qPrintable(query.lastError().text()));
+    const auto report = checkDatabase(rig.school().db, {});
+    VERIFY_DONE(report);
+    QVERIFY2(report->findings.empty(), qPrintable(support::wordsOf(report->findings)));
 }
 
 void TestAudit::whatCannotBeLookedAtHidesNothingElse()
