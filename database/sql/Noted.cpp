@@ -41,6 +41,7 @@ struct Standing
     std::string role;
     bool disabled = false;
     std::string names;  ///< digest; empty: noted before there was one
+    std::string login;  ///< the same, of password and one-time code
 };
 /// Class and uid.
 using Enrolments = std::set<std::pair<std::string, std::string>>;
@@ -110,6 +111,9 @@ void take(Noted& noted, const std::string& actor, const std::string& action, con
             person.disabled = detail.value(QStringLiteral("disabled")).toBool();
         if (detail.contains(QStringLiteral("names_digest")))
             person.names = textIn(detail, "names_digest");
+        // Where an older program has changed it since, it is not known what it is.
+        if (action != "person.change")
+            person.login = textIn(detail, "login_digest");
     }
 }
 
@@ -191,32 +195,50 @@ core::Status compareScores(const QSqlDatabase& db, const Opinions& overrides, co
     return {};
 }
 
+/// A password that nobody can read is told, however it came there.
+void compareLogin(const std::string& uid, const KeptLogin& kept, const std::string& noted, const Say& say)
+{
+    const std::vector<std::string> named{"person:" + uid};
+    if (!kept.passwordHash.empty() && !isPasswordHash(kept.passwordHash))
+        say({QT_TRANSLATE_NOOP("Finding", "the password of %1 cannot be read, and lets nobody in: reset it, or restore "
+                                          "a backup"),
+             named});
+    else if (!noted.empty() && noted != digestOfLogin(uid, kept))
+        say({QT_TRANSLATE_NOOP("Finding", "the password or the one-time code of %1 was changed without a note in the "
+                                          "audit: reset it, or restore a backup"),
+             named});
+}
+
 core::Status comparePeople(const QSqlDatabase& db, std::map<std::string, Standing> expected, const Say& say)
 {
-    if (auto read =
-            forEach(db, "SELECT uid, role, disabled, username, given_name, family_name FROM people", kDoing, {},
-                    [&](const QSqlQuery& row) {
-                        const auto found = expected.find(textOf(row, 0));
-                        if (found == expected.end()) {
-                            say({kInserted, {"person:" + textOf(row, 0)}});
-                            return;
-                        }
-                        if (found->second.role != textOf(row, 1))
-                            say({QT_TRANSLATE_NOOP("Finding", "%1 has the role %2, the audit says %3"),
-                                 {"person:" + textOf(row, 0), textOf(row, 1), found->second.role}});
-                        if (found->second.disabled != (row.value(2).toInt() != 0))
-                            say({QT_TRANSLATE_NOOP("Finding", "%1 was disabled or enabled, and it was not noted"),
-                                 {"person:" + textOf(row, 0)}});
-                        Person person;
-                        person.uid = textOf(row, 0);
-                        person.username = textOf(row, 3);
-                        person.givenName = textOf(row, 4);
-                        person.familyName = textOf(row, 5);
-                        if (!found->second.names.empty() && found->second.names != digestOfNames(person))
-                            say({QT_TRANSLATE_NOOP("Finding", "%1 was given another name, and it was not noted"),
-                                 {"person:" + person.uid}});
-                        expected.erase(found);
-                    });
+    if (auto read = forEach(
+            db,
+            "SELECT uid, role, disabled, username, given_name, family_name, password_hash, reset_hash, "
+            "reset_until_utc FROM people",
+            kDoing, {},
+            [&](const QSqlQuery& row) {
+                const auto found = expected.find(textOf(row, 0));
+                if (found == expected.end()) {
+                    say({kInserted, {"person:" + textOf(row, 0)}});
+                    return;
+                }
+                if (found->second.role != textOf(row, 1))
+                    say({QT_TRANSLATE_NOOP("Finding", "%1 has the role %2, the audit says %3"),
+                         {"person:" + textOf(row, 0), textOf(row, 1), found->second.role}});
+                if (found->second.disabled != (row.value(2).toInt() != 0))
+                    say({QT_TRANSLATE_NOOP("Finding", "%1 was disabled or enabled, and it was not noted"),
+                         {"person:" + textOf(row, 0)}});
+                Person person;
+                person.uid = textOf(row, 0);
+                person.username = textOf(row, 3);
+                person.givenName = textOf(row, 4);
+                person.familyName = textOf(row, 5);
+                if (!found->second.names.empty() && found->second.names != digestOfNames(person))
+                    say({QT_TRANSLATE_NOOP("Finding", "%1 was given another name, and it was not noted"),
+                         {"person:" + person.uid}});
+                compareLogin(person.uid, {textOf(row, 6), textOf(row, 7), textOf(row, 8)}, found->second.login, say);
+                expected.erase(found);
+            });
         !read)
         return read;
     for (const auto& [uid, person] : expected)
@@ -360,6 +382,7 @@ core::Status compareWithAudit(const QSqlDatabase& db, const Say& say)
             forEach(db,
                     "SELECT actor, action, object, detail FROM audit WHERE action IN ('attempt.override', "
                     "'attempt.comment', 'lesson.assign', 'lesson.unassign', 'person.add', 'person.change', "
+                    "'password.code', 'password.change', 'password.reset', 'password.rehash', "
                     "'class.add', 'class.rename', 'class.enrol', 'class.leave', 'preset.add', 'setting.change') "
                     "ORDER BY seq",
                     kDoing, {},

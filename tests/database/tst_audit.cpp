@@ -30,6 +30,8 @@ private slots:
     void whatStandsElsewhereIsAsItWasNoted();
     void whatOlderProgramsDidNotNoteIsNoFinding_data() { support::addEngines(); }
     void whatOlderProgramsDidNotNoteIsNoFinding();
+    void whatAnOlderProgramSetIsLookedAtForItsForm_data() { support::addEngines(); }
+    void whatAnOlderProgramSetIsLookedAtForItsForm();
     void whatGuardsIsThere_data();
     void whatGuardsIsThere();
     void whatStandsOnOthersTablesIsTheirs_data() { support::addEngines(); }
@@ -227,6 +229,18 @@ void TestAudit::whatStandsElsewhereIsAsItWasNoted_data()
                               << "a comment on attempt:";
         row("a role") << "UPDATE people SET role = 'admin' WHERE username = 's1001'"
                       << "has the role admin, the audit says student";
+        row("another's password") << "UPDATE people SET password_hash = (SELECT password_hash FROM people WHERE "
+                                     "username = 's1001') WHERE username = 'admin'"
+                                  << "was changed without a note in the audit";
+        row("a password nobody can read") << "UPDATE people SET password_hash = replace(password_hash, 'argon2id', "
+                                             "'argon2ie') WHERE username = 'admin'"
+                                          << "cannot be read, and lets nobody in";
+        row("a code that is good for ever") << "UPDATE people SET reset_until_utc = '9999-01-01T00:00:00Z' WHERE "
+                                               "username = 's1003'"
+                                            << "was changed without a note in the audit";
+        row("a code nobody gave")
+            << QStringLiteral("UPDATE people SET reset_hash = '%1' WHERE username = 's1001'").arg(QString(64, 'e'))
+            << "was changed without a note in the audit";
         row("let in again") << "UPDATE people SET disabled = 0 WHERE username = 's2001'"
                             << "and it was not noted";
         row("a limit") << "UPDATE assignments SET attempt_limit = 0"
@@ -280,6 +294,7 @@ void TestAudit::whatStandsElsewhereIsAsItWasNoted()
     VERIFY_DONE(assign(school, rig.instructor, {0, rig.first, "class1-36", "", 3}));
     VERIFY_DONE(assign(school, rig.instructor, {0, rig.first, "class1-37", "", 3}));
     VERIFY_DONE(unassign(school, rig.instructor, {0, rig.first, "class1-37", "", 3}));
+    VERIFY_DONE(addPerson(school, rig.admin, {"s1003", "Cod", "Three", Role::Student}));
     Person far = findPerson(school, rig.admin, "s2001").value();
     far.disabled = true;
     VERIFY_DONE(changePerson(school, rig.admin, far));
@@ -311,6 +326,27 @@ void TestAudit::whatOlderProgramsDidNotNoteIsNoFinding()
     const auto report = checkDatabase(rig.school().db, {});
     VERIFY_DONE(report);
     QVERIFY2(report->findings.empty(), qPrintable(support::wordsOf(report->findings)));
+}
+
+/// Of a password that an older program has set the form alone is known.
+void TestAudit::whatAnOlderProgramSetIsLookedAtForItsForm()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    const School& school = rig.school();
+    QSqlQuery query(school.db);
+    QVERIFY(query.exec("UPDATE people SET password_hash = (SELECT password_hash FROM people WHERE username = 's1002') "
+                       "WHERE username = 's1001'"));
+    VERIFY_DONE(note(school, rig.student.uid(), "password.change", "person:" + rig.student.uid()));
+    const auto sound = checkDatabase(school.db, {});
+    VERIFY_DONE(sound);
+    QVERIFY2(sound->findings.empty(), qPrintable(support::wordsOf(sound->findings)));
+    QVERIFY(query.exec("UPDATE people SET password_hash = '$argon2id$v=19$m=8,t=1,p=1$x$' WHERE username = 's1001'"));
+    const auto report = checkDatabase(school.db, {});
+    VERIFY_DONE(report);
+    QCOMPARE(report->findings.size(), std::size_t{1});
+    QVERIFY2(support::wordsOf(report->findings).contains("cannot be read"),
+             qPrintable(support::wordsOf(report->findings)));
 }
 
 void TestAudit::whatGuardsIsThere_data()
