@@ -259,6 +259,9 @@ int migrateDatabase(const QCommandLineParser& parser, const Address& address)
     const auto open = openSchool(address, Opening::Migrate);
     if (!open)
         return failedWithBackups(open.error(), address);
+    // As after a server's dump that was put back without its sequences.
+    if (auto gone = database::sql::dialect::repairIds(open->school->db); !gone)
+        return failed(gone.error());
     const auto version = database::sql::dialect::schemaVersion(open->school->db);
     if (!version)
         return failed(version.error());
@@ -536,8 +539,8 @@ constexpr std::array kParts{
     Part{"restore", "cusp db restore BACKUP [--db FILE]", "puts a backup in the place of the file", nothing,
          restoreFile, true},
     Part{"drill", "cusp db drill [--db FILE]", "tries that a backup can be made and restored", nothing, drillRestore},
-    Part{"migrate", "cusp db migrate [--db FILE|URL]", "brings an older database to this program's schema", nothing,
-         migrateDatabase},
+    Part{"migrate", "cusp db migrate [--db FILE|URL]",
+         "brings an older database to this program's schema; new rows get numbers again", nothing, migrateDatabase},
     Part{"copy", "cusp db copy --as ADMIN [--db FILE|URL] --to FILE|URL",
          "brings a school into another database, and verifies it", addTarget, copyDatabase},
     Part{"stats", "cusp db stats [--db FILE|URL] [--json]", "counts what is there", nothing, tellStats},

@@ -170,6 +170,8 @@ private slots:
     void aSchoolMovesBetweenEnginesAndBack();
     void aCheckNamesTheAttemptThatWasChanged_data() { support::addEngines(); }
     void aCheckNamesTheAttemptThatWasChanged();
+    void newRowsAreNumberedAgain_data() { support::addEngines(); }
+    void newRowsAreNumberedAgain();
     void classListsAreTakenWholeOrNotAtAll_data() { support::addEngines(); }
     void aClassListSaysWhatIsWrongWithItsFile_data() { support::addEngines(); }
     void aClassListSaysWhatIsWrongWithItsFile();
@@ -801,6 +803,32 @@ void TestUpkeep::aCheckNamesTheAttemptThatWasChanged()
     QVERIFY2(all.contains(QString::fromStdString(attempts[2].uid) + " was removed"), qPrintable(all));
     QVERIFY2(all.contains("do not add up"), qPrintable(all));
     QCOMPARE(report->findings.size(), std::size_t{3});
+}
+
+/// As after a dump that was put back without its sequences; or somebody has set them to their end.
+void TestUpkeep::newRowsAreNumberedAgain()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    const QSqlDatabase db = rig.school().db;
+    const QStringList deeds =
+        onServer ? QStringList{"SELECT setval(pg_get_serial_sequence('people', 'id'), 1)",
+                               "SELECT setval(pg_get_serial_sequence('people', 'id'), 9223372036854775807)"}
+                 : QStringList{"UPDATE sqlite_sequence SET seq = 9223372036854775807 WHERE name = 'people'"};
+    for (const QString& deed : deeds) {
+        QSqlQuery query(db);
+        QVERIFY2(query.exec(deed), qPrintable(query.lastError().text()));
+        query.finish();
+        QVERIFY(!addPerson(rig.school(), rig.admin, {"new", "", "", Role::Student}).has_value());
+        const auto report = checkDatabase(db, {});
+        VERIFY_DONE(report);
+        QCOMPARE(report->findings.size(), std::size_t{1});
+        const QString said = support::wordsOf(report->findings);
+        QVERIFY2(said.startsWith("new rows of the table people get no number"), qPrintable(said));
+        VERIFY_DONE(dialect::repairIds(db));
+        QVERIFY(checkDatabase(db, {})->findings.empty());
+    }
+    VERIFY_DONE(addPerson(rig.school(), rig.admin, {"new", "", "", Role::Student}));
 }
 
 void TestUpkeep::aClassListSaysWhatIsWrongWithItsFile()
