@@ -199,12 +199,19 @@ int backUpFile(const QCommandLineParser& parser, const Address& address)
     const auto made = database::sql::backUp(open->school->db, folder, now);
     if (!made)
         return failedWithBackups(made.error(), address);
+    const bool isAuditWhole = database::sql::holdsItsAudit(*made).value_or(false);
     QJsonArray gone;
-    for (const QString& file : database::sql::tooMany(database::sql::backupsOf(open->school->db, folder), now))
+    for (const QString& file :
+         database::sql::toThin(database::sql::backupsOf(open->school->db, folder), now, isAuditWhole))
         if (file != *made && QFile::remove(file))
             gone += file;
-    return answer(parser, QStringLiteral("Backed up to %1, and checked.").arg(*made),
-                  {{"backup", *made}, {"removed", gone}});
+    if (!isAuditWhole)
+        warn({"the audit in this backup is not as it was written: \"cusp db check\" says what was changed; older "
+              "backups in which it still is are kept"});
+    return answer(parser,
+                  (isAuditWhole ? QStringLiteral("Backed up to %1, and checked.") : QStringLiteral("Backed up to %1."))
+                      .arg(*made),
+                  {{"backup", *made}, {"audit_whole", isAuditWhole}, {"removed", gone}});
 }
 
 int restoreFile(const QCommandLineParser& parser, const Address& address)

@@ -163,6 +163,7 @@ private slots:
     void aDamagedDatabaseIsNotBackedUp();
     void whatIsNotWholeIsNoBackup_data();
     void whatIsNotWholeIsNoBackup();
+    void aBackupOfAChangedAuditPushesNoGoodOneOut();
     void withoutASoundCopyNothingIsMigrated();
     void backupsAreThinnedOut();
     void everyOlderSchemaIsBroughtToTheNewest_data() { support::addEngines(); }
@@ -609,6 +610,32 @@ void TestUpkeep::whatIsNotWholeIsNoBackup()
     const QByteArray before = contentOf(rig.address());
     QVERIFY(!restoreBackup(*backup, rig.address(), rig.nowUtc).has_value());
     QCOMPARE(contentOf(rig.address()), before);
+}
+
+/// It is made all the same: it is all there is of the days since.
+void TestUpkeep::aBackupOfAChangedAuditPushesNoGoodOneOut()
+{
+    QTemporaryDir folder;
+    SchoolRig rig(false);
+    rig.populate();
+    const QSqlDatabase db = rig.school().db;
+    const auto backUpAt = [&](int day, int hour) {
+        return backUp(db, folder.path(), QDateTime(rig.nowUtc.date().addDays(day), QTime(hour, 0), Qt::UTC)).value();
+    };
+    const QString good = backUpAt(-5, 9);
+    backUpAt(-5, 18);
+    QVERIFY(holdsItsAudit(good).value());
+    QVERIFY(!holdsItsAudit(good, [](int, int) { return false; }).has_value());
+    for (const char* deed : {"DROP TRIGGER audit_no_update", "UPDATE audit SET detail = 'x' WHERE seq = 5"})
+        VERIFY_DONE(execute(db, deed, "change it"));
+    const QString changed = backUpAt(-4, 9);
+    QVERIFY(!holdsItsAudit(changed).value());
+    for (const int day : {-4, -3, -2})
+        backUpAt(day, 18);
+    const QStringList files = backupsIn(folder.path());
+    QCOMPARE(files.size(), 6);
+    QCOMPARE(toThin(files, rig.nowUtc, true), (QStringList{changed, good}));
+    QCOMPARE(toThin(files, rig.nowUtc, false), QStringList{changed});
 }
 
 /// What the copy before it is found to be when it is checked holds a migration up, too.
