@@ -138,6 +138,20 @@ Schema asOnServer(const Schema& schema)
     return there;
 }
 
+/// A server's administrator may let all triggers rest: they stand there, and guard nothing.
+core::Status checkGuardsAct(const QSqlDatabase& db, const std::function<void(const Finding&)>& say)
+{
+    const auto role = ask(db, "SELECT current_setting('session_replication_role')", kDoing);
+    if (!role)
+        return tl::unexpected(role.error());
+    if (role->toString() != u"origin")
+        say({QT_TRANSLATE_NOOP("Finding", "the server lets the triggers of this database rest "
+                                          "(session_replication_role is %1): what they guard is not guarded; let its "
+                                          "administrator set it to origin"),
+             {role->toString().toStdString()}});
+    return {};
+}
+
 core::Result<Schema> expectedSchema(const QSqlDatabase& db)
 {
     return dialect::isPostgres(db) ? freshSchemaOnServer(db) : freshSchema();
@@ -160,6 +174,9 @@ void tellAdded(const std::string& named, const Made& made, const Schema& expecte
 
 core::Status checkSchema(const QSqlDatabase& db, const std::function<void(const Finding&)>& say)
 {
+    if (dialect::isPostgres(db))
+        if (auto asked = checkGuardsAct(db, say); !asked)
+            return asked;
     auto expected = expectedSchema(db);
     const bool areNamesAll =
         dialect::isPostgres(db) && !expected && expected.error().code == core::ErrorCode::FileUnwritable;

@@ -392,6 +392,8 @@ void TestAudit::whatGuardsIsThere_data()
          {std::tuple("bounds of somebody's, postgresql",
                      "ALTER TABLE attempts ADD CONSTRAINT at_most CHECK (score_tenths < 500)",
                      "constraint attempts.at_most is not from this program: it may refuse"),
+          std::tuple("all guards rest, postgresql", "SET session_replication_role = replica",
+                     "(session_replication_role is replica): what they guard is not guarded"),
           std::tuple("another column, postgresql", "ALTER TABLE comments ADD COLUMN more TEXT NOT NULL",
                      "column comments.more is not from this program: it may refuse"),
           std::tuple("one attempt only, postgresql", "CREATE UNIQUE INDEX one_only ON attempts ((1))",
@@ -416,6 +418,13 @@ void TestAudit::whatGuardsIsThere_data()
         << QStringList{"CREATE FUNCTION gift() RETURNS trigger LANGUAGE plpgsql AS $$ BEGIN NEW.score_tenths = 1000; "
                        "RETURN NEW; END $$",
                        "CREATE TRIGGER gift BEFORE INSERT ON attempts FOR EACH ROW EXECUTE FUNCTION gift()"}
+        << "trigger gift is not from this program";
+    QTest::newRow("gift that calls itself the server's own")
+        << true
+        << QStringList{"CREATE FUNCTION gift() RETURNS trigger LANGUAGE plpgsql AS $$ BEGIN NEW.score_tenths = 1000; "
+                       "RETURN NEW; END $$",
+                       "CREATE TRIGGER gift BEFORE INSERT ON attempts FOR EACH ROW EXECUTE FUNCTION gift()",
+                       "UPDATE pg_trigger SET tgisinternal = true WHERE tgname = 'gift'"}
         << "trigger gift is not from this program";
 }
 
