@@ -218,6 +218,10 @@ void TestAudit::whatStandsElsewhereIsAsItWasNoted_data()
         const QString off = onServer ? "DROP TRIGGER %1_no_change ON %1;" : "DROP TRIGGER %1_no_update;";
         row("a preset's values") << off.arg("presets") + "UPDATE presets SET json = '[]'"
                                  << "preset:soft v1 is not what the audit says";
+        row("a preset of another's") << off.arg("presets") + "UPDATE presets SET author_id = NULL"
+                                     << "preset:soft v1 is not what the audit says";
+        row("a preset of another day") << off.arg("presets") + "UPDATE presets SET created_utc = '2020-01-01T00:00:00Z'"
+                                       << "preset:soft v1 is not what the audit says";
         row("an override of another day")
             << off.arg("overrides") + "UPDATE overrides SET given_utc = '2020-01-01T00:00:00Z'"
             << "an override of attempt:";
@@ -245,6 +249,11 @@ void TestAudit::whatStandsElsewhereIsAsItWasNoted_data()
                             << "and it was not noted";
         row("a limit") << "UPDATE assignments SET attempt_limit = 0"
                        << "is not what the audit says";
+        row("an assignment of another's")
+            << "UPDATE assignments SET created_by = (SELECT id FROM people WHERE username = 'teach2')"
+            << "is not what the audit says";
+        row("an assignment of another day") << "UPDATE assignments SET created_utc = '2020-01-01T00:00:00Z'"
+                                            << "is not what the audit says";
         row("an assignment gone") << "DELETE FROM assignments"
                                   << "was removed";
         row("standings gone") << "DELETE FROM standings"
@@ -294,6 +303,9 @@ void TestAudit::whatStandsElsewhereIsAsItWasNoted()
     VERIFY_DONE(assign(school, rig.instructor, {0, rig.first, "class1-36", "", 3}));
     VERIFY_DONE(assign(school, rig.instructor, {0, rig.first, "class1-37", "", 3}));
     VERIFY_DONE(unassign(school, rig.instructor, {0, rig.first, "class1-37", "", 3}));
+    // Whoever changes what was given, it stays his who gave it.
+    VERIFY_DONE(assign(school, rig.admin, {0, rig.first, "class1-36", "", 4},
+                       ClassAssignment{0, rig.first, "class1-36", "", 3}));
     VERIFY_DONE(addPerson(school, rig.admin, {"s1003", "Cod", "Three", Role::Student}));
     Person far = findPerson(school, rig.admin, "s2001").value();
     far.disabled = true;
