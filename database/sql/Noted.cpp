@@ -43,7 +43,6 @@ struct Standing
     std::string role;
     bool disabled = false;
     std::string names;  ///< digest; empty: noted before there was one
-    std::string login;  ///< the same, of password and one-time code
 };
 /// Class and uid.
 using Enrolments = std::set<std::pair<std::string, std::string>>;
@@ -139,9 +138,6 @@ void take(Noted& noted, const Origin& origin, const std::string& action, const s
             person.disabled = detail.value(QStringLiteral("disabled")).toBool();
         if (detail.contains(QStringLiteral("names_digest")))
             person.names = textIn(detail, "names_digest");
-        // Where an older program has changed it since, it is not known what it is.
-        if (action != "person.change")
-            person.login = textIn(detail, "login_digest");
     }
 }
 
@@ -223,6 +219,39 @@ core::Status compareScores(const QSqlDatabase& db, const Opinions& overrides, co
     return {};
 }
 
+core::Status comparePeople(const QSqlDatabase& db, std::map<std::string, Standing> expected, const Say& say)
+{
+    if (auto read =
+            forEach(db, "SELECT uid, role, disabled, username, given_name, family_name FROM people", kDoing, {},
+                    [&](const QSqlQuery& row) {
+                        const auto found = expected.find(textOf(row, 0));
+                        if (found == expected.end()) {
+                            say({kInserted, {"person:" + textOf(row, 0)}});
+                            return;
+                        }
+                        if (found->second.role != textOf(row, 1))
+                            say({QT_TRANSLATE_NOOP("Finding", "%1 has the role %2, the audit says %3"),
+                                 {"person:" + textOf(row, 0), textOf(row, 1), found->second.role}});
+                        if (found->second.disabled != (row.value(2).toInt() != 0))
+                            say({QT_TRANSLATE_NOOP("Finding", "%1 was disabled or enabled, and it was not noted"),
+                                 {"person:" + textOf(row, 0)}});
+                        Person person;
+                        person.uid = textOf(row, 0);
+                        person.username = textOf(row, 3);
+                        person.givenName = textOf(row, 4);
+                        person.familyName = textOf(row, 5);
+                        if (!found->second.names.empty() && found->second.names != digestOfNames(person))
+                            say({QT_TRANSLATE_NOOP("Finding", "%1 was given another name, and it was not noted"),
+                                 {"person:" + person.uid}});
+                        expected.erase(found);
+                    });
+        !read)
+        return read;
+    for (const auto& [uid, person] : expected)
+        say({kRemoved, {"person:" + uid}});
+    return {};
+}
+
 /// A password that nobody can read is told, however it came there.
 void compareLogin(const std::string& uid, const KeptLogin& kept, const std::string& noted, const Say& say)
 {
@@ -237,41 +266,20 @@ void compareLogin(const std::string& uid, const KeptLogin& kept, const std::stri
              named});
 }
 
-core::Status comparePeople(const QSqlDatabase& db, std::map<std::string, Standing> expected, const Say& say)
+/// In one statement: somebody may just be logging in, and his password be hashed anew. Where an older program has
+/// changed one since, its note has no digest, and it is not known what it is.
+core::Status compareLogins(const QSqlDatabase& db, const Say& say)
 {
-    if (auto read = forEach(
-            db,
-            "SELECT uid, role, disabled, username, given_name, family_name, password_hash, reset_hash, "
-            "reset_until_utc FROM people",
-            kDoing, {},
-            [&](const QSqlQuery& row) {
-                const auto found = expected.find(textOf(row, 0));
-                if (found == expected.end()) {
-                    say({kInserted, {"person:" + textOf(row, 0)}});
-                    return;
-                }
-                if (found->second.role != textOf(row, 1))
-                    say({QT_TRANSLATE_NOOP("Finding", "%1 has the role %2, the audit says %3"),
-                         {"person:" + textOf(row, 0), textOf(row, 1), found->second.role}});
-                if (found->second.disabled != (row.value(2).toInt() != 0))
-                    say({QT_TRANSLATE_NOOP("Finding", "%1 was disabled or enabled, and it was not noted"),
-                         {"person:" + textOf(row, 0)}});
-                Person person;
-                person.uid = textOf(row, 0);
-                person.username = textOf(row, 3);
-                person.givenName = textOf(row, 4);
-                person.familyName = textOf(row, 5);
-                if (!found->second.names.empty() && found->second.names != digestOfNames(person))
-                    say({QT_TRANSLATE_NOOP("Finding", "%1 was given another name, and it was not noted"),
-                         {"person:" + person.uid}});
-                compareLogin(person.uid, {textOf(row, 6), textOf(row, 7), textOf(row, 8)}, found->second.login, say);
-                expected.erase(found);
-            });
-        !read)
-        return read;
-    for (const auto& [uid, person] : expected)
-        say({kRemoved, {"person:" + uid}});
-    return {};
+    return forEach(db,
+                   "SELECT p.uid, p.password_hash, p.reset_hash, p.reset_until_utc, COALESCE(u.detail, '') FROM people "
+                   "p LEFT JOIN (SELECT object, MAX(seq) AS newest FROM audit WHERE action IN ('person.add', "
+                   "'password.code', 'password.change', 'password.reset', 'password.rehash') GROUP BY object) n ON "
+                   "n.object = 'person:' || p.uid LEFT JOIN audit u ON u.seq = n.newest",
+                   kDoing, {}, [&](const QSqlQuery& row) {
+                       const QJsonObject noted = QJsonDocument::fromJson(row.value(4).toByteArray()).object();
+                       compareLogin(textOf(row, 0), {textOf(row, 1), textOf(row, 2), textOf(row, 3)},
+                                    textIn(noted, "login_digest"), say);
+                   });
 }
 
 core::Status compareAssignments(const QSqlDatabase& db,
@@ -418,7 +426,6 @@ core::Status compareWithAudit(const QSqlDatabase& db, const Say& say)
             forEach(db,
                     "SELECT actor, at_utc, action, object, detail FROM audit WHERE action IN ('attempt.override', "
                     "'attempt.comment', 'lesson.assign', 'lesson.unassign', 'person.add', 'person.change', "
-                    "'password.code', 'password.change', 'password.reset', 'password.rehash', "
                     "'class.add', 'class.rename', 'class.enrol', 'class.leave', 'preset.add', 'setting.change') "
                     "ORDER BY seq",
                     kDoing, {},
@@ -443,7 +450,7 @@ core::Status compareWithAudit(const QSqlDatabase& db, const Say& say)
                           "comments c JOIN attempts a ON a.id = c.attempt_id "
                           "JOIN people p ON p.id = c.author_id ORDER BY c.id",
                           noted.comments, kComment, say),
-          compareScores(db, noted.overrides, say), comparePeople(db, noted.people, say),
+          compareScores(db, noted.overrides, say), comparePeople(db, noted.people, say), compareLogins(db, say),
           compareAssignments(db, noted.assignments, say), compareClasses(db, noted.classes, noted.enrolments, say),
           compareKept(db, "SELECT name || ' v' || version, hash FROM presets", noted.presets, asItIs, always, "preset",
                       say),
