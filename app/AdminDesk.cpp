@@ -455,20 +455,25 @@ void AdminDesk::connectBackups()
     connect(&part, &BackupPart::backUpWanted, this, [this] {
         beside(
             tr("The data are being backed up …"),
-            [place = m_place, who = m_who()](const School& school, Work& work) -> core::Result<QString> {
+            [place = m_place, who = m_who()](const School& school, Work& work) -> core::Result<MadeBackup> {
                 auto made = makeBackup(school, place.address, place.stationFolder, QDateTime::currentDateTimeUtc(),
                                        [&work](int done, int all) { return work.tell(done, all); });
                 if (made)
-                    if (auto noted = database::sql::noteBackup(school, who, *made); !noted)
+                    if (auto noted = database::sql::noteBackup(school, who, made->file); !noted)
                         return tl::unexpected(noted.error());
                 return made;
             },
-            [this](const core::Result<QString>& made) {
+            [this](const core::Result<MadeBackup>& made) {
                 if (!made)
                     return tellFailed(made.error());
                 tellBackups();
-                tellDone([file = QDir::toNativeSeparators(*made)] {
-                    return tr("Backed up: %1. Its pages and keys are whole.").arg(file);
+                tellDone([file = QDir::toNativeSeparators(made->file), isAuditWhole = made->isAuditWhole] {
+                    const QString whole = tr("Backed up: %1. Its pages and keys are whole.").arg(file);
+                    return isAuditWhole
+                               ? whole
+                               : whole + u' ' +
+                                     tr("But its audit was changed. \"Check everything\" says where. Older backups in "
+                                        "which it is whole are kept.");
                 });
             });
     });

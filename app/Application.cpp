@@ -435,10 +435,16 @@ void Application::backUpToday()
         [address = *m_address, folder = m_stationFolder, now, isStopped = m_backupIsStopped](const School& school) {
             return makeBackup(school, address, folder, now, [isStopped](int, int) { return !*isStopped; });
         },
-        [this](const core::Result<QString>& made) {
-            if (!made && m_who.role() == database::Role::Admin)
+        [this](const core::Result<MadeBackup>& made) {
+            if (m_who.role() != database::Role::Admin)
+                return;
+            if (!made)
                 m_window->showMessage(tr("Today's backup was not made. %1")
                                           .arg(ui::text::errorText(made.error(), Failed::ReadingSchool)));
+            else if (!made->isAuditWhole)
+                m_window->showMessage(
+                    tr("Today's backup was made, but the audit was changed. \"Check everything\" on the "
+                       "page of the backups says where."));
         });
 }
 

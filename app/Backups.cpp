@@ -45,26 +45,30 @@ bool isBackupDue(const database::Address& address, const QDateTime& nowUtc)
     });
 }
 
-core::Result<QString> makeBackup(const database::sql::School& school, const database::Address& address,
-                                 const QString& stationFolder, const QDateTime& nowUtc,
-                                 const database::sql::BackupProgress& progress)
+core::Result<MadeBackup> makeBackup(const database::sql::School& school, const database::Address& address,
+                                    const QString& stationFolder, const QDateTime& nowUtc,
+                                    const database::sql::BackupProgress& progress)
 {
     // What arrives from now on may be too late for this one.
     const QStringList arrived =
         database::Outbox(QDir(stationFolder).filePath(QStringLiteral("outbox")), school.key).arrived();
     const QString folder = database::sql::backupFolder(address.file);
-    auto made = database::sql::backUp(school.db, folder, nowUtc, progress);
+    const auto made = database::sql::backUp(school.db, folder, nowUtc, progress);
     if (!made)
-        return made;
+        return tl::unexpected(made.error());
+    // Who stops this has a backup, and nothing is thrown away.
+    const auto isAuditWhole = database::sql::holdsItsAudit(*made, progress);
+    if (!isAuditWhole)
+        return MadeBackup{*made};
     const QStringList there = database::sql::backupsOf(school.db, folder);
     // A disk may spoil the one that has just been made: two have it before its letter goes.
     QStringList gone = heldBy(*made, arrived);
     if (!gone.isEmpty())
         gone = heldBy(soundBeside(*made, there), gone);
-    for (const QString& file : database::sql::tooMany(there, nowUtc) + gone)
+    for (const QString& file : database::sql::toThin(there, nowUtc, *isAuditWhole) + gone)
         if (file != *made)
             QFile::remove(file);
-    return made;
+    return MadeBackup{*made, *isAuditWhole};
 }
 
 }  // namespace app

@@ -15,11 +15,16 @@ namespace app {
 /// Whether a file has no backup of today (UTC). A server never: its administrator makes them.
 [[nodiscard]] bool isBackupDue(const database::Address& address, const QDateTime& nowUtc);
 
+struct MadeBackup
+{
+    QString file;
+    bool isAuditWhole = true;  ///< false: somebody has changed it; older backups in which it is whole were kept
+};
 /// Makes a backup, thins the older ones, and throws away the attempts of this station that lay by until two
-/// whole backups had them. Returns its path.
+/// whole backups had them.
 /// @param stationFolder  of this station's own files
-[[nodiscard]] core::Result<QString> makeBackup(const database::sql::School& school, const database::Address& address,
-                                               const QString& stationFolder, const QDateTime& nowUtc,
-                                               const database::sql::BackupProgress& progress = {});
+[[nodiscard]] core::Result<MadeBackup> makeBackup(const database::sql::School& school, const database::Address& address,
+                                                  const QString& stationFolder, const QDateTime& nowUtc,
+                                                  const database::sql::BackupProgress& progress = {});
 
 }  // namespace app

@@ -160,6 +160,13 @@ core::Result<bool> fits(const std::string& password, const std::string& hash)
     return isRight;
 }
 
+bool isPasswordHash(const std::string& hash)
+{
+    const PasswordCost cost;
+    return beginSodium() && hash.rfind("$argon2id$v=19$", 0) == 0 &&
+           crypto_pwhash_str_needs_rehash(hash.c_str(), cost.passes, cost.memoryBytes) != -1;
+}
+
 bool wantsRehash(const std::string& hash, const PasswordCost& cost)
 {
     static const QRegularExpression kCost(QStringLiteral(R"(^\$argon2id\$v=\d+\$m=(\d+),t=(\d+),)"));

@@ -33,6 +33,8 @@ inline constexpr int kLongestPassword = 256;  ///< bytes of UTF-8: hashing a nov
 [[nodiscard]] core::Result<std::string> hashPassword(const std::string& password, const PasswordCost& cost);
 /// FileTooLarge when there is no memory for it: then nobody knows whether it fits.
 [[nodiscard]] core::Result<bool> fits(const std::string& password, const std::string& hash);
+/// Whether it is one that hashPassword() has made, or could have: no password fits another.
+[[nodiscard]] bool isPasswordHash(const std::string& hash);
 /// Made at a lower cost, in passes or memory, and at a higher one in neither.
 [[nodiscard]] bool wantsRehash(const std::string& hash, const PasswordCost& cost);
 

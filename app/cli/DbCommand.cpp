@@ -199,12 +199,19 @@ int backUpFile(const QCommandLineParser& parser, const Address& address)
     const auto made = database::sql::backUp(open->school->db, folder, now);
     if (!made)
         return failedWithBackups(made.error(), address);
+    const bool isAuditWhole = database::sql::holdsItsAudit(*made).value_or(false);
     QJsonArray gone;
-    for (const QString& file : database::sql::tooMany(database::sql::backupsOf(open->school->db, folder), now))
+    for (const QString& file :
+         database::sql::toThin(database::sql::backupsOf(open->school->db, folder), now, isAuditWhole))
         if (file != *made && QFile::remove(file))
             gone += file;
-    return answer(parser, QStringLiteral("Backed up to %1, and checked.").arg(*made),
-                  {{"backup", *made}, {"removed", gone}});
+    if (!isAuditWhole)
+        warn({"the audit in this backup is not as it was written: \"cusp db check\" says what was changed; older "
+              "backups in which it still is are kept"});
+    return answer(parser,
+                  (isAuditWhole ? QStringLiteral("Backed up to %1, and checked.") : QStringLiteral("Backed up to %1."))
+                      .arg(*made),
+                  {{"backup", *made}, {"audit_whole", isAuditWhole}, {"removed", gone}});
 }
 
 int restoreFile(const QCommandLineParser& parser, const Address& address)
@@ -259,6 +266,9 @@ int migrateDatabase(const QCommandLineParser& parser, const Address& address)
     const auto open = openSchool(address, Opening::Migrate);
     if (!open)
         return failedWithBackups(open.error(), address);
+    // As after a server's dump that was put back without its sequences.
+    if (auto gone = database::sql::dialect::repairIds(open->school->db); !gone)
+        return failed(gone.error());
     const auto version = database::sql::dialect::schemaVersion(open->school->db);
     if (!version)
         return failed(version.error());
@@ -536,8 +546,8 @@ constexpr std::array kParts{
     Part{"restore", "cusp db restore BACKUP [--db FILE]", "puts a backup in the place of the file", nothing,
          restoreFile, true},
     Part{"drill", "cusp db drill [--db FILE]", "tries that a backup can be made and restored", nothing, drillRestore},
-    Part{"migrate", "cusp db migrate [--db FILE|URL]", "brings an older database to this program's schema", nothing,
-         migrateDatabase},
+    Part{"migrate", "cusp db migrate [--db FILE|URL]",
+         "brings an older database to this program's schema; new rows get numbers again", nothing, migrateDatabase},
     Part{"copy", "cusp db copy --as ADMIN [--db FILE|URL] --to FILE|URL",
          "brings a school into another database, and verifies it", addTarget, copyDatabase},
     Part{"stats", "cusp db stats [--db FILE|URL] [--json]", "counts what is there", nothing, tellStats},

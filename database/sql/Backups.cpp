@@ -157,6 +157,48 @@ QStringList tablesOf(const QSqlDatabase& db)
     return tables;
 }
 
+/// How many rows each table has: "people 7".
+core::Result<QStringList> countsOf(const QSqlDatabase& db)
+{
+    QStringList counts;
+    for (const QString& table : tablesOf(db)) {
+        const auto rows = ask(db, QStringLiteral("SELECT count(*) FROM \"%1\"").arg(table), "count its rows");
+        if (!rows)
+            return tl::unexpected(rows.error());
+        counts += table + ' ' + rows->toString();
+    }
+    return counts;
+}
+
+/// One moment of the school, whoever writes meanwhile: returns how many rows there were.
+core::Result<QStringList> copyMoment(const QSqlDatabase& db, const QString& file, const BackupProgress& progress)
+{
+    // No transaction: there may be one around it.
+    if (auto begun = execute(db, "SAVEPOINT moment", "read it"); !begun)
+        return tl::unexpected(begun.error());
+    const auto ended = qScopeGuard([&db] { static_cast<void>(execute(db, "RELEASE moment", "end reading it")); });
+    auto counts = countsOf(db);
+    if (!counts)
+        return counts;
+    if (auto made = copyPages(db, file, progress); !made)
+        return tl::unexpected(made.error());
+    return counts;
+}
+
+/// Whether a copy is whole and has as many rows as there were.
+core::Status verifyCopy(const QString& file, const QStringList& counts)
+{
+    if (auto whole = verifyBackup(file); !whole)
+        return whole;
+    const Reader reader(file);
+    const auto copied = countsOf(reader.handle());
+    if (!copied)
+        return tl::unexpected(copied.error());
+    if (*copied != counts)
+        return tl::unexpected(refused(file, "it has not as many rows as the school; make it again"));
+    return {};
+}
+
 /// What a program that was killed has left, and none uses any more.
 void removeStale(const QString& folder, const QStringList& names)
 {
@@ -205,9 +247,10 @@ core::Result<QString> backUpAs(const QSqlDatabase& db, const QString& folder, co
         for (const char* end : {"", "-wal", "-shm", "-journal"})
             QFile::remove(part + QLatin1String(end));
     });
-    if (auto made = copyPages(db, part, progress); !made)
-        return tl::unexpected(made.error());
-    if (auto whole = verifyBackup(part); !whole)
+    const auto counts = copyMoment(db, part, progress);
+    if (!counts)
+        return tl::unexpected(counts.error());
+    if (auto whole = verifyCopy(part, *counts); !whole)
         return tl::unexpected(whole.error());
     if (!sync(part))
         return tl::unexpected(
@@ -418,6 +461,20 @@ core::Status verifyBackup(const QString& file)
     return {};
 }
 
+core::Result<bool> holdsItsAudit(const QString& file, const BackupProgress& progress)
+{
+    constexpr std::int64_t kTold = 1000;
+    const Reader reader(file);
+    bool goesOn = true;
+    const auto findings = checkAudit(reader.handle(), {}, [&](std::int64_t row) {
+        goesOn = !progress || row % kTold != 1 || progress(0, 0);
+        return goesOn;
+    });
+    if (!goesOn)
+        return tl::unexpected(refused(file, "it was stopped"));
+    return findings && findings->empty();
+}
+
 QStringList backupsIn(const QString& folder)
 {
     QStringList files;
@@ -456,6 +513,14 @@ QStringList tooMany(const QStringList& files, const QDateTime& nowUtc)
         if (!isYoung && !forDay && !forWeek && !forMonth)
             gone += file;
     }
+    return gone;
+}
+
+QStringList toThin(const QStringList& files, const QDateTime& nowUtc, bool isAuditWhole)
+{
+    QStringList gone = tooMany(files, nowUtc);
+    if (!isAuditWhole)
+        gone.removeIf([](const QString& file) { return holdsItsAudit(file).value_or(true); });
     return gone;
 }
 

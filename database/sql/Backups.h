@@ -23,8 +23,8 @@ using BackupProgress = std::function<bool(int done, int all)>;
 
 /// Copies the database, as it is at one moment, into `folder` as "backup-2026-11-20-10.15.00.sqlite" by SQLite's online
 /// API: others may write meanwhile, and whoever may read the database may read the copy. The database is checked first,
-/// so that a damaged one never replaces a good copy, and the copy afterwards (see verifyBackup()); only then it gets
-/// its name, on the disk. Returns its path.
+/// so that a damaged one never replaces a good copy, and the copy afterwards (see verifyBackup(), and whether it has as
+/// many rows); only then it gets its name, on the disk. Returns its path.
 [[nodiscard]] core::Result<QString> backUp(const QSqlDatabase& db, const QString& folder, const QDateTime& nowUtc,
                                            const BackupProgress& progress = {});
 
@@ -33,6 +33,10 @@ using BackupProgress = std::function<bool(int done, int all)>;
 
 /// Whether a file is a whole database of this program: its pages and keys checked, its schema known.
 [[nodiscard]] core::Status verifyBackup(const QString& file);
+
+/// Whether nothing was changed in the audit of a backup, from its first row to its signed head: reads every row, some
+/// seconds for a million. An error: it was stopped.
+[[nodiscard]] core::Result<bool> holdsItsAudit(const QString& file, const BackupProgress& progress = {});
 
 /// The backups in a folder, newest first; of whichever school.
 [[nodiscard]] QStringList backupsIn(const QString& folder);
@@ -58,6 +62,10 @@ using BackupProgress = std::function<bool(int done, int all)>;
 /// each of the last 12 days, 10 weeks and 9 months. Those from a clock that was wrong, and lie in the future, are left
 /// alone.
 [[nodiscard]] QStringList tooMany(const QStringList& files, const QDateTime& nowUtc);
+
+/// Those of the school's backups to delete when one was made: tooMany(); but where its audit does not hold, none in
+/// which it still does.
+[[nodiscard]] QStringList toThin(const QStringList& files, const QDateTime& nowUtc, bool isAuditWhole);
 
 /// The newest backup of a database's own folder that verifyBackup() finds whole and that somebody is in, one from the
 /// future last; empty: there is none.

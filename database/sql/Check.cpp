@@ -167,6 +167,21 @@ core::Status checkSums(const QSqlDatabase& db, CheckReport& report)
     return {};
 }
 
+core::Status checkNumbers(const QSqlDatabase& db, CheckReport& report)
+{
+    for (const char* table : dialect::kNumbered) {
+        const auto isFree = dialect::hasNextId(db, QLatin1String(table));
+        if (!isFree)
+            return tl::unexpected(isFree.error());
+        if (!*isFree)
+            say(report,
+                {QT_TRANSLATE_NOOP("Finding", "new rows of the table %1 get no number any more, so that nothing can be "
+                                              "added to it; \"cusp db migrate\" puts that right"),
+                 {table}});
+    }
+    return {};
+}
+
 core::Status checkRecordings(const QSqlDatabase& db, CheckReport& report, const Progress& progress)
 {
     const auto hashes = recordingsNamed(db);
@@ -236,6 +251,8 @@ core::Result<CheckReport> checkDatabase(const QSqlDatabase& db, const std::vecto
              QT_TRANSLATE_NOOP("Finding", "the exams that were begun could not be looked at (%1)")},
         Look{[&] { return checkSums(db, report); },
              QT_TRANSLATE_NOOP("Finding", "score sheets and standings could not be looked at (%1)")},
+        Look{[&] { return checkNumbers(db, report); },
+             QT_TRANSLATE_NOOP("Finding", "the numbers of new rows could not be looked at (%1)")},
         Look{[&] { return compareWithAudit(db, tell); },
              QT_TRANSLATE_NOOP("Finding", "people, classes, comments, presets and settings could not be compared with "
                                           "the audit (%1)")},

@@ -26,6 +26,8 @@ constexpr int kConstraint = 19;
 constexpr int kNotADatabase = 26;
 constexpr int kNoRoomForShm = 4874;  // SQLITE_IOERR_SHMSIZE
 
+const std::string kNumber = "go on with its numbers";
+
 /// Any numbers that no other program is likely to lock: "CUSP" and the next.
 constexpr int kSchemaLock = kApplicationId;
 constexpr int kTurnLock = kApplicationId + 1;
@@ -234,13 +236,53 @@ core::Result<int> countTables(const QSqlDatabase& db)
 
 core::Status continueIds(const QSqlDatabase& db, const QString& table)
 {
-    if (!isPostgres(db))
-        return {};  // AUTOINCREMENT has seen them
-    return execute(db,
-                   QStringLiteral("SELECT setval(pg_get_serial_sequence('%1', 'id'), greatest(1, max(id)), "
-                                  "max(id) IS NOT NULL) FROM %1")
-                       .arg(table),
-                   "go on with its numbers");
+    const QString goOn =
+        isPostgres(db) ? QStringLiteral("SELECT setval(pg_get_serial_sequence('%1', 'id'), greatest(1, max(id)), "
+                                        "max(id) IS NOT NULL) FROM %1")
+                       : QStringLiteral("UPDATE sqlite_sequence SET seq = (SELECT COALESCE(MAX(id), 0) FROM %1) WHERE "
+                                        "name = '%1'");
+    return execute(db, goOn.arg(table), kNumber);
+}
+
+core::Result<bool> hasNextId(const QSqlDatabase& db, const QString& table)
+{
+    QString question = QStringLiteral("SELECT max(COALESCE((SELECT MAX(id) FROM %1), 0), COALESCE((SELECT seq FROM "
+                                      "sqlite_sequence WHERE name = '%1'), 0)) < 9223372036854775807");
+    if (isPostgres(db)) {
+        const auto sequence = ask(db,
+                                  QStringLiteral("SELECT n FROM pg_get_serial_sequence('%1', 'id') n WHERE "
+                                                 "has_sequence_privilege(n, 'SELECT')")
+                                      .arg(table),
+                                  kNumber);
+        if (!sequence)
+            return tl::unexpected(sequence.error());
+        if (sequence->isNull())
+            return true;
+        // Counted as numeric: a bigint may be at its end.
+        question = QStringLiteral("SELECT CASE WHEN s.last_value::numeric + CASE WHEN s.is_called THEN q.seqincrement "
+                                  "ELSE 0 END BETWEEN COALESCE((SELECT max(id) FROM %1), 0)::numeric + 1 AND q.seqmax "
+                                  "THEN 1 ELSE 0 END FROM %2 s, pg_catalog.pg_sequence q WHERE q.seqrelid = "
+                                  "'%2'::regclass")
+                       .arg(QStringLiteral("%1"), sequence->toString());
+    }
+    const auto isFree = ask(db, question.arg(table), kNumber);
+    if (!isFree)
+        return tl::unexpected(isFree.error());
+    return isFree->toInt() == 1;
+}
+
+core::Status repairIds(const QSqlDatabase& db)
+{
+    for (const char* table : kNumbered) {
+        const auto isFree = hasNextId(db, QLatin1String(table));
+        if (!isFree)
+            return tl::unexpected(isFree.error());
+        if (*isFree)
+            continue;
+        if (auto gone = continueIds(db, QLatin1String(table)); !gone)
+            return gone;
+    }
+    return {};
 }
 
 std::string nameOf(const QSqlDatabase& db)

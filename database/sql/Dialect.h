@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+
 #include <QSqlDatabase>
 #include <QSqlError>
 #include <QString>
@@ -39,6 +41,14 @@ inline constexpr int kApplicationId = 0x43555350;
 [[nodiscard]] core::Result<int> countTables(const QSqlDatabase& db);
 /// After rows came with ids of their own: the next id is beyond them.
 [[nodiscard]] core::Status continueIds(const QSqlDatabase& db, const QString& table);
+/// The tables whose rows the database numbers: {row_id}.
+inline constexpr std::array kNumbered{"people",   "classes",   "assignments", "attempts",
+                                      "comments", "overrides", "presets"};
+/// Whether the next row of such a table can be numbered. False: the numbers are used up, or those that come next are
+/// taken, as after a dump that was put back without its sequences. True, too, where this user may not see that.
+[[nodiscard]] core::Result<bool> hasNextId(const QSqlDatabase& db, const QString& table);
+/// Where it cannot, the next id is beyond those that are there.
+[[nodiscard]] core::Status repairIds(const QSqlDatabase& db);
 
 /// For people: the file, or the server's address.
 [[nodiscard]] std::string nameOf(const QSqlDatabase& db);

@@ -343,6 +343,17 @@ core::Status setPassword(const School& school, const Person& person, const std::
                    kSetPassword, {text(hash), number(person.id.value)});
 }
 
+/// Not where an admin has just taken the password away.
+core::Status keepDearer(const School& school, const Person& person, const std::string& before, const std::string& hash)
+{
+    const auto raised =
+        ask(school.db, "UPDATE people SET password_hash = ? WHERE id = ? AND password_hash = ? RETURNING id", kLogIn,
+            {text(hash), number(person.id.value), text(before)});
+    if (!raised)
+        return tl::unexpected(raised.error());
+    return raised->isNull() ? core::Status() : noteLogin(school, person.uid, "password.rehash", person.uid);
+}
+
 /// Whether what somebody has shown still lets him in: another station or an admin may have been quicker.
 core::Status expectStill(const School& school, const Person& person, const char* column, const std::string& hash)
 {
@@ -450,7 +461,7 @@ core::Result<Session> Logins::createFirstAdmin(const School& school, const NewPe
         admin.role = Role::Admin;
         // First: the first row of the audit tells schools apart.
         AuditBatch audit(school);
-        if (auto person = enter(school, audit, "system", admin, *hash); !person)
+        if (auto person = enter(school, audit, "system", admin, {*hash, {}}); !person)
             return tl::unexpected(person.error());
         if (auto sealed = audit.seal(); !sealed)
             return sealed;
@@ -485,12 +496,8 @@ core::Result<Session> Logins::login(const School& school, const std::string& use
     const auto doing = kLogIn;
     auto entered = inTurn(school, doing, [&]() -> core::Status {
         const qlonglong id = person.id.value;
-        // Not where an admin has just taken the password away.
         if (!rehashed.empty())
-            if (auto raised =
-                    execute(school.db, "UPDATE people SET password_hash = ? WHERE id = ? AND password_hash = ?", doing,
-                            {text(rehashed), id, text(account->passwordHash)});
-                !raised)
+            if (auto raised = keepDearer(school, person, account->passwordHash, rehashed); !raised)
                 return raised;
         if (auto seen = execute(school.db, "UPDATE people SET last_login_utc = ? WHERE id = ?", doing,
                                 {text(school.now()), id});
@@ -530,7 +537,7 @@ core::Result<Session> Logins::redeem(const School& school, const std::string& us
             return done;
         if (auto forgiven = forgive(school, nameHash(username)); !forgiven)
             return forgiven;
-        return note(school, account->person->uid, "password.code", "person:" + account->person->uid);
+        return noteLogin(school, account->person->uid, "password.code", account->person->uid);
     });
     if (!set)
         return tl::unexpected(set.error());
@@ -564,7 +571,7 @@ core::Status Logins::changePassword(const School& school, const Session& session
             return done;
         if (auto forgiven = forgive(school, nameHash(session.username())); !forgiven)
             return forgiven;
-        return note(school, session.uid(), "password.change", "person:" + session.uid());
+        return noteLogin(school, session.uid(), "password.change", session.uid());
     });
 }
 

@@ -2,12 +2,14 @@
 #include "database/sql/Noted.h"
 
 #include <array>
+#include <cstdlib>
 #include <map>
 #include <optional>
 #include <set>
 #include <vector>
 
 #include <QCryptographicHash>
+#include <QDateTime>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QSqlRecord>
@@ -45,10 +47,18 @@ struct Standing
 /// Class and uid.
 using Enrolments = std::set<std::pair<std::string, std::string>>;
 
+/// Who made something, and when.
+struct Origin
+{
+    std::string author;  ///< uid
+    QDateTime at;
+};
+
 struct Given
 {
     std::string due;
     int limit = 0;
+    Origin origin;  ///< of the first time since it was taken back
 };
 
 /// All that the audit says of other tables.
@@ -61,6 +71,7 @@ struct Noted
     std::map<std::string, std::string> classes;                                       ///< names, by number
     Enrolments enrolments;
     std::map<std::string, std::string> presets;   ///< hashes, by name and version
+    std::map<std::string, Origin> presetOrigins;  ///< the same
     std::map<std::string, std::string> settings;  ///< digests of the school's values, by name
     bool areSettingsWhole = false;                ///< made by a program that noted all from the beginning
 };
@@ -75,9 +86,24 @@ std::string afterColon(const std::string& object)
     return object.substr(object.find(':') + 1);
 }
 
-void take(Noted& noted, const std::string& actor, const std::string& action, const std::string& object,
+QDateTime momentOf(const QString& utc)
+{
+    return QDateTime::fromString(utc, Qt::ISODate);
+}
+
+/// The clock is asked once for what is made, and again for the audit.
+/// @param row  has in the column `first` whose a thing is, by uid, and behind that when it was made
+bool isFrom(const Origin& noted, const QSqlQuery& row, int first)
+{
+    constexpr qint64 kMostBetweenS = 60;
+    const QDateTime made = momentOf(row.value(first + 1).toString());
+    return textOf(row, first) == noted.author && made.isValid() && std::abs(made.secsTo(noted.at)) <= kMostBetweenS;
+}
+
+void take(Noted& noted, const Origin& origin, const std::string& action, const std::string& object,
           const QJsonObject& detail)
 {
+    const std::string& actor = origin.author;
     const std::string id = afterColon(object);
     if (action == "attempt.override") {
         const QJsonValue given = detail.value(QStringLiteral("given_tenths"));
@@ -87,13 +113,15 @@ void take(Noted& noted, const std::string& actor, const std::string& action, con
         noted.comments[id].push_back({actor, {}, textIn(detail, "digest"), textIn(detail, "digest_of_all")});
     } else if (action == "preset.add") {
         noted.presets[id] = textIn(detail, "hash");
+        noted.presetOrigins[id] = origin;
     } else if (action == "setting.change") {
         noted.settings[id] =
             detail.contains(QStringLiteral("digest")) ? textIn(detail, "digest") : digestOf(textIn(detail, "value"));
         noted.areSettingsWhole = noted.areSettingsWhole || actor == "system";
     } else if (action == "lesson.assign") {
-        noted.assignments[{id, textIn(detail, "lesson")}] =
-            Given{textIn(detail, "due"), detail.value(QStringLiteral("limit")).toInt()};
+        auto& given = noted.assignments[{id, textIn(detail, "lesson")}];
+        given =
+            Given{textIn(detail, "due"), detail.value(QStringLiteral("limit")).toInt(), given ? given->origin : origin};
     } else if (action == "lesson.unassign") {
         noted.assignments[{id, textIn(detail, "lesson")}].reset();
     } else if (action == "class.add" || action == "class.rename") {
@@ -224,16 +252,50 @@ core::Status comparePeople(const QSqlDatabase& db, std::map<std::string, Standin
     return {};
 }
 
+/// A password that nobody can read is told, however it came there.
+void compareLogin(const std::string& uid, const KeptLogin& kept, const std::string& noted, const Say& say)
+{
+    const std::vector<std::string> named{"person:" + uid};
+    if (!kept.passwordHash.empty() && !isPasswordHash(kept.passwordHash))
+        say({QT_TRANSLATE_NOOP("Finding", "the password of %1 cannot be read, and lets nobody in: reset it, or restore "
+                                          "a backup"),
+             named});
+    else if (!noted.empty() && noted != digestOfLogin(uid, kept))
+        say({QT_TRANSLATE_NOOP("Finding", "the password or the one-time code of %1 was changed without a note in the "
+                                          "audit: reset it, or restore a backup"),
+             named});
+}
+
+/// In one statement: somebody may just be logging in, and his password be hashed anew. Where an older program has
+/// changed one since, its note has no digest, and it is not known what it is.
+core::Status compareLogins(const QSqlDatabase& db, const Say& say)
+{
+    return forEach(db,
+                   "SELECT p.uid, p.password_hash, p.reset_hash, p.reset_until_utc, COALESCE(u.detail, '') FROM people "
+                   "p LEFT JOIN (SELECT object, MAX(seq) AS newest FROM audit WHERE action IN ('person.add', "
+                   "'password.code', 'password.change', 'password.reset', 'password.rehash') GROUP BY object) n ON "
+                   "n.object = 'person:' || p.uid LEFT JOIN audit u ON u.seq = n.newest",
+                   kDoing, {}, [&](const QSqlQuery& row) {
+                       const QJsonObject noted = QJsonDocument::fromJson(row.value(4).toByteArray()).object();
+                       compareLogin(textOf(row, 0), {textOf(row, 1), textOf(row, 2), textOf(row, 3)},
+                                    textIn(noted, "login_digest"), say);
+                   });
+}
+
 core::Status compareAssignments(const QSqlDatabase& db,
                                 std::map<std::pair<std::string, std::string>, std::optional<Given>> expected,
                                 const Say& say)
 {
     if (auto read = forEach(
-            db, "SELECT class_id, lesson_id, due_utc, attempt_limit FROM assignments", kDoing, {},
+            db,
+            "SELECT a.class_id, a.lesson_id, a.due_utc, a.attempt_limit, p.uid, a.created_utc FROM assignments a JOIN "
+            "people p ON p.id = a.created_by",
+            kDoing, {},
             [&](const QSqlQuery& row) {
                 const auto found = expected.find({textOf(row, 0), textOf(row, 1)});
                 const bool isNoted = found != expected.end() && found->second;
-                if (!isNoted || found->second->due != textOf(row, 2) || found->second->limit != row.value(3).toInt())
+                if (!isNoted || found->second->due != textOf(row, 2) || found->second->limit != row.value(3).toInt() ||
+                    !isFrom(found->second->origin, row, 4))
                     say({QT_TRANSLATE_NOOP("Finding", "what %1 was given of the lesson %2 is not what the audit says"),
                          {"class:" + textOf(row, 0), textOf(row, 1)}});
                 if (found != expected.end())
@@ -288,14 +350,18 @@ bool isOfLogins(const std::string& setting)
     return setting.rfind("password.", 0) == 0;
 }
 
-/// Presets were changed where their hash is not that of what they say.
-core::Status comparePresets(const QSqlDatabase& db, const Say& say)
+/// Presets were changed where their hash is not that of what they say, or they are another's than was noted.
+core::Status comparePresets(const QSqlDatabase& db, const std::map<std::string, Origin>& origins, const Say& say)
 {
-    return forEach(db, "SELECT name || ' v' || version, hash, json FROM presets", kDoing, {},
-                   [&](const QSqlQuery& row) {
+    return forEach(db,
+                   "SELECT r.name || ' v' || r.version, r.hash, r.json, COALESCE(p.uid, ''), r.created_utc FROM "
+                   "presets r LEFT JOIN people p ON p.id = r.author_id",
+                   kDoing, {}, [&](const QSqlQuery& row) {
                        const QByteArray hash =
                            QCryptographicHash::hash(row.value(2).toString().toUtf8(), QCryptographicHash::Sha256);
-                       if (hash.toHex().toStdString() != textOf(row, 1))
+                       const auto origin = origins.find(textOf(row, 0));
+                       if (hash.toHex().toStdString() != textOf(row, 1) ||
+                           (origin != origins.end() && !isFrom(origin->second, row, 3)))
                            say({kOtherwise, {"preset:" + textOf(row, 0)}});
                    });
 }
@@ -358,14 +424,14 @@ core::Status compareWithAudit(const QSqlDatabase& db, const Say& say)
     Noted noted;
     if (auto read =
             forEach(db,
-                    "SELECT actor, action, object, detail FROM audit WHERE action IN ('attempt.override', "
+                    "SELECT actor, at_utc, action, object, detail FROM audit WHERE action IN ('attempt.override', "
                     "'attempt.comment', 'lesson.assign', 'lesson.unassign', 'person.add', 'person.change', "
                     "'class.add', 'class.rename', 'class.enrol', 'class.leave', 'preset.add', 'setting.change') "
                     "ORDER BY seq",
                     kDoing, {},
                     [&](const QSqlQuery& row) {
-                        take(noted, textOf(row, 0), textOf(row, 1), textOf(row, 2),
-                             QJsonDocument::fromJson(row.value(3).toByteArray()).object());
+                        take(noted, {textOf(row, 0), momentOf(row.value(1).toString())}, textOf(row, 2), textOf(row, 3),
+                             QJsonDocument::fromJson(row.value(4).toByteArray()).object());
                     });
         !read)
         return read;
@@ -384,11 +450,11 @@ core::Status compareWithAudit(const QSqlDatabase& db, const Say& say)
                           "comments c JOIN attempts a ON a.id = c.attempt_id "
                           "JOIN people p ON p.id = c.author_id ORDER BY c.id",
                           noted.comments, kComment, say),
-          compareScores(db, noted.overrides, say), comparePeople(db, noted.people, say),
+          compareScores(db, noted.overrides, say), comparePeople(db, noted.people, say), compareLogins(db, say),
           compareAssignments(db, noted.assignments, say), compareClasses(db, noted.classes, noted.enrolments, say),
           compareKept(db, "SELECT name || ' v' || version, hash FROM presets", noted.presets, asItIs, always, "preset",
                       say),
-          comparePresets(db, say),
+          comparePresets(db, noted.presetOrigins, say),
           compareKept(db, "SELECT name, value FROM settings WHERE owner = ''", noted.settings, digest, must, "setting",
                       say),
           compareOwners(db, say)})

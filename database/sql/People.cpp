@@ -68,6 +68,12 @@ core::Status expectAnotherAdmin(const School& school, PersonId person)
     return {};
 }
 
+KeptLogin codeAsKept(const School& school, const std::string& uid, const std::string& code)
+{
+    const QDateTime until = school.nowUtc().addSecs(std::chrono::seconds(Logins::kCodeLife).count());
+    return {{}, hashOfCode(uid, code), until.toString(Qt::ISODate).toStdString()};
+}
+
 core::Result<Person> personBy(const School& school, const QString& column, const QVariant& value)
 {
     std::optional<Person> found;
@@ -137,8 +143,30 @@ std::string digestOfNames(const Person& person)
     return digestOf(bytes.bytes());
 }
 
+std::string digestOfLogin(const std::string& uid, const KeptLogin& kept)
+{
+    core::ByteWriter bytes;
+    for (const std::string* part : {&uid, &kept.passwordHash, &kept.codeHash, &kept.codeUntilUtc})
+        bytes.putText(*part);
+    return digestOf(bytes.bytes());
+}
+
+core::Status noteLogin(const School& school, const std::string& actor, const std::string& action,
+                       const std::string& uid)
+{
+    std::string digest;
+    if (auto read = forEach(school.db, "SELECT password_hash, reset_hash, reset_until_utc FROM people WHERE uid = ?",
+                            "note the password", {text(uid)},
+                            [&](const QSqlQuery& row) {
+                                digest = digestOfLogin(uid, {textOf(row, 0), textOf(row, 1), textOf(row, 2)});
+                            });
+        !read)
+        return read;
+    return note(school, actor, action, "person:" + uid, {{"login_digest", QString::fromStdString(digest)}});
+}
+
 core::Result<Person> enter(const School& school, AuditBatch& audit, const std::string& actor, const NewPerson& who,
-                           const std::string& passwordHash)
+                           const FirstLogin& login)
 {
     const auto username = normalUsername(who.username);
     if (!username)
@@ -157,37 +185,29 @@ core::Result<Person> enter(const School& school, AuditBatch& audit, const std::s
     person.givenName = who.givenName;
     person.familyName = who.familyName;
     person.role = who.role;
-    person.hasPassword = !passwordHash.empty();
+    person.hasPassword = !login.passwordHash.empty();
+    KeptLogin kept;
+    if (!login.code.empty())
+        kept = codeAsKept(school, person.uid, login.code);
+    kept.passwordHash = login.passwordHash;
     auto added = ask(school.db,
                      "INSERT INTO people (uid, username, given_name, family_name, role, password_hash, reset_hash, "
-                     "reset_until_utc, disabled, created_utc, last_login_utc) VALUES (?, ?, ?, ?, ?, ?, '', '', 0, ?, "
+                     "reset_until_utc, disabled, created_utc, last_login_utc) VALUES (?, ?, ?, ?, ?, ?, ?, ?, 0, ?, "
                      "'') RETURNING id",
                      "enter the person",
                      {text(person.uid), text(person.username), text(person.givenName), text(person.familyName),
-                      roleText(person.role), text(passwordHash), text(school.now())});
+                      roleText(person.role), text(kept.passwordHash), text(kept.codeHash), text(kept.codeUntilUtc),
+                      text(school.now())});
     if (!added)
         return tl::unexpected(added.error());
     person.id = {added->toLongLong()};
     if (auto noted = audit.note(actor, "person.add", "person:" + person.uid,
                                 {{"role", QString::fromUtf8(roleName(person.role).data())},
-                                 {"names_digest", QString::fromStdString(digestOfNames(person))}});
+                                 {"names_digest", QString::fromStdString(digestOfNames(person))},
+                                 {"login_digest", QString::fromStdString(digestOfLogin(person.uid, kept))}});
         !noted)
         return tl::unexpected(noted.error());
     return person;
-}
-
-core::Result<std::string> giveCode(const School& school, const Person& person)
-{
-    const std::string code = newCode();
-    const QString until =
-        school.nowUtc().addSecs(std::chrono::seconds(Logins::kCodeLife).count()).toString(Qt::ISODate);
-    if (auto set =
-            execute(school.db, "UPDATE people SET password_hash = '', reset_hash = ?, reset_until_utc = ? WHERE id = ?",
-                    "set a one-time code",
-                    {text(hashOfCode(person.uid, code)), until, static_cast<qlonglong>(person.id.value)});
-        !set)
-        return tl::unexpected(set.error());
-    return code;
 }
 
 core::Result<Entered> addPerson(const School& school, const Session& session, const NewPerson& who)
@@ -196,15 +216,13 @@ core::Result<Entered> addPerson(const School& school, const Session& session, co
         return tl::unexpected(may.error());
     return inTurn(school, "enter the person", [&]() -> core::Result<Entered> {
         AuditBatch audit(school);
-        auto person = enter(school, audit, session.uid(), who, {});
+        const std::string code = newCode();
+        auto person = enter(school, audit, session.uid(), who, {{}, code});
         if (!person)
             return tl::unexpected(person.error());
         if (auto sealed = audit.seal(); !sealed)
             return tl::unexpected(sealed.error());
-        auto code = giveCode(school, *person);
-        if (!code)
-            return tl::unexpected(code.error());
-        return Entered{std::move(*person), std::move(*code)};
+        return Entered{std::move(*person), code};
     });
 }
 
@@ -261,14 +279,18 @@ core::Result<std::string> resetPassword(const School& school, const Session& ses
         if (who->role == Role::Admin)
             if (auto left = expectAnotherAdmin(school, person); !left)
                 return tl::unexpected(left.error());
-        auto code = giveCode(school, *who);
-        if (!code)
-            return code;
+        const std::string code = newCode();
+        const KeptLogin kept = codeAsKept(school, who->uid, code);
+        if (auto set = execute(
+                school.db, "UPDATE people SET password_hash = '', reset_hash = ?, reset_until_utc = ? WHERE id = ?",
+                "set a one-time code", {text(kept.codeHash), text(kept.codeUntilUtc), number(person.value)});
+            !set)
+            return tl::unexpected(set.error());
         if (auto forgiven = execute(school.db, "DELETE FROM failed_logins WHERE name_hash = ?", "set a one-time code",
                                     {text(digestOf(who->username))});
             !forgiven)
             return tl::unexpected(forgiven.error());
-        if (auto noted = note(school, session.uid(), "password.reset", "person:" + who->uid); !noted)
+        if (auto noted = noteLogin(school, session.uid(), "password.reset", who->uid); !noted)
             return tl::unexpected(noted.error());
         return code;
     });

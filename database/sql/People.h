@@ -42,12 +42,30 @@ struct Entered
 /// What the audit notes of a person's names: it can tell that they were changed, and not what they are.
 [[nodiscard]] std::string digestOfNames(const Person& person);
 
+/// What lets a person in, as it is kept; empty: not that way.
+struct KeptLogin
+{
+    std::string passwordHash;
+    std::string codeHash;
+    std::string codeUntilUtc;
+};
+/// What the audit notes of that, at each change of it: it can tell that it was changed, and lets nobody in.
+[[nodiscard]] std::string digestOfLogin(const std::string& uid, const KeptLogin& kept);
+
+/// How somebody new comes in: by a password, a one-time code, or not yet.
+struct FirstLogin
+{
+    std::string passwordHash;
+    std::string code;
+};
 /// Inside a transaction of others, who have looked whether it is allowed.
 /// @param audit  which they seal
 /// @param actor  uid, for the audit
 [[nodiscard]] core::Result<Person> enter(const School& school, AuditBatch& audit, const std::string& actor,
-                                         const NewPerson& who, const std::string& passwordHash);
-/// The same: sets a new one-time code.
-[[nodiscard]] core::Result<std::string> giveCode(const School& school, const Person& person);
+                                         const NewPerson& who, const FirstLogin& login);
+
+/// Inside the transaction that has changed what lets a person in: notes it as it is now.
+[[nodiscard]] core::Status noteLogin(const School& school, const std::string& actor, const std::string& action,
+                                     const std::string& uid);
 
 }  // namespace database::sql

@@ -12,6 +12,7 @@
 #include <QString>
 
 #include "database/Csv.h"
+#include "database/Passwords.h"
 #include "database/Usernames.h"
 #include "database/sql/Audit.h"
 #include "database/sql/Classes.h"
@@ -304,14 +305,11 @@ core::Result<std::string> take(const School& school, AuditBatch& audit, const Se
         if (auto renamed = rename(school, audit, session, before->second, line.who); !renamed)
             return tl::unexpected(renamed.error());
     } else {
-        const auto entered = enter(school, audit, session.uid(), line.who, {});
+        code = newCode();
+        const auto entered = enter(school, audit, session.uid(), line.who, {{}, code});
         if (!entered)
             return tl::unexpected(entered.error());
         id = entered->id;
-        auto given = giveCode(school, *entered);
-        if (!given)
-            return given;
-        code = std::move(*given);
     }
     for (const std::string& name : line.classes) {
         auto there = present.classes.find(name);

@@ -16,36 +16,44 @@ namespace {
 const std::string kDoing = "check it";
 const QString kFresh = QStringLiteral("cusp-fresh-schema-%1");
 
-/// By "trigger audit_no_update", the statement that made it.
-using Schema = std::map<std::string, std::string>;
+struct Made
+{
+    std::string table;  ///< that it is, or stands on
+    std::string by;     ///< the statement, or all that defines it
+};
+/// By "trigger audit_no_update".
+using Schema = std::map<std::string, Made>;
 
 /// What there is in the schema that comes first in the search path, with all that defines it. A trigger that is
 /// switched off, or fires only for copies of another server, is as good as none. Indexes of constraints go with those;
-/// the triggers that look after a foreign key do, too.
+/// the triggers that look after a foreign key do, too; what only says that it is one of those is shown.
 QString questionToServer()
 {
     return QStringLiteral(R"(
 WITH ours AS (SELECT c.oid, c.relname, c.relkind, c.relpersistence, c.relrowsecurity FROM pg_catalog.pg_class c
               WHERE c.relnamespace = current_schema()::regnamespace)
-SELECT 'table', relname::text, concat(relkind, relpersistence, relrowsecurity) FROM ours WHERE relkind IN ('r', 'v', 'm', 'f', 'p')
+SELECT 'table', relname::text, relname::text, concat(relkind, relpersistence, relrowsecurity) FROM ours
+WHERE relkind IN ('r', 'v', 'm', 'f', 'p')
 UNION ALL
-SELECT 'column', o.relname || '.' || a.attname, concat(format_type(a.atttypid, a.atttypmod), a.attnotnull, a.attidentity,
-       a.attgenerated, pg_get_expr(d.adbin, d.adrelid))
+SELECT 'column', o.relname || '.' || a.attname, o.relname, concat(format_type(a.atttypid, a.atttypmod), a.attnotnull,
+       a.attidentity, a.attgenerated, pg_get_expr(d.adbin, d.adrelid))
 FROM ours o JOIN pg_catalog.pg_attribute a ON a.attrelid = o.oid AND a.attnum > 0 AND NOT a.attisdropped
 LEFT JOIN pg_catalog.pg_attrdef d ON d.adrelid = o.oid AND d.adnum = a.attnum WHERE o.relkind = 'r'
 UNION ALL
-SELECT 'constraint', o.relname || '.' || k.conname, concat(pg_get_constraintdef(k.oid),
+SELECT 'constraint', o.relname || '.' || k.conname, o.relname, concat(pg_get_constraintdef(k.oid),
        (SELECT count(*) FROM pg_catalog.pg_trigger t WHERE t.tgconstraint = k.oid AND t.tgenabled IN ('O', 'A')))
 FROM ours o JOIN pg_catalog.pg_constraint k ON k.conrelid = o.oid WHERE k.contype IN ('c', 'f', 'p', 'u', 'x')
 UNION ALL
-SELECT 'index', o.relname, concat(pg_get_indexdef(o.oid), i.indisvalid, i.indisready)
-FROM ours o JOIN pg_catalog.pg_index i ON i.indexrelid = o.oid
+SELECT 'index', o.relname, t.relname, concat(pg_get_indexdef(o.oid), i.indisvalid, i.indisready)
+FROM ours o JOIN pg_catalog.pg_index i ON i.indexrelid = o.oid JOIN pg_catalog.pg_class t ON t.oid = i.indrelid
 WHERE NOT EXISTS (SELECT 1 FROM pg_catalog.pg_constraint k WHERE k.conindid = o.oid AND k.contype IN ('p', 'u', 'x'))
 UNION ALL
-SELECT 'trigger', t.tgname, concat(pg_get_triggerdef(t.oid), pg_get_functiondef(t.tgfoid))
-FROM ours o JOIN pg_catalog.pg_trigger t ON t.tgrelid = o.oid WHERE NOT t.tgisinternal AND t.tgenabled IN ('O', 'A')
+SELECT 'trigger', t.tgname, o.relname, concat(pg_get_triggerdef(t.oid), pg_get_functiondef(t.tgfoid))
+FROM ours o JOIN pg_catalog.pg_trigger t ON t.tgrelid = o.oid JOIN pg_catalog.pg_proc f ON f.oid = t.tgfoid
+WHERE t.tgenabled IN ('O', 'A')
+AND NOT (t.tgisinternal AND f.pronamespace = 'pg_catalog'::regnamespace AND f.proname LIKE 'RI\_FKey\_%')
 UNION ALL
-SELECT 'rule', o.relname || '.' || r.rulename, pg_get_ruledef(r.oid)
+SELECT 'rule', o.relname || '.' || r.rulename, o.relname, pg_get_ruledef(r.oid)
 FROM ours o JOIN pg_catalog.pg_rewrite r ON r.ev_class = o.oid WHERE o.relkind = 'r')");
 }
 
@@ -55,22 +63,26 @@ core::Result<Schema> schemaOf(const QSqlDatabase& db)
     const auto own = onServer ? ask(db, "SELECT quote_ident(current_schema())", kDoing) : QVariant();
     if (!own)
         return tl::unexpected(own.error());
-    // Of a file, what a constraint brings along has no statement, or a name that begins so.
+    // Of a file, what a constraint brings along has no statement, and two kinds of tables are SQLite's own. Nothing
+    // else is left out by its name: a trigger that somebody has called so works like any other.
     const QString question =
         onServer ? questionToServer()
-                 : QStringLiteral("SELECT type, name, sql FROM sqlite_master WHERE sql IS NOT NULL AND name NOT LIKE "
-                                  "'sqlite\\_%' ESCAPE '\\'");
+                 : QStringLiteral(
+                       "SELECT type, name, tbl_name, sql FROM sqlite_master WHERE sql IS NOT NULL AND NOT (type = "
+                       "'table' AND (name = 'sqlite_sequence' OR name LIKE 'sqlite\\_stat%' ESCAPE '\\'))");
     Schema schema;
     if (auto read = forEach(db, question, kDoing, {},
                             [&](const QSqlQuery& row) {
-                                QString made = row.value(2).toString();
+                                QString made = row.value(3).toString();
                                 // A server says where each thing lies.
                                 if (onServer)
                                     made.remove(own->toString() + '.');
                                 // ALTER TABLE writes them anew, each release of SQLite in its own way.
                                 made.remove(u'"').remove(u' ').remove(u'\n').remove(u'\t');
                                 // On a server triggers of two tables may have one name.
-                                schema[textOf(row, 0) + ' ' + textOf(row, 1)] += made.toStdString();
+                                Made& there = schema[textOf(row, 0) + ' ' + textOf(row, 1)];
+                                there.table = textOf(row, 2);
+                                there.by += made.toStdString();
                             });
         !read)
         return tl::unexpected(read.error());
@@ -119,11 +131,25 @@ Schema asOnServer(const Schema& schema)
     for (const auto& [named, made] : schema) {
         const auto guard = named.rfind("_no_update");
         if (guard != std::string::npos)
-            there[named.substr(0, guard) + "_no_change"] = {};
+            there[named.substr(0, guard) + "_no_change"] = {made.table, {}};
         else if (named.rfind("_no_delete") == std::string::npos)
-            there[named] = {};
+            there[named] = {made.table, {}};
     }
     return there;
+}
+
+/// A server's administrator may let all triggers rest: they stand there, and guard nothing.
+core::Status checkGuardsAct(const QSqlDatabase& db, const std::function<void(const Finding&)>& say)
+{
+    const auto role = ask(db, "SELECT current_setting('session_replication_role')", kDoing);
+    if (!role)
+        return tl::unexpected(role.error());
+    if (role->toString() != u"origin")
+        say({QT_TRANSLATE_NOOP("Finding", "the server lets the triggers of this database rest "
+                                          "(session_replication_role is %1): what they guard is not guarded; let its "
+                                          "administrator set it to origin"),
+             {role->toString().toStdString()}});
+    return {};
 }
 
 core::Result<Schema> expectedSchema(const QSqlDatabase& db)
@@ -131,16 +157,26 @@ core::Result<Schema> expectedSchema(const QSqlDatabase& db)
     return dialect::isPostgres(db) ? freshSchemaOnServer(db) : freshSchema();
 }
 
-/// Tables and indexes of others do no harm to ours; a trigger or a rule may.
-bool mayChangeWhatIsWritten(const std::string& named)
+/// What was added: a trigger or a rule may do anything, wherever it stands; a constraint, a column or an index may
+/// refuse what is written into a table of ours. Tables of others, with what stands on those, do no harm.
+void tellAdded(const std::string& named, const Made& made, const Schema& expected,
+               const std::function<void(const Finding&)>& say)
 {
-    return named.rfind("trigger ", 0) == 0 || named.rfind("rule ", 0) == 0;
+    const std::string kind = named.substr(0, named.find(' '));
+    if (kind == "trigger" || kind == "rule")
+        say({QT_TRANSLATE_NOOP("Finding", "%1 is not from this program: it may change what is written"), {named}});
+    else if (kind != "table" && kind != "view" && expected.count("table " + made.table) > 0)
+        say({QT_TRANSLATE_NOOP("Finding", "%1 is not from this program: it may refuse what is to be written"),
+             {named}});
 }
 
 }  // namespace
 
 core::Status checkSchema(const QSqlDatabase& db, const std::function<void(const Finding&)>& say)
 {
+    if (dialect::isPostgres(db))
+        if (auto asked = checkGuardsAct(db, say); !asked)
+            return asked;
     auto expected = expectedSchema(db);
     const bool areNamesAll =
         dialect::isPostgres(db) && !expected && expected.error().code == core::ErrorCode::FileUnwritable;
@@ -155,15 +191,19 @@ core::Status checkSchema(const QSqlDatabase& db, const std::function<void(const 
     const auto found = schemaOf(db);
     if (!expected || !found)
         return tl::unexpected(expected ? found.error() : expected.error());
+    const auto isCompared = [&](const std::string& named) {
+        // A file's constraints and columns stand in what made its tables.
+        return !areNamesAll || (named.rfind("constraint ", 0) != 0 && named.rfind("column ", 0) != 0);
+    };
     for (const auto& [named, made] : *expected)
         if (const auto there = found->find(named); there == found->end())
             say({QT_TRANSLATE_NOOP("Finding", "%1 is no longer there: what it guarded is not guarded any more"),
                  {named}});
-        else if (there->second != made && !areNamesAll)
+        else if (there->second.by != made.by && !areNamesAll)
             say({QT_TRANSLATE_NOOP("Finding", "%1 is not as this program makes it"), {named}});
     for (const auto& [named, made] : *found)
-        if (expected->count(named) == 0 && mayChangeWhatIsWritten(named))
-            say({QT_TRANSLATE_NOOP("Finding", "%1 is not from this program: it may change what is written"), {named}});
+        if (expected->count(named) == 0 && isCompared(named))
+            tellAdded(named, made, *expected, say);
     return {};
 }
 

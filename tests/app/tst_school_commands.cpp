@@ -12,6 +12,7 @@
 #include "database/Outbox.h"
 #include "database/sql/Backups.h"
 #include "database/sql/Logins.h"
+#include "database/sql/Statement.h"
 #include "tests/database/SchoolRig.h"
 #include "tests/support/Program.h"
 
@@ -57,6 +58,8 @@ private slots:
     void aBackupOfAnotherSchoolIsNotRestored();
     void nothingIsRestoredOverWhatIsNoDatabase();
     void anEmptySchoolReplacesNone();
+    void aBackupOfAChangedAuditSaysSo();
+    void aMigrationLetsRowsBeNumberedAgain();
     void aNewSchoolBesideBackupsSaysSo();
     void aLinkedFileIsRestoredWhereItLies();
     void aCopyIsSoundAndKnownHere();
@@ -248,6 +251,38 @@ void TestSchoolCommands::attemptsAreExported()
     QVERIFY2(csv.exitCode == 0, csv.error);
     QCOMPARE(csv.out.count("\r\n"), 41);
     QCOMPARE(onFile({"db", "check"}).exitCode, 0);
+}
+
+void TestSchoolCommands::aBackupOfAChangedAuditSaysSo()
+{
+    const Ending sound = onFile({"db", "backup"});
+    QVERIFY2(sound.exitCode == 0 && sound.out.contains("and checked") && sound.error.isEmpty(), sound.error);
+    {
+        const auto database = database::sql::Database::open(school());
+        QVERIFY(database);
+        for (const char* deed : {"DROP TRIGGER audit_no_update", "UPDATE audit SET detail = 'x' WHERE seq = 2"})
+            QVERIFY(database::sql::execute((*database)->handle(), deed, "change it"));
+    }
+    const Ending made = onFile({"db", "backup"});
+    QVERIFY2(made.exitCode == 0 && !made.out.contains("checked"), made.out);
+    QVERIFY2(made.error.count('\n') == 1 && made.error.contains("the audit in this backup"), made.error);
+    QCOMPARE(onFile({"db", "backup", "--json"}).json()["audit_whole"].toBool(true), false);
+}
+
+/// Of a file whose numbers have been used up.
+void TestSchoolCommands::aMigrationLetsRowsBeNumberedAgain()
+{
+    {
+        const auto database = database::sql::Database::open(school());
+        QVERIFY(database);
+        QVERIFY(database::sql::execute((*database)->handle(), "UPDATE sqlite_sequence SET seq = 9223372036854775807",
+                                       "use them up"));
+    }
+    QCOMPARE(byAdmin({"user", "add", "s1"}).exitCode, 1);
+    QVERIFY(onFile({"db", "check"}).out.contains("cusp db migrate"));
+    QCOMPARE(onFile({"db", "migrate"}).exitCode, 0);
+    QCOMPARE(onFile({"db", "check"}).exitCode, 0);
+    QCOMPARE(byAdmin({"user", "add", "s1"}).exitCode, 0);
 }
 
 /// Attempts that were delivered after the backup was made wait again, for the window to send them.

@@ -380,7 +380,7 @@ void TestStations::aLetterWaitsForItsSchool()
     const auto spoilt = backUpMine(0);
     VERIFY_DONE(spoilt);
     QCOMPARE(outbox.arrived().size(), 1);
-    QFile noise(*spoilt);
+    QFile noise(spoilt->file);
     QVERIFY(noise.open(QIODevice::WriteOnly));
     noise.write(QByteArray(8192, 'n'));
     noise.close();

@@ -30,8 +30,12 @@ private slots:
     void whatStandsElsewhereIsAsItWasNoted();
     void whatOlderProgramsDidNotNoteIsNoFinding_data() { support::addEngines(); }
     void whatOlderProgramsDidNotNoteIsNoFinding();
+    void whatAnOlderProgramSetIsLookedAtForItsForm_data() { support::addEngines(); }
+    void whatAnOlderProgramSetIsLookedAtForItsForm();
     void whatGuardsIsThere_data();
     void whatGuardsIsThere();
+    void whatStandsOnOthersTablesIsTheirs_data() { support::addEngines(); }
+    void whatStandsOnOthersTablesIsTheirs();
     void whatCannotBeLookedAtHidesNothingElse_data() { support::addEngines(); }
     void whatCannotBeLookedAtHidesNothingElse();
     void whoMayNotCompareIsTold();
@@ -214,6 +218,10 @@ void TestAudit::whatStandsElsewhereIsAsItWasNoted_data()
         const QString off = onServer ? "DROP TRIGGER %1_no_change ON %1;" : "DROP TRIGGER %1_no_update;";
         row("a preset's values") << off.arg("presets") + "UPDATE presets SET json = '[]'"
                                  << "preset:soft v1 is not what the audit says";
+        row("a preset of another's") << off.arg("presets") + "UPDATE presets SET author_id = NULL"
+                                     << "preset:soft v1 is not what the audit says";
+        row("a preset of another day") << off.arg("presets") + "UPDATE presets SET created_utc = '2020-01-01T00:00:00Z'"
+                                       << "preset:soft v1 is not what the audit says";
         row("an override of another day")
             << off.arg("overrides") + "UPDATE overrides SET given_utc = '2020-01-01T00:00:00Z'"
             << "an override of attempt:";
@@ -225,10 +233,27 @@ void TestAudit::whatStandsElsewhereIsAsItWasNoted_data()
                               << "a comment on attempt:";
         row("a role") << "UPDATE people SET role = 'admin' WHERE username = 's1001'"
                       << "has the role admin, the audit says student";
+        row("another's password") << "UPDATE people SET password_hash = (SELECT password_hash FROM people WHERE "
+                                     "username = 's1001') WHERE username = 'admin'"
+                                  << "was changed without a note in the audit";
+        row("a password nobody can read") << "UPDATE people SET password_hash = replace(password_hash, 'argon2id', "
+                                             "'argon2ie') WHERE username = 'admin'"
+                                          << "cannot be read, and lets nobody in";
+        row("a code that is good for ever") << "UPDATE people SET reset_until_utc = '9999-01-01T00:00:00Z' WHERE "
+                                               "username = 's1003'"
+                                            << "was changed without a note in the audit";
+        row("a code nobody gave")
+            << QStringLiteral("UPDATE people SET reset_hash = '%1' WHERE username = 's1001'").arg(QString(64, 'e'))
+            << "was changed without a note in the audit";
         row("let in again") << "UPDATE people SET disabled = 0 WHERE username = 's2001'"
                             << "and it was not noted";
         row("a limit") << "UPDATE assignments SET attempt_limit = 0"
                        << "is not what the audit says";
+        row("an assignment of another's")
+            << "UPDATE assignments SET created_by = (SELECT id FROM people WHERE username = 'teach2')"
+            << "is not what the audit says";
+        row("an assignment of another day") << "UPDATE assignments SET created_utc = '2020-01-01T00:00:00Z'"
+                                            << "is not what the audit says";
         row("an assignment gone") << "DELETE FROM assignments"
                                   << "was removed";
         row("standings gone") << "DELETE FROM standings"
@@ -278,6 +303,10 @@ void TestAudit::whatStandsElsewhereIsAsItWasNoted()
     VERIFY_DONE(assign(school, rig.instructor, {0, rig.first, "class1-36", "", 3}));
     VERIFY_DONE(assign(school, rig.instructor, {0, rig.first, "class1-37", "", 3}));
     VERIFY_DONE(unassign(school, rig.instructor, {0, rig.first, "class1-37", "", 3}));
+    // Whoever changes what was given, it stays his who gave it.
+    VERIFY_DONE(assign(school, rig.admin, {0, rig.first, "class1-36", "", 4},
+                       ClassAssignment{0, rig.first, "class1-36", "", 3}));
+    VERIFY_DONE(addPerson(school, rig.admin, {"s1003", "Cod", "Three", Role::Student}));
     Person far = findPerson(school, rig.admin, "s2001").value();
     far.disabled = true;
     VERIFY_DONE(changePerson(school, rig.admin, far));
@@ -309,6 +338,27 @@ void TestAudit::whatOlderProgramsDidNotNoteIsNoFinding()
     const auto report = checkDatabase(rig.school().db, {});
     VERIFY_DONE(report);
     QVERIFY2(report->findings.empty(), qPrintable(support::wordsOf(report->findings)));
+}
+
+/// Of a password that an older program has set the form alone is known.
+void TestAudit::whatAnOlderProgramSetIsLookedAtForItsForm()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    const School& school = rig.school();
+    QSqlQuery query(school.db);
+    QVERIFY(query.exec("UPDATE people SET password_hash = (SELECT password_hash FROM people WHERE username = 's1002') "
+                       "WHERE username = 's1001'"));
+    VERIFY_DONE(note(school, rig.student.uid(), "password.change", "person:" + rig.student.uid()));
+    const auto sound = checkDatabase(school.db, {});
+    VERIFY_DONE(sound);
+    QVERIFY2(sound->findings.empty(), qPrintable(support::wordsOf(sound->findings)));
+    QVERIFY(query.exec("UPDATE people SET password_hash = '$argon2id$v=19$m=8,t=1,p=1$x$' WHERE username = 's1001'"));
+    const auto report = checkDatabase(school.db, {});
+    VERIFY_DONE(report);
+    QCOMPARE(report->findings.size(), std::size_t{1});
+    QVERIFY2(support::wordsOf(report->findings).contains("cannot be read"),
+             qPrintable(support::wordsOf(report->findings)));
 }
 
 void TestAudit::whatGuardsIsThere_data()
@@ -350,15 +400,43 @@ void TestAudit::whatGuardsIsThere_data()
           std::tuple("rule, postgresql", "CREATE RULE quiet AS ON DELETE TO comments DO INSTEAD NOTHING",
                      "rule comments.quiet is not from this program")})
         QTest::newRow(name) << true << QStringList{deed} << said;
+    for (const auto& [name, deed, said] :
+         {std::tuple("bounds of somebody's, postgresql",
+                     "ALTER TABLE attempts ADD CONSTRAINT at_most CHECK (score_tenths < 500)",
+                     "constraint attempts.at_most is not from this program: it may refuse"),
+          std::tuple("all guards rest, postgresql", "SET session_replication_role = replica",
+                     "(session_replication_role is replica): what they guard is not guarded"),
+          std::tuple("another column, postgresql", "ALTER TABLE comments ADD COLUMN more TEXT NOT NULL",
+                     "column comments.more is not from this program: it may refuse"),
+          std::tuple("one attempt only, postgresql", "CREATE UNIQUE INDEX one_only ON attempts ((1))",
+                     "index one_only is not from this program: it may refuse")})
+        QTest::newRow(name) << true << QStringList{deed} << said;
+    QTest::newRow("one attempt only, sqlite") << false << QStringList{"CREATE UNIQUE INDEX one_only ON attempts ((1))"}
+                                              << "index one_only is not from this program: it may refuse";
     QTest::newRow("gift, sqlite") << false
                                   << QStringList{"CREATE TRIGGER gift AFTER INSERT ON attempts BEGIN UPDATE attempts "
                                                  "SET score_tenths = 1000 WHERE id = NEW.id; END"}
                                   << "trigger gift is not from this program";
+    QTest::newRow("gift under a name of SQLite's")
+        << false
+        << QStringList{"PRAGMA writable_schema = ON",
+                       "INSERT INTO sqlite_master VALUES ('trigger', 'sqlite_gift', 'attempts', 0, 'CREATE TRIGGER "
+                       "sqlite_gift AFTER INSERT ON attempts BEGIN UPDATE attempts SET score_tenths = 1000 WHERE id = "
+                       "NEW.id; END')",
+                       "PRAGMA writable_schema = OFF"}
+        << "trigger sqlite_gift is not from this program";
     QTest::newRow("gift, postgresql")
         << true
         << QStringList{"CREATE FUNCTION gift() RETURNS trigger LANGUAGE plpgsql AS $$ BEGIN NEW.score_tenths = 1000; "
                        "RETURN NEW; END $$",
                        "CREATE TRIGGER gift BEFORE INSERT ON attempts FOR EACH ROW EXECUTE FUNCTION gift()"}
+        << "trigger gift is not from this program";
+    QTest::newRow("gift that calls itself the server's own")
+        << true
+        << QStringList{"CREATE FUNCTION gift() RETURNS trigger LANGUAGE plpgsql AS $$ BEGIN NEW.score_tenths = 1000; "
+                       "RETURN NEW; END $$",
+                       "CREATE TRIGGER gift BEFORE INSERT ON attempts FOR EACH ROW EXECUTE FUNCTION gift()",
+                       "UPDATE pg_trigger SET tgisinternal = true WHERE tgname = 'gift'"}
         << "trigger gift is not from this program";
 }
 
@@ -375,6 +453,19 @@ void TestAudit::whatGuardsIsThere()
     VERIFY_DONE(report);
     QCOMPARE(report->findings.size(), std::size_t{1});
     QVERIFY2(support::wordsOf(report->findings).contains(finding), qPrintable(support::wordsOf(report->findings)));
+}
+
+/// A table of somebody's own beside the school, with what stands on it.
+void TestAudit::whatStandsOnOthersTablesIsTheirs()
+{
+    SCHOOL_RIG(rig);
+    QSqlQuery query(rig.school().db);
+    for (const char* deed : {"CREATE TABLE theirs (word TEXT NOT NULL, n INTEGER CHECK (n > 0))",
+                             "CREATE UNIQUE INDEX theirs_by_n ON theirs (n)"})
+        QVERIFY2(query.exec(QLatin1String(deed)), qPrintable(query.lastError().text()));
+    const auto report = checkDatabase(rig.school().db, {});
+    VERIFY_DONE(report);
+    QVERIFY2(report->findings.empty(), qPrintable(support::wordsOf(report->findings)));
 }
 
 void TestAudit::whatCannotBeLookedAtHidesNothingElse()

@@ -10,6 +10,8 @@
 #include <QSqlQuery>
 #include <QTest>
 
+#include "database/sql/Check.h"
+#include "database/sql/Roster.h"
 #include "database/sql/Statement.h"
 #include "tests/database/SchoolRig.h"
 
@@ -88,6 +90,8 @@ private slots:
     void aCodeIsGoodOnceAndForThreeDays();
     void aHashIsRaisedOnLogin_data() { support::addEngines(); }
     void aHashIsRaisedOnLogin();
+    void everyChangeOfAPasswordIsNoted_data() { support::addEngines(); }
+    void everyChangeOfAPasswordIsNoted();
     void aHashIsNeverMadeCheaper();
     void passwordsThatEverybodyGuessesAreRefused_data();
     void passwordsThatEverybodyGuessesAreRefused();
@@ -328,6 +332,35 @@ void TestLogins::aHashIsRaisedOnLogin()
     VERIFY_DONE(settings);
     for (const auto& [name, value] : *settings)
         QVERIFY(name.rfind("password.", 0) != 0);
+}
+
+/// So that a check tells it from one that somebody has written into the database.
+void TestLogins::everyChangeOfAPasswordIsNoted()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    const School& school = rig.school();
+    const auto isSound = [&] {
+        const auto report = checkDatabase(school.db, {});
+        return report && report->findings.empty();
+    };
+    const Entered entered = addPerson(school, rig.admin, {"s1003", "Cod", "Three", Role::Student}).value();
+    QVERIFY(isSound());
+    const auto list = importRoster(school, rig.admin, "username\ns1004\n", false);
+    VERIFY_DONE(list);
+    QVERIFY(isSound());
+    VERIFY_DONE(Logins::redeem(school, "s1004", list->people[0].code, SchoolRig::kPassword));
+    const auto session = Logins::redeem(school, "s1003", entered.code, SchoolRig::kPassword);
+    VERIFY_DONE(session);
+    QVERIFY(isSound());
+    VERIFY_DONE(Logins::changePassword(school, *session, SchoolRig::kPassword, "another horse"));
+    QVERIFY(isSound());
+    VERIFY_DONE(raisePasswordCost(school, rig.admin, {3, 8192}));
+    VERIFY_DONE(Logins::login(school, "s1003", "another horse"));
+    QCOMPARE(readAudit(school, rig.admin, 2)->back().action, std::string("password.rehash"));
+    QVERIFY(isSound());
+    VERIFY_DONE(resetPassword(school, rig.admin, entered.person.id));
+    QVERIFY(isSound());
 }
 
 /// Also where somebody has written into the database that passwords cost nothing.

@@ -104,15 +104,15 @@ private:
     static constexpr const char* kName = "raw";
 };
 
-/// All rows of all tables, but for what nobody compares with the audit: a password, and when somebody was here.
+/// All rows of all tables, but for what nobody compares with the audit: when somebody was entered, and was here last.
 std::map<QString, RowSum> sumsOf(const QSqlDatabase& db)
 {
-    const QStringList logins{"password_hash", "reset_hash", "reset_until_utc", "created_utc", "last_login_utc"};
+    const QStringList moments{"created_utc", "last_login_utc"};
     std::map<QString, RowSum> sums;
     for (const QString& table : db.tables()) {
         QStringList columns = columnsOf(db, table);
         if (table == u"people")
-            columns.removeIf([&logins](const QString& column) { return logins.contains(column); });
+            columns.removeIf([&moments](const QString& column) { return moments.contains(column); });
         RowSum& sum = sums[table];
         QSqlQuery rows(db);
         if (!rows.exec(QStringLiteral("SELECT %1 FROM %2").arg(columns.join(u','), table)))
@@ -163,6 +163,7 @@ private slots:
     void aDamagedDatabaseIsNotBackedUp();
     void whatIsNotWholeIsNoBackup_data();
     void whatIsNotWholeIsNoBackup();
+    void aBackupOfAChangedAuditPushesNoGoodOneOut();
     void withoutASoundCopyNothingIsMigrated();
     void backupsAreThinnedOut();
     void everyOlderSchemaIsBroughtToTheNewest_data() { support::addEngines(); }
@@ -170,6 +171,8 @@ private slots:
     void aSchoolMovesBetweenEnginesAndBack();
     void aCheckNamesTheAttemptThatWasChanged_data() { support::addEngines(); }
     void aCheckNamesTheAttemptThatWasChanged();
+    void newRowsAreNumberedAgain_data() { support::addEngines(); }
+    void newRowsAreNumberedAgain();
     void classListsAreTakenWholeOrNotAtAll_data() { support::addEngines(); }
     void aClassListSaysWhatIsWrongWithItsFile_data() { support::addEngines(); }
     void aClassListSaysWhatIsWrongWithItsFile();
@@ -609,6 +612,32 @@ void TestUpkeep::whatIsNotWholeIsNoBackup()
     QCOMPARE(contentOf(rig.address()), before);
 }
 
+/// It is made all the same: it is all there is of the days since.
+void TestUpkeep::aBackupOfAChangedAuditPushesNoGoodOneOut()
+{
+    QTemporaryDir folder;
+    SchoolRig rig(false);
+    rig.populate();
+    const QSqlDatabase db = rig.school().db;
+    const auto backUpAt = [&](int day, int hour) {
+        return backUp(db, folder.path(), QDateTime(rig.nowUtc.date().addDays(day), QTime(hour, 0), Qt::UTC)).value();
+    };
+    const QString good = backUpAt(-5, 9);
+    backUpAt(-5, 18);
+    QVERIFY(holdsItsAudit(good).value());
+    QVERIFY(!holdsItsAudit(good, [](int, int) { return false; }).has_value());
+    for (const char* deed : {"DROP TRIGGER audit_no_update", "UPDATE audit SET detail = 'x' WHERE seq = 5"})
+        VERIFY_DONE(execute(db, deed, "change it"));
+    const QString changed = backUpAt(-4, 9);
+    QVERIFY(!holdsItsAudit(changed).value());
+    for (const int day : {-4, -3, -2})
+        backUpAt(day, 18);
+    const QStringList files = backupsIn(folder.path());
+    QCOMPARE(files.size(), 6);
+    QCOMPARE(toThin(files, rig.nowUtc, true), (QStringList{changed, good}));
+    QCOMPARE(toThin(files, rig.nowUtc, false), QStringList{changed});
+}
+
 /// What the copy before it is found to be when it is checked holds a migration up, too.
 void TestUpkeep::withoutASoundCopyNothingIsMigrated()
 {
@@ -803,6 +832,32 @@ void TestUpkeep::aCheckNamesTheAttemptThatWasChanged()
     QCOMPARE(report->findings.size(), std::size_t{3});
 }
 
+/// As after a dump that was put back without its sequences; or somebody has set them to their end.
+void TestUpkeep::newRowsAreNumberedAgain()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    const QSqlDatabase db = rig.school().db;
+    const QStringList deeds =
+        onServer ? QStringList{"SELECT setval(pg_get_serial_sequence('people', 'id'), 1)",
+                               "SELECT setval(pg_get_serial_sequence('people', 'id'), 9223372036854775807)"}
+                 : QStringList{"UPDATE sqlite_sequence SET seq = 9223372036854775807 WHERE name = 'people'"};
+    for (const QString& deed : deeds) {
+        QSqlQuery query(db);
+        QVERIFY2(query.exec(deed), qPrintable(query.lastError().text()));
+        query.finish();
+        QVERIFY(!addPerson(rig.school(), rig.admin, {"new", "", "", Role::Student}).has_value());
+        const auto report = checkDatabase(db, {});
+        VERIFY_DONE(report);
+        QCOMPARE(report->findings.size(), std::size_t{1});
+        const QString said = support::wordsOf(report->findings);
+        QVERIFY2(said.startsWith("new rows of the table people get no number"), qPrintable(said));
+        VERIFY_DONE(dialect::repairIds(db));
+        QVERIFY(checkDatabase(db, {})->findings.empty());
+    }
+    VERIFY_DONE(addPerson(rig.school(), rig.admin, {"new", "", "", Role::Student}));
+}
+
 void TestUpkeep::aClassListSaysWhatIsWrongWithItsFile()
 {
     using Kind = RosterFault::Kind;
@@ -973,6 +1028,7 @@ void TestUpkeep::flippedBytesAreReportedOrHarmless()
         rig.populate();
         for (int k = 0; k < 60; ++k)
             VERIFY_DONE(addAttempt(rig.school(), rig.student, SchoolRig::attempt("class1-36", 500 + k), {}));
+        VERIFY_DONE(addPerson(rig.school(), rig.admin, {"s1003", "Cod", "Three", Role::Student}));
         sums = sumsOf(rig.school().db);
         QVERIFY(sums.size() >= 16 && sums["attempts"].rows() == 60 && sums["score_sheets"].rows() == 60);
         QSqlQuery query(rig.school().db);

@@ -23,6 +23,7 @@ constexpr std::array kActions{
     std::pair{"password.code", QT_TRANSLATE_NOOP("Admin", "used a one-time code")},
     std::pair{"password.change", QT_TRANSLATE_NOOP("Admin", "changed the password")},
     std::pair{"password.reset", QT_TRANSLATE_NOOP("Admin", "reset a password")},
+    std::pair{"password.rehash", QT_TRANSLATE_NOOP("Admin", "had the password kept more safely")},
     std::pair{"person.add", QT_TRANSLATE_NOOP("Admin", "entered a person")},
     std::pair{"person.change", QT_TRANSLATE_NOOP("Admin", "changed a person")},
     std::pair{"class.add", QT_TRANSLATE_NOOP("Admin", "added a class")},
