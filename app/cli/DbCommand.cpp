@@ -86,11 +86,17 @@ core::Status expectFile(const Address& address)
 /// Of a file, what there is to go back to; empty: nothing.
 std::string wayBack(const Address& address)
 {
-    const QString backup =
-        address.isServer() ? QString() : database::sql::newestSound(address.file, QDateTime::currentDateTimeUtc());
-    return backup.isEmpty()
-               ? std::string()
-               : "the newest sound backup is " + backup.toStdString() + ", and \"cusp db restore\" brings it back";
+    if (address.isServer())
+        return {};
+    const QString backup = database::sql::newestSound(address.file, QDateTime::currentDateTimeUtc());
+    // A restore that somebody stopped in the middle leaves none in the place of the file.
+    const QString replaced = QFileInfo::exists(address.file) ? QString() : database::sql::newestReplaced(address.file);
+    std::string way;
+    if (!replaced.isEmpty())
+        way = "what a restore has moved aside last is " + replaced.toStdString();
+    if (!backup.isEmpty())
+        way += (way.empty() ? "" : ", ") + ("the newest sound backup is " + backup.toStdString());
+    return way.empty() ? way : way + ", and \"cusp db restore\" brings it back";
 }
 
 /// Where a file cannot be used any more, what there is to go back to.
@@ -228,11 +234,17 @@ int restoreFile(const QCommandLineParser& parser, const Address& address)
     const auto replaced = database::sql::restoreBackup(backup, address.file, QDateTime::currentDateTimeUtc());
     if (!replaced)
         return failed(replaced.error());
+    const auto failedInPlace = [&](core::Error error) {
+        error.detail += "; the backup is in its place";
+        if (!replaced->isEmpty())
+            error.detail += ", and what was there lies in " + replaced->toStdString();
+        return failed(error);
+    };
     const auto open = openSchool(address, Opening::Migrate);
     if (!open)
-        return failedWithBackups(open.error(), address);
+        return failedInPlace(open.error());
     if (auto noted = database::sql::noteRestored(*open->school, backup); !noted)
-        return failedWithBackups(noted.error(), address);
+        return failedInPlace(noted.error());
     return answer(parser,
                   replaced->isEmpty()
                       ? QStringLiteral("Restored as %1.").arg(address.file)

@@ -251,7 +251,7 @@ core::Status Database::bringToNewest(const Options& options)
                                     std::to_string(*version) + ", this program needs " + std::to_string(steps->size()) +
                                     "); let its administrator run \"cusp db migrate\"");
     QString saved;
-    if (isOlder && !m_address.isServer()) {
+    if (isOlder && options.savesFirst && !m_address.isServer()) {
         auto made = saveBeforeMigration(db, *version);
         if (!made)
             return tl::unexpected(made.error());

@@ -29,6 +29,8 @@ public:
         std::chrono::milliseconds patience = std::chrono::seconds(5);
         /// Bring an older schema to the newest. On a server that many stations share it is `cusp db migrate` that does.
         bool mayMigrate = true;
+        /// Back a file up, verified, before its schema changes.
+        bool savesFirst = true;
         /// Make a school where there is nothing, or an empty file.
         bool mayCreate = true;
         /// Where the file lies; for tests. Servers are not asked.

@@ -58,6 +58,8 @@ private slots:
     void nothingIsRestoredOverWhatIsNoDatabase();
     void anEmptySchoolReplacesNone();
     void aNewSchoolBesideBackupsSaysSo();
+    void aFileThatIsGoneIsLookedForWhereARestoreMovedIt();
+    void aFailedRestoreNamesWhatWasThere();
     void aLinkedFileIsRestoredWhereItLies();
     void aCopyIsSoundAndKnownHere();
     void lookingLeavesNothingBehind();
@@ -333,6 +335,28 @@ void TestSchoolCommands::aNewSchoolBesideBackupsSaysSo()
     QVERIFY2(made.exitCode == 0 && made.error.contains("cusp db restore " + backup), made.error);
     const QJsonObject checked = onFile({"db", "check", "--json"}).json();
     QCOMPARE(checked["audit_code"].toString(), QString("0"));
+}
+
+/// As a restore leaves it that was stopped between the two.
+void TestSchoolCommands::aFileThatIsGoneIsLookedForWhereARestoreMovedIt()
+{
+    const QString aside = at("replaced-2026-11-20-10.15.00-school.sqlite");
+    QVERIFY(QFile::rename(school(), aside));
+    const Ending missed = onFile({"db", "stats"});
+    QVERIFY2(missed.exitCode == 1 && missed.isOneSentence() && missed.error.contains(aside.toUtf8()), missed.error);
+    QCOMPARE(onFile({"db", "restore", aside}).exitCode, 0);
+    QCOMPARE(byAdmin({"user", "list"}).exitCode, 0);
+}
+
+void TestSchoolCommands::aFailedRestoreNamesWhatWasThere()
+{
+    const QString backup = onFile({"db", "backup", "--json"}).json()["backup"].toString();
+    put(at("station.key"), "noise");
+    const Ending failed = onFile({"db", "restore", backup});
+    QVERIFY2(failed.exitCode == 1 && failed.isOneSentence(), failed.error);
+    const QStringList aside = QDir(m_folder->path()).entryList({"replaced-*-school.sqlite"}, QDir::Files);
+    QCOMPARE(aside.size(), 1);
+    QVERIFY2(failed.error.contains(aside.front().toUtf8()), failed.error);
 }
 
 void TestSchoolCommands::aLinkedFileIsRestoredWhereItLies()

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Backups, copies between engines, class lists, and what a check finds.
+#include <array>
 #include <csignal>
 #include <functional>
 #include <map>
@@ -10,6 +11,7 @@
 #include <QSqlError>
 #include <QSqlQuery>
 #include <QTest>
+#include <fcntl.h>
 #include <sqlite3.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -147,6 +149,10 @@ class TestUpkeep : public QObject
 private slots:
     void aBackupIsRestoredWithoutTheOldLog();
     void aRestoreKilledAtAnyMomentLosesNothing();
+    void twoRestoresAtOnceLeaveTheFileThere();
+    void whatARestoreCannotReplaceIsNamed();
+    void whatARestoreMovedAsideIsFound();
+    void aBackupThatCannotBeUsedReplacesNothing();
     void aLogIsNeverThrownAway();
     void backupsAndMigrationsAtOnceLeaveEachOtherAlone();
     void aCrashedFileIsKnownByItsLog();
@@ -251,6 +257,112 @@ void TestUpkeep::aRestoreKilledAtAnyMomentLosesNothing()
             most = std::max(most, attemptsIn(one.filePath()));
         QCOMPARE(most, 1);
     }
+}
+
+/// Two programs: one of them restores, and whoever comes too early is told so.
+void TestUpkeep::twoRestoresAtOnceLeaveTheFileThere()
+{
+    QTemporaryDir folder;
+    SchoolRig rig(false);
+    rig.populate();
+    const QString backup = backUp(rig.school().db, folder.filePath("backups"), rig.nowUtc).value();
+    const QString file = folder.filePath("school.sqlite");
+    QVERIFY(QFile::copy(backup, file));
+    constexpr int kDone = 0;
+    constexpr int kBusy = 1;
+    constexpr int kOtherwise = 2;
+    int restored = 0;
+    for (int round = 0; round < 25; ++round) {
+        std::array<pid_t, 2> others{};
+        for (pid_t& other : others) {
+            other = fork();
+            if (other == 0) {
+                const auto done = restoreBackup(backup, file, rig.nowUtc);
+                if (!done && done.error().code != ErrorCode::Busy)
+                    qWarning("%s", done.error().detail.c_str());
+                _exit(done ? kDone : done.error().code == ErrorCode::Busy ? kBusy : kOtherwise);
+            }
+        }
+        int done = 0;
+        for (const pid_t other : others) {
+            int status = 0;
+            QCOMPARE(waitpid(other, &status, 0), other);
+            QVERIFY(WIFEXITED(status) && WEXITSTATUS(status) != kOtherwise);
+            done += WEXITSTATUS(status) == kDone ? 1 : 0;
+        }
+        QVERIFY(done > 0);
+        restored += done;
+        QVERIFY(QFile::exists(file));
+    }
+    QCOMPARE(attemptsIn(file), 0);
+    // What was there each time lies there whole, and nothing else is left.
+    QCOMPARE(QDir(folder.path()).entryList({"replaced-*"}, QDir::Files).size(), restored);
+    QVERIFY(QDir(folder.path()).entryList({"school.sqlite.*"}, QDir::Files).isEmpty());
+}
+
+/// Another program makes a file in the very moment in which none is there.
+void TestUpkeep::whatARestoreCannotReplaceIsNamed()
+{
+    SchoolRig rig(false);
+    rig.populate();
+    VERIFY_DONE(addAttempt(rig.school(), rig.student, SchoolRig::attempt("class1-36", 500), {}));
+    QTemporaryDir backups;
+    const QString backup = backUp(rig.school().db, backups.path(), rig.nowUtc).value();
+    for (int round = 0; round < 10; ++round) {
+        QTemporaryDir folder;
+        const QString file = folder.filePath("school.sqlite");
+        QVERIFY(QFile::copy(backup, file));
+        const pid_t other = fork();
+        if (other == 0)
+            while (true)
+                if (open(qPrintable(file), O_CREAT | O_EXCL | O_WRONLY, 0600) >= 0)
+                    _exit(0);
+        const auto done = restoreBackup(backup, file, rig.nowUtc);
+        kill(other, SIGKILL);
+        QCOMPARE(waitpid(other, nullptr, 0), other);
+        const QStringList aside = QDir(folder.path()).entryList({"replaced-*.sqlite"}, QDir::Files);
+        if (!done && !aside.isEmpty())
+            QVERIFY2(done.error().detail.find(aside.front().toStdString()) != std::string::npos,
+                     done.error().detail.c_str());
+        QCOMPARE(attemptsIn(aside.isEmpty() ? file : folder.filePath(aside.front())), 1);
+    }
+}
+
+void TestUpkeep::whatARestoreMovedAsideIsFound()
+{
+    QTemporaryDir folder;
+    SchoolRig rig(false);
+    rig.populate();
+    const QString backup = backUp(rig.school().db, folder.filePath("backups"), rig.nowUtc).value();
+    const QString file = folder.filePath("school.sqlite");
+    QCOMPARE(newestReplaced(file), QString());
+    for (const char* name : {"replaced-2026-11-20-10.15.00-school.sqlite", "replaced-2026-11-20-10.15.01-school.sqlite",
+                             "replaced-2026-11-20-10.15.03-other-school.sqlite"})
+        QVERIFY(QFile::copy(backup, folder.filePath(name)));
+    QFile noise(folder.filePath("replaced-2026-11-20-10.15.02-school.sqlite"));
+    QVERIFY(noise.open(QIODevice::WriteOnly));
+    QCOMPARE(newestReplaced(file), folder.filePath("replaced-2026-11-20-10.15.01-school.sqlite"));
+}
+
+/// One that is whole, but cannot be brought to this program's schema.
+void TestUpkeep::aBackupThatCannotBeUsedReplacesNothing()
+{
+    QTemporaryDir folder;
+    SchoolRig rig(false);
+    rig.populate();
+    const QString backup = backUp(rig.school().db, folder.filePath("backups"), rig.nowUtc).value();
+    const QString file = folder.filePath("school.sqlite");
+    QVERIFY(QFile::copy(backup, file));
+    QVERIFY(runOn(backup, "PRAGMA user_version = 1"));
+    VERIFY_DONE(verifyBackup(backup));
+    const QByteArray before = contentOf(file);
+    const auto refused = restoreBackup(backup, file, rig.nowUtc);
+    QVERIFY(!refused.has_value());
+    const QString said = QString::fromStdString(refused.error().detail);
+    QVERIFY2(said.contains(backup) && said.contains("nothing was replaced"), qPrintable(said));
+    QCOMPARE(contentOf(file), before);
+    const QStringList there = QDir(folder.path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot);
+    QCOMPARE(there, QStringList({"backups", "school.sqlite"}));
 }
 
 /// A damaged file keeps its log beside it; one without its file is kept, too. Nothing of it, nor of what was shared
