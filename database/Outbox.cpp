@@ -112,6 +112,17 @@ core::Error damaged(const QString& file)
     return refused(ErrorCode::BadStructure, file, "it is damaged; it is kept in the folder \"damaged\"");
 }
 
+/// Of one that could not be read: why. Looked at afterwards, since two programs of one user deliver what waits there.
+core::Error unreadable(const QString& file)
+{
+    const QFileInfo now(file);
+    if (!now.exists() && !now.isSymLink())
+        return refused(ErrorCode::FileMissing, file, "it is gone; another program has delivered it");
+    if (now.isSymLink() || !now.isFile() || now.size() > kLargest)
+        return damaged(file);
+    return refused(ErrorCode::FileUnreadable, file, "it cannot be read; check the disk and who may read it");
+}
+
 }  // namespace
 
 core::Status Outbox::put(const Session& session, const AttemptRecord& attempt, const QByteArray& recording)
@@ -182,14 +193,10 @@ bool Outbox::isExam(const QString& file)
 core::Result<std::string> Outbox::contentOf(const QString& path) const
 {
     constexpr std::size_t kHead = kMagic.size() + kKeyDigits + kSignatureDigits;
-    const QFileInfo info(path);
     // Cusp puts no links there, and what one leads to is not its to move.
-    const auto all = info.isSymLink() ? std::nullopt : database::contentOf(path, kLargest);
-    if (!all && !info.isSymLink() && info.isFile() && info.size() <= kLargest)
-        return tl::unexpected(
-            refused(ErrorCode::FileUnreadable, path, "it cannot be read; check the disk and who may read it"));
+    const auto all = QFileInfo(path).isSymLink() ? std::nullopt : database::contentOf(path, kLargest);
     if (!all)
-        return tl::unexpected(damaged(path));
+        return tl::unexpected(unreadable(path));
     const std::string_view bytes(all->constData(), static_cast<std::size_t>(all->size()));
     if (bytes.size() < kHead || bytes.substr(0, kMagic.size()) != kMagic)
         return tl::unexpected(damaged(path));
