@@ -15,7 +15,6 @@
 #include <QScopeGuard>
 #include <QSqlDriver>
 #include <QTemporaryDir>
-#include <QUrl>
 #include <fcntl.h>
 #include <sqlite3.h>
 #include <sys/file.h>
@@ -81,10 +80,7 @@ public:
     explicit Reader(const QString& file) : m_name(QStringLiteral("cusp-backup-%1").arg(quintptr(this)))
     {
         QSqlDatabase db = QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), m_name);
-        QUrl url = QUrl::fromLocalFile(QFileInfo(file).absoluteFilePath());
-        if (!hasLog(file))
-            url.setQuery(QStringLiteral("immutable=1"));
-        db.setDatabaseName(url.toString(QUrl::FullyEncoded));
+        db.setDatabaseName(dialect::uriOf(file, !hasLog(file)));
         db.setConnectOptions(QStringLiteral("QSQLITE_OPEN_READONLY;QSQLITE_OPEN_URI"));
         db.open();
     }
@@ -122,7 +118,7 @@ core::Status copyPages(const QSqlDatabase& db, const QString& file, const Backup
                                                           ": only a file is backed up so; use \"cusp db copy\"");
     auto* const from = *static_cast<sqlite3* const*>(handle.data());
     // Whoever may not read the school may not read its copies.
-    if (!makeFile(file, QFile::permissions(db.databaseName())))
+    if (!makeFile(file, QFile::permissions(dialect::fileOf(db))))
         return tl::unexpected(refused(file, "it cannot be created; check the folder and the room on the disk"));
     sqlite3* opened = nullptr;
     const int begun = sqlite3_open(file.toUtf8().constData(), &opened);
@@ -663,7 +659,7 @@ core::Status noteRestored(const School& school, const QString& backup)
 
 core::Result<qint64> restoreDrill(const QSqlDatabase& db, const BackupProgress& progress)
 {
-    const QString beside = QFileInfo(db.databaseName()).absolutePath();
+    const QString beside = QFileInfo(dialect::fileOf(db)).absolutePath();
     removeStale(beside, {"drill-??????"});
     QTemporaryDir folder(QDir(beside).filePath(QStringLiteral("drill-XXXXXX")));
     if (!folder.isValid())

@@ -33,6 +33,8 @@ public:
         bool savesFirst = true;
         /// Make a school where there is nothing, or an empty file.
         bool mayCreate = true;
+        /// Only read it: also where the disk is full, or nothing can be written beside it.
+        bool onlyLooks = false;
         /// Where the file lies; for tests. Servers are not asked.
         FileSystem (*fileSystemOf)(const QString& path) = &database::fileSystemOf;
     };
@@ -71,6 +73,7 @@ private:
     {}
     [[nodiscard]] core::Status connect();
     [[nodiscard]] core::Status prepareFile(const Options& options);
+    [[nodiscard]] core::Status prepareToLook();
     [[nodiscard]] core::Status prepareServer();
     [[nodiscard]] core::Status bringToNewest(const Options& options);
 

@@ -40,6 +40,12 @@ inline constexpr int kApplicationId = 0x43555350;
 /// After rows came with ids of their own: the next id is beyond them.
 [[nodiscard]] core::Status continueIds(const QSqlDatabase& db, const QString& table);
 
+/// Of an SQLite file, for QSQLITE_OPEN_URI. Immutable: nobody changes it, and nothing is made beside it; never where a
+/// part of it lies in a log.
+[[nodiscard]] QString uriOf(const QString& file, bool isImmutable);
+/// Of SQLite: where it lies, however it was opened.
+[[nodiscard]] QString fileOf(const QSqlDatabase& db);
+
 /// For people: the file, or the server's address.
 [[nodiscard]] std::string nameOf(const QSqlDatabase& db);
 

@@ -8,11 +8,13 @@
 
 #include <QDir>
 #include <QFile>
+#include <QScopeGuard>
 #include <QSqlError>
 #include <QSqlQuery>
 #include <QTest>
 #include <fcntl.h>
 #include <sqlite3.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -29,6 +31,7 @@
 #include "database/sql/Sample.h"
 #include "database/sql/Statement.h"
 #include "tests/database/SchoolRig.h"
+#include "tests/support/FullDisk.h"
 
 using namespace database;
 using namespace database::sql;
@@ -153,6 +156,8 @@ private slots:
     void whatARestoreCannotReplaceIsNamed();
     void whatARestoreMovedAsideIsFound();
     void aBackupThatCannotBeUsedReplacesNothing();
+    void aFullDiskIsLookedAtAndBackedUp();
+    void whatCannotBeWrittenIsLookedAtAndBackedUp();
     void aLogIsNeverThrownAway();
     void backupsAndMigrationsAtOnceLeaveEachOtherAlone();
     void aCrashedFileIsKnownByItsLog();
@@ -363,6 +368,69 @@ void TestUpkeep::aBackupThatCannotBeUsedReplacesNothing()
     QCOMPARE(contentOf(file), before);
     const QStringList there = QDir(folder.path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot);
     QCOMPARE(there, QStringList({"backups", "school.sqlite"}));
+}
+
+/// Not even what SQLite shares beside the file finds room there.
+void TestUpkeep::aFullDiskIsLookedAtAndBackedUp()
+{
+    QTemporaryDir elsewhere;
+    SchoolRig rig(false);
+    rig.populate();
+    VERIFY_DONE(addAttempt(rig.school(), rig.student, SchoolRig::attempt("class1-36", 500), {}));
+    rig.close();
+    const Address address = Address::parse(rig.address()).value();
+    Database::Options options;
+    options.mayCreate = false;
+    options.onlyLooks = true;
+    core::Result<std::unique_ptr<Database>> looked = core::unexpected(ErrorCode::FileEmpty, "not tried");
+    {
+        const support::FullDisk full(10);
+        VERIFY_REFUSED(Database::open(rig.address()), ErrorCode::FileUnwritable);
+        looked = Database::open(address, options);
+        VERIFY_DONE(looked);
+        const auto report = checkDatabase((*looked)->handle(), {});
+        VERIFY_DONE(report);
+        QVERIFY2(report->findings.empty(), qPrintable(support::wordsOf(report->findings)));
+        QCOMPARE(report->attempts, 1);
+    }
+    const auto backup = backUp((*looked)->handle(), elsewhere.path(), rig.nowUtc);
+    VERIFY_DONE(backup);
+    looked->reset();
+    QCOMPARE(attemptsIn(*backup), 1);
+    rig.reopen();
+    QVERIFY(rig.isOpen());
+}
+
+void TestUpkeep::whatCannotBeWrittenIsLookedAtAndBackedUp()
+{
+    QTemporaryDir elsewhere;
+    QTemporaryDir folder;
+    SchoolRig rig(false);
+    rig.populate();
+    const QString file = folder.filePath("school.sqlite");
+    QVERIFY(QFile::copy(backUp(rig.school().db, elsewhere.path(), rig.nowUtc).value(), file));
+    QCOMPARE(chmod(qPrintable(file), 0444), 0);
+    QCOMPARE(chmod(qPrintable(folder.path()), 0555), 0);
+    QCOMPARE(chmod(qPrintable(elsewhere.path()), 0777), 0);
+    Address address;
+    address.file = file;
+    Database::Options options;
+    options.mayCreate = false;
+    options.onlyLooks = true;
+    {
+        // To root no folder is closed.
+        constexpr uid_t kNobody = 65534;
+        const uid_t me = geteuid();
+        QCOMPARE(me == 0 ? seteuid(kNobody) : 0, 0);
+        const auto back = qScopeGuard([me] { QCOMPARE(seteuid(me), 0); });
+        VERIFY_REFUSED(Database::open(file), ErrorCode::FileUnwritable);
+        const auto looked = Database::open(address, options);
+        VERIFY_DONE(looked);
+        QVERIFY(checkDatabase((*looked)->handle(), {})->findings.empty());
+        VERIFY_DONE(backUp((*looked)->handle(), elsewhere.path(), rig.nowUtc.addDays(1)));
+    }
+    QCOMPARE(QDir(folder.path()).entryList(QDir::Files), QStringList{"school.sqlite"});
+    QCOMPARE(chmod(qPrintable(folder.path()), 0755), 0);
 }
 
 /// A damaged file keeps its log beside it; one without its file is kept, too. Nothing of it, nor of what was shared
