@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "database/Outbox.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <string_view>
+#include <vector>
 
 #include <QDir>
 #include <QFile>
@@ -80,6 +82,24 @@ bool takeAttempt(core::ByteReader& bytes, AttemptRecord& attempt)
         attempt.criteria.push_back(std::move(criterion));
     }
     return bytes.ok();
+}
+
+/// As this program writes them; any other would hold up those behind it, since no database takes it.
+bool isFit(const std::string& uid, const std::vector<const std::string*>& texts)
+{
+    constexpr std::size_t kUidLength = 32;
+    return uid.size() == kUidLength && std::none_of(texts.begin(), texts.end(), [](const std::string* text) {
+               return text->find('\0') != std::string::npos;
+           });
+}
+
+bool isFit(AttemptRecord& attempt)
+{
+    const auto fields = textsOf(attempt);
+    std::vector<const std::string*> texts(fields.begin(), fields.end());
+    for (const CriterionLoss& criterion : attempt.criteria)
+        texts.push_back(&criterion.id);
+    return isFit(attempt.uid, texts);
 }
 
 /// Oldest first.
@@ -222,7 +242,7 @@ core::Result<Outbox::Letter> Outbox::read(const QString& path) const
     const std::string attempt = parts.takeText();
     const std::string recording = parts.takeText();
     core::ByteReader fields(attempt);
-    if (!parts.ok() || !takeAttempt(fields, letter.attempt))
+    if (!parts.ok() || !takeAttempt(fields, letter.attempt) || !isFit(letter.attempt))
         return tl::unexpected(damaged(path));
     letter.recording = QByteArray::fromStdString(recording);
     return letter;
@@ -235,9 +255,10 @@ core::Result<Outbox::ExamLetter> Outbox::readExam(const QString& path) const
         return tl::unexpected(content.error());
     ExamLetter letter;
     core::ByteReader parts(*content);
-    for (std::string* text : {&letter.start.uid, &letter.personUid, &letter.start.lessonId, &letter.start.begunUtc})
+    const std::array texts{&letter.start.uid, &letter.personUid, &letter.start.lessonId, &letter.start.begunUtc};
+    for (std::string* text : texts)
         *text = parts.takeText();
-    if (!parts.ok())
+    if (!parts.ok() || !isFit(letter.start.uid, {texts.begin(), texts.end()}))
         return tl::unexpected(damaged(path));
     return letter;
 }

@@ -18,6 +18,7 @@
 #include "app/cli/Commands.h"
 #include "app/cli/SchoolParts.h"
 #include "database/Outbox.h"
+#include "database/Usernames.h"
 #include "database/sql/Attempts.h"
 #include "database/sql/Backups.h"
 #include "database/sql/Check.h"
@@ -116,6 +117,8 @@ int initDatabase(const QCommandLineParser& parser, const Address& address)
     std::string password;
     if (!admin.isEmpty()) {
         // Before there is a file without anybody in it.
+        if (auto fit = database::normalUsername(admin.toStdString()); !fit)
+            return failed(fit.error());
         password = askSecret("Password of the new admin: ");
         if (auto fit = database::sql::Logins::checkNewPassword(password, admin.toStdString()); !fit)
             return failed(fit.error());

@@ -116,6 +116,8 @@ std::string askSecret(const char* question)
         }
     });
     std::getline(std::cin, line);
+    if (!line.empty() && line.back() == '\r')  // of a file that was written on Windows
+        line.pop_back();
     return line;
 }
 

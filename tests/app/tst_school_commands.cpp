@@ -99,6 +99,14 @@ void TestSchoolCommands::aSchoolIsMadeAndPeopled()
     QCOMPARE(weak.exitCode, 1);
     QVERIFY(weak.isOneSentence());
     QVERIFY(!QFile::exists(at("weak.sqlite")));
+    // Nor does a name that cannot be one.
+    for (const QString& name : {QString("a b"), QString(" "), QString(65, 'a')}) {
+        const Ending unfit = runCusp({"db", "init", "--db", at("weak.sqlite"), "--admin", name}, {}, kPassword);
+        QVERIFY2(unfit.exitCode == 1 && unfit.isOneSentence(), unfit.error);
+        QVERIFY(!QFile::exists(at("weak.sqlite")));
+    }
+    // A file that was written on Windows ends its lines in its own way.
+    QCOMPARE(runCusp({"user", "list", "--db", school(), "--as", "admin"}, {}, "correct horse\r\n").exitCode, 0);
     const Ending added =
         byAdmin({"user", "add", "s1", "--given", "Sam", "--family", "One", "--role", "student", "--json"});
     QVERIFY2(added.exitCode == 0, added.error);
@@ -182,6 +190,18 @@ void TestSchoolCommands::codesAndTablesOverwriteNothingElse()
     // Last night's table is replaced.
     QCOMPARE(byAdmin({"export", "attempts", "--csv", at("attempts.csv")}).exitCode, 0);
     QCOMPARE(byAdmin({"export", "attempts", "--csv", at("attempts.csv")}).exitCode, 0);
+    // What SQLite would take for its own is no name for a table, whichever way it is written.
+    QVERIFY(QFile::link(m_folder->path(), at("door")));
+    for (const QString& target : {school() + "-journal", school() + "-wal", at("door/school.sqlite-journal")}) {
+        const bool wasThere = QFile::exists(target);
+        for (const QStringList& words : {QStringList{"export", "attempts", "--csv", target},
+                                         {"import", "roster", at("list.csv"), "--codes", target}}) {
+            const Ending refused = byAdmin(words);
+            QVERIFY2(refused.exitCode == 1 && refused.isOneSentence(), refused.error);
+        }
+        QCOMPARE(QFile::exists(target), wasThere);
+    }
+    QCOMPARE(byAdmin({"user", "list", "--json"}).json()["people"].toArray().size(), 1);
     QCOMPARE(onFile({"db", "check"}).exitCode, 0);
 }
 

@@ -332,6 +332,17 @@ void TestStations::aLetterIsTakenOnceAndOnlyAsItWasWritten()
     VERIFY_REFUSED(outbox.read(outbox.waiting().front()), core::ErrorCode::BadStructure);
     outbox.setAside(outbox.waiting().front());
     QVERIFY(outbox.waiting().isEmpty());
+    // Nor is one that no database would take, and that others would wait behind.
+    AttemptRecord unfit = SchoolRig::attempt("class1-36", 500);
+    unfit.lessonId += '\0';
+    VERIFY_DONE(outbox.put(rig.student, unfit, "recording"));
+    VERIFY_REFUSED(outbox.read(outbox.waiting().front()), core::ErrorCode::BadStructure);
+    outbox.setAside(outbox.waiting().front());
+    unfit = SchoolRig::attempt("class1-36", 500);
+    unfit.uid.pop_back();
+    VERIFY_DONE(outbox.put(rig.student, unfit, "recording"));
+    VERIFY_REFUSED(outbox.read(outbox.waiting().front()), core::ErrorCode::BadStructure);
+    outbox.setAside(outbox.waiting().front());
     // One of the other kind is not read as this one.
     VERIFY_DONE(outbox.put(rig.student, ExamStart{newUid(), "exam-36", "2026-11-20T10:00:00Z"}));
     QVERIFY(Outbox::isExam(outbox.waiting().front()));

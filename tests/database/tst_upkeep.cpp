@@ -19,6 +19,7 @@
 #include <unistd.h>
 
 #include "core/base/Rng.h"
+#include "database/Csv.h"
 #include "database/sql/Backups.h"
 #include "database/sql/Check.h"
 #include "database/sql/Copy.h"
@@ -181,6 +182,9 @@ private slots:
     void aSchoolMovesBetweenEnginesAndBack();
     void aCheckNamesTheAttemptThatWasChanged_data() { support::addEngines(); }
     void aCheckNamesTheAttemptThatWasChanged();
+    void whatASpreadsheetWouldRunIsQuoted();
+    void ofTwoCopiesAtOnceOneArrives_data() { support::addEngines(); }
+    void ofTwoCopiesAtOnceOneArrives();
     void classListsAreTakenWholeOrNotAtAll_data() { support::addEngines(); }
     void aClassListSaysWhatIsWrongWithItsFile_data() { support::addEngines(); }
     void aClassListSaysWhatIsWrongWithItsFile();
@@ -917,6 +921,58 @@ void TestUpkeep::everyOlderSchemaIsBroughtToTheNewest()
                      .toString(),
                  QString("{\"old\":1}"));
     }
+}
+
+void TestUpkeep::whatASpreadsheetWouldRunIsQuoted()
+{
+    for (const char* sign : {"=", "+", "-", "@", "\uFF1D", "\uFF0B", "\uFF0D", "\uFF20"})
+        QCOMPARE(csvField(std::string(sign) + "1+1"), "'" + std::string(sign) + "1+1");
+    for (const char* harmless : {"", "Ada", "1-1", "\uFF21da"})
+        QCOMPARE(csvField(harmless), std::string(harmless));
+}
+
+/// The other is told why, whichever moment it comes in.
+void TestUpkeep::ofTwoCopiesAtOnceOneArrives()
+{
+    SCHOOL_RIG(target);
+    SchoolRig from(false);
+    from.populate();
+    for (int k = 0; k < 30; ++k)
+        VERIFY_DONE(addAttempt(from.school(), from.student, SchoolRig::attempt("class1-36", k), {}));
+    from.close();
+    const QString where = target.address();
+    target.close();
+    constexpr int kTooLate = 1;
+    std::array<pid_t, 3> others{};
+    for (pid_t& other : others) {
+        other = fork();
+        if (other != 0)
+            continue;
+        const StationKey key = StationKey::make();
+        const auto source = Database::open(from.address());
+        const auto there = Database::open(where, std::chrono::seconds(20));
+        if (!source || !there)
+            _exit(2);
+        const School to{(*there)->handle(), key, [] { return QDateTime::currentDateTimeUtc(); }};
+        const School school{(*source)->handle(), key, [] { return QDateTime::currentDateTimeUtc(); }};
+        const auto copied = copySchool(school, from.admin, to);
+        if (!copied && copied.error().detail.find("a school already") == std::string::npos)
+            qWarning("%s", copied.error().detail.c_str());
+        _exit(copied ? 0
+              : copied.error().code == ErrorCode::OutOfRange &&
+                      copied.error().detail.find("a school already") != std::string::npos
+                  ? kTooLate
+                  : 2);
+    }
+    int arrived = 0;
+    for (const pid_t other : others) {
+        int status = 0;
+        QCOMPARE(waitpid(other, &status, 0), other);
+        QVERIFY(WIFEXITED(status) && WEXITSTATUS(status) <= kTooLate);
+        arrived += WEXITSTATUS(status) == 0 ? 1 : 0;
+    }
+    QCOMPARE(arrived, 1);
+    QCOMPARE(attemptsIn(where), 30);
 }
 
 void TestUpkeep::aSchoolMovesBetweenEnginesAndBack()
