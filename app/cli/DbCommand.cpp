@@ -310,9 +310,11 @@ int copyDatabase(const QCommandLineParser& parser, const Address& address)
     if (tells)
         printText(QStringLiteral("\n"), stderr);
     if (!report) {
+        // Another may have copied into it at the same time.
+        const bool isEmpty = database::sql::Logins::isNew(*to->school).value_or(false);
         to->school.reset();
         to->database.reset();
-        if (!wasThere)
+        if (!wasThere && isEmpty && report.error().code != ErrorCode::Busy)
             for (const char* end : {"-wal", "-shm", "-journal", ""})
                 QFile::remove(target->file + QLatin1String(end));
         return failed(report.error());

@@ -193,6 +193,9 @@ Named giveName(const QString& part, const QString& file)
 core::Result<QString> backUpAs(const QSqlDatabase& db, const QString& folder, const QString& kind,
                                const QDateTime& nowUtc, const BackupProgress& progress)
 {
+    // By its name it is offered and thinned out.
+    if (auto right = checkClock(nowUtc); !right)
+        return tl::unexpected(right.error());
     if (auto sound = expectOk(db, "PRAGMA quick_check(1)"); !sound)
         return tl::unexpected(sound.error());
     if (!QDir().mkpath(folder))

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `cusp db`, `user`, `import` and `export`, as a technician types them.
+#include <future>
+
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -62,6 +64,7 @@ private slots:
     void aFailedRestoreNamesWhatWasThere();
     void aLinkedFileIsRestoredWhereItLies();
     void aCopyIsSoundAndKnownHere();
+    void ofTwoCopiesAtOnceOneIsThere();
     void lookingLeavesNothingBehind();
     void namesThatAreNoFilesAreRefused();
     void wrongUsageIsExplained();
@@ -401,6 +404,20 @@ void TestSchoolCommands::aCopyIsSoundAndKnownHere()
     QVERIFY2(checked.exitCode == 0, checked.out);
 }
 
+/// Who comes too late takes nothing away from the other.
+void TestSchoolCommands::ofTwoCopiesAtOnceOneIsThere()
+{
+    for (int round = 0; round < 3; ++round) {
+        const QString target = m_folder->filePath(QStringLiteral("copy-%1.sqlite").arg(round));
+        const auto copy = [this, target] { return byAdmin({"db", "copy", "--to", target}); };
+        std::future<Ending> other = std::async(std::launch::async, copy);
+        const Ending one = copy();
+        const Ending two = other.get();
+        QVERIFY2(one.exitCode == 0 || two.exitCode == 0, one.error + two.error);
+        QCOMPARE(runCusp({"db", "stats", "--db", target, "--json"}).json()["admins"].toInt(), 1);
+    }
+}
+
 void TestSchoolCommands::lookingLeavesNothingBehind()
 {
     const QString backup = onFile({"db", "backup", "--json"}).json()["backup"].toString();
@@ -412,7 +429,8 @@ void TestSchoolCommands::lookingLeavesNothingBehind()
 
 void TestSchoolCommands::namesThatAreNoFilesAreRefused()
 {
-    for (const char* name : {":memory:", "file:x?mode=memory", ":x.sqlite", "mysql://x/y", " "}) {
+    for (const char* name : {":memory:", "file:x?mode=memory", ":x.sqlite", "mysql://x/y", " ", "postgresql://x/%00",
+                             "postgresql://x%0A/y"}) {
         const Ending refused = runCusp({"db", "init", "--db", name});
         QVERIFY2(refused.exitCode == 1 && refused.isOneSentence(), name);
     }

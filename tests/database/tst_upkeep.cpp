@@ -20,6 +20,7 @@
 
 #include "core/base/Rng.h"
 #include "database/Csv.h"
+#include "database/Usernames.h"
 #include "database/sql/Backups.h"
 #include "database/sql/Check.h"
 #include "database/sql/Copy.h"
@@ -183,6 +184,9 @@ private slots:
     void aCheckNamesTheAttemptThatWasChanged_data() { support::addEngines(); }
     void aCheckNamesTheAttemptThatWasChanged();
     void whatASpreadsheetWouldRunIsQuoted();
+    void lettersAreCountedAndNotTheirHalves();
+    void aClockWithoutAYearIsSaidToBeWrong_data() { support::addEngines(); }
+    void aClockWithoutAYearIsSaidToBeWrong();
     void ofTwoCopiesAtOnceOneArrives_data() { support::addEngines(); }
     void ofTwoCopiesAtOnceOneArrives();
     void classListsAreTakenWholeOrNotAtAll_data() { support::addEngines(); }
@@ -929,6 +933,38 @@ void TestUpkeep::whatASpreadsheetWouldRunIsQuoted()
         QCOMPARE(csvField(std::string(sign) + "1+1"), "'" + std::string(sign) + "1+1");
     for (const char* harmless : {"", "Ada", "1-1", "\uFF21da"})
         QCOMPARE(csvField(harmless), std::string(harmless));
+}
+
+/// Beyond the first plane of Unicode a letter takes two of QString's places.
+void TestUpkeep::lettersAreCountedAndNotTheirHalves()
+{
+    SchoolRig rig(false);
+    rig.populate();
+    const auto of = [](int count) { return QString::fromUtf8("𠮷").repeated(count).toStdString(); };
+    VERIFY_DONE(addClass(rig.school(), rig.admin, of(100)));
+    VERIFY_REFUSED(addClass(rig.school(), rig.admin, of(101)), ErrorCode::OutOfRange);
+    VERIFY_DONE(normalUsername(of(64)));
+    VERIFY_REFUSED(normalUsername(of(65)), ErrorCode::OutOfRange);
+}
+
+/// Or with one of five digits, which nothing is noted and no backup is named by.
+void TestUpkeep::aClockWithoutAYearIsSaidToBeWrong()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    QTemporaryDir folder;
+    const QDateTime right = rig.nowUtc;
+    for (const int year : {-75, 10'002}) {
+        rig.nowUtc.setDate(QDate(year, 1, 1));
+        const auto refused = addClass(rig.school(), rig.admin, "new");
+        VERIFY_REFUSED(refused, ErrorCode::OutOfRange);
+        QVERIFY2(refused.error().detail.find("clock is wrong") != std::string::npos, refused.error().detail.c_str());
+        if (!onServer)
+            VERIFY_REFUSED(backUp(rig.school().db, folder.path(), rig.nowUtc), ErrorCode::OutOfRange);
+    }
+    QVERIFY(QDir(folder.path()).isEmpty());
+    rig.nowUtc = right;
+    VERIFY_DONE(addClass(rig.school(), rig.admin, "new"));
 }
 
 /// The other is told why, whichever moment it comes in.
