@@ -267,7 +267,7 @@ void SchoolDesk::deliverAll()
         if (!deliver) {
             if (deliver.error().code == ErrorCode::BadStructure)
                 setAside(letters, file, deliver.error());
-            else
+            else if (deliver.error().code != ErrorCode::FileMissing)  // another window has delivered it
                 m_undeliverable.insert(file);
             continue;
         }

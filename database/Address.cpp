@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "database/Address.h"
 
+#include <algorithm>
+
 #include <QFileInfo>
 #include <QUrl>
 #include <QUrlQuery>
@@ -92,6 +94,10 @@ core::Result<Address> Address::parse(const QString& text)
     address.host = decoded(server);
     if (address.name.isEmpty() || address.name.contains('/'))
         return tl::unexpected(wrong(QStringLiteral("names no database")));
+    const auto isUnseen = [](QChar c) { return c.category() == QChar::Other_Control; };
+    for (const QString& part : {address.name, address.user, address.password, address.host})
+        if (std::any_of(part.begin(), part.end(), isUnseen))
+            return tl::unexpected(wrong(QStringLiteral("holds a character that cannot be seen")));
     for (const auto& [key, value] : QUrlQuery(query).queryItems(QUrl::FullyDecoded)) {
         if (key != u"sslmode")
             return tl::unexpected(wrong(QStringLiteral("has \"%1\", which Cusp does not know").arg(key)));

@@ -2,6 +2,7 @@
 #include "database/Csv.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include "core/base/Bytes.h"
@@ -54,12 +55,21 @@ std::optional<CsvFault> noTextIn(std::string_view bytes)
     return {};
 }
 
+/// What a spreadsheet reads as one. Those of full width count in Japanese and Chinese ones.
+bool beginsFormula(std::string_view text)
+{
+    constexpr std::array<std::string_view, 10> kBeginnings{"=",  "+",      "-",      "@",      "\t",
+                                                           "\r", "\uFF1D", "\uFF0B", "\uFF0D", "\uFF20"};
+    return std::any_of(kBeginnings.begin(), kBeginnings.end(),
+                       [text](std::string_view beginning) { return text.substr(0, beginning.size()) == beginning; });
+}
+
 }  // namespace
 
 std::string csvField(std::string_view text)
 {
     std::string field(text);
-    if (!field.empty() && std::string_view("=+-@\t\r").find(field.front()) != std::string_view::npos)
+    if (beginsFormula(text))
         field.insert(field.begin(), '\'');
     if (field.find_first_of(",;\"\n\r\t") == std::string::npos)
         return field;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "database/Outbox.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <string_view>
+#include <vector>
 
 #include <QDir>
 #include <QFile>
@@ -82,6 +84,24 @@ bool takeAttempt(core::ByteReader& bytes, AttemptRecord& attempt)
     return bytes.ok();
 }
 
+/// As this program writes them; any other would hold up those behind it, since no database takes it.
+bool isFit(const std::string& uid, const std::vector<const std::string*>& texts)
+{
+    constexpr std::size_t kUidLength = 32;
+    return uid.size() == kUidLength && std::none_of(texts.begin(), texts.end(), [](const std::string* text) {
+               return text->find('\0') != std::string::npos;
+           });
+}
+
+bool isFit(AttemptRecord& attempt)
+{
+    const auto fields = textsOf(attempt);
+    std::vector<const std::string*> texts(fields.begin(), fields.end());
+    for (const CriterionLoss& criterion : attempt.criteria)
+        texts.push_back(&criterion.id);
+    return isFit(attempt.uid, texts);
+}
+
 /// Oldest first.
 QStringList lettersIn(const QString& folder)
 {
@@ -110,6 +130,17 @@ core::Error refused(ErrorCode code, const QString& file, const std::string& why)
 core::Error damaged(const QString& file)
 {
     return refused(ErrorCode::BadStructure, file, "it is damaged; it is kept in the folder \"damaged\"");
+}
+
+/// Of one that could not be read: why. Looked at afterwards, since two programs of one user deliver what waits there.
+core::Error unreadable(const QString& file)
+{
+    const QFileInfo now(file);
+    if (!now.exists() && !now.isSymLink())
+        return refused(ErrorCode::FileMissing, file, "it is gone; another program has delivered it");
+    if (now.isSymLink() || !now.isFile() || now.size() > kLargest)
+        return damaged(file);
+    return refused(ErrorCode::FileUnreadable, file, "it cannot be read; check the disk and who may read it");
 }
 
 }  // namespace
@@ -182,14 +213,10 @@ bool Outbox::isExam(const QString& file)
 core::Result<std::string> Outbox::contentOf(const QString& path) const
 {
     constexpr std::size_t kHead = kMagic.size() + kKeyDigits + kSignatureDigits;
-    const QFileInfo info(path);
     // Cusp puts no links there, and what one leads to is not its to move.
-    const auto all = info.isSymLink() ? std::nullopt : database::contentOf(path, kLargest);
-    if (!all && !info.isSymLink() && info.isFile() && info.size() <= kLargest)
-        return tl::unexpected(
-            refused(ErrorCode::FileUnreadable, path, "it cannot be read; check the disk and who may read it"));
+    const auto all = QFileInfo(path).isSymLink() ? std::nullopt : database::contentOf(path, kLargest);
     if (!all)
-        return tl::unexpected(damaged(path));
+        return tl::unexpected(unreadable(path));
     const std::string_view bytes(all->constData(), static_cast<std::size_t>(all->size()));
     if (bytes.size() < kHead || bytes.substr(0, kMagic.size()) != kMagic)
         return tl::unexpected(damaged(path));
@@ -215,7 +242,7 @@ core::Result<Outbox::Letter> Outbox::read(const QString& path) const
     const std::string attempt = parts.takeText();
     const std::string recording = parts.takeText();
     core::ByteReader fields(attempt);
-    if (!parts.ok() || !takeAttempt(fields, letter.attempt))
+    if (!parts.ok() || !takeAttempt(fields, letter.attempt) || !isFit(letter.attempt))
         return tl::unexpected(damaged(path));
     letter.recording = QByteArray::fromStdString(recording);
     return letter;
@@ -228,9 +255,10 @@ core::Result<Outbox::ExamLetter> Outbox::readExam(const QString& path) const
         return tl::unexpected(content.error());
     ExamLetter letter;
     core::ByteReader parts(*content);
-    for (std::string* text : {&letter.start.uid, &letter.personUid, &letter.start.lessonId, &letter.start.begunUtc})
+    const std::array texts{&letter.start.uid, &letter.personUid, &letter.start.lessonId, &letter.start.begunUtc};
+    for (std::string* text : texts)
         *text = parts.takeText();
-    if (!parts.ok())
+    if (!parts.ok() || !isFit(letter.start.uid, {texts.begin(), texts.end()}))
         return tl::unexpected(damaged(path));
     return letter;
 }

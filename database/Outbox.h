@@ -47,8 +47,8 @@ public:
     /// Those that wait, oldest first; an exam's beginning stands before what came of it.
     [[nodiscard]] QStringList waiting() const;
     [[nodiscard]] static bool isExam(const QString& file);
-    /// BadStructure: damaged; such a file is for setAside(). NotAllowed: signed with another key than this station has
-    /// now; it waits until that one is back.
+    /// BadStructure: damaged; such a file is for setAside(). FileMissing: another program has delivered it. NotAllowed:
+    /// signed with another key than this station has now; it waits until that one is back.
     [[nodiscard]] core::Result<Letter> read(const QString& file) const;
     [[nodiscard]] core::Result<ExamLetter> readExam(const QString& file) const;
     void remove(const QString& file) const;

@@ -42,7 +42,7 @@ core::Result<std::string> normalUsername(const std::string& typed)
     };
     if (name.isEmpty())
         return core::unexpected(core::ErrorCode::OutOfRange, "the user's name is empty; give one");
-    if (name.size() > kLongest)
+    if (letters.size() > kLongest)
         return core::unexpected(core::ErrorCode::OutOfRange, "the user's name is longer than " +
                                                                  std::to_string(kLongest) + " characters; shorten it");
     if (!std::all_of(letters.begin(), letters.end(), isFit))

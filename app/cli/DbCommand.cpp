@@ -18,6 +18,7 @@
 #include "app/cli/Commands.h"
 #include "app/cli/SchoolParts.h"
 #include "database/Outbox.h"
+#include "database/Usernames.h"
 #include "database/sql/Attempts.h"
 #include "database/sql/Backups.h"
 #include "database/sql/Check.h"
@@ -86,11 +87,17 @@ core::Status expectFile(const Address& address)
 /// Of a file, what there is to go back to; empty: nothing.
 std::string wayBack(const Address& address)
 {
-    const QString backup =
-        address.isServer() ? QString() : database::sql::newestSound(address.file, QDateTime::currentDateTimeUtc());
-    return backup.isEmpty()
-               ? std::string()
-               : "the newest sound backup is " + backup.toStdString() + ", and \"cusp db restore\" brings it back";
+    if (address.isServer())
+        return {};
+    const QString backup = database::sql::newestSound(address.file, QDateTime::currentDateTimeUtc());
+    // A restore that somebody stopped in the middle leaves none in the place of the file.
+    const QString replaced = QFileInfo::exists(address.file) ? QString() : database::sql::newestReplaced(address.file);
+    std::string way;
+    if (!replaced.isEmpty())
+        way = "what a restore has moved aside last is " + replaced.toStdString();
+    if (!backup.isEmpty())
+        way += (way.empty() ? "" : ", ") + ("the newest sound backup is " + backup.toStdString());
+    return way.empty() ? way : way + ", and \"cusp db restore\" brings it back";
 }
 
 /// Where a file cannot be used any more, what there is to go back to.
@@ -110,6 +117,8 @@ int initDatabase(const QCommandLineParser& parser, const Address& address)
     std::string password;
     if (!admin.isEmpty()) {
         // Before there is a file without anybody in it.
+        if (auto fit = database::normalUsername(admin.toStdString()); !fit)
+            return failed(fit.error());
         password = askSecret("Password of the new admin: ");
         if (auto fit = database::sql::Logins::checkNewPassword(password, admin.toStdString()); !fit)
             return failed(fit.error());
@@ -235,11 +244,17 @@ int restoreFile(const QCommandLineParser& parser, const Address& address)
     const auto replaced = database::sql::restoreBackup(backup, address.file, QDateTime::currentDateTimeUtc());
     if (!replaced)
         return failed(replaced.error());
+    const auto failedInPlace = [&](core::Error error) {
+        error.detail += "; the backup is in its place";
+        if (!replaced->isEmpty())
+            error.detail += ", and what was there lies in " + replaced->toStdString();
+        return failed(error);
+    };
     const auto open = openSchool(address, Opening::Migrate);
     if (!open)
-        return failedWithBackups(open.error(), address);
+        return failedInPlace(open.error());
     if (auto noted = database::sql::noteRestored(*open->school, backup); !noted)
-        return failedWithBackups(noted.error(), address);
+        return failedInPlace(noted.error());
     return answer(parser,
                   replaced->isEmpty()
                       ? QStringLiteral("Restored as %1.").arg(address.file)
@@ -305,9 +320,11 @@ int copyDatabase(const QCommandLineParser& parser, const Address& address)
     if (tells)
         printText(QStringLiteral("\n"), stderr);
     if (!report) {
+        // Another may have copied into it at the same time.
+        const bool isEmpty = database::sql::Logins::isNew(*to->school).value_or(false);
         to->school.reset();
         to->database.reset();
-        if (!wasThere)
+        if (!wasThere && isEmpty && report.error().code != ErrorCode::Busy)
             for (const char* end : {"-wal", "-shm", "-journal", ""})
                 QFile::remove(target->file + QLatin1String(end));
         return failed(report.error());

@@ -60,6 +60,7 @@ core::Result<OpenSchool> openSchool(const database::Address& address, Opening ho
     database::sql::Database::Options options;
     options.mayMigrate = how == Opening::Migrate || how == Opening::Create;
     options.mayCreate = mayCreate;
+    options.onlyLooks = how == Opening::ToLook;
     auto database = database::sql::Database::open(address, options);
     if (!database)
         return tl::unexpected(database.error());
@@ -115,6 +116,8 @@ std::string askSecret(const char* question)
         }
     });
     std::getline(std::cin, line);
+    if (!line.empty() && line.back() == '\r')  // of a file that was written on Windows
+        line.pop_back();
     return line;
 }
 

@@ -25,7 +25,8 @@ void addDatabaseOption(QCommandLineParser& parser);
 [[nodiscard]] core::Result<database::Address> databaseAddress(const QCommandLineParser& parser);
 /// What a command may do to a database beside its own work.
 enum class Opening {
-    ToLook,   ///< FileMissing where no file is, OlderVersion where an older program wrote it; makes nothing there
+    ToLook,   ///< FileMissing where no file is, OlderVersion where an older program wrote it; makes nothing there, and
+              ///< works where nothing can be written
     AsItIs,   ///< the same; what is written is signed with the station's key, which is made if need be
     Migrate,  ///< bring it to the newest schema
     Create    ///< where nothing is

@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include <QDateTime>
+#include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <QJsonArray>
@@ -200,14 +201,28 @@ constexpr std::array kParts{
          "lets a person no longer log in; what he did stays", addEnable, disableUser},
 };
 
+/// What SQLite would take for its own, and delete or read into the school, as soon as that is opened next.
+core::Status expectNotBeside(const QString& path, const database::Address& school)
+{
+    const auto placeOf = [](const QString& file) {
+        const QFileInfo info(file);
+        return QDir(info.dir().canonicalPath()).filePath(info.fileName());
+    };
+    for (const char* end : {"-journal", "-wal", "-shm"})
+        if (!school.isServer() && placeOf(path) == placeOf(school.file + QLatin1String(end)))
+            return core::unexpected(ErrorCode::FileUnwritable,
+                                    path.toStdString() + " is a name that belongs to the school's file; give another");
+    return {};
+}
+
 /// Codes are told once, and nobody has those of a file that was overwritten.
-core::Status expectNew(const QString& path)
+core::Status expectNew(const QString& path, const database::Address& school)
 {
     if (QFileInfo::exists(path))
         return core::unexpected(ErrorCode::FileUnwritable,
                                 "there is a file " + path.toStdString() +
                                     " already, and codes overwrite nothing; give another name");
-    return {};
+    return expectNotBeside(path, school);
 }
 
 /// Where a table goes. It takes the place of last night's table, not of a database, a station's key or a backup; by its
@@ -215,6 +230,8 @@ core::Status expectNew(const QString& path)
 core::Result<QString> placeOfTable(const QString& path, const database::Address& school)
 {
     const QFileInfo named(path);
+    if (auto free = expectNotBeside(path, school); !free)
+        return tl::unexpected(free.error());
     if (!named.exists() && !named.isSymLink())
         return path;
     if (!named.isFile())
@@ -346,7 +363,8 @@ int importCommand(const QStringList& arguments)
         return failed(desk.error());
     const bool dryRun = parser.isSet(QStringLiteral("dry-run"));
     const bool toFile = parser.isSet(QStringLiteral("codes"));
-    if (const auto fit = toFile ? expectNew(parser.value(QStringLiteral("codes"))) : core::Status(); !fit)
+    const QString codes = parser.value(QStringLiteral("codes"));
+    if (const auto fit = toFile ? expectNew(codes, desk->open.database->address()) : core::Status(); !fit)
         return failed(fit.error());
     const auto outcome = database::sql::importRoster(*desk->open.school, desk->session,
                                                      {csv.constData(), static_cast<std::size_t>(csv.size())}, dryRun);
@@ -355,8 +373,7 @@ int importCommand(const QStringList& arguments)
     const bool hasCodes =
         std::any_of(outcome->people.begin(), outcome->people.end(), [](const auto& person) { return person.isNew; });
     if (!dryRun && outcome->faults.empty() && toFile && hasCodes)
-        if (const auto written = database::writeCodes(parser.value(QStringLiteral("codes")), outcome->people);
-            !written) {
+        if (const auto written = database::writeCodes(codes, outcome->people); !written) {
             // The people are entered: their codes must not be lost.
             tellRoster(parser, *outcome, dryRun, true);
             return failed(written.error());

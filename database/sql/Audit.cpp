@@ -406,6 +406,8 @@ core::Status AuditBatch::seal()
 
 core::Status takeTurn(const School& school)
 {
+    if (auto right = checkClock(school.nowUtc()); !right)
+        return right;
     const QString turn = dialect::lockTurn(school.db);
     return turn.isEmpty() ? core::Status() : execute(school.db, turn, kNote);
 }

@@ -15,9 +15,10 @@
 #include <QScopeGuard>
 #include <QSqlDriver>
 #include <QTemporaryDir>
-#include <QUrl>
 #include <fcntl.h>
 #include <sqlite3.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "core/base/WholeFile.h"
@@ -43,6 +44,10 @@ constexpr std::size_t kWeeks = 10;
 constexpr std::size_t kMonths = 9;
 const QString kStamp = QStringLiteral("yyyy-MM-dd-HH.mm.ss");
 const QString kSuffix = QStringLiteral(".sqlite");
+const QString kRestoring = QStringLiteral(".restoring");
+const QString kReplaced = QStringLiteral("replaced-");
+/// What SQLite puts beside a database's file.
+constexpr std::array kBeside{"-journal", "-wal", "-shm"};
 constexpr QFile::Permissions kOwners = QFile::ReadOwner | QFile::WriteOwner;
 
 core::Error refused(const QString& file, const std::string& why)
@@ -75,10 +80,7 @@ public:
     explicit Reader(const QString& file) : m_name(QStringLiteral("cusp-backup-%1").arg(quintptr(this)))
     {
         QSqlDatabase db = QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), m_name);
-        QUrl url = QUrl::fromLocalFile(QFileInfo(file).absoluteFilePath());
-        if (!hasLog(file))
-            url.setQuery(QStringLiteral("immutable=1"));
-        db.setDatabaseName(url.toString(QUrl::FullyEncoded));
+        db.setDatabaseName(dialect::uriOf(file, !hasLog(file)));
         db.setConnectOptions(QStringLiteral("QSQLITE_OPEN_READONLY;QSQLITE_OPEN_URI"));
         db.open();
     }
@@ -116,7 +118,7 @@ core::Status copyPages(const QSqlDatabase& db, const QString& file, const Backup
                                                           ": only a file is backed up so; use \"cusp db copy\"");
     auto* const from = *static_cast<sqlite3* const*>(handle.data());
     // Whoever may not read the school may not read its copies.
-    if (!makeFile(file, QFile::permissions(db.databaseName())))
+    if (!makeFile(file, QFile::permissions(dialect::fileOf(db))))
         return tl::unexpected(refused(file, "it cannot be created; check the folder and the room on the disk"));
     sqlite3* opened = nullptr;
     const int begun = sqlite3_open(file.toUtf8().constData(), &opened);
@@ -233,6 +235,9 @@ Named giveName(const QString& part, const QString& file)
 core::Result<QString> backUpAs(const QSqlDatabase& db, const QString& folder, const QString& kind,
                                const QDateTime& nowUtc, const BackupProgress& progress)
 {
+    // By its name it is offered and thinned out.
+    if (auto right = checkClock(nowUtc); !right)
+        return tl::unexpected(right.error());
     if (auto sound = expectOk(db, "PRAGMA quick_check(1)"); !sound)
         return tl::unexpected(sound.error());
     if (!QDir().mkpath(folder))
@@ -317,8 +322,82 @@ void settle(const QString& databaseFile)
         sqlite3_db_config(db.get(), SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 0, nullptr);
 }
 
-/// Moves a database, or what is left of one, away. The file itself goes last: what lies beside it is never alone there,
-/// where SQLite would delete it. False: it lies where it was.
+/// That one restores at a time in one place: a file beside the database, locked while it is open. Who is killed, or
+/// pulls the plug, holds up nobody.
+class RestoreLock
+{
+public:
+    explicit RestoreLock(const QString& databaseFile)
+        : m_path(QFile::encodeName(databaseFile + QStringLiteral(".restore-lock"))),
+          m_file(open(m_path.constData(), O_RDWR | O_CREAT | O_CLOEXEC, S_IRUSR | S_IWUSR))
+    {
+        m_isTaken = m_file >= 0 && flock(m_file, LOCK_EX | LOCK_NB) != 0;
+        // Who held it may have removed it between the two: then a third would lock a new one.
+        struct stat mine
+        {};
+        struct stat there
+        {};
+        if (m_file >= 0 && !m_isTaken)
+            m_isTaken = fstat(m_file, &mine) != 0 || stat(m_path.constData(), &there) != 0 ||
+                        mine.st_ino != there.st_ino || mine.st_dev != there.st_dev;
+    }
+    ~RestoreLock()
+    {
+        if (isHeld())
+            unlink(m_path.constData());
+        if (m_file >= 0)
+            close(m_file);
+    }
+    RestoreLock(const RestoreLock&) = delete;
+    RestoreLock& operator=(const RestoreLock&) = delete;
+    [[nodiscard]] bool isHeld() const { return m_file >= 0 && !m_isTaken; }
+    [[nodiscard]] bool isTaken() const { return m_isTaken; }
+
+private:
+    QByteArray m_path;
+    int m_file;
+    bool m_isTaken = false;
+};
+
+core::Status expectClosed(const QString& databaseFile)
+{
+    if (!isOpenElsewhere(databaseFile))
+        return {};
+    return core::unexpected(ErrorCode::Busy, "database " + databaseFile.toStdString() +
+                                                 ": another program has it open; close every Cusp that uses it");
+}
+
+void removeWhole(const QString& databaseFile)
+{
+    for (const char* end : kBeside)
+        QFile::remove(databaseFile + QLatin1String(end));
+    QFile::remove(databaseFile);
+}
+
+/// Copies a backup and brings the copy to this program's schema: what cannot be used replaces nothing.
+core::Status makeReady(const QString& backup, const QString& copy, const QString& databaseFile)
+{
+    // As the file was whose place it takes: a backup may be read-only.
+    const QFileInfo target(databaseFile);
+    const QFile::Permissions mode = target.exists() ? target.permissions() | kOwners : kOwners;
+    const core::Error noRoom =
+        refused(databaseFile, "it could not be copied there; make room on the disk, and check who may write there");
+    if (!QFile::copy(backup, copy) || !QFile::setPermissions(copy, mode))
+        return tl::unexpected(noRoom);
+    Database::Options options;
+    options.mayCreate = false;
+    options.savesFirst = false;  // the backup itself is what there is to go back to
+    Address address;
+    address.file = copy;
+    if (auto opened = Database::open(address, options); !opened) {
+        const QString said = QString::fromStdString(opened.error().detail).replace(copy, backup);
+        return core::unexpected(opened.error().code, said.toStdString() + "; nothing was replaced");
+    }
+    return hasLog(copy) || !sync(copy) ? core::Status(tl::unexpected(noRoom)) : core::Status();
+}
+
+/// Of a database, and what lies beside it; none that is not there. The file itself goes last: what lies beside it is
+/// never alone there, where SQLite would delete it. False: all lies where it was.
 bool moveAway(const QString& databaseFile, const QString& aside)
 {
     QStringList moved;
@@ -332,6 +411,54 @@ bool moveAway(const QString& databaseFile, const QString& aside)
         moved += QLatin1String(end);
     }
     return true;
+}
+
+/// What moveAway() has moved. False: another file has taken the place meanwhile.
+bool moveBack(const QString& databaseFile, const QString& aside)
+{
+    if (QFile::exists(aside) && giveName(aside, databaseFile) != Named::Done)
+        return false;
+    for (const char* end : kBeside)
+        if (QFile::exists(aside + QLatin1String(end)))
+            QFile::rename(aside + QLatin1String(end), databaseFile + QLatin1String(end));
+    return true;
+}
+
+/// The first name from this moment on that is free.
+QString freeAside(const QString& databaseFile, const QDateTime& nowUtc)
+{
+    const QFileInfo target(databaseFile);
+    const auto named = [&target](const QDateTime& at) {
+        return target.absoluteDir().filePath(kReplaced + at.toString(kStamp) + '-' + target.fileName());
+    };
+    QDateTime at = nowUtc;
+    while (QFile::exists(named(at)))  // of a restore in the same second
+        at = at.addSecs(1);
+    return named(at);
+}
+
+/// Gives a copy that is ready the place of the database. Returns where that lies now, empty if there was none.
+core::Result<QString> exchange(const QString& copy, const QString& databaseFile, const QDateTime& nowUtc)
+{
+    settle(databaseFile);
+    const bool wasThere = QFileInfo::exists(databaseFile);
+    const QString replaced = freeAside(databaseFile, nowUtc);
+    if (!moveAway(databaseFile, replaced))
+        return tl::unexpected(
+            refused(databaseFile, "what lies there could not be moved away; close every Cusp that uses it"));
+    if (giveName(copy, databaseFile) != Named::Done) {
+        if (moveBack(databaseFile, replaced))
+            return tl::unexpected(refused(databaseFile, "it could not be put in its place, and what was there is there "
+                                                        "again; check who may write there"));
+        return tl::unexpected(refused(databaseFile, "it could not be put in its place, where another program has made "
+                                                    "a file meanwhile; what was there lies in " +
+                                                        replaced.toStdString()));
+    }
+    if (!sync(QFileInfo(databaseFile).absolutePath()))
+        return tl::unexpected(refused(databaseFile, "it could not be brought to the disk; check the disk; what was "
+                                                    "there lies in " +
+                                                        replaced.toStdString()));
+    return wasThere ? replaced : QString();
 }
 
 /// A day is the clock's to be wrong by.
@@ -360,6 +487,17 @@ QString newestSound(const QString& databaseFile, const QDateTime& nowUtc)
         return !holdsNobody(file) && verifyBackup(file).has_value();
     });
     return sound != files.end() ? *sound : QString();
+}
+
+QString newestReplaced(const QString& databaseFile)
+{
+    const QFileInfo file(databaseFile);
+    const QDir there = file.absoluteDir();
+    for (const QString& name : there.entryList({kReplaced + '*'}, QDir::Files, QDir::Name | QDir::Reversed))
+        if (name.mid(kReplaced.size() + kStamp.size()) == '-' + file.fileName() &&
+            verifyBackup(there.filePath(name)).has_value())
+            return there.filePath(name);
+    return {};
 }
 
 core::Result<std::string> schoolOf(const QSqlDatabase& db)
@@ -539,38 +677,29 @@ core::Result<QString> restoreBackup(const QString& backup, const QString& databa
                                     "beside it; open it with Cusp, or make a backup of it with \"cusp db backup\"");
     if (auto sound = verifyBackup(backup); !sound)
         return tl::unexpected(sound.error());
-    if (isOpenElsewhere(databaseFile))
+    const RestoreLock lock(databaseFile);
+    if (lock.isTaken())
         return core::unexpected(ErrorCode::Busy, "database " + databaseFile.toStdString() +
-                                                     ": another program has it open; close every Cusp that uses it");
-    const QFileInfo target(databaseFile);
-    const QString part = databaseFile + ".restoring";
-    QFile::remove(part);
-    // As the file was whose place it takes: a backup may be read-only.
-    const QFile::Permissions mode = target.exists() ? target.permissions() | kOwners : kOwners;
-    if (!QFile::copy(backup, part) || !QFile::setPermissions(part, mode) || !sync(part)) {
-        QFile::remove(part);
+                                                     ": another program is restoring a backup there; wait until it "
+                                                     "has ended");
+    if (!lock.isHeld())
         return tl::unexpected(refused(
             databaseFile, "it could not be copied there; make room on the disk, and check who may write there"));
-    }
-    settle(databaseFile);
-    const bool wasThere = target.exists();
-    const auto aside = [&target](const QDateTime& at) {
-        return target.absoluteDir().filePath(QStringLiteral("replaced-%1-").arg(at.toString(kStamp)) +
-                                             target.fileName());
-    };
-    QDateTime at = nowUtc;
-    while (QFile::exists(aside(at)))  // of a restore in the same second
-        at = at.addSecs(1);
-    const QString replaced = aside(at);
-    if (!moveAway(databaseFile, replaced)) {
-        QFile::remove(part);
-        return tl::unexpected(
-            refused(databaseFile, "what lies there could not be moved away; close every Cusp that uses it"));
-    }
-    if (!QFile::rename(part, databaseFile) || !sync(target.absolutePath()))
-        return tl::unexpected(
-            refused(databaseFile, "it could not be put in its place; it lies there as " + part.toStdString()));
-    return wasThere ? replaced : QString();
+    if (auto closed = expectClosed(databaseFile); !closed)
+        return tl::unexpected(closed.error());
+    // What one that was killed has left: nobody uses it any more.
+    const QFileInfo target(databaseFile);
+    for (const QString& name : target.absoluteDir().entryList(QDir::Files | QDir::Hidden))
+        if (name.startsWith(target.fileName() + kRestoring))
+            QFile::remove(target.absoluteDir().filePath(name));
+    const QString copy = databaseFile + kRestoring + QString::fromStdString(newUid());
+    const auto removeCopy = qScopeGuard([&copy] { removeWhole(copy); });
+    if (auto ready = makeReady(backup, copy, databaseFile); !ready)
+        return tl::unexpected(ready.error());
+    // That took its time.
+    if (auto closed = expectClosed(databaseFile); !closed)
+        return tl::unexpected(closed.error());
+    return exchange(copy, databaseFile, nowUtc);
 }
 
 core::Status mayRestore(const School& school, const Session& session)
@@ -598,7 +727,7 @@ core::Status noteRestored(const School& school, const QString& backup)
 
 core::Result<qint64> restoreDrill(const QSqlDatabase& db, const BackupProgress& progress)
 {
-    const QString beside = QFileInfo(db.databaseName()).absolutePath();
+    const QString beside = QFileInfo(dialect::fileOf(db)).absolutePath();
     removeStale(beside, {"drill-??????"});
     QTemporaryDir folder(QDir(beside).filePath(QStringLiteral("drill-XXXXXX")));
     if (!folder.isValid())

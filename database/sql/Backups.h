@@ -71,14 +71,19 @@ using BackupProgress = std::function<bool(int done, int all)>;
 /// future last; empty: there is none.
 [[nodiscard]] QString newestSound(const QString& databaseFile, const QDateTime& nowUtc);
 
+/// The newest of those that restoreBackup() has moved aside and that verifyBackup() finds whole; empty: there is none.
+[[nodiscard]] QString newestReplaced(const QString& databaseFile);
+
 /// When a backup was made, UTC, out of its name; invalid for other files.
 [[nodiscard]] QDateTime madeAt(const QString& backup);
 
-/// Puts a backup in the place of the database. Busy: another program has that open; this one has closed it. Refused
-/// where no database may lie, and for the database itself. The backup is checked first; what lies there is moved to
-/// "replaced-...". What stands in its -wal is brought into it before; where it is damaged that goes with it as it is,
-/// and first: whenever this is stopped, nothing is lost, and nothing of it is read into the restored file. Who may read
-/// and write it stays as it was. Returns where the old file lies now, empty if there was none.
+/// Puts a backup in the place of the database. Busy: another program has that open (this one has closed it), or is
+/// restoring there. Refused where no database may lie, and for the database itself. The backup is checked, copied and
+/// brought to this program's schema first; what cannot be used replaces nothing. What lies there is moved to
+/// "replaced-...", and back where the backup cannot take its place. What stands in its -wal is brought into it before;
+/// where it is damaged that goes with it as it is, and first: whenever this is stopped, nothing is lost, and nothing of
+/// it is read into the restored file. Who may read and write it stays as it was. Returns where the old file lies now,
+/// empty if there was none.
 [[nodiscard]] core::Result<QString> restoreBackup(const QString& backup, const QString& databaseFile,
                                                   const QDateTime& nowUtc);
 

@@ -80,7 +80,7 @@ core::Status changedSince()
 core::Result<std::string> checkClassName(const std::string& name)
 {
     const QString trimmed = QString::fromStdString(name).simplified();
-    if (trimmed.isEmpty() || trimmed.size() > kLongestName || !canBeSeen(trimmed.toStdString()))
+    if (trimmed.isEmpty() || trimmed.toUcs4().size() > kLongestName || !canBeSeen(trimmed.toStdString()))
         return core::unexpected(ErrorCode::OutOfRange,
                                 "the name of a class has 1 to 100 characters that can be seen; correct it");
     if (trimmed.contains(u'|'))

@@ -107,6 +107,28 @@ core::Status copySeal(const School& from, const School& to)
                    values);
 }
 
+core::Status expectEmpty(const QSqlDatabase& to)
+{
+    for (const char* table : kMustBeEmpty) {
+        const auto row = ask(to, QStringLiteral("SELECT 1 FROM %1 LIMIT 1").arg(QLatin1String(table)), "look into it");
+        if (!row)
+            return tl::unexpected(row.error());
+        if (!row->isNull())
+            return core::unexpected(ErrorCode::OutOfRange, "database " + dialect::nameOf(to) +
+                                                               ": it holds a school already; copy into an empty one");
+    }
+    return {};
+}
+
+/// In the transaction that copies: another may be copying into it, too, and has to end first.
+core::Status keepForOne(const QSqlDatabase& to)
+{
+    if (dialect::isPostgres(to))
+        if (auto locked = execute(to, "LOCK TABLE people IN EXCLUSIVE MODE", "copy the school"); !locked)
+            return locked;
+    return expectEmpty(to);
+}
+
 }  // namespace
 
 core::Result<CopyReport> copySchool(const School& from, const Session& session, const School& to,
@@ -114,15 +136,8 @@ core::Result<CopyReport> copySchool(const School& from, const Session& session, 
 {
     if (auto may = admit(from, session, Operation::CopySchool); !may)
         return tl::unexpected(may.error());
-    for (const char* table : kMustBeEmpty) {
-        const auto row =
-            ask(to.db, QStringLiteral("SELECT 1 FROM %1 LIMIT 1").arg(QLatin1String(table)), "look into it");
-        if (!row)
-            return tl::unexpected(row.error());
-        if (!row->isNull())
-            return core::unexpected(ErrorCode::OutOfRange, "database " + dialect::nameOf(to.db) +
-                                                               ": it holds a school already; copy into an empty one");
-    }
+    if (auto empty = expectEmpty(to.db); !empty)
+        return tl::unexpected(empty.error());
     // Before it is read, so that the copy tells of it too.
     if (auto noted =
             inTurn(from, "note the copying", [&] { return note(from, session.uid(), "school.copy", "school"); });
@@ -136,6 +151,8 @@ core::Result<CopyReport> copySchool(const School& from, const Session& session, 
         !begun)
         return tl::unexpected(begun.error());
     auto done = inTransaction(to.db, "copy the school", [&]() -> core::Status {
+        if (auto mine = keepForOne(to.db); !mine)
+            return mine;
         for (const Table& table : kTables) {
             RowSum sum;
             const QString name = QLatin1String(table.name);

@@ -49,10 +49,24 @@ core::Status examine(const QSqlDatabase& db)
     if (!whole)
         return tl::unexpected(whole.error());
     if (whole->toString() != "ok")
-        return core::unexpected(ErrorCode::BadStructure, head(db.databaseName()) + "the file is damaged (" +
+        return core::unexpected(ErrorCode::BadStructure, head(dialect::fileOf(db)) + "the file is damaged (" +
                                                              whole->toString().simplified().toStdString() +
                                                              "); restore a backup of it");
     return {};
+}
+
+core::Status set(const QSqlDatabase& db, const QStringList& settings)
+{
+    for (const QString& setting : settings)
+        if (auto done = execute(db, setting, "set it up"); !done)
+            return done;
+    return {};
+}
+
+/// What holds for the connection only, and writes nothing.
+core::Status configureToLook(const QSqlDatabase& db)
+{
+    return set(db, {"PRAGMA foreign_keys = ON", "PRAGMA trusted_schema = OFF", "PRAGMA cell_size_check = ON"});
 }
 
 core::Status configure(const QSqlDatabase& db, FileSystem fileSystem)
@@ -61,14 +75,11 @@ core::Status configure(const QSqlDatabase& db, FileSystem fileSystem)
     const QStringList settings{
         fileSystem == FileSystem::Network ? "PRAGMA locking_mode = EXCLUSIVE" : "PRAGMA locking_mode = NORMAL",
         fileSystem == FileSystem::Network ? "PRAGMA journal_mode = DELETE" : "PRAGMA journal_mode = WAL",
-        "PRAGMA synchronous = FULL",
-        "PRAGMA foreign_keys = ON",
-        "PRAGMA trusted_schema = OFF",
-        "PRAGMA cell_size_check = ON",
-        "PRAGMA secure_delete = ON"};
-    for (const QString& setting : settings)
-        if (auto done = execute(db, setting, "set it up"); !done)
-            return done;
+        "PRAGMA synchronous = FULL", "PRAGMA secure_delete = ON"};
+    if (auto done = set(db, settings); !done)
+        return done;
+    if (auto done = configureToLook(db); !done)
+        return done;
     // To set it writes, and who only reads need not wait for a program that is writing.
     const auto application = ask(db, "PRAGMA application_id", "set it up");
     if (!application)
@@ -133,6 +144,9 @@ core::Result<std::unique_ptr<Database>> Database::open(const Address& address, c
     auto ready = database->connect();
     if (ready)
         ready = address.isServer() ? database->prepareServer() : database->prepareFile(options);
+    if (!ready && options.onlyLooks && !address.isServer() && ready.error().code == ErrorCode::FileUnwritable &&
+        database->prepareToLook())
+        ready = {};
     if (ready)
         ready = database->bringToNewest(options);
     if (!ready)
@@ -207,6 +221,31 @@ core::Status Database::prepareFile(const Options& options)
     return configure(db, fileSystem);
 }
 
+/// Where there is no room for what SQLite shares beside the file, or it may not be made there. Who keeps all others out
+/// shares nothing; and where that is refused, too, what lies there whole by itself is read without a lock.
+core::Status Database::prepareToLook()
+{
+    QSqlDatabase db = handle();
+    const auto look = [&db](const QStringList& settings) -> core::Status {
+        if (!db.open())
+            return tl::unexpected(dialect::error(db, db.lastError(), "open it"));
+        if (auto done = set(db, settings); !done)
+            return done;
+        if (auto fit = examine(db); !fit)
+            return fit;
+        return configureToLook(db);
+    };
+    db.close();
+    auto ready = look({"PRAGMA locking_mode = EXCLUSIVE"});
+    const auto isThere = [this](const char* end) { return QFileInfo(m_address.file + QLatin1String(end)).size() > 0; };
+    if (ready || isThere("-wal") || isThere("-journal"))
+        return ready;
+    db.close();
+    db.setDatabaseName(dialect::uriOf(m_address.file, true));
+    db.setConnectOptions(QStringLiteral("QSQLITE_OPEN_READONLY;QSQLITE_OPEN_URI"));
+    return look({});
+}
+
 core::Status Database::prepareServer()
 {
     const QSqlDatabase db = handle();
@@ -251,7 +290,7 @@ core::Status Database::bringToNewest(const Options& options)
                                     std::to_string(*version) + ", this program needs " + std::to_string(steps->size()) +
                                     "); let its administrator run \"cusp db migrate\"");
     QString saved;
-    if (isOlder && !m_address.isServer()) {
+    if (isOlder && options.savesFirst && !m_address.isServer()) {
         auto made = saveBeforeMigration(db, *version);
         if (!made)
             return tl::unexpected(made.error());

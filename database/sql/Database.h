@@ -29,8 +29,12 @@ public:
         std::chrono::milliseconds patience = std::chrono::seconds(5);
         /// Bring an older schema to the newest. On a server that many stations share it is `cusp db migrate` that does.
         bool mayMigrate = true;
+        /// Back a file up, verified, before its schema changes.
+        bool savesFirst = true;
         /// Make a school where there is nothing, or an empty file.
         bool mayCreate = true;
+        /// Only read it: also where the disk is full, or nothing can be written beside it.
+        bool onlyLooks = false;
         /// Where the file lies; for tests. Servers are not asked.
         FileSystem (*fileSystemOf)(const QString& path) = &database::fileSystemOf;
     };
@@ -69,6 +73,7 @@ private:
     {}
     [[nodiscard]] core::Status connect();
     [[nodiscard]] core::Status prepareFile(const Options& options);
+    [[nodiscard]] core::Status prepareToLook();
     [[nodiscard]] core::Status prepareServer();
     [[nodiscard]] core::Status bringToNewest(const Options& options);
 

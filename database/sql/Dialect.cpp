@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "database/sql/Dialect.h"
 
+#include <QFileInfo>
 #include <QRegularExpression>
 #include <QSqlQuery>
 #include <QUrl>
@@ -285,12 +286,24 @@ core::Status repairIds(const QSqlDatabase& db)
     return {};
 }
 
+QString uriOf(const QString& file, bool isImmutable)
+{
+    QUrl url = QUrl::fromLocalFile(QFileInfo(file).absoluteFilePath());
+    if (isImmutable)
+        url.setQuery(QStringLiteral("immutable=1"));
+    return url.toString(QUrl::FullyEncoded);
+}
+
+QString fileOf(const QSqlDatabase& db)
+{
+    const QString name = db.databaseName();
+    return name.startsWith(QStringLiteral("file:")) ? QUrl(name).toLocalFile() : name;
+}
+
 std::string nameOf(const QSqlDatabase& db)
 {
-    if (!isPostgres(db)) {
-        const QString name = db.databaseName();
-        return (name.startsWith(QStringLiteral("file:")) ? QUrl(name).toLocalFile() : name).toStdString();
-    }
+    if (!isPostgres(db))
+        return fileOf(db).toStdString();
     Address address;
     address.host = db.hostName();
     address.port = db.port();

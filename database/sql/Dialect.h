@@ -50,6 +50,12 @@ inline constexpr std::array kNumbered{"people",   "classes",   "assignments", "a
 /// Where it cannot, the next id is beyond those that are there.
 [[nodiscard]] core::Status repairIds(const QSqlDatabase& db);
 
+/// Of an SQLite file, for QSQLITE_OPEN_URI. Immutable: nobody changes it, and nothing is made beside it; never where a
+/// part of it lies in a log.
+[[nodiscard]] QString uriOf(const QString& file, bool isImmutable);
+/// Of SQLite: where it lies, however it was opened.
+[[nodiscard]] QString fileOf(const QSqlDatabase& db);
+
 /// For people: the file, or the server's address.
 [[nodiscard]] std::string nameOf(const QSqlDatabase& db);
 

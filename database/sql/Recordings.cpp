@@ -28,7 +28,7 @@ std::string_view viewOf(const QByteArray& bytes)
 QString fileOf(const QSqlDatabase& db, const std::string& hash)
 {
     const QString name = QString::fromStdString(hash);
-    return QFileInfo(db.databaseName())
+    return QFileInfo(dialect::fileOf(db))
         .absoluteDir()
         .filePath(QStringLiteral("recordings/%1/%2.cusprec").arg(name.left(2), name));
 }

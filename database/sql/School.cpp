@@ -69,6 +69,16 @@ std::function<QDateTime()> clockOf(const QSqlDatabase& db)
     return &QDateTime::currentDateTimeUtc;
 }
 
+core::Status checkClock(const QDateTime& nowUtc)
+{
+    constexpr int kLastYear = 9999;  // of four digits
+    const int year = nowUtc.date().year();
+    if (year >= 1 && year <= kLastYear)
+        return {};
+    return core::unexpected(core::ErrorCode::OutOfRange, "the computer's clock is wrong, it shows the year " +
+                                                             std::to_string(year) + "; set it and try again");
+}
+
 core::Result<Who> admit(const School& school, const Session& session, Operation operation)
 {
     Who who;

@@ -30,6 +30,9 @@ struct School
 /// last. Of a file, and where the server does not say, this computer's.
 [[nodiscard]] std::function<QDateTime()> clockOf(const QSqlDatabase& db);
 
+/// OutOfRange for a time that cannot be noted, of a clock that is wrong by thousands of years.
+[[nodiscard]] core::Status checkClock(const QDateTime& nowUtc);
+
 /// A person, as the rules see him.
 struct Who
 {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `cusp db`, `user`, `import` and `export`, as a technician types them.
+#include <future>
+
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -61,8 +63,11 @@ private slots:
     void aBackupOfAChangedAuditSaysSo();
     void aMigrationLetsRowsBeNumberedAgain();
     void aNewSchoolBesideBackupsSaysSo();
+    void aFileThatIsGoneIsLookedForWhereARestoreMovedIt();
+    void aFailedRestoreNamesWhatWasThere();
     void aLinkedFileIsRestoredWhereItLies();
     void aCopyIsSoundAndKnownHere();
+    void ofTwoCopiesAtOnceOneIsThere();
     void lookingLeavesNothingBehind();
     void namesThatAreNoFilesAreRefused();
     void wrongUsageIsExplained();
@@ -100,6 +105,14 @@ void TestSchoolCommands::aSchoolIsMadeAndPeopled()
     QCOMPARE(weak.exitCode, 1);
     QVERIFY(weak.isOneSentence());
     QVERIFY(!QFile::exists(at("weak.sqlite")));
+    // Nor does a name that cannot be one.
+    for (const QString& name : {QString("a b"), QString(" "), QString(65, 'a')}) {
+        const Ending unfit = runCusp({"db", "init", "--db", at("weak.sqlite"), "--admin", name}, {}, kPassword);
+        QVERIFY2(unfit.exitCode == 1 && unfit.isOneSentence(), unfit.error);
+        QVERIFY(!QFile::exists(at("weak.sqlite")));
+    }
+    // A file that was written on Windows ends its lines in its own way.
+    QCOMPARE(runCusp({"user", "list", "--db", school(), "--as", "admin"}, {}, "correct horse\r\n").exitCode, 0);
     const Ending added =
         byAdmin({"user", "add", "s1", "--given", "Sam", "--family", "One", "--role", "student", "--json"});
     QVERIFY2(added.exitCode == 0, added.error);
@@ -183,6 +196,18 @@ void TestSchoolCommands::codesAndTablesOverwriteNothingElse()
     // Last night's table is replaced.
     QCOMPARE(byAdmin({"export", "attempts", "--csv", at("attempts.csv")}).exitCode, 0);
     QCOMPARE(byAdmin({"export", "attempts", "--csv", at("attempts.csv")}).exitCode, 0);
+    // What SQLite would take for its own is no name for a table, whichever way it is written.
+    QVERIFY(QFile::link(m_folder->path(), at("door")));
+    for (const QString& target : {school() + "-journal", school() + "-wal", at("door/school.sqlite-journal")}) {
+        const bool wasThere = QFile::exists(target);
+        for (const QStringList& words : {QStringList{"export", "attempts", "--csv", target},
+                                         {"import", "roster", at("list.csv"), "--codes", target}}) {
+            const Ending refused = byAdmin(words);
+            QVERIFY2(refused.exitCode == 1 && refused.isOneSentence(), refused.error);
+        }
+        QCOMPARE(QFile::exists(target), wasThere);
+    }
+    QCOMPARE(byAdmin({"user", "list", "--json"}).json()["people"].toArray().size(), 1);
     QCOMPARE(onFile({"db", "check"}).exitCode, 0);
 }
 
@@ -370,6 +395,28 @@ void TestSchoolCommands::aNewSchoolBesideBackupsSaysSo()
     QCOMPARE(checked["audit_code"].toString(), QString("0"));
 }
 
+/// As a restore leaves it that was stopped between the two.
+void TestSchoolCommands::aFileThatIsGoneIsLookedForWhereARestoreMovedIt()
+{
+    const QString aside = at("replaced-2026-11-20-10.15.00-school.sqlite");
+    QVERIFY(QFile::rename(school(), aside));
+    const Ending missed = onFile({"db", "stats"});
+    QVERIFY2(missed.exitCode == 1 && missed.isOneSentence() && missed.error.contains(aside.toUtf8()), missed.error);
+    QCOMPARE(onFile({"db", "restore", aside}).exitCode, 0);
+    QCOMPARE(byAdmin({"user", "list"}).exitCode, 0);
+}
+
+void TestSchoolCommands::aFailedRestoreNamesWhatWasThere()
+{
+    const QString backup = onFile({"db", "backup", "--json"}).json()["backup"].toString();
+    put(at("station.key"), "noise");
+    const Ending failed = onFile({"db", "restore", backup});
+    QVERIFY2(failed.exitCode == 1 && failed.isOneSentence(), failed.error);
+    const QStringList aside = QDir(m_folder->path()).entryList({"replaced-*-school.sqlite"}, QDir::Files);
+    QCOMPARE(aside.size(), 1);
+    QVERIFY2(failed.error.contains(aside.front().toUtf8()), failed.error);
+}
+
 void TestSchoolCommands::aLinkedFileIsRestoredWhereItLies()
 {
     QVERIFY(QDir(m_folder->path()).mkdir("links"));
@@ -392,6 +439,20 @@ void TestSchoolCommands::aCopyIsSoundAndKnownHere()
     QVERIFY2(checked.exitCode == 0, checked.out);
 }
 
+/// Who comes too late takes nothing away from the other.
+void TestSchoolCommands::ofTwoCopiesAtOnceOneIsThere()
+{
+    for (int round = 0; round < 3; ++round) {
+        const QString target = m_folder->filePath(QStringLiteral("copy-%1.sqlite").arg(round));
+        const auto copy = [this, target] { return byAdmin({"db", "copy", "--to", target}); };
+        std::future<Ending> other = std::async(std::launch::async, copy);
+        const Ending one = copy();
+        const Ending two = other.get();
+        QVERIFY2(one.exitCode == 0 || two.exitCode == 0, one.error + two.error);
+        QCOMPARE(runCusp({"db", "stats", "--db", target, "--json"}).json()["admins"].toInt(), 1);
+    }
+}
+
 void TestSchoolCommands::lookingLeavesNothingBehind()
 {
     const QString backup = onFile({"db", "backup", "--json"}).json()["backup"].toString();
@@ -403,7 +464,8 @@ void TestSchoolCommands::lookingLeavesNothingBehind()
 
 void TestSchoolCommands::namesThatAreNoFilesAreRefused()
 {
-    for (const char* name : {":memory:", "file:x?mode=memory", ":x.sqlite", "mysql://x/y", " "}) {
+    for (const char* name : {":memory:", "file:x?mode=memory", ":x.sqlite", "mysql://x/y", " ", "postgresql://x/%00",
+                             "postgresql://x%0A/y"}) {
         const Ending refused = runCusp({"db", "init", "--db", name});
         QVERIFY2(refused.exitCode == 1 && refused.isOneSentence(), name);
     }

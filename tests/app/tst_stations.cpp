@@ -142,6 +142,7 @@ private slots:
     void killedStationsKeepWhatTheyConfirmed();
     void aServerThatGoesAwayGetsEverythingOnce();
     void aLetterIsTakenOnceAndOnlyAsItWasWritten();
+    void twoWindowsDeliverWithoutAnAlarm();
     void aLetterWaitsForItsSchool();
     void aFileThatWasLockedAtTheStartGetsItsLetters();
 };
@@ -331,12 +332,52 @@ void TestStations::aLetterIsTakenOnceAndOnlyAsItWasWritten()
     VERIFY_REFUSED(outbox.read(outbox.waiting().front()), core::ErrorCode::BadStructure);
     outbox.setAside(outbox.waiting().front());
     QVERIFY(outbox.waiting().isEmpty());
+    // Nor is one that no database would take, and that others would wait behind.
+    AttemptRecord unfit = SchoolRig::attempt("class1-36", 500);
+    unfit.lessonId += '\0';
+    VERIFY_DONE(outbox.put(rig.student, unfit, "recording"));
+    VERIFY_REFUSED(outbox.read(outbox.waiting().front()), core::ErrorCode::BadStructure);
+    outbox.setAside(outbox.waiting().front());
+    unfit = SchoolRig::attempt("class1-36", 500);
+    unfit.uid.pop_back();
+    VERIFY_DONE(outbox.put(rig.student, unfit, "recording"));
+    VERIFY_REFUSED(outbox.read(outbox.waiting().front()), core::ErrorCode::BadStructure);
+    outbox.setAside(outbox.waiting().front());
     // One of the other kind is not read as this one.
     VERIFY_DONE(outbox.put(rig.student, ExamStart{newUid(), "exam-36", "2026-11-20T10:00:00Z"}));
     QVERIFY(Outbox::isExam(outbox.waiting().front()));
     QCOMPARE(outbox.readExam(outbox.waiting().front())->personUid, rig.student.uid());
     VERIFY_REFUSED(outbox.read(outbox.waiting().front()), core::ErrorCode::BadStructure);
     VERIFY_REFUSED(outbox.put(rig.guest, SchoolRig::attempt("class1-36", 1), {}), core::ErrorCode::NotAllowed);
+}
+
+/// Of one user, from one folder: what the other has delivered is gone, and not damaged.
+void TestStations::twoWindowsDeliverWithoutAnAlarm()
+{
+    SchoolRig rig(false);
+    rig.populate();
+    QTemporaryDir folder;
+    Outbox outbox(folder.filePath("outbox"), StationKey::readOrMake(folder.filePath("station.key")).value());
+    constexpr int kLetters = 150;
+    const QByteArray recording = QByteArray::fromStdString(ofNothing().toBytes());
+    for (int k = 0; k < kLetters; ++k)
+        VERIFY_DONE(outbox.put(rig.student, SchoolRig::attempt("class1-36", k), recording));
+    const QString gone = outbox.waiting().front();
+    {
+        app::SchoolDesk one(Address::parse(rig.address()).value(), folder.path());
+        app::SchoolDesk other(Address::parse(rig.address()).value(), folder.path());
+        for (app::SchoolDesk* desk : {&one, &other}) {
+            connect(desk, &app::SchoolDesk::damaged, this,
+                    [](const core::Error& error) { QFAIL(error.detail.c_str()); });
+            connect(desk, &app::SchoolDesk::waitOn, this, [](int) { QFAIL("one waits on"); });
+            desk->open(this, [](const app::SchoolDesk::Opening& opening) { VERIFY_DONE(opening.status); });
+        }
+        QTRY_VERIFY_WITH_TIMEOUT(outbox.waiting().isEmpty(), 60'000);
+    }
+    QCoreApplication::processEvents();
+    QCOMPARE(keptIn(rig.school()).size(), static_cast<std::size_t>(kLetters));
+    QVERIFY(!QDir(folder.filePath("outbox/damaged")).exists());
+    VERIFY_REFUSED(outbox.read(gone), core::ErrorCode::FileMissing);
 }
 
 /// Two schools are used from one folder: what waits for one is not lost in the other.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Backups, copies between engines, class lists, and what a check finds.
+#include <array>
 #include <csignal>
 #include <functional>
 #include <map>
@@ -7,14 +8,19 @@
 
 #include <QDir>
 #include <QFile>
+#include <QScopeGuard>
 #include <QSqlError>
 #include <QSqlQuery>
 #include <QTest>
+#include <fcntl.h>
 #include <sqlite3.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include "core/base/Rng.h"
+#include "database/Csv.h"
+#include "database/Usernames.h"
 #include "database/sql/Backups.h"
 #include "database/sql/Check.h"
 #include "database/sql/Copy.h"
@@ -27,6 +33,7 @@
 #include "database/sql/Sample.h"
 #include "database/sql/Statement.h"
 #include "tests/database/SchoolRig.h"
+#include "tests/support/FullDisk.h"
 
 using namespace database;
 using namespace database::sql;
@@ -147,6 +154,12 @@ class TestUpkeep : public QObject
 private slots:
     void aBackupIsRestoredWithoutTheOldLog();
     void aRestoreKilledAtAnyMomentLosesNothing();
+    void twoRestoresAtOnceLeaveTheFileThere();
+    void whatARestoreCannotReplaceIsNamed();
+    void whatARestoreMovedAsideIsFound();
+    void aBackupThatCannotBeUsedReplacesNothing();
+    void aFullDiskIsLookedAtAndBackedUp();
+    void whatCannotBeWrittenIsLookedAtAndBackedUp();
     void aLogIsNeverThrownAway();
     void backupsAndMigrationsAtOnceLeaveEachOtherAlone();
     void aCrashedFileIsKnownByItsLog();
@@ -173,6 +186,12 @@ private slots:
     void aCheckNamesTheAttemptThatWasChanged();
     void newRowsAreNumberedAgain_data() { support::addEngines(); }
     void newRowsAreNumberedAgain();
+    void whatASpreadsheetWouldRunIsQuoted();
+    void lettersAreCountedAndNotTheirHalves();
+    void aClockWithoutAYearIsSaidToBeWrong_data() { support::addEngines(); }
+    void aClockWithoutAYearIsSaidToBeWrong();
+    void ofTwoCopiesAtOnceOneArrives_data() { support::addEngines(); }
+    void ofTwoCopiesAtOnceOneArrives();
     void classListsAreTakenWholeOrNotAtAll_data() { support::addEngines(); }
     void aClassListSaysWhatIsWrongWithItsFile_data() { support::addEngines(); }
     void aClassListSaysWhatIsWrongWithItsFile();
@@ -254,6 +273,175 @@ void TestUpkeep::aRestoreKilledAtAnyMomentLosesNothing()
             most = std::max(most, attemptsIn(one.filePath()));
         QCOMPARE(most, 1);
     }
+}
+
+/// Two programs: one of them restores, and whoever comes too early is told so.
+void TestUpkeep::twoRestoresAtOnceLeaveTheFileThere()
+{
+    QTemporaryDir folder;
+    SchoolRig rig(false);
+    rig.populate();
+    const QString backup = backUp(rig.school().db, folder.filePath("backups"), rig.nowUtc).value();
+    const QString file = folder.filePath("school.sqlite");
+    QVERIFY(QFile::copy(backup, file));
+    constexpr int kDone = 0;
+    constexpr int kBusy = 1;
+    constexpr int kOtherwise = 2;
+    int restored = 0;
+    for (int round = 0; round < 25; ++round) {
+        std::array<pid_t, 2> others{};
+        for (pid_t& other : others) {
+            other = fork();
+            if (other == 0) {
+                const auto done = restoreBackup(backup, file, rig.nowUtc);
+                if (!done && done.error().code != ErrorCode::Busy)
+                    qWarning("%s", done.error().detail.c_str());
+                _exit(done ? kDone : done.error().code == ErrorCode::Busy ? kBusy : kOtherwise);
+            }
+        }
+        int done = 0;
+        for (const pid_t other : others) {
+            int status = 0;
+            QCOMPARE(waitpid(other, &status, 0), other);
+            QVERIFY(WIFEXITED(status) && WEXITSTATUS(status) != kOtherwise);
+            done += WEXITSTATUS(status) == kDone ? 1 : 0;
+        }
+        QVERIFY(done > 0);
+        restored += done;
+        QVERIFY(QFile::exists(file));
+    }
+    QCOMPARE(attemptsIn(file), 0);
+    // What was there each time lies there whole, and nothing else is left.
+    QCOMPARE(QDir(folder.path()).entryList({"replaced-*"}, QDir::Files).size(), restored);
+    QVERIFY(QDir(folder.path()).entryList({"school.sqlite.*"}, QDir::Files).isEmpty());
+}
+
+/// Another program makes a file in the very moment in which none is there.
+void TestUpkeep::whatARestoreCannotReplaceIsNamed()
+{
+    SchoolRig rig(false);
+    rig.populate();
+    VERIFY_DONE(addAttempt(rig.school(), rig.student, SchoolRig::attempt("class1-36", 500), {}));
+    QTemporaryDir backups;
+    const QString backup = backUp(rig.school().db, backups.path(), rig.nowUtc).value();
+    for (int round = 0; round < 10; ++round) {
+        QTemporaryDir folder;
+        const QString file = folder.filePath("school.sqlite");
+        QVERIFY(QFile::copy(backup, file));
+        const pid_t other = fork();
+        if (other == 0)
+            while (true)
+                if (open(qPrintable(file), O_CREAT | O_EXCL | O_WRONLY, 0600) >= 0)
+                    _exit(0);
+        const auto done = restoreBackup(backup, file, rig.nowUtc);
+        kill(other, SIGKILL);
+        QCOMPARE(waitpid(other, nullptr, 0), other);
+        const QStringList aside = QDir(folder.path()).entryList({"replaced-*.sqlite"}, QDir::Files);
+        if (!done && !aside.isEmpty())
+            QVERIFY2(done.error().detail.find(aside.front().toStdString()) != std::string::npos,
+                     done.error().detail.c_str());
+        QCOMPARE(attemptsIn(aside.isEmpty() ? file : folder.filePath(aside.front())), 1);
+    }
+}
+
+void TestUpkeep::whatARestoreMovedAsideIsFound()
+{
+    QTemporaryDir folder;
+    SchoolRig rig(false);
+    rig.populate();
+    const QString backup = backUp(rig.school().db, folder.filePath("backups"), rig.nowUtc).value();
+    const QString file = folder.filePath("school.sqlite");
+    QCOMPARE(newestReplaced(file), QString());
+    for (const char* name : {"replaced-2026-11-20-10.15.00-school.sqlite", "replaced-2026-11-20-10.15.01-school.sqlite",
+                             "replaced-2026-11-20-10.15.03-other-school.sqlite"})
+        QVERIFY(QFile::copy(backup, folder.filePath(name)));
+    QFile noise(folder.filePath("replaced-2026-11-20-10.15.02-school.sqlite"));
+    QVERIFY(noise.open(QIODevice::WriteOnly));
+    QCOMPARE(newestReplaced(file), folder.filePath("replaced-2026-11-20-10.15.01-school.sqlite"));
+}
+
+/// One that is whole, but cannot be brought to this program's schema.
+void TestUpkeep::aBackupThatCannotBeUsedReplacesNothing()
+{
+    QTemporaryDir folder;
+    SchoolRig rig(false);
+    rig.populate();
+    const QString backup = backUp(rig.school().db, folder.filePath("backups"), rig.nowUtc).value();
+    const QString file = folder.filePath("school.sqlite");
+    QVERIFY(QFile::copy(backup, file));
+    QVERIFY(runOn(backup, "PRAGMA user_version = 1"));
+    VERIFY_DONE(verifyBackup(backup));
+    const QByteArray before = contentOf(file);
+    const auto refused = restoreBackup(backup, file, rig.nowUtc);
+    QVERIFY(!refused.has_value());
+    const QString said = QString::fromStdString(refused.error().detail);
+    QVERIFY2(said.contains(backup) && said.contains("nothing was replaced"), qPrintable(said));
+    QCOMPARE(contentOf(file), before);
+    const QStringList there = QDir(folder.path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot);
+    QCOMPARE(there, QStringList({"backups", "school.sqlite"}));
+}
+
+/// Not even what SQLite shares beside the file finds room there.
+void TestUpkeep::aFullDiskIsLookedAtAndBackedUp()
+{
+    QTemporaryDir elsewhere;
+    SchoolRig rig(false);
+    rig.populate();
+    VERIFY_DONE(addAttempt(rig.school(), rig.student, SchoolRig::attempt("class1-36", 500), {}));
+    rig.close();
+    const Address address = Address::parse(rig.address()).value();
+    Database::Options options;
+    options.mayCreate = false;
+    options.onlyLooks = true;
+    core::Result<std::unique_ptr<Database>> looked = core::unexpected(ErrorCode::FileEmpty, "not tried");
+    {
+        const support::FullDisk full(10);
+        VERIFY_REFUSED(Database::open(rig.address()), ErrorCode::FileUnwritable);
+        looked = Database::open(address, options);
+        VERIFY_DONE(looked);
+        const auto report = checkDatabase((*looked)->handle(), {});
+        VERIFY_DONE(report);
+        QVERIFY2(report->findings.empty(), qPrintable(support::wordsOf(report->findings)));
+        QCOMPARE(report->attempts, 1);
+    }
+    const auto backup = backUp((*looked)->handle(), elsewhere.path(), rig.nowUtc);
+    VERIFY_DONE(backup);
+    looked->reset();
+    QCOMPARE(attemptsIn(*backup), 1);
+    rig.reopen();
+    QVERIFY(rig.isOpen());
+}
+
+void TestUpkeep::whatCannotBeWrittenIsLookedAtAndBackedUp()
+{
+    QTemporaryDir elsewhere;
+    QTemporaryDir folder;
+    SchoolRig rig(false);
+    rig.populate();
+    const QString file = folder.filePath("school.sqlite");
+    QVERIFY(QFile::copy(backUp(rig.school().db, elsewhere.path(), rig.nowUtc).value(), file));
+    QCOMPARE(chmod(qPrintable(file), 0444), 0);
+    QCOMPARE(chmod(qPrintable(folder.path()), 0555), 0);
+    QCOMPARE(chmod(qPrintable(elsewhere.path()), 0777), 0);
+    Address address;
+    address.file = file;
+    Database::Options options;
+    options.mayCreate = false;
+    options.onlyLooks = true;
+    {
+        // To root no folder is closed.
+        constexpr uid_t kNobody = 65534;
+        const uid_t me = geteuid();
+        QCOMPARE(me == 0 ? seteuid(kNobody) : 0, 0);
+        const auto back = qScopeGuard([me] { QCOMPARE(seteuid(me), 0); });
+        VERIFY_REFUSED(Database::open(file), ErrorCode::FileUnwritable);
+        const auto looked = Database::open(address, options);
+        VERIFY_DONE(looked);
+        QVERIFY(checkDatabase((*looked)->handle(), {})->findings.empty());
+        VERIFY_DONE(backUp((*looked)->handle(), elsewhere.path(), rig.nowUtc.addDays(1)));
+    }
+    QCOMPARE(QDir(folder.path()).entryList(QDir::Files), QStringList{"school.sqlite"});
+    QCOMPARE(chmod(qPrintable(folder.path()), 0755), 0);
 }
 
 /// A damaged file keeps its log beside it; one without its file is kept, too. Nothing of it, nor of what was shared
@@ -766,6 +954,90 @@ void TestUpkeep::everyOlderSchemaIsBroughtToTheNewest()
                      .toString(),
                  QString("{\"old\":1}"));
     }
+}
+
+void TestUpkeep::whatASpreadsheetWouldRunIsQuoted()
+{
+    for (const char* sign : {"=", "+", "-", "@", "\uFF1D", "\uFF0B", "\uFF0D", "\uFF20"})
+        QCOMPARE(csvField(std::string(sign) + "1+1"), "'" + std::string(sign) + "1+1");
+    for (const char* harmless : {"", "Ada", "1-1", "\uFF21da"})
+        QCOMPARE(csvField(harmless), std::string(harmless));
+}
+
+/// Beyond the first plane of Unicode a letter takes two of QString's places.
+void TestUpkeep::lettersAreCountedAndNotTheirHalves()
+{
+    SchoolRig rig(false);
+    rig.populate();
+    const auto of = [](int count) { return QString::fromUtf8("𠮷").repeated(count).toStdString(); };
+    VERIFY_DONE(addClass(rig.school(), rig.admin, of(100)));
+    VERIFY_REFUSED(addClass(rig.school(), rig.admin, of(101)), ErrorCode::OutOfRange);
+    VERIFY_DONE(normalUsername(of(64)));
+    VERIFY_REFUSED(normalUsername(of(65)), ErrorCode::OutOfRange);
+}
+
+/// Or with one of five digits, which nothing is noted and no backup is named by.
+void TestUpkeep::aClockWithoutAYearIsSaidToBeWrong()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    QTemporaryDir folder;
+    const QDateTime right = rig.nowUtc;
+    for (const int year : {-75, 10'002}) {
+        rig.nowUtc.setDate(QDate(year, 1, 1));
+        const auto refused = addClass(rig.school(), rig.admin, "new");
+        VERIFY_REFUSED(refused, ErrorCode::OutOfRange);
+        QVERIFY2(refused.error().detail.find("clock is wrong") != std::string::npos, refused.error().detail.c_str());
+        if (!onServer)
+            VERIFY_REFUSED(backUp(rig.school().db, folder.path(), rig.nowUtc), ErrorCode::OutOfRange);
+    }
+    QVERIFY(QDir(folder.path()).isEmpty());
+    rig.nowUtc = right;
+    VERIFY_DONE(addClass(rig.school(), rig.admin, "new"));
+}
+
+/// The other is told why, whichever moment it comes in.
+void TestUpkeep::ofTwoCopiesAtOnceOneArrives()
+{
+    SCHOOL_RIG(target);
+    SchoolRig from(false);
+    from.populate();
+    for (int k = 0; k < 30; ++k)
+        VERIFY_DONE(addAttempt(from.school(), from.student, SchoolRig::attempt("class1-36", k), {}));
+    from.close();
+    const QString where = target.address();
+    target.close();
+    constexpr int kTooLate = 1;
+    std::array<pid_t, 3> others{};
+    for (pid_t& other : others) {
+        other = fork();
+        if (other != 0)
+            continue;
+        const StationKey key = StationKey::make();
+        const auto source = Database::open(from.address());
+        const auto there = Database::open(where, std::chrono::seconds(20));
+        if (!source || !there)
+            _exit(2);
+        const School to{(*there)->handle(), key, [] { return QDateTime::currentDateTimeUtc(); }};
+        const School school{(*source)->handle(), key, [] { return QDateTime::currentDateTimeUtc(); }};
+        const auto copied = copySchool(school, from.admin, to);
+        if (!copied && copied.error().detail.find("a school already") == std::string::npos)
+            qWarning("%s", copied.error().detail.c_str());
+        _exit(copied ? 0
+              : copied.error().code == ErrorCode::OutOfRange &&
+                      copied.error().detail.find("a school already") != std::string::npos
+                  ? kTooLate
+                  : 2);
+    }
+    int arrived = 0;
+    for (const pid_t other : others) {
+        int status = 0;
+        QCOMPARE(waitpid(other, &status, 0), other);
+        QVERIFY(WIFEXITED(status) && WEXITSTATUS(status) <= kTooLate);
+        arrived += WEXITSTATUS(status) == 0 ? 1 : 0;
+    }
+    QCOMPARE(arrived, 1);
+    QCOMPARE(attemptsIn(where), 30);
 }
 
 void TestUpkeep::aSchoolMovesBetweenEnginesAndBack()
