@@ -235,6 +235,7 @@ void PeopleDesk::connectTalk()
                     return database::sql::addComment(school, who, id, comment).map([](std::int64_t) {});
                 });
             });
+    connect(&talk, &ui::people::TalkPanel::withdrawWanted, this, &PeopleDesk::takeBack);
     connect(&talk, &ui::people::TalkPanel::overrideWanted, this,
             [this](std::optional<int> tenths, const QString& reason, std::size_t before) {
                 sayInTalk([tenths, before, reason = reason.toStdString()](
@@ -269,6 +270,28 @@ void PeopleDesk::sayInTalk(Work work)
             }
             if (!done)
                 m_window.scorePage().talk().refuse(text::errorText(done.error(), text::Failed::ChangingSchool));
+        });
+}
+
+/// Where that was done already, at another computer, it goes as well.
+void PeopleDesk::takeBack(qint64 comment)
+{
+    askAs(
+        [who = m_who(), comment](const School& school) -> core::Result<bool> {
+            const auto done = database::sql::withdrawComment(school, who, comment);
+            if (!done && done.error().code != core::ErrorCode::ChangedSince)
+                return tl::unexpected(done.error());
+            return done.has_value();
+        },
+        [this, comment](const core::Result<bool>& done) {
+            ui::people::TalkPanel& talk = m_window.scorePage().talk();
+            if (!done) {
+                talk.refuse(text::errorText(done.error(), text::Failed::ChangingSchool));
+                return;
+            }
+            talk.withdraw(comment, !*done);
+            tellTalk();
+            tellAttempts();
         });
 }
 

@@ -84,6 +84,7 @@ private:
     void noteSeen(const database::AttemptRecord& attempt);
     template <class Work>
     void sayInTalk(Work work);
+    void takeBack(qint64 comment);
     void connectReport();
     void withReport(const std::function<void(const ui::report::ClassReport&)>& use);
 

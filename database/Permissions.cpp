@@ -30,6 +30,7 @@ constexpr std::array<std::array<Reach, kRoles>, kOperations> kTable{{
     {kNone, kOwn, kClasses, kAll},      // OpenAttempt
     {kNone, kOwn, kClasses, kAll},      // CompareWithClass
     {kNone, kNone, kClasses, kNone},    // Comment
+    {kNone, kNone, kOwn, kNone},        // WithdrawComment
     {kNone, kNone, kClasses, kNone},    // Override
     {kNone, kNone, kClasses, kAll},     // ReadClass
     {kNone, kNone, kClasses, kAll},     // ExportAttempts

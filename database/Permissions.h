@@ -34,6 +34,7 @@ enum class Operation : std::uint8_t {
     OpenAttempt,  ///< its score sheet and recording
     CompareWithClass,
     Comment,
+    WithdrawComment,
     Override,
     ReadClass,  ///< the overview of a class
     ExportAttempts,

@@ -107,6 +107,7 @@ struct AttemptComment
     std::string words;
     std::optional<std::array<double, 3>> placeMm;  ///< in the tooth's frame
     std::optional<std::int64_t> momentMs;          ///< since the attempt began
+    bool isMine = false;                           ///< written by who reads it, and so his to take back
     bool operator==(const AttemptComment&) const = default;
 };
 

@@ -358,7 +358,8 @@ int tellStats(const QCommandLineParser& parser, const Address& address)
           std::pair("instructors", "SELECT count(*) FROM people WHERE role = 'instructor'"),
           std::pair("admins", "SELECT count(*) FROM people WHERE role = 'admin'"),
           std::pair("classes", "SELECT count(*) FROM classes"), std::pair("attempts", "SELECT count(*) FROM attempts"),
-          std::pair("comments", "SELECT count(*) FROM comments"), std::pair("presets", "SELECT count(*) FROM presets"),
+          std::pair("comments", "SELECT count(*) FROM comments WHERE withdrawn_utc IS NULL"),
+          std::pair("presets", "SELECT count(*) FROM presets"),
           std::pair("audit_rows", "SELECT count(*) FROM audit")}) {
         const auto count = database::sql::ask(open->school->db, QLatin1String(sql), "count its rows");
         if (!count)

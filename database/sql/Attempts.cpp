@@ -531,6 +531,35 @@ core::Result<std::int64_t> addComment(const School& school, const Session& sessi
     });
 }
 
+core::Status withdrawComment(const School& school, const Session& session, std::int64_t comment)
+{
+    if (auto who = admit(school, session, Operation::WithdrawComment); !who)
+        return tl::unexpected(who.error());
+    const std::string doing = "take the comment back";
+    return inTurn(school, doing, [&]() -> core::Status {
+        QVariantList kept;
+        if (auto read = forEach(school.db,
+                                "SELECT c.author_id, c.withdrawn_utc, a.uid, c.words, c.x_um, c.y_um, c.z_um, "
+                                "c.moment_ms, c.written_utc FROM comments c JOIN attempts a ON a.id = c.attempt_id "
+                                "WHERE c.id = ?",
+                                doing, {number(comment)}, [&](const QSqlQuery& row) { kept = valuesOf(row, 0); });
+            !read)
+            return read;
+        if (kept.isEmpty())
+            return core::unexpected(ErrorCode::UnknownName, "there is no such comment");
+        if (kept.at(0).toLongLong() != session.person().value)
+            return core::unexpected(ErrorCode::NotAllowed, "a comment is taken back by who wrote it; ask him");
+        if (!kept.at(1).isNull())
+            return core::unexpected(ErrorCode::ChangedSince, "the comment has been taken back already");
+        if (auto done = execute(school.db, "UPDATE comments SET withdrawn_utc = ? WHERE id = ?", doing,
+                                {text(school.now()), number(comment)});
+            !done)
+            return done;
+        return note(school, session.uid(), "attempt.comment.withdraw", "attempt:" + kept.at(2).toString().toStdString(),
+                    {{"digest_of_all", QString::fromStdString(digestOfComment(kept.mid(3)))}});
+    });
+}
+
 std::string digestOfComment(const QVariantList& row)
 {
     core::ByteWriter bytes;

@@ -91,6 +91,8 @@ struct NewComment
 };
 [[nodiscard]] core::Result<std::int64_t> addComment(const School& school, const Session& session, AttemptId id,
                                                     const NewComment& comment);
+/// One's own: nobody is shown it any more, and its words stay in the database. ChangedSince: that is done already.
+[[nodiscard]] core::Status withdrawComment(const School& school, const Session& session, std::int64_t comment);
 
 /// Every attempt of a person, with its score sheet, and what the audit noted when it was kept (JSON; empty: nothing).
 /// For who checks or copies the database; asks nobody's leave.

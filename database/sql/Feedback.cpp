@@ -31,7 +31,8 @@ core::Result<std::vector<Feedback>> feedbackFor(const School& school, const Sess
     std::set<std::int64_t> known;
     if (auto read = forEach(school.db,
                             "SELECT f.id, f.lesson_id, f.author, f.said_utc, COALESCE(s.value, '') FROM (" +
-                                saidIn("comments", "written_utc") + " UNION ALL " + saidIn("overrides", "given_utc") +
+                                saidIn("comments", "written_utc") + " AND t.withdrawn_utc IS NULL UNION ALL " +
+                                saidIn("overrides", "given_utc") +
                                 ") f LEFT JOIN settings s ON s.owner = (SELECT uid FROM people WHERE id = ?) AND "
                                 "s.name = ? || f.uid ORDER BY f.said_utc DESC, f.id DESC",
                             "see what was said of the attempts",

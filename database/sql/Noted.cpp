@@ -6,13 +6,13 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <tuple>
 #include <vector>
 
 #include <QCryptographicHash>
 #include <QDateTime>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QSqlRecord>
 
 #include "database/Passwords.h"
 #include "database/sql/Attempts.h"
@@ -37,6 +37,10 @@ struct Opinion
 };
 /// By the uid of the attempt, in the order of saying.
 using Opinions = std::map<std::string, std::vector<Opinion>>;
+
+/// Comments that were taken back: the uids of attempt and author, and the digest of what was said. Two may say the
+/// same.
+using Withdrawn = std::multiset<std::tuple<std::string, std::string, std::string>>;
 
 struct Standing
 {
@@ -66,6 +70,7 @@ struct Noted
 {
     Opinions overrides;
     Opinions comments;
+    Withdrawn withdrawn;
     std::map<std::string, Standing> people;                                           ///< by uid
     std::map<std::pair<std::string, std::string>, std::optional<Given>> assignments;  ///< by class and lesson
     std::map<std::string, std::string> classes;                                       ///< names, by number
@@ -111,6 +116,8 @@ void take(Noted& noted, const Origin& origin, const std::string& action, const s
                                        textIn(detail, "reason_digest"), textIn(detail, "digest_of_all")});
     } else if (action == "attempt.comment") {
         noted.comments[id].push_back({actor, {}, textIn(detail, "digest"), textIn(detail, "digest_of_all")});
+    } else if (action == "attempt.comment.withdraw") {
+        noted.withdrawn.emplace(id, actor, textIn(detail, "digest_of_all"));
     } else if (action == "preset.add") {
         noted.presets[id] = textIn(detail, "hash");
         noted.presetOrigins[id] = origin;
@@ -139,15 +146,6 @@ void take(Noted& noted, const Origin& origin, const std::string& action, const s
         if (detail.contains(QStringLiteral("names_digest")))
             person.names = textIn(detail, "names_digest");
     }
-}
-
-/// From one column to the last.
-QVariantList valuesOf(const QSqlQuery& row, int first)
-{
-    QVariantList values;
-    for (int column = first; column < row.record().count(); ++column)
-        values += row.value(column);
-    return values;
 }
 
 /// What is said of an opinion.
@@ -194,6 +192,30 @@ core::Status compareOpinions(const QSqlDatabase& db, const char* sql, const Opin
     for (const auto& [attempt, opinions] : expected)
         if (opinions.size() > seen[attempt])
             say({words.removed, {"attempt:" + attempt}});
+    return {};
+}
+
+core::Status compareWithdrawn(const QSqlDatabase& db, Withdrawn expected, const Say& say)
+{
+    if (auto read = forEach(
+            db,
+            "SELECT a.uid, p.uid, c.words, c.x_um, c.y_um, c.z_um, c.moment_ms, c.written_utc FROM "
+            "comments c JOIN attempts a ON a.id = c.attempt_id JOIN people p ON p.id = c.author_id "
+            "WHERE c.withdrawn_utc IS NOT NULL",
+            kDoing, {},
+            [&](const QSqlQuery& row) {
+                const auto found = expected.find({textOf(row, 0), textOf(row, 1), digestOfComment(valuesOf(row, 2))});
+                if (found != expected.end())
+                    expected.erase(found);
+                else
+                    say({QT_TRANSLATE_NOOP("Finding", "a comment on %1 was taken back, and it was not noted"),
+                         {"attempt:" + textOf(row, 0)}});
+            });
+        !read)
+        return read;
+    for (const auto& [attempt, author, digest] : expected)
+        say({QT_TRANSLATE_NOOP("Finding", "a comment on %1 that was taken back is there again, changed or removed"),
+             {"attempt:" + attempt}});
     return {};
 }
 
@@ -425,7 +447,8 @@ core::Status compareWithAudit(const QSqlDatabase& db, const Say& say)
     if (auto read =
             forEach(db,
                     "SELECT actor, at_utc, action, object, detail FROM audit WHERE action IN ('attempt.override', "
-                    "'attempt.comment', 'lesson.assign', 'lesson.unassign', 'person.add', 'person.change', "
+                    "'attempt.comment', 'attempt.comment.withdraw', 'lesson.assign', 'lesson.unassign', 'person.add', "
+                    "'person.change', "
                     "'class.add', 'class.rename', 'class.enrol', 'class.leave', 'preset.add', 'setting.change') "
                     "ORDER BY seq",
                     kDoing, {},
@@ -450,8 +473,9 @@ core::Status compareWithAudit(const QSqlDatabase& db, const Say& say)
                           "comments c JOIN attempts a ON a.id = c.attempt_id "
                           "JOIN people p ON p.id = c.author_id ORDER BY c.id",
                           noted.comments, kComment, say),
-          compareScores(db, noted.overrides, say), comparePeople(db, noted.people, say), compareLogins(db, say),
-          compareAssignments(db, noted.assignments, say), compareClasses(db, noted.classes, noted.enrolments, say),
+          compareWithdrawn(db, noted.withdrawn, say), compareScores(db, noted.overrides, say),
+          comparePeople(db, noted.people, say), compareLogins(db, say), compareAssignments(db, noted.assignments, say),
+          compareClasses(db, noted.classes, noted.enrolments, say),
           compareKept(db, "SELECT name || ' v' || version, hash FROM presets", noted.presets, asItIs, always, "preset",
                       say),
           comparePresets(db, noted.presetOrigins, say),

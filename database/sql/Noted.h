@@ -10,8 +10,8 @@
 
 namespace database::sql {
 
-/// Compares with the audit what it notes of other tables: whose attempts are, overrides, comments, what people are and
-/// are called, who is in which class, what classes were given.
+/// Compares with the audit what it notes of other tables: whose attempts are, overrides, comments and which were taken
+/// back, what people are and are called, who is in which class, what classes were given.
 /// @param say  is told each thing that is not as it was noted
 [[nodiscard]] core::Status compareWithAudit(const QSqlDatabase& db, const std::function<void(const Finding&)>& say);
 

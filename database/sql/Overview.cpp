@@ -297,8 +297,9 @@ core::Result<AttemptTalk> readTalk(const School& school, const Session& session,
     AttemptTalk talk;
     if (auto read = forEach(school.db,
                             "SELECT c.id, " + author +
-                                ", c.written_utc, c.words, c.x_um, c.y_um, c.z_um, c.moment_ms FROM comments c JOIN "
-                                "people p ON p.id = c.author_id WHERE c.attempt_id = ? ORDER BY c.id",
+                                ", c.written_utc, c.words, c.x_um, c.y_um, c.z_um, c.moment_ms, c.author_id FROM "
+                                "comments c JOIN people p ON p.id = c.author_id WHERE c.attempt_id = ? AND "
+                                "c.withdrawn_utc IS NULL ORDER BY c.id",
                             kDoing, {number(id.value)},
                             [&](const QSqlQuery& row) {
                                 AttemptComment comment{
@@ -308,6 +309,7 @@ core::Result<AttemptTalk> readTalk(const School& school, const Session& session,
                                                        row.value(6).toInt() / kUmPerMm};
                                 if (!row.isNull(7))
                                     comment.momentMs = row.value(7).toLongLong();
+                                comment.isMine = row.value(8).toLongLong() == session.person().value;
                                 talk.comments.push_back(std::move(comment));
                             });
         !read)

@@ -2,6 +2,7 @@
 #include "database/sql/Statement.h"
 
 #include <QSqlError>
+#include <QSqlRecord>
 
 namespace database::sql {
 
@@ -64,6 +65,14 @@ QVariant text(const std::string& utf8)
 std::string textOf(const QSqlQuery& row, int column)
 {
     return row.value(column).toString().toStdString();
+}
+
+QVariantList valuesOf(const QSqlQuery& row, int first)
+{
+    QVariantList values;
+    for (int column = first; column < row.record().count(); ++column)
+        values += row.value(column);
+    return values;
 }
 
 }  // namespace database::sql

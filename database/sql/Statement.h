@@ -35,6 +35,8 @@ namespace database::sql {
     return QVariant::fromValue<qlonglong>(value);
 }
 [[nodiscard]] std::string textOf(const QSqlQuery& row, int column);
+/// From one column to the last.
+[[nodiscard]] QVariantList valuesOf(const QSqlQuery& row, int first);
 
 /// Runs `work` inside a transaction that writes, which ends with it: kept if it succeeds, undone if not.
 /// @param work  returns a core::Result or core::Status

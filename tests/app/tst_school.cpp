@@ -1211,6 +1211,19 @@ void TestSchool::commentsArePinnedToMomentsAndPlaces()
     QTRY_VERIFY_WITH_TIMEOUT(m_application->window().view().isVisible(), kPatienceMs);
     actions().back->trigger();
     QTRY_VERIFY_WITH_TIMEOUT(child<ui::study::ScorePage>()->isVisible(), kPatienceMs);
+
+    // The teacher takes it back, and finds it in the field, with what it was pinned to.
+    leaveFor("ines");
+    actions().classes->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(child<QTableView>("matrix")->model()->rowCount() == 1, kPatienceMs);
+    emit child<QTableView>("matrix")->verticalHeader()->sectionDoubleClicked(0);
+    openNewest();
+    QTRY_COMPARE_WITH_TIMEOUT(pins().size(), 2, kPatienceMs);
+    click("takeBack");
+    QTRY_COMPARE_WITH_TIMEOUT(pins().size(), 0, kPatienceMs);
+    QCOMPARE(count("comments WHERE withdrawn_utc IS NOT NULL"), 1);
+    QCOMPARE(child<QPlainTextEdit>("commentWords")->toPlainText(), QString("Here you pressed too hard."));
+    QVERIFY(child<QCheckBox>("atMoment")->isChecked() && child<QCheckBox>("atPlace")->isChecked());
 }
 
 /// Of the work that was just graded, and of an old attempt.

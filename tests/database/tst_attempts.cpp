@@ -87,6 +87,8 @@ private slots:
     void anAttemptBeyondTheLimitIsKept();
     void whatATeacherSaysIsNewUntilItIsRead_data() { support::addEngines(); }
     void whatATeacherSaysIsNewUntilItIsRead();
+    void aCommentIsTakenBackByWhoWroteIt_data() { support::addEngines(); }
+    void aCommentIsTakenBackByWhoWroteIt();
     void saysThatTheDiskIsFullAndGoesOnAfterwards();
     void saysThatAnotherProgramWrites();
 };
@@ -594,6 +596,49 @@ void TestAttempts::whatATeacherSaysIsNewUntilItIsRead()
     QVERIFY(feedback(rig.student).front().attempt == one && feedback(rig.student).front().isNew);
     VERIFY_REFUSED(feedbackFor(school, rig.classmate, rig.student.person()), ErrorCode::NotAllowed);
     QVERIFY(checkDatabase(school.db, {})->findings.empty());
+}
+
+/// Its words stay in the database, and nobody is shown them.
+void TestAttempts::aCommentIsTakenBackByWhoWroteIt()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    const School& school = rig.school();
+    VERIFY_DONE(enrol(school, rig.admin, rig.first, rig.otherInstructor.person(), true));
+    const AttemptRecord attempt = SchoolRig::attempt("class1-36", 700);
+    const AttemptId id = addAttempt(school, rig.student, attempt, {}).value();
+    const std::int64_t first = addComment(school, rig.instructor, id, {"too deep", {{1.0, 2.0, -0.5}}, 4200}).value();
+    const std::int64_t again = addComment(school, rig.instructor, id, {"too deep", {{1.0, 2.0, -0.5}}, 4200}).value();
+    const auto said = [&](const Session& who) { return readTalk(school, who, id)->comments; };
+    QVERIFY(said(rig.instructor).front().isMine);
+    for (const Session* who : {&rig.student, &rig.otherInstructor, &rig.admin}) {
+        QVERIFY(!said(*who).front().isMine);
+        VERIFY_REFUSED(withdrawComment(school, *who, first), ErrorCode::NotAllowed);
+    }
+    VERIFY_REFUSED(withdrawComment(school, rig.instructor, 999), ErrorCode::UnknownName);
+    QCOMPARE(said(rig.student).size(), std::size_t{2});
+
+    // Of two that say the same it is the one that was meant.
+    VERIFY_DONE(withdrawComment(school, rig.instructor, again));
+    VERIFY_REFUSED(withdrawComment(school, rig.instructor, again), ErrorCode::ChangedSince);
+    for (const Session* who : {&rig.student, &rig.instructor, &rig.admin}) {
+        QCOMPARE(said(*who).size(), std::size_t{1});
+        QCOMPARE(said(*who).front().id, first);
+    }
+    QCOMPARE(feedbackFor(school, rig.student, rig.student.person())->size(), std::size_t{1});
+    VERIFY_DONE(withdrawComment(school, rig.instructor, first));
+    QVERIFY(said(rig.student).empty());
+    QVERIFY(feedbackFor(school, rig.student, rig.student.person())->empty());
+    const auto kept = ask(school.db, "SELECT count(*) FROM comments WHERE words = 'too deep' AND withdrawn_utc = ?",
+                          "count", {QStringLiteral("2026-11-20T10:15:00Z")});
+    QCOMPARE(kept->toInt(), 2);
+    const AuditRow noted = readAudit(school, rig.admin, 1)->front();
+    QCOMPARE(noted.action, std::string("attempt.comment.withdraw"));
+    QCOMPARE(noted.actor, rig.instructor.uid());
+    QCOMPARE(noted.object, "attempt:" + attempt.uid);
+    const auto report = checkDatabase(school.db, {});
+    VERIFY_DONE(report);
+    QVERIFY2(report->findings.empty(), qPrintable(support::wordsOf(report->findings)));
 }
 
 /// Whether or not a score comes of it.

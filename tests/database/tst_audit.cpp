@@ -206,6 +206,13 @@ void TestAudit::whatStandsElsewhereIsAsItWasNoted_data()
                                                  << "a comment on attempt:";
         row("a comment of another day") << "UPDATE comments SET written_utc = '2020-01-01T00:00:00Z'"
                                         << "a comment on attempt:";
+        row("a comment hidden") << "UPDATE comments SET withdrawn_utc = '2026-11-20T10:15:00Z' WHERE words = 'too deep'"
+                                << "was taken back, and it was not noted";
+        row("a comment brought back") << "UPDATE comments SET withdrawn_utc = NULL WHERE words = 'of another'"
+                                      << "that was taken back is there again, changed or removed";
+        row("a comment that was taken back changed")
+            << "UPDATE comments SET words = 'well done' WHERE words = 'of another'"
+            << "a comment on attempt:";
         row("a preset slipped in") << "INSERT INTO presets (name, version, hash, json, author_id, created_utc) SELECT "
                                       "'soft', 9, hash, json, author_id, created_utc FROM presets"
                                    << "preset:soft v9 was inserted";
@@ -297,6 +304,9 @@ void TestAudit::whatStandsElsewhereIsAsItWasNoted()
     pinned.placeMm = {1.0, 2.0, -3.0};
     pinned.momentMs = 4200;
     VERIFY_DONE(addComment(school, rig.instructor, first, pinned));
+    const auto wrong = addComment(school, rig.instructor, first, {"of another", {}, {}});
+    VERIFY_DONE(wrong);
+    VERIFY_DONE(withdrawComment(school, rig.instructor, *wrong));
     VERIFY_DONE(changeSetting(school, rig.admin, "idle.minutes", "12"));
     VERIFY_DONE(addPreset(school, rig.admin,
                           {"soft", 1, "44136fa355b3678a1146ad16f7e8649e94fb4fc21fe77e8310c060f61caaff8a", "{}"}));

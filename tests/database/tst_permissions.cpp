@@ -38,14 +38,31 @@ constexpr std::array kTargetNames{"one's own", "a classmate's", "a stranger's"};
 /// What each role may: "-" nothing, "o" on one's own, "c" on those of one's classes, "a" on all.
 const std::map<Operation, const char*> kAllowed{
     //                                 guest student instructor admin
-    {Operation::ChangeOwnPassword, "-ooo"}, {Operation::ListPeople, "--ca"},      {Operation::AddPerson, "---a"},
-    {Operation::ChangePerson, "---a"},      {Operation::ResetPassword, "---a"},   {Operation::ListClasses, "-cca"},
-    {Operation::ChangeClasses, "---a"},     {Operation::ListAssignments, "-cca"}, {Operation::Assign, "--ca"},
-    {Operation::AddAttempt, "-ooo"},        {Operation::ReadHistory, "-oca"},     {Operation::OpenAttempt, "-oca"},
-    {Operation::CompareWithClass, "-oca"},  {Operation::Comment, "--c-"},         {Operation::Override, "--c-"},
-    {Operation::ReadClass, "--ca"},         {Operation::ExportAttempts, "--ca"},  {Operation::ListPresets, "aaaa"},
-    {Operation::AddPreset, "---a"},         {Operation::ReadSettings, "aaaa"},    {Operation::ChangeSettings, "---a"},
-    {Operation::ChangeOwnSettings, "-ooo"}, {Operation::ReadAudit, "---a"},       {Operation::KeepBackups, "---a"},
+    {Operation::ChangeOwnPassword, "-ooo"},
+    {Operation::ListPeople, "--ca"},
+    {Operation::AddPerson, "---a"},
+    {Operation::ChangePerson, "---a"},
+    {Operation::ResetPassword, "---a"},
+    {Operation::ListClasses, "-cca"},
+    {Operation::ChangeClasses, "---a"},
+    {Operation::ListAssignments, "-cca"},
+    {Operation::Assign, "--ca"},
+    {Operation::AddAttempt, "-ooo"},
+    {Operation::ReadHistory, "-oca"},
+    {Operation::OpenAttempt, "-oca"},
+    {Operation::CompareWithClass, "-oca"},
+    {Operation::Comment, "--c-"},
+    {Operation::WithdrawComment, "--o-"},
+    {Operation::Override, "--c-"},
+    {Operation::ReadClass, "--ca"},
+    {Operation::ExportAttempts, "--ca"},
+    {Operation::ListPresets, "aaaa"},
+    {Operation::AddPreset, "---a"},
+    {Operation::ReadSettings, "aaaa"},
+    {Operation::ChangeSettings, "---a"},
+    {Operation::ChangeOwnSettings, "-ooo"},
+    {Operation::ReadAudit, "---a"},
+    {Operation::KeepBackups, "---a"},
     {Operation::CopySchool, "---a"},
 };
 
@@ -90,6 +107,10 @@ std::vector<Call> TestPermissions::callsOn(SchoolRig& rig)
     std::map<std::int64_t, AttemptId> attemptOf;
     for (const Session* who : {&rig.student, &rig.classmate, &rig.stranger, &rig.instructor, &rig.admin})
         attemptOf[who->person().value] = addAttempt(s, *who, SchoolRig::attempt("class1-36", 700), "recording").value();
+    const std::int64_t ownComment =
+        addComment(s, rig.instructor, attemptOf[rig.classmate.person().value], {"well", {}, {}}).value();
+    const std::int64_t othersComment =
+        addComment(s, rig.otherInstructor, attemptOf[rig.stranger.person().value], {"well", {}, {}}).value();
     const auto personOf = [&rig](const Session& me, Target target) {
         // An admin is in no class: everybody's things are a stranger's to him.
         return target == Mine ? me.person() : target == Classmates ? rig.classmate.person() : rig.stranger.person();
@@ -200,6 +221,10 @@ std::vector<Call> TestPermissions::callsOn(SchoolRig& rig)
         {Operation::Comment, "addComment",
          [&s, attempt](const Session& me, Target t) {
              return plain(addComment(s, me, attempt(me, t), {"well", {}, {}}));
+         }},
+        {Operation::WithdrawComment, "withdrawComment",
+         [&s, ownComment, othersComment](const Session& me, Target t) {
+             return withdrawComment(s, me, t == Mine ? ownComment : othersComment);
          }},
         {Operation::Override, "overrideScore",
          [&s, attempt](const Session& me, Target t) { return overrideScore(s, me, attempt(me, t), 800, "as seen"); }},

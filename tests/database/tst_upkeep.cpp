@@ -181,6 +181,8 @@ private slots:
     void backupsAreThinnedOut();
     void everyOlderSchemaIsBroughtToTheNewest_data() { support::addEngines(); }
     void everyOlderSchemaIsBroughtToTheNewest();
+    void commentsFromBeforeTheyCouldBeTakenBackStand_data() { support::addEngines(); }
+    void commentsFromBeforeTheyCouldBeTakenBackStand();
     void aSchoolMovesBetweenEnginesAndBack();
     void aCheckNamesTheAttemptThatWasChanged_data() { support::addEngines(); }
     void aCheckNamesTheAttemptThatWasChanged();
@@ -1040,6 +1042,29 @@ void TestUpkeep::ofTwoCopiesAtOnceOneArrives()
     QCOMPARE(attemptsIn(where), 30);
 }
 
+void TestUpkeep::commentsFromBeforeTheyCouldBeTakenBackStand()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    const School& school = rig.school();
+    const AttemptId id = addAttempt(school, rig.student, SchoolRig::attempt("class1-36", 700), {}).value();
+    const std::int64_t comment = addComment(school, rig.instructor, id, {"too deep", {{1.0, 2.0, -0.5}}, 4200}).value();
+    const auto talk = readTalk(school, rig.instructor, id);
+    constexpr std::size_t kStep = 7;
+    for (const char* aged : {"ALTER TABLE comments DROP COLUMN withdrawn_utc",
+                             onServer ? "DELETE FROM cusp_schema WHERE version > 6" : "PRAGMA user_version = 6"})
+        VERIFY_DONE(execute(school.db, aged, "age it"));
+    VERIFY_REFUSED(readTalk(school, rig.instructor, id), ErrorCode::BadStructure);
+    const auto steps = shippedMigrations();
+    VERIFY_DONE(steps);
+    VERIFY_DONE(migrate(school.db, std::span(*steps).first(kStep)));
+    QVERIFY(*readTalk(school, rig.instructor, id) == *talk);
+    VERIFY_DONE(withdrawComment(school, rig.instructor, comment));
+    const auto report = checkDatabase(school.db, {});
+    VERIFY_DONE(report);
+    QVERIFY2(report->findings.empty(), qPrintable(support::wordsOf(report->findings)));
+}
+
 void TestUpkeep::aSchoolMovesBetweenEnginesAndBack()
 {
     if (!support::sharedServer().fault().isEmpty())
@@ -1051,6 +1076,9 @@ void TestUpkeep::aSchoolMovesBetweenEnginesAndBack()
     const QByteArray recording("recording\0with a zero", 21);
     const AttemptId id = addAttempt(first.school(), first.student, attempt, recording).value();
     VERIFY_DONE(addComment(first.school(), first.instructor, id, {"Well done.", {{1.0, 2.0, -0.5}}, 90'000}));
+    const auto wrong = addComment(first.school(), first.instructor, id, {"Of another.", {}, {}});
+    VERIFY_DONE(wrong);
+    VERIFY_DONE(withdrawComment(first.school(), first.instructor, *wrong));
     VERIFY_DONE(overrideScore(first.school(), first.instructor, id, 900, "It is better than that."));
     SchoolRig server(true);
     QVERIFY(server.isOpen());

@@ -450,7 +450,7 @@ void TestLanguages::pages_data()
         talk.setScore(512, 600, false);
         talk.setMay(true, true);
         database::AttemptTalk said;
-        said.comments.push_back({1, "[···]", "2026-05-04T10:20:30Z", "[···]", std::array{1.0, 2.0, 3.0}, 4000});
+        said.comments.push_back({1, "[···]", "2026-05-04T10:20:30Z", "[···]", std::array{1.0, 2.0, 3.0}, 4000, true});
         said.overrides.push_back({"[···]", "2026-05-04T10:20:30Z", 700, "[···]"});
         talk.setTalk(said);
         talk.setMoment(4000);

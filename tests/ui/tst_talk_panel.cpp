@@ -54,6 +54,9 @@ private slots:
     void theKeyboardStaysWithTheComment();
     void theKeyboardStaysWithTheScoreThatWasGiven();
     void theWheelScrollsOverTheScore();
+    void onesOwnCommentIsTakenBackToBeCorrected();
+    void aDraftOutlastsACommentThatIsTakenBack();
+    void whatWasTakenBackElsewhereGoesToo();
 
 private:
     template <typename Widget>
@@ -337,6 +340,80 @@ void TestTalkPanel::theWheelScrollsOverTheScore()
     QCOMPARE(points->value(), before);
     QVERIFY(!points->hasFocus());
     QVERIFY(!(points->focusPolicy() & Qt::WheelFocus & ~Qt::StrongFocus));
+}
+
+void TestTalkPanel::onesOwnCommentIsTakenBackToBeCorrected()
+{
+    auto* field = get<QPlainTextEdit>("commentWords");
+    AttemptTalk mine = talk();
+    mine.comments.front().isMine = true;
+    m_panel->setTalk(mine);
+    QCOMPARE(m_panel->findChildren<QPushButton*>("takeBack").size(), 1);
+    auto* button = get<QPushButton>("takeBack");
+    QVERIFY2(button->accessibleName().startsWith("Take back your comment of 20/11/2026"),
+             qPrintable(button->accessibleName()));
+    QSignalSpy wanted(m_panel.get(), &TalkPanel::withdrawWanted);
+    QSignalSpy shown(m_panel.get(), &TalkPanel::placeWanted);
+    button->setFocus();
+    QTest::keyClick(button, Qt::Key_Space);
+    QCOMPARE(wanted.count(), 1);
+    QCOMPARE(wanted.first().first().toLongLong(), 1);
+    QVERIFY(field->toPlainText().isEmpty());
+
+    m_panel->withdraw(1, false);
+    QVERIFY(!words().contains("Here you pressed too hard."));
+    QCOMPARE(field->toPlainText(), QString("Here you pressed too hard."));
+    QVERIFY(get<QCheckBox>("atMoment")->isChecked() && get<QCheckBox>("atPlace")->isChecked());
+    QCOMPARE(shown.count(), 1);
+    QVERIFY(m_panel->focusWidget() == field);
+    auto* said = get<QLabel>("commentSaid");
+    QVERIFY2(said->isVisible() && said->text().startsWith("Taken back."), qPrintable(said->text()));
+    // It has gone from the database as well; what is to be corrected stays.
+    AttemptTalk left = talk();
+    left.comments.erase(left.comments.begin());
+    m_panel->setTalk(left);
+    QCOMPARE(field->toPlainText(), QString("Here you pressed too hard."));
+    get<QPushButton>("addComment")->click();
+    QVERIFY(!said->isVisible());
+    // Who only reads takes nothing back.
+    m_panel->setTalk(mine);
+    m_panel->setMay(false, false);
+    QVERIFY(get<QPushButton>("takeBack") == nullptr);
+}
+
+void TestTalkPanel::aDraftOutlastsACommentThatIsTakenBack()
+{
+    auto* field = get<QPlainTextEdit>("commentWords");
+    AttemptTalk mine = talk();
+    mine.comments.front().isMine = true;
+    m_panel->setTalk(mine);
+    field->setPlainText("Half a sentence");
+    m_panel->withdraw(1, false);
+    QVERIFY(!words().contains("Here you pressed too hard."));
+    QCOMPARE(field->toPlainText(), QString("Half a sentence"));
+    QVERIFY(!get<QCheckBox>("atPlace")->isChecked());
+    QVERIFY(get<QLabel>("commentSaid")->text().contains("What you are writing"));
+    // It was said of this attempt.
+    m_panel->setAttempt(8);
+    QVERIFY(!get<QLabel>("commentSaid")->isVisible());
+}
+
+/// And is not written again: it may have been, there.
+void TestTalkPanel::whatWasTakenBackElsewhereGoesToo()
+{
+    auto* field = get<QPlainTextEdit>("commentWords");
+    AttemptTalk mine = talk();
+    mine.comments.front().isMine = true;
+    m_panel->setTalk(mine);
+    m_panel->withdraw(1, true);
+    QVERIFY(!words().contains("Here you pressed too hard."));
+    QVERIFY(field->toPlainText().isEmpty());
+    QCOMPARE(get<QLabel>("commentSaid")->text(), QString("This comment had been taken back already."));
+    // Pressed twice it says so once.
+    m_panel->setTalk(mine);
+    m_panel->withdraw(1, false);
+    m_panel->withdraw(1, true);
+    QVERIFY(get<QLabel>("commentSaid")->text().startsWith("Taken back."));
 }
 
 QTEST_MAIN(TestTalkPanel)

@@ -35,6 +35,7 @@ constexpr std::array kActions{
     std::pair{"attempt.add", QT_TRANSLATE_NOOP("Admin", "an attempt was kept")},
     std::pair{"exam.begin", QT_TRANSLATE_NOOP("Admin", "began an exam")},
     std::pair{"attempt.comment", QT_TRANSLATE_NOOP("Admin", "commented on an attempt")},
+    std::pair{"attempt.comment.withdraw", QT_TRANSLATE_NOOP("Admin", "took a comment back")},
     std::pair{"attempt.override", QT_TRANSLATE_NOOP("Admin", "gave another score")},
     std::pair{"preset.add", QT_TRANSLATE_NOOP("Admin", "kept a hardness preset")},
     std::pair{"setting.change", QT_TRANSLATE_NOOP("Admin", "changed a setting")},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/people/TalkPanel.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <QCheckBox>
@@ -12,6 +13,7 @@
 #include <QLocale>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QTextCursor>
 #include <QVBoxLayout>
 
 #include "ui/people/PeopleWords.h"
@@ -72,6 +74,10 @@ void TalkPanel::makeComposer(QVBoxLayout& column)
     auto* inside = new QVBoxLayout(m_composer);
     inside->setContentsMargins(0, kSpace2, 0, 0);
     inside->setSpacing(kSpace2);
+    m_said = label(kBody, QFont::Normal, QPalette::WindowText, m_composer);
+    m_said->setObjectName(QStringLiteral("commentSaid"));
+    m_said->hide();
+    inside->addWidget(m_said);
     m_words = new QPlainTextEdit(m_composer);
     m_words->setObjectName(QStringLiteral("commentWords"));
     m_words->setTabChangesFocus(true);
@@ -101,6 +107,7 @@ void TalkPanel::makeComposer(QVBoxLayout& column)
     connect(m_words, &QPlainTextEdit::textChanged, this, &TalkPanel::tellRoom);
     connect(m_add, &QPushButton::clicked, this, [this] {
         m_fault->hide();
+        say({});
         emit commentWanted(m_words->toPlainText().trimmed(), m_atMoment->isChecked() ? m_moment : std::nullopt,
                            m_atPlace->isChecked() ? m_place : std::nullopt);
     });
@@ -167,6 +174,7 @@ void TalkPanel::setAttempt(qint64 attempt)
     m_words->setPlainText(m_drafts[m_attempt]);
     m_reason->clear();  // without the number it was meant for it would be given for another
     refuse({});
+    say({});
 }
 
 void TalkPanel::forget()
@@ -267,6 +275,53 @@ void TalkPanel::unpin()
     m_atPlace->setChecked(false);
 }
 
+void TalkPanel::withdraw(qint64 comment, bool earlier)
+{
+    const auto found = std::find_if(m_talk.comments.begin(), m_talk.comments.end(),
+                                    [comment](const auto& one) { return one.id == comment; });
+    if (found == m_talk.comments.end())  // another attempt is shown by now, or it was pressed twice
+        return;
+    const database::AttemptComment gone = *found;
+    m_talk.comments.erase(found);
+    // Its button goes along, and must not hand the keyboard on to the score.
+    if (m_list->isAncestorOf(window()->focusWidget()))
+        m_words->setFocus();
+    fill();
+    const bool isFree = m_words->toPlainText().trimmed().isEmpty();
+    if (earlier)
+        say(tr("This comment had been taken back already."));
+    else if (isFree)
+        say(tr("Taken back. Nobody is shown it any more. Its words are here again, to be corrected or cleared."));
+    else
+        say(tr("Taken back. Nobody is shown it any more. What you are writing is as it was."));
+    if (isFree && !earlier)
+        writeAgain(gone);
+    emit formUsed(m_composer);  // what went has moved it
+}
+
+/// What it was pinned to comes back with it.
+void TalkPanel::writeAgain(const database::AttemptComment& comment)
+{
+    m_words->setPlainText(QString::fromStdString(comment.words));
+    m_words->moveCursor(QTextCursor::End);
+    if (comment.placeMm) {
+        emit placeWanted(*comment.placeMm);
+        setPlace(comment.placeMm, true);
+    }
+    if (comment.momentMs) {
+        setMoment(comment.momentMs);
+        m_atMoment->setChecked(true);
+    }
+}
+
+void TalkPanel::say(const QString& sentence)
+{
+    m_said->setText(sentence);
+    m_said->setVisible(!sentence.isEmpty());
+    if (!sentence.isEmpty())
+        announce(*m_said);
+}
+
 void TalkPanel::refuse(const QString& sentence)
 {
     m_fault->setText(sentence);
@@ -322,6 +377,22 @@ void TalkPanel::tellPins()
                                     : tr("To pin it to a place, click on the tooth above."));
 }
 
+QPushButton* TalkPanel::takeBackButton(const database::AttemptComment& comment)
+{
+    auto* button = new QPushButton(tr("Take back"), m_list);
+    button->setObjectName(QStringLiteral("takeBack"));
+    button->setProperty("kind", "aside");
+    button->setAutoDefault(true);
+    //: %1: when it was written
+    button->setAccessibleName(tr("Take back your comment of %1").arg(when(comment.writtenUtc)));
+    connect(button, &QPushButton::clicked, this, [this, id = comment.id] {
+        m_fault->hide();
+        say({});
+        emit withdrawWanted(id);
+    });
+    return button;
+}
+
 /// Comments and given scores, as they followed each other.
 void TalkPanel::fill()
 {
@@ -330,7 +401,8 @@ void TalkPanel::fill()
     auto* column = new QVBoxLayout(m_list);
     column->setContentsMargins(0, kSpace2, 0, 0);
     column->setSpacing(kSpace4);
-    const auto entry = [&](const std::string& author, const std::string& utc, const QString& words) {
+    const auto entry = [&](const std::string& author, const std::string& utc, const QString& words,
+                           QPushButton* beside = nullptr) {
         auto* inside = new QVBoxLayout;
         inside->setSpacing(kSpace1);
         QLabel* who = label(kSmall, QFont::DemiBold, QPalette::PlaceholderText, m_list);
@@ -338,13 +410,18 @@ void TalkPanel::fill()
         QLabel* what = label(kBody, QFont::Normal, QPalette::WindowText, m_list);
         what->setText(words);
         what->setTextInteractionFlags(Qt::TextSelectableByMouse);
-        inside->addWidget(who);
+        auto* head = new QHBoxLayout;
+        head->addWidget(who, 1);
+        if (beside != nullptr)
+            head->addWidget(beside, 0, Qt::AlignTop);
+        inside->addLayout(head);
         inside->addWidget(what);
         column->addLayout(inside);
         return inside;
     };
     const auto addComment = [&](const database::AttemptComment& comment) {
-        QVBoxLayout* inside = entry(comment.author, comment.writtenUtc, QString::fromStdString(comment.words));
+        QVBoxLayout* inside = entry(comment.author, comment.writtenUtc, QString::fromStdString(comment.words),
+                                    comment.isMine && m_mayComment ? takeBackButton(comment) : nullptr);
         if (!comment.momentMs && !comment.placeMm)
             return;
         auto* pins = new QHBoxLayout;

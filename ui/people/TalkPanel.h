@@ -48,12 +48,17 @@ public:
     /// The place that is marked on the tooth, in its frame, mm.
     /// @param forComment  it was marked by who writes, so that what he writes is about it
     void setPlace(const std::optional<std::array<double, 3>>& placeMm, bool forComment = false);
+    /// A comment of one's own goes. Its words and pins come back into the field where that is empty, to be corrected.
+    /// @param earlier  somebody had done it already, and may have written it anew
+    void withdraw(qint64 comment, bool earlier);
     /// Says why what was written could not be kept. It stays where it was typed.
     void refuse(const QString& sentence);
 
 signals:
     void commentWanted(const QString& words, std::optional<std::int64_t> momentMs,
                        std::optional<std::array<double, 3>> placeMm);
+    /// One's own, to be taken back.
+    void withdrawWanted(qint64 comment);
     /// @param tenths  nothing: the machine's score counts again
     /// @param before  so many were given so far, as it is shown here
     void overrideWanted(std::optional<int> tenths, const QString& reason, std::size_t before);
@@ -79,6 +84,9 @@ private:
     void tellRoom();
     void unpin();
     void offerPoints(int tenths);
+    void writeAgain(const database::AttemptComment& comment);
+    void say(const QString& sentence);
+    [[nodiscard]] QPushButton* takeBackButton(const database::AttemptComment& comment);
     [[nodiscard]] QWidget* formInUse() const;
 
     std::map<qint64, QString> m_drafts;  ///< comments on the other attempts that are typed, and kept nowhere yet
@@ -96,6 +104,7 @@ private:
     QWidget* m_list = nullptr;
     QVBoxLayout* m_listSlot;
     QWidget* m_composer = nullptr;
+    QLabel* m_said = nullptr;  ///< of a comment that was taken back
     QPlainTextEdit* m_words = nullptr;
     QCheckBox* m_atMoment = nullptr;
     QCheckBox* m_atPlace = nullptr;
