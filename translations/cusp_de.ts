@@ -280,6 +280,14 @@
         <source>took out a report of a class</source>
         <translation>hat einen Klassenbericht entnommen</translation>
     </message>
+    <message>
+        <source>had the password kept more safely</source>
+        <translation>bekam sein Passwort sicherer gespeichert</translation>
+    </message>
+    <message>
+        <source>took a comment back</source>
+        <translation>hat einen Kommentar zurückgenommen</translation>
+    </message>
 </context>
 <context>
     <name>Block</name>
@@ -1871,6 +1879,38 @@
         <source>who signed the head of the audit could not be looked at (%1)</source>
         <translation>wer den Kopf des Protokolls signiert hat, konnte nicht geprüft werden (%1)</translation>
     </message>
+    <message>
+        <source>new rows of the table %1 get no number any more, so that nothing can be added to it; &quot;cusp db migrate&quot; puts that right</source>
+        <translation>neue Zeilen der Tabelle %1 bekommen keine Nummer mehr, sodass nichts hinzukommen kann; „cusp db migrate“ behebt das</translation>
+    </message>
+    <message>
+        <source>the numbers of new rows could not be looked at (%1)</source>
+        <translation>die Nummern neuer Zeilen konnten nicht geprüft werden (%1)</translation>
+    </message>
+    <message>
+        <source>a comment on %1 was taken back, and it was not noted</source>
+        <translation>ein Kommentar (%1) wurde zurückgenommen, ohne Eintrag im Protokoll</translation>
+    </message>
+    <message>
+        <source>a comment on %1 that was taken back is there again, changed or removed</source>
+        <translation>ein zurückgenommener Kommentar (%1) ist wieder da, verändert oder entfernt</translation>
+    </message>
+    <message>
+        <source>the password of %1 cannot be read, and lets nobody in: reset it, or restore a backup</source>
+        <translation>das Passwort von %1 ist nicht lesbar, niemand kann sich damit anmelden: Setzen Sie es zurück, oder stellen Sie eine Sicherung wieder her</translation>
+    </message>
+    <message>
+        <source>the password or the one-time code of %1 was changed without a note in the audit: reset it, or restore a backup</source>
+        <translation>das Passwort oder der Einmalcode von %1 wurde geändert, ohne dass es im Protokoll steht: Setzen Sie es zurück, oder stellen Sie eine Sicherung wieder her</translation>
+    </message>
+    <message>
+        <source>the server lets the triggers of this database rest (session_replication_role is %1): what they guard is not guarded; let its administrator set it to origin</source>
+        <translation>der Server lässt die Trigger dieser Datenbank ruhen (session_replication_role ist %1): Was sie schützen, ist nicht geschützt; der Administrator des Servers muss es auf origin setzen</translation>
+    </message>
+    <message>
+        <source>%1 is not from this program: it may refuse what is to be written</source>
+        <translation>%1 stammt nicht von diesem Programm und kann verhindern, dass etwas geschrieben wird</translation>
+    </message>
 </context>
 <context>
     <name>Handpiece</name>
@@ -2623,6 +2663,10 @@
         <source>Restoring works: a backup was made, restored beside the database and compared, %1 rows.</source>
         <translation>Zurückspielen klappt: Eine Sicherung wurde gemacht, neben der Datenbank zurückgespielt und verglichen, %1 Zeilen.</translation>
     </message>
+    <message>
+        <source>But its audit was changed. &quot;Check everything&quot; says where. Older backups in which it is whole are kept.</source>
+        <translation>Ihr Protokoll wurde aber verändert. „Alles prüfen“ sagt, wo. Ältere Sicherungen, in denen es unverändert ist, bleiben erhalten.</translation>
+    </message>
 </context>
 <context>
     <name>app::Application</name>
@@ -2753,6 +2797,10 @@
     <message>
         <source>The grade that could not be kept is kept now.</source>
         <translation>Die Bewertung, die nicht gespeichert werden konnte, ist jetzt gespeichert.</translation>
+    </message>
+    <message>
+        <source>Today&apos;s backup was made, but the audit was changed. &quot;Check everything&quot; on the page of the backups says where.</source>
+        <translation>Die heutige Sicherung wurde gemacht, aber das Protokoll wurde verändert. „Alles prüfen“ auf der Seite der Sicherungen sagt, wo.</translation>
     </message>
 </context>
 <context>
@@ -5062,6 +5110,27 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
             <numerusform>%Ln Zeichen zu viel: Ein Kommentar hat höchstens %1.</numerusform>
             <numerusform>%Ln Zeichen zu viel: Ein Kommentar hat höchstens %1.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>This comment had been taken back already.</source>
+        <translation>Dieser Kommentar war schon zurückgenommen.</translation>
+    </message>
+    <message>
+        <source>Taken back. Nobody is shown it any more. Its words are here again, to be corrected or cleared.</source>
+        <translation>Zurückgenommen. Niemand sieht den Kommentar mehr. Sein Text steht wieder hier; Sie können ihn berichtigen oder löschen.</translation>
+    </message>
+    <message>
+        <source>Taken back. Nobody is shown it any more. What you are writing is as it was.</source>
+        <translation>Zurückgenommen. Niemand sieht den Kommentar mehr. Was Sie gerade schreiben, ist unverändert.</translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>Zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Take back your comment of %1</source>
+        <extracomment>%1: when it was written</extracomment>
+        <translation>Ihren Kommentar vom %1 zurücknehmen</translation>
     </message>
 </context>
 <context>

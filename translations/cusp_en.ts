@@ -280,6 +280,14 @@
         <source>took out a report of a class</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>had the password kept more safely</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>took a comment back</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Block</name>
@@ -1871,6 +1879,38 @@
         <source>who signed the head of the audit could not be looked at (%1)</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>new rows of the table %1 get no number any more, so that nothing can be added to it; &quot;cusp db migrate&quot; puts that right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the numbers of new rows could not be looked at (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a comment on %1 was taken back, and it was not noted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a comment on %1 that was taken back is there again, changed or removed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the password of %1 cannot be read, and lets nobody in: reset it, or restore a backup</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the password or the one-time code of %1 was changed without a note in the audit: reset it, or restore a backup</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the server lets the triggers of this database rest (session_replication_role is %1): what they guard is not guarded; let its administrator set it to origin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not from this program: it may refuse what is to be written</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Handpiece</name>
@@ -2623,6 +2663,10 @@
         <source>Restoring works: a backup was made, restored beside the database and compared, %1 rows.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>But its audit was changed. &quot;Check everything&quot; says where. Older backups in which it is whole are kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>app::Application</name>
@@ -2752,6 +2796,10 @@
     </message>
     <message>
         <source>The grade that could not be kept is kept now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Today&apos;s backup was made, but the audit was changed. &quot;Check everything&quot; on the page of the backups says where.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5054,6 +5102,27 @@ load NAME        feels a hardness preset that is kept</source>
             <numerusform>%Ln character too many: a comment has at most %1.</numerusform>
             <numerusform>%Ln characters too many: a comment has at most %1.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>This comment had been taken back already.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Taken back. Nobody is shown it any more. Its words are here again, to be corrected or cleared.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Taken back. Nobody is shown it any more. What you are writing is as it was.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take back your comment of %1</source>
+        <extracomment>%1: when it was written</extracomment>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -280,6 +280,14 @@
         <source>took out a report of a class</source>
         <translation>sacó un informe de una clase</translation>
     </message>
+    <message>
+        <source>had the password kept more safely</source>
+        <translation>tiene ahora la contraseña guardada con más seguridad</translation>
+    </message>
+    <message>
+        <source>took a comment back</source>
+        <translation>retiró un comentario</translation>
+    </message>
 </context>
 <context>
     <name>Block</name>
@@ -1871,6 +1879,38 @@
         <source>who signed the head of the audit could not be looked at (%1)</source>
         <translation>no se pudo revisar quién firmó la cabecera del registro (%1)</translation>
     </message>
+    <message>
+        <source>new rows of the table %1 get no number any more, so that nothing can be added to it; &quot;cusp db migrate&quot; puts that right</source>
+        <translation>las filas nuevas de la tabla %1 ya no reciben número, así que no se puede añadir nada; «cusp db migrate» lo arregla</translation>
+    </message>
+    <message>
+        <source>the numbers of new rows could not be looked at (%1)</source>
+        <translation>no se pudieron revisar los números de las filas nuevas (%1)</translation>
+    </message>
+    <message>
+        <source>a comment on %1 was taken back, and it was not noted</source>
+        <translation>se retiró un comentario (%1) sin que se anotara</translation>
+    </message>
+    <message>
+        <source>a comment on %1 that was taken back is there again, changed or removed</source>
+        <translation>un comentario retirado (%1) vuelve a estar, fue alterado o fue eliminado</translation>
+    </message>
+    <message>
+        <source>the password of %1 cannot be read, and lets nobody in: reset it, or restore a backup</source>
+        <translation>la contraseña de %1 es ilegible y nadie puede entrar con ella: restablézcala o restaure una copia</translation>
+    </message>
+    <message>
+        <source>the password or the one-time code of %1 was changed without a note in the audit: reset it, or restore a backup</source>
+        <translation>la contraseña o el código de un solo uso de %1 se cambió sin que conste en el registro: restablézcala o restaure una copia</translation>
+    </message>
+    <message>
+        <source>the server lets the triggers of this database rest (session_replication_role is %1): what they guard is not guarded; let its administrator set it to origin</source>
+        <translation>el servidor deja inactivos los disparadores de esta base de datos (session_replication_role es %1): lo que protegen no está protegido; su administrador debe ponerlo en origin</translation>
+    </message>
+    <message>
+        <source>%1 is not from this program: it may refuse what is to be written</source>
+        <translation>%1 no es de este programa: puede impedir que se escriba algo</translation>
+    </message>
 </context>
 <context>
     <name>Handpiece</name>
@@ -2623,6 +2663,10 @@
         <source>Restoring works: a backup was made, restored beside the database and compared, %1 rows.</source>
         <translation>La restauración funciona: se hizo una copia, se restauró junto a la base de datos y se comparó, %1 filas.</translation>
     </message>
+    <message>
+        <source>But its audit was changed. &quot;Check everything&quot; says where. Older backups in which it is whole are kept.</source>
+        <translation>Pero su registro fue modificado. «Revisar todo» dice dónde. Las copias anteriores en las que está íntegro se conservan.</translation>
+    </message>
 </context>
 <context>
     <name>app::Application</name>
@@ -2753,6 +2797,10 @@
     <message>
         <source>The grade that could not be kept is kept now.</source>
         <translation>La calificación que no se pudo guardar ya está guardada.</translation>
+    </message>
+    <message>
+        <source>Today&apos;s backup was made, but the audit was changed. &quot;Check everything&quot; on the page of the backups says where.</source>
+        <translation>Se hizo la copia de hoy, pero el registro fue modificado. «Revisar todo», en la página de las copias, dice dónde.</translation>
     </message>
 </context>
 <context>
@@ -5062,6 +5110,27 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
             <numerusform>Sobra %Ln carácter: un comentario tiene %1 como máximo.</numerusform>
             <numerusform>Sobran %Ln caracteres: un comentario tiene %1 como máximo.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>This comment had been taken back already.</source>
+        <translation>Este comentario ya se había retirado.</translation>
+    </message>
+    <message>
+        <source>Taken back. Nobody is shown it any more. Its words are here again, to be corrected or cleared.</source>
+        <translation>Retirado. Ya nadie ve el comentario. Su texto está aquí otra vez, para corregirlo o borrarlo.</translation>
+    </message>
+    <message>
+        <source>Taken back. Nobody is shown it any more. What you are writing is as it was.</source>
+        <translation>Retirado. Ya nadie ve el comentario. Lo que está escribiendo sigue como estaba.</translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>Retirar</translation>
+    </message>
+    <message>
+        <source>Take back your comment of %1</source>
+        <extracomment>%1: when it was written</extracomment>
+        <translation>Retirar su comentario del %1</translation>
     </message>
 </context>
 <context>

@@ -279,6 +279,14 @@
         <source>took out a report of a class</source>
         <translation>クラスの報告書を取り出しました</translation>
     </message>
+    <message>
+        <source>had the password kept more safely</source>
+        <translation>パスワードがより安全に保存されました</translation>
+    </message>
+    <message>
+        <source>took a comment back</source>
+        <translation>コメントを取り下げました</translation>
+    </message>
 </context>
 <context>
     <name>Block</name>
@@ -1869,6 +1877,38 @@
         <source>who signed the head of the audit could not be looked at (%1)</source>
         <translation>監査記録の先頭の署名者を調べられませんでした（%1）</translation>
     </message>
+    <message>
+        <source>new rows of the table %1 get no number any more, so that nothing can be added to it; &quot;cusp db migrate&quot; puts that right</source>
+        <translation>表 %1 の新しい行に番号を付けられないため、何も追加できません。「cusp db migrate」で直せます</translation>
+    </message>
+    <message>
+        <source>the numbers of new rows could not be looked at (%1)</source>
+        <translation>新しい行の番号を調べられませんでした（%1）</translation>
+    </message>
+    <message>
+        <source>a comment on %1 was taken back, and it was not noted</source>
+        <translation>%1 へのコメントが記録なしに取り下げられています</translation>
+    </message>
+    <message>
+        <source>a comment on %1 that was taken back is there again, changed or removed</source>
+        <translation>%1 への取り下げられたコメントが、復活、改変または削除されています</translation>
+    </message>
+    <message>
+        <source>the password of %1 cannot be read, and lets nobody in: reset it, or restore a backup</source>
+        <translation>%1 のパスワードが読み取れず、ログインできません。リセットするか、バックアップを復元してください</translation>
+    </message>
+    <message>
+        <source>the password or the one-time code of %1 was changed without a note in the audit: reset it, or restore a backup</source>
+        <translation>%1 のパスワードまたはワンタイムコードが、監査記録なしに変更されています。リセットするか、バックアップを復元してください</translation>
+    </message>
+    <message>
+        <source>the server lets the triggers of this database rest (session_replication_role is %1): what they guard is not guarded; let its administrator set it to origin</source>
+        <translation>サーバーがこのデータベースのトリガーを休止させています（session_replication_role は %1）。トリガーが保護するものは保護されていません。サーバーの管理者に origin に設定してもらってください</translation>
+    </message>
+    <message>
+        <source>%1 is not from this program: it may refuse what is to be written</source>
+        <translation>%1 は、このプログラムのものではありません。書き込みを妨げる可能性があります</translation>
+    </message>
 </context>
 <context>
     <name>Handpiece</name>
@@ -2612,6 +2652,10 @@
         <source>Restoring works: a backup was made, restored beside the database and compared, %1 rows.</source>
         <translation>復元できます：バックアップを作成し、データベースの横に復元して %1 行を比較しました。</translation>
     </message>
+    <message>
+        <source>But its audit was changed. &quot;Check everything&quot; says where. Older backups in which it is whole are kept.</source>
+        <translation>ただし、監査記録が変更されています。「すべて確認」で場所がわかります。監査記録が元のままの以前のバックアップは残されます。</translation>
+    </message>
 </context>
 <context>
     <name>app::Application</name>
@@ -2741,6 +2785,10 @@
     <message>
         <source>The grade that could not be kept is kept now.</source>
         <translation>保存できなかった採点結果が保存されました。</translation>
+    </message>
+    <message>
+        <source>Today&apos;s backup was made, but the audit was changed. &quot;Check everything&quot; on the page of the backups says where.</source>
+        <translation>今日のバックアップは作成されましたが、監査記録が変更されています。バックアップのページの「すべて確認」で場所がわかります。</translation>
     </message>
 </context>
 <context>
@@ -5024,6 +5072,27 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>
             <numerusform>%Ln文字多すぎます。コメントは%1文字までです。</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>This comment had been taken back already.</source>
+        <translation>このコメントはすでに取り下げられていました。</translation>
+    </message>
+    <message>
+        <source>Taken back. Nobody is shown it any more. Its words are here again, to be corrected or cleared.</source>
+        <translation>取り下げました。コメントはもう誰にも表示されません。文章はここに戻してあります。直すか、消してください。</translation>
+    </message>
+    <message>
+        <source>Taken back. Nobody is shown it any more. What you are writing is as it was.</source>
+        <translation>取り下げました。コメントはもう誰にも表示されません。書きかけの文章はそのままです。</translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>取り下げる</translation>
+    </message>
+    <message>
+        <source>Take back your comment of %1</source>
+        <extracomment>%1: when it was written</extracomment>
+        <translation>%1 のコメントを取り下げます</translation>
     </message>
 </context>
 <context>
