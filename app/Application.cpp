@@ -410,9 +410,11 @@ void Application::restore(const database::Session& who)
     m_desk->restore(this, who, m_backup, [this](const SchoolDesk::Opening& opening) {
         const QDateTime made = database::sql::madeAt(m_backup).toLocalTime();
         takeOpening(opening);
-        m_window->sayAtDoor([made, restored = opening.restored, replaced = QFileInfo(opening.replaced).fileName()] {
+        m_window->sayAtDoor([made, restored = opening.restored, isOpen = opening.status.has_value(),
+                             replaced = QFileInfo(opening.replaced).fileName()] {
             if (!restored)
-                return tr("The backup was not restored; nothing has been changed. %1")
+                return (isOpen ? tr("The backup was not restored; nothing has been changed. %1")
+                               : tr("The backup was not restored. %1"))
                     .arg(ui::text::errorText(restored.error(), Failed::ReadingSchool));
             const QString when = QLocale().toString(made, QLocale::ShortFormat);
             //: %2: a file's name

@@ -189,7 +189,7 @@ void SchoolDesk::restore(QObject* owner, const database::Session& session, const
         if (!replaced)
             opening.restored = tl::unexpected(replaced.error());
         else if (opening.status)
-            opening.status = database::sql::noteRestored(*m_school, backup);
+            opening.status = database::sql::noteRestored(*m_school, session, backup);
         answer(guard, done, opening);
         deliverAll();
     });

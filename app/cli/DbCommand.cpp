@@ -253,7 +253,7 @@ int restoreFile(const QCommandLineParser& parser, const Address& address)
     const auto open = openSchool(address, Opening::Migrate);
     if (!open)
         return failedInPlace(open.error());
-    if (auto noted = database::sql::noteRestored(*open->school, backup); !noted)
+    if (auto noted = database::sql::noteRestored(*open->school, {}, backup); !noted)
         return failedInPlace(noted.error());
     return answer(parser,
                   replaced->isEmpty()

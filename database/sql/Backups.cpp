@@ -717,10 +717,15 @@ core::Status noteBackup(const School& school, const Session& session, const QStr
     });
 }
 
-core::Status noteRestored(const School& school, const QString& backup)
+core::Status noteRestored(const School& school, const Session& who, const QString& backup)
 {
-    return inTurn(school, "note the restoring", [&] {
-        return note(school, "system", "backup.restored",
+    const std::string doing = "note the restoring";
+    return inTurn(school, doing, [&]() -> core::Status {
+        const auto known =
+            ask(school.db, QStringLiteral("SELECT uid FROM people WHERE uid = ?"), doing, {text(who.uid())});
+        if (!known)
+            return tl::unexpected(known.error());
+        return note(school, known->isNull() ? "system" : who.uid(), "backup.restored",
                     "backup:" + QFileInfo(backup).completeBaseName().toStdString());
     });
 }

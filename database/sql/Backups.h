@@ -95,7 +95,8 @@ using BackupProgress = std::function<bool(int done, int all)>;
 [[nodiscard]] core::Status noteBackup(const School& school, const Session& session, const QString& backup);
 
 /// Into the audit of the restored database, whose end is older than before.
-[[nodiscard]] core::Status noteRestored(const School& school, const QString& backup);
+/// @param who  wanted it; where it knows nobody of that name yet, or nobody was asked, "system" is noted
+[[nodiscard]] core::Status noteRestored(const School& school, const Session& who, const QString& backup);
 
 /// Tries that a backup can be made of this database and brought back: into a folder of its own, which is removed. All
 /// rows are compared with those of the database at that moment; returns how many there are.

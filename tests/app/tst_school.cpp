@@ -1450,6 +1450,11 @@ void TestSchool::aBackupIsMadeTriedAndRestored()
     // Who looked in between would make an empty one.
     QTRY_VERIFY2_WITH_TIMEOUT(saidAtDoor().contains("is in place"), qPrintable(saidAtDoor()), kPatienceMs);
     QCOMPARE(count("people"), 4);
+    const auto actor =
+        sql::ask(sql::Database::open(file()).value()->handle(),
+                 "SELECT p.username FROM audit a JOIN people p ON p.uid = a.actor WHERE a.action = 'backup.restored'",
+                 "read");
+    QCOMPARE(actor->toString(), QString("admin"));
     logIn("admin");
 }
 
