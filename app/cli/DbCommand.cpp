@@ -291,6 +291,20 @@ int migrateDatabase(const QCommandLineParser& parser, const Address& address)
                   {{"database", address.shown()}, {"schema", *version}});
 }
 
+/// What a copy makes beside its recordings, and is not there yet. Nothing on a server.
+QStringList filesToMake(const Address& target)
+{
+    QStringList files;
+    if (target.isServer())
+        return files;
+    if (!QFileInfo::exists(target.file))
+        for (const char* end : {"-wal", "-shm", "-journal", ""})
+            files += target.file + QLatin1String(end);
+    if (const QString key = stationKeyOf(target); !QFileInfo::exists(key))
+        files += key;
+    return files;
+}
+
 int copyDatabase(const QCommandLineParser& parser, const Address& address)
 {
     if (!parser.isSet(QStringLiteral("to")))
@@ -307,7 +321,7 @@ int copyDatabase(const QCommandLineParser& parser, const Address& address)
     // Before anything is made there.
     if (const auto may = database::sql::admit(*from->school, *session, database::Operation::CopySchool); !may)
         return failed(may.error());
-    const bool wasThere = target->isServer() || QFileInfo::exists(target->file);
+    const QStringList made = filesToMake(*target);
     auto to = openSchool(*target, Opening::Create);
     if (!to)
         return failed(to.error());
@@ -324,9 +338,9 @@ int copyDatabase(const QCommandLineParser& parser, const Address& address)
         const bool isEmpty = database::sql::Logins::isNew(*to->school).value_or(false);
         to->school.reset();
         to->database.reset();
-        if (!wasThere && isEmpty && report.error().code != ErrorCode::Busy)
-            for (const char* end : {"-wal", "-shm", "-journal", ""})
-                QFile::remove(target->file + QLatin1String(end));
+        if (isEmpty && report.error().code != ErrorCode::Busy)
+            for (const QString& file : made)
+                QFile::remove(file);
         return failed(report.error());
     }
     if (report->recordingsMissing > 0)

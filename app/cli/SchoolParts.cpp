@@ -47,6 +47,12 @@ void makeDataFolder(const database::Address& address)
         QDir().mkpath(dataFolder());
 }
 
+QString stationKeyOf(const database::Address& address)
+{
+    const QString folder = address.isServer() ? dataFolder() : QFileInfo(address.file).absolutePath();
+    return QDir(folder).filePath(QStringLiteral("station.key"));
+}
+
 core::Result<OpenSchool> openSchool(const database::Address& address, Opening how)
 {
     const bool mayCreate = how == Opening::Create;
@@ -55,7 +61,6 @@ core::Result<OpenSchool> openSchool(const database::Address& address, Opening ho
                                                             ": there is no such file; \"cusp db init\" creates one");
     if (mayCreate)
         makeDataFolder(address);
-    const QString folder = address.isServer() ? dataFolder() : QFileInfo(address.file).absolutePath();
     OpenSchool open;
     database::sql::Database::Options options;
     options.mayMigrate = how == Opening::Migrate || how == Opening::Create;
@@ -65,7 +70,7 @@ core::Result<OpenSchool> openSchool(const database::Address& address, Opening ho
     if (!database)
         return tl::unexpected(database.error());
     // A backup that is looked at lies where no station is.
-    const QString keyFile = QDir(folder).filePath(QStringLiteral("station.key"));
+    const QString keyFile = stationKeyOf(address);
     open.hasStationKey = how != Opening::ToLook || QFileInfo::exists(keyFile);
     auto key = open.hasStationKey ? database::StationKey::readOrMake(keyFile)
                                   : core::Result<database::StationKey>(database::StationKey::make());

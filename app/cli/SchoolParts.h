@@ -34,6 +34,8 @@ enum class Opening {
 /// Makes the user's own folder, if the database is to lie there; no other.
 void makeDataFolder(const database::Address& address);
 [[nodiscard]] core::Result<OpenSchool> openSchool(const database::Address& address, Opening how);
+/// Where the key lies that signs what is written there.
+[[nodiscard]] QString stationKeyOf(const database::Address& address);
 
 /// Adds --as: who does it. His password is asked for, or read from the first line of standard input.
 void addPersonOption(QCommandLineParser& parser);

@@ -3,6 +3,8 @@
 
 #include <array>
 
+#include <QDir>
+#include <QFile>
 #include <QSqlError>
 #include <QSqlQuery>
 
@@ -69,7 +71,9 @@ core::Status verifyTable(const School& to, const QString& table, const RowSum& e
                                                          " did not arrive as it was sent; nothing was kept, try again");
 }
 
-core::Status copyRecordings(const School& from, const School& to, CopyReport& report, const CopyProgress& progress)
+/// @param made  files and folders that were not there before
+core::Status copyRecordings(const School& from, const School& to, CopyReport& report, QStringList& made,
+                            const CopyProgress& progress)
 {
     const auto hashes = recordingsNamed(from.db);
     if (!hashes)
@@ -83,6 +87,7 @@ core::Status copyRecordings(const School& from, const School& to, CopyReport& re
         }
         if (!bytes)
             return tl::unexpected(bytes.error());
+        made += pathsToMake(to.db, hash);
         if (auto put = putRecording(to, *bytes); !put)
             return tl::unexpected(put.error());
         if (const auto back = recordingOf(to.db, hash); !back)
@@ -92,6 +97,14 @@ core::Status copyRecordings(const School& from, const School& to, CopyReport& re
             progress(QStringLiteral("recordings"), report.recordings);
     }
     return {};
+}
+
+/// Newest first; a folder in which something else lies by now stays.
+void takeAway(QStringList& made)
+{
+    while (!made.isEmpty())
+        if (const QString path = made.takeLast(); !QFile::remove(path))
+            QDir().rmdir(path);
 }
 
 core::Status copySeal(const School& from, const School& to)
@@ -144,13 +157,14 @@ core::Result<CopyReport> copySchool(const School& from, const Session& session, 
         !noted)
         return tl::unexpected(noted.error());
     CopyReport report;
+    QStringList made;
     // What is read is one moment of the school, whoever writes meanwhile.
     if (auto begun =
             execute(from.db, dialect::isPostgres(from.db) ? "BEGIN ISOLATION LEVEL REPEATABLE READ READ ONLY" : "BEGIN",
                     "read it");
         !begun)
         return tl::unexpected(begun.error());
-    auto done = inTransaction(to.db, "copy the school", [&]() -> core::Status {
+    const auto bring = [&]() -> core::Status {
         if (auto mine = keepForOne(to.db); !mine)
             return mine;
         for (const Table& table : kTables) {
@@ -165,17 +179,24 @@ core::Result<CopyReport> copySchool(const School& from, const Session& session, 
                     return gone;
             report.rows += sum.rows();
         }
-        if (auto copied = copyRecordings(from, to, report, progress); !copied)
+        if (auto copied = copyRecordings(from, to, report, made, progress); !copied)
             return copied;
         if (auto copied = copySeal(from, to); !copied)
             return copied;
         // This computer signs what it has brought there, and knows the copy as its own from then on.
         return note(to, session.uid(), "school.copied", "school");
+    };
+    const auto done = inTransaction(to.db, "copy the school", [&] {
+        auto brought = bring();
+        if (!brought)
+            takeAway(made);  // while no other copy can bring the same there
+        return brought;
     });
     static_cast<void>(execute(from.db, "ROLLBACK", "end reading it"));
-    if (!done)
-        return tl::unexpected(done.error());
-    return report;
+    if (done)
+        return report;
+    takeAway(made);  // if it was the last step that failed
+    return tl::unexpected(done.error());
 }
 
 }  // namespace database::sql

@@ -68,6 +68,7 @@ private slots:
     void aLinkedFileIsRestoredWhereItLies();
     void aCopyIsSoundAndKnownHere();
     void ofTwoCopiesAtOnceOneIsThere();
+    void aCopyThatFailsLeavesNothingBehind();
     void lookingLeavesNothingBehind();
     void namesThatAreNoFilesAreRefused();
     void wrongUsageIsExplained();
@@ -451,6 +452,29 @@ void TestSchoolCommands::ofTwoCopiesAtOnceOneIsThere()
         QVERIFY2(one.exitCode == 0 || two.exitCode == 0, one.error + two.error);
         QCOMPARE(runCusp({"db", "stats", "--db", target, "--json"}).json()["admins"].toInt(), 1);
     }
+}
+
+void TestSchoolCommands::aCopyThatFailsLeavesNothingBehind()
+{
+    {
+        const auto opened = database::sql::Database::open(school());
+        VERIFY_DONE(opened);
+        const database::sql::School there{(*opened)->handle(),
+                                          database::StationKey::readOrMake(at("station.key")).value()};
+        const auto admin = database::sql::Logins::login(there, "admin", kPassword.trimmed().toStdString());
+        VERIFY_DONE(admin);
+        VERIFY_DONE(support::addAttempt(there, *admin, SchoolRig::attempt("class1-36", 500), "a recording"));
+    }
+    QVERIFY(QDir(m_folder->path()).mkdir("new"));
+    put(at("new/recordings"), "no folder");
+    const Ending copied = byAdmin({"db", "copy", "--to", at("new/copy.sqlite")});
+    QVERIFY2(copied.exitCode == 1, copied.out);
+    QCOMPARE(QDir(at("new")).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot),
+             QStringList{"recordings"});
+    // Where there was a key it stays.
+    QCOMPARE(byAdmin({"db", "copy", "--to", school()}).exitCode, 1);
+    QVERIFY(QFile::exists(at("station.key")) && QFile::exists(school()));
+    QCOMPARE(onFile({"db", "check"}).exitCode, 0);
 }
 
 void TestSchoolCommands::lookingLeavesNothingBehind()

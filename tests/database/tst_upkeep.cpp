@@ -7,6 +7,7 @@
 #include <memory>
 
 #include <QDir>
+#include <QDirIterator>
 #include <QFile>
 #include <QScopeGuard>
 #include <QSqlError>
@@ -28,6 +29,7 @@
 #include "database/sql/Export.h"
 #include "database/sql/Migrations.h"
 #include "database/sql/Overview.h"
+#include "database/sql/Recordings.h"
 #include "database/sql/Roster.h"
 #include "database/sql/RowSum.h"
 #include "database/sql/Sample.h"
@@ -184,6 +186,7 @@ private slots:
     void commentsFromBeforeTheyCouldBeTakenBackStand_data() { support::addEngines(); }
     void commentsFromBeforeTheyCouldBeTakenBackStand();
     void aSchoolMovesBetweenEnginesAndBack();
+    void aCopyThatFailsTakesAwayWhatItBrought();
     void aCheckNamesTheAttemptThatWasChanged_data() { support::addEngines(); }
     void aCheckNamesTheAttemptThatWasChanged();
     void newRowsAreNumberedAgain_data() { support::addEngines(); }
@@ -1102,6 +1105,40 @@ void TestUpkeep::aSchoolMovesBetweenEnginesAndBack()
         const auto next = addAttempt(rig->school(), *session, SchoolRig::attempt("class1-36", 1), {});
         VERIFY_DONE(next);
         QVERIFY(next->value > id.value);
+    }
+}
+
+/// And nothing that was there before.
+void TestUpkeep::aCopyThatFailsTakesAwayWhatItBrought()
+{
+    SchoolRig first(false);
+    first.populate();
+    const QByteArray recordings[]{QByteArray(5000, 'r'), QByteArray(5000, 's')};
+    for (const QByteArray& recording : recordings)
+        VERIFY_DONE(addAttempt(first.school(), first.student, SchoolRig::attempt("class1-36", 500), recording));
+    for (const bool hasOne : {false, true}) {
+        SchoolRig target(false);
+        QVERIFY(target.isOpen());
+        if (hasOne)
+            VERIFY_DONE(putRecording(target.school(), recordings[0]));
+        const auto names = [folder = QFileInfo(target.address()).absolutePath() + "/recordings"] {
+            QStringList found;
+            QDirIterator all(folder, QDir::AllEntries | QDir::NoDotAndDotDot, QDirIterator::Subdirectories);
+            while (all.hasNext())
+                found += all.next();
+            return QFileInfo::exists(folder) ? found : QStringList{"no folder"};
+        };
+        const QStringList before = names();
+        // It comes last.
+        VERIFY_DONE(execute(target.school().db,
+                            "CREATE TRIGGER stop BEFORE UPDATE ON audit_seal BEGIN SELECT RAISE(ABORT, 'stop'); END",
+                            "stop it"));
+        QVERIFY(!copySchool(first.school(), first.admin, target.school()).has_value());
+        QCOMPARE(names(), before);
+        VERIFY_DONE(execute(target.school().db, "DROP TRIGGER stop", "let it go on"));
+        const auto copied = copySchool(first.school(), first.admin, target.school());
+        VERIFY_DONE(copied);
+        QCOMPARE(copied->recordings, 2);
     }
 }
 
