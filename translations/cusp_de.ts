@@ -2802,6 +2802,10 @@
         <source>Today&apos;s backup was made, but the audit was changed. &quot;Check everything&quot; on the page of the backups says where.</source>
         <translation>Die heutige Sicherung wurde gemacht, aber das Protokoll wurde verändert. „Alles prüfen“ auf der Seite der Sicherungen sagt, wo.</translation>
     </message>
+    <message>
+        <source>The backup was not restored. %1</source>
+        <translation>Die Sicherung wurde nicht zurückgespielt. %1</translation>
+    </message>
 </context>
 <context>
     <name>app::CardDesk</name>

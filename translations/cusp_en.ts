@@ -2802,6 +2802,10 @@
         <source>Today&apos;s backup was made, but the audit was changed. &quot;Check everything&quot; on the page of the backups says where.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The backup was not restored. %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>app::CardDesk</name>

@@ -2802,6 +2802,10 @@
         <source>Today&apos;s backup was made, but the audit was changed. &quot;Check everything&quot; on the page of the backups says where.</source>
         <translation>Se hizo la copia de hoy, pero el registro fue modificado. «Revisar todo», en la página de las copias, dice dónde.</translation>
     </message>
+    <message>
+        <source>The backup was not restored. %1</source>
+        <translation>La copia de seguridad no se restauró. %1</translation>
+    </message>
 </context>
 <context>
     <name>app::CardDesk</name>

@@ -2790,6 +2790,10 @@
         <source>Today&apos;s backup was made, but the audit was changed. &quot;Check everything&quot; on the page of the backups says where.</source>
         <translation>今日のバックアップは作成されましたが、監査記録が変更されています。バックアップのページの「すべて確認」で場所がわかります。</translation>
     </message>
+    <message>
+        <source>The backup was not restored. %1</source>
+        <translation>バックアップは復元されませんでした。%1</translation>
+    </message>
 </context>
 <context>
     <name>app::CardDesk</name>
