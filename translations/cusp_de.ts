@@ -6858,32 +6858,12 @@ ungesichert</translation>
         <translation>Alt + Bild auf</translation>
     </message>
     <message>
-        <source>Open what is chosen</source>
-        <translation>Das Gewählte öffnen</translation>
-    </message>
-    <message>
-        <source>Enter</source>
-        <translation>Eingabe</translation>
-    </message>
-    <message>
-        <source>Sort by the column beside</source>
-        <translation>Nach der Spalte daneben sortieren</translation>
-    </message>
-    <message>
-        <source>Alt + left, right</source>
-        <translation>Alt + links, rechts</translation>
-    </message>
-    <message>
-        <source>Sort from the least, from the most</source>
-        <translation>Auf- oder absteigend sortieren</translation>
-    </message>
-    <message>
-        <source>Alt + up, down</source>
-        <translation>Alt + auf, ab</translation>
-    </message>
-    <message>
         <source>In a list</source>
         <translation>In einer Liste</translation>
+    </message>
+    <message>
+        <source>Sort it otherwise</source>
+        <translation>Anders sortieren</translation>
     </message>
 </context>
 <context>

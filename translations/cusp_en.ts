@@ -6849,31 +6849,11 @@ unsaved</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Open what is chosen</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Enter</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Sort by the column beside</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Alt + left, right</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Sort from the least, from the most</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Alt + up, down</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>In a list</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sort it otherwise</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -6858,32 +6858,12 @@ sin guardar</translation>
         <translation>Alt + Re Pág</translation>
     </message>
     <message>
-        <source>Open what is chosen</source>
-        <translation>Abrir lo elegido</translation>
-    </message>
-    <message>
-        <source>Enter</source>
-        <translation>Intro</translation>
-    </message>
-    <message>
-        <source>Sort by the column beside</source>
-        <translation>Ordenar por la columna de al lado</translation>
-    </message>
-    <message>
-        <source>Alt + left, right</source>
-        <translation>Alt + izquierda, derecha</translation>
-    </message>
-    <message>
-        <source>Sort from the least, from the most</source>
-        <translation>Ordenar de menor a mayor o al revés</translation>
-    </message>
-    <message>
-        <source>Alt + up, down</source>
-        <translation>Alt + arriba, abajo</translation>
-    </message>
-    <message>
         <source>In a list</source>
         <translation>En una lista</translation>
+    </message>
+    <message>
+        <source>Sort it otherwise</source>
+        <translation>Ordenar de otro modo</translation>
     </message>
 </context>
 <context>

@@ -1879,7 +1879,7 @@
     </message>
     <message>
         <source>new rows of the table %1 get no number any more, so that nothing can be added to it; &quot;cusp db migrate&quot; puts that right</source>
-        <translation>表 %1 の新しい行に番号を付けられないため、何も追加できません。「cusp db migrate」で直せます</translation>
+        <translation>表 %1 の新しい行に番号を付けられないため、何も追加できません。cusp の db migrate コマンドで直せます</translation>
     </message>
     <message>
         <source>the numbers of new rows could not be looked at (%1)</source>
@@ -6814,32 +6814,12 @@ unsaved</source>
         <translation>歯の上で</translation>
     </message>
     <message>
-        <source>Open what is chosen</source>
-        <translation>選択したものを開く</translation>
-    </message>
-    <message>
-        <source>Enter</source>
-        <translation>Enter</translation>
-    </message>
-    <message>
-        <source>Sort by the column beside</source>
-        <translation>隣の列で並べ替え</translation>
-    </message>
-    <message>
-        <source>Alt + left, right</source>
-        <translation>Alt + 左右</translation>
-    </message>
-    <message>
-        <source>Sort from the least, from the most</source>
-        <translation>昇順・降順</translation>
-    </message>
-    <message>
-        <source>Alt + up, down</source>
-        <translation>Alt + 上下</translation>
-    </message>
-    <message>
         <source>In a list</source>
         <translation>一覧で</translation>
+    </message>
+    <message>
+        <source>Sort it otherwise</source>
+        <translation>並べ替えを変える</translation>
     </message>
 </context>
 <context>

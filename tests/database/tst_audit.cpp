@@ -267,7 +267,7 @@ void TestAudit::whatStandsElsewhereIsAsItWasNoted_data()
                               << "has attempts in class1-36 and no standing";
         row("an attempt made nobody's") << "UPDATE attempts SET person_id = NULL WHERE score_tenths = 600"
                                         << "was taken from the person who made it";
-        row("another user's name") << "UPDATE people SET username = 's1003' WHERE username = 's1002'"
+        row("another user's name") << "UPDATE people SET username = 's1009' WHERE username = 's1002'"
                                    << "was given another name";
         row("another family name") << "UPDATE people SET family_name = 'Else' WHERE username = 's1002'"
                                    << "was given another name";

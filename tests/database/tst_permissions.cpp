@@ -326,7 +326,8 @@ void TestPermissions::everyFunctionOfASessionIsAmongThem()
         "admit",        "admitTo", "admitToClass",  // which do the refusing
         "logout",                                   // anybody may leave
         "attemptsLeft",                             // of one's own; a guest's are not counted
-        "makeSample"                                // see below
+        "makeSample",                               // see below
+        "noteRestored"                              // after mayRestore(), by whom the restored school may not know
     };
     static const QRegularExpression kTakesSession(R"(\b(\w+)\(\s*const School& \w+,\s*const Session& \w+)");
     const QDir folder(QStringLiteral(CUSP_SOURCE_DIR "/database/sql"));

@@ -1607,7 +1607,7 @@ void TestMainWindow::theChosenPartOfTheSchoolIsReadWhole()
         look.text = button->text();
         look.state |= QStyle::State_On;
         const int room = button->style()->subElementRect(QStyle::SE_PushButtonContents, &look, button).width();
-        const int word = QFontMetrics(typeface(kBody, QFont::DemiBold)).horizontalAdvance(button->text());
+        const int word = QFontMetrics(typeface(kBody)).horizontalAdvance(button->text());
         QVERIFY2(room >= word, qPrintable(QString("%1: %2 of %3 px").arg(button->text()).arg(room).arg(word)));
     }
 }

@@ -309,6 +309,7 @@ void PeoplePart::speak()
 {
     const auto name = [](QLineEdit* one, const QString& words) {
         one->setPlaceholderText(words);
+        one->setToolTip(words);
         one->setAccessibleName(words);
     };
     name(m_search, tr("Search: a name, a class, a role"));

@@ -152,6 +152,7 @@ void ChartPanel::redraw()
         m_stop.reset();
     m_drawn = new QChart;
     m_drawn->setAnimationOptions(QChart::NoAnimation);
+    m_drawn->setMinimumSize(1.0, 1.0);  // QChartView would never become smaller than what it showed last
     if (!m_stops.isEmpty())
         draw(m_shown, inkOf(palette()), *m_drawn, m_view->size());
     m_view->setChart(m_drawn);

@@ -653,6 +653,7 @@ void AssignPage::retell()
     setTitle(tr("Assign lessons"));
     m_offersTitle->setText(tr("Lessons"));
     m_search->setPlaceholderText(tr("Search: a word, or the number of a tooth"));
+    m_search->setToolTip(m_search->placeholderText());
     m_search->setAccessibleName(tr("Search the lessons"));
     for (auto* clear : m_search->findChildren<QAbstractButton*>())
         clear->setAccessibleName(tr("Clear the search"));

@@ -21,7 +21,7 @@ using core::settings::Substance;
 using namespace ui::shell;
 
 constexpr int kDecimals = 3;
-constexpr int kWideInputPx = 146;
+constexpr int kWideInputPx = 152;
 constexpr int kNamePx = 144;  ///< longer ones have more lines
 
 QLabel* head(Qt::Alignment side, QWidget* parent)

@@ -58,9 +58,7 @@ QList<Gesture> gestures()
 QList<Gesture> inLists()
 {
     return {
-        {HelpOverlay::tr("Open what is chosen"), {HelpOverlay::tr("Enter")}},
-        {HelpOverlay::tr("Sort by the column beside"), {HelpOverlay::tr("Alt + left, right")}},
-        {HelpOverlay::tr("Sort from the least, from the most"), {HelpOverlay::tr("Alt + up, down")}},
+        {HelpOverlay::tr("Sort it otherwise"), {HelpOverlay::tr("Alt + arrows")}},
     };
 }
 

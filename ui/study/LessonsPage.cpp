@@ -103,6 +103,7 @@ QWidget* LessonsPage::makeList()
     m_search = new QLineEdit(side);
     text::inEveryLanguage(m_search, [this] {
         m_search->setPlaceholderText(tr("Search: a word, or the number of a tooth"));
+        m_search->setToolTip(m_search->placeholderText());
         m_search->setAccessibleName(tr("Search the lessons"));
     });
     m_search->setClearButtonEnabled(true);
