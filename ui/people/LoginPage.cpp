@@ -330,7 +330,7 @@ void LoginPage::setBusy(bool busy)
           static_cast<QWidget*>(m_again), static_cast<QWidget*>(m_go), static_cast<QWidget*>(m_other),
           static_cast<QWidget*>(m_tryAgain), static_cast<QWidget*>(m_restore)})
         input->setEnabled(!busy);
-    if (!busy && hasFocus())
+    if (!busy && window()->focusWidget() == this)
         firstInput()->setFocus();
 }
 
