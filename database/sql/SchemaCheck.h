@@ -12,9 +12,9 @@ namespace database::sql {
 
 /// Whether tables, indexes and triggers (of a server columns and constraints, too) are those that the migrations made:
 /// an index that is gone lets an attempt arrive twice, a trigger that is gone lets the audit be changed, and one that
-/// somebody added changes what is written, or refuses it. What a server has is compared with what the migrations make there, in a
-/// schema that is gone when this returns; where its user may not create one, names alone are compared, and that is
-/// said.
+/// somebody added changes what is written, or refuses it. What a server has is compared with what the migrations make
+/// there, in a schema that is gone when this returns; where its user may not create one, names alone are compared, and
+/// that is said.
 /// @param say  is told each that is missing, changed or foreign
 [[nodiscard]] core::Status checkSchema(const QSqlDatabase& db, const std::function<void(const Finding&)>& say);
 
