@@ -91,7 +91,7 @@ core::Status SchoolDesk::connect()
 {
     if (!m_database)
         return openDatabase();
-    if (const auto there = m_database->stillThere(); !there) {
+    if (auto there = m_database->stillThere(); !there) {
         if (there.error().code == ErrorCode::FileMissing)
             return there;
         m_school.reset();

@@ -115,7 +115,7 @@ QVariant HistoryModel::headerData(int section, Qt::Orientation orientation, int 
         return QVariant((section >= Score && section != Result ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
     if (role == Qt::ToolTipRole && section == Force)
         return tr("Mean and highest force while cutting");
-    if (role != Qt::DisplayRole)
+    if (role != Qt::DisplayRole && role != Qt::ToolTipRole)  // a narrow column may cut its heading
         return {};
     switch (section) {
     case When:
