@@ -237,6 +237,15 @@ core::Result<int> countTables(const QSqlDatabase& db)
 
 core::Status continueIds(const QSqlDatabase& db, const QString& table)
 {
+    // Somebody may have given the sequence other steps or another end.
+    if (isPostgres(db))
+        if (auto made = execute(db,
+                                QStringLiteral("ALTER TABLE %1 ALTER COLUMN id SET INCREMENT BY 1 SET NO MINVALUE SET "
+                                               "NO MAXVALUE SET NO CYCLE SET START 1 RESTART")
+                                    .arg(table),
+                                kNumber);
+            !made)
+            return made;
     const QString goOn =
         isPostgres(db) ? QStringLiteral("SELECT setval(pg_get_serial_sequence('%1', 'id'), greatest(1, max(id)), "
                                         "max(id) IS NOT NULL) FROM %1")
@@ -260,10 +269,10 @@ core::Result<bool> hasNextId(const QSqlDatabase& db, const QString& table)
         if (sequence->isNull())
             return true;
         // Counted as numeric: a bigint may be at its end.
-        question = QStringLiteral("SELECT CASE WHEN s.last_value::numeric + CASE WHEN s.is_called THEN q.seqincrement "
-                                  "ELSE 0 END BETWEEN COALESCE((SELECT max(id) FROM %1), 0)::numeric + 1 AND q.seqmax "
-                                  "THEN 1 ELSE 0 END FROM %2 s, pg_catalog.pg_sequence q WHERE q.seqrelid = "
-                                  "'%2'::regclass")
+        question = QStringLiteral("SELECT CASE WHEN q.seqincrement = 1 AND NOT q.seqcycle AND s.last_value::numeric + "
+                                  "CASE WHEN s.is_called THEN 1 ELSE 0 END BETWEEN COALESCE((SELECT max(id) FROM %1), "
+                                  "0)::numeric + 1 AND q.seqmax AND q.seqmax = 9223372036854775807 THEN 1 ELSE 0 END "
+                                  "FROM %2 s, pg_catalog.pg_sequence q WHERE q.seqrelid = '%2'::regclass")
                        .arg(QStringLiteral("%1"), sequence->toString());
     }
     const auto isFree = ask(db, question.arg(table), kNumber);

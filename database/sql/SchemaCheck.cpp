@@ -24,7 +24,8 @@ struct Made
 /// By "trigger audit_no_update".
 using Schema = std::map<std::string, Made>;
 
-/// What there is in the schema that comes first in the search path, with all that defines it. A trigger that is
+/// What there is in the schema that comes first in the search path, with all that defines it, and what hangs on it from
+/// elsewhere: a foreign key that names a table of ours, a table whose rows are read among those of ours. A trigger that is
 /// switched off, or fires only for copies of another server, is as good as none. Indexes of constraints go with those;
 /// the triggers that look after a foreign key do, too; what only says that it is one of those is shown.
 QString questionToServer()
@@ -54,7 +55,25 @@ WHERE t.tgenabled IN ('O', 'A')
 AND NOT (t.tgisinternal AND f.pronamespace = 'pg_catalog'::regnamespace AND f.proname LIKE 'RI\_FKey\_%')
 UNION ALL
 SELECT 'rule', o.relname || '.' || r.rulename, o.relname, pg_get_ruledef(r.oid)
-FROM ours o JOIN pg_catalog.pg_rewrite r ON r.ev_class = o.oid WHERE o.relkind = 'r')");
+FROM ours o JOIN pg_catalog.pg_rewrite r ON r.ev_class = o.oid WHERE o.relkind = 'r'
+UNION ALL
+SELECT 'reference', concat(k.conrelid::regclass, '.', k.conname), o.relname, ''
+FROM ours o JOIN pg_catalog.pg_constraint k ON k.confrelid = o.oid WHERE k.contype = 'f'
+UNION ALL
+SELECT 'heir', i.inhrelid::regclass::text, o.relname, ''
+FROM ours o JOIN pg_catalog.pg_inherits i ON i.inhparent = o.oid WHERE o.relkind = 'r')");
+}
+
+/// Of a file, what a constraint brings along has no statement, and two kinds of tables are SQLite's own. Nothing else
+/// is left out by its name: a trigger that somebody has called so works like any other.
+QString questionToFile()
+{
+    return QStringLiteral(R"(
+SELECT type, name, tbl_name, sql FROM sqlite_master
+WHERE sql IS NOT NULL AND NOT (type = 'table' AND (name = 'sqlite_sequence' OR name LIKE 'sqlite\_stat%' ESCAPE '\'))
+UNION ALL
+SELECT 'reference', m.name || '.' || f."from" || '(' || lower(f."table") || ')', lower(f."table"), ''
+FROM sqlite_master m JOIN pragma_foreign_key_list(m.name) f WHERE m.type = 'table')");
 }
 
 core::Result<Schema> schemaOf(const QSqlDatabase& db)
@@ -63,13 +82,7 @@ core::Result<Schema> schemaOf(const QSqlDatabase& db)
     const auto own = onServer ? ask(db, "SELECT quote_ident(current_schema())", kDoing) : QVariant();
     if (!own)
         return tl::unexpected(own.error());
-    // Of a file, what a constraint brings along has no statement, and two kinds of tables are SQLite's own. Nothing
-    // else is left out by its name: a trigger that somebody has called so works like any other.
-    const QString question =
-        onServer ? questionToServer()
-                 : QStringLiteral(
-                       "SELECT type, name, tbl_name, sql FROM sqlite_master WHERE sql IS NOT NULL AND NOT (type = "
-                       "'table' AND (name = 'sqlite_sequence' OR name LIKE 'sqlite\\_stat%' ESCAPE '\\'))");
+    const QString question = onServer ? questionToServer() : questionToFile();
     Schema schema;
     if (auto read = forEach(db, question, kDoing, {},
                             [&](const QSqlQuery& row) {
@@ -132,7 +145,7 @@ Schema asOnServer(const Schema& schema)
         const auto guard = named.rfind("_no_update");
         if (guard != std::string::npos)
             there[named.substr(0, guard) + "_no_change"] = {made.table, {}};
-        else if (named.rfind("_no_delete") == std::string::npos)
+        else if (named.rfind("_no_delete") == std::string::npos && named.rfind("reference ", 0) != 0)
             there[named] = {made.table, {}};
     }
     return there;
@@ -158,13 +171,17 @@ core::Result<Schema> expectedSchema(const QSqlDatabase& db)
 }
 
 /// What was added: a trigger or a rule may do anything, wherever it stands; a constraint, a column or an index may
-/// refuse what is written into a table of ours. Tables of others, with what stands on those, do no harm.
+/// refuse what is written into a table of ours, and a foreign key of a table of others what is removed there. Else
+/// tables of others, with what stands on those, do no harm.
 void tellAdded(const std::string& named, const Made& made, const Schema& expected,
                const std::function<void(const Finding&)>& say)
 {
     const std::string kind = named.substr(0, named.find(' '));
     if (kind == "trigger" || kind == "rule")
         say({QT_TRANSLATE_NOOP("Finding", "%1 is not from this program: it may change what is written"), {named}});
+    else if (kind == "heir")
+        say({QT_TRANSLATE_NOOP("Finding", "%1 is not from this program: its rows are read among those of the table %2"),
+             {named, made.table}});
     else if (kind != "table" && kind != "view" && expected.count("table " + made.table) > 0)
         say({QT_TRANSLATE_NOOP("Finding", "%1 is not from this program: it may refuse what is to be written"),
              {named}});
@@ -192,14 +209,15 @@ core::Status checkSchema(const QSqlDatabase& db, const std::function<void(const 
     if (!expected || !found)
         return tl::unexpected(expected ? found.error() : expected.error());
     const auto isCompared = [&](const std::string& named) {
-        // A file's constraints and columns stand in what made its tables.
-        return !areNamesAll || (named.rfind("constraint ", 0) != 0 && named.rfind("column ", 0) != 0);
+        // A file's constraints and columns stand in what made its tables; its foreign keys have no names.
+        const std::string kind = named.substr(0, named.find(' '));
+        return !areNamesAll || (kind != "constraint" && kind != "column" && kind != "reference");
     };
     for (const auto& [named, made] : *expected)
         if (const auto there = found->find(named); there == found->end())
             say({QT_TRANSLATE_NOOP("Finding", "%1 is no longer there: what it guarded is not guarded any more"),
                  {named}});
-        else if (there->second.by != made.by && !areNamesAll)
+        else if (there->second.table != made.table || (there->second.by != made.by && !areNamesAll))
             say({QT_TRANSLATE_NOOP("Finding", "%1 is not as this program makes it"), {named}});
     for (const auto& [named, made] : *found)
         if (expected->count(named) == 0 && isCompared(named))

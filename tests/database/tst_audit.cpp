@@ -423,6 +423,27 @@ void TestAudit::whatGuardsIsThere_data()
         QTest::newRow(name) << true << QStringList{deed} << said;
     QTest::newRow("one attempt only, sqlite") << false << QStringList{"CREATE UNIQUE INDEX one_only ON attempts ((1))"}
                                               << "index one_only is not from this program: it may refuse";
+    QTest::newRow("a row that another holds, sqlite")
+        << false << QStringList{"CREATE TABLE innocent (x REFERENCES Failed_Logins (name_hash))"}
+        << "reference innocent.x(failed_logins) is not from this program: it may refuse";
+    QTest::newRow("a row that another holds, postgresql")
+        << true << QStringList{"CREATE TABLE innocent (x BYTEA CONSTRAINT hold REFERENCES failed_logins)"}
+        << "reference innocent.hold is not from this program: it may refuse";
+    QTest::newRow("rows of another table") << true << QStringList{"CREATE TABLE more () INHERITS (attempts)"}
+                                           << "heir more is not from this program: its rows are read among those of "
+                                              "the table attempts";
+    QTest::newRow("guard of another table, sqlite")
+        << false
+        << QStringList{"CREATE TABLE \"audit \" (x)", "DROP TRIGGER audit_no_delete",
+                       "CREATE TRIGGER audit_no_delete BEFORE DELETE ON \"audit \" BEGIN SELECT RAISE(ABORT, 'audit is "
+                       "append-only'); END"}
+        << "trigger audit_no_delete is not as this program makes it";
+    QTest::newRow("guard of another table, postgresql")
+        << true
+        << QStringList{"CREATE TABLE \"audit \" (LIKE audit)", "DROP TRIGGER audit_no_change ON audit",
+                       "CREATE TRIGGER audit_no_change BEFORE UPDATE OR DELETE OR TRUNCATE ON \"audit \" FOR EACH "
+                       "STATEMENT EXECUTE FUNCTION audit_is_append_only()"}
+        << "trigger audit_no_change is not as this program makes it";
     QTest::newRow("gift, sqlite") << false
                                   << QStringList{"CREATE TRIGGER gift AFTER INSERT ON attempts BEGIN UPDATE attempts "
                                                  "SET score_tenths = 1000 WHERE id = NEW.id; END"}

@@ -1177,7 +1177,10 @@ void TestUpkeep::newRowsAreNumberedAgain()
     const QSqlDatabase db = rig.school().db;
     const QStringList deeds =
         onServer ? QStringList{"SELECT setval(pg_get_serial_sequence('people', 'id'), 1)",
-                               "SELECT setval(pg_get_serial_sequence('people', 'id'), 9223372036854775807)"}
+                               "SELECT setval(pg_get_serial_sequence('people', 'id'), 9223372036854775807)",
+                               "ALTER TABLE people ALTER COLUMN id SET INCREMENT BY -1",
+                               "ALTER TABLE people ALTER COLUMN id SET MAXVALUE 63 RESTART WITH 63; SELECT nextval("
+                               "pg_get_serial_sequence('people', 'id'))"}
                  : QStringList{"UPDATE sqlite_sequence SET seq = 9223372036854775807 WHERE name = 'people'"};
     for (const QString& deed : deeds) {
         QSqlQuery query(db);
@@ -1189,6 +1192,14 @@ void TestUpkeep::newRowsAreNumberedAgain()
         QCOMPARE(report->findings.size(), std::size_t{1});
         const QString said = support::wordsOf(report->findings);
         QVERIFY2(said.startsWith("new rows of the table people get no number"), qPrintable(said));
+        VERIFY_DONE(dialect::repairIds(db));
+        QVERIFY(checkDatabase(db, {})->findings.empty());
+    }
+    if (onServer) {
+        // One is left, and then none.
+        VERIFY_DONE(
+            execute(db, "ALTER TABLE people ALTER COLUMN id SET INCREMENT BY 5000000000000000000", "spoil it"));
+        QCOMPARE(checkDatabase(db, {})->findings.size(), std::size_t{1});
         VERIFY_DONE(dialect::repairIds(db));
         QVERIFY(checkDatabase(db, {})->findings.empty());
     }
