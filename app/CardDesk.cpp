@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/CardDesk.h"
 
+#include <memory>
+
 #include <QDateTime>
 #include <QDir>
+#include <QPagedPaintDevice>
 #include <QTimer>
 
 #include "database/sql/Attempts.h"
@@ -101,14 +104,15 @@ void CardDesk::save()
 
 void CardDesk::print()
 {
-    withCard([this](const ScoreCard& card) {
-        m_window.scorePage().say({});
-        ui::report::print(&m_window, titleOf(card), card, [this](bool done) {
-            m_window.scorePage().say([done] {
-                return done ? tr("The score card was printed.") : tr("The printer did not take the score card.");
+    const auto onPaper = [this](const std::shared_ptr<QPagedPaintDevice>& printer) {
+        withCard([this, printer](const ScoreCard& card) {
+            const bool isPrinted = ui::report::paintOn(*printer, card);
+            m_window.scorePage().say([isPrinted] {
+                return isPrinted ? tr("The score card was printed.") : tr("The printer did not take the score card.");
             });
         });
-    });
+    };
+    ui::report::askForPrinter(&m_window, titleOf(m_window.scorePage().card()), onPaper);
 }
 
 /// As it is shown now, with the head of the audit as it is now, so that paper and database can be compared.

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <climits>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 #include <QDir>
+#include <QPagedPaintDevice>
 #include <QPointer>
 
 #include "app/Background.h"
@@ -409,14 +411,15 @@ void PeopleDesk::connectReport()
         withReport([&classes, path](const ui::report::ClassReport&) { classes.saveTable(path); });
     });
     connect(&classes, &ClassPage::printWanted, this, [this, &classes] {
-        withReport([this, &classes](const ui::report::ClassReport& report) {
-            classes.say({});
-            ui::report::print(&m_window, report.className, report, [&classes](bool done) {
-                classes.say([done] {
-                    return done ? tr("The report was printed.") : tr("The printer did not take the report.");
+        const auto onPaper = [this, &classes](const std::shared_ptr<QPagedPaintDevice>& printer) {
+            withReport([&classes, printer](const ui::report::ClassReport& report) {
+                const bool isPrinted = ui::report::paintOn(*printer, report);
+                classes.say([isPrinted] {
+                    return isPrinted ? tr("The report was printed.") : tr("The printer did not take the report.");
                 });
             });
-        });
+        };
+        ui::report::askForPrinter(&m_window, QString::fromStdString(m_overview.name), onPaper);
     });
 }
 

@@ -505,6 +505,18 @@ void TestSchool::aClassReportIsNoted()
     QVERIFY(QFile::setPermissions(table, QFile::permissions(table) | QFile::ReadOther));
     QVERIFY(child<ui::people::ClassPage>()->saveTable(table));
     QVERIFY(QFile::permissions(table) & QFile::ReadOther);
+    // Who thinks otherwise has taken nothing out.
+    emit child<ui::people::ClassPage>()->printWanted();
+    const auto printing = [this]() -> QDialog* {
+        for (auto* dialog : m_application->window().findChildren<QDialog*>())
+            if (dialog->inherits("QPrintDialog"))
+                return dialog;
+        return nullptr;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(printing() != nullptr, kPatienceMs);
+    printing()->reject();
+    QTest::qWait(300);
+    QCOMPARE(noted(), 1);
 }
 
 /// On the screen and on paper, whatever lies on one's own table.

@@ -136,6 +136,7 @@ private slots:
     void aNewCardBeginsAtItsTop();
     void whatWasSaidIsScrolledTo();
     void theFormInUseIsInSight();
+    void whatWasRefusedIsInSight();
     void theScoreThatIsToldIsCompared();
     void theSumIsTheMachinesWhereATeacherGaveAScore();
 
@@ -629,6 +630,33 @@ void TestScorePage::theFormInUseIsInSight()
     };
     // At the end of the page no edge fades.
     QTRY_VERIFY(roomBelow() > (pane->hasMoreBelow() ? 36 : 0) && roomBelow() < pane->viewport()->height());
+}
+
+/// Beside the field, though another teacher's score has moved both meanwhile.
+void TestScorePage::whatWasRefusedIsInSight()
+{
+    m_page->resize(900, 600);
+    show(faulty("decay-36-moderate"));
+    m_page->setTalkVisible(true);
+    m_page->setMayTalk(true);
+    auto* reason = m_page->findChild<QLineEdit*>("reason");
+    reason->setText("fine by hand");
+    auto* give = m_page->findChild<QPushButton*>("giveScore");
+    give->setFocus();
+    give->click();
+    m_page->talk().refuse("Somebody else has changed it meanwhile. Look at it, and give it again if it is still meant.");
+    database::AttemptTalk talk;
+    for (int k = 0; k < 20; ++k)
+        talk.overrides.push_back({"Grace Hopper", "2026-11-20T10:00:00Z", 900 - k, "Neat."});
+    QTest::qWait(50);
+    m_page->talk().setTalk(talk);
+    auto* pane = m_page->findChild<ui::shell::ScrollPane*>();
+    const auto isSeen = [pane](const QWidget* what) {
+        const QRect at(what->mapTo(pane->viewport(), QPoint(0, 0)), what->size());
+        return pane->viewport()->rect().contains(at) &&
+               at.bottom() < pane->viewport()->height() - (pane->hasMoreBelow() ? 36 : 0);
+    };
+    QTRY_VERIFY(isSeen(m_page->findChild<QLabel*>("fault")) && isSeen(reason) && isSeen(give));
 }
 
 void TestScorePage::theSumIsTheMachinesWhereATeacherGaveAScore()

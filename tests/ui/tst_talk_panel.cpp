@@ -267,25 +267,46 @@ void TestTalkPanel::whatWasRefusedStaysTyped()
     QVERIFY(!get<QLabel>("fault")->isVisible());
 }
 
-/// It is shown with no other, and to nobody else. A reason goes: the number that it was for is the machine's again.
+/// With what it is pinned to, and a reason with its number. It is shown with no other, and to nobody else.
 void TestTalkPanel::whatIsTypedStaysWithItsAttempt()
 {
     auto* words = get<QPlainTextEdit>("commentWords");
     auto* reason = get<QLineEdit>("reason");
     m_panel->setAttempt(7);
+    m_panel->setMoment(4500);
+    m_panel->setPlace(std::array<double, 3>{1.0, 2.0, 3.0}, true);
+    get<QCheckBox>("atMoment")->setChecked(true);
     words->setPlainText("Half a sentence");
+    QVERIFY(!m_panel->unkeptScore());
     reason->setText("Half a reason");
+    get<QDoubleSpinBox>("givenPoints")->setValue(45.5);
     m_panel->refuse("It could not be kept.");
     m_panel->setAttempt(8);
+    m_panel->setScore(684, 750, false);
     QCOMPARE(words->toPlainText(), QString());
     QCOMPARE(reason->text(), QString());
+    QCOMPARE(get<QDoubleSpinBox>("givenPoints")->value(), 68.4);
+    for (const char* pin : {"atMoment", "atPlace"})
+        QVERIFY(!get<QCheckBox>(pin)->isChecked() && !get<QCheckBox>(pin)->isVisible());
     QVERIFY(!get<QLabel>("fault")->isVisible());
+    QCOMPARE(m_panel->unkeptComment(), std::optional<qint64>(7));
+    QCOMPARE(m_panel->unkeptScore(), std::optional<qint64>(7));
     words->setPlainText("Of another");
+    QCOMPARE(m_panel->unkeptComment(), std::optional<qint64>(8));
     m_panel->setAttempt(0);  // work that is on the table
     m_panel->setAttempt(7);
+    m_panel->setScore(684, 750, false);
     QCOMPARE(words->toPlainText(), QString("Half a sentence"));
-    QCOMPARE(reason->text(), QString());
+    QCOMPARE(reason->text(), QString("Half a reason"));
+    QCOMPARE(get<QDoubleSpinBox>("givenPoints")->value(), 45.5);
+    QSignalSpy wanted(m_panel.get(), &TalkPanel::commentWanted);
+    get<QPushButton>("addComment")->click();
+    QCOMPARE(wanted.size(), 1);
+    QCOMPARE(wanted[0][1].value<std::optional<std::int64_t>>(), std::optional<std::int64_t>(4500));
+    const auto place = wanted[0][2].value<std::optional<std::array<double, 3>>>();
+    QVERIFY(place.has_value());
     m_panel->forget();
+    QVERIFY(!m_panel->unkeptComment() && !m_panel->unkeptScore());
     for (const qint64 attempt : {7, 8}) {
         m_panel->setAttempt(attempt);
         QCOMPARE(words->toPlainText(), QString());

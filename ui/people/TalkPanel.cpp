@@ -60,8 +60,8 @@ TalkPanel::TalkPanel(QWidget* parent)
     column->addLayout(m_listSlot);
     makeComposer(*column);
     makeOverride(*column);
-    column->addWidget(m_fault);
     column->addStretch(1);
+    m_asked = m_composer;
     for (QWidget* field :
          {static_cast<QWidget*>(m_words), static_cast<QWidget*>(m_points), static_cast<QWidget*>(m_reason)})
         field->installEventFilter(this);
@@ -106,6 +106,7 @@ void TalkPanel::makeComposer(QVBoxLayout& column)
     column.addWidget(m_composer);
     connect(m_words, &QPlainTextEdit::textChanged, this, &TalkPanel::tellRoom);
     connect(m_add, &QPushButton::clicked, this, [this] {
+        m_asked = m_composer;
         m_fault->hide();
         say({});
         emit commentWanted(m_words->toPlainText().trimmed(), m_atMoment->isChecked() ? m_moment : std::nullopt,
@@ -157,6 +158,7 @@ void TalkPanel::makeOverride(QVBoxLayout& column)
     connect(m_reason, &QLineEdit::textChanged, this, ready);
     ready();
     const auto ask = [this](std::optional<int> tenths) {
+        m_asked = m_override;
         m_fault->hide();
         emit overrideWanted(tenths, m_reason->text().trimmed(), m_talk.overrides.size());
     };
@@ -169,20 +171,35 @@ void TalkPanel::setAttempt(qint64 attempt)
 {
     if (attempt == m_attempt)
         return;
-    m_drafts[m_attempt] = m_words->toPlainText();
+    m_drafts[m_attempt] = draft();
     m_attempt = attempt;
-    m_words->setPlainText(m_drafts[m_attempt]);
-    m_reason->clear();  // without the number it was meant for it would be given for another
+    take(m_drafts[m_attempt]);
     refuse({});
     say({});
 }
 
 void TalkPanel::forget()
 {
-    m_words->clear();
-    m_reason->clear();
+    take({});
     setAttempt(0);
     m_drafts.clear();
+}
+
+TalkPanel::Draft TalkPanel::draft() const
+{
+    return {m_words->toPlainText(), m_atMoment->isChecked() ? m_moment : std::nullopt,
+            m_atPlace->isChecked() ? m_place : std::nullopt, m_reason->text(), m_points->value()};
+}
+
+void TalkPanel::take(const Draft& draft)
+{
+    m_words->setPlainText(draft.words);
+    setMoment(draft.momentMs);
+    m_atMoment->setChecked(draft.momentMs.has_value());
+    setPlace(draft.placeMm, true);
+    m_reason->setText(draft.reason);
+    if (!draft.reason.trimmed().isEmpty())
+        m_points->setValue(draft.points);
 }
 
 void TalkPanel::setScore(int machineTenths, int passMarkTenths, bool passedByMachine)
@@ -201,12 +218,22 @@ void TalkPanel::offerPoints(int tenths)
         m_points->setValue(tenths / 10.0);
 }
 
-std::optional<qint64> TalkPanel::unkept() const
+std::optional<qint64> TalkPanel::unkeptComment() const
 {
-    if (!m_words->toPlainText().trimmed().isEmpty())
+    return unkept(&Draft::words);
+}
+
+std::optional<qint64> TalkPanel::unkeptScore() const
+{
+    return unkept(&Draft::reason);
+}
+
+std::optional<qint64> TalkPanel::unkept(QString Draft::*part) const
+{
+    if (!(draft().*part).trimmed().isEmpty())
         return m_attempt;
-    for (const auto& [attempt, words] : m_drafts)
-        if (attempt != m_attempt && !words.trimmed().isEmpty())
+    for (const auto& [attempt, draft] : m_drafts)
+        if (attempt != m_attempt && !(draft.*part).trimmed().isEmpty())
             return attempt;
     return std::nullopt;
 }
@@ -326,8 +353,12 @@ void TalkPanel::refuse(const QString& sentence)
 {
     m_fault->setText(sentence);
     m_fault->setVisible(!sentence.isEmpty());
-    if (!sentence.isEmpty())
-        announce(*m_fault);
+    if (sentence.isEmpty())
+        return;
+    // Where it was typed, so that both are in sight together.
+    m_asked->layout()->addWidget(m_fault);
+    announce(*m_fault);
+    emit formUsed(m_asked);
 }
 
 std::optional<int> TalkPanel::given() const
@@ -386,6 +417,7 @@ QPushButton* TalkPanel::takeBackButton(const database::AttemptComment& comment)
     //: %1: when it was written
     button->setAccessibleName(tr("Take back your comment of %1").arg(when(comment.writtenUtc)));
     connect(button, &QPushButton::clicked, this, [this, id = comment.id] {
+        m_asked = m_composer;
         m_fault->hide();
         say({});
         emit withdrawWanted(id);

@@ -30,14 +30,16 @@ class TalkPanel final : public QWidget
 public:
     explicit TalkPanel(QWidget* parent);
 
-    /// It is about this attempt from now on, 0: none that is kept. A comment that was being written on the one before
-    /// waits until that comes again.
+    /// It is about this attempt from now on, 0: none that is kept. What was being written on the one before, with its
+    /// pins, and the score that was being given there wait until that comes again.
     void setAttempt(qint64 attempt);
     [[nodiscard]] qint64 attempt() const { return m_attempt; }
     /// Who was writing has left: nothing of it stays.
     void forget();
     /// One of the attempts with a comment that is typed and kept nowhere yet; nothing: there is none.
-    [[nodiscard]] std::optional<qint64> unkept() const;
+    [[nodiscard]] std::optional<qint64> unkeptComment() const;
+    /// The same of a score that is being given, for which a reason is typed.
+    [[nodiscard]] std::optional<qint64> unkeptScore() const;
     /// @param machineTenths  what the machine gave
     void setScore(int machineTenths, int passMarkTenths, bool passedByMachine);
     /// What was being written is cleared when it is among these.
@@ -48,6 +50,7 @@ public:
     /// The place that is marked on the tooth, in its frame, mm.
     /// @param forComment  it was marked by who writes, so that what he writes is about it
     void setPlace(const std::optional<std::array<double, 3>>& placeMm, bool forComment = false);
+    [[nodiscard]] const std::optional<std::array<double, 3>>& place() const { return m_place; }
     /// A comment of one's own goes. Its words and pins come back into the field where that is empty, to be corrected.
     /// @param earlier  somebody had done it already, and may have written it anew
     void withdraw(qint64 comment, bool earlier);
@@ -73,6 +76,19 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    /// What is typed on an attempt, and kept nowhere yet.
+    struct Draft
+    {
+        QString words;
+        std::optional<std::int64_t> momentMs;
+        std::optional<std::array<double, 3>> placeMm;
+        QString reason;
+        double points = 0.0;  ///< with a reason
+    };
+
+    [[nodiscard]] Draft draft() const;
+    void take(const Draft& draft);
+    [[nodiscard]] std::optional<qint64> unkept(QString Draft::*part) const;
     void makeComposer(QVBoxLayout& column);
     void makeOverride(QVBoxLayout& column);
     void retell();
@@ -89,7 +105,7 @@ private:
     [[nodiscard]] QPushButton* takeBackButton(const database::AttemptComment& comment);
     [[nodiscard]] QWidget* formInUse() const;
 
-    std::map<qint64, QString> m_drafts;  ///< comments on the other attempts that are typed, and kept nowhere yet
+    std::map<qint64, Draft> m_drafts;  ///< on the other attempts
     qint64 m_attempt = 0;
     database::AttemptTalk m_talk;
     int m_machineTenths = 0;
@@ -117,7 +133,8 @@ private:
     QLineEdit* m_reason = nullptr;
     QPushButton* m_give = nullptr;
     QPushButton* m_again = nullptr;
-    QLabel* m_fault;
+    QWidget* m_asked = nullptr;  ///< the form that something was wanted by last
+    QLabel* m_fault;             ///< in that
 };
 
 }  // namespace ui::people

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/Printing.h"
 
-#include <memory>
-
 #include <QCoreApplication>
 #include <QLocale>
 #include <QMarginsF>
@@ -43,20 +41,6 @@ bool save(const QString& path, const QString& title, const Content& content, QPa
     return file.flush() && file.commit();
 }
 
-template <typename Content>
-void ask(QWidget* window, const QString& title, const Content& content, const std::function<void(bool)>& done)
-{
-    auto printer = std::make_shared<QPrinter>(QPrinter::HighResolution);
-    printer->setDocName(title);
-    printer->setPageSize(QPageSize(usualPaper()));
-    printer->setPageMargins({kMarginMm, kMarginMm, kMarginMm, kMarginMm}, QPageLayout::Millimeter);
-    auto* dialog = new QPrintDialog(printer.get(), window);
-    // The printer lives as long as the dialog that knows it.
-    QObject::connect(dialog, &QDialog::accepted, window,
-                     [printer, content, done] { done(paintOn(*printer, content)); });
-    dialog->open();
-}
-
 }  // namespace
 
 QPageSize::PageSizeId usualPaper()
@@ -83,14 +67,18 @@ bool savePdf(const QString& path, const QString& title, const ClassReport& repor
     return save(path, title, report, paper);
 }
 
-void print(QWidget* window, const QString& title, const ScoreCard& card, const std::function<void(bool)>& done)
+void askForPrinter(QWidget* window, const QString& title,
+                   const std::function<void(const std::shared_ptr<QPagedPaintDevice>& printer)>& chosen)
 {
-    ask(window, title, card, done);
-}
-
-void print(QWidget* window, const QString& title, const ClassReport& report, const std::function<void(bool)>& done)
-{
-    ask(window, title, report, done);
+    auto printer = std::make_shared<QPrinter>(QPrinter::HighResolution);
+    printer->setDocName(title);
+    printer->setPageSize(QPageSize(usualPaper()));
+    printer->setPageMargins({kMarginMm, kMarginMm, kMarginMm, kMarginMm}, QPageLayout::Millimeter);
+    auto* dialog = new QPrintDialog(printer.get(), window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    // The printer lives as long as the dialog that knows it.
+    QObject::connect(dialog, &QDialog::accepted, window, [printer, chosen] { chosen(printer); });
+    dialog->open();
 }
 
 }  // namespace ui::report

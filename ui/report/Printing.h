@@ -2,12 +2,14 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 
 #include <QPageSize>
 #include <QString>
 
 #include "ui/report/Report.h"
 
+class QPagedPaintDevice;
 class QWidget;
 
 namespace ui::report {
@@ -26,9 +28,8 @@ void askForPdf(QWidget* window, const QString& title, const QString& name,
 [[nodiscard]] bool savePdf(const QString& path, const QString& title, const ClassReport& report,
                            QPageSize::PageSizeId paper = usualPaper());
 
-/// Asks which printer, beside the window's own events, and prints there.
-/// @param done  told whether it was printed; not called if the person thinks otherwise
-void print(QWidget* window, const QString& title, const ScoreCard& card, const std::function<void(bool)>& done);
-void print(QWidget* window, const QString& title, const ClassReport& report, const std::function<void(bool)>& done);
+/// Asks which printer, beside the window's own events. What is printed is made when one is chosen: paintOn() it.
+void askForPrinter(QWidget* window, const QString& title,
+                   const std::function<void(const std::shared_ptr<QPagedPaintDevice>& printer)>& chosen);
 
 }  // namespace ui::report

@@ -2172,8 +2172,12 @@ std::vector<MainWindow::Unkept> MainWindow::unkept()
     std::vector<Unkept> all{{m_admin->people().unkept(), toSchool(admin::AdminPage::People)},
                             {m_admin->roster().unkept(), toSchool(admin::AdminPage::Roster)},
                             {m_presets->unkept(), [this] { goTo(m_presets); }}};
-    if (const auto attempt = m_scorePage->talk().unkept())
+    const auto& talk = m_scorePage->talk();
+    if (const auto attempt = talk.unkeptComment())
         all.push_back({tr("A comment was typed and is not added yet."), [this, attempt] { showDraft(*attempt); }});
+    if (const auto attempt = talk.unkeptScore())
+        all.push_back({tr("A score with its reason was typed and is not given yet."),
+                       [this, attempt] { showDraft(*attempt); }});
     all.erase(std::remove_if(all.begin(), all.end(), [](const Unkept& one) { return one.what.isEmpty(); }), all.end());
     return all;
 }

@@ -217,8 +217,8 @@ ScorePage::ScorePage(const Actions& actions, QWidget* parent) : Page(actions, pa
             [this](const std::optional<std::array<double, 3>>& place) { m_talk->setPlace(place, true); });
     connect(m_talk, &people::TalkPanel::placeWanted, this, &ScorePage::showPin);
     connect(m_talk, &people::TalkPanel::formUsed, this, [this](QWidget* form) {
-        // Once it lies where it is to lie, and clear of the edge that fades.
-        QTimer::singleShot(0, form, [this, form] { m_scroll->ensureWidgetVisible(form, 0, kFormMarginPx); });
+        m_formInUse = form;
+        showForm();
     });
 
     m_buttons = new QHBoxLayout;
@@ -297,6 +297,8 @@ bool ScorePage::eventFilter(QObject* watched, QEvent* event)
     if (watched == m_block && (event->type() == QEvent::Resize || event->type() == QEvent::Move)) {
         const int end = m_block->mapTo(this, QPoint(m_block->width(), 0)).x();
         m_buttons->setContentsMargins(0, 0, std::max(0, body()->contentsRect().right() + 1 - end), 0);
+        if (m_formInUse != nullptr && m_formInUse->isAncestorOf(window()->focusWidget()))
+            showForm();  // what others have written has moved it
     }
     return Page::eventFilter(watched, event);
 }
@@ -833,6 +835,12 @@ void ScorePage::setTalkVisible(bool visible)
     arrange();
 }
 
+/// Once it lies where it is to lie, and clear of the edge that fades.
+void ScorePage::showForm()
+{
+    QTimer::singleShot(0, m_formInUse, [this] { m_scroll->ensureWidgetVisible(m_formInUse, 0, kFormMarginPx); });
+}
+
 void ScorePage::showTalk()
 {
     QTimer::singleShot(0, this, [this] {
@@ -845,9 +853,7 @@ void ScorePage::setMayTalk(bool may)
 {
     m_talk->setMay(may, may);
     m_heat->setPinnable(may);
-    m_talk->setMoment({});
-    m_talk->setPlace({});
-    m_heat->setPin({});
+    m_heat->setPin(may ? m_talk->place() : std::nullopt);
 }
 
 /// The place that a comment is about; the next one may be about it, too.

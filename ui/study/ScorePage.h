@@ -117,6 +117,7 @@ protected:
     void showEvent(QShowEvent* event) override;
 
 private:
+    void showForm();
     QWidget* makeResult();
     QWidget* makeCriteria();
     QWidget* makePlace();
@@ -157,6 +158,7 @@ private:
     QWidget* m_historyCard = nullptr;
     people::TalkPanel* m_talk = nullptr;
     QWidget* m_talkCard = nullptr;
+    QWidget* m_formInUse = nullptr;  ///< of the talk: where something was written last
     shell::ScrollPane* m_scroll = nullptr;
     QHBoxLayout* m_buttons = nullptr;
     QLabel* m_said = nullptr;
