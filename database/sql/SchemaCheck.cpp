@@ -25,9 +25,9 @@ struct Made
 using Schema = std::map<std::string, Made>;
 
 /// What there is in the schema that comes first in the search path, with all that defines it, and what hangs on it from
-/// elsewhere: a foreign key that names a table of ours, a table whose rows are read among those of ours. A trigger that is
-/// switched off, or fires only for copies of another server, is as good as none. Indexes of constraints go with those;
-/// the triggers that look after a foreign key do, too; what only says that it is one of those is shown.
+/// elsewhere: a foreign key that names a table of ours, a table whose rows are read among those of ours. A trigger that
+/// is switched off, or fires only for copies of another server, is as good as none. Indexes of constraints go with
+/// those; the triggers that look after a foreign key do, too; what only says that it is one of those is shown.
 QString questionToServer()
 {
     return QStringLiteral(R"(
@@ -137,6 +137,12 @@ core::Result<Schema> freshSchemaOnServer(const QSqlDatabase& db)
     return schemaOf(db);
 }
 
+/// A foreign key, at the table that it names.
+bool isReference(const std::string& named)
+{
+    return named.rfind("reference ", 0) == 0;
+}
+
 /// Two triggers of a file are one on a server, see dialect::expand().
 Schema asOnServer(const Schema& schema)
 {
@@ -145,7 +151,7 @@ Schema asOnServer(const Schema& schema)
         const auto guard = named.rfind("_no_update");
         if (guard != std::string::npos)
             there[named.substr(0, guard) + "_no_change"] = {made.table, {}};
-        else if (named.rfind("_no_delete") == std::string::npos && named.rfind("reference ", 0) != 0)
+        else if (named.rfind("_no_delete") == std::string::npos && !isReference(named))
             there[named] = {made.table, {}};
     }
     return there;
@@ -210,11 +216,13 @@ core::Status checkSchema(const QSqlDatabase& db, const std::function<void(const 
         return tl::unexpected(expected ? found.error() : expected.error());
     const auto isCompared = [&](const std::string& named) {
         // A file's constraints and columns stand in what made its tables; its foreign keys have no names.
-        const std::string kind = named.substr(0, named.find(' '));
-        return !areNamesAll || (kind != "constraint" && kind != "column" && kind != "reference");
+        return !areNamesAll ||
+               (named.rfind("constraint ", 0) != 0 && named.rfind("column ", 0) != 0 && !isReference(named));
     };
     for (const auto& [named, made] : *expected)
-        if (const auto there = found->find(named); there == found->end())
+        if (isReference(named))  // its constraint is compared
+            continue;
+        else if (const auto there = found->find(named); there == found->end())
             say({QT_TRANSLATE_NOOP("Finding", "%1 is no longer there: what it guarded is not guarded any more"),
                  {named}});
         else if (there->second.table != made.table || (there->second.by != made.by && !areNamesAll))

@@ -644,7 +644,8 @@ void TestScorePage::whatWasRefusedIsInSight()
     auto* give = m_page->findChild<QPushButton*>("giveScore");
     give->setFocus();
     give->click();
-    m_page->talk().refuse("Somebody else has changed it meanwhile. Look at it, and give it again if it is still meant.");
+    m_page->talk().refuse(
+        "Somebody else has changed it meanwhile. Look at it, and give it again if it is still meant.");
     database::AttemptTalk talk;
     for (int k = 0; k < 20; ++k)
         talk.overrides.push_back({"Grace Hopper", "2026-11-20T10:00:00Z", 900 - k, "Neat."});

@@ -351,12 +351,12 @@ void TalkPanel::say(const QString& sentence)
 
 void TalkPanel::refuse(const QString& sentence)
 {
+    // Where it was typed, so that both are in sight together.
+    m_asked->layout()->addWidget(m_fault);
     m_fault->setText(sentence);
     m_fault->setVisible(!sentence.isEmpty());
     if (sentence.isEmpty())
         return;
-    // Where it was typed, so that both are in sight together.
-    m_asked->layout()->addWidget(m_fault);
     announce(*m_fault);
     emit formUsed(m_asked);
 }
