@@ -112,7 +112,8 @@ void CardDesk::print()
             });
         });
     };
-    ui::report::askForPrinter(&m_window, titleOf(m_window.scorePage().card()), onPaper);
+    if (!ui::report::askForPrinter(&m_window, titleOf(m_window.scorePage().card()), onPaper))
+        m_window.scorePage().say([] { return tr("There is no printer on this computer. Save it as a PDF instead."); });
 }
 
 /// As it is shown now, with the head of the audit as it is now, so that paper and database can be compared.

@@ -419,7 +419,8 @@ void PeopleDesk::connectReport()
                 });
             });
         };
-        ui::report::askForPrinter(&m_window, QString::fromStdString(m_overview.name), onPaper);
+        if (!ui::report::askForPrinter(&m_window, QString::fromStdString(m_overview.name), onPaper))
+            classes.say([] { return tr("There is no printer on this computer. Save it as a PDF instead."); });
     });
 }
 

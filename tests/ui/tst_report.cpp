@@ -2,16 +2,24 @@
 // Reports are painted by one painter code: here onto pictures and drawings, in the program onto paper and into PDF.
 #include <QApplication>
 #include <QBuffer>
+#include <QDir>
 #include <QFile>
 #include <QImage>
 #include <QPainter>
+#include <QPrintDialog>
+#include <QPrinter>
 #include <QRegularExpression>
 #include <QScopeGuard>
 #include <QSvgGenerator>
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <array>
 #include <cstring>
+#include <memory>
+
+#include <sys/inotify.h>
+#include <unistd.h>
 
 #include "lessons/LessonCatalog.h"
 #include "tests/ui/PseudoLanguage.h"
@@ -197,6 +205,7 @@ class TestReport : public QObject
 {
     Q_OBJECT
 private slots:
+    void noFileIsOpenedToAskForAPrinter();
     void initTestCase();
     void aScoreCardSaysEverything();
     void anInstructorsScoreIsSignedAndTheMachinesStays();
@@ -538,6 +547,41 @@ void TestReport::aPdfIsWritten()
 void TestReport::whatCannotBeWrittenIsTold()
 {
     QVERIFY(!ui::report::savePdf("/nowhere/at/all/card.pdf", "Class I on 36", m_card));
+}
+
+/// Whoever closes a school's file drops SQLite's locks on it.
+void TestReport::noFileIsOpenedToAskForAPrinter()
+{
+    const QTemporaryDir folder;
+    const QByteArray home = qgetenv("HOME");
+    qputenv("HOME", folder.path().toLocal8Bit());
+    const auto back = qScopeGuard([&home] { qputenv("HOME", home); });
+    QFile file(folder.filePath("school.sqlite-shm"));  // no kind of file that its name tells
+    QVERIFY(file.open(QIODevice::WriteOnly) && file.write(QByteArray(4096, '\1')) == 4096);
+    file.close();
+    const int watch = inotify_init1(IN_NONBLOCK);
+    const auto closed = qScopeGuard([watch] { ::close(watch); });
+    QVERIFY(inotify_add_watch(watch, QFile::encodeName(file.fileName()).constData(), IN_OPEN) >= 0);
+    bool isOpened = false;
+    const auto wasOpened = [&] {
+        std::array<char, 4096> events{};
+        return isOpened = isOpened || ::read(watch, events.data(), events.size()) > 0;
+    };
+    QVERIFY(QDir::setCurrent(folder.path()));
+    QPrinter printer;
+    QWidget window;
+    {
+        const std::unique_ptr<QPrintDialog> dialog(ui::report::makePrintDialog(printer, &window));
+        dialog->show();
+        QTest::qWait(500);
+        QVERIFY(!wasOpened());
+        QVERIFY(!dialog->testOption(QAbstractPrintDialog::PrintToFile));
+    }
+    QCOMPARE(qgetenv("HOME"), folder.path().toLocal8Bit());
+    // Qt's own does, or this test says nothing.
+    QPrintDialog plain(&printer, &window);
+    plain.show();
+    QTRY_VERIFY(wasOpened());
 }
 
 QTEST_MAIN(TestReport)

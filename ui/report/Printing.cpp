@@ -8,7 +8,10 @@
 #include <QPdfWriter>
 #include <QPrintDialog>
 #include <QPrinter>
+#include <QPrinterInfo>
 #include <QSaveFile>
+#include <QScopeGuard>
+#include <QTemporaryDir>
 
 #include "ui/shell/FileDialog.h"
 #include "ui/shell/Folders.h"
@@ -67,18 +70,33 @@ bool savePdf(const QString& path, const QString& title, const ClassReport& repor
     return save(path, title, report, paper);
 }
 
-void askForPrinter(QWidget* window, const QString& title,
+QPrintDialog* makePrintDialog(QPrinter& printer, QWidget* window)
+{
+    const QTemporaryDir empty;
+    const QByteArray home = qgetenv("HOME");
+    qputenv("HOME", empty.path().toLocal8Bit());
+    const auto back = qScopeGuard([&home] { qputenv("HOME", home); });
+    auto* dialog = new QPrintDialog(&printer, window);
+    // Nor does its button for another folder then look there. To make a file there is askForPdf().
+    dialog->setOption(QAbstractPrintDialog::PrintToFile, false);
+    return dialog;
+}
+
+bool askForPrinter(QWidget* window, const QString& title,
                    const std::function<void(const std::shared_ptr<QPagedPaintDevice>& printer)>& chosen)
 {
+    if (QPrinterInfo::availablePrinterNames().isEmpty())
+        return false;
     auto printer = std::make_shared<QPrinter>(QPrinter::HighResolution);
     printer->setDocName(title);
     printer->setPageSize(QPageSize(usualPaper()));
     printer->setPageMargins({kMarginMm, kMarginMm, kMarginMm, kMarginMm}, QPageLayout::Millimeter);
-    auto* dialog = new QPrintDialog(printer.get(), window);
+    QPrintDialog* dialog = makePrintDialog(*printer, window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     // The printer lives as long as the dialog that knows it.
     QObject::connect(dialog, &QDialog::accepted, window, [printer, chosen] { chosen(printer); });
     dialog->open();
+    return true;
 }
 
 }  // namespace ui::report

@@ -10,6 +10,8 @@
 #include "ui/report/Report.h"
 
 class QPagedPaintDevice;
+class QPrintDialog;
+class QPrinter;
 class QWidget;
 
 namespace ui::report {
@@ -28,8 +30,14 @@ void askForPdf(QWidget* window, const QString& title, const QString& name,
 [[nodiscard]] bool savePdf(const QString& path, const QString& title, const ClassReport& report,
                            QPageSize::PageSizeId paper = usualPaper());
 
+/// Qt's dialog, without printing to a file. Its field for the file's name else begins at once to look about the home
+/// folder, and opens what lies there; whoever closes a file that SQLite has open loses SQLite's locks on it, and
+/// another program then takes its log away (https://www.sqlite.org/howtocorrupt.html, section 2.2).
+[[nodiscard]] QPrintDialog* makePrintDialog(QPrinter& printer, QWidget* window);
+
 /// Asks which printer, beside the window's own events. What is printed is made when one is chosen: paintOn() it.
-void askForPrinter(QWidget* window, const QString& title,
-                   const std::function<void(const std::shared_ptr<QPagedPaintDevice>& printer)>& chosen);
+/// False: there is none.
+[[nodiscard]] bool askForPrinter(QWidget* window, const QString& title,
+                                 const std::function<void(const std::shared_ptr<QPagedPaintDevice>& printer)>& chosen);
 
 }  // namespace ui::report
