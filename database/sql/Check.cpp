@@ -5,6 +5,7 @@
 
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QScopeGuard>
 
 #include "database/sql/Attempts.h"
 #include "database/sql/Audit.h"
@@ -226,25 +227,51 @@ core::Status checkSigner(const QSqlDatabase& db, const std::string& stationKey, 
     return {};
 }
 
+struct Look
+{
+    std::function<core::Status()> at;
+    const char* wordsIfNot;
+};
+
+/// An error only where the database is away: then there is nothing more to look at.
+core::Status lookAt(const Look& look, CheckReport& report)
+{
+    // Much of one kind hides nothing of another.
+    report.mostFindings = report.findings.size() + kMostFindings;
+    const core::Status done = look.at();
+    // A table that is gone hides nothing that stands in the others; without the server there are none.
+    if (!done && (done.error().code == core::ErrorCode::ConnectionLost || done.error().code == core::ErrorCode::Busy))
+        return done;
+    if (!done) {
+        report.isWhole = false;
+        report.findings.push_back({look.wordsIfNot, {done.error().detail}});
+    }
+    return {};
+}
+
 }  // namespace
 
 core::Result<CheckReport> checkDatabase(const QSqlDatabase& db, const std::vector<std::string>& witnesses,
                                         const Progress& progress, const std::string& stationKey)
 {
     CheckReport report;
+    const bool onServer = dialect::isPostgres(db);
     const auto tell = [&report](const Finding& finding) { say(report, finding); };
-    struct Look
-    {
-        std::function<core::Status()> at;
-        const char* wordsIfNot;
-    };
+    // It makes a schema to compare with, and so it cannot stand in a transaction that only reads.
+    if (auto done = lookAt({[&] { return checkSchema(db, tell); },
+                            QT_TRANSLATE_NOOP("Finding", "tables, indexes and triggers could not be looked at (%1)")},
+                           report);
+        !done)
+        return tl::unexpected(done.error());
+    // All as it was at one moment: whoever works meanwhile has written here and not yet there.
+    if (auto begun = execute(db, dialect::beginRead(db), kDoing); !begun)
+        return tl::unexpected(begun.error());
+    const auto ended = qScopeGuard([&db] { static_cast<void>(execute(db, "ROLLBACK", kDoing)); });
     const std::array looks{
         Look{[&] { return checkPages(db, report); },
              QT_TRANSLATE_NOOP("Finding", "the pages of the file could not be looked at (%1)")},
         Look{[&] { return checkChain(db, witnesses, report, progress); },
              QT_TRANSLATE_NOOP("Finding", "the audit could not be looked at (%1)")},
-        Look{[&] { return checkSchema(db, tell); },
-             QT_TRANSLATE_NOOP("Finding", "tables, indexes and triggers could not be looked at (%1)")},
         Look{[&] { return checkAttempts(db, report, progress); },
              QT_TRANSLATE_NOOP("Finding", "the attempts could not be looked at (%1)")},
         Look{[&] { return checkExamStarts(db, report); },
@@ -262,17 +289,15 @@ core::Result<CheckReport> checkDatabase(const QSqlDatabase& db, const std::vecto
              QT_TRANSLATE_NOOP("Finding", "who signed the head of the audit could not be looked at (%1)")},
     };
     for (const Look& look : looks) {
-        // Much of one kind hides nothing of another.
-        report.mostFindings = report.findings.size() + kMostFindings;
-        const core::Status done = look.at();
-        // A table that is gone hides nothing that stands in the others; without the server there are none.
-        if (!done &&
-            (done.error().code == core::ErrorCode::ConnectionLost || done.error().code == core::ErrorCode::Busy))
+        // A server answers nothing more in a transaction in which something has failed.
+        if (onServer)
+            if (auto kept = execute(db, "SAVEPOINT look", kDoing); !kept)
+                return tl::unexpected(kept.error());
+        if (auto done = lookAt(look, report); !done)
             return tl::unexpected(done.error());
-        if (!done) {
-            report.isWhole = false;
-            report.findings.push_back({look.wordsIfNot, {done.error().detail}});
-        }
+        if (onServer)
+            if (auto back = execute(db, "ROLLBACK TO look", kDoing); !back)
+                return tl::unexpected(back.error());
         if (report.isStopped)
             return report;
     }

@@ -159,10 +159,7 @@ core::Result<CopyReport> copySchool(const School& from, const Session& session, 
     CopyReport report;
     QStringList made;
     // What is read is one moment of the school, whoever writes meanwhile.
-    if (auto begun =
-            execute(from.db, dialect::isPostgres(from.db) ? "BEGIN ISOLATION LEVEL REPEATABLE READ READ ONLY" : "BEGIN",
-                    "read it");
-        !begun)
+    if (auto begun = execute(from.db, dialect::beginRead(from.db), "read it"); !begun)
         return tl::unexpected(begun.error());
     const auto bring = [&]() -> core::Status {
         if (auto mine = keepForOne(to.db); !mine)

@@ -176,6 +176,11 @@ QString beginWrite(const QSqlDatabase& db)
     return isPostgres(db) ? QStringLiteral("BEGIN") : QStringLiteral("BEGIN IMMEDIATE");
 }
 
+QString beginRead(const QSqlDatabase& db)
+{
+    return isPostgres(db) ? QStringLiteral("BEGIN ISOLATION LEVEL REPEATABLE READ READ ONLY") : QStringLiteral("BEGIN");
+}
+
 QString forUpdate(const QSqlDatabase& db)
 {
     return isPostgres(db) ? QStringLiteral(" FOR UPDATE") : QString();

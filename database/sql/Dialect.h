@@ -26,6 +26,8 @@ inline constexpr int kApplicationId = 0x43555350;
 
 /// Begins a transaction that writes. SQLite waits for other writers now, not at its end.
 [[nodiscard]] QString beginWrite(const QSqlDatabase& db);
+/// Begins a transaction that reads everything as it was at its first SELECT, and holds nobody up.
+[[nodiscard]] QString beginRead(const QSqlDatabase& db);
 /// Goes behind a SELECT whose rows nobody else may take until the transaction ends.
 [[nodiscard]] QString forUpdate(const QSqlDatabase& db);
 /// Lets one migration run at a time, until the transaction ends; empty where beginWrite() does.

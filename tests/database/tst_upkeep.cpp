@@ -190,6 +190,8 @@ private slots:
     void aCheckNamesTheAttemptThatWasChanged_data() { support::addEngines(); }
     void aCheckNamesTheAttemptThatWasChanged();
     void newRowsAreNumberedAgain_data() { support::addEngines(); }
+    void itIsCheckedWhileOthersWrite_data() { support::addEngines(); }
+    void itIsCheckedWhileOthersWrite();
     void newRowsAreNumberedAgain();
     void whatASpreadsheetWouldRunIsQuoted();
     void lettersAreCountedAndNotTheirHalves();
@@ -1167,6 +1169,28 @@ void TestUpkeep::aCheckNamesTheAttemptThatWasChanged()
     QVERIFY2(all.contains(QString::fromStdString(attempts[2].uid) + " was removed"), qPrintable(all));
     QVERIFY2(all.contains("do not add up"), qPrintable(all));
     QCOMPARE(report->findings.size(), std::size_t{3});
+}
+
+/// What they write between two looks is none of the check's.
+void TestUpkeep::itIsCheckedWhileOthersWrite()
+{
+    SCHOOL_RIG(rig);
+    const auto admin =
+        Logins::createFirstAdmin(rig.school(), {"admin", "", "", Role::Admin}, SchoolRig::kPassword, SchoolRig::kCheap);
+    VERIFY_DONE(admin);
+    VERIFY_DONE(makeSample(rig.school(), *admin, {40, 1200, 20, 7}, madeLessons({"class1-36"})));
+    const auto elsewhere = Database::open(rig.address());
+    VERIFY_DONE(elsewhere);
+    School other = rig.school();
+    other.db = (*elsewhere)->handle();
+    int written = 0;
+    const auto report = checkDatabase(rig.school().db, {}, [&](const char*, std::int64_t) {
+        const std::string name = "late" + std::to_string(++written);
+        return addPerson(other, *admin, {name, "", "", Role::Student}).has_value();
+    });
+    VERIFY_DONE(report);
+    QVERIFY(written > 1 && !report->isStopped);
+    QVERIFY2(report->findings.empty(), qPrintable(support::wordsOf(report->findings)));
 }
 
 /// As after a dump that was put back without its sequences; or somebody has set them to their end.

@@ -555,7 +555,10 @@ void TestReport::noFileIsOpenedToAskForAPrinter()
     const QTemporaryDir folder;
     const QByteArray home = qgetenv("HOME");
     qputenv("HOME", folder.path().toLocal8Bit());
-    const auto back = qScopeGuard([&home] { qputenv("HOME", home); });
+    const auto back = qScopeGuard([&home, before = QDir::currentPath()] {
+        qputenv("HOME", home);
+        QDir::setCurrent(before);
+    });
     QFile file(folder.filePath("school.sqlite-shm"));  // no kind of file that its name tells
     QVERIFY(file.open(QIODevice::WriteOnly) && file.write(QByteArray(4096, '\1')) == 4096);
     file.close();
