@@ -298,8 +298,7 @@ QStringList filesToMake(const Address& target)
     if (target.isServer())
         return files;
     if (!QFileInfo::exists(target.file))
-        for (const char* end : {"-wal", "-shm", "-journal", ""})
-            files += target.file + QLatin1String(end);
+        files += database::sql::wholeOf(target.file);
     if (const QString key = stationKeyOf(target); !QFileInfo::exists(key))
         files += key;
     return files;

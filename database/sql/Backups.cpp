@@ -46,13 +46,17 @@ const QString kStamp = QStringLiteral("yyyy-MM-dd-HH.mm.ss");
 const QString kSuffix = QStringLiteral(".sqlite");
 const QString kRestoring = QStringLiteral(".restoring");
 const QString kReplaced = QStringLiteral("replaced-");
-/// What SQLite puts beside a database's file.
-constexpr std::array kBeside{"-journal", "-wal", "-shm"};
 constexpr QFile::Permissions kOwners = QFile::ReadOwner | QFile::WriteOwner;
 
 core::Error refused(const QString& file, const std::string& why)
 {
     return {ErrorCode::FileUnwritable, "backup " + file.toStdString() + ": " + why};
+}
+
+/// What is the matter where a backup is to be put.
+core::Error refusedThere(const QString& databaseFile, const std::string& why)
+{
+    return {ErrorCode::FileUnwritable, "database " + databaseFile.toStdString() + ": " + why};
 }
 
 bool sync(const QString& path)
@@ -70,6 +74,12 @@ bool makeFile(const QString& path, QFile::Permissions mode)
 bool hasLog(const QString& databaseFile)
 {
     return QFileInfo(databaseFile + QStringLiteral("-wal")).size() > 0;
+}
+
+void removeWhole(const QString& databaseFile)
+{
+    for (const QString& file : wholeOf(databaseFile))
+        QFile::remove(file);
 }
 
 /// A connection of its own to a file that nobody changes: nothing is made beside it, so that it may lie on a medium
@@ -248,10 +258,7 @@ core::Result<QString> backUpAs(const QSqlDatabase& db, const QString& folder, co
     removeStale(folder, {"*.sqlite.part*"});
     // Another program may be making one in the same second.
     const QString part = nameOf(nowUtc) + ".part-" + QString::fromStdString(newUid());
-    const auto removePart = qScopeGuard([&part] {
-        for (const char* end : {"", "-wal", "-shm", "-journal"})
-            QFile::remove(part + QLatin1String(end));
-    });
+    const auto removePart = qScopeGuard([&part] { removeWhole(part); });
     const auto counts = copyMoment(db, part, progress);
     if (!counts)
         return tl::unexpected(counts.error());
@@ -359,19 +366,21 @@ private:
     bool m_isTaken = false;
 };
 
-core::Status expectClosed(const QString& databaseFile)
+/// Whoever may not read the school may not read the copy, not even while it grows.
+bool copyBytes(const QString& backup, const QString& copy, QFile::Permissions mode)
 {
-    if (!isOpenElsewhere(databaseFile))
-        return {};
-    return core::unexpected(ErrorCode::Busy, "database " + databaseFile.toStdString() +
-                                                 ": another program has it open; close every Cusp that uses it");
-}
-
-void removeWhole(const QString& databaseFile)
-{
-    for (const char* end : kBeside)
-        QFile::remove(databaseFile + QLatin1String(end));
-    QFile::remove(databaseFile);
+    constexpr qint64 kAtOnce = qint64{1} << 20;
+    QFile from(backup);
+    QFile to(copy);
+    if (!from.open(QIODevice::ReadOnly) || !makeFile(copy, mode) || !to.open(QIODevice::WriteOnly))
+        return false;
+    QByteArray bytes;
+    do {
+        bytes = from.read(kAtOnce);
+        if (to.write(bytes) != bytes.size())
+            return false;
+    } while (!bytes.isEmpty());
+    return from.error() == QFile::NoError && to.flush();
 }
 
 /// Copies a backup and brings the copy to this program's schema: what cannot be used replaces nothing.
@@ -380,9 +389,9 @@ core::Status makeReady(const QString& backup, const QString& copy, const QString
     // As the file was whose place it takes: a backup may be read-only.
     const QFileInfo target(databaseFile);
     const QFile::Permissions mode = target.exists() ? target.permissions() | kOwners : kOwners;
-    const core::Error noRoom =
-        refused(databaseFile, "it could not be copied there; make room on the disk, and check who may write there");
-    if (!QFile::copy(backup, copy) || !QFile::setPermissions(copy, mode))
+    const core::Error noRoom = refusedThere(
+        databaseFile, "it could not be copied there; make room on the disk, and check who may write there");
+    if (!copyBytes(backup, copy, mode))
         return tl::unexpected(noRoom);
     Database::Options options;
     options.mayCreate = false;
@@ -401,16 +410,18 @@ core::Status makeReady(const QString& backup, const QString& copy, const QString
 bool moveAway(const QString& databaseFile, const QString& aside)
 {
     QStringList moved;
-    for (const char* end : {"-journal", "-wal", "-shm", ""}) {
+    const auto move = [&](const char* end) {
         const QString from = databaseFile + QLatin1String(end);
-        if (QFile::exists(from) && !QFile::rename(from, aside + QLatin1String(end))) {
-            for (const QString& one : std::as_const(moved))
-                QFile::rename(aside + one, databaseFile + one);
+        if (QFile::exists(from) && !QFile::rename(from, aside + QLatin1String(end)))
             return false;
-        }
         moved += QLatin1String(end);
-    }
-    return true;
+        return true;
+    };
+    if (std::all_of(kBeside.begin(), kBeside.end(), move) && move(""))
+        return true;
+    for (const QString& one : std::as_const(moved))
+        QFile::rename(aside + one, databaseFile + one);
+    return false;
 }
 
 /// What moveAway() has moved. False: another file has taken the place meanwhile.
@@ -437,27 +448,34 @@ QString freeAside(const QString& databaseFile, const QDateTime& nowUtc)
     return named(at);
 }
 
+/// In two steps: what lies there is moved away first.
+core::Status replace(const QString& copy, const QString& databaseFile, const QString& replaced)
+{
+    if (!moveAway(databaseFile, replaced))
+        return tl::unexpected(
+            refusedThere(databaseFile, "what lies there could not be moved away; close every Cusp that uses it"));
+    if (giveName(copy, databaseFile) == Named::Done)
+        return {};
+    if (moveBack(databaseFile, replaced))
+        return tl::unexpected(refusedThere(databaseFile, "it could not be put in its place, and what was there is "
+                                                         "there again; check who may write there"));
+    return tl::unexpected(refusedThere(databaseFile, "it could not be put in its place, where another program has made "
+                                                     "a file meanwhile; what was there lies in " +
+                                                         replaced.toStdString()));
+}
+
 /// Gives a copy that is ready the place of the database. Returns where that lies now, empty if there was none.
 core::Result<QString> exchange(const QString& copy, const QString& databaseFile, const QDateTime& nowUtc)
 {
     settle(databaseFile);
     const bool wasThere = QFileInfo::exists(databaseFile);
     const QString replaced = freeAside(databaseFile, nowUtc);
-    if (!moveAway(databaseFile, replaced))
-        return tl::unexpected(
-            refused(databaseFile, "what lies there could not be moved away; close every Cusp that uses it"));
-    if (giveName(copy, databaseFile) != Named::Done) {
-        if (moveBack(databaseFile, replaced))
-            return tl::unexpected(refused(databaseFile, "it could not be put in its place, and what was there is there "
-                                                        "again; check who may write there"));
-        return tl::unexpected(refused(databaseFile, "it could not be put in its place, where another program has made "
-                                                    "a file meanwhile; what was there lies in " +
-                                                        replaced.toStdString()));
-    }
+    if (auto done = replace(copy, databaseFile, replaced); !done)
+        return tl::unexpected(done.error());
     if (!sync(QFileInfo(databaseFile).absolutePath()))
-        return tl::unexpected(refused(databaseFile, "it could not be brought to the disk; check the disk; what was "
-                                                    "there lies in " +
-                                                        replaced.toStdString()));
+        return tl::unexpected(refusedThere(databaseFile, "it could not be brought to the disk; check the disk; what "
+                                                         "was there lies in " +
+                                                             replaced.toStdString()));
     return wasThere ? replaced : QString();
 }
 
@@ -468,6 +486,14 @@ bool isOfTheFuture(const QString& backup, const QDateTime& nowUtc)
 }
 
 }  // namespace
+
+core::Status expectClosed(const QString& databaseFile)
+{
+    if (!isOpenElsewhere(databaseFile))
+        return {};
+    return core::unexpected(ErrorCode::Busy, "database " + databaseFile.toStdString() +
+                                                 ": another program has it open; close every Cusp that uses it");
+}
 
 QDateTime madeAt(const QString& backup)
 {
@@ -563,7 +589,7 @@ core::Result<QString> backUp(const QSqlDatabase& db, const QString& folder, cons
 
 core::Result<QString> saveBeforeMigration(const QSqlDatabase& db, int version)
 {
-    return backUpAs(db, backupFolder(db.databaseName()), QStringLiteral("before-schema-%1").arg(version + 1),
+    return backUpAs(db, backupFolder(dialect::fileOf(db)), QStringLiteral("before-schema-%1").arg(version + 1),
                     QDateTime::currentDateTimeUtc(), {});
 }
 
@@ -683,7 +709,7 @@ core::Result<QString> restoreBackup(const QString& backup, const QString& databa
                                                      ": another program is restoring a backup there; wait until it "
                                                      "has ended");
     if (!lock.isHeld())
-        return tl::unexpected(refused(
+        return tl::unexpected(refusedThere(
             databaseFile, "it could not be copied there; make room on the disk, and check who may write there"));
     if (auto closed = expectClosed(databaseFile); !closed)
         return tl::unexpected(closed.error());

@@ -74,6 +74,9 @@ using BackupProgress = std::function<bool(int done, int all)>;
 /// The newest of those that restoreBackup() has moved aside and that verifyBackup() finds whole; empty: there is none.
 [[nodiscard]] QString newestReplaced(const QString& databaseFile);
 
+/// Busy: another program has the database open. This one has closed it.
+[[nodiscard]] core::Status expectClosed(const QString& databaseFile);
+
 /// When a backup was made, UTC, out of its name; invalid for other files.
 [[nodiscard]] QDateTime madeAt(const QString& backup);
 

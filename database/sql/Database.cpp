@@ -91,6 +91,14 @@ core::Status configure(const QSqlDatabase& db, FileSystem fileSystem)
 
 }  // namespace
 
+QStringList wholeOf(const QString& file)
+{
+    QStringList files;
+    for (const char* end : kBeside)
+        files += file + QLatin1String(end);
+    return files << file;
+}
+
 /// What can be said about the path without SQLite, which would only say that it "cannot open" it. The file itself is
 /// not opened: closing it again would drop the locks that other connections of this program hold on it, and another
 /// program would take away the write-ahead log beneath them (sqlite.org/howtocorrupt.html, 2.2).

@@ -1,18 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <memory>
 #include <string>
 
 #include <QSqlDatabase>
 #include <QString>
+#include <QStringList>
 
 #include "core/base/Result.h"
 #include "database/Address.h"
 #include "database/FileSystem.h"
 
 namespace database::sql {
+
+/// What SQLite puts beside a database's file.
+inline constexpr std::array kBeside{"-journal", "-wal", "-shm"};
+/// A database's file with them, itself last: what lies beside it is never alone there.
+[[nodiscard]] QStringList wholeOf(const QString& file);
 
 /// Whether a database may lie there: a readable file, or none yet in a folder that exists. Refused with one sentence: a
 /// folder, a pipe, a device. The file itself is not opened.
