@@ -329,41 +329,29 @@ void settle(const QString& databaseFile)
         sqlite3_db_config(db.get(), SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 0, nullptr);
 }
 
-/// That one restores at a time in one place: a file beside the database, locked while it is open. Who is killed, or
-/// pulls the plug, holds up nobody.
+/// That one restores at a time in one folder. No file is made for it, which another user could not open and who is
+/// killed would leave there. Where the file system knows no such locks, or the folder cannot be read, one goes on
+/// without: of two at once each keeps what it finds.
 class RestoreLock
 {
 public:
     explicit RestoreLock(const QString& databaseFile)
-        : m_path(QFile::encodeName(databaseFile + QStringLiteral(".restore-lock"))),
-          m_file(open(m_path.constData(), O_RDWR | O_CREAT | O_CLOEXEC, S_IRUSR | S_IWUSR))
-    {
-        m_isTaken = m_file >= 0 && flock(m_file, LOCK_EX | LOCK_NB) != 0;
-        // Who held it may have removed it between the two: then a third would lock a new one.
-        struct stat mine
-        {};
-        struct stat there
-        {};
-        if (m_file >= 0 && !m_isTaken)
-            m_isTaken = fstat(m_file, &mine) != 0 || stat(m_path.constData(), &there) != 0 ||
-                        mine.st_ino != there.st_ino || mine.st_dev != there.st_dev;
-    }
+        : m_folder(::open(QFile::encodeName(QFileInfo(databaseFile).absolutePath()).constData(),
+                          O_RDONLY | O_DIRECTORY | O_CLOEXEC)),
+          m_isTaken(m_folder >= 0 && flock(m_folder, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+    {}
     ~RestoreLock()
     {
-        if (isHeld())
-            unlink(m_path.constData());
-        if (m_file >= 0)
-            close(m_file);
+        if (m_folder >= 0)
+            close(m_folder);
     }
     RestoreLock(const RestoreLock&) = delete;
     RestoreLock& operator=(const RestoreLock&) = delete;
-    [[nodiscard]] bool isHeld() const { return m_file >= 0 && !m_isTaken; }
     [[nodiscard]] bool isTaken() const { return m_isTaken; }
 
 private:
-    QByteArray m_path;
-    int m_file;
-    bool m_isTaken = false;
+    int m_folder;
+    bool m_isTaken;
 };
 
 /// Whoever may not read the school may not read the copy, not even while it grows.
@@ -708,9 +696,6 @@ core::Result<QString> restoreBackup(const QString& backup, const QString& databa
         return core::unexpected(ErrorCode::Busy, "database " + databaseFile.toStdString() +
                                                      ": another program is restoring a backup there; wait until it "
                                                      "has ended");
-    if (!lock.isHeld())
-        return tl::unexpected(refusedThere(
-            databaseFile, "it could not be copied there; make room on the disk, and check who may write there"));
     if (auto closed = expectClosed(databaseFile); !closed)
         return tl::unexpected(closed.error());
     // What one that was killed has left: nobody uses it any more.
