@@ -467,6 +467,23 @@ core::Result<QString> exchange(const QString& copy, const QString& databaseFile,
     return wasThere ? replaced : QString();
 }
 
+/// The copies that restores have left which were killed: nobody uses them any more. Nothing else that is called nearly
+/// so, and not the backup itself: older programs left the user one of such a name.
+void sweep(const QString& databaseFile, const QString& backup)
+{
+    const QFileInfo target(databaseFile);
+    QStringList ends{QString()};
+    for (const char* end : kBeside)
+        ends += QLatin1String(end);
+    const QRegularExpression ours('^' + QRegularExpression::escape(target.fileName() + kRestoring) +
+                                  QStringLiteral("[0-9a-f]{%1}(%2)$").arg(kUidLength).arg(ends.join(u'|')));
+    const QDir there = target.absoluteDir();
+    for (const QString& name : there.entryList(QDir::Files | QDir::Hidden))
+        if (const QString file = there.filePath(name);
+            ours.match(name).hasMatch() && !core::isSameFile(backup.toStdU16String(), file.toStdU16String()))
+            QFile::remove(file);
+}
+
 /// A day is the clock's to be wrong by.
 bool isOfTheFuture(const QString& backup, const QDateTime& nowUtc)
 {
@@ -698,11 +715,8 @@ core::Result<QString> restoreBackup(const QString& backup, const QString& databa
                                                      "has ended");
     if (auto closed = expectClosed(databaseFile); !closed)
         return tl::unexpected(closed.error());
-    // What one that was killed has left: nobody uses it any more.
-    const QFileInfo target(databaseFile);
-    for (const QString& name : target.absoluteDir().entryList(QDir::Files | QDir::Hidden))
-        if (name.startsWith(target.fileName() + kRestoring))
-            QFile::remove(target.absoluteDir().filePath(name));
+    // It gives back the room that the copy needs.
+    sweep(databaseFile, backup);
     const QString copy = databaseFile + kRestoring + QString::fromStdString(newUid());
     const auto removeCopy = qScopeGuard([&copy] { removeWhole(copy); });
     if (auto ready = makeReady(backup, copy, databaseFile); !ready)
