@@ -90,11 +90,12 @@ std::string wayBack(const Address& address)
     if (address.isServer())
         return {};
     const QString backup = database::sql::newestSound(address.file, QDateTime::currentDateTimeUtc());
-    // A restore that somebody stopped in the middle leaves none in the place of the file.
-    const QString replaced = QFileInfo::exists(address.file) ? QString() : database::sql::newestReplaced(address.file);
+    // A restore that somebody stopped in the middle may leave none in the place of the file, where a new one is begun.
+    const QString replaced =
+        database::sql::liesEmpty(address.file) ? database::sql::newestReplaced(address.file) : QString();
     std::string way;
     if (!replaced.isEmpty())
-        way = "what a restore has moved aside last is " + replaced.toStdString();
+        way = "the newest whole school that a restore has moved aside is " + replaced.toStdString();
     if (!backup.isEmpty())
         way += (way.empty() ? "" : ", ") + ("the newest sound backup is " + backup.toStdString());
     return way.empty() ? way : way + ", and \"cusp db restore\" brings it back";
@@ -123,14 +124,14 @@ int initDatabase(const QCommandLineParser& parser, const Address& address)
         if (auto fit = database::sql::Logins::checkNewPassword(password, admin.toStdString()); !fit)
             return failed(fit.error());
     }
-    const QString backup = address.isServer() || QFileInfo::exists(address.file)
+    const QString backup = address.isServer() || !database::sql::liesEmpty(address.file)
                                ? QString()
-                               : database::sql::newestSound(address.file, QDateTime::currentDateTimeUtc());
+                               : database::sql::newestKept(address.file, QDateTime::currentDateTimeUtc());
     const auto open = openSchool(address, Opening::Create);
     if (!open)
         return failedWithBackups(open.error(), address);
     if (!backup.isEmpty())
-        warn({"this is a new, empty school, and backups of an earlier one lie beside it; to have that back, move this "
+        warn({"this is a new, empty school, and an earlier one is kept beside it; to have that back, move this "
               "file away and type \"cusp db restore " +
               backup.toStdString() + " --db " + address.file.toStdString() + '"'});
     if (!open->database->notice().empty())
@@ -190,7 +191,8 @@ int checkWhole(const QCommandLineParser& parser, const Address& address)
                                       ? QString()
                                       : QStringLiteral(", signed by %1, %2")
                                             .arg(signedBy.left(16), isOwnKey ? "this computer" : "another computer")));
-    if (const std::string way = report->isWhole ? std::string() : wayBack(address); !way.empty())
+    const bool isMissed = !report->isWhole || (!address.isServer() && database::sql::liesEmpty(address.file));
+    if (const std::string way = isMissed ? wayBack(address) : std::string(); !way.empty())
         warn({way});
     return isSound ? kDone : kFailed;
 }

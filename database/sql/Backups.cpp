@@ -306,12 +306,18 @@ bool isOpenElsewhere(const QString& databaseFile)
     });
 }
 
+bool hasBeside(const QString& databaseFile)
+{
+    return std::any_of(kBeside.begin(), kBeside.end(), [&databaseFile](const char* end) {
+        return QFileInfo::exists(databaseFile + QLatin1String(end));
+    });
+}
+
 /// Of a database as a program that was killed leaves it: brings what stands in its log into the file, so that one file
 /// is all there is to move. A damaged one stays as it is.
 void settle(const QString& databaseFile)
 {
-    const auto exists = [&](const char* end) { return QFileInfo::exists(databaseFile + QLatin1String(end)); };
-    if (!exists("") || (!hasLog(databaseFile) && !exists("-journal")))
+    if (!QFileInfo::exists(databaseFile) || !hasBeside(databaseFile))
         return;
     sqlite3* opened = nullptr;
     const int begun = sqlite3_open_v2(databaseFile.toUtf8().constData(), &opened, SQLITE_OPEN_READWRITE, nullptr);
@@ -436,6 +442,21 @@ QString freeAside(const QString& databaseFile, const QDateTime& nowUtc)
     return named(at);
 }
 
+/// In one step, so that a whole school lies there at every moment: one that is killed leaves the old or the new. Not
+/// where something lies beside it, which no name change takes along. False: all lies where it was, and the file system
+/// may know no such step.
+bool swap(const QString& copy, const QString& databaseFile, const QString& replaced)
+{
+    // Under its last name from the beginning: what has been moved away is never called like what may be swept away.
+    if (hasBeside(databaseFile) || giveName(copy, replaced) != Named::Done)
+        return false;
+    if (renameat2(AT_FDCWD, QFile::encodeName(replaced).constData(), AT_FDCWD,
+                  QFile::encodeName(databaseFile).constData(), RENAME_EXCHANGE) == 0)
+        return true;
+    giveName(replaced, copy);
+    return false;
+}
+
 /// In two steps: what lies there is moved away first.
 core::Status replace(const QString& copy, const QString& databaseFile, const QString& replaced)
 {
@@ -458,8 +479,9 @@ core::Result<QString> exchange(const QString& copy, const QString& databaseFile,
     settle(databaseFile);
     const bool wasThere = QFileInfo::exists(databaseFile);
     const QString replaced = freeAside(databaseFile, nowUtc);
-    if (auto done = replace(copy, databaseFile, replaced); !done)
-        return tl::unexpected(done.error());
+    if (!wasThere || !swap(copy, databaseFile, replaced))
+        if (auto done = replace(copy, databaseFile, replaced); !done)
+            return tl::unexpected(done.error());
     if (!sync(QFileInfo(databaseFile).absolutePath()))
         return tl::unexpected(refusedThere(databaseFile, "it could not be brought to the disk; check the disk; what "
                                                          "was there lies in " +
@@ -502,7 +524,8 @@ core::Status expectClosed(const QString& databaseFile)
 
 QDateTime madeAt(const QString& backup)
 {
-    static const QRegularExpression kName(QStringLiteral(R"(^backup-(\d{4}-\d\d-\d\d-\d\d\.\d\d\.\d\d)\.sqlite$)"));
+    static const QRegularExpression kName(
+        QStringLiteral(R"(^(?:backup-(?=.{19}\.sqlite$)|replaced-(?=.{19}-))(\d{4}-\d\d-\d\d-\d\d\.\d\d\.\d\d))"));
     const auto found = kName.match(QFileInfo(backup).fileName());
     QDateTime made = found.hasMatch() ? QDateTime::fromString(found.captured(1), kStamp) : QDateTime();
     made.setTimeSpec(Qt::UTC);
@@ -522,13 +545,28 @@ QString newestSound(const QString& databaseFile, const QDateTime& nowUtc)
 
 QString newestReplaced(const QString& databaseFile)
 {
-    const QFileInfo file(databaseFile);
-    const QDir there = file.absoluteDir();
+    const QFileInfo target(databaseFile);
+    const QDir there = target.absoluteDir();
     for (const QString& name : there.entryList({kReplaced + '*'}, QDir::Files, QDir::Name | QDir::Reversed))
-        if (name.mid(kReplaced.size() + kStamp.size()) == '-' + file.fileName() &&
-            verifyBackup(there.filePath(name)).has_value())
-            return there.filePath(name);
+        if (const QString file = there.filePath(name);
+            name.mid(kReplaced.size() + kStamp.size()) == '-' + target.fileName() && !holdsNobody(file) &&
+            verifyBackup(file).has_value())
+            return file;
     return {};
+}
+
+bool liesEmpty(const QString& databaseFile)
+{
+    return !QFileInfo::exists(databaseFile) || holdsNobody(databaseFile);
+}
+
+QString newestKept(const QString& databaseFile, const QDateTime& nowUtc)
+{
+    const QString backup = newestSound(databaseFile, nowUtc);
+    const QString replaced = liesEmpty(databaseFile) ? newestReplaced(databaseFile) : QString();
+    if (replaced.isEmpty() || backup.isEmpty())
+        return replaced + backup;
+    return isOfTheFuture(backup, nowUtc) || madeAt(replaced) >= madeAt(backup) ? replaced : backup;
 }
 
 core::Result<std::string> schoolOf(const QSqlDatabase& db)

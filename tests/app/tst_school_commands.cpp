@@ -403,8 +403,15 @@ void TestSchoolCommands::aFileThatIsGoneIsLookedForWhereARestoreMovedIt()
     QVERIFY(QFile::rename(school(), aside));
     const Ending missed = onFile({"db", "stats"});
     QVERIFY2(missed.exitCode == 1 && missed.isOneSentence() && missed.error.contains(aside.toUtf8()), missed.error);
+    // Nor is it forgotten when a new one is begun there.
+    const Ending made = onFile({"db", "init"});
+    QVERIFY2(made.exitCode == 0 && made.error.contains("cusp db restore " + aside.toUtf8()), made.error);
+    const Ending checked = onFile({"db", "check"});
+    QVERIFY2(checked.exitCode == 0 && checked.error.contains(aside.toUtf8()), checked.error);
+    QVERIFY(onFile({"db", "init"}).error.contains("cusp db restore " + aside.toUtf8()));
     QCOMPARE(onFile({"db", "restore", aside}).exitCode, 0);
     QCOMPARE(byAdmin({"user", "list"}).exitCode, 0);
+    QVERIFY(onFile({"db", "check"}).error.isEmpty());
 }
 
 void TestSchoolCommands::aFailedRestoreNamesWhatWasThere()

@@ -321,7 +321,8 @@ void TestUpkeep::twoRestoresAtOnceLeaveTheFileThere()
     QVERIFY(QDir(folder.path()).entryList({"school.sqlite.*"}, QDir::Files).isEmpty());
 }
 
-/// Another program makes a file in the very moment in which none is there.
+/// Another program makes a file in the very moment in which none is there: what lies beside the file has to be moved,
+/// too, here a log that was ended.
 void TestUpkeep::whatARestoreCannotReplaceIsNamed()
 {
     SchoolRig rig(false);
@@ -333,6 +334,9 @@ void TestUpkeep::whatARestoreCannotReplaceIsNamed()
         QTemporaryDir folder;
         const QString file = folder.filePath("school.sqlite");
         QVERIFY(QFile::copy(backup, file));
+        QFile log(file + "-journal");
+        QVERIFY(log.open(QIODevice::WriteOnly) && log.putChar('\0'));
+        log.close();
         const pid_t other = fork();
         if (other == 0)
             while (true)
