@@ -335,11 +335,10 @@ int copyDatabase(const QCommandLineParser& parser, const Address& address)
     if (tells)
         printText(QStringLiteral("\n"), stderr);
     if (!report) {
-        // Another may have copied into it at the same time.
-        const bool isEmpty = database::sql::Logins::isNew(*to->school).value_or(false);
         to->school.reset();
         to->database.reset();
-        if (isEmpty && report.error().code != ErrorCode::Busy)
+        // Another may be copying into it at the same time, or have just done so.
+        if (!made.isEmpty() && database::sql::expectClosed(target->file) && database::sql::liesEmpty(target->file))
             for (const QString& file : made)
                 QFile::remove(file);
         return failed(report.error());

@@ -2,12 +2,14 @@
 // `cusp db`, `user`, `import` and `export`, as a technician types them.
 #include <future>
 
+#include <QDeadlineTimer>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <QJsonArray>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QThread>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -69,6 +71,7 @@ private slots:
     void aCopyIsSoundAndKnownHere();
     void ofTwoCopiesAtOnceOneIsThere();
     void aCopyThatFailsLeavesNothingBehind();
+    void aCopyOfABusySchoolLeavesNothingBehind();
     void lookingLeavesNothingBehind();
     void namesThatAreNoFilesAreRefused();
     void wrongUsageIsExplained();
@@ -482,6 +485,28 @@ void TestSchoolCommands::aCopyThatFailsLeavesNothingBehind()
     QCOMPARE(byAdmin({"db", "copy", "--to", school()}).exitCode, 1);
     QVERIFY(QFile::exists(at("station.key")) && QFile::exists(school()));
     QCOMPARE(onFile({"db", "check"}).exitCode, 0);
+}
+
+/// Another program writes to it, once who copies is logged in: until then it would be the login that waits.
+void TestSchoolCommands::aCopyOfABusySchoolLeavesNothingBehind()
+{
+    QVERIFY(QDir(m_folder->path()).mkdir("new"));
+    const QString target = at("new/copy.sqlite");
+    const auto opened = database::sql::Database::open(school());
+    VERIFY_DONE(opened);
+    const QSqlDatabase other = (*opened)->handle();
+    std::future<Ending> copying = std::async(std::launch::async, [this, target] {
+        return byAdmin({"db", "copy", "--to", target});
+    });
+    const QDeadlineTimer patience(30'000);
+    while (!QFile::exists(target) && !patience.hasExpired())
+        QThread::yieldCurrentThread();
+    const auto begun = database::sql::execute(other, "BEGIN IMMEDIATE", "keep it busy");
+    const Ending copied = copying.get();
+    VERIFY_DONE(begun);
+    VERIFY_DONE(database::sql::execute(other, "ROLLBACK", "let others write"));
+    QVERIFY2(copied.exitCode == 1 && copied.error.contains("another program is writing to it"), copied.error);
+    QCOMPARE(QDir(at("new")).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot), QStringList());
 }
 
 void TestSchoolCommands::lookingLeavesNothingBehind()
