@@ -161,6 +161,8 @@ int checkWhole(const QCommandLineParser& parser, const Address& address)
     const auto report = database::sql::checkDatabase(
         open->school->db, witnesses, {},
         address.isServer() || !open->hasStationKey ? std::string() : open->school->key.publicHex());
+    if (const auto stayed = open->database->stayedAsItWas(); !stayed)
+        return failed(stayed.error());
     if (!report)
         return failedWithBackups(report.error(), address);
     QJsonArray findings;
@@ -208,6 +210,11 @@ int backUpFile(const QCommandLineParser& parser, const Address& address)
                                                               : database::sql::backupFolder(address.file);
     const QDateTime now = QDateTime::currentDateTimeUtc();
     const auto made = database::sql::backUp(open->school->db, folder, now);
+    if (const auto stayed = open->database->stayedAsItWas(); !stayed) {
+        if (made)
+            QFile::remove(*made);
+        return failed(stayed.error());
+    }
     if (!made)
         return failedWithBackups(made.error(), address);
     const bool isAuditWhole = database::sql::holdsItsAudit(*made).value_or(false);
@@ -272,6 +279,8 @@ int drillRestore(const QCommandLineParser& parser, const Address& address)
     if (!open)
         return failedWithBackups(open.error(), address);
     const auto rows = database::sql::restoreDrill(open->school->db);
+    if (const auto stayed = open->database->stayedAsItWas(); !stayed)
+        return failed(stayed.error());
     if (!rows)
         return failedWithBackups(rows.error(), address);
     return answer(parser, QStringLiteral("A backup was made and restored; %1 rows are in it.").arg(*rows),

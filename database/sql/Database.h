@@ -4,6 +4,7 @@
 #include <array>
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include <QSqlDatabase>
@@ -72,6 +73,10 @@ public:
     /// nobody looks. core::ErrorCode::FileMissing: none is there; core::ErrorCode::WrongKind: another one is.
     [[nodiscard]] core::Status stillThere() const;
 
+    /// Where it could be opened only without a lock: whether nobody has written to the file since. Busy: somebody has,
+    /// and what was read may be of two moments; to be asked before what was found is told.
+    [[nodiscard]] core::Status stayedAsItWas() const;
+
     /// After core::ErrorCode::ConnectionLost: connects again. What was in a transaction is gone.
     [[nodiscard]] core::Status reconnect();
 
@@ -84,10 +89,21 @@ private:
     [[nodiscard]] core::Status prepareServer();
     [[nodiscard]] core::Status bringToNewest(const Options& options);
 
+    /// What changes whenever a file is written, or another takes its place.
+    struct FileMoment
+    {
+        quint64 inode = 0;
+        qint64 bytes = 0;
+        qint64 writtenNs = 0;
+        bool operator==(const FileMoment&) const = default;
+    };
+    [[nodiscard]] static FileMoment momentOf(const QString& file);
+
     Address m_address;
     QString m_connection;
     std::string m_notice;
     bool m_allowsOthers = true;
+    std::optional<FileMoment> m_readWithoutLock;  ///< the file as it was opened
     std::chrono::milliseconds m_patience{};
 };
 

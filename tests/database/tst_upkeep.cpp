@@ -408,6 +408,7 @@ void TestUpkeep::aFullDiskIsLookedAtAndBackedUp()
         VERIFY_REFUSED(Database::open(rig.address()), ErrorCode::FileUnwritable);
         looked = Database::open(address, options);
         VERIFY_DONE(looked);
+        QVERIFY(!(*looked)->allowsOthers());
         const auto report = checkDatabase((*looked)->handle(), {});
         VERIFY_DONE(report);
         QVERIFY2(report->findings.empty(), qPrintable(support::wordsOf(report->findings)));
@@ -437,6 +438,7 @@ void TestUpkeep::whatCannotBeWrittenIsLookedAtAndBackedUp()
     Database::Options options;
     options.mayCreate = false;
     options.onlyLooks = true;
+    core::Result<std::unique_ptr<Database>> looked = core::unexpected(ErrorCode::FileEmpty, "not tried");
     {
         // To root no folder is closed.
         constexpr uid_t kNobody = 65534;
@@ -444,13 +446,19 @@ void TestUpkeep::whatCannotBeWrittenIsLookedAtAndBackedUp()
         QCOMPARE(me == 0 ? seteuid(kNobody) : 0, 0);
         const auto back = qScopeGuard([me] { QCOMPARE(seteuid(me), 0); });
         VERIFY_REFUSED(Database::open(file), ErrorCode::FileUnwritable);
-        const auto looked = Database::open(address, options);
+        looked = Database::open(address, options);
         VERIFY_DONE(looked);
         QVERIFY(checkDatabase((*looked)->handle(), {})->findings.empty());
         VERIFY_DONE(backUp((*looked)->handle(), elsewhere.path(), rig.nowUtc.addDays(1)));
+        VERIFY_DONE((*looked)->stayedAsItWas());
     }
     QCOMPARE(QDir(folder.path()).entryList(QDir::Files), QStringList{"school.sqlite"});
     QCOMPARE(chmod(qPrintable(folder.path()), 0755), 0);
+    QCOMPARE(chmod(qPrintable(file), 0644), 0);
+    VERIFY_DONE((*looked)->stayedAsItWas());
+    // What was read while its owner wrote is told of nobody.
+    QVERIFY(runOn(file, "UPDATE people SET given_name = 'Eve'"));
+    VERIFY_REFUSED((*looked)->stayedAsItWas(), ErrorCode::Busy);
 }
 
 /// A damaged file keeps its log beside it; one without its file is kept, too. Nothing of it, nor of what was shared
