@@ -312,6 +312,16 @@ void TestSchoolCommands::aMigrationLetsRowsBeNumberedAgain()
     QCOMPARE(onFile({"db", "migrate"}).exitCode, 0);
     QCOMPARE(onFile({"db", "check"}).exitCode, 0);
     QCOMPARE(byAdmin({"user", "add", "s1"}).exitCode, 0);
+    {
+        const auto database = database::sql::Database::open(school());
+        QVERIFY(database);
+        QVERIFY(database::sql::execute((*database)->handle(),
+                                       "UPDATE people SET id = 9223372036854775807 WHERE username = 's1'",
+                                       "take the last one"));
+    }
+    const Ending migrated = onFile({"db", "migrate"});
+    QVERIFY2(migrated.exitCode == 1 && migrated.isOneSentence() && migrated.error.contains("table people"),
+             migrated.error);
 }
 
 /// Attempts that were delivered after the backup was made wait again, for the window to send them.

@@ -191,6 +191,7 @@ private slots:
     void aCheckNamesTheAttemptThatWasChanged();
     void newRowsAreNumberedAgain_data() { support::addEngines(); }
     void newRowsAreNumberedAgain();
+    void numbersThatCannotBeSeenAreToldOf();
     void whatASpreadsheetWouldRunIsQuoted();
     void lettersAreCountedAndNotTheirHalves();
     void aClockWithoutAYearIsSaidToBeWrong_data() { support::addEngines(); }
@@ -1209,13 +1210,39 @@ void TestUpkeep::newRowsAreNumberedAgain()
     }
     if (onServer) {
         // One is left, and then none.
-        VERIFY_DONE(
-            execute(db, "ALTER TABLE people ALTER COLUMN id SET INCREMENT BY 5000000000000000000", "spoil it"));
+        VERIFY_DONE(execute(db, "ALTER TABLE people ALTER COLUMN id SET INCREMENT BY 5000000000000000000", "spoil it"));
         QCOMPARE(checkDatabase(db, {})->findings.size(), std::size_t{1});
         VERIFY_DONE(dialect::repairIds(db));
         QVERIFY(checkDatabase(db, {})->findings.empty());
     }
     VERIFY_DONE(addPerson(rig.school(), rig.admin, {"new", "", "", Role::Student}));
+    // Behind the last number there is comes none.
+    VERIFY_DONE(execute(db, "UPDATE people SET id = 9223372036854775807 WHERE username = 'new'", "spoil it"));
+    if (onServer)
+        VERIFY_DONE(execute(db, "SELECT setval(pg_get_serial_sequence('people', 'id'), 1)", "spoil it"));
+    const auto repaired = dialect::repairIds(db);
+    VERIFY_REFUSED(repaired, ErrorCode::OutOfRange);
+    QVERIFY2(repaired.error().detail.find("table people") != std::string::npos, repaired.error().detail.c_str());
+}
+
+/// Whose numbers cannot be seen can be used up, for all that is known.
+void TestUpkeep::numbersThatCannotBeSeenAreToldOf()
+{
+    if (!support::sharedServer().fault().isEmpty())
+        QSKIP(qPrintable(support::sharedServer().fault()));
+    SchoolRig rig(true);
+    rig.populate();
+    const QSqlDatabase db = rig.school().db;
+    QVERIFY(dialect::repairIds(db).value());
+    const QString role = "looks_" + QString::fromStdString(newUid());
+    for (const char* sql : {"CREATE ROLE %1", "GRANT SELECT, INSERT, UPDATE ON ALL TABLES IN SCHEMA public TO %1",
+                            "GRANT USAGE ON ALL SEQUENCES IN SCHEMA public TO %1", "SET ROLE %1"})
+        VERIFY_DONE(execute(db, QString::fromLatin1(sql).arg(role), "be another"));
+    const auto repaired = dialect::repairIds(db);
+    VERIFY_DONE(execute(db, "RESET ROLE", "be oneself"));
+    VERIFY_DONE(execute(db, "DROP OWNED BY " + role + "; DROP ROLE " + role, "tidy up"));
+    VERIFY_DONE(repaired);
+    QVERIFY(!*repaired);
 }
 
 void TestUpkeep::aClassListSaysWhatIsWrongWithItsFile()
