@@ -174,6 +174,7 @@ int checkWhole(const QCommandLineParser& parser, const Address& address)
     const bool isSound = report->findings.empty();
     const QString signedBy = QString::fromStdString(report->signedBy);
     const bool isOwnKey = open->hasStationKey && report->signedBy == open->school->key.publicHex();
+    const char* const signer = !open->keyFault.empty() ? "" : isOwnKey ? ", this computer" : ", another computer";
     const QJsonObject object{{"database", address.shown()},
                              {"sound", isSound},
                              {"findings", findings},
@@ -191,8 +192,9 @@ int checkWhole(const QCommandLineParser& parser, const Address& address)
                              .arg(QString::fromStdString(report->auditCode),
                                   signedBy.isEmpty()
                                       ? QString()
-                                      : QStringLiteral(", signed by %1, %2")
-                                            .arg(signedBy.left(16), isOwnKey ? "this computer" : "another computer")));
+                                      : QStringLiteral(", signed by %1%2").arg(signedBy.left(16), signer)));
+    if (!open->keyFault.empty())
+        warn({open->keyFault + "; whether this computer signed the head of the audit is not known"});
     const bool isMissed = !report->isWhole || (!address.isServer() && database::sql::liesEmpty(address.file));
     if (const std::string way = isMissed ? wayBack(address) : std::string(); !way.empty())
         warn({way});

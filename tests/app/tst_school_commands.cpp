@@ -7,12 +7,14 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QJsonArray>
+#include <QScopeGuard>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QThread>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "app/cli/SchoolParts.h"
 #include "database/Outbox.h"
 #include "database/sql/Backups.h"
 #include "database/sql/Logins.h"
@@ -72,6 +74,7 @@ private slots:
     void ofTwoCopiesAtOnceOneIsThere();
     void aCopyThatFailsLeavesNothingBehind();
     void aCopyOfABusySchoolLeavesNothingBehind();
+    void whoMayNotReadTheKeyLooksAllTheSame();
     void lookingLeavesNothingBehind();
     void namesThatAreNoFilesAreRefused();
     void wrongUsageIsExplained();
@@ -517,6 +520,26 @@ void TestSchoolCommands::aCopyOfABusySchoolLeavesNothingBehind()
     VERIFY_DONE(database::sql::execute(other, "ROLLBACK", "let others write"));
     QVERIFY2(copied.exitCode == 1 && copied.error.contains("another program is writing to it"), copied.error);
     QCOMPARE(QDir(at("new")).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot), QStringList());
+}
+
+/// It is its owner's alone.
+void TestSchoolCommands::whoMayNotReadTheKeyLooksAllTheSame()
+{
+    QCOMPARE(chmod(qPrintable(at("station.key")), 0), 0);
+    QCOMPARE(chmod(qPrintable(school()), 0644), 0);
+    QCOMPARE(chmod(qPrintable(m_folder->path()), 0755), 0);
+    // To root no file is closed.
+    constexpr uid_t kNobody = 65534;
+    const uid_t me = geteuid();
+    QCOMPARE(me == 0 ? seteuid(kNobody) : 0, 0);
+    const auto back = qScopeGuard([me] { QCOMPARE(seteuid(me), 0); });
+    const auto address = database::Address::parse(school());
+    VERIFY_DONE(address);
+    const auto looked = app::cli::openSchool(*address, app::cli::Opening::ToLook);
+    VERIFY_DONE(looked);
+    QVERIFY(!looked->hasStationKey);
+    QVERIFY2(looked->keyFault.find("station.key") != std::string::npos, looked->keyFault.c_str());
+    QVERIFY(!app::cli::openSchool(*address, app::cli::Opening::AsItIs).has_value());
 }
 
 void TestSchoolCommands::lookingLeavesNothingBehind()
