@@ -990,6 +990,8 @@ void TestUpkeep::lettersAreCountedAndNotTheirHalves()
     const auto of = [](int count) { return QString::fromUtf8("𠮷").repeated(count).toStdString(); };
     VERIFY_DONE(addClass(rig.school(), rig.admin, of(100)));
     VERIFY_REFUSED(addClass(rig.school(), rig.admin, of(101)), ErrorCode::OutOfRange);
+    VERIFY_DONE(checkPersonName(of(200)));
+    VERIFY_REFUSED(checkPersonName(of(201)), ErrorCode::OutOfRange);
     VERIFY_DONE(normalUsername(of(64)));
     VERIFY_REFUSED(normalUsername(of(65)), ErrorCode::OutOfRange);
 }
