@@ -397,6 +397,8 @@ int tellStats(const QCommandLineParser& parser, const Address& address)
         object.insert(QLatin1String(name), count->toLongLong());
         text += QStringLiteral("  %1 %2\n").arg(QLatin1String(name), -12).arg(count->toLongLong());
     }
+    if (const auto stayed = open->database->stayedAsItWas(); !stayed)
+        return failed(stayed.error());
     if (!address.isServer()) {
         object.insert("bytes", QFileInfo(address.file).size());
         object.insert("backups",
