@@ -399,9 +399,13 @@ void TestSchool::aDatabaseIsRestoredFromTheDoor()
     QVERIFY2(saidAtDoor().contains("is kept beside it as " + replaced.value(0)), qPrintable(saidAtDoor()));
     logIn("sam");
     QTRY_COMPARE_WITH_TIMEOUT(attemptsKept(), 2, kPatienceMs);
-    const auto noted = sql::ask(sql::Database::open(file()).value()->handle(),
-                                "SELECT count(*) FROM audit WHERE action = 'backup.restored'", "count");
-    QCOMPARE(noted.value().toInt(), 1);
+    QStringList noted;
+    QVERIFY(sql::forEach(sql::Database::open(file()).value()->handle(),
+                         "SELECT object FROM audit WHERE action = 'backup.restored'", "read it", {},
+                         [&](const QSqlQuery& row) { noted += row.value(0).toString(); }));
+    QCOMPARE(noted.size(), 1);
+    // What was moved aside is later than the backup.
+    QCOMPARE(noted.front().startsWith("backup:replaced-"), isMovedAside);
 }
 
 /// Its backup would be offered for restoring, and put an empty school in the place of a full one.

@@ -554,10 +554,14 @@ void TestSchoolCommands::lookingLeavesNothingBehind()
 void TestSchoolCommands::namesThatAreNoFilesAreRefused()
 {
     for (const char* name : {":memory:", "file:x?mode=memory", ":x.sqlite", "mysql://x/y", " ", "postgresql://x/%00",
-                             "postgresql://x%0A/y", "postgresql://school%E2%80%8B/y", "postgresql://x/y%E2%80%8B",
-                             "postgresql://u%E2%80%8B@x/y"}) {
+                             "postgresql://x%0A/y"}) {
         const Ending refused = runCusp({"db", "init", "--db", name});
         QVERIFY2(refused.exitCode == 1 && refused.isOneSentence(), name);
+    }
+    // As a copied address may hold it.
+    for (const char* name : {"postgresql://x%E2%80%8B/y", "postgresql://x/y%E2%80%8B", "postgresql://u%E2%80%8B@x/y"}) {
+        const Ending refused = runCusp({"db", "init", "--db", name});
+        QVERIFY2(refused.exitCode == 1 && refused.error.contains("cannot be seen"), refused.error);
     }
 }
 
