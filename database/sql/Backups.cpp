@@ -548,7 +548,7 @@ QString newestReplaced(const QString& databaseFile)
     const QFileInfo target(databaseFile);
     const QDir there = target.absoluteDir();
     for (const QString& name : there.entryList({kReplaced + '*'}, QDir::Files, QDir::Name | QDir::Reversed))
-        if (const QString file = there.filePath(name);
+        if (QString file = there.filePath(name);
             name.mid(kReplaced.size() + kStamp.size()) == '-' + target.fileName() && !holdsNobody(file) &&
             verifyBackup(file).has_value())
             return file;
