@@ -131,7 +131,7 @@ SchoolDesk::Opening SchoolDesk::tryToOpen()
     }
     const bool mayBeRestored = opening.status ? opening.isNew : isDamage(opening.status.error().code);
     if (mayBeRestored && m_key && !m_address.isServer())
-        opening.soundBackup = database::sql::newestSound(m_address.file, QDateTime::currentDateTimeUtc());
+        opening.soundBackup = database::sql::newestKept(m_address.file, QDateTime::currentDateTimeUtc());
     return opening;
 }
 

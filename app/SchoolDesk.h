@@ -41,7 +41,7 @@ public:
         core::Status status;
         bool isNew = false;     ///< nobody has been entered yet
         std::string notice;     ///< of the database
-        QString soundBackup;    ///< its path, where the file is damaged or gone and a backup is whole; else empty
+        QString soundBackup;    ///< what there is to go back to where the file is damaged or gone; empty: nothing
         core::Status restored;  ///< how restore() ended; what is there now is open, or not, in either case
         QString replaced;       ///< after it: where the file lies now that was there; empty: there was none
     };

@@ -7,6 +7,8 @@
 #include <QUrl>
 #include <QUrlQuery>
 
+#include "database/Usernames.h"
+
 namespace database {
 namespace {
 
@@ -94,10 +96,12 @@ core::Result<Address> Address::parse(const QString& text)
     address.host = decoded(server);
     if (address.name.isEmpty() || address.name.contains('/'))
         return tl::unexpected(wrong(QStringLiteral("names no database")));
-    const auto isUnseen = [](QChar c) { return c.category() == QChar::Other_Control; };
-    for (const QString& part : {address.name, address.user, address.password, address.host})
-        if (std::any_of(part.begin(), part.end(), isUnseen))
-            return tl::unexpected(wrong(QStringLiteral("holds a character that cannot be seen")));
+    // Of a password the server has the last word; no keyboard has those that end a line.
+    const auto isControl = [](QChar c) { return c.category() == QChar::Other_Control; };
+    const bool isSeen = canBeSeen(address.name.toStdString()) && canBeSeen(address.user.toStdString()) &&
+                        canBeSeen(address.host.toStdString());
+    if (!isSeen || std::any_of(address.password.begin(), address.password.end(), isControl))
+        return tl::unexpected(wrong(QStringLiteral("holds a character that cannot be seen")));
     for (const auto& [key, value] : QUrlQuery(query).queryItems(QUrl::FullyDecoded)) {
         if (key != u"sslmode")
             return tl::unexpected(wrong(QStringLiteral("has \"%1\", which Cusp does not know").arg(key)));

@@ -87,7 +87,6 @@ bool takeAttempt(core::ByteReader& bytes, AttemptRecord& attempt)
 /// As this program writes them; any other would hold up those behind it, since no database takes it.
 bool isFit(const std::string& uid, const std::vector<const std::string*>& texts)
 {
-    constexpr std::size_t kUidLength = 32;
     return uid.size() == kUidLength && std::none_of(texts.begin(), texts.end(), [](const std::string* text) {
                return text->find('\0') != std::string::npos;
            });

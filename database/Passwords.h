@@ -42,7 +42,8 @@ inline constexpr int kLongestPassword = 256;  ///< bytes of UTF-8: hashing a nov
 [[nodiscard]] std::string newCode();
 /// What is kept of a person's code. A code is 59 bits of chance and lives for days, so that a quick hash is enough.
 [[nodiscard]] std::string hashOfCode(const std::string& uid, const std::string& code);
-/// 32 hex digits that nobody else has.
+inline constexpr std::size_t kUidLength = 32;
+/// So many hex digits that nobody else has.
 [[nodiscard]] std::string newUid();
 /// BLAKE2b-256, 64 hex digits.
 [[nodiscard]] std::string digestOf(std::string_view bytes);

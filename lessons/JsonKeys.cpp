@@ -34,6 +34,12 @@ int lettersApart(const QString& a, const QString& b)
     return row.back();
 }
 
+/// Not their halves: beyond the first plane of Unicode, where rare kanji stand, a letter takes two places.
+qsizetype lettersIn(const QString& text)
+{
+    return text.toUcs4().size();
+}
+
 core::Words kindOf(const QJsonValue& value)
 {
     switch (value.type()) {
@@ -147,9 +153,9 @@ std::string JsonKeys::text(const char* key, qsizetype longest)
         return {};
     }
     const QString text = value.toString();
-    if (text.size() > longest) {
-        fault(key, {QT_TRANSLATE_NOOP("Fault", "has %1 characters; at most %2 are read"),
-                    {noted(text.size()), noted(longest)}});
+    if (const qsizetype letters = lettersIn(text); letters > longest) {
+        fault(key,
+              {QT_TRANSLATE_NOOP("Fault", "has %1 characters; at most %2 are read"), {noted(letters), noted(longest)}});
         return {};
     }
     return text.toStdString();
@@ -182,9 +188,9 @@ LocalText JsonKeys::localOf(const QJsonValue& value, const char* key)
 {
     LocalText result;
     const auto take = [&](const QString& code, const QString& text) {
-        if (text.isEmpty() || text.size() > kLongestText)
+        if (const qsizetype letters = lettersIn(text); letters == 0 || letters > kLongestText)
             fault(key, {QT_TRANSLATE_NOOP("Fault", "has %1 characters; it takes 1 to %2"),
-                        {noted(text.size()), noted(kLongestText)}});
+                        {noted(letters), noted(kLongestText)}});
         refuseHidden(text, key);
         result.emplace(code.toStdString(), text.toStdString());
     };
@@ -231,7 +237,7 @@ QStringList JsonKeys::names(const char* key)
         return {};
     QStringList found;
     for (const QJsonValue name : value.toArray())
-        if (name.isString() && name.toString().size() <= kLongestText)
+        if (name.isString() && lettersIn(name.toString()) <= kLongestText)
             found << name.toString();
     if (!value.isArray() || found.size() != value.toArray().size() || found.size() > kMostNames) {
         fault(key, {QT_TRANSLATE_NOOP("Fault", "must be a list of at most %1 texts: [\"...\", \"...\"]"),

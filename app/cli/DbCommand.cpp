@@ -90,11 +90,12 @@ std::string wayBack(const Address& address)
     if (address.isServer())
         return {};
     const QString backup = database::sql::newestSound(address.file, QDateTime::currentDateTimeUtc());
-    // A restore that somebody stopped in the middle leaves none in the place of the file.
-    const QString replaced = QFileInfo::exists(address.file) ? QString() : database::sql::newestReplaced(address.file);
+    // A restore that somebody stopped in the middle may leave none in the place of the file, where a new one is begun.
+    const QString replaced =
+        database::sql::liesEmpty(address.file) ? database::sql::newestReplaced(address.file) : QString();
     std::string way;
     if (!replaced.isEmpty())
-        way = "what a restore has moved aside last is " + replaced.toStdString();
+        way = "the newest whole school that a restore has moved aside is " + replaced.toStdString();
     if (!backup.isEmpty())
         way += (way.empty() ? "" : ", ") + ("the newest sound backup is " + backup.toStdString());
     return way.empty() ? way : way + ", and \"cusp db restore\" brings it back";
@@ -123,14 +124,14 @@ int initDatabase(const QCommandLineParser& parser, const Address& address)
         if (auto fit = database::sql::Logins::checkNewPassword(password, admin.toStdString()); !fit)
             return failed(fit.error());
     }
-    const QString backup = address.isServer() || QFileInfo::exists(address.file)
+    const QString backup = address.isServer() || !database::sql::liesEmpty(address.file)
                                ? QString()
-                               : database::sql::newestSound(address.file, QDateTime::currentDateTimeUtc());
+                               : database::sql::newestKept(address.file, QDateTime::currentDateTimeUtc());
     const auto open = openSchool(address, Opening::Create);
     if (!open)
         return failedWithBackups(open.error(), address);
     if (!backup.isEmpty())
-        warn({"this is a new, empty school, and backups of an earlier one lie beside it; to have that back, move this "
+        warn({"this is a new, empty school, and an earlier one is kept beside it; to have that back, move this "
               "file away and type \"cusp db restore " +
               backup.toStdString() + " --db " + address.file.toStdString() + '"'});
     if (!open->database->notice().empty())
@@ -160,6 +161,8 @@ int checkWhole(const QCommandLineParser& parser, const Address& address)
     const auto report = database::sql::checkDatabase(
         open->school->db, witnesses, {},
         address.isServer() || !open->hasStationKey ? std::string() : open->school->key.publicHex());
+    if (const auto stayed = open->database->stayedAsItWas(); !stayed)
+        return failed(stayed.error());
     if (!report)
         return failedWithBackups(report.error(), address);
     QJsonArray findings;
@@ -171,6 +174,7 @@ int checkWhole(const QCommandLineParser& parser, const Address& address)
     const bool isSound = report->findings.empty();
     const QString signedBy = QString::fromStdString(report->signedBy);
     const bool isOwnKey = open->hasStationKey && report->signedBy == open->school->key.publicHex();
+    const char* const signer = !open->keyFault.empty() ? "" : isOwnKey ? ", this computer" : ", another computer";
     const QJsonObject object{{"database", address.shown()},
                              {"sound", isSound},
                              {"findings", findings},
@@ -188,9 +192,11 @@ int checkWhole(const QCommandLineParser& parser, const Address& address)
                              .arg(QString::fromStdString(report->auditCode),
                                   signedBy.isEmpty()
                                       ? QString()
-                                      : QStringLiteral(", signed by %1, %2")
-                                            .arg(signedBy.left(16), isOwnKey ? "this computer" : "another computer")));
-    if (const std::string way = report->isWhole ? std::string() : wayBack(address); !way.empty())
+                                      : QStringLiteral(", signed by %1%2").arg(signedBy.left(16), signer)));
+    if (!open->keyFault.empty())
+        warn({open->keyFault + "; whether this computer signed the head of the audit is not known"});
+    const bool isMissed = !report->isWhole || (!address.isServer() && database::sql::liesEmpty(address.file));
+    if (const std::string way = isMissed ? wayBack(address) : std::string(); !way.empty())
         warn({way});
     return isSound ? kDone : kFailed;
 }
@@ -206,6 +212,11 @@ int backUpFile(const QCommandLineParser& parser, const Address& address)
                                                               : database::sql::backupFolder(address.file);
     const QDateTime now = QDateTime::currentDateTimeUtc();
     const auto made = database::sql::backUp(open->school->db, folder, now);
+    if (const auto stayed = open->database->stayedAsItWas(); !stayed) {
+        if (made)
+            QFile::remove(*made);
+        return failed(stayed.error());
+    }
     if (!made)
         return failedWithBackups(made.error(), address);
     const bool isAuditWhole = database::sql::holdsItsAudit(*made).value_or(false);
@@ -270,6 +281,8 @@ int drillRestore(const QCommandLineParser& parser, const Address& address)
     if (!open)
         return failedWithBackups(open.error(), address);
     const auto rows = database::sql::restoreDrill(open->school->db);
+    if (const auto stayed = open->database->stayedAsItWas(); !stayed)
+        return failed(stayed.error());
     if (!rows)
         return failedWithBackups(rows.error(), address);
     return answer(parser, QStringLiteral("A backup was made and restored; %1 rows are in it.").arg(*rows),
@@ -282,8 +295,13 @@ int migrateDatabase(const QCommandLineParser& parser, const Address& address)
     if (!open)
         return failedWithBackups(open.error(), address);
     // As after a server's dump that was put back without its sequences.
-    if (auto gone = database::sql::dialect::repairIds(open->school->db); !gone)
-        return failed(gone.error());
+    const auto couldLook = database::sql::dialect::repairIds(open->school->db);
+    if (!couldLook)
+        return failed(couldLook.error());
+    if (!*couldLook)
+        warn(
+            {"this user of the server may not see whether new rows still get numbers; if they do not, let the owner of "
+             "the tables type \"cusp db migrate\""});
     const auto version = database::sql::dialect::schemaVersion(open->school->db);
     if (!version)
         return failed(version.error());
@@ -298,8 +316,7 @@ QStringList filesToMake(const Address& target)
     if (target.isServer())
         return files;
     if (!QFileInfo::exists(target.file))
-        for (const char* end : {"-wal", "-shm", "-journal", ""})
-            files += target.file + QLatin1String(end);
+        files += database::sql::wholeOf(target.file);
     if (const QString key = stationKeyOf(target); !QFileInfo::exists(key))
         files += key;
     return files;
@@ -334,11 +351,10 @@ int copyDatabase(const QCommandLineParser& parser, const Address& address)
     if (tells)
         printText(QStringLiteral("\n"), stderr);
     if (!report) {
-        // Another may have copied into it at the same time.
-        const bool isEmpty = database::sql::Logins::isNew(*to->school).value_or(false);
         to->school.reset();
         to->database.reset();
-        if (isEmpty && report.error().code != ErrorCode::Busy)
+        // Another may be copying into it at the same time, or have just done so.
+        if (!made.isEmpty() && database::sql::expectClosed(target->file) && database::sql::liesEmpty(target->file))
             for (const QString& file : made)
                 QFile::remove(file);
         return failed(report.error());
@@ -381,6 +397,8 @@ int tellStats(const QCommandLineParser& parser, const Address& address)
         object.insert(QLatin1String(name), count->toLongLong());
         text += QStringLiteral("  %1 %2\n").arg(QLatin1String(name), -12).arg(count->toLongLong());
     }
+    if (const auto stayed = open->database->stayedAsItWas(); !stayed)
+        return failed(stayed.error());
     if (!address.isServer()) {
         object.insert("bytes", QFileInfo(address.file).size());
         object.insert("backups",

@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include <QDir>
+#include <QFile>
 #include <QFileInfo>
 #include <QScopeGuard>
 #include <QStandardPaths>
@@ -22,6 +23,14 @@ using core::ErrorCode;
 QString dataFolder()
 {
     return QDir(QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation)).filePath(QStringLiteral("cusp"));
+}
+
+/// A file that this user may not read. A pipe is none: it would let wait for ever.
+bool isClosed(const QString& path)
+{
+    const QFileInfo info(path);
+    QFile file(path);
+    return info.isFile() && !info.isSymLink() && !file.open(QIODevice::ReadOnly);
 }
 
 }  // namespace
@@ -74,6 +83,12 @@ core::Result<OpenSchool> openSchool(const database::Address& address, Opening ho
     open.hasStationKey = how != Opening::ToLook || QFileInfo::exists(keyFile);
     auto key = open.hasStationKey ? database::StationKey::readOrMake(keyFile)
                                   : core::Result<database::StationKey>(database::StationKey::make());
+    // It is its owner's alone. Who may read the database can look at it all the same.
+    if (how == Opening::ToLook && !key && isClosed(keyFile)) {
+        open.keyFault = key.error().detail;
+        open.hasStationKey = false;
+        key = database::StationKey::make();
+    }
     if (!key)
         return tl::unexpected(key.error());
     open.database = std::move(*database);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include <QCommandLineParser>
 
@@ -18,6 +19,7 @@ struct OpenSchool
     std::unique_ptr<database::sql::Database> database;
     std::unique_ptr<database::sql::School> school;
     bool hasStationKey = true;  ///< else one that is forgotten
+    std::string keyFault;       ///< why not, where there is one that only its owner may read
 };
 
 /// Adds --db: the user's own file if not given.

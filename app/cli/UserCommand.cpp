@@ -21,6 +21,7 @@
 #include "database/Codes.h"
 #include "database/Csv.h"
 #include "database/sql/Classes.h"
+#include "database/sql/Database.h"
 #include "database/sql/Export.h"
 #include "database/sql/Logins.h"
 #include "database/sql/People.h"
@@ -208,7 +209,7 @@ core::Status expectNotBeside(const QString& path, const database::Address& schoo
         const QFileInfo info(file);
         return QDir(info.dir().canonicalPath()).filePath(info.fileName());
     };
-    for (const char* end : {"-journal", "-wal", "-shm"})
+    for (const char* end : database::sql::kBeside)
         if (!school.isServer() && placeOf(path) == placeOf(school.file + QLatin1String(end)))
             return core::unexpected(ErrorCode::FileUnwritable,
                                     path.toStdString() + " is a name that belongs to the school's file; give another");

@@ -185,7 +185,6 @@ core::Result<AttemptId> insert(const School& school, PersonId person, const std:
 
 core::Status checkUid(const AttemptRecord& attempt)
 {
-    constexpr std::size_t kUidLength = 32;
     if (attempt.uid.size() == kUidLength)
         return {};
     return core::unexpected(ErrorCode::BadStructure, "the attempt has no number of its own");

@@ -76,9 +76,8 @@ struct KeptSheet
                                                                            const std::string& rubricHash, int tenths);
 
 /// The machine's score stays; this one counts. Nothing: the machine's counts again.
-/// @param before  so many were given so far, as whoever gives this one has seen it; nothing: however many.
-/// ChangedSince:
-///                there are more
+/// ChangedSince: there are not as many as `before` says.
+/// @param before  so many were given so far, as whoever gives this one has seen it; nothing: however many
 [[nodiscard]] core::Status overrideScore(const School& school, const Session& session, AttemptId id,
                                          std::optional<int> tenths, const std::string& reason,
                                          std::optional<std::size_t> before = {});

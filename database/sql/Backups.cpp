@@ -46,13 +46,17 @@ const QString kStamp = QStringLiteral("yyyy-MM-dd-HH.mm.ss");
 const QString kSuffix = QStringLiteral(".sqlite");
 const QString kRestoring = QStringLiteral(".restoring");
 const QString kReplaced = QStringLiteral("replaced-");
-/// What SQLite puts beside a database's file.
-constexpr std::array kBeside{"-journal", "-wal", "-shm"};
 constexpr QFile::Permissions kOwners = QFile::ReadOwner | QFile::WriteOwner;
 
 core::Error refused(const QString& file, const std::string& why)
 {
     return {ErrorCode::FileUnwritable, "backup " + file.toStdString() + ": " + why};
+}
+
+/// What is the matter where a backup is to be put.
+core::Error refusedThere(const QString& databaseFile, const std::string& why)
+{
+    return {ErrorCode::FileUnwritable, "database " + databaseFile.toStdString() + ": " + why};
 }
 
 bool sync(const QString& path)
@@ -70,6 +74,12 @@ bool makeFile(const QString& path, QFile::Permissions mode)
 bool hasLog(const QString& databaseFile)
 {
     return QFileInfo(databaseFile + QStringLiteral("-wal")).size() > 0;
+}
+
+void removeWhole(const QString& databaseFile)
+{
+    for (const QString& file : wholeOf(databaseFile))
+        QFile::remove(file);
 }
 
 /// A connection of its own to a file that nobody changes: nothing is made beside it, so that it may lie on a medium
@@ -248,10 +258,7 @@ core::Result<QString> backUpAs(const QSqlDatabase& db, const QString& folder, co
     removeStale(folder, {"*.sqlite.part*"});
     // Another program may be making one in the same second.
     const QString part = nameOf(nowUtc) + ".part-" + QString::fromStdString(newUid());
-    const auto removePart = qScopeGuard([&part] {
-        for (const char* end : {"", "-wal", "-shm", "-journal"})
-            QFile::remove(part + QLatin1String(end));
-    });
+    const auto removePart = qScopeGuard([&part] { removeWhole(part); });
     const auto counts = copyMoment(db, part, progress);
     if (!counts)
         return tl::unexpected(counts.error());
@@ -299,12 +306,18 @@ bool isOpenElsewhere(const QString& databaseFile)
     });
 }
 
+bool hasBeside(const QString& databaseFile)
+{
+    return std::any_of(kBeside.begin(), kBeside.end(), [&databaseFile](const char* end) {
+        return QFileInfo::exists(databaseFile + QLatin1String(end));
+    });
+}
+
 /// Of a database as a program that was killed leaves it: brings what stands in its log into the file, so that one file
 /// is all there is to move. A damaged one stays as it is.
 void settle(const QString& databaseFile)
 {
-    const auto exists = [&](const char* end) { return QFileInfo::exists(databaseFile + QLatin1String(end)); };
-    if (!exists("") || (!hasLog(databaseFile) && !exists("-journal")))
+    if (!QFileInfo::exists(databaseFile) || !hasBeside(databaseFile))
         return;
     sqlite3* opened = nullptr;
     const int begun = sqlite3_open_v2(databaseFile.toUtf8().constData(), &opened, SQLITE_OPEN_READWRITE, nullptr);
@@ -322,56 +335,46 @@ void settle(const QString& databaseFile)
         sqlite3_db_config(db.get(), SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 0, nullptr);
 }
 
-/// That one restores at a time in one place: a file beside the database, locked while it is open. Who is killed, or
-/// pulls the plug, holds up nobody.
+/// That one restores at a time in one folder. No file is made for it, which another user could not open and who is
+/// killed would leave there. Where the file system knows no such locks, or the folder cannot be read, one goes on
+/// without: of two at once each keeps what it finds.
 class RestoreLock
 {
 public:
     explicit RestoreLock(const QString& databaseFile)
-        : m_path(QFile::encodeName(databaseFile + QStringLiteral(".restore-lock"))),
-          m_file(open(m_path.constData(), O_RDWR | O_CREAT | O_CLOEXEC, S_IRUSR | S_IWUSR))
-    {
-        m_isTaken = m_file >= 0 && flock(m_file, LOCK_EX | LOCK_NB) != 0;
-        // Who held it may have removed it between the two: then a third would lock a new one.
-        struct stat mine
-        {};
-        struct stat there
-        {};
-        if (m_file >= 0 && !m_isTaken)
-            m_isTaken = fstat(m_file, &mine) != 0 || stat(m_path.constData(), &there) != 0 ||
-                        mine.st_ino != there.st_ino || mine.st_dev != there.st_dev;
-    }
+        : m_folder(::open(QFile::encodeName(QFileInfo(databaseFile).absolutePath()).constData(),
+                          O_RDONLY | O_DIRECTORY | O_CLOEXEC)),
+          m_isTaken(m_folder >= 0 && flock(m_folder, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+    {}
     ~RestoreLock()
     {
-        if (isHeld())
-            unlink(m_path.constData());
-        if (m_file >= 0)
-            close(m_file);
+        if (m_folder >= 0)
+            close(m_folder);
     }
     RestoreLock(const RestoreLock&) = delete;
     RestoreLock& operator=(const RestoreLock&) = delete;
-    [[nodiscard]] bool isHeld() const { return m_file >= 0 && !m_isTaken; }
     [[nodiscard]] bool isTaken() const { return m_isTaken; }
 
 private:
-    QByteArray m_path;
-    int m_file;
-    bool m_isTaken = false;
+    int m_folder;
+    bool m_isTaken;
 };
 
-core::Status expectClosed(const QString& databaseFile)
+/// Whoever may not read the school may not read the copy, not even while it grows.
+bool copyBytes(const QString& backup, const QString& copy, QFile::Permissions mode)
 {
-    if (!isOpenElsewhere(databaseFile))
-        return {};
-    return core::unexpected(ErrorCode::Busy, "database " + databaseFile.toStdString() +
-                                                 ": another program has it open; close every Cusp that uses it");
-}
-
-void removeWhole(const QString& databaseFile)
-{
-    for (const char* end : kBeside)
-        QFile::remove(databaseFile + QLatin1String(end));
-    QFile::remove(databaseFile);
+    constexpr qint64 kAtOnce = qint64{1} << 20;
+    QFile from(backup);
+    QFile to(copy);
+    if (!from.open(QIODevice::ReadOnly) || !makeFile(copy, mode) || !to.open(QIODevice::WriteOnly))
+        return false;
+    QByteArray bytes;
+    do {
+        bytes = from.read(kAtOnce);
+        if (to.write(bytes) != bytes.size())
+            return false;
+    } while (!bytes.isEmpty());
+    return from.error() == QFile::NoError && to.flush();
 }
 
 /// Copies a backup and brings the copy to this program's schema: what cannot be used replaces nothing.
@@ -380,9 +383,9 @@ core::Status makeReady(const QString& backup, const QString& copy, const QString
     // As the file was whose place it takes: a backup may be read-only.
     const QFileInfo target(databaseFile);
     const QFile::Permissions mode = target.exists() ? target.permissions() | kOwners : kOwners;
-    const core::Error noRoom =
-        refused(databaseFile, "it could not be copied there; make room on the disk, and check who may write there");
-    if (!QFile::copy(backup, copy) || !QFile::setPermissions(copy, mode))
+    const core::Error noRoom = refusedThere(
+        databaseFile, "it could not be copied there; make room on the disk, and check who may write there");
+    if (!copyBytes(backup, copy, mode))
         return tl::unexpected(noRoom);
     Database::Options options;
     options.mayCreate = false;
@@ -401,16 +404,18 @@ core::Status makeReady(const QString& backup, const QString& copy, const QString
 bool moveAway(const QString& databaseFile, const QString& aside)
 {
     QStringList moved;
-    for (const char* end : {"-journal", "-wal", "-shm", ""}) {
+    const auto move = [&](const char* end) {
         const QString from = databaseFile + QLatin1String(end);
-        if (QFile::exists(from) && !QFile::rename(from, aside + QLatin1String(end))) {
-            for (const QString& one : std::as_const(moved))
-                QFile::rename(aside + one, databaseFile + one);
+        if (QFile::exists(from) && !QFile::rename(from, aside + QLatin1String(end)))
             return false;
-        }
         moved += QLatin1String(end);
-    }
-    return true;
+        return true;
+    };
+    if (std::all_of(kBeside.begin(), kBeside.end(), move) && move(""))
+        return true;
+    for (const QString& one : std::as_const(moved))
+        QFile::rename(aside + one, databaseFile + one);
+    return false;
 }
 
 /// What moveAway() has moved. False: another file has taken the place meanwhile.
@@ -437,28 +442,68 @@ QString freeAside(const QString& databaseFile, const QDateTime& nowUtc)
     return named(at);
 }
 
+/// In one step, so that a whole school lies there at every moment: one that is killed leaves the old or the new. Not
+/// where something lies beside it, which no name change takes along. False: all lies where it was, and the file system
+/// may know no such step.
+bool swap(const QString& copy, const QString& databaseFile, const QString& replaced)
+{
+    // Under its last name from the beginning: what has been moved away is never called like what may be swept away.
+    if (hasBeside(databaseFile) || giveName(copy, replaced) != Named::Done)
+        return false;
+    if (renameat2(AT_FDCWD, QFile::encodeName(replaced).constData(), AT_FDCWD,
+                  QFile::encodeName(databaseFile).constData(), RENAME_EXCHANGE) == 0)
+        return true;
+    giveName(replaced, copy);
+    return false;
+}
+
+/// In two steps: what lies there is moved away first.
+core::Status replace(const QString& copy, const QString& databaseFile, const QString& replaced)
+{
+    if (!moveAway(databaseFile, replaced))
+        return tl::unexpected(
+            refusedThere(databaseFile, "what lies there could not be moved away; close every Cusp that uses it"));
+    if (giveName(copy, databaseFile) == Named::Done)
+        return {};
+    if (moveBack(databaseFile, replaced))
+        return tl::unexpected(refusedThere(databaseFile, "it could not be put in its place, and what was there is "
+                                                         "there again; check who may write there"));
+    return tl::unexpected(refusedThere(databaseFile, "it could not be put in its place, where another program has made "
+                                                     "a file meanwhile; what was there lies in " +
+                                                         replaced.toStdString()));
+}
+
 /// Gives a copy that is ready the place of the database. Returns where that lies now, empty if there was none.
 core::Result<QString> exchange(const QString& copy, const QString& databaseFile, const QDateTime& nowUtc)
 {
     settle(databaseFile);
     const bool wasThere = QFileInfo::exists(databaseFile);
     const QString replaced = freeAside(databaseFile, nowUtc);
-    if (!moveAway(databaseFile, replaced))
-        return tl::unexpected(
-            refused(databaseFile, "what lies there could not be moved away; close every Cusp that uses it"));
-    if (giveName(copy, databaseFile) != Named::Done) {
-        if (moveBack(databaseFile, replaced))
-            return tl::unexpected(refused(databaseFile, "it could not be put in its place, and what was there is there "
-                                                        "again; check who may write there"));
-        return tl::unexpected(refused(databaseFile, "it could not be put in its place, where another program has made "
-                                                    "a file meanwhile; what was there lies in " +
-                                                        replaced.toStdString()));
-    }
+    if (!wasThere || !swap(copy, databaseFile, replaced))
+        if (auto done = replace(copy, databaseFile, replaced); !done)
+            return tl::unexpected(done.error());
     if (!sync(QFileInfo(databaseFile).absolutePath()))
-        return tl::unexpected(refused(databaseFile, "it could not be brought to the disk; check the disk; what was "
-                                                    "there lies in " +
-                                                        replaced.toStdString()));
+        return tl::unexpected(refusedThere(databaseFile, "it could not be brought to the disk; check the disk; what "
+                                                         "was there lies in " +
+                                                             replaced.toStdString()));
     return wasThere ? replaced : QString();
+}
+
+/// The copies that restores have left which were killed: nobody uses them any more. Nothing else that is called nearly
+/// so, and not the backup itself: older programs left the user one of such a name.
+void sweep(const QString& databaseFile, const QString& backup)
+{
+    const QFileInfo target(databaseFile);
+    QStringList ends{QString()};
+    for (const char* end : kBeside)
+        ends += QLatin1String(end);
+    const QRegularExpression ours('^' + QRegularExpression::escape(target.fileName() + kRestoring) +
+                                  QStringLiteral("[0-9a-f]{%1}(%2)$").arg(kUidLength).arg(ends.join(u'|')));
+    const QDir there = target.absoluteDir();
+    for (const QString& name : there.entryList(QDir::Files | QDir::Hidden))
+        if (const QString file = there.filePath(name);
+            ours.match(name).hasMatch() && !core::isSameFile(backup.toStdU16String(), file.toStdU16String()))
+            QFile::remove(file);
 }
 
 /// A day is the clock's to be wrong by.
@@ -469,9 +514,18 @@ bool isOfTheFuture(const QString& backup, const QDateTime& nowUtc)
 
 }  // namespace
 
+core::Status expectClosed(const QString& databaseFile)
+{
+    if (!isOpenElsewhere(databaseFile))
+        return {};
+    return core::unexpected(ErrorCode::Busy, "database " + databaseFile.toStdString() +
+                                                 ": another program has it open; close every Cusp that uses it");
+}
+
 QDateTime madeAt(const QString& backup)
 {
-    static const QRegularExpression kName(QStringLiteral(R"(^backup-(\d{4}-\d\d-\d\d-\d\d\.\d\d\.\d\d)\.sqlite$)"));
+    static const QRegularExpression kName(
+        QStringLiteral(R"(^(?:backup-(?=.{19}\.sqlite$)|replaced-(?=.{19}-))(\d{4}-\d\d-\d\d-\d\d\.\d\d\.\d\d))"));
     const auto found = kName.match(QFileInfo(backup).fileName());
     QDateTime made = found.hasMatch() ? QDateTime::fromString(found.captured(1), kStamp) : QDateTime();
     made.setTimeSpec(Qt::UTC);
@@ -491,13 +545,28 @@ QString newestSound(const QString& databaseFile, const QDateTime& nowUtc)
 
 QString newestReplaced(const QString& databaseFile)
 {
-    const QFileInfo file(databaseFile);
-    const QDir there = file.absoluteDir();
+    const QFileInfo target(databaseFile);
+    const QDir there = target.absoluteDir();
     for (const QString& name : there.entryList({kReplaced + '*'}, QDir::Files, QDir::Name | QDir::Reversed))
-        if (name.mid(kReplaced.size() + kStamp.size()) == '-' + file.fileName() &&
-            verifyBackup(there.filePath(name)).has_value())
-            return there.filePath(name);
+        if (QString file = there.filePath(name);
+            name.mid(kReplaced.size() + kStamp.size()) == '-' + target.fileName() && !holdsNobody(file) &&
+            verifyBackup(file).has_value())
+            return file;
     return {};
+}
+
+bool liesEmpty(const QString& databaseFile)
+{
+    return !QFileInfo::exists(databaseFile) || holdsNobody(databaseFile);
+}
+
+QString newestKept(const QString& databaseFile, const QDateTime& nowUtc)
+{
+    const QString backup = newestSound(databaseFile, nowUtc);
+    const QString replaced = liesEmpty(databaseFile) ? newestReplaced(databaseFile) : QString();
+    if (replaced.isEmpty() || backup.isEmpty())
+        return replaced + backup;
+    return isOfTheFuture(backup, nowUtc) || madeAt(replaced) >= madeAt(backup) ? replaced : backup;
 }
 
 core::Result<std::string> schoolOf(const QSqlDatabase& db)
@@ -563,7 +632,7 @@ core::Result<QString> backUp(const QSqlDatabase& db, const QString& folder, cons
 
 core::Result<QString> saveBeforeMigration(const QSqlDatabase& db, int version)
 {
-    return backUpAs(db, backupFolder(db.databaseName()), QStringLiteral("before-schema-%1").arg(version + 1),
+    return backUpAs(db, backupFolder(dialect::fileOf(db)), QStringLiteral("before-schema-%1").arg(version + 1),
                     QDateTime::currentDateTimeUtc(), {});
 }
 
@@ -682,16 +751,10 @@ core::Result<QString> restoreBackup(const QString& backup, const QString& databa
         return core::unexpected(ErrorCode::Busy, "database " + databaseFile.toStdString() +
                                                      ": another program is restoring a backup there; wait until it "
                                                      "has ended");
-    if (!lock.isHeld())
-        return tl::unexpected(refused(
-            databaseFile, "it could not be copied there; make room on the disk, and check who may write there"));
     if (auto closed = expectClosed(databaseFile); !closed)
         return tl::unexpected(closed.error());
-    // What one that was killed has left: nobody uses it any more.
-    const QFileInfo target(databaseFile);
-    for (const QString& name : target.absoluteDir().entryList(QDir::Files | QDir::Hidden))
-        if (name.startsWith(target.fileName() + kRestoring))
-            QFile::remove(target.absoluteDir().filePath(name));
+    // It gives back the room that the copy needs.
+    sweep(databaseFile, backup);
     const QString copy = databaseFile + kRestoring + QString::fromStdString(newUid());
     const auto removeCopy = qScopeGuard([&copy] { removeWhole(copy); });
     if (auto ready = makeReady(backup, copy, databaseFile); !ready)

@@ -71,19 +71,32 @@ using BackupProgress = std::function<bool(int done, int all)>;
 /// future last; empty: there is none.
 [[nodiscard]] QString newestSound(const QString& databaseFile, const QDateTime& nowUtc);
 
-/// The newest of those that restoreBackup() has moved aside and that verifyBackup() finds whole; empty: there is none.
+/// The newest of those that restoreBackup() has moved aside, that verifyBackup() finds whole and that somebody is in;
+/// empty: there is none.
 [[nodiscard]] QString newestReplaced(const QString& databaseFile);
 
-/// When a backup was made, UTC, out of its name; invalid for other files.
+/// Whether no file is there, or one that nobody is in: as after a restore that was stopped in the middle.
+[[nodiscard]] bool liesEmpty(const QString& databaseFile);
+
+/// What there is to go back to: newestSound(); where the school lies empty newestReplaced(), if that was moved aside
+/// later than the backup was made. Empty: nothing.
+[[nodiscard]] QString newestKept(const QString& databaseFile, const QDateTime& nowUtc);
+
+/// Busy: another program has the database open. This one has closed it.
+[[nodiscard]] core::Status expectClosed(const QString& databaseFile);
+
+/// When a backup was made, or what a restore has replaced was moved aside: UTC, out of its name; invalid for other
+/// files.
 [[nodiscard]] QDateTime madeAt(const QString& backup);
 
 /// Puts a backup in the place of the database. Busy: another program has that open (this one has closed it), or is
 /// restoring there. Refused where no database may lie, and for the database itself. The backup is checked, copied and
 /// brought to this program's schema first; what cannot be used replaces nothing. What lies there is moved to
-/// "replaced-...", and back where the backup cannot take its place. What stands in its -wal is brought into it before;
-/// where it is damaged that goes with it as it is, and first: whenever this is stopped, nothing is lost, and nothing of
-/// it is read into the restored file. Who may read and write it stays as it was. Returns where the old file lies now,
-/// empty if there was none.
+/// "replaced-..." in the same step in which the backup takes its place; where the file system knows no such step,
+/// before it, and back where that fails. What stands in its -wal is brought into it before; where it is damaged that
+/// goes with it as it is, and first: whenever this is stopped, nothing is lost, and nothing of it is read into the
+/// restored file. Who may read and write it stays as it was. Returns where the old file lies now, empty if there was
+/// none.
 [[nodiscard]] core::Result<QString> restoreBackup(const QString& backup, const QString& databaseFile,
                                                   const QDateTime& nowUtc);
 

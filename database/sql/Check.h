@@ -28,9 +28,10 @@ struct CheckReport
 };
 
 /// Looks at everything: pages and keys (SQLite), the audit's chain and signed head, whether each attempt is as the
-/// audit says it was when it was kept, whether one was removed or inserted, overrides, comments, what people are and
-/// classes were given, score sheets and standings, recordings, whether new rows get numbers, tables, indexes and
-/// triggers. What cannot be looked at is a finding, and the rest is looked at all the same. Does not write.
+/// audit says it was when it was kept, whether one was removed or inserted, what else the audit notes (see
+/// compareWithAudit()), exams that were begun, score sheets and standings, recordings, whether new rows get numbers,
+/// tables, indexes and triggers. What cannot be looked at is a finding, and the rest is looked at all the same. Does
+/// not write.
 /// @param witnesses  audit codes of printed reports
 /// @param stationKey  of the only computer that may have written it, 64 hex digits; empty: there are several
 /// @param progress  what is looked at, and how many rows of it so far; false stops it

@@ -8,6 +8,7 @@
 #include <QSqlDriver>
 #include <QVariant>
 #include <sqlite3.h>
+#include <sys/stat.h>
 
 #include "database/sql/Backups.h"
 #include "database/sql/Dialect.h"
@@ -90,6 +91,14 @@ core::Status configure(const QSqlDatabase& db, FileSystem fileSystem)
 }
 
 }  // namespace
+
+QStringList wholeOf(const QString& file)
+{
+    QStringList files;
+    for (const char* end : kBeside)
+        files += file + QLatin1String(end);
+    return files << file;
+}
 
 /// What can be said about the path without SQLite, which would only say that it "cannot open" it. The file itself is
 /// not opened: closing it again would drop the locks that other connections of this program hold on it, and another
@@ -237,13 +246,37 @@ core::Status Database::prepareToLook()
     };
     db.close();
     auto ready = look({"PRAGMA locking_mode = EXCLUSIVE"});
+    m_allowsOthers = !ready;
     const auto isThere = [this](const char* end) { return QFileInfo(m_address.file + QLatin1String(end)).size() > 0; };
     if (ready || isThere("-wal") || isThere("-journal"))
         return ready;
     db.close();
     db.setDatabaseName(dialect::uriOf(m_address.file, true));
     db.setConnectOptions(QStringLiteral("QSQLITE_OPEN_READONLY;QSQLITE_OPEN_URI"));
-    return look({});
+    m_readWithoutLock = momentOf(m_address.file);
+    ready = look({});
+    // What is being written looks damaged.
+    const auto stayed = stayedAsItWas();
+    return stayed ? ready : stayed;
+}
+
+Database::FileMoment Database::momentOf(const QString& file)
+{
+    constexpr qint64 kNsInS = 1'000'000'000;
+    struct stat there
+    {};
+    if (stat(QFile::encodeName(file).constData(), &there) != 0)
+        return {};
+    return {there.st_ino, there.st_size, there.st_mtim.tv_sec * kNsInS + there.st_mtim.tv_nsec};
+}
+
+core::Status Database::stayedAsItWas() const
+{
+    if (!m_readWithoutLock || *m_readWithoutLock == momentOf(m_address.file))
+        return {};
+    return core::unexpected(ErrorCode::Busy, head(m_address.file) +
+                                                 "another program has written to it while it was read without a lock, "
+                                                 "since nothing can be made beside it; try again");
 }
 
 core::Status Database::prepareServer()

@@ -1,18 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include <QSqlDatabase>
 #include <QString>
+#include <QStringList>
 
 #include "core/base/Result.h"
 #include "database/Address.h"
 #include "database/FileSystem.h"
 
 namespace database::sql {
+
+/// What SQLite puts beside a database's file.
+inline constexpr std::array kBeside{"-journal", "-wal", "-shm"};
+/// A database's file with them, itself last: what lies beside it is never alone there.
+[[nodiscard]] QStringList wholeOf(const QString& file);
 
 /// Whether a database may lie there: a readable file, or none yet in a folder that exists. Refused with one sentence: a
 /// folder, a pipe, a device. The file itself is not opened.
@@ -65,6 +73,10 @@ public:
     /// nobody looks. core::ErrorCode::FileMissing: none is there; core::ErrorCode::WrongKind: another one is.
     [[nodiscard]] core::Status stillThere() const;
 
+    /// Where it could be opened only without a lock: whether nobody has written to the file since. Busy: somebody has,
+    /// and what was read may be of two moments; to be asked before what was found is told.
+    [[nodiscard]] core::Status stayedAsItWas() const;
+
     /// After core::ErrorCode::ConnectionLost: connects again. What was in a transaction is gone.
     [[nodiscard]] core::Status reconnect();
 
@@ -77,10 +89,21 @@ private:
     [[nodiscard]] core::Status prepareServer();
     [[nodiscard]] core::Status bringToNewest(const Options& options);
 
+    /// What changes whenever a file is written, or another takes its place.
+    struct FileMoment
+    {
+        quint64 inode = 0;
+        qint64 bytes = 0;
+        qint64 writtenNs = 0;
+        bool operator==(const FileMoment&) const = default;
+    };
+    [[nodiscard]] static FileMoment momentOf(const QString& file);
+
     Address m_address;
     QString m_connection;
     std::string m_notice;
     bool m_allowsOthers = true;
+    std::optional<FileMoment> m_readWithoutLock;  ///< the file as it was opened
     std::chrono::milliseconds m_patience{};
 };
 

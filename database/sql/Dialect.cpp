@@ -149,6 +149,16 @@ QString lockAsProgram(const QSqlDatabase& db, int lock)
                           : QString();
 }
 
+/// Of a server: what numbers the rows of a table. Null: this user may not look into it.
+core::Result<QVariant> sequenceOf(const QSqlDatabase& db, const QString& table)
+{
+    return ask(db,
+               QStringLiteral("SELECT n FROM pg_get_serial_sequence('%1', 'id') n WHERE has_sequence_privilege(n, "
+                              "'SELECT')")
+                   .arg(table),
+               kNumber);
+}
+
 }  // namespace
 
 bool isPostgres(const QSqlDatabase& db)
@@ -264,11 +274,7 @@ core::Result<bool> hasNextId(const QSqlDatabase& db, const QString& table)
     QString question = QStringLiteral("SELECT max(COALESCE((SELECT MAX(id) FROM %1), 0), COALESCE((SELECT seq FROM "
                                       "sqlite_sequence WHERE name = '%1'), 0)) < 9223372036854775807");
     if (isPostgres(db)) {
-        const auto sequence = ask(db,
-                                  QStringLiteral("SELECT n FROM pg_get_serial_sequence('%1', 'id') n WHERE "
-                                                 "has_sequence_privilege(n, 'SELECT')")
-                                      .arg(table),
-                                  kNumber);
+        const auto sequence = sequenceOf(db, table);
         if (!sequence)
             return tl::unexpected(sequence.error());
         if (sequence->isNull())
@@ -286,18 +292,33 @@ core::Result<bool> hasNextId(const QSqlDatabase& db, const QString& table)
     return isFree->toInt() == 1;
 }
 
-core::Status repairIds(const QSqlDatabase& db)
+core::Result<bool> repairIds(const QSqlDatabase& db)
 {
-    for (const char* table : kNumbered) {
-        const auto isFree = hasNextId(db, QLatin1String(table));
+    bool couldLook = true;
+    for (const char* name : kNumbered) {
+        const QString table = QLatin1String(name);
+        if (isPostgres(db)) {
+            const auto sequence = sequenceOf(db, table);
+            if (!sequence)
+                return tl::unexpected(sequence.error());
+            couldLook = couldLook && !sequence->isNull();
+        }
+        auto isFree = hasNextId(db, table);
+        if (isFree && !*isFree) {
+            if (auto gone = continueIds(db, table); !gone)
+                return tl::unexpected(gone.error());
+            isFree = hasNextId(db, table);
+        }
         if (!isFree)
-            return tl::unexpected(isFree.error());
-        if (*isFree)
-            continue;
-        if (auto gone = continueIds(db, QLatin1String(table)); !gone)
-            return gone;
+            return isFree;
+        if (!*isFree)
+            return core::unexpected(ErrorCode::OutOfRange,
+                                    "database " + nameOf(db) + ": the last row of the table " + name +
+                                        " has the highest number that there is, so that none is left for new ones; no "
+                                        "program gives it, so look with \"cusp db check\" what that row is, and remove "
+                                        "it or restore a backup");
     }
-    return {};
+    return couldLook;
 }
 
 QString uriOf(const QString& file, bool isImmutable)

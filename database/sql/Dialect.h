@@ -49,8 +49,9 @@ inline constexpr std::array kNumbered{"people",   "classes",   "assignments", "a
 /// Whether the next row of such a table can be numbered. False: the numbers are used up, or those that come next are
 /// taken, as after a dump that was put back without its sequences. True, too, where this user may not see that.
 [[nodiscard]] core::Result<bool> hasNextId(const QSqlDatabase& db, const QString& table);
-/// Where it cannot, the next id is beyond those that are there.
-[[nodiscard]] core::Status repairIds(const QSqlDatabase& db);
+/// Where it cannot, the next id is beyond those that are there. False: of some table this user may not see it.
+/// OutOfRange: a row has the highest id there is.
+[[nodiscard]] core::Result<bool> repairIds(const QSqlDatabase& db);
 
 /// Of an SQLite file, for QSQLITE_OPEN_URI. Immutable: nobody changes it, and nothing is made beside it; never where a
 /// part of it lies in a log.

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "database/sql/Noted.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <map>
 #include <optional>
 #include <set>
-#include <tuple>
 #include <vector>
 
 #include <QCryptographicHash>
@@ -38,10 +38,6 @@ struct Opinion
 /// By the uid of the attempt, in the order of saying.
 using Opinions = std::map<std::string, std::vector<Opinion>>;
 
-/// Comments that were taken back: the uids of attempt and author, and the digest of what was said. Two may say the
-/// same.
-using Withdrawn = std::multiset<std::tuple<std::string, std::string, std::string>>;
-
 struct Standing
 {
     std::string role;
@@ -57,6 +53,10 @@ struct Origin
     std::string author;  ///< uid
     QDateTime at;
 };
+
+/// Comments that were taken back, and when: by the uid of the attempt and the digest of what was said. Two may say the
+/// same.
+using Withdrawn = std::multimap<std::pair<std::string, std::string>, Origin>;
 
 struct Given
 {
@@ -117,7 +117,7 @@ void take(Noted& noted, const Origin& origin, const std::string& action, const s
     } else if (action == "attempt.comment") {
         noted.comments[id].push_back({actor, {}, textIn(detail, "digest"), textIn(detail, "digest_of_all")});
     } else if (action == "attempt.comment.withdraw") {
-        noted.withdrawn.emplace(id, actor, textIn(detail, "digest_of_all"));
+        noted.withdrawn.emplace(std::pair(id, textIn(detail, "digest_of_all")), origin);
     } else if (action == "preset.add") {
         noted.presets[id] = textIn(detail, "hash");
         noted.presetOrigins[id] = origin;
@@ -199,13 +199,15 @@ core::Status compareWithdrawn(const QSqlDatabase& db, Withdrawn expected, const 
 {
     if (auto read = forEach(
             db,
-            "SELECT a.uid, p.uid, c.words, c.x_um, c.y_um, c.z_um, c.moment_ms, c.written_utc FROM "
+            "SELECT a.uid, p.uid, c.withdrawn_utc, c.words, c.x_um, c.y_um, c.z_um, c.moment_ms, c.written_utc FROM "
             "comments c JOIN attempts a ON a.id = c.attempt_id JOIN people p ON p.id = c.author_id "
             "WHERE c.withdrawn_utc IS NOT NULL",
             kDoing, {},
             [&](const QSqlQuery& row) {
-                const auto found = expected.find({textOf(row, 0), textOf(row, 1), digestOfComment(valuesOf(row, 2))});
-                if (found != expected.end())
+                const auto [first, last] = expected.equal_range({textOf(row, 0), digestOfComment(valuesOf(row, 3))});
+                const auto found =
+                    std::find_if(first, last, [&row](const auto& noted) { return isFrom(noted.second, row, 1); });
+                if (found != last)
                     expected.erase(found);
                 else
                     say({QT_TRANSLATE_NOOP("Finding", "a comment on %1 was taken back, and it was not noted"),
@@ -213,9 +215,9 @@ core::Status compareWithdrawn(const QSqlDatabase& db, Withdrawn expected, const 
             });
         !read)
         return read;
-    for (const auto& [attempt, author, digest] : expected)
+    for (const auto& [said, origin] : expected)
         say({QT_TRANSLATE_NOOP("Finding", "a comment on %1 that was taken back is there again, changed or removed"),
-             {"attempt:" + attempt}});
+             {"attempt:" + said.first}});
     return {};
 }
 

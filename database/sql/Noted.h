@@ -11,7 +11,8 @@
 namespace database::sql {
 
 /// Compares with the audit what it notes of other tables: whose attempts are, overrides, comments and which were taken
-/// back, what people are and are called, who is in which class, what classes were given.
+/// back and when, what people are and are called, their passwords and one-time codes, who is in which class, what
+/// classes were given and by whom, presets and who made them, the school's settings.
 /// @param say  is told each thing that is not as it was noted
 [[nodiscard]] core::Status compareWithAudit(const QSqlDatabase& db, const std::function<void(const Finding&)>& say);
 

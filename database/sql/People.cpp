@@ -92,8 +92,7 @@ core::Result<Person> personBy(const School& school, const QString& column, const
 
 core::Status checkPersonName(const std::string& name)
 {
-    const QString text = QString::fromStdString(name);
-    if (text.size() > kLongestName)
+    if (QString::fromStdString(name).toUcs4().size() > kLongestName)
         return core::unexpected(ErrorCode::OutOfRange,
                                 "a name has at most " + std::to_string(kLongestName) + " characters; shorten it");
     if (!canBeSeen(name))

@@ -341,14 +341,17 @@ void TestSchool::saveCard(const QString& path) const
 void TestSchool::aDatabaseIsRestoredFromTheDoor_data()
 {
     QTest::addColumn<bool>("isGone");
-    QTest::newRow("noise in its place") << false;
-    QTest::newRow("gone") << true;
+    QTest::addColumn<bool>("isMovedAside");
+    QTest::newRow("noise in its place") << false << false;
+    QTest::newRow("gone") << true << false;
+    QTest::newRow("moved aside, by a restore that was killed") << true << true;
 }
 
 /// What was delivered after the backup is delivered again.
 void TestSchool::aDatabaseIsRestoredFromTheDoor()
 {
     QFETCH(bool, isGone);
+    QFETCH(bool, isMovedAside);
     start();
     logIn("sam");
     toTheTooth();
@@ -365,7 +368,11 @@ void TestSchool::aDatabaseIsRestoredFromTheDoor()
     m_application.reset();
 
     QFile database(file());
-    if (isGone)
+    const QString aside = m_folder->filePath(
+        QDateTime::currentDateTimeUtc().toString("'replaced-'yyyy-MM-dd-HH.mm.ss-") + QFileInfo(file()).fileName());
+    if (isMovedAside)
+        QVERIFY(database.rename(aside));
+    else if (isGone)
         QVERIFY(database.remove());
     else {
         QVERIFY(database.open(QIODevice::WriteOnly));
@@ -382,7 +389,9 @@ void TestSchool::aDatabaseIsRestoredFromTheDoor()
     click("restoreBackup");
     QTRY_VERIFY_WITH_TIMEOUT(!child<QPushButton>("restoreBackup")->isVisible(), kPatienceMs);
     QCOMPARE(door(), Door::Login);
-    const QStringList replaced = QDir(m_folder->path()).entryList({"replaced-*.sqlite"}, QDir::Files);
+    QStringList replaced = QDir(m_folder->path()).entryList({"replaced-*.sqlite"}, QDir::Files);
+    if (isMovedAside)
+        replaced.removeOne(QFileInfo(aside).fileName());
     // Where it was gone, an empty one had been begun.
     QCOMPARE(replaced.size(), 1);
     QTRY_VERIFY2_WITH_TIMEOUT(saidAtDoor().contains("is in place"), qPrintable(saidAtDoor()), kPatienceMs);
@@ -390,9 +399,13 @@ void TestSchool::aDatabaseIsRestoredFromTheDoor()
     QVERIFY2(saidAtDoor().contains("is kept beside it as " + replaced.value(0)), qPrintable(saidAtDoor()));
     logIn("sam");
     QTRY_COMPARE_WITH_TIMEOUT(attemptsKept(), 2, kPatienceMs);
-    const auto noted = sql::ask(sql::Database::open(file()).value()->handle(),
-                                "SELECT count(*) FROM audit WHERE action = 'backup.restored'", "count");
-    QCOMPARE(noted.value().toInt(), 1);
+    QStringList noted;
+    QVERIFY(sql::forEach(sql::Database::open(file()).value()->handle(),
+                         "SELECT object FROM audit WHERE action = 'backup.restored'", "read it", {},
+                         [&](const QSqlQuery& row) { noted += row.value(0).toString(); }));
+    QCOMPARE(noted.size(), 1);
+    // What was moved aside is later than the backup.
+    QCOMPARE(noted.front().startsWith("backup:replaced-"), isMovedAside);
 }
 
 /// Its backup would be offered for restoring, and put an empty school in the place of a full one.

@@ -2,15 +2,19 @@
 // `cusp db`, `user`, `import` and `export`, as a technician types them.
 #include <future>
 
+#include <QDeadlineTimer>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <QJsonArray>
+#include <QScopeGuard>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QThread>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "app/cli/SchoolParts.h"
 #include "database/Outbox.h"
 #include "database/sql/Backups.h"
 #include "database/sql/Logins.h"
@@ -69,6 +73,8 @@ private slots:
     void aCopyIsSoundAndKnownHere();
     void ofTwoCopiesAtOnceOneIsThere();
     void aCopyThatFailsLeavesNothingBehind();
+    void aCopyOfABusySchoolLeavesNothingBehind();
+    void whoMayNotReadTheKeyLooksAllTheSame();
     void lookingLeavesNothingBehind();
     void namesThatAreNoFilesAreRefused();
     void wrongUsageIsExplained();
@@ -309,6 +315,16 @@ void TestSchoolCommands::aMigrationLetsRowsBeNumberedAgain()
     QCOMPARE(onFile({"db", "migrate"}).exitCode, 0);
     QCOMPARE(onFile({"db", "check"}).exitCode, 0);
     QCOMPARE(byAdmin({"user", "add", "s1"}).exitCode, 0);
+    {
+        const auto database = database::sql::Database::open(school());
+        QVERIFY(database);
+        QVERIFY(database::sql::execute((*database)->handle(),
+                                       "UPDATE people SET id = 9223372036854775807 WHERE username = 's1'",
+                                       "take the last one"));
+    }
+    const Ending migrated = onFile({"db", "migrate"});
+    QVERIFY2(migrated.exitCode == 1 && migrated.isOneSentence() && migrated.error.contains("table people"),
+             migrated.error);
 }
 
 /// Attempts that were delivered after the backup was made wait again, for the window to send them.
@@ -403,8 +419,15 @@ void TestSchoolCommands::aFileThatIsGoneIsLookedForWhereARestoreMovedIt()
     QVERIFY(QFile::rename(school(), aside));
     const Ending missed = onFile({"db", "stats"});
     QVERIFY2(missed.exitCode == 1 && missed.isOneSentence() && missed.error.contains(aside.toUtf8()), missed.error);
+    // Nor is it forgotten when a new one is begun there.
+    const Ending made = onFile({"db", "init"});
+    QVERIFY2(made.exitCode == 0 && made.error.contains("cusp db restore " + aside.toUtf8()), made.error);
+    const Ending checked = onFile({"db", "check"});
+    QVERIFY2(checked.exitCode == 0 && checked.error.contains(aside.toUtf8()), checked.error);
+    QVERIFY(onFile({"db", "init"}).error.contains("cusp db restore " + aside.toUtf8()));
     QCOMPARE(onFile({"db", "restore", aside}).exitCode, 0);
     QCOMPARE(byAdmin({"user", "list"}).exitCode, 0);
+    QVERIFY(onFile({"db", "check"}).error.isEmpty());
 }
 
 void TestSchoolCommands::aFailedRestoreNamesWhatWasThere()
@@ -477,6 +500,48 @@ void TestSchoolCommands::aCopyThatFailsLeavesNothingBehind()
     QCOMPARE(onFile({"db", "check"}).exitCode, 0);
 }
 
+/// Another program writes to it, once who copies is logged in: until then it would be the login that waits.
+void TestSchoolCommands::aCopyOfABusySchoolLeavesNothingBehind()
+{
+    QVERIFY(QDir(m_folder->path()).mkdir("new"));
+    const QString target = at("new/copy.sqlite");
+    const auto opened = database::sql::Database::open(school());
+    VERIFY_DONE(opened);
+    const QSqlDatabase other = (*opened)->handle();
+    std::future<Ending> copying = std::async(std::launch::async, [this, target] {
+        return byAdmin({"db", "copy", "--to", target});
+    });
+    const QDeadlineTimer patience(30'000);
+    while (!QFile::exists(target) && !patience.hasExpired())
+        QThread::yieldCurrentThread();
+    const auto begun = database::sql::execute(other, "BEGIN IMMEDIATE", "keep it busy");
+    const Ending copied = copying.get();
+    VERIFY_DONE(begun);
+    VERIFY_DONE(database::sql::execute(other, "ROLLBACK", "let others write"));
+    QVERIFY2(copied.exitCode == 1 && copied.error.contains("another program is writing to it"), copied.error);
+    QCOMPARE(QDir(at("new")).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot), QStringList());
+}
+
+/// It is its owner's alone.
+void TestSchoolCommands::whoMayNotReadTheKeyLooksAllTheSame()
+{
+    QCOMPARE(chmod(qPrintable(at("station.key")), 0), 0);
+    QCOMPARE(chmod(qPrintable(school()), 0644), 0);
+    QCOMPARE(chmod(qPrintable(m_folder->path()), 0755), 0);
+    // To root no file is closed.
+    constexpr uid_t kNobody = 65534;
+    const uid_t me = geteuid();
+    QCOMPARE(me == 0 ? seteuid(kNobody) : 0, 0);
+    const auto back = qScopeGuard([me] { QCOMPARE(seteuid(me), 0); });
+    const auto address = database::Address::parse(school());
+    VERIFY_DONE(address);
+    const auto looked = app::cli::openSchool(*address, app::cli::Opening::ToLook);
+    VERIFY_DONE(looked);
+    QVERIFY(!looked->hasStationKey);
+    QVERIFY2(looked->keyFault.find("station.key") != std::string::npos, looked->keyFault.c_str());
+    QVERIFY(!app::cli::openSchool(*address, app::cli::Opening::AsItIs).has_value());
+}
+
 void TestSchoolCommands::lookingLeavesNothingBehind()
 {
     const QString backup = onFile({"db", "backup", "--json"}).json()["backup"].toString();
@@ -492,6 +557,11 @@ void TestSchoolCommands::namesThatAreNoFilesAreRefused()
                              "postgresql://x%0A/y"}) {
         const Ending refused = runCusp({"db", "init", "--db", name});
         QVERIFY2(refused.exitCode == 1 && refused.isOneSentence(), name);
+    }
+    // As a copied address may hold it.
+    for (const char* name : {"postgresql://x%E2%80%8B/y", "postgresql://x/y%E2%80%8B", "postgresql://u%E2%80%8B@x/y"}) {
+        const Ending refused = runCusp({"db", "init", "--db", name});
+        QVERIFY2(refused.exitCode == 1 && refused.error.contains("cannot be seen"), refused.error);
     }
 }
 

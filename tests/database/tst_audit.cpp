@@ -210,6 +210,9 @@ void TestAudit::whatStandsElsewhereIsAsItWasNoted_data()
                                 << "was taken back, and it was not noted";
         row("a comment brought back") << "UPDATE comments SET withdrawn_utc = NULL WHERE words = 'of another'"
                                       << "that was taken back is there again, changed or removed";
+        row("a comment taken back on another day")
+            << "UPDATE comments SET withdrawn_utc = '2026-11-19T10:15:00Z' WHERE words = 'of another'"
+            << "was taken back, and it was not noted";
         row("a comment that was taken back changed")
             << "UPDATE comments SET words = 'well done' WHERE words = 'of another'"
             << "a comment on attempt:";

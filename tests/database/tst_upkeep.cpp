@@ -193,6 +193,7 @@ private slots:
     void itIsCheckedWhileOthersWrite_data() { support::addEngines(); }
     void itIsCheckedWhileOthersWrite();
     void newRowsAreNumberedAgain();
+    void numbersThatCannotBeSeenAreToldOf();
     void whatASpreadsheetWouldRunIsQuoted();
     void lettersAreCountedAndNotTheirHalves();
     void aClockWithoutAYearIsSaidToBeWrong_data() { support::addEngines(); }
@@ -323,7 +324,8 @@ void TestUpkeep::twoRestoresAtOnceLeaveTheFileThere()
     QVERIFY(QDir(folder.path()).entryList({"school.sqlite.*"}, QDir::Files).isEmpty());
 }
 
-/// Another program makes a file in the very moment in which none is there.
+/// Another program makes a file in the very moment in which none is there: what lies beside the file has to be moved,
+/// too, here a log that was ended.
 void TestUpkeep::whatARestoreCannotReplaceIsNamed()
 {
     SchoolRig rig(false);
@@ -335,6 +337,9 @@ void TestUpkeep::whatARestoreCannotReplaceIsNamed()
         QTemporaryDir folder;
         const QString file = folder.filePath("school.sqlite");
         QVERIFY(QFile::copy(backup, file));
+        QFile log(file + "-journal");
+        QVERIFY(log.open(QIODevice::WriteOnly) && log.putChar('\0'));
+        log.close();
         const pid_t other = fork();
         if (other == 0)
             while (true)
@@ -406,6 +411,7 @@ void TestUpkeep::aFullDiskIsLookedAtAndBackedUp()
         VERIFY_REFUSED(Database::open(rig.address()), ErrorCode::FileUnwritable);
         looked = Database::open(address, options);
         VERIFY_DONE(looked);
+        QVERIFY(!(*looked)->allowsOthers());
         const auto report = checkDatabase((*looked)->handle(), {});
         VERIFY_DONE(report);
         QVERIFY2(report->findings.empty(), qPrintable(support::wordsOf(report->findings)));
@@ -435,6 +441,7 @@ void TestUpkeep::whatCannotBeWrittenIsLookedAtAndBackedUp()
     Database::Options options;
     options.mayCreate = false;
     options.onlyLooks = true;
+    core::Result<std::unique_ptr<Database>> looked = core::unexpected(ErrorCode::FileEmpty, "not tried");
     {
         // To root no folder is closed.
         constexpr uid_t kNobody = 65534;
@@ -442,13 +449,19 @@ void TestUpkeep::whatCannotBeWrittenIsLookedAtAndBackedUp()
         QCOMPARE(me == 0 ? seteuid(kNobody) : 0, 0);
         const auto back = qScopeGuard([me] { QCOMPARE(seteuid(me), 0); });
         VERIFY_REFUSED(Database::open(file), ErrorCode::FileUnwritable);
-        const auto looked = Database::open(address, options);
+        looked = Database::open(address, options);
         VERIFY_DONE(looked);
         QVERIFY(checkDatabase((*looked)->handle(), {})->findings.empty());
         VERIFY_DONE(backUp((*looked)->handle(), elsewhere.path(), rig.nowUtc.addDays(1)));
+        VERIFY_DONE((*looked)->stayedAsItWas());
     }
     QCOMPARE(QDir(folder.path()).entryList(QDir::Files), QStringList{"school.sqlite"});
     QCOMPARE(chmod(qPrintable(folder.path()), 0755), 0);
+    QCOMPARE(chmod(qPrintable(file), 0644), 0);
+    VERIFY_DONE((*looked)->stayedAsItWas());
+    // What was read while its owner wrote is told of nobody.
+    QVERIFY(runOn(file, "UPDATE people SET given_name = 'Eve'"));
+    VERIFY_REFUSED((*looked)->stayedAsItWas(), ErrorCode::Busy);
 }
 
 /// A damaged file keeps its log beside it; one without its file is kept, too. Nothing of it, nor of what was shared
@@ -979,6 +992,8 @@ void TestUpkeep::lettersAreCountedAndNotTheirHalves()
     const auto of = [](int count) { return QString::fromUtf8("𠮷").repeated(count).toStdString(); };
     VERIFY_DONE(addClass(rig.school(), rig.admin, of(100)));
     VERIFY_REFUSED(addClass(rig.school(), rig.admin, of(101)), ErrorCode::OutOfRange);
+    VERIFY_DONE(checkPersonName(of(200)));
+    VERIFY_REFUSED(checkPersonName(of(201)), ErrorCode::OutOfRange);
     VERIFY_DONE(normalUsername(of(64)));
     VERIFY_REFUSED(normalUsername(of(65)), ErrorCode::OutOfRange);
 }
@@ -1221,13 +1236,39 @@ void TestUpkeep::newRowsAreNumberedAgain()
     }
     if (onServer) {
         // One is left, and then none.
-        VERIFY_DONE(
-            execute(db, "ALTER TABLE people ALTER COLUMN id SET INCREMENT BY 5000000000000000000", "spoil it"));
+        VERIFY_DONE(execute(db, "ALTER TABLE people ALTER COLUMN id SET INCREMENT BY 5000000000000000000", "spoil it"));
         QCOMPARE(checkDatabase(db, {})->findings.size(), std::size_t{1});
         VERIFY_DONE(dialect::repairIds(db));
         QVERIFY(checkDatabase(db, {})->findings.empty());
     }
     VERIFY_DONE(addPerson(rig.school(), rig.admin, {"new", "", "", Role::Student}));
+    // Behind the last number there is comes none.
+    VERIFY_DONE(execute(db, "UPDATE people SET id = 9223372036854775807 WHERE username = 'new'", "spoil it"));
+    if (onServer)
+        VERIFY_DONE(execute(db, "SELECT setval(pg_get_serial_sequence('people', 'id'), 1)", "spoil it"));
+    const auto repaired = dialect::repairIds(db);
+    VERIFY_REFUSED(repaired, ErrorCode::OutOfRange);
+    QVERIFY2(repaired.error().detail.find("table people") != std::string::npos, repaired.error().detail.c_str());
+}
+
+/// Whose numbers cannot be seen can be used up, for all that is known.
+void TestUpkeep::numbersThatCannotBeSeenAreToldOf()
+{
+    if (!support::sharedServer().fault().isEmpty())
+        QSKIP(qPrintable(support::sharedServer().fault()));
+    SchoolRig rig(true);
+    rig.populate();
+    const QSqlDatabase db = rig.school().db;
+    QVERIFY(dialect::repairIds(db).value());
+    const QString role = "looks_" + QString::fromStdString(newUid());
+    for (const char* sql : {"CREATE ROLE %1", "GRANT SELECT, INSERT, UPDATE ON ALL TABLES IN SCHEMA public TO %1",
+                            "GRANT USAGE ON ALL SEQUENCES IN SCHEMA public TO %1", "SET ROLE %1"})
+        VERIFY_DONE(execute(db, QString::fromLatin1(sql).arg(role), "be another"));
+    const auto repaired = dialect::repairIds(db);
+    VERIFY_DONE(execute(db, "RESET ROLE", "be oneself"));
+    VERIFY_DONE(execute(db, "DROP OWNED BY " + role + "; DROP ROLE " + role, "tidy up"));
+    VERIFY_DONE(repaired);
+    QVERIFY(!*repaired);
 }
 
 void TestUpkeep::aClassListSaysWhatIsWrongWithItsFile()

@@ -191,6 +191,8 @@ void TestLessonReader::tellsEachFaultByFileAndKey_data()
     row("a tooth beyond counting", "tooth", "{\"fdi\": 1e300}", "tooth.fdi: is 1e+300");
     row("half a tooth", "tooth", "{\"fdi\": 36.5}", "tooth.fdi: is 36.5, it must be a whole number");
     row("a base that is no name", "based_on", "7", "based_on: must be the name of a file");
+    const QByteArray endless = '"' + QByteArray("𠮷").repeated(4001) + '"';
+    row("a title of rare kanji without end", "title", endless.constData(), "title: has 4001 characters");
     row("a title of nothing", "title", "\"\"", "title: has 0 characters");
     row("a block's size with its unit", "tooth", R"({"block": "line", "sizes": {"depth_mm": "2 mm"}})",
         "tooth.sizes.depth_mm: is a text; write a number of mm without its unit");

@@ -166,6 +166,7 @@ void TestPresets::refusesStrangers_data()
     row("no name", R"({"name": ""})", "name: must be one line");
     row("two lines for a name", R"({"name": "a\nb"})", "name: must be one line");
     row("a long name", "{\"name\": \"" + QByteArray(61, 'x') + "\"}", "has 61 characters");
+    row("a long name of rare kanji", "{\"name\": \"" + QByteArray("𠮷").repeated(61) + "\"}", "has 61 characters");
     row("a name written backwards", R"({"name": "natural \u202egnp"})", "U+202e");
     row("a name with a zero", R"({"name": "nat\u0000ural"})", "U+0000");
     row("notes with a bell", R"({"notes": "\u0007"})", "U+0007");

@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A backup in the place of a school, on file systems that can less, killed between any two steps, and beside files that
+// only are called nearly so.
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+
+#include <QDir>
+#include <QFile>
+#include <QScopeGuard>
+#include <QTest>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "database/sql/Backups.h"
+#include "database/sql/Statement.h"
+#include "tests/database/SchoolRig.h"
+#include "tests/support/FullDisk.h"
+
+using namespace database;
+using namespace database::sql;
+using core::ErrorCode;
+using support::addAttempt;
+using support::SchoolRig;
+
+namespace {
+
+/// What the file system of this process can do, and what it was asked.
+struct Disk
+{
+    int renamesLeft = -1;  ///< then the program is killed; negative: it is not
+    bool knowsExchange = true;
+    bool knowsLocks = true;
+    mode_t widestOfCopies = 0;
+};
+Disk disk;
+
+void noteMode(const QByteArray& path, mode_t mode)
+{
+    if (path.contains(".restoring"))
+        disk.widestOfCopies |= mode;
+}
+
+}  // namespace
+
+// In the place of the C library's, for Qt as well.
+extern "C" {
+
+int renameat2(int fromFolder, const char* from, int toFolder, const char* to, unsigned int flags) noexcept
+{
+    if (disk.renamesLeft >= 0 && disk.renamesLeft-- == 0)
+        static_cast<void>(raise(SIGKILL));
+    if ((flags & RENAME_EXCHANGE) != 0 && !disk.knowsExchange) {
+        errno = EINVAL;
+        return -1;
+    }
+    return static_cast<int>(syscall(SYS_renameat2, fromFolder, from, toFolder, to, flags));
+}
+
+int flock(int file, int operation) noexcept
+{
+    if (!disk.knowsLocks) {
+        errno = ENOLCK;
+        return -1;
+    }
+    return static_cast<int>(syscall(SYS_flock, file, operation));
+}
+
+int chmod(const char* path, mode_t mode) noexcept
+{
+    noteMode(path, mode);
+    return static_cast<int>(syscall(SYS_fchmodat, AT_FDCWD, path, mode));
+}
+
+int fchmod(int file, mode_t mode) noexcept
+{
+    noteMode(QFile::symLinkTarget(QStringLiteral("/proc/self/fd/%1").arg(file)).toLocal8Bit(), mode);
+    return static_cast<int>(syscall(SYS_fchmod, file, mode));
+}
+}
+
+class TestRestoring : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void init();
+    void aBackupThatIsCalledLikeACopyIsKept_data();
+    void aBackupThatIsCalledLikeACopyIsKept();
+    void whatAKilledRestoreHasLeftIsSweptAway();
+    void atEveryMomentASchoolIsThere();
+    void whereNamesAreNotExchangedTheSchoolIsFound();
+    void whatWasMovedAsideLaterThanTheBackupIsOffered();
+    void aDiskWithoutLocksIsRestoredTo();
+    void theLockOfAnotherHoldsUpNobody();
+    void theCopyIsNeverForOthers();
+    void aFullDiskIsNotTheBackupsFault();
+
+private:
+    [[nodiscard]] QString file() const { return m_folder->filePath("school.sqlite"); }
+    [[nodiscard]] QStringList there(const QString& names) const
+    {
+        return QDir(m_folder->path()).entryList({names}, QDir::Files | QDir::Hidden);
+    }
+    /// Restores in a process of its own. Whether it came to its end.
+    [[nodiscard]] bool isRestored(int killedBeforeRename) const;
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    QTemporaryDir m_backups;
+    QString m_backup;  ///< without an attempt; in the school is one
+    QString m_school;
+    const QDateTime m_now = QDateTime(QDate(2026, 11, 21), QTime(12, 0), Qt::UTC);
+};
+
+namespace {
+
+int attemptsIn(const QString& file)
+{
+    const auto database =
+        QFile::exists(file)
+            ? Database::open(file)
+            : core::Result<std::unique_ptr<Database>>(core::unexpected(ErrorCode::FileMissing, "it is not there"));
+    return database ? ask((*database)->handle(), "SELECT count(*) FROM attempts", "count")->toInt() : -1;
+}
+
+}  // namespace
+
+void TestRestoring::init()
+{
+    disk = {};
+    m_folder = std::make_unique<QTemporaryDir>();
+    if (m_backup.isEmpty()) {
+        SchoolRig rig(false);
+        rig.populate();
+        m_backup = backUp(rig.school().db, m_backups.path(), rig.nowUtc).value();
+        VERIFY_DONE(addAttempt(rig.school(), rig.student, SchoolRig::attempt("class1-36", 900), {}));
+        m_school = backUp(rig.school().db, m_backups.path(), rig.nowUtc.addSecs(1)).value();
+    }
+    QVERIFY(QFile::copy(m_school, file()));
+}
+
+bool TestRestoring::isRestored(int killedBeforeRename) const
+{
+    const pid_t other = fork();
+    if (other == 0) {
+        disk.renamesLeft = killedBeforeRename;
+        _exit(restoreBackup(m_backup, file(), m_now).has_value() ? 0 : 1);
+    }
+    int status = 0;
+    return waitpid(other, &status, 0) == other && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+void TestRestoring::aBackupThatIsCalledLikeACopyIsKept_data()
+{
+    QTest::addColumn<QString>("name");
+    QTest::newRow("as older programs left it") << "school.sqlite.restoring";
+    QTest::newRow("a user's") << "school.sqlite.restoring-mine";
+    QTest::newRow("a copy itself") << "school.sqlite.restoring" + QString(32, 'a');
+}
+
+void TestRestoring::aBackupThatIsCalledLikeACopyIsKept()
+{
+    QFETCH(QString, name);
+    const QString backup = m_folder->filePath(name);
+    const QStringList others{"school.sqlite.restoring-notes.txt", "school.sqlite.restoring.sqlite",
+                             "school.sqlite.restoring" + QString(32, 'b') + ".txt"};
+    QVERIFY(QFile::copy(m_backup, backup));
+    for (const QString& other : others)
+        QVERIFY(QFile::copy(m_backup, m_folder->filePath(other)));
+    VERIFY_DONE(restoreBackup(backup, file(), m_now));
+    QCOMPARE(attemptsIn(file()), 0);
+    QVERIFY(QFile::exists(backup));
+    for (const QString& other : others)
+        QVERIFY2(QFile::exists(m_folder->filePath(other)), qPrintable(other));
+}
+
+void TestRestoring::whatAKilledRestoreHasLeftIsSweptAway()
+{
+    for (const char* end : {"", "-wal", "-shm", "-journal"})
+        QVERIFY(QFile::copy(m_backup, file() + ".restoring" + QString(32, 'a') + end));
+    VERIFY_DONE(restoreBackup(m_backup, file(), m_now));
+    QCOMPARE(there("*.restor*"), QStringList());
+}
+
+/// Whoever opens it then would begin a new one.
+void TestRestoring::atEveryMomentASchoolIsThere()
+{
+    bool isDone = false;
+    for (int renames = 0; !isDone; ++renames) {
+        init();
+        isDone = isRestored(renames);
+        const int kept = attemptsIn(file());
+        QVERIFY(kept == 1 || (kept == 0 && attemptsIn(m_folder->filePath(there("replaced-*").value(0))) == 1));
+        QVERIFY(renames > 0 || !isDone);
+    }
+    QCOMPARE(attemptsIn(file()), 0);
+    QCOMPARE(there("*.restor*"), QStringList());
+    QCOMPARE(there("replaced-*"), QStringList{"replaced-2026-11-21-12.00.00-school.sqlite"});
+}
+
+/// Also after somebody has begun a new school in its place.
+void TestRestoring::whereNamesAreNotExchangedTheSchoolIsFound()
+{
+    disk.knowsExchange = false;
+    bool wasGone = false;
+    bool isDone = false;
+    for (int renames = 0; !isDone; ++renames) {
+        init();
+        disk.knowsExchange = false;
+        isDone = isRestored(renames);
+        if (QFile::exists(file()))
+            continue;
+        wasGone = true;
+        QCOMPARE(attemptsIn(newestKept(file(), m_now)), 1);
+        QVERIFY(Database::open(file()).has_value());
+        QVERIFY(liesEmpty(file()));
+        QCOMPARE(attemptsIn(newestKept(file(), m_now)), 1);
+    }
+    QVERIFY(wasGone);
+    QCOMPARE(attemptsIn(file()), 0);
+    QCOMPARE(attemptsIn(m_folder->filePath(there("replaced-*").value(0))), 1);
+    QCOMPARE(there("*.restor*"), QStringList());
+}
+
+void TestRestoring::whatWasMovedAsideLaterThanTheBackupIsOffered()
+{
+    QVERIFY(QDir().mkpath(backupFolder(file())));
+    const QString backup = backupFolder(file()) + "/backup-2026-11-20-10.15.00.sqlite";
+    const QString older = m_folder->filePath("replaced-2026-11-19-10.15.00-school.sqlite");
+    const QString later = m_folder->filePath("replaced-2026-11-20-10.15.01-school.sqlite");
+    QVERIFY(QFile::copy(m_backup, backup) && QFile::rename(file(), older));
+    QCOMPARE(newestKept(file(), m_now), backup);
+    QVERIFY(QFile::copy(older, later));
+    QCOMPARE(newestKept(file(), m_now), later);
+    QCOMPARE(madeAt(later), QDateTime(QDate(2026, 11, 20), QTime(10, 15, 1), Qt::UTC));
+    // Of a new school that a backup has replaced nobody wants anything back.
+    QVERIFY(Database::open(file()).has_value());
+    const QString empty = m_folder->filePath("replaced-2026-11-20-10.15.02-school.sqlite");
+    QVERIFY(QFile::rename(file(), empty));
+    QCOMPARE(newestKept(file(), m_now), later);
+    // Where a school is, it was moved aside because somebody wanted so.
+    QVERIFY(QFile::copy(m_backup, file()));
+    QCOMPARE(newestKept(file(), m_now), backup);
+}
+
+void TestRestoring::aDiskWithoutLocksIsRestoredTo()
+{
+    disk.knowsLocks = false;
+    VERIFY_DONE(restoreBackup(m_backup, file(), m_now));
+    QCOMPARE(attemptsIn(file()), 0);
+}
+
+/// As an older program left it that was killed.
+void TestRestoring::theLockOfAnotherHoldsUpNobody()
+{
+    QFile lock(file() + ".restore-lock");
+    QVERIFY(lock.open(QIODevice::WriteOnly));
+    QCOMPARE(chmod(qPrintable(lock.fileName()), 0), 0);
+    for (const QString& folder : {m_folder->path(), m_backups.path()})
+        QCOMPARE(chmod(qPrintable(folder), 0777), 0);
+    QCOMPARE(chmod(qPrintable(m_backup), 0644), 0);
+    const QString own = m_folder->filePath("own.sqlite");
+    QVERIFY(QFile::rename(file() + ".restore-lock", own + ".restore-lock"));
+    // To root no file is closed.
+    constexpr uid_t kNobody = 65534;
+    const uid_t me = geteuid();
+    QCOMPARE(me == 0 ? seteuid(kNobody) : 0, 0);
+    const auto back = qScopeGuard([me] { QCOMPARE(seteuid(me), 0); });
+    VERIFY_DONE(restoreBackup(m_backup, own, m_now));
+}
+
+void TestRestoring::theCopyIsNeverForOthers()
+{
+    QVERIFY(QFile::setPermissions(m_backup, QFile::ReadOwner | QFile::ReadGroup | QFile::ReadOther));
+    QVERIFY(QFile::setPermissions(file(), QFile::ReadOwner | QFile::WriteOwner));
+    VERIFY_DONE(restoreBackup(m_backup, file(), m_now));
+    QCOMPARE(disk.widestOfCopies, mode_t{0600});
+    QCOMPARE(QFile::permissions(file()) & (QFile::ReadGroup | QFile::ReadOther), QFile::Permissions());
+}
+
+void TestRestoring::aFullDiskIsNotTheBackupsFault()
+{
+    core::Result<QString> done = QString();
+    {
+        const support::FullDisk full(100'000);
+        done = restoreBackup(m_backup, file(), m_now);
+    }
+    VERIFY_REFUSED(done, ErrorCode::FileUnwritable);
+    QVERIFY2(done.error().detail.rfind("database " + file().toStdString(), 0) == 0, done.error().detail.c_str());
+    QCOMPARE(attemptsIn(file()), 1);
+}
+
+QTEST_GUILESS_MAIN(TestRestoring)
+#include "tst_restoring.moc"
