@@ -707,7 +707,7 @@ void Application::connectPresets()
         m_byHand.reset();
         // What nobody has begun to work on begins anew, as it feels now.
         if (!m_assignment.lesson && !m_tried && isUntouched())
-            clearTable();
+            beginAsItFeels();
     });
     m_window->showFeel(m_presets.inUse(), m_presets.inUse());
 }
@@ -729,18 +729,27 @@ void Application::feelByHand(const core::settings::FeelPreset& preset)
     core::settings::FeelPreset asKept = preset;
     asKept.hash = m_presets.inUse().hash;
     m_byHand = asKept == m_presets.inUse() ? std::nullopt : std::optional(preset);
-    // An attempt at which nothing is cut yet is made with the whole preset, and says so.
+    // An attempt that nobody has begun to work on is made with the whole preset, and says so.
     const bool isWhole = lessons::hashed(preset).hash == preset.hash;
     if (isWhole && isUntouched() && !m_assignment.exercise)
-        begin(lessons::Assignment(m_assignment), {}, false);
+        beginAsItFeels();
     else
         feel(preset);
 }
 
+/// What is whole because it was undone could be redone, and what has a grade is an attempt already.
 bool Application::isUntouched() const
 {
     const auto tooth = m_session.toothSoFar();
-    return !m_replay && tooth && tooth->anatomy == m_assignment.anatomy && tooth->top == tooth->anatomy->top;
+    const bool isGraded = m_graded && m_graded->generation == m_ownGeneration;
+    return !m_replay && !isGraded && tooth && tooth->anatomy == m_assignment.anatomy &&
+           tooth->top == tooth->anatomy->top && m_session.historySoFar().size() <= 1;
+}
+
+/// The same once more. What was found of a scan is not found again, and still to be answered.
+void Application::beginAsItFeels()
+{
+    begin(lessons::Assignment(m_assignment), std::function<QStringList()>(m_notes), m_isUnitInDoubt);
 }
 
 /// What the servo has not been told yet; the rest later, where there is no room.
@@ -1006,6 +1015,8 @@ void Application::lay(const lessons::Assignment& assignment, const core::session
     }
     m_explainer.forget();
     m_assignment = assignment;
+    m_notes = notes;
+    m_isUnitInDoubt = unitInDoubt;
     m_settings = settings;
     m_numbers = core::session::numbersOf(m_settings);
     m_numbersTold = m_numbers;

@@ -96,8 +96,9 @@ private:
                    const std::optional<core::settings::FeelPreset>& tried = {});
     void connectPresets();
     void feel(const core::settings::FeelPreset& preset);
-    /// Nothing is cut of what lies on the table.
+    /// Nobody has begun to work on what lies on the table.
     [[nodiscard]] bool isUntouched() const;
+    void beginAsItFeels();
     void feelByHand(const core::settings::FeelPreset& preset);
     void tellNumbers();
     void refuse(const core::Error& error, ui::text::Failed failed, const QString& file);
@@ -197,9 +198,11 @@ private:
     core::session::ServoNumbers m_numbers{};             ///< that the servo is to have
     core::session::ServoNumbers m_numbersTold{};         ///< that it has, or has been sent
     core::session::ServoSettings m_settings;             ///< of the student's own attempt
-    lessons::Assignment m_assignment;   ///< the student's own; its anatomy is null until a tooth is taken
-    std::uint64_t m_ownGeneration = 0;  ///< of that tooth
-    std::uint64_t m_generation = 0;     ///< of the newest tooth shown
+    lessons::Assignment m_assignment;      ///< the student's own; its anatomy is null until a tooth is taken
+    std::function<QStringList()> m_notes;  ///< on its scan
+    bool m_isUnitInDoubt = false;          ///< of that
+    std::uint64_t m_ownGeneration = 0;     ///< of that tooth
+    std::uint64_t m_generation = 0;        ///< of the newest tooth shown
     int m_pictureLooks = 0;
     int m_loading = 0;  ///< number of the newest load: an older one that comes late is dropped
     /// The grade given last: the same work is not graded twice.

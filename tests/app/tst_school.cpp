@@ -116,6 +116,7 @@ private slots:
     void theSchoolsPresetIsTheAdmins();
     void whatIsGivenIsDueAndLimited();
     void noneBeginsAgainWhenTheAttemptsAreUsedUp();
+    void aPresetGivesNoAttemptBack();
     void anUnfinishedAttemptIsNotTakenUpWhenTheAttemptsAreUsedUp();
     void anExamThatIsBrokenOffIsToldOf();
     void aGuestsExamIsNobodys();
@@ -982,6 +983,42 @@ void TestSchool::noneBeginsAgainWhenTheAttemptsAreUsedUp()
     beginLesson("block-circle");
     QVERIFY(actions().reload->isEnabled());
     QVERIFY(!actions().reload->toolTip().contains("used up"));
+}
+
+/// What is whole again because it was undone has a grade all the same, and can be redone.
+void TestSchool::aPresetGivesNoAttemptBack()
+{
+    give("block-line", 1);
+    start();
+    logIn("sam");
+    toTheTooth();
+    beginLesson("block-line");
+    drill(0.0);
+    const auto loadSoft = [this] {
+        auto soft = lessons::shippedPresets().back();
+        emit m_application->window().feelWanted(soft);
+        QTest::qWait(500);
+    };
+    const auto undo = [this] {
+        for (int k = 0; k < 20 && actions().undo->isEnabled(); ++k) {
+            actions().undo->trigger();
+            QTest::qWait(200);
+        }
+        QTRY_COMPARE_WITH_TIMEOUT(removed(), QString("0.00"), kPatienceMs);
+    };
+    undo();
+    QVERIFY(actions().redo->isEnabled());
+    loadSoft();
+    QVERIFY(actions().redo->isEnabled());
+    drill(0.0);
+    gradeLesson();
+    QTRY_COMPARE_WITH_TIMEOUT(attemptsKept(), 1, kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(!actions().reload->isEnabled(), kPatienceMs);
+    toTheTooth();
+    undo();
+    loadSoft();
+    QVERIFY(!actions().reload->isEnabled());
+    QVERIFY(actions().redo->isEnabled());
 }
 
 /// The teacher has given it meanwhile, and counts what was done before.
