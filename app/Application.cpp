@@ -1285,9 +1285,11 @@ void Application::keepGrade()
     m_desk->keep(this, m_who, m_graded->record, m_graded->recording,
                  [this, uid = m_graded->record.uid](const core::Status& kept) {
                      if (!kept)
-                         m_window->showError(kept.error(), Failed::KeepingGrades);
+                         m_window->showNotKept(kept.error());
                      if (!m_graded || m_graded->record.uid != uid || m_graded->keeping != Keeping::Pending)
                          return;
+                     if (kept)
+                         m_window->forgetNotKept();
                      m_graded->keeping = kept ? Keeping::Waiting : Keeping::Nowhere;
                      tellKeeping();
                      if (!kept)
@@ -1309,6 +1311,7 @@ void Application::keepAgain(const std::string& uid)
         }
         m_graded->keeping = Keeping::Waiting;
         tellKeeping();
+        m_window->forgetNotKept();
         m_window->showMessage(tr("The grade that could not be kept is kept now."));
     });
 }
@@ -1332,7 +1335,7 @@ void Application::keepGuestsGrade()
                 if (!isOverLimit)
                     m_desk->keep(this, who, record, recording, [this](const core::Status& kept) {
                         if (!kept)
-                            m_window->showError(kept.error(), Failed::KeepingGrades);
+                            m_window->showNotKept(kept.error());
                     });
                 return;
             }

@@ -663,7 +663,8 @@ void MainWindow::leaveAll()
     m_scorePage->talk().forget();
     m_console->forget();
     m_view->setPushForce(tooth::PointerControl::kFirstN);
-    for (const auto topic : {MessageBar::Topic::Tooth, MessageBar::Topic::Unfinished, MessageBar::Topic::General})
+    for (const auto topic : {MessageBar::Topic::Tooth, MessageBar::Topic::Unfinished, MessageBar::Topic::General,
+                             MessageBar::Topic::Keeping})
         m_messages->withdraw(topic);
 }
 
@@ -1787,25 +1788,36 @@ void MainWindow::showBusy(const QString& what)
 
 void MainWindow::showError(const core::Error& error, text::Failed failed, const QString& file)
 {
+    const bool ofTooth = failed == text::Failed::OpeningScan || failed == text::Failed::MakingTooth ||
+                         failed == text::Failed::OpeningRecording;
+    tellError(error, failed, file, ofTooth ? MessageBar::Topic::Tooth : MessageBar::Topic::General);
+}
+
+void MainWindow::showNotKept(const core::Error& error)
+{
+    forgetNotKept();
+    tellError(error, text::Failed::KeepingGrades, {}, MessageBar::Topic::Keeping);
+}
+
+void MainWindow::forgetNotKept()
+{
+    m_messages->withdraw(MessageBar::Topic::Keeping);
+}
+
+void MainWindow::tellError(const core::Error& error, text::Failed failed, const QString& file, MessageBar::Topic topic)
+{
     m_busy->done();
     enableActions();
     m_standsIn = m_tooth == nullptr;
     const QString exact = QString::fromStdString(error.detail);
     qWarning("%s", qPrintable(exact));
-    const bool ofTooth = failed == text::Failed::OpeningScan || failed == text::Failed::MakingTooth ||
-                         failed == text::Failed::OpeningRecording;
     const QString name = QFileInfo(file).fileName();
     // Its teacher can mend it: the key is named, as on the page of lessons.
     const QString detail =
         failed == text::Failed::OpeningLesson && !name.isEmpty() ? name + QStringLiteral(": ") + exact : name;
     m_messages->say([=] {
-        return MessageBar::Message{MessageBar::Kind::Error,
-                                   text::errorText(error, failed),
-                                   detail,
-                                   {},
-                                   {},
-                                   ofTooth ? MessageBar::Topic::Tooth : MessageBar::Topic::General,
-                                   exact};
+        return MessageBar::Message{
+            MessageBar::Kind::Error, text::errorText(error, failed), detail, {}, {}, topic, exact};
     });
 }
 

@@ -133,6 +133,9 @@ public slots:
     void showBusy(const QString& what);
     /// @param file  its path, where there is one
     void showError(const core::Error& error, text::Failed failed, const QString& file = {});
+    /// A grade could not be kept. That stands until forgetNotKept(), or until somebody closes it.
+    void showNotKept(const core::Error& error);
+    void forgetNotKept();
     /// What showBusy() told of came to nothing.
     void stopBusy();
     /// The time that a share of the last servo periods stays under, µs; NaN before there are any.
@@ -372,6 +375,7 @@ private:
 
     void speak();
     void sayTooth();
+    void tellError(const core::Error& error, text::Failed failed, const QString& file, MessageBar::Topic topic);
     MessageBar::Message noteOfScan(const QStringList& notes, bool unitInDoubt);
     void recallLayout();
     void connectActions();
