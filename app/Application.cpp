@@ -502,9 +502,18 @@ void Application::connectDoor()
             });
     connect(m_window.get(), &MainWindow::schoolWanted, this,
             [this](const database::NewPerson& admin, const QString& password) {
-                askAtDoor([admin, password = password.toStdString()](const School& school) {
-                    return Logins::createFirstAdmin(school, admin, password, database::timedCost());
-                });
+                askAtDoor(
+                    [admin, password = password.toStdString()](const School& school) {
+                        return Logins::createFirstAdmin(school, admin, password, database::timedCost());
+                    },
+                    [this](const core::Error& why) {
+                        if (why.code == core::ErrorCode::NotAllowed) {  // somebody was faster
+                            endNewSchool();
+                            tellMayEdit();
+                            m_window->askLogin();
+                        }
+                        m_window->refuseLogin(why);
+                    });
             });
     connect(m_window.get(), &MainWindow::guestWanted, this, &Application::becomeGuest);
     connect(m_window.get(), &MainWindow::logoutWanted, this, &Application::leave);
@@ -565,7 +574,6 @@ void Application::unlockAlone(const QString& password, const core::Error& why)
             if (m_who != who)
                 return;
             if (fits && *fits) {
-                m_wrongAlone = 0;
                 enter(who);
                 return;
             }
@@ -582,20 +590,16 @@ void Application::unlockAlone(const QString& password, const core::Error& why)
 /// A person has logged in, or come back to the place he had locked.
 void Application::enter(const database::Session& who)
 {
+    forgetWrongAlone();
     if (who.person() == m_who.person()) {
         m_window->setWho(who);
         return;
     }
-    if (m_window->isNewSchool()) {
-        m_window->setNewSchool(false);
-        // Nobody puts what was there before in the place of what has just been begun.
-        m_backup.clear();
-        m_window->setUnreachable({}, m_where, {});
-    }
+    if (m_window->isNewSchool())
+        endNewSchool();
     m_who = who;
     m_lessonsRead = {};
     m_ownHash.clear();
-    m_wrongAlone = 0;
     readOwnHash();
     m_byHand.reset();
     m_presets.refresh();
@@ -618,6 +622,21 @@ void Application::enter(const database::Session& who)
     if (m_isOnNetworkDrive && who.role() == database::Role::Admin)
         m_window->showMessage(tr("The school's data lie on a network drive: only one computer at a time can use them. "
                                  "For several, keep them on a PostgreSQL server."));
+}
+
+/// What one person has mistyped makes no other wait.
+void Application::forgetWrongAlone()
+{
+    m_wrongAlone = 0;
+    m_nextAlone = {};
+}
+
+/// Somebody has been entered. Nobody puts what was there before in the place of what has just been begun.
+void Application::endNewSchool()
+{
+    m_window->setNewSchool(false);
+    m_backup.clear();
+    m_window->setUnreachable({}, m_where, {});
 }
 
 /// Computers get faster, and who guesses passwords has them first.
@@ -655,6 +674,7 @@ void Application::leave()
     m_who = {};
     m_lessonsRead = {};
     m_ownHash.clear();
+    forgetWrongAlone();
     m_byHand.reset();
     m_presets.refresh();
     m_window->leaveAll();

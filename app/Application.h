@@ -84,6 +84,8 @@ private:
     void askAtDoor(const std::function<core::Result<database::Session>(const database::sql::School&)>& work,
                    const std::function<void(const core::Error&)>& refuse = {});
     void enter(const database::Session& who);
+    void forgetWrongAlone();
+    void endNewSchool();
     void leave();
     void becomeGuest();
     void raisePasswordCost();

@@ -104,6 +104,8 @@ private slots:
     void theCardOfAnotherKeepsItsNameInAnotherLanguage();
     void anotherScoreIsNotOverruledUnseen();
     void whoLeftHisPlaceComesBackWithoutTheDatabase();
+    void aLoginForgetsWhatWasMistyped();
+    void whoWasLateToCreateTheSchoolIsAGuestOfIt();
     void whatTheDiskRefusesIsKeptWhenItCanBe();
     void aGuestsGradeIsKeptWhenHeLogsIn();
     void aGuestsGradeCountsAsAnAttempt();
@@ -612,6 +614,74 @@ void TestSchool::whoLeftHisPlaceComesBackWithoutTheDatabase()
     child<QLineEdit>("username")->setText("sam");
     tryWith(QString::fromStdString(kPassword));
     QVERIFY(m_application->window().isAtDoor());
+}
+
+/// Neither his own slips of before nor another's make anybody wait.
+void TestSchool::aLoginForgetsWhatWasMistyped()
+{
+    start();
+    logIn("sam");
+    const auto tryWith = [this](const QString& password) {
+        QTRY_VERIFY_WITH_TIMEOUT(child<QLineEdit>("password")->isEnabled(), kPatienceMs);
+        child<QLineEdit>("password")->setText(password);
+        click("logIn");
+        QTRY_VERIFY_WITH_TIMEOUT(!m_application->window().isAtDoor() || child<QLineEdit>("password")->isEnabled(),
+                                 kPatienceMs);
+    };
+    const QString right = QString::fromStdString(kPassword);
+    QVERIFY(QFile::rename(file(), file() + ".away"));
+    actions().lock->trigger();
+    for (int k = 0; k < 3; ++k)
+        tryWith("somebody else's");
+    QVERIFY2(saidAtDoor().contains("Name or password is wrong"), qPrintable(saidAtDoor()));
+    QVERIFY(QFile::rename(file() + ".away", file()));
+    tryWith(right);
+    QVERIFY(!m_application->window().isAtDoor());
+    QVERIFY(QFile::rename(file(), file() + ".away"));
+    actions().lock->trigger();
+    tryWith("a slip");
+    tryWith(right);
+    QVERIFY2(!m_application->window().isAtDoor(), qPrintable(saidAtDoor()));
+    // Sue's place is hers.
+    actions().lock->trigger();
+    for (int k = 0; k < 6; ++k)
+        tryWith("somebody else's");
+    QVERIFY2(saidAtDoor().contains("Too many logins have failed"), qPrintable(saidAtDoor()));
+    QVERIFY(QFile::rename(file() + ".away", file()));
+    click("otherLogin");
+    QTRY_COMPARE_WITH_TIMEOUT(door(), Door::Login, kPatienceMs);
+    logIn("sue");
+    QTest::qWait(200);  // what her own password fits to is read
+    QVERIFY(QFile::rename(file(), file() + ".away"));
+    actions().lock->trigger();
+    tryWith(right);
+    QVERIFY2(!m_application->window().isAtDoor(), qPrintable(saidAtDoor()));
+    QVERIFY(QFile::rename(file() + ".away", file()));
+}
+
+/// Its lessons are changed by who teaches there.
+void TestSchool::whoWasLateToCreateTheSchoolIsAGuestOfIt()
+{
+    QVERIFY(QFile::remove(file()));
+    start();
+    QTRY_COMPARE_WITH_TIMEOUT(door(), Door::NewSchool, kPatienceMs);
+    {
+        const auto database = sql::Database::open(file()).value();
+        const sql::School school{database->handle(), StationKey::readOrMake(m_folder->filePath("station.key")).value()};
+        QVERIFY(sql::Logins::createFirstAdmin(school, {"boss", "Bea", "Boss", Role::Admin}, kPassword, {1, 8192}));
+    }
+    child<QLineEdit>("username")->setText("nora");
+    child<QLineEdit>("password")->setText(QString::fromStdString(kPassword));
+    child<QLineEdit>("passwordAgain")->setText(QString::fromStdString(kPassword));
+    click("logIn");
+    QTRY_COMPARE_WITH_TIMEOUT(door(), Door::Login, kPatienceMs);
+    QVERIFY2(saidAtDoor().contains("Somebody has been entered here meanwhile"), qPrintable(saidAtDoor()));
+    QCOMPARE(m_application->window().focusWidget(), child<QLineEdit>("username"));
+    click("practiseAsGuest");
+    QTRY_VERIFY_WITH_TIMEOUT(!m_application->window().isAtDoor(), kPatienceMs);
+    actions().lessons->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(child<ui::study::LessonsPage>()->isVisible(), kPatienceMs);
+    QVERIFY(!actions().editLesson->isVisible() && !actions().editLesson->isEnabled());
 }
 
 void TestSchool::whatTheDiskRefusesIsKeptWhenItCanBe()

@@ -1508,8 +1508,11 @@ void TestMainWindow::whoWasLateToCreateTheSchoolLogsIn()
     m_window->setNewSchool(true);
     m_window->askLogin();
     QCOMPARE(child<ui::people::LoginPage>()->door(), ui::people::Door::NewSchool);
-    m_window->refuseLogin({core::ErrorCode::NotAllowed, "there are people here already"});
+    m_window->setNewSchool(false);
+    m_window->askLogin();
     QCOMPARE(child<ui::people::LoginPage>()->door(), ui::people::Door::Login);
+    m_window->refuseLogin({core::ErrorCode::NotAllowed, "there are people here already"});
+    QCOMPARE(QApplication::focusWidget(), child<QLineEdit>("username"));  // of this form nothing is typed yet
     const auto says = [this](const QString& words) {
         const auto labels = child<ui::people::LoginPage>()->findChildren<QLabel*>();
         return std::any_of(labels.begin(), labels.end(), [&](const QLabel* one) {

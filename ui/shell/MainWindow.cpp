@@ -670,10 +670,6 @@ void MainWindow::leaveAll()
 
 void MainWindow::refuseLogin(const core::Error& error)
 {
-    if (error.code == core::ErrorCode::NotAllowed && m_login->door() == people::Door::NewSchool) {
-        m_isNewSchool = false;  // somebody was faster
-        askLogin();
-    }
     if (error.code == core::ErrorCode::NewPassword)
         m_login->ask(people::Door::NewPassword);
     else if (error.code == core::ErrorCode::OutOfRange)
