@@ -38,6 +38,7 @@
 #include "tests/support/OpenGlMain.h"
 #include "ui/admin/AdminPage.h"
 #include "ui/admin/AuditPart.h"
+#include "ui/admin/BackupPart.h"
 #include "ui/admin/RosterPart.h"
 #include "ui/people/AssignPage.h"
 #include "ui/people/ClassPage.h"
@@ -106,6 +107,8 @@ private slots:
     void whoLeftHisPlaceComesBackWithoutTheDatabase();
     void aLoginForgetsWhatWasMistyped();
     void whoWasLateToCreateTheSchoolIsAGuestOfIt();
+    void whoIsDisabledIsShownOutByLongWork();
+    void aRestoreThrowsNobodyElseOut();
     void whatTheDiskRefusesIsKeptWhenItCanBe();
     void aGuestsGradeIsKeptWhenHeLogsIn();
     void aGuestsGradeCountsAsAnAttempt();
@@ -682,6 +685,40 @@ void TestSchool::whoWasLateToCreateTheSchoolIsAGuestOfIt()
     actions().lessons->trigger();
     QTRY_VERIFY_WITH_TIMEOUT(child<ui::study::LessonsPage>()->isVisible(), kPatienceMs);
     QVERIFY(!actions().editLesson->isVisible() && !actions().editLesson->isEnabled());
+}
+
+void TestSchool::whoIsDisabledIsShownOutByLongWork()
+{
+    start();
+    logIn("admin");
+    openSchool(ui::admin::AdminPage::Backups);
+    QTest::qWait(1000);  // what the page asks for has been answered
+    QVERIFY(sql::execute(sql::Database::open(file()).value()->handle(),
+                         "UPDATE people SET disabled = 1 WHERE username = 'admin'", "write"));
+    click("checkAll");
+    QTRY_COMPARE_WITH_TIMEOUT(door(), Door::Login, kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(m_application->window().isAtDoor(), kPatienceMs);
+    QVERIFY2(saidAtDoor().contains("This account was disabled"), qPrintable(saidAtDoor()));
+}
+
+/// Who had asked for it has left while the backup was looked at.
+void TestSchool::aRestoreThrowsNobodyElseOut()
+{
+    start();
+    logIn("admin");
+    openSchool(ui::admin::AdminPage::Backups);
+    click("backUp");
+    QTRY_VERIFY_WITH_TIMEOUT(child<QTableView>("backups")->model()->rowCount() > 0, kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("backUp")->isEnabled(), kPatienceMs);
+    emit child<ui::admin::BackupPart>()->restoreWanted(
+        QDir(sql::backupFolder(file())).filePath(sql::backupsIn(sql::backupFolder(file())).front()));
+    // All of this before the answer is heard.
+    actions().lock->trigger();
+    child<QPushButton>("otherLogin")->click();
+    QTest::qWait(1000);
+    QVERIFY2(!saidAtDoor().contains("restored"), qPrintable(saidAtDoor()));
+    QVERIFY2(!saidAtDoor().contains("in place"), qPrintable(saidAtDoor()));
+    logIn("sam");
 }
 
 void TestSchool::whatTheDiskRefusesIsKeptWhenItCanBe()
