@@ -408,7 +408,7 @@ void PeopleDesk::connectReport()
         });
     });
     connect(&classes, &ClassPage::tableWanted, this, [this, &classes](const QString& path) {
-        withReport([&classes, path](const ui::report::ClassReport&) { classes.saveTable(path); });
+        withReport([&classes, path, csv = classes.csv()](const ui::report::ClassReport&) { classes.save(path, csv); });
     });
     connect(&classes, &ClassPage::printWanted, this, [this, &classes] {
         const auto onPaper = [this, &classes](const std::shared_ptr<QPagedPaintDevice>& printer) {
@@ -423,6 +423,26 @@ void PeopleDesk::connectReport()
     });
 }
 
+/// Of the class as it is shown now: another may be by the time that the audit has answered.
+ui::report::ClassReport PeopleDesk::report() const
+{
+    ui::report::ClassReport report;
+    report.className = QString::fromStdString(m_overview.name);
+    report.teacher = QString::fromStdString(m_who().fullName());
+    report.overview = m_overview;
+    report.given = m_given;
+    report.titles = m_titles;
+    report.results = m_results;
+    if (const lessons::Lesson* known = lesson(m_results.lessonId)) {
+        report.passMarkTenths = known->rubric.passMarkTenths;
+        report.rubricTitle = known->rubric.title;
+        report.rubricVersion = known->rubric.version;
+        report.rubricHash = known->rubric.hash;
+        report.criteria = criteriaOf(*known);
+    }
+    return report;
+}
+
 /// With the head of the audit as it is now, so that paper and database can be compared.
 void PeopleDesk::withReport(const std::function<void(const ui::report::ClassReport&)>& use)
 {
@@ -433,25 +453,11 @@ void PeopleDesk::withReport(const std::function<void(const ui::report::ClassRepo
                 return tl::unexpected(noted.error());
             return database::sql::auditHead(school);
         },
-        [this, use](const core::Result<database::sql::AuditHead>& head) {
+        [this, use, report = report()](const core::Result<database::sql::AuditHead>& head) mutable {
             if (!head) {
                 m_window.classPage().say({});
                 refuse(head.error());
                 return;
-            }
-            ui::report::ClassReport report;
-            report.className = QString::fromStdString(m_overview.name);
-            report.teacher = QString::fromStdString(m_who().fullName());
-            report.overview = m_overview;
-            report.given = m_given;
-            report.titles = m_titles;
-            report.results = m_results;
-            if (const lessons::Lesson* known = lesson(m_results.lessonId)) {
-                report.passMarkTenths = known->rubric.passMarkTenths;
-                report.rubricTitle = known->rubric.title;
-                report.rubricVersion = known->rubric.version;
-                report.rubricHash = known->rubric.hash;
-                report.criteria = criteriaOf(*known);
             }
             report.proof = {QString::fromStdString(head->code()), QStringLiteral(CUSP_VERSION),
                             QDateTime::currentDateTime()};

@@ -86,6 +86,7 @@ private:
     void sayInTalk(Work work);
     void takeBack(qint64 comment);
     void connectReport();
+    [[nodiscard]] ui::report::ClassReport report() const;
     void withReport(const std::function<void(const ui::report::ClassReport&)>& use);
 
     ui::shell::MainWindow& m_window;

@@ -3,6 +3,7 @@
 #include <QAbstractButton>
 #include <QAction>
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDir>
 #include <QDoubleSpinBox>
 #include <QElapsedTimer>
@@ -109,6 +110,7 @@ private slots:
     void whoWasLateToCreateTheSchoolIsAGuestOfIt();
     void whoIsDisabledIsShownOutByLongWork();
     void aRestoreThrowsNobodyElseOut();
+    void aClassReportIsOfTheClassThatWasShown();
     void whatTheDiskRefusesIsKeptWhenItCanBe();
     void aGuestsGradeIsKeptWhenHeLogsIn();
     void aGuestsGradeCountsAsAnAttempt();
@@ -719,6 +721,40 @@ void TestSchool::aRestoreThrowsNobodyElseOut()
     QVERIFY2(!saidAtDoor().contains("restored"), qPrintable(saidAtDoor()));
     QVERIFY2(!saidAtDoor().contains("in place"), qPrintable(saidAtDoor()));
     logIn("sam");
+}
+
+/// Another was chosen by the time that the audit had answered.
+void TestSchool::aClassReportIsOfTheClassThatWasShown()
+{
+    {
+        const auto database = sql::Database::open(file()).value();
+        const sql::School school{database->handle(), StationKey::readOrMake(m_folder->filePath("station.key")).value()};
+        const auto admin = sql::Logins::login(school, "admin", kPassword).value();
+        const ClassId other = sql::addClass(school, admin, "DEN102-B").value();
+        for (const char* name : {"sue", "ines"}) {
+            const auto id = sql::ask(school.db, "SELECT id FROM people WHERE username = ?", "r", {QLatin1String(name)});
+            QVERIFY(sql::enrol(school, admin, other, {id.value().toLongLong()}, true));
+        }
+    }
+    start();
+    logIn("ines");
+    const auto* const matrix = child<QTableView>("matrix")->model();
+    const auto student = [matrix] { return matrix->headerData(0, Qt::Vertical).toString(); };
+    QTRY_VERIFY_WITH_TIMEOUT(matrix->rowCount() == 1 && student().startsWith("sam"), kPatienceMs);
+    auto* const classes = child<QComboBox>("classChooser");
+    classes->setCurrentIndex(classes->findText("DEN102-B", Qt::MatchStartsWith));
+    const QString table = m_folder->filePath("class.csv");
+    emit child<ui::people::ClassPage>()->tableWanted(table);
+    QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(table), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(student().startsWith("sue"), kPatienceMs);
+    QFile written(table);
+    QVERIFY(written.open(QIODevice::ReadOnly));
+    const QByteArray rows = written.readAll();
+    const auto noted = sql::ask(sql::Database::open(file()).value()->handle(),
+                                "SELECT classes.name FROM audit JOIN classes ON audit.object = 'class:' || classes.id "
+                                "WHERE action = 'class.export'",
+                                "read");
+    QVERIFY2(rows.contains(noted->toString() == "DEN102-B" ? "sue" : "sam"), rows.constData());
 }
 
 void TestSchool::whatTheDiskRefusesIsKeptWhenItCanBe()
