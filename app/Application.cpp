@@ -362,7 +362,11 @@ void Application::openDatabase()
             [this](int minutes) { m_window->setIdleLimit(std::chrono::minutes(minutes)); });
     m_people = std::make_unique<PeopleDesk>(*m_window, *m_desk, [this] { return m_who; });
     connect(m_people.get(), &PeopleDesk::replayWanted, this,
-            [this](const core::recording::Recording& recording, const QString& whose) { play(recording, {}, whose); });
+            [this](const core::recording::Recording& recording, const database::AttemptRecord& attempt,
+                   const QString& whose) {
+                if (play(recording, {}, whose))
+                    m_people->followReplay(attempt);
+            });
     connect(
         m_people.get(), &PeopleDesk::besideWanted, this,
         [this](const core::recording::Recording& recording, const QString& name) { putBeside(recording, name, {}); });
@@ -1823,13 +1827,13 @@ void Application::discardUnfinished()
 }
 
 /// The student's own attempt stays in the two loops, which rest meanwhile.
-void Application::play(const core::recording::Recording& recording, std::optional<double> heldAtS, const QString& whose)
+bool Application::play(const core::recording::Recording& recording, std::optional<double> heldAtS, const QString& whose)
 {
     auto replay = ReplayDesk::make(recording, m_links, *m_window, m_generation + 1,
                                    m_options.simulatedDevice ? m_device.get() : nullptr);
     if (!replay) {
         refuse(replay.error(), Failed::OpeningRecording, {});
-        return;
+        return false;
     }
     if (m_replay) {
         putReplayAway();
@@ -1849,6 +1853,7 @@ void Application::play(const core::recording::Recording& recording, std::optiona
     if (heldAtS)
         m_replay->holdAt(*heldAtS);
     m_replay->start();
+    return true;
 }
 
 /// Of the attempt that was graded, a little before that moment, held.
@@ -1857,8 +1862,7 @@ void Application::showMoment(double seconds)
     if (m_opened)
         playOpened(std::max(0.0, seconds - ui::replay::kLeadUpS));
     else if (m_graded && !m_replay) {
-        play(m_graded->recording, std::max(0.0, seconds - ui::replay::kLeadUpS));
-        m_playsCard = m_replay != nullptr;
+        m_playsCard = play(m_graded->recording, std::max(0.0, seconds - ui::replay::kLeadUpS));
         if (m_playsCard && m_people)
             m_people->followReplay(m_graded->record);
     }
@@ -1867,10 +1871,10 @@ void Application::showMoment(double seconds)
 /// The attempt whose score card is open; the way back leads there.
 void Application::playOpened(std::optional<double> heldAtS)
 {
-    play(*m_opened, heldAtS, m_people->whoseIsTalkedAbout());
-    m_playsCard = m_replay != nullptr;
-    if (m_playsCard)
-        m_people->followReplay(m_people->talkedAbout());
+    if (!play(*m_opened, heldAtS, m_people->whoseIsTalkedAbout()))
+        return;
+    m_playsCard = true;
+    m_people->followReplay(m_people->talkedAbout());
 }
 
 /// Waits until the tooth is there and drawn as it ended, saves the picture and quits.

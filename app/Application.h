@@ -152,7 +152,8 @@ private:
     void takeUp(std::unique_ptr<core::session::Unfinished> attempt);
     void discardUnfinished();
     /// @param heldAtS  this moment is shown and held; nothing: it is played from its beginning
-    void play(const core::recording::Recording& recording, std::optional<double> heldAtS = {},
+    /// @returns whether it is played; else it was said why not
+    bool play(const core::recording::Recording& recording, std::optional<double> heldAtS = {},
               const QString& whose = {});
     void playOpened(std::optional<double> heldAtS);
     void putReplayAway();

@@ -139,8 +139,7 @@ PeopleDesk::PeopleDesk(MainWindow& window, SchoolDesk& desk, std::function<datab
     connect(&history, &HistoryPage::lessonChosen, this, &PeopleDesk::tellClassAt);
     connect(&history, &HistoryPage::replayWanted, this, [this](qint64 id) {
         fetch(id, [this](const auto& attempt, const auto& recording) {
-            emit replayWanted(recording, whose(makerOf(attempt), attempt));
-            followReplay(attempt);
+            emit replayWanted(recording, attempt, whose(makerOf(attempt), attempt));
         });
     });
     connect(&m_window, &MainWindow::besidesWanted, this, &PeopleDesk::offerBeside);

@@ -42,9 +42,10 @@ public:
     void followReplay(const std::optional<database::AttemptRecord>& played) { m_played = played; }
 
 signals:
-    /// This recording is to be played.
+    /// This recording is to be played; followReplay() is to be told.
     /// @param whose  who made it, and when
-    void replayWanted(const core::recording::Recording& recording, const QString& whose);
+    void replayWanted(const core::recording::Recording& recording, const database::AttemptRecord& attempt,
+                      const QString& whose);
     /// This recording is to be put beside what is played.
     void besideWanted(const core::recording::Recording& recording, const QString& name);
     /// This attempt's score card is to be shown.
