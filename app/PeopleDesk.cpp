@@ -146,6 +146,7 @@ PeopleDesk::PeopleDesk(MainWindow& window, SchoolDesk& desk, std::function<datab
     connect(&history, &HistoryPage::attemptOpenWanted, this, [this](qint64 id) {
         fetch(id, [this](const auto& attempt, const auto& recording) { emit scoreWanted(attempt, recording); });
     });
+    connect(&m_window, &MainWindow::draftWanted, this, &PeopleDesk::openDraft);
     connectTalk();
     connectReport();
     ClassPage& classes = m_window.classPage();
@@ -313,10 +314,25 @@ void PeopleDesk::talkAbout(const std::optional<database::AttemptRecord>& attempt
     tellBefore();
 }
 
-/// Of the person whose attempts are shown, or one's own.
+/// Whoever's attempts are shown by now: who opens one has seen its maker's before.
 QString PeopleDesk::makerOf(const database::AttemptRecord& attempt) const
 {
-    return attempt.person == m_who().person() ? QString::fromStdString(m_who().fullName()) : m_personName;
+    if (attempt.person == m_who().person())
+        return QString::fromStdString(m_who().fullName());
+    const auto known = m_names.find(attempt.person.value);
+    return known != m_names.end() ? known->second : QString();
+}
+
+/// Before the list that it belongs to, and where it was being written.
+void PeopleDesk::openDraft(qint64 id)
+{
+    fetch(id, [this](const auto& attempt, const auto& recording) {
+        const bool isOwn = attempt.person == m_who().person();
+        openHistory(attempt.person, isOwn ? QString() : makerOf(attempt), {}, [this, attempt, recording] {
+            m_reads = database::AttemptId{attempt.id};
+            emit scoreWanted(attempt, recording);
+        });
+    });
 }
 
 QString PeopleDesk::whoseIsTalkedAbout() const
@@ -511,11 +527,11 @@ void PeopleDesk::refuse(const core::Error& error)
 }
 
 void PeopleDesk::openHistory(database::PersonId person, const QString& fullName,
-                             const std::optional<std::string>& lesson)
+                             const std::optional<std::string>& lesson, const std::function<void()>& then)
 {
     m_person = person;
-    m_personName = fullName;
-    const auto show = [this, person, fullName, lesson](const core::Result<AttemptsNow>& found) {
+    m_names[person.value] = fullName;
+    const auto show = [this, person, fullName, lesson, then](const core::Result<AttemptsNow>& found) {
         if (!found) {
             refuse(found.error());
             return;
@@ -529,6 +545,8 @@ void PeopleDesk::openHistory(database::PersonId person, const QString& fullName,
         if (lesson)
             tellClassAt(QString::fromStdString(*lesson));
         m_window.openHistory();
+        if (then)
+            then();
     };
     readLessons([this, person, show] {
         askAs([who = m_who(), person](const School& school) { return readAttempts(school, who, person); }, show);

@@ -64,7 +64,10 @@ private:
     void readLessons(const std::function<void()>& then);
     void tellLessons();
     [[nodiscard]] const lessons::Lesson* lesson(const std::string& id) const;
-    void openHistory(database::PersonId person, const QString& fullName, const std::optional<std::string>& lesson);
+    /// @param then  once they are shown
+    void openHistory(database::PersonId person, const QString& fullName, const std::optional<std::string>& lesson,
+                     const std::function<void()>& then = {});
+    void openDraft(qint64 attempt);
     void tellClassAt(const QString& lesson);
     void openClasses();
     void openAssign();
@@ -93,8 +96,8 @@ private:
     ui::shell::MainWindow& m_window;
     SchoolDesk& m_desk;
     std::function<database::Session()> m_who;
-    database::PersonId m_person;  ///< whose attempts are shown
-    QString m_personName;         ///< empty: one's own
+    database::PersonId m_person;              ///< whose attempts are shown
+    std::map<std::int64_t, QString> m_names;  ///< of those whose attempts have been shown
     database::ClassOverview m_overview;
     QList<database::ClassAssignment> m_given;  ///< to that class
     database::LessonResults m_results;

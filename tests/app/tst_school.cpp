@@ -111,6 +111,7 @@ private slots:
     void whoIsDisabledIsShownOutByLongWork();
     void aRestoreThrowsNobodyElseOut();
     void aClassReportIsOfTheClassThatWasShown();
+    void whatIsTypedWaitsForItsWriter();
     void whatTheDiskRefusesIsKeptWhenItCanBe();
     void aGuestsGradeIsKeptWhenHeLogsIn();
     void aGuestsGradeCountsAsAnAttempt();
@@ -755,6 +756,76 @@ void TestSchool::aClassReportIsOfTheClassThatWasShown()
                                 "WHERE action = 'class.export'",
                                 "read");
     QVERIFY2(rows.contains(noted->toString() == "DEN102-B" ? "sue" : "sam"), rows.constData());
+}
+
+/// A comment that was begun is shown to nobody else, and where it was begun it bears the name of who it is about.
+void TestSchool::whatIsTypedWaitsForItsWriter()
+{
+    {
+        const auto database = sql::Database::open(file()).value();
+        const sql::School school{database->handle(), StationKey::readOrMake(m_folder->filePath("station.key")).value()};
+        const auto admin = sql::Logins::login(school, "admin", kPassword).value();
+        const auto sue = sql::ask(school.db, "SELECT id FROM people WHERE username = 'sue'", "read").value();
+        QVERIFY(
+            sql::enrol(school, admin, sql::listClasses(school, admin).value().front().id, {sue.toLongLong()}, true));
+    }
+    start();
+    for (const char* name : {"sam", "sue"}) {
+        if (QLatin1String(name) == u"sam")
+            logIn(name);
+        else
+            leaveFor(name);
+        toTheTooth();
+        QTRY_COMPARE_WITH_TIMEOUT(removed(), QString("0.00"), kPatienceMs);
+        drill(-2.0);
+        grade("first grade");
+    }
+    leaveFor("ines");
+    const auto* const matrix = child<QTableView>("matrix")->model();
+    const auto openAttemptOf = [&](int row) {
+        emit child<QTableView>("matrix")->verticalHeader()->sectionDoubleClicked(row);
+        openNewest();
+    };
+    auto* const words = child<QPlainTextEdit>("commentWords");
+    const auto* const page = child<ui::study::ScorePage>();
+    actions().classes->trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(matrix->rowCount(), 2, kPatienceMs);
+    openAttemptOf(0);
+    const QString first = page->person();
+    QVERIFY(first.startsWith("sam") || first.startsWith("sue"));
+    words->setPlainText("Half a sentence");
+    actions().classes->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(child<ui::people::ClassPage>()->isVisible(), kPatienceMs);
+    openAttemptOf(1);
+    QVERIFY(page->person() != first);
+    QVERIFY(words->toPlainText().isEmpty());
+    // The answer that loses nothing leads to whom it is about, and back to his attempts.
+    m_application->window().close();
+    click("questionSave");
+    QTRY_COMPARE_WITH_TIMEOUT(words->toPlainText(), QString("Half a sentence"), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(page->isVisible(), kPatienceMs);
+    QCOMPARE(page->person(), first);
+    actions().back->trigger();
+    QVERIFY(child<ui::people::HistoryPage>()->isVisible());
+    const auto titles = child<ui::people::HistoryPage>()->findChildren<QLabel*>();
+    QVERIFY(std::any_of(titles.begin(), titles.end(),
+                        [&](const QLabel* one) { return one->isVisible() && one->text().contains(first); }));
+    // Somebody else is told that something waits, and not what.
+    leaveFor("sam");
+    actions().attempts->trigger();
+    openNewest();
+    QVERIFY(words->toPlainText().isEmpty());
+    m_application->window().close();
+    QVERIFY(m_application->window().isVisible());
+    const QString asked = child<QLabel>("questionDetail")->text();
+    QVERIFY2(asked.contains("somebody else has typed") && !asked.contains("Half"), qPrintable(asked));
+    click("questionSave");
+    QVERIFY2(message().contains("until that person logs in"), qPrintable(message()));
+    leaveFor("ines");
+    actions().classes->trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(matrix->rowCount(), 2, kPatienceMs);
+    openAttemptOf(0);
+    QCOMPARE(words->toPlainText(), QString("Half a sentence"));
 }
 
 void TestSchool::whatTheDiskRefusesIsKeptWhenItCanBe()

@@ -594,6 +594,7 @@ void MainWindow::askWho(people::Door door)
 void MainWindow::setWho(const database::Session& who)
 {
     m_who = who;
+    m_scorePage->talk().setWriter(who.person().value);
     m_actions->showAccount(QString::fromStdString(who.username()));
     m_actions->attempts->setVisible(!who.isGuest());
     m_actions->school->setVisible(who.role() == database::Role::Admin);
@@ -660,7 +661,6 @@ void MainWindow::leaveAll()
     m_lessonsPage->setUnfinished({}, {});
     m_lessonsPage->forget();
     m_classes->forget();
-    m_scorePage->talk().forget();
     m_console->forget();
     m_view->setPushForce(tooth::PointerControl::kFirstN);
     for (const auto topic : {MessageBar::Topic::Tooth, MessageBar::Topic::Unfinished, MessageBar::Topic::General,
@@ -2145,6 +2145,13 @@ void MainWindow::leaveWork(const std::function<void()>& what)
          tr("&Save the recording …"), save, what});
 }
 
+/// Of what somebody else has left unsaved: wherever one is.
+void MainWindow::sayWaits(const std::function<QString()>& sentence)
+{
+    showMessage(sentence());
+    sayAtDoor(sentence);
+}
+
 void MainWindow::leaveDrafts(const std::function<void()>& what)
 {
     const QStringList titles = m_editor->unsaved();
@@ -2169,8 +2176,7 @@ std::vector<MainWindow::Unkept> MainWindow::unkept()
     const auto toSchool = [this, isAdmin](admin::AdminPage::Part part) {
         return [this, isAdmin, part] {
             if (!isAdmin) {  // only an admin may see them
-                showMessage(tr("It waits until an admin logs in here."));
-                sayAtDoor([] { return tr("It waits until an admin logs in here."); });
+                sayWaits([] { return tr("It waits until an admin logs in here."); });
                 return;
             }
             goTo(m_admin);
@@ -2184,8 +2190,11 @@ std::vector<MainWindow::Unkept> MainWindow::unkept()
     if (const auto attempt = talk.unkeptComment())
         all.push_back({tr("A comment was typed and is not added yet."), [this, attempt] { showDraft(*attempt); }});
     if (const auto attempt = talk.unkeptScore())
-        all.push_back({tr("A score with its reason was typed and is not given yet."),
-                       [this, attempt] { showDraft(*attempt); }});
+        all.push_back(
+            {tr("A score with its reason was typed and is not given yet."), [this, attempt] { showDraft(*attempt); }});
+    if (talk.hasOthersUnkept())
+        all.push_back({tr("A comment or a score that somebody else has typed is not kept yet."),
+                       [this] { sayWaits([] { return tr("It waits until that person logs in here."); }); }});
     all.erase(std::remove_if(all.begin(), all.end(), [](const Unkept& one) { return one.what.isEmpty(); }), all.end());
     return all;
 }
@@ -2193,7 +2202,7 @@ std::vector<MainWindow::Unkept> MainWindow::unkept()
 void MainWindow::showDraft(qint64 attempt)
 {
     if (m_scorePage->talk().attempt() != attempt) {
-        emit m_history->attemptOpenWanted(attempt);
+        emit draftWanted(attempt);
         return;
     }
     goTo(m_scorePage);

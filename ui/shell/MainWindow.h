@@ -291,6 +291,8 @@ signals:
     void keepWanted();
     /// What was said of this attempt is to be read; 0: there are several.
     void feedbackWanted(qint64 attempt);
+    /// What is typed of this attempt and kept nowhere yet is to be seen.
+    void draftWanted(qint64 attempt);
     /// Who works here leaves for somebody else; his work has been asked about, or is kept to be gone on with.
     void logoutWanted();
     void toothChosen(int fdi);
@@ -401,6 +403,7 @@ private:
     void leaveWork(const std::function<void()>& what);
     /// The same of lessons that were changed in the editor, whose drafts live as long as the window.
     void leaveDrafts(const std::function<void()>& what);
+    void sayWaits(const std::function<QString()>& sentence);
     /// What a page would lose with the window, in a sentence, and the way to where it can be kept.
     struct Unkept
     {
