@@ -176,6 +176,7 @@ private slots:
     void theChartsShareASmallerWindowAsBefore();
     void aRefusedPasswordIsTypedAnew();
     void whoWasLateToCreateTheSchoolLogsIn();
+    void draftsWaitForWhoTeaches();
     void anAdminIsToldHowToBeginWithClasses();
     void aHalfFilledFormIsPutAside();
     void presetsAreFoundFromTheSchoolAndFromOnesPlace();
@@ -2935,6 +2936,41 @@ void TestMainWindow::whatPagesHaveNotKeptIsAskedAbout()
     QVERIFY(m_window->isVisible() && people.isVisible());
     m_window->close();
     child<QuestionCard>("unkeptQuestion")->findChild<QPushButton*>("questionDiscard")->click();
+    QVERIFY(!m_window->isVisible());
+}
+
+/// Nobody else is asked about them, or sees them.
+void TestMainWindow::draftsWaitForWhoTeaches()
+{
+    const QTemporaryDir folder;
+    auto* editor = child<ui::study::LessonEditor>();
+    editor->edit(shipped("class1-36"), folder.path());
+    auto* title = child<QLineEdit>("draftTitle");
+    title->clear();
+    QTest::keyClicks(title, "Mine");
+    m_window->setLessons(lessons::readCatalog({}), {});
+    const auto isMarked = [this] {
+        const auto* model = child<QListView>("lessonList")->model();
+        for (int row = 0; row < model->rowCount(); ++row)
+            if (model->index(row, 0).data(Qt::AccessibleDescriptionRole).toString().contains("not saved"))
+                return true;
+        return false;
+    };
+    actions().lessons->trigger();
+    QVERIFY(isMarked());
+    m_window->setMayEdit(false);
+    QVERIFY(!isMarked());
+    m_window->close();
+    QVERIFY(m_window->isVisible());
+    QVERIFY(child<QuestionCard>("draftQuestion") == nullptr);
+    const QString said = child<MessageBar>()->sentence();
+    QVERIFY2(said.contains("until a teacher logs in") && !said.contains("Mine"), qPrintable(said));
+    QCOMPARE(editor->unsaved(), QStringList{"Mine"});
+    m_window->setMayEdit(true);
+    QVERIFY(isMarked());
+    m_window->close();
+    QVERIFY(m_window->isVisible() && child<QuestionCard>("draftQuestion") != nullptr);
+    child<QPushButton>("questionDiscard")->click();
     QVERIFY(!m_window->isVisible());
 }
 

@@ -611,6 +611,7 @@ void MainWindow::setMayEdit(bool may)
 {
     m_mayEdit = may;
     m_actions->editLesson->setVisible(may);
+    m_lessonsPage->setUnsaved(may ? m_editor->unsavedFiles() : QSet<QString>());
     enableActions();
 }
 
@@ -1543,7 +1544,7 @@ void MainWindow::goTo(QWidget* page)
     if (page != m_room)
         m_messages->withdraw(MessageBar::Topic::Lesson);
     if (page == m_lessonsPage)
-        m_lessonsPage->setUnsaved(m_editor->unsavedFiles());
+        m_lessonsPage->setUnsaved(m_mayEdit ? m_editor->unsavedFiles() : QSet<QString>());
     m_pages->setCurrentWidget(page);
     sayWayBack();
     restBur();
@@ -2152,6 +2153,13 @@ void MainWindow::sayWaits(const std::function<QString()>& sentence)
     sayAtDoor(sentence);
 }
 
+/// Who may not change lessons, or stands at the door that another has locked, neither hears of drafts nor decides on
+/// them.
+bool MainWindow::mayDecideOnDrafts() const
+{
+    return m_mayEdit && (!isAtDoor() || m_mayLeaveDoor || m_who.isGuest());
+}
+
 void MainWindow::leaveDrafts(const std::function<void()>& what)
 {
     const QStringList titles = m_editor->unsaved();
@@ -2248,6 +2256,12 @@ void MainWindow::closeEvent(QCloseEvent* event)
         return;
     }
     event->ignore();
+    if (!m_editor->unsaved().isEmpty() && !mayDecideOnDrafts()) {
+        sayWaits([] {
+            return tr("Cusp stays open: a teacher's work is not saved yet. It waits until a teacher logs in here.");
+        });
+        return;
+    }
     leaveWork([this] {
         leaveDrafts([this] {
             leaveUnkept([this] {

@@ -403,6 +403,7 @@ private:
     void leaveWork(const std::function<void()>& what);
     /// The same of lessons that were changed in the editor, whose drafts live as long as the window.
     void leaveDrafts(const std::function<void()>& what);
+    [[nodiscard]] bool mayDecideOnDrafts() const;
     void sayWaits(const std::function<QString()>& sentence);
     /// What a page would lose with the window, in a sentence, and the way to where it can be kept.
     struct Unkept
