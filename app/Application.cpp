@@ -193,10 +193,12 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ses
     connect(m_window.get(), &MainWindow::lessonsWanted, this, &Application::showLessons);
     connect(m_window.get(), &MainWindow::knownAttemptsWanted, this, &Application::tellKnownAttempts);
     connect(m_window.get(), &MainWindow::unpackWanted, this, &Application::unpack);
-    connect(m_window.get(), &MainWindow::lessonFolderWanted, this, [] {
+    connect(m_window.get(), &MainWindow::lessonFolderWanted, this, [this] {
         const QString folder = lessons::teachersFolder();
         QDir().mkpath(folder);
-        QDesktopServices::openUrl(QUrl::fromLocalFile(folder));
+        if (!QDesktopServices::openUrl(QUrl::fromLocalFile(folder)))
+            m_window->showMessage(tr("No program answers here that shows folders. Your own lessons are in %1.")
+                                      .arg(QDir::toNativeSeparators(folder)));
     });
     connectPresets();
     connect(m_window.get(), &MainWindow::forecastGiven, this,

@@ -18,6 +18,7 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QRadioButton>
+#include <QScopeGuard>
 #include <QSlider>
 #include <QSpinBox>
 #include <QSqlQuery>
@@ -112,6 +113,7 @@ private slots:
     void aRestoreThrowsNobodyElseOut();
     void aClassReportIsOfTheClassThatWasShown();
     void whatIsTypedWaitsForItsWriter();
+    void theFolderOfLessonsIsNamed();
     void whatTheDiskRefusesIsKeptWhenItCanBe();
     void aGuestsGradeIsKeptWhenHeLogsIn();
     void aGuestsGradeCountsAsAnAttempt();
@@ -826,6 +828,22 @@ void TestSchool::whatIsTypedWaitsForItsWriter()
     QTRY_COMPARE_WITH_TIMEOUT(matrix->rowCount(), 2, kPatienceMs);
     openAttemptOf(0);
     QCOMPARE(words->toPlainText(), QString("Half a sentence"));
+}
+
+void TestSchool::theFolderOfLessonsIsNamed()
+{
+    start();
+    QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("practiseAsGuest")->isVisible(), kPatienceMs);
+    click("practiseAsGuest");
+    toTheTooth();
+    // Nothing here shows folders.
+    const QByteArray path = qgetenv("PATH");
+    const auto asItWas = qScopeGuard([&path] { qputenv("PATH", path); });
+    for (const char* name : {"BROWSER", "DEFAULT_BROWSER"})
+        qunsetenv(name);
+    qputenv("PATH", "/nowhere");
+    emit m_application->window().lessonFolderWanted();
+    QVERIFY2(message().contains(QDir::toNativeSeparators(lessons::teachersFolder())), qPrintable(message()));
 }
 
 void TestSchool::whatTheDiskRefusesIsKeptWhenItCanBe()
