@@ -176,6 +176,7 @@ private slots:
     void theChartsShareASmallerWindowAsBefore();
     void aRefusedPasswordIsTypedAnew();
     void whoWasLateToCreateTheSchoolLogsIn();
+    void whoTypesACommandGoesOnTyping();
     void draftsWaitForWhoTeaches();
     void anAdminIsToldHowToBeginWithClasses();
     void aHalfFilledFormIsPutAside();
@@ -2937,6 +2938,33 @@ void TestMainWindow::whatPagesHaveNotKeptIsAskedAbout()
     m_window->close();
     child<QuestionCard>("unkeptQuestion")->findChild<QPushButton*>("questionDiscard")->click();
     QVERIFY(!m_window->isVisible());
+}
+
+/// The rest of the command would be taken for keys of the tooth.
+void TestMainWindow::whoTypesACommandGoesOnTyping()
+{
+    press(Qt::Key_F10);
+    const auto* const line = child<QLineEdit>("consoleLine");
+    QTRY_COMPARE(QApplication::focusWidget(), line);
+    core::grading::Infraction infraction;
+    infraction.breach = core::grading::Breach::BurInAir;
+    infraction.limit = 20.0;
+    m_window->tellInfraction(infraction, false);
+    QVERIFY(child<ui::study::InfractionCard>()->isVisible());
+    QCOMPARE(QApplication::focusWidget(), line);
+    // It is there for who has closed the console.
+    press(Qt::Key_Escape);
+    QVERIFY(child<ui::study::InfractionCard>()->isVisible());
+    QCOMPARE(QApplication::focusWidget(), child<QPushButton>("goOn"));
+    press(Qt::Key_F10);
+    QTRY_COMPARE(QApplication::focusWidget(), line);
+    // The work is laid anew, as by a preset that is loaded.
+    const auto practice = lessons::practiceOn(support::syntheticMolar()).value();
+    m_window->setAssignment(practice);
+    m_window->showTooth(practice.anatomy, 2, {});
+    QCOMPARE(QApplication::focusWidget(), line);
+    press(Qt::Key_Escape);
+    QTRY_COMPARE(QApplication::focusWidget(), &m_window->view());
 }
 
 /// Nobody else is asked about them, or sees them.

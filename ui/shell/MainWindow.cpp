@@ -792,7 +792,7 @@ void MainWindow::registerParameters()
     connect(m_actions->console, &QAction::triggered, this, [this] {
         if (m_console->isVisible()) {
             m_console->hide();
-            m_view->setFocus();
+            focusRoom();
         } else {
             m_console->open();
         }
@@ -1548,12 +1548,22 @@ void MainWindow::goTo(QWidget* page)
     m_pages->setCurrentWidget(page);
     sayWayBack();
     restBur();
-    if (page == m_room && m_infractionCard->isVisible())
-        m_infractionCard->setFocus();
-    else if (page == m_room)
-        m_view->setFocus();
+    if (page == m_room)
+        focusRoom();
     enableActions();
     placeOverlays();
+}
+
+/// To what the keys are for in the practice room. Who types a command goes on typing: the rest of it would be taken
+/// for keys of the tooth.
+void MainWindow::focusRoom()
+{
+    if (m_console->isVisible() && m_console->isAncestorOf(focusWidget()))
+        return;
+    if (m_infractionCard->isVisible())
+        m_infractionCard->setFocus();
+    else
+        m_view->setFocus();
 }
 
 /// Where Esc leads from the page that is shown.
@@ -1943,6 +1953,8 @@ void MainWindow::tellInfraction(const core::grading::Infraction& infraction, boo
         enableActions();
     }
     m_infractionCard->tell(infraction, canTakeBack && didHarm);
+    if (m_pages->currentWidget() == m_room)
+        focusRoom();
     m_room->setHintVisible(false);
     placeOverlays();
 }

@@ -393,6 +393,7 @@ private:
     void wishBur(int index);
     void wishHandpiece(int shipped);
     void goTo(QWidget* page);
+    void focusRoom();
     void goBack();
     [[nodiscard]] QWidget* pageBehind() const;
     void sayWayBack();
