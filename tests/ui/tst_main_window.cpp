@@ -177,6 +177,7 @@ private slots:
     void aRefusedPasswordIsTypedAnew();
     void whoWasLateToCreateTheSchoolLogsIn();
     void whoTypesACommandGoesOnTyping();
+    void whatARuleStoppedTurnsAgainInTheNextLesson();
     void draftsWaitForWhoTeaches();
     void anAdminIsToldHowToBeginWithClasses();
     void aHalfFilledFormIsPutAside();
@@ -2965,6 +2966,39 @@ void TestMainWindow::whoTypesACommandGoesOnTyping()
     QCOMPARE(QApplication::focusWidget(), line);
     press(Qt::Key_Escape);
     QTRY_COMPARE(QApplication::focusWidget(), &m_window->view());
+}
+
+void TestMainWindow::whatARuleStoppedTurnsAgainInTheNextLesson()
+{
+    const auto drillWish = [this] {
+        std::optional<bool> last;
+        for (const auto& command : sent())
+            if (const auto* drill = std::get_if<SetDrill>(&command))
+                last = drill->on;
+        return last;
+    };
+    const auto practice = lessons::practiceOn(support::syntheticMolar()).value();
+    std::uint64_t generation = 2;
+    const auto begin = [&] {
+        m_window->setAssignment(practice);
+        m_window->showTooth(practice.anatomy, generation++, {});
+    };
+    actions().drill->setChecked(true);
+    core::grading::Infraction infraction;
+    infraction.breach = core::grading::Breach::BurInAir;
+    m_window->tellInfraction(infraction, false);
+    QCOMPARE(drillWish(), std::optional(false));
+    begin();
+    QCOMPARE(drillWish(), std::optional(true));
+    // Who has stopped it himself finds it as he left it.
+    actions().drill->setChecked(true);
+    m_window->tellInfraction(infraction, false);
+    QCOMPARE(drillWish(), std::optional(false));
+    press(Qt::Key_Escape);
+    QCOMPARE(drillWish(), std::optional(true));
+    actions().drill->setChecked(false);
+    begin();
+    QCOMPARE(drillWish(), std::nullopt);
 }
 
 /// Nobody else is asked about them, or sees them.

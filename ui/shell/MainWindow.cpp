@@ -202,7 +202,7 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
     connect(m_editor, &study::LessonEditor::lessonSaved, this, &MainWindow::lessonsWanted);
     const auto workOn = [this] {
         m_room->section().setHeld({});
-        if (m_infractionStopped)
+        if (std::exchange(m_infractionStopped, false))
             wishDrill(true);
         m_view->setFocus();
     };
@@ -293,7 +293,10 @@ MainWindow::~MainWindow()
 void MainWindow::connectActions()
 {
     const auto on = [this](QAction* action, auto what) { connect(action, &QAction::triggered, this, what); };
-    on(m_actions->drill, [this](bool checked) { wishDrill(checked); });
+    on(m_actions->drill, [this](bool checked) {
+        m_infractionStopped = false;
+        wishDrill(checked);
+    });
     for (int k = 0; k < m_actions->burs.size(); ++k)
         on(m_actions->burs[k], [this, k] { wishBur(k); });
     on(m_actions->fixture, [this] { emit fixtureWanted(m_actions->fixture->isChecked()); });
@@ -1233,6 +1236,8 @@ void MainWindow::showPractised(const core::grading::Practised& practised)
 void MainWindow::setDrillFor(lessons::Task task)
 {
     const bool shallRest = task == lessons::Task::TouchPoints || task == lessons::Task::HoldForce;
+    // What a rule has stopped was stopped for the work before only.
+    m_drillWasOn = std::exchange(m_infractionStopped, false) || m_drillWasOn;
     if (shallRest) {
         m_drillWasOn = m_drillWasOn || m_burRests || m_actions->drill->isChecked();
         wishDrill(false);
