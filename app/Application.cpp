@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 #include <QCoreApplication>
 #include <QDateTime>
@@ -129,6 +130,33 @@ bool isDone(const core::recording::Recording& recording)
         return isGraded;
     const auto read = lessons::readLessonText(QByteArray::fromStdString(recording.lesson()), QStringLiteral("lesson"));
     return (read.lesson && read.lesson->exam) || !isCutOn(recording);
+}
+
+using LessonIds = std::set<std::string>;
+
+/// Of which a student has no attempt left.
+core::Result<LessonIds> usedUpLessons(const School& school, const database::Session& who)
+{
+    const auto given = database::sql::listAssignments(school, who);
+    if (!given)
+        return tl::unexpected(given.error());
+    LessonIds usedUp;
+    for (const database::ClassAssignment& one : *given) {
+        const auto left = database::sql::attemptsLeft(school, who, one.lessonId);
+        if (!left)
+            return tl::unexpected(left.error());
+        if (*left && **left <= 0)
+            usedUp.insert(one.lessonId);
+    }
+    return usedUp;
+}
+
+/// The lesson whose attempts an attempt would count among; empty: none. That an exam was begun has been counted: to end
+/// it takes no other attempt.
+std::string limitedLessonOf(const core::recording::Recording& recording)
+{
+    const auto read = lessons::readLessonText(QByteArray::fromStdString(recording.lesson()), QStringLiteral("lesson"));
+    return read.lesson && !read.lesson->exam ? read.lesson->id : std::string();
 }
 
 /// What the attempt of a recording was made for. The file of an expert's attempt lies beside the lesson of today.
@@ -1688,8 +1716,26 @@ void Application::watchJournal()
         m_window->showError(*failure, Failed::KeepingAttempt);
 }
 
-/// Offers the newest attempt that was not finished; one that cannot be read is told of and put aside.
+/// Where a student has no attempt left it could not be gone on with. Nobody waits for a server that does not answer.
 void Application::offerUnfinished()
+{
+    if (!m_desk || m_who.role() != database::Role::Student) {
+        lookForUnfinished({});
+        return;
+    }
+    const auto look = [this, isDecided = std::make_shared<bool>(false), who = m_who](const LessonIds& usedUp) {
+        if (!std::exchange(*isDecided, true) && m_who == who)
+            lookForUnfinished(usedUp);
+    };
+    m_desk->ask(
+        this, [who = m_who](const School& school) { return usedUpLessons(school, who); },
+        [look](const core::Result<LessonIds>& usedUp) { look(usedUp.value_or(LessonIds())); });
+    QTimer::singleShot(kLongestLookMs, this, [look] { look({}); });
+}
+
+/// Offers the newest attempt that was not finished; one that cannot be read is told of and put aside.
+/// @param usedUp  an attempt at one of these waits until there may be another
+void Application::lookForUnfinished(const LessonIds& usedUp)
 {
     struct Search
     {
@@ -1698,7 +1744,7 @@ void Application::offerUnfinished()
     };
     inBackground(
         this,
-        [folder = journalFolder(m_stationFolder, m_who)] {
+        [folder = journalFolder(m_stationFolder, m_who), usedUp] {
             Search search;
             core::recording::tidyJournals(folder);
             // A program that was just killed may hold its journal for a moment more.
@@ -1714,6 +1760,8 @@ void Application::offerUnfinished()
                             core::recording::discardJournal(path);
                     } else if (*found && isDone((*found)->recording)) {
                         core::recording::discardJournal(path);
+                    } else if (*found && usedUp.contains(limitedLessonOf((*found)->recording))) {
+                        continue;
                     } else if (*found) {
                         search.found = std::move(*found);
                         break;
@@ -1740,6 +1788,11 @@ void Application::tellUnfinished()
     if (!m_unfinished)
         return;
     const core::recording::Recording& recording = m_unfinished->recording;
+    const auto given = m_lessonsRead.given.find(limitedLessonOf(recording));
+    if (given != m_lessonsRead.given.end() && given->second.attemptsLeft == 0) {
+        m_window->forgetUnfinished();
+        return;
+    }
     const lessons::ReadLesson read =
         lessons::readLessonText(QByteArray::fromStdString(recording.lesson()), QStringLiteral("lesson"));
     m_window->offerUnfinished(
@@ -1761,13 +1814,10 @@ void Application::resumeUnfinished()
             tr("This attempt was made with another device, so it cannot be gone on with. It is kept."));
         return;
     }
-    const lessons::ReadLesson read =
-        lessons::readLessonText(QByteArray::fromStdString(m_unfinished->recording.lesson()), QStringLiteral("lesson"));
     const int load = ++m_loading;
     m_window->showBusy(tr("Taking up the attempt …"));
-    // That an exam was begun has been counted: to end it takes no other attempt.
-    if (read.lesson && !read.lesson->exam)
-        whereAllowed(read.lesson->id, [this, load] { rebuildUnfinished(load); });
+    if (const std::string lesson = limitedLessonOf(m_unfinished->recording); !lesson.empty())
+        whereAllowed(lesson, [this, load] { rebuildUnfinished(load); });
     else
         rebuildUnfinished(load);
 }

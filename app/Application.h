@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 
 #include <QObject>
 #include <QString>
@@ -146,6 +147,7 @@ private:
     void clearTable();
     void watchJournal();
     void offerUnfinished();
+    void lookForUnfinished(const std::set<std::string>& usedUp);
     void tellUnfinished();
     void resumeUnfinished();
     void rebuildUnfinished(int load);

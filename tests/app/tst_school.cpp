@@ -1269,15 +1269,32 @@ void TestSchool::anUnfinishedAttemptIsNotTakenUpWhenTheAttemptsAreUsedUp()
     toTheTooth();
     drill(2.0);  // goes on with it
     leaveFor("sue");
-    give("block-line", 1);
     leaveFor("sam");
-    const auto* list = child<QListView>("lessonList")->model();
-    QTRY_COMPARE_WITH_TIMEOUT(list->index(0, 0).data().toString(), QString("Given to you"), kPatienceMs);
-    QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("continueWords")->text().contains("Continue where I stopped"), kPatienceMs);
-    QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("continue")->isVisible(), kPatienceMs);
+    const auto isOffered = [this] {
+        return child<QPushButton>("continue")->isVisible() &&
+               child<QLabel>("continueWords")->text().contains("Continue where I stopped");
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(isOffered(), kPatienceMs);
+    give("block-line", 1);
     click("continue");
     QTRY_VERIFY2_WITH_TIMEOUT(message().contains("used up your attempts"), qPrintable(message()), kPatienceMs);
     QCOMPARE(removed(), QString("0.00"));
+    // From then on it is not offered, and is there again once there may be another attempt.
+    const auto* list = child<QListView>("lessonList");
+    actions().lessons->trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(list->model()->index(0, 0).data().toString(), QString("Given to you"), kPatienceMs);
+    QVERIFY(!isOffered());
+    leaveFor("sue");
+    leaveFor("sam");
+    QTRY_COMPARE_WITH_TIMEOUT(list->model()->index(0, 0).data().toString(), QString("Given to you"), kPatienceMs);
+    QTest::qWait(1000);  // what is unfinished is looked for
+    QVERIFY(!isOffered());
+    QVERIFY2(!message().contains("an attempt of"), qPrintable(message()));
+    QVERIFY(sql::execute(sql::Database::open(file()).value()->handle(), "UPDATE assignments SET attempt_limit = 2",
+                         "write"));
+    leaveFor("sue");
+    leaveFor("sam");
+    QTRY_VERIFY_WITH_TIMEOUT(isOffered(), kPatienceMs);
 }
 
 /// Not to have it graded gives no attempt back.

@@ -149,6 +149,8 @@ public slots:
     /// one of them is pressed, or it is closed.
     /// @param tooth  its title
     void offerUnfinished(const std::function<QString()>& tooth, const QDateTime& begun);
+    /// It is offered no longer.
+    void forgetUnfinished();
     /// It was discarded; a button takes that back.
     void offerToBringBack(const std::function<void()>& bringBack);
     /// @param history  grades of this tooth, newest first, this one included; empty: grades are not kept
@@ -426,7 +428,6 @@ private:
     void tellUnreachable();
     void resumeUnfinished();
     void discardUnfinished();
-    void forgetUnfinished();
     void lockIfIdle();
     void closeAllOver();
     /// Whether something is saved or discarded; cancelled, nothing happens.
