@@ -384,7 +384,11 @@ void AdminDesk::beside(const QString& what, Job job, Done done)
                 return tl::unexpected(may.error());
             return job(school, work);
         },
-        done);
+        [this, who = m_who(), done = std::move(done)](auto& answer) mutable {
+            if (!answer && answer.error().code == core::ErrorCode::Disabled && m_who() == who)
+                emit m_desk.disabled();  // as where he asks for anything else
+            done(answer);
+        });
 }
 
 void AdminDesk::tellFailed(const core::Error& error)
@@ -503,7 +507,11 @@ void AdminDesk::connectBackups()
         part.showProgress(tr("The backup is looked at …"), 0, 0);
         inBackground(
             this, [backup] { return database::sql::verifyBackup(backup); },
-            [this, &part, backup](const core::Status& sound) {
+            [this, &part, backup, who = m_who()](const core::Status& sound) {
+                if (m_who() != who) {  // nobody else is thrown out of his work
+                    part.finish([] { return QString(); }, {});
+                    return;
+                }
                 part.finish(
                     [isSound = sound.has_value(), name = QFileInfo(backup).fileName()] {
                         return isSound

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 #include <QCoreApplication>
 #include <QDateTime>
@@ -131,6 +132,33 @@ bool isDone(const core::recording::Recording& recording)
     return (read.lesson && read.lesson->exam) || !isCutOn(recording);
 }
 
+using LessonIds = std::set<std::string>;
+
+/// Of which a student has no attempt left.
+core::Result<LessonIds> usedUpLessons(const School& school, const database::Session& who)
+{
+    const auto given = database::sql::listAssignments(school, who);
+    if (!given)
+        return tl::unexpected(given.error());
+    LessonIds usedUp;
+    for (const database::ClassAssignment& one : *given) {
+        const auto left = database::sql::attemptsLeft(school, who, one.lessonId);
+        if (!left)
+            return tl::unexpected(left.error());
+        if (*left && **left <= 0)
+            usedUp.insert(one.lessonId);
+    }
+    return usedUp;
+}
+
+/// The lesson whose attempts an attempt would count among; empty: none. That an exam was begun has been counted: to end
+/// it takes no other attempt.
+std::string limitedLessonOf(const core::recording::Recording& recording)
+{
+    const auto read = lessons::readLessonText(QByteArray::fromStdString(recording.lesson()), QStringLiteral("lesson"));
+    return read.lesson && !read.lesson->exam ? read.lesson->id : std::string();
+}
+
 /// What the attempt of a recording was made for. The file of an expert's attempt lies beside the lesson of today.
 core::Result<lessons::Assignment> playedFor(const std::shared_ptr<const core::terrain::ToothAnatomy>& anatomy,
                                             const std::string& lessonJson)
@@ -193,10 +221,12 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ses
     connect(m_window.get(), &MainWindow::lessonsWanted, this, &Application::showLessons);
     connect(m_window.get(), &MainWindow::knownAttemptsWanted, this, &Application::tellKnownAttempts);
     connect(m_window.get(), &MainWindow::unpackWanted, this, &Application::unpack);
-    connect(m_window.get(), &MainWindow::lessonFolderWanted, this, [] {
+    connect(m_window.get(), &MainWindow::lessonFolderWanted, this, [this] {
         const QString folder = lessons::teachersFolder();
         QDir().mkpath(folder);
-        QDesktopServices::openUrl(QUrl::fromLocalFile(folder));
+        if (!QDesktopServices::openUrl(QUrl::fromLocalFile(folder)))
+            m_window->showMessage(tr("No program answers here that shows folders. Your own lessons are in %1.")
+                                      .arg(QDir::toNativeSeparators(folder)));
     });
     connectPresets();
     connect(m_window.get(), &MainWindow::forecastGiven, this,
@@ -362,7 +392,11 @@ void Application::openDatabase()
             [this](int minutes) { m_window->setIdleLimit(std::chrono::minutes(minutes)); });
     m_people = std::make_unique<PeopleDesk>(*m_window, *m_desk, [this] { return m_who; });
     connect(m_people.get(), &PeopleDesk::replayWanted, this,
-            [this](const core::recording::Recording& recording, const QString& whose) { play(recording, {}, whose); });
+            [this](const core::recording::Recording& recording, const database::AttemptRecord& attempt,
+                   const QString& whose) {
+                if (play(recording, {}, whose))
+                    m_people->followReplay(attempt);
+            });
     connect(
         m_people.get(), &PeopleDesk::besideWanted, this,
         [this](const core::recording::Recording& recording, const QString& name) { putBeside(recording, name, {}); });
@@ -502,9 +536,18 @@ void Application::connectDoor()
             });
     connect(m_window.get(), &MainWindow::schoolWanted, this,
             [this](const database::NewPerson& admin, const QString& password) {
-                askAtDoor([admin, password = password.toStdString()](const School& school) {
-                    return Logins::createFirstAdmin(school, admin, password, database::timedCost());
-                });
+                askAtDoor(
+                    [admin, password = password.toStdString()](const School& school) {
+                        return Logins::createFirstAdmin(school, admin, password, database::timedCost());
+                    },
+                    [this](const core::Error& why) {
+                        if (why.code == core::ErrorCode::NotAllowed) {  // somebody was faster
+                            endNewSchool();
+                            tellMayEdit();
+                            m_window->askLogin();
+                        }
+                        m_window->refuseLogin(why);
+                    });
             });
     connect(m_window.get(), &MainWindow::guestWanted, this, &Application::becomeGuest);
     connect(m_window.get(), &MainWindow::logoutWanted, this, &Application::leave);
@@ -565,7 +608,6 @@ void Application::unlockAlone(const QString& password, const core::Error& why)
             if (m_who != who)
                 return;
             if (fits && *fits) {
-                m_wrongAlone = 0;
                 enter(who);
                 return;
             }
@@ -582,20 +624,16 @@ void Application::unlockAlone(const QString& password, const core::Error& why)
 /// A person has logged in, or come back to the place he had locked.
 void Application::enter(const database::Session& who)
 {
+    forgetWrongAlone();
     if (who.person() == m_who.person()) {
         m_window->setWho(who);
         return;
     }
-    if (m_window->isNewSchool()) {
-        m_window->setNewSchool(false);
-        // Nobody puts what was there before in the place of what has just been begun.
-        m_backup.clear();
-        m_window->setUnreachable({}, m_where, {});
-    }
+    if (m_window->isNewSchool())
+        endNewSchool();
     m_who = who;
     m_lessonsRead = {};
     m_ownHash.clear();
-    m_wrongAlone = 0;
     readOwnHash();
     m_byHand.reset();
     m_presets.refresh();
@@ -618,6 +656,21 @@ void Application::enter(const database::Session& who)
     if (m_isOnNetworkDrive && who.role() == database::Role::Admin)
         m_window->showMessage(tr("The school's data lie on a network drive: only one computer at a time can use them. "
                                  "For several, keep them on a PostgreSQL server."));
+}
+
+/// What one person has mistyped makes no other wait.
+void Application::forgetWrongAlone()
+{
+    m_wrongAlone = 0;
+    m_nextAlone = {};
+}
+
+/// Somebody has been entered. Nobody puts what was there before in the place of what has just been begun.
+void Application::endNewSchool()
+{
+    m_window->setNewSchool(false);
+    m_backup.clear();
+    m_window->setUnreachable({}, m_where, {});
 }
 
 /// Computers get faster, and who guesses passwords has them first.
@@ -655,6 +708,7 @@ void Application::leave()
     m_who = {};
     m_lessonsRead = {};
     m_ownHash.clear();
+    forgetWrongAlone();
     m_byHand.reset();
     m_presets.refresh();
     m_window->leaveAll();
@@ -707,7 +761,7 @@ void Application::connectPresets()
         m_byHand.reset();
         // What nobody has begun to work on begins anew, as it feels now.
         if (!m_assignment.lesson && !m_tried && isUntouched())
-            clearTable();
+            beginAsItFeels();
     });
     m_window->showFeel(m_presets.inUse(), m_presets.inUse());
 }
@@ -729,18 +783,27 @@ void Application::feelByHand(const core::settings::FeelPreset& preset)
     core::settings::FeelPreset asKept = preset;
     asKept.hash = m_presets.inUse().hash;
     m_byHand = asKept == m_presets.inUse() ? std::nullopt : std::optional(preset);
-    // An attempt at which nothing is cut yet is made with the whole preset, and says so.
+    // An attempt that nobody has begun to work on is made with the whole preset, and says so.
     const bool isWhole = lessons::hashed(preset).hash == preset.hash;
     if (isWhole && isUntouched() && !m_assignment.exercise)
-        begin(lessons::Assignment(m_assignment), {}, false);
+        beginAsItFeels();
     else
         feel(preset);
 }
 
+/// What is whole because it was undone could be redone, and what has a grade is an attempt already.
 bool Application::isUntouched() const
 {
     const auto tooth = m_session.toothSoFar();
-    return !m_replay && tooth && tooth->anatomy == m_assignment.anatomy && tooth->top == tooth->anatomy->top;
+    const bool isGraded = m_graded && m_graded->generation == m_ownGeneration;
+    return !m_replay && !isGraded && tooth && tooth->anatomy == m_assignment.anatomy &&
+           tooth->top == tooth->anatomy->top && m_session.historySoFar().size() <= 1;
+}
+
+/// The same once more. What was found of a scan is not found again, and still to be answered.
+void Application::beginAsItFeels()
+{
+    begin(lessons::Assignment(m_assignment), std::function<QStringList()>(m_notes), m_isUnitInDoubt);
 }
 
 /// What the servo has not been told yet; the rest later, where there is no room.
@@ -1006,6 +1069,8 @@ void Application::lay(const lessons::Assignment& assignment, const core::session
     }
     m_explainer.forget();
     m_assignment = assignment;
+    m_notes = notes;
+    m_isUnitInDoubt = unitInDoubt;
     m_settings = settings;
     m_numbers = core::session::numbersOf(m_settings);
     m_numbersTold = m_numbers;
@@ -1274,9 +1339,11 @@ void Application::keepGrade()
     m_desk->keep(this, m_who, m_graded->record, m_graded->recording,
                  [this, uid = m_graded->record.uid](const core::Status& kept) {
                      if (!kept)
-                         m_window->showError(kept.error(), Failed::KeepingGrades);
+                         m_window->showNotKept(kept.error());
                      if (!m_graded || m_graded->record.uid != uid || m_graded->keeping != Keeping::Pending)
                          return;
+                     if (kept)
+                         m_window->forgetNotKept();
                      m_graded->keeping = kept ? Keeping::Waiting : Keeping::Nowhere;
                      tellKeeping();
                      if (!kept)
@@ -1298,6 +1365,7 @@ void Application::keepAgain(const std::string& uid)
         }
         m_graded->keeping = Keeping::Waiting;
         tellKeeping();
+        m_window->forgetNotKept();
         m_window->showMessage(tr("The grade that could not be kept is kept now."));
     });
 }
@@ -1321,7 +1389,7 @@ void Application::keepGuestsGrade()
                 if (!isOverLimit)
                     m_desk->keep(this, who, record, recording, [this](const core::Status& kept) {
                         if (!kept)
-                            m_window->showError(kept.error(), Failed::KeepingGrades);
+                            m_window->showNotKept(kept.error());
                     });
                 return;
             }
@@ -1648,8 +1716,26 @@ void Application::watchJournal()
         m_window->showError(*failure, Failed::KeepingAttempt);
 }
 
-/// Offers the newest attempt that was not finished; one that cannot be read is told of and put aside.
+/// Where a student has no attempt left it could not be gone on with. Nobody waits for a server that does not answer.
 void Application::offerUnfinished()
+{
+    if (!m_desk || m_who.role() != database::Role::Student) {
+        lookForUnfinished({});
+        return;
+    }
+    const auto look = [this, isDecided = std::make_shared<bool>(false), who = m_who](const LessonIds& usedUp) {
+        if (!std::exchange(*isDecided, true) && m_who == who)
+            lookForUnfinished(usedUp);
+    };
+    m_desk->ask(
+        this, [who = m_who](const School& school) { return usedUpLessons(school, who); },
+        [look](const core::Result<LessonIds>& usedUp) { look(usedUp.value_or(LessonIds())); });
+    QTimer::singleShot(kLongestLookMs, this, [look] { look({}); });
+}
+
+/// Offers the newest attempt that was not finished; one that cannot be read is told of and put aside.
+/// @param usedUp  an attempt at one of these waits until there may be another
+void Application::lookForUnfinished(const LessonIds& usedUp)
 {
     struct Search
     {
@@ -1658,7 +1744,7 @@ void Application::offerUnfinished()
     };
     inBackground(
         this,
-        [folder = journalFolder(m_stationFolder, m_who)] {
+        [folder = journalFolder(m_stationFolder, m_who), usedUp] {
             Search search;
             core::recording::tidyJournals(folder);
             // A program that was just killed may hold its journal for a moment more.
@@ -1674,6 +1760,8 @@ void Application::offerUnfinished()
                             core::recording::discardJournal(path);
                     } else if (*found && isDone((*found)->recording)) {
                         core::recording::discardJournal(path);
+                    } else if (*found && usedUp.contains(limitedLessonOf((*found)->recording))) {
+                        continue;
                     } else if (*found) {
                         search.found = std::move(*found);
                         break;
@@ -1700,6 +1788,11 @@ void Application::tellUnfinished()
     if (!m_unfinished)
         return;
     const core::recording::Recording& recording = m_unfinished->recording;
+    const auto given = m_lessonsRead.given.find(limitedLessonOf(recording));
+    if (given != m_lessonsRead.given.end() && given->second.attemptsLeft == 0) {
+        m_window->forgetUnfinished();
+        return;
+    }
     const lessons::ReadLesson read =
         lessons::readLessonText(QByteArray::fromStdString(recording.lesson()), QStringLiteral("lesson"));
     m_window->offerUnfinished(
@@ -1721,13 +1814,10 @@ void Application::resumeUnfinished()
             tr("This attempt was made with another device, so it cannot be gone on with. It is kept."));
         return;
     }
-    const lessons::ReadLesson read =
-        lessons::readLessonText(QByteArray::fromStdString(m_unfinished->recording.lesson()), QStringLiteral("lesson"));
     const int load = ++m_loading;
     m_window->showBusy(tr("Taking up the attempt …"));
-    // That an exam was begun has been counted: to end it takes no other attempt.
-    if (read.lesson && !read.lesson->exam)
-        whereAllowed(read.lesson->id, [this, load] { rebuildUnfinished(load); });
+    if (const std::string lesson = limitedLessonOf(m_unfinished->recording); !lesson.empty())
+        whereAllowed(lesson, [this, load] { rebuildUnfinished(load); });
     else
         rebuildUnfinished(load);
 }
@@ -1789,13 +1879,13 @@ void Application::discardUnfinished()
 }
 
 /// The student's own attempt stays in the two loops, which rest meanwhile.
-void Application::play(const core::recording::Recording& recording, std::optional<double> heldAtS, const QString& whose)
+bool Application::play(const core::recording::Recording& recording, std::optional<double> heldAtS, const QString& whose)
 {
     auto replay = ReplayDesk::make(recording, m_links, *m_window, m_generation + 1,
                                    m_options.simulatedDevice ? m_device.get() : nullptr);
     if (!replay) {
         refuse(replay.error(), Failed::OpeningRecording, {});
-        return;
+        return false;
     }
     if (m_replay) {
         putReplayAway();
@@ -1815,6 +1905,7 @@ void Application::play(const core::recording::Recording& recording, std::optiona
     if (heldAtS)
         m_replay->holdAt(*heldAtS);
     m_replay->start();
+    return true;
 }
 
 /// Of the attempt that was graded, a little before that moment, held.
@@ -1823,8 +1914,7 @@ void Application::showMoment(double seconds)
     if (m_opened)
         playOpened(std::max(0.0, seconds - ui::replay::kLeadUpS));
     else if (m_graded && !m_replay) {
-        play(m_graded->recording, std::max(0.0, seconds - ui::replay::kLeadUpS));
-        m_playsCard = m_replay != nullptr;
+        m_playsCard = play(m_graded->recording, std::max(0.0, seconds - ui::replay::kLeadUpS));
         if (m_playsCard && m_people)
             m_people->followReplay(m_graded->record);
     }
@@ -1833,10 +1923,10 @@ void Application::showMoment(double seconds)
 /// The attempt whose score card is open; the way back leads there.
 void Application::playOpened(std::optional<double> heldAtS)
 {
-    play(*m_opened, heldAtS, m_people->whoseIsTalkedAbout());
-    m_playsCard = m_replay != nullptr;
-    if (m_playsCard)
-        m_people->followReplay(m_people->talkedAbout());
+    if (!play(*m_opened, heldAtS, m_people->whoseIsTalkedAbout()))
+        return;
+    m_playsCard = true;
+    m_people->followReplay(m_people->talkedAbout());
 }
 
 /// Waits until the tooth is there and drawn as it ended, saves the picture and quits.

@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 
 #include <QObject>
 #include <QString>
@@ -84,6 +85,8 @@ private:
     void askAtDoor(const std::function<core::Result<database::Session>(const database::sql::School&)>& work,
                    const std::function<void(const core::Error&)>& refuse = {});
     void enter(const database::Session& who);
+    void forgetWrongAlone();
+    void endNewSchool();
     void leave();
     void becomeGuest();
     void raisePasswordCost();
@@ -96,8 +99,9 @@ private:
                    const std::optional<core::settings::FeelPreset>& tried = {});
     void connectPresets();
     void feel(const core::settings::FeelPreset& preset);
-    /// Nothing is cut of what lies on the table.
+    /// Nobody has begun to work on what lies on the table.
     [[nodiscard]] bool isUntouched() const;
+    void beginAsItFeels();
     void feelByHand(const core::settings::FeelPreset& preset);
     void tellNumbers();
     void refuse(const core::Error& error, ui::text::Failed failed, const QString& file);
@@ -143,13 +147,15 @@ private:
     void clearTable();
     void watchJournal();
     void offerUnfinished();
+    void lookForUnfinished(const std::set<std::string>& usedUp);
     void tellUnfinished();
     void resumeUnfinished();
     void rebuildUnfinished(int load);
     void takeUp(std::unique_ptr<core::session::Unfinished> attempt);
     void discardUnfinished();
     /// @param heldAtS  this moment is shown and held; nothing: it is played from its beginning
-    void play(const core::recording::Recording& recording, std::optional<double> heldAtS = {},
+    /// @returns whether it is played; else it was said why not
+    bool play(const core::recording::Recording& recording, std::optional<double> heldAtS = {},
               const QString& whose = {});
     void playOpened(std::optional<double> heldAtS);
     void putReplayAway();
@@ -197,9 +203,11 @@ private:
     core::session::ServoNumbers m_numbers{};             ///< that the servo is to have
     core::session::ServoNumbers m_numbersTold{};         ///< that it has, or has been sent
     core::session::ServoSettings m_settings;             ///< of the student's own attempt
-    lessons::Assignment m_assignment;   ///< the student's own; its anatomy is null until a tooth is taken
-    std::uint64_t m_ownGeneration = 0;  ///< of that tooth
-    std::uint64_t m_generation = 0;     ///< of the newest tooth shown
+    lessons::Assignment m_assignment;      ///< the student's own; its anatomy is null until a tooth is taken
+    std::function<QStringList()> m_notes;  ///< on its scan
+    bool m_isUnitInDoubt = false;          ///< of that
+    std::uint64_t m_ownGeneration = 0;     ///< of that tooth
+    std::uint64_t m_generation = 0;        ///< of the newest tooth shown
     int m_pictureLooks = 0;
     int m_loading = 0;  ///< number of the newest load: an older one that comes late is dropped
     /// The grade given last: the same work is not graded twice.

@@ -139,14 +139,14 @@ PeopleDesk::PeopleDesk(MainWindow& window, SchoolDesk& desk, std::function<datab
     connect(&history, &HistoryPage::lessonChosen, this, &PeopleDesk::tellClassAt);
     connect(&history, &HistoryPage::replayWanted, this, [this](qint64 id) {
         fetch(id, [this](const auto& attempt, const auto& recording) {
-            emit replayWanted(recording, whose(makerOf(attempt), attempt));
-            followReplay(attempt);
+            emit replayWanted(recording, attempt, whose(makerOf(attempt), attempt));
         });
     });
     connect(&m_window, &MainWindow::besidesWanted, this, &PeopleDesk::offerBeside);
     connect(&history, &HistoryPage::attemptOpenWanted, this, [this](qint64 id) {
         fetch(id, [this](const auto& attempt, const auto& recording) { emit scoreWanted(attempt, recording); });
     });
+    connect(&m_window, &MainWindow::draftWanted, this, &PeopleDesk::openDraft);
     connectTalk();
     connectReport();
     ClassPage& classes = m_window.classPage();
@@ -314,10 +314,25 @@ void PeopleDesk::talkAbout(const std::optional<database::AttemptRecord>& attempt
     tellBefore();
 }
 
-/// Of the person whose attempts are shown, or one's own.
+/// Whoever's attempts are shown by now: who opens one has seen its maker's before.
 QString PeopleDesk::makerOf(const database::AttemptRecord& attempt) const
 {
-    return attempt.person == m_who().person() ? QString::fromStdString(m_who().fullName()) : m_personName;
+    if (attempt.person == m_who().person())
+        return QString::fromStdString(m_who().fullName());
+    const auto known = m_names.find(attempt.person.value);
+    return known != m_names.end() ? known->second : QString();
+}
+
+/// Before the list that it belongs to, and where it was being written.
+void PeopleDesk::openDraft(qint64 id)
+{
+    fetch(id, [this](const auto& attempt, const auto& recording) {
+        const bool isOwn = attempt.person == m_who().person();
+        openHistory(attempt.person, isOwn ? QString() : makerOf(attempt), {}, [this, attempt, recording] {
+            m_reads = database::AttemptId{attempt.id};
+            emit scoreWanted(attempt, recording);
+        });
+    });
 }
 
 QString PeopleDesk::whoseIsTalkedAbout() const
@@ -408,7 +423,7 @@ void PeopleDesk::connectReport()
         });
     });
     connect(&classes, &ClassPage::tableWanted, this, [this, &classes](const QString& path) {
-        withReport([&classes, path](const ui::report::ClassReport&) { classes.saveTable(path); });
+        withReport([&classes, path, csv = classes.csv()](const ui::report::ClassReport&) { classes.save(path, csv); });
     });
     connect(&classes, &ClassPage::printWanted, this, [this, &classes] {
         const auto onPaper = [this, &classes](const std::shared_ptr<QPagedPaintDevice>& printer) {
@@ -424,6 +439,26 @@ void PeopleDesk::connectReport()
     });
 }
 
+/// Of the class as it is shown now: another may be by the time that the audit has answered.
+ui::report::ClassReport PeopleDesk::report() const
+{
+    ui::report::ClassReport report;
+    report.className = QString::fromStdString(m_overview.name);
+    report.teacher = QString::fromStdString(m_who().fullName());
+    report.overview = m_overview;
+    report.given = m_given;
+    report.titles = m_titles;
+    report.results = m_results;
+    if (const lessons::Lesson* known = lesson(m_results.lessonId)) {
+        report.passMarkTenths = known->rubric.passMarkTenths;
+        report.rubricTitle = known->rubric.title;
+        report.rubricVersion = known->rubric.version;
+        report.rubricHash = known->rubric.hash;
+        report.criteria = criteriaOf(*known);
+    }
+    return report;
+}
+
 /// With the head of the audit as it is now, so that paper and database can be compared.
 void PeopleDesk::withReport(const std::function<void(const ui::report::ClassReport&)>& use)
 {
@@ -434,25 +469,11 @@ void PeopleDesk::withReport(const std::function<void(const ui::report::ClassRepo
                 return tl::unexpected(noted.error());
             return database::sql::auditHead(school);
         },
-        [this, use](const core::Result<database::sql::AuditHead>& head) {
+        [this, use, report = report()](const core::Result<database::sql::AuditHead>& head) mutable {
             if (!head) {
                 m_window.classPage().say({});
                 refuse(head.error());
                 return;
-            }
-            ui::report::ClassReport report;
-            report.className = QString::fromStdString(m_overview.name);
-            report.teacher = QString::fromStdString(m_who().fullName());
-            report.overview = m_overview;
-            report.given = m_given;
-            report.titles = m_titles;
-            report.results = m_results;
-            if (const lessons::Lesson* known = lesson(m_results.lessonId)) {
-                report.passMarkTenths = known->rubric.passMarkTenths;
-                report.rubricTitle = known->rubric.title;
-                report.rubricVersion = known->rubric.version;
-                report.rubricHash = known->rubric.hash;
-                report.criteria = criteriaOf(*known);
             }
             report.proof = {QString::fromStdString(head->code()), QStringLiteral(CUSP_VERSION),
                             QDateTime::currentDateTime()};
@@ -507,11 +528,11 @@ void PeopleDesk::refuse(const core::Error& error)
 }
 
 void PeopleDesk::openHistory(database::PersonId person, const QString& fullName,
-                             const std::optional<std::string>& lesson)
+                             const std::optional<std::string>& lesson, const std::function<void()>& then)
 {
     m_person = person;
-    m_personName = fullName;
-    const auto show = [this, person, fullName, lesson](const core::Result<AttemptsNow>& found) {
+    m_names[person.value] = fullName;
+    const auto show = [this, person, fullName, lesson, then](const core::Result<AttemptsNow>& found) {
         if (!found) {
             refuse(found.error());
             return;
@@ -525,6 +546,8 @@ void PeopleDesk::openHistory(database::PersonId person, const QString& fullName,
         if (lesson)
             tellClassAt(QString::fromStdString(*lesson));
         m_window.openHistory();
+        if (then)
+            then();
     };
     readLessons([this, person, show] {
         askAs([who = m_who(), person](const School& school) { return readAttempts(school, who, person); }, show);

@@ -42,9 +42,10 @@ public:
     void followReplay(const std::optional<database::AttemptRecord>& played) { m_played = played; }
 
 signals:
-    /// This recording is to be played.
+    /// This recording is to be played; followReplay() is to be told.
     /// @param whose  who made it, and when
-    void replayWanted(const core::recording::Recording& recording, const QString& whose);
+    void replayWanted(const core::recording::Recording& recording, const database::AttemptRecord& attempt,
+                      const QString& whose);
     /// This recording is to be put beside what is played.
     void besideWanted(const core::recording::Recording& recording, const QString& name);
     /// This attempt's score card is to be shown.
@@ -63,7 +64,10 @@ private:
     void readLessons(const std::function<void()>& then);
     void tellLessons();
     [[nodiscard]] const lessons::Lesson* lesson(const std::string& id) const;
-    void openHistory(database::PersonId person, const QString& fullName, const std::optional<std::string>& lesson);
+    /// @param then  once they are shown
+    void openHistory(database::PersonId person, const QString& fullName, const std::optional<std::string>& lesson,
+                     const std::function<void()>& then = {});
+    void openDraft(qint64 attempt);
     void tellClassAt(const QString& lesson);
     void openClasses();
     void openAssign();
@@ -86,13 +90,14 @@ private:
     void sayInTalk(Work work);
     void takeBack(qint64 comment);
     void connectReport();
+    [[nodiscard]] ui::report::ClassReport report() const;
     void withReport(const std::function<void(const ui::report::ClassReport&)>& use);
 
     ui::shell::MainWindow& m_window;
     SchoolDesk& m_desk;
     std::function<database::Session()> m_who;
-    database::PersonId m_person;  ///< whose attempts are shown
-    QString m_personName;         ///< empty: one's own
+    database::PersonId m_person;              ///< whose attempts are shown
+    std::map<std::int64_t, QString> m_names;  ///< of those whose attempts have been shown
     database::ClassOverview m_overview;
     QList<database::ClassAssignment> m_given;  ///< to that class
     database::LessonResults m_results;

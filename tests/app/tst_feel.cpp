@@ -21,6 +21,7 @@
 #include "lessons/LessonReader.h"
 #include "lessons/PresetFile.h"
 #include "tests/support/OpenGlMain.h"
+#include "tests/support/Solids.h"
 #include "ui/console/Console.h"
 #include "ui/presets/PresetsPage.h"
 #include "ui/presets/TrialCard.h"
@@ -40,6 +41,7 @@ private slots:
 
     void aPresetIsTriedOnABlockAndKept();
     void whatIsTurnedByHandIsNamedAndHoldsForTheNextTooth();
+    void whatAScanAsksStaysAskedWhenAPresetIsLoaded();
     void twoPresetsAreComparedBlind();
     void whatIsWrongWithAFileStaysToBeRead();
     void anExamFeelsAsItShould();
@@ -174,6 +176,31 @@ void TestFeel::whatIsTurnedByHandIsNamedAndHoldsForTheNextTooth()
     QVERIFY(!lessons::presetUsed(recording()).isChanged);
     QTest::keyClick(child<QLineEdit>("consoleLine"), Qt::Key_Escape);
     QTRY_VERIFY(!child<ui::console::Console>()->isVisible());
+}
+
+void TestFeel::whatAScanAsksStaysAskedWhenAPresetIsLoaded()
+{
+    start();
+    // A millimetre wide, it can be no tooth in millimetres.
+    QFile scan(m_folder->filePath("cap.stl"));
+    QVERIFY(scan.open(QIODevice::WriteOnly));
+    scan.write(QByteArray::fromStdString(support::asBinaryStl(support::sphereCap(0.5F, 0.5F, 40, 10))));
+    scan.close();
+    const auto isAsked = [this] {
+        for (const QPushButton* button : child<ui::shell::MessageBar>()->findChildren<QPushButton*>())
+            if (button->isVisible() && button->text() == "Another unit")
+                return true;
+        return false;
+    };
+    emit m_application->window().scanChosen(scan.fileName());
+    QTRY_VERIFY_WITH_TIMEOUT(isAsked(), 30000);
+    QTest::qWait(500);
+    const core::settings::FeelPreset& other = lessons::shippedPresets().back();
+    emit m_application->window().feelWanted(other);
+    QTRY_COMPARE_WITH_TIMEOUT(lessons::presetUsed(recording()).name, QString::fromStdString(other.name), 30000);
+    QVERIFY(!lessons::presetUsed(recording()).isChanged);
+    child<ui::shell::MessageBar>()->dismiss();  // that the recording was saved
+    QVERIFY2(isAsked(), qPrintable(child<ui::shell::MessageBar>()->sentence()));
 }
 
 void TestFeel::twoPresetsAreComparedBlind()

@@ -3,6 +3,7 @@
 #include <QAbstractButton>
 #include <QAction>
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDir>
 #include <QDoubleSpinBox>
 #include <QElapsedTimer>
@@ -17,6 +18,7 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QRadioButton>
+#include <QScopeGuard>
 #include <QSlider>
 #include <QSpinBox>
 #include <QSqlQuery>
@@ -38,6 +40,7 @@
 #include "tests/support/OpenGlMain.h"
 #include "ui/admin/AdminPage.h"
 #include "ui/admin/AuditPart.h"
+#include "ui/admin/BackupPart.h"
 #include "ui/admin/RosterPart.h"
 #include "ui/people/AssignPage.h"
 #include "ui/people/ClassPage.h"
@@ -104,6 +107,13 @@ private slots:
     void theCardOfAnotherKeepsItsNameInAnotherLanguage();
     void anotherScoreIsNotOverruledUnseen();
     void whoLeftHisPlaceComesBackWithoutTheDatabase();
+    void aLoginForgetsWhatWasMistyped();
+    void whoWasLateToCreateTheSchoolIsAGuestOfIt();
+    void whoIsDisabledIsShownOutByLongWork();
+    void aRestoreThrowsNobodyElseOut();
+    void aClassReportIsOfTheClassThatWasShown();
+    void whatIsTypedWaitsForItsWriter();
+    void theFolderOfLessonsIsNamed();
     void whatTheDiskRefusesIsKeptWhenItCanBe();
     void aGuestsGradeIsKeptWhenHeLogsIn();
     void aGuestsGradeCountsAsAnAttempt();
@@ -116,6 +126,7 @@ private slots:
     void theSchoolsPresetIsTheAdmins();
     void whatIsGivenIsDueAndLimited();
     void noneBeginsAgainWhenTheAttemptsAreUsedUp();
+    void aPresetGivesNoAttemptBack();
     void anUnfinishedAttemptIsNotTakenUpWhenTheAttemptsAreUsedUp();
     void anExamThatIsBrokenOffIsToldOf();
     void aGuestsExamIsNobodys();
@@ -632,6 +643,228 @@ void TestSchool::whoLeftHisPlaceComesBackWithoutTheDatabase()
     QVERIFY(m_application->window().isAtDoor());
 }
 
+/// Neither his own slips of before nor another's make anybody wait.
+void TestSchool::aLoginForgetsWhatWasMistyped()
+{
+    start();
+    logIn("sam");
+    const auto tryWith = [this](const QString& password) {
+        QTRY_VERIFY_WITH_TIMEOUT(child<QLineEdit>("password")->isEnabled(), kPatienceMs);
+        child<QLineEdit>("password")->setText(password);
+        click("logIn");
+        QTRY_VERIFY_WITH_TIMEOUT(!m_application->window().isAtDoor() || child<QLineEdit>("password")->isEnabled(),
+                                 kPatienceMs);
+    };
+    const QString right = QString::fromStdString(kPassword);
+    QVERIFY(QFile::rename(file(), file() + ".away"));
+    actions().lock->trigger();
+    for (int k = 0; k < 3; ++k)
+        tryWith("somebody else's");
+    QVERIFY2(saidAtDoor().contains("Name or password is wrong"), qPrintable(saidAtDoor()));
+    QVERIFY(QFile::rename(file() + ".away", file()));
+    tryWith(right);
+    QVERIFY(!m_application->window().isAtDoor());
+    QVERIFY(QFile::rename(file(), file() + ".away"));
+    actions().lock->trigger();
+    tryWith("a slip");
+    tryWith(right);
+    QVERIFY2(!m_application->window().isAtDoor(), qPrintable(saidAtDoor()));
+    // Sue's place is hers.
+    actions().lock->trigger();
+    for (int k = 0; k < 6; ++k)
+        tryWith("somebody else's");
+    QVERIFY2(saidAtDoor().contains("Too many logins have failed"), qPrintable(saidAtDoor()));
+    QVERIFY(QFile::rename(file() + ".away", file()));
+    click("otherLogin");
+    QTRY_COMPARE_WITH_TIMEOUT(door(), Door::Login, kPatienceMs);
+    logIn("sue");
+    QTest::qWait(200);  // what her own password fits to is read
+    QVERIFY(QFile::rename(file(), file() + ".away"));
+    actions().lock->trigger();
+    tryWith(right);
+    QVERIFY2(!m_application->window().isAtDoor(), qPrintable(saidAtDoor()));
+    QVERIFY(QFile::rename(file() + ".away", file()));
+}
+
+/// Its lessons are changed by who teaches there.
+void TestSchool::whoWasLateToCreateTheSchoolIsAGuestOfIt()
+{
+    QVERIFY(QFile::remove(file()));
+    start();
+    QTRY_COMPARE_WITH_TIMEOUT(door(), Door::NewSchool, kPatienceMs);
+    {
+        const auto database = sql::Database::open(file()).value();
+        const sql::School school{database->handle(), StationKey::readOrMake(m_folder->filePath("station.key")).value()};
+        QVERIFY(sql::Logins::createFirstAdmin(school, {"boss", "Bea", "Boss", Role::Admin}, kPassword, {1, 8192}));
+    }
+    child<QLineEdit>("username")->setText("nora");
+    child<QLineEdit>("password")->setText(QString::fromStdString(kPassword));
+    child<QLineEdit>("passwordAgain")->setText(QString::fromStdString(kPassword));
+    click("logIn");
+    QTRY_COMPARE_WITH_TIMEOUT(door(), Door::Login, kPatienceMs);
+    QVERIFY2(saidAtDoor().contains("Somebody has been entered here meanwhile"), qPrintable(saidAtDoor()));
+    QCOMPARE(m_application->window().focusWidget(), child<QLineEdit>("username"));
+    click("practiseAsGuest");
+    QTRY_VERIFY_WITH_TIMEOUT(!m_application->window().isAtDoor(), kPatienceMs);
+    actions().lessons->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(child<ui::study::LessonsPage>()->isVisible(), kPatienceMs);
+    QVERIFY(!actions().editLesson->isVisible() && !actions().editLesson->isEnabled());
+}
+
+void TestSchool::whoIsDisabledIsShownOutByLongWork()
+{
+    start();
+    logIn("admin");
+    openSchool(ui::admin::AdminPage::Backups);
+    QTest::qWait(1000);  // what the page asks for has been answered
+    QVERIFY(sql::execute(sql::Database::open(file()).value()->handle(),
+                         "UPDATE people SET disabled = 1 WHERE username = 'admin'", "write"));
+    click("checkAll");
+    QTRY_COMPARE_WITH_TIMEOUT(door(), Door::Login, kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(m_application->window().isAtDoor(), kPatienceMs);
+    QVERIFY2(saidAtDoor().contains("This account was disabled"), qPrintable(saidAtDoor()));
+}
+
+/// Who had asked for it has left while the backup was looked at.
+void TestSchool::aRestoreThrowsNobodyElseOut()
+{
+    start();
+    logIn("admin");
+    openSchool(ui::admin::AdminPage::Backups);
+    click("backUp");
+    QTRY_VERIFY_WITH_TIMEOUT(child<QTableView>("backups")->model()->rowCount() > 0, kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("backUp")->isEnabled(), kPatienceMs);
+    emit child<ui::admin::BackupPart>()->restoreWanted(
+        QDir(sql::backupFolder(file())).filePath(sql::backupsIn(sql::backupFolder(file())).front()));
+    // All of this before the answer is heard.
+    actions().lock->trigger();
+    child<QPushButton>("otherLogin")->click();
+    QTest::qWait(1000);
+    QVERIFY2(!saidAtDoor().contains("restored"), qPrintable(saidAtDoor()));
+    QVERIFY2(!saidAtDoor().contains("in place"), qPrintable(saidAtDoor()));
+    logIn("sam");
+}
+
+/// Another was chosen by the time that the audit had answered.
+void TestSchool::aClassReportIsOfTheClassThatWasShown()
+{
+    {
+        const auto database = sql::Database::open(file()).value();
+        const sql::School school{database->handle(), StationKey::readOrMake(m_folder->filePath("station.key")).value()};
+        const auto admin = sql::Logins::login(school, "admin", kPassword).value();
+        const ClassId other = sql::addClass(school, admin, "DEN102-B").value();
+        for (const char* name : {"sue", "ines"}) {
+            const auto id = sql::ask(school.db, "SELECT id FROM people WHERE username = ?", "r", {QLatin1String(name)});
+            QVERIFY(sql::enrol(school, admin, other, {id.value().toLongLong()}, true));
+        }
+    }
+    start();
+    logIn("ines");
+    const auto* const matrix = child<QTableView>("matrix")->model();
+    const auto student = [matrix] { return matrix->headerData(0, Qt::Vertical).toString(); };
+    QTRY_VERIFY_WITH_TIMEOUT(matrix->rowCount() == 1 && student().startsWith("sam"), kPatienceMs);
+    auto* const classes = child<QComboBox>("classChooser");
+    classes->setCurrentIndex(classes->findText("DEN102-B", Qt::MatchStartsWith));
+    const QString table = m_folder->filePath("class.csv");
+    emit child<ui::people::ClassPage>()->tableWanted(table);
+    QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(table), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(student().startsWith("sue"), kPatienceMs);
+    QFile written(table);
+    QVERIFY(written.open(QIODevice::ReadOnly));
+    const QByteArray rows = written.readAll();
+    const auto noted = sql::ask(sql::Database::open(file()).value()->handle(),
+                                "SELECT classes.name FROM audit JOIN classes ON audit.object = 'class:' || classes.id "
+                                "WHERE action = 'class.export'",
+                                "read");
+    QVERIFY2(rows.contains(noted->toString() == "DEN102-B" ? "sue" : "sam"), rows.constData());
+}
+
+/// A comment that was begun is shown to nobody else, and where it was begun it bears the name of who it is about.
+void TestSchool::whatIsTypedWaitsForItsWriter()
+{
+    {
+        const auto database = sql::Database::open(file()).value();
+        const sql::School school{database->handle(), StationKey::readOrMake(m_folder->filePath("station.key")).value()};
+        const auto admin = sql::Logins::login(school, "admin", kPassword).value();
+        const auto sue = sql::ask(school.db, "SELECT id FROM people WHERE username = 'sue'", "read").value();
+        QVERIFY(
+            sql::enrol(school, admin, sql::listClasses(school, admin).value().front().id, {sue.toLongLong()}, true));
+    }
+    start();
+    for (const char* name : {"sam", "sue"}) {
+        if (QLatin1String(name) == u"sam")
+            logIn(name);
+        else
+            leaveFor(name);
+        toTheTooth();
+        QTRY_COMPARE_WITH_TIMEOUT(removed(), QString("0.00"), kPatienceMs);
+        drill(-2.0);
+        grade("first grade");
+    }
+    leaveFor("ines");
+    const auto* const matrix = child<QTableView>("matrix")->model();
+    const auto openAttemptOf = [&](int row) {
+        emit child<QTableView>("matrix")->verticalHeader()->sectionDoubleClicked(row);
+        openNewest();
+    };
+    auto* const words = child<QPlainTextEdit>("commentWords");
+    const auto* const page = child<ui::study::ScorePage>();
+    actions().classes->trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(matrix->rowCount(), 2, kPatienceMs);
+    openAttemptOf(0);
+    const QString first = page->person();
+    QVERIFY(first.startsWith("sam") || first.startsWith("sue"));
+    words->setPlainText("Half a sentence");
+    actions().classes->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(child<ui::people::ClassPage>()->isVisible(), kPatienceMs);
+    openAttemptOf(1);
+    QVERIFY(page->person() != first);
+    QVERIFY(words->toPlainText().isEmpty());
+    // The answer that loses nothing leads to whom it is about, and back to his attempts.
+    m_application->window().close();
+    click("questionSave");
+    QTRY_COMPARE_WITH_TIMEOUT(words->toPlainText(), QString("Half a sentence"), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(page->isVisible(), kPatienceMs);
+    QCOMPARE(page->person(), first);
+    actions().back->trigger();
+    QVERIFY(child<ui::people::HistoryPage>()->isVisible());
+    const auto titles = child<ui::people::HistoryPage>()->findChildren<QLabel*>();
+    QVERIFY(std::any_of(titles.begin(), titles.end(),
+                        [&](const QLabel* one) { return one->isVisible() && one->text().contains(first); }));
+    // Somebody else is told that something waits, and not what.
+    leaveFor("sam");
+    actions().attempts->trigger();
+    openNewest();
+    QVERIFY(words->toPlainText().isEmpty());
+    m_application->window().close();
+    QVERIFY(m_application->window().isVisible());
+    const QString asked = child<QLabel>("questionDetail")->text();
+    QVERIFY2(asked.contains("somebody else has typed") && !asked.contains("Half"), qPrintable(asked));
+    click("questionSave");
+    QVERIFY2(message().contains("until that person logs in"), qPrintable(message()));
+    leaveFor("ines");
+    actions().classes->trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(matrix->rowCount(), 2, kPatienceMs);
+    openAttemptOf(0);
+    QCOMPARE(words->toPlainText(), QString("Half a sentence"));
+}
+
+void TestSchool::theFolderOfLessonsIsNamed()
+{
+    start();
+    QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("practiseAsGuest")->isVisible(), kPatienceMs);
+    click("practiseAsGuest");
+    toTheTooth();
+    // Nothing here shows folders.
+    const QByteArray path = qgetenv("PATH");
+    const auto asItWas = qScopeGuard([&path] { qputenv("PATH", path); });
+    for (const char* name : {"BROWSER", "DEFAULT_BROWSER"})
+        qunsetenv(name);
+    qputenv("PATH", "/nowhere");
+    emit m_application->window().lessonFolderWanted();
+    QVERIFY2(message().contains(QDir::toNativeSeparators(lessons::teachersFolder())), qPrintable(message()));
+}
+
 void TestSchool::whatTheDiskRefusesIsKeptWhenItCanBe()
 {
     start();
@@ -645,7 +878,10 @@ void TestSchool::whatTheDiskRefusesIsKeptWhenItCanBe()
     QVERIFY2(message().contains("Make room on the disk"), qPrintable(message()));
     QVERIFY(inTheWay.remove());
     QTRY_COMPARE_WITH_TIMEOUT(attemptsKept(), 1, kPatienceMs);
-    QVERIFY2(message().contains("is kept now"), qPrintable(message()));
+    QTRY_VERIFY2_WITH_TIMEOUT(message().contains("is kept now"), qPrintable(message()), kPatienceMs);
+    // What was said before is over.
+    child<ui::shell::MessageBar>()->dismiss();
+    QVERIFY2(!message().contains("Make room on the disk"), qPrintable(message()));
     QTRY_VERIFY2_WITH_TIMEOUT(keeping().contains("first grade"), qPrintable(keeping()), kPatienceMs);
 }
 
@@ -1003,6 +1239,42 @@ void TestSchool::noneBeginsAgainWhenTheAttemptsAreUsedUp()
     QVERIFY(!actions().reload->toolTip().contains("used up"));
 }
 
+/// What is whole again because it was undone has a grade all the same, and can be redone.
+void TestSchool::aPresetGivesNoAttemptBack()
+{
+    give("block-line", 1);
+    start();
+    logIn("sam");
+    toTheTooth();
+    beginLesson("block-line");
+    drill(0.0);
+    const auto loadSoft = [this] {
+        auto soft = lessons::shippedPresets().back();
+        emit m_application->window().feelWanted(soft);
+        QTest::qWait(500);
+    };
+    const auto undo = [this] {
+        for (int k = 0; k < 20 && actions().undo->isEnabled(); ++k) {
+            actions().undo->trigger();
+            QTest::qWait(200);
+        }
+        QTRY_COMPARE_WITH_TIMEOUT(removed(), QString("0.00"), kPatienceMs);
+    };
+    undo();
+    QVERIFY(actions().redo->isEnabled());
+    loadSoft();
+    QVERIFY(actions().redo->isEnabled());
+    drill(0.0);
+    gradeLesson();
+    QTRY_COMPARE_WITH_TIMEOUT(attemptsKept(), 1, kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(!actions().reload->isEnabled(), kPatienceMs);
+    toTheTooth();
+    undo();
+    loadSoft();
+    QVERIFY(!actions().reload->isEnabled());
+    QVERIFY(actions().redo->isEnabled());
+}
+
 /// The teacher has given it meanwhile, and counts what was done before.
 void TestSchool::anUnfinishedAttemptIsNotTakenUpWhenTheAttemptsAreUsedUp()
 {
@@ -1016,15 +1288,32 @@ void TestSchool::anUnfinishedAttemptIsNotTakenUpWhenTheAttemptsAreUsedUp()
     toTheTooth();
     drill(2.0);  // goes on with it
     leaveFor("sue");
-    give("block-line", 1);
     leaveFor("sam");
-    const auto* list = child<QListView>("lessonList")->model();
-    QTRY_COMPARE_WITH_TIMEOUT(list->index(0, 0).data().toString(), QString("Given to you"), kPatienceMs);
-    QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("continueWords")->text().contains("Continue where I stopped"), kPatienceMs);
-    QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("continue")->isVisible(), kPatienceMs);
+    const auto isOffered = [this] {
+        return child<QPushButton>("continue")->isVisible() &&
+               child<QLabel>("continueWords")->text().contains("Continue where I stopped");
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(isOffered(), kPatienceMs);
+    give("block-line", 1);
     click("continue");
     QTRY_VERIFY2_WITH_TIMEOUT(message().contains("used up your attempts"), qPrintable(message()), kPatienceMs);
     QCOMPARE(removed(), QString("0.00"));
+    // From then on it is not offered, and is there again once there may be another attempt.
+    const auto* list = child<QListView>("lessonList");
+    actions().lessons->trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(list->model()->index(0, 0).data().toString(), QString("Given to you"), kPatienceMs);
+    QVERIFY(!isOffered());
+    leaveFor("sue");
+    leaveFor("sam");
+    QTRY_COMPARE_WITH_TIMEOUT(list->model()->index(0, 0).data().toString(), QString("Given to you"), kPatienceMs);
+    QTest::qWait(1000);  // what is unfinished is looked for
+    QVERIFY(!isOffered());
+    QVERIFY2(!message().contains("an attempt of"), qPrintable(message()));
+    QVERIFY(sql::execute(sql::Database::open(file()).value()->handle(), "UPDATE assignments SET attempt_limit = 2",
+                         "write"));
+    leaveFor("sue");
+    leaveFor("sam");
+    QTRY_VERIFY_WITH_TIMEOUT(isOffered(), kPatienceMs);
 }
 
 /// Not to have it graded gives no attempt back.

@@ -176,6 +176,9 @@ private slots:
     void theChartsShareASmallerWindowAsBefore();
     void aRefusedPasswordIsTypedAnew();
     void whoWasLateToCreateTheSchoolLogsIn();
+    void whoTypesACommandGoesOnTyping();
+    void whatARuleStoppedTurnsAgainInTheNextLesson();
+    void draftsWaitForWhoTeaches();
     void anAdminIsToldHowToBeginWithClasses();
     void aHalfFilledFormIsPutAside();
     void presetsAreFoundFromTheSchoolAndFromOnesPlace();
@@ -1508,8 +1511,11 @@ void TestMainWindow::whoWasLateToCreateTheSchoolLogsIn()
     m_window->setNewSchool(true);
     m_window->askLogin();
     QCOMPARE(child<ui::people::LoginPage>()->door(), ui::people::Door::NewSchool);
-    m_window->refuseLogin({core::ErrorCode::NotAllowed, "there are people here already"});
+    m_window->setNewSchool(false);
+    m_window->askLogin();
     QCOMPARE(child<ui::people::LoginPage>()->door(), ui::people::Door::Login);
+    m_window->refuseLogin({core::ErrorCode::NotAllowed, "there are people here already"});
+    QCOMPARE(QApplication::focusWidget(), child<QLineEdit>("username"));  // of this form nothing is typed yet
     const auto says = [this](const QString& words) {
         const auto labels = child<ui::people::LoginPage>()->findChildren<QLabel*>();
         return std::any_of(labels.begin(), labels.end(), [&](const QLabel* one) {
@@ -2932,6 +2938,101 @@ void TestMainWindow::whatPagesHaveNotKeptIsAskedAbout()
     QVERIFY(m_window->isVisible() && people.isVisible());
     m_window->close();
     child<QuestionCard>("unkeptQuestion")->findChild<QPushButton*>("questionDiscard")->click();
+    QVERIFY(!m_window->isVisible());
+}
+
+/// The rest of the command would be taken for keys of the tooth.
+void TestMainWindow::whoTypesACommandGoesOnTyping()
+{
+    press(Qt::Key_F10);
+    const auto* const line = child<QLineEdit>("consoleLine");
+    QTRY_COMPARE(QApplication::focusWidget(), line);
+    core::grading::Infraction infraction;
+    infraction.breach = core::grading::Breach::BurInAir;
+    infraction.limit = 20.0;
+    m_window->tellInfraction(infraction, false);
+    QVERIFY(child<ui::study::InfractionCard>()->isVisible());
+    QCOMPARE(QApplication::focusWidget(), line);
+    // It is there for who has closed the console.
+    press(Qt::Key_Escape);
+    QVERIFY(child<ui::study::InfractionCard>()->isVisible());
+    QCOMPARE(QApplication::focusWidget(), child<QPushButton>("goOn"));
+    press(Qt::Key_F10);
+    QTRY_COMPARE(QApplication::focusWidget(), line);
+    // The work is laid anew, as by a preset that is loaded.
+    const auto practice = lessons::practiceOn(support::syntheticMolar()).value();
+    m_window->setAssignment(practice);
+    m_window->showTooth(practice.anatomy, 2, {});
+    QCOMPARE(QApplication::focusWidget(), line);
+    press(Qt::Key_Escape);
+    QTRY_COMPARE(QApplication::focusWidget(), &m_window->view());
+}
+
+void TestMainWindow::whatARuleStoppedTurnsAgainInTheNextLesson()
+{
+    const auto drillWish = [this] {
+        std::optional<bool> last;
+        for (const auto& command : sent())
+            if (const auto* drill = std::get_if<SetDrill>(&command))
+                last = drill->on;
+        return last;
+    };
+    const auto practice = lessons::practiceOn(support::syntheticMolar()).value();
+    std::uint64_t generation = 2;
+    const auto begin = [&] {
+        m_window->setAssignment(practice);
+        m_window->showTooth(practice.anatomy, generation++, {});
+    };
+    actions().drill->setChecked(true);
+    core::grading::Infraction infraction;
+    infraction.breach = core::grading::Breach::BurInAir;
+    m_window->tellInfraction(infraction, false);
+    QCOMPARE(drillWish(), std::optional(false));
+    begin();
+    QCOMPARE(drillWish(), std::optional(true));
+    // Who has stopped it himself finds it as he left it.
+    actions().drill->setChecked(true);
+    m_window->tellInfraction(infraction, false);
+    QCOMPARE(drillWish(), std::optional(false));
+    press(Qt::Key_Escape);
+    QCOMPARE(drillWish(), std::optional(true));
+    actions().drill->setChecked(false);
+    begin();
+    QCOMPARE(drillWish(), std::nullopt);
+}
+
+/// Nobody else is asked about them, or sees them.
+void TestMainWindow::draftsWaitForWhoTeaches()
+{
+    const QTemporaryDir folder;
+    auto* editor = child<ui::study::LessonEditor>();
+    editor->edit(shipped("class1-36"), folder.path());
+    auto* title = child<QLineEdit>("draftTitle");
+    title->clear();
+    QTest::keyClicks(title, "Mine");
+    m_window->setLessons(lessons::readCatalog({}), {});
+    const auto isMarked = [this] {
+        const auto* model = child<QListView>("lessonList")->model();
+        for (int row = 0; row < model->rowCount(); ++row)
+            if (model->index(row, 0).data(Qt::AccessibleDescriptionRole).toString().contains("not saved"))
+                return true;
+        return false;
+    };
+    actions().lessons->trigger();
+    QVERIFY(isMarked());
+    m_window->setMayEdit(false);
+    QVERIFY(!isMarked());
+    m_window->close();
+    QVERIFY(m_window->isVisible());
+    QVERIFY(child<QuestionCard>("draftQuestion") == nullptr);
+    const QString said = child<MessageBar>()->sentence();
+    QVERIFY2(said.contains("until a teacher logs in") && !said.contains("Mine"), qPrintable(said));
+    QCOMPARE(editor->unsaved(), QStringList{"Mine"});
+    m_window->setMayEdit(true);
+    QVERIFY(isMarked());
+    m_window->close();
+    QVERIFY(m_window->isVisible() && child<QuestionCard>("draftQuestion") != nullptr);
+    child<QPushButton>("questionDiscard")->click();
     QVERIFY(!m_window->isVisible());
 }
 

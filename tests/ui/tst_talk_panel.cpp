@@ -272,6 +272,7 @@ void TestTalkPanel::whatIsTypedStaysWithItsAttempt()
 {
     auto* words = get<QPlainTextEdit>("commentWords");
     auto* reason = get<QLineEdit>("reason");
+    m_panel->setWriter(1);
     m_panel->setAttempt(7);
     m_panel->setMoment(4500);
     m_panel->setPlace(std::array<double, 3>{1.0, 2.0, 3.0}, true);
@@ -305,13 +306,27 @@ void TestTalkPanel::whatIsTypedStaysWithItsAttempt()
     QCOMPARE(wanted[0][1].value<std::optional<std::int64_t>>(), std::optional<std::int64_t>(4500));
     const auto place = wanted[0][2].value<std::optional<std::array<double, 3>>>();
     QVERIFY(place.has_value());
-    m_panel->forget();
-    QVERIFY(!m_panel->unkeptComment() && !m_panel->unkeptScore());
+    // Who comes next sees nothing of it, and it is there again for who was writing.
+    QVERIFY(!m_panel->hasOthersUnkept());
+    m_panel->setWriter(2);
+    QVERIFY(!m_panel->unkeptComment() && !m_panel->unkeptScore() && m_panel->hasOthersUnkept());
     for (const qint64 attempt : {7, 8}) {
         m_panel->setAttempt(attempt);
         QCOMPARE(words->toPlainText(), QString());
         QCOMPARE(reason->text(), QString());
     }
+    m_panel->setWriter(3);
+    QVERIFY(m_panel->hasOthersUnkept());
+    m_panel->setAttempt(7);
+    QVERIFY(!get<QCheckBox>("atMoment")->isChecked() && !m_panel->place());
+    m_panel->setScore(684, 750, false);
+    QCOMPARE(get<QDoubleSpinBox>("givenPoints")->value(), 68.4);
+    m_panel->setWriter(1);
+    m_panel->setAttempt(7);
+    QCOMPARE(words->toPlainText(), QString("Half a sentence"));
+    QCOMPARE(reason->text(), QString("Half a reason"));
+    QCOMPARE(get<QDoubleSpinBox>("givenPoints")->value(), 45.5);
+    QVERIFY(get<QCheckBox>("atMoment")->isChecked() && m_panel->place() && !m_panel->hasOthersUnkept());
 }
 
 /// The button rests once the comment is there; a digit that is typed next must not become the score.

@@ -569,10 +569,18 @@ void ClassPage::say(std::function<QString()> words)
 
 bool ClassPage::saveTable(const QString& path)
 {
+    return save(path, csv());
+}
+
+QByteArray ClassPage::csv() const
+{
+    return charts::csv(table());
+}
+
+bool ClassPage::save(const QString& path, const QByteArray& csv)
+{
     QSaveFile file(path);
-    const QByteArray bytes = charts::csv(table());
-    const bool isWritten =
-        shell::openForOwner(file) && file.write(bytes) == bytes.size() && file.flush() && file.commit();
+    const bool isWritten = shell::openForOwner(file) && file.write(csv) == csv.size() && file.flush() && file.commit();
     const QString name = QDir::toNativeSeparators(path);
     say([isWritten, name, why = file.errorString()] {
         return isWritten ? tr("Saved: %1").arg(name)

@@ -62,6 +62,9 @@ public:
     [[nodiscard]] charts::Table table() const { return m_model->table(); }
     /// Writes the matrix and says below it what became of that.
     bool saveTable(const QString& path);
+    /// The matrix as a file, and what writes such a one and says what became of it.
+    [[nodiscard]] QByteArray csv() const;
+    bool save(const QString& path, const QByteArray& csv);
     void say(std::function<QString()> words);
     /// Asks for the class that is chosen once more: others work at it, too.
     void readAgain();
@@ -78,7 +81,7 @@ signals:
     /// The page where people are entered and classes are made.
     void peopleWanted();
     void pdfWanted();
-    /// saveTable() is to follow.
+    /// save() is to follow.
     void tableWanted(const QString& path);
     void printWanted();
 

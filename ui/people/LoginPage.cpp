@@ -338,7 +338,9 @@ void LoginPage::refuse(std::function<QString()> sentence)
 {
     setBusy(false);
     tellFault(std::move(sentence));
-    QLineEdit* const again = m_old->isVisible() ? m_old : m_password;
+    // Who has been sent to another door has typed nothing there yet.
+    const bool isEmpty = m_password->text().isEmpty() && m_name->isVisible() && m_name->text().isEmpty();
+    QLineEdit* const again = m_old->isVisible() ? m_old : isEmpty ? m_name : m_password;
     again->setFocus();
     again->selectAll();
 }

@@ -178,11 +178,16 @@ void TalkPanel::setAttempt(qint64 attempt)
     say({});
 }
 
-void TalkPanel::forget()
+void TalkPanel::setWriter(qint64 person)
 {
-    take({});
+    if (person == m_writer)
+        return;
     setAttempt(0);
-    m_drafts.clear();
+    take({});
+    m_waiting[m_writer] = std::move(m_drafts);
+    m_drafts = std::move(m_waiting[person]);
+    m_waiting.erase(person);
+    m_writer = person;
 }
 
 TalkPanel::Draft TalkPanel::draft() const
@@ -226,6 +231,15 @@ std::optional<qint64> TalkPanel::unkeptComment() const
 std::optional<qint64> TalkPanel::unkeptScore() const
 {
     return unkept(&Draft::reason);
+}
+
+bool TalkPanel::hasOthersUnkept() const
+{
+    for (const auto& [person, drafts] : m_waiting)
+        for (const auto& [attempt, draft] : drafts)
+            if (!draft.words.trimmed().isEmpty() || !draft.reason.trimmed().isEmpty())
+                return true;
+    return false;
 }
 
 std::optional<qint64> TalkPanel::unkept(QString Draft::*part) const

@@ -34,12 +34,15 @@ public:
     /// pins, and the score that was being given there wait until that comes again.
     void setAttempt(qint64 attempt);
     [[nodiscard]] qint64 attempt() const { return m_attempt; }
-    /// Who was writing has left: nothing of it stays.
-    void forget();
+    /// This person writes from now on, 0: a guest. What the one before was writing waits until he is back; it is shown
+    /// to nobody else.
+    void setWriter(qint64 person);
     /// One of the attempts with a comment that is typed and kept nowhere yet; nothing: there is none.
     [[nodiscard]] std::optional<qint64> unkeptComment() const;
     /// The same of a score that is being given, for which a reason is typed.
     [[nodiscard]] std::optional<qint64> unkeptScore() const;
+    /// Something that somebody else was writing waits for him.
+    [[nodiscard]] bool hasOthersUnkept() const;
     /// @param machineTenths  what the machine gave
     void setScore(int machineTenths, int passMarkTenths, bool passedByMachine);
     /// What was being written is cleared when it is among these.
@@ -105,7 +108,9 @@ private:
     [[nodiscard]] QPushButton* takeBackButton(const database::AttemptComment& comment);
     [[nodiscard]] QWidget* formInUse() const;
 
-    std::map<qint64, Draft> m_drafts;  ///< on the other attempts
+    std::map<qint64, Draft> m_drafts;                     ///< on the other attempts
+    qint64 m_writer = 0;                                  ///< whose they are
+    std::map<qint64, std::map<qint64, Draft>> m_waiting;  ///< of others, by the person
     qint64 m_attempt = 0;
     database::AttemptTalk m_talk;
     int m_machineTenths = 0;

@@ -202,7 +202,7 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
     connect(m_editor, &study::LessonEditor::lessonSaved, this, &MainWindow::lessonsWanted);
     const auto workOn = [this] {
         m_room->section().setHeld({});
-        if (m_infractionStopped)
+        if (std::exchange(m_infractionStopped, false))
             wishDrill(true);
         m_view->setFocus();
     };
@@ -293,7 +293,10 @@ MainWindow::~MainWindow()
 void MainWindow::connectActions()
 {
     const auto on = [this](QAction* action, auto what) { connect(action, &QAction::triggered, this, what); };
-    on(m_actions->drill, [this](bool checked) { wishDrill(checked); });
+    on(m_actions->drill, [this](bool checked) {
+        m_infractionStopped = false;
+        wishDrill(checked);
+    });
     for (int k = 0; k < m_actions->burs.size(); ++k)
         on(m_actions->burs[k], [this, k] { wishBur(k); });
     on(m_actions->fixture, [this] { emit fixtureWanted(m_actions->fixture->isChecked()); });
@@ -594,6 +597,7 @@ void MainWindow::askWho(people::Door door)
 void MainWindow::setWho(const database::Session& who)
 {
     m_who = who;
+    m_scorePage->talk().setWriter(who.person().value);
     m_actions->showAccount(QString::fromStdString(who.username()));
     m_actions->attempts->setVisible(!who.isGuest());
     m_actions->school->setVisible(who.role() == database::Role::Admin);
@@ -610,6 +614,7 @@ void MainWindow::setMayEdit(bool may)
 {
     m_mayEdit = may;
     m_actions->editLesson->setVisible(may);
+    m_lessonsPage->setUnsaved(may ? m_editor->unsavedFiles() : QSet<QString>());
     enableActions();
 }
 
@@ -660,19 +665,15 @@ void MainWindow::leaveAll()
     m_lessonsPage->setUnfinished({}, {});
     m_lessonsPage->forget();
     m_classes->forget();
-    m_scorePage->talk().forget();
     m_console->forget();
     m_view->setPushForce(tooth::PointerControl::kFirstN);
-    for (const auto topic : {MessageBar::Topic::Tooth, MessageBar::Topic::Unfinished, MessageBar::Topic::General})
+    for (const auto topic : {MessageBar::Topic::Tooth, MessageBar::Topic::Unfinished, MessageBar::Topic::General,
+                             MessageBar::Topic::Keeping})
         m_messages->withdraw(topic);
 }
 
 void MainWindow::refuseLogin(const core::Error& error)
 {
-    if (error.code == core::ErrorCode::NotAllowed && m_login->door() == people::Door::NewSchool) {
-        m_isNewSchool = false;  // somebody was faster
-        askLogin();
-    }
     if (error.code == core::ErrorCode::NewPassword)
         m_login->ask(people::Door::NewPassword);
     else if (error.code == core::ErrorCode::OutOfRange)
@@ -794,7 +795,7 @@ void MainWindow::registerParameters()
     connect(m_actions->console, &QAction::triggered, this, [this] {
         if (m_console->isVisible()) {
             m_console->hide();
-            m_view->setFocus();
+            focusRoom();
         } else {
             m_console->open();
         }
@@ -1235,6 +1236,8 @@ void MainWindow::showPractised(const core::grading::Practised& practised)
 void MainWindow::setDrillFor(lessons::Task task)
 {
     const bool shallRest = task == lessons::Task::TouchPoints || task == lessons::Task::HoldForce;
+    // What a rule has stopped was stopped for the work before only.
+    m_drillWasOn = std::exchange(m_infractionStopped, false) || m_drillWasOn;
     if (shallRest) {
         m_drillWasOn = m_drillWasOn || m_burRests || m_actions->drill->isChecked();
         wishDrill(false);
@@ -1546,16 +1549,26 @@ void MainWindow::goTo(QWidget* page)
     if (page != m_room)
         m_messages->withdraw(MessageBar::Topic::Lesson);
     if (page == m_lessonsPage)
-        m_lessonsPage->setUnsaved(m_editor->unsavedFiles());
+        m_lessonsPage->setUnsaved(m_mayEdit ? m_editor->unsavedFiles() : QSet<QString>());
     m_pages->setCurrentWidget(page);
     sayWayBack();
     restBur();
-    if (page == m_room && m_infractionCard->isVisible())
-        m_infractionCard->setFocus();
-    else if (page == m_room)
-        m_view->setFocus();
+    if (page == m_room)
+        focusRoom();
     enableActions();
     placeOverlays();
+}
+
+/// To what the keys are for in the practice room. Who types a command goes on typing: the rest of it would be taken
+/// for keys of the tooth.
+void MainWindow::focusRoom()
+{
+    if (m_console->isVisible() && m_console->isAncestorOf(focusWidget()))
+        return;
+    if (m_infractionCard->isVisible())
+        m_infractionCard->setFocus();
+    else
+        m_view->setFocus();
 }
 
 /// Where Esc leads from the page that is shown.
@@ -1787,25 +1800,36 @@ void MainWindow::showBusy(const QString& what)
 
 void MainWindow::showError(const core::Error& error, text::Failed failed, const QString& file)
 {
+    const bool ofTooth = failed == text::Failed::OpeningScan || failed == text::Failed::MakingTooth ||
+                         failed == text::Failed::OpeningRecording;
+    tellError(error, failed, file, ofTooth ? MessageBar::Topic::Tooth : MessageBar::Topic::General);
+}
+
+void MainWindow::showNotKept(const core::Error& error)
+{
+    forgetNotKept();
+    tellError(error, text::Failed::KeepingGrades, {}, MessageBar::Topic::Keeping);
+}
+
+void MainWindow::forgetNotKept()
+{
+    m_messages->withdraw(MessageBar::Topic::Keeping);
+}
+
+void MainWindow::tellError(const core::Error& error, text::Failed failed, const QString& file, MessageBar::Topic topic)
+{
     m_busy->done();
     enableActions();
     m_standsIn = m_tooth == nullptr;
     const QString exact = QString::fromStdString(error.detail);
     qWarning("%s", qPrintable(exact));
-    const bool ofTooth = failed == text::Failed::OpeningScan || failed == text::Failed::MakingTooth ||
-                         failed == text::Failed::OpeningRecording;
     const QString name = QFileInfo(file).fileName();
     // Its teacher can mend it: the key is named, as on the page of lessons.
     const QString detail =
         failed == text::Failed::OpeningLesson && !name.isEmpty() ? name + QStringLiteral(": ") + exact : name;
     m_messages->say([=] {
-        return MessageBar::Message{MessageBar::Kind::Error,
-                                   text::errorText(error, failed),
-                                   detail,
-                                   {},
-                                   {},
-                                   ofTooth ? MessageBar::Topic::Tooth : MessageBar::Topic::General,
-                                   exact};
+        return MessageBar::Message{
+            MessageBar::Kind::Error, text::errorText(error, failed), detail, {}, {}, topic, exact};
     });
 }
 
@@ -1934,6 +1958,8 @@ void MainWindow::tellInfraction(const core::grading::Infraction& infraction, boo
         enableActions();
     }
     m_infractionCard->tell(infraction, canTakeBack && didHarm);
+    if (m_pages->currentWidget() == m_room)
+        focusRoom();
     m_room->setHintVisible(false);
     placeOverlays();
 }
@@ -2137,6 +2163,20 @@ void MainWindow::leaveWork(const std::function<void()>& what)
          tr("&Save the recording …"), save, what});
 }
 
+/// Of what somebody else has left unsaved: wherever one is.
+void MainWindow::sayWaits(const std::function<QString()>& sentence)
+{
+    showMessage(sentence());
+    sayAtDoor(sentence);
+}
+
+/// Who may not change lessons, or stands at the door that another has locked, neither hears of drafts nor decides on
+/// them.
+bool MainWindow::mayDecideOnDrafts() const
+{
+    return m_mayEdit && (!isAtDoor() || m_mayLeaveDoor || m_who.isGuest());
+}
+
 void MainWindow::leaveDrafts(const std::function<void()>& what)
 {
     const QStringList titles = m_editor->unsaved();
@@ -2161,8 +2201,7 @@ std::vector<MainWindow::Unkept> MainWindow::unkept()
     const auto toSchool = [this, isAdmin](admin::AdminPage::Part part) {
         return [this, isAdmin, part] {
             if (!isAdmin) {  // only an admin may see them
-                showMessage(tr("It waits until an admin logs in here."));
-                sayAtDoor([] { return tr("It waits until an admin logs in here."); });
+                sayWaits([] { return tr("It waits until an admin logs in here."); });
                 return;
             }
             goTo(m_admin);
@@ -2176,8 +2215,11 @@ std::vector<MainWindow::Unkept> MainWindow::unkept()
     if (const auto attempt = talk.unkeptComment())
         all.push_back({tr("A comment was typed and is not added yet."), [this, attempt] { showDraft(*attempt); }});
     if (const auto attempt = talk.unkeptScore())
-        all.push_back({tr("A score with its reason was typed and is not given yet."),
-                       [this, attempt] { showDraft(*attempt); }});
+        all.push_back(
+            {tr("A score with its reason was typed and is not given yet."), [this, attempt] { showDraft(*attempt); }});
+    if (talk.hasOthersUnkept())
+        all.push_back({tr("A comment or a score that somebody else has typed is not kept yet."),
+                       [this] { sayWaits([] { return tr("It waits until that person logs in here."); }); }});
     all.erase(std::remove_if(all.begin(), all.end(), [](const Unkept& one) { return one.what.isEmpty(); }), all.end());
     return all;
 }
@@ -2185,7 +2227,7 @@ std::vector<MainWindow::Unkept> MainWindow::unkept()
 void MainWindow::showDraft(qint64 attempt)
 {
     if (m_scorePage->talk().attempt() != attempt) {
-        emit m_history->attemptOpenWanted(attempt);
+        emit draftWanted(attempt);
         return;
     }
     goTo(m_scorePage);
@@ -2231,6 +2273,12 @@ void MainWindow::closeEvent(QCloseEvent* event)
         return;
     }
     event->ignore();
+    if (!m_editor->unsaved().isEmpty() && !mayDecideOnDrafts()) {
+        sayWaits([] {
+            return tr("Cusp stays open: a teacher's work is not saved yet. It waits until a teacher logs in here.");
+        });
+        return;
+    }
     leaveWork([this] {
         leaveDrafts([this] {
             leaveUnkept([this] {

@@ -133,6 +133,9 @@ public slots:
     void showBusy(const QString& what);
     /// @param file  its path, where there is one
     void showError(const core::Error& error, text::Failed failed, const QString& file = {});
+    /// A grade could not be kept. That stands until forgetNotKept(), or until somebody closes it.
+    void showNotKept(const core::Error& error);
+    void forgetNotKept();
     /// What showBusy() told of came to nothing.
     void stopBusy();
     /// The time that a share of the last servo periods stays under, µs; NaN before there are any.
@@ -146,6 +149,8 @@ public slots:
     /// one of them is pressed, or it is closed.
     /// @param tooth  its title
     void offerUnfinished(const std::function<QString()>& tooth, const QDateTime& begun);
+    /// It is offered no longer.
+    void forgetUnfinished();
     /// It was discarded; a button takes that back.
     void offerToBringBack(const std::function<void()>& bringBack);
     /// @param history  grades of this tooth, newest first, this one included; empty: grades are not kept
@@ -288,6 +293,8 @@ signals:
     void keepWanted();
     /// What was said of this attempt is to be read; 0: there are several.
     void feedbackWanted(qint64 attempt);
+    /// What is typed of this attempt and kept nowhere yet is to be seen.
+    void draftWanted(qint64 attempt);
     /// Who works here leaves for somebody else; his work has been asked about, or is kept to be gone on with.
     void logoutWanted();
     void toothChosen(int fdi);
@@ -372,6 +379,7 @@ private:
 
     void speak();
     void sayTooth();
+    void tellError(const core::Error& error, text::Failed failed, const QString& file, MessageBar::Topic topic);
     MessageBar::Message noteOfScan(const QStringList& notes, bool unitInDoubt);
     void recallLayout();
     void connectActions();
@@ -387,6 +395,7 @@ private:
     void wishBur(int index);
     void wishHandpiece(int shipped);
     void goTo(QWidget* page);
+    void focusRoom();
     void goBack();
     [[nodiscard]] QWidget* pageBehind() const;
     void sayWayBack();
@@ -397,6 +406,8 @@ private:
     void leaveWork(const std::function<void()>& what);
     /// The same of lessons that were changed in the editor, whose drafts live as long as the window.
     void leaveDrafts(const std::function<void()>& what);
+    [[nodiscard]] bool mayDecideOnDrafts() const;
+    void sayWaits(const std::function<QString()>& sentence);
     /// What a page would lose with the window, in a sentence, and the way to where it can be kept.
     struct Unkept
     {
@@ -417,7 +428,6 @@ private:
     void tellUnreachable();
     void resumeUnfinished();
     void discardUnfinished();
-    void forgetUnfinished();
     void lockIfIdle();
     void closeAllOver();
     /// Whether something is saved or discarded; cancelled, nothing happens.

@@ -170,7 +170,6 @@ void InfractionCard::tell(const core::grading::Infraction& infraction, bool canT
     show();
     raise();
     setFocusProxy(canTakeBack ? m_takeBack : m_goOnButton);
-    setFocus();
 }
 
 void InfractionCard::placeIn(const QRect& area)

@@ -58,6 +58,7 @@ public:
     /// @param scored   what was marked; nothing: no pictures
     /// Whose work it is, after setScore(); empty: one's own.
     void setPerson(const QString& fullName);
+    [[nodiscard]] const QString& person() const { return m_person; }
     /// A teacher's score counts in place of the machine's, which stays beneath; nothing: the machine's.
     void setGiven(std::optional<int> tenths);
     void setScore(std::function<QString()> work, const ::lessons::ScoreSheet& sheet,
