@@ -20,6 +20,7 @@ namespace {
 
 const std::string kNote = "note it in the audit";
 constexpr std::size_t kCodeDigits = 12;
+constexpr std::int64_t kHighest = std::numeric_limits<std::int64_t>::max() / 4;  ///< number of a row that is believed
 constexpr std::size_t kLongestRun = 1000;  ///< of rows that were slipped in or taken out together
 const QString kColumns = QStringLiteral("seq, at_utc, actor, action, object, detail, hash");
 
@@ -60,7 +61,10 @@ QRegularExpressionMatch matchCode(const std::string& typed)
 class ChainReader
 {
 public:
-    explicit ChainReader(const std::vector<std::string>& witnesses)
+    /// @param signedSeq  of the row that was signed as the newest
+    /// @param lastSeq    of the last row there is
+    ChainReader(const std::vector<std::string>& witnesses, std::int64_t signedSeq, std::int64_t lastSeq)
+        : m_signedSeq(std::min(signedSeq, kHighest)), m_lastSeq(lastSeq)
     {
         for (const std::string& witness : witnesses) {
             const auto found = matchCode(witness);
@@ -76,6 +80,16 @@ public:
     void take(const AuditRow& row)
     {
         const std::string before = m_last.hash;
+        const bool isNext = row.seq == m_last.seq + 1;
+        if (!isNext && row.seq <= kHighest && isAs(row, m_last.seq + 1 + m_shift, before)) {
+            tellRenumbered(row);
+        } else if (row.seq > kHighest || row.seq + m_shift > m_signedSeq) {
+            m_firstUnsigned = m_firstUnsigned == 0 ? row.seq : m_firstUnsigned;
+            m_lastUnsigned = row.seq;
+            return;
+        } else if (!isNext) {
+            tellMissing(m_last.seq + 1, row.seq - 1);  // what stood before this row is not known
+        }
         witness(row);
         if (row.action == kJoin)
             m_stations.insert(row.object);
@@ -86,9 +100,7 @@ public:
                     "Finding",
                     "audit row %1 (%2, %3, %4) tells that the rows before it did not end as they had been signed"),
                 named(row));
-        if (row.seq != m_last.seq + 1)
-            tellMissing(m_last.seq + 1, row.seq - 1);  // what stood before this row is not known
-        else if (!isAs(row, row.seq + m_shift, before) && !explain(row))
+        if (isNext && !isAs(row, row.seq + m_shift, before) && !explain(row))
             suspect(row, before);
         m_beforeLast = before;
         m_recent.push_back({row.seq, before});
@@ -103,14 +115,15 @@ public:
     {
         settle();
         const AuditHead head{seal.value(0).toLongLong(), textOf(seal, 1)};
-        if (head.seq > m_last.seq)
-            tellMissing(m_last.seq + 1, head.seq);
-        else if (head.seq < m_last.seq)
-            tellUnsigned(head.seq + 1, m_last.seq);
+        const std::int64_t last = m_last.seq + m_shift;
+        if (head.seq > last)
+            tellMissing(last + 1, head.seq);
         else if (head.hash != m_last.hash)
             say(QT_TRANSLATE_NOOP("Finding",
                                   "audit row %1 (%2, %3, %4) is not the one that was signed: it was changed"),
                 named(m_last));
+        if (m_firstUnsigned > 0)
+            tellUnsigned(m_firstUnsigned, m_lastUnsigned);
         if (head.seq > 0 && !StationKey::isSigned(wordsOf(head), textOf(seal, 2), textOf(seal, 3)))
             say(QT_TRANSLATE_NOOP(
                 "Finding",
@@ -122,7 +135,9 @@ public:
                 {key.substr(0, kCodeDigits)});
         for (const Witness& witness : m_witnesses)
             if (witness.seq > m_last.seq)
-                say(QT_TRANSLATE_NOOP("Finding", "audit row %1, which a report names, was removed"),
+                say(QT_TRANSLATE_NOOP(
+                        "Finding", "audit row %1, which a report names, is not there: it was removed, or the code is "
+                                   "not typed as it stands there"),
                     {std::to_string(witness.seq)});
         return std::move(m_findings);
     }
@@ -155,6 +170,12 @@ private:
         else
             say(QT_TRANSLATE_NOOP("Finding", "audit rows %1 to %2 were removed"),
                 {std::to_string(first), std::to_string(last)});
+    }
+    /// It follows from the one before it, but for its number: nothing that stood between them was taken out.
+    void tellRenumbered(const AuditRow& row)
+    {
+        say(QT_TRANSLATE_NOOP("Finding", "audit row %1 (%2, %3, %4) and those behind it were renumbered"), named(row));
+        m_shift -= row.seq - m_last.seq - 1;
     }
     void tellUnsigned(std::int64_t first, std::int64_t last)
     {
@@ -217,25 +238,29 @@ private:
     /// from what is not there any more.
     bool explainRemoved(const AuditRow& row)
     {
-        for (std::int64_t count = 1; count <= static_cast<std::int64_t>(kLongestRun); ++count) {
-            if (!isAs(row, row.seq + m_shift + count, m_last.hash))
-                continue;
-            if (!m_suspects.empty() && m_suspects.back().row.seq == m_last.seq)
-                m_suspects.pop_back();
-            if (count == 1)
-                say(QT_TRANSLATE_NOOP(
-                        "Finding",
-                        "before audit row %1 (%2, %3, %4) a row was removed, and those behind were renumbered"),
-                    named(m_last));
-            else
-                say(QT_TRANSLATE_NOOP(
-                        "Finding",
-                        "before audit row %1 (%2, %3, %4) %5 rows were removed, and those behind were renumbered"),
-                    with(named(m_last), {std::to_string(count)}));
-            m_shift += count;
-            return true;
+        const auto fits = [&](std::int64_t count) { return isAs(row, row.seq + m_shift + count, m_last.hash); };
+        std::int64_t count = 1;
+        while (count <= static_cast<std::int64_t>(kLongestRun) && !fits(count))
+            ++count;
+        if (count > static_cast<std::int64_t>(kLongestRun)) {
+            // However many it were, if nothing else was done: what the last number lacks.
+            count = m_signedSeq - m_lastSeq - m_shift;
+            if (count < 1 || !fits(count))
+                return false;
         }
-        return false;
+        if (!m_suspects.empty() && m_suspects.back().row.seq == m_last.seq)
+            m_suspects.pop_back();
+        if (count == 1)
+            say(QT_TRANSLATE_NOOP(
+                    "Finding", "before audit row %1 (%2, %3, %4) a row was removed, and those behind were renumbered"),
+                named(m_last));
+        else
+            say(QT_TRANSLATE_NOOP(
+                    "Finding",
+                    "before audit row %1 (%2, %3, %4) %5 rows were removed, and those behind were renumbered"),
+                with(named(m_last), {std::to_string(count)}));
+        m_shift += count;
+        return true;
     }
     void suspect(const AuditRow& row, const std::string& before)
     {
@@ -266,7 +291,8 @@ private:
         for (const Witness& witness : m_witnesses)
             if (witness.seq == row.seq && (row.hash.rfind(witness.hash, 0) != 0))
                 say(QT_TRANSLATE_NOOP("Finding", "audit row %1 (%2, %3, %4) is not the one that a report names: it or "
-                                                 "one before it was changed"),
+                                                 "one before it was changed, or the code is not typed as it "
+                                                 "stands there"),
                     named(row));
     }
 
@@ -287,6 +313,10 @@ private:
         std::string before;  ///< hash of the row that stands before it
     };
 
+    std::int64_t m_signedSeq;
+    std::int64_t m_lastSeq;
+    std::int64_t m_firstUnsigned = 0;  ///< of the rows behind the one that was signed as the newest; 0: there are none
+    std::int64_t m_lastUnsigned = 0;
     std::vector<Witness> m_witnesses;
     std::vector<Finding> m_findings;
     AuditRow m_last;
@@ -357,6 +387,11 @@ core::Status AuditBatch::begin()
         return core::unexpected(core::ErrorCode::BadStructure, "database " + dialect::nameOf(m_school.db) +
                                                                    ": the head of its audit is missing; restore a "
                                                                    "backup of it");
+    if (m_seq == std::numeric_limits<std::int64_t>::max())
+        return core::unexpected(core::ErrorCode::BadStructure,
+                                "database " + dialect::nameOf(m_school.db) +
+                                    ": somebody has put a row into its audit behind which there is no number left; "
+                                    "restore a backup of it");
     m_insert.emplace(m_school.db);
     if (!m_insert->prepare(QStringLiteral("INSERT INTO audit (%1) VALUES (?, ?, ?, ?, ?, ?, ?)").arg(kColumns)))
         return tl::unexpected(dialect::error(m_school.db, m_insert->lastError(), kNote));
@@ -451,7 +486,18 @@ core::Result<std::vector<AuditRow>> readAudit(const School& school, const Sessio
 core::Result<std::vector<Finding>> checkAudit(const QSqlDatabase& db, const std::vector<std::string>& witnesses,
                                               const std::function<bool(std::int64_t)>& progress)
 {
-    ChainReader reader(witnesses);
+    std::int64_t signedSeq = std::numeric_limits<std::int64_t>::max();
+    std::int64_t lastSeq = 0;
+    if (auto read = forEach(db, "SELECT (SELECT seq FROM audit_seal WHERE id = 1), (SELECT MAX(seq) FROM audit)",
+                            "read the audit", {},
+                            [&](const QSqlQuery& row) {
+                                if (!row.isNull(0))
+                                    signedSeq = row.value(0).toLongLong();
+                                lastSeq = row.value(1).toLongLong();
+                            });
+        !read)
+        return tl::unexpected(read.error());
+    ChainReader reader(witnesses, signedSeq, lastSeq);
     bool goesOn = true;
     if (auto read = forEach(db, QStringLiteral("SELECT %1 FROM audit ORDER BY seq").arg(kColumns), "read the audit", {},
                             [&](const QSqlQuery& query) {

@@ -119,11 +119,11 @@ void TestAudit::namesTheRow_data()
         row("removed, renumbered") << QStringList{"DELETE FROM audit WHERE seq = 9",
                                                   "UPDATE audit SET seq = seq + 999 WHERE seq > 9",
                                                   "UPDATE audit SET seq = seq - 1000 WHERE seq > 1000"}
-                                   << "was removed, and those behind were renumbered" << 2;
+                                   << "was removed, and those behind were renumbered" << 1;
         row("three removed, renumbered") << QStringList{"DELETE FROM audit WHERE seq BETWEEN 10 AND 12",
                                                         "UPDATE audit SET seq = seq + 997 WHERE seq > 12",
                                                         "UPDATE audit SET seq = seq - 1000 WHERE seq > 1000"}
-                                         << "3 rows were removed" << 2;
+                                         << "3 rows were removed" << 1;
         row("two inserted, renumbered")
             << QStringList{"UPDATE audit SET seq = seq + 1002 WHERE seq > 9",
                            "UPDATE audit SET seq = seq - 1000 WHERE seq > 1000",
@@ -131,15 +131,24 @@ void TestAudit::namesTheRow_data()
                            "seq = 3",
                            "INSERT INTO audit SELECT 11, at_utc, actor, 'login', object, detail, hash FROM audit WHERE "
                            "seq = 4"}
-            << "rows 10 to 11 were inserted" << 2;
+            << "rows 10 to 11 were inserted" << 1;
         row("inserted") << QStringList{"UPDATE audit SET seq = seq + 1001 WHERE seq > 9",
                                        "UPDATE audit SET seq = seq - 1000 WHERE seq > 1000",
                                        "INSERT INTO audit SELECT 10, at_utc, actor, 'login', object, detail, hash FROM "
                                        "audit WHERE seq = 3"}
-                        << "row 10 (" << 2;
+                        << "row 10 (" << 1;
         row("appended") << QStringList{"INSERT INTO audit SELECT 31, at_utc, actor, action, object, detail, hash FROM "
                                        "audit WHERE seq = 3"}
-                        << "row 31 (" << 2;
+                        << "row 31 was inserted: no station has signed that" << 1;
+        row("appended at the end of numbers")
+            << QStringList{"INSERT INTO audit SELECT 9223372036854775807, at_utc, actor, action, object, detail, hash "
+                           "FROM audit WHERE seq = 30"}
+            << "row 9223372036854775807 was inserted: no station has signed that" << 1;
+        row("other numbers") << QStringList{"UPDATE audit SET seq = seq + 1000 WHERE seq > 9",
+                                            "UPDATE audit SET seq = seq - 995 WHERE seq > 1000"}
+                             << "row 15 (" << 1;
+        row("far numbers") << QStringList{"UPDATE audit SET seq = seq + 1000000 WHERE seq > 9"}
+                           << "and those behind it were renumbered" << 1;
         row("neighbours exchanged") << QStringList{"UPDATE audit SET seq = 1019 - seq WHERE seq IN (9, 10)",
                                                    "UPDATE audit SET seq = seq - 1000 WHERE seq > 1000"}
                                     << "row 9 (" << 1;
