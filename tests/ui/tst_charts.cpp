@@ -103,6 +103,7 @@ private slots:
     void namesOfBarsAreSeenWhole_data();
     void namesOfBarsAreSeenWhole();
     void namesHaveTheRoomThatIsThereWhenTheyCome();
+    void aShortNameIsBetterThanNoBar();
     void theKeyIsSeenWhole();
     void aFileThatIsSavedMovesNothing();
 
@@ -435,6 +436,19 @@ void TestCharts::namesHaveTheRoomThatIsThereWhenTheyCome()
     m_panel->resize(900, 500);
     m_panel->setChart(bars());
     QTRY_VERIFY(namesDrawn().contains("Depth of the pulpal floor against the ideal"));
+}
+
+void TestCharts::aShortNameIsBetterThanNoBar()
+{
+    Bars lost;
+    lost.value = {"Lost", 0.0, 30.0, false, false};
+    for (int k = 0; k < 5; ++k)
+        lost.bars << Bars::Bar{QString("Gesunde Substanz neben der Karies entfernt %1").arg(k), 2.0, {}};
+    const Chart chart{"What cost points", {}, {}, lost};
+    QVERIFY(rowsFor(chart, {300.0, 160.0}) >= 5);
+    for (int k = 5; k < 20; ++k)
+        lost.bars << lost.bars.front();
+    QVERIFY(rowsFor({"What cost points", {}, {}, lost}, {300.0, 160.0}) < 5);  // not all would have room
 }
 
 void TestCharts::theKeyIsSeenWhole()

@@ -103,11 +103,27 @@ private slots:
     void answersAreSeenWhateverIsTyped();
     void numbersTakePointAndComma_data();
     void numbersTakePointAndComma();
+    void answersAreWrittenAsTheWindowWritesNumbers();
 };
 
 void TestConsole::initTestCase()
 {
     shell::applyTheme(*qApp, shell::ThemeChoice::Light);
+}
+
+void TestConsole::answersAreWrittenAsTheWindowWritesNumbers()
+{
+    Room room;
+    const QLocale before;
+    QLocale::setDefault(QLocale("de_DE"));
+    const QString german = room.answer("set force.stiffness 1,5");
+    const QString again = room.answer("set force.stiffness 1.25");
+    QLocale::setDefault(before);
+    QCOMPARE(german, QString("force.stiffness = 1,5 N/mm"));
+    QCOMPARE(again, QString("force.stiffness = 1,25 N/mm"));
+    // However long a name is, its value stands apart.
+    for (const QString& line : room.answer("list hardness").split('\n'))
+        QVERIFY2(line.contains("  "), qPrintable(line));
 }
 
 void TestConsole::everyNumberOfAPresetIsAParameter()

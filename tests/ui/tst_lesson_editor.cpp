@@ -56,6 +56,7 @@ private slots:
     void nothingOfTheLessonBeforeIsLeft();
     void draftsAreKeptAndSavedTogether();
     void targetsAndSpansAreChanged();
+    void aFaultyDraftKeepsItsSizes();
     void anExerciseHasNoIdealToCheck();
     void aCapturedIdealIsChosenAndUndone();
     void fitWidensToWhatTheIdealNeeds();
@@ -471,6 +472,41 @@ void TestLessonEditor::draftsAreKeptAndSavedTogether()
     QVERIFY(m_editor->saveAll());
     QVERIFY(m_editor->unsaved().isEmpty() && m_editor->unsavedFiles().isEmpty());
     QVERIFY(!saved("class1-37-own.lesson.json").isEmpty());
+}
+
+/// In another language, and opened again.
+void TestLessonEditor::aFaultyDraftKeepsItsSizes()
+{
+    open("class1-36");
+    auto* weight = [&] {
+        for (auto* input : m_editor->findChildren<QDoubleSpinBox*>())
+            if (input->accessibleName().startsWith("Weight"))
+                return input;
+        return static_cast<QDoubleSpinBox*>(nullptr);
+    }();
+    weight->setValue(weight->value() + 5.0);
+    QTRY_VERIFY2_WITH_TIMEOUT(check().contains("105"), qPrintable(check()), kLoadedMs);
+    const auto has = [this](const char* name) { return m_editor->findChild<QDoubleSpinBox*>(name) != nullptr; };
+    QTranslator german;
+    QVERIFY(german.load(":/i18n/cusp_de"));
+    QCoreApplication::installTranslator(&german);
+    const auto isGerman = [this] {
+        const auto labels = m_editor->findChildren<QLabel*>();
+        return std::any_of(labels.begin(), labels.end(),
+                           [](const QLabel* label) { return label->text().startsWith("Kostet nichts"); });
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(isGerman() && has("depth_mm"), kLoadedMs);
+    QCoreApplication::removeTranslator(&german);
+    open("class1-37");
+    m_editor->edit(shipped("class1-36"), m_folder->path());
+    QTRY_VERIFY2_WITH_TIMEOUT(check().contains("105"), qPrintable(check()), kLoadedMs);
+    QVERIFY(has("depth_mm"));
+    // With nothing of it made before.
+    LessonDraft draft;
+    draft.begin(shipped("class1-36"), m_folder->path());
+    draft.setCriterion(1, "weight", 99.0);
+    const auto weighed = weigh(draft.object(), draft.file(), {});
+    QVERIFY(!weighed->assignment && !weighed->fields.empty());
 }
 
 void TestLessonEditor::targetsAndSpansAreChanged()

@@ -185,6 +185,10 @@ private slots:
     void theChosenPartOfTheSchoolIsReadWhole();
     void nobodyIsChosenByPassingThroughTheList();
     void aCodeStaysWithItsPerson();
+    void aCodeIsNotLostByOneKey();
+    void whatIsThereOrMissingIsSaidOfPeople();
+    void pagesOfLessonsAreTurned();
+    void enterPressesTheWayBack();
     void aDoubleClickOnEnterTakesNoPasswordAway();
     void theQuestionOfAPasswordEndsWithAnythingElse();
     void theOwnClassesComeFirst();
@@ -1668,6 +1672,75 @@ void TestMainWindow::aCodeStaysWithItsPerson()
     actions().school->trigger();
     QVERIFY(child<QWidget>("people")->isVisible() && !code->isVisible());
     QVERIFY2(!state(0).contains("shown here"), qPrintable(state(0)));
+}
+
+void TestMainWindow::aCodeIsNotLostByOneKey()
+{
+    ui::admin::PeoplePart& people = openPeople();
+    people.setPeople({someone(1, "Ada", false)}, {});
+    int reset = 0;
+    connect(&people, &ui::admin::PeoplePart::resetWanted, this, [&] { ++reset; });
+    const auto* code = child<QLabel>("oneTimeCode");
+    choosePerson(0);
+    people.showCode({1}, "Ada Berg", "1234-5678");
+    // It may have been told.
+    child<QPushButton>("resetPassword")->click();
+    child<QPushButton>("resetPassword")->click();
+    QCOMPARE(reset, 0);
+    QVERIFY2(child<QLabel>("personSaid")->text().contains("make another"),
+             qPrintable(child<QLabel>("personSaid")->text()));
+    child<QPushButton>("keepPassword")->click();
+    child<QTableView>("people")->setFocus();
+    press(Qt::Key_Escape);
+    QVERIFY(code->isVisible());
+    QVERIFY(child<QLabel>("personSaid")->text().contains("kept nowhere else"));
+    press(Qt::Key_Escape);
+    QVERIFY(!m_window->adminPage().isVisible());
+}
+
+void TestMainWindow::whatIsThereOrMissingIsSaidOfPeople()
+{
+    ui::admin::PeoplePart& people = openPeople();
+    people.setPeople({someone(1, "Ada", true)}, {{{4}, "Year 1", 0}});
+    choosePerson(0);
+    int wanted = 0;
+    connect(&people, &ui::admin::PeoplePart::classWanted, this, [&] { ++wanted; });
+    child<QLineEdit>("className")->setText("Year 1");
+    child<QPushButton>("addClass")->click();
+    QCOMPARE(wanted, 0);
+    QCOMPARE(child<QLabel>("personSaid")->text(), QString("There is a class Year 1 already. It is ticked above."));
+    QCOMPARE(child<QListWidget>("personClasses")->item(0)->checkState(), Qt::Checked);
+    child<QPushButton>("newPerson")->click();
+    child<QPushButton>("savePerson")->click();
+    QVERIFY(child<QLabel>("personFault")->text().contains("is missing"));
+}
+
+void TestMainWindow::pagesOfLessonsAreTurned()
+{
+    m_window->setLessons(lessons::readCatalog({}), {});
+    actions().lessons->trigger();
+    auto* list = child<QListView>("lessonList");
+    QVERIFY(list->hasFocus());
+    const QPixmap with = list->grab();
+    const int first = list->currentIndex().row();
+    press(Qt::Key_PageDown);
+    QVERIFY(list->currentIndex().row() > first + 1);
+    press(Qt::Key_PageUp);
+    QCOMPARE(list->currentIndex().row(), first);
+    // Who has the keyboard is seen.
+    child<QPushButton>("startLesson")->setFocus();
+    QVERIFY(list->grab().toImage() != with.toImage());
+}
+
+void TestMainWindow::enterPressesTheWayBack()
+{
+    actions().lessons->trigger();
+    auto* page = child<ui::study::LessonsPage>();
+    auto* arrow = page->findChild<QToolButton*>(QString(), Qt::FindDirectChildrenOnly);
+    QVERIFY(arrow != nullptr && page->isVisible());
+    arrow->setFocus();
+    QTest::keyClick(arrow, Qt::Key_Return);
+    QVERIFY(!page->isVisible());
 }
 
 void TestMainWindow::aDoubleClickOnEnterTakesNoPasswordAway()

@@ -137,6 +137,7 @@ private slots:
     void whatWasSaidIsScrolledTo();
     void theFormInUseIsInSight();
     void whatWasRefusedIsInSight();
+    void theKeyboardReadsAll();
     void theScoreThatIsToldIsCompared();
     void theSumIsTheMachinesWhereATeacherGaveAScore();
 
@@ -658,6 +659,50 @@ void TestScorePage::whatWasRefusedIsInSight()
                at.bottom() < pane->viewport()->height() - (pane->hasMoreBelow() ? 36 : 0);
     };
     QTRY_VERIFY(isSeen(m_page->findChild<QLabel*>("fault")) && isSeen(reason) && isSeen(give));
+}
+
+/// A reader too: what gets the keyboard comes into sight, and the page keys go where nothing can have it.
+void TestScorePage::theKeyboardReadsAll()
+{
+    m_page->resize(900, 600);
+    show(faulty("decay-36-moderate"));
+    m_page->setTalkVisible(true);
+    database::AttemptTalk talk;
+    talk.comments.push_back({1, "Grace Hopper", "2026-11-20T10:00:00Z", "Here.", {}, std::int64_t{45000}, false});
+    for (int k = 0; k < 20; ++k)
+        talk.overrides.push_back({"Grace Hopper", "2026-11-20T10:00:00Z", 900 - k, "Neat."});
+    m_page->talk().setTalk(talk);
+    auto* pane = m_page->findChild<ui::shell::ScrollPane*>();
+    QTRY_VERIFY(pane->verticalScrollBar()->maximum() > 0);
+    pane->verticalScrollBar()->setValue(0);
+    QPushButton* chip = nullptr;
+    for (auto* button : m_page->talk().findChildren<QPushButton*>())
+        if (button->accessibleName().startsWith("Show the moment"))
+            chip = button;
+    QVERIFY(chip != nullptr);
+    chip->setFocus(Qt::TabFocusReason);
+    const int bottom = chip->mapTo(pane->viewport(), QPoint(0, chip->height())).y();
+    QVERIFY2(bottom > 0 && bottom <= pane->viewport()->height() - 36, qPrintable(QString::number(bottom)));
+    const int before = pane->verticalScrollBar()->value();
+    QTest::keyClick(chip, Qt::Key_PageDown);
+    QVERIFY(pane->verticalScrollBar()->value() > before);
+    QTest::keyClick(chip, Qt::Key_End);
+    QCOMPARE(pane->verticalScrollBar()->value(), pane->verticalScrollBar()->maximum());
+    QTest::keyClick(chip, Qt::Key_Home);
+    QCOMPARE(pane->verticalScrollBar()->value(), 0);
+    // The pane itself where it holds words only.
+    QWidget page;
+    auto* words = new QLabel(QString("line\n").repeated(100));
+    ui::shell::ScrollPane only(words, QPalette::Window, &page);
+    only.resize(100, 100);
+    page.show();
+    QTRY_COMPARE(only.focusPolicy(), Qt::TabFocus);
+    QVERIFY(!only.accessibleName().isEmpty());
+    page.activateWindow();
+    only.setFocus();
+    QTRY_VERIFY(only.hasFocus());
+    QTest::keyClick(&only, Qt::Key_Down);
+    QVERIFY(only.verticalScrollBar()->value() > 0);
 }
 
 void TestScorePage::theSumIsTheMachinesWhereATeacherGaveAScore()

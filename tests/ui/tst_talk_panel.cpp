@@ -56,6 +56,7 @@ private slots:
     void theWheelScrollsOverTheScore();
     void onesOwnCommentIsTakenBackToBeCorrected();
     void aDraftOutlastsACommentThatIsTakenBack();
+    void wordsTakenBackOutlastAnotherAttempt();
     void whatWasTakenBackElsewhereGoesToo();
 
 private:
@@ -426,12 +427,28 @@ void TestTalkPanel::aDraftOutlastsACommentThatIsTakenBack()
     field->setPlainText("Half a sentence");
     m_panel->withdraw(1, false);
     QVERIFY(!words().contains("Here you pressed too hard."));
-    QCOMPARE(field->toPlainText(), QString("Half a sentence"));
-    QVERIFY(!get<QCheckBox>("atPlace")->isChecked());
-    QVERIFY(get<QLabel>("commentSaid")->text().contains("What you are writing"));
+    QCOMPARE(field->toPlainText(), QString("Half a sentence\n\nHere you pressed too hard."));
+    QVERIFY(get<QLabel>("commentSaid")->text().contains("below what you are writing"));
     // It was said of this attempt.
     m_panel->setAttempt(8);
     QVERIFY(!get<QLabel>("commentSaid")->isVisible());
+}
+
+/// They wait with the attempt that they are about.
+void TestTalkPanel::wordsTakenBackOutlastAnotherAttempt()
+{
+    auto* field = get<QPlainTextEdit>("commentWords");
+    AttemptTalk mine = talk();
+    mine.comments.front().isMine = true;
+    m_panel->setAttempt(7);
+    m_panel->setTalk(mine);
+    get<QPushButton>("takeBack")->click();
+    m_panel->setAttempt(8);
+    m_panel->setTalk({});
+    m_panel->withdraw(1, false);
+    QVERIFY(field->toPlainText().isEmpty());
+    m_panel->setAttempt(7);
+    QCOMPARE(field->toPlainText(), QString("Here you pressed too hard."));
 }
 
 /// And is not written again: it may have been, there.

@@ -23,6 +23,7 @@
 #include "ui/people/PeopleWords.h"
 #include "ui/study/LessonWords.h"
 #include "ui/text/FaultWords.h"
+#include "ui/text/Search.h"
 #include "ui/text/Texts.h"
 
 using core::ErrorCode;
@@ -34,6 +35,8 @@ class TestTexts : public QObject
 private slots:
     void initTestCase() { QLocale::setDefault(QLocale("en_GB")); }
     void everyErrorCodeHasASentenceOfItsOwn();
+    void searchesKnowNoAccents();
+    void numbersOfFaultsFollowTheLanguage();
     void errorsSpeakOfWhatWasDone();
     void notesOfAScanAreSentences();
     void everyMaterialHasANameAndALetterOfItsOwn();
@@ -766,6 +769,28 @@ void TestTexts::japaneseIsEmbedded()
     for (int k = 0; k < core::terrain::kMaterialCount; ++k)
         letters << ui::text::materialLetter(static_cast<Material>(k));
     QCOMPARE(letters.size(), core::terrain::kMaterialCount);
+}
+
+void TestTexts::searchesKnowNoAccents()
+{
+    using ui::text::holds;
+    using ui::text::holdsEach;
+    QVERIFY(holds(QString("Bloque: línea"), "linea") && holds("Bloque: linea", QString("LÍNEA")));
+    QVERIFY(holds(QString("Özil Çelik"), "oz") && holds(QString("Straße"), "strasse"));
+    QVERIFY(holds("anything", {}) && !holds("line", "lime"));
+    QVERIFY(holdsEach(QString("Bloque: círculo"), "circulo bloq") && !holdsEach("Bloque", "bloque linea"));
+    // "ga" is no "ka" with an accent.
+    QVERIFY(!holds(QString("が"), QString("か")) && holds(QString("がか"), QString("が")));
+}
+
+void TestTexts::numbersOfFaultsFollowTheLanguage()
+{
+    const core::Words what{"%1 of %2 in %3", {core::noted("95.5"), core::noted("1.0 MB"), core::noted("a-1.5.json")}};
+    QCOMPARE(ui::text::faultWords(what), QString("95.5 of 1.0 MB in a-1.5.json"));
+    QLocale::setDefault(QLocale("de_DE"));
+    const QString german = ui::text::faultWords(what);
+    QLocale::setDefault(QLocale("en_GB"));
+    QCOMPARE(german, QString("95,5 of 1,0 MB in a-1.5.json"));
 }
 
 /// What reads like a sentence of English was not translated.

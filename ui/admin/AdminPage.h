@@ -25,7 +25,7 @@ public:
     enum Part { People, Roster, Backups, Audit, Station };
     [[nodiscard]] Part part() const;
     void show(Part part);
-    /// Others work at it, too.
+    /// Asks for what the part that is shown is about once more: others work at it, too.
     void readAgain() { emit partOpened(part()); }
 
     [[nodiscard]] PeoplePart& people() { return *m_people; }
@@ -41,6 +41,7 @@ signals:
     void partOpened(int part);
 
 protected:
+    bool event(QEvent* event) override;
     void hideEvent(QHideEvent* event) override;
 
 private:

@@ -11,12 +11,12 @@
 #include <QLineEdit>
 #include <QLocale>
 #include <QPushButton>
-#include <QSortFilterProxyModel>
 #include <QStandardItemModel>
 #include <QVBoxLayout>
 
 #include "ui/people/ListTable.h"
 #include "ui/people/PeopleWords.h"
+#include "ui/people/WordFilter.h"
 #include "ui/shell/Theme.h"
 #include "ui/study/FormInputs.h"
 #include "ui/text/EveryLanguage.h"
@@ -37,7 +37,7 @@ AuditPart::AuditPart(QWidget* parent)
     : QWidget(parent), m_code(study::formWords({}, kBody, QFont::Normal, QPalette::WindowText, this)),
       m_copy(new QPushButton(this)), m_search(new QLineEdit(this)), m_count(new QLabel(this)),
       m_older(new QPushButton(this)), m_rows(new QStandardItemModel(0, kColumns, this)),
-      m_shown(new QSortFilterProxyModel(this)), m_table(new people::ListTable(this))
+      m_shown(new people::WordFilter(this)), m_table(new people::ListTable(this))
 {
     m_code->setObjectName(QStringLiteral("auditCode"));
     m_code->setTextFormat(Qt::PlainText);
@@ -50,8 +50,6 @@ AuditPart::AuditPart(QWidget* parent)
     m_search->setFont(typeface(kBody));
     m_count->setForegroundRole(QPalette::PlaceholderText);
     m_shown->setSourceModel(m_rows);
-    m_shown->setFilterKeyColumn(-1);
-    m_shown->setFilterCaseSensitivity(Qt::CaseInsensitive);
     m_table->setObjectName(QStringLiteral("audit"));
     m_table->setModel(m_shown);
     m_table->setSortingEnabled(false);  // in the order of the chain
@@ -76,7 +74,7 @@ AuditPart::AuditPart(QWidget* parent)
     m_older->setAutoDefault(false);
     connect(m_copy, &QPushButton::clicked, this, [this] { QGuiApplication::clipboard()->setText(m_head); });
     connect(m_search, &QLineEdit::textChanged, this, [this](const QString& words) {
-        m_shown->setFilterFixedString(words.trimmed());
+        m_shown->setWords(words);
         tell();
     });
     connect(m_older, &QPushButton::clicked, this, [this] {

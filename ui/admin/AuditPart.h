@@ -11,12 +11,12 @@
 class QLabel;
 class QLineEdit;
 class QPushButton;
-class QSortFilterProxyModel;
 class QStandardItemModel;
 
 namespace ui::people {
 class ListTable;
-}
+class WordFilter;
+}  // namespace ui::people
 
 namespace ui::admin {
 
@@ -52,7 +52,7 @@ private:
     QLabel* m_count;
     QPushButton* m_older;
     QStandardItemModel* m_rows;
-    QSortFilterProxyModel* m_shown;
+    people::WordFilter* m_shown;
     people::ListTable* m_table;
     QString m_head;
 };

@@ -18,7 +18,6 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QSignalBlocker>
-#include <QSortFilterProxyModel>
 #include <QStandardItemModel>
 #include <QStyleHints>
 #include <QTimer>
@@ -28,6 +27,7 @@
 #include "ui/admin/SecondThought.h"
 #include "ui/people/ListTable.h"
 #include "ui/people/PeopleWords.h"
+#include "ui/people/WordFilter.h"
 #include "ui/shell/ScrollPane.h"
 #include "ui/shell/Theme.h"
 #include "ui/study/FormInputs.h"
@@ -114,11 +114,9 @@ QWidget* PeoplePart::makeList()
     column->addLayout(head);
     m_rows = new QStandardItemModel(0, kColumns, side);
     m_rows->setSortRole(kSortBy);
-    m_shown = new QSortFilterProxyModel(side);
+    m_shown = new people::WordFilter(side);
     m_shown->setSourceModel(m_rows);
     m_shown->setSortRole(kSortBy);
-    m_shown->setFilterCaseSensitivity(Qt::CaseInsensitive);
-    m_shown->setFilterKeyColumn(-1);
     m_shown->setSortLocaleAware(true);
     m_table = new people::ListTable(side);
     m_table->setObjectName(QStringLiteral("people"));
@@ -260,8 +258,19 @@ QWidget* PeoplePart::makeForm()
     connect(m_copy, &QPushButton::clicked, this, [this] { QGuiApplication::clipboard()->setText(m_code->text()); });
     const auto addClass = [this] {
         endThought();
-        if (const QString name = m_className->text().trimmed(); !name.isEmpty())
-            emit classWanted(name);
+        const QString wanted = m_className->text().trimmed();
+        for (int k = 0; k < m_classList->count(); ++k)
+            if (QListWidgetItem* const there = m_classList->item(k); there->text() == wanted) {
+                there->setCheckState(Qt::Checked);
+                m_classList->scrollToItem(there);
+                m_className->clear();
+                study::showFault(m_fault, {});
+                //: %1: the name of a class
+                m_said->setText(tr("There is a class %1 already. It is ticked above.").arg(wanted));
+                return;
+            }
+        if (!wanted.isEmpty())
+            emit classWanted(wanted);
         // Whoever adds a class while he enters or changes somebody means him to be in it.
         m_isTouched = m_isTouched || !m_className->text().trimmed().isEmpty();
         m_classAdded = m_className->text().trimmed().toStdString();
@@ -401,7 +410,7 @@ void PeoplePart::filter()
     // Whom the form shows stays there: of a row that is hidden the table chooses the neighbour. When the search no
     // longer hides him he is marked again.
     const QSignalBlocker quiet(m_table->selectionModel());
-    m_shown->setFilterFixedString(m_search->text().trimmed());
+    m_shown->setWords(m_search->text());
     m_count->setText(tr("%Ln person(s)", nullptr, m_shown->rowCount()));
     m_table->clearSelection();
     for (int row = 0; row < m_shown->rowCount() && m_chosen != 0; ++row)
@@ -569,8 +578,20 @@ bool PeoplePart::isSecondClick() const
 void PeoplePart::forgetCodes()
 {
     m_codes.clear();
+    m_isWarned = false;
     fill();
     showForm();
+}
+
+bool PeoplePart::mayLeave()
+{
+    if (m_codes.isEmpty() || std::exchange(m_isWarned, true))
+        return true;
+    study::showFault(m_fault, {});
+    m_said->setText(
+        tr("The one-time codes that are shown here are kept nowhere else. Esc once more leaves School without "
+           "them."));
+    return false;
 }
 
 void PeoplePart::showForm()
@@ -606,13 +627,17 @@ void PeoplePart::showButtons(const Person* person)
     m_save->setAccessibleName(m_save->text());
     m_reset->setVisible(person != nullptr);
     const bool isAsked = m_thought->isAsked();
-    m_reset->setText(isAsked ? tr("Yes, take it away") : tr("Reset password"));
-    m_reset->setAccessibleName(isAsked ? tr("Yes, take the password away") : m_reset->text());
+    const bool hasPassword = person != nullptr && person->hasPassword;
+    m_reset->setText(!isAsked ? tr("Reset password") : hasPassword ? tr("Yes, take it away") : tr("Yes, make another"));
+    m_reset->setAccessibleName(isAsked && hasPassword ? tr("Yes, take the password away") : m_reset->text());
     m_keepPassword->setVisible(isAsked);
     if (isAsked && person != nullptr)
-        m_said->setText(
-            //: %1 is a person
-            tr("%1 will need a new one-time code: take the password away?").arg(m_title->text()));
+        m_said->setText(person->hasPassword
+                            //: %1 is a person
+                            ? tr("%1 will need a new one-time code: take the password away?").arg(m_title->text())
+                            //: %1 is a person
+                            : tr("The one-time code of %1 above would let nobody in any longer: make another?")
+                                  .arg(m_title->text()));
     m_disable->setVisible(person != nullptr && !isAsked);
     m_disable->setText(person != nullptr && person->disabled ? tr("Enable") : tr("Disable"));
     m_disable->setAccessibleName(m_disable->text());
@@ -677,6 +702,7 @@ void PeoplePart::submit()
         m_sinceSubmitted.start();
         emit changeWanted(changed, tickedClasses());
     } else if (const QString name = m_username->text().trimmed(); name.isEmpty()) {
+        study::showFault(m_fault, tr("The name to log in with is missing."));
         m_username->setFocus();
     } else {
         m_submitted = typed();
@@ -689,7 +715,7 @@ void PeoplePart::submit()
     });
 }
 
-/// A password is gone for good: one click must not do it. A code in another's place costs nobody anything.
+/// A password is gone for good, and a code that is shown may have been told: one click must not do it.
 void PeoplePart::askToReset()
 {
     if (isSecondClick())
@@ -697,7 +723,7 @@ void PeoplePart::askToReset()
     const Person* const person = chosen();
     if (m_thought->isAsked() && !m_thought->mayBeAnswered())
         return;
-    if (person != nullptr && person->hasPassword && !m_thought->isAsked()) {
+    if (person != nullptr && (person->hasPassword || m_codes.contains(m_chosen)) && !m_thought->isAsked()) {
         m_thought->ask();
         showForm();
         m_keepPassword->setFocus();
@@ -728,6 +754,7 @@ void PeoplePart::toggleDisabled()
 void PeoplePart::showCode(database::PersonId person, const QString& fullName, const QString& code)
 {
     m_codes.insert(person.value, {fullName, code});
+    m_isWarned = false;
     fill();
     showForm();
     m_pane->ensureVisible(0, 0);

@@ -18,7 +18,6 @@ class QLabel;
 class QLineEdit;
 class QListWidget;
 class QPushButton;
-class QSortFilterProxyModel;
 class QStandardItemModel;
 
 namespace ui::shell {
@@ -26,7 +25,8 @@ class ScrollPane;
 }
 namespace ui::people {
 class ListTable;
-}
+class WordFilter;
+}  // namespace ui::people
 
 namespace ui::admin {
 
@@ -46,6 +46,9 @@ public:
     void showCode(database::PersonId person, const QString& fullName, const QString& code);
     /// The page is left, and perhaps by who made them.
     void forgetCodes();
+    /// Whether the page may be left by Esc, perhaps one key too many: codes would be gone. No, the first time, and says
+    /// so.
+    [[nodiscard]] bool mayLeave();
     /// What was wanted has been done; the form is that of this person from now on.
     void confirm(database::PersonId person, const QString& sentence);
     void refuse(const QString& sentence);
@@ -114,8 +117,9 @@ private:
     QElapsedTimer m_sinceSubmitted;
     QList<Typed> m_aside;         ///< when another row was chosen; the latest last
     QHash<qint64, Code> m_codes;  ///< by whom they let in
+    bool m_isWarned = false;      ///< that they go when School is left
     QStandardItemModel* m_rows = nullptr;
-    QSortFilterProxyModel* m_shown = nullptr;
+    people::WordFilter* m_shown = nullptr;
     QLineEdit* m_search = nullptr;
     people::ListTable* m_table = nullptr;
     QLabel* m_count = nullptr;

@@ -78,9 +78,9 @@ ChartPanel::ChartPanel(QWidget* parent)
     m_callout->setAttribute(Qt::WA_TransparentForMouseEvents);
     m_callout->setContentsMargins(kSpace2, kSpace1, kSpace2, kSpace1);
     m_callout->hide();
-    QSizePolicy kept = m_saved->sizePolicy();
-    kept.setRetainSizeWhenHidden(true);  // what lies below does not move when it comes, and goes
-    m_saved->setSizePolicy(kept);
+    // Over the foot of the chart: nothing moves when it comes and goes, and no room is kept for it.
+    m_saved->setAutoFillBackground(true);
+    m_saved->setBackgroundRole(QPalette::Base);
     m_saved->hide();
 
     auto* menu = new QMenu(this);
@@ -118,7 +118,6 @@ ChartPanel::ChartPanel(QWidget* parent)
     column->addLayout(head);
     column->addWidget(m_view, 1);
     column->addWidget(m_empty, 1);
-    column->addWidget(m_saved);
     setChart({});
 }
 
@@ -346,7 +345,15 @@ void ChartPanel::changeEvent(QEvent* event)
 void ChartPanel::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
+    placeSaved();
     tell();
+}
+
+void ChartPanel::placeSaved()
+{
+    const int wide = std::max(1, width() - 2 * kSpace2);
+    const int high = m_saved->hasHeightForWidth() ? m_saved->heightForWidth(wide) : m_saved->sizeHint().height();
+    m_saved->setGeometry(kSpace2, height() - kSpace2 - high, wide, high);
 }
 
 void ChartPanel::askForFile(const QString& ending, const QString& filter)
@@ -370,7 +377,9 @@ bool ChartPanel::save(const QString& path)
     m_saved->setText(isWritten ? tr("Saved: %1").arg(name)
                                //: %2: the system's own words
                                : tr("%1 could not be written (%2). Try another folder.").arg(name, file.errorString()));
+    placeSaved();
     m_saved->show();
+    m_saved->raise();
     announce(*m_saved);
     return isWritten;
 }

@@ -54,6 +54,7 @@ protected:
 
 private:
     void redraw();
+    void placeSaved();
     void tell();
     void open();
     void askForFile(const QString& ending, const QString& filter);

@@ -484,8 +484,13 @@ int rowsFor(const Chart& chart, const QSizeF& roomPx)
     const bool isLong = std::any_of(bars->bars.begin(), bars->bars.end(), [&](const Bars::Bar& bar) {
         return metrics.horizontalAdvance(bar.name) > kNameShare * roomPx.width();
     });
-    const double rowPx = (isLong ? kNameLines : 1) * metrics.lineSpacing() + kNameEdgesPx;
-    return std::max(kFewestRows, static_cast<int>((roomPx.height() - kFootPx) / rowPx));
+    const auto rows = [&](int lines) {
+        const double rowPx = lines * metrics.lineSpacing() + kNameEdgesPx;
+        return std::max(kFewestRows, static_cast<int>((roomPx.height() - kFootPx) / rowPx));
+    };
+    // A bar whose name is shortened tells more than none.
+    const int loose = rows(isLong ? kNameLines : 1);
+    return bars->bars.size() > loose && bars->bars.size() <= rows(1) ? rows(1) : loose;
 }
 
 void draw(const Chart& content, const Ink& ink, QChart& into, const QSizeF& roomPx)

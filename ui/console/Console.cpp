@@ -19,6 +19,7 @@
 #include "ui/console/WatchPanel.h"
 #include "ui/shell/Theme.h"
 #include "ui/text/EveryLanguage.h"
+#include "ui/text/Search.h"
 
 namespace ui::console {
 namespace {
@@ -26,7 +27,7 @@ namespace {
 constexpr int kMostLines = 500;
 constexpr int kMostHinted = 6;
 constexpr int kMostHistory = 100;
-constexpr int kNameWidth = 30;  ///< characters
+constexpr std::size_t kNameWidth = 30;  ///< characters, at least
 /// What lies beneath shines through, and however bright it is, words stand out by 4.5 to 1.
 constexpr QColor kGround(14, 16, 17, 204);
 
@@ -204,8 +205,11 @@ void Console::list(const QString& text)
     if (found.empty())
         say(tr("No parameter's name holds \"%1\".").arg(text));
     QStringList lines;
+    std::size_t widest = kNameWidth;
     for (const core::settings::Parameter* parameter : found)
-        lines << QString::fromStdString(parameter->name).leftJustified(kNameWidth) +
+        widest = std::max(widest, parameter->name.size() + 2);
+    for (const core::settings::Parameter* parameter : found)
+        lines << QString::fromStdString(parameter->name).leftJustified(static_cast<qsizetype>(widest)) +
                      valueWords(*parameter, parameter->read());
     if (!lines.isEmpty())
         say(lines.join(u'\n'));
@@ -283,7 +287,7 @@ QStringList Console::candidates(const QString& line) const
     const QString begun = line.mid(begunAt(line));
     if (isOfPresets(line)) {
         for (const QString& name : m_presetNames ? m_presetNames() : QStringList())
-            if (name.startsWith(begun, Qt::CaseInsensitive))
+            if (text::plain(name).startsWith(text::plain(begun)))
                 found << name;
         return found;
     }

@@ -22,10 +22,18 @@ QString withUnit(const QString& number, const core::settings::Parameter& paramet
     return parameter.unit.empty() ? number : number + u' ' + QString::fromStdString(parameter.unit);
 }
 
-/// Without zeros behind; in the C locale as it can be typed again.
-QString plain(double value, const QLocale& locale = QLocale::c())
+/// As the window writes numbers, but without signs between thousands, so that it can be typed again.
+QString written(double value, char format, int digits)
 {
-    return locale.toString(value, 'g', 6);
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    return locale.toString(value, format, digits);
+}
+
+/// Without zeros behind.
+QString plain(double value)
+{
+    return written(value, 'g', 6);
 }
 
 }  // namespace
@@ -39,20 +47,17 @@ QString valueWords(const core::settings::Parameter& parameter, double value)
     if (!parameter.isLive())
         return withUnit(plain(value), parameter);
     // Of what changes all the time a few digits are read; but no power of ten, as of a turbine's 320,000 rpm.
-    return withUnit(std::abs(value) < kWholeFrom ? QLocale::c().toString(value, 'g', 4)
-                                                 : QLocale::c().toString(value, 'f', 0).remove(u','),
-                    parameter);
+    return withUnit(std::abs(value) < kWholeFrom ? written(value, 'g', 4) : written(value, 'f', 0), parameter);
 }
 
-QString rangeWords(const core::settings::Parameter& parameter, const QLocale& locale)
+QString rangeWords(const core::settings::Parameter& parameter)
 {
     if (parameter.isLive())
         return Words::tr("a live value, to be read, watched or plotted");
     if (parameter.isSwitch)
         return Words::tr("0 (off) or 1 (on)");
     //: %1 and %2 are numbers, %2 with a unit
-    return Words::tr("%1 to %2")
-        .arg(plain(parameter.minimum, locale), withUnit(plain(parameter.maximum, locale), parameter));
+    return Words::tr("%1 to %2").arg(plain(parameter.minimum), withUnit(plain(parameter.maximum), parameter));
 }
 
 QString answerWords(const core::settings::SetAnswer& answer, const QString& name,

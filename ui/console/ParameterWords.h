@@ -3,8 +3,6 @@
 
 #include <QString>
 
-#include <QLocale>
-
 #include "core/settings/Parameters.h"
 
 /// Parameters in the words of the window. Ui thread.
@@ -13,8 +11,7 @@ namespace ui::console {
 /// "2.5 N/mm", "on", "–" where there is nothing to read.
 [[nodiscard]] QString valueWords(const core::settings::Parameter& parameter, double value);
 /// "0.2 to 20 N/mm", "0 (off) or 1 (on)"; of a live value that it is one.
-/// @param locale  of the numbers; the console is typed in C
-[[nodiscard]] QString rangeWords(const core::settings::Parameter& parameter, const QLocale& locale = QLocale::c());
+[[nodiscard]] QString rangeWords(const core::settings::Parameter& parameter);
 /// Why a value was not taken; empty if it was.
 [[nodiscard]] QString answerWords(const core::settings::SetAnswer& answer, const QString& name,
                                   const core::settings::Parameter* parameter);

@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include <QCoreApplication>
+#include <QFontMetricsF>
 #include <QImage>
 #include <QPainter>
 #include <QPainterPath>
@@ -54,6 +55,7 @@ constexpr double kBelowKeyPx = 6.0;
 constexpr double kAboveMm = 1.6;  ///< shown over the highest point
 constexpr double kBesideMm = 0.5;
 constexpr double kLeastDepthMm = 9.0;  ///< what must be seen below the highest point
+constexpr double kBetweenPx = 6.0;     ///< two numbers below the picture
 constexpr double kLabelPx = 20.0;      ///< nearer than this, labels leave some out
 
 /// Millimetres of the plane on the paper.
@@ -117,15 +119,25 @@ void paintLabels(QPainter& painter, const Frame& frame, const QColor& words)
 {
     painter.setPen(words);
     painter.setFont(shell::typeface(shell::kSmall));
-    const int every = frame.pxPerMm >= kLabelPx ? 1 : frame.pxPerMm >= kLabelPx / 2 ? 2 : 5;
-    const auto multiple = [every](double mm) { return static_cast<int>(std::lround(mm)) % every == 0; };
+    const auto stepFor = [&frame](double labelPx) {
+        return frame.pxPerMm >= labelPx ? 1 : frame.pxPerMm >= labelPx / 2 ? 2 : frame.pxPerMm >= labelPx / 5 ? 5 : 10;
+    };
+    const auto multiple = [](double mm, int every) { return static_cast<int>(std::lround(mm)) % every == 0; };
+    const int up = stepFor(kLabelPx);
+    // "−12" is wider than it is high.
+    const QFontMetricsF metrics(painter.font());
+    double widest = 0.0;
+    for (const double end : {std::ceil(frame.leftMm), std::floor(frame.rightMm())})
+        widest = std::max(widest, metrics.horizontalAdvance(text::number(end, 0)));
+    const int along = stepFor(std::max(kLabelPx, widest + kBetweenPx));
     for (double mm = std::ceil(frame.bottomMm()); mm <= frame.topMm - 0.5; mm += 1.0)
-        if (const double y = frame.y(mm); multiple(mm) && y < frame.plot.bottom() - 5.0)
+        if (const double y = frame.y(mm); multiple(mm, up) && y < frame.plot.bottom() - 5.0)
             painter.drawText(QRectF(frame.plot.left() - kGutterPx, y - 8.0, kGutterPx - 6.0, 16.0),
                              Qt::AlignRight | Qt::AlignVCenter, text::number(mm, 0));
     const QString unit = QStringLiteral("mm");
     for (double mm = std::ceil(frame.leftMm); mm <= frame.rightMm(); mm += 1.0)
-        if (const double x = frame.x(mm); multiple(mm) && x < frame.plot.right() - 10.0 && x > frame.plot.left() + 6.0)
+        if (const double x = frame.x(mm);
+            multiple(mm, along) && x < frame.plot.right() - 10.0 && x > frame.plot.left() + 6.0)
             painter.drawText(QRectF(x - 20.0, frame.plot.bottom() + 2.0, 40.0, 16.0), Qt::AlignCenter,
                              text::number(mm, 0));
     painter.drawText(QRectF(frame.plot.left() - kGutterPx, frame.plot.bottom() + 2.0, kGutterPx - 6.0, 16.0),

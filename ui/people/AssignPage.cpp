@@ -28,6 +28,7 @@
 #include "ui/shell/Announce.h"
 #include "ui/shell/Theme.h"
 #include "ui/text/EveryLanguage.h"
+#include "ui/text/Search.h"
 
 namespace ui::people {
 namespace {
@@ -450,15 +451,13 @@ void AssignPage::fillOffers()
 /// Lessons in which every word occurs, under the headings that are left.
 void AssignPage::search()
 {
-    const QStringList words = m_search->text().split(u' ', Qt::SkipEmptyParts);
     int heading = -1;
     const auto matches = [&](const QStandardItem& item) {
         const QString id = item.data(kId).toString();
         const auto lesson = std::find_if(m_lessons.begin(), m_lessons.end(),
                                          [&](const LessonOffer& one) { return QString::fromStdString(one.id) == id; });
-        const QString all = lesson->title + u' ' + lesson->tooth + u' ' + lesson->group + u' ' + id;
-        return std::all_of(words.begin(), words.end(),
-                           [&](const QString& word) { return all.contains(word, Qt::CaseInsensitive); });
+        return text::holdsEach(lesson->title + u' ' + lesson->tooth + u' ' + lesson->group + u' ' + id,
+                               m_search->text());
     };
     for (int row = 0; row < m_offers->rowCount(); ++row) {
         const QStandardItem* item = m_offers->item(row);

@@ -9,6 +9,7 @@
 
 #include "lessons/Stuck.h"
 #include "ui/shell/Theme.h"
+#include "ui/text/Search.h"
 #include "ui/text/Texts.h"
 
 namespace ui::people {
@@ -374,8 +375,8 @@ void ClassFilter::sort(int column, Qt::SortOrder order)
 bool ClassFilter::filterAcceptsRow(int row, const QModelIndex&) const
 {
     const MatrixStudent& student = m_source->overview().students[static_cast<std::size_t>(row)];
-    const bool isCalledSo = nameOf(student).contains(m_words, Qt::CaseInsensitive) ||
-                            QString::fromStdString(student.username).contains(m_words, Qt::CaseInsensitive);
+    const bool isCalledSo =
+        text::holds(nameOf(student), m_words) || text::holds(QString::fromStdString(student.username), m_words);
     return isCalledSo && (m_need == Need::Nothing || m_source->needs(row, m_need));
 }
 

@@ -562,9 +562,16 @@ void ClassPage::fitColumns()
 void ClassPage::say(std::function<QString()> words)
 {
     m_saying = std::move(words);
-    m_said->setText(m_saying ? m_saying() : QString());
+    tellSaying();
     if (m_saying)
         announce(*m_said);
+}
+
+/// A path may be longer than there is room for.
+void ClassPage::tellSaying()
+{
+    m_said->setText(m_saying ? m_saying() : QString());
+    m_said->setToolTip(m_saying ? brokenIntoLines(m_said->text()) : QString());
 }
 
 bool ClassPage::saveTable(const QString& path)
@@ -601,7 +608,7 @@ void ClassPage::askForFile()
 void ClassPage::retell()
 {
     setTitle(tr("Class"));
-    m_said->setText(m_saying ? m_saying() : QString());
+    tellSaying();
     study::nameInput(m_class, tr("Class"));
     m_search->setPlaceholderText(tr("Search: a student"));
     m_search->setAccessibleName(m_search->placeholderText());
@@ -623,6 +630,7 @@ void ClassPage::retell()
                          "name. A cell opens the attempts."));
     m_legend->setToolTip(shell::brokenIntoLines(m_legend->text()));
     m_model->retell();
+    fitColumns();
     fillClasses();
     fillLessons();
     tellNeeds();

@@ -109,6 +109,7 @@ private:
     void takeLesson();
     void takeCell(const QModelIndex& index);
     void retell();
+    void tellSaying();
     void tellNeeds();
     void tellEmpty();
     void search();

@@ -25,8 +25,7 @@ public:
     explicit HistoryModel(QObject* parent) : QAbstractTableModel(parent) {}
 
     void setAttempts(const QList<database::AttemptRecord>& attempts);
-    /// @param isNew  of the attempts of which others have said something, by number, whether that is to be read yet
-    /// @param isNew  by attempt: who made it has not read yet what was said of it
+    /// @param isNew  of the attempts of which others have said something, by number: who made it has not read it yet
     /// @param isOwn  that is who looks at the list
     void setFeedback(std::map<std::int64_t, bool> isNew, bool isOwn);
     void setTitles(const LessonTitles& titles);

@@ -303,6 +303,7 @@ void HistoryPage::fillLessons()
         if (kept && *kept == id)
             m_lessons->setCurrentIndex(m_lessons->count() - 1);
     }
+    makeRoom();
 }
 
 void HistoryPage::takeLesson()
@@ -431,7 +432,13 @@ void HistoryPage::fitColumns()
 /// Force and time, which have charts beside the list, leave their room to the titles of lessons where it is scarce.
 void HistoryPage::makeRoom()
 {
-    int leftPx = m_table->viewport()->width() - kLeastTitlePx;
+    // Titles take no more than the longest of them needs.
+    const QFontMetrics letters(typeface(kBody));
+    int titlePx = 0;
+    for (int k = 1; k < m_lessons->count(); ++k)
+        titlePx = std::max(titlePx, letters.horizontalAdvance(lessonTitle(
+                                        m_charted.titles, m_lessons->itemData(k).toString().toStdString())));
+    int leftPx = m_table->viewport()->width() - std::min(kLeastTitlePx, titlePx + kSpace6);
     for (const auto& [column, px] : m_columnPx)
         if (column != HistoryModel::Feedback || !m_table->isColumnHidden(column))
             leftPx -= px;

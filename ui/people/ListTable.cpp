@@ -57,7 +57,9 @@ ListTable::ListTable(QWidget* parent) : QTableView(parent)
     verticalHeader()->setHighlightSections(false);
     // Who sorts wants to see what comes first.
     connect(horizontalHeader(), &QHeaderView::sortIndicatorChanged, this, &QTableView::scrollToTop);
+    connect(horizontalHeader(), &QHeaderView::sortIndicatorChanged, this, &ListTable::describeSorting);
     text::inEveryLanguage(this, [this] {
+        describeSorting();
         for (auto* corner : findChildren<QAbstractButton*>(QString(), Qt::FindDirectChildrenOnly))
             corner->setAccessibleName(tr("Corner of the table"));
     });
@@ -87,6 +89,21 @@ bool ListTable::event(QEvent* event)
     return QTableView::event(event);
 }
 
+void ListTable::describeSorting()
+{
+    const QHeaderView* heads = horizontalHeader();
+    const int column = heads->sortIndicatorSection();
+    if (model() == nullptr || !isSortingEnabled() || column < 0 || column >= heads->count()) {
+        setAccessibleDescription({});
+        return;
+    }
+    const QString words = model()->headerData(column, Qt::Horizontal).toString().simplified();
+    //: %1: a heading
+    setAccessibleDescription((heads->sortIndicatorOrder() == Qt::AscendingOrder ? tr("Sorted by: %1, from the least")
+                                                                                : tr("Sorted by: %1, from the most"))
+                                 .arg(words));
+}
+
 void ListTable::sortBeside(int columns)
 {
     const QHeaderView* heads = horizontalHeader();
@@ -94,13 +111,15 @@ void ListTable::sortBeside(int columns)
     do
         place += columns;
     while (place >= 0 && place < heads->count() && heads->isSectionHidden(heads->logicalIndex(place)));
-    if (place < 0 || place >= heads->count())
+    // Beyond the first heading lies none, where a click on a heading can come to that, too.
+    if (place < 0 && heads->isSortIndicatorClearable())
+        sortByColumn(-1, Qt::AscendingOrder);
+    else if (place < 0 || place >= heads->count())
         return;
-    const int column = heads->logicalIndex(place);
-    sortByColumn(column, heads->sortIndicatorOrder());
-    scrollTo(model()->index(0, column));
-    const QString words = model()->headerData(column, Qt::Horizontal).toString();
-    setAccessibleDescription(tr("Sorted by: %1").arg(words.simplified()));
+    else
+        sortByColumn(heads->logicalIndex(place), heads->sortIndicatorOrder());
+    if (place >= 0)
+        scrollTo(model()->index(0, heads->logicalIndex(place)));
     shell::announce(*this);
 }
 
@@ -115,6 +134,7 @@ void ListTable::keyPressEvent(QKeyEvent* event)
         if (key == Qt::Key_Up || key == Qt::Key_Down) {
             sortByColumn(std::max(0, horizontalHeader()->sortIndicatorSection()),
                          key == Qt::Key_Up ? Qt::AscendingOrder : Qt::DescendingOrder);
+            shell::announce(*this);
             return;
         }
     }

@@ -6,7 +6,8 @@
 namespace ui::people {
 
 /// A table of a page: sorts by its headings, and keeps the arrow keys to itself, whatever else they are keys of; with
-/// Alt they sort: to the sides by the column beside, up and down from the least or the most. Tab leaves it.
+/// Alt they sort: to the sides by the column beside, up and down from the least or the most. What it is sorted by is
+/// its description. Tab leaves it.
 class ListTable final : public QTableView
 {
     Q_OBJECT
@@ -23,6 +24,7 @@ protected:
 private:
     /// @param columns  further along the headings that are seen
     void sortBeside(int columns);
+    void describeSorting();
 
     bool m_isByKey = false;
 };

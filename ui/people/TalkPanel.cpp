@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <QCheckBox>
 #include <QDoubleSpinBox>
@@ -39,6 +40,13 @@ QLabel* label(int size, QFont::Weight weight, QPalette::ColorRole role, QWidget*
     made->setForegroundRole(role);
     made->setWordWrap(true);
     return made;
+}
+
+/// The words of a comment that was taken back, under a draft.
+QString below(const QString& draft, const database::AttemptComment& comment)
+{
+    const QString words = QString::fromStdString(comment.words);
+    return draft.trimmed().isEmpty() ? words : draft + QStringLiteral("\n\n") + words;
 }
 
 }  // namespace
@@ -188,6 +196,7 @@ void TalkPanel::setWriter(qint64 person)
     m_drafts = std::move(m_waiting[person]);
     m_waiting.erase(person);
     m_writer = person;
+    m_withdrawn.clear();
 }
 
 TalkPanel::Draft TalkPanel::draft() const
@@ -320,8 +329,13 @@ void TalkPanel::withdraw(qint64 comment, bool earlier)
 {
     const auto found = std::find_if(m_talk.comments.begin(), m_talk.comments.end(),
                                     [comment](const auto& one) { return one.id == comment; });
-    if (found == m_talk.comments.end())  // another attempt is shown by now, or it was pressed twice
+    if (found == m_talk.comments.end()) {
+        if (!earlier)
+            putBy(comment);
+        m_withdrawn.erase(comment);
         return;
+    }
+    m_withdrawn.erase(comment);
     const database::AttemptComment gone = *found;
     m_talk.comments.erase(found);
     // Its button goes along, and must not hand the keyboard on to the score.
@@ -330,36 +344,54 @@ void TalkPanel::withdraw(qint64 comment, bool earlier)
     fill();
     const bool isFree = m_words->toPlainText().trimmed().isEmpty();
     if (earlier)
-        say(tr("This comment had been taken back already."));
+        say([] { return tr("This comment had been taken back already."); });
     else if (isFree)
-        say(tr("Taken back. Nobody is shown it any more. Its words are here again, to be corrected or cleared."));
+        say([] {
+            return tr("Taken back. Nobody is shown it any more. Its words are here again, to be corrected or cleared.");
+        });
     else
-        say(tr("Taken back. Nobody is shown it any more. What you are writing is as it was."));
-    if (isFree && !earlier)
+        say([] {
+            return tr("Taken back. Nobody is shown it any more. Its words are here again, below what you are writing.");
+        });
+    if (!earlier)
         writeAgain(gone);
     emit formUsed(m_composer);  // what went has moved it
 }
 
-/// What it was pinned to comes back with it.
+/// Below what is being written. What it was pinned to comes back with it, where that is pinned to nothing of the kind.
 void TalkPanel::writeAgain(const database::AttemptComment& comment)
 {
-    m_words->setPlainText(QString::fromStdString(comment.words));
+    m_words->setPlainText(below(m_words->toPlainText(), comment));
     m_words->moveCursor(QTextCursor::End);
-    if (comment.placeMm) {
+    if (comment.placeMm && !m_atPlace->isChecked()) {
         emit placeWanted(*comment.placeMm);
         setPlace(comment.placeMm, true);
     }
-    if (comment.momentMs) {
+    if (comment.momentMs && !m_atMoment->isChecked()) {
         setMoment(comment.momentMs);
         m_atMoment->setChecked(true);
     }
 }
 
-void TalkPanel::say(const QString& sentence)
+/// By the time its comment is gone another attempt is shown: the words wait with their own, or it was pressed twice.
+void TalkPanel::putBy(qint64 comment)
 {
-    m_said->setText(sentence);
-    m_said->setVisible(!sentence.isEmpty());
-    if (!sentence.isEmpty())
+    const auto found = m_withdrawn.find(comment);
+    if (found == m_withdrawn.end() || found->second.attempt == m_attempt)
+        return;
+    const database::AttemptComment& gone = found->second.comment;
+    Draft& draft = m_drafts[found->second.attempt];
+    draft.words = below(draft.words, gone);
+    draft.momentMs = draft.momentMs ? draft.momentMs : gone.momentMs;
+    draft.placeMm = draft.placeMm ? draft.placeMm : gone.placeMm;
+}
+
+void TalkPanel::say(std::function<QString()> sentence)
+{
+    m_saying = std::move(sentence);
+    m_said->setText(m_saying ? m_saying() : QString());
+    m_said->setVisible(static_cast<bool>(m_saying));
+    if (m_saying)
         announce(*m_said);
 }
 
@@ -430,11 +462,12 @@ QPushButton* TalkPanel::takeBackButton(const database::AttemptComment& comment)
     button->setAutoDefault(true);
     //: %1: when it was written
     button->setAccessibleName(tr("Take back your comment of %1").arg(when(comment.writtenUtc)));
-    connect(button, &QPushButton::clicked, this, [this, id = comment.id] {
+    connect(button, &QPushButton::clicked, this, [this, comment] {
         m_asked = m_composer;
         m_fault->hide();
         say({});
-        emit withdrawWanted(id);
+        m_withdrawn[comment.id] = {m_attempt, comment};
+        emit withdrawWanted(comment.id);
     });
     return button;
 }
@@ -533,6 +566,7 @@ void TalkPanel::retell()
     m_again->setText(tr("Back to the machine's score"));
     for (QPushButton* button : {m_add, m_give, m_again})
         button->setAccessibleName(button->text());
+    m_said->setText(m_saying ? m_saying() : QString());
     setMay(m_mayComment, m_mayOverride);
     tellScore();
     tellPins();

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 
@@ -54,7 +55,8 @@ public:
     /// @param forComment  it was marked by who writes, so that what he writes is about it
     void setPlace(const std::optional<std::array<double, 3>>& placeMm, bool forComment = false);
     [[nodiscard]] const std::optional<std::array<double, 3>>& place() const { return m_place; }
-    /// A comment of one's own goes. Its words and pins come back into the field where that is empty, to be corrected.
+    /// A comment of one's own goes. Its words come back into the field, below what is being written there, and its
+    /// pins where that has none; when another attempt is shown by now, into what waits with its own.
     /// @param earlier  somebody had done it already, and may have written it anew
     void withdraw(qint64 comment, bool earlier);
     /// Says why what was written could not be kept. It stays where it was typed.
@@ -104,13 +106,22 @@ private:
     void unpin();
     void offerPoints(int tenths);
     void writeAgain(const database::AttemptComment& comment);
-    void say(const QString& sentence);
+    void putBy(qint64 comment);
+    void say(std::function<QString()> sentence);
     [[nodiscard]] QPushButton* takeBackButton(const database::AttemptComment& comment);
     [[nodiscard]] QWidget* formInUse() const;
+
+    /// A comment that is to be taken back.
+    struct Withdrawn
+    {
+        qint64 attempt = 0;
+        database::AttemptComment comment;
+    };
 
     std::map<qint64, Draft> m_drafts;                     ///< on the other attempts
     qint64 m_writer = 0;                                  ///< whose they are
     std::map<qint64, std::map<qint64, Draft>> m_waiting;  ///< of others, by the person
+    std::map<qint64, Withdrawn> m_withdrawn;              ///< by comment, until that is done
     qint64 m_attempt = 0;
     database::AttemptTalk m_talk;
     int m_machineTenths = 0;
@@ -126,6 +137,7 @@ private:
     QVBoxLayout* m_listSlot;
     QWidget* m_composer = nullptr;
     QLabel* m_said = nullptr;  ///< of a comment that was taken back
+    std::function<QString()> m_saying;
     QPlainTextEdit* m_words = nullptr;
     QCheckBox* m_atMoment = nullptr;
     QCheckBox* m_atPlace = nullptr;

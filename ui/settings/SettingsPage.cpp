@@ -10,7 +10,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QLocale>
 #include <QShowEvent>
 #include <QSignalBlocker>
 #include <QToolButton>
@@ -24,6 +23,7 @@
 #include "ui/study/FormInputs.h"
 #include "ui/text/EveryLanguage.h"
 #include "ui/text/Language.h"
+#include "ui/text/Search.h"
 
 namespace ui::settings {
 namespace {
@@ -198,9 +198,9 @@ QWidget* SettingsPage::makeRow(const core::settings::Parameter& parameter, QWidg
         };
         line->addWidget(number);
     }
-    auto* words = study::formWords(
-        parameter.isSwitch ? help : help + u' ' + tr("From %1.").arg(console::rangeWords(parameter, QLocale())), kSmall,
-        QFont::Normal, QPalette::PlaceholderText, whole);
+    auto* words =
+        study::formWords(parameter.isSwitch ? help : help + u' ' + tr("From %1.").arg(console::rangeWords(parameter)),
+                         kSmall, QFont::Normal, QPalette::PlaceholderText, whole);
     line->addWidget(words, 1);
     auto* back = new QToolButton(whole);
     back->setIcon(lineIcon(QStringLiteral("undo"), palette()));
@@ -245,15 +245,15 @@ void SettingsPage::showEvent(QShowEvent* event)
         study::showFault(m_fault, {});
 }
 
-void SettingsPage::search(const QString& text)
+void SettingsPage::search(const QString& words)
 {
     for (const Row& row : m_rows)
-        row.whole->setVisible(row.words.contains(text, Qt::CaseInsensitive));
-    m_none->setVisible(std::none_of(m_rows.begin(), m_rows.end(),
-                                    [&](const Row& row) { return row.words.contains(text, Qt::CaseInsensitive); }));
+        row.whole->setVisible(text::holds(row.words, words));
+    m_none->setVisible(
+        std::none_of(m_rows.begin(), m_rows.end(), [&](const Row& row) { return text::holds(row.words, words); }));
     for (const Row& row : m_rows)
         row.group->setVisible(std::any_of(m_rows.begin(), m_rows.end(), [&](const Row& other) {
-            return other.group == row.group && other.words.contains(text, Qt::CaseInsensitive);
+            return other.group == row.group && text::holds(other.words, words);
         }));
 }
 

@@ -41,7 +41,7 @@ private:
     void addWindowRows();
     QWidget* makeRow(const core::settings::Parameter& parameter, QWidget* parent, Row& row);
     void set(const std::string& name, double value);
-    void search(const QString& text);
+    void search(const QString& words);
 
     const core::settings::Parameters& m_parameters;
     QLineEdit* m_search;

@@ -66,9 +66,10 @@ void BurTile::paintEvent(QPaintEvent*)
     painter.setBrush(isChecked() || underMouse() ? p.brush(QPalette::Midlight) : QBrush(Qt::NoBrush));
     painter.drawRoundedRect(frame, kRadius, kRadius);
     if (hasFocus()) {
-        painter.setPen(QPen(p.color(QPalette::WindowText), 1, Qt::DotLine));
+        // The ring of every other button, within the frame of the one that is chosen.
+        painter.setPen(QPen(p.color(QPalette::Link), 2));
         painter.setBrush(Qt::NoBrush);
-        painter.drawRoundedRect(frame.adjusted(3, 3, -3, -3), kRadius - 2, kRadius - 2);
+        painter.drawRoundedRect(isChecked() ? frame.adjusted(3, 3, -3, -3) : frame, kRadius - 2, kRadius - 2);
     }
     painter.setOpacity(isEnabled() ? 1.0 : 0.38);
 

@@ -2,6 +2,7 @@
 #include "ui/shell/Page.h"
 
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QToolButton>
@@ -27,6 +28,7 @@ Page::Page(const Actions& actions, QWidget* parent)
     });
     back->setFocusPolicy(Qt::TabFocus);
     connect(back, &QToolButton::clicked, actions.back, &QAction::trigger);
+    back->installEventFilter(this);
     m_title->setFont(typeface(kTitle, QFont::DemiBold));
     m_title->setTextFormat(Qt::PlainText);
 
@@ -50,6 +52,18 @@ Page::Page(const Actions& actions, QWidget* parent)
     column->setSpacing(kSpace4);
     column->addLayout(head);
     column->addLayout(m_body, 1);
+}
+
+/// Enter presses the arrow as it does the buttons beside it; Qt leaves a tool button the space bar only.
+bool Page::eventFilter(QObject* watched, QEvent* event)
+{
+    if (auto* arrow = qobject_cast<QToolButton*>(watched);
+        arrow != nullptr && arrow->parent() == this && event->type() == QEvent::KeyPress)
+        if (const int key = static_cast<QKeyEvent*>(event)->key(); key == Qt::Key_Return || key == Qt::Key_Enter) {
+            arrow->click();
+            return true;
+        }
+    return QWidget::eventFilter(watched, event);
 }
 
 void Page::removeGuestSign()

@@ -20,6 +20,7 @@ public:
     void setTitle(const QString& title);
 
 protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
     /// Where a page puts its content.
     [[nodiscard]] QVBoxLayout* body() { return m_body; }
     /// What is done on this page is kept, whoever does it.

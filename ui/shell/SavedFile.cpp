@@ -9,8 +9,12 @@ namespace ui::shell {
 bool openForOwner(QSaveFile& file)
 {
     const bool isNew = !QFileInfo::exists(file.fileName());
-    return file.open(QIODevice::WriteOnly) &&
-           (!isNew || file.setPermissions(QFileDevice::ReadOwner | QFileDevice::WriteOwner));
+    if (!file.open(QIODevice::WriteOnly))
+        return false;
+    // A share or a stick may have no rights to give: what is written there is as safe as whatever else lies there.
+    if (isNew)
+        file.setPermissions(QFileDevice::ReadOwner | QFileDevice::WriteOwner);
+    return true;
 }
 
 }  // namespace ui::shell

@@ -5,8 +5,8 @@ class QSaveFile;
 
 namespace ui::shell {
 
-/// Opens a file that something about people is saved into: one that is new only its owner may read; of one that is
-/// there it stays who may. False: see QSaveFile::errorString().
+/// Opens a file that something about people is saved into: one that is new only its owner may read, where the file
+/// system knows such rights; of one that is there it stays who may. False: see QSaveFile::errorString().
 [[nodiscard]] bool openForOwner(QSaveFile& file);
 
 }  // namespace ui::shell

@@ -6,7 +6,8 @@
 namespace ui::shell {
 
 /// What may be higher than there is room for. While some of it lies below, its lower edge fades and an arrow points
-/// there. It never scrolls sideways, and Tab passes it by.
+/// there. It never scrolls sideways. Whatever gets the keyboard within comes into sight, and the keys that it has no
+/// use for scroll; where nothing within can have it and there is something to scroll, Tab stops at the pane itself.
 class ScrollPane : public QScrollArea
 {
     Q_OBJECT
@@ -18,12 +19,18 @@ public:
     [[nodiscard]] bool hasMoreBelow() const;
 
 protected:
+    bool event(QEvent* event) override;
+    void focusInEvent(QFocusEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
 
 private:
     void placeEdge();
+    void reveal(const QWidget& what);
 
     QWidget* m_edge;
+    QWidget* m_ring;
 };
 
 }  // namespace ui::shell

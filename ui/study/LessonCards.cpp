@@ -143,7 +143,10 @@ void LessonCards::paintCard(QPainter& painter, const QStyleOptionViewItem& optio
                      painter.fontMetrics().elidedText(index.data(CardDue).toString(), Qt::ElideRight,
                                                       static_cast<int>(words.width()) - scoreWidth));
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(isSelected ? QPen(palette.color(QPalette::Link), 2.0) : QPen(palette.color(QPalette::Mid), 1.0));
+    const bool hasKeys = option.state.testFlag(QStyle::State_HasFocus);
+    painter.setPen(hasKeys      ? QPen(palette.color(QPalette::Link), 3.0)
+                   : isSelected ? QPen(palette.color(QPalette::PlaceholderText), 2.0)
+                                : QPen(palette.color(QPalette::Mid), 1.0));
     painter.drawPath(shape);
 }
 

@@ -86,6 +86,33 @@ Kept keptOf(const Weighed* before, const Lesson& lesson)
             old.ideal == lesson.ideal && old.task == lesson.task};
 }
 
+/// A draft whose rubric is none, read with that of the draft before, else with that of the lesson it is based on.
+std::optional<Lesson> withAnotherRubric(QJsonObject draft, const QString& file, const Weighed* before)
+{
+    const QString key = QStringLiteral("rubric");
+    if (before != nullptr && before->assignment) {
+        draft.insert(key, ::lessons::ownRubric(*before->assignment->lesson));
+        if (const auto read = ::lessons::readDraft(draft, file); read.lesson)
+            return *read.lesson;
+    }
+    draft.remove(key);
+    const auto read = ::lessons::readDraft(draft, file);
+    return read.lesson ? std::optional(*read.lesson) : std::nullopt;
+}
+
+/// The sizes of a preparation on this tooth, of which nothing is kept.
+std::optional<core::preparation::ToothDesign> usualOf(const Lesson& lesson)
+{
+    const auto kind = ruleOf(lesson);
+    if (!kind)
+        return std::nullopt;
+    const auto assigned = ::lessons::assign(lesson);
+    if (!assigned)
+        return std::nullopt;
+    const auto usual = core::preparation::fittedDesign(*kind, *assigned->assignment.anatomy);
+    return usual ? std::optional(*usual) : std::nullopt;
+}
+
 /// As lessons::assign(), with what is kept.
 core::Result<Assignment> assignmentFor(const Lesson& lesson, const Kept& kept, const Weighed* before)
 {
@@ -170,12 +197,10 @@ std::shared_ptr<const Weighed> weigh(const QJsonObject& draft, const QString& fi
                     weighed->itself = marked->sheet;
             weighed->assignment = std::move(*assignment);
         }
-    } else if (before && before->assignment) {
-        // A rubric that is none must not hide the numbers of the ideal: they are read with the one before.
-        QJsonObject other = draft;
-        other.insert(QStringLiteral("rubric"), ::lessons::ownRubric(*before->assignment->lesson));
-        if (const auto read = ::lessons::readDraft(other, file); read.lesson)
-            weighed->fields = fieldsOf(*read.lesson, keptOf(before.get(), *read.lesson).usual);
+    } else if (const auto sound = withAnotherRubric(draft, file, before.get())) {
+        // A rubric that is none must not hide the numbers of the ideal.
+        const auto usual = keptOf(before.get(), *sound).usual;
+        weighed->fields = fieldsOf(*sound, usual ? usual : usualOf(*sound));
     }
     weighed->milliseconds = static_cast<double>(timer.nsecsElapsed()) * 1.0e-6;
     return weighed;

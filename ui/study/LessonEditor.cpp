@@ -119,6 +119,8 @@ void LessonEditor::speak()
     m_rubric->offerCriteria(lesson.rubric.criteria);
     m_rubric->showValues(draft().rubric());
     offerReferences();
+    if (m_good)
+        showMeaning();
     if (m_saying)
         say(m_saying, m_isSaidWrong);
     m_weigher->weigh(draft().object(), draft().file());
@@ -374,8 +376,9 @@ void LessonEditor::take(const std::shared_ptr<const Weighed>& weighed, bool isNe
     }
     if (!isNewest)
         return;  // what is in the inputs is newer
-    if (weighed->assignment) {
+    if (weighed->assignment || !weighed->fields.empty())
         m_ideal->offerFields(weighed->fields);
+    if (weighed->assignment) {
         m_rubric->offerCriteria(weighed->assignment->rubric.criteria);
         offerReferences();
         m_sweep->setDraft(weighed);

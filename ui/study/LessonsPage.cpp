@@ -2,6 +2,7 @@
 #include "ui/study/LessonsPage.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -35,6 +36,7 @@
 #include "ui/study/LessonWords.h"
 #include "ui/text/EveryLanguage.h"
 #include "ui/text/FaultWords.h"
+#include "ui/text/Search.h"
 #include "ui/text/Texts.h"
 
 namespace ui::study {
@@ -506,6 +508,7 @@ void LessonsPage::fillCard(QStandardItem& item, const CatalogEntry& entry) const
         //: Of a lesson in a list: in the editor
         notes.prepend(tr("changed, not saved"));
     item.setData(notes.join(QStringLiteral(" · ")), CardTooth);
+    item.setToolTip(notes.join(u'\n'));  // a card has little room
     if (!lesson) {
         item.setData(item.data(CardTooth), Qt::AccessibleDescriptionRole);
         return;
@@ -527,7 +530,7 @@ void LessonsPage::fillCard(QStandardItem& item, const CatalogEntry& entry) const
         item.setData(due.join(QStringLiteral(" · ")), CardDue);
         item.setData(given->due.isValid() && given->due < now && !isPassed, CardIsLate);
         notes << due;
-        item.setToolTip(due.join(u'\n'));
+        item.setToolTip(item.toolTip() + u'\n' + due.join(u'\n'));
     }
     if (standing != nullptr) {
         const QString points = text::points(standing->bestTenths);
@@ -560,10 +563,7 @@ std::vector<std::size_t> LessonsPage::found() const
     const QStringList words = m_search->text().split(u' ', Qt::SkipEmptyParts);
     std::vector<std::size_t> shown;
     for (std::size_t k = 0; k < m_entries.size(); ++k) {
-        const QString all = searchedWords(m_entries[k]);
-        if (isWanted(m_entries[k]) && std::all_of(words.begin(), words.end(), [&](const QString& word) {
-                return all.contains(word, Qt::CaseInsensitive);
-            }))
+        if (isWanted(m_entries[k]) && text::holdsEach(searchedWords(m_entries[k]), m_search->text()))
             shown.push_back(k);
     }
     std::stable_partition(shown.begin(), shown.end(), [&](std::size_t k) { return isOnTooth(m_entries[k], words); });
@@ -698,6 +698,31 @@ void LessonsPage::showEvent(QShowEvent* event)
     m_list->setFocus();
 }
 
+/// To the card that is furthest down, or up, within a page, and of those the nearest to the side. Qt finds none among
+/// cards of which headings take whole rows.
+void LessonsPage::turnPage(bool down)
+{
+    const QRect from = m_list->visualRect(m_list->currentIndex());
+    QModelIndex best;
+    std::pair<int, int> bestPlace{0, 0};
+    for (int row = 0; row < m_model->rowCount(); ++row) {
+        const QModelIndex index = m_model->index(row, 0);
+        const QRect place = m_list->visualRect(index);
+        const int along = down ? place.top() - from.top() : from.top() - place.top();
+        if (!index.data(CardEntry).isValid() || along <= 0 || along > m_list->viewport()->height())
+            continue;
+        const std::pair worth(along, -std::abs(place.left() - from.left()));
+        if (!best.isValid() || worth > bestPlace) {
+            best = index;
+            bestPlace = worth;
+        }
+    }
+    if (best.isValid()) {
+        m_list->setCurrentIndex(best);
+        m_list->scrollTo(best);
+    }
+}
+
 /// From the search one goes on in the list without the mouse, and back by typing.
 bool LessonsPage::eventFilter(QObject* watched, QEvent* event)
 {
@@ -713,6 +738,13 @@ bool LessonsPage::eventFilter(QObject* watched, QEvent* event)
             m_search->setFocus();
             m_search->selectAll();
             QCoreApplication::sendEvent(m_search, event);
+            return true;
+        }
+    }
+    if (watched == m_list && event->type() == QEvent::KeyPress) {
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        if (key == Qt::Key_PageDown || key == Qt::Key_PageUp) {
+            turnPage(key == Qt::Key_PageDown);
             return true;
         }
     }

@@ -109,6 +109,7 @@ private:
     void fillList();
     void search();
     void describe();
+    void turnPage(bool down);
     void start();
 
     std::vector<::lessons::CatalogEntry> m_entries;

@@ -56,14 +56,14 @@ public:
     /// @param history  newest first, this attempt included
     /// @param expected  what the student had expected, where that was asked
     /// @param scored   what was marked; nothing: no pictures
+    void setScore(std::function<QString()> work, const ::lessons::ScoreSheet& sheet,
+                  const QList<database::AttemptRecord>& history, const std::optional<Expectation>& expected,
+                  const std::optional<ScoredWork>& scored);
     /// Whose work it is, after setScore(); empty: one's own.
     void setPerson(const QString& fullName);
     [[nodiscard]] const QString& person() const { return m_person; }
     /// A teacher's score counts in place of the machine's, which stays beneath; nothing: the machine's.
     void setGiven(std::optional<int> tenths);
-    void setScore(std::function<QString()> work, const ::lessons::ScoreSheet& sheet,
-                  const QList<database::AttemptRecord>& history, const std::optional<Expectation>& expected,
-                  const std::optional<ScoredWork>& scored);
     /// The same, when the database has answered.
     void setHistory(const QList<database::AttemptRecord>& history);
     /// What becomes of the grade that is shown.

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/text/FaultWords.h"
 
+#include <utility>
+
 #include <QCoreApplication>
 #include <QFileInfo>
+#include <QRegularExpression>
+
+#include "ui/text/Texts.h"
 
 namespace ui::text {
 namespace {
@@ -88,11 +93,31 @@ std::string translated(const std::string& english)
     return words.toStdString();
 }
 
+/// A noted number with a fraction, perhaps with its unit, as the language writes it; all else as it was noted.
+std::string localised(const std::string& noted)
+{
+    static const QRegularExpression fraction(QStringLiteral("^(-?\\d+\\.(\\d+))( MB)?$"));
+    const auto found = fraction.match(QString::fromStdString(noted));
+    if (!found.hasMatch())
+        return noted;
+    return (number(found.captured(1).toDouble(), static_cast<int>(found.capturedLength(2))) + found.captured(3))
+        .toStdString();
+}
+
+core::Words localised(core::Words words)
+{
+    if (words.isNoted)
+        words.english = localised(words.english);
+    for (core::Words& value : words.values)
+        value = localised(std::move(value));
+    return words;
+}
+
 }  // namespace
 
 QString faultWords(const core::Words& what)
 {
-    return QString::fromStdString(core::said(what, translated));
+    return QString::fromStdString(core::said(localised(what), translated));
 }
 
 QString faultWords(const lessons::Fault& fault)

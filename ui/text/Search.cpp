@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/text/Search.h"
+
+#include <algorithm>
+
+#include <QStringList>
+
+namespace ui::text {
+namespace {
+
+/// The marks that make "ga" of "ka" and "pa" of "ha" in Japanese: those are other letters, not the same with an accent.
+bool isVoicing(QChar letter)
+{
+    return letter == QChar(0x3099) || letter == QChar(0x309A);
+}
+
+}  // namespace
+
+QString plain(const QString& words)
+{
+    QString parted = words.normalized(QString::NormalizationForm_KD);
+    parted.removeIf([](QChar letter) { return letter.category() == QChar::Mark_NonSpacing && !isVoicing(letter); });
+    parted.replace(QChar(0xDF), QStringLiteral("ss"));  // which Qt leaves as it is
+    return parted.toCaseFolded().normalized(QString::NormalizationForm_C);
+}
+
+bool holds(const QString& all, const QString& part)
+{
+    return plain(all).contains(plain(part));
+}
+
+bool holdsEach(const QString& all, const QString& words)
+{
+    const QStringList parts = plain(words).split(u' ', Qt::SkipEmptyParts);
+    const QString within = plain(all);
+    return std::all_of(parts.begin(), parts.end(), [&](const QString& part) { return within.contains(part); });
+}
+
+}  // namespace ui::text
