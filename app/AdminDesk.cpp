@@ -441,14 +441,14 @@ void AdminDesk::tellChecked(const database::sql::CheckReport& report, const QStr
     part.finish(sentence, m_found, !m_found.empty());
 }
 
-void AdminDesk::tellDone(const std::function<QString()>& done)
+void AdminDesk::tellDone(const std::function<QString()>& done, bool isFault)
 {
     m_window.adminPage().backups().finish(
         [done, isSound = m_found.empty()] {
             return isSound ? done()
                            : done() + u' ' + tr("What the last check found is in this backup, too; it stands below.");
         },
-        m_found);
+        m_found, isFault || !m_found.empty());
 }
 
 void AdminDesk::connectBackups()
@@ -471,14 +471,16 @@ void AdminDesk::connectBackups()
                 if (!made)
                     return tellFailed(made.error());
                 tellBackups();
-                tellDone([file = QDir::toNativeSeparators(made->file), isAuditWhole = made->isAuditWhole] {
-                    const QString whole = tr("Backed up: %1. Its pages and keys are whole.").arg(file);
-                    return isAuditWhole
-                               ? whole
-                               : whole + u' ' +
-                                     tr("But its audit was changed. \"Check everything\" says where. Older backups in "
-                                        "which it is whole are kept.");
-                });
+                tellDone(
+                    [file = QDir::toNativeSeparators(made->file), isAuditWhole = made->isAuditWhole] {
+                        const QString whole = tr("Backed up: %1. Its pages and keys are whole.").arg(file);
+                        return isAuditWhole ? whole
+                                            : whole + u' ' +
+                                                  tr("But its audit was changed. \"Check everything\" says where. "
+                                                     "Older backups in "
+                                                     "which it is whole are kept.");
+                    },
+                    !made->isAuditWhole);
             });
     });
     connect(&part, &BackupPart::drillWanted, this, [this] {

@@ -54,7 +54,7 @@ private:
     void tellFailed(const core::Error& error);
     /// A backup was made or tried, which looks at less than a check: what the last check has found stays in view.
     /// @param done  says what was done, in the language there is
-    void tellDone(const std::function<QString()>& done);
+    void tellDone(const std::function<QString()>& done, bool isFault = false);
     /// @param code  of a report; empty: there is none
     void check(const QString& code);
     void tellChecked(const database::sql::CheckReport& report, const QString& code);

@@ -1640,10 +1640,6 @@
         <translation>die Signatur der neuesten Zeile des Protokolls stammt nicht von dem Arbeitsplatz, dessen Schlüssel daneben steht</translation>
     </message>
     <message>
-        <source>audit row %1, which a report names, was removed</source>
-        <translation>Zeile %1 des Protokolls, die ein Bericht nennt, wurde entfernt</translation>
-    </message>
-    <message>
         <source>audit row %1 was removed</source>
         <translation>Zeile %1 des Protokolls wurde entfernt</translation>
     </message>
@@ -1686,10 +1682,6 @@
     <message>
         <source>audit row %1 (%2, %3, %4) was changed, or the one before it was and its hash with it</source>
         <translation>Zeile %1 des Protokolls (%2, %3, %4) wurde verändert, oder die davor samt ihrem Hash</translation>
-    </message>
-    <message>
-        <source>audit row %1 (%2, %3, %4) is not the one that a report names: it or one before it was changed</source>
-        <translation>Zeile %1 des Protokolls (%2, %3, %4) ist nicht die, die ein Bericht nennt: Sie oder eine davor wurde verändert</translation>
     </message>
     <message>
         <source>the signed head of the audit was removed</source>
@@ -1910,6 +1902,22 @@
     <message>
         <source>%1 is not from this program: it may refuse what is to be written</source>
         <translation>%1 stammt nicht von diesem Programm und kann verhindern, dass etwas geschrieben wird</translation>
+    </message>
+    <message>
+        <source>audit row %1, which a report names, is not there: it was removed, or the code is not typed as it stands there</source>
+        <translation>Zeile %1 des Protokolls, die ein Bericht nennt, gibt es nicht: Sie wurde entfernt, oder der Code ist nicht so eingegeben, wie er dort steht</translation>
+    </message>
+    <message>
+        <source>audit row %1 (%2, %3, %4) and those behind it were renumbered</source>
+        <translation>Zeile %1 des Protokolls (%2, %3, %4) und die dahinter wurden neu nummeriert</translation>
+    </message>
+    <message>
+        <source>audit row %1 (%2, %3, %4) is not the one that a report names: it or one before it was changed, or the code is not typed as it stands there</source>
+        <translation>Zeile %1 des Protokolls (%2, %3, %4) ist nicht die, die ein Bericht nennt: Sie oder eine davor wurde geändert, oder der Code ist nicht so eingegeben, wie er dort steht</translation>
+    </message>
+    <message>
+        <source>%1 is not from this program: its rows are read among those of the table %2</source>
+        <translation>%1 stammt nicht von diesem Programm: Ihre Zeilen werden unter denen der Tabelle %2 gelesen</translation>
     </message>
 </context>
 <context>
@@ -2806,6 +2814,10 @@
         <source>The backup was not restored. %1</source>
         <translation>Die Sicherung wurde nicht zurückgespielt. %1</translation>
     </message>
+    <message>
+        <source>No program answers here that shows folders. Your own lessons are in %1.</source>
+        <translation>Hier antwortet kein Programm, das Ordner anzeigt. Ihre eigenen Lektionen liegen in %1.</translation>
+    </message>
 </context>
 <context>
     <name>app::CardDesk</name>
@@ -2840,6 +2852,10 @@
     <message>
         <source>Not logged in</source>
         <translation>Nicht angemeldet</translation>
+    </message>
+    <message>
+        <source>There is no printer on this computer. Save it as a PDF instead.</source>
+        <translation>An diesem Computer gibt es keinen Drucker. Speichern Sie es stattdessen als PDF.</translation>
     </message>
 </context>
 <context>
@@ -2876,6 +2892,10 @@
         <source>%1: %2 points</source>
         <extracomment>%1: a lesson, and when it was done</extracomment>
         <translation>%1: %2 Punkte</translation>
+    </message>
+    <message>
+        <source>There is no printer on this computer. Save it as a PDF instead.</source>
+        <translation>An diesem Computer gibt es keinen Drucker. Speichern Sie es stattdessen als PDF.</translation>
     </message>
 </context>
 <context>
@@ -3247,7 +3267,6 @@
     </message>
     <message>
         <source>%1 will need a new one-time code: take the password away?</source>
-        <extracomment>%1 is a person</extracomment>
         <translation>%1 wird einen neuen Einmalcode brauchen: das Passwort wegnehmen?</translation>
     </message>
     <message>
@@ -3289,6 +3308,27 @@
     <message>
         <source>One-time code of %1. Tell it now: it is kept nowhere. It is shown here, whenever %1 is chosen, until School is left.</source>
         <translation>Einmalcode von %1. Sagen Sie ihn jetzt: Er wird nirgends aufbewahrt. Bis Sie „Schule“ verlassen, steht er hier, sooft Sie %1 wählen.</translation>
+    </message>
+    <message>
+        <source>There is a class %1 already. It is ticked above.</source>
+        <extracomment>%1: the name of a class</extracomment>
+        <translation>Die Klasse %1 gibt es schon. Sie ist oben angekreuzt.</translation>
+    </message>
+    <message>
+        <source>The one-time codes that are shown here are kept nowhere else. Esc once more leaves School without them.</source>
+        <translation>Die Einmalcodes, die hier stehen, sind sonst nirgends aufgehoben. Noch einmal Esc verlässt die Schule ohne sie.</translation>
+    </message>
+    <message>
+        <source>Yes, make another</source>
+        <translation>Ja, einen anderen</translation>
+    </message>
+    <message>
+        <source>The one-time code of %1 above would let nobody in any longer: make another?</source>
+        <translation>Mit dem Einmalcode von %1 oben käme niemand mehr hinein: einen anderen erstellen?</translation>
+    </message>
+    <message>
+        <source>The name to log in with is missing.</source>
+        <translation>Der Anmeldename fehlt.</translation>
     </message>
 </context>
 <context>
@@ -4815,8 +4855,13 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Ecke der Tabelle</translation>
     </message>
     <message>
-        <source>Sorted by: %1</source>
-        <translation>Sortiert nach: %1</translation>
+        <source>Sorted by: %1, from the least</source>
+        <extracomment>%1: a heading</extracomment>
+        <translation>Sortiert nach: %1, vom Kleinsten an</translation>
+    </message>
+    <message>
+        <source>Sorted by: %1, from the most</source>
+        <translation>Sortiert nach: %1, vom Größten an</translation>
     </message>
 </context>
 <context>
@@ -5124,10 +5169,6 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Zurückgenommen. Niemand sieht den Kommentar mehr. Sein Text steht wieder hier; Sie können ihn berichtigen oder löschen.</translation>
     </message>
     <message>
-        <source>Taken back. Nobody is shown it any more. What you are writing is as it was.</source>
-        <translation>Zurückgenommen. Niemand sieht den Kommentar mehr. Was Sie gerade schreiben, ist unverändert.</translation>
-    </message>
-    <message>
         <source>Take back</source>
         <translation>Zurücknehmen</translation>
     </message>
@@ -5135,6 +5176,10 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <source>Take back your comment of %1</source>
         <extracomment>%1: when it was written</extracomment>
         <translation>Ihren Kommentar vom %1 zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Taken back. Nobody is shown it any more. Its words are here again, below what you are writing.</source>
+        <translation>Zurückgenommen. Niemand sieht es mehr. Die Worte stehen wieder hier, unter dem, was Sie gerade schreiben.</translation>
     </message>
 </context>
 <context>
@@ -7204,6 +7249,22 @@ ungesichert</translation>
         <source>A comment was typed and is not added yet.</source>
         <translation>Ein Kommentar ist geschrieben und noch nicht hinzugefügt.</translation>
     </message>
+    <message>
+        <source>A score with its reason was typed and is not given yet.</source>
+        <translation>Ein Ergebnis mit Begründung ist eingegeben und noch nicht vergeben.</translation>
+    </message>
+    <message>
+        <source>A comment or a score that somebody else has typed is not kept yet.</source>
+        <translation>Ein Kommentar oder ein Ergebnis, das jemand anderes eingegeben hat, ist noch nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>It waits until that person logs in here.</source>
+        <translation>Es wartet, bis sich diese Person hier anmeldet.</translation>
+    </message>
+    <message>
+        <source>Cusp stays open: a teacher&apos;s work is not saved yet. It waits until a teacher logs in here.</source>
+        <translation>Cusp bleibt geöffnet: Die Arbeit einer Lehrkraft ist noch nicht gespeichert. Sie wartet, bis sich hier eine Lehrkraft anmeldet.</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::MessageBar</name>
@@ -7291,6 +7352,17 @@ ungesichert</translation>
     <message>
         <source>pass mark %1</source>
         <translation>bestanden ab %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::ScrollPane</name>
+    <message>
+        <source>More than there is room for</source>
+        <translation>Mehr, als Platz hat</translation>
+    </message>
+    <message>
+        <source>Page Up, Page Down and the arrow keys scroll</source>
+        <translation>Bild auf, Bild ab und die Pfeiltasten blättern</translation>
     </message>
 </context>
 <context>

@@ -1640,10 +1640,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>audit row %1, which a report names, was removed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>audit row %1 was removed</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1685,10 +1681,6 @@
     </message>
     <message>
         <source>audit row %1 (%2, %3, %4) was changed, or the one before it was and its hash with it</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>audit row %1 (%2, %3, %4) is not the one that a report names: it or one before it was changed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1909,6 +1901,22 @@
     </message>
     <message>
         <source>%1 is not from this program: it may refuse what is to be written</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>audit row %1, which a report names, is not there: it was removed, or the code is not typed as it stands there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>audit row %1 (%2, %3, %4) and those behind it were renumbered</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>audit row %1 (%2, %3, %4) is not the one that a report names: it or one before it was changed, or the code is not typed as it stands there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not from this program: its rows are read among those of the table %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2806,6 +2814,10 @@
         <source>The backup was not restored. %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>No program answers here that shows folders. Your own lessons are in %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>app::CardDesk</name>
@@ -2839,6 +2851,10 @@
     </message>
     <message>
         <source>Not logged in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no printer on this computer. Save it as a PDF instead.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2875,6 +2891,10 @@
     <message>
         <source>%1: %2 points</source>
         <extracomment>%1: a lesson, and when it was done</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no printer on this computer. Save it as a PDF instead.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3247,7 +3267,6 @@
     </message>
     <message>
         <source>%1 will need a new one-time code: take the password away?</source>
-        <extracomment>%1 is a person</extracomment>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3288,6 +3307,27 @@
     </message>
     <message>
         <source>One-time code of %1. Tell it now: it is kept nowhere. It is shown here, whenever %1 is chosen, until School is left.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is a class %1 already. It is ticked above.</source>
+        <extracomment>%1: the name of a class</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The one-time codes that are shown here are kept nowhere else. Esc once more leaves School without them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Yes, make another</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The one-time code of %1 above would let nobody in any longer: make another?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The name to log in with is missing.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4807,7 +4847,12 @@ load NAME        feels a hardness preset that is kept</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Sorted by: %1</source>
+        <source>Sorted by: %1, from the least</source>
+        <extracomment>%1: a heading</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sorted by: %1, from the most</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5116,16 +5161,16 @@ load NAME        feels a hardness preset that is kept</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Taken back. Nobody is shown it any more. What you are writing is as it was.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Take back</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Take back your comment of %1</source>
         <extracomment>%1: when it was written</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Taken back. Nobody is shown it any more. Its words are here again, below what you are writing.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7195,6 +7240,22 @@ unsaved</source>
         <source>A comment was typed and is not added yet.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>A score with its reason was typed and is not given yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A comment or a score that somebody else has typed is not kept yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It waits until that person logs in here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cusp stays open: a teacher&apos;s work is not saved yet. It waits until a teacher logs in here.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::MessageBar</name>
@@ -7281,6 +7342,17 @@ unsaved</source>
     </message>
     <message>
         <source>pass mark %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::ScrollPane</name>
+    <message>
+        <source>More than there is room for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Page Up, Page Down and the arrow keys scroll</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -1640,10 +1640,6 @@
         <translation>la firma de la última fila del registro no es del puesto cuya clave figura al lado</translation>
     </message>
     <message>
-        <source>audit row %1, which a report names, was removed</source>
-        <translation>la fila %1 del registro, que nombra un informe, fue eliminada</translation>
-    </message>
-    <message>
         <source>audit row %1 was removed</source>
         <translation>la fila %1 del registro fue eliminada</translation>
     </message>
@@ -1686,10 +1682,6 @@
     <message>
         <source>audit row %1 (%2, %3, %4) was changed, or the one before it was and its hash with it</source>
         <translation>la fila %1 del registro (%2, %3, %4) fue alterada, o lo fue la anterior junto con su hash</translation>
-    </message>
-    <message>
-        <source>audit row %1 (%2, %3, %4) is not the one that a report names: it or one before it was changed</source>
-        <translation>la fila %1 del registro (%2, %3, %4) no es la que nombra un informe: ella o una anterior fue alterada</translation>
     </message>
     <message>
         <source>the signed head of the audit was removed</source>
@@ -1910,6 +1902,22 @@
     <message>
         <source>%1 is not from this program: it may refuse what is to be written</source>
         <translation>%1 no es de este programa: puede impedir que se escriba algo</translation>
+    </message>
+    <message>
+        <source>audit row %1, which a report names, is not there: it was removed, or the code is not typed as it stands there</source>
+        <translation>la fila %1 del registro, que nombra un informe, no está: se eliminó, o el código no se escribió como figura allí</translation>
+    </message>
+    <message>
+        <source>audit row %1 (%2, %3, %4) and those behind it were renumbered</source>
+        <translation>la fila %1 del registro (%2, %3, %4) y las que siguen fueron renumeradas</translation>
+    </message>
+    <message>
+        <source>audit row %1 (%2, %3, %4) is not the one that a report names: it or one before it was changed, or the code is not typed as it stands there</source>
+        <translation>la fila %1 del registro (%2, %3, %4) no es la que nombra un informe: ella o una anterior fue modificada, o el código no se escribió como figura allí</translation>
+    </message>
+    <message>
+        <source>%1 is not from this program: its rows are read among those of the table %2</source>
+        <translation>%1 no es de este programa: sus filas se leen entre las de la tabla %2</translation>
     </message>
 </context>
 <context>
@@ -2806,6 +2814,10 @@
         <source>The backup was not restored. %1</source>
         <translation>La copia de seguridad no se restauró. %1</translation>
     </message>
+    <message>
+        <source>No program answers here that shows folders. Your own lessons are in %1.</source>
+        <translation>Aquí no responde ningún programa que muestre carpetas. Sus propias lecciones están en %1.</translation>
+    </message>
 </context>
 <context>
     <name>app::CardDesk</name>
@@ -2840,6 +2852,10 @@
     <message>
         <source>Not logged in</source>
         <translation>Sin iniciar sesión</translation>
+    </message>
+    <message>
+        <source>There is no printer on this computer. Save it as a PDF instead.</source>
+        <translation>En este equipo no hay impresora. Guárdelo como PDF.</translation>
     </message>
 </context>
 <context>
@@ -2876,6 +2892,10 @@
         <source>%1: %2 points</source>
         <extracomment>%1: a lesson, and when it was done</extracomment>
         <translation>%1: %2 puntos</translation>
+    </message>
+    <message>
+        <source>There is no printer on this computer. Save it as a PDF instead.</source>
+        <translation>En este equipo no hay impresora. Guárdelo como PDF.</translation>
     </message>
 </context>
 <context>
@@ -3247,7 +3267,6 @@
     </message>
     <message>
         <source>%1 will need a new one-time code: take the password away?</source>
-        <extracomment>%1 is a person</extracomment>
         <translation>%1 necesitará un nuevo código de un solo uso: ¿quitar la contraseña?</translation>
     </message>
     <message>
@@ -3289,6 +3308,27 @@
     <message>
         <source>One-time code of %1. Tell it now: it is kept nowhere. It is shown here, whenever %1 is chosen, until School is left.</source>
         <translation>Código de un solo uso de %1. Comuníquelo ahora: no se guarda en ningún sitio. Se muestra aquí, cada vez que elija a %1, hasta que salga de Escuela.</translation>
+    </message>
+    <message>
+        <source>There is a class %1 already. It is ticked above.</source>
+        <extracomment>%1: the name of a class</extracomment>
+        <translation>La clase %1 ya existe. Está marcada arriba.</translation>
+    </message>
+    <message>
+        <source>The one-time codes that are shown here are kept nowhere else. Esc once more leaves School without them.</source>
+        <translation>Los códigos de un solo uso que se muestran aquí no se guardan en ningún otro sitio. Otra vez Esc sale de Escuela sin ellos.</translation>
+    </message>
+    <message>
+        <source>Yes, make another</source>
+        <translation>Sí, crear otro</translation>
+    </message>
+    <message>
+        <source>The one-time code of %1 above would let nobody in any longer: make another?</source>
+        <translation>El código de un solo uso de %1, arriba, ya no dejaría entrar a nadie: ¿crear otro?</translation>
+    </message>
+    <message>
+        <source>The name to log in with is missing.</source>
+        <translation>Falta el nombre para iniciar sesión.</translation>
     </message>
 </context>
 <context>
@@ -4815,8 +4855,13 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Esquina de la tabla</translation>
     </message>
     <message>
-        <source>Sorted by: %1</source>
-        <translation>Ordenado por: %1</translation>
+        <source>Sorted by: %1, from the least</source>
+        <extracomment>%1: a heading</extracomment>
+        <translation>Ordenado por: %1, de menor a mayor</translation>
+    </message>
+    <message>
+        <source>Sorted by: %1, from the most</source>
+        <translation>Ordenado por: %1, de mayor a menor</translation>
     </message>
 </context>
 <context>
@@ -5124,10 +5169,6 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Retirado. Ya nadie ve el comentario. Su texto está aquí otra vez, para corregirlo o borrarlo.</translation>
     </message>
     <message>
-        <source>Taken back. Nobody is shown it any more. What you are writing is as it was.</source>
-        <translation>Retirado. Ya nadie ve el comentario. Lo que está escribiendo sigue como estaba.</translation>
-    </message>
-    <message>
         <source>Take back</source>
         <translation>Retirar</translation>
     </message>
@@ -5135,6 +5176,10 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <source>Take back your comment of %1</source>
         <extracomment>%1: when it was written</extracomment>
         <translation>Retirar su comentario del %1</translation>
+    </message>
+    <message>
+        <source>Taken back. Nobody is shown it any more. Its words are here again, below what you are writing.</source>
+        <translation>Retirado. Ya no lo ve nadie. Sus palabras están aquí de nuevo, debajo de lo que usted escribe.</translation>
     </message>
 </context>
 <context>
@@ -7204,6 +7249,22 @@ sin guardar</translation>
         <source>A comment was typed and is not added yet.</source>
         <translation>Hay un comentario escrito que aún no se ha añadido.</translation>
     </message>
+    <message>
+        <source>A score with its reason was typed and is not given yet.</source>
+        <translation>Se escribió una puntuación con su motivo y aún no se ha dado.</translation>
+    </message>
+    <message>
+        <source>A comment or a score that somebody else has typed is not kept yet.</source>
+        <translation>Un comentario o una puntuación que otra persona ha escrito aún no está guardado.</translation>
+    </message>
+    <message>
+        <source>It waits until that person logs in here.</source>
+        <translation>Espera hasta que esa persona inicie sesión aquí.</translation>
+    </message>
+    <message>
+        <source>Cusp stays open: a teacher&apos;s work is not saved yet. It waits until a teacher logs in here.</source>
+        <translation>Cusp sigue abierto: el trabajo de un docente aún no está guardado. Espera hasta que un docente inicie sesión aquí.</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::MessageBar</name>
@@ -7291,6 +7352,17 @@ sin guardar</translation>
     <message>
         <source>pass mark %1</source>
         <translation>aprobado desde %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::ScrollPane</name>
+    <message>
+        <source>More than there is room for</source>
+        <translation>Más de lo que cabe</translation>
+    </message>
+    <message>
+        <source>Page Up, Page Down and the arrow keys scroll</source>
+        <translation>Re Pág, Av Pág y las flechas desplazan</translation>
     </message>
 </context>
 <context>

@@ -1638,10 +1638,6 @@
         <translation>監査記録の最新の行の署名は、横に記されている鍵の端末によるものではありません</translation>
     </message>
     <message>
-        <source>audit row %1, which a report names, was removed</source>
-        <translation>レポートに記されている監査記録の %1 行が削除されています</translation>
-    </message>
-    <message>
         <source>audit row %1 was removed</source>
         <translation>監査記録の %1 行が削除されています</translation>
     </message>
@@ -1684,10 +1680,6 @@
     <message>
         <source>audit row %1 (%2, %3, %4) was changed, or the one before it was and its hash with it</source>
         <translation>監査記録の %1 行（%2、%3、%4）、またはその前の行がハッシュとともに改変されています</translation>
-    </message>
-    <message>
-        <source>audit row %1 (%2, %3, %4) is not the one that a report names: it or one before it was changed</source>
-        <translation>監査記録の %1 行（%2、%3、%4）はレポートに記されている行ではありません。この行またはそれより前の行が改変されています</translation>
     </message>
     <message>
         <source>the signed head of the audit was removed</source>
@@ -1908,6 +1900,22 @@
     <message>
         <source>%1 is not from this program: it may refuse what is to be written</source>
         <translation>%1 は、このプログラムのものではありません。書き込みを妨げる可能性があります</translation>
+    </message>
+    <message>
+        <source>audit row %1, which a report names, is not there: it was removed, or the code is not typed as it stands there</source>
+        <translation>報告書にある監査記録の %1 行がありません。削除されたか、コードの入力が報告書と違います</translation>
+    </message>
+    <message>
+        <source>audit row %1 (%2, %3, %4) and those behind it were renumbered</source>
+        <translation>監査記録の %1 行（%2、%3、%4）とそれ以降の番号が付け替えられています</translation>
+    </message>
+    <message>
+        <source>audit row %1 (%2, %3, %4) is not the one that a report names: it or one before it was changed, or the code is not typed as it stands there</source>
+        <translation>監査記録の %1 行（%2、%3、%4）は報告書にあるものと違います。この行かそれより前の行が変更されたか、コードの入力が報告書と違います</translation>
+    </message>
+    <message>
+        <source>%1 is not from this program: its rows are read among those of the table %2</source>
+        <translation>%1 はこのプログラムのものではありません。その行が表 %2 の行として読まれます</translation>
     </message>
 </context>
 <context>
@@ -2794,6 +2802,10 @@
         <source>The backup was not restored. %1</source>
         <translation>バックアップは復元されませんでした。%1</translation>
     </message>
+    <message>
+        <source>No program answers here that shows folders. Your own lessons are in %1.</source>
+        <translation>フォルダーを表示するプログラムがここにはありません。ご自分の課題は %1 にあります。</translation>
+    </message>
 </context>
 <context>
     <name>app::CardDesk</name>
@@ -2828,6 +2840,10 @@
     <message>
         <source>Not logged in</source>
         <translation>未ログイン</translation>
+    </message>
+    <message>
+        <source>There is no printer on this computer. Save it as a PDF instead.</source>
+        <translation>このコンピューターにはプリンターがありません。代わりにPDFとして保存してください。</translation>
     </message>
 </context>
 <context>
@@ -2864,6 +2880,10 @@
         <source>%1: %2 points</source>
         <extracomment>%1: a lesson, and when it was done</extracomment>
         <translation>%1：%2点</translation>
+    </message>
+    <message>
+        <source>There is no printer on this computer. Save it as a PDF instead.</source>
+        <translation>このコンピューターにはプリンターがありません。代わりにPDFとして保存してください。</translation>
     </message>
 </context>
 <context>
@@ -3233,7 +3253,6 @@
     </message>
     <message>
         <source>%1 will need a new one-time code: take the password away?</source>
-        <extracomment>%1 is a person</extracomment>
         <translation>%1 さんには新しいワンタイムコードが必要になります。パスワードを取り消しますか？</translation>
     </message>
     <message>
@@ -3274,6 +3293,27 @@
     <message>
         <source>One-time code of %1. Tell it now: it is kept nowhere. It is shown here, whenever %1 is chosen, until School is left.</source>
         <translation>%1 のワンタイムコードです。今伝えてください。どこにも保存されません。「学校」を離れるまでは、%1 を選ぶたびにここに表示されます。</translation>
+    </message>
+    <message>
+        <source>There is a class %1 already. It is ticked above.</source>
+        <extracomment>%1: the name of a class</extracomment>
+        <translation>クラス「%1」はすでにあります。上で選択されています。</translation>
+    </message>
+    <message>
+        <source>The one-time codes that are shown here are kept nowhere else. Esc once more leaves School without them.</source>
+        <translation>ここに表示されているワンタイムコードはほかに保存されていません。もう一度Escを押すと、コードを残さずに「学校」を離れます。</translation>
+    </message>
+    <message>
+        <source>Yes, make another</source>
+        <translation>はい、新しく作る</translation>
+    </message>
+    <message>
+        <source>The one-time code of %1 above would let nobody in any longer: make another?</source>
+        <translation>上の%1のワンタイムコードは使えなくなります。新しく作りますか？</translation>
+    </message>
+    <message>
+        <source>The name to log in with is missing.</source>
+        <translation>ログイン名が入力されていません。</translation>
     </message>
 </context>
 <context>
@@ -4779,8 +4819,13 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>表の角</translation>
     </message>
     <message>
-        <source>Sorted by: %1</source>
-        <translation>並べ替え: %1</translation>
+        <source>Sorted by: %1, from the least</source>
+        <extracomment>%1: a heading</extracomment>
+        <translation>並べ替え：%1（小さい順）</translation>
+    </message>
+    <message>
+        <source>Sorted by: %1, from the most</source>
+        <translation>並べ替え：%1（大きい順）</translation>
     </message>
 </context>
 <context>
@@ -5086,10 +5131,6 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>取り下げました。コメントはもう誰にも表示されません。文章はここに戻してあります。直すか、消してください。</translation>
     </message>
     <message>
-        <source>Taken back. Nobody is shown it any more. What you are writing is as it was.</source>
-        <translation>取り下げました。コメントはもう誰にも表示されません。書きかけの文章はそのままです。</translation>
-    </message>
-    <message>
         <source>Take back</source>
         <translation>取り下げる</translation>
     </message>
@@ -5097,6 +5138,10 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <source>Take back your comment of %1</source>
         <extracomment>%1: when it was written</extracomment>
         <translation>%1 のコメントを取り下げます</translation>
+    </message>
+    <message>
+        <source>Taken back. Nobody is shown it any more. Its words are here again, below what you are writing.</source>
+        <translation>取り消しました。もう誰にも表示されません。その文章は、書きかけの文の下に戻りました。</translation>
     </message>
 </context>
 <context>
@@ -5823,11 +5868,11 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
     <message>
         <source>not kept</source>
-        <translation>保存なし</translation>
+        <translation>超過</translation>
     </message>
     <message>
         <source>kept</source>
-        <translation>保存あり</translation>
+        <translation>遵守</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -7158,6 +7203,22 @@ unsaved</source>
         <source>A comment was typed and is not added yet.</source>
         <translation>入力中のコメントがまだ追加されていません。</translation>
     </message>
+    <message>
+        <source>A score with its reason was typed and is not given yet.</source>
+        <translation>得点と理由が入力されましたが、まだ与えられていません。</translation>
+    </message>
+    <message>
+        <source>A comment or a score that somebody else has typed is not kept yet.</source>
+        <translation>ほかの人が入力したコメントまたは得点が、まだ保存されていません。</translation>
+    </message>
+    <message>
+        <source>It waits until that person logs in here.</source>
+        <translation>その人がここでログインするまで残しておきます。</translation>
+    </message>
+    <message>
+        <source>Cusp stays open: a teacher&apos;s work is not saved yet. It waits until a teacher logs in here.</source>
+        <translation>Cuspは開いたままです。教員の作業がまだ保存されていません。教員がここでログインするまで残しておきます。</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::MessageBar</name>
@@ -7245,6 +7306,17 @@ unsaved</source>
     <message>
         <source>pass mark %1</source>
         <translation>合格点%1</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::ScrollPane</name>
+    <message>
+        <source>More than there is room for</source>
+        <translation>画面に収まらない内容</translation>
+    </message>
+    <message>
+        <source>Page Up, Page Down and the arrow keys scroll</source>
+        <translation>Page Up、Page Down、矢印キーでスクロールします</translation>
     </message>
 </context>
 <context>
