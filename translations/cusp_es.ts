@@ -7259,11 +7259,11 @@ sin guardar</translation>
     </message>
     <message>
         <source>It waits until that person logs in here.</source>
-        <translation>Espera hasta que esa persona inicie sesión aquí.</translation>
+        <translation>Queda en espera hasta que esa persona inicie sesión aquí.</translation>
     </message>
     <message>
         <source>Cusp stays open: a teacher&apos;s work is not saved yet. It waits until a teacher logs in here.</source>
-        <translation>Cusp sigue abierto: el trabajo de un docente aún no está guardado. Espera hasta que un docente inicie sesión aquí.</translation>
+        <translation>Cusp sigue abierto: el trabajo de un docente aún no está guardado. Queda en espera hasta que un docente inicie sesión aquí.</translation>
     </message>
 </context>
 <context>
