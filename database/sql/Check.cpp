@@ -238,7 +238,7 @@ core::Status lookAt(const Look& look, CheckReport& report)
 {
     // Much of one kind hides nothing of another.
     report.mostFindings = report.findings.size() + kMostFindings;
-    const core::Status done = look.at();
+    core::Status done = look.at();
     // A table that is gone hides nothing that stands in the others; without the server there are none.
     if (!done && (done.error().code == core::ErrorCode::ConnectionLost || done.error().code == core::ErrorCode::Busy))
         return done;

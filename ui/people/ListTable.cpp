@@ -65,6 +65,15 @@ ListTable::ListTable(QWidget* parent) : QTableView(parent)
     });
 }
 
+/// Its headings may be said in another language after everything else.
+void ListTable::setModel(QAbstractItemModel* model)
+{
+    QTableView::setModel(model);
+    if (model != nullptr)
+        connect(model, &QAbstractItemModel::headerDataChanged, this, &ListTable::describeSorting);
+    describeSorting();
+}
+
 bool ListTable::event(QEvent* event)
 {
     if (event->type() == QEvent::ShortcutOverride) {

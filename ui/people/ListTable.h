@@ -14,6 +14,8 @@ class ListTable final : public QTableView
 public:
     explicit ListTable(QWidget* parent);
 
+    void setModel(QAbstractItemModel* model) override;
+
     /// Enter or the space bar, not the pointer, is opening a row just now.
     [[nodiscard]] bool isByKey() const { return m_isByKey; }
 
