@@ -690,6 +690,11 @@ void TestScorePage::theKeyboardReadsAll()
     QCOMPARE(pane->verticalScrollBar()->value(), pane->verticalScrollBar()->maximum());
     QTest::keyClick(chip, Qt::Key_Home);
     QCOMPARE(pane->verticalScrollBar()->value(), 0);
+    // Also from beneath the pane.
+    auto* beneath = m_page->findChild<QWidget*>("scoreReport");
+    QVERIFY(!pane->isAncestorOf(beneath));
+    QTest::keyClick(beneath, Qt::Key_PageDown);
+    QVERIFY(pane->verticalScrollBar()->value() > 0);
     // The pane itself where it holds words only.
     QWidget page;
     auto* words = new QLabel(QString("line\n").repeated(100));

@@ -6,11 +6,13 @@
 #include <cstdlib>
 #include <string_view>
 
+#include <QCoreApplication>
 #include <QDateTime>
 #include <QEvent>
 #include <QFrame>
 #include <QGridLayout>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLocale>
 #include <QMenu>
@@ -289,6 +291,16 @@ void ScorePage::resizeEvent(QResizeEvent* event)
 {
     Page::resizeEvent(event);
     arrange();
+}
+
+/// The page turns, too, while one of the buttons beneath it has the keyboard.
+void ScorePage::keyPressEvent(QKeyEvent* event)
+{
+    const bool turns = event->key() == Qt::Key_PageDown || event->key() == Qt::Key_PageUp;
+    if (turns && event->modifiers() == Qt::NoModifier)
+        QCoreApplication::sendEvent(m_scroll, event);
+    else
+        Page::keyPressEvent(event);
 }
 
 /// The buttons end where the cards above them do, which leave room to a scroll bar.
