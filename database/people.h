@@ -92,7 +92,8 @@ struct RosterPerson
     Role role = Role::Student;
     std::vector<std::string> classes;  ///< that the list names
     bool isNew = false;
-    std::string code;  ///< of a new one: it lets him in once, and is kept nowhere else
+    std::string code;        ///< of a new one: it lets him in once, and is kept nowhere else
+    std::string nameBefore;  ///< of who is known under another name so far; empty: it stays
 };
 struct RosterOutcome
 {

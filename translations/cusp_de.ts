@@ -3468,6 +3468,11 @@
             <numerusform>%1: %Ln Personen sind schon bekannt.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>known as %1 so far</source>
+        <extracomment>%1: the name that somebody on a class list had so far</extracomment>
+        <translation>bisher bekannt als %1</translation>
+    </message>
 </context>
 <context>
     <name>ui::admin::StationPart</name>

@@ -3468,6 +3468,11 @@
             <numerusform>%1: %Ln people known already.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>known as %1 so far</source>
+        <extracomment>%1: the name that somebody on a class list had so far</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::admin::StationPart</name>

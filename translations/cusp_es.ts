@@ -3468,6 +3468,11 @@
             <numerusform>%1: %Ln personas ya conocidas.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>known as %1 so far</source>
+        <extracomment>%1: the name that somebody on a class list had so far</extracomment>
+        <translation>hasta ahora conocido como %1</translation>
+    </message>
 </context>
 <context>
     <name>ui::admin::StationPart</name>

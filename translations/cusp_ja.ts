@@ -3450,6 +3450,11 @@
             <numerusform>%1：%Ln人はすでに登録済みです。</numerusform>
         </translation>
     </message>
+    <message>
+        <source>known as %1 so far</source>
+        <extracomment>%1: the name that somebody on a class list had so far</extracomment>
+        <translation>これまでの名前：%1</translation>
+    </message>
 </context>
 <context>
     <name>ui::admin::StationPart</name>

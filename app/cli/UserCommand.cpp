@@ -274,6 +274,7 @@ int tellRoster(const QCommandLineParser& parser, const database::RosterOutcome& 
                               {"name", QString::fromStdString(person.fullName)},
                               {"role", QString::fromUtf8(database::roleName(person.role).data())},
                               {"new", person.isNew},
+                              {"name_before", QString::fromStdString(person.nameBefore)},
                               {"code", tellsCodes ? QString::fromStdString(person.code) : QString()}};
     if (parser.isSet(QStringLiteral("json"))) {
         printJson({{"dry_run", dryRun}, {"faults", faults}, {"people", people}});
@@ -290,6 +291,11 @@ int tellRoster(const QCommandLineParser& parser, const database::RosterOutcome& 
                   .arg(fresh(database::Role::Instructor))
                   .arg(fresh(database::Role::Admin))
                   .arg(known));
+    for (const database::RosterPerson& person : outcome.people)
+        if (!person.nameBefore.empty())
+            printText(QStringLiteral("other name: %1 was %2\n")
+                          .arg(printable(QString::fromStdString(person.username + ' ' + person.fullName)),
+                               printable(QString::fromStdString(person.nameBefore))));
     for (const std::string& name : outcome.newClasses)
         printText(QStringLiteral("new class: %1\n").arg(printable(QString::fromStdString(name))));
     if (!dryRun && tellsCodes)

@@ -267,12 +267,15 @@ std::vector<Line> plan(const std::vector<Line>& lines, const Present& present, R
         for (const std::string& name : whole.classes)
             if (present.classes.count(name) == 0 && newClasses.insert(name).second)
                 outcome.newClasses.push_back(name);
+        const std::string fullName = trimmed(whole.who.givenName + ' ' + whole.who.familyName);
+        const std::string known = isThere ? before->second.fullName() : fullName;
         outcome.people.push_back({whole.who.username,
-                                  trimmed(whole.who.givenName + ' ' + whole.who.familyName),
+                                  fullName,
                                   whole.who.role,
                                   whole.classes,
                                   !isThere,
-                                  {}});
+                                  {},
+                                  known == fullName ? std::string() : known});
         wanted.push_back(std::move(whole));
     }
     return wanted;

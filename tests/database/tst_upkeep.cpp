@@ -1346,6 +1346,7 @@ void TestUpkeep::classListsAreTakenWholeOrNotAtAll()
     rig.populate();
     const auto people = [&] { return listPeople(rig.school(), rig.admin)->size(); };
     const std::size_t before = people();
+    const std::string before1001 = findPerson(rig.school(), rig.admin, "s1001")->fullName();
     const char* good = "\xEF\xBB\xBFusername;given_name;family_name;role;class\r\n"
                        "new1;Åsa;\"Berg; af\";student;DEN101-A|Evening\r\n\r\n"
                        "s1001;Sam;Renamed;;Evening\r\n";
@@ -1354,6 +1355,9 @@ void TestUpkeep::classListsAreTakenWholeOrNotAtAll()
     QVERIFY(dry->faults.empty());
     QCOMPARE(dry->people.size(), std::size_t{2});
     QVERIFY(dry->people[0].isNew && dry->people[0].code.empty() && !dry->people[1].isNew);
+    // Another name may be a slip of the line.
+    QVERIFY(dry->people[0].nameBefore.empty());
+    QCOMPARE(dry->people[1].nameBefore, before1001);
     QCOMPARE(people(), before);
     const auto done = importRoster(rig.school(), rig.admin, good, false);
     VERIFY_DONE(done);

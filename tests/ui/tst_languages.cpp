@@ -247,7 +247,10 @@ void TestLanguages::openSchool(ui::admin::AdminPage::Part part)
         {{{1}, "[···]", 1, 1}});
     school.people().confirm({1}, "[···]");
     school.people().showCode({1}, "[···]", "[···]");
-    school.roster().showOutcome({{}, {{"[···]", "[···]", database::Role::Student, {"[···]"}, true, "[···]"}}, {}},
+    school.roster().showOutcome({{},
+                                 {{"[···]", "[···]", database::Role::Student, {"[···]"}, true, "[···]", {}},
+                                  {"[···]", "[···]", database::Role::Student, {"[···]"}, false, {}, "[···]"}},
+                                 {}},
                                 "[···]", true);
     school.backups().setDatabase("[···]", false);
     school.backups().setBackups({{"[···]", QDateTime({2026, 5, 4}, {10, 20}, Qt::UTC), 1024}});

@@ -1812,7 +1812,7 @@ void TestMainWindow::manyPeopleAreCountedByTheLocale()
     database::RosterOutcome outcome;
     for (int n = 1; n <= kMany; ++n) {
         all << someone(n, "Ada", true);
-        outcome.people.push_back({"s", "Ada", database::Role::Student, {}, true, {}});
+        outcome.people.push_back({"s", "Ada", database::Role::Student, {}, true, {}, {}});
     }
     people.setPeople(all, {});
     QVERIFY2(child<QLabel>("peopleCount")->text().contains("1,503"), qPrintable(child<QLabel>("peopleCount")->text()));
@@ -2994,7 +2994,7 @@ void TestMainWindow::whatPagesHaveNotKeptIsAskedAbout()
     m_window->setPresets({{{}, preset, {}}}, preset);
     QTest::keyClicks(child<QLineEdit>("presetName"), " two");
     m_window->adminPage().roster().showOutcome(
-        {{}, {{"eve", "Eve Berg", database::Role::Student, {}, true, "1234-5678"}}, {}}, "class.csv", true);
+        {{}, {{"eve", "Eve Berg", database::Role::Student, {}, true, "1234-5678", {}}}, {}}, "class.csv", true);
     people.setPeople({someone(1, "Ada", true), someone(2, "Bob", true)}, {});
     choosePerson(0);
     QTest::keyClicks(child<QLineEdit>("personGiven"), "lina");

@@ -186,13 +186,18 @@ void RosterPart::fill()
             //: %1: a class that would be added
             return isNew ? tr("%1 (new)").arg(QString::fromStdString(name)) : QString::fromStdString(name);
         };
+        const auto state = [](const database::RosterPerson& person) {
+            if (!person.nameBefore.empty())
+                //: %1: the name that somebody on a class list had so far
+                return tr("known as %1 so far").arg(QString::fromStdString(person.nameBefore));
+            return person.isNew ? tr("new") : tr("known");
+        };
         for (const database::RosterPerson& person : m_outcome.people) {
             QStringList classes;
             for (const std::string& name : person.classes)
                 classes << named(name);
             QStringList words{QString::fromStdString(person.username), QString::fromStdString(person.fullName),
-                              roleWord(person.role), classes.join(QStringLiteral(", ")),
-                              person.isNew ? tr("new") : tr("known")};
+                              roleWord(person.role), classes.join(QStringLiteral(", ")), state(person)};
             if (m_isDone)
                 words << QString::fromStdString(person.code);
             add(words);
