@@ -103,7 +103,7 @@ core::Error postgresError(const std::string& head, const QSqlError& error, bool 
         return {ErrorCode::ConnectionLost, head + "the server does not answer" +
                                                (isOpen || said.empty() ? std::string() : " (" + said + ")") +
                                                "; check the network and that the server runs"};
-    if (is("23") || is("22"))
+    if (is("23") || is("22") || is("54"))
         return {ErrorCode::OutOfRange, head + "a value is not allowed (" + said + "); correct it"};
     if (is("42501") || is("25006"))
         return {ErrorCode::FileUnwritable, head + "this user of the server may not do that there (" + said +

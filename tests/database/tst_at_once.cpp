@@ -111,6 +111,7 @@ private slots:
     void whoChoosesAPasswordHoldsNobodyUp_data() { support::addEngines(); }
     void whoChoosesAPasswordHoldsNobodyUp();
     void aStationThatStopsInTheMiddleHoldsNobodyUpForLong();
+    void whatIsTooLongForTheServerIsAValueThatIsNotAllowed();
     void aClassListIsTriedWhileOthersWrite_data() { support::addEngines(); }
     void aClassListIsTriedWhileOthersWrite();
 };
@@ -268,6 +269,21 @@ void TestAtOnce::aStationThatStopsInTheMiddleHoldsNobodyUpForLong()
     VERIFY_REFUSED(execute(stopped.db, "COMMIT", "end it"), core::ErrorCode::ConnectionLost);
     VERIFY_DONE(rig.database().reconnect());
     VERIFY_DONE(Logins::logout(stopped, rig.student));
+}
+
+/// Nor does what it can never take hold up what stands behind it: that is not called a matter of waiting.
+void TestAtOnce::whatIsTooLongForTheServerIsAValueThatIsNotAllowed()
+{
+    if (!support::sharedServer().fault().isEmpty())
+        QSKIP(qPrintable(support::sharedServer().fault()));
+    SchoolRig rig(true);
+    QVERIFY(rig.isOpen());
+    rig.populate();
+    std::string lesson;  // that cannot be made shorter
+    for (unsigned k = 0, next = 1; k < 20000; ++k, next = next * 1664525U + 1013904223U)
+        lesson += static_cast<char>('a' + (next >> 16U) % 26U);
+    VERIFY_REFUSED(addAttempt(rig.school(), rig.student, SchoolRig::attempt(lesson, 500), {}),
+                   core::ErrorCode::OutOfRange);
 }
 
 void TestAtOnce::aClassListIsTriedWhileOthersWrite()
