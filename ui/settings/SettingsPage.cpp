@@ -32,6 +32,7 @@ using namespace ui::shell;
 
 constexpr int kWidestPx = 760;
 constexpr int kLabelPx = 230;
+constexpr int kChoicePx = 28;
 constexpr int kNumberPx = 150;
 constexpr int kDecimals = 3;
 
@@ -139,8 +140,11 @@ void SettingsPage::addWindowRows()
         return choice;
     };
     QComboBox* language = add("language", tr("Language"), tr("Of every window, at once."));
-    for (const QString& code : text::Language::available())
+    for (const QString& code : text::Language::available()) {
         language->addItem(text::Language::nameOf(code), code);
+        // Letters of another font may be higher; the list has room for all of one height.
+        language->setItemData(language->count() - 1, QSize(kNumberPx, kChoicePx), Qt::SizeHintRole);
+    }
     language->setCurrentIndex(language->findData(text::Language::current()));
     connect(
         language, &QComboBox::activated, this,
