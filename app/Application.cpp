@@ -394,8 +394,10 @@ void Application::openDatabase()
     connect(m_people.get(), &PeopleDesk::replayWanted, this,
             [this](const core::recording::Recording& recording, const database::AttemptRecord& attempt,
                    const QString& whose) {
-                if (play(recording, {}, whose))
-                    m_people->followReplay(attempt);
+                if (!play(recording, {}, whose))
+                    return;
+                m_playedFrom = PlayedFrom::Attempts;
+                m_people->followReplay(attempt);
             });
     connect(
         m_people.get(), &PeopleDesk::besideWanted, this,
@@ -1914,8 +1916,10 @@ void Application::showMoment(double seconds)
     if (m_opened)
         playOpened(std::max(0.0, seconds - ui::replay::kLeadUpS));
     else if (m_graded && !m_replay) {
-        m_playsCard = play(m_graded->recording, std::max(0.0, seconds - ui::replay::kLeadUpS));
-        if (m_playsCard && m_people)
+        if (!play(m_graded->recording, std::max(0.0, seconds - ui::replay::kLeadUpS)))
+            return;
+        m_playedFrom = PlayedFrom::ScoreCard;
+        if (m_people)
             m_people->followReplay(m_graded->record);
     }
 }
@@ -1925,7 +1929,7 @@ void Application::playOpened(std::optional<double> heldAtS)
 {
     if (!play(*m_opened, heldAtS, m_people->whoseIsTalkedAbout()))
         return;
-    m_playsCard = true;
+    m_playedFrom = PlayedFrom::ScoreCard;
     m_people->followReplay(m_people->talkedAbout());
 }
 
@@ -1953,7 +1957,7 @@ void Application::drawPicture()
 /// Afterwards nobody writes what the window reads, until loops start again.
 void Application::putReplayAway()
 {
-    m_playsCard = false;
+    m_playedFrom = PlayedFrom::Elsewhere;
     if (m_people)
         m_people->followReplay({});
     m_replay.reset();
@@ -1964,14 +1968,22 @@ void Application::stopReplay()
 {
     if (!m_replay)
         return;
-    const bool returns = m_playsCard && (m_opened || m_graded);
+    const PlayedFrom from = m_playedFrom;
+    const auto goBack = [this, from] {
+        if (from == PlayedFrom::ScoreCard && (m_opened || m_graded))
+            m_window->backToScore();
+        else if (from == PlayedFrom::Attempts)
+            m_window->backToHistory();
+        else
+            return false;
+        return true;
+    };
     if (!m_assignment.anatomy) {
         if (const auto practice = lessons::practiceOn(m_replayed)) {
             begin(*practice, {}, false);
             m_window->showMessage(tr("The tooth is whole, and yours to drill."));
         }
-        if (returns)
-            m_window->backToScore();
+        static_cast<void>(goBack());
         return;
     }
     putReplayAway();
@@ -1986,9 +1998,7 @@ void Application::stopReplay()
     if (const auto own = m_session.toothSoFar(); own && own->anatomy == m_assignment.anatomy)
         m_window->view().setHeights(own->top);
     startLoops();
-    if (returns)
-        m_window->backToScore();
-    else
+    if (!goBack())
         m_window->showMessage(tr("This is your own work again, as you left it."));
 }
 

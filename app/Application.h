@@ -236,9 +236,11 @@ private:
     std::optional<core::session::Concluded> m_toMark;  ///< while what is expected of it is asked
     std::optional<Graded> m_graded;
     std::optional<core::recording::Recording> m_opened;  ///< of the score card that is shown, where it is an old one
-    bool m_playsCard = false;                            ///< the attempt of the score card is played, from there
-    Explainer m_explainer;                               ///< of m_graded
-    Explainer m_openedExplainer;                         ///< of m_opened
+    /// Where the attempt that is played was asked for; the way back leads there.
+    enum class PlayedFrom : std::uint8_t { Elsewhere, ScoreCard, Attempts };
+    PlayedFrom m_playedFrom = PlayedFrom::Elsewhere;
+    Explainer m_explainer;        ///< of m_graded
+    Explainer m_openedExplainer;  ///< of m_opened
     QTimer m_journalWatch;
     std::unique_ptr<core::session::JournalLoop> m_journal;      ///< null: nothing is kept
     std::optional<core::recording::FoundAttempt> m_unfinished;  ///< the one that is offered

@@ -101,6 +101,22 @@ core::Result<AttemptsNow> readAttempts(const School& school, const database::Ses
     return AttemptsNow{std::move(*attempts), std::move(*withoutScore), std::move(*feedback)};
 }
 
+/// Those that are pinned to a moment, in order of time.
+std::vector<ui::replay::Remark> remarksOf(const database::AttemptTalk& talk)
+{
+    std::vector<ui::replay::Remark> remarks;
+    for (const database::AttemptComment& comment : talk.comments) {
+        if (!comment.momentMs)
+            continue;
+        std::optional<glm::dvec3> place;
+        if (comment.placeMm)
+            place = glm::dvec3(comment.placeMm->at(0), comment.placeMm->at(1), comment.placeMm->at(2));
+        remarks.push_back({static_cast<double>(*comment.momentMs) / 1000.0, place, comment.author, comment.words});
+    }
+    std::stable_sort(remarks.begin(), remarks.end(), [](const auto& a, const auto& b) { return a.atS < b.atS; });
+    return remarks;
+}
+
 void showAttempts(HistoryPage& page, const AttemptsNow& now)
 {
     page.setExamsWithoutScore({now.withoutScore.begin(), now.withoutScore.end()});
@@ -384,6 +400,25 @@ void PeopleDesk::tellTalk()
                       noteSeen(*m_talkedAbout);
               } else
                   refuse(talk.error());
+          });
+}
+
+void PeopleDesk::followReplay(const std::optional<database::AttemptRecord>& played)
+{
+    m_played = played;
+    tellRemarks();
+}
+
+/// What was said of moments of the attempt that is played; where that cannot be read now, it is played without.
+void PeopleDesk::tellRemarks()
+{
+    if (!m_played || m_played->id == 0)
+        return;
+    askAs([who = m_who(), id = database::AttemptId{m_played->id}](
+              const School& school) { return database::sql::readTalk(school, who, id); },
+          [this, id = m_played->id](const core::Result<database::AttemptTalk>& talk) {
+              if (talk && m_played && m_played->id == id)
+                  m_window.setRemarks(remarksOf(*talk));
           });
 }
 

@@ -39,7 +39,7 @@ public:
     [[nodiscard]] QString whoseIsTalkedAbout() const;
     /// This attempt is played now; where it is the one that is talked about, comments can be pinned to its moments.
     /// Nothing: none that is kept is played.
-    void followReplay(const std::optional<database::AttemptRecord>& played) { m_played = played; }
+    void followReplay(const std::optional<database::AttemptRecord>& played);
 
 signals:
     /// This recording is to be played; followReplay() is to be told.
@@ -61,6 +61,7 @@ private:
                 done(answer);
         });
     }
+    void tellRemarks();
     void readLessons(const std::function<void()>& then);
     void tellLessons();
     [[nodiscard]] const lessons::Lesson* lesson(const std::string& id) const;

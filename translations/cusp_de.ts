@@ -2484,6 +2484,11 @@
         <source>Graded</source>
         <translation>Benotet</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <extracomment>%1 who remarked something on an attempt, %2 the words</extracomment>
+        <translation>%1: %2</translation>
+    </message>
 </context>
 <context>
     <name>Tooth</name>

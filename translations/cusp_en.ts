@@ -2484,6 +2484,11 @@
         <source>Graded</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <extracomment>%1 who remarked something on an attempt, %2 the words</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Tooth</name>

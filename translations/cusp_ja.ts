@@ -2475,6 +2475,11 @@
         <source>Aids in use: %1</source>
         <translation>使用中の補助：%1</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <extracomment>%1 who remarked something on an attempt, %2 the words</extracomment>
+        <translation>%1：%2</translation>
+    </message>
 </context>
 <context>
     <name>Tooth</name>

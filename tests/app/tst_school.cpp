@@ -1525,8 +1525,20 @@ void TestSchool::commentsArePinnedToMomentsAndPlaces()
         QVERIFY(std::abs((*heat->pin())[k] - (*place)[k]) < 0.001);
     pins().front()->click();
     QTRY_VERIFY_WITH_TIMEOUT(m_application->window().view().isVisible(), kPatienceMs);
+    // What was said is read where it was meant, however the replay was begun, and the way back leads there.
+    const auto* remark = child<QLabel>("remark");
+    const QString remarked = QStringLiteral("Ines Teach: Here you pressed too hard.");
+    QTRY_VERIFY_WITH_TIMEOUT(remark->isVisible() && remark->text() == remarked, kPatienceMs);
     actions().back->trigger();
     QTRY_VERIFY_WITH_TIMEOUT(child<ui::study::ScorePage>()->isVisible(), kPatienceMs);
+    QVERIFY(remark->text().isEmpty());
+    actions().attempts->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(child<QTableView>("attempts")->isVisible(), kPatienceMs);
+    child<QTableView>("attempts")->selectRow(0);
+    click("replayAttempt");
+    QTRY_VERIFY_WITH_TIMEOUT(remark->isVisible() && remark->text() == remarked, kPatienceMs);
+    actions().back->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(child<QTableView>("attempts")->isVisible(), kPatienceMs);
 
     // The teacher takes it back, and finds it in the field, with what it was pinned to.
     leaveFor("ines");

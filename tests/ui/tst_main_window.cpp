@@ -227,6 +227,7 @@ private slots:
     void keysGoThroughAReplayByStrokes();
     void aReplayIsCalledByItsLesson();
     void pointsAreMarkedAsTheyWereTouched();
+    void remarksAreReadWhereTheyWereMeant();
     void theTimeLineIsScrubbedAndTellsWhatWas();
     void anotherAttemptIsShownBeside();
     void theHandIsLedAlongOnRequest();
@@ -2445,6 +2446,56 @@ void TestMainWindow::pointsAreMarkedAsTheyWereTouched()
     QCOMPARE(pictureAt(11.0), ringed);
     auto* line = child<ui::replay::TimeLine>("timeLine");
     QVERIFY(line->saidAt(QPoint(qRound(line->xOf(20.0)), 12)).join(' ').contains("Point 1 touched"));
+}
+
+void TestMainWindow::remarksAreReadWhereTheyWereMeant()
+{
+    m_window->setReplaying(true, 60.0);
+    m_window->showTooth(support::syntheticMolar(), 2, {});
+    SessionState session;
+    session.toothGeneration = 2;
+    const auto* time = child<TabularLabel>("replayTime");
+    const auto goTo = [&](double seconds) {
+        session.recordedS = seconds;
+        publish({}, session);
+        const QString told = QStringLiteral("0:%1 of").arg(seconds, 2, 'f', 0, u'0');
+        return QTest::qWaitFor([&] { return time->text().startsWith(told); });
+    };
+    const auto* remark = child<QLabel>("remark");
+    ui::replay::Course course;
+    course.lengthS = course.readyS = 60.0;
+    m_window->setReplayCourse(course);
+    QVERIFY(goTo(20.0));
+    const QImage bare = m_window->view().picture();
+    m_window->setRemarks({{20.0, glm::dvec3(1.0, 0.5, -0.5), "Ada Teach", "The wall <b>leans</b> in."},
+                          {40.0, std::nullopt, "Ada Teach", QString(400, u'x').toStdString()}});
+    QCOMPARE(remark->text(), QString("Ada Teach: The wall <b>leans</b> in."));
+    QCOMPARE(remark->textFormat(), Qt::PlainText);
+    QVERIFY(remark->isVisible());
+    QVERIFY(m_window->view().picture() != bare);
+    // More of the recording becomes known: what was said of it stays.
+    m_window->setReplayCourse(course);
+    auto* line = child<ui::replay::TimeLine>("timeLine");
+    QTRY_VERIFY(line->width() > 400);
+    const auto at = [&](double seconds) { return QPoint(qRound(line->xOf(seconds)), 12); };
+    QVERIFY(line->saidAt(at(20.0)).join(' ').contains("leans"));
+    QSignalSpy seek(m_window.get(), &MainWindow::seekWanted);
+    QTest::mouseClick(line, Qt::LeftButton, {}, at(20.0));
+    QCOMPARE(seek.size(), 1);
+    QVERIFY(std::abs(seek.back().front().toDouble() - (20.0 - ui::replay::kLeadUpS)) < 0.2);
+
+    QTest::qWait(150);  // the seek is over
+    QVERIFY(goTo(30.0));
+    QVERIFY(!remark->isVisible());
+    QCOMPARE(m_window->view().picture(), bare);
+    QVERIFY(goTo(40.0));
+    QVERIFY(remark->isVisible());
+    QVERIFY(remark->text().endsWith(u'…') && remark->text().size() < 320);
+    QVERIFY(m_window->view().geometry().contains(remark->geometry()));
+    m_window->setReplaying(false);
+    QVERIFY(!remark->isVisible());
+    m_window->setReplaying(true, 60.0);
+    QVERIFY(!remark->isVisible());
 }
 
 void TestMainWindow::theTimeLineIsScrubbedAndTellsWhatWas()

@@ -42,4 +42,13 @@ double Course::stepBefore(double seconds) const
     return last;
 }
 
+std::vector<Remark> Course::remarksAt(double seconds) const
+{
+    std::vector<Remark> read;
+    for (const Remark& remark : remarks)
+        if (seconds >= remark.atS - kLeadUpS - kSameS && seconds <= remark.atS + kReadS)
+            read.push_back(remark);
+    return read;
+}
+
 }  // namespace ui::replay

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 
 #include "core/grading/Referee.h"
 
@@ -53,6 +54,16 @@ struct TouchPoint
     bool operator==(const TouchPoint&) const = default;
 };
 
+/// What somebody has said of a moment of the attempt.
+struct Remark
+{
+    double atS = 0.0;
+    std::optional<glm::dvec3> placeMm;  ///< on the tooth, in its frame
+    std::string author;                 ///< full name
+    std::string words;
+    bool operator==(const Remark&) const = default;
+};
+
 /// How an attempt went, as far as it is known: what is drawn on a time line. All in order of time.
 struct Course
 {
@@ -62,15 +73,19 @@ struct Course
     std::vector<Mark> marks;
     std::vector<core::grading::Infraction> infractions;
     std::vector<TouchPoint> points;
+    std::vector<Remark> remarks;
 
     /// The first end of a stroke, step through the history or touched point after a moment; the end of all when there
     /// is none.
     [[nodiscard]] double stepAfter(double seconds) const;
     /// The last such before a moment; the beginning when there is none.
     [[nodiscard]] double stepBefore(double seconds) const;
+    /// What is to be read at a moment: from a little before the one that was meant until it has been read.
+    [[nodiscard]] std::vector<Remark> remarksAt(double seconds) const;
 };
 
-/// What leads to an infraction is seen from so long before it on, s.
+/// What leads to an infraction or to what somebody remarked is seen from so long before it on, s.
 inline constexpr double kLeadUpS = 1.0;
+inline constexpr double kReadS = 4.0;  ///< a remark stays in sight so long after its moment
 
 }  // namespace ui::replay

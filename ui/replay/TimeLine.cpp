@@ -34,6 +34,7 @@ constexpr double kNarrowestPx = 2.0;  ///< of a stroke
 constexpr double kHitPx = 6.0;
 constexpr double kMostLabelsPx = 72.0;  ///< from one time on the scale to the next, at least
 constexpr double kSignPx = 6.0;         ///< half a sign
+constexpr int kMostWords = 280;         ///< characters of a remark; all of it stands on the score card
 
 /// After Okabe and Ito, in the order of core::drilling::burs().
 constexpr std::array<QRgb, 4> kBurs{0xFF56B4E9, 0xFFE69F00, 0xFF2FB98D, 0xFFD991BD};
@@ -60,6 +61,24 @@ void paintInfraction(QPainter& painter, QPointF at, const Tones& tone)
     painter.setPen(QPen(roomPalette().color(QPalette::Base), 1.6));
     painter.drawLine(at + QPointF(0.0, -2.0), at + QPointF(0.0, 1.5));
     painter.drawPoint(at + QPointF(0.0, 3.5));
+}
+
+/// A bubble with words in it.
+void paintRemark(QPainter& painter, QPointF at)
+{
+    QPainterPath sign;
+    sign.addRoundedRect(QRectF(at + QPointF(-kSignPx, -kSignPx), QSizeF(2.0 * kSignPx, 1.5 * kSignPx)), 2.5, 2.5);
+    sign.moveTo(at + QPointF(-3.0, 0.4 * kSignPx));
+    sign.lineTo(at + QPointF(-1.5, kSignPx));
+    sign.lineTo(at + QPointF(2.0, 0.4 * kSignPx));
+    sign.closeSubpath();
+    sign.setFillRule(Qt::WindingFill);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(roomPalette().color(QPalette::Link));
+    painter.drawPath(sign);
+    painter.setPen(QPen(roomPalette().color(QPalette::Base), 1.2));
+    painter.drawLine(at + QPointF(-3.5, -3.2), at + QPointF(3.5, -3.2));
+    painter.drawLine(at + QPointF(-3.5, -0.6), at + QPointF(1.5, -0.6));
 }
 
 /// An arrow head that points to where time went.
@@ -159,6 +178,14 @@ QString markWords(const Mark& mark)
     return QCoreApplication::translate("TimeLine", "Taken up again");
 }
 
+QString remarkWords(const Remark& remark)
+{
+    const QString words = QString::fromStdString(remark.words).simplified();
+    const QString shown = words.size() > kMostWords ? words.left(kMostWords).trimmed() + u'…' : words;
+    //: %1 who remarked something on an attempt, %2 the words
+    return QCoreApplication::translate("TimeLine", "%1: %2").arg(QString::fromStdString(remark.author), shown);
+}
+
 TimeLine::TimeLine(QWidget* parent) : QWidget(parent)
 {
     setObjectName(QStringLiteral("timeLine"));
@@ -240,6 +267,9 @@ QStringList TimeLine::saidAt(const QPoint& place) const
         for (const core::grading::Infraction& infraction : lane.course.infractions)
             if (isHere(infraction.seconds))
                 said << at(infraction.seconds, study::breachName(infraction));
+        for (const Remark& remark : lane.course.remarks)
+            if (isHere(remark.atS))
+                said << at(remark.atS, remarkWords(remark));
         for (const Mark& mark : lane.course.marks)
             if (isHere(mark.atS))
                 said << at(mark.atS, markWords(mark));
@@ -288,12 +318,14 @@ void TimeLine::paintLane(QPainter& painter, const Lane& lane) const
     }
 }
 
-/// Infractions last, so that nothing hides them.
+/// Infractions last, so that nothing hides them, and before them what people took the trouble to write.
 void TimeLine::paintMarks(QPainter& painter, const Lane& lane) const
 {
     const double y = lane.top + kMarksPx / 2.0;
     for (const Mark& mark : lane.course.marks)
         paintMark(painter, {xIn(lane.course, mark.atS), y}, mark);
+    for (const Remark& remark : lane.course.remarks)
+        paintRemark(painter, {xIn(lane.course, remark.atS), y});
     for (const core::grading::Infraction& infraction : lane.course.infractions)
         paintInfraction(painter, {xIn(lane.course, infraction.seconds), y}, tones(palette()));
 }
@@ -335,10 +367,15 @@ void TimeLine::mousePressEvent(QMouseEvent* event)
         const double y = event->position().y() - lane.top;
         if (y < 0.0 || y >= kMarksPx)
             continue;
-        for (const core::grading::Infraction& infraction : lane.course.infractions) {
-            if (std::abs(xIn(lane.course, infraction.seconds) - x) > kHitPx)
+        std::vector<double> signs;
+        for (const core::grading::Infraction& infraction : lane.course.infractions)
+            signs.push_back(infraction.seconds);
+        for (const Remark& remark : lane.course.remarks)
+            signs.push_back(remark.atS);
+        for (const double atS : signs) {
+            if (std::abs(xIn(lane.course, atS) - x) > kHitPx)
                 continue;
-            emit seekWanted(secondsAt(xIn(lane.course, infraction.seconds - kLeadUpS)));
+            emit seekWanted(secondsAt(xIn(lane.course, atS - kLeadUpS)));
             return;
         }
     }

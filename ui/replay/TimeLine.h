@@ -9,8 +9,9 @@
 namespace ui::replay {
 
 /// The time line of an attempt: strokes as bars coloured by bur, above them what else happened, infractions first of
-/// all, and the moment that is shown. Dragged, it goes there; a click on an infraction goes to what led to it; pointed
-/// at, it says what is there. Beneath, with an axis of its own, another attempt that is shown beside.
+/// all, what people have remarked, and the moment that is shown. Dragged, it goes there; a click on an infraction or a
+/// remark goes to what led to it; pointed at, it says what is there. Beneath, with an axis of its own, another attempt
+/// that is shown beside.
 class TimeLine final : public QWidget
 {
     Q_OBJECT
@@ -68,5 +69,7 @@ private:
 [[nodiscard]] QColor burColour(std::uint8_t index);
 /// "Undone", "Bur 2: Pear, No. 330", "Handpiece: Turbine".
 [[nodiscard]] QString markWords(const Mark& mark);
+/// "Tina Teacher: here the wall leans in", shortened.
+[[nodiscard]] QString remarkWords(const Remark& remark);
 
 }  // namespace ui::replay

@@ -15,7 +15,7 @@ class BusyCard : public QFrame
 {
     Q_OBJECT
 public:
-    static constexpr int kPatienceMs = 200;
+    static constexpr int kPatienceMs = 100;
 
     explicit BusyCard(QWidget* parent);
 

@@ -51,6 +51,7 @@
 #include "ui/presets/PresetsPage.h"
 #include "ui/presets/TrialCard.h"
 #include "ui/replay/ReplayBar.h"
+#include "ui/replay/TimeLine.h"
 #include "ui/settings/SettingsPage.h"
 #include "ui/shell/AccountMenu.h"
 #include "ui/shell/Actions.h"
@@ -652,6 +653,11 @@ void MainWindow::showOldScore(std::function<QString()> work, const lessons::Scor
 void MainWindow::backToScore()
 {
     goTo(m_scorePage);
+}
+
+void MainWindow::backToHistory()
+{
+    goTo(m_history);
 }
 
 void MainWindow::leaveAll()
@@ -1400,6 +1406,7 @@ void MainWindow::takeSession()
             emit replayShown(m_session.recordedS);
         if (replayedPoints() != marked)
             markExercise();
+        showRemarks();
     } else if (m_session.toothGeneration == m_ownGeneration) {
         if (m_assignment && m_assignment->lesson)
             runClock();
@@ -2046,6 +2053,7 @@ void MainWindow::setReplaying(bool replaying, double lengthS, core::grading::Ide
     m_replayWhose = whose;
     m_room->panel().setAsked(askedOf(lessonShown()));
     m_replayCourse = {};
+    showRemarks();
     if (replaying)
         m_trialCard->hide();
     // What was asked of one hand is no word about the other's bur.
@@ -2061,9 +2069,38 @@ void MainWindow::setReplaying(bool replaying, double lengthS, core::grading::Ide
 
 void MainWindow::setReplayCourse(const replay::Course& course)
 {
-    m_room->replay().setCourse(asMayBeTold(course));
+    std::vector<replay::Remark> remarks = std::move(m_replayCourse.remarks);
     m_replayCourse = course;
+    m_replayCourse.remarks = std::move(remarks);
+    m_room->replay().setCourse(asMayBeTold(m_replayCourse));
     markExercise();
+}
+
+void MainWindow::setRemarks(std::vector<replay::Remark> remarks)
+{
+    if (!m_replaying)
+        return;
+    m_replayCourse.remarks = std::move(remarks);
+    m_room->replay().setCourse(asMayBeTold(m_replayCourse));
+    showRemarks();
+}
+
+/// Words and place of what is remarked about now.
+void MainWindow::showRemarks()
+{
+    std::vector<replay::Remark> now = m_replayCourse.remarksAt(m_session.recordedS);
+    if (now == m_remarked)
+        return;
+    m_remarked = std::move(now);
+    QStringList words;
+    std::vector<glm::dvec3> pins;
+    for (const replay::Remark& remark : m_remarked) {
+        words << replay::remarkWords(remark);
+        if (remark.placeMm)
+            pins.push_back(*remark.placeMm);
+    }
+    m_room->showRemark(words.join(u'\n'));
+    m_view->setPins(std::move(pins));
 }
 
 /// One's own attempt so far, saved and played, would tell what went wrong.

@@ -208,6 +208,8 @@ public slots:
                       std::optional<lessons::Lesson> lesson = {}, const QString& whose = {});
     /// How the attempt went that is played, as far as it is known; again when more of it is.
     void setReplayCourse(const replay::Course& course);
+    /// What people have remarked of its moments; again when that is another. A replay begins without.
+    void setRemarks(std::vector<replay::Remark> remarks);
     /// Another attempt is shown beside the one that is played, from the same side: the tooth of `links`.
     /// @param links  must outlive it: until hideBeside()
     void showBeside(core::session::UiLinks& links, std::shared_ptr<const core::terrain::ToothAnatomy> tooth,
@@ -243,6 +245,8 @@ public slots:
                       const std::optional<study::ScoredWork>& scored);
     /// The score card again that was left for its replay.
     void backToScore();
+    /// To the list of attempts, as it was left.
+    void backToHistory();
     /// Who works here now.
     void setWho(const database::Session& who);
     /// Who is logged in and touches nothing for so long finds the place locked; the drill at work counts as a touch.
@@ -446,6 +450,7 @@ private:
     void showIdeal();
     void layExercise();
     void markExercise();
+    void showRemarks();
     [[nodiscard]] bool isBlindfolded() const;
     void showHistory();
     void restBur();
@@ -528,7 +533,8 @@ private:
     std::optional<lessons::Lesson> m_replayLesson;     ///< that it was made for
     QString m_replayWhose;                             ///< who made it, and when
     replay::Course m_replayCourse;
-    replay::Course m_besideCourse;  ///< of the one beside it
+    std::vector<replay::Remark> m_remarked;  ///< of the moment that is shown
+    replay::Course m_besideCourse;           ///< of the one beside it
     /// The version, and what is made of it, for which a block has been asked.
     std::optional<std::pair<core::settings::FeelPreset, core::settings::FeelPreset>> m_triedPreset;
     std::optional<presets::BlindTrial> m_blindTrial;  ///< in place of it

@@ -81,11 +81,18 @@ PracticeRoom::PracticeRoom(const Actions& actions, ViewMenu& viewMenu, QWidget* 
         if (isVisible())
             placeOverlays();
     });
-    m_hint->setProperty("kind", "hint");
-    m_hint->setAlignment(Qt::AlignCenter);
-    m_hint->setWordWrap(true);
-    m_hint->setAttribute(Qt::WA_TransparentForMouseEvents);
     m_hint->setObjectName(QStringLiteral("hint"));
+
+    m_remark = new QLabel(this);
+    m_remark->setTextFormat(Qt::PlainText);
+    m_remark->setObjectName(QStringLiteral("remark"));
+    m_remark->hide();
+    for (QLabel* words : {m_hint, m_remark}) {
+        words->setProperty("kind", "hint");
+        words->setAlignment(Qt::AlignCenter);
+        words->setWordWrap(true);
+        words->setAttribute(Qt::WA_TransparentForMouseEvents);
+    }
 
     makeNotice();
     for (QLabel** name : {&m_besideName, &m_ourName}) {
@@ -256,6 +263,14 @@ void PracticeRoom::hideNotice()
     m_notice->hide();
 }
 
+void PracticeRoom::showRemark(const QString& words)
+{
+    m_remark->setText(words);
+    m_remark->setAccessibleName(words);
+    m_remark->setVisible(!words.isEmpty());
+    placeOverlays();
+}
+
 void PracticeRoom::setReplaying(bool replaying)
 {
     m_replay->setVisible(replaying);
@@ -314,11 +329,8 @@ void PracticeRoom::resizeEvent(QResizeEvent* event)
 void PracticeRoom::placeOverlays()
 {
     const QRect area = viewArea();
-    const int oneLine = m_hint->fontMetrics().horizontalAdvance(m_hint->text()) + 2 * kSpace6;
-    const int width = std::min(area.width() - 2 * kSpace4, oneLine);
-    const int height = m_hint->heightForWidth(width);
-    m_hint->setGeometry(area.center().x() - width / 2, area.bottom() - kSpace4 - height, width, height);
-    m_hint->raise();
+    placeAtFoot(*m_hint, area);
+    placeAtFoot(*m_remark, area);
     m_history->placeIn(area);
     const auto placeName = [](QLabel* label, const QRect& over) {
         label->adjustSize();
@@ -331,6 +343,16 @@ void PracticeRoom::placeOverlays()
         placeName(m_besideName, m_beside->geometry());
     }
     placeNotice();
+}
+
+/// One of them is seen at a time.
+void PracticeRoom::placeAtFoot(QLabel& words, const QRect& area) const
+{
+    const QSize oneLine = words.fontMetrics().size(0, words.text());
+    const int width = std::min(area.width() - 2 * kSpace4, oneLine.width() + 2 * kSpace6);
+    const int height = words.heightForWidth(width);
+    words.setGeometry(area.center().x() - width / 2, area.bottom() - kSpace4 - height, width, height);
+    words.raise();
 }
 
 /// On as few lines as there is room for.

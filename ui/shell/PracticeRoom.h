@@ -62,6 +62,8 @@ public:
     /// Tells of harm where it happens, over the tooth, for as long as it takes to read it.
     void showNotice(const QString& what, const QString& whatToDo);
     void hideNotice();
+    /// What somebody remarked of the moment that is played, at the foot of the view; empty: nothing.
+    void showRemark(const QString& words);
     void setReplaying(bool replaying);
     /// Puts the side panel away, or shows it.
     void setPanelVisible(bool visible);
@@ -85,6 +87,7 @@ private:
     void makeNotice();
     void placeOverlays();
     void placeNotice();
+    void placeAtFoot(QLabel& words, const QRect& area) const;
 
     QWidget* m_view;
     SidePanel* m_panel;
@@ -105,6 +108,7 @@ private:
     replay::ReplayBar* m_replay = nullptr;
     replay::HistoryPanel* m_history = nullptr;
     QLabel* m_hint = nullptr;
+    QLabel* m_remark = nullptr;  ///< while a recording is played
     QFrame* m_notice = nullptr;
     QLabel* m_noticeWhat = nullptr;
     QLabel* m_noticeToDo = nullptr;

@@ -2,6 +2,7 @@
 #include "ui/tooth/ExerciseMarks.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <QCoreApplication>
 #include <QPainterPath>
@@ -13,6 +14,9 @@ const QColor kHalo(16, 18, 20, 170);
 const QColor kWords(240, 240, 238);
 const QColor kQuietWords(178, 182, 186);
 const QColor kRing(250, 250, 248);
+const QColor kPin(77, 201, 195);
+constexpr double kPinPx = 26.0;     ///< from the tip to the middle of the head
+constexpr double kPinHeadPx = 6.5;  ///< its radius
 const QColor kTouched(0x0F, 0x8B, 0x8D);
 const QColor kPointer(0x3C, 0xC8, 0xCA);
 const QColor kGround(38, 40, 43);
@@ -52,6 +56,22 @@ void paintPoint(QPainter& painter, QPointF at, double radiusPx, bool isTouched, 
     painter.setPen(QPen(kHalo, 1.5));
     painter.setBrush(kRing);
     painter.drawEllipse(at, 3.0, 3.0);
+}
+
+void paintPin(QPainter& painter, QPointF at, bool isHidden)
+{
+    const QPointF head = at - QPointF(0.0, kPinPx);
+    for (const auto& [colour, wide] : {std::pair(kHalo, 5.0), std::pair(kPin, 2.0)}) {
+        painter.setPen(QPen(colour, wide, isHidden ? Qt::DotLine : Qt::SolidLine, Qt::RoundCap));
+        painter.drawLine(at, head);
+    }
+    painter.setPen(QPen(kHalo, 2.0));
+    painter.setBrush(isHidden ? Qt::NoBrush : QBrush(kPin));
+    painter.drawEllipse(head, kPinHeadPx, kPinHeadPx);
+    if (!isHidden)
+        return;
+    painter.setPen(QPen(kPin, 2.0));
+    painter.drawEllipse(head, kPinHeadPx - 1.5, kPinHeadPx - 1.5);
 }
 
 void paintBlindfold(QPainter& painter, const QRectF& view)

@@ -42,6 +42,10 @@ struct ExerciseMarks
 /// Touched: a filled disc with a tick. Else a ring; broken where the tooth lies before it.
 void paintPoint(QPainter& painter, QPointF at, double radiusPx, bool isTouched, bool isHidden);
 
+/// A place that is spoken of: a needle with a round head whose tip is at the place; hollow where the tooth lies before
+/// it.
+void paintPin(QPainter& painter, QPointF at, bool isHidden);
+
 /// Nothing but a plain ground.
 void paintBlindfold(QPainter& painter, const QRectF& view);
 void paintPad(QPainter& painter, const QPolygonF& outline, const QString& name);

@@ -109,6 +109,7 @@ void ToothView::setTooth(std::shared_ptr<const core::terrain::ToothAnatomy> anat
     showWhole(m_camera, *m_surface);
     m_mirror.reset();
     m_exercise = {};
+    m_pins.clear();
     showNeighbours();
     placeMirror();
     takePatches();
@@ -221,6 +222,14 @@ void ToothView::setExercise(const ExerciseMarks& marks)
     if (marks == m_exercise)
         return;
     m_exercise = marks;
+    redraw();
+}
+
+void ToothView::setPins(std::vector<glm::dvec3> placesMm)
+{
+    if (placesMm == m_pins)
+        return;
+    m_pins = std::move(placesMm);
     redraw();
 }
 
@@ -374,8 +383,10 @@ void ToothView::paintMarks(QPainter& painter)
         painter.scale(beside ? 0.5 : 1.0, above ? 0.5 : 1.0);
         if (isBlindfolded)
             drawPads(painter);
-        else
+        else {
             drawPoints(painter);
+            drawPins(painter);
+        }
         drawForce(painter);
         if (m_surface && core::teeth::isGenerated(m_surface->anatomy()))
             drawGizmo(painter);
@@ -406,6 +417,17 @@ void ToothView::drawPoints(QPainter& painter)
         const auto seen = m_surface->meetTooth(m_camera.rayThrough(at));
         const bool isHidden = seen && glm::distance(*seen, place) > kBeforeMm;
         paintPoint(painter, {at.x, at.y}, glm::distance(at, m_camera.pixelOf(beside)), mark.isTouched, isHidden);
+    }
+}
+
+void ToothView::drawPins(QPainter& painter)
+{
+    if (!m_surface)
+        return;
+    for (const glm::dvec3& place : m_pins) {
+        const glm::dvec2 at = m_camera.pixelOf(place);
+        const auto seen = m_surface->meetTooth(m_camera.rayThrough(at));
+        paintPin(painter, {at.x, at.y}, seen && glm::distance(*seen, place) > kBeforeMm);
     }
 }
 

@@ -74,6 +74,8 @@ public:
     [[nodiscard]] const ViewSettings& settings() const { return m_settings; }
     /// What an exercise marks on the tooth, or that the view is blindfolded; a new tooth has nothing of it.
     void setExercise(const ExerciseMarks& marks);
+    /// Places that somebody remarked something of, mm, in the tooth's frame; a new tooth has none.
+    void setPins(std::vector<glm::dvec3> placesMm);
     void resetCamera();
     /// For tests, which look from where they must.
     void setCamera(double azimuthDeg, double elevationDeg, double distanceMm);
@@ -141,6 +143,7 @@ private:
     void drawForce(QPainter& painter);
     void drawGizmo(QPainter& painter);
     void drawPoints(QPainter& painter);
+    void drawPins(QPainter& painter);
     void drawPads(QPainter& painter);
     [[nodiscard]] bool isOnMirror(QPointF position) const;
     void dragMirror(QPointF by, bool tilts);
@@ -161,6 +164,7 @@ private:
     std::unique_ptr<render::Presenter> m_presenter;
     ViewSettings m_settings;
     ExerciseMarks m_exercise;
+    std::vector<glm::dvec3> m_pins;
     std::vector<core::teeth::ArchPiece> m_neighbours;
     bool m_neighboursAreNew = false;  ///< the renderer has not seen them
     std::optional<render::DentalMirror> m_mirror;
