@@ -103,6 +103,7 @@ private slots:
     void slidersAndNumbersAreOnePreset();
     void slidersStandWhereTheVersionStands();
     void whatIsKeptLeavesTheKeysWithTheList();
+    void whatIsInUseIsShownUntilAnotherIsLookedAt();
     void aPresetWithoutANameIsNotTried();
     void aCopyHasAnotherName();
     void comparesWithTheChosenOne();
@@ -394,6 +395,21 @@ void TestPresetsPage::aCopyHasAnotherName()
     room.find<QLineEdit>("presetName")->selectAll();
     QTest::keyClick(room.find<QLineEdit>("presetName"), Qt::Key_Delete);
     QVERIFY(!room.find<QPushButton>("presetSave")->isEnabled());
+}
+
+void TestPresetsPage::whatIsInUseIsShownUntilAnotherIsLookedAt()
+{
+    Room room;  // shows the shipped one, in use
+    const auto shown = [&] { return room.find<QListWidget>("presetList")->currentItem()->text(); };
+    QVERIFY2(shown().contains("natural") && shown().contains("in use"), qPrintable(shown()));
+    // Somebody logs in at whose school another is in use.
+    room.page.setPresets(Room::shelf(), *Room::shelf()[0].preset);
+    QVERIFY2(shown().contains("hard") && shown().contains("version 2"), qPrintable(shown()));
+    QCOMPARE(room.find<QLineEdit>("presetName")->text(), QString("hard"));
+    // He looks at another, and that stays.
+    room.page.select(*Room::shelf()[1].preset);
+    room.page.setPresets(Room::shelf(), lessons::shippedPresets().front());
+    QVERIFY2(shown().contains("version 1"), qPrintable(shown()));
 }
 
 void TestPresetsPage::comparesWithTheChosenOne()

@@ -376,11 +376,13 @@ QWidget* PresetsPage::makeCompare(QWidget* parent)
 
 void PresetsPage::setPresets(std::vector<lessons::ReadPreset> all, const FeelPreset& inUse)
 {
-    const bool isFirst = m_all.empty();
+    // Whoever has looked at nothing else is shown what teeth feel like here: at a login that is another.
+    const bool follows =
+        m_all.empty() || (!isChanged() && isSameVersion(m_base, m_inUse) && !isSameVersion(m_inUse, inUse));
     m_all = std::move(all);
     m_inUse = inUse;
     fill();
-    if (isFirst)
+    if (follows)
         select(inUse);
     tell();
 }
