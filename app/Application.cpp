@@ -447,17 +447,21 @@ void Application::restore(const database::Session& who)
         const QDateTime made = database::sql::madeAt(m_backup).toLocalTime();
         takeOpening(opening);
         m_window->sayAtDoor([made, restored = opening.restored, isOpen = opening.status.has_value(),
-                             replaced = QFileInfo(opening.replaced).fileName()] {
+                             isAuditWhole = opening.isAuditWhole, replaced = QFileInfo(opening.replaced).fileName()] {
             if (!restored)
                 return (isOpen ? tr("The backup was not restored; nothing has been changed. %1")
                                : tr("The backup was not restored. %1"))
                     .arg(ui::text::errorText(restored.error(), Failed::ReadingSchool));
             const QString when = QLocale().toString(made, QLocale::ShortFormat);
             //: %2: a file's name
-            return replaced.isEmpty()
-                       ? tr("The backup of %1 is in place.").arg(when)
-                       : tr("The backup of %1 is in place. The file that was there is kept beside it as %2.")
-                             .arg(when, replaced);
+            QString said = replaced.isEmpty()
+                               ? tr("The backup of %1 is in place.").arg(when)
+                               : tr("The backup of %1 is in place. The file that was there is kept beside it as %2.")
+                                     .arg(when, replaced);
+            if (!isAuditWhole)
+                said += u' ' + tr("Its audit had been changed before it was made. \"Check everything\" on the page of "
+                                  "the backups says where; an older backup may have it whole.");
+            return said;
         });
     });
 }

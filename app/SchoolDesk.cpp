@@ -188,8 +188,10 @@ void SchoolDesk::restore(QObject* owner, const database::Session& session, const
         opening.replaced = replaced.value_or(QString());
         if (!replaced)
             opening.restored = tl::unexpected(replaced.error());
-        else if (opening.status)
+        else if (opening.status) {
+            opening.isAuditWhole = database::sql::holdsItsAudit(m_school->db).value_or(false);
             opening.status = database::sql::noteRestored(*m_school, session, backup);
+        }
         answer(guard, done, opening);
         deliverAll();
     });

@@ -39,11 +39,12 @@ public:
     struct Opening
     {
         core::Status status;
-        bool isNew = false;     ///< nobody has been entered yet
-        std::string notice;     ///< of the database
-        QString soundBackup;    ///< what there is to go back to where the file is damaged or gone; empty: nothing
-        core::Status restored;  ///< how restore() ended; what is there now is open, or not, in either case
-        QString replaced;       ///< after it: where the file lies now that was there; empty: there was none
+        bool isNew = false;        ///< nobody has been entered yet
+        std::string notice;        ///< of the database
+        QString soundBackup;       ///< what there is to go back to where the file is damaged or gone; empty: nothing
+        core::Status restored;     ///< how restore() ended; what is there now is open, or not, in either case
+        QString replaced;          ///< after it: where the file lies now that was there; empty: there was none
+        bool isAuditWhole = true;  ///< of what was restored; false: it had been changed before the backup was made
     };
     using Opened = std::function<void(const Opening&)>;
     /// May be called again where it came to nothing.

@@ -264,13 +264,17 @@ int restoreFile(const QCommandLineParser& parser, const Address& address)
     const auto open = openSchool(address, Opening::Migrate);
     if (!open)
         return failedInPlace(open.error());
+    const bool isAuditWhole = database::sql::holdsItsAudit(open->school->db).value_or(false);
     if (auto noted = database::sql::noteRestored(*open->school, {}, backup); !noted)
         return failedInPlace(noted.error());
+    if (!isAuditWhole)
+        warn({"the audit in this backup is not as it was written: \"cusp db check\" says what was changed; an older "
+              "backup may still have it whole"});
     return answer(parser,
                   replaced->isEmpty()
                       ? QStringLiteral("Restored as %1.").arg(address.file)
                       : QStringLiteral("Restored as %1; what was there lies in %2.").arg(address.file, *replaced),
-                  {{"database", address.file}, {"replaced", *replaced}});
+                  {{"database", address.file}, {"replaced", *replaced}, {"audit_whole", isAuditWhole}});
 }
 
 int drillRestore(const QCommandLineParser& parser, const Address& address)

@@ -670,15 +670,20 @@ core::Status verifyBackup(const QString& file)
 
 core::Result<bool> holdsItsAudit(const QString& file, const BackupProgress& progress)
 {
-    constexpr std::int64_t kTold = 1000;
     const Reader reader(file);
+    return holdsItsAudit(reader.handle(), progress);
+}
+
+core::Result<bool> holdsItsAudit(const QSqlDatabase& db, const BackupProgress& progress)
+{
+    constexpr std::int64_t kTold = 1000;
     bool goesOn = true;
-    const auto findings = checkAudit(reader.handle(), {}, [&](std::int64_t row) {
+    const auto findings = checkAudit(db, {}, [&](std::int64_t row) {
         goesOn = !progress || row % kTold != 1 || progress(0, 0);
         return goesOn;
     });
     if (!goesOn)
-        return tl::unexpected(refused(file, "it was stopped"));
+        return tl::unexpected(refused(dialect::fileOf(db), "it was stopped"));
     return findings && findings->empty();
 }
 

@@ -37,6 +37,8 @@ using BackupProgress = std::function<bool(int done, int all)>;
 /// Whether nothing was changed in the audit of a backup, from its first row to its signed head: reads every row, some
 /// seconds for a million. An error: it was stopped.
 [[nodiscard]] core::Result<bool> holdsItsAudit(const QString& file, const BackupProgress& progress = {});
+/// The same of one that was just put in its place, and brought to this program's schema.
+[[nodiscard]] core::Result<bool> holdsItsAudit(const QSqlDatabase& db, const BackupProgress& progress = {});
 
 /// The backups in a folder, newest first; of whichever school.
 [[nodiscard]] QStringList backupsIn(const QString& folder);

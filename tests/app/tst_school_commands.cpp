@@ -289,6 +289,7 @@ void TestSchoolCommands::aBackupOfAChangedAuditSaysSo()
 {
     const Ending sound = onFile({"db", "backup"});
     QVERIFY2(sound.exitCode == 0 && sound.out.contains("and checked") && sound.error.isEmpty(), sound.error);
+    const QString firstBackup = onFile({"db", "backup", "--json"}).json()["backup"].toString();
     {
         const auto database = database::sql::Database::open(school());
         QVERIFY(database);
@@ -298,7 +299,16 @@ void TestSchoolCommands::aBackupOfAChangedAuditSaysSo()
     const Ending made = onFile({"db", "backup"});
     QVERIFY2(made.exitCode == 0 && !made.out.contains("checked"), made.out);
     QVERIFY2(made.error.count('\n') == 1 && made.error.contains("the audit in this backup"), made.error);
-    QCOMPARE(onFile({"db", "backup", "--json"}).json()["audit_whole"].toBool(true), false);
+    const Ending again = onFile({"db", "backup", "--json"});
+    QCOMPARE(again.json()["audit_whole"].toBool(true), false);
+    // So does who brings it back.
+    const QString backup = again.json()["backup"].toString();
+    const Ending restored = onFile({"db", "restore", backup, "--json"});
+    QVERIFY2(restored.exitCode == 0 && restored.error.contains("the audit in this backup"), restored.error);
+    QCOMPARE(restored.json()["audit_whole"].toBool(true), false);
+    const Ending whole = onFile({"db", "restore", firstBackup, "--json"});
+    QVERIFY2(whole.exitCode == 0 && whole.error.isEmpty(), whole.error);
+    QCOMPARE(whole.json()["audit_whole"].toBool(false), true);
 }
 
 /// Of a file whose numbers have been used up.
