@@ -20,7 +20,10 @@ namespace {
 
 const std::string kNote = "note it in the audit";
 constexpr std::size_t kCodeDigits = 12;
-constexpr std::int64_t kHighest = std::numeric_limits<std::int64_t>::max() / 4;  ///< number of a row that is believed
+/// A row is not believed whose number is over this, or so much over that of the signed one: the program's own never get
+/// there, and one that was slipped in does not lead them to where numbers end.
+constexpr std::int64_t kHighest = std::numeric_limits<std::int64_t>::max() / 4;
+constexpr std::int64_t kFarthest = 1'000'000'000;
 constexpr std::size_t kLongestRun = 1000;  ///< of rows that were slipped in or taken out together
 const QString kColumns = QStringLiteral("seq, at_utc, actor, action, object, detail, hash");
 
@@ -81,16 +84,25 @@ public:
     {
         const std::string before = m_last.hash;
         const bool isNext = row.seq == m_last.seq + 1;
-        if (!isNext && row.seq <= kHighest && isAs(row, m_last.seq + 1 + m_shift, before)) {
-            tellRenumbered(row);
-        } else if (row.seq > kHighest || row.seq + m_shift > m_signedSeq) {
-            m_firstUnsigned = m_firstUnsigned == 0 ? row.seq : m_firstUnsigned;
-            m_lastUnsigned = row.seq;
-            return;
-        } else if (!isNext) {
-            tellMissing(m_last.seq + 1, row.seq - 1);  // what stood before this row is not known
-        }
+        const bool isBelieved = row.seq > 0 && row.seq <= kHighest;
         witness(row);
+        if (isBelieved && !isNext && isAs(row, m_last.seq + 1 + m_shift, before)) {
+            tellRenumbered(row);
+        } else {
+            const bool isSigned = isBelieved && row.seq + m_shift <= m_signedSeq;
+            if (!isSigned)
+                takeUnsigned(row.seq);
+            if (!isBelieved)
+                return;
+            // What goes on from the signed row is looked at like all else: it may be the signed number that was
+            // changed.
+            if (!isSigned && !m_goesOnUnsigned)
+                m_goesOnUnsigned = isNext && isAs(row, row.seq + m_shift, before);
+            if (!isSigned && !*m_goesOnUnsigned)
+                return;
+            if (!isNext)  // what stood before this row is not known
+                tellGap(row.seq);
+        }
         if (row.action == kJoin)
             m_stations.insert(row.object);
         if (row.seq == 1)
@@ -100,7 +112,7 @@ public:
                     "Finding",
                     "audit row %1 (%2, %3, %4) tells that the rows before it did not end as they had been signed"),
                 named(row));
-        if (isNext && !isAs(row, row.seq + m_shift, before) && !explain(row))
+        if (isNext && !isAs(row, row.seq + m_shift, before) && !explainSlipped(row) && !explain(row))
             suspect(row, before);
         m_beforeLast = before;
         m_recent.push_back({row.seq, before});
@@ -122,8 +134,8 @@ public:
             say(QT_TRANSLATE_NOOP("Finding",
                                   "audit row %1 (%2, %3, %4) is not the one that was signed: it was changed"),
                 named(m_last));
-        if (m_firstUnsigned > 0)
-            tellUnsigned(m_firstUnsigned, m_lastUnsigned);
+        if (m_unsigned)
+            tellUnsigned(m_unsigned->first, m_unsigned->second);
         if (head.seq > 0 && !StationKey::isSigned(wordsOf(head), textOf(seal, 2), textOf(seal, 3)))
             say(QT_TRANSLATE_NOOP(
                 "Finding",
@@ -134,7 +146,7 @@ public:
                                              "knows no station that has it"),
                 {key.substr(0, kCodeDigits)});
         for (const Witness& witness : m_witnesses)
-            if (witness.seq > m_last.seq)
+            if (!witness.isSeen && witness.seq > m_last.seq)
                 say(QT_TRANSLATE_NOOP(
                         "Finding", "audit row %1, which a report names, is not there: it was removed, or the code is "
                                    "not typed as it stands there"),
@@ -147,6 +159,7 @@ private:
     {
         std::int64_t seq = 0;
         std::string hash;
+        bool isSeen = false;
     };
 
     static std::vector<std::string> named(const AuditRow& row)
@@ -171,6 +184,14 @@ private:
             say(QT_TRANSLATE_NOOP("Finding", "audit rows %1 to %2 were removed"),
                 {std::to_string(first), std::to_string(last)});
     }
+    void tellGap(std::int64_t seq)
+    {
+        const std::size_t told = m_findings.size();
+        tellMissing(m_last.seq + 1, seq - 1);
+        if (m_findings.size() > told)
+            m_gap = Gap{seq, told};
+    }
+    void takeUnsigned(std::int64_t seq) { m_unsigned = {m_unsigned ? m_unsigned->first : seq, seq}; }
     /// It follows from the one before it, but for its number: nothing that stood between them was taken out.
     void tellRenumbered(const AuditRow& row)
     {
@@ -191,6 +212,32 @@ private:
         AuditRow as = row;
         as.seq = seq;
         return hashOf(as, hashBefore) == row.hash;
+    }
+    /// Whether rows were slipped in behind the newest one, before the program wrote again: its next row then follows
+    /// from the one that was signed, with a number behind theirs.
+    bool explainSlipped(const AuditRow& row)
+    {
+        if (row.action != kBroken)
+            return false;
+        const auto first = std::find_if(m_recent.rbegin(), m_recent.rend(), [&](const Recent& recent) {
+            return isAs(row, row.seq + m_shift, recent.before);
+        });
+        if (first == m_recent.rend())
+            return false;
+        forgive(first->seq);
+        if (m_gap && m_gap->before >= first->seq) {
+            m_findings.erase(m_findings.begin() + static_cast<std::ptrdiff_t>(m_gap->finding));
+            m_gap.reset();
+        }
+        tellUnsigned(first->seq, m_last.seq);
+        return true;
+    }
+    /// Rows from this one on are explained.
+    void forgive(std::int64_t first)
+    {
+        m_suspects.erase(
+            std::remove_if(m_suspects.begin(), m_suspects.end(), [&](const Suspect& s) { return s.row.seq >= first; }),
+            m_suspects.end());
     }
     /// Of a row that does not follow from the one before: whether it tells what was done to that one.
     bool explain(const AuditRow& row)
@@ -219,9 +266,7 @@ private:
     bool explainInserted(const AuditRow& row)
     {
         if (const auto run = std::exchange(m_run, {}); run && isAs(row, row.seq + m_shift - run->count, m_last.hash)) {
-            m_suspects.erase(std::remove_if(m_suspects.begin(), m_suspects.end(),
-                                            [&](const Suspect& s) { return s.row.seq >= run->first; }),
-                             m_suspects.end());
+            forgive(run->first);
             say(QT_TRANSLATE_NOOP("Finding",
                                   "audit rows %1 to %2 were inserted, and those behind them were renumbered"),
                 {std::to_string(run->first), std::to_string(run->first + run->count - 1)});
@@ -288,12 +333,16 @@ private:
     }
     void witness(const AuditRow& row)
     {
-        for (const Witness& witness : m_witnesses)
-            if (witness.seq == row.seq && (row.hash.rfind(witness.hash, 0) != 0))
+        for (Witness& witness : m_witnesses) {
+            if (witness.seq != row.seq)
+                continue;
+            witness.isSeen = true;
+            if (row.hash.rfind(witness.hash, 0) != 0)
                 say(QT_TRANSLATE_NOOP("Finding", "audit row %1 (%2, %3, %4) is not the one that a report names: it or "
                                                  "one before it was changed, or the code is not typed as it "
                                                  "stands there"),
                     named(row));
+        }
     }
 
     struct Recent
@@ -307,6 +356,12 @@ private:
         std::int64_t first = 0;
         std::int64_t count = 0;
     };
+    /// Rows that are not there, as was told last.
+    struct Gap
+    {
+        std::int64_t before = 0;  ///< the row behind them
+        std::size_t finding = 0;
+    };
     struct Suspect
     {
         AuditRow row;
@@ -315,8 +370,9 @@ private:
 
     std::int64_t m_signedSeq;
     std::int64_t m_lastSeq;
-    std::int64_t m_firstUnsigned = 0;  ///< of the rows behind the one that was signed as the newest; 0: there are none
-    std::int64_t m_lastUnsigned = 0;
+    std::optional<std::pair<std::int64_t, std::int64_t>> m_unsigned;  ///< first and last row behind the signed one
+    std::optional<bool> m_goesOnUnsigned;  ///< the first of those follows from the signed one
+    std::optional<Gap> m_gap;
     std::vector<Witness> m_witnesses;
     std::vector<Finding> m_findings;
     AuditRow m_last;
@@ -363,11 +419,14 @@ core::Status AuditBatch::begin()
     if (auto read = forEach(
             m_school.db,
             "SELECT s.seq, s.hash, s.signature, s.station_key, COALESCE(a.hash, ''), (SELECT COALESCE(MAX(seq), 0) "
-            "FROM audit), COALESCE((SELECT b.action FROM audit b WHERE b.seq = 1), ''), CASE WHEN " +
+            "FROM audit WHERE seq <= CASE WHEN s.seq BETWEEN 0 AND ? THEN s.seq ELSE 0 END + ?), COALESCE((SELECT "
+            "b.action FROM audit b WHERE b.seq = 1), ''), CASE WHEN " +
                 joined.arg("'station:' || s.station_key") + " THEN 1 ELSE 0 END, CASE WHEN " + joined.arg("?") +
                 " THEN 1 ELSE 0 END FROM audit_seal s LEFT JOIN audit a ON a.seq = s.seq WHERE s.id = 1" +
                 QString(dialect::isPostgres(m_school.db) ? " FOR UPDATE OF s" : ""),
-            kNote, {text(stationOf(m_school.key.publicHex()))},
+            kNote,
+            {static_cast<qlonglong>(kHighest), static_cast<qlonglong>(kFarthest),
+             text(stationOf(m_school.key.publicHex()))},
             [&](const QSqlQuery& row) {
                 m_seq = row.value(0).toLongLong();
                 m_hash = textOf(row, 1);
@@ -379,7 +438,8 @@ core::Status AuditBatch::begin()
                     (m_seq == 0 || (StationKey::isSigned(wordsOf({m_seq, m_hash}), textOf(row, 2), textOf(row, 3)) &&
                                     (!areStationsNoted || row.value(7).toInt() == 1)));
                 mustJoin = areStationsNoted && row.value(8).toInt() == 0;
-                m_seq = std::max(m_seq, static_cast<std::int64_t>(row.value(5).toLongLong()));
+                const std::int64_t last = row.value(5).toLongLong();
+                m_seq = m_seq <= kHighest ? std::max(m_seq, last) : last;
             });
         !read)
         return read;
@@ -387,11 +447,6 @@ core::Status AuditBatch::begin()
         return core::unexpected(core::ErrorCode::BadStructure, "database " + dialect::nameOf(m_school.db) +
                                                                    ": the head of its audit is missing; restore a "
                                                                    "backup of it");
-    if (m_seq == std::numeric_limits<std::int64_t>::max())
-        return core::unexpected(core::ErrorCode::BadStructure,
-                                "database " + dialect::nameOf(m_school.db) +
-                                    ": somebody has put a row into its audit behind which there is no number left; "
-                                    "restore a backup of it");
     m_insert.emplace(m_school.db);
     if (!m_insert->prepare(QStringLiteral("INSERT INTO audit (%1) VALUES (?, ?, ?, ?, ?, ?, ?)").arg(kColumns)))
         return tl::unexpected(dialect::error(m_school.db, m_insert->lastError(), kNote));
@@ -488,8 +543,10 @@ core::Result<std::vector<Finding>> checkAudit(const QSqlDatabase& db, const std:
 {
     std::int64_t signedSeq = std::numeric_limits<std::int64_t>::max();
     std::int64_t lastSeq = 0;
-    if (auto read = forEach(db, "SELECT (SELECT seq FROM audit_seal WHERE id = 1), (SELECT MAX(seq) FROM audit)",
-                            "read the audit", {},
+    if (auto read = forEach(db,
+                            "SELECT (SELECT seq FROM audit_seal WHERE id = 1), (SELECT MAX(seq) FROM audit WHERE seq "
+                            "<= ?)",
+                            "read the audit", {static_cast<qlonglong>(kHighest)},
                             [&](const QSqlQuery& row) {
                                 if (!row.isNull(0))
                                     signedSeq = row.value(0).toLongLong();

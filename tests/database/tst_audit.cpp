@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <limits>
+
 #include <QSqlError>
 #include <QSqlQuery>
 #include <QTest>
@@ -40,6 +42,10 @@ private slots:
     void whatCannotBeLookedAtHidesNothingElse();
     void whoMayNotCompareIsTold();
     void whoeverElseSignsIsNamed();
+    void workGoesOnBehindWhatWasSlippedIn_data();
+    void workGoesOnBehindWhatWasSlippedIn();
+    void rowsBehindTheSignedOneAreLookedAt_data() { support::addEngines(); }
+    void rowsBehindTheSignedOneAreLookedAt();
     void goingOnMakesNothingGood_data() { support::addEngines(); }
     void goingOnMakesNothingGood();
     void aStationThatNeverJoinedIsFound_data() { support::addEngines(); }
@@ -552,6 +558,84 @@ void TestAudit::whoMayNotCompareIsTold()
 }
 
 /// The end of the audit is cut off and the seal set back; then somebody logs in, and the station signs.
+void TestAudit::workGoesOnBehindWhatWasSlippedIn_data()
+{
+    QTest::addColumn<bool>("onServer");
+    QTest::addColumn<QList<qint64>>("slipped");
+    QTest::addColumn<QString>("finding");
+    QTest::addColumn<int>("findings");  // also the program's own note of what it found
+    for (const bool onServer : {false, true}) {
+        const auto row = [onServer](const char* name) -> QTestData& {
+            return QTest::addRow("%s %s", name, onServer ? "postgresql" : "sqlite") << onServer;
+        };
+        row("one") << QList<qint64>{31} << "row 31 was inserted: no station has signed that" << 2;
+        row("three") << QList<qint64>{31, 32, 33} << "rows 31 to 33 were inserted: no station has signed that" << 2;
+        row("far behind") << QList<qint64>{5000} << "row 5000 was inserted: no station has signed that" << 2;
+        row("beyond belief") << QList<qint64>{4'000'000'000'000'000'000}
+                             << "row 4000000000000000000 was inserted: no station has signed that" << 1;
+        row("where numbers end") << QList<qint64>{std::numeric_limits<qint64>::max() - 1}
+                                 << "row 9223372036854775806 was inserted: no station has signed that" << 1;
+    }
+}
+
+/// What was written before it and after it is looked at as ever.
+void TestAudit::workGoesOnBehindWhatWasSlippedIn()
+{
+    QFETCH(QList<qint64>, slipped);
+    QFETCH(QString, finding);
+    QFETCH(int, findings);
+    SCHOOL_RIG(rig);
+    rig.populate();
+    const auto work = [&](int times) {
+        for (int k = 0; k < times; ++k)
+            if (const auto added = addAttempt(rig.school(), rig.student, SchoolRig::attempt("class1-36", 500), {});
+                !added)
+                qFatal("%s", added.error().detail.c_str());
+    };
+    work(30 - static_cast<int>(auditHead(rig.school())->seq));
+    QCOMPARE(auditHead(rig.school())->seq, 30);
+    unlock(rig.school());
+    QSqlQuery query(rig.school().db);
+    for (const qint64 seq : slipped)
+        QVERIFY2(query.exec(QStringLiteral("INSERT INTO audit SELECT %1, at_utc, actor, action, object, detail, hash "
+                                           "FROM audit WHERE seq = 3")
+                                .arg(seq)),
+                 qPrintable(query.lastError().text()));
+    work(6);
+    const auto found = checkAudit(rig.school().db, {});
+    VERIFY_DONE(found);
+    QVERIFY2(support::wordsOf(*found).contains(finding), qPrintable(support::wordsOf(*found)));
+    QVERIFY2(static_cast<int>(found->size()) == findings, qPrintable(support::wordsOf(*found)));
+    // What a report shows by now is an audit code.
+    const std::string code = auditHead(rig.school())->code();
+    QVERIFY2(isAuditCode(code), code.c_str());
+    QCOMPARE(checkAudit(rig.school().db, {code})->size(), found->size());
+    // The third one of that work.
+    const qint64 changed = auditHead(rig.school())->seq - 3;
+    QVERIFY(query.exec(QStringLiteral("UPDATE audit SET actor = 'nobody' WHERE seq = %1").arg(changed)));
+    const QString said = support::wordsOf(*checkAudit(rig.school().db, {}));
+    QVERIFY2(said.contains(QStringLiteral("row %1 (").arg(changed)), qPrintable(said));
+}
+
+/// Whoever sets the signed number back hides nothing of what stands behind it.
+void TestAudit::rowsBehindTheSignedOneAreLookedAt()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    while (auditHead(rig.school())->seq < 30)
+        VERIFY_DONE(addAttempt(rig.school(), rig.student, SchoolRig::attempt("class1-36", 500), {}));
+    const std::string code = auditHead(rig.school())->code();
+    unlock(rig.school());
+    QSqlQuery query(rig.school().db);
+    QVERIFY(query.exec("UPDATE audit_seal SET seq = 10"));
+    const QString back = support::wordsOf(*checkAudit(rig.school().db, {code}));
+    QVERIFY2(back.contains("rows 11 to 30 were inserted: no station has signed that"), qPrintable(back));
+    QVERIFY2(!back.contains("which a report names"), qPrintable(back));
+    QVERIFY(query.exec("UPDATE audit SET actor = 'nobody' WHERE seq = 20"));
+    const QString said = support::wordsOf(*checkAudit(rig.school().db, {code}));
+    QVERIFY2(said.contains("row 20 ("), qPrintable(said));
+}
+
 void TestAudit::goingOnMakesNothingGood()
 {
     SCHOOL_RIG(rig);
