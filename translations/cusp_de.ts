@@ -1872,8 +1872,8 @@
         <translation>wer den Kopf des Protokolls signiert hat, konnte nicht geprüft werden (%1)</translation>
     </message>
     <message>
-        <source>new rows of the table %1 get no number any more, so that nothing can be added to it; &quot;cusp db migrate&quot; puts that right</source>
-        <translation>neue Zeilen der Tabelle %1 bekommen keine Nummer mehr, sodass nichts hinzukommen kann; „cusp db migrate“ behebt das</translation>
+        <source>new rows of the table %1 are not numbered as this program does, so that perhaps none can be added to it; &quot;cusp db migrate&quot; puts that right</source>
+        <translation>neue Zeilen der Tabelle %1 werden nicht so nummeriert, wie es dieses Programm tut, sodass ihr vielleicht keine hinzugefügt werden kann; „cusp db migrate“ bringt das in Ordnung</translation>
     </message>
     <message>
         <source>the numbers of new rows could not be looked at (%1)</source>

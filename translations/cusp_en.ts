@@ -1872,7 +1872,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>new rows of the table %1 get no number any more, so that nothing can be added to it; &quot;cusp db migrate&quot; puts that right</source>
+        <source>new rows of the table %1 are not numbered as this program does, so that perhaps none can be added to it; &quot;cusp db migrate&quot; puts that right</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

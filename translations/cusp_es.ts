@@ -1872,8 +1872,8 @@
         <translation>no se pudo revisar quién firmó la cabecera del registro (%1)</translation>
     </message>
     <message>
-        <source>new rows of the table %1 get no number any more, so that nothing can be added to it; &quot;cusp db migrate&quot; puts that right</source>
-        <translation>las filas nuevas de la tabla %1 ya no reciben número, así que no se puede añadir nada; «cusp db migrate» lo arregla</translation>
+        <source>new rows of the table %1 are not numbered as this program does, so that perhaps none can be added to it; &quot;cusp db migrate&quot; puts that right</source>
+        <translation>las filas nuevas de la tabla %1 no se numeran como lo hace este programa, de modo que quizá no se pueda añadir ninguna; «cusp db migrate» lo corrige</translation>
     </message>
     <message>
         <source>the numbers of new rows could not be looked at (%1)</source>

@@ -1870,8 +1870,8 @@
         <translation>監査記録の先頭の署名者を調べられませんでした（%1）</translation>
     </message>
     <message>
-        <source>new rows of the table %1 get no number any more, so that nothing can be added to it; &quot;cusp db migrate&quot; puts that right</source>
-        <translation>表 %1 の新しい行に番号を付けられないため、何も追加できません。cusp の db migrate コマンドで直せます</translation>
+        <source>new rows of the table %1 are not numbered as this program does, so that perhaps none can be added to it; &quot;cusp db migrate&quot; puts that right</source>
+        <translation>表 %1 の新しい行の番号付けがこのプログラムの方式と違うため、行を追加できないことがあります。cusp の db migrate コマンドで直せます</translation>
     </message>
     <message>
         <source>the numbers of new rows could not be looked at (%1)</source>

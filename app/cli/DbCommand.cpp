@@ -91,8 +91,9 @@ std::string wayBack(const Address& address)
         return {};
     const QString backup = database::sql::newestSound(address.file, QDateTime::currentDateTimeUtc());
     // A restore that somebody stopped in the middle may leave none in the place of the file, where a new one is begun.
-    const QString replaced =
-        database::sql::liesEmpty(address.file) ? database::sql::newestReplaced(address.file) : QString();
+    const QString replaced = database::sql::liesEmpty(address.file)
+                                 ? database::sql::newestReplaced(address.file, QDateTime::currentDateTimeUtc())
+                                 : QString();
     std::string way;
     if (!replaced.isEmpty())
         way = "the newest whole school that a restore has moved aside is " + replaced.toStdString();

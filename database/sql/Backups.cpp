@@ -64,11 +64,12 @@ bool sync(const QString& path)
     return core::bringToDisk(path.toStdU16String());
 }
 
-/// An empty one, of SQLite's making from then on.
+/// An empty one, of SQLite's making from then on. At no moment it is for more people than it is meant for: who has it
+/// open reads on.
 bool makeFile(const QString& path, QFile::Permissions mode)
 {
     QFile file(path);
-    return file.open(QIODevice::WriteOnly | QIODevice::NewOnly) && file.setPermissions(mode | kOwners);
+    return file.open(QIODevice::WriteOnly | QIODevice::NewOnly, kOwners) && file.setPermissions(mode | kOwners);
 }
 
 bool hasLog(const QString& databaseFile)
@@ -337,14 +338,15 @@ void settle(const QString& databaseFile)
 
 /// That one restores at a time in one folder. No file is made for it, which another user could not open and who is
 /// killed would leave there. Where the file system knows no such locks, or the folder cannot be read, one goes on
-/// without: of two at once each keeps what it finds.
+/// without, and sweeps nothing: it may be another's copy that grows there.
 class RestoreLock
 {
 public:
     explicit RestoreLock(const QString& databaseFile)
         : m_folder(::open(QFile::encodeName(QFileInfo(databaseFile).absolutePath()).constData(),
                           O_RDONLY | O_DIRECTORY | O_CLOEXEC)),
-          m_isTaken(m_folder >= 0 && flock(m_folder, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+          m_isHeld(m_folder >= 0 && flock(m_folder, LOCK_EX | LOCK_NB) == 0),
+          m_isTaken(!m_isHeld && m_folder >= 0 && errno == EWOULDBLOCK)
     {}
     ~RestoreLock()
     {
@@ -353,10 +355,13 @@ public:
     }
     RestoreLock(const RestoreLock&) = delete;
     RestoreLock& operator=(const RestoreLock&) = delete;
+    [[nodiscard]] bool isHeld() const { return m_isHeld; }
+    /// By another program.
     [[nodiscard]] bool isTaken() const { return m_isTaken; }
 
 private:
     int m_folder;
+    bool m_isHeld;
     bool m_isTaken;
 };
 
@@ -512,6 +517,13 @@ bool isOfTheFuture(const QString& backup, const QDateTime& nowUtc)
     return madeAt(backup) > nowUtc.addDays(1);
 }
 
+/// Else in the order in which they are.
+void putFutureLast(QStringList& files, const QDateTime& nowUtc)
+{
+    std::stable_partition(files.begin(), files.end(),
+                          [&nowUtc](const QString& file) { return !isOfTheFuture(file, nowUtc); });
+}
+
 }  // namespace
 
 core::Status expectClosed(const QString& databaseFile)
@@ -535,19 +547,20 @@ QDateTime madeAt(const QString& backup)
 QString newestSound(const QString& databaseFile, const QDateTime& nowUtc)
 {
     QStringList files = backupsIn(backupFolder(databaseFile));
-    std::stable_partition(files.begin(), files.end(),
-                          [&nowUtc](const QString& file) { return !isOfTheFuture(file, nowUtc); });
+    putFutureLast(files, nowUtc);
     const auto sound = std::find_if(files.begin(), files.end(), [](const QString& file) {
         return !holdsNobody(file) && verifyBackup(file).has_value();
     });
     return sound != files.end() ? *sound : QString();
 }
 
-QString newestReplaced(const QString& databaseFile)
+QString newestReplaced(const QString& databaseFile, const QDateTime& nowUtc)
 {
     const QFileInfo target(databaseFile);
     const QDir there = target.absoluteDir();
-    for (const QString& name : there.entryList({kReplaced + '*'}, QDir::Files, QDir::Name | QDir::Reversed))
+    QStringList names = there.entryList({kReplaced + '*'}, QDir::Files, QDir::Name | QDir::Reversed);
+    putFutureLast(names, nowUtc);
+    for (const QString& name : std::as_const(names))
         if (QString file = there.filePath(name);
             name.mid(kReplaced.size() + kStamp.size()) == '-' + target.fileName() && !holdsNobody(file) &&
             verifyBackup(file).has_value())
@@ -563,10 +576,13 @@ bool liesEmpty(const QString& databaseFile)
 QString newestKept(const QString& databaseFile, const QDateTime& nowUtc)
 {
     const QString backup = newestSound(databaseFile, nowUtc);
-    const QString replaced = liesEmpty(databaseFile) ? newestReplaced(databaseFile) : QString();
+    const QString replaced = liesEmpty(databaseFile) ? newestReplaced(databaseFile, nowUtc) : QString();
     if (replaced.isEmpty() || backup.isEmpty())
         return replaced + backup;
-    return isOfTheFuture(backup, nowUtc) || madeAt(replaced) >= madeAt(backup) ? replaced : backup;
+    const bool isOdd = isOfTheFuture(backup, nowUtc);
+    if (isOdd != isOfTheFuture(replaced, nowUtc))
+        return isOdd ? replaced : backup;
+    return madeAt(replaced) >= madeAt(backup) ? replaced : backup;
 }
 
 core::Result<std::string> schoolOf(const QSqlDatabase& db)
@@ -754,12 +770,13 @@ core::Result<QString> restoreBackup(const QString& backup, const QString& databa
     const RestoreLock lock(databaseFile);
     if (lock.isTaken())
         return core::unexpected(ErrorCode::Busy, "database " + databaseFile.toStdString() +
-                                                     ": another program is restoring a backup there; wait until it "
-                                                     "has ended");
+                                                     ": another program is restoring a backup there, or has locked "
+                                                     "the folder; wait until it has ended");
     if (auto closed = expectClosed(databaseFile); !closed)
         return tl::unexpected(closed.error());
     // It gives back the room that the copy needs.
-    sweep(databaseFile, backup);
+    if (lock.isHeld())
+        sweep(databaseFile, backup);
     const QString copy = databaseFile + kRestoring + QString::fromStdString(newUid());
     const auto removeCopy = qScopeGuard([&copy] { removeWhole(copy); });
     if (auto ready = makeReady(backup, copy, databaseFile); !ready)

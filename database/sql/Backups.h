@@ -73,9 +73,9 @@ using BackupProgress = std::function<bool(int done, int all)>;
 /// future last; empty: there is none.
 [[nodiscard]] QString newestSound(const QString& databaseFile, const QDateTime& nowUtc);
 
-/// The newest of those that restoreBackup() has moved aside, that verifyBackup() finds whole and that somebody is in;
-/// empty: there is none.
-[[nodiscard]] QString newestReplaced(const QString& databaseFile);
+/// The newest of those that restoreBackup() has moved aside, that verifyBackup() finds whole and that somebody is in,
+/// one from the future last; empty: there is none.
+[[nodiscard]] QString newestReplaced(const QString& databaseFile, const QDateTime& nowUtc);
 
 /// Whether no file is there, or one that nobody is in: as after a restore that was stopped in the middle.
 [[nodiscard]] bool liesEmpty(const QString& databaseFile);

@@ -176,8 +176,8 @@ core::Status checkNumbers(const QSqlDatabase& db, CheckReport& report)
             return tl::unexpected(isFree.error());
         if (!*isFree)
             say(report,
-                {QT_TRANSLATE_NOOP("Finding", "new rows of the table %1 get no number any more, so that nothing can be "
-                                              "added to it; \"cusp db migrate\" puts that right"),
+                {QT_TRANSLATE_NOOP("Finding", "new rows of the table %1 are not numbered as this program does, so that "
+                                              "perhaps none can be added to it; \"cusp db migrate\" puts that right"),
                  {table}});
     }
     return {};

@@ -252,15 +252,6 @@ core::Result<int> countTables(const QSqlDatabase& db)
 
 core::Status continueIds(const QSqlDatabase& db, const QString& table)
 {
-    // Somebody may have given the sequence other steps or another end.
-    if (isPostgres(db))
-        if (auto made = execute(db,
-                                QStringLiteral("ALTER TABLE %1 ALTER COLUMN id SET INCREMENT BY 1 SET NO MINVALUE SET "
-                                               "NO MAXVALUE SET NO CYCLE SET START 1 RESTART")
-                                    .arg(table),
-                                kNumber);
-            !made)
-            return made;
     const QString goOn =
         isPostgres(db) ? QStringLiteral("SELECT setval(pg_get_serial_sequence('%1', 'id'), greatest(1, max(id)), "
                                         "max(id) IS NOT NULL) FROM %1")
@@ -268,6 +259,28 @@ core::Status continueIds(const QSqlDatabase& db, const QString& table)
                                         "name = '%1'");
     return execute(db, goOn.arg(table), kNumber);
 }
+
+namespace {
+
+/// Somebody may have given a server's sequence other steps or another end. Nobody adds a row before it goes on behind
+/// those that are there.
+core::Status renewIds(const QSqlDatabase& db, const QString& table)
+{
+    if (!isPostgres(db))
+        return continueIds(db, table);
+    return inTransaction(db, kNumber, [&]() -> core::Status {
+        if (auto made = execute(db,
+                                QStringLiteral("ALTER TABLE %1 ALTER COLUMN id SET INCREMENT BY 1 SET NO MINVALUE SET "
+                                               "NO MAXVALUE SET NO CYCLE SET START 1 RESTART")
+                                    .arg(table),
+                                kNumber);
+            !made)
+            return made;
+        return continueIds(db, table);
+    });
+}
+
+}  // namespace
 
 core::Result<bool> hasNextId(const QSqlDatabase& db, const QString& table)
 {
@@ -305,7 +318,7 @@ core::Result<bool> repairIds(const QSqlDatabase& db)
         }
         auto isFree = hasNextId(db, table);
         if (isFree && !*isFree) {
-            if (auto gone = continueIds(db, table); !gone)
+            if (auto gone = renewIds(db, table); !gone)
                 return tl::unexpected(gone.error());
             isFree = hasNextId(db, table);
         }

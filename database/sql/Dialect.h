@@ -41,7 +41,7 @@ inline constexpr int kApplicationId = 0x43555350;
 [[nodiscard]] core::Status setSchemaVersion(const QSqlDatabase& db, int version);
 /// Tables there are, of this program or another.
 [[nodiscard]] core::Result<int> countTables(const QSqlDatabase& db);
-/// After rows came with ids of their own: the next id is beyond them.
+/// After rows came with ids of their own: the next id is beyond them. On a server it needs no more rights than rows do.
 [[nodiscard]] core::Status continueIds(const QSqlDatabase& db, const QString& table);
 /// The tables whose rows the database numbers: {row_id}.
 inline constexpr std::array kNumbered{"people",   "classes",   "assignments", "attempts",

@@ -3,12 +3,14 @@
 // only are called nearly so.
 #include <cerrno>
 #include <csignal>
+#include <cstdarg>
 #include <cstdio>
 
 #include <QDir>
 #include <QFile>
 #include <QScopeGuard>
 #include <QTest>
+#include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
@@ -67,6 +69,18 @@ int flock(int file, int operation) noexcept
         return -1;
     }
     return static_cast<int>(syscall(SYS_flock, file, operation));
+}
+
+// Qt makes its files by it.
+int open64(const char* path, int flags, ...)
+{
+    va_list rest;
+    va_start(rest, flags);
+    const auto mode = (flags & O_CREAT) != 0 ? va_arg(rest, mode_t) : mode_t{0};
+    va_end(rest);
+    if ((flags & O_CREAT) != 0 && access(path, F_OK) != 0)
+        noteMode(path, mode);
+    return static_cast<int>(syscall(SYS_openat, AT_FDCWD, path, flags | O_LARGEFILE, mode));
 }
 
 int chmod(const char* path, mode_t mode) noexcept
@@ -236,6 +250,14 @@ void TestRestoring::whatWasMovedAsideLaterThanTheBackupIsOffered()
     QVERIFY(QFile::copy(older, later));
     QCOMPARE(newestKept(file(), m_now), later);
     QCOMPARE(madeAt(later), QDateTime(QDate(2026, 11, 20), QTime(10, 15, 1), Qt::UTC));
+    // Under a clock that was wrong: it is no longer newer than all that will ever be.
+    const QString odd = m_folder->filePath("replaced-2031-01-01-00.00.00-school.sqlite");
+    QVERIFY(QFile::copy(m_backup, odd));
+    QCOMPARE(newestKept(file(), m_now), later);
+    QVERIFY(QFile::remove(later) && QFile::remove(older));
+    QCOMPARE(newestReplaced(file(), m_now), odd);
+    QCOMPARE(newestKept(file(), m_now), backup);
+    QVERIFY(QFile::remove(odd) && QFile::copy(m_school, later));
     // Of a new school that a backup has replaced nobody wants anything back.
     QVERIFY(Database::open(file()).has_value());
     const QString empty = m_folder->filePath("replaced-2026-11-20-10.15.02-school.sqlite");
@@ -249,8 +271,11 @@ void TestRestoring::whatWasMovedAsideLaterThanTheBackupIsOffered()
 void TestRestoring::aDiskWithoutLocksIsRestoredTo()
 {
     disk.knowsLocks = false;
+    const QString others = file() + ".restoring" + QString(32, 'a');  // perhaps still being made
+    QVERIFY(QFile::copy(m_backup, others));
     VERIFY_DONE(restoreBackup(m_backup, file(), m_now));
     QCOMPARE(attemptsIn(file()), 0);
+    QVERIFY(QFile::exists(others));
 }
 
 /// As an older program left it that was killed.

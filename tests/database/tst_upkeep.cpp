@@ -364,13 +364,13 @@ void TestUpkeep::whatARestoreMovedAsideIsFound()
     rig.populate();
     const QString backup = backUp(rig.school().db, folder.filePath("backups"), rig.nowUtc).value();
     const QString file = folder.filePath("school.sqlite");
-    QCOMPARE(newestReplaced(file), QString());
+    QCOMPARE(newestReplaced(file, rig.nowUtc), QString());
     for (const char* name : {"replaced-2026-11-20-10.15.00-school.sqlite", "replaced-2026-11-20-10.15.01-school.sqlite",
                              "replaced-2026-11-20-10.15.03-other-school.sqlite"})
         QVERIFY(QFile::copy(backup, folder.filePath(name)));
     QFile noise(folder.filePath("replaced-2026-11-20-10.15.02-school.sqlite"));
     QVERIFY(noise.open(QIODevice::WriteOnly));
-    QCOMPARE(newestReplaced(file), folder.filePath("replaced-2026-11-20-10.15.01-school.sqlite"));
+    QCOMPARE(newestReplaced(file, rig.nowUtc), folder.filePath("replaced-2026-11-20-10.15.01-school.sqlite"));
 }
 
 /// One that is whole, but cannot be brought to this program's schema.
@@ -1250,7 +1250,7 @@ void TestUpkeep::newRowsAreNumberedAgain()
         VERIFY_DONE(report);
         QCOMPARE(report->findings.size(), std::size_t{1});
         const QString said = support::wordsOf(report->findings);
-        QVERIFY2(said.startsWith("new rows of the table people get no number"), qPrintable(said));
+        QVERIFY2(said.startsWith("new rows of the table people are not numbered"), qPrintable(said));
         VERIFY_DONE(dialect::repairIds(db));
         QVERIFY(checkDatabase(db, {})->findings.empty());
     }
