@@ -1878,6 +1878,7 @@ void Application::discardUnfinished()
                 if (core::recording::bringBackJournal(kept))
                     offerUnfinished();
                 else
+    m_window->resumeClock(std::chrono::duration<double>(attempt->recording.duration()).count(), attempt->restedS);
                     m_window->showMessage(tr("The attempt is no longer there."));
             });
     m_unfinished.reset();

@@ -29,15 +29,11 @@ void Examiner::take(const ServoEvent& event, const recording::Replayer& replayed
         m_aids |= static_cast<std::uint8_t>(event.value);
     if (event.kind == ServoEvent::Kind::Note && m_exercise)
         m_exercise->noted(event.value);
-    if (event.kind == ServoEvent::Kind::Note && (event.value == kRestNote || event.value == kWorkNote))
-        m_rests = event.value == kRestNote;
-    if (event.kind == ServoEvent::Kind::Resume)  // whoever takes it up again is there
-        m_rests = false;
+    m_rests.hear(event);
     if (!recording::isStep(event))
         return;
     const std::chrono::microseconds dt(event.dtUs);
-    // Whatever a note says, what is cut is cut in the attempt.
-    if (m_rests && !replayed.state().cutting) {
+    if (m_rests.leaveOut(replayed.state())) {
         if (m_left.empty() || m_left.back().after != m_worked)
             m_left.push_back({m_worked});
         m_left.back().length += dt;

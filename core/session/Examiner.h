@@ -10,6 +10,7 @@
 #include "core/grading/Process.h"
 #include "core/grading/Referee.h"
 #include "core/recording/Replay.h"
+#include "core/session/Rests.h"
 
 namespace core::session {
 
@@ -57,7 +58,7 @@ private:
     grading::Referee m_referee;
     std::optional<grading::ExerciseMeter> m_exercise;
     std::uint8_t m_aids = 0;
-    bool m_rests = false;    ///< the student has turned from the work
+    Rests m_rests;
     bool m_leftOut = false;  ///< the last step was none of the work
     std::chrono::microseconds m_worked{0};
     std::vector<Rest> m_left;

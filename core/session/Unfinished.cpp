@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/session/Unfinished.h"
 
+#include <chrono>
 #include <map>
 #include <set>
 
 #include "core/recording/Format.h"
 #include "core/recording/Replay.h"
+#include "core/session/Rests.h"
 #include "core/session/StrokeWatch.h"
 
 namespace core::session {
@@ -121,6 +123,8 @@ Result<std::unique_ptr<Unfinished>> rebuild(recording::Recording recording)
     std::optional<recording::Witness> last;
     std::optional<std::uint8_t> bur;
     std::optional<std::uint8_t> handpiece;
+    Rests rests;
+    std::chrono::microseconds rested{0};
     recording.forEach([&](const ServoEvent& event) {
         const bool goes = event.kind == ServoEvent::Kind::Restore || event.kind == ServoEvent::Kind::Resume;
         if (event.kind == ServoEvent::Kind::Bur)
@@ -131,6 +135,9 @@ Result<std::unique_ptr<Unfinished>> rebuild(recording::Recording recording)
             last = witness();
         wentElsewhere = goes || (wentElsewhere && !recording::isTick(event.kind));
         gardener.play(event);
+        rests.hear(event);
+        if (recording::isStep(event) && rests.leaveOut(servo->state()))
+            rested += std::chrono::microseconds(event.dtUs);
     });
     recording.setWitness(wentElsewhere ? *last : witness());
     auto next = makeServoTick(recording.settings());
@@ -138,7 +145,8 @@ Result<std::unique_ptr<Unfinished>> rebuild(recording::Recording recording)
         return tl::unexpected(next.error());
     const int strokes = gardener.strokes();
     return std::make_unique<Unfinished>(Unfinished{std::move(recording), std::move(uncut), gardener.finish(), strokes,
-                                                   std::move(*next), bur, handpiece});
+                                                   std::move(*next), bur, handpiece,
+                                                   std::chrono::duration<double>(rested).count()});
 }
 
 }  // namespace core::session

@@ -20,6 +20,7 @@ struct Unfinished
     std::unique_ptr<ServoTick> servo;            ///< with the recording's settings, new: what goes on computing it
     std::optional<std::uint8_t> bur = {};        ///< in hand last; nothing: that which an attempt begins with
     std::optional<std::uint8_t> handpiece = {};  ///< the same, of those at hand (SetHandpiece)
+    double restedS = 0.0;                        ///< of the recording, in which the student was elsewhere
 };
 
 /// Replays a recording to its end and finds its moments again. Strokes and undo steps are told from what the recording

@@ -63,6 +63,7 @@ private slots:
     void anAttemptIsTakenUpAgain();
     void anAttemptThatEndedWithUndoIsTakenUpAgain();
     void theMomentsOfAnAttemptComeBack();
+    void timeElsewhereIsKnownAgain();
     void theViewIsShownWhatWasCutBefore();
 };
 
@@ -674,6 +675,22 @@ void TestSessionLoop::theMomentsOfAnAttemptComeBack()
         QVERIFY(list[k].removed == live[k].removed);
         QVERIFY(std::abs(list[k].seconds - live[k].seconds) < 0.03);
     }
+}
+
+/// Who takes an attempt up again has been elsewhere for so long, and then a little more.
+void TestSessionLoop::timeElsewhereIsKnownAgain()
+{
+    support::Rig rig;
+    rig.open(block());
+    rig.run(100);
+    rig.send(AddNote{kRestNote});
+    rig.run(700);
+    const double before = rebuild(rig.session->recordingSoFar().value()).value()->restedS;
+    QVERIFY2(std::abs(before - 0.7) < 0.05, qPrintable(QString::number(before)));
+    rig.send(AddNote{kWorkNote});
+    rig.run(400);
+    const double after = rebuild(rig.session->recordingSoFar().value()).value()->restedS;
+    QVERIFY2(after >= before && after - before < 0.05, qPrintable(QString::number(after)));
 }
 
 void TestSessionLoop::theViewIsShownWhatWasCutBefore()

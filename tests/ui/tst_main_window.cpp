@@ -1176,6 +1176,12 @@ void TestMainWindow::aLessonsClockRestsWhereNobodyWorks()
     pass(300.0);
     QTRY_COMPARE(clock(), QString("1:00"));
     QVERIFY2(!message().contains("time of this lesson"), qPrintable(message()));
+    // One that is gone on with has rested before as well.
+    begin();
+    m_window->resumeClock(100.0, 60.0);
+    recordedS = 100.0;
+    pass(10.0);
+    QTRY_COMPARE(clock(), QString("1:10"));
     // An exam's goes on, until there is a grade.
     assignment.lesson->exam = true;
     begin();

@@ -443,7 +443,13 @@ void MainWindow::runClock()
         m_clockRestedS += m_session.recordedS - m_recordedAtS;
     m_recordedAtS = m_session.recordedS;
     if (runs)
-        m_room->lesson().setTime(m_recordedAtS - m_clockRestedS);
+        m_room->lesson().setTime(std::max(0.0, m_recordedAtS - m_clockRestedS));
+}
+
+void MainWindow::resumeClock(double recordedS, double restedS)
+{
+    m_recordedAtS = recordedS;
+    m_clockRestedS = restedS;
 }
 
 void MainWindow::connectDoor()
