@@ -25,9 +25,9 @@ namespace {
 
 /// Base64 takes a third more, and names and hashes need room.
 constexpr qint64 kLargestJsonBytes = kLargestPackBytes / 3 * 4 + qint64{1024} * 1024;
-const QStringList kSuffixes{QStringLiteral("json"),   QStringLiteral("cuspideal"), QStringLiteral("stl"),
-                            QStringLiteral("obj"),    QStringLiteral("ply"),       QStringLiteral("mtl"),
-                            QStringLiteral("cusprec")};
+const QStringList kSuffixes{QStringLiteral("json"),    QStringLiteral("cuspideal"), QStringLiteral("stl"),
+                            QStringLiteral("obj"),     QStringLiteral("ply"),       QStringLiteral("mtl"),
+                            QStringLiteral("cusprec"), QStringLiteral("cusppreset")};
 
 tl::unexpected<core::Error> refused(core::ErrorCode code, const char* sentence, const QStringList& values = {})
 {

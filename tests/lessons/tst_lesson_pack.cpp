@@ -37,6 +37,7 @@ private slots:
 
     void aPackHoldsAllThatItsLessonsNeed();
     void anExpertsRecordingGoesAlong();
+    void aHardnessPresetGoesAlong();
     void corpusOfTheFuzzerIsHarmless();
     void aPackInTheFolderIsOffered();
     void whatWasUnpackedStandsForThePack();
@@ -270,6 +271,23 @@ void TestLessonPack::anExpertsRecordingGoesAlong()
     const ReadLesson there = readLesson(elsewhere.filePath("own.lesson.json"));
     QVERIFY2(there.lesson, qPrintable(sentences(there)));
     QCOMPARE(QString::fromStdString(there.lesson->expert->file), elsewhere.filePath("expert.cusprec"));
+}
+
+void TestLessonPack::aHardnessPresetGoesAlong()
+{
+    core::settings::FeelPreset preset = shippedPresets().front();
+    preset.name = "second year";
+    QVERIFY(writePreset(m_folder->filePath("second-year.cusppreset"), preset));
+    QJsonObject object = lesson();
+    writeCaptured("own.cuspideal");
+    object["hardness"] = "second-year.cusppreset";
+    const auto bytes = packLessons({write("own.lesson.json", object)});
+    QVERIFY2(bytes, bytes ? "" : bytes.error().detail.c_str());
+    QTemporaryDir elsewhere;
+    QVERIFY(putInto(elsewhere.path(), unpackLessons(*bytes).value()));
+    const ReadLesson there = readLesson(elsewhere.filePath("own.lesson.json"));
+    QVERIFY2(there.lesson && there.lesson->hardness, qPrintable(sentences(there)));
+    QVERIFY(QString::fromStdString(there.lesson->hardness->name).startsWith("second year v1"));
 }
 
 /// CUSP_REWRITE_CORPUS=1 makes the seeds of the fuzzer anew.
