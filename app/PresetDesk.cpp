@@ -143,8 +143,10 @@ void PresetDesk::refresh()
                 return;
             if (found)
                 takeWith(found->all, found->inUse);
-            else
+            else if (m_all.empty())
                 takeWith({}, {});
+            else  // what was in use is so still: nobody is to drill otherwise than his class meanwhile
+                m_window.showPresetFault(ui::text::errorText(found.error(), ui::text::Failed::ReadingSchool));
         });
 }
 

@@ -1701,6 +1701,13 @@ void TestMainWindow::aCodeIsNotLostByOneKey()
     press(Qt::Key_Escape);
     QVERIFY(code->isVisible());
     QVERIFY(child<QLabel>("personSaid")->text().contains("kept nowhere else"));
+    // Who does anything else is warned anew.
+    child<QPushButton>("resetPassword")->click();
+    child<QPushButton>("keepPassword")->click();
+    child<QTableView>("people")->setFocus();
+    press(Qt::Key_Escape);
+    QVERIFY(code->isVisible());
+    QVERIFY(child<QLabel>("personSaid")->text().contains("kept nowhere else"));
     press(Qt::Key_Escape);
     QVERIFY(!m_window->adminPage().isVisible());
 }

@@ -578,19 +578,19 @@ bool PeoplePart::isSecondClick() const
 void PeoplePart::forgetCodes()
 {
     m_codes.clear();
-    m_isWarned = false;
     fill();
     showForm();
 }
 
 bool PeoplePart::mayLeave()
 {
-    if (m_codes.isEmpty() || std::exchange(m_isWarned, true))
+    const QString warning =
+        tr("The one-time codes that are shown here are kept nowhere else. Esc once more leaves School without them.");
+    // Who has done anything else meanwhile does not remember it.
+    if (m_codes.isEmpty() || m_said->text() == warning)
         return true;
     study::showFault(m_fault, {});
-    m_said->setText(
-        tr("The one-time codes that are shown here are kept nowhere else. Esc once more leaves School without "
-           "them."));
+    m_said->setText(warning);
     return false;
 }
 
@@ -754,7 +754,6 @@ void PeoplePart::toggleDisabled()
 void PeoplePart::showCode(database::PersonId person, const QString& fullName, const QString& code)
 {
     m_codes.insert(person.value, {fullName, code});
-    m_isWarned = false;
     fill();
     showForm();
     m_pane->ensureVisible(0, 0);

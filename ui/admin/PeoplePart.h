@@ -117,7 +117,6 @@ private:
     QElapsedTimer m_sinceSubmitted;
     QList<Typed> m_aside;         ///< when another row was chosen; the latest last
     QHash<qint64, Code> m_codes;  ///< by whom they let in
-    bool m_isWarned = false;      ///< that they go when School is left
     QStandardItemModel* m_rows = nullptr;
     people::WordFilter* m_shown = nullptr;
     QLineEdit* m_search = nullptr;

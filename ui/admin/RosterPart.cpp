@@ -140,6 +140,8 @@ QString RosterPart::outcomeWords() const
             .arg(m_file);
     if (m_outcome.people.empty())
         return tr("There is nobody in %1: it has only the line that names the columns.").arg(m_file);
+    if (m_isDone && fresh == 0)
+        return tr("%1 was entered: nobody in it is new.").arg(m_file);
     if (m_isDone)
         return tr("%1 was entered: %2 new, %3 known already. The codes below are kept nowhere else.")
             .arg(m_file, locale.toString(fresh), locale.toString(known));

@@ -105,13 +105,13 @@ void registerFeel(Parameters& parameters, const std::function<FeelPreset()>& now
     }
 }
 
-void registerSwitch(Parameters& parameters, const char* name, QAction* action)
+void registerSwitch(Parameters& parameters, const char* name, QAction* action, bool initially)
 {
     Parameter parameter;
     parameter.name = name;
     parameter.isSwitch = true;
     parameter.read = [action] { return action->isChecked() ? 1.0 : 0.0; };
-    parameter.initial = [] { return 0.0; };
+    parameter.initial = [initially] { return initially ? 1.0 : 0.0; };
     parameter.write = [action](double on) -> std::string {
         if (action->isChecked() == (on != 0.0))
             return {};

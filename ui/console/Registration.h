@@ -40,9 +40,10 @@ void registerFeel(core::settings::Parameters& parameters, const std::function<co
                   const std::function<core::settings::FeelPreset()>& initial,
                   const std::function<std::string(const core::settings::FeelPreset&)>& feel);
 
-/// A checkable action as a switch, off to begin with.
-/// @param action  must outlive the registry
-void registerSwitch(core::settings::Parameters& parameters, const char* name, QAction* action);
+/// A checkable action as a switch.
+/// @param action     must outlive the registry
+/// @param initially  whether it is on where nobody has touched it
+void registerSwitch(core::settings::Parameters& parameters, const char* name, QAction* action, bool initially = false);
 
 /// "hand.push": how hard a mouse presses.
 void registerPush(core::settings::Parameters& parameters, std::function<double()> read,

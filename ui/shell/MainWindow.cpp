@@ -792,7 +792,7 @@ void MainWindow::registerParameters()
         m_parameters, [this] { return m_feel; }, [this] { return m_usualFeel; },
         [this](const core::settings::FeelPreset& next) { return feelByHand(next); });
     console::registerSwitch(m_parameters, "view.wet", m_actions->wetLook);
-    console::registerSwitch(m_parameters, "view.bur_light", m_actions->burLight);
+    console::registerSwitch(m_parameters, "view.bur_light", m_actions->burLight, true);
     console::registerSwitch(m_parameters, "view.neighbours", m_actions->neighbours);
     console::registerSwitch(m_parameters, "view.hand_place", m_actions->handPlace);
     console::registerSwitch(m_parameters, "view.every_eye", m_actions->distinctColours);
