@@ -68,6 +68,8 @@ constexpr int kSpareTooth = 36;  ///< FDI number
 constexpr int kAttemptWatchMs = 50;
 constexpr int kJournalWatchMs = 500;
 constexpr int kOpenWatchMs = 10'000;
+constexpr int kDoorPatienceMs = 12'000;  ///< for an answer at the door; longer than a file is waited for
+constexpr int kBackupWatchMs = 3'600'000;
 constexpr int kExamRetryMs = 10'000;
 constexpr int kKeepAgainMs = 5000;
 constexpr int kLongestLookMs = 1500;  ///< for how often a lesson may be tried
@@ -406,6 +408,9 @@ void Application::openDatabase()
     const auto open = [this] {
         m_desk->open(this, [this](const SchoolDesk::Opening& opening) { takeOpening(opening); });
     };
+    m_backupWatch.setObjectName(QStringLiteral("backupWatch"));
+    m_backupWatch.setInterval(kBackupWatchMs);
+    connect(&m_backupWatch, &QTimer::timeout, this, &Application::backUpToday);
     m_openWatch.setInterval(kOpenWatchMs);
     connect(&m_openWatch, &QTimer::timeout, this, open);
     connect(m_window.get(), &ui::shell::MainWindow::openAgainWanted, this, open);
@@ -436,6 +441,7 @@ void Application::takeOpening(const SchoolDesk::Opening& opening)
     const bool wasNew = m_window->isNewSchool();
     m_window->setNewSchool(opening.isNew);
     backUpToday();
+    m_backupWatch.start();
     tellMayEdit();
     if (m_window->isAtDoor() && wasNew != opening.isNew)
         m_window->askLogin();
@@ -466,7 +472,7 @@ void Application::restore(const database::Session& who)
     });
 }
 
-/// Once a day, beside everything else. What comes in the way comes again tomorrow, and stands on the admin's page.
+/// Once a day, beside everything else. What comes in the way comes again in an hour, and stands on the admin's page.
 void Application::backUpToday()
 {
     const QDateTime now = QDateTime::currentDateTimeUtc();
@@ -560,16 +566,23 @@ void Application::connectDoor()
     connect(m_window.get(), &MainWindow::passwordChangeWanted, this, &Application::changePassword);
     connect(m_window.get(), &MainWindow::keepWanted, this, [this] {
         m_keepsOnLogin = true;
-        m_window->askLogin();
+        m_window->askLoginToKeep();
     });
 }
 
-/// Lets in who has given the right answer; where there is no database to ask, says why.
+/// Lets in who has given the right answer; where there is no database to ask, says why. Who has gone from the door
+/// meanwhile is not let in: by then somebody else may sit there.
 /// @param refuse  does the latter; empty: at the door
 void Application::askAtDoor(const std::function<core::Result<database::Session>(const School&)>& work,
                             const std::function<void(const core::Error&)>& refuse)
 {
-    const auto answer = [this, refuse](const core::Result<database::Session>& who) {
+    const auto answer = [this, refuse, turn = ++m_doorTurn](const core::Result<database::Session>& who) {
+        if (turn != m_doorTurn || !m_window->isAtDoor()) {
+            if (who && m_window->isNewSchool())
+                endNewSchool();
+            return;
+        }
+        ++m_doorTurn;
         if (who)
             enter(*who);
         else if (refuse)
@@ -577,10 +590,14 @@ void Application::askAtDoor(const std::function<core::Result<database::Session>(
         else
             m_window->refuseLogin(who.error());
     };
-    if (m_desk)
-        m_desk->ask(this, work, answer);
-    else
+    if (!m_desk) {
         answer(tl::unexpected(m_whyNoDesk));
+        return;
+    }
+    m_desk->ask(this, work, answer);
+    // A server that hangs says nothing at all.
+    QTimer::singleShot(kDoorPatienceMs, this,
+                       [answer] { answer(core::unexpected(core::ErrorCode::ConnectionLost, "there was no answer")); });
 }
 
 void Application::readOwnHash()
@@ -644,7 +661,8 @@ void Application::enter(const database::Session& who)
     m_byHand.reset();
     m_presets.refresh();
     // What was practised without a login is nobody's, unless its grade is what he logs in for.
-    const bool keeps = std::exchange(m_keepsOnLogin, false) && m_graded && m_graded->keeping == Keeping::Guest;
+    const bool keeps = std::exchange(m_keepsOnLogin, false) && m_window->keepsOnLogin() && m_graded &&
+                       m_graded->keeping == Keeping::Guest;
     if (!keeps && m_assignment.anatomy)
         clearTable();
     m_window->setWho(who);
@@ -733,6 +751,7 @@ void Application::tellMayEdit()
 
 void Application::becomeGuest()
 {
+    ++m_doorTurn;
     m_keepsOnLogin = false;
     m_window->setWho(m_who);
     if (m_journal)  // he has only looked at the door
@@ -1859,6 +1878,7 @@ void Application::takeUp(std::unique_ptr<core::session::Unfinished> attempt)
     m_window->showFeel(felt, felt);
     m_isTakenUp = true;
     m_takenUpAtTick = attempt->recording.ticks();
+    m_window->resumeClock(std::chrono::duration<double>(attempt->recording.duration()).count(), attempt->restedS);
     m_begunExam = {m_ownGeneration, {}, true};  // it was told when it began
     m_journal->takeUp(m_ownGeneration, std::move(*m_unfinished));
     m_unfinished.reset();
@@ -1878,7 +1898,6 @@ void Application::discardUnfinished()
                 if (core::recording::bringBackJournal(kept))
                     offerUnfinished();
                 else
-    m_window->resumeClock(std::chrono::duration<double>(attempt->recording.duration()).count(), attempt->restedS);
                     m_window->showMessage(tr("The attempt is no longer there."));
             });
     m_unfinished.reset();

@@ -187,9 +187,11 @@ private:
     QString m_stationFolder;           ///< of this computer's own files: journals, outbox, key
     database::Session m_who;           ///< who works here
     core::Error m_whyNoDesk;
-    QString m_where;     ///< the database, to read
-    QString m_backup;    ///< that can be put in the place of the database; empty: none
-    QTimer m_openWatch;  ///< tries again what a server or another program has held up
+    QString m_where;             ///< the database, to read
+    QString m_backup;            ///< that can be put in the place of the database; empty: none
+    QTimer m_openWatch;          ///< tries again what a server or another program has held up
+    QTimer m_backupWatch{this};  ///< a window may stay open for weeks
+    int m_doorTurn = 0;          ///< grows when nobody waits for an answer at the door any more
     bool m_isOnNetworkDrive = false;
     std::string m_ownHash;  ///< of the password of who works here: unlocks his place where the database is away
     int m_wrongAlone = 0;   ///< so many passwords in a row did not fit that

@@ -109,6 +109,9 @@ private slots:
     void whoLeftHisPlaceComesBackWithoutTheDatabase();
     void aLoginForgetsWhatWasMistyped();
     void whoWasLateToCreateTheSchoolIsAGuestOfIt();
+    void aLateAnswerLetsNobodyIn();
+    void nobodyWaitsAtTheDoorForEver();
+    void eachDayHasItsBackup();
     void whoIsDisabledIsShownOutByLongWork();
     void aRestoreThrowsNobodyElseOut();
     void aClassReportIsOfTheClassThatWasShown();
@@ -116,6 +119,7 @@ private slots:
     void theFolderOfLessonsIsNamed();
     void whatTheDiskRefusesIsKeptWhenItCanBe();
     void aGuestsGradeIsKeptWhenHeLogsIn();
+    void aGuestsGradeIsNotAnothers();
     void aGuestsGradeCountsAsAnAttempt();
     void whatWasGradedIsNotUnfinished_data();
     void whatWasGradedIsNotUnfinished();
@@ -678,7 +682,9 @@ void TestSchool::aLoginForgetsWhatWasMistyped()
     click("otherLogin");
     QTRY_COMPARE_WITH_TIMEOUT(door(), Door::Login, kPatienceMs);
     logIn("sue");
-    QTest::qWait(200);  // what her own password fits to is read
+    // By then what her own password fits to has been read: the desk answers in turn.
+    actions().attempts->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(child<ui::people::HistoryPage>()->isVisible(), kPatienceMs);
     QVERIFY(QFile::rename(file(), file() + ".away"));
     actions().lock->trigger();
     tryWith(right);
@@ -709,6 +715,70 @@ void TestSchool::whoWasLateToCreateTheSchoolIsAGuestOfIt()
     actions().lessons->trigger();
     QTRY_VERIFY_WITH_TIMEOUT(child<ui::study::LessonsPage>()->isVisible(), kPatienceMs);
     QVERIFY(!actions().editLesson->isVisible() && !actions().editLesson->isEnabled());
+}
+
+/// Who has gone away from the door meanwhile is not let in: somebody else may sit there by then.
+void TestSchool::aLateAnswerLetsNobodyIn()
+{
+    start();
+    QTRY_VERIFY_WITH_TIMEOUT(child<QLineEdit>("username")->isEnabled(), kPatienceMs);
+    const int before = count("audit WHERE action = 'login'");
+    QStringList names;
+    connect(actions().account, &QAction::changed, this, [&] { names << actions().account->text(); });
+    {
+        const auto other = sql::Database::open(file()).value();
+        QVERIFY(sql::execute(other->handle(), "BEGIN IMMEDIATE", "hold it"));
+        child<QLineEdit>("username")->setText("sue");
+        child<QLineEdit>("password")->setText(QString::fromStdString(kPassword));
+        click("logIn");
+        QVERIFY(!child<QLineEdit>("username")->isEnabled());
+        click("practiseAsGuest");
+        QTRY_VERIFY_WITH_TIMEOUT(!m_application->window().isAtDoor(), kPatienceMs);
+        QVERIFY(sql::execute(other->handle(), "ROLLBACK", "let it go"));
+    }
+    QTRY_COMPARE_WITH_TIMEOUT(count("audit WHERE action = 'login'"), before + 1, kPatienceMs);
+    // Whoever comes next is answered after her.
+    actions().account->trigger();
+    logIn("sam");
+    QVERIFY2(!names.contains("sue"), qPrintable(names.join(u' ')));
+}
+
+/// A server that hangs gives no answer at all. Whose place it is comes back to it all the same.
+void TestSchool::nobodyWaitsAtTheDoorForEver()
+{
+    sql::Database::Options patient;
+    patient.patience = std::chrono::minutes(5);
+    start(false, patient);
+    logIn("sam");
+    toTheTooth();
+    const auto other = sql::Database::open(file()).value();
+    QVERIFY(sql::execute(other->handle(), "BEGIN IMMEDIATE", "hold it"));
+    actions().lock->trigger();
+    const auto tryWith = [this](const QString& password) {
+        child<QLineEdit>("password")->setText(password);
+        click("logIn");
+        QTRY_VERIFY_WITH_TIMEOUT(!m_application->window().isAtDoor() || child<QLineEdit>("password")->isEnabled(),
+                                 kPatienceMs);
+    };
+    tryWith("a slip");
+    QVERIFY2(saidAtDoor().contains("Name or password is wrong"), qPrintable(saidAtDoor()));
+    tryWith(QString::fromStdString(kPassword));
+    QVERIFY2(!m_application->window().isAtDoor(), qPrintable(saidAtDoor()));
+    QVERIFY(m_application->window().view().isVisible());
+    QVERIFY(sql::execute(other->handle(), "ROLLBACK", "let it go"));
+}
+
+/// A window may stay open for weeks.
+void TestSchool::eachDayHasItsBackup()
+{
+    start();
+    const QString folder = sql::backupFolder(file());
+    QTRY_COMPARE_WITH_TIMEOUT(sql::backupsIn(folder).size(), 1, kPatienceMs);
+    QVERIFY(QFile::rename(sql::backupsIn(folder).front(), folder + "/backup-2026-01-01-10.00.00.sqlite"));
+    auto* watch = m_application->findChild<QTimer*>("backupWatch");
+    QVERIFY(watch != nullptr && watch->isActive());
+    watch->setInterval(20);
+    QTRY_COMPARE_WITH_TIMEOUT(sql::backupsIn(folder).size(), 2, kPatienceMs);
 }
 
 void TestSchool::whoIsDisabledIsShownOutByLongWork()
@@ -858,7 +928,7 @@ void TestSchool::theFolderOfLessonsIsNamed()
     // Nothing here shows folders.
     const QByteArray path = qgetenv("PATH");
     const auto asItWas = qScopeGuard([&path] { qputenv("PATH", path); });
-    for (const char* name : {"BROWSER", "DEFAULT_BROWSER"})
+    for (const char* name : {"BROWSER", "DEFAULT_BROWSER"})  // nor does a test need one
         qunsetenv(name);
     qputenv("PATH", "/nowhere");
     emit m_application->window().lessonFolderWanted();
@@ -895,6 +965,7 @@ void TestSchool::aGuestsGradeIsKeptWhenHeLogsIn()
     grade("not logged in");
     QCOMPARE(attemptsKept(), 0);
     click("keepGrade");
+    QVERIFY(child<QCheckBox>("keepOnLogin")->isVisible() && child<QCheckBox>("keepOnLogin")->isChecked());
     logIn("sue");
     QTRY_COMPARE_WITH_TIMEOUT(attemptsKept(), 1, kPatienceMs);
     QVERIFY(child<ui::study::ScorePage>()->isVisible());
@@ -906,6 +977,25 @@ void TestSchool::aGuestsGradeIsKeptWhenHeLogsIn()
     leaveFor("sam");
     toTheTooth();
     QTRY_COMPARE_WITH_TIMEOUT(removed(), QString("0.00"), kPatienceMs);
+}
+
+/// Whoever says so gets neither his grade nor his tooth.
+void TestSchool::aGuestsGradeIsNotAnothers()
+{
+    start();
+    QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("practiseAsGuest")->isVisible(), kPatienceMs);
+    QVERIFY(!child<QCheckBox>("keepOnLogin")->isVisible());
+    click("practiseAsGuest");
+    toTheTooth();
+    drill(-2.0);
+    grade("not logged in");
+    actions().account->trigger();  // of a guest's score card: to keep it
+    child<QCheckBox>("keepOnLogin")->setChecked(false);
+    logIn("sue");
+    toTheTooth();
+    QTRY_COMPARE_WITH_TIMEOUT(removed(), QString("0.00"), kPatienceMs);
+    QVERIFY(!child<ui::study::ScorePage>()->isVisible());
+    QCOMPARE(attemptsKept(), 0);
 }
 
 /// Else the limit would be got round by logging in afterwards.

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include <QCheckBox>
 #include <QFormLayout>
 #include <QFrame>
 #include <QHBoxLayout>
@@ -36,8 +37,8 @@ LoginPage::LoginPage(QWidget* parent)
       m_words(study::formWords({}, kBody, QFont::Normal, QPalette::PlaceholderText, m_card)),
       m_name(field("username", false)), m_given(field("givenName", false)), m_family(field("familyName", false)),
       m_old(field("oldPassword", true)), m_password(field("password", true)), m_again(field("passwordAgain", true)),
-      m_fault(study::faultLabel(m_card)), m_go(new QPushButton(m_card)), m_other(new QPushButton(m_card)),
-      m_guest(new QPushButton(m_card)), m_change(new QPushButton(m_card)),
+      m_keep(new QCheckBox(m_card)), m_fault(study::faultLabel(m_card)), m_go(new QPushButton(m_card)),
+      m_other(new QPushButton(m_card)), m_guest(new QPushButton(m_card)), m_change(new QPushButton(m_card)),
       m_said(study::formWords({}, kBody, QFont::Normal, QPalette::WindowText, m_card)),
       m_unreachable(study::formWords({}, kBody, QFont::Normal, QPalette::WindowText, m_card)),
       m_tryAgain(new QPushButton(m_card)), m_restore(new QPushButton(m_card)), m_language(new QToolButton(m_card))
@@ -62,6 +63,8 @@ LoginPage::LoginPage(QWidget* parent)
         m_column->addWidget(caption);
         m_column->addWidget(input);
     }
+    m_keep->setObjectName(QStringLiteral("keepOnLogin"));
+    m_column->addWidget(m_keep);
     m_column->addWidget(m_fault);
     m_column->addSpacing(kSpace2);
     m_go->setProperty("kind", "filled");
@@ -108,8 +111,9 @@ LoginPage::LoginPage(QWidget* parent)
     whole->addWidget(new ScrollPane(content, QPalette::Window, this));
 
     QWidget* before = m_name;
-    for (QWidget* next : std::initializer_list<QWidget*>{m_given, m_family, m_old, m_password, m_again, m_go, m_other,
-                                                         m_guest, m_change, m_restore, m_tryAgain, m_language}) {
+    for (QWidget* next :
+         std::initializer_list<QWidget*>{m_given, m_family, m_old, m_password, m_again, m_keep, m_go, m_other, m_guest,
+                                         m_change, m_restore, m_tryAgain, m_language}) {
         setTabOrder(before, next);
         before = next;
     }
@@ -208,6 +212,7 @@ void LoginPage::arrange()
     m_other->setVisible(m_door == Door::NewPassword || m_door == Door::Locked || m_door == Door::OwnPassword);
     m_change->setVisible(m_door == Door::Locked);
     m_guest->setVisible(m_door == Door::Login || isNew);
+    m_keep->setVisible(m_kept && (m_door == Door::Login || m_door == Door::NewPassword));
     for (const auto& [input, caption] : m_captions)
         caption->setVisible(input->isVisibleTo(m_card));
 }
@@ -285,6 +290,12 @@ void LoginPage::speak()
                                              "beside it.")));
     for (QPushButton* button : {m_go, m_other, m_guest, m_tryAgain, m_restore})
         button->setAccessibleName(button->text());
+    m_keep->setText(tr("The attempt just graded is mine; keep it"));
+    m_keep->setAccessibleName(m_keep->text());
+    //: %1: a lesson or a tooth
+    m_keep->setToolTip(brokenIntoLines(
+        m_kept ? tr("%1: it becomes the attempt of who logs in. Without the tick it is not kept.").arg(m_kept())
+               : QString()));
     m_guest->setToolTip(brokenIntoLines(tr("Drill and be graded; nothing is kept")));
 }
 
@@ -309,6 +320,19 @@ void LoginPage::setUnreachable(const QString& sentence)
     if (sentence.isEmpty())
         tellFault({});  // of a database that could not be asked
     setBusy(false);
+}
+
+void LoginPage::offerToKeep(std::function<QString()> work)
+{
+    m_kept = std::move(work);
+    m_keep->setChecked(true);
+    arrange();
+    speak();
+}
+
+bool LoginPage::keeps() const
+{
+    return m_kept && m_keep->isChecked();
 }
 
 void LoginPage::offerBackup(const QDateTime& made, const QString& where)

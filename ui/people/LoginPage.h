@@ -11,6 +11,7 @@
 #include "database/people.h"
 #include "ui/people/Door.h"
 
+class QCheckBox;
 class QFrame;
 class QLabel;
 class QLineEdit;
@@ -41,6 +42,10 @@ public:
     /// A backup of then, UTC, can be put in the place of a database that is damaged or gone; invalid: there is none.
     /// @param where  the database, to read
     void offerBackup(const QDateTime& made, const QString& where);
+    /// A guest's grade becomes that of who logs in, unless he says that it is not his.
+    /// @param work  of what it is, in the language of the moment; empty: there is none
+    void offerToKeep(std::function<QString()> work);
+    [[nodiscard]] bool keeps() const;
     /// What was typed is being looked at: nothing can be typed meanwhile.
     void setBusy(bool busy);
     /// Says what was wrong, beside where it was typed.
@@ -90,6 +95,8 @@ private:
     QLineEdit* m_password;
     QLineEdit* m_again;
     std::map<QLineEdit*, QLabel*> m_captions;  ///< above each
+    QCheckBox* m_keep;
+    std::function<QString()> m_kept;
     QLabel* m_fault;
     std::function<QString()> m_faultWords;  ///< empty: nothing is wrong
     QPushButton* m_go;

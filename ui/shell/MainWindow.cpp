@@ -597,8 +597,20 @@ void MainWindow::askWho(people::Door door)
         m_behindDoor = m_pages->currentWidget();
     m_mayLeaveDoor = false;
     m_login->setLockedBy(QString::fromStdString(m_who.username()));
+    m_login->offerToKeep({});
     m_login->ask(door);
     goTo(m_login);
+}
+
+void MainWindow::askLoginToKeep()
+{
+    askLogin();
+    m_login->offerToKeep([this] { return workTitle(); });
+}
+
+bool MainWindow::keepsOnLogin() const
+{
+    return m_login->keeps();
 }
 
 void MainWindow::setWho(const database::Session& who)
@@ -1763,7 +1775,10 @@ void MainWindow::showTooth(std::shared_ptr<const core::terrain::ToothAnatomy> to
     m_chooser->setPresent(m_tooth->fdi);
     // Who has gone to another page since the tooth was asked for, or has not asked for one, stays there.
     const QWidget* const page = m_pages->currentWidget();
-    if (std::exchange(m_askedFrom, nullptr) == page || page == m_room || page == m_chooser || isAtDoor() || m_replaying)
+    const bool wasAsked = std::exchange(m_askedFrom, nullptr) == page;
+    if (isAtDoor())  // nobody is taken away from what he types there
+        m_behindDoor = m_room;
+    else if (wasAsked || page == m_room || page == m_chooser || m_replaying)
         goTo(m_room);
     if (notes && !notes().isEmpty())
         m_messages->say([this, notes, unitInDoubt] { return noteOfScan(notes(), unitInDoubt); });

@@ -234,6 +234,9 @@ public slots:
     void askWho(people::Door door);
     /// Somebody is to log in; where nobody is entered yet, to create the school.
     void askLogin() { askWho(m_isNewSchool ? people::Door::NewSchool : people::Door::Login); }
+    /// The same where a guest's grade waits for who it is: he is told so, and may say that it is not his.
+    void askLoginToKeep();
+    [[nodiscard]] bool keepsOnLogin() const;
     void setNewSchool(bool isNew) { m_isNewSchool = isNew; }
     [[nodiscard]] bool isNewSchool() const { return m_isNewSchool; }
     /// Opens the page of attempts, or that of classes.

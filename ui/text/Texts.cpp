@@ -267,6 +267,9 @@ QString loginFault(const core::Error& error)
     case core::ErrorCode::ConnectionLost:
         return QCoreApplication::translate("Login", "The school's server does not answer. Try again, or practise "
                                                     "without a login.");
+    case core::ErrorCode::Busy:
+        return QCoreApplication::translate("Login", "Another program is writing to the school's data, and nobody can "
+                                                    "be let in meanwhile. Try again in a moment.");
     default:
         return errorText(error, Failed::KeepingGrades);
     }
