@@ -780,8 +780,11 @@ void Application::connectPresets()
     connect(m_window.get(), &MainWindow::presetFelt, this, &Application::feel);
     connect(m_window.get(), &MainWindow::feelWanted, this, &Application::feelByHand);
     connect(m_window.get(), &MainWindow::presetTrialWanted, this, [this](const core::settings::FeelPreset& preset) {
+        m_triedKind = {};
         openTooth(core::teeth::parseSource(core::teeth::blockName(core::teeth::BlockShape::Layers)), {}, preset);
     });
+    connect(m_window.get(), &MainWindow::trialBlockChosen, this,
+            [this](const core::settings::ToothKind& kind) { m_triedKind = kind; });
     connect(&m_presets, &PresetDesk::inUseChanged, this, [this] {
         m_byHand.reset();
         // What nobody has begun to work on begins anew, as it feels now.
@@ -797,8 +800,8 @@ void Application::feel(const core::settings::FeelPreset& preset)
     const lessons::Lesson* lesson = m_assignment.lesson ? &*m_assignment.lesson : nullptr;
     if (m_replay || (lesson != nullptr && lesson->exam) || !core::settings::checkStability(preset))
         return;
-    m_numbers =
-        core::session::numbersOf(lessons::servoSettings(lesson, settingsFor(m_options.simulatedDevice), preset));
+    m_numbers = core::session::numbersOf(lessons::servoSettings(lesson, settingsFor(m_options.simulatedDevice), preset,
+                                                                m_tried ? m_triedKind : core::settings::ToothKind{}));
     tellNumbers();
 }
 

@@ -201,6 +201,7 @@ private:
 
     PresetDesk m_presets;
     std::optional<core::settings::FeelPreset> m_tried;   ///< in place of it, on the block that lies on the table
+    core::settings::ToothKind m_triedKind;               ///< what that block is made of
     std::optional<core::settings::FeelPreset> m_byHand;  ///< in place of m_presets.inUse(), but in exams
     core::session::ServoNumbers m_numbers{};             ///< that the servo is to have
     core::session::ServoNumbers m_numbersTold{};         ///< that it has, or has been sent

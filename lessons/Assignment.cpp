@@ -242,11 +242,11 @@ core::Result<core::recording::Recording> readExpert(const Assignment& assignment
 }
 
 core::session::ServoSettings servoSettings(const Lesson* lesson, core::session::ServoSettings usual,
-                                           const core::settings::FeelPreset& preset)
+                                           const core::settings::FeelPreset& preset,
+                                           const core::settings::ToothKind& kind)
 {
     core::settings::putForces(preset, usual.force);
-    usual.hardness =
-        core::settings::hardnessFor(preset, lesson != nullptr ? lesson->kind : core::settings::ToothKind{});
+    usual.hardness = core::settings::hardnessFor(preset, lesson != nullptr ? lesson->kind : kind);
     if (lesson != nullptr) {
         if (lesson->hardness)
             usual.hardness = *lesson->hardness;

@@ -47,9 +47,11 @@ struct Assigned
 /// else of the preset, and the preset's forces.
 /// @param usual   what the device adds to the force law
 /// @param preset  in use in the school
+/// @param kind    of what lies there without a lesson
 [[nodiscard]] core::session::ServoSettings
 servoSettings(const Lesson* lesson, core::session::ServoSettings usual,
-              const core::settings::FeelPreset& preset = shippedPresets().front());
+              const core::settings::FeelPreset& preset = shippedPresets().front(),
+              const core::settings::ToothKind& kind = {});
 
 /// Makes the tooth of a lesson and what is asked of it. Some tens of milliseconds; any thread that may wait.
 /// @param drawn  the seed of a block whose lesson names none, another for each attempt. It goes with the tooth into the

@@ -18,6 +18,7 @@
 
 #include "app/Application.h"
 #include "core/recording/Replay.h"
+#include "core/session/ServoNumbers.h"
 #include "lessons/LessonReader.h"
 #include "lessons/PresetFile.h"
 #include "tests/support/OpenGlMain.h"
@@ -40,6 +41,7 @@ private slots:
     void cleanup() { m_application.reset(); }
 
     void aPresetIsTriedOnABlockAndKept();
+    void theBlockIsOfWhatOneWantsToFeel();
     void whatIsTurnedByHandIsNamedAndHoldsForTheNextTooth();
     void whatAScanAsksStaysAskedWhenAPresetIsLoaded();
     void twoPresetsAreComparedBlind();
@@ -141,6 +143,50 @@ void TestFeel::aPresetIsTriedOnABlockAndKept()
     start();
     QVERIFY(recording().settings().hardness.name.starts_with("natural v2 #"));
     emit m_application->window().presetUseWanted(lessons::shippedPresets().front());
+}
+
+/// Every row of a preset that teeth are cut by can be felt on the block.
+void TestFeel::theBlockIsOfWhatOneWantsToFeel()
+{
+    start();
+    actions().presets->trigger();
+    QTRY_VERIFY(page().isVisible());
+    QTest::mouseClick(child<QPushButton>("presetTry"), Qt::LeftButton);
+    waitForTooth("Practice block");
+    const core::settings::FeelPreset preset = lessons::shippedPresets().front();
+    auto* block = child<ui::presets::TrialCard>()->findChild<QComboBox*>("trialBlock");
+    QVERIFY(block->isVisible() && block->count() == 3);
+    // Rates of caries and enamel, as the servo is told them.
+    const auto rates = [this] {
+        const core::recording::Recording made = recording();
+        core::session::ServoSettings settings = made.settings();
+        made.forEach([&](const core::session::ServoEvent& event) {
+            if (event.kind != core::session::ServoEvent::Kind::Number)
+                return;
+            if (const auto number = core::session::unpackNumber(event.value))
+                core::session::setServoNumber(settings, *number);
+        });
+        return std::pair(static_cast<float>(settings.hardness.material[0].rateMm3PerNs),
+                         static_cast<float>(settings.hardness.material[1].rateMm3PerNs));
+    };
+    const auto of = [](double caries, double enamel) {
+        return std::pair(static_cast<float>(caries), static_cast<float>(enamel));
+    };
+    const auto choose = [block](int index) {
+        block->setCurrentIndex(index);
+        emit block->activated(index);
+    };
+    QTRY_COMPARE_WITH_TIMEOUT(rates(), of(preset.softCariesRate, preset.enamelRate), 10000);
+    choose(2);
+    QTRY_COMPARE_WITH_TIMEOUT(rates(), of(preset.plasticRate, preset.plasticRate), 10000);
+    choose(1);
+    QTRY_COMPARE_WITH_TIMEOUT(rates(), of(preset.firmCariesRate, preset.enamelRate), 10000);
+    // What is turned on it is turned of that.
+    auto* enamel = child<ui::presets::TrialCard>()->findChild<QSlider*>("dial0");
+    enamel->setValue(enamel->maximum());
+    QTRY_COMPARE_WITH_TIMEOUT(rates(), of(preset.firmCariesRate, 0.175), 10000);
+    choose(0);
+    QTRY_COMPARE_WITH_TIMEOUT(rates(), of(preset.softCariesRate, 0.175), 10000);
 }
 
 void TestFeel::whatIsTurnedByHandIsNamedAndHoldsForTheNextTooth()

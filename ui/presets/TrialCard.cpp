@@ -2,9 +2,11 @@
 #include "ui/presets/TrialCard.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
+#include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -27,6 +29,10 @@ constexpr int kCardPx = 412;
 constexpr int kHighestChartPx = 460;
 constexpr int kChartFromPx = 560;  ///< in a lower window the dials have the room
 constexpr double kHardlyChance = 0.05;
+
+/// So that every row of a preset can be felt that teeth are cut by: enamel, dentin and soft decay lie in the block side
+/// by side, the others take their place.
+constexpr std::array<core::settings::ToothKind, 3> kBlocks{{{}, {false, true}, {true, false}}};
 
 /// What the answers are worth, to somebody who has not learnt statistics.
 QString chanceWords(double p)
@@ -55,7 +61,8 @@ QPushButton* button(const char* kind, const char* name, QWidget* parent)
 
 TrialCard::TrialCard(QWidget* parent)
     : QFrame(parent), m_title(new QLabel(this)), m_words(new QLabel(this)), m_dials(new SimplePanel(this)),
-      m_chart(new FeedChart(this)), m_reset(button("quiet", "trialReset", this)), m_letters(new QWidget(this)),
+      m_blockChoice(new QWidget(this)), m_block(new QComboBox(m_blockChoice)), m_chart(new FeedChart(this)),
+      m_reset(button("quiet", "trialReset", this)), m_letters(new QWidget(this)),
       m_a(button("segment", "trialA", m_letters)), m_b(button("segment", "trialB", m_letters)),
       m_answers(new QWidget(this)), m_csv(button("", "trialCsv", this)), m_end(button("", "trialEnd", this)),
       m_back(button("filled", "trialBack", this))
@@ -99,6 +106,7 @@ TrialCard::TrialCard(QWidget* parent)
             emit csvWanted(m_trial->csv());
     });
     connect(m_dials, &SimplePanel::changed, this, &TrialCard::turn);
+    makeBlockChoice();
     m_chart->setMaximumHeight(kHighestChartPx);
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(m_reset);
@@ -111,6 +119,7 @@ TrialCard::TrialCard(QWidget* parent)
     column->setSpacing(kSpace2);
     column->addWidget(m_title);
     column->addWidget(m_words);
+    column->addWidget(m_blockChoice);
     column->addWidget(m_dials);
     column->addWidget(m_chart, 1);
     column->addWidget(m_letters);
@@ -144,11 +153,46 @@ TrialCard::TrialCard(QWidget* parent)
     hide();
 }
 
+void TrialCard::makeBlockChoice()
+{
+    auto* row = new QHBoxLayout(m_blockChoice);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(kSpace2);
+    auto* words = new QLabel(m_blockChoice);
+    words->setForegroundRole(QPalette::PlaceholderText);
+    m_block->setObjectName(QStringLiteral("trialBlock"));
+    for (std::size_t k = 0; k < kBlocks.size(); ++k)
+        m_block->addItem({});
+    row->addWidget(words);
+    row->addWidget(m_block, 1);
+    connect(m_block, &QComboBox::activated, this, &TrialCard::takeBlock);
+    text::inEveryLanguage(m_blockChoice, [this, words] {
+        //: What the block is made of on which a hardness preset is tried
+        words->setText(tr("Block of"));
+        m_block->setAccessibleName(tr("What the block is made of"));
+        const QStringList names{tr("enamel, dentin, soft decay"), tr("enamel, dentin, firm decay"),
+                                tr("plastic throughout")};
+        for (int k = 0; k < names.size(); ++k)
+            m_block->setItemText(k, names[k]);
+    });
+}
+
+void TrialCard::takeBlock()
+{
+    emit blockChosen(kBlocks.at(static_cast<std::size_t>(m_block->currentIndex())));
+    if (isComparing())
+        hold(m_held);
+    else if (m_tuned)
+        emit felt(*m_tuned);
+}
+
 void TrialCard::tune(const core::settings::FeelPreset& base, const core::settings::FeelPreset& preset)
 {
     m_trial.reset();
-    if (isHidden())  // else the console has turned it
+    if (isHidden()) {  // else the console has turned it
         m_asItWas = dialsFor(base, preset) ? base : preset;
+        m_block->setCurrentIndex(0);
+    }
     m_base = base;
     m_tuned = preset;
     m_dials->setPreset({base}, preset);
@@ -161,6 +205,7 @@ void TrialCard::compare(const BlindTrial& trial)
 {
     m_tuned.reset();
     m_trial = trial;
+    m_block->setCurrentIndex(0);
     beginAnew();
     show();
     hold(Answer::A);
@@ -205,6 +250,7 @@ void TrialCard::say()
     m_dials->setVisible(!isBlind);
     m_chart->setVisible(!isBlind && height() >= kChartFromPx);
     m_reset->setVisible(!isBlind);
+    m_blockChoice->setVisible(!isOver);
     m_letters->setVisible(isBlind && !isOver);
     m_answers->setVisible(isBlind && !isOver);
     m_csv->setVisible(isOver && m_trial->trials() > 0);

@@ -7,6 +7,7 @@
 
 #include "ui/presets/BlindTrial.h"
 
+class QComboBox;
 class QLabel;
 class QPushButton;
 
@@ -41,6 +42,8 @@ public:
 signals:
     /// This preset is to be felt from now on; in a comparison it is veiled().
     void felt(const core::settings::FeelPreset& preset);
+    /// What the block is made of; felt() follows.
+    void blockChosen(const core::settings::ToothKind& kind);
     /// The block is to be whole again: another trial begins.
     void freshBlockWanted();
     /// Back to the page of presets.
@@ -51,6 +54,8 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
+    void makeBlockChoice();
+    void takeBlock();
     void say();
     void draw();
     void turn(const core::settings::FeelPreset& preset);
@@ -62,6 +67,8 @@ private:
     QLabel* m_title;
     QLabel* m_words;
     SimplePanel* m_dials;
+    QWidget* m_blockChoice;
+    QComboBox* m_block;
     FeedChart* m_chart;
     QPushButton* m_reset;
     QWidget* m_letters;

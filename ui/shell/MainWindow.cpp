@@ -770,6 +770,7 @@ void MainWindow::connectPresets()
         m_feel = preset;
         emit presetFelt(preset);
     });
+    connect(m_trialCard, &TrialCard::blockChosen, this, &MainWindow::trialBlockChosen);
     connect(m_trialCard, &TrialCard::freshBlockWanted, this, [this] { send(core::session::Reload{}); });
     connect(m_trialCard, &TrialCard::done, this, [this] {
         if (const auto tuned = m_trialCard->tuned())

@@ -325,6 +325,8 @@ signals:
     void presetExportWanted(const core::settings::FeelPreset& preset, const QString& path);
     /// A block to try this preset on is to be laid on the table; beginTrial() answers.
     void presetTrialWanted(const core::settings::FeelPreset& preset);
+    /// What the block on which a preset is tried is made of from now on; presetFelt() follows.
+    void trialBlockChosen(const core::settings::ToothKind& kind);
     /// What is on the table is to feel like this from now on, in the middle of whatever is done.
     void presetFelt(const core::settings::FeelPreset& preset);
     /// The same by hand, in the console or the settings: this tooth and those after it, but exams.
