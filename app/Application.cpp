@@ -1735,6 +1735,7 @@ void Application::stopJournal(bool putAway)
     if (m_journal && putAway)
         m_journal->putAway();
     m_journal.reset();
+    m_window->forgetAttemptNotKept();
     m_unfinished.reset();
 }
 
@@ -1742,6 +1743,8 @@ void Application::watchJournal()
 {
     if (const auto failure = m_journal->failure())
         m_window->showError(*failure, Failed::KeepingAttempt);
+    else if (m_journal->isWell())
+        m_window->forgetAttemptNotKept();
 }
 
 /// Where a student has no attempt left it could not be gone on with. Nobody waits for a server that does not answer.

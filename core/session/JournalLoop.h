@@ -48,6 +48,8 @@ public:
     /// A failure that has not been told yet, once until things have gone well again. Any thread. Writing is tried again
     /// by and by, from where it failed.
     [[nodiscard]] std::optional<Error> failure();
+    /// Things go well, or go well again. Any thread.
+    [[nodiscard]] bool isWell() const { return !m_cannotWrite.load() && !m_cannotSync.load(); }
     /// Events of the present attempt that are written. Any thread.
     [[nodiscard]] std::uint64_t eventsWritten() const { return m_written.load(std::memory_order_acquire); }
 
@@ -78,11 +80,11 @@ private:
     std::shared_ptr<recording::JournalFile> m_file;
     std::optional<recording::JournalLock> m_older;  ///< of the file that m_file takes the place of
     std::chrono::microseconds m_rest{0};            ///< until writing is tried again
-    bool m_cannotWrite = false;
+    std::atomic<bool> m_cannotWrite{false};
     std::atomic<std::uint64_t> m_written{0};
     std::atomic<std::uint64_t> m_leftOut{0};  ///< the last generation of which no file is begun
     Syncing m_syncing{*this};
-    bool m_cannotSync = false;  ///< of the thread that syncs
+    std::atomic<bool> m_cannotSync{false};  ///< of the thread that syncs
 
     std::condition_variable m_somethingWritten;
     std::mutex m_mutex;  ///< guards what follows

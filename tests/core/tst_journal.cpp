@@ -419,11 +419,13 @@ void TestJournal::aFullDiskIsToldOnceAndCaughtUpWith()
         QCOMPARE(told->code, ErrorCode::FileUnwritable);
         QVERIFY(!journal.failure());
         QCOMPARE(journal.eventsWritten(), before);
+        QVERIFY(!journal.isWell());
     }
     cut(rig, journal, 6000);
     rig.settle();
     beat(journal);
     QVERIFY(!journal.failure());
+    QVERIFY(journal.isWell());
     QCOMPARE(journal.eventsWritten(), rig.session->recordingSoFar()->events());
     const auto read = recording::attemptFrom(bytesOf(files().front()));
     QVERIFY(eventsOf(read->recording) == eventsOf(rig.session->recordingSoFar().value()));

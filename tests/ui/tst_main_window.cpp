@@ -168,6 +168,7 @@ private slots:
     void aLessonsTimeEndsWithTheLesson();
     void aLessonsClockRestsWhereNobodyWorks();
     void aGuestIsToldThatNothingIsKept();
+    void aWarningGoesWithItsReason();
     void enterPressesTheButtonThatHasTheFocus();
     void aBreachWaitsForWhoReadsAnotherPage();
     void helpListsEveryAction();
@@ -1232,8 +1233,24 @@ void TestMainWindow::aGuestIsToldThatNothingIsKept()
     QVERIFY(!isTold());
     actions().back->trigger();
     QVERIFY(m_window->view().isVisible() && !isTold());
+    // Else in whose name one drills.
+    const auto* name = child<QLabel>("accountName");
+    QVERIFY(name->isVisible());
+    QCOMPARE(name->text(), QString::fromStdString(rig.student.username()));
     m_window->setWho({});
     QVERIFY(isTold());
+    QVERIFY(!name->isVisible());
+}
+
+void TestMainWindow::aWarningGoesWithItsReason()
+{
+    m_window->showError({core::ErrorCode::FileUnwritable, "no room"}, ui::text::Failed::KeepingAttempt);
+    QVERIFY2(message().contains("is not kept on the disk"), qPrintable(message()));
+    m_window->showError({core::ErrorCode::FileUnwritable, "no room"}, ui::text::Failed::SavingRecording);
+    m_window->forgetAttemptNotKept();
+    QVERIFY2(message().contains("was not saved"), qPrintable(message()));
+    child<MessageBar>()->dismiss();
+    QVERIFY2(message().isEmpty(), qPrintable(message()));
 }
 
 /// A bur that was left running in the air is noticed while somebody reads on.

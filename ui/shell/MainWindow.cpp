@@ -692,7 +692,7 @@ void MainWindow::leaveAll()
     m_console->forget();
     m_view->setPushForce(tooth::PointerControl::kFirstN);
     for (const auto topic : {MessageBar::Topic::Tooth, MessageBar::Topic::Unfinished, MessageBar::Topic::General,
-                             MessageBar::Topic::Keeping})
+                             MessageBar::Topic::Keeping, MessageBar::Topic::Journal})
         m_messages->withdraw(topic);
 }
 
@@ -1831,7 +1831,10 @@ void MainWindow::showError(const core::Error& error, text::Failed failed, const 
 {
     const bool ofTooth = failed == text::Failed::OpeningScan || failed == text::Failed::MakingTooth ||
                          failed == text::Failed::OpeningRecording;
-    tellError(error, failed, file, ofTooth ? MessageBar::Topic::Tooth : MessageBar::Topic::General);
+    tellError(error, failed, file,
+              ofTooth                                  ? MessageBar::Topic::Tooth
+              : failed == text::Failed::KeepingAttempt ? MessageBar::Topic::Journal
+                                                       : MessageBar::Topic::General);
 }
 
 void MainWindow::showNotKept(const core::Error& error)
@@ -1843,6 +1846,11 @@ void MainWindow::showNotKept(const core::Error& error)
 void MainWindow::forgetNotKept()
 {
     m_messages->withdraw(MessageBar::Topic::Keeping);
+}
+
+void MainWindow::forgetAttemptNotKept()
+{
+    m_messages->withdraw(MessageBar::Topic::Journal);
 }
 
 void MainWindow::tellError(const core::Error& error, text::Failed failed, const QString& file, MessageBar::Topic topic)

@@ -136,6 +136,8 @@ public slots:
     /// A grade could not be kept. That stands until forgetNotKept(), or until somebody closes it.
     void showNotKept(const core::Error& error);
     void forgetNotKept();
+    /// An attempt is kept on the disk again while it is made, or is over.
+    void forgetAttemptNotKept();
     /// What showBusy() told of came to nothing.
     void stopBusy();
     /// The time that a share of the last servo periods stays under, µs; NaN before there are any.

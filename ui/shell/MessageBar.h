@@ -25,9 +25,9 @@ class MessageBar : public QFrame
 public:
     enum class Kind { News, Warning, Error };
     /// What a message is about: one about a tooth that is no longer on the table is taken back, and so is the offer of
-    /// an attempt that was taken up or discarded, and that a grade is not kept, once it is. What is said of a lesson's
-    /// course stays in the practice room.
-    enum class Topic { General, Tooth, Unfinished, Lesson, Keeping };
+    /// an attempt that was taken up or discarded, and that a grade is not kept, or an attempt while it is made, once it
+    /// is. What is said of a lesson's course stays in the practice room.
+    enum class Topic { General, Tooth, Unfinished, Lesson, Keeping, Journal };
     struct Choice
     {
         QString text;

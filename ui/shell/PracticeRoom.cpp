@@ -29,6 +29,7 @@ namespace {
 
 constexpr int kNoticeMs = 8000;
 constexpr int kNoticeIconPx = 32;
+constexpr int kAccountPx = 110;   ///< widest name
 constexpr int kNoticeTopPx = 88;  ///< below the place of a message
 constexpr int kSectionPercent = 27;
 constexpr int kUsualSectionPx = 344;
@@ -161,6 +162,23 @@ void PracticeRoom::makeNotice()
     m_notice->hide();
 }
 
+/// In whose name one drills: a glance tells it, at a place that many share.
+QLabel* PracticeRoom::accountName(const Actions& actions, QWidget* parent)
+{
+    auto* name = new QLabel(parent);
+    name->setObjectName(QStringLiteral("accountName"));
+    name->setFont(typeface(kSmall));
+    name->setTextFormat(Qt::PlainText);
+    followWords(actions.account, name, [name, &actions] {
+        const QString whole = actions.isGuest() ? QString() : actions.account->text();
+        name->setText(name->fontMetrics().elidedText(whole, Qt::ElideRight, kAccountPx));
+        name->setToolTip(whole);
+        name->setAccessibleName(whole);
+        name->setVisible(!whole.isEmpty());
+    });
+    return name;
+}
+
 QWidget* PracticeRoom::makeTopBar(const Actions& actions)
 {
     m_topBar = new FoldingBar(this);
@@ -202,6 +220,7 @@ QWidget* PracticeRoom::makeTopBar(const Actions& actions)
     row->addWidget(barButton(actions.radiograph, false, frame));
     row->addSpacing(kSpace2);
     row->addWidget(guestSign(actions, frame));
+    row->addWidget(accountName(actions, frame));
     auto* account = barButton(actions.account, false, frame);
     account->setObjectName(QStringLiteral("accountButton"));
     row->addWidget(account);

@@ -84,6 +84,7 @@ private:
     void fitSection();
     QWidget* makeTopBar(const Actions& actions);
     QWidget* makeBottomBar(const Actions& actions, ViewMenu& viewMenu);
+    static QLabel* accountName(const Actions& actions, QWidget* parent);
     void makeNotice();
     void placeOverlays();
     void placeNotice();
