@@ -4589,7 +4589,7 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message numerus="yes">
         <source>Average of the last %n attempt(s)</source>
         <translation>
-            <numerusform>Mittel von %n Versuch</numerusform>
+            <numerusform>Aus %n Versuch</numerusform>
             <numerusform>Mittel der letzten %n Versuche</numerusform>
         </translation>
     </message>

@@ -4581,7 +4581,7 @@ load NAME        feels a hardness preset that is kept</source>
     <message numerus="yes">
         <source>Average of the last %n attempt(s)</source>
         <translation>
-            <numerusform>Average of the last %n attempt</numerusform>
+            <numerusform>Of %n attempt</numerusform>
             <numerusform>Average of the last %n attempts</numerusform>
         </translation>
     </message>

@@ -4589,7 +4589,7 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message numerus="yes">
         <source>Average of the last %n attempt(s)</source>
         <translation>
-            <numerusform>Media de %n intento</numerusform>
+            <numerusform>De %n intento</numerusform>
             <numerusform>Media de los últimos %n intentos</numerusform>
         </translation>
     </message>
