@@ -22,6 +22,7 @@
 #include "ui/shell/Actions.h"
 #include "ui/study/LessonEditor.h"
 #include "ui/study/LessonsPage.h"
+#include "ui/study/PutBy.h"
 #include "ui/study/SweepChart.h"
 
 using namespace ui::study;
@@ -56,6 +57,7 @@ private slots:
     void nothingOfTheLessonBeforeIsLeft();
     void draftsAreKeptAndSavedTogether();
     void targetsAndSpansAreChanged();
+    void draftsThatWerePutByComeBack();
     void aFaultyDraftKeepsItsSizes();
     void anExerciseHasNoIdealToCheck();
     void aCapturedIdealIsChosenAndUndone();
@@ -475,6 +477,40 @@ void TestLessonEditor::draftsAreKeptAndSavedTogether()
 }
 
 /// In another language, and opened again.
+void TestLessonEditor::draftsThatWerePutByComeBack()
+{
+    const QString file = m_folder->filePath("put by/drafts.json");
+    QVERIFY(m_editor->putBy(file));  // there are none
+    QVERIFY(!QFile::exists(file));
+    m_editor->edit(shipped("class1-36"), m_folder->path());
+    auto* title = m_editor->findChild<QLineEdit*>("draftTitle");
+    title->clear();
+    QTest::keyClicks(title, "Mine");
+    QVERIFY(m_editor->putBy(file));
+    const ui::shell::Actions actions(m_window.get());
+    LessonEditor next(actions, nullptr);
+    next.goOnWith(file, m_folder->path());
+    QCOMPARE(next.unsaved(), QStringList{"Mine"});
+    // It is the draft of that lesson, and can be undone to what that says.
+    next.edit(shipped("class1-36"), m_folder->path());
+    QCOMPARE(next.findChild<QLineEdit*>("draftTitle")->text(), QString("Mine"));
+    QVERIFY(next.canUndo());
+    next.undo();
+    QVERIFY(next.unsaved().isEmpty());
+    // Of a lesson that is no longer there, and of what is no such file, nothing comes.
+    QVERIFY(ui::study::putBy(file, {{m_folder->filePath("gone.lesson.json"), QJsonObject{{"title", "Lost"}}},
+                                    {":/lessons/class1-36.lesson.json", {}}}));
+    LessonEditor another(actions, nullptr);
+    another.goOnWith(file, m_folder->path());
+    for (const QByteArray& noise : {QByteArray(), QByteArray("{\"drafts\": 7}"), QByteArray(100'000, '[')}) {
+        QFile out(file);
+        QVERIFY(out.open(QIODevice::WriteOnly) && out.write(noise) == noise.size());
+        out.close();
+        another.goOnWith(file, m_folder->path());
+    }
+    QVERIFY(another.unsaved().isEmpty());
+}
+
 void TestLessonEditor::aFaultyDraftKeepsItsSizes()
 {
     open("class1-36");

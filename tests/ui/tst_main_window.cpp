@@ -3182,12 +3182,28 @@ void TestMainWindow::draftsWaitForWhoTeaches()
     const QString said = child<MessageBar>()->sentence();
     QVERIFY2(said.contains("until a teacher logs in") && !said.contains("Mine"), qPrintable(said));
     QCOMPARE(editor->unsaved(), QStringList{"Mine"});
+    // Where there is a place for it, it waits there, for nobody else to read, and the window closes.
+    const QString file = folder.filePath("drafts.json");
+    m_window->setDraftFile(file);
+    m_window->close();
+    QVERIFY(!m_window->isVisible());
+    QCOMPARE(QFile::permissions(file) & (QFile::ReadGroup | QFile::ReadOther), QFile::Permissions());
+    // The next start finds it again.
+    openWindow();
+    editor = child<ui::study::LessonEditor>();
+    QVERIFY(editor->unsaved().isEmpty());
+    m_window->setDraftFile(file);
+    QCOMPARE(editor->unsaved(), QStringList{"Mine"});
     m_window->setMayEdit(true);
+    m_window->setLessons(lessons::readCatalog({}), {});
+    actions().lessons->trigger();
     QVERIFY(isMarked());
     m_window->close();
     QVERIFY(m_window->isVisible() && child<QuestionCard>("draftQuestion") != nullptr);
     child<QPushButton>("questionDiscard")->click();
     QVERIFY(!m_window->isVisible());
+    // Who may has thrown it away.
+    QVERIFY(!QFile::exists(file));
 }
 
 void TestMainWindow::typingSearchesTheLessons()

@@ -200,7 +200,11 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
     connect(m_lessonsPage, &study::LessonsPage::discardWanted, this, &MainWindow::discardUnfinished);
     connect(m_lessonsPage, &study::LessonsPage::folderWanted, this, &MainWindow::lessonFolderWanted);
     connect(m_editor, &study::LessonEditor::stepsChanged, this, &MainWindow::enableActions);
-    connect(m_editor, &study::LessonEditor::lessonSaved, this, &MainWindow::lessonsWanted);
+    connect(m_editor, &study::LessonEditor::lessonSaved, this, [this] {
+        if (QFile::exists(m_draftFile))  // what is saved comes back as a draft no more
+            static_cast<void>(m_editor->putBy(m_draftFile));
+        emit lessonsWanted();
+    });
     const auto workOn = [this] {
         m_room->section().setHeld({});
         if (std::exchange(m_infractionStopped, false))
@@ -983,6 +987,18 @@ void MainWindow::editLesson(const lessons::ReadLesson& lesson)
     m_editor->edit(lesson, lessons::teachersFolder());
     emit knownAttemptsWanted(*lesson.lesson);
     goTo(m_editor);
+}
+
+void MainWindow::setDraftFile(const QString& file)
+{
+    m_draftFile = file;
+    m_editor->goOnWith(file, lessons::teachersFolder());
+}
+
+/// Without a place for them they stay where they are.
+bool MainWindow::putDraftsBy() const
+{
+    return !m_draftFile.isEmpty() && m_editor->putBy(m_draftFile);
 }
 
 void MainWindow::setKnownAttempts(std::vector<study::MeasuredAttempt> attempts)
@@ -2247,7 +2263,7 @@ bool MainWindow::mayDecideOnDrafts() const
 void MainWindow::leaveDrafts(const std::function<void()>& what)
 {
     const QStringList titles = m_editor->unsaved();
-    if (titles.isEmpty()) {
+    if (titles.isEmpty() || !mayDecideOnDrafts()) {
         what();
         return;
     }
@@ -2335,12 +2351,17 @@ void MainWindow::askToSave()
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
-    if (m_mayClose || (!wouldLoseWork() && m_editor->unsaved().isEmpty() && unkept().empty())) {
+    // What is a teacher's waits for one, also through another start of the program.
+    const bool areOthers = !m_editor->unsaved().isEmpty() && !mayDecideOnDrafts();
+    const bool arePutBy = areOthers && putDraftsBy();
+    if (m_mayClose || (!wouldLoseWork() && (m_editor->unsaved().isEmpty() || arePutBy) && unkept().empty())) {
+        if (!arePutBy && !m_draftFile.isEmpty())
+            QFile::remove(m_draftFile);
         memory().setValue(kGeometry, saveGeometry());
         return;
     }
     event->ignore();
-    if (!m_editor->unsaved().isEmpty() && !mayDecideOnDrafts()) {
+    if (areOthers && !arePutBy) {
         sayWaits([] {
             return tr("Cusp stays open: a teacher's work is not saved yet. It waits until a teacher logs in here.");
         });

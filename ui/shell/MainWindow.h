@@ -202,6 +202,9 @@ public slots:
     void showFeel(const core::settings::FeelPreset& now, const core::settings::FeelPreset& usual);
     /// Opens the editor on a sound lesson.
     void editLesson(const lessons::ReadLesson& lesson);
+    /// Where drafts of lessons are put by that nobody here may decide on when the window is closed; those that lie
+    /// there are drafts again.
+    void setDraftFile(const QString& file);
     /// What was measured of attempts at the lesson that is edited, as it is.
     void setKnownAttempts(std::vector<study::MeasuredAttempt> attempts);
     /// A recording of this length drives the bur: the student's own controls rest, the student's own work waits. Call
@@ -421,6 +424,7 @@ private:
     /// The same of lessons that were changed in the editor, whose drafts live as long as the window.
     void leaveDrafts(const std::function<void()>& what);
     [[nodiscard]] bool mayDecideOnDrafts() const;
+    [[nodiscard]] bool putDraftsBy() const;
     void sayWaits(const std::function<QString()>& sentence);
     /// What a page would lose with the window, in a sentence, and the way to where it can be kept.
     struct Unkept
@@ -584,6 +588,7 @@ private:
     QWidget* m_behindDoor = nullptr;     ///< the page to go on with
     bool m_isNewSchool = false;
     bool m_mayLeaveDoor = false;  ///< who practises as a guest, and has only looked at it
+    QString m_draftFile;          ///< empty: drafts are put by nowhere
     bool m_mayClose = false;
     bool m_hasCut = false;
     bool m_knowsTheFarSide = false;  ///< has been told why nothing is drilled from below

@@ -62,6 +62,9 @@ public:
     /// A shipped lesson becomes one of the teacher's own, based on it; his own is changed where it stands.
     void begin(const ::lessons::ReadLesson& lesson, const QString& teachersFolder);
 
+    /// What it had become, as object() gave it; one step further than it begins.
+    void goOnWith(const QJsonObject& object) { change(QStringLiteral("gone on with"), object); }
+
     [[nodiscard]] const QJsonObject& object() const { return m_states[m_at]; }
     [[nodiscard]] const QString& file() const { return m_file; }
     /// In the user's language.

@@ -28,6 +28,7 @@
 #include "ui/study/FormInputs.h"
 #include "ui/study/IdealForm.h"
 #include "ui/study/LessonWords.h"
+#include "ui/study/PutBy.h"
 #include "ui/study/RubricForm.h"
 #include "ui/study/SweepPage.h"
 #include "ui/study/ToleranceView.h"
@@ -594,6 +595,28 @@ bool LessonEditor::saveAll()
         emit lessonSaved(opened.draft.file());
     }
     return true;
+}
+
+bool LessonEditor::putBy(const QString& file) const
+{
+    std::vector<PutByDraft> drafts;
+    for (const auto& [from, opened] : m_opened)
+        if (opened.draft.isChanged())
+            drafts.push_back({opened.draft.isSavedOnce() ? opened.draft.file() : from, opened.draft.object()});
+    return study::putBy(file, drafts);
+}
+
+void LessonEditor::goOnWith(const QString& file, const QString& folder)
+{
+    for (const PutByDraft& kept : putByIn(file)) {
+        const ::lessons::ReadLesson read = ::lessons::readLesson(kept.from);
+        if (!read.lesson || kept.object.isEmpty() || m_opened.contains(kept.from))
+            continue;
+        Opened& opened = m_opened[kept.from];
+        opened.lesson = *read.lesson;
+        opened.draft.begin(read, folder);
+        opened.draft.goOnWith(kept.object);
+    }
 }
 
 void LessonEditor::say(std::function<QString()> sentence, bool isWrong)

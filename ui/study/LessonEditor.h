@@ -56,6 +56,13 @@ public:
     /// the page, with what is wrong.
     [[nodiscard]] bool saveAll();
 
+    /// Puts the changed drafts by, in place of what was put by there; where there are none nothing is left. False: they
+    /// could not be written.
+    [[nodiscard]] bool putBy(const QString& file) const;
+    /// Those that were put by are drafts again, where their lessons can still be read. They stay put by until putBy().
+    /// @param folder  the teacher's
+    void goOnWith(const QString& file, const QString& folder);
+
     /// What was measured of attempts at the lesson that is edited, as it was when it was opened: they count in the
     /// sweep until its ideal is changed.
     void setKnown(std::vector<MeasuredAttempt> attempts);
