@@ -20,11 +20,12 @@ const unsigned char* bytesOf(std::string_view words)
     return reinterpret_cast<const unsigned char*>(words.data());
 }
 
+/// As this program writes it, in small letters: what has become other bytes is not the same.
 template <std::size_t N>
 bool takeHex(const std::string& hex, std::array<unsigned char, N>& bytes)
 {
     std::size_t taken = 0;
-    return hex.size() == 2 * N &&
+    return hex.size() == 2 * N && std::none_of(hex.begin(), hex.end(), [](char c) { return c >= 'A' && c <= 'F'; }) &&
            sodium_hex2bin(bytes.data(), N, hex.data(), hex.size(), nullptr, &taken, nullptr) == 0 && taken == N;
 }
 

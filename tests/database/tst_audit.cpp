@@ -162,6 +162,8 @@ void TestAudit::namesTheRow_data()
                                         "UPDATE audit SET seq = seq - 1000 WHERE seq > 1000"}
                          << "it was written as row 14" << 2;
         row("seal gone") << QStringList{"DELETE FROM audit_seal"} << "signed head of the audit was removed" << 1;
+        row("seal in capitals") << QStringList{"UPDATE audit_seal SET signature = upper(signature)"} << "signature"
+                                << 1;
         row("seal of another") << QStringList{"UPDATE audit_seal SET signature = '" + QString(128, '0') + "'"}
                                << "signature" << 1;
     }
