@@ -638,10 +638,12 @@ void LessonsPage::describe()
     m_whyNot->setVisible(isOver);
     m_picture->setLesson(isSound ? entry->read.lesson : std::nullopt);
     m_edit->setVisible(isSound);
+    const bool isSearched = !m_search->text().trimmed().isEmpty();
     m_title->setText(entry == nullptr ? tr("No lesson fits") : nameOf(*entry));
-    m_goal->setText(isSound ? said(entry->read.lesson->goal)
-                    : entry ? tr("This file cannot be given as a lesson. The others work.")
-                            : tr("Search for another word, or show all lessons."));
+    m_goal->setText(isSound      ? said(entry->read.lesson->goal)
+                    : entry      ? tr("This file cannot be given as a lesson. The others work.")
+                    : isSearched ? tr("Search for another word, or show all lessons.")
+                                 : tr("There is none of these now. Show all lessons."));
     int row = 0;
     const auto fact = [&](const QString& name, const QString& value) {
         grid->addWidget(label(name, kBody, QFont::Normal, QPalette::PlaceholderText, m_facts), row, 0, Qt::AlignTop);
