@@ -350,7 +350,8 @@ core::Status Database::reconnect()
     if (!db.open())
         return tl::unexpected(dialect::error(db, db.lastError(), "open it"));
     // Who waits for a lock longer than this is told, as SQLite does. And the server, too, notices within some ten
-    // seconds that a cable was pulled, and gives back what the station had locked; on a socket that says nothing.
+    // seconds that a cable was pulled, and gives back what the station had locked; on a socket that says nothing. What
+    // it confirms is on its disk: a letter is thrown away then.
     if (m_address.isServer())
         return execute(db,
                        QStringLiteral("SELECT set_config('lock_timeout', '%1', false), "
@@ -358,7 +359,9 @@ core::Status Database::reconnect()
                                       "set_config('tcp_keepalives_idle', '5', false), "
                                       "set_config('tcp_keepalives_interval', '2', false), "
                                       "set_config('tcp_keepalives_count', '3', false), "
-                                      "set_config('tcp_user_timeout', '10000', false)")
+                                      "set_config('tcp_user_timeout', '10000', false), "
+                                      "set_config('synchronous_commit', replace(current_setting('synchronous_commit'), "
+                                      "'off', 'on'), false)")
                            .arg(m_patience.count()),
                        "set it up");
     return {};

@@ -14,6 +14,7 @@
 #include "database/sql/Database.h"
 #include "database/sql/Dialect.h"
 #include "database/sql/Migrations.h"
+#include "database/sql/Statement.h"
 #include "tests/database/SchoolRig.h"
 
 using namespace database::sql;
@@ -43,6 +44,8 @@ private slots:
     void refusesADamagedFile();
     void refusesWhatIsFromTheFuture_data() { support::addEngines(); }
     void refusesWhatIsFromTheFuture();
+    void whatAServerConfirmsIsOnItsDisk_data();
+    void whatAServerConfirmsIsOnItsDisk();
     void saysWhoHoldsTheLock();
     void brokenStepLeavesAllAsItWas_data() { support::addEngines(); }
     void brokenStepLeavesAllAsItWas();
@@ -314,6 +317,39 @@ void TestDatabase::refusesWhatIsFromTheFuture()
     QVERIFY2(refused.error().detail.find("later program") != std::string::npos, refused.error().detail.c_str());
     QVERIFY(onServer || refused.error().detail.find(where.toStdString()) != std::string::npos);
     QCOMPARE(bytes(at("future.db")), before);
+}
+
+void TestDatabase::whatAServerConfirmsIsOnItsDisk_data()
+{
+    QTest::addColumn<QString>("set");
+    QTest::addColumn<QString>("used");
+    QTest::newRow("not waited for") << "off"
+                                    << "on";
+    QTest::newRow("as it comes") << "on"
+                                 << "on";
+    QTest::newRow("on this disk") << "local"
+                                  << "local";
+    QTest::newRow("on two disks") << "remote_apply"
+                                  << "remote_apply";
+}
+
+void TestDatabase::whatAServerConfirmsIsOnItsDisk()
+{
+    QFETCH(QString, set);
+    if (!support::sharedServer().fault().isEmpty())
+        QSKIP(qPrintable(support::sharedServer().fault()));
+    support::SchoolRig rig(true);
+    QVERIFY(rig.isOpen());
+    const auto asked = [&rig](const char* what) {
+        return database::sql::ask(rig.school().db, what, "ask")->toString();
+    };
+    VERIFY_DONE(execute(
+        rig.school().db,
+        QStringLiteral("ALTER DATABASE %1 SET synchronous_commit = %2").arg(asked("SELECT current_database()"), set),
+        "set it"));
+    rig.reopen();
+    QVERIFY(rig.isOpen());
+    QTEST(asked("SHOW synchronous_commit"), "used");
 }
 
 void TestDatabase::saysWhoHoldsTheLock()
