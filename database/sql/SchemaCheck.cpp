@@ -2,6 +2,7 @@
 #include "database/sql/SchemaCheck.h"
 
 #include <map>
+#include <utility>
 
 #include <QScopeGuard>
 
@@ -24,44 +25,49 @@ struct Made
 /// By "trigger audit_no_update".
 using Schema = std::map<std::string, Made>;
 
-/// What there is in the schema that comes first in the search path, with all that defines it, and what hangs on it from
-/// elsewhere: a foreign key that names a table of ours, a table whose rows are read among those of ours. A trigger that
-/// is switched off, or fires only for copies of another server, is as good as none. Indexes of constraints go with
-/// those; the triggers that look after a foreign key do, too; what only says that it is one of those is shown.
+/// What this program finds when it names a table, with all that defines it and where it lies, and what hangs on it from
+/// elsewhere: a foreign key that names a table of ours, a table whose rows are read among those of ours, a table among
+/// whose rows ours are read. A trigger that is switched off, or fires only for copies of another server, is as good as
+/// none. Indexes of constraints go with those; the triggers that look after a foreign key do, too; what only says that
+/// it is one of those is shown.
 QString questionToServer()
 {
     return QStringLiteral(R"(
-WITH ours AS (SELECT c.oid, c.relname, c.relkind, c.relpersistence, c.relrowsecurity FROM pg_catalog.pg_class c
-              WHERE c.relnamespace = current_schema()::regnamespace)
-SELECT 'table', relname::text, relname::text, concat(relkind, relpersistence, relrowsecurity) FROM ours
-WHERE relkind IN ('r', 'v', 'm', 'f', 'p')
+WITH ours AS (SELECT c.oid, c.relname, c.relkind, c.relpersistence, c.relrowsecurity, quote_ident(n.nspname) AS home
+              FROM pg_catalog.pg_class c JOIN pg_catalog.pg_namespace n ON n.oid = c.relnamespace
+              WHERE n.nspname = ANY (current_schemas(false)) AND pg_table_is_visible(c.oid)
+              AND c.relkind IN ('r', 'v', 'm', 'f', 'p'))
+SELECT 'table', relname::text, relname::text, concat(relkind, relpersistence, relrowsecurity), home FROM ours
 UNION ALL
 SELECT 'column', o.relname || '.' || a.attname, o.relname, concat(format_type(a.atttypid, a.atttypmod), a.attnotnull,
-       a.attidentity, a.attgenerated, pg_get_expr(d.adbin, d.adrelid))
+       a.attidentity, a.attgenerated, pg_get_expr(d.adbin, d.adrelid), ' ', a.attcollation), o.home
 FROM ours o JOIN pg_catalog.pg_attribute a ON a.attrelid = o.oid AND a.attnum > 0 AND NOT a.attisdropped
 LEFT JOIN pg_catalog.pg_attrdef d ON d.adrelid = o.oid AND d.adnum = a.attnum WHERE o.relkind = 'r'
 UNION ALL
 SELECT 'constraint', o.relname || '.' || k.conname, o.relname, concat(pg_get_constraintdef(k.oid),
-       (SELECT count(*) FROM pg_catalog.pg_trigger t WHERE t.tgconstraint = k.oid AND t.tgenabled IN ('O', 'A')))
+       (SELECT count(*) FROM pg_catalog.pg_trigger t WHERE t.tgconstraint = k.oid AND t.tgenabled IN ('O', 'A'))), o.home
 FROM ours o JOIN pg_catalog.pg_constraint k ON k.conrelid = o.oid WHERE k.contype IN ('c', 'f', 'p', 'u', 'x')
 UNION ALL
-SELECT 'index', o.relname, t.relname, concat(pg_get_indexdef(o.oid), i.indisvalid, i.indisready)
-FROM ours o JOIN pg_catalog.pg_index i ON i.indexrelid = o.oid JOIN pg_catalog.pg_class t ON t.oid = i.indrelid
-WHERE NOT EXISTS (SELECT 1 FROM pg_catalog.pg_constraint k WHERE k.conindid = o.oid AND k.contype IN ('p', 'u', 'x'))
+SELECT 'index', c.relname, o.relname, concat(pg_get_indexdef(c.oid), i.indisvalid, i.indisready), o.home
+FROM ours o JOIN pg_catalog.pg_index i ON i.indrelid = o.oid JOIN pg_catalog.pg_class c ON c.oid = i.indexrelid
+WHERE NOT EXISTS (SELECT 1 FROM pg_catalog.pg_constraint k WHERE k.conindid = c.oid AND k.contype IN ('p', 'u', 'x'))
 UNION ALL
-SELECT 'trigger', t.tgname, o.relname, concat(pg_get_triggerdef(t.oid), pg_get_functiondef(t.tgfoid))
+SELECT 'trigger', t.tgname, o.relname, concat(pg_get_triggerdef(t.oid), pg_get_functiondef(t.tgfoid)), o.home
 FROM ours o JOIN pg_catalog.pg_trigger t ON t.tgrelid = o.oid JOIN pg_catalog.pg_proc f ON f.oid = t.tgfoid
 WHERE t.tgenabled IN ('O', 'A')
 AND NOT (t.tgisinternal AND f.pronamespace = 'pg_catalog'::regnamespace AND f.proname LIKE 'RI\_FKey\_%')
 UNION ALL
-SELECT 'rule', o.relname || '.' || r.rulename, o.relname, pg_get_ruledef(r.oid)
+SELECT 'rule', o.relname || '.' || r.rulename, o.relname, pg_get_ruledef(r.oid), o.home
 FROM ours o JOIN pg_catalog.pg_rewrite r ON r.ev_class = o.oid WHERE o.relkind = 'r'
 UNION ALL
-SELECT 'reference', concat(k.conrelid::regclass, '.', k.conname), o.relname, ''
+SELECT 'reference', concat(k.conrelid::regclass, '.', k.conname), o.relname, '', o.home
 FROM ours o JOIN pg_catalog.pg_constraint k ON k.confrelid = o.oid WHERE k.contype = 'f'
 UNION ALL
-SELECT 'heir', i.inhrelid::regclass::text, o.relname, ''
-FROM ours o JOIN pg_catalog.pg_inherits i ON i.inhparent = o.oid WHERE o.relkind = 'r')");
+SELECT 'heir', i.inhrelid::regclass::text, o.relname, '', o.home
+FROM ours o JOIN pg_catalog.pg_inherits i ON i.inhparent = o.oid WHERE o.relkind = 'r'
+UNION ALL
+SELECT 'parent', concat(i.inhparent::regclass, ' of ', o.relname), o.relname, '', o.home
+FROM ours o JOIN pg_catalog.pg_inherits i ON i.inhrelid = o.oid WHERE o.relkind = 'r')");
 }
 
 /// Of a file, what a constraint brings along has no statement, and two kinds of tables are SQLite's own. Nothing else
@@ -76,12 +82,33 @@ SELECT 'reference', m.name || '.' || f."from" || '(' || lower(f."table") || ')',
 FROM sqlite_master m JOIN pragma_foreign_key_list(m.name) f WHERE m.type = 'table')");
 }
 
+/// Without the white space that parts no words: ALTER TABLE writes a table anew, each release of SQLite in its own way.
+/// What stands in quotes stays as it is, with them: in double ones, too, it may be a text, which guards nothing.
+QString withoutSpace(const QString& made)
+{
+    const auto isOfWord = [](QChar letter) { return letter.isLetterOrNumber() || letter == u'_'; };
+    QString kept;
+    QChar quote;
+    bool wasSpace = false;
+    for (const QChar letter : made) {
+        if (quote.isNull() && letter.isSpace()) {
+            wasSpace = true;
+            continue;
+        }
+        if (std::exchange(wasSpace, false) && isOfWord(letter) && !kept.isEmpty() && isOfWord(kept.back()))
+            kept += u' ';
+        kept += letter;
+        if (letter == quote)
+            quote = QChar();
+        else if (quote.isNull() && (letter == u'\'' || letter == u'"'))
+            quote = letter;
+    }
+    return kept;
+}
+
 core::Result<Schema> schemaOf(const QSqlDatabase& db)
 {
     const bool onServer = dialect::isPostgres(db);
-    const auto own = onServer ? ask(db, "SELECT quote_ident(current_schema())", kDoing) : QVariant();
-    if (!own)
-        return tl::unexpected(own.error());
     const QString question = onServer ? questionToServer() : questionToFile();
     Schema schema;
     if (auto read = forEach(db, question, kDoing, {},
@@ -89,13 +116,11 @@ core::Result<Schema> schemaOf(const QSqlDatabase& db)
                                 QString made = row.value(3).toString();
                                 // A server says where each thing lies.
                                 if (onServer)
-                                    made.remove(own->toString() + '.');
-                                // ALTER TABLE writes them anew, each release of SQLite in its own way.
-                                made.remove(u'"').remove(u' ').remove(u'\n').remove(u'\t');
+                                    made.remove(row.value(4).toString() + '.');
                                 // On a server triggers of two tables may have one name.
                                 Made& there = schema[textOf(row, 0) + ' ' + textOf(row, 1)];
                                 there.table = textOf(row, 2);
-                                there.by += made.toStdString();
+                                there.by += withoutSpace(made).toStdString();
                             });
         !read)
         return tl::unexpected(read.error());
@@ -185,6 +210,13 @@ void tellAdded(const std::string& named, const Made& made, const Schema& expecte
     const std::string kind = named.substr(0, named.find(' '));
     if (kind == "trigger" || kind == "rule")
         say({QT_TRANSLATE_NOOP("Finding", "%1 is not from this program: it may change what is written"), {named}});
+    else if ((kind == "heir" || kind == "parent") && expected.count("table " + made.table) == 0)
+        return;
+    else if (kind == "parent")
+        say({QT_TRANSLATE_NOOP("Finding",
+                               "%1 is not from this program: who changes its rows changes those of the table "
+                               "%2, past what guards them"),
+             {named, made.table}});
     else if (kind == "heir")
         say({QT_TRANSLATE_NOOP("Finding", "%1 is not from this program: its rows are read among those of the table %2"),
              {named, made.table}});

@@ -38,6 +38,7 @@ private slots:
     void whatGuardsIsThere();
     void whatStandsOnOthersTablesIsTheirs_data() { support::addEngines(); }
     void whatStandsOnOthersTablesIsTheirs();
+    void aSchemaInFrontIsNoFinding();
     void whatCannotBeLookedAtHidesNothingElse_data() { support::addEngines(); }
     void whatCannotBeLookedAtHidesNothingElse();
     void whoMayNotCompareIsTold();
@@ -464,6 +465,43 @@ void TestAudit::whatGuardsIsThere_data()
                        "CREATE TRIGGER audit_no_change BEFORE UPDATE OR DELETE OR TRUNCATE ON \"audit \" FOR EACH "
                        "STATEMENT EXECUTE FUNCTION audit_is_append_only()"}
         << "trigger audit_no_change is not as this program makes it";
+    // SQLite takes for a text what stands in double quotes and is no column.
+    QTest::newRow("guard in quotes")
+        << false
+        << QStringList{"DROP TRIGGER audit_no_update",
+                       "CREATE TRIGGER audit_no_update BEFORE UPDATE ON audit BEGIN SELECT "
+                       "\"RAISE(ABORT, 'audit is append-only')\"; END",
+                       "UPDATE audit SET at_utc = at_utc"}
+        << "trigger audit_no_update is not as this program makes it";
+    QTest::newRow("index of a text") << false
+                                     << QStringList{"DROP INDEX attempts_by_person",
+                                                    "CREATE INDEX attempts_by_person ON attempts (\"person_id, "
+                                                    "lesson_id, finished_utc\")"}
+                                     << "index attempts_by_person is not as this program makes it";
+    QTest::newRow("space in a text")
+        << false
+        << QStringList{"DROP TRIGGER audit_no_update",
+                       "CREATE TRIGGER audit_no_update BEFORE UPDATE ON audit BEGIN SELECT "
+                       "RAISE(ABORT, 'audit is append- only'); END"}
+        << "trigger audit_no_update is not as this program makes it";
+    QTest::newRow("rows that can be changed elsewhere")
+        << true
+        << QStringList{"CREATE SCHEMA other", "CREATE TABLE other.par (LIKE audit)",
+                       "ALTER TABLE audit INHERIT other.par"}
+        << "parent other.par of audit is not from this program: who changes its rows changes those of the table audit";
+    QTest::newRow("rows that can be changed beside it")
+        << true << QStringList{"CREATE TABLE par (LIKE audit)", "ALTER TABLE audit INHERIT par"}
+        << "parent par of audit is not from this program: who changes its rows changes those of the table audit";
+    QTest::newRow("names that are alike")
+        << true
+        << QStringList{"CREATE COLLATION alike (provider = icu, locale = 'und-u-ks-level1', deterministic = false)",
+                       "ALTER TABLE people ALTER COLUMN username TYPE TEXT COLLATE alike"}
+        << "column people.username is not as this program makes it";
+    QTest::newRow("a table in front of it")
+        << true
+        << QStringList{"CREATE SCHEMA school",
+                       "CREATE TABLE school.failed_logins (LIKE failed_logins INCLUDING CONSTRAINTS)"}
+        << "constraint failed_logins.failed_logins_pkey is no longer there";
     QTest::newRow("gift, sqlite") << false
                                   << QStringList{"CREATE TRIGGER gift AFTER INSERT ON attempts BEGIN UPDATE attempts "
                                                  "SET score_tenths = 1000 WHERE id = NEW.id; END"}
@@ -514,6 +552,21 @@ void TestAudit::whatStandsOnOthersTablesIsTheirs()
     for (const char* deed : {"CREATE TABLE theirs (word TEXT NOT NULL, n INTEGER CHECK (n > 0))",
                              "CREATE UNIQUE INDEX theirs_by_n ON theirs (n)"})
         QVERIFY2(query.exec(QLatin1String(deed)), qPrintable(query.lastError().text()));
+    const auto report = checkDatabase(rig.school().db, {});
+    VERIFY_DONE(report);
+    QVERIFY2(report->findings.empty(), qPrintable(support::wordsOf(report->findings)));
+}
+
+/// One that is called like the server's user comes before the one in which the tables lie.
+void TestAudit::aSchemaInFrontIsNoFinding()
+{
+    if (!support::sharedServer().fault().isEmpty())
+        QSKIP(qPrintable(support::sharedServer().fault()));
+    SchoolRig rig(true);
+    QVERIFY(rig.isOpen());
+    QSqlQuery query(rig.school().db);
+    QVERIFY2(query.exec("CREATE SCHEMA school"), qPrintable(query.lastError().text()));
+    rig.populate();
     const auto report = checkDatabase(rig.school().db, {});
     VERIFY_DONE(report);
     QVERIFY2(report->findings.empty(), qPrintable(support::wordsOf(report->findings)));
