@@ -131,9 +131,12 @@ core::Result<bool> reserveTry(const School& school, const std::string& hash)
             return tl::unexpected(tries.error());
         if (tries->wait.count() > 0)
             return false;
-        // Names that nobody has tried for a day are forgotten: a list of guesses does not fill the disk.
+        // A list of guesses does not fill the disk. Where there are few, nobody is forgotten whatever the clock says:
+        // to make them many takes longer than any wait.
         const qlonglong yesterday = nowMs(school) - std::chrono::milliseconds(std::chrono::hours(24)).count();
-        if (auto forgotten = execute(school.db, "DELETE FROM failed_logins WHERE last_ms < ?", kLogIn, {yesterday});
+        if (auto forgotten = execute(
+                school.db, "DELETE FROM failed_logins WHERE last_ms < ? AND (SELECT COUNT(*) FROM failed_logins) > ?",
+                kLogIn, {yesterday, Logins::kMostFailedNames});
             !forgotten)
             return tl::unexpected(forgotten.error());
         for (const QVariant& name : {text(hash), tryOf(hash)})

@@ -18,6 +18,8 @@ public:
     /// After this many failures in a row the next try has to wait a second, then two, four, up to a quarter of an hour.
     static constexpr int kFreeFailures = 3;
     static constexpr std::chrono::seconds kLongestWait = std::chrono::minutes(15);
+    /// Beyond so many names that logins have failed with, those are forgotten that nobody has tried for a day.
+    static constexpr int kMostFailedNames = 10'000;
     /// How long a one-time code is good for.
     static constexpr std::chrono::hours kCodeLife = std::chrono::hours(72);
 

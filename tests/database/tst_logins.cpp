@@ -85,6 +85,10 @@ private slots:
     void aClockThatGoesBackLocksNobodyOutForLong();
     void aClockThatWasAheadLocksNobodyOutForLong_data() { support::addEngines(); }
     void aClockThatWasAheadLocksNobodyOutForLong();
+    void aClockThatIsAheadForgivesNobodyElse_data() { support::addEngines(); }
+    void aClockThatIsAheadForgivesNobodyElse();
+    void oldFailuresOfManyNamesAreForgotten_data() { support::addEngines(); }
+    void oldFailuresOfManyNamesAreForgotten();
     void aServersClockIsTaken();
     void aCodeIsGoodOnceAndForThreeDays_data() { support::addEngines(); }
     void aCodeIsGoodOnceAndForThreeDays();
@@ -248,6 +252,39 @@ void TestLogins::aClockThatWasAheadLocksNobodyOutForLong()
     VERIFY_REFUSED(Logins::login(rig.school(), "s1001", SchoolRig::kPassword), ErrorCode::TooSoon);
     rig.nowUtc = rig.nowUtc.addSecs(1);
     VERIFY_DONE(Logins::login(rig.school(), "s1001", SchoolRig::kPassword));
+}
+
+void TestLogins::aClockThatIsAheadForgivesNobodyElse()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    for (int k = 0; k < Logins::kFreeFailures; ++k)
+        VERIFY_REFUSED(Logins::login(rig.school(), "s1001", "wrong"), ErrorCode::WrongLogin);
+    rig.nowUtc = rig.nowUtc.addDays(2);
+    VERIFY_REFUSED(Logins::login(rig.school(), "nobody", "wrong"), ErrorCode::WrongLogin);
+    rig.nowUtc = rig.nowUtc.addDays(-2);
+    VERIFY_REFUSED(Logins::login(rig.school(), "s1001", SchoolRig::kPassword), ErrorCode::TooSoon);
+}
+
+/// A list of guesses does not fill the disk.
+void TestLogins::oldFailuresOfManyNamesAreForgotten()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    const auto count = [&rig] {
+        QSqlQuery row(rig.school().db);
+        return row.exec("SELECT COUNT(*) FROM failed_logins") && row.next() ? row.value(0).toInt() : -1;
+    };
+    QSqlQuery query(rig.school().db);
+    QVERIFY(query.exec(QStringLiteral("INSERT INTO failed_logins WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + "
+                                      "1 FROM n WHERE i < %1) SELECT 'x' || i, 1, %2 FROM n")
+                           .arg(Logins::kMostFailedNames)
+                           .arg(rig.nowUtc.toMSecsSinceEpoch())));
+    rig.nowUtc = rig.nowUtc.addDays(2);
+    VERIFY_REFUSED(Logins::login(rig.school(), "nobody", "wrong"), ErrorCode::WrongLogin);
+    QCOMPARE(count(), Logins::kMostFailedNames + 1);
+    VERIFY_REFUSED(Logins::login(rig.school(), "nobody", "wrong"), ErrorCode::WrongLogin);
+    QCOMPARE(count(), 1);
 }
 
 void TestLogins::aServersClockIsTaken()
