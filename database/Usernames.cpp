@@ -30,6 +30,25 @@ bool mayBeJoined(uint letter)
     }
 }
 
+/// Letters that are blank: the fillers of Hangul, and the blank pattern of Braille.
+bool isBlank(uint letter)
+{
+    return letter == 0x115F || letter == 0x1160 || letter == 0x3164 || letter == 0xFFA0 || letter == 0x2800;
+}
+
+/// Marks that change nothing on most letters: the grapheme joiner, vowels of Khmer that are not written, selectors.
+bool isBlankMark(uint mark)
+{
+    return mark == 0x034F || mark == 0x17B4 || mark == 0x17B5 || (mark >= 0x180B && mark <= 0x180F) ||
+           (mark >= 0xFE00 && mark <= 0xFE0F) || (mark >= 0xE0100 && mark <= 0xE01EF);
+}
+
+/// A mark stands on a letter; alone it is nothing, or a speck.
+bool isMarkAlone(const QList<uint>& letters, qsizetype at)
+{
+    return QChar::isMark(letters[at]) && (at == 0 || QChar::isSpace(letters[at - 1]));
+}
+
 }  // namespace
 
 core::Result<std::string> normalUsername(const std::string& typed)
@@ -38,14 +57,15 @@ core::Result<std::string> normalUsername(const std::string& typed)
         QString::fromStdString(typed).normalized(QString::NormalizationForm_KC).trimmed().toCaseFolded();
     const QList<uint> letters = name.toUcs4();
     const auto isFit = [](uint c) {
-        return QChar::isLetterOrNumber(c) || QChar::isMark(c) || c == '.' || c == '_' || c == '-' || c == '@';
+        return (QChar::isLetterOrNumber(c) && !isBlank(c)) || (QChar::isMark(c) && !isBlankMark(c)) || c == '.' ||
+               c == '_' || c == '-' || c == '@';
     };
     if (name.isEmpty())
         return core::unexpected(core::ErrorCode::OutOfRange, "the user's name is empty; give one");
     if (letters.size() > kLongest)
         return core::unexpected(core::ErrorCode::OutOfRange, "the user's name is longer than " +
                                                                  std::to_string(kLongest) + " characters; shorten it");
-    if (!std::all_of(letters.begin(), letters.end(), isFit))
+    if (!std::all_of(letters.begin(), letters.end(), isFit) || isMarkAlone(letters, 0))
         return core::unexpected(core::ErrorCode::OutOfRange,
                                 "a user's name has letters, digits and . _ - @ only; correct it");
     return name.toStdString();
@@ -55,6 +75,8 @@ bool canBeSeen(const std::string& name)
 {
     const QList<uint> letters = QString::fromStdString(name).toUcs4();
     for (qsizetype i = 0; i < letters.size(); ++i) {
+        if (isBlank(letters[i]) || isMarkAlone(letters, i))
+            return false;
         if (QChar::isPrint(letters[i]))
             continue;
         const bool isJoiner = letters[i] == 0x200C || letters[i] == 0x200D;

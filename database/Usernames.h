@@ -8,12 +8,12 @@
 namespace database {
 
 /// A user's name as it is kept and compared: without spaces around it, small letters. OutOfRange with a sentence:
-/// empty, over 64 characters, or with others than letters, digits, ". _ - @".
+/// empty, over 64 characters, or with others than letters that can be seen, digits, ". _ - @".
 [[nodiscard]] core::Result<std::string> normalUsername(const std::string& typed);
 
 /// Whether each character of somebody's or something's name can be seen, those beyond the first plane of Unicode
-/// included: rare kanji stand there. Joiners (U+200C, U+200D) are allowed between letters of scripts that are written
-/// with them, as in Persian and Hindi names.
+/// included: rare kanji stand there. A mark stands on a letter. Joiners (U+200C, U+200D) are allowed between letters of
+/// scripts that are written with them, as in Persian and Hindi names.
 [[nodiscard]] bool canBeSeen(const std::string& name);
 
 }  // namespace database

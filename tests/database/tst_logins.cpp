@@ -515,6 +515,15 @@ void TestLogins::namesAreComparedAsPeopleTypeThem()
                    ErrorCode::OutOfRange);
     VERIFY_REFUSED(addPerson(rig.school(), rig.admin, {"hidden", "A\u202Eb", "", Role::Student}),
                    ErrorCode::OutOfRange);
+    // Blank letters, a mark that stands on nothing, one that is not seen.
+    for (const char* unseen :
+         {"\u3164", "\u115F", "\u1160", "\uFFA0", "\u0301", "admin\u3164", "admin\u034F", "admin\uFE0F", "\u2800"})
+        VERIFY_REFUSED(addPerson(rig.school(), rig.admin, {unseen, "", "", Role::Student}), ErrorCode::OutOfRange);
+    for (const char* unseen : {"\u3164", "\u115F", "\u1160", "\uFFA0", "\u0301", "Ann \u0301", "\u2800"})
+        VERIFY_REFUSED(addPerson(rig.school(), rig.admin, {"seen", "Ann", unseen, Role::Student}),
+                       ErrorCode::OutOfRange);
+    // A rare form of a kanji, and a letter with two marks.
+    VERIFY_DONE(addPerson(rig.school(), rig.admin, {"e\u0301\u0323", "\u845B\U000E0100", "", Role::Student}));
     const char* nasty = "Robert'); DROP TABLE people; --";
     VERIFY_DONE(addPerson(rig.school(), rig.admin, {"bobby", nasty, "Tables", Role::Student}));
     QCOMPARE(findPerson(rig.school(), rig.admin, "bobby").value().givenName, std::string(nasty));
