@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/SchoolDesk.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <QDateTime>
@@ -260,7 +261,11 @@ void SchoolDesk::deliverAll()
         return;
     const database::Outbox letters = outbox();
     const int before = static_cast<int>(m_undeliverable.size());
-    for (const QString& file : letters.waiting()) {
+    // What has failed goes last: a server may have limits that one letter always exceeds, whatever it calls them.
+    QStringList files = letters.waiting();
+    std::stable_partition(files.begin(), files.end(),
+                          [this](const QString& file) { return !m_hasFailed.contains(file); });
+    for (const QString& file : std::as_const(files)) {
         if (m_undeliverable.contains(file))
             continue;
         if (!connect())
@@ -275,6 +280,7 @@ void SchoolDesk::deliverAll()
         }
         const core::Status done = (*deliver)();
         if (done) {
+            m_hasFailed.remove(file);
             // Of a server its administrator makes backups.
             if (m_address.isServer())
                 letters.remove(file);
@@ -285,6 +291,7 @@ void SchoolDesk::deliverAll()
             // wrong there. Those behind it shall not wait for it.
             m_undeliverable.insert(file);
         } else {
+            m_hasFailed.insert(file);
             notice(done.error());
             return;
         }

@@ -165,6 +165,7 @@ private:
     std::unique_ptr<database::sql::School> m_school;
     std::optional<database::StationKey> m_key;
     QSet<QString> m_undeliverable;  ///< what cannot be delivered while this program runs
+    QSet<QString> m_hasFailed;      ///< what could not be delivered yet, and may be soon
     bool m_isLost = false;
     bool m_isDamaged = false;  ///< the file, when it was opened last
 };

@@ -111,7 +111,11 @@ core::Error postgresError(const std::string& head, const QSqlError& error, bool 
     if (is("53"))
         return {ErrorCode::FileUnwritable,
                 head + "the server has no room left (" + said + "); free some disk there and try again"};
-    if (is("55P03") || is("40") || is("57014"))
+    // By a limit of its administrator's, or by his hand.
+    if (is("57014"))
+        return {ErrorCode::Busy,
+                head + "the server has stopped it (" + said + "); try again, or let its administrator allow more time"};
+    if (is("55P03") || is("40"))
         return {ErrorCode::Busy, head + "another station is writing to it; try again in a moment"};
     if (is("XX"))
         return {ErrorCode::BadStructure, head + "the server found damage (" + said + "); restore a backup of it"};

@@ -144,6 +144,7 @@ private slots:
     void aLetterIsTakenOnceAndOnlyAsItWasWritten();
     void twoWindowsDeliverWithoutAnAlarm();
     void aLetterWaitsForItsSchool();
+    void whatAServerAlwaysStopsHoldsNothingUp();
     void aFileThatWasLockedAtTheStartGetsItsLetters();
 };
 
@@ -429,6 +430,46 @@ void TestStations::aLetterWaitsForItsSchool()
     QCOMPARE(outbox.arrived().size(), 1);
     VERIFY_DONE(backUpMine(2));
     QVERIFY(outbox.arrived().isEmpty());
+}
+
+/// As a limit of its administrator's does what is very large.
+void TestStations::whatAServerAlwaysStopsHoldsNothingUp()
+{
+    if (!support::sharedServer().fault().isEmpty())
+        QSKIP(qPrintable(support::sharedServer().fault()));
+    SchoolRig rig(true);
+    QVERIFY(rig.isOpen());
+    rig.populate();
+    const AttemptRecord first = SchoolRig::attempt("class1-36", 500);
+    for (const QString& sql :
+         {QStringLiteral("CREATE FUNCTION stop() RETURNS trigger LANGUAGE plpgsql AS $$ BEGIN RAISE EXCEPTION "
+                         "'canceling statement due to statement timeout' USING ERRCODE = '57014'; END $$"),
+          QStringLiteral("CREATE TRIGGER stop BEFORE INSERT ON attempts FOR EACH ROW WHEN (NEW.uid = '%1') EXECUTE "
+                         "FUNCTION stop()")
+              .arg(QString::fromStdString(first.uid))})
+        VERIFY_DONE(execute(rig.school().db, sql, "set a limit"));
+    QTemporaryDir folder;
+    Outbox outbox(folder.filePath("outbox"), StationKey::readOrMake(folder.filePath("station.key")).value());
+    const QByteArray recording = QByteArray::fromStdString(ofNothing().toBytes());
+    VERIFY_DONE(outbox.put(rig.student, first, recording));
+    app::SchoolDesk desk(Address::parse(rig.address()).value(), folder.path());
+    std::optional<core::Status> opened;
+    desk.open(this, [&](const app::SchoolDesk::Opening& opening) { opened = opening.status; });
+    QTRY_VERIFY(opened.has_value());
+    VERIFY_DONE(*opened);
+    // Whichever of the two comes first, the other arrives with the second round.
+    AttemptRecord later = SchoolRig::attempt("class1-36", 600);
+    later.finishedUtc = "2026-11-20T11:00:00Z";
+    VERIFY_DONE(outbox.put(rig.student, later, recording));
+    desk.deliver();
+    desk.deliver();
+    QTRY_COMPARE(outbox.waiting().size(), 1);
+    QVERIFY(keptIn(rig.school()) == std::set<QString>{QString::fromStdString(later.uid)});
+    // And it is tried again.
+    VERIFY_DONE(execute(rig.school().db, "DROP TRIGGER stop ON attempts", "lift the limit"));
+    desk.deliver();
+    QTRY_VERIFY(outbox.waiting().isEmpty());
+    QCOMPARE(keptIn(rig.school()).size(), std::size_t{2});
 }
 
 /// What waits is tried again, whether or not somebody at the door does.
