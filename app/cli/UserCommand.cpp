@@ -78,14 +78,26 @@ QJsonObject toJson(const Person& person)
             {"last_login_utc", QString::fromStdString(person.lastLoginUtc)}};
 }
 
-int tellCode(const QCommandLineParser& parser, const QString& username, const std::string& code)
+/// Codes are told once. What has been done before is not undone where the answer cannot be written.
+int expectTold(const std::string& done)
+{
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0)
+        return kDone;
+    std::clearerr(stdout);  // is told here
+    return failed({ErrorCode::FileUnwritable, "the answer could not be written to standard output; " + done});
+}
+
+/// @param done  "s1001 is entered"
+int tellCode(const QCommandLineParser& parser, const QString& username, const std::string& code,
+             const std::string& done)
 {
     if (parser.isSet(QStringLiteral("json")))
         printJson({{"username", username}, {"code", QString::fromStdString(code)}});
     else
         printText(QStringLiteral("%1 logs in once with the code %2 within three days, and then chooses a password.\n")
                       .arg(username, QString::fromStdString(code)));
-    return kDone;
+    return expectTold(done + ", but the code is lost: \"cusp user reset " + username.toStdString() +
+                      "\" gives another");
 }
 
 int addUser(const QCommandLineParser& parser, const QString& username)
@@ -102,7 +114,8 @@ int addUser(const QCommandLineParser& parser, const QString& username)
                                   parser.value(QStringLiteral("family")).toStdString(), *role});
     if (!entered)
         return failed(entered.error());
-    return tellCode(parser, QString::fromStdString(entered->person.username), entered->code);
+    const QString name = QString::fromStdString(entered->person.username);
+    return tellCode(parser, name, entered->code, name.toStdString() + " is entered");
 }
 
 int listUsers(const QCommandLineParser& parser, const QString&)
@@ -144,7 +157,7 @@ int resetUser(const QCommandLineParser& parser, const QString& username)
     if (person->disabled)
         warn({username.toStdString() + " is disabled and cannot log in, with a code or without; \"cusp user disable " +
               username.toStdString() + " --enable\" lets him in again"});
-    return tellCode(parser, username, *code);
+    return tellCode(parser, username, *code, "the password of " + username.toStdString() + " is taken away");
 }
 
 int disableUser(const QCommandLineParser& parser, const QString& username)
@@ -257,6 +270,12 @@ int tellRoster(const QCommandLineParser& parser, const database::RosterOutcome& 
     };
     const auto known = std::count_if(outcome.people.begin(), outcome.people.end(),
                                      [](const database::RosterPerson& one) { return !one.isNew; });
+    const auto expectRosterTold = [&] {
+        const bool isLost = !dryRun && tellsCodes && known < static_cast<qint64>(outcome.people.size());
+        return isLost ? expectTold("the list is entered, but the codes are lost: \"cusp user reset\" gives each of "
+                                   "the new ones another")
+                      : kDone;
+    };
     QJsonArray faults;
     QString text;
     for (const database::RosterFault& fault : outcome.faults) {
@@ -278,7 +297,7 @@ int tellRoster(const QCommandLineParser& parser, const database::RosterOutcome& 
                               {"code", tellsCodes ? QString::fromStdString(person.code) : QString()}};
     if (parser.isSet(QStringLiteral("json"))) {
         printJson({{"dry_run", dryRun}, {"faults", faults}, {"people", people}});
-        return outcome.faults.empty() ? kDone : kFailed;
+        return outcome.faults.empty() ? expectRosterTold() : kFailed;
     }
     if (!outcome.faults.empty()) {
         printText(text, stderr);
@@ -304,7 +323,7 @@ int tellRoster(const QCommandLineParser& parser, const database::RosterOutcome& 
                 printText(QStringLiteral("%1 %2\n")
                               .arg(printable(QString::fromStdString(person.username)), -20)
                               .arg(QString::fromStdString(person.code)));
-    return kDone;
+    return expectRosterTold();
 }
 
 }  // namespace

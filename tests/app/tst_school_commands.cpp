@@ -7,6 +7,7 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QJsonArray>
+#include <QProcess>
 #include <QScopeGuard>
 #include <QTemporaryDir>
 #include <QTest>
@@ -55,6 +56,7 @@ private slots:
     void aSchoolIsMadeAndPeopled();
     void withoutAFileItIsTheUsersOwn();
     void aClassListIsTriedAndEntered();
+    void whoseCodeIsLostIsEnteredAllTheSame();
     void codesAndTablesOverwriteNothingElse();
     void tablesGoWhereALinkLeadsAndNeverIntoTheSchool();
     void tablesAreForTheirOwner();
@@ -180,6 +182,39 @@ void TestSchoolCommands::aClassListIsTriedAndEntered()
     QCOMPARE(bad.exitCode, 1);
     QVERIFY2(bad.error.contains("line 2, column role") && bad.error.contains("line 3, column username"), bad.error);
     QCOMPARE(byAdmin({"user", "list", "--json"}).json()["people"].toArray().size(), 3);
+}
+
+/// A full disk takes the answer, and with it the code.
+void TestSchoolCommands::whoseCodeIsLostIsEnteredAllTheSame()
+{
+    put(at("list.csv"), "username\ns1002\n");
+    const auto toFullDisk = [this](QStringList words) {
+        words << "--db" << school() << "--as"
+              << "admin";
+        QProcess cusp;
+        cusp.setStandardOutputFile("/dev/full");
+        cusp.start(QStringLiteral(CUSP_BINARY_DIR "/bin/cusp"), words);
+        cusp.write(kPassword);
+        cusp.closeWriteChannel();
+        cusp.waitForFinished();
+        return Ending{cusp.exitCode(), {}, cusp.readAllStandardError(), 0};
+    };
+    for (const auto& [words, said] :
+         {std::pair(QStringList{"user", "add", "s1001"},
+                    "s1001 is entered, but the code is lost: \"cusp user reset s1001\" gives another"),
+          std::pair(QStringList{"user", "reset", "s1001"},
+                    "the password of s1001 is taken away, but the code is lost: \"cusp user reset s1001\" gives "
+                    "another"),
+          std::pair(QStringList{"import", "roster", at("list.csv")},
+                    "the list is entered, but the codes are lost: \"cusp user reset\" gives each of the new ones "
+                    "another")}) {
+        const Ending full = toFullDisk(words);
+        QCOMPARE(full.exitCode, 1);
+        QVERIFY2(full.isOneSentence() && full.error.contains(said), full.error);
+    }
+    // Of what tells no code there is nothing to lose.
+    QVERIFY(!toFullDisk({"user", "list"}).error.contains("code"));
+    QCOMPARE(byAdmin({"user", "list", "--json"}).json().value("people").toArray().size(), 3);
 }
 
 void TestSchoolCommands::codesAndTablesOverwriteNothingElse()
