@@ -49,6 +49,14 @@ core::Status examine(const QSqlDatabase& db)
     const auto whole = ask(db, "PRAGMA quick_check(1)", "check it");
     if (!whole)
         return tl::unexpected(whole.error());
+    // Nothing of this program writes that, and no disk spoils a row so.
+    constexpr QLatin1String kRefused("CHECK constraint failed in ");
+    if (const QString said = whole->toString(); said.startsWith(kRefused))
+        return core::unexpected(ErrorCode::BadStructure,
+                                head(dialect::fileOf(db)) + "a row of the table " +
+                                    said.mid(kRefused.size()).toStdString() +
+                                    " holds what this program never writes, so that another must have put it there; "
+                                    "restore a backup of the file");
     if (whole->toString() != "ok")
         return core::unexpected(ErrorCode::BadStructure, head(dialect::fileOf(db)) + "the file is damaged (" +
                                                              whole->toString().simplified().toStdString() +

@@ -42,6 +42,7 @@ private slots:
     void refusesADatabaseOfAnotherProgram();
     void namesAServerWithItsPort();
     void refusesADamagedFile();
+    void refusesARowThatNoProgramOfOursWrites();
     void refusesWhatIsFromTheFuture_data() { support::addEngines(); }
     void refusesWhatIsFromTheFuture();
     void whatAServerConfirmsIsOnItsDisk_data();
@@ -279,6 +280,23 @@ void TestDatabase::namesAServerWithItsPort()
     REFUSED("postgresql://cusp@127.0.0.1:1/school", ErrorCode::ConnectionLost, "does not answer");
     const QString folder = QString(QUrl::toPercentEncoding(at("no-socket")));
     REFUSED("postgresql://cusp@" + folder + ":1/school", ErrorCode::ConnectionLost, "does not answer");
+}
+
+/// And does not call the file damaged: its disk is sound.
+void TestDatabase::refusesARowThatNoProgramOfOursWrites()
+{
+    support::SchoolRig rig(false);
+    rig.populate();
+    for (const char* sql : {"PRAGMA ignore_check_constraints = ON",
+                            "INSERT INTO audit SELECT -3, at_utc, actor, action, object, detail, hash FROM audit WHERE "
+                            "seq = 1"})
+        VERIFY_DONE(execute(rig.school().db, QLatin1String(sql), "slip a row in"));
+    const QString file = rig.address();
+    rig.close();
+    const auto refused = Database::open(file, 200ms);
+    VERIFY_REFUSED(refused, ErrorCode::BadStructure);
+    QVERIFY2(refused.error().detail.find("a row of the table audit holds what") != std::string::npos,
+             refused.error().detail.c_str());
 }
 
 void TestDatabase::refusesADamagedFile()
