@@ -46,7 +46,6 @@ const QString kStamp = QStringLiteral("yyyy-MM-dd-HH.mm.ss");
 const QString kSuffix = QStringLiteral(".sqlite");
 const QString kRestoring = QStringLiteral(".restoring");
 const QString kReplaced = QStringLiteral("replaced-");
-const QString kDrill = QStringLiteral("cusp-drill-");
 constexpr QFile::Permissions kOwners = QFile::ReadOwner | QFile::WriteOwner;
 
 core::Error refused(const QString& file, const std::string& why)
@@ -213,25 +212,18 @@ core::Status verifyCopy(const QString& file, const QStringList& counts)
     return {};
 }
 
-/// What a program of ours that was killed has left, and none uses any more: nothing that is only called nearly so.
-void removeStale(const QString& folder, const QRegularExpression& ours)
+/// What a program that was killed has left, and none uses any more.
+void removeStale(const QString& folder, const QStringList& names)
 {
     const QDateTime yesterday = QDateTime::currentDateTimeUtc().addDays(-1);
-    for (const QFileInfo& one :
-         QDir(folder).entryInfoList(QDir::Files | QDir::Dirs | QDir::NoDotAndDotDot | QDir::NoSymLinks)) {
-        if (!ours.match(one.fileName()).hasMatch() || one.lastModified() > yesterday)
+    for (const QFileInfo& one : QDir(folder).entryInfoList(names, QDir::Files | QDir::Dirs | QDir::NoDotAndDotDot)) {
+        if (one.lastModified() > yesterday)
             continue;
         if (one.isDir())
             QDir(one.filePath()).removeRecursively();
         else
             QFile::remove(one.filePath());
     }
-}
-
-/// Of names that end in a uid, as nobody else thinks of one.
-QRegularExpression endingInUid(const QString& before, const QString& after)
-{
-    return QRegularExpression(QStringLiteral("^%1[0-9a-f]{%2}%3$").arg(before).arg(kUidLength).arg(after));
 }
 
 enum class Named { Done, Taken, Refused };
@@ -264,8 +256,7 @@ core::Result<QString> backUpAs(const QSqlDatabase& db, const QString& folder, co
     const auto nameOf = [&](const QDateTime& at) {
         return QDir(folder).filePath(kind + '-' + at.toString(kStamp) + kSuffix);
     };
-    removeStale(folder, endingInUid(QStringLiteral("(backup|before-schema-\\d+)-[0-9.-]{19}\\.sqlite\\.part-"),
-                                    QStringLiteral("(-wal|-shm|-journal)?")));
+    removeStale(folder, {"*.sqlite.part*"});
     // Another program may be making one in the same second.
     const QString part = nameOf(nowUtc) + ".part-" + QString::fromStdString(newUid());
     const auto removePart = qScopeGuard([&part] { removeWhole(part); });
@@ -827,8 +818,8 @@ core::Status noteRestored(const School& school, const Session& who, const QStrin
 core::Result<qint64> restoreDrill(const QSqlDatabase& db, const BackupProgress& progress)
 {
     const QString beside = QFileInfo(dialect::fileOf(db)).absolutePath();
-    removeStale(beside, endingInUid(kDrill, QStringLiteral("-[0-9A-Za-z]{6}")));
-    QTemporaryDir folder(QDir(beside).filePath(kDrill + QString::fromStdString(newUid()) + QStringLiteral("-XXXXXX")));
+    removeStale(beside, {"drill-??????"});
+    QTemporaryDir folder(QDir(beside).filePath(QStringLiteral("drill-XXXXXX")));
     if (!folder.isValid())
         return tl::unexpected(refused(folder.path(), "the folder cannot be created; check who may write there"));
     // One moment of the school, whoever writes meanwhile: the copy is made of it, and compared with it.

@@ -127,14 +127,6 @@ core::Status checkPlace(const QString& path)
                                 head(path) + "this is no file but a device or a pipe; name a file");
     if (!info.isReadable())
         return core::unexpected(ErrorCode::FileUnreadable, head(path) + "it cannot be read; check who may read it");
-    // By each name SQLite would keep a log of its own, and what one has written the other would write over
-    // (sqlite.org/howtocorrupt.html, 2.5).
-    struct stat of = {};
-    if (stat(QFile::encodeName(path).constData(), &of) == 0 && of.st_nlink > 1)
-        return core::unexpected(ErrorCode::WrongKind,
-                                head(path) + "this file has another name as well (a hard link), and who opened it by "
-                                             "both would damage it; remove the other name, or copy the file and use "
-                                             "the copy");
     return {};
 }
 
@@ -160,8 +152,9 @@ core::Result<std::unique_ptr<Database>> Database::open(const Address& address, c
             return tl::unexpected(fit.error());
     // Names and marks of people are for who runs the place. SQLite would let everybody read them; what it puts beside
     // the file it makes as the file is. Where it cannot be made SQLite says why.
-    if (QFile file(address.file); options.mayCreate && !address.isServer() && !file.exists())
-        static_cast<void>(file.open(QIODevice::WriteOnly | QIODevice::NewOnly, QFile::ReadOwner | QFile::WriteOwner));
+    if (QFile file(address.file); options.mayCreate && !address.isServer() && !file.exists() &&
+                                  file.open(QIODevice::WriteOnly | QIODevice::NewOnly))
+        file.setPermissions(QFile::ReadOwner | QFile::WriteOwner);
     static std::atomic<int> opened{0};
     std::unique_ptr<Database> database(new Database(address, QStringLiteral("cusp-%1").arg(opened.fetch_add(1))));
     database->m_patience = options.patience;

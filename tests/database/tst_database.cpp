@@ -8,7 +8,6 @@
 #include <QTest>
 #include <QUrl>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include "database/FileSystem.h"
 #include "database/sql/Database.h"
@@ -34,7 +33,6 @@ private slots:
     void aNetworkDriveIsForOneAtATime();
     void aSecondConnectionTakesNoLockAway();
     void opensItsOwnFileAgain();
-    void refusesAFileOfTwoNames();
     void refusesAFolder();
     void refusesAPlaceThatIsNotThere();
     void refusesAPlaceThatCannotBeWritten();
@@ -201,19 +199,6 @@ void TestDatabase::opensItsOwnFileAgain()
     }
     write(at("empty.db"), {});
     QVERIFY(Database::open(at("empty.db")).has_value());
-}
-
-/// By each name SQLite would keep a log of its own.
-void TestDatabase::refusesAFileOfTwoNames()
-{
-    const QString file = at("school.sqlite");
-    const QString other = at("other.sqlite");
-    QVERIFY(Database::open(file).has_value());
-    QCOMPARE(link(qPrintable(file), qPrintable(other)), 0);
-    for (const QString& name : {file, other})
-        REFUSED(name, ErrorCode::WrongKind, "hard link");
-    QVERIFY(QFile::remove(other));
-    QVERIFY(Database::open(file).has_value());
 }
 
 void TestDatabase::refusesAFolder()

@@ -2,7 +2,6 @@
 // Backups, copies between engines, class lists, and what a check finds.
 #include <array>
 #include <csignal>
-#include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
@@ -159,7 +158,6 @@ private slots:
     void aRestoreKilledAtAnyMomentLosesNothing();
     void twoRestoresAtOnceLeaveTheFileThere();
     void whatARestoreCannotReplaceIsNamed();
-    void nothingOfOthersIsSweptAway();
     void whatARestoreMovedAsideIsFound();
     void aBackupThatCannotBeUsedReplacesNothing();
     void aFullDiskIsLookedAtAndBackedUp();
@@ -357,41 +355,6 @@ void TestUpkeep::whatARestoreCannotReplaceIsNamed()
                      done.error().detail.c_str());
         QCOMPARE(attemptsIn(aside.isEmpty() ? file : folder.filePath(aside.front())), 1);
     }
-}
-
-/// Only what a program of ours that was killed has left goes, a day later.
-void TestUpkeep::nothingOfOthersIsSweptAway()
-{
-    QTemporaryDir folder;
-    SchoolRig rig(false);
-    rig.populate();
-    const QDir beside = QFileInfo(rig.address()).absoluteDir();
-    const QDir backups(folder.path());
-    const QString uid(32, 'a');
-    const QStringList theirs{
-        beside.filePath("drill-photos/a.jpg"),      beside.filePath("drill-report"),
-        beside.filePath("cusp-drill-notes/b.txt"),  backups.filePath("archive.sqlite.part1.rar"),
-        backups.filePath("old.sqlite.parts/c.txt"), backups.filePath("backup-2026-01-01-10.00.00.sqlite.part-mine")};
-    const QStringList ours{beside.filePath("cusp-drill-" + uid + "-AbCd12/copy.sqlite"),
-                           backups.filePath("backup-2026-01-01-10.00.00.sqlite.part-" + uid),
-                           backups.filePath("before-schema-3-2026-01-01-10.00.00.sqlite.part-" + uid + "-journal")};
-    for (const QString& path : theirs + ours) {
-        QVERIFY(QDir().mkpath(QFileInfo(path).absolutePath()));
-        QFile file(path);
-        QVERIFY(file.open(QIODevice::WriteOnly) && file.write("x") == 1);
-        file.close();
-        const auto old = std::filesystem::file_time_type::clock::now() - std::chrono::hours(48);
-        std::filesystem::last_write_time(path.toStdString(), old);
-        if (const std::filesystem::path in = QFileInfo(path).absolutePath().toStdString();
-            in != beside.path().toStdString() && in != folder.path().toStdString())
-            std::filesystem::last_write_time(in, old);
-    }
-    VERIFY_DONE(backUp(rig.school().db, folder.path(), rig.nowUtc));
-    VERIFY_DONE(restoreDrill(rig.school().db));
-    for (const QString& path : theirs)
-        QVERIFY2(QFile::exists(path), qPrintable(path));
-    for (const QString& path : ours)
-        QVERIFY2(!QFile::exists(path), qPrintable(path));
 }
 
 void TestUpkeep::whatARestoreMovedAsideIsFound()
