@@ -212,17 +212,32 @@ core::Status verifyCopy(const QString& file, const QStringList& counts)
     return {};
 }
 
-/// What a program that was killed has left, and none uses any more.
-void removeStale(const QString& folder, const QStringList& names)
+/// Of what lies in a folder and has exactly such a name: old enough that no program uses it any more. A link is none.
+QStringList staleIn(const QString& folder, const QString& name, QDir::Filters kind)
 {
+    const QRegularExpression ours('^' + name + '$');
     const QDateTime yesterday = QDateTime::currentDateTimeUtc().addDays(-1);
-    for (const QFileInfo& one : QDir(folder).entryInfoList(names, QDir::Files | QDir::Dirs | QDir::NoDotAndDotDot)) {
-        if (one.lastModified() > yesterday)
-            continue;
-        if (one.isDir())
-            QDir(one.filePath()).removeRecursively();
-        else
-            QFile::remove(one.filePath());
+    QStringList stale;
+    for (const QFileInfo& one : QDir(folder).entryInfoList(kind | QDir::NoSymLinks | QDir::NoDotAndDotDot))
+        if (one.lastModified() <= yesterday && ours.match(one.fileName()).hasMatch())
+            stale += one.filePath();
+    return stale;
+}
+
+/// As backUpAs() names what is not whole yet.
+const QString kPartName = QStringLiteral(R"((?:backup|before-schema-\d+)-\d{4}-\d\d-\d\d-\d\d\.\d\d\.\d\d)"
+                                         R"(\.sqlite\.part-[0-9a-f]{32}(?:-journal|-wal|-shm)?)");
+
+/// The drills' folders that were not removed because the program was killed, as far as nothing else lies in them.
+void removeStaleDrills(const QString& folder)
+{
+    for (const QString& drill : staleIn(folder, QStringLiteral("cusp-drill-[0-9a-f]{32}-[A-Za-z]{6}"), QDir::Dirs)) {
+        const QString name = QStringLiteral(R"((?:%1|backup-[-.\d]{19}\.sqlite|)"
+                                            R"(restored\.sqlite(?:\.restoring[0-9a-f]{32})?(?:-journal|-wal|-shm)?))")
+                                 .arg(kPartName);
+        for (const QString& file : staleIn(drill, name, QDir::Files))
+            QFile::remove(file);
+        QDir().rmdir(drill);
     }
 }
 
@@ -256,7 +271,8 @@ core::Result<QString> backUpAs(const QSqlDatabase& db, const QString& folder, co
     const auto nameOf = [&](const QDateTime& at) {
         return QDir(folder).filePath(kind + '-' + at.toString(kStamp) + kSuffix);
     };
-    removeStale(folder, {"*.sqlite.part*"});
+    for (const QString& part : staleIn(folder, kPartName, QDir::Files))
+        QFile::remove(part);
     // Another program may be making one in the same second.
     const QString part = nameOf(nowUtc) + ".part-" + QString::fromStdString(newUid());
     const auto removePart = qScopeGuard([&part] { removeWhole(part); });
@@ -818,8 +834,9 @@ core::Status noteRestored(const School& school, const Session& who, const QStrin
 core::Result<qint64> restoreDrill(const QSqlDatabase& db, const BackupProgress& progress)
 {
     const QString beside = QFileInfo(dialect::fileOf(db)).absolutePath();
-    removeStale(beside, {"drill-??????"});
-    QTemporaryDir folder(QDir(beside).filePath(QStringLiteral("drill-XXXXXX")));
+    removeStaleDrills(beside);
+    QTemporaryDir folder(
+        QDir(beside).filePath(QStringLiteral("cusp-drill-%1-XXXXXX").arg(QString::fromStdString(newUid()))));
     if (!folder.isValid())
         return tl::unexpected(refused(folder.path(), "the folder cannot be created; check who may write there"));
     // One moment of the school, whoever writes meanwhile: the copy is made of it, and compared with it.

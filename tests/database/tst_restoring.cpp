@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A backup in the place of a school, on file systems that can less, killed between any two steps, and beside files that
 // only are called nearly so.
+#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdarg>
@@ -8,6 +9,7 @@
 
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QScopeGuard>
 #include <QTest>
 #include <fcntl.h>
@@ -37,6 +39,7 @@ struct Disk
     bool knowsExchange = true;
     bool knowsLocks = true;
     mode_t widestOfCopies = 0;
+    mode_t widestOfNew = 0;
 };
 Disk disk;
 
@@ -44,6 +47,8 @@ void noteMode(const QByteArray& path, mode_t mode)
 {
     if (path.contains(".restoring"))
         disk.widestOfCopies |= mode;
+    if (path.endsWith("new.sqlite"))
+        disk.widestOfNew |= mode;
 }
 
 }  // namespace
@@ -111,6 +116,9 @@ private slots:
     void aDiskWithoutLocksIsRestoredTo();
     void theLockOfAnotherHoldsUpNobody();
     void theCopyIsNeverForOthers();
+    void aNewSchoolIsNeverForOthers();
+    void aFileOfTwoNamesIsRefused();
+    void onlyWhatADrillOrABackupLeftIsSwept();
     void aFullDiskIsNotTheBackupsFault();
 
 private:
@@ -304,6 +312,72 @@ void TestRestoring::theCopyIsNeverForOthers()
     VERIFY_DONE(restoreBackup(m_backup, file(), m_now));
     QCOMPARE(disk.widestOfCopies, mode_t{0600});
     QCOMPARE(QFile::permissions(file()) & (QFile::ReadGroup | QFile::ReadOther), QFile::Permissions());
+}
+
+void TestRestoring::aNewSchoolIsNeverForOthers()
+{
+    QVERIFY(Database::open(m_folder->filePath("new.sqlite")).has_value());
+    QCOMPARE(disk.widestOfNew, mode_t{0600});
+}
+
+/// Each program would have its own log beside the name by which it was opened.
+void TestRestoring::aFileOfTwoNamesIsRefused()
+{
+    const QString other = m_folder->filePath("other.sqlite");
+    QCOMPARE(link(qPrintable(file()), qPrintable(other)), 0);
+    for (const QString& name : {file(), other}) {
+        VERIFY_REFUSED(Database::open(name), ErrorCode::FileUnreadable);
+        const auto restored = restoreBackup(m_backup, name, m_now);
+        VERIFY_REFUSED(restored, ErrorCode::FileUnreadable);
+        QVERIFY2(restored.error().detail.find("hard links") != std::string::npos, restored.error().detail.c_str());
+    }
+    QCOMPARE(there("*"), (QStringList{"other.sqlite", "school.sqlite"}));
+    QVERIFY(QFile::remove(other));
+    QCOMPARE(attemptsIn(file()), 1);
+    // Of a backup nobody writes the names: programs that save disk space give it several.
+    const QString backup = m_folder->filePath("backup.sqlite");
+    QVERIFY(QFile::copy(m_backup, backup));
+    QCOMPARE(link(qPrintable(backup), qPrintable(other)), 0);
+    VERIFY_DONE(restoreBackup(backup, file(), m_now));
+    QCOMPARE(attemptsIn(file()), 0);
+}
+
+void TestRestoring::onlyWhatADrillOrABackupLeftIsSwept()
+{
+    const QString uid(32, 'a');
+    const QStringList others{"drill-photos/a.jpg",
+                             "drill-2025au/a.jpg",
+                             "cusp-drill-" + uid + "-abcdef/thesis",
+                             "drill-report",
+                             "old.sqlite.parts/a.jpg",
+                             "archive.sqlite.part1.rar",
+                             "old.sqlite.partial-notes.txt",
+                             "backup-2026-11-20-10.15.00.sqlite.part-" + uid + ".txt"};
+    const QStringList ours{"cusp-drill-" + uid + "-ghijkl/restored.sqlite",
+                           "cusp-drill-" + uid + "-ghijkl/backup-2026-11-20-10.15.00.sqlite",
+                           "backup-2026-11-20-10.15.00.sqlite.part-" + uid,
+                           "backup-2026-11-20-10.15.00.sqlite.part-" + uid + "-journal"};
+    const auto age = [](const QString& path) {
+        const std::array<timespec, 2> longAgo{};
+        return utimensat(AT_FDCWD, QFile::encodeName(path).constData(), longAgo.data(), 0) == 0;
+    };
+    for (const QString& name : others + ours) {
+        const QFileInfo info(m_folder->filePath(name));
+        QVERIFY(QDir().mkpath(info.path()));
+        QVERIFY(QFile::copy(m_backup, info.filePath()) && age(info.filePath()));
+    }
+    for (const QString& name : others + ours)
+        if (name.contains('/'))
+            QVERIFY(age(QFileInfo(m_folder->filePath(name)).path()));
+    const auto database = Database::open(file());
+    VERIFY_DONE(database);
+    VERIFY_DONE(restoreDrill((*database)->handle()));
+    VERIFY_DONE(backUp((*database)->handle(), m_folder->path(), m_now));
+    for (const QString& other : others)
+        QVERIFY2(QFile::exists(m_folder->filePath(other)), qPrintable(other));
+    for (const QString& one : ours)
+        QVERIFY2(!QFile::exists(m_folder->filePath(one)), qPrintable(one));
+    QCOMPARE(QDir(m_folder->path()).entryList({"cusp-drill-*"}, QDir::Dirs).size(), 1);
 }
 
 void TestRestoring::aFullDiskIsNotTheBackupsFault()
