@@ -127,6 +127,15 @@ core::Status checkPlace(const QString& path)
                                 head(path) + "this is no file but a device or a pipe; name a file");
     if (!info.isReadable())
         return core::unexpected(ErrorCode::FileUnreadable, head(path) + "it cannot be read; check who may read it");
+    // Its -wal lies beside the name: by two names two programs would each have one, and undo what the other has written
+    // (sqlite.org/howtocorrupt.html, 2.5).
+    struct stat there
+    {};
+    if (stat(QFile::encodeName(path).constData(), &there) == 0 && there.st_nlink > 1)
+        return core::unexpected(ErrorCode::FileUnreadable,
+                                head(path) + "it has " + std::to_string(there.st_nlink) +
+                                    " names (hard links), by which two programs would spoil it; remove all names but "
+                                    "one (\"find FOLDER -samefile FILE\" lists them), and try again");
     return {};
 }
 
@@ -151,10 +160,12 @@ core::Result<std::unique_ptr<Database>> Database::open(const Address& address, c
         if (auto fit = checkPlace(address.file); !fit)
             return tl::unexpected(fit.error());
     // Names and marks of people are for who runs the place. SQLite would let everybody read them; what it puts beside
-    // the file it makes as the file is. Where it cannot be made SQLite says why.
-    if (QFile file(address.file); options.mayCreate && !address.isServer() && !file.exists() &&
-                                  file.open(QIODevice::WriteOnly | QIODevice::NewOnly))
-        file.setPermissions(QFile::ReadOwner | QFile::WriteOwner);
+    // the file it makes as the file is. From the first moment: who has it open reads on. Where it cannot be made SQLite
+    // says why.
+    if (QFile file(address.file);
+        options.mayCreate && !address.isServer() && !file.exists() &&
+        file.open(QIODevice::WriteOnly | QIODevice::NewOnly, QFile::ReadOwner | QFile::WriteOwner))
+        file.close();
     static std::atomic<int> opened{0};
     std::unique_ptr<Database> database(new Database(address, QStringLiteral("cusp-%1").arg(opened.fetch_add(1))));
     database->m_patience = options.patience;
