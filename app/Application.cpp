@@ -374,6 +374,18 @@ void Application::openDatabase()
                "they are, or they were signed with another station.key. They wait.",
                nullptr, count));
     });
+    connect(m_desk.get(), &SchoolDesk::waitForOthers, this, [this](int count, const QString& schools) {
+        m_window->showMessage(
+            schools.isEmpty()
+                ? tr("%n attempt(s) on this computer wait for their school: this file is named as a backup is, and "
+                     "gets none.",
+                     nullptr, count)
+                //: %1: a file's name, or the address of a server
+                : tr("%n attempt(s) on this computer wait for another school: %1. If that is this one under an "
+                     "earlier name, \"cusp db send\" brings them here.",
+                     nullptr, count)
+                      .arg(schools));
+    });
     connect(m_desk.get(), &SchoolDesk::disabled, this, [this] {
         if (m_who.isGuest())  // has been shown out already
             return;

@@ -28,6 +28,29 @@ bool isDamage(ErrorCode code)
 
 }  // namespace
 
+core::Result<LetterDelivery> readLetter(const database::Outbox& letters, const QString& file)
+{
+    using database::sql::School;
+    if (database::Outbox::isExam(file)) {
+        auto exam = letters.readExam(file);
+        if (!exam)
+            return tl::unexpected(exam.error());
+        const QString school = exam->school;
+        return LetterDelivery{{}, school, [exam = std::move(*exam)](const School& to) {
+                                  return database::sql::deliverExam(to, exam.personUid, exam.start);
+                              }};
+    }
+    auto letter = letters.read(file);
+    if (!letter)
+        return tl::unexpected(letter.error());
+    const std::string uid = letter->attempt.uid;
+    const QString school = letter->school;
+    return LetterDelivery{
+        uid, school, [letter = std::move(*letter)](const School& to) {
+            return database::sql::deliverAttempt(to, letter.attempt, letter.recording).map([](const auto&) {});
+        }};
+}
+
 SchoolDesk::SchoolDesk(database::Address address, QString folder, database::sql::Database::Options options)
     : m_address(std::move(address)), m_folder(std::move(folder)), m_options(options)
 {
@@ -182,6 +205,7 @@ void SchoolDesk::restore(QObject* owner, const database::Session& session, const
         m_school.reset();
         m_database.reset();
         m_undeliverable.clear();
+        m_forOthers.clear();
         // Before it: whatever comes in between, they are sent at the next start.
         database::Outbox::sendAgain(outboxFolder());
         const auto replaced = database::sql::restoreBackup(backup, m_address.file, QDateTime::currentDateTimeUtc());
@@ -205,7 +229,7 @@ QString SchoolDesk::outboxFolder() const
 
 database::Outbox SchoolDesk::outbox() const
 {
-    return {outboxFolder(), *m_key};
+    return {outboxFolder(), *m_key, database::Outbox::schoolAt(m_address, m_folder)};
 }
 
 core::Status SchoolDesk::putInto(const std::function<core::Status(database::Outbox)>& put)
@@ -261,26 +285,36 @@ void SchoolDesk::deliverAll()
         return;
     const database::Outbox letters = outbox();
     const int before = static_cast<int>(m_undeliverable.size());
+    const int beforeForOthers = static_cast<int>(m_forOthers.size());
     // What has failed goes last: a server may have limits that one letter always exceeds, whatever it calls them.
     QStringList files = letters.waiting();
     std::stable_partition(files.begin(), files.end(),
                           [this](const QString& file) { return !m_hasFailed.contains(file); });
     for (const QString& file : std::as_const(files)) {
-        if (m_undeliverable.contains(file))
+        if (m_undeliverable.contains(file) || m_forOthers.contains(file))
             continue;
         if (!connect())
             return;
-        const auto deliver = deliveryOf(letters, file);
-        if (!deliver) {
-            if (deliver.error().code == ErrorCode::BadStructure)
-                setAside(letters, file, deliver.error());
-            else if (deliver.error().code != ErrorCode::FileMissing)  // another window has delivered it
+        const auto letter = readLetter(letters, file);
+        if (!letter) {
+            if (letter.error().code == ErrorCode::BadStructure)
+                setAside(letters, file, letter.error());
+            else if (letter.error().code != ErrorCode::FileMissing)  // another window has delivered it
                 m_undeliverable.insert(file);
             continue;
         }
-        const core::Status done = (*deliver)();
+        if (isForAnother(*letter)) {
+            m_forOthers.insert(file);
+            m_otherSchools.insert(letter->school);
+            continue;
+        }
+        const core::Status done = letter->deliver(*m_school);
         if (done) {
             m_hasFailed.remove(file);
+            if (!letter->attempt.empty())
+                QMetaObject::invokeMethod(
+                    this, [this, uid = QString::fromStdString(letter->attempt)] { emit delivered(uid); },
+                    Qt::QueuedConnection);
             // Of a server its administrator makes backups.
             if (m_address.isServer())
                 letters.remove(file);
@@ -299,30 +333,20 @@ void SchoolDesk::deliverAll()
     if (const int now = static_cast<int>(m_undeliverable.size()); now > before)
         QMetaObject::invokeMethod(
             this, [this, now] { emit waitOn(now); }, Qt::QueuedConnection);
+    if (const int now = static_cast<int>(m_forOthers.size()); now > beforeForOthers) {
+        const bool isCopy = !m_address.isServer() && database::sql::isNamedAsCopy(m_address.file);
+        const QString schools = isCopy ? QString() : QStringList(m_otherSchools.values()).join(QStringLiteral(", "));
+        QMetaObject::invokeMethod(
+            this, [this, now, schools] { emit waitForOthers(now, schools); }, Qt::QueuedConnection);
+    }
 }
 
-core::Result<std::function<core::Status()>> SchoolDesk::deliveryOf(const database::Outbox& letters, const QString& file)
+/// A copy that is looked into gets nothing: the school would never have it.
+bool SchoolDesk::isForAnother(const LetterDelivery& letter) const
 {
-    if (database::Outbox::isExam(file)) {
-        auto exam = letters.readExam(file);
-        if (!exam)
-            return tl::unexpected(exam.error());
-        return [this, exam = std::move(*exam)] {
-            return database::sql::deliverExam(*m_school, exam.personUid, exam.start);
-        };
-    }
-    auto letter = letters.read(file);
-    if (!letter)
-        return tl::unexpected(letter.error());
-    return [this, letter = std::move(*letter)]() -> core::Status {
-        const auto id = database::sql::deliverAttempt(*m_school, letter.attempt, letter.recording);
-        if (!id)
-            return tl::unexpected(id.error());
-        QMetaObject::invokeMethod(
-            this, [this, uid = QString::fromStdString(letter.attempt.uid)] { emit delivered(uid); },
-            Qt::QueuedConnection);
-        return {};
-    };
+    if (!m_address.isServer() && database::sql::isNamedAsCopy(m_address.file))
+        return true;
+    return !letter.school.isEmpty() && letter.school != database::Outbox::schoolAt(m_address, m_folder);
 }
 
 void SchoolDesk::setAside(const database::Outbox& outbox, const QString& file, const core::Error& why)

@@ -22,6 +22,15 @@
 
 namespace app {
 
+/// A letter of the outbox that was read.
+struct LetterDelivery
+{
+    std::string attempt;  ///< its uid; empty: an exam's beginning
+    QString school;       ///< for which it was put there; empty: unknown
+    std::function<core::Status(const database::sql::School&)> deliver;
+};
+[[nodiscard]] core::Result<LetterDelivery> readLetter(const database::Outbox& letters, const QString& file);
+
 /// The school's data, on a thread of its own: a server that is slow or away, a disk that sleeps and the hashing of a
 /// password hold up no window. What is asked is done in the order of asking; answers come back on the ui thread.
 class SchoolDesk final : public QObject
@@ -128,6 +137,9 @@ signals:
     void disabled();
     /// So many on their way cannot be delivered to this school, or with this station's key: they wait.
     void waitOn(int count);
+    /// So many on their way were put there for other schools: they wait for them.
+    /// @param schools  as Outbox::schoolAt() calls them; empty: the file is called as a copy of a school is
+    void waitForOthers(int count, const QString& schools);
 
 private:
     /// Any thread.
@@ -146,9 +158,7 @@ private:
     void notice(const core::Error& error);
     [[nodiscard]] core::Status putInto(const std::function<core::Status(database::Outbox)>& put);
     void deliverAll();
-    /// Reads a letter; what it returns delivers it, and holds as long as this does.
-    [[nodiscard]] core::Result<std::function<core::Status()>> deliveryOf(const database::Outbox& letters,
-                                                                         const QString& file);
+    [[nodiscard]] bool isForAnother(const LetterDelivery& letter) const;
     void setAside(const database::Outbox& outbox, const QString& file, const core::Error& why);
 
     database::Address m_address;
@@ -164,6 +174,8 @@ private:
     std::unique_ptr<database::sql::Database> m_database;
     std::unique_ptr<database::sql::School> m_school;
     std::optional<database::StationKey> m_key;
+    QSet<QString> m_forOthers;  ///< what waits for another school, and which
+    QSet<QString> m_otherSchools;
     QSet<QString> m_undeliverable;  ///< what cannot be delivered while this program runs
     QSet<QString> m_hasFailed;      ///< what could not be delivered yet, and may be soon
     bool m_isLost = false;

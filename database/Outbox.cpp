@@ -154,6 +154,7 @@ core::Status Outbox::put(const Session& session, const AttemptRecord& attempt, c
     core::ByteWriter content;
     content.putText(bytesOf(own));
     content.putText({recording.constData(), static_cast<std::size_t>(recording.size())});
+    content.putText(m_school.toStdString());
     return write(QString::fromStdString(own.uid) + kEnding, content.bytes());
 }
 
@@ -164,6 +165,7 @@ core::Status Outbox::put(const Session& session, const ExamStart& start)
     core::ByteWriter content;
     for (const std::string* text : {&start.uid, &session.uid(), &start.lessonId, &start.begunUtc})
         content.putText(*text);
+    content.putText(m_school.toStdString());
     return write(QString::fromStdString(start.uid) + kExamEnding, content.bytes());
 }
 
@@ -244,6 +246,7 @@ core::Result<Outbox::Letter> Outbox::read(const QString& path) const
     if (!parts.ok() || !takeAttempt(fields, letter.attempt) || !isFit(letter.attempt))
         return tl::unexpected(damaged(path));
     letter.recording = QByteArray::fromStdString(recording);
+    letter.school = QString::fromStdString(parts.takeText());  // nothing in those of earlier programs
     return letter;
 }
 
@@ -259,7 +262,21 @@ core::Result<Outbox::ExamLetter> Outbox::readExam(const QString& path) const
         *text = parts.takeText();
     if (!parts.ok() || !isFit(letter.start.uid, {texts.begin(), texts.end()}))
         return tl::unexpected(damaged(path));
+    letter.school = QString::fromStdString(parts.takeText());
     return letter;
+}
+
+QString Outbox::schoolAt(const Address& address, const QString& folder)
+{
+    constexpr int kUsualPort = 5432;
+    if (address.isServer())
+        return QStringLiteral("postgresql://%1:%2/%3")
+            .arg(address.host.toLower())
+            .arg(address.port > 0 ? address.port : kUsualPort)
+            .arg(address.name);
+    const auto canonical = [](const QString& path) { return QFileInfo(path).canonicalFilePath(); };
+    const QFileInfo file(address.file);
+    return QDir(canonical(folder)).relativeFilePath(QDir(canonical(file.absolutePath())).filePath(file.fileName()));
 }
 
 void Outbox::remove(const QString& file) const

@@ -9,6 +9,7 @@
 #include <QStringList>
 
 #include "core/base/Result.h"
+#include "database/Address.h"
 #include "database/Session.h"
 #include "database/StationKey.h"
 #include "database/records.h"
@@ -27,16 +28,27 @@ public:
     {
         AttemptRecord attempt;
         QByteArray recording;
+        QString school;  ///< for which it was put there, see schoolAt(); empty: an earlier program did not say
     };
     /// An exam's beginning that waits.
     struct ExamLetter
     {
         std::string personUid;
         ExamStart start;
+        QString school;
     };
 
     /// @param folder  is made when the first attempt is put there
-    Outbox(QString folder, StationKey key) : m_folder(std::move(folder)), m_key(std::move(key)) {}
+    /// @param school  for which attempts are put there, see schoolAt(); empty: for whichever knows the person
+    Outbox(QString folder, StationKey key, QString school = {})
+        : m_folder(std::move(folder)), m_key(std::move(key)), m_school(std::move(school))
+    {}
+
+    /// What a letter calls a school, so that a copy of it gets none of its letters: of a file its name beside the
+    /// outbox, which holds after the folder was moved with all in it; of a server host, port and database, whoever
+    /// logs in there.
+    /// @param folder  of the station's own files, in which the outbox is
+    [[nodiscard]] static QString schoolAt(const Address& address, const QString& folder);
 
     /// Puts an attempt of the session's person there, on the disk when this returns. NotAllowed: a guest's.
     [[nodiscard]] core::Status put(const Session& session, const AttemptRecord& attempt, const QByteArray& recording);
@@ -68,6 +80,7 @@ private:
 
     QString m_folder;
     StationKey m_key;
+    QString m_school;
 };
 
 }  // namespace database

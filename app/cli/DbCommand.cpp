@@ -14,6 +14,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include "app/SchoolDesk.h"
 #include "app/cli/Arguments.h"
 #include "app/cli/Commands.h"
 #include "app/cli/SchoolParts.h"
@@ -314,6 +315,36 @@ int migrateDatabase(const QCommandLineParser& parser, const Address& address)
                   {{"database", address.shown()}, {"schema", *version}});
 }
 
+/// What waits on this station, whichever school it was put there for: of one that was renamed or moved.
+int sendWaiting(const QCommandLineParser& parser, const Address& address)
+{
+    if (!address.isServer() && database::sql::isNamedAsCopy(address.file))
+        return failed(
+            {ErrorCode::WrongKind, "database " + address.file.toStdString() +
+                                       ": it is named as a backup is, and gets no attempts; rename it first"});
+    const auto open = openSchool(address, Opening::AsItIs);
+    if (!open)
+        return failedWithBackups(open.error(), address);
+    const database::Outbox letters(QFileInfo(stationKeyOf(address)).dir().filePath(QStringLiteral("outbox")),
+                                   open->school->key);
+    int sent = 0;
+    int left = 0;
+    for (const QString& file : letters.waiting()) {
+        const auto letter = readLetter(letters, file);
+        const core::Status done = letter ? letter->deliver(*open->school) : tl::unexpected(letter.error());
+        if (done) {
+            address.isServer() ? letters.remove(file) : letters.keepArrived(file);
+            ++sent;
+        } else if (done.error().code != ErrorCode::FileMissing) {  // a window has delivered it
+            warn({done.error().detail});
+            ++left;
+        }
+    }
+    answer(parser, QStringLiteral("%1 attempts and beginnings of exams were sent, %2 wait.").arg(sent).arg(left),
+           {{"database", address.shown()}, {"sent", sent}, {"waiting", left}});
+    return left == 0 ? kDone : kFailed;
+}
+
 /// What a copy makes beside its recordings, and is not there yet. Nothing on a server.
 QStringList filesToMake(const Address& target)
 {
@@ -603,6 +634,9 @@ constexpr std::array kParts{
     Part{"drill", "cusp db drill [--db FILE]", "tries that a backup can be made and restored", nothing, drillRestore},
     Part{"migrate", "cusp db migrate [--db FILE|URL]",
          "brings an older database to this program's schema; new rows get numbers again", nothing, migrateDatabase},
+    Part{"send", "cusp db send [--db FILE|URL]",
+         "delivers what waits on this computer, also what waits for this school under another name", nothing,
+         sendWaiting},
     Part{"copy", "cusp db copy --as ADMIN [--db FILE|URL] --to FILE|URL",
          "brings a school into another database, and verifies it", addTarget, copyDatabase},
     Part{"stats", "cusp db stats [--db FILE|URL] [--json]", "counts what is there", nothing, tellStats},

@@ -560,6 +560,13 @@ QDateTime madeAt(const QString& backup)
     return made;
 }
 
+bool isNamedAsCopy(const QString& file)
+{
+    static const QRegularExpression kBefore(
+        QStringLiteral(R"(^before-schema-\d+-\d{4}-\d\d-\d\d-\d\d\.\d\d\.\d\d\.sqlite$)"));
+    return madeAt(file).isValid() || kBefore.match(QFileInfo(file).fileName()).hasMatch();
+}
+
 QString newestSound(const QString& databaseFile, const QDateTime& nowUtc)
 {
     QStringList files = backupsIn(backupFolder(databaseFile));

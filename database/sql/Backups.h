@@ -91,6 +91,10 @@ using BackupProgress = std::function<bool(int done, int all)>;
 /// files.
 [[nodiscard]] QDateTime madeAt(const QString& backup);
 
+/// Whether a file is called as backups, those from before a migration and what a restore has moved aside are: a copy of
+/// a school, in which nobody looks for what comes in.
+[[nodiscard]] bool isNamedAsCopy(const QString& file);
+
 /// Puts a backup in the place of the database. Busy: another program has that open (this one has closed it), or is
 /// restoring there. Refused where no database may lie, and for the database itself. The backup is checked, copied and
 /// brought to this program's schema first; what cannot be used replaces nothing. What lies there is moved to

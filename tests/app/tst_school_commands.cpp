@@ -17,6 +17,7 @@
 
 #include "app/cli/SchoolParts.h"
 #include "database/Outbox.h"
+#include "database/Passwords.h"
 #include "database/sql/Backups.h"
 #include "database/sql/Logins.h"
 #include "database/sql/Statement.h"
@@ -63,6 +64,7 @@ private slots:
     void pipesAndDevicesAreNoFiles();
     void attemptsAreExported();
     void whatABackupMissesIsSentAgain();
+    void whatWaitsForASchoolThatWasRenamedIsSent();
     void aBackupOfAnotherSchoolIsNotRestored();
     void nothingIsRestoredOverWhatIsNoDatabase();
     void anEmptySchoolReplacesNone();
@@ -396,6 +398,29 @@ void TestSchoolCommands::whatABackupMissesIsSentAgain()
     QCOMPARE(onFile({"db", "restore", backup.json()["backup"].toString()}).exitCode, 1);
     QCOMPARE(outbox.waiting().size(), 1);
     QVERIFY(outbox.arrived().isEmpty());
+}
+
+void TestSchoolCommands::whatWaitsForASchoolThatWasRenamedIsSent()
+{
+    const auto key = database::StationKey::readOrMake(at("station.key"));
+    QVERIFY(key);
+    SchoolRig rig(false);
+    rig.populate();
+    const QString copy = database::sql::backUp(rig.school().db, at("b"), rig.nowUtc).value();
+    QVERIFY(QFile::copy(copy, at("renamed.sqlite")) && QFile::copy(copy, at("backup-2026-11-20-10.15.00.sqlite")));
+    database::Outbox outbox(at("outbox"), *key, "older.sqlite");
+    QVERIFY(outbox.put(rig.student, SchoolRig::attempt("class1-36", 500), {}).has_value());
+    QVERIFY(outbox.put(rig.student, database::ExamStart{database::newUid(), "exam-36", "2026-11-20T10:00:00Z"}));
+    const Ending refused = runCusp({"db", "send", "--db", at("backup-2026-11-20-10.15.00.sqlite")});
+    QVERIFY2(refused.exitCode == 1 && refused.isOneSentence(), refused.error);
+    // Who sent it is not known in this one.
+    QCOMPARE(onFile({"db", "send", "--json"}).json()["waiting"].toInt(), 2);
+    QCOMPARE(outbox.waiting().size(), 2);
+    const Ending sent = runCusp({"db", "send", "--json", "--db", at("renamed.sqlite")});
+    QVERIFY2(sent.exitCode == 0, sent.error);
+    QCOMPARE(sent.json()["sent"].toInt(), 2);
+    QVERIFY(outbox.waiting().isEmpty());
+    QCOMPARE(outbox.arrived().size(), 2);
 }
 
 void TestSchoolCommands::aBackupOfAnotherSchoolIsNotRestored()

@@ -145,6 +145,7 @@ private slots:
     void twoWindowsDeliverWithoutAnAlarm();
     void aLetterWaitsForItsSchool();
     void whatAServerAlwaysStopsHoldsNothingUp();
+    void aCopyOfASchoolGetsNoneOfItsLetters();
     void aFileThatWasLockedAtTheStartGetsItsLetters();
 };
 
@@ -470,6 +471,47 @@ void TestStations::whatAServerAlwaysStopsHoldsNothingUp()
     desk.deliver();
     QTRY_VERIFY(outbox.waiting().isEmpty());
     QCOMPARE(keptIn(rig.school()).size(), std::size_t{2});
+}
+
+/// What was looked into takes nothing away from the school.
+void TestStations::aCopyOfASchoolGetsNoneOfItsLetters()
+{
+    SchoolRig rig(false);
+    rig.populate();
+    QTemporaryDir folder;
+    const QString school = folder.filePath("school.sqlite");
+    const QStringList copies{"trial.sqlite", "replaced-2026-11-20-10.15.00-school.sqlite",
+                             "backup-2026-11-20-10.15.00.sqlite", "before-schema-7-2026-11-20-10.15.00.sqlite"};
+    const QString backup = database::sql::backUp(rig.school().db, folder.filePath("b"), rig.nowUtc).value();
+    QVERIFY(QFile::copy(backup, school));
+    for (const QString& copy : copies)
+        QVERIFY(QFile::copy(backup, folder.filePath(copy)));
+    const auto key = StationKey::readOrMake(folder.filePath("station.key")).value();
+    const auto addressOf = [&](const QString& name) { return Address::parse(folder.filePath(name)).value(); };
+    Outbox outbox(folder.filePath("outbox"), key, Outbox::schoolAt(addressOf("school.sqlite"), folder.path()));
+    VERIFY_DONE(outbox.put(rig.student, SchoolRig::attempt("class1-36", 500),
+                           QByteArray::fromStdString(ofNothing().toBytes())));
+    VERIFY_DONE(outbox.put(rig.student, ExamStart{newUid(), "exam-36", "2026-11-20T10:00:00Z"}));
+    for (const QString& copy : copies) {
+        app::SchoolDesk desk(addressOf(copy), folder.path());
+        int waiting = 0;
+        QString whose = "?";
+        connect(&desk, &app::SchoolDesk::waitForOthers, this, [&](int count, const QString& schools) {
+            waiting = count;
+            whose = schools;
+        });
+        desk.open(this, [](const app::SchoolDesk::Opening& opening) { VERIFY_DONE(opening.status); });
+        QTRY_COMPARE(waiting, 2);
+        QCOMPARE(whose, copy == copies.front() ? QString("school.sqlite") : QString());
+        QCOMPARE(outbox.waiting().size(), 2);
+    }
+    app::SchoolDesk desk(addressOf("school.sqlite"), folder.path());
+    desk.open(this, [](const app::SchoolDesk::Opening& opening) { VERIFY_DONE(opening.status); });
+    QTRY_VERIFY(outbox.waiting().isEmpty());
+    QCOMPARE(Outbox::schoolAt(Address::parse("postgresql://me@HOST/a").value(), folder.path()),
+             Outbox::schoolAt(Address::parse("postgresql://host:5432/a").value(), folder.path()));
+    QVERIFY(Outbox::schoolAt(Address::parse("postgresql://host/a").value(), folder.path()) !=
+            Outbox::schoolAt(Address::parse("postgresql://host/a_trial").value(), folder.path()));
 }
 
 /// What waits is tried again, whether or not somebody at the door does.
