@@ -59,6 +59,12 @@ core::Error refusedThere(const QString& databaseFile, const std::string& why)
     return {ErrorCode::FileUnwritable, "database " + databaseFile.toStdString() + ": " + why};
 }
 
+core::Error openElsewhere(const QString& databaseFile)
+{
+    return {ErrorCode::Busy,
+            "database " + databaseFile.toStdString() + ": another program has it open; close every Cusp that uses it"};
+}
+
 bool sync(const QString& path)
 {
     return core::bringToDisk(path.toStdU16String());
@@ -464,16 +470,22 @@ QString freeAside(const QString& databaseFile, const QDateTime& nowUtc)
 }
 
 /// In one step, so that a whole school lies there at every moment: one that is killed leaves the old or the new. Not
-/// where something lies beside it, which no name change takes along. False: all lies where it was, and the file system
-/// may know no such step.
+/// where something lies beside it, which no name change takes along. False: all lies where it was; another program has
+/// opened it just now, or the file system may know no such step.
 bool swap(const QString& copy, const QString& databaseFile, const QString& replaced)
 {
     // Under its last name from the beginning: what has been moved away is never called like what may be swept away.
     if (hasBeside(databaseFile) || giveName(copy, replaced) != Named::Done)
         return false;
     if (renameat2(AT_FDCWD, QFile::encodeName(replaced).constData(), AT_FDCWD,
-                  QFile::encodeName(databaseFile).constData(), RENAME_EXCHANGE) == 0)
-        return true;
+                  QFile::encodeName(databaseFile).constData(), RENAME_EXCHANGE) == 0) {
+        // Whoever opened the old one in the last moment has its log beside the new one, which would be read with it.
+        if (!isOpenElsewhere(replaced))
+            return true;
+        if (renameat2(AT_FDCWD, QFile::encodeName(replaced).constData(), AT_FDCWD,
+                      QFile::encodeName(databaseFile).constData(), RENAME_EXCHANGE) != 0)
+            return true;
+    }
     giveName(replaced, copy);
     return false;
 }
@@ -484,6 +496,9 @@ core::Status replace(const QString& copy, const QString& databaseFile, const QSt
     if (!moveAway(databaseFile, replaced))
         return tl::unexpected(
             refusedThere(databaseFile, "what lies there could not be moved away; close every Cusp that uses it"));
+    // As in swap().
+    if (isOpenElsewhere(replaced) && moveBack(databaseFile, replaced))
+        return tl::unexpected(openElsewhere(databaseFile));
     if (giveName(copy, databaseFile) == Named::Done)
         return {};
     if (moveBack(databaseFile, replaced))
@@ -500,9 +515,12 @@ core::Result<QString> exchange(const QString& copy, const QString& databaseFile,
     settle(databaseFile);
     const bool wasThere = QFileInfo::exists(databaseFile);
     const QString replaced = freeAside(databaseFile, nowUtc);
-    if (!wasThere || !swap(copy, databaseFile, replaced))
+    if (!wasThere || !swap(copy, databaseFile, replaced)) {
+        if (auto closed = expectClosed(databaseFile); !closed)
+            return tl::unexpected(closed.error());
         if (auto done = replace(copy, databaseFile, replaced); !done)
             return tl::unexpected(done.error());
+    }
     if (!sync(QFileInfo(databaseFile).absolutePath()))
         return tl::unexpected(refusedThere(databaseFile, "it could not be brought to the disk; check the disk; what "
                                                          "was there lies in " +
@@ -546,8 +564,7 @@ core::Status expectClosed(const QString& databaseFile)
 {
     if (!isOpenElsewhere(databaseFile))
         return {};
-    return core::unexpected(ErrorCode::Busy, "database " + databaseFile.toStdString() +
-                                                 ": another program has it open; close every Cusp that uses it");
+    return tl::unexpected(openElsewhere(databaseFile));
 }
 
 QDateTime madeAt(const QString& backup)

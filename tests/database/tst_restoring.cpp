@@ -6,6 +6,8 @@
 #include <csignal>
 #include <cstdarg>
 #include <cstdio>
+#include <functional>
+#include <utility>
 
 #include <QDir>
 #include <QFile>
@@ -40,6 +42,7 @@ struct Disk
     bool knowsLocks = true;
     mode_t widestOfCopies = 0;
     mode_t widestOfNew = 0;
+    std::function<void()> beforeExchange;  ///< once
 };
 Disk disk;
 
@@ -64,6 +67,10 @@ int renameat2(int fromFolder, const char* from, int toFolder, const char* to, un
         errno = EINVAL;
         return -1;
     }
+    if (const auto before = std::exchange(disk.beforeExchange, {}); (flags & RENAME_EXCHANGE) != 0 && before)
+        before();
+    else if (before)
+        disk.beforeExchange = before;
     return static_cast<int>(syscall(SYS_renameat2, fromFolder, from, toFolder, to, flags));
 }
 
@@ -116,6 +123,7 @@ private slots:
     void aDiskWithoutLocksIsRestoredTo();
     void theLockOfAnotherHoldsUpNobody();
     void theCopyIsNeverForOthers();
+    void whoOpensItInTheLastMomentKeepsIt();
     void aNewSchoolIsNeverForOthers();
     void aFileOfTwoNamesIsRefused();
     void onlyWhatADrillOrABackupLeftIsSwept();
@@ -312,6 +320,41 @@ void TestRestoring::theCopyIsNeverForOthers()
     VERIFY_DONE(restoreBackup(m_backup, file(), m_now));
     QCOMPARE(disk.widestOfCopies, mode_t{0600});
     QCOMPARE(QFile::permissions(file()) & (QFile::ReadGroup | QFile::ReadOther), QFile::Permissions());
+}
+
+/// After the last look, and before the names are exchanged.
+void TestRestoring::whoOpensItInTheLastMomentKeepsIt()
+{
+    std::array<int, 2> toTest{};
+    std::array<int, 2> toOther{};
+    QCOMPARE(pipe(toTest.data()) + pipe(toOther.data()), 0);
+    pid_t other = 0;
+    char byte = 0;
+    disk.beforeExchange = [&] {
+        other = fork();
+        if (other == 0) {
+            close(toOther[1]);
+            const auto database = Database::open(file());
+            const bool written = database && execute((*database)->handle(), "CREATE TABLE late (id INTEGER)", "write");
+            static_cast<void>(write(toTest[1], written ? "y" : "n", 1));
+            static_cast<void>(read(toOther[0], &byte, 1));  // until the test closes its end
+            _exit(0);                                       // as one that is killed: its log stays
+        }
+        static_cast<void>(read(toTest[0], &byte, 1));
+    };
+    const auto restored = restoreBackup(m_backup, file(), m_now);
+    close(toOther[1]);
+    int status = 0;
+    QCOMPARE(waitpid(other, &status, 0), other);
+    for (const int end : {toTest[0], toTest[1], toOther[0]})
+        close(end);
+    QCOMPARE(byte, 'y');
+    VERIFY_REFUSED(restored, ErrorCode::Busy);
+    QCOMPARE(there("replaced-*") + there("*.restor*"), QStringList());
+    QCOMPARE(attemptsIn(file()), 1);
+    const auto database = Database::open(file());
+    VERIFY_DONE(database);
+    QCOMPARE(ask((*database)->handle(), "SELECT count(*) FROM late", "count")->toInt(), 0);
 }
 
 void TestRestoring::aNewSchoolIsNeverForOthers()
