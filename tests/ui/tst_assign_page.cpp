@@ -68,6 +68,7 @@ private slots:
     void whoHasNoAttemptsLeftIsTold();
     void whatIsRefusedIsSaid();
     void anotherClassBeginsAfresh();
+    void anotherTeacherBeginsAfresh();
     void everyControlHasAName();
 
 private:
@@ -415,6 +416,25 @@ void TestAssignPage::anotherClassBeginsAfresh()
     QCOMPARE(get<QPushButton>("assignTicked")->text(), QString("Assign"));
     m_page->setAssignments(other, {}, kNow);
     QVERIFY(get<QLabel>("nothingGiven")->isVisible());
+}
+
+/// Nothing of the one before is there to be given, or undone, under another's name.
+void TestAssignPage::anotherTeacherBeginsAfresh()
+{
+    auto* due = first<QCheckBox>("isDue");
+    const bool wasDue = due->isChecked();
+    click("Cross");
+    QCOMPARE(get<QPushButton>("assignTicked")->text(), QString("Assign 1 lesson(s)"));
+    due->setChecked(!wasDue);
+    first<QSpinBox>("attemptLimit")->setValue(3);
+    m_page->confirm({{{}, ClassAssignment{0, kClass, "c", "", 0}}});
+    m_page->forget();
+    m_page->setAssignments(overview(), {}, kNow);
+    QVERIFY(get<QLabel>("assignSaid")->text().isEmpty());
+    QVERIFY(!get<QPushButton>("undoAssign")->isVisible());
+    QCOMPARE(get<QPushButton>("assignTicked")->text(), QString("Assign"));
+    QCOMPARE(due->isChecked(), wasDue);
+    QCOMPARE(first<QSpinBox>("attemptLimit")->value(), 0);
 }
 
 void TestAssignPage::everyControlHasAName()

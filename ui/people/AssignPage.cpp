@@ -371,14 +371,31 @@ void AssignPage::setAssignments(const database::ClassOverview& overview, const Q
     for (const database::ClassAssignment& one : given)
         if (one.classId == overview.id)
             m_given << one;
-    if (isAnother) {
-        m_last.clear();
-        m_undo->hide();
-        m_saying = {};
-        m_said->clear();
-        m_offers->clear();
-        m_search->clear();
-    }
+    if (isAnother)
+        beginAfresh();
+    retell();
+}
+
+void AssignPage::beginAfresh()
+{
+    m_last.clear();
+    m_undo->hide();
+    m_saying = {};
+    m_said->clear();
+    m_offers->clear();
+    m_search->clear();
+}
+
+void AssignPage::forget()
+{
+    beginAfresh();
+    m_overview = {};
+    m_given.clear();
+    // An answer is for who has asked; nobody else waits for it.
+    m_isAsking = false;
+    m_isUndoing = false;
+    m_hadFocus = false;
+    m_newTerms->reset();
     retell();
 }
 

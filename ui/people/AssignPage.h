@@ -64,6 +64,9 @@ public:
     /// It has not, or not all of it, and why.
     void refuse(const QString& sentence);
 
+    /// Somebody else works here: nothing is ticked, said or can be undone any more, and terms are as to begin with.
+    void forget();
+
     [[nodiscard]] database::ClassId ofClass() const { return m_overview.id; }
 
 signals:
@@ -77,6 +80,7 @@ private:
     QWidget* makeGiven();
     QWidget* makeFeet();
     void retell();
+    void beginAfresh();
     void fillOffers();
     void search();
     void fillGiven();

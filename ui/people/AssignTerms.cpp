@@ -87,6 +87,11 @@ void AssignTerms::setTerms(const Terms& terms, int lessons)
     tellNote();
 }
 
+void AssignTerms::reset()
+{
+    setTerms({endOfDay(QDate::currentDate().addDays(kDaysGiven)), 0});
+}
+
 AssignTerms::Terms AssignTerms::terms() const
 {
     return {m_isDue->isChecked() ? endOfDay(m_day->date()) : std::string(), m_limit->value()};

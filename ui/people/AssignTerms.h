@@ -27,6 +27,8 @@ public:
     };
     /// @param lessons  how many have terms of which these are the first
     void setTerms(const Terms& terms, int lessons = 1);
+    /// As to begin with: due in a week, with as many attempts as one likes.
+    void reset();
     [[nodiscard]] Terms terms() const;
     /// What somebody has changed here since setTerms(), and the rest as it was before.
     [[nodiscard]] Terms changed(const Terms& before) const;

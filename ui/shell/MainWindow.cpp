@@ -693,6 +693,7 @@ void MainWindow::leaveAll()
     m_lessonsPage->setUnfinished({}, {});
     m_lessonsPage->forget();
     m_classes->forget();
+    m_assign->forget();
     m_console->forget();
     m_view->setPushForce(tooth::PointerControl::kFirstN);
     for (const auto topic : {MessageBar::Topic::Tooth, MessageBar::Topic::Unfinished, MessageBar::Topic::General,
