@@ -2301,9 +2301,6 @@ std::vector<MainWindow::Unkept> MainWindow::unkept()
     if (const auto attempt = talk.unkeptScore())
         all.push_back(
             {tr("A score with its reason was typed and is not given yet."), [this, attempt] { showDraft(*attempt); }});
-    if (talk.hasOthersUnkept())
-        all.push_back({tr("A comment or a score that somebody else has typed is not kept yet."),
-                       [this] { sayWaits([] { return tr("It waits until that person logs in here."); }); }});
     all.erase(std::remove_if(all.begin(), all.end(), [](const Unkept& one) { return one.what.isEmpty(); }), all.end());
     return all;
 }
@@ -2355,7 +2352,8 @@ void MainWindow::closeEvent(QCloseEvent* event)
     // What is a teacher's waits for one, also through another start of the program.
     const bool areOthers = !m_editor->unsaved().isEmpty() && !mayDecideOnDrafts();
     const bool arePutBy = areOthers && putDraftsBy();
-    if (m_mayClose || (!wouldLoseWork() && (m_editor->unsaved().isEmpty() || arePutBy) && unkept().empty())) {
+    if (m_mayClose || (!wouldLoseWork() && (m_editor->unsaved().isEmpty() || arePutBy) && unkept().empty() &&
+                       !m_scorePage->talk().hasOthersUnkept())) {
         if (!arePutBy && !m_draftFile.isEmpty())
             QFile::remove(m_draftFile);
         memory().setValue(kGeometry, saveGeometry());
@@ -2365,6 +2363,14 @@ void MainWindow::closeEvent(QCloseEvent* event)
     if (areOthers && !arePutBy) {
         sayWaits([] {
             return tr("Cusp stays open: a teacher's work is not saved yet. It waits until a teacher logs in here.");
+        });
+        return;
+    }
+    // Only who has typed it decides on it.
+    if (m_scorePage->talk().hasOthersUnkept()) {
+        sayWaits([] {
+            return tr("Cusp stays open: what somebody else has typed is not kept yet. It waits until that person logs "
+                      "in here.");
         });
         return;
     }
