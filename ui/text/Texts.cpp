@@ -157,6 +157,9 @@ QString reason(core::ErrorCode code, Failed failed)
     case core::ErrorCode::Busy:
         return QCoreApplication::translate("Error", "Another program is writing to it. Try again in a moment.");
     case core::ErrorCode::ConnectionLost:
+        if (failed == Failed::ChangingSchool)  // which nobody sends again but whoever wanted it
+            return QCoreApplication::translate(
+                "Error", "The school's server does not answer. Try it again when the server answers.");
         return QCoreApplication::translate("Error", "The school's server does not answer. Cusp tries again by itself.");
     case core::ErrorCode::NotAllowed:
         return QCoreApplication::translate("Error", "Your role does not allow it.");
