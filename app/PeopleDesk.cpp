@@ -281,19 +281,34 @@ void PeopleDesk::sayInTalk(Work work)
                 return tl::unexpected(done.error());
             return true;
         },
-        [this](const core::Result<bool>& done) {
+        [this, attempt = m_talkedAbout->id, whose = whoseIsTalkedAbout()](const core::Result<bool>& done) {
+            if (done)
+                m_window.scorePage().talk().answer(attempt);
             if (done || done.error().code == core::ErrorCode::ChangedSince) {
                 tellTalk();
                 tellAttempts();
             }
             if (!done)
-                m_window.scorePage().talk().refuse(text::errorText(done.error(), text::Failed::ChangingSchool));
+                tellRefused(attempt, whose, done.error());
         });
+}
+
+/// At the attempt, where it was typed; and to whoever has left that, where he is now.
+void PeopleDesk::tellRefused(qint64 attempt, const QString& whose, const core::Error& error)
+{
+    ui::study::ScorePage& page = m_window.scorePage();
+    const QString sentence = text::errorText(error, text::Failed::ChangingSchool);
+    page.talk().answer(attempt, sentence);
+    if (!page.isVisible() || page.talk().attempt() != attempt)
+        //: %1: who made an attempt, and when; %2: why
+        m_window.showWarning(tr("On the attempt of %1: %2").arg(whose, sentence));
 }
 
 /// Where that was done already, at another computer, it goes as well.
 void PeopleDesk::takeBack(qint64 comment)
 {
+    if (!m_talkedAbout)
+        return;
     askAs(
         [who = m_who(), comment](const School& school) -> core::Result<bool> {
             const auto done = database::sql::withdrawComment(school, who, comment);
@@ -301,13 +316,12 @@ void PeopleDesk::takeBack(qint64 comment)
                 return tl::unexpected(done.error());
             return done.has_value();
         },
-        [this, comment](const core::Result<bool>& done) {
-            ui::people::TalkPanel& talk = m_window.scorePage().talk();
+        [this, comment, attempt = m_talkedAbout->id, whose = whoseIsTalkedAbout()](const core::Result<bool>& done) {
             if (!done) {
-                talk.refuse(text::errorText(done.error(), text::Failed::ChangingSchool));
+                tellRefused(attempt, whose, done.error());
                 return;
             }
-            talk.withdraw(comment, !*done);
+            m_window.scorePage().talk().withdraw(comment, !*done);
             tellTalk();
             tellAttempts();
         });

@@ -58,6 +58,10 @@ private slots:
     void aDraftOutlastsACommentThatIsTakenBack();
     void wordsTakenBackOutlastAnotherAttempt();
     void whatWasTakenBackElsewhereGoesToo();
+    void anAddedCommentLeavesItsFieldWhileAnotherIsTakenBack();
+    void nothingIsSentTwice();
+    void whatWasRefusedIsToldAtItsAttempt();
+    void whatIsTickedStaysWhatItIs();
 
 private:
     template <typename Widget>
@@ -166,6 +170,7 @@ void TestTalkPanel::aCommentIsPinned()
     get<QPushButton>("addComment")->click();
     QCOMPARE(said, QString("Lift the bur here."));
     QVERIFY(!moment && !place);
+    m_panel->answer(0, "It could not be kept.");
     get<QCheckBox>("atMoment")->setChecked(true);
     get<QCheckBox>("atPlace")->setChecked(true);
     get<QPushButton>("addComment")->click();
@@ -175,6 +180,7 @@ void TestTalkPanel::aCommentIsPinned()
     // It was kept: the field is free for the next.
     AttemptTalk kept;
     kept.comments.push_back({3, "Grace Hopper", "2026-11-20T14:00:00Z", "Lift the bur here.", {}, {}});
+    m_panel->answer(0);
     m_panel->setTalk(kept);
     QVERIFY(get<QPlainTextEdit>("commentWords")->toPlainText().isEmpty());
 }
@@ -197,9 +203,11 @@ void TestTalkPanel::whatIsMarkedForACommentIsPinned()
     get<QCheckBox>("atMoment")->setChecked(true);
     // What was kept has its pins; the next comment begins without.
     get<QPlainTextEdit>("commentWords")->setPlainText("The bur slipped.");
+    get<QPushButton>("addComment")->click();
     AttemptTalk kept;
     kept.comments.push_back(
         {3, "Grace Hopper", "2026-11-20T14:00:00Z", "The bur slipped.", Place{1.0, 2.0, 3.0}, 1000});
+    m_panel->answer(0);
     m_panel->setTalk(kept);
     QVERIFY(!get<QCheckBox>("atPlace")->isChecked() && !get<QCheckBox>("atMoment")->isChecked());
 }
@@ -235,6 +243,7 @@ void TestTalkPanel::aScoreNeedsAReason()
     get<QPushButton>("giveScore")->click();
     QVERIFY(given && *given == 777);
     QCOMPARE(why, QString("Wall seen by hand"));
+    m_panel->answer(0, "It could not be kept.");
     m_panel->setTalk(talk());
     get<QPushButton>("machineAgain")->click();
     QVERIFY(given && !*given);
@@ -261,7 +270,7 @@ void TestTalkPanel::whatWasRefusedStaysTyped()
 {
     get<QPlainTextEdit>("commentWords")->setPlainText("Lift the bur here.");
     get<QPushButton>("addComment")->click();
-    m_panel->refuse("The database cannot be reached.");
+    m_panel->answer(0, "The database cannot be reached.");
     QVERIFY(get<QLabel>("fault")->isVisible());
     QCOMPARE(get<QPlainTextEdit>("commentWords")->toPlainText(), QString("Lift the bur here."));
     get<QPushButton>("addComment")->click();
@@ -340,6 +349,7 @@ void TestTalkPanel::theKeyboardStaysWithTheComment()
     QSignalSpy used(m_panel.get(), &TalkPanel::formUsed);
     AttemptTalk kept;
     kept.comments.push_back({3, "Grace Hopper", "2026-11-20T14:00:00Z", "Lift the bur here.", {}, {}});
+    m_panel->answer(0);
     m_panel->setTalk(kept);
     QVERIFY(m_panel->focusWidget() == comment);
     QVERIFY(!used.isEmpty());
@@ -352,10 +362,12 @@ void TestTalkPanel::theKeyboardStaysWithTheScoreThatWasGiven()
     auto* reason = get<QLineEdit>("reason");
     reason->setText("The wall is fine by hand.");
     get<QPushButton>("giveScore")->setFocus();
+    QTest::keyClick(get<QPushButton>("giveScore"), Qt::Key_Space);
     AttemptTalk kept;
     kept.overrides.push_back({"Grace Hopper", "2026-11-20T11:00:00Z", 800, "The wall is fine by hand."});
+    m_panel->answer(0);
     m_panel->setTalk(kept);
-    QVERIFY(m_panel->focusWidget() == reason);
+    QVERIFY(m_panel->focusWidget() == reason && reason->text().isEmpty());
     // Who writes nothing is left where he is.
     reason->clearFocus();
     QSignalSpy used(m_panel.get(), &TalkPanel::formUsed);
@@ -467,6 +479,100 @@ void TestTalkPanel::whatWasTakenBackElsewhereGoesToo()
     m_panel->withdraw(1, false);
     m_panel->withdraw(1, true);
     QVERIFY(get<QLabel>("commentSaid")->text().startsWith("Taken back."));
+}
+
+/// However many there are then, and whose is the last.
+void TestTalkPanel::anAddedCommentLeavesItsFieldWhileAnotherIsTakenBack()
+{
+    auto* field = get<QPlainTextEdit>("commentWords");
+    m_panel->setTalk(talk());
+    field->setPlainText("Lift the bur here.");
+    get<QPushButton>("addComment")->click();
+    m_panel->answer(0);
+    AttemptTalk now = talk();
+    now.comments.front() = {3, "Grace Hopper", "2026-11-20T14:00:00Z", "Lift the bur here.", {}, {}};
+    std::swap(now.comments.front(), now.comments.back());
+    now.comments.back() = {4, "Ada Lovelace", "2026-11-20T14:00:01Z", "Mine, too.", {}, {}};
+    m_panel->setTalk(now);
+    QVERIFY(field->toPlainText().isEmpty());
+    // The same words again are another comment.
+    field->setPlainText("Mine, too.");
+    m_panel->setTalk(talk());
+    m_panel->setTalk(now);
+    QCOMPARE(field->toPlainText(), QString("Mine, too."));
+}
+
+void TestTalkPanel::nothingIsSentTwice()
+{
+    auto* add = get<QPushButton>("addComment");
+    auto* give = get<QPushButton>("giveScore");
+    AttemptTalk mine = talk();
+    mine.comments.front().isMine = true;
+    m_panel->setTalk(mine);
+    get<QPlainTextEdit>("commentWords")->setPlainText("Lift the bur here.");
+    get<QLineEdit>("reason")->setText("The wall is fine by hand.");
+    QSignalSpy comments(m_panel.get(), &TalkPanel::commentWanted);
+    QSignalSpy scores(m_panel.get(), &TalkPanel::overrideWanted);
+    QSignalSpy withdrawals(m_panel.get(), &TalkPanel::withdrawWanted);
+    for (int press = 0; press < 3; ++press)
+        add->click();
+    QVERIFY(comments.size() == 1 && !add->isEnabled());
+    get<QPlainTextEdit>("commentWords")->insertPlainText("More. ");
+    QVERIFY(!add->isEnabled());
+    m_panel->answer(0, "It could not be kept.");
+    QVERIFY(add->isEnabled());
+    for (int press = 0; press < 3; ++press)
+        give->click();
+    QVERIFY(scores.size() == 1 && !give->isEnabled() && !get<QPushButton>("machineAgain")->isEnabled());
+    m_panel->answer(0);
+    QVERIFY(get<QLineEdit>("reason")->text().isEmpty());
+    for (int press = 0; press < 3; ++press)
+        get<QPushButton>("takeBack")->click();
+    QVERIFY(withdrawals.size() == 1 && !get<QPushButton>("takeBack")->isEnabled());
+    m_panel->answer(0, "It could not be done.");
+    QVERIFY(get<QPushButton>("takeBack")->isEnabled());
+}
+
+/// Where another is shown by then, it stands there on return.
+void TestTalkPanel::whatWasRefusedIsToldAtItsAttempt()
+{
+    auto* fault = get<QLabel>("fault");
+    auto* field = get<QPlainTextEdit>("commentWords");
+    m_panel->setAttempt(7);
+    field->setPlainText("Lift the bur here.");
+    get<QPushButton>("addComment")->click();
+    m_panel->setAttempt(8);
+    m_panel->answer(7, "It could not be kept.");
+    QVERIFY(!fault->isVisible());
+    m_panel->setAttempt(7);
+    QVERIFY(fault->isVisible() && fault->text() == "It could not be kept.");
+    QCOMPARE(field->toPlainText(), QString("Lift the bur here."));
+    // What is kept meanwhile does not wait there.
+    get<QPushButton>("addComment")->click();
+    m_panel->setAttempt(8);
+    m_panel->answer(7);
+    QVERIFY(!m_panel->unkeptComment());
+    m_panel->setAttempt(7);
+    QVERIFY(!fault->isVisible() && field->toPlainText().isEmpty());
+}
+
+/// Whoever looks at another place, or at the replay, does not mean his comment.
+void TestTalkPanel::whatIsTickedStaysWhatItIs()
+{
+    auto* atMoment = get<QCheckBox>("atMoment");
+    get<QPlainTextEdit>("commentWords")->setPlainText("Half a sentence");
+    m_panel->setPlace(Place{1.0, 2.0, 3.0}, true);
+    m_panel->setMoment(4157);
+    atMoment->setChecked(true);
+    m_panel->setPlace(Place{4.0, 5.0, 6.0});
+    QVERIFY(get<QCheckBox>("atPlace")->isChecked());
+    QCOMPARE(m_panel->place(), std::optional<Place>(Place{1.0, 2.0, 3.0}));
+    m_panel->setMoment(1000);
+    QCOMPARE(atMoment->text(), QString("at 0:04 of the replay"));
+    atMoment->setChecked(false);
+    QCOMPARE(atMoment->text(), QString("at 0:01 of the replay"));
+    m_panel->setMoment(2000);
+    QCOMPARE(atMoment->text(), QString("at 0:02 of the replay"));
 }
 
 QTEST_MAIN(TestTalkPanel)

@@ -113,11 +113,19 @@ void TalkPanel::makeComposer(QVBoxLayout& column)
     inside->addWidget(m_howToPin);
     column.addWidget(m_composer);
     connect(m_words, &QPlainTextEdit::textChanged, this, &TalkPanel::tellRoom);
+    connect(m_atMoment, &QCheckBox::toggled, this, [this](bool isTicked) {
+        if (!isTicked) {
+            m_moment = m_seen;
+            tellPins();
+        }
+    });
     connect(m_add, &QPushButton::clicked, this, [this] {
         m_asked = m_composer;
         m_fault->hide();
         say({});
-        emit commentWanted(m_words->toPlainText().trimmed(), m_atMoment->isChecked() ? m_moment : std::nullopt,
+        const QString words = m_words->toPlainText().trimmed();
+        send(false, words);
+        emit commentWanted(words, m_atMoment->isChecked() ? m_moment : std::nullopt,
                            m_atPlace->isChecked() ? m_place : std::nullopt);
     });
 }
@@ -158,17 +166,14 @@ void TalkPanel::makeOverride(QVBoxLayout& column)
     buttons->addWidget(m_give);
     inside->addLayout(buttons);
     column.addWidget(m_override);
-    const auto ready = [this] {
-        const bool hasReason = !m_reason->text().trimmed().isEmpty();
-        m_give->setEnabled(hasReason);
-        m_again->setEnabled(hasReason);
-    };
-    connect(m_reason, &QLineEdit::textChanged, this, ready);
-    ready();
+    connect(m_reason, &QLineEdit::textChanged, this, &TalkPanel::tellReady);
+    tellReady();
     const auto ask = [this](std::optional<int> tenths) {
         m_asked = m_override;
         m_fault->hide();
-        emit overrideWanted(tenths, m_reason->text().trimmed(), m_talk.overrides.size());
+        const QString reason = m_reason->text().trimmed();
+        send(true, reason);
+        emit overrideWanted(tenths, reason, m_talk.overrides.size());
     };
     connect(m_give, &QPushButton::clicked, this,
             [this, ask] { ask(static_cast<int>(std::lround(10.0 * m_points->value()))); });
@@ -182,7 +187,6 @@ void TalkPanel::setAttempt(qint64 attempt)
     m_drafts[m_attempt] = draft();
     m_attempt = attempt;
     take(m_drafts[m_attempt]);
-    refuse({});
     say({});
 }
 
@@ -196,24 +200,35 @@ void TalkPanel::setWriter(qint64 person)
     m_drafts = std::move(m_waiting[person]);
     m_waiting.erase(person);
     m_writer = person;
+    m_sent.clear();
     m_withdrawn.clear();
 }
 
 TalkPanel::Draft TalkPanel::draft() const
 {
-    return {m_words->toPlainText(), m_atMoment->isChecked() ? m_moment : std::nullopt,
-            m_atPlace->isChecked() ? m_place : std::nullopt, m_reason->text(), m_points->value()};
+    return {m_words->toPlainText(),
+            m_atMoment->isChecked() ? m_moment : std::nullopt,
+            m_atPlace->isChecked() ? m_place : std::nullopt,
+            m_reason->text(),
+            m_points->value(),
+            m_fault->isVisibleTo(this) ? m_fault->text() : QString(),
+            m_asked == m_override};
 }
 
 void TalkPanel::take(const Draft& draft)
 {
     m_words->setPlainText(draft.words);
+    m_atMoment->setChecked(false);
     setMoment(draft.momentMs);
     m_atMoment->setChecked(draft.momentMs.has_value());
     setPlace(draft.placeMm, true);
     m_reason->setText(draft.reason);
     if (!draft.reason.trimmed().isEmpty())
         m_points->setValue(draft.points);
+    tellReady();
+    tellRoom();
+    m_asked = draft.isScoreRefused ? m_override : m_composer;
+    refuse(draft.fault);
 }
 
 void TalkPanel::setScore(int machineTenths, int passMarkTenths, bool passedByMachine)
@@ -263,21 +278,7 @@ std::optional<qint64> TalkPanel::unkept(QString Draft::*part) const
 
 void TalkPanel::setTalk(const database::AttemptTalk& talk)
 {
-    // A button that rests hands the keyboard on to whatever comes next, and that might be the score.
     QWidget* form = formInUse();
-    if (!talk.comments.empty() && talk.comments.size() > m_talk.comments.size() &&
-        QString::fromStdString(talk.comments.back().words) == m_words->toPlainText().trimmed()) {
-        if (form == m_composer)
-            m_words->setFocus();
-        m_words->clear();
-        unpin();
-    }
-    if (!talk.overrides.empty() && talk.overrides.size() > m_talk.overrides.size() &&
-        QString::fromStdString(talk.overrides.back().reason) == m_reason->text().trimmed()) {
-        if (form == m_override)
-            m_reason->setFocus();
-        m_reason->clear();
-    }
     const int countedTenths = given().value_or(m_machineTenths);
     m_talk = talk;
     if (const int countsTenths = given().value_or(m_machineTenths); countsTenths != countedTenths)
@@ -306,6 +307,9 @@ void TalkPanel::setMay(bool comment, bool override)
 
 void TalkPanel::setMoment(std::optional<std::int64_t> ms)
 {
+    m_seen = ms;
+    if (ms && m_atMoment->isChecked())
+        return;
     m_moment = ms;
     if (!ms)
         m_atMoment->setChecked(false);
@@ -314,6 +318,9 @@ void TalkPanel::setMoment(std::optional<std::int64_t> ms)
 
 void TalkPanel::setPlace(const std::optional<std::array<double, 3>>& placeMm, bool forComment)
 {
+    // Who only looks at another place does not mean his comment.
+    if (placeMm && !forComment && m_atPlace->isChecked() && !m_words->toPlainText().trimmed().isEmpty())
+        return;
     m_place = placeMm;
     m_atPlace->setChecked(placeMm && forComment);
     tellPins();
@@ -407,6 +414,59 @@ void TalkPanel::refuse(const QString& sentence)
     emit formUsed(m_asked);
 }
 
+/// A button that rests hands the keyboard on to whatever comes next, and that might be the score.
+void TalkPanel::send(bool isScore, const QString& words)
+{
+    if (formInUse() == (isScore ? m_override : m_composer))
+        (isScore ? static_cast<QWidget*>(m_reason) : m_words)->setFocus();
+    m_sent[m_attempt] = {isScore, words};
+    tellReady();
+    tellRoom();
+}
+
+void TalkPanel::answer(qint64 attempt, const QString& fault)
+{
+    const auto found = m_sent.find(attempt);
+    const std::optional<Sent> sent = found != m_sent.end() ? std::optional(found->second) : std::nullopt;
+    m_sent.erase(attempt);
+    if (!fault.isEmpty())
+        std::erase_if(m_withdrawn, [attempt](const auto& one) { return one.second.attempt == attempt; });
+    const bool isShown = attempt == m_attempt;
+    Draft after = isShown ? draft() : m_drafts[attempt];
+    after.fault = fault;
+    after.isScoreRefused = sent && sent->isScore;
+    const bool isKept = sent && fault.isEmpty();
+    const bool hasComment = isKept && !sent->isScore && after.words.trimmed() == sent->words;
+    const bool hasScore = isKept && sent->isScore && after.reason.trimmed() == sent->words;
+    if (!isShown) {
+        if (hasComment)
+            after.words.clear();
+        if (hasScore)
+            after.reason.clear();
+        m_drafts[attempt] = after;
+        return;
+    }
+    if (hasComment) {
+        m_words->clear();
+        unpin();
+    }
+    if (hasScore)
+        m_reason->clear();
+    tellReady();
+    tellRoom();
+    fill();
+    m_asked = after.isScoreRefused ? m_override : m_composer;
+    refuse(fault);
+}
+
+/// A score can be given: it has a reason, and nothing is on its way.
+void TalkPanel::tellReady()
+{
+    const bool isReady = !m_reason->text().trimmed().isEmpty() && m_sent.count(m_attempt) == 0;
+    m_give->setEnabled(isReady);
+    m_again->setEnabled(isReady);
+}
+
 std::optional<int> TalkPanel::given() const
 {
     return m_talk.overrides.empty() ? std::nullopt : m_talk.overrides.back().givenTenths;
@@ -435,7 +495,7 @@ void TalkPanel::tellRoom()
     m_room->setText(room >= 0 ? tr("Room for %Ln more character(s)", nullptr, room)
                               : tr("%Ln character(s) too many: a comment has at most %1.", nullptr, -room)
                                     .arg(QLocale().toString(database::kLongestComment)));
-    m_add->setEnabled(length > 0 && room >= 0);
+    m_add->setEnabled(length > 0 && room >= 0 && m_sent.count(m_attempt) == 0);
 }
 
 void TalkPanel::tellPins()
@@ -462,11 +522,15 @@ QPushButton* TalkPanel::takeBackButton(const database::AttemptComment& comment)
     button->setAutoDefault(true);
     //: %1: when it was written
     button->setAccessibleName(tr("Take back your comment of %1").arg(when(comment.writtenUtc)));
-    connect(button, &QPushButton::clicked, this, [this, comment] {
+    button->setEnabled(m_withdrawn.count(comment.id) == 0);
+    connect(button, &QPushButton::clicked, this, [this, button, comment] {
         m_asked = m_composer;
         m_fault->hide();
         say({});
         m_withdrawn[comment.id] = {m_attempt, comment};
+        if (button->hasFocus())  // which it would hand on to whatever comes next
+            m_words->setFocus();
+        button->setEnabled(false);
         emit withdrawWanted(comment.id);
     });
     return button;

@@ -46,10 +46,9 @@ public:
     [[nodiscard]] bool hasOthersUnkept() const;
     /// @param machineTenths  what the machine gave
     void setScore(int machineTenths, int passMarkTenths, bool passedByMachine);
-    /// What was being written is cleared when it is among these.
     void setTalk(const database::AttemptTalk& talk);
     void setMay(bool comment, bool override);
-    /// Where the replay was seen last; nothing: it has not been.
+    /// Where the replay was seen last; nothing: it has not been. A moment that is ticked stays what was ticked.
     void setMoment(std::optional<std::int64_t> ms);
     /// The place that is marked on the tooth, in its frame, mm.
     /// @param forComment  it was marked by who writes, so that what he writes is about it
@@ -61,6 +60,10 @@ public:
     void withdraw(qint64 comment, bool earlier);
     /// Says why what was written could not be kept. It stays where it was typed.
     void refuse(const QString& sentence);
+    /// What was wanted of this attempt has been done, and what was sent leaves its field; or not. Until then nothing
+    /// more is sent of it.
+    /// @param fault  why it was not done, told at the attempt, now or when it is shown again; empty: it was
+    void answer(qint64 attempt, const QString& fault = {});
 
 signals:
     void commentWanted(const QString& words, std::optional<std::int64_t> momentMs,
@@ -89,6 +92,8 @@ private:
         std::optional<std::array<double, 3>> placeMm;
         QString reason;
         double points = 0.0;  ///< with a reason
+        QString fault = {};   ///< why it could not be kept
+        bool isScoreRefused = false;
     };
 
     [[nodiscard]] Draft draft() const;
@@ -105,6 +110,8 @@ private:
     void tellRoom();
     void unpin();
     void offerPoints(int tenths);
+    void tellReady();
+    void send(bool isScore, const QString& words);
     void writeAgain(const database::AttemptComment& comment);
     void putBy(qint64 comment);
     void say(std::function<QString()> sentence);
@@ -121,7 +128,14 @@ private:
     std::map<qint64, Draft> m_drafts;                     ///< on the other attempts
     qint64 m_writer = 0;                                  ///< whose they are
     std::map<qint64, std::map<qint64, Draft>> m_waiting;  ///< of others, by the person
-    std::map<qint64, Withdrawn> m_withdrawn;              ///< by comment, until that is done
+    /// What somebody has asked to be kept.
+    struct Sent
+    {
+        bool isScore = false;
+        QString words;  ///< of the comment, or the reason
+    };
+    std::map<qint64, Sent> m_sent;            ///< by attempt, until it is answered
+    std::map<qint64, Withdrawn> m_withdrawn;  ///< by comment, until that is done
     qint64 m_attempt = 0;
     database::AttemptTalk m_talk;
     int m_machineTenths = 0;
@@ -129,7 +143,8 @@ private:
     bool m_passedByMachine = false;
     bool m_mayComment = false;
     bool m_mayOverride = false;
-    std::optional<std::int64_t> m_moment;
+    std::optional<std::int64_t> m_seen;    ///< where the replay was last
+    std::optional<std::int64_t> m_moment;  ///< that can be ticked, or is
     std::optional<std::array<double, 3>> m_place;
     QLabel* m_counts;
     QLabel* m_machine;

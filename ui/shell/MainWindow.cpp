@@ -1893,6 +1893,11 @@ void MainWindow::stopBusy()
     enableActions();
 }
 
+void MainWindow::showWarning(const QString& sentence)
+{
+    m_messages->say({MessageBar::Kind::Warning, sentence, {}, {}, {}});
+}
+
 void MainWindow::showMessage(const QString& sentence)
 {
     m_messages->say({MessageBar::Kind::News, sentence, {}, {}, {}});

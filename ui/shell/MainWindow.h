@@ -143,6 +143,8 @@ public slots:
     /// The time that a share of the last servo periods stays under, µs; NaN before there are any.
     [[nodiscard]] double periodUs(double share) const { return m_periods.percentileUs(share); }
     void showMessage(const QString& sentence);
+    /// As showMessage(), until it is closed.
+    void showWarning(const QString& sentence);
     /// With a button that takes back what it tells of.
     void showUndoable(const QString& sentence, const std::function<void()>& undo);
     /// The recording that recordingSaveRequested() asked for is in this file.
