@@ -260,10 +260,18 @@ void TestTalkPanel::theScoreBeginsWithWhatCounts()
     commented.comments.push_back({3, "Grace Hopper", "2026-11-20T14:00:00Z", "Lift the bur here.", {}, {}});
     m_panel->setTalk(commented);
     QCOMPARE(points->value(), 77.7);
-    // Another attempt begins with its own.
+    // Another attempt begins with its own; typed points wait, with a reason or without.
+    QCOMPARE(m_panel->unkeptScore(), std::optional<qint64>(0));
+    m_panel->setAttempt(8);
     m_panel->setScore(500, 750, false);
     m_panel->setTalk({});
     QCOMPARE(points->value(), 50.0);
+    m_panel->setAttempt(0);
+    m_panel->setScore(684, 750, false);
+    m_panel->setTalk(talk());
+    QCOMPARE(points->value(), 77.7);
+    points->setValue(80.0);
+    QVERIFY(!m_panel->unkeptScore());
 }
 
 void TestTalkPanel::whatWasRefusedStaysTyped()

@@ -167,6 +167,8 @@ void TalkPanel::makeOverride(QVBoxLayout& column)
     inside->addLayout(buttons);
     column.addWidget(m_override);
     connect(m_reason, &QLineEdit::textChanged, this, &TalkPanel::tellReady);
+    connect(m_points, &QDoubleSpinBox::valueChanged, this,
+            [this](double points) { m_arePointsTyped = points != m_offered; });
     tellReady();
     const auto ask = [this](std::optional<int> tenths) {
         m_asked = m_override;
@@ -211,6 +213,7 @@ TalkPanel::Draft TalkPanel::draft() const
             m_atPlace->isChecked() ? m_place : std::nullopt,
             m_reason->text(),
             m_points->value(),
+            m_arePointsTyped,
             m_fault->isVisibleTo(this) ? m_fault->text() : QString(),
             m_asked == m_override};
 }
@@ -223,8 +226,9 @@ void TalkPanel::take(const Draft& draft)
     m_atMoment->setChecked(draft.momentMs.has_value());
     setPlace(draft.placeMm, true);
     m_reason->setText(draft.reason);
-    if (!draft.reason.trimmed().isEmpty())
-        m_points->setValue(draft.points);
+    m_arePointsTyped = false;
+    m_points->setValue(hasScore(draft) ? draft.points : m_offered);
+    m_arePointsTyped = draft.hasPoints;
     tellReady();
     tellRoom();
     m_asked = draft.isScoreRefused ? m_override : m_composer;
@@ -240,38 +244,44 @@ void TalkPanel::setScore(int machineTenths, int passMarkTenths, bool passedByMac
     tellScore();
 }
 
-/// A number that somebody has begun to give a reason for stays.
+/// A number that somebody has typed, or has begun to give a reason for, stays.
 void TalkPanel::offerPoints(int tenths)
 {
-    if (m_reason->text().trimmed().isEmpty())
-        m_points->setValue(tenths / 10.0);
+    m_offered = tenths / 10.0;
+    if (!m_arePointsTyped && m_reason->text().trimmed().isEmpty())
+        m_points->setValue(m_offered);
 }
 
 std::optional<qint64> TalkPanel::unkeptComment() const
 {
-    return unkept(&Draft::words);
+    return unkept([](const Draft& draft) { return !draft.words.trimmed().isEmpty(); });
 }
 
 std::optional<qint64> TalkPanel::unkeptScore() const
 {
-    return unkept(&Draft::reason);
+    return unkept(&TalkPanel::hasScore);
+}
+
+bool TalkPanel::hasScore(const Draft& draft)
+{
+    return draft.hasPoints || !draft.reason.trimmed().isEmpty();
 }
 
 bool TalkPanel::hasOthersUnkept() const
 {
     for (const auto& [person, drafts] : m_waiting)
         for (const auto& [attempt, draft] : drafts)
-            if (!draft.words.trimmed().isEmpty() || !draft.reason.trimmed().isEmpty())
+            if (!draft.words.trimmed().isEmpty() || hasScore(draft))
                 return true;
     return false;
 }
 
-std::optional<qint64> TalkPanel::unkept(QString Draft::*part) const
+std::optional<qint64> TalkPanel::unkept(const std::function<bool(const Draft&)>& has) const
 {
-    if (!(draft().*part).trimmed().isEmpty())
+    if (has(draft()))
         return m_attempt;
     for (const auto& [attempt, draft] : m_drafts)
-        if (attempt != m_attempt && !(draft.*part).trimmed().isEmpty())
+        if (attempt != m_attempt && has(draft))
             return attempt;
     return std::nullopt;
 }
@@ -437,12 +447,14 @@ void TalkPanel::answer(qint64 attempt, const QString& fault)
     after.isScoreRefused = sent && sent->isScore;
     const bool isKept = sent && fault.isEmpty();
     const bool hasComment = isKept && !sent->isScore && after.words.trimmed() == sent->words;
-    const bool hasScore = isKept && sent->isScore && after.reason.trimmed() == sent->words;
+    const bool isGiven = isKept && sent->isScore && after.reason.trimmed() == sent->words;
     if (!isShown) {
         if (hasComment)
             after.words.clear();
-        if (hasScore)
+        if (isGiven) {
             after.reason.clear();
+            after.hasPoints = false;
+        }
         m_drafts[attempt] = after;
         return;
     }
@@ -450,8 +462,10 @@ void TalkPanel::answer(qint64 attempt, const QString& fault)
         m_words->clear();
         unpin();
     }
-    if (hasScore)
+    if (isGiven) {
         m_reason->clear();
+        m_arePointsTyped = false;
+    }
     tellReady();
     tellRoom();
     fill();

@@ -40,7 +40,7 @@ public:
     void setWriter(qint64 person);
     /// One of the attempts with a comment that is typed and kept nowhere yet; nothing: there is none.
     [[nodiscard]] std::optional<qint64> unkeptComment() const;
-    /// The same of a score that is being given, for which a reason is typed.
+    /// The same of a score that is being given, or the reason for one.
     [[nodiscard]] std::optional<qint64> unkeptScore() const;
     /// Something that somebody else was writing waits for him.
     [[nodiscard]] bool hasOthersUnkept() const;
@@ -91,14 +91,16 @@ private:
         std::optional<std::int64_t> momentMs;
         std::optional<std::array<double, 3>> placeMm;
         QString reason;
-        double points = 0.0;  ///< with a reason
-        QString fault = {};   ///< why it could not be kept
+        double points = 0.0;
+        bool hasPoints = false;  ///< that somebody has typed
+        QString fault = {};      ///< why it could not be kept
         bool isScoreRefused = false;
     };
 
     [[nodiscard]] Draft draft() const;
     void take(const Draft& draft);
-    [[nodiscard]] std::optional<qint64> unkept(QString Draft::*part) const;
+    [[nodiscard]] static bool hasScore(const Draft& draft);
+    [[nodiscard]] std::optional<qint64> unkept(const std::function<bool(const Draft&)>& has) const;
     void makeComposer(QVBoxLayout& column);
     void makeOverride(QVBoxLayout& column);
     void retell();
@@ -141,6 +143,8 @@ private:
     int m_machineTenths = 0;
     int m_passMarkTenths = 0;
     bool m_passedByMachine = false;
+    double m_offered = 0.0;  ///< points, to begin with
+    bool m_arePointsTyped = false;
     bool m_mayComment = false;
     bool m_mayOverride = false;
     std::optional<std::int64_t> m_seen;    ///< where the replay was last

@@ -2304,8 +2304,7 @@ std::vector<MainWindow::Unkept> MainWindow::unkept()
     if (const auto attempt = talk.unkeptComment())
         all.push_back({tr("A comment was typed and is not added yet."), [this, attempt] { showDraft(*attempt); }});
     if (const auto attempt = talk.unkeptScore())
-        all.push_back(
-            {tr("A score with its reason was typed and is not given yet."), [this, attempt] { showDraft(*attempt); }});
+        all.push_back({tr("A score was typed and is not given yet."), [this, attempt] { showDraft(*attempt); }});
     all.erase(std::remove_if(all.begin(), all.end(), [](const Unkept& one) { return one.what.isEmpty(); }), all.end());
     return all;
 }
