@@ -210,6 +210,11 @@ void TestTexts::errorsSpeakOfWhatWasDone()
                                      ErrorCode::FileTooLarge, ErrorCode::BadStructure})
             QVERIFY(!ui::text::errorText({code, {}}, failed).contains("scan", Qt::CaseInsensitive));
     QVERIFY(ui::text::errorText(error, Failed::KeepingGrades).contains("Grades will not be kept"));
+    // What nobody sends again by himself is not said to be.
+    const core::Error lost{ErrorCode::ConnectionLost, {}};
+    QVERIFY(ui::text::errorText(lost, Failed::KeepingGrades).contains("tries again by itself"));
+    QVERIFY(!ui::text::errorText(lost, Failed::ChangingSchool).contains("by itself"));
+    QVERIFY(ui::text::errorText(lost, Failed::ChangingSchool).contains("Try it again when the server answers"));
 }
 
 void TestTexts::notesOfAScanAreSentences()
