@@ -2358,7 +2358,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
     const bool arePutBy = areOthers && putDraftsBy();
     if (m_mayClose || (!wouldLoseWork() && (m_editor->unsaved().isEmpty() || arePutBy) && unkept().empty() &&
                        !m_scorePage->talk().hasOthersUnkept())) {
-        if (!arePutBy && !m_draftFile.isEmpty())
+        if (!arePutBy && !m_draftFile.isEmpty() && mayDecideOnDrafts())
             QFile::remove(m_draftFile);
         memory().setValue(kGeometry, saveGeometry());
         return;
