@@ -822,6 +822,10 @@
         <source>This account was disabled. Ask an admin.</source>
         <translation>Dieses Konto wurde gesperrt. Fragen Sie die Verwaltung.</translation>
     </message>
+    <message>
+        <source>The school&apos;s server does not answer. Try it again when the server answers.</source>
+        <translation>Der Server der Schule antwortet nicht. Versuchen Sie es noch einmal, wenn er wieder antwortet.</translation>
+    </message>
 </context>
 <context>
     <name>ExerciseMarks</name>
@@ -1919,6 +1923,10 @@
         <source>%1 is not from this program: its rows are read among those of the table %2</source>
         <translation>%1 stammt nicht von diesem Programm: Ihre Zeilen werden unter denen der Tabelle %2 gelesen</translation>
     </message>
+    <message>
+        <source>%1 is not from this program: who changes its rows changes those of the table %2, past what guards them</source>
+        <translation>%1 stammt nicht von diesem Programm: Wer dort Zeilen ändert, ändert die der Tabelle %2, vorbei an dem, was sie schützt</translation>
+    </message>
 </context>
 <context>
     <name>Handpiece</name>
@@ -2196,6 +2204,10 @@
     <message>
         <source>A password has eight characters or more, does not hold the name, and is none that everybody tries first, such as &quot;password1&quot;.</source>
         <translation>Ein Passwort hat acht Zeichen oder mehr, enthält nicht den Namen und ist keines, das alle zuerst versuchen, wie „passwort1“.</translation>
+    </message>
+    <message>
+        <source>Another program is writing to the school&apos;s data, and nobody can be let in meanwhile. Try again in a moment.</source>
+        <translation>Ein anderes Programm schreibt gerade in die Daten der Schule; so lange kann niemand angemeldet werden. Versuchen Sie es gleich noch einmal.</translation>
     </message>
 </context>
 <context>
@@ -2823,6 +2835,24 @@
         <source>No program answers here that shows folders. Your own lessons are in %1.</source>
         <translation>Hier antwortet kein Programm, das Ordner anzeigt. Ihre eigenen Lektionen liegen in %1.</translation>
     </message>
+    <message numerus="yes">
+        <source>%n attempt(s) on this computer wait for their school: this file is named as a backup is, and gets none.</source>
+        <translation>
+            <numerusform>%n Versuch auf diesem Computer wartet auf seine Schule: Diese Datei heißt wie eine Sicherung und bekommt keinen.</numerusform>
+            <numerusform>%n Versuche auf diesem Computer warten auf ihre Schule: Diese Datei heißt wie eine Sicherung und bekommt keine.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s) on this computer wait for another school: %1. If that is this one under an earlier name, &quot;cusp db send&quot; brings them here.</source>
+        <translation>
+            <numerusform>%n Versuch auf diesem Computer wartet auf eine andere Schule: %1. Ist das diese hier unter einem früheren Namen, bringt „cusp db send“ ihn hierher.</numerusform>
+            <numerusform>%n Versuche auf diesem Computer warten auf eine andere Schule: %1. Ist das diese hier unter einem früheren Namen, bringt „cusp db send“ sie hierher.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Its audit had been changed before it was made. &quot;Check everything&quot; on the page of the backups says where; an older backup may have it whole.</source>
+        <translation>Ihr Protokoll war schon verändert, als sie entstand. „Alles prüfen“ auf der Seite der Sicherungen sagt, wo; in einer älteren Sicherung ist es vielleicht ganz.</translation>
+    </message>
 </context>
 <context>
     <name>app::CardDesk</name>
@@ -2901,6 +2931,11 @@
     <message>
         <source>There is no printer on this computer. Save it as a PDF instead.</source>
         <translation>An diesem Computer gibt es keinen Drucker. Speichern Sie es stattdessen als PDF.</translation>
+    </message>
+    <message>
+        <source>On the attempt of %1: %2</source>
+        <extracomment>%1: who made an attempt, and when; %2: why</extracomment>
+        <translation>Zum Versuch von %1: %2</translation>
     </message>
 </context>
 <context>
@@ -3477,6 +3512,10 @@
         <source>known as %1 so far</source>
         <extracomment>%1: the name that somebody on a class list had so far</extracomment>
         <translation>bisher bekannt als %1</translation>
+    </message>
+    <message>
+        <source>%1 was entered: nobody in it is new.</source>
+        <translation>%1 wurde eingetragen: Niemand darin ist neu.</translation>
     </message>
 </context>
 <context>
@@ -5035,6 +5074,15 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <source>The school&apos;s data are not where they were: there is nobody in %1. But there is a backup of them, which you can restore below. Or create a new school: you become its admin.</source>
         <translation>Die Daten der Schule sind nicht mehr, wo sie waren: In %1 ist niemand eingetragen. Es gibt aber eine Sicherung, die Sie unten wiederherstellen können. Oder legen Sie eine neue Schule an: Sie werden ihr Admin.</translation>
     </message>
+    <message>
+        <source>The attempt just graded is mine; keep it</source>
+        <translation>Der eben bewertete Versuch ist meiner: behalten</translation>
+    </message>
+    <message>
+        <source>%1: it becomes the attempt of who logs in. Without the tick it is not kept.</source>
+        <extracomment>%1: a lesson or a tooth</extracomment>
+        <translation>%1: Er wird zum Versuch der Person, die sich anmeldet. Ohne Haken wird er nicht behalten.</translation>
+    </message>
 </context>
 <context>
     <name>ui::people::TalkPanel</name>
@@ -5631,6 +5679,27 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>It was ended before anything was chosen.</source>
         <translation>Er wurde beendet, bevor etwas gewählt war.</translation>
+    </message>
+    <message>
+        <source>Block of</source>
+        <extracomment>What the block is made of on which a hardness preset is tried</extracomment>
+        <translation>Block aus</translation>
+    </message>
+    <message>
+        <source>What the block is made of</source>
+        <translation>Woraus der Block besteht</translation>
+    </message>
+    <message>
+        <source>enamel, dentin, soft decay</source>
+        <translation>Schmelz, Dentin, weicher Karies</translation>
+    </message>
+    <message>
+        <source>enamel, dentin, firm decay</source>
+        <translation>Schmelz, Dentin, fester Karies</translation>
+    </message>
+    <message>
+        <source>plastic throughout</source>
+        <translation>Kunststoff durch und durch</translation>
     </message>
 </context>
 <context>
@@ -7260,20 +7329,16 @@ ungesichert</translation>
         <translation>Ein Kommentar ist geschrieben und noch nicht hinzugefügt.</translation>
     </message>
     <message>
-        <source>A score with its reason was typed and is not given yet.</source>
-        <translation>Ein Ergebnis mit Begründung ist eingegeben und noch nicht vergeben.</translation>
-    </message>
-    <message>
-        <source>A comment or a score that somebody else has typed is not kept yet.</source>
-        <translation>Ein Kommentar oder ein Ergebnis, das jemand anderes eingegeben hat, ist noch nicht gespeichert.</translation>
-    </message>
-    <message>
-        <source>It waits until that person logs in here.</source>
-        <translation>Es wartet, bis sich diese Person hier anmeldet.</translation>
-    </message>
-    <message>
         <source>Cusp stays open: a teacher&apos;s work is not saved yet. It waits until a teacher logs in here.</source>
         <translation>Cusp bleibt geöffnet: Die Arbeit einer Lehrkraft ist noch nicht gespeichert. Sie wartet, bis sich hier eine Lehrkraft anmeldet.</translation>
+    </message>
+    <message>
+        <source>A score was typed and is not given yet.</source>
+        <translation>Ein Ergebnis ist eingegeben und noch nicht vergeben.</translation>
+    </message>
+    <message>
+        <source>Cusp stays open: what somebody else has typed is not kept yet. It waits until that person logs in here.</source>
+        <translation>Cusp bleibt geöffnet: Was jemand anderes geschrieben hat, ist noch nicht gespeichert. Es wartet, bis sich diese Person hier anmeldet.</translation>
     </message>
 </context>
 <context>
@@ -8574,6 +8639,10 @@ ungesichert</translation>
     <message>
         <source>Given to</source>
         <translation>Aufgegeben für</translation>
+    </message>
+    <message>
+        <source>There is none of these now. Show all lessons.</source>
+        <translation>Davon gibt es jetzt keine. Zeigen Sie alle Lektionen an.</translation>
     </message>
 </context>
 <context>

@@ -822,6 +822,10 @@
         <source>This account was disabled. Ask an admin.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The school&apos;s server does not answer. Try it again when the server answers.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ExerciseMarks</name>
@@ -1919,6 +1923,10 @@
         <source>%1 is not from this program: its rows are read among those of the table %2</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1 is not from this program: who changes its rows changes those of the table %2, past what guards them</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Handpiece</name>
@@ -2195,6 +2203,10 @@
     </message>
     <message>
         <source>A password has eight characters or more, does not hold the name, and is none that everybody tries first, such as &quot;password1&quot;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another program is writing to the school&apos;s data, and nobody can be let in meanwhile. Try again in a moment.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2823,6 +2835,24 @@
         <source>No program answers here that shows folders. Your own lessons are in %1.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message numerus="yes">
+        <source>%n attempt(s) on this computer wait for their school: this file is named as a backup is, and gets none.</source>
+        <translation>
+            <numerusform>%n attempt on this computer waits for its school: this file is named as a backup is, and gets none.</numerusform>
+            <numerusform>%n attempts on this computer wait for their school: this file is named as a backup is, and gets none.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s) on this computer wait for another school: %1. If that is this one under an earlier name, &quot;cusp db send&quot; brings them here.</source>
+        <translation>
+            <numerusform>%n attempt on this computer waits for another school: %1. If that is this one under an earlier name, &quot;cusp db send&quot; brings it here.</numerusform>
+            <numerusform>%n attempts on this computer wait for another school: %1. If that is this one under an earlier name, &quot;cusp db send&quot; brings them here.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Its audit had been changed before it was made. &quot;Check everything&quot; on the page of the backups says where; an older backup may have it whole.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>app::CardDesk</name>
@@ -2900,6 +2930,11 @@
     </message>
     <message>
         <source>There is no printer on this computer. Save it as a PDF instead.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On the attempt of %1: %2</source>
+        <extracomment>%1: who made an attempt, and when; %2: why</extracomment>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3476,6 +3511,10 @@
     <message>
         <source>known as %1 so far</source>
         <extracomment>%1: the name that somebody on a class list had so far</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was entered: nobody in it is new.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5027,6 +5066,15 @@ load NAME        feels a hardness preset that is kept</source>
         <source>The school&apos;s data are not where they were: there is nobody in %1. But there is a backup of them, which you can restore below. Or create a new school: you become its admin.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The attempt just graded is mine; keep it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: it becomes the attempt of who logs in. Without the tick it is not kept.</source>
+        <extracomment>%1: a lesson or a tooth</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::people::TalkPanel</name>
@@ -5622,6 +5670,27 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
     <message>
         <source>It was ended before anything was chosen.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Block of</source>
+        <extracomment>What the block is made of on which a hardness preset is tried</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the block is made of</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>enamel, dentin, soft decay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>enamel, dentin, firm decay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>plastic throughout</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7251,19 +7320,15 @@ unsaved</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A score with its reason was typed and is not given yet.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A comment or a score that somebody else has typed is not kept yet.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>It waits until that person logs in here.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Cusp stays open: a teacher&apos;s work is not saved yet. It waits until a teacher logs in here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A score was typed and is not given yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cusp stays open: what somebody else has typed is not kept yet. It waits until that person logs in here.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8564,6 +8629,10 @@ unsaved</source>
     </message>
     <message>
         <source>Given to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is none of these now. Show all lessons.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -822,6 +822,10 @@
         <source>This account was disabled. Ask an admin.</source>
         <translation>Esta cuenta se ha desactivado. Pregunte a la administración.</translation>
     </message>
+    <message>
+        <source>The school&apos;s server does not answer. Try it again when the server answers.</source>
+        <translation>El servidor de la escuela no responde. Inténtelo de nuevo cuando responda.</translation>
+    </message>
 </context>
 <context>
     <name>ExerciseMarks</name>
@@ -1919,6 +1923,10 @@
         <source>%1 is not from this program: its rows are read among those of the table %2</source>
         <translation>%1 no es de este programa: sus filas se leen entre las de la tabla %2</translation>
     </message>
+    <message>
+        <source>%1 is not from this program: who changes its rows changes those of the table %2, past what guards them</source>
+        <translation>%1 no es de este programa: quien cambia sus filas cambia las de la tabla %2, sin pasar por lo que las protege</translation>
+    </message>
 </context>
 <context>
     <name>Handpiece</name>
@@ -2196,6 +2204,10 @@
     <message>
         <source>A password has eight characters or more, does not hold the name, and is none that everybody tries first, such as &quot;password1&quot;.</source>
         <translation>Una contraseña tiene ocho caracteres o más, no contiene el nombre y no es una de las que todos prueban primero, como «password1».</translation>
+    </message>
+    <message>
+        <source>Another program is writing to the school&apos;s data, and nobody can be let in meanwhile. Try again in a moment.</source>
+        <translation>Otro programa está escribiendo en los datos de la escuela y entretanto nadie puede entrar. Inténtelo de nuevo en un momento.</translation>
     </message>
 </context>
 <context>
@@ -2823,6 +2835,24 @@
         <source>No program answers here that shows folders. Your own lessons are in %1.</source>
         <translation>Aquí no responde ningún programa que muestre carpetas. Sus propias lecciones están en %1.</translation>
     </message>
+    <message numerus="yes">
+        <source>%n attempt(s) on this computer wait for their school: this file is named as a backup is, and gets none.</source>
+        <translation>
+            <numerusform>%n intento en este equipo queda pendiente para su escuela: este archivo se llama como una copia de seguridad y no recibe ninguno.</numerusform>
+            <numerusform>%n intentos en este equipo quedan pendientes para su escuela: este archivo se llama como una copia de seguridad y no recibe ninguno.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s) on this computer wait for another school: %1. If that is this one under an earlier name, &quot;cusp db send&quot; brings them here.</source>
+        <translation>
+            <numerusform>%n intento en este equipo queda pendiente para otra escuela: %1. Si es esta misma con un nombre anterior, «cusp db send» lo trae aquí.</numerusform>
+            <numerusform>%n intentos en este equipo quedan pendientes para otra escuela: %1. Si es esta misma con un nombre anterior, «cusp db send» los trae aquí.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Its audit had been changed before it was made. &quot;Check everything&quot; on the page of the backups says where; an older backup may have it whole.</source>
+        <translation>Su registro ya había sido modificado cuando se hizo. «Comprobar todo», en la página de copias de seguridad, dice dónde; una copia anterior quizá lo tenga íntegro.</translation>
+    </message>
 </context>
 <context>
     <name>app::CardDesk</name>
@@ -2901,6 +2931,11 @@
     <message>
         <source>There is no printer on this computer. Save it as a PDF instead.</source>
         <translation>En este equipo no hay impresora. Guárdelo como PDF.</translation>
+    </message>
+    <message>
+        <source>On the attempt of %1: %2</source>
+        <extracomment>%1: who made an attempt, and when; %2: why</extracomment>
+        <translation>Sobre el intento de %1: %2</translation>
     </message>
 </context>
 <context>
@@ -3477,6 +3512,10 @@
         <source>known as %1 so far</source>
         <extracomment>%1: the name that somebody on a class list had so far</extracomment>
         <translation>hasta ahora conocido como %1</translation>
+    </message>
+    <message>
+        <source>%1 was entered: nobody in it is new.</source>
+        <translation>%1 se ha registrado: nadie en ella es nuevo.</translation>
     </message>
 </context>
 <context>
@@ -5035,6 +5074,15 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <source>The school&apos;s data are not where they were: there is nobody in %1. But there is a backup of them, which you can restore below. Or create a new school: you become its admin.</source>
         <translation>Los datos de la escuela ya no están donde estaban: no hay nadie en %1. Pero hay una copia de seguridad, que puede restaurar abajo. O cree una escuela nueva: usted será su administrador.</translation>
     </message>
+    <message>
+        <source>The attempt just graded is mine; keep it</source>
+        <translation>El intento recién calificado es mío: guardarlo</translation>
+    </message>
+    <message>
+        <source>%1: it becomes the attempt of who logs in. Without the tick it is not kept.</source>
+        <extracomment>%1: a lesson or a tooth</extracomment>
+        <translation>%1: pasa a ser el intento de quien inicia sesión. Sin la marca no se guarda.</translation>
+    </message>
 </context>
 <context>
     <name>ui::people::TalkPanel</name>
@@ -5631,6 +5679,27 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>It was ended before anything was chosen.</source>
         <translation>Se terminó antes de elegir nada.</translation>
+    </message>
+    <message>
+        <source>Block of</source>
+        <extracomment>What the block is made of on which a hardness preset is tried</extracomment>
+        <translation>Bloque de</translation>
+    </message>
+    <message>
+        <source>What the block is made of</source>
+        <translation>De qué está hecho el bloque</translation>
+    </message>
+    <message>
+        <source>enamel, dentin, soft decay</source>
+        <translation>esmalte, dentina, caries blanda</translation>
+    </message>
+    <message>
+        <source>enamel, dentin, firm decay</source>
+        <translation>esmalte, dentina, caries firme</translation>
+    </message>
+    <message>
+        <source>plastic throughout</source>
+        <translation>plástico por completo</translation>
     </message>
 </context>
 <context>
@@ -7260,20 +7329,16 @@ sin guardar</translation>
         <translation>Hay un comentario escrito que aún no se ha añadido.</translation>
     </message>
     <message>
-        <source>A score with its reason was typed and is not given yet.</source>
-        <translation>Se escribió una puntuación con su motivo y aún no se ha dado.</translation>
-    </message>
-    <message>
-        <source>A comment or a score that somebody else has typed is not kept yet.</source>
-        <translation>Un comentario o una puntuación que otra persona ha escrito aún no está guardado.</translation>
-    </message>
-    <message>
-        <source>It waits until that person logs in here.</source>
-        <translation>Queda en espera hasta que esa persona inicie sesión aquí.</translation>
-    </message>
-    <message>
         <source>Cusp stays open: a teacher&apos;s work is not saved yet. It waits until a teacher logs in here.</source>
         <translation>Cusp sigue abierto: el trabajo de un docente aún no está guardado. Queda en espera hasta que un docente inicie sesión aquí.</translation>
+    </message>
+    <message>
+        <source>A score was typed and is not given yet.</source>
+        <translation>Se escribió una puntuación y aún no se ha dado.</translation>
+    </message>
+    <message>
+        <source>Cusp stays open: what somebody else has typed is not kept yet. It waits until that person logs in here.</source>
+        <translation>Cusp sigue abierto: lo que ha escrito otra persona aún no está guardado. Queda pendiente hasta que esa persona inicie sesión aquí.</translation>
     </message>
 </context>
 <context>
@@ -8574,6 +8639,10 @@ sin guardar</translation>
     <message>
         <source>Given to</source>
         <translation>Asignada a</translation>
+    </message>
+    <message>
+        <source>There is none of these now. Show all lessons.</source>
+        <translation>Ahora no hay ninguna de estas. Muestre todas las lecciones.</translation>
     </message>
 </context>
 <context>

@@ -820,6 +820,10 @@
         <source>This account was disabled. Ask an admin.</source>
         <translation>このアカウントは無効にされました。管理者に尋ねてください。</translation>
     </message>
+    <message>
+        <source>The school&apos;s server does not answer. Try it again when the server answers.</source>
+        <translation>学校のサーバーが応答しません。サーバーが応答するようになったら、もう一度お試しください。</translation>
+    </message>
 </context>
 <context>
     <name>ExerciseMarks</name>
@@ -1917,6 +1921,10 @@
         <source>%1 is not from this program: its rows are read among those of the table %2</source>
         <translation>%1 はこのプログラムのものではありません。その行が表 %2 の行として読まれます</translation>
     </message>
+    <message>
+        <source>%1 is not from this program: who changes its rows changes those of the table %2, past what guards them</source>
+        <translation>%1 はこのプログラムのものではありません。その行を変更すると、保護を素通りして表 %2 の行が変更されます</translation>
+    </message>
 </context>
 <context>
     <name>Handpiece</name>
@@ -2192,6 +2200,10 @@
     <message>
         <source>A password has eight characters or more, does not hold the name, and is none that everybody tries first, such as &quot;password1&quot;.</source>
         <translation>パスワードは 8 文字以上で、名前を含まず、「password1」のような誰もが最初に試すものではないものにしてください。</translation>
+    </message>
+    <message>
+        <source>Another program is writing to the school&apos;s data, and nobody can be let in meanwhile. Try again in a moment.</source>
+        <translation>ほかのプログラムが学校のデータに書き込んでいるため、その間はログインできません。少し待ってからもう一度お試しください。</translation>
     </message>
 </context>
 <context>
@@ -2811,6 +2823,22 @@
         <source>No program answers here that shows folders. Your own lessons are in %1.</source>
         <translation>フォルダーを表示するプログラムがここにはありません。ご自分の課題は %1 にあります。</translation>
     </message>
+    <message numerus="yes">
+        <source>%n attempt(s) on this computer wait for their school: this file is named as a backup is, and gets none.</source>
+        <translation>
+            <numerusform>このコンピューターの%n件の試行は、本来の学校のデータを待っています。このファイルはバックアップの名前なので、何も受け取りません。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s) on this computer wait for another school: %1. If that is this one under an earlier name, &quot;cusp db send&quot; brings them here.</source>
+        <translation>
+            <numerusform>このコンピューターの%n件の試行は、別の学校（%1）を待っています。それが以前の名前のこの学校であれば、cusp の db send コマンドでここに送れます。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Its audit had been changed before it was made. &quot;Check everything&quot; on the page of the backups says where; an older backup may have it whole.</source>
+        <translation>このバックアップの監査は、作成される前に変更されていました。どこが変わったかはバックアップのページの「すべて検査」で分かります。古いバックアップなら元のまま残っているかもしれません。</translation>
+    </message>
 </context>
 <context>
     <name>app::CardDesk</name>
@@ -2889,6 +2917,11 @@
     <message>
         <source>There is no printer on this computer. Save it as a PDF instead.</source>
         <translation>このコンピューターにはプリンターがありません。代わりにPDFとして保存してください。</translation>
+    </message>
+    <message>
+        <source>On the attempt of %1: %2</source>
+        <extracomment>%1: who made an attempt, and when; %2: why</extracomment>
+        <translation>%1の試行について：%2</translation>
     </message>
 </context>
 <context>
@@ -3459,6 +3492,10 @@
         <source>known as %1 so far</source>
         <extracomment>%1: the name that somebody on a class list had so far</extracomment>
         <translation>これまでの名前：%1</translation>
+    </message>
+    <message>
+        <source>%1 was entered: nobody in it is new.</source>
+        <translation>%1 を登録しました。新しい人はいません。</translation>
     </message>
 </context>
 <context>
@@ -4999,6 +5036,15 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <source>The school&apos;s data are not where they were: there is nobody in %1. But there is a backup of them, which you can restore below. Or create a new school: you become its admin.</source>
         <translation>学校のデータが元の場所にありません。%1 には誰も登録されていません。バックアップがあるので、下のボタンで復元できます。または新しい学校を作成してください。あなたが管理者になります。</translation>
     </message>
+    <message>
+        <source>The attempt just graded is mine; keep it</source>
+        <translation>いま採点した試行は自分のものとして保存する</translation>
+    </message>
+    <message>
+        <source>%1: it becomes the attempt of who logs in. Without the tick it is not kept.</source>
+        <extracomment>%1: a lesson or a tooth</extracomment>
+        <translation>%1：ログインした人の試行になります。チェックを外すと保存されません。</translation>
+    </message>
 </context>
 <context>
     <name>ui::people::TalkPanel</name>
@@ -5589,6 +5635,27 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>It was ended before anything was chosen.</source>
         <translation>何も選ばれないうちに終了しました。</translation>
+    </message>
+    <message>
+        <source>Block of</source>
+        <extracomment>What the block is made of on which a hardness preset is tried</extracomment>
+        <translation>ブロックの材質</translation>
+    </message>
+    <message>
+        <source>What the block is made of</source>
+        <translation>ブロックの材質</translation>
+    </message>
+    <message>
+        <source>enamel, dentin, soft decay</source>
+        <translation>エナメル質・象牙質・軟らかいう蝕</translation>
+    </message>
+    <message>
+        <source>enamel, dentin, firm decay</source>
+        <translation>エナメル質・象牙質・硬いう蝕</translation>
+    </message>
+    <message>
+        <source>plastic throughout</source>
+        <translation>全体がプラスチック</translation>
     </message>
 </context>
 <context>
@@ -7214,20 +7281,16 @@ unsaved</source>
         <translation>入力中のコメントがまだ追加されていません。</translation>
     </message>
     <message>
-        <source>A score with its reason was typed and is not given yet.</source>
-        <translation>得点と理由が入力されましたが、まだ与えられていません。</translation>
-    </message>
-    <message>
-        <source>A comment or a score that somebody else has typed is not kept yet.</source>
-        <translation>ほかの人が入力したコメントまたは得点が、まだ保存されていません。</translation>
-    </message>
-    <message>
-        <source>It waits until that person logs in here.</source>
-        <translation>その人がここでログインするまで残しておきます。</translation>
-    </message>
-    <message>
         <source>Cusp stays open: a teacher&apos;s work is not saved yet. It waits until a teacher logs in here.</source>
         <translation>Cuspは開いたままです。教員の作業がまだ保存されていません。教員がここでログインするまで残しておきます。</translation>
+    </message>
+    <message>
+        <source>A score was typed and is not given yet.</source>
+        <translation>得点が入力されましたが、まだ与えられていません。</translation>
+    </message>
+    <message>
+        <source>Cusp stays open: what somebody else has typed is not kept yet. It waits until that person logs in here.</source>
+        <translation>Cuspは開いたままです。ほかの人が入力した内容がまだ保存されていません。その人がここでログインするまで残しておきます。</translation>
     </message>
 </context>
 <context>
@@ -8519,6 +8582,10 @@ unsaved</source>
     <message>
         <source>Given to</source>
         <translation>出された先</translation>
+    </message>
+    <message>
+        <source>There is none of these now. Show all lessons.</source>
+        <translation>該当する課題は今はありません。すべての課題を表示してください。</translation>
     </message>
 </context>
 <context>
