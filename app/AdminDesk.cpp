@@ -66,6 +66,12 @@ struct Newcomer
     core::Status put;
 };
 
+/// For people: the file with its whole path, however it was named, or the URL.
+QString placeOf(const database::Address& address)
+{
+    return address.isServer() ? address.shown() : QDir::toNativeSeparators(QFileInfo(address.file).absoluteFilePath());
+}
+
 QString why(const core::Error& error)
 {
     switch (error.code) {
@@ -139,6 +145,7 @@ AdminDesk::AdminDesk(ui::shell::MainWindow& window, SchoolDesk& desk, Place plac
     connectRoster();
     connectBackups();
     connect(&window.adminPage().audit(), &ui::admin::AuditPart::olderWanted, this, &AdminDesk::tellAudit);
+    connect(&window.adminPage().audit(), &ui::admin::AuditPart::newestWanted, this, [this] { tellAudit(0); });
     connect(&window.adminPage().station(), &ui::admin::StationPart::idleMinutesWanted, this, [this](int minutes) {
         m_desk.ask(
             this,
@@ -534,7 +541,7 @@ void AdminDesk::tellBackups()
 {
     ui::admin::BackupPart& part = m_window.adminPage().backups();
     const database::Address& address = m_place.address;
-    part.setDatabase(address.isServer() ? address.shown() : QDir::toNativeSeparators(address.file), address.isServer());
+    part.setDatabase(placeOf(address), address.isServer());
     if (address.isServer())
         return;
     inBackground(
@@ -551,31 +558,40 @@ void AdminDesk::tellBackups()
 
 void AdminDesk::tellAudit(qint64 beforeSeq)
 {
+    using database::sql::AuditRows;
     struct Found
     {
         std::vector<database::AuditRow> rows;
         database::sql::AuditHead head;
+        bool hasOlder = false;
     };
+    ui::admin::AuditPart& part = m_window.adminPage().audit();
     m_desk.ask(
         this,
-        [who = m_who(), beforeSeq](const School& school) -> core::Result<Found> {
-            auto rows = database::sql::readAudit(school, who, kAuditRows, beforeSeq);
+        [who = m_who(), beforeSeq, which = part.leavesOutAttempts() ? AuditRows::WithoutAttempts : AuditRows::All](
+            const School& school) -> core::Result<Found> {
+            // One more, to know whether there are any.
+            auto rows = database::sql::readAudit(school, who, kAuditRows + 1, beforeSeq, which);
             const auto head = database::sql::auditHead(school);
             if (!rows || !head)
                 return tl::unexpected(rows ? head.error() : rows.error());
-            return Found{std::move(*rows), *head};
+            const bool hasOlder = rows->size() > kAuditRows;
+            if (hasOlder)
+                rows->pop_back();
+            return Found{std::move(*rows), *head, hasOlder};
         },
-        [this, beforeSeq](const core::Result<Found>& found) {
+        [this, beforeSeq, &part, without = part.leavesOutAttempts()](const core::Result<Found>& found) {
+            if (without != part.leavesOutAttempts())  // what is wanted now was asked for after it
+                return;
             if (!found) {
                 refuse(found.error());
                 return;
             }
-            ui::admin::AuditPart& part = m_window.adminPage().audit();
             const QList<database::AuditRow> rows(found->rows.begin(), found->rows.end());
             if (beforeSeq == 0)
-                part.setRows(rows, QString::fromStdString(found->head.code()));
+                part.setRows(rows, QString::fromStdString(found->head.code()), found->hasOlder);
             else
-                part.addRows(rows);
+                part.addRows(beforeSeq, rows, found->hasOlder);
         });
 }
 
@@ -601,12 +617,10 @@ void AdminDesk::tellStation()
                 refuse(found.error());
                 return;
             }
-            const database::Address& address = m_place.address;
             ui::admin::StationPart& part = m_window.adminPage().station();
             part.setFacts({m_place.isSimulated, m_place.servoHz, 1.0e-3 * m_window.periodUs(0.5),
                            1.0e-3 * m_window.periodUs(0.99), QString::fromStdString(found->key),
-                           address.isServer() ? address.shown() : QDir::toNativeSeparators(address.file),
-                           QStringLiteral(CUSP_VERSION), found->waiting});
+                           placeOf(m_place.address), QStringLiteral(CUSP_VERSION), found->waiting});
             part.setIdleMinutes(found->idleMinutes);
         });
 }

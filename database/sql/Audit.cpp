@@ -26,6 +26,7 @@ constexpr std::int64_t kHighest = std::numeric_limits<std::int64_t>::max() / 4;
 constexpr std::int64_t kFarthest = 1'000'000'000;
 constexpr std::size_t kLongestRun = 1000;  ///< of rows that were slipped in or taken out together
 const QString kColumns = QStringLiteral("seq, at_utc, actor, action, object, detail, hash");
+const QString kNoAttempt = QStringLiteral("AND action NOT IN ('attempt.add', 'exam.begin')");
 
 AuditRow rowOf(const QSqlQuery& query)
 {
@@ -524,14 +525,16 @@ core::Result<AuditHead> auditHead(const QSqlDatabase& db)
 }
 
 core::Result<std::vector<AuditRow>> readAudit(const School& school, const Session& session, int limit,
-                                              std::int64_t beforeSeq)
+                                              std::int64_t beforeSeq, AuditRows which)
 {
     if (auto who = admit(school, session, Operation::ReadAudit); !who)
         return tl::unexpected(who.error());
     std::vector<AuditRow> rows;
+    const QString others = which == AuditRows::All ? QString() : kNoAttempt;
     const qlonglong before = beforeSeq > 0 ? beforeSeq : std::numeric_limits<qlonglong>::max();
     if (auto read = forEach(
-            school.db, QStringLiteral("SELECT %1 FROM audit WHERE seq < ? ORDER BY seq DESC LIMIT ?").arg(kColumns),
+            school.db,
+            QStringLiteral("SELECT %1 FROM audit WHERE seq < ? %2 ORDER BY seq DESC LIMIT ?").arg(kColumns, others),
             "read the audit", {before, std::max(0, limit)}, [&](const QSqlQuery& row) { rows.push_back(rowOf(row)); });
         !read)
         return tl::unexpected(read.error());

@@ -86,9 +86,13 @@ struct AuditHead
 /// shown.
 [[nodiscard]] bool isAuditCode(const std::string& typed);
 
-/// The newest rows, newest first, at most `limit`, those before row `beforeSeq` if that is not 0. Admins.
+/// Of a school that practises nearly every row tells of an attempt that was begun or kept.
+enum class AuditRows { All, WithoutAttempts };
+
+/// The newest rows of these, newest first, at most `limit`, those before row `beforeSeq` if that is not 0. Admins.
 [[nodiscard]] core::Result<std::vector<AuditRow>> readAudit(const School& school, const Session& session, int limit,
-                                                            std::int64_t beforeSeq = 0);
+                                                            std::int64_t beforeSeq = 0,
+                                                            AuditRows rows = AuditRows::All);
 
 /// What is wrong with the chain, a finding for each row that was changed, removed, inserted or moved; at most
 /// `kMostFindings`. Empty: nothing, or `progress` returned false.

@@ -29,6 +29,7 @@
 
 #include "app/Application.h"
 #include "database/sql/Attempts.h"
+#include "database/sql/Audit.h"
 #include "database/sql/Backups.h"
 #include "database/sql/Classes.h"
 #include "database/sql/Logins.h"
@@ -140,6 +141,8 @@ private slots:
     void aBackupIsMadeTriedAndRestored();
     void aNetworkDriveIsForOneAndIsBackedUp();
     void whatWasDoneStandsInTheAudit();
+    void attemptsDoNotHideWhatWasDone();
+    void theDatabaseIsNamedWithItsWholePath();
     void onesOwnPasswordIsChanged();
     void aTeacherAssignsLessonsAndTakesThemBack();
     void commentsArePinnedToMomentsAndPlaces();
@@ -1929,6 +1932,77 @@ void TestSchool::aNetworkDriveIsForOneAndIsBackedUp()
     QCOMPARE(attemptsKept(), 1);
 }
 
+/// Of more attempts than are read at once.
+void TestSchool::attemptsDoNotHideWhatWasDone()
+{
+    {
+        const auto database = sql::Database::open(file()).value();
+        const auto key = StationKey::readOrMake(m_folder->filePath("station.key")).value();
+        const sql::School school{database->handle(), key};
+        QVERIFY(sql::inTurn(school, "note attempts", [&]() -> core::Status {
+            sql::AuditBatch batch(school);
+            for (int k = 0; k < 505; ++k)
+                if (auto noted = batch.note("system", "attempt.add", "attempt:" + std::to_string(k)); !noted)
+                    return noted;
+            return batch.seal();
+        }));
+    }
+    start();
+    logIn("admin");
+    openSchool(ui::admin::AdminPage::Audit);
+    const auto* rows = child<QTableView>("audit")->model();
+    const auto* counted = child<QLabel>("auditCount");
+    QTRY_COMPARE_WITH_TIMEOUT(rows->rowCount(), 500, kPatienceMs);
+    child<QLineEdit>("auditSearch")->setText("entered a person");
+    QCOMPARE(rows->rowCount(), 0);
+    QVERIFY2(counted->text().contains("newest 500"), qPrintable(counted->text()));
+    QVERIFY(child<QPushButton>("olderAudit")->isEnabled());
+    auto* without = child<QCheckBox>("auditNoAttempts");
+    QVERIFY(!without->accessibleName().isEmpty());
+    without->click();
+    QTRY_COMPARE_WITH_TIMEOUT(rows->rowCount(), count("audit WHERE action = 'person.add'"), kPatienceMs);
+    QVERIFY(rows->rowCount() >= 3);
+    // All of them were read: there is nothing that older ones could bring.
+    QCOMPARE(counted->text(), QString::number(rows->rowCount()) + " rows");
+    QVERIFY(!child<QPushButton>("olderAudit")->isEnabled());
+    child<QLineEdit>("auditSearch")->clear();
+    QCOMPARE(rows->rowCount(), count("audit WHERE action != 'attempt.add'"));
+    // With attempts again, and older ones asked for twice come once.
+    without->click();
+    QTRY_COMPARE_WITH_TIMEOUT(rows->rowCount(), 500, kPatienceMs);
+    click("olderAudit");
+    click("olderAudit");
+    QTRY_COMPARE_WITH_TIMEOUT(rows->rowCount(), count("audit"), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(!child<QPushButton>("olderAudit")->isEnabled(), kPatienceMs);
+    QCOMPARE(rows->rowCount(), count("audit"));
+}
+
+/// However it was named: who looks for it, or for its backups, has to know where they lie.
+void TestSchool::theDatabaseIsNamedWithItsWholePath()
+{
+    const QString before = QDir::currentPath();
+    QVERIFY(QDir::setCurrent(m_folder->path()));
+    app::WindowOptions options;
+    options.source = {36};
+    options.database = QStringLiteral("school.sqlite");
+    options.asksWho = true;
+    m_application = app::Application::make(options).value();
+    m_application->show();
+    logIn("admin");
+    const auto named = [this] {
+        const auto labels = child<ui::admin::AdminPage>()->findChildren<QLabel*>();
+        return std::any_of(labels.begin(), labels.end(), [whole = QDir::toNativeSeparators(file())](const QLabel* one) {
+            return one->isVisible() && one->text().contains(whole);
+        });
+    };
+    for (const auto part : {ui::admin::AdminPage::Backups, ui::admin::AdminPage::Station}) {
+        openSchool(part);
+        QTRY_VERIFY_WITH_TIMEOUT(named(), kPatienceMs);
+    }
+    m_application.reset();
+    QVERIFY(QDir::setCurrent(before));
+}
+
 void TestSchool::whatWasDoneStandsInTheAudit()
 {
     start();
@@ -1948,7 +2022,8 @@ void TestSchool::whatWasDoneStandsInTheAudit()
     // What does not fit into its column ends in "…", and is there to be read.
     const QString longName(200, 'w');
     child<ui::admin::AuditPart>()->setRows(
-        {{1, "2026-05-04T10:20:30Z", "", "preset.add", "preset:" + longName.toStdString() + " v1", "{}", ""}}, "1-0");
+        {{1, "2026-05-04T10:20:30Z", "", "preset.add", "preset:" + longName.toStdString() + " v1", "{}", ""}}, "1-0",
+        false);
     child<QLineEdit>("auditSearch")->clear();
     QVERIFY(rows->index(0, 4).data().toString().contains(longName));
     QVERIFY(rows->index(0, 4).data(Qt::ToolTipRole).toString().contains(longName));

@@ -86,6 +86,15 @@ void TestAudit::aSoundChainHasNoFindings()
     QCOMPARE(newest->front().action, std::string("attempt.add"));
     QCOMPARE(newest->front().actor, rig.student.uid());
     QCOMPARE(readAudit(rig.school(), rig.admin, 5, newest->back().seq)->front().seq, newest->back().seq - 1);
+    // Those of attempts are left out before they are counted.
+    const auto others = readAudit(rig.school(), rig.admin, 5, 0, AuditRows::WithoutAttempts);
+    VERIFY_DONE(others);
+    QCOMPARE(others->size(), std::size_t{5});
+    for (const AuditRow& row : *others)
+        QVERIFY2(row.action != "attempt.add" && row.action != "exam.begin", row.action.c_str());
+    QVERIFY(others->front().seq < newest->back().seq);
+    QCOMPARE(readAudit(rig.school(), rig.admin, 5, others->back().seq, AuditRows::WithoutAttempts)->front().seq,
+             others->back().seq - 1);
     // A report of another school's.
     QVERIFY(!checkAudit(rig.school().db, {"3-000000000000"})->empty());
     QVERIFY(!checkAudit(rig.school().db, {"nonsense"})->empty());

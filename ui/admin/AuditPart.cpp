@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include <QCheckBox>
 #include <QClipboard>
 #include <QGuiApplication>
 #include <QHBoxLayout>
@@ -35,8 +36,8 @@ constexpr int kObjectPx = 320;  ///< at most; what is longer ends in "…"
 
 AuditPart::AuditPart(QWidget* parent)
     : QWidget(parent), m_code(study::formWords({}, kBody, QFont::Normal, QPalette::WindowText, this)),
-      m_copy(new QPushButton(this)), m_search(new QLineEdit(this)), m_count(new QLabel(this)),
-      m_older(new QPushButton(this)), m_rows(new QStandardItemModel(0, kColumns, this)),
+      m_copy(new QPushButton(this)), m_search(new QLineEdit(this)), m_noAttempts(new QCheckBox(this)),
+      m_count(new QLabel(this)), m_older(new QPushButton(this)), m_rows(new QStandardItemModel(0, kColumns, this)),
       m_shown(new people::WordFilter(this)), m_table(new people::ListTable(this))
 {
     m_code->setObjectName(QStringLiteral("auditCode"));
@@ -48,6 +49,8 @@ AuditPart::AuditPart(QWidget* parent)
     for (auto* clear : m_search->findChildren<QAbstractButton*>())
         text::inEveryLanguage(clear, [clear] { clear->setAccessibleName(tr("Clear the search")); });
     m_search->setFont(typeface(kBody));
+    m_noAttempts->setObjectName(QStringLiteral("auditNoAttempts"));
+    m_count->setObjectName(QStringLiteral("auditCount"));
     m_count->setForegroundRole(QPalette::PlaceholderText);
     m_shown->setSourceModel(m_rows);
     m_table->setObjectName(QStringLiteral("audit"));
@@ -66,6 +69,7 @@ AuditPart::AuditPart(QWidget* parent)
     column->addLayout(head);
     auto* find = new QHBoxLayout;
     find->addWidget(m_search, 1);
+    find->addWidget(m_noAttempts);
     find->addWidget(m_count);
     column->addLayout(find);
     column->addWidget(m_table, 1);
@@ -76,6 +80,15 @@ AuditPart::AuditPart(QWidget* parent)
     connect(m_search, &QLineEdit::textChanged, this, [this](const QString& words) {
         m_shown->setWords(words);
         tell();
+    });
+    // Those that are there are no answer any more: between them there are others, or none of them is wanted.
+    connect(m_noAttempts, &QCheckBox::toggled, this, [this] {
+        m_isAsked = true;
+        m_hasOlder = false;
+        m_audit.clear();
+        fill();
+        tell();
+        emit newestWanted();
     });
     connect(m_older, &QPushButton::clicked, this, [this] {
         if (!m_audit.isEmpty())
@@ -88,6 +101,11 @@ void AuditPart::speak()
 {
     m_search->setPlaceholderText(tr("Search: a person, an action"));
     m_search->setAccessibleName(m_search->placeholderText());
+    m_noAttempts->setText(tr("Leave out attempts"));
+    m_noAttempts->setAccessibleName(m_noAttempts->text());
+    m_noAttempts->setToolTip(brokenIntoLines(
+        tr("Who began an exam or made an attempt is not shown: what is left is what was done to people, classes, "
+           "grades, presets, settings and backups")));
     m_copy->setText(tr("Copy"));
     m_copy->setAccessibleName(tr("Copy the audit code"));
     m_older->setText(tr("Older rows"));
@@ -103,14 +121,28 @@ void AuditPart::tell()
     m_code->setText(tr("Audit code now: %1. Every report shows the code of its day. Type one beside \"Check "
                        "everything\" (Backups) to see whether what was noted before it is still as it was.")
                         .arg(m_head));
-    const bool hasOlder = !m_audit.isEmpty() && m_audit.back().seq > 1;
-    m_count->setText(
-        m_search->text().isEmpty() || !hasOlder
-            ? tr("%n row(s)", nullptr, m_shown->rowCount())
-            //: %1: how many rows were searched
-            : tr("%n row(s) among the newest %1; \"Older rows\" brings more to search", nullptr, m_shown->rowCount())
-                  .arg(QLocale().toString(m_audit.size())));
-    m_older->setEnabled(hasOlder);
+    m_count->setText(m_isAsked ? QString() : countWords());
+    m_older->setEnabled(m_hasOlder);
+}
+
+QString AuditPart::countWords() const
+{
+    const int shown = m_shown->rowCount();
+    if (m_search->text().isEmpty() || !m_hasOlder)
+        return tr("%n row(s)", nullptr, shown);
+    const QString searched = QLocale().toString(m_audit.size());
+    if (leavesOutAttempts())
+        //: %1: how many rows were searched
+        return tr("%n row(s) among the newest %1 without attempts; \"Older rows\" brings more to search", nullptr,
+                  shown)
+            .arg(searched);
+    //: %1: how many rows were searched
+    return tr("%n row(s) among the newest %1; \"Older rows\" brings more to search", nullptr, shown).arg(searched);
+}
+
+bool AuditPart::leavesOutAttempts() const
+{
+    return m_noAttempts->isChecked();
 }
 
 void AuditPart::fill()
@@ -144,17 +176,22 @@ void AuditPart::setLessonTitles(const people::LessonTitles& titles)
     fill();
 }
 
-void AuditPart::setRows(const QList<database::AuditRow>& newestFirst, const QString& code)
+void AuditPart::setRows(const QList<database::AuditRow>& newestFirst, const QString& code, bool hasOlder)
 {
     m_audit = newestFirst;
     m_head = code;
+    m_hasOlder = hasOlder;
+    m_isAsked = false;
     fill();
     tell();
 }
 
-void AuditPart::addRows(const QList<database::AuditRow>& newestFirst)
+void AuditPart::addRows(qint64 beforeSeq, const QList<database::AuditRow>& newestFirst, bool hasOlder)
 {
+    if (m_audit.isEmpty() || m_audit.back().seq != beforeSeq)  // asked for twice, or of the others
+        return;
     m_audit += newestFirst;
+    m_hasOlder = hasOlder;
     fill();
     tell();
 }

@@ -8,6 +8,7 @@
 #include "database/records.h"
 #include "ui/admin/AdminWords.h"
 
+class QCheckBox;
 class QLabel;
 class QLineEdit;
 class QPushButton;
@@ -29,12 +30,17 @@ public:
 
     void setNames(const NamesByUid& names);
     void setLessonTitles(const people::LessonTitles& titles);
+    /// Rows that tell of attempts are to be left out: of those that are asked for, not of those that are there.
+    [[nodiscard]] bool leavesOutAttempts() const;
     /// In place of what is there.
-    void setRows(const QList<database::AuditRow>& newestFirst, const QString& code);
-    /// Older ones, beneath.
-    void addRows(const QList<database::AuditRow>& newestFirst);
+    /// @param hasOlder  there are more before them
+    void setRows(const QList<database::AuditRow>& newestFirst, const QString& code, bool hasOlder);
+    /// Older ones, beneath the row `beforeSeq`; nothing where that is the last no longer.
+    void addRows(qint64 beforeSeq, const QList<database::AuditRow>& newestFirst, bool hasOlder);
 
 signals:
+    /// The newest are wanted: with attempts, or without.
+    void newestWanted();
     /// Rows before this one are wanted.
     void olderWanted(qint64 beforeSeq);
 
@@ -42,6 +48,7 @@ private:
     void speak();
     void fill();
     void tell();
+    [[nodiscard]] QString countWords() const;
 
     QList<database::AuditRow> m_audit;
     NamesByUid m_names;
@@ -49,12 +56,15 @@ private:
     QLabel* m_code;
     QPushButton* m_copy;
     QLineEdit* m_search;
+    QCheckBox* m_noAttempts;
     QLabel* m_count;
     QPushButton* m_older;
     QStandardItemModel* m_rows;
     people::WordFilter* m_shown;
     people::ListTable* m_table;
     QString m_head;
+    bool m_hasOlder = false;
+    bool m_isAsked = false;  ///< the newest are on their way
 };
 
 }  // namespace ui::admin
