@@ -181,6 +181,7 @@ private slots:
     void whatARuleStoppedTurnsAgainInTheNextLesson();
     void draftsWaitForWhoTeaches();
     void anAdminIsToldHowToBeginWithClasses();
+    void peoplesColumnsAreMeasuredByAllOfThem();
     void aHalfFilledFormIsPutAside();
     void presetsAreFoundFromTheSchoolAndFromOnesPlace();
     void theChosenPartOfTheSchoolIsReadWhole();
@@ -1578,6 +1579,29 @@ void TestMainWindow::choosePerson(int row) const
 {
     auto* table = child<QTableView>("people");
     table->setCurrentIndex(table->model()->index(row, 0));
+}
+
+/// The table measures no more than its first thousand rows, and of those that are searched for only.
+void TestMainWindow::peoplesColumnsAreMeasuredByAllOfThem()
+{
+    ui::admin::PeoplePart& people = openPeople();
+    QList<database::Person> all;
+    for (int k = 0; k < 1200; ++k)
+        all << someone(k + 1, "Ada", true);
+    all.back().role = database::Role::Instructor;
+    const auto* table = child<QTableView>("people");
+    const auto fits = [table] {
+        const QModelIndex last = table->model()->index(table->model()->rowCount() - 1, 2);
+        return last.data().toString() == "instructor" && table->columnWidth(2) >= table->sizeHintForIndex(last).width();
+    };
+    people.setPeople(all, {});
+    QVERIFY(fits());
+    auto* search = people.findChild<QLineEdit*>("peopleSearch");
+    QVERIFY(search);
+    search->setText("s7");
+    people.setPeople(all, {});
+    search->clear();
+    QVERIFY(fits());
 }
 
 void TestMainWindow::aHalfFilledFormIsPutAside()

@@ -46,7 +46,8 @@ enum DataRole { kId = Qt::UserRole + 1, kSortBy };
 constexpr int kFormPx = 340;
 constexpr int kClassListPx = 110;
 constexpr int kTickPx = 28;
-constexpr int kSoonMs = 100;  ///< what takes longer is told
+constexpr int kMostFittedPx = 320;  ///< of a column, for the sake of one who is in many classes
+constexpr int kSoonMs = 100;        ///< what takes longer is told
 constexpr std::array kRoles{Role::Student, Role::Instructor, Role::Admin};
 
 /// As high as the fields leave it room for, and at least three lines.
@@ -101,6 +102,7 @@ QWidget* PeoplePart::makeList()
     column->setSpacing(kSpace2);
     auto* head = new QHBoxLayout;
     m_search = input("peopleSearch", side);
+    m_search->setObjectName(QStringLiteral("peopleSearch"));
     m_search->setClearButtonEnabled(true);
     for (auto* clear : m_search->findChildren<QAbstractButton*>())
         text::inEveryLanguage(clear, [clear] { clear->setAccessibleName(tr("Clear the search")); });
@@ -399,10 +401,32 @@ void PeoplePart::fill()
         if (person.id.value == m_chosen)
             select = m_rows->rowCount() - 1;
     }
-    m_table->resizeColumnsToContents();
+    fitColumns();
     if (select >= 0)
         m_table->setCurrentIndex(m_shown->mapFromSource(m_rows->index(select, kName)));
     filter();
+}
+
+/// The table measures its first rows alone: of thousands none of them may be an instructor. The one of most letters is
+/// measured in every column, of all persons, whoever is searched for.
+void PeoplePart::fitColumns()
+{
+    m_shown->setWords({});
+    m_table->resizeColumnsToContents();
+    for (int column = 0; column < m_rows->columnCount(); ++column) {
+        int longest = -1;
+        qsizetype letters = 0;
+        for (int row = 0; row < m_rows->rowCount(); ++row)
+            if (const qsizetype here = m_rows->item(row, column)->text().size(); here > letters) {
+                letters = here;
+                longest = row;
+            }
+        if (longest < 0)
+            continue;
+        const QModelIndex index = m_shown->mapFromSource(m_rows->index(longest, column));
+        const int wanted = std::min(m_table->sizeHintForIndex(index).width() + 1, kMostFittedPx);
+        m_table->setColumnWidth(column, std::max(m_table->columnWidth(column), wanted));
+    }
 }
 
 void PeoplePart::filter()

@@ -85,6 +85,7 @@ private:
     QWidget* makeAside(QWidget* parent);
     void speak();
     void fill();
+    void fitColumns();
     void filter();
     void choose(qint64 person);
     void select(qint64 person);
