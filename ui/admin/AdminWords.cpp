@@ -53,7 +53,8 @@ constexpr std::array kSettings{
     std::pair{"idle.minutes", QT_TRANSLATE_NOOP("Admin", "when a place that was left is locked")},
     std::pair{"password.passes", QT_TRANSLATE_NOOP("Admin", "how long checking a password takes")},
     std::pair{"password.memory", QT_TRANSLATE_NOOP("Admin", "how much memory checking a password takes")},
-    std::pair{"password.decoy", QT_TRANSLATE_NOOP("Admin", "how long checking a password takes")},  // goes with it
+    // What a login by a name that nobody has is compared with, so that it takes as long as any other.
+    std::pair{"password.decoy", QT_TRANSLATE_NOOP("Admin", "how long a login by a name that nobody has takes")},
     std::pair{"preset.in_use", QT_TRANSLATE_NOOP("Admin", "the preset that everybody uses")},
 };
 
