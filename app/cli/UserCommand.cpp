@@ -396,6 +396,9 @@ int importCommand(const QStringList& arguments)
                                                      {csv.constData(), static_cast<std::size_t>(csv.size())}, dryRun);
     if (!outcome)
         return failed({outcome.error().code, words.back().toStdString() + ": " + outcome.error().detail});
+    if (outcome->faults.empty() && outcome->people.empty())
+        return failed({ErrorCode::FileEmpty,
+                       words.back().toStdString() + ": there is nobody in it, only the line that names the columns"});
     const bool hasCodes =
         std::any_of(outcome->people.begin(), outcome->people.end(), [](const auto& person) { return person.isNew; });
     if (!dryRun && outcome->faults.empty() && toFile && hasCodes)

@@ -179,6 +179,12 @@ void TestSchoolCommands::aClassListIsTriedAndEntered()
     const QByteArray codes = contentOf(at("codes.csv"));
     QVERIFY2(codes.contains("n1,Ada One,") && codes.contains("n2,Bo Two,"), codes);
     QVERIFY(!(QFile::permissions(at("codes.csv")) & (QFile::ReadGroup | QFile::ReadOther)));
+    put(at("nobody.csv"), "username,given_name,family_name,role,class\n");
+    for (const QStringList& way : {QStringList(), QStringList{"--dry-run"}}) {
+        const Ending nobody = byAdmin(QStringList{"import", "roster", at("nobody.csv")} + way);
+        QCOMPARE(nobody.exitCode, 1);
+        QVERIFY2(nobody.error.contains("there is nobody in it") && nobody.out.isEmpty(), nobody.error);
+    }
     put(at("bad.csv"), "username,role\nn3,boss\n,student\n");
     const Ending bad = byAdmin({"import", "roster", at("bad.csv")});
     QCOMPARE(bad.exitCode, 1);
