@@ -15,6 +15,7 @@
 #include "ui/presets/FeedChart.h"
 #include "ui/presets/PresetWords.h"
 #include "ui/presets/SimplePanel.h"
+#include "ui/shell/ScrollPane.h"
 #include "ui/shell/Theme.h"
 #include "ui/text/EveryLanguage.h"
 #include "ui/text/Texts.h"
@@ -27,7 +28,7 @@ using Answer = BlindTrial::Answer;
 
 constexpr int kCardPx = 412;
 constexpr int kHighestChartPx = 460;
-constexpr int kChartFromPx = 560;  ///< in a lower window the dials have the room
+constexpr int kLowestChartPx = 200;
 constexpr double kHardlyChance = 0.05;
 
 /// So that every row of a preset can be felt that teeth are cut by: enamel, dentin and soft decay lie in the block side
@@ -60,9 +61,9 @@ QPushButton* button(const char* kind, const char* name, QWidget* parent)
 }  // namespace
 
 TrialCard::TrialCard(QWidget* parent)
-    : QFrame(parent), m_title(new QLabel(this)), m_words(new QLabel(this)), m_dials(new SimplePanel(this)),
-      m_blockChoice(new QWidget(this)), m_block(new QComboBox(m_blockChoice)), m_chart(new FeedChart(this)),
-      m_reset(button("quiet", "trialReset", this)), m_letters(new QWidget(this)),
+    : QFrame(parent), m_title(new QLabel(this)), m_words(new QLabel(this)), m_tuning(new QWidget(this)),
+      m_dials(new SimplePanel(m_tuning)), m_blockChoice(new QWidget(this)), m_block(new QComboBox(m_blockChoice)),
+      m_chart(new FeedChart(m_tuning)), m_reset(button("quiet", "trialReset", this)), m_letters(new QWidget(this)),
       m_a(button("segment", "trialA", m_letters)), m_b(button("segment", "trialB", m_letters)),
       m_answers(new QWidget(this)), m_csv(button("", "trialCsv", this)), m_end(button("", "trialEnd", this)),
       m_back(button("filled", "trialBack", this))
@@ -107,6 +108,7 @@ TrialCard::TrialCard(QWidget* parent)
     });
     connect(m_dials, &SimplePanel::changed, this, &TrialCard::turn);
     makeBlockChoice();
+    m_chart->setMinimumHeight(kLowestChartPx);
     m_chart->setMaximumHeight(kHighestChartPx);
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(m_reset);
@@ -120,8 +122,15 @@ TrialCard::TrialCard(QWidget* parent)
     column->addWidget(m_title);
     column->addWidget(m_words);
     column->addWidget(m_blockChoice);
-    column->addWidget(m_dials);
-    column->addWidget(m_chart, 1);
+    // In a low window, or with large text, the chart lies below the dials and comes by scrolling.
+    auto* tuning = new QVBoxLayout(m_tuning);
+    tuning->setContentsMargins(0, 0, 0, 0);
+    tuning->setSpacing(kSpace2);
+    tuning->addWidget(m_dials);
+    tuning->addWidget(m_chart, 1);
+    tuning->addStretch(0);
+    m_pane = new ScrollPane(m_tuning, QPalette::Window, this);
+    column->addWidget(m_pane, 1);
     column->addWidget(m_letters);
     column->addWidget(m_answers);
     column->addLayout(buttons);
@@ -247,8 +256,7 @@ void TrialCard::say()
 {
     const bool isBlind = m_trial.has_value();
     const bool isOver = isBlind && m_trial->isOver();
-    m_dials->setVisible(!isBlind);
-    m_chart->setVisible(!isBlind && height() >= kChartFromPx);
+    m_pane->setVisible(!isBlind);
     m_reset->setVisible(!isBlind);
     m_blockChoice->setVisible(!isOver);
     m_letters->setVisible(isBlind && !isOver);
@@ -280,12 +288,6 @@ void TrialCard::say()
         m_words->setText(m_trial->trials() > 0 ? words : tr("It was ended before anything was chosen."));
     }
     setAccessibleName(m_title->text());
-}
-
-void TrialCard::resizeEvent(QResizeEvent* event)
-{
-    QFrame::resizeEvent(event);
-    m_chart->setVisible(!m_trial && height() >= kChartFromPx);
 }
 
 /// A block that nothing was cut of.

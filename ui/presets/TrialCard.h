@@ -50,9 +50,6 @@ signals:
     void done();
     void csvWanted(const QByteArray& csv);
 
-protected:
-    void resizeEvent(QResizeEvent* event) override;
-
 private:
     void makeBlockChoice();
     void takeBlock();
@@ -66,6 +63,8 @@ private:
 
     QLabel* m_title;
     QLabel* m_words;
+    QWidget* m_tuning;          ///< dials and chart
+    QWidget* m_pane = nullptr;  ///< in which they scroll
     SimplePanel* m_dials;
     QWidget* m_blockChoice;
     QComboBox* m_block;
