@@ -109,7 +109,7 @@ void PresetDesk::setSchool(SchoolDesk* school)
 void PresetDesk::refresh()
 {
     const Session who = m_who();
-    m_window.setMayKeepPresets(who.isGuest() || who.role() == Role::Admin);
+    m_window.setMayKeepPresets(who, who.isGuest() || who.role() == Role::Admin);
     // His own first: he has chosen it himself.
     const auto takeWith = [this, who](std::vector<ReadPreset> all, QString inUse) {
         if (who.isGuest()) {
@@ -226,9 +226,7 @@ void PresetDesk::tellKept(const core::Result<FeelPreset>& kept, const QString& n
         m_all = lessons::shelved(std::move(m_all));
     }
     m_window.setPresets(m_all, m_inUse);
-    m_window.showPresetKept(*kept);
-    if (!note.isEmpty())
-        m_window.showPresetFault(note);
+    m_window.showPresetKept(*kept, note);
 }
 
 void PresetDesk::import(const QString& path)

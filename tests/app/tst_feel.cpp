@@ -315,7 +315,10 @@ void TestFeel::whatIsWrongWithAFileStaysToBeRead()
     QTRY_COMPARE(page().draft().name, std::string("slip"));
     QVERIFY2(fault->text().contains("slip.json, enamell: ") && fault->text().contains("did you mean \"enamel\"?"),
              qPrintable(fault->text()));
+    const auto* bar = child<ui::shell::MessageBar>();
+    QVERIFY2(bar->sentence().contains("was kept: slip"), qPrintable(bar->sentence()));
     import(R"({"force": {"stiffness_n_per_mm": 15}})");
+    QVERIFY2(!bar->sentence().contains("was kept"), qPrintable(bar->sentence()));  // one would read the older of both
     QVERIFY2(fault->text().contains("Would tremble"), qPrintable(fault->text()));
     core::settings::FeelPreset stiff;
     stiff.name = "stiff";

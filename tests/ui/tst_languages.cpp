@@ -376,7 +376,7 @@ void TestLanguages::pages_data()
     for (const bool mayKeep : {true, false})
         page(mayKeep ? "presets" : "presets, a student's", [this, mayKeep] {
             m_window->setPresets(lessons::shelved({}), lessons::shippedPresets().front());
-            m_window->setMayKeepPresets(mayKeep);
+            m_window->setMayKeepPresets({}, mayKeep);
             actions().presets->trigger();
         });
     page("presets, all numbers", [this] {

@@ -9,6 +9,7 @@
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSlider>
+#include <QStackedWidget>
 #include <QTest>
 #include <QTextDocumentFragment>
 #include <QTranslator>
@@ -112,10 +113,14 @@ private slots:
     void aComparisonCanBeEnded();
     void allAsItWasUndoesTheConsoleToo();
     void whatWasChangedIsPutAside();
+    void whatOneHasChangedWaitsForHim();
     void whatWasLoadedInATrialIsThatPreset();
     void namesOfAnyLengthLeaveTheVersionItsLine();
     void allNumbersFitTheFirstWindow_data();
     void allNumbersFitTheFirstWindow();
+    void allIsReachedWithLargeText_data();
+    void allIsReachedWithLargeText();
+    void aLowTrialCardHasItsChart();
     void faultsAreToldInWords_data();
     void faultsAreToldInWords();
     void aSecondLineOfAFaultIsQuieter();
@@ -602,6 +607,43 @@ void TestPresetsPage::whatWasChangedIsPutAside()
     QVERIFY(room.page.draft() == other && !aside->isVisible());
 }
 
+void TestPresetsPage::whatOneHasChangedWaitsForHim()
+{
+    constexpr qint64 kAdmin = 1;
+    constexpr qint64 kTeacher = 2;
+    Room room;
+    auto* list = room.find<QListWidget>("presetList");
+    auto* aside = room.find<QLabel>("presetAside");
+    room.page.setWriter(kAdmin);
+    room.find<QSlider>("dial0")->setValue(10);
+    list->setCurrentRow(0);
+    room.find<QSlider>("dial1")->setValue(5);
+    const FeelPreset changed = room.page.draft();
+    // Who may not keep anything is asked about nothing, sees nothing of another's, and leaves nothing to be asked
+    // about.
+    room.page.setWriter(kTeacher);
+    room.page.setMayKeep(false);
+    QVERIFY(room.page.draft() == lessons::shippedPresets().front());
+    QCOMPARE(list->currentRow(), 2);
+    QCOMPARE(room.find<QSlider>("dial0")->value(), 0);
+    QVERIFY(!aside->isVisible() && room.page.unkept().isEmpty() && room.page.hasOthersUnkept());
+    room.find<QSlider>("dial2")->setValue(7);
+    const FeelPreset teachers = room.page.draft();
+    room.page.setWriter(0);
+    room.page.setMayKeep(true);
+    QVERIFY(room.page.unkept().isEmpty() && !aside->isVisible());
+    QVERIFY(room.page.draft() == lessons::shippedPresets().front());
+    // Each has his own back, whatever is on the shelf meanwhile.
+    room.page.setWriter(kAdmin);
+    room.page.setPresets(Room::shelf(), named("hard", 1, 0.5));
+    QVERIFY(room.page.draft() == changed && !room.page.hasOthersUnkept());
+    QCOMPARE(list->currentRow(), 0);
+    QVERIFY2(aside->isVisible() && aside->text().contains("natural, version 1"), qPrintable(aside->text()));
+    QVERIFY2(room.page.unkept().contains("hard, version 2"), qPrintable(room.page.unkept()));
+    room.page.setWriter(kTeacher);
+    QVERIFY(room.page.draft() == teachers && !aside->isVisible());
+}
+
 void TestPresetsPage::whatWasLoadedInATrialIsThatPreset()
 {
     Room room;
@@ -660,6 +702,58 @@ void TestPresetsPage::allNumbersFitTheFirstWindow()
     QTRY_VERIFY2(limit->isVisible() && !pane->hasMoreBelow(),
                  qPrintable(QString("%1 of %2 px").arg(pane->viewport()->height()).arg(pane->widget()->height())));
     QCoreApplication::removeTranslator(&words);
+}
+
+void TestPresetsPage::allIsReachedWithLargeText_data()
+{
+    allNumbersFitTheFirstWindow_data();
+}
+
+/// A window of 1280 by 800 with text at 150 % has the room of one of 853 by 533.
+void TestPresetsPage::allIsReachedWithLargeText()
+{
+    QFETCH(QString, language);
+    QTranslator words;
+    QVERIFY(words.load(":/i18n/cusp_" + language + ".qm"));
+    QCoreApplication::installTranslator(&words);
+    Room room;
+    room.window.resize(853, 470);
+    room.page.resize(853, 470);
+    auto* chart = room.page.findChild<presets::FeedChart*>();
+    auto* pane = qobject_cast<shell::ScrollPane*>(chart->parentWidget()->parentWidget()->parentWidget());
+    QVERIFY(pane != nullptr);
+    for (const char* way : {"presetSimple", "presetExpert"}) {
+        QTest::mouseClick(room.find<QPushButton>(way), Qt::LeftButton);
+        QTRY_VERIFY(pane->hasMoreBelow());
+        QVERIFY2(pane->widget()->width() <= pane->viewport()->width(),
+                 qPrintable(QString("%1 of %2 px").arg(pane->widget()->width()).arg(pane->viewport()->width())));
+        // Nothing scrolls within what scrolls.
+        const auto* inner = qobject_cast<shell::ScrollPane*>(room.page.findChild<QStackedWidget*>()->currentWidget());
+        QTRY_VERIFY2(!inner->hasMoreBelow(), way);
+        for (QWidget* one : {static_cast<QWidget*>(chart), static_cast<QWidget*>(room.find<QLineEdit>("presetNotes")),
+                             static_cast<QWidget*>(room.find<QComboBox>("presetBur"))}) {
+            QVERIFY(one->isVisible());
+            pane->ensureWidgetVisible(one, 0, 0);
+            const QRect shown(one->mapTo(pane->viewport(), QPoint(0, 0)), one->size());
+            QVERIFY2(shown.right() < pane->viewport()->width() && shown.height() >= std::min(240, one->height()),
+                     one->metaObject()->className());
+        }
+        QVERIFY(chart->height() >= 240);
+    }
+    QCoreApplication::removeTranslator(&words);
+}
+
+void TestPresetsPage::aLowTrialCardHasItsChart()
+{
+    presets::TrialCard card(nullptr);
+    card.resize(412, 420);
+    card.tune(lessons::shippedPresets().front(), lessons::shippedPresets().front());
+    auto* chart = card.findChild<presets::FeedChart*>();
+    auto* pane = card.findChild<shell::ScrollPane*>();
+    QTRY_VERIFY(chart->isVisible() && pane->hasMoreBelow());
+    QVERIFY(chart->height() >= 200 && pane->widget()->width() <= pane->viewport()->width());
+    card.resize(412, 900);
+    QTRY_VERIFY(!pane->hasMoreBelow());
 }
 
 void TestPresetsPage::faultsAreToldInWords_data()

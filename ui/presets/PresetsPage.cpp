@@ -38,10 +38,12 @@ constexpr int kListPx = 250;
 constexpr int kNarrowListPx = 180;
 constexpr int kRowPx = 48;
 constexpr int kHighRowPx = 66;  ///< of three lines
-/// With less than this the numbers have the room, and not the chart; or the notes wait.
+/// In a narrower page the chart is below the numbers; there, and in a lower one, what there is no room for scrolls.
 constexpr int kNarrowestChartPx = 1000;
-constexpr int kLowestNotesPx = 560;
+constexpr int kLowestPx = 560;
+constexpr int kLowestChartPx = 240;
 constexpr int kTablePx = 600;
+constexpr int kBesidePx = 110;  ///< margins and what scrolls, beside the list and the numbers
 constexpr int kOtherPx = 240;
 constexpr int kUsualTrials = 8;
 constexpr int kMostTrials = 40;
@@ -144,7 +146,54 @@ QWidget* PresetsPage::makeDetails()
     auto* column = new QVBoxLayout(side);
     column->setContentsMargins(0, 0, kSpace4, 0);
     column->setSpacing(kSpace2);
+    column->addWidget(makePreset(side), 1);
+    m_bound = study::formWords({}, kBody, QFont::Medium, QPalette::WindowText, side);
+    m_bound->setObjectName(QStringLiteral("presetBound"));
+    column->addWidget(m_bound);
+    column->addWidget(line(side));
+    column->addWidget(makeCompare(side));
+    m_fault = study::faultLabel(side);
+    m_fault->setObjectName(QStringLiteral("presetFault"));
+    column->addWidget(m_fault);
+    m_faultDetail = study::formWords({}, kSmall, QFont::Normal, QPalette::PlaceholderText, side);
+    m_faultDetail->setObjectName(QStringLiteral("presetFaultDetail"));
+    m_faultDetail->setTextFormat(Qt::PlainText);
+    column->addWidget(m_faultDetail);
+    column->addWidget(makeAside(side));
+    m_try = button("filled", "presetTry", side);
+    m_save = button("", "presetSave", side);
+    auto* copy = button("", "presetCopy", side);
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(m_try);
+    buttons->addWidget(m_save);
+    buttons->addWidget(copy);
+    buttons->addStretch(1);
+    column->addLayout(buttons);
+    connect(m_try, &QPushButton::clicked, this, [this] { emit tryWanted(m_base, m_draft); });
+    connect(m_save, &QPushButton::clicked, this, [this] {
+        FeelPreset next = m_draft;
+        next.version = 0;
+        emit saveWanted(next);
+    });
+    connect(copy, &QPushButton::clicked, this, &PresetsPage::duplicate);
+    text::inEveryLanguage(side, [this, copy] {
+        m_try->setText(tr("Try on a block"));
+        m_try->setAccessibleName(m_try->text());
+        m_try->setToolTip(tr("Drill a block of enamel, dentin and soft caries with it"));
+        copy->setText(tr("Duplicate"));
+        copy->setAccessibleName(tr("Duplicate under another name"));
+        copy->setToolTip(tr("Begin a preset of another name with these numbers"));
+    });
+    return side;
+}
 
+/// Its name, notes, numbers and feed.
+QWidget* PresetsPage::makePreset(QWidget* parent)
+{
+    auto* side = new QWidget(parent);
+    auto* column = new QVBoxLayout(side);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(kSpace2);
     auto* head = new QHBoxLayout;
     m_name = new QLineEdit(side);
     m_name->setObjectName(QStringLiteral("presetName"));
@@ -178,16 +227,12 @@ QWidget* PresetsPage::makeDetails()
     bur->setObjectName(QStringLiteral("presetBur"));
     auto* burName = new QLabel(side);
     burName->setBuddy(bur);
-    m_burChoice = new QWidget(side);
-    auto* burRow = new QHBoxLayout(m_burChoice);
-    burRow->setContentsMargins(0, 0, 0, 0);
-    burRow->addWidget(burName);
-    burRow->addWidget(bur);
-    choose->addWidget(m_burChoice);
+    choose->addWidget(burName);
+    choose->addWidget(bur);
     column->addLayout(choose);
 
-    auto* middle = new QHBoxLayout;
-    middle->setSpacing(kSpace6);
+    m_middle = new QBoxLayout(QBoxLayout::LeftToRight);
+    m_middle->setSpacing(kSpace6);
     m_ways = new QStackedWidget(side);
     auto* dials = new QWidget(m_ways);
     auto* dialColumn = new QVBoxLayout(dials);
@@ -200,16 +245,18 @@ QWidget* PresetsPage::makeDetails()
     m_ways->addWidget(new ScrollPane(m_table, QPalette::Window, m_ways));
     m_ways->setMaximumWidth(kTablePx);
     m_chart = new FeedChart(side);
-    middle->addWidget(m_ways, 5);  // with its help in two lines it fits a window of 1280 by 800
-    middle->addWidget(m_chart, 3);
-    column->addLayout(middle, 1);
+    m_middle->addWidget(m_ways, 5);  // with its help in two lines it fits a window of 1280 by 800
+    m_middle->addWidget(m_chart, 3);
+    column->addLayout(m_middle, 1);
     connect(simple, &QPushButton::clicked, this, [this] {
         m_simple->setPreset(origins(), m_draft);
         m_ways->setCurrentIndex(0);
+        fit();
     });
     connect(all, &QPushButton::clicked, this, [this] {
         m_table->setPreset(m_draft);
         m_ways->setCurrentIndex(1);
+        fit();
     });
     connect(m_simple, &SimplePanel::changed, this, &PresetsPage::take);
     connect(m_table, &PresetTable::changed, this, &PresetsPage::take);
@@ -225,39 +272,9 @@ QWidget* PresetsPage::makeDetails()
         m_draft.notes = notes.toStdString();
         tell();
     });
-
-    m_bound = study::formWords({}, kBody, QFont::Medium, QPalette::WindowText, side);
-    m_bound->setObjectName(QStringLiteral("presetBound"));
-    column->addWidget(m_bound);
-    column->addWidget(line(side));
-    column->addWidget(makeCompare(side));
-    m_fault = study::faultLabel(side);
-    m_fault->setObjectName(QStringLiteral("presetFault"));
-    column->addWidget(m_fault);
-    m_faultDetail = study::formWords({}, kSmall, QFont::Normal, QPalette::PlaceholderText, side);
-    m_faultDetail->setObjectName(QStringLiteral("presetFaultDetail"));
-    m_faultDetail->setTextFormat(Qt::PlainText);
-    column->addWidget(m_faultDetail);
-    column->addWidget(makeAside(side));
-    m_try = button("filled", "presetTry", side);
-    m_save = button("", "presetSave", side);
-    auto* copy = button("", "presetCopy", side);
-    auto* buttons = new QHBoxLayout;
-    buttons->addWidget(m_try);
-    buttons->addWidget(m_save);
-    buttons->addWidget(copy);
-    buttons->addStretch(1);
-    column->addLayout(buttons);
-    connect(m_try, &QPushButton::clicked, this, [this] { emit tryWanted(m_base, m_draft); });
-    connect(m_save, &QPushButton::clicked, this, [this] {
-        FeelPreset next = m_draft;
-        next.version = 0;
-        emit saveWanted(next);
-    });
     connect(m_use, &QPushButton::clicked, this, [this] { emit useWanted(m_base); });
-    connect(copy, &QPushButton::clicked, this, &PresetsPage::duplicate);
 
-    text::inEveryLanguage(side, [this, simple, all, bur, burName, copy] {
+    text::inEveryLanguage(side, [this, simple, all, bur, burName] {
         m_name->setAccessibleName(tr("Name of the preset"));
         m_name->setPlaceholderText(tr("Name"));
         m_notes->setAccessibleName(tr("Notes"));
@@ -277,17 +294,11 @@ QWidget* PresetsPage::makeDetails()
         for (const core::drilling::Bur& one : core::drilling::burs())
             bur->addItem(text::burName(one.id));
         bur->setCurrentIndex(at);
-        m_try->setText(tr("Try on a block"));
-        m_try->setAccessibleName(m_try->text());
-        m_try->setToolTip(tr("Drill a block of enamel, dentin and soft caries with it"));
-        copy->setText(tr("Duplicate"));
-        copy->setAccessibleName(tr("Duplicate under another name"));
-        copy->setToolTip(tr("Begin a preset of another name with these numbers"));
         m_use->setText(tr("Use for practice"));
         m_use->setAccessibleName(tr("Use this version for practice"));
         m_use->setToolTip(tr("Every tooth feels like this, unless its lesson says otherwise"));
     });
-    return side;
+    return new ScrollPane(side, QPalette::Window, parent);
 }
 
 /// What was changed and not kept when another version was looked at.
@@ -499,6 +510,32 @@ void PresetsPage::take(const FeelPreset& preset)
     tell();
 }
 
+void PresetsPage::setWriter(qint64 person)
+{
+    if (person == m_writer)
+        return;
+    setFault({});
+    const auto shown = isChanged() ? std::optional(Changed(m_base, m_draft)) : std::nullopt;
+    if (shown || m_putAside)
+        m_waiting[m_writer] = {shown, m_putAside, m_mayKeep};
+    m_writer = person;
+    m_draft = m_base;
+    m_putAside.reset();
+    Waiting own;
+    if (const auto found = m_waiting.find(person); found != m_waiting.end()) {
+        own = found->second;
+        m_waiting.erase(found);
+    }
+    select(own.shown ? own.shown->first : m_inUse);
+    m_putAside = own.aside;
+    write(own.shown ? own.shown->second : m_draft);
+}
+
+bool PresetsPage::hasOthersUnkept() const
+{
+    return std::any_of(m_waiting.begin(), m_waiting.end(), [](const auto& one) { return one.second.couldKeep; });
+}
+
 QString PresetsPage::unkept() const
 {
     if (!m_mayKeep || (!isChanged() && !m_putAside))
@@ -575,10 +612,21 @@ void PresetsPage::duplicate()
 void PresetsPage::resizeEvent(QResizeEvent* event)
 {
     Page::resizeEvent(event);
+    fit();
+}
+
+/// With large text a window has as little room as a small one: then the numbers have their height, the chart its own,
+/// and all of it scrolls.
+void PresetsPage::fit()
+{
     const bool isWide = width() >= kNarrowestChartPx;
-    m_chart->setVisible(isWide);
-    m_burChoice->setVisible(isWide);
-    m_notes->setVisible(height() >= kLowestNotesPx);
+    const bool isSmall = !isWide || height() < kLowestPx;
+    const QWidget* numbers = static_cast<QScrollArea*>(m_ways->currentWidget())->widget();
+    m_middle->setDirection(isWide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    // Perhaps a little wider than this; then their words have fewer lines, and some room is left.
+    const int across = std::min(kTablePx, width() - kNarrowListPx - kBesidePx);
+    m_ways->setMinimumHeight(isSmall ? std::max(numbers->sizeHint().height(), numbers->heightForWidth(across)) : 0);
+    m_chart->setMinimumHeight(isSmall ? kLowestChartPx : 0);
     m_side->setFixedWidth(isWide ? kListPx : kNarrowListPx);
 }
 

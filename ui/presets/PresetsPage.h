@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "lessons/PresetFile.h"
 #include "ui/shell/Page.h"
 
+class QBoxLayout;
 class QComboBox;
 class QLabel;
 class QLineEdit;
@@ -39,11 +41,15 @@ public:
     /// What could not be done, beside the buttons, a second line of it quieter; empty: nothing any more.
     void setFault(const QString& sentence);
 
-    /// Versions can be kept, imported and put to use; else they are looked at and tried.
+    /// Who works here now. What another has changed and not kept waits until he is back, and is shown to nobody else.
+    void setWriter(qint64 person);
+    /// The writer's versions can be kept, imported and put to use; else they are looked at and tried.
     void setMayKeep(bool may);
 
-    /// What was changed, and could be kept, and is not: in a sentence. Empty: nothing.
+    /// What the writer has changed, and could keep, and has not: in a sentence. Empty: nothing.
     [[nodiscard]] QString unkept() const;
+    /// Somebody who does not work here now has changed something that he could keep.
+    [[nodiscard]] bool hasOthersUnkept() const;
 
     [[nodiscard]] const core::settings::FeelPreset& draft() const { return m_draft; }
     [[nodiscard]] const std::vector<lessons::ReadPreset>& all() const { return m_all; }
@@ -65,8 +71,10 @@ protected:
 private:
     QWidget* makeList();
     QWidget* makeDetails();
+    QWidget* makePreset(QWidget* parent);
     QWidget* makeAside(QWidget* parent);
     QWidget* makeCompare(QWidget* parent);
+    void fit();
     void fill();
     void show(const core::settings::FeelPreset& preset);
     void write(const core::settings::FeelPreset& draft);
@@ -80,12 +88,23 @@ private:
     [[nodiscard]] bool isNewest() const;
     [[nodiscard]] std::vector<core::settings::FeelPreset> origins() const;
 
+    /// A version, and what has been made of it.
+    using Changed = std::pair<core::settings::FeelPreset, core::settings::FeelPreset>;
+    /// What waits for somebody.
+    struct Waiting
+    {
+        std::optional<Changed> shown;
+        std::optional<Changed> aside;
+        bool couldKeep = false;
+    };
+
     std::vector<lessons::ReadPreset> m_all;
     core::settings::FeelPreset m_inUse;
     core::settings::FeelPreset m_base;   ///< the version that is chosen in the list
     core::settings::FeelPreset m_draft;  ///< what has been made of it
-    /// A version, and what had been made of it when another was chosen.
-    std::optional<std::pair<core::settings::FeelPreset, core::settings::FeelPreset>> m_putAside;
+    std::optional<Changed> m_putAside;   ///< when another was chosen
+    qint64 m_writer = 0;
+    std::map<qint64, Waiting> m_waiting;  ///< for who does not work here now
 
     bool m_mayKeep = true;
     bool m_otherIsChosen = false;  ///< what to compare with, by hand
@@ -99,7 +118,7 @@ private:
     SimplePanel* m_simple = nullptr;
     PresetTable* m_table = nullptr;
     FeedChart* m_chart = nullptr;
-    QWidget* m_burChoice = nullptr;  ///< of the chart
+    QBoxLayout* m_middle = nullptr;  ///< with the numbers and the chart
     QLabel* m_bound = nullptr;
     QLabel* m_fault = nullptr;
     QLabel* m_faultDetail = nullptr;

@@ -697,7 +697,7 @@ void MainWindow::leaveAll()
     m_console->forget();
     m_view->setPushForce(tooth::PointerControl::kFirstN);
     for (const auto topic : {MessageBar::Topic::Tooth, MessageBar::Topic::Unfinished, MessageBar::Topic::General,
-                             MessageBar::Topic::Keeping, MessageBar::Topic::Journal})
+                             MessageBar::Topic::Keeping, MessageBar::Topic::Journal, MessageBar::Topic::Preset})
         m_messages->withdraw(topic);
 }
 
@@ -906,25 +906,28 @@ void MainWindow::setPresets(std::vector<lessons::ReadPreset> all, const core::se
     m_presets->setPresets(std::move(all), inUse);
 }
 
-void MainWindow::showPresetKept(const core::settings::FeelPreset& preset)
+void MainWindow::showPresetKept(const core::settings::FeelPreset& preset, const QString& note)
 {
     m_presets->select(preset);
+    m_presets->setFault(note);
     const QString said = tr("The hardness preset was kept: %1.").arg(presets::presetWords(preset));
     if (m_console->isVisible())
-        m_console->say(said);
+        m_console->say(note.isEmpty() ? said : said + u'\n' + note);
     else
-        showMessage(said);
+        m_messages->say({MessageBar::Kind::News, said, {}, {}, {}, MessageBar::Topic::Preset});
 }
 
 void MainWindow::showPresetFault(const QString& sentence)
 {
+    m_messages->withdraw(MessageBar::Topic::Preset);
     m_presets->setFault(sentence);
     if (m_console->isVisible())
         m_console->say(sentence);
 }
 
-void MainWindow::setMayKeepPresets(bool may)
+void MainWindow::setMayKeepPresets(const database::Session& who, bool may)
 {
+    m_presets->setWriter(who.person().value);
     m_presets->setMayKeep(may);
 }
 
@@ -2297,9 +2300,16 @@ std::vector<MainWindow::Unkept> MainWindow::unkept()
             m_admin->show(part);
         };
     };
+    const auto presetWaits = [this] { sayWaits([] { return tr("It waits for the person who has changed it."); }); };
     std::vector<Unkept> all{{m_admin->people().unkept(), toSchool(admin::AdminPage::People)},
                             {m_admin->roster().unkept(), toSchool(admin::AdminPage::Roster)},
-                            {m_presets->unkept(), [this] { goTo(m_presets); }}};
+                            {m_presets->unkept(), [this, presetWaits] {
+                                 if (isAtDoor() && !m_mayLeaveDoor)
+                                     presetWaits();
+                                 goTo(m_presets);
+                             }}};
+    if (m_presets->hasOthersUnkept())
+        all.push_back({tr("What somebody else has changed of a hardness preset is not saved yet."), presetWaits});
     const auto& talk = m_scorePage->talk();
     if (const auto attempt = talk.unkeptComment())
         all.push_back({tr("A comment was typed and is not added yet."), [this, attempt] { showDraft(*attempt); }});

@@ -192,10 +192,12 @@ public slots:
     void setFeedback(const std::vector<database::Feedback>& feedback);
     /// What is on the shelf of hardness presets, and which of it teeth feel like.
     void setPresets(std::vector<lessons::ReadPreset> all, const core::settings::FeelPreset& inUse);
-    /// Who works here may keep presets and say which is in use; else he looks at them and tries them.
-    void setMayKeepPresets(bool may);
+    /// Who works here now, and whether he may keep presets and say which is in use; else he looks at them and tries
+    /// them.
+    void setMayKeepPresets(const database::Session& who, bool may);
     /// presetSaveWanted(), or a file that was imported, has become this version: shown on the page, and said.
-    void showPresetKept(const core::settings::FeelPreset& preset);
+    /// @param note  what deserves a look all the same; may be empty
+    void showPresetKept(const core::settings::FeelPreset& preset, const QString& note = {});
     /// What could not be done, on the page of presets.
     void showPresetFault(const QString& sentence);
     /// The block that presetTrialWanted() asked for is on the table.
