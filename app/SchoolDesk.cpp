@@ -19,6 +19,7 @@ namespace {
 using core::ErrorCode;
 
 constexpr int kRetryMs = 10'000;
+constexpr int kPatienceMs = 5000;  ///< until it is told that there is no answer
 
 /// Of a file, which is no better the next time.
 bool isDamage(ErrorCode code)
@@ -60,6 +61,9 @@ SchoolDesk::SchoolDesk(database::Address address, QString folder, database::sql:
     m_retry.setInterval(kRetryMs);
     QObject::connect(&m_retry, &QTimer::timeout, this, &SchoolDesk::deliver);
     m_retry.start();
+    m_patience.setInterval(kPatienceMs);
+    m_patience.setSingleShot(true);
+    QObject::connect(&m_patience, &QTimer::timeout, this, &SchoolDesk::unanswered);
 }
 
 SchoolDesk::~SchoolDesk()
@@ -271,6 +275,16 @@ void SchoolDesk::answerKept(const QPointer<QObject>& owner, const core::Status& 
                 kept(status);
         },
         Qt::QueuedConnection);
+}
+
+void SchoolDesk::takeAnswer(bool isOne)
+{
+    if (--m_asked == 0)
+        m_patience.stop();
+    else
+        m_patience.start();
+    if (isOne)
+        emit answered();
 }
 
 void SchoolDesk::deliver()

@@ -69,6 +69,8 @@ public:
     void ask(QObject* owner, Work work, Done done)
     {
         using Answer = decltype(work(std::declval<const database::sql::School&>()));
+        if (m_asked++ == 0)
+            m_patience.start();
         post([this, guard = QPointer<QObject>(owner), work = std::move(work), done = std::move(done)]() mutable {
             auto answer = std::make_shared<Answer>(tl::unexpected(core::Error{}));
             if (const core::Status connected = connect(); connected)
@@ -79,7 +81,8 @@ public:
                 notice(answer->error());
             QMetaObject::invokeMethod(
                 this,
-                [guard, answer, done = std::move(done)]() mutable {
+                [this, guard, answer, done = std::move(done)]() mutable {
+                    takeAnswer(answer->has_value());
                     if (guard)
                         done(*answer);
                 },
@@ -140,8 +143,14 @@ signals:
     /// So many on their way were put there for other schools: they wait for them.
     /// @param schools  as Outbox::schoolAt() calls them; empty: the file is called as a copy of a school is
     void waitForOthers(int count, const QString& schools);
+    /// What was asked has had no answer for a while: the server hangs, or another program holds the file.
+    void unanswered();
+    /// What was asked was answered.
+    void answered();
 
 private:
+    /// On the ui thread.
+    void takeAnswer(bool isOne);
     /// Any thread.
     [[nodiscard]] static core::Result<database::StationKey> keyOf(const QString& folder);
     void post(std::function<void()> job);
@@ -176,6 +185,8 @@ private:
     std::optional<database::StationKey> m_key;
     QSet<QString> m_forOthers;  ///< what waits for another school, and which
     QSet<QString> m_otherSchools;
+    QTimer m_patience{this};
+    int m_asked = 0;                ///< what was asked and is not answered yet
     QSet<QString> m_undeliverable;  ///< what cannot be delivered while this program runs
     QSet<QString> m_hasFailed;      ///< what could not be delivered yet, and may be soon
     bool m_isLost = false;

@@ -2,6 +2,7 @@
 // Many stations at once, a station that is killed while it saves, a server that goes away: each station is this program
 // in a process of its own. CUSP_STATIONS and CUSP_KILLS make it as many as the figures of the issue want.
 #include <algorithm>
+#include <atomic>
 #include <csignal>
 #include <cstdio>
 #include <iostream>
@@ -15,6 +16,7 @@
 #include <QProcess>
 #include <QSqlQuery>
 #include <QTest>
+#include <QThread>
 
 #include "app/Backups.h"
 #include "app/SchoolDesk.h"
@@ -145,6 +147,7 @@ private slots:
     void twoWindowsDeliverWithoutAnAlarm();
     void aLetterWaitsForItsSchool();
     void whatAServerAlwaysStopsHoldsNothingUp();
+    void silenceIsToldAndOver();
     void aCopyOfASchoolGetsNoneOfItsLetters();
     void aFileThatWasLockedAtTheStartGetsItsLetters();
 };
@@ -471,6 +474,36 @@ void TestStations::whatAServerAlwaysStopsHoldsNothingUp()
     desk.deliver();
     QTRY_VERIFY(outbox.waiting().isEmpty());
     QCOMPARE(keptIn(rig.school()).size(), std::size_t{2});
+}
+
+void TestStations::silenceIsToldAndOver()
+{
+    SchoolRig rig(false);
+    rig.populate();
+    QTemporaryDir folder;
+    app::SchoolDesk desk(Address::parse(rig.address()).value(), folder.path());
+    QStringList told;
+    connect(&desk, &app::SchoolDesk::unanswered, this, [&] { told << "unanswered"; });
+    connect(&desk, &app::SchoolDesk::answered, this, [&] { told << "answered"; });
+    const auto ask = [&](std::atomic<bool>& mayAnswer) {
+        desk.ask(
+            this,
+            [&mayAnswer](const School&) -> core::Result<bool> {
+                while (!mayAnswer)
+                    QThread::msleep(10);
+                return true;
+            },
+            [](const core::Result<bool>&) {});
+    };
+    std::atomic<bool> mayAnswer{true};
+    ask(mayAnswer);
+    QTRY_COMPARE(told, QStringList{"answered"});
+    told.clear();
+    mayAnswer = false;
+    ask(mayAnswer);
+    QTRY_COMPARE_WITH_TIMEOUT(told, QStringList{"unanswered"}, 30'000);
+    mayAnswer = true;
+    QTRY_COMPARE(told, (QStringList{"unanswered", "answered"}));
 }
 
 /// What was looked into takes nothing away from the school.

@@ -1252,6 +1252,13 @@ void TestMainWindow::aWarningGoesWithItsReason()
     QVERIFY2(message().contains("was not saved"), qPrintable(message()));
     child<MessageBar>()->dismiss();
     QVERIFY2(message().isEmpty(), qPrintable(message()));
+    // Once the school has answered, what was said of its silence is over.
+    m_window->showError({core::ErrorCode::ConnectionLost, "away"}, ui::text::Failed::ReadingSchool);
+    QVERIFY2(message().contains("cannot be shown now"), qPrintable(message()));
+    m_window->showUnanswered();
+    QVERIFY2(message().contains("does not answer yet"), qPrintable(message()));
+    m_window->forgetUnanswered();
+    QVERIFY2(message().isEmpty(), qPrintable(message()));
 }
 
 /// A bur that was left running in the air is noticed while somebody reads on.

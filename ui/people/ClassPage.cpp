@@ -189,19 +189,17 @@ QWidget* ClassPage::makeMatrix()
             m_lesson->setCurrentIndex(static_cast<int>(*lesson));
     });
     column->addWidget(m_table, 1);
-    auto* feet = new QHBoxLayout;
     m_legend = new QLabel(part);
     m_said = new QLabel(part);
     m_said->setObjectName(QStringLiteral("said"));
+    m_said->hide();
     for (QLabel* words : {m_legend, m_said}) {
         words->setTextFormat(Qt::PlainText);
         words->setFont(typeface(kSmall));
         words->setForegroundRole(QPalette::PlaceholderText);
-        words->setMinimumWidth(1);
+        words->setWordWrap(true);
+        column->addWidget(words);
     }
-    feet->addWidget(m_legend, 1);
-    feet->addWidget(m_said);
-    column->addLayout(feet);
     m_stack->addWidget(part);
 
     m_stack->addWidget(makeEmpty());
@@ -572,6 +570,7 @@ void ClassPage::tellSaying()
 {
     m_said->setText(m_saying ? m_saying() : QString());
     m_said->setToolTip(m_saying ? brokenIntoLines(m_said->text()) : QString());
+    m_said->setVisible(!m_said->text().isEmpty());
 }
 
 bool ClassPage::saveTable(const QString& path)

@@ -696,8 +696,9 @@ void MainWindow::leaveAll()
     m_assign->forget();
     m_console->forget();
     m_view->setPushForce(tooth::PointerControl::kFirstN);
-    for (const auto topic : {MessageBar::Topic::Tooth, MessageBar::Topic::Unfinished, MessageBar::Topic::General,
-                             MessageBar::Topic::Keeping, MessageBar::Topic::Journal, MessageBar::Topic::Preset})
+    for (const auto topic :
+         {MessageBar::Topic::Tooth, MessageBar::Topic::Unfinished, MessageBar::Topic::General,
+          MessageBar::Topic::Keeping, MessageBar::Topic::Journal, MessageBar::Topic::Preset, MessageBar::Topic::School})
         m_messages->withdraw(topic);
 }
 
@@ -1854,6 +1855,7 @@ void MainWindow::showError(const core::Error& error, text::Failed failed, const 
     tellError(error, failed, file,
               ofTooth                                  ? MessageBar::Topic::Tooth
               : failed == text::Failed::KeepingAttempt ? MessageBar::Topic::Journal
+              : failed == text::Failed::ReadingSchool  ? MessageBar::Topic::School
                                                        : MessageBar::Topic::General);
 }
 
@@ -1866,6 +1868,26 @@ void MainWindow::showNotKept(const core::Error& error)
 void MainWindow::forgetNotKept()
 {
     m_messages->withdraw(MessageBar::Topic::Keeping);
+}
+
+void MainWindow::showUnanswered()
+{
+    m_messages->withdraw(MessageBar::Topic::School);
+    m_messages->say([] {
+        MessageBar::Message message{MessageBar::Kind::Warning,
+                                    tr("What the school keeps does not answer yet. You can go on drilling; what you "
+                                       "asked for comes when it does."),
+                                    {},
+                                    {},
+                                    {}};
+        message.topic = MessageBar::Topic::School;
+        return message;
+    });
+}
+
+void MainWindow::forgetUnanswered()
+{
+    m_messages->withdraw(MessageBar::Topic::School);
 }
 
 void MainWindow::forgetAttemptNotKept()
@@ -2340,7 +2362,7 @@ void MainWindow::leaveUnkept(const std::function<void()>& what)
     for (const Unkept& one : all)
         sentences << one.what;
     ask("unkeptQuestion", {tr("Not everything has been saved, and it would be lost."), sentences.join(u'\n'),
-                           tr("&Keep it"), all.front().show, what});
+                           tr("&Show it"), all.front().show, what});
 }
 
 void MainWindow::ask(const char* name, const QuestionCard::Question& question)

@@ -136,6 +136,10 @@ public slots:
     /// A grade could not be kept. That stands until forgetNotKept(), or until somebody closes it.
     void showNotKept(const core::Error& error);
     void forgetNotKept();
+    /// What the school keeps has been asked for, and does not come.
+    void showUnanswered();
+    /// It answers again: what was said of its silence, and of what could not be read, is over.
+    void forgetUnanswered();
     /// An attempt is kept on the disk again while it is made, or is over.
     void forgetAttemptNotKept();
     /// What showBusy() told of came to nothing.
