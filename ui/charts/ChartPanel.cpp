@@ -6,28 +6,19 @@
 
 #include <QChart>
 #include <QChartView>
-#include <QFileInfo>
 #include <QGraphicsEllipseItem>
 #include <QGraphicsScene>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
-#include <QMenu>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QSaveFile>
-#include <QToolButton>
 #include <QVBoxLayout>
 
 #include "ui/charts/Drawing.h"
-#include "ui/charts/Table.h"
+#include "ui/charts/SaveButton.h"
 #include "ui/shell/Announce.h"
-#include "ui/shell/FileDialog.h"
-#include "ui/shell/Folders.h"
-#include "ui/shell/LineIcon.h"
-#include "ui/shell/SavedFile.h"
 #include "ui/shell/Theme.h"
-#include "ui/text/EveryLanguage.h"
 
 namespace ui::charts {
 namespace {
@@ -52,8 +43,9 @@ QLabel* label(int size, QFont::Weight weight, QPalette::ColorRole role, QWidget*
 
 ChartPanel::ChartPanel(QWidget* parent)
     : QWidget(parent), m_title(label(kBody, QFont::DemiBold, QPalette::WindowText, this)),
-      m_note(label(kSmall, QFont::Normal, QPalette::PlaceholderText, this)), m_save(new QToolButton(this)),
-      m_view(new QChartView(this)), m_empty(label(kBody, QFont::Normal, QPalette::PlaceholderText, this)),
+      m_note(label(kSmall, QFont::Normal, QPalette::PlaceholderText, this)),
+      m_save(new SaveButton([this] { return m_chart; }, this)), m_view(new QChartView(this)),
+      m_empty(label(kBody, QFont::Normal, QPalette::PlaceholderText, this)),
       m_callout(label(kSmall, QFont::Normal, QPalette::WindowText, this)),
       m_saved(label(kSmall, QFont::Normal, QPalette::PlaceholderText, this))
 {
@@ -83,26 +75,7 @@ ChartPanel::ChartPanel(QWidget* parent)
     m_saved->setBackgroundRole(QPalette::Base);
     m_saved->hide();
 
-    auto* menu = new QMenu(this);
-    const auto offer = [&](const char* ending, const auto& say) {
-        QAction* action = menu->addAction(QString());
-        action->setObjectName(QStringLiteral("save") + QLatin1String(ending).toString().toUpper());
-        text::inEveryLanguage(this, [action, say] { action->setText(say()); });
-        connect(action, &QAction::triggered, this, [this, kind = QString::fromLatin1(ending)] {
-            askForFile(kind, QStringLiteral("%1 (*.%2)").arg(kind.toUpper(), kind));
-        });
-    };
-    offer("png", [] { return tr("Save as picture (PNG) …"); });
-    offer("svg", [] { return tr("Save as drawing (SVG) …"); });
-    offer("csv", [] { return tr("Save as table (CSV) …"); });
-    m_save->setMenu(menu);
-    m_save->setPopupMode(QToolButton::InstantPopup);
-    m_save->setObjectName(QStringLiteral("saveChart"));
-    m_save->setIconSize({18, 18});
-    text::inEveryLanguage(m_save, [this] {
-        m_save->setToolTip(tr("Save this chart"));
-        m_save->setAccessibleName(tr("Save the chart \"%1\"").arg(m_chart.title));
-    });
+    connect(m_save, &SaveButton::told, this, &ChartPanel::saySaved);
 
     auto* head = new QHBoxLayout;
     head->setSpacing(kSpace2);
@@ -133,7 +106,7 @@ void ChartPanel::setChart(const Chart& chart)
     m_empty->setVisible(m_stops.isEmpty());
     m_view->setVisible(!m_stops.isEmpty());
     m_save->setVisible(!m_stops.isEmpty());
-    m_save->setAccessibleName(tr("Save the chart \"%1\"").arg(chart.title));
+    m_save->nameIt();
     m_saved->hide();
     setAccessibleName(chart.title);
     m_view->setAccessibleName(chart.title);
@@ -143,7 +116,6 @@ void ChartPanel::setChart(const Chart& chart)
 
 void ChartPanel::redraw()
 {
-    m_save->setIcon(lineIcon(QStringLiteral("save"), palette()));
     QChart* const old = m_view->chart();
     m_shown = fitted(m_chart, rowsFor(m_chart, m_view->size()));
     m_stops = stopsOf(m_shown);
@@ -356,32 +328,18 @@ void ChartPanel::placeSaved()
     m_saved->setGeometry(kSpace2, height() - kSpace2 - high, wide, high);
 }
 
-void ChartPanel::askForFile(const QString& ending, const QString& filter)
-{
-    auto* dialog = new FileDialog(this, tr("Save the chart"), documentsFolder(), filter);
-    connect(dialog, &QFileDialog::fileSelected, this, &ChartPanel::save);
-    dialog->askWhere(m_chart.of.isEmpty() ? m_chart.title : QStringLiteral("%1, %2").arg(m_chart.title, m_chart.of),
-                     ending);
-}
-
 bool ChartPanel::save(const QString& path)
 {
-    const QString ending = QFileInfo(path).suffix().toLower();
-    const QByteArray bytes = ending == QLatin1String("csv")   ? csv(tableOf(m_chart))
-                             : ending == QLatin1String("svg") ? svg(m_chart)
-                                                              : png(m_chart);
-    QSaveFile file(path);
-    const bool isWritten =
-        openForOwner(file) && file.write(bytes) == bytes.size() && !bytes.isEmpty() && file.flush() && file.commit();
-    const QString name = QFileInfo(path).fileName();
-    m_saved->setText(isWritten ? tr("Saved: %1").arg(name)
-                               //: %2: the system's own words
-                               : tr("%1 could not be written (%2). Try another folder.").arg(name, file.errorString()));
+    return m_save->save(path);
+}
+
+void ChartPanel::saySaved(const QString& sentence)
+{
+    m_saved->setText(sentence);
     placeSaved();
     m_saved->show();
     m_saved->raise();
     announce(*m_saved);
-    return isWritten;
 }
 
 }  // namespace ui::charts

@@ -11,9 +11,10 @@ class QChart;
 class QChartView;
 class QGraphicsEllipseItem;
 class QLabel;
-class QToolButton;
 
 namespace ui::charts {
+
+class SaveButton;
 
 /// A chart with its title. The pointer, or the arrow keys when it has the focus, go from value to value, and each is
 /// told in words; a click or Enter opens what the value stands for. Can be saved as a picture or as a table.
@@ -57,7 +58,7 @@ private:
     void placeSaved();
     void tell();
     void open();
-    void askForFile(const QString& ending, const QString& filter);
+    void saySaved(const QString& sentence);
     /// Where a value lies in the view, px.
     [[nodiscard]] QPointF placeOf(const Dot& dot) const;
     [[nodiscard]] std::optional<qsizetype> nearest(const QPointF& at) const;
@@ -68,7 +69,7 @@ private:
     std::optional<qsizetype> m_stop;
     QLabel* m_title;
     QLabel* m_note;
-    QToolButton* m_save;
+    SaveButton* m_save;
     QChart* m_drawn = nullptr;
     QChartView* m_view;
     QGraphicsEllipseItem* m_ring = nullptr;
