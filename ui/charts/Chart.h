@@ -5,6 +5,7 @@
 #include <optional>
 #include <variant>
 
+#include <QColor>
 #include <QList>
 #include <QString>
 
@@ -24,7 +25,8 @@ struct Dot
 
 /// How dots look. Each kind has a shape of its own: colour only says it again.
 enum class Mark : std::uint8_t {
-    None,  ///< nobody stops there
+    None,   ///< nobody stops there
+    Plain,  ///< nothing but the line
     Circle,
     HollowDiamond,
     Square
@@ -36,6 +38,7 @@ struct Line
     QList<Dot> dots;
     Mark mark = Mark::Circle;
     bool isJoined = true;
+    QColor colour{};  ///< on white, where many lines have one each; else the ink's
     bool operator==(const Line&) const = default;
 };
 

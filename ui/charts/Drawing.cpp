@@ -191,18 +191,21 @@ void draw(const Curve& curve, Board& board)
     addLimits(board, curve.limits, frame);
     qsizetype strokes = 0;
     for (const Line& line : curve.lines) {
-        const bool isFirst = line.mark == Mark::Circle || line.mark == Mark::None;
-        const QColor& colour = isFirst ? board.ink.first : board.ink.second;
+        const bool isPlain = line.mark == Mark::None || line.mark == Mark::Plain;
+        const bool isFirst = line.mark == Mark::Circle || isPlain;
+        const QColor colour = line.colour.isValid() ? line.colour : isFirst ? board.ink.first : board.ink.second;
         if (line.isJoined && line.dots.size() > 1) {
             QList<QPointF> points;
             for (const Dot& dot : line.dots)
                 points << QPointF(dot.x, dot.y);
             const Qt::PenStyle stroke = kStrokes.at(static_cast<std::size_t>(strokes) % kStrokes.size());
-            board.line(points, QPen(colour, kLinePx, stroke), line.mark == Mark::None ? line.name : QString());
+            board.line(points, QPen(colour, kLinePx, stroke), isPlain ? line.name : QString());
         }
-        if (line.isJoined)
+        // One of many of the same name is drawn as the others are.
+        const bool isLastOfName = line.name.isEmpty() || &line == &curve.lines.back() || (&line)[1].name != line.name;
+        if (line.isJoined && isLastOfName)
             ++strokes;
-        if (line.mark != Mark::None)
+        if (!isPlain)
             addMarks(board, line, colour, line.name);
     }
 }
@@ -351,7 +354,7 @@ public:
         m_rowPx = metrics.height() + kSpace1;
         double left = 0.0;
         for (QLegendMarker* marker : chart.legend()->markers()) {
-            if (marker->label().isEmpty())
+            if (marker->label().isEmpty() || isNamed(marker->label()))
                 continue;
             const double wide = kSignPx + kSpace1 + metrics.horizontalAdvance(marker->label());
             if (left > 0.0 && left + wide > widthPx) {
@@ -385,6 +388,12 @@ private:
         QLegendMarker* marker;
         QPointF at;
     };
+
+    [[nodiscard]] bool isNamed(const QString& label) const
+    {
+        return std::any_of(m_entries.begin(), m_entries.end(),
+                           [&](const Entry& entry) { return entry.marker->label() == label; });
+    }
 
     static void paintSign(QPainter& painter, const QRectF& sign, QLegendMarker& marker)
     {
