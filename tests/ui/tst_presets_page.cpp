@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QFile>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -10,13 +11,15 @@
 #include <QSignalSpy>
 #include <QSlider>
 #include <QStackedWidget>
-#include <QTest>
+    #include <QTemporaryDir>
+    #include <QTest>
 #include <QTextDocumentFragment>
 #include <QTranslator>
 #include <QWidget>
 #include <cmath>
 
 #include "core/settings/StabilityBound.h"
+#include "ui/charts/SaveButton.h"
 #include "ui/presets/BlindTrial.h"
 #include "ui/presets/FeedChart.h"
 #include "ui/presets/PresetWords.h"
@@ -27,7 +30,7 @@
 #include "ui/shell/ScrollPane.h"
 #include "ui/shell/Theme.h"
 
-using namespace ui;
+    using namespace ui;
 using core::settings::FeelPreset;
 using presets::BlindTrial;
 using presets::Dial;
@@ -125,6 +128,7 @@ private slots:
     void faultsAreToldInWords();
     void aSecondLineOfAFaultIsQuieter();
     void chartTellsTheFeed();
+    void chartIsSavedAndWalkedWithKeys();
     void noWordOfTheLegendBreaks();
     void everyControlHasAName();
 };
@@ -811,6 +815,44 @@ void TestPresetsPage::chartTellsTheFeed()
     chart.setPreset(preset, FeelPreset{});
     QVERIFY2(chart.words(1.0).contains("Enamel 2.2 mm/s"), qPrintable(chart.words(1.0)));
     QVERIFY2(chart.words(0.1).contains("Enamel 0.0 mm/s"), qPrintable(chart.words(0.1)));
+}
+
+void TestPresetsPage::chartIsSavedAndWalkedWithKeys()
+{
+    presets::FeedChart chart(nullptr);
+    FeelPreset preset;
+    preset.enamelRate = 2.0;
+    chart.setPreset(preset, FeelPreset{});
+    const auto* words = chart.findChild<QLabel*>("feedWords");
+    QTest::keyClick(&chart, Qt::Key_Right);
+    QVERIFY2(words->text().contains("with 1.1 N"), qPrintable(words->text()));
+    QCOMPARE(chart.accessibleDescription(), chart.words(1.1));
+    QTest::keyClick(&chart, Qt::Key_Home);
+    QTest::keyClick(&chart, Qt::Key_Left);
+    QCOMPARE(chart.accessibleDescription(), chart.words(0.0));
+    QTest::keyClick(&chart, Qt::Key_End);
+    QCOMPARE(chart.accessibleDescription(), chart.words(2.0));
+
+    auto* save = chart.findChild<charts::SaveButton*>();
+    QVERIFY(save->accessibleName().contains("Feed over force") && !save->toolTip().isEmpty());
+    QVERIFY((save->focusPolicy() & Qt::TabFocus) != 0);
+    ui::shell::applyTheme(*qApp, ui::shell::ThemeChoice::Light);
+    chart.resize(420, 420);
+    chart.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&chart));
+    QVERIFY2(save->width() < 36, qPrintable(QString::number(save->width())));  // it takes width from the curves
+    QVERIFY(save->geometry().right() > chart.width() - 12 && save->y() < 12);
+    chart.setAutoFillBackground(true); chart.grab().save("/tmp/wt_feed0.png"); save->setFocus(); QTest::qWait(50); chart.grab().save("/tmp/wt_feed1.png");
+    const QTemporaryDir folder;
+    for (const char* name : {"feed.png", "feed.svg", "feed.csv"})
+        QVERIFY2(save->save(folder.filePath(name)), name);
+    QVERIFY2(words->text().contains("Saved: feed.csv") && words->text().contains("Enamel"), qPrintable(words->text()));
+    QFile table(folder.filePath("feed.csv"));
+    QVERIFY(table.open(QIODevice::ReadOnly));
+    const QByteArray bytes = table.readAll();
+    QVERIFY2(bytes.startsWith("series,\"Force, N\",\"Feed, mm/s\"\r\n"), bytes.constData());
+    QVERIFY(bytes.contains("\r\nEnamel,0,0\r\n") && bytes.contains("\r\n\"Enamel, as it was kept\",2,"));
+    QVERIFY(!bytes.contains("Dentine, as"));
 }
 
 void TestPresetsPage::noWordOfTheLegendBreaks()

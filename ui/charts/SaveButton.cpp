@@ -59,6 +59,12 @@ void SaveButton::nameIt()
     setAccessibleName(Words::tr("Save the chart \"%1\"").arg(m_chart().title));
 }
 
+void SaveButton::beSmall()
+{
+    setStyleSheet(QStringLiteral("QToolButton { padding: 3px; } QToolButton:focus { padding: 2px; }"
+                                 "QToolButton::menu-indicator { image: none; width: 0px; }"));
+}
+
 void SaveButton::changeEvent(QEvent* event)
 {
     QToolButton::changeEvent(event);

@@ -20,6 +20,8 @@ public:
     bool save(const QString& path);
     /// To be called when the title of the chart is another.
     void nameIt();
+    /// No arrow, and little around the sign: for beside a chart, whose width it takes.
+    void beSmall();
 
 signals:
     /// What became of a file, as a sentence.

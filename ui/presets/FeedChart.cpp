@@ -9,17 +9,22 @@
 #include <QChartView>
 #include <QEvent>
 #include <QGraphicsLayout>
+#include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLegend>
 #include <QLineSeries>
 #include <QLocale>
 #include <QMouseEvent>
+#include <QPainter>
 #include <QRegularExpression>
 #include <QVBoxLayout>
 #include <QValueAxis>
 
 #include "core/drilling/Feed.h"
+#include "ui/charts/SaveButton.h"
 #include "ui/presets/PresetWords.h"
+#include "ui/shell/Announce.h"
 #include "ui/shell/Theme.h"
 #include "ui/text/EveryLanguage.h"
 #include "ui/text/Texts.h"
@@ -32,6 +37,7 @@ using core::settings::Substance;
 
 constexpr double kMostN = 2.0;
 constexpr double kToldN = 1.0;
+constexpr double kStepN = 0.1;  ///< of the arrow keys
 constexpr int kPoints = 80;
 
 /// Pulp gives way at a touch: its line would only press the others flat.
@@ -77,10 +83,21 @@ FeedChart::FeedChart(QWidget* parent)
     m_words->setTextFormat(Qt::RichText);
     m_words->setWordWrap(true);
     m_words->setObjectName(QStringLiteral("feedWords"));
+    setFocusPolicy(Qt::StrongFocus);
+    auto* save = new charts::SaveButton([this] { return chart(); }, this);
+    save->beSmall();
+    connect(save, &charts::SaveButton::told, this, [this](const QString& sentence) {
+        say(sentence);
+        shell::announce(*m_words);
+    });
+    auto* row = new QHBoxLayout;  // beside the curves, which rise to the corner
+    row->setSpacing(0);
+    row->addWidget(m_view, 1);
+    row->addWidget(save, 0, Qt::AlignTop);
     auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
+    column->setContentsMargins(shell::kSpace1, shell::kSpace1, shell::kSpace1, shell::kSpace1);
     column->setSpacing(shell::kSpace1);
-    column->addWidget(m_view, 1);
+    column->addLayout(row, 1);
     column->addWidget(m_words);
     text::inEveryLanguage(this, [this] {
         setAccessibleName(tr("Feed over force"));
@@ -134,6 +151,35 @@ QString FeedChart::words(double newtons) const
         parts << figure(line.substance, newtons);
     return tr("Straight down with %1 N").arg(text::number(newtons, 1)) + QStringLiteral(": ") +
            parts.join(QStringLiteral(" · "));
+}
+
+charts::Line FeedChart::lineOf(const FeelPreset& preset, Substance substance, const QColor& colour,
+                               const QString& name) const
+{
+    charts::Line line{name, {}, charts::Mark::Plain, true, colour};
+    for (int k = 0; k <= std::lround(kMostN / kStepN); ++k) {
+        const double newtons = kStepN * k;
+        line.dots << charts::Dot{newtons, feed(preset, substance, newtons), words(newtons)};
+    }
+    return line;
+}
+
+charts::Chart FeedChart::chart() const
+{
+    charts::Curve curve;
+    curve.x = {tr("Force, N"), 0.0, kMostN};
+    double most = 0.5;
+    for (const Line& line : kLines) {
+        const QString name = substanceName(line.substance);
+        curve.lines << lineOf(m_preset, line.substance, line.onLight, name);
+        if (differsIn(line.substance))
+            //: %1 is a material; its line is that of the preset before it was changed
+            curve.lines << lineOf(m_was, line.substance, line.onLight, tr("%1, as it was kept").arg(name));
+    }
+    for (const charts::Line& line : curve.lines)
+        most = std::max(most, line.dots.back().y);
+    curve.y = {tr("Feed, mm/s"), 0.0, charts::roundEnd(most)};
+    return {tr("Feed over force"), {}, {}, curve, QString::fromStdString(m_preset.name)};
 }
 
 void FeedChart::draw()
@@ -193,25 +239,91 @@ void FeedChart::draw()
         put(m_preset, line, QPen(colour, 2.2));
     }
     point(kToldN);
-    setAccessibleDescription(words(kToldN));
 }
 
-/// The figures at a force, each with the colour of its line.
 void FeedChart::point(double newtons)
+{
+    m_toldN = newtons;
+    setAccessibleDescription(words(newtons));
+    //: %1 is a force
+    say(tr("Straight down with %1 N").arg(text::number(newtons, 1)));
+}
+
+void FeedChart::walkTo(double newtons)
+{
+    point(std::clamp(kStepN * std::round(newtons / kStepN), 0.0, kMostN));
+    shell::announce(*this);
+}
+
+/// Each figure with the colour of its line.
+void FeedChart::say(const QString& sentence)
 {
     const bool dark = shell::isDark(palette());
     QStringList parts;
     for (const Line& line : kLines)
         parts << QStringLiteral("<span style=\"color:%1\"><b>━━</b></span>&nbsp;%2")
-                     .arg((dark ? line.onDark : line.onLight).name(), unbroken(figure(line.substance, newtons)));
+                     .arg((dark ? line.onDark : line.onLight).name(), unbroken(figure(line.substance, m_toldN)));
     const bool differs =
         std::any_of(kLines.begin(), kLines.end(), [this](const Line& line) { return differsIn(line.substance); });
     if (differs)
         parts << unbroken(tr("dashed: as it was kept"));
-    m_words->setText(QStringLiteral("<b>%1</b><br>%2")
-                         //: %1 is a force
-                         .arg(tr("Straight down with %1 N").arg(text::number(newtons, 1)).toHtmlEscaped(),
-                              parts.join(QStringLiteral(" &nbsp; "))));
+    m_words->setText(
+        QStringLiteral("<b>%1</b><br>%2").arg(sentence.toHtmlEscaped(), parts.join(QStringLiteral(" &nbsp; "))));
+}
+
+bool FeedChart::event(QEvent* event)
+{
+    if (event->type() == QEvent::ShortcutOverride) {
+        switch (static_cast<QKeyEvent*>(event)->key()) {
+        case Qt::Key_Right:
+        case Qt::Key_Left:
+        case Qt::Key_Home:
+        case Qt::Key_End:
+            event->accept();
+            return true;
+        default:
+            break;
+        }
+    }
+    return QWidget::event(event);
+}
+
+void FeedChart::keyPressEvent(QKeyEvent* event)
+{
+    switch (event->key()) {
+    case Qt::Key_Right:
+        return walkTo(m_toldN + kStepN);
+    case Qt::Key_Left:
+        return walkTo(m_toldN - kStepN);
+    case Qt::Key_Home:
+        return walkTo(0.0);
+    case Qt::Key_End:
+        return walkTo(kMostN);
+    default:
+        QWidget::keyPressEvent(event);
+    }
+}
+
+void FeedChart::paintEvent(QPaintEvent*)
+{
+    if (!hasFocus())
+        return;
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(palette().color(QPalette::Link), 2.0));
+    painter.drawRoundedRect(QRectF(rect()).adjusted(1.0, 1.0, -1.0, -1.0), shell::kRadius, shell::kRadius);
+}
+
+void FeedChart::focusInEvent(QFocusEvent* event)
+{
+    QWidget::focusInEvent(event);
+    update();
+}
+
+void FeedChart::focusOutEvent(QFocusEvent* event)
+{
+    QWidget::focusOutEvent(event);
+    update();
 }
 
 void FeedChart::changeEvent(QEvent* event)
@@ -228,7 +340,7 @@ bool FeedChart::eventFilter(QObject* watched, QEvent* event)
         const QPointF at =
             m_chart->mapToValue(m_chart->mapFromScene(m_view->mapToScene(mouse->pos())), m_chart->series().constLast());
         point(std::clamp(at.x(), 0.0, kMostN));
-    } else if (event->type() == QEvent::Leave) {
+    } else if (event->type() == QEvent::Leave && !hasFocus()) {
         point(kToldN);
     }
     return QWidget::eventFilter(watched, event);

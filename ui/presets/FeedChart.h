@@ -4,6 +4,7 @@
 #include <QWidget>
 
 #include "core/settings/FeelPreset.h"
+#include "ui/charts/Chart.h"
 
 class QChart;
 class QChartView;
@@ -12,7 +13,8 @@ class QLabel;
 namespace ui::presets {
 
 /// How fast the chosen bur sinks into each material over the force that presses it, mm/s: what hardness means to the
-/// hand. Dashed: the preset that it was made of. Tells the figures under the pointer.
+/// hand. Dashed: the preset that it was made of. Tells the figures under the pointer, or where the arrow keys have got
+/// to, and can be saved.
 class FeedChart : public QWidget
 {
     Q_OBJECT
@@ -25,15 +27,28 @@ public:
     void setTool(std::size_t bur, std::size_t handpiece = 0);
     /// "At 1.0 N: enamel 0.8 mm/s, ...".
     [[nodiscard]] QString words(double newtons) const;
+    /// As it is saved: every curve by its material.
+    [[nodiscard]] charts::Chart chart() const;
     [[nodiscard]] QSize minimumSizeHint() const override { return {300, 200}; }
 
 protected:
+    void paintEvent(QPaintEvent* event) override;
+    /// The keys that walk are the chart's, whatever else they are keys of.
+    bool event(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void focusInEvent(QFocusEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
     void changeEvent(QEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void draw();
     void point(double newtons);
+    void walkTo(double newtons);
+    /// A sentence, and below it the figures at the force that is told.
+    void say(const QString& sentence);
+    [[nodiscard]] charts::Line lineOf(const core::settings::FeelPreset& preset, core::settings::Substance substance,
+                                      const QColor& colour, const QString& name) const;
     [[nodiscard]] bool differsIn(core::settings::Substance substance) const;
     [[nodiscard]] QString figure(core::settings::Substance substance, double newtons) const;
     [[nodiscard]] double feed(const core::settings::FeelPreset& preset, core::settings::Substance substance,
@@ -46,6 +61,7 @@ private:
     core::settings::FeelPreset m_was;
     std::size_t m_bur = 1;
     std::size_t m_handpiece = 0;
+    double m_toldN = 0.0;
 };
 
 }  // namespace ui::presets
