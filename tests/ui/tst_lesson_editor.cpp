@@ -19,6 +19,7 @@
 
 #include "core/preparation/CapturedIdeal.h"
 #include "lessons/LessonCatalog.h"
+#include "ui/charts/SaveButton.h"
 #include "ui/shell/Actions.h"
 #include "ui/study/LessonEditor.h"
 #include "ui/study/LessonsPage.h"
@@ -63,6 +64,7 @@ private slots:
     void aCapturedIdealIsChosenAndUndone();
     void fitWidensToWhatTheIdealNeeds();
     void sweepMarksEachAttemptUnderEachTolerance();
+    void theSweepIsSavedAndWalkedWithKeys();
     void attemptsWithoutMeasuresAreLeftOutOfTheSweep();
     void attemptsOfAFolderAreReadAndTheRestIsNamed();
     void replayingIsCalledOff();
@@ -661,6 +663,35 @@ void TestLessonEditor::sweepMarksEachAttemptUnderEachTolerance()
     SweepChart chart(nullptr);
     chart.setSweep(sweep);
     QVERIFY2(chart.words(1.0).contains("of 3 pass"), qPrintable(chart.words(1.0)));
+}
+
+void TestLessonEditor::theSweepIsSavedAndWalkedWithKeys()
+{
+    open("class1-36");
+    auto* chart = m_editor->findChild<SweepChart*>();
+    auto* save = chart->findChild<ui::charts::SaveButton*>();
+    QVERIFY(save->isHidden());
+    m_editor->setKnown({{"a", {{"depth_mean_mm", 1.5}}}, {"b", {{"depth_mean_mm", 2.0}}}});
+    QVERIFY(!save->isHidden());
+    QVERIFY(!save->accessibleName().isEmpty() && (save->focusPolicy() & Qt::TabFocus) != 0);
+    const auto* words = m_editor->findChild<QLabel*>("sweepWords");
+    QTest::keyClick(chart, Qt::Key_Right);
+    QCOMPARE(words->text(), chart->words(1.1));
+    QCOMPARE(chart->accessibleDescription(), words->text());
+    QTest::keyClick(chart, Qt::Key_End);
+    QCOMPARE(words->text(), chart->words(3.0));
+
+    const QTemporaryDir folder;
+    for (const char* name : {"sweep.png", "sweep.svg", "sweep.csv"})
+        QVERIFY2(save->save(folder.filePath(name)), name);
+    QCOMPARE(words->text(), QString("Saved: sweep.csv"));
+    QFile table(folder.filePath("sweep.csv"));
+    QVERIFY(table.open(QIODevice::ReadOnly));
+    const QByteArray bytes = table.readAll();
+    QVERIFY2(bytes.startsWith("series,Times the tolerance,Points,Recording\r\n"), bytes.constData());
+    QCOMPARE(bytes.count("\r\nEach attempt,"), 2 * kSweepSteps);
+    QVERIFY(bytes.contains(",b\r\n") && bytes.contains("\r\nMedian,") &&
+            bytes.contains("\r\n\"Attempts that pass, %\","));
 }
 
 /// They would count as failed under every tolerance.

@@ -10,13 +10,17 @@
 #include <QChartView>
 #include <QEvent>
 #include <QGraphicsLayout>
+#include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLegendMarker>
 #include <QLineSeries>
 #include <QLocale>
 #include <QMouseEvent>
-#include <QVBoxLayout>
+#include <QPainter>
 #include <QValueAxis>
 
+#include "ui/charts/SaveButton.h"
+#include "ui/shell/Announce.h"
 #include "ui/shell/Theme.h"
 #include "ui/text/EveryLanguage.h"
 #include "ui/text/Texts.h"
@@ -27,6 +31,7 @@ namespace {
 /// More lines than these nobody tells apart.
 constexpr std::size_t kMostLines = 30;
 constexpr double kFullPoints = 100.0;
+constexpr double kStepTimes = kMostTimes / (kSweepSteps - 1);  ///< of the arrow keys
 
 int quantile(const Sweep& sweep, std::size_t step, double share)
 {
@@ -48,9 +53,14 @@ SweepChart::SweepChart(QWidget* parent) : QWidget(parent), m_chart(new QChart), 
     m_view->viewport()->installEventFilter(this);
     m_chart->setMargins({0, 0, 0, 0});
     m_chart->layout()->setContentsMargins(0, 0, 0, 0);
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->addWidget(m_view);
+    setFocusPolicy(Qt::StrongFocus);
+    m_save = new charts::SaveButton([this] { return chart(); }, this);
+    connect(m_save, &charts::SaveButton::told, this, &SweepChart::saved);
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(shell::kSpace1, shell::kSpace1, shell::kSpace1, shell::kSpace1);
+    row->setSpacing(0);
+    row->addWidget(m_view, 1);
+    row->addWidget(m_save, 0, Qt::AlignTop);
     text::inEveryLanguage(this, [this] {
         for (QWidget* part : {static_cast<QWidget*>(this), static_cast<QWidget*>(m_view), m_view->viewport()})
             part->setAccessibleName(tr("Scores of past attempts over the tolerance"));
@@ -62,7 +72,9 @@ void SweepChart::setSweep(const Sweep& sweep)
 {
     if (&sweep != &m_sweep)
         m_sweep = sweep;
-    setAccessibleDescription(words(1.0));
+    m_toldTimes = 1.0;
+    setAccessibleDescription(words(m_toldTimes));
+    m_save->setVisible(!m_sweep.lines.empty());
     draw();
 }
 
@@ -77,6 +89,66 @@ QString SweepChart::words(double times) const
         .arg(m_sweep.passed[step])
         .arg(m_sweep.lines.size())
         .arg(text::points(m_sweep.medianTenths(step)));
+}
+
+QList<charts::Line> SweepChart::attemptLines() const
+{
+    const auto line = [this](const QString& name, const auto& tenthsAt, const QString& of) {
+        charts::Line made{name, {}, charts::Mark::Plain, true, {}};
+        for (std::size_t step = 0; step < m_sweep.times.size(); ++step) {
+            const double points = 0.1 * tenthsAt(step);
+            const QString words =
+                tr("%1: %2 points at %3 times the tolerance")
+                    .arg(of.isEmpty() ? name : of, text::number(points, 1), text::number(m_sweep.times[step], 1));
+            made.dots << charts::Dot{m_sweep.times[step], points, words, 0, of};
+        }
+        return made;
+    };
+    if (m_sweep.lines.size() > kMostLines)
+        return {line(tr("Lower quartile"), [this](std::size_t s) { return quantile(m_sweep, s, 0.25); }, {}),
+                line(tr("Upper quartile"), [this](std::size_t s) { return quantile(m_sweep, s, 0.75); }, {})};
+    QList<charts::Line> lines;
+    for (const Sweep::Line& one : m_sweep.lines)
+        lines << line(
+            tr("Each attempt"), [&one](std::size_t step) { return one.tenths[step]; }, one.name);
+    return lines;
+}
+
+charts::Chart SweepChart::chart() const
+{
+    const QString title = tr("Scores of past attempts over the tolerance");
+    if (m_sweep.lines.empty())
+        return {title, {}, {}, charts::Curve()};
+    charts::Curve curve;
+    curve.x = {tr("Times the tolerance"), 0.0, kMostTimes};
+    curve.y = {tr("Points"), 0.0, kFullPoints};
+    curve.lines = attemptLines();
+    const shell::Tones tone = shell::tones(shell::pagePalette(false));
+    for (charts::Line& line : curve.lines)
+        line.colour = tone.accent;
+    charts::Line median{tr("Median"), {}, charts::Mark::Plain, true, Qt::black};
+    charts::Line passed{tr("Attempts that pass, %"), {}, charts::Mark::Plain, true, tone.attention};
+    for (std::size_t step = 0; step < m_sweep.times.size(); ++step) {
+        const double times = m_sweep.times[step];
+        const double share = 100.0 * m_sweep.passed[step] / static_cast<double>(m_sweep.lines.size());
+        median.dots << charts::Dot{times, 0.1 * m_sweep.medianTenths(step), words(times)};
+        passed.dots << charts::Dot{times, share, words(times)};
+    }
+    curve.lines << median << passed;
+    curve.limits = {{0.1 * m_sweep.passMarkTenths, false, tr("Pass mark")}, {1.0, true, tr("As set")}};
+    if (m_sweep.lines.size() <= kMostLines)
+        curve.ofTitle = tr("Recording");
+    return {title, {}, {}, curve};
+}
+
+void SweepChart::walkTo(double times)
+{
+    if (m_sweep.lines.empty())
+        return;
+    m_toldTimes = std::clamp(times, 0.0, kMostTimes);
+    setAccessibleDescription(words(m_toldTimes));
+    emit pointedAt(words(m_toldTimes));
+    shell::announce(*this);
 }
 
 void SweepChart::draw()
@@ -144,7 +216,7 @@ void SweepChart::draw()
             attach(line, points);
             connect(line, &QLineSeries::hovered, this, [this, name = one.name](const QPointF& at, bool isOver) {
                 if (isOver)
-                    //: %1: the name of a file
+                    //: %1: the name of a file, or which line
                     emit pointedAt(tr("%1: %2 points at %3 times the tolerance")
                                        .arg(name, text::number(at.y(), 1), text::number(at.x(), 1)));
             });
@@ -191,6 +263,62 @@ void SweepChart::draw()
     attach(now, points);
 }
 
+bool SweepChart::event(QEvent* event)
+{
+    if (event->type() == QEvent::ShortcutOverride) {
+        switch (static_cast<QKeyEvent*>(event)->key()) {
+        case Qt::Key_Right:
+        case Qt::Key_Left:
+        case Qt::Key_Home:
+        case Qt::Key_End:
+            event->accept();
+            return true;
+        default:
+            break;
+        }
+    }
+    return QWidget::event(event);
+}
+
+void SweepChart::keyPressEvent(QKeyEvent* event)
+{
+    switch (event->key()) {
+    case Qt::Key_Right:
+        return walkTo(m_toldTimes + kStepTimes);
+    case Qt::Key_Left:
+        return walkTo(m_toldTimes - kStepTimes);
+    case Qt::Key_Home:
+        return walkTo(0.0);
+    case Qt::Key_End:
+        return walkTo(kMostTimes);
+    default:
+        QWidget::keyPressEvent(event);
+    }
+}
+
+void SweepChart::paintEvent(QPaintEvent*)
+{
+    if (!hasFocus())
+        return;
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(palette().color(QPalette::Link), 2.0));
+    painter.drawRoundedRect(QRectF(rect()).adjusted(1.0, 1.0, -1.0, -1.0), shell::kRadius, shell::kRadius);
+}
+
+void SweepChart::focusInEvent(QFocusEvent* event)
+{
+    QWidget::focusInEvent(event);
+    update();
+}
+
+void SweepChart::focusOutEvent(QFocusEvent* event)
+{
+    QWidget::focusOutEvent(event);
+    emit pointedAt({});
+    update();
+}
+
 void SweepChart::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
@@ -205,7 +333,7 @@ bool SweepChart::eventFilter(QObject* watched, QEvent* event)
         const QPointF at =
             m_chart->mapToValue(m_chart->mapFromScene(m_view->mapToScene(mouse->pos())), m_chart->series().constLast());
         emit pointedAt(words(at.x()));
-    } else if (event->type() == QEvent::Leave) {
+    } else if (event->type() == QEvent::Leave && !hasFocus()) {
         emit pointedAt({});
     }
     return QWidget::eventFilter(watched, event);

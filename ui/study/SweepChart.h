@@ -3,16 +3,21 @@
 
 #include <QWidget>
 
+#include "ui/charts/Chart.h"
 #include "ui/study/ToleranceSweep.h"
 
 class QChart;
 class QChartView;
 
+namespace ui::charts {
+class SaveButton;
+}
+
 namespace ui::study {
 
 /// Scores of past attempts over the tolerance, 0 to 3 times what the rubric says: a line for each attempt, or the
 /// median and the middle half where they are many; how many pass, dashed, at the right axis. Says the figures under the
-/// pointer.
+/// pointer, or where the arrow keys have got to, and can be saved.
 class SweepChart : public QWidget
 {
     Q_OBJECT
@@ -21,22 +26,36 @@ public:
     void setSweep(const Sweep& sweep);
     /// What is chosen with the pointer, in words: "At 1.5 times the tolerance 7 of 12 pass; median 78.4".
     [[nodiscard]] QString words(double times) const;
+    /// As it is saved: how many pass in percent, for there is one upright axis.
+    [[nodiscard]] charts::Chart chart() const;
     [[nodiscard]] QSize minimumSizeHint() const override { return {280, 180}; }
 
 signals:
     /// @param words  empty: nothing any more
     void pointedAt(const QString& words);
+    /// What became of a file, as a sentence.
+    void saved(const QString& sentence);
 
 protected:
+    void paintEvent(QPaintEvent* event) override;
+    /// The keys that walk are the chart's, whatever else they are keys of.
+    bool event(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void focusInEvent(QFocusEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
     void changeEvent(QEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void draw();
+    void walkTo(double times);
+    [[nodiscard]] QList<charts::Line> attemptLines() const;
 
     QChart* m_chart;
     QChartView* m_view;
+    charts::SaveButton* m_save = nullptr;
     Sweep m_sweep;
+    double m_toldTimes = 1.0;  ///< by the keys
 };
 
 }  // namespace ui::study

@@ -11,6 +11,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "ui/shell/Announce.h"
 #include "ui/shell/FileDialog.h"
 #include "ui/shell/Folders.h"
 #include "ui/shell/Theme.h"
@@ -95,6 +96,10 @@ SweepPage::SweepPage(QWidget* parent) : QWidget(parent), m_measuring(std::make_s
     column->addWidget(m_words);
     connect(m_chart, &SweepChart::pointedAt, this,
             [this](const QString& there) { m_words->setText(there.isEmpty() ? m_summary : there); });
+    connect(m_chart, &SweepChart::saved, this, [this](const QString& sentence) {
+        m_words->setText(sentence);
+        announce(*m_words);
+    });
     begin({});
     text::inEveryLanguage(this, [this] { speak(); });
 }
