@@ -104,6 +104,7 @@ private slots:
     void namesOfBarsAreSeenWhole();
     void namesHaveTheRoomThatIsThereWhenTheyCome();
     void aShortNameIsBetterThanNoBar();
+    void noWordIsCutWhereOthersCanBeLeftOut();
     void theKeyIsSeenWhole();
     void aFileThatIsSavedMovesNothing();
 
@@ -449,6 +450,22 @@ void TestCharts::aShortNameIsBetterThanNoBar()
     for (int k = 5; k < 20; ++k)
         lost.bars << lost.bars.front();
     QVERIFY(rowsFor({"What cost points", {}, {}, lost}, {300.0, 160.0}) < 5);  // not all would have room
+}
+
+void TestCharts::noWordIsCutWhereOthersCanBeLeftOut()
+{
+    Bars many;
+    many.value = {"Points lost", 0.0, 30.0, false, false};
+    const QString name = "Leeway at the walls of the cavity and its floor, where it is the narrowest";
+    const QStringList words = name.split(u' ');
+    many.bars = QList<Bars::Bar>(5, {name, 2.0, {}});
+    m_panel->resize(450, 200);  // a line for each
+    m_panel->setChart({"What cost points", {}, {}, many});
+    QTRY_COMPARE(namesDrawn().size(), 5);
+    const QString drawn = namesDrawn().front();
+    QVERIFY2(drawn.contains(u'…') && drawn.startsWith("Leeway") && drawn.endsWith("narrowest"), qPrintable(drawn));
+    for (const QString& word : drawn.split(u' '))
+        QVERIFY2(word == QStringLiteral("…") || words.contains(word), qPrintable(drawn));
 }
 
 void TestCharts::theKeyIsSeenWhole()

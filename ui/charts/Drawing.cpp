@@ -272,15 +272,39 @@ QStringList wrapped(const QString& words, double widthPx)
     return lines;
 }
 
-/// In as many lines as a bar has room for, about as long as each other. What is left out is left out in the middle,
-/// for names often begin alike.
+/// What is left out is left out in the middle, for names often begin alike; whole words where two of them have room.
+QString shortened(const QString& words, double widthPx)
+{
+    const QFontMetricsF metrics(typeface(kSmall));
+    const QString gap = QStringLiteral(" … ");
+    const QStringList all = words.split(u' ', Qt::SkipEmptyParts);
+    qsizetype first = 0;
+    qsizetype last = 0;
+    QString made;
+    const auto fits = [&](qsizetype ahead, qsizetype behind) {
+        const QString tried = all.mid(0, ahead).join(u' ') + gap + all.mid(all.size() - behind).join(u' ');
+        if (ahead + behind >= all.size() || metrics.horizontalAdvance(tried) > widthPx)
+            return false;
+        made = tried;
+        return true;
+    };
+    if (all.size() > 2 && fits(1, 1))
+        first = last = 1;
+    while (first > 0 && fits(first, last + 1))
+        ++last;
+    while (first > 0 && fits(first + 1, last))
+        ++first;
+    return made.isEmpty() ? metrics.elidedText(words, Qt::ElideMiddle, widthPx) : made;
+}
+
+/// In as many lines as a bar has room for, about as long as each other.
 QString folded(const QString& name, double widthPx, int most)
 {
     constexpr double kStepPx = 6.0;
     QStringList lines = wrapped(name, widthPx);
     if (lines.size() > most) {
         const QString rest = lines.mid(most - 1).join(u' ');
-        lines = lines.mid(0, most - 1) << QFontMetricsF(typeface(kSmall)).elidedText(rest, Qt::ElideMiddle, widthPx);
+        lines = lines.mid(0, most - 1) << shortened(rest, widthPx);
     } else if (lines.size() > 1) {
         for (double narrow = widthPx - kStepPx; narrow > 0.0; narrow -= kStepPx) {
             const QStringList closer = wrapped(name, narrow);
