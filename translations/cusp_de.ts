@@ -288,6 +288,10 @@
         <source>took a comment back</source>
         <translation>hat einen Kommentar zurückgenommen</translation>
     </message>
+    <message>
+        <source>how long a login by a name that nobody has takes</source>
+        <translation>wie lange eine Anmeldung mit einem Namen dauert, den niemand hat</translation>
+    </message>
 </context>
 <context>
     <name>Block</name>
@@ -3064,9 +3068,26 @@
     </message>
     <message numerus="yes">
         <source>%n row(s) among the newest %1; &quot;Older rows&quot; brings more to search</source>
+        <extracomment>%1: how many rows were searched</extracomment>
         <translation>
             <numerusform>%n Zeile unter den neuesten %1; „Ältere Zeilen“ holt weitere zum Suchen</numerusform>
             <numerusform>%n Zeilen unter den neuesten %1; „Ältere Zeilen“ holt weitere zum Suchen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Leave out attempts</source>
+        <translation>Versuche weglassen</translation>
+    </message>
+    <message>
+        <source>Who began an exam or made an attempt is not shown: what is left is what was done to people, classes, grades, presets, settings and backups</source>
+        <translation>Wer eine Prüfung begann oder einen Versuch machte, wird nicht gezeigt: Übrig bleibt, was mit Personen, Klassen, Bewertungen, Voreinstellungen, Einstellungen und Sicherungen getan wurde</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n row(s) among the newest %1 without attempts; &quot;Older rows&quot; brings more to search</source>
+        <extracomment>%1: how many rows were searched</extracomment>
+        <translation>
+            <numerusform>%n Zeile unter den neuesten %1 ohne Versuche; „Ältere Zeilen“ holt weitere zum Durchsuchen</numerusform>
+            <numerusform>%n Zeilen unter den neuesten %1 ohne Versuche; „Ältere Zeilen“ holt weitere zum Durchsuchen</numerusform>
         </translation>
     </message>
 </context>
@@ -5278,6 +5299,7 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     </message>
     <message>
         <source>Straight down with %1 N</source>
+        <extracomment>%1 is a force</extracomment>
         <translation>Gerade nach unten mit %1 N</translation>
     </message>
     <message>
@@ -5291,6 +5313,11 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>dashed: as it was kept</source>
         <translation>gestrichelt: wie es gespeichert ist</translation>
+    </message>
+    <message>
+        <source>%1, as it was kept</source>
+        <extracomment>%1 is a material; its line is that of the preset before it was changed</extracomment>
+        <translation>%1, wie gesichert</translation>
     </message>
 </context>
 <context>
@@ -5584,11 +5611,11 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>A does</source>
         <extracomment>Which of two presets feels more like a tooth</extracomment>
-        <translation>A</translation>
+        <translation>A ist es</translation>
     </message>
     <message>
         <source>B does</source>
-        <translation>B</translation>
+        <translation>B ist es</translation>
     </message>
     <message>
         <source>No difference</source>
@@ -7305,10 +7332,6 @@ ungesichert</translation>
         <translation>Nicht alles ist gespeichert, und das ginge verloren.</translation>
     </message>
     <message>
-        <source>&amp;Keep it</source>
-        <translation>&amp;Behalten</translation>
-    </message>
-    <message>
         <source>From a file …</source>
         <translation>Aus einer Datei …</translation>
     </message>
@@ -7337,8 +7360,20 @@ ungesichert</translation>
         <translation>Ein Ergebnis ist eingegeben und noch nicht vergeben.</translation>
     </message>
     <message>
-        <source>Cusp stays open: what somebody else has typed is not kept yet. It waits until that person logs in here.</source>
-        <translation>Cusp bleibt geöffnet: Was jemand anderes geschrieben hat, ist noch nicht gespeichert. Es wartet, bis sich diese Person hier anmeldet.</translation>
+        <source>What the school keeps does not answer yet. You can go on drilling; what you asked for comes when it does.</source>
+        <translation>Die Daten der Schule antworten noch nicht. Sie können weiter üben; was Sie angefragt haben, kommt, sobald sie antworten.</translation>
+    </message>
+    <message>
+        <source>It waits for the person who has changed it.</source>
+        <translation>Sie wartet auf die Person, die sie geändert hat.</translation>
+    </message>
+    <message>
+        <source>&amp;Show it</source>
+        <translation>An&amp;zeigen</translation>
+    </message>
+    <message>
+        <source>Cusp stays open: what somebody else has typed or changed is not kept yet. It waits until that person logs in here.</source>
+        <translation>Cusp bleibt geöffnet: Was jemand anderes geschrieben oder geändert hat, ist noch nicht gespeichert. Es wartet, bis sich diese Person hier anmeldet.</translation>
     </message>
 </context>
 <context>
@@ -9012,6 +9047,22 @@ ungesichert</translation>
     <message>
         <source>As set</source>
         <translation>Wie eingestellt</translation>
+    </message>
+    <message>
+        <source>Lower quartile</source>
+        <translation>Unteres Quartil</translation>
+    </message>
+    <message>
+        <source>Upper quartile</source>
+        <translation>Oberes Quartil</translation>
+    </message>
+    <message>
+        <source>Attempts that pass, %</source>
+        <translation>Bestandene Versuche, %</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Aufzeichnung</translation>
     </message>
 </context>
 <context>

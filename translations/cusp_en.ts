@@ -288,6 +288,10 @@
         <source>took a comment back</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>how long a login by a name that nobody has takes</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Block</name>
@@ -3064,9 +3068,26 @@
     </message>
     <message numerus="yes">
         <source>%n row(s) among the newest %1; &quot;Older rows&quot; brings more to search</source>
+        <extracomment>%1: how many rows were searched</extracomment>
         <translation>
             <numerusform>%n row among the newest %1; &quot;Older rows&quot; brings more to search</numerusform>
             <numerusform>%n rows among the newest %1; &quot;Older rows&quot; brings more to search</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Leave out attempts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Who began an exam or made an attempt is not shown: what is left is what was done to people, classes, grades, presets, settings and backups</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n row(s) among the newest %1 without attempts; &quot;Older rows&quot; brings more to search</source>
+        <extracomment>%1: how many rows were searched</extracomment>
+        <translation>
+            <numerusform>%n row among the newest %1 without attempts; &quot;Older rows&quot; brings more to search</numerusform>
+            <numerusform>%n rows among the newest %1 without attempts; &quot;Older rows&quot; brings more to search</numerusform>
         </translation>
     </message>
 </context>
@@ -5270,6 +5291,7 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
     <message>
         <source>Straight down with %1 N</source>
+        <extracomment>%1 is a force</extracomment>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5282,6 +5304,11 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
     <message>
         <source>dashed: as it was kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, as it was kept</source>
+        <extracomment>%1 is a material; its line is that of the preset before it was changed</extracomment>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7296,10 +7323,6 @@ unsaved</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Keep it</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>From a file …</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7328,7 +7351,19 @@ unsaved</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Cusp stays open: what somebody else has typed is not kept yet. It waits until that person logs in here.</source>
+        <source>What the school keeps does not answer yet. You can go on drilling; what you asked for comes when it does.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It waits for the person who has changed it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Show it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cusp stays open: what somebody else has typed or changed is not kept yet. It waits until that person logs in here.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9002,6 +9037,22 @@ unsaved</source>
     </message>
     <message>
         <source>As set</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lower quartile</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Upper quartile</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Attempts that pass, %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recording</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

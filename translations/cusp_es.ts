@@ -288,6 +288,10 @@
         <source>took a comment back</source>
         <translation>retiró un comentario</translation>
     </message>
+    <message>
+        <source>how long a login by a name that nobody has takes</source>
+        <translation>cuánto tarda un inicio de sesión con un nombre que nadie tiene</translation>
+    </message>
 </context>
 <context>
     <name>Block</name>
@@ -3064,9 +3068,26 @@
     </message>
     <message numerus="yes">
         <source>%n row(s) among the newest %1; &quot;Older rows&quot; brings more to search</source>
+        <extracomment>%1: how many rows were searched</extracomment>
         <translation>
             <numerusform>%n fila entre las %1 más recientes; «Filas anteriores» trae más para buscar</numerusform>
             <numerusform>%n filas entre las %1 más recientes; «Filas anteriores» trae más para buscar</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Leave out attempts</source>
+        <translation>Omitir los intentos</translation>
+    </message>
+    <message>
+        <source>Who began an exam or made an attempt is not shown: what is left is what was done to people, classes, grades, presets, settings and backups</source>
+        <translation>No se muestra quién empezó un examen o hizo un intento: queda lo que se hizo con personas, clases, calificaciones, preajustes, ajustes y copias de seguridad</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n row(s) among the newest %1 without attempts; &quot;Older rows&quot; brings more to search</source>
+        <extracomment>%1: how many rows were searched</extracomment>
+        <translation>
+            <numerusform>%n fila entre las %1 más recientes sin intentos; «Filas anteriores» trae más para buscar</numerusform>
+            <numerusform>%n filas entre las %1 más recientes sin intentos; «Filas anteriores» trae más para buscar</numerusform>
         </translation>
     </message>
 </context>
@@ -5278,6 +5299,7 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     </message>
     <message>
         <source>Straight down with %1 N</source>
+        <extracomment>%1 is a force</extracomment>
         <translation>En vertical hacia abajo con %1 N</translation>
     </message>
     <message>
@@ -5291,6 +5313,11 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>dashed: as it was kept</source>
         <translation>discontinua: como está guardado</translation>
+    </message>
+    <message>
+        <source>%1, as it was kept</source>
+        <extracomment>%1 is a material; its line is that of the preset before it was changed</extracomment>
+        <translation>%1, como se guardó</translation>
     </message>
 </context>
 <context>
@@ -7305,10 +7332,6 @@ sin guardar</translation>
         <translation>No todo está guardado, y se perdería.</translation>
     </message>
     <message>
-        <source>&amp;Keep it</source>
-        <translation>C&amp;onservar</translation>
-    </message>
-    <message>
         <source>From a file …</source>
         <translation>De un archivo …</translation>
     </message>
@@ -7337,8 +7360,20 @@ sin guardar</translation>
         <translation>Se escribió una puntuación y aún no se ha dado.</translation>
     </message>
     <message>
-        <source>Cusp stays open: what somebody else has typed is not kept yet. It waits until that person logs in here.</source>
-        <translation>Cusp sigue abierto: lo que ha escrito otra persona aún no está guardado. Queda pendiente hasta que esa persona inicie sesión aquí.</translation>
+        <source>What the school keeps does not answer yet. You can go on drilling; what you asked for comes when it does.</source>
+        <translation>Los datos de la escuela aún no responden. Usted puede seguir practicando; lo que pidió llegará cuando respondan.</translation>
+    </message>
+    <message>
+        <source>It waits for the person who has changed it.</source>
+        <translation>Queda pendiente para la persona que lo cambió.</translation>
+    </message>
+    <message>
+        <source>&amp;Show it</source>
+        <translation>&amp;Mostrarlo</translation>
+    </message>
+    <message>
+        <source>Cusp stays open: what somebody else has typed or changed is not kept yet. It waits until that person logs in here.</source>
+        <translation>Cusp sigue abierto: lo que ha escrito o cambiado otra persona aún no está guardado. Queda pendiente hasta que esa persona inicie sesión aquí.</translation>
     </message>
 </context>
 <context>
@@ -9012,6 +9047,22 @@ sin guardar</translation>
     <message>
         <source>As set</source>
         <translation>Valor actual</translation>
+    </message>
+    <message>
+        <source>Lower quartile</source>
+        <translation>Cuartil inferior</translation>
+    </message>
+    <message>
+        <source>Upper quartile</source>
+        <translation>Cuartil superior</translation>
+    </message>
+    <message>
+        <source>Attempts that pass, %</source>
+        <translation>Intentos aprobados, %</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Grabación</translation>
     </message>
 </context>
 <context>

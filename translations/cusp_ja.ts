@@ -287,6 +287,10 @@
         <source>took a comment back</source>
         <translation>コメントを取り下げました</translation>
     </message>
+    <message>
+        <source>how long a login by a name that nobody has takes</source>
+        <translation>存在しない名前でのログインにかかる時間</translation>
+    </message>
 </context>
 <context>
     <name>Block</name>
@@ -3049,8 +3053,24 @@
     </message>
     <message numerus="yes">
         <source>%n row(s) among the newest %1; &quot;Older rows&quot; brings more to search</source>
+        <extracomment>%1: how many rows were searched</extracomment>
         <translation>
             <numerusform>最新の %1 行のうち %n 行。さらに検索するには「さらに古い行」を押してください</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Leave out attempts</source>
+        <translation>試行を除く</translation>
+    </message>
+    <message>
+        <source>Who began an exam or made an attempt is not shown: what is left is what was done to people, classes, grades, presets, settings and backups</source>
+        <translation>試験の開始と試行は表示されません。人、クラス、成績、プリセット、設定、バックアップに対する操作だけが残ります</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n row(s) among the newest %1 without attempts; &quot;Older rows&quot; brings more to search</source>
+        <extracomment>%1: how many rows were searched</extracomment>
+        <translation>
+            <numerusform>試行を除く最新の%1行のうち%n行。「古い行」を押すと検索範囲が広がります</numerusform>
         </translation>
     </message>
 </context>
@@ -5238,6 +5258,7 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     </message>
     <message>
         <source>Straight down with %1 N</source>
+        <extracomment>%1 is a force</extracomment>
         <translation>真下へ%1 N</translation>
     </message>
     <message>
@@ -5251,6 +5272,11 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>dashed: as it was kept</source>
         <translation>破線：保存されている値</translation>
+    </message>
+    <message>
+        <source>%1, as it was kept</source>
+        <extracomment>%1 is a material; its line is that of the preset before it was changed</extracomment>
+        <translation>%1（保存時）</translation>
     </message>
 </context>
 <context>
@@ -7257,10 +7283,6 @@ unsaved</source>
         <translation>保存されていないものがあり、失われます。</translation>
     </message>
     <message>
-        <source>&amp;Keep it</source>
-        <translation>残す(&amp;K)</translation>
-    </message>
-    <message>
         <source>From a file …</source>
         <translation>ファイルから …</translation>
     </message>
@@ -7289,8 +7311,20 @@ unsaved</source>
         <translation>得点が入力されましたが、まだ与えられていません。</translation>
     </message>
     <message>
-        <source>Cusp stays open: what somebody else has typed is not kept yet. It waits until that person logs in here.</source>
-        <translation>Cuspは開いたままです。ほかの人が入力した内容がまだ保存されていません。その人がここでログインするまで残しておきます。</translation>
+        <source>What the school keeps does not answer yet. You can go on drilling; what you asked for comes when it does.</source>
+        <translation>学校のデータがまだ応答しません。練習は続けられます。要求した内容は、応答があり次第表示されます。</translation>
+    </message>
+    <message>
+        <source>It waits for the person who has changed it.</source>
+        <translation>変更した人が戻るまで残しておきます。</translation>
+    </message>
+    <message>
+        <source>&amp;Show it</source>
+        <translation>表示する(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Cusp stays open: what somebody else has typed or changed is not kept yet. It waits until that person logs in here.</source>
+        <translation>Cuspは開いたままです。ほかの人が入力または変更した内容がまだ保存されていません。その人がここでログインするまで残しておきます。</translation>
     </message>
 </context>
 <context>
@@ -8953,6 +8987,22 @@ unsaved</source>
     <message>
         <source>As set</source>
         <translation>設定値</translation>
+    </message>
+    <message>
+        <source>Lower quartile</source>
+        <translation>第1四分位数</translation>
+    </message>
+    <message>
+        <source>Upper quartile</source>
+        <translation>第3四分位数</translation>
+    </message>
+    <message>
+        <source>Attempts that pass, %</source>
+        <translation>合格する試行、%</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>記録</translation>
     </message>
 </context>
 <context>

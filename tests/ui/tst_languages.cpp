@@ -255,7 +255,7 @@ void TestLanguages::openSchool(ui::admin::AdminPage::Part part)
     school.backups().setDatabase("[···]", false);
     school.backups().setBackups({{"[···]", QDateTime({2026, 5, 4}, {10, 20}, Qt::UTC), 1024}});
     school.backups().finish([] { return QStringLiteral("[···]"); }, {{"%1 was removed", {"attempt:[···]"}}});
-    school.audit().setRows({{1, "2026-05-04T10:20:30Z", "", "login", "[···]", "{}", ""}}, "[···]");
+    school.audit().setRows({{1, "2026-05-04T10:20:30Z", "", "login", "[···]", "{}", ""}}, "[···]", true);
 }
 
 void TestLanguages::showScore()

@@ -533,7 +533,9 @@ void PresetsPage::setWriter(qint64 person)
 
 bool PresetsPage::hasOthersUnkept() const
 {
-    return std::any_of(m_waiting.begin(), m_waiting.end(), [](const auto& one) { return one.second.couldKeep; });
+    // A guest is nobody who could come back for it.
+    return std::any_of(m_waiting.begin(), m_waiting.end(),
+                       [](const auto& one) { return one.first != 0 && one.second.couldKeep; });
 }
 
 QString PresetsPage::unkept() const

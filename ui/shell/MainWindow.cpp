@@ -2330,8 +2330,6 @@ std::vector<MainWindow::Unkept> MainWindow::unkept()
                                      presetWaits();
                                  goTo(m_presets);
                              }}};
-    if (m_presets->hasOthersUnkept())
-        all.push_back({tr("What somebody else has changed of a hardness preset is not saved yet."), presetWaits});
     const auto& talk = m_scorePage->talk();
     if (const auto attempt = talk.unkeptComment())
         all.push_back({tr("A comment was typed and is not added yet."), [this, attempt] { showDraft(*attempt); }});
@@ -2339,6 +2337,12 @@ std::vector<MainWindow::Unkept> MainWindow::unkept()
         all.push_back({tr("A score was typed and is not given yet."), [this, attempt] { showDraft(*attempt); }});
     all.erase(std::remove_if(all.begin(), all.end(), [](const Unkept& one) { return one.what.isEmpty(); }), all.end());
     return all;
+}
+
+/// Comments and scores that others are writing, and presets that they have changed.
+bool MainWindow::hasOthersUnkept() const
+{
+    return m_scorePage->talk().hasOthersUnkept() || m_presets->hasOthersUnkept();
 }
 
 void MainWindow::showDraft(qint64 attempt)
@@ -2388,8 +2392,8 @@ void MainWindow::closeEvent(QCloseEvent* event)
     // What is a teacher's waits for one, also through another start of the program.
     const bool areOthers = !m_editor->unsaved().isEmpty() && !mayDecideOnDrafts();
     const bool arePutBy = areOthers && putDraftsBy();
-    if (m_mayClose || (!wouldLoseWork() && (m_editor->unsaved().isEmpty() || arePutBy) && unkept().empty() &&
-                       !m_scorePage->talk().hasOthersUnkept())) {
+    if (m_mayClose ||
+        (!wouldLoseWork() && (m_editor->unsaved().isEmpty() || arePutBy) && unkept().empty() && !hasOthersUnkept())) {
         if (!arePutBy && !m_draftFile.isEmpty() && mayDecideOnDrafts())
             QFile::remove(m_draftFile);
         memory().setValue(kGeometry, saveGeometry());
@@ -2403,10 +2407,10 @@ void MainWindow::closeEvent(QCloseEvent* event)
         return;
     }
     // Only who has typed it decides on it.
-    if (m_scorePage->talk().hasOthersUnkept()) {
+    if (hasOthersUnkept()) {
         sayWaits([] {
-            return tr("Cusp stays open: what somebody else has typed is not kept yet. It waits until that person logs "
-                      "in here.");
+            return tr("Cusp stays open: what somebody else has typed or changed is not kept yet. It waits until that "
+                      "person logs in here.");
         });
         return;
     }
