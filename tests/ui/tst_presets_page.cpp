@@ -15,6 +15,7 @@
 #include <QTest>
 #include <QTextDocumentFragment>
 #include <QTranslator>
+#include <QWheelEvent>
 #include <QWidget>
 #include <cmath>
 
@@ -732,6 +733,12 @@ void TestPresetsPage::allIsReachedWithLargeText()
     auto* chart = room.page.findChild<presets::FeedChart*>();
     auto* pane = qobject_cast<shell::ScrollPane*>(chart->parentWidget()->parentWidget()->parentWidget());
     QVERIFY(pane != nullptr);
+    // Who scrolls past a dial turns nothing.
+    auto* dial = room.find<QSlider>("dial1");
+    const QPointF middle(dial->rect().center());
+    QWheelEvent wheel(middle, dial->mapToGlobal(middle), {}, {0, -120}, {}, {}, Qt::NoScrollPhase, false);
+    QApplication::sendEvent(dial, &wheel);
+    QVERIFY(dial->value() == 0 && !dial->hasFocus());
     for (const char* way : {"presetSimple", "presetExpert"}) {
         QTest::mouseClick(room.find<QPushButton>(way), Qt::LeftButton);
         QTRY_VERIFY(pane->hasMoreBelow());

@@ -11,6 +11,7 @@
 
 #include "ui/presets/PresetWords.h"
 #include "ui/shell/Theme.h"
+#include "ui/study/FormInputs.h"
 #include "ui/text/EveryLanguage.h"
 
 namespace ui::presets {
@@ -45,6 +46,9 @@ SimplePanel::SimplePanel(QWidget* parent) : QWidget(parent), m_middle(quiet(this
         auto* slider = new QSlider(Qt::Horizontal, this);
         slider->setRange(-kDialSteps, kDialSteps);
         slider->setPageStep(kDialSteps / 4);
+        // Who scrolls past a dial turns nothing.
+        slider->setFocusPolicy(Qt::StrongFocus);
+        study::bindToForm(slider);
         slider->setObjectName(QStringLiteral("dial%1").arg(k));
         connect(slider, &QSlider::valueChanged, this, &SimplePanel::tell);
         m_sliders[k] = slider;
