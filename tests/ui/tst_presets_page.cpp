@@ -855,9 +855,6 @@ void TestPresetsPage::chartIsSavedAndWalkedWithKeys()
     QVERIFY(QTest::qWaitForWindowExposed(&chart));
     QVERIFY2(save->width() < 36, qPrintable(QString::number(save->width())));  // it takes width from the curves
     QVERIFY(save->geometry().right() > chart.width() - 12 && save->y() < 12);
-    chart.setAutoFillBackground(true);
-    save->setFocus();
-    QTest::qWait(50);
     const QTemporaryDir folder;
     for (const char* name : {"feed.png", "feed.svg", "feed.csv"})
         QVERIFY2(save->save(folder.filePath(name)), name);

@@ -55,6 +55,7 @@ SweepChart::SweepChart(QWidget* parent) : QWidget(parent), m_chart(new QChart), 
     m_chart->layout()->setContentsMargins(0, 0, 0, 0);
     setFocusPolicy(Qt::StrongFocus);
     m_save = new charts::SaveButton([this] { return chart(); }, this);
+    m_save->beSmall();
     connect(m_save, &charts::SaveButton::told, this, &SweepChart::saved);
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(shell::kSpace1, shell::kSpace1, shell::kSpace1, shell::kSpace1);
