@@ -197,7 +197,7 @@ QWidget* ClassPage::makeMatrix()
         words->setTextFormat(Qt::PlainText);
         words->setFont(typeface(kSmall));
         words->setForegroundRole(QPalette::PlaceholderText);
-        words->setWordWrap(true);
+        words->setMinimumWidth(1);
         column->addWidget(words);
     }
     m_stack->addWidget(part);
