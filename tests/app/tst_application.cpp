@@ -113,6 +113,7 @@ void TestApplication::start(const QString& recording, bool simulatedDevice)
 
 void TestApplication::logIn() const
 {
+    m_application->window().askLogin();  // nobody is let in who is not at the door
     emit m_application->window().schoolWanted({"admin", "Ada", "Admin", database::Role::Admin}, "correct horse");
     QTRY_COMPARE_WITH_TIMEOUT(actions().account->text(), QString("admin"), 30000);
     actions().back->trigger();
