@@ -62,6 +62,7 @@ private slots:
     void nothingIsSentTwice();
     void whatWasRefusedIsToldAtItsAttempt();
     void whatIsTickedStaysWhatItIs();
+    void whatWasAddedMeanwhileIsNoDraft();
 
 private:
     template <typename Widget>
@@ -508,6 +509,30 @@ void TestTalkPanel::anAddedCommentLeavesItsFieldWhileAnotherIsTakenBack()
     m_panel->setTalk(talk());
     m_panel->setTalk(now);
     QCOMPARE(field->toPlainText(), QString("Mine, too."));
+}
+
+/// Its writer has gone when the answer comes: somebody else's it is not.
+void TestTalkPanel::whatWasAddedMeanwhileIsNoDraft()
+{
+    auto* field = get<QPlainTextEdit>("commentWords");
+    m_panel->setWriter(7);
+    m_panel->setAttempt(1);
+    m_panel->setTalk(talk());
+    field->setPlainText("Lift the bur here.");
+    get<QPushButton>("addComment")->click();
+    m_panel->setWriter(8);
+    QVERIFY(field->toPlainText().isEmpty());
+    m_panel->setWriter(7);
+    m_panel->setAttempt(1);
+    QCOMPARE(field->toPlainText(), QString("Lift the bur here."));
+    AttemptTalk added = talk();
+    added.comments.push_back({9, "Grace Hopper", "2026-11-20T13:00:00Z", "Lift the bur here.", {}, {}, true});
+    m_panel->setTalk(added);
+    QVERIFY(field->toPlainText().isEmpty());
+    // The same words once more are wanted.
+    field->setPlainText("Lift the bur here.");
+    m_panel->setTalk(added);
+    QCOMPARE(field->toPlainText(), QString("Lift the bur here."));
 }
 
 void TestTalkPanel::nothingIsSentTwice()

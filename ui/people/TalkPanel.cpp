@@ -201,6 +201,9 @@ void TalkPanel::setWriter(qint64 person)
     m_waiting[m_writer] = std::move(m_drafts);
     m_drafts = std::move(m_waiting[person]);
     m_waiting.erase(person);
+    for (const auto& [attempt, sent] : m_sent)
+        if (!sent.isScore)
+            m_unheard[{m_writer, attempt}] = sent.words;
     m_writer = person;
     m_sent.clear();
     m_withdrawn.clear();
@@ -291,6 +294,16 @@ void TalkPanel::setTalk(const database::AttemptTalk& talk)
     QWidget* form = formInUse();
     const int countedTenths = given().value_or(m_machineTenths);
     m_talk = talk;
+    if (const auto unheard = m_unheard.find({m_writer, m_attempt}); unheard != m_unheard.end()) {
+        const bool isThere = std::any_of(talk.comments.begin(), talk.comments.end(), [&](const auto& comment) {
+            return comment.isMine && QString::fromStdString(comment.words) == unheard->second;
+        });
+        if (isThere && m_words->toPlainText().trimmed() == unheard->second) {
+            m_words->clear();
+            unpin();
+        }
+        m_unheard.erase(unheard);
+    }
     if (const int countsTenths = given().value_or(m_machineTenths); countsTenths != countedTenths)
         offerPoints(countsTenths);
     fill();

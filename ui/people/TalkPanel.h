@@ -136,7 +136,10 @@ private:
         bool isScore = false;
         QString words;  ///< of the comment, or the reason
     };
-    std::map<qint64, Sent> m_sent;            ///< by attempt, until it is answered
+    std::map<qint64, Sent> m_sent;  ///< by attempt, until it is answered
+    /// Comments whose writer had gone when the answer came, by him and the attempt: whether they are there is seen when
+    /// he opens it again.
+    std::map<std::pair<qint64, qint64>, QString> m_unheard;
     std::map<qint64, Withdrawn> m_withdrawn;  ///< by comment, until that is done
     qint64 m_attempt = 0;
     database::AttemptTalk m_talk;

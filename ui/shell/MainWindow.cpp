@@ -201,7 +201,7 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
     connect(m_lessonsPage, &study::LessonsPage::folderWanted, this, &MainWindow::lessonFolderWanted);
     connect(m_editor, &study::LessonEditor::stepsChanged, this, &MainWindow::enableActions);
     connect(m_editor, &study::LessonEditor::lessonSaved, this, [this] {
-        if (QFile::exists(m_draftFile))  // what is saved comes back as a draft no more
+        if (m_knowsDrafts && QFile::exists(m_draftFile))  // what is saved comes back as a draft no more
             static_cast<void>(m_editor->putBy(m_draftFile));
         emit lessonsWanted();
     });
@@ -998,12 +998,15 @@ void MainWindow::setDraftFile(const QString& file)
 {
     m_draftFile = file;
     m_editor->goOnWith(file, lessons::teachersFolder());
+    m_knowsDrafts = !m_editor->unsaved().isEmpty();
 }
 
 /// Without a place for them they stay where they are.
-bool MainWindow::putDraftsBy() const
+bool MainWindow::putDraftsBy()
 {
-    return !m_draftFile.isEmpty() && m_editor->putBy(m_draftFile);
+    const bool isDone = !m_draftFile.isEmpty() && m_editor->putBy(m_draftFile);
+    m_knowsDrafts = m_knowsDrafts || isDone;
+    return isDone;
 }
 
 void MainWindow::setKnownAttempts(std::vector<study::MeasuredAttempt> attempts)
@@ -1855,8 +1858,9 @@ void MainWindow::showError(const core::Error& error, text::Failed failed, const 
     tellError(error, failed, file,
               ofTooth                                  ? MessageBar::Topic::Tooth
               : failed == text::Failed::KeepingAttempt ? MessageBar::Topic::Journal
-              : failed == text::Failed::ReadingSchool  ? MessageBar::Topic::School
-                                                       : MessageBar::Topic::General);
+              : failed == text::Failed::ReadingSchool && error.code == core::ErrorCode::ConnectionLost
+                  ? MessageBar::Topic::School
+                  : MessageBar::Topic::General);
 }
 
 void MainWindow::showNotKept(const core::Error& error)
@@ -2394,7 +2398,8 @@ void MainWindow::closeEvent(QCloseEvent* event)
     const bool arePutBy = areOthers && putDraftsBy();
     if (m_mayClose ||
         (!wouldLoseWork() && (m_editor->unsaved().isEmpty() || arePutBy) && unkept().empty() && !hasOthersUnkept())) {
-        if (!arePutBy && !m_draftFile.isEmpty() && mayDecideOnDrafts())
+        // What another window has put by there is not ours.
+        if (!arePutBy && m_knowsDrafts && mayDecideOnDrafts())
             QFile::remove(m_draftFile);
         memory().setValue(kGeometry, saveGeometry());
         return;

@@ -432,7 +432,7 @@ private:
     /// The same of lessons that were changed in the editor, whose drafts live as long as the window.
     void leaveDrafts(const std::function<void()>& what);
     [[nodiscard]] bool mayDecideOnDrafts() const;
-    [[nodiscard]] bool putDraftsBy() const;
+    [[nodiscard]] bool putDraftsBy();
     void sayWaits(const std::function<QString()>& sentence);
     /// What a page would lose with the window, in a sentence, and the way to where it can be kept.
     struct Unkept
@@ -598,6 +598,7 @@ private:
     bool m_isNewSchool = false;
     bool m_mayLeaveDoor = false;  ///< who practises as a guest, and has only looked at it
     QString m_draftFile;          ///< empty: drafts are put by nowhere
+    bool m_knowsDrafts = false;   ///< what lies there is what the editor has
     bool m_mayClose = false;
     bool m_hasCut = false;
     bool m_knowsTheFarSide = false;  ///< has been told why nothing is drilled from below
