@@ -1966,15 +1966,19 @@ void TestSchool::attemptsDoNotHideWhatWasDone()
     QCOMPARE(counted->text(), QString::number(rows->rowCount()) + " rows");
     QVERIFY(!child<QPushButton>("olderAudit")->isEnabled());
     child<QLineEdit>("auditSearch")->clear();
-    QCOMPARE(rows->rowCount(), count("audit WHERE action != 'attempt.add'"));
+    // Up to the newest that is shown: what a login raises is noted while it is looked at.
+    const auto there = [&](const QByteArray& which) {
+        return count("audit WHERE " + which + " seq <= " + rows->index(0, 0).data().toString().toLatin1());
+    };
+    QCOMPARE(rows->rowCount(), there("action != 'attempt.add' AND"));
     // With attempts again, and older ones asked for twice come once.
     without->click();
     QTRY_COMPARE_WITH_TIMEOUT(rows->rowCount(), 500, kPatienceMs);
     click("olderAudit");
     click("olderAudit");
-    QTRY_COMPARE_WITH_TIMEOUT(rows->rowCount(), count("audit"), kPatienceMs);
+    QTRY_COMPARE_WITH_TIMEOUT(rows->rowCount(), there(""), kPatienceMs);
     QTRY_VERIFY_WITH_TIMEOUT(!child<QPushButton>("olderAudit")->isEnabled(), kPatienceMs);
-    QCOMPARE(rows->rowCount(), count("audit"));
+    QCOMPARE(rows->rowCount(), there(""));
 }
 
 /// However it was named: who looks for it, or for its backups, has to know where they lie.
