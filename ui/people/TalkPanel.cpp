@@ -462,8 +462,11 @@ void TalkPanel::answer(qint64 attempt, const QString& fault)
     const bool hasComment = isKept && !sent->isScore && after.words.trimmed() == sent->words;
     const bool isGiven = isKept && sent->isScore && after.reason.trimmed() == sent->words;
     if (!isShown) {
-        if (hasComment)
+        if (hasComment) {
             after.words.clear();
+            after.momentMs.reset();
+            after.placeMm.reset();
+        }
         if (isGiven) {
             after.reason.clear();
             after.hasPoints = false;
