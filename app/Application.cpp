@@ -430,6 +430,7 @@ void Application::openDatabase()
     connect(&m_openWatch, &QTimer::timeout, this, open);
     connect(m_window.get(), &ui::shell::MainWindow::openAgainWanted, this, open);
     connect(m_window.get(), &ui::shell::MainWindow::restoreWanted, this, [this] { restore(m_who); });
+    tellMayEdit();  // nobody is known yet
     open();
     if (m_options.asksWho)
         m_window->askLogin();

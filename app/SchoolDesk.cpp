@@ -300,10 +300,12 @@ void SchoolDesk::deliverAll()
     const database::Outbox letters = outbox();
     const int before = static_cast<int>(m_undeliverable.size());
     const int beforeForOthers = static_cast<int>(m_forOthers.size());
-    // What has failed goes last: a server may have limits that one letter always exceeds, whatever it calls them.
+    // What has failed goes last, and of several what failed last: a server may have limits that one letter always
+    // exceeds, whatever it calls them.
     QStringList files = letters.waiting();
-    std::stable_partition(files.begin(), files.end(),
-                          [this](const QString& file) { return !m_hasFailed.contains(file); });
+    std::stable_sort(files.begin(), files.end(), [this](const QString& one, const QString& other) {
+        return m_hasFailed.value(one) < m_hasFailed.value(other);
+    });
     for (const QString& file : std::as_const(files)) {
         if (m_undeliverable.contains(file) || m_forOthers.contains(file))
             continue;
@@ -339,7 +341,7 @@ void SchoolDesk::deliverAll()
             // wrong there. Those behind it shall not wait for it.
             m_undeliverable.insert(file);
         } else {
-            m_hasFailed.insert(file);
+            m_hasFailed.insert(file, ++m_failures);
             notice(done.error());
             return;
         }

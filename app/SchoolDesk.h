@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include <QHash>
 #include <QObject>
 #include <QPointer>
 #include <QScopeGuard>
@@ -186,9 +187,10 @@ private:
     QSet<QString> m_forOthers;  ///< what waits for another school, and which
     QSet<QString> m_otherSchools;
     QTimer m_patience{this};
-    int m_asked = 0;                ///< what was asked and is not answered yet
-    QSet<QString> m_undeliverable;  ///< what cannot be delivered while this program runs
-    QSet<QString> m_hasFailed;      ///< what could not be delivered yet, and may be soon
+    int m_asked = 0;                  ///< what was asked and is not answered yet
+    QSet<QString> m_undeliverable;    ///< what cannot be delivered while this program runs
+    QHash<QString, int> m_hasFailed;  ///< what could not be delivered yet, and may be soon: as which failure of all
+    int m_failures = 0;
     bool m_isLost = false;
     bool m_isDamaged = false;  ///< the file, when it was opened last
 };

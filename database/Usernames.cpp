@@ -30,6 +30,8 @@ bool mayBeJoined(uint letter)
     }
 }
 
+const char* const kOthers = "a user's name has letters, digits and . _ - @ only; correct it";
+
 /// Letters that are blank: the fillers of Hangul, and the blank pattern of Braille.
 bool isBlank(uint letter)
 {
@@ -57,18 +59,28 @@ core::Result<std::string> normalUsername(const std::string& typed)
         QString::fromStdString(typed).normalized(QString::NormalizationForm_KC).trimmed().toCaseFolded();
     const QList<uint> letters = name.toUcs4();
     const auto isFit = [](uint c) {
-        return (QChar::isLetterOrNumber(c) && !isBlank(c)) || (QChar::isMark(c) && !isBlankMark(c)) || c == '.' ||
-               c == '_' || c == '-' || c == '@';
+        return QChar::isLetterOrNumber(c) || QChar::isMark(c) || c == '.' || c == '_' || c == '-' || c == '@';
     };
     if (name.isEmpty())
         return core::unexpected(core::ErrorCode::OutOfRange, "the user's name is empty; give one");
     if (letters.size() > kLongest)
         return core::unexpected(core::ErrorCode::OutOfRange, "the user's name is longer than " +
                                                                  std::to_string(kLongest) + " characters; shorten it");
-    if (!std::all_of(letters.begin(), letters.end(), isFit) || isMarkAlone(letters, 0))
-        return core::unexpected(core::ErrorCode::OutOfRange,
-                                "a user's name has letters, digits and . _ - @ only; correct it");
+    if (!std::all_of(letters.begin(), letters.end(), isFit))
+        return core::unexpected(core::ErrorCode::OutOfRange, kOthers);
     return name.toStdString();
+}
+
+core::Result<std::string> newUsername(const std::string& typed)
+{
+    auto name = normalUsername(typed);
+    if (!name)
+        return name;
+    const QList<uint> letters = QString::fromStdString(*name).toUcs4();
+    const auto isUnseen = [](uint c) { return isBlank(c) || isBlankMark(c); };
+    if (std::any_of(letters.begin(), letters.end(), isUnseen) || isMarkAlone(letters, 0))
+        return core::unexpected(core::ErrorCode::OutOfRange, kOthers);
+    return name;
 }
 
 bool canBeSeen(const std::string& name)

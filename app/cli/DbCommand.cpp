@@ -120,7 +120,7 @@ int initDatabase(const QCommandLineParser& parser, const Address& address)
     std::string password;
     if (!admin.isEmpty()) {
         // Before there is a file without anybody in it.
-        if (auto fit = database::normalUsername(admin.toStdString()); !fit)
+        if (auto fit = database::newUsername(admin.toStdString()); !fit)
             return failed(fit.error());
         password = askSecret("Password of the new admin: ");
         if (auto fit = database::sql::Logins::checkNewPassword(password, admin.toStdString()); !fit)

@@ -208,9 +208,10 @@ void tellAdded(const std::string& named, const Made& made, const Schema& expecte
                const std::function<void(const Finding&)>& say)
 {
     const std::string kind = named.substr(0, named.find(' '));
-    if (kind == "trigger" || kind == "rule")
+    const bool isOurs = expected.count("table " + made.table) > 0;
+    if ((kind == "trigger" || kind == "rule") && isOurs)
         say({QT_TRANSLATE_NOOP("Finding", "%1 is not from this program: it may change what is written"), {named}});
-    else if ((kind == "heir" || kind == "parent") && expected.count("table " + made.table) == 0)
+    else if (!isOurs)  // what others keep beside it is theirs
         return;
     else if (kind == "parent")
         say({QT_TRANSLATE_NOOP("Finding",
@@ -220,7 +221,7 @@ void tellAdded(const std::string& named, const Made& made, const Schema& expecte
     else if (kind == "heir")
         say({QT_TRANSLATE_NOOP("Finding", "%1 is not from this program: its rows are read among those of the table %2"),
              {named, made.table}});
-    else if (kind != "table" && kind != "view" && expected.count("table " + made.table) > 0)
+    else if (kind != "table" && kind != "view")
         say({QT_TRANSLATE_NOOP("Finding", "%1 is not from this program: it may refuse what is to be written"),
              {named}});
 }

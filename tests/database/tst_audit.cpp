@@ -558,9 +558,15 @@ void TestAudit::whatStandsOnOthersTablesIsTheirs()
 {
     SCHOOL_RIG(rig);
     QSqlQuery query(rig.school().db);
-    for (const char* deed : {"CREATE TABLE theirs (word TEXT NOT NULL, n INTEGER CHECK (n > 0))",
-                             "CREATE UNIQUE INDEX theirs_by_n ON theirs (n)"})
-        QVERIFY2(query.exec(QLatin1String(deed)), qPrintable(query.lastError().text()));
+    QStringList deeds{"CREATE TABLE theirs (word TEXT NOT NULL, n INTEGER CHECK (n > 0))",
+                      "CREATE UNIQUE INDEX theirs_by_n ON theirs (n)"};
+    if (dialect::isPostgres(rig.school().db))
+        deeds << "CREATE FUNCTION theirs_stamp() RETURNS trigger LANGUAGE plpgsql AS $$ BEGIN RETURN NEW; END $$"
+              << "CREATE TRIGGER theirs_stamped BEFORE INSERT ON theirs FOR EACH ROW EXECUTE FUNCTION theirs_stamp()";
+    else
+        deeds << "CREATE TRIGGER theirs_stamped AFTER INSERT ON theirs BEGIN SELECT 1; END";
+    for (const QString& deed : std::as_const(deeds))
+        QVERIFY2(query.exec(deed), qPrintable(query.lastError().text()));
     const auto report = checkDatabase(rig.school().db, {});
     VERIFY_DONE(report);
     QVERIFY2(report->findings.empty(), qPrintable(support::wordsOf(report->findings)));

@@ -104,6 +104,8 @@ private slots:
     void whoIsDisabledIsStoppedAtOnce_data() { support::addEngines(); }
     void whoIsDisabledIsStoppedAtOnce();
     void namesAreComparedAsPeopleTypeThem();
+    void whoHasANameFromBeforeLogsInByIt_data() { support::addEngines(); }
+    void whoHasANameFromBeforeLogsInByIt();
     void theDearestCostIsNotUnderTheMinimum();
     void theCostIsTimedOnThisComputer();
 };
@@ -527,6 +529,18 @@ void TestLogins::namesAreComparedAsPeopleTypeThem()
     const char* nasty = "Robert'); DROP TABLE people; --";
     VERIFY_DONE(addPerson(rig.school(), rig.admin, {"bobby", nasty, "Tables", Role::Student}));
     QCOMPARE(findPerson(rig.school(), rig.admin, "bobby").value().givenName, std::string(nasty));
+}
+
+/// An earlier program took it.
+void TestLogins::whoHasANameFromBeforeLogsInByIt()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    const std::string name = "\u845B\U000E0100";
+    VERIFY_DONE(
+        execute(rig.school().db, "UPDATE people SET username = ? WHERE username = 's1001'", "name him", {text(name)}));
+    VERIFY_DONE(Logins::login(rig.school(), name, SchoolRig::kPassword));
+    QCOMPARE(findPerson(rig.school(), rig.admin, name).value().username, name);
 }
 
 void TestLogins::theDearestCostIsNotUnderTheMinimum()

@@ -504,6 +504,11 @@ void TestLessonEditor::draftsThatWerePutByComeBack()
                                     {":/lessons/class1-36.lesson.json", {}}}));
     LessonEditor another(actions, nullptr);
     another.goOnWith(file, m_folder->path());
+    // It may be on a medium that is not in: what is put by later takes it along.
+    QVERIFY(another.unsaved().isEmpty() && another.putBy(file));
+    QCOMPARE(ui::study::putByIn(file).size(), std::size_t{1});
+    another.forgetPutBy(file);
+    QCOMPARE(ui::study::putByIn(file).front().from, m_folder->filePath("gone.lesson.json"));
     for (const QByteArray& noise : {QByteArray(), QByteArray("{\"drafts\": 7}"), QByteArray(100'000, '[')}) {
         QFile out(file);
         QVERIFY(out.open(QIODevice::WriteOnly) && out.write(noise) == noise.size());

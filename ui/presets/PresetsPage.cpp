@@ -516,7 +516,7 @@ void PresetsPage::setWriter(qint64 person)
         return;
     setFault({});
     const auto shown = isChanged() ? std::optional(Changed(m_base, m_draft)) : std::nullopt;
-    if (shown || m_putAside)
+    if ((shown || m_putAside) && m_writer != 0)  // a guest is nobody who could come back for it
         m_waiting[m_writer] = {shown, m_putAside, m_mayKeep};
     m_writer = person;
     m_draft = m_base;
@@ -533,9 +533,7 @@ void PresetsPage::setWriter(qint64 person)
 
 bool PresetsPage::hasOthersUnkept() const
 {
-    // A guest is nobody who could come back for it.
-    return std::any_of(m_waiting.begin(), m_waiting.end(),
-                       [](const auto& one) { return one.first != 0 && one.second.couldKeep; });
+    return std::any_of(m_waiting.begin(), m_waiting.end(), [](const auto& one) { return one.second.couldKeep; });
 }
 
 QString PresetsPage::unkept() const

@@ -2400,7 +2400,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
         (!wouldLoseWork() && (m_editor->unsaved().isEmpty() || arePutBy) && unkept().empty() && !hasOthersUnkept())) {
         // What another window has put by there is not ours.
         if (!arePutBy && m_knowsDrafts && mayDecideOnDrafts())
-            QFile::remove(m_draftFile);
+            m_editor->forgetPutBy(m_draftFile);
         memory().setValue(kGeometry, saveGeometry());
         return;
     }

@@ -28,7 +28,6 @@
 #include "ui/study/FormInputs.h"
 #include "ui/study/IdealForm.h"
 #include "ui/study/LessonWords.h"
-#include "ui/study/PutBy.h"
 #include "ui/study/RubricForm.h"
 #include "ui/study/SweepPage.h"
 #include "ui/study/ToleranceView.h"
@@ -599,7 +598,7 @@ bool LessonEditor::saveAll()
 
 bool LessonEditor::putBy(const QString& file) const
 {
-    std::vector<PutByDraft> drafts;
+    std::vector<PutByDraft> drafts = m_unread;
     for (const auto& [from, opened] : m_opened)
         if (opened.draft.isChanged())
             drafts.push_back({opened.draft.isSavedOnce() ? opened.draft.file() : from, opened.draft.object()});
@@ -610,13 +609,22 @@ void LessonEditor::goOnWith(const QString& file, const QString& folder)
 {
     for (const PutByDraft& kept : putByIn(file)) {
         const ::lessons::ReadLesson read = ::lessons::readLesson(kept.from);
-        if (!read.lesson || kept.object.isEmpty() || m_opened.contains(kept.from))
+        if (kept.object.isEmpty() || m_opened.contains(kept.from))
             continue;
+        if (!read.lesson) {
+            m_unread.push_back(kept);
+            continue;
+        }
         Opened& opened = m_opened[kept.from];
         opened.lesson = *read.lesson;
         opened.draft.begin(read, folder);
         opened.draft.goOnWith(kept.object);
     }
+}
+
+void LessonEditor::forgetPutBy(const QString& file) const
+{
+    static_cast<void>(study::putBy(file, m_unread));
 }
 
 void LessonEditor::say(std::function<QString()> sentence, bool isWrong)
