@@ -10,7 +10,6 @@
 #include <QEvent>
 #include <QGraphicsLayout>
 #include <QHBoxLayout>
-#include <QKeyEvent>
 #include <QLabel>
 #include <QLegend>
 #include <QLineSeries>
@@ -67,7 +66,8 @@ QString unbroken(const QString& words)
 }  // namespace
 
 FeedChart::FeedChart(QWidget* parent)
-    : QWidget(parent), m_chart(new QChart), m_view(new QChartView(m_chart, this)), m_words(new QLabel(this))
+    : WalkedChart(kStepN, kMostN, parent), m_chart(new QChart), m_view(new QChartView(m_chart, this)),
+      m_words(new QLabel(this))
 {
     m_view->setRenderHint(QPainter::Antialiasing);
     m_view->setFrameShape(QFrame::NoFrame);
@@ -83,7 +83,6 @@ FeedChart::FeedChart(QWidget* parent)
     m_words->setTextFormat(Qt::RichText);
     m_words->setWordWrap(true);
     m_words->setObjectName(QStringLiteral("feedWords"));
-    setFocusPolicy(Qt::StrongFocus);
     auto* save = new charts::SaveButton([this] { return chart(); }, this);
     save->beSmall();
     connect(save, &charts::SaveButton::told, this, [this](const QString& sentence) {
@@ -271,64 +270,9 @@ void FeedChart::say(const QString& sentence)
         QStringLiteral("<b>%1</b><br>%2").arg(sentence.toHtmlEscaped(), parts.join(QStringLiteral(" &nbsp; "))));
 }
 
-bool FeedChart::event(QEvent* event)
-{
-    if (event->type() == QEvent::ShortcutOverride) {
-        switch (static_cast<QKeyEvent*>(event)->key()) {
-        case Qt::Key_Right:
-        case Qt::Key_Left:
-        case Qt::Key_Home:
-        case Qt::Key_End:
-            event->accept();
-            return true;
-        default:
-            break;
-        }
-    }
-    return QWidget::event(event);
-}
-
-void FeedChart::keyPressEvent(QKeyEvent* event)
-{
-    switch (event->key()) {
-    case Qt::Key_Right:
-        return walkTo(m_toldN + kStepN);
-    case Qt::Key_Left:
-        return walkTo(m_toldN - kStepN);
-    case Qt::Key_Home:
-        return walkTo(0.0);
-    case Qt::Key_End:
-        return walkTo(kMostN);
-    default:
-        QWidget::keyPressEvent(event);
-    }
-}
-
-void FeedChart::paintEvent(QPaintEvent*)
-{
-    if (!hasFocus())
-        return;
-    QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(palette().color(QPalette::Link), 2.0));
-    painter.drawRoundedRect(QRectF(rect()).adjusted(1.0, 1.0, -1.0, -1.0), shell::kRadius, shell::kRadius);
-}
-
-void FeedChart::focusInEvent(QFocusEvent* event)
-{
-    QWidget::focusInEvent(event);
-    update();
-}
-
-void FeedChart::focusOutEvent(QFocusEvent* event)
-{
-    QWidget::focusOutEvent(event);
-    update();
-}
-
 void FeedChart::changeEvent(QEvent* event)
 {
-    QWidget::changeEvent(event);
+    WalkedChart::changeEvent(event);
     if (event->type() == QEvent::PaletteChange)
         draw();
 }
@@ -343,7 +287,7 @@ bool FeedChart::eventFilter(QObject* watched, QEvent* event)
     } else if (event->type() == QEvent::Leave && !hasFocus()) {
         point(kToldN);
     }
-    return QWidget::eventFilter(watched, event);
+    return WalkedChart::eventFilter(watched, event);
 }
 
 }  // namespace ui::presets

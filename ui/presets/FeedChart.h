@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QWidget>
-
 #include "core/settings/FeelPreset.h"
 #include "ui/charts/Chart.h"
+#include "ui/charts/WalkedChart.h"
 
 class QChart;
 class QChartView;
@@ -15,7 +14,7 @@ namespace ui::presets {
 /// How fast the chosen bur sinks into each material over the force that presses it, mm/s: what hardness means to the
 /// hand. Dashed: the preset that it was made of. Tells the figures under the pointer, or where the arrow keys have got
 /// to, and can be saved.
-class FeedChart : public QWidget
+class FeedChart : public charts::WalkedChart
 {
     Q_OBJECT
 public:
@@ -32,19 +31,14 @@ public:
     [[nodiscard]] QSize minimumSizeHint() const override { return {300, 200}; }
 
 protected:
-    void paintEvent(QPaintEvent* event) override;
-    /// The keys that walk are the chart's, whatever else they are keys of.
-    bool event(QEvent* event) override;
-    void keyPressEvent(QKeyEvent* event) override;
-    void focusInEvent(QFocusEvent* event) override;
-    void focusOutEvent(QFocusEvent* event) override;
+    [[nodiscard]] double told() const override { return m_toldN; }
+    void walkTo(double newtons) override;
     void changeEvent(QEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void draw();
     void point(double newtons);
-    void walkTo(double newtons);
     /// A sentence, and below it the figures at the force that is told.
     void say(const QString& sentence);
     [[nodiscard]] charts::Line lineOf(const core::settings::FeelPreset& preset, core::settings::Substance substance,

@@ -11,7 +11,6 @@
 #include <QEvent>
 #include <QGraphicsLayout>
 #include <QHBoxLayout>
-#include <QKeyEvent>
 #include <QLegendMarker>
 #include <QLineSeries>
 #include <QLocale>
@@ -44,7 +43,8 @@ int quantile(const Sweep& sweep, std::size_t step, double share)
 
 }  // namespace
 
-SweepChart::SweepChart(QWidget* parent) : QWidget(parent), m_chart(new QChart), m_view(new QChartView(m_chart, this))
+SweepChart::SweepChart(QWidget* parent)
+    : WalkedChart(kStepTimes, kMostTimes, parent), m_chart(new QChart), m_view(new QChartView(m_chart, this))
 {
     m_view->setRenderHint(QPainter::Antialiasing);
     m_view->setFrameShape(QFrame::NoFrame);
@@ -53,7 +53,6 @@ SweepChart::SweepChart(QWidget* parent) : QWidget(parent), m_chart(new QChart), 
     m_view->viewport()->installEventFilter(this);
     m_chart->setMargins({0, 0, 0, 0});
     m_chart->layout()->setContentsMargins(0, 0, 0, 0);
-    setFocusPolicy(Qt::StrongFocus);
     m_save = new charts::SaveButton([this] { return chart(); }, this);
     m_save->beSmall();
     connect(m_save, &charts::SaveButton::told, this, &SweepChart::saved);
@@ -264,65 +263,9 @@ void SweepChart::draw()
     attach(now, points);
 }
 
-bool SweepChart::event(QEvent* event)
-{
-    if (event->type() == QEvent::ShortcutOverride) {
-        switch (static_cast<QKeyEvent*>(event)->key()) {
-        case Qt::Key_Right:
-        case Qt::Key_Left:
-        case Qt::Key_Home:
-        case Qt::Key_End:
-            event->accept();
-            return true;
-        default:
-            break;
-        }
-    }
-    return QWidget::event(event);
-}
-
-void SweepChart::keyPressEvent(QKeyEvent* event)
-{
-    switch (event->key()) {
-    case Qt::Key_Right:
-        return walkTo(m_toldTimes + kStepTimes);
-    case Qt::Key_Left:
-        return walkTo(m_toldTimes - kStepTimes);
-    case Qt::Key_Home:
-        return walkTo(0.0);
-    case Qt::Key_End:
-        return walkTo(kMostTimes);
-    default:
-        QWidget::keyPressEvent(event);
-    }
-}
-
-void SweepChart::paintEvent(QPaintEvent*)
-{
-    if (!hasFocus())
-        return;
-    QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(palette().color(QPalette::Link), 2.0));
-    painter.drawRoundedRect(QRectF(rect()).adjusted(1.0, 1.0, -1.0, -1.0), shell::kRadius, shell::kRadius);
-}
-
-void SweepChart::focusInEvent(QFocusEvent* event)
-{
-    QWidget::focusInEvent(event);
-    update();
-}
-
-void SweepChart::focusOutEvent(QFocusEvent* event)
-{
-    QWidget::focusOutEvent(event);
-    emit pointedAt({});
-    update();
-}
-
 void SweepChart::changeEvent(QEvent* event)
 {
-    QWidget::changeEvent(event);
+    WalkedChart::changeEvent(event);
     if (event->type() == QEvent::PaletteChange)
         draw();
 }
@@ -337,7 +280,7 @@ bool SweepChart::eventFilter(QObject* watched, QEvent* event)
     } else if (event->type() == QEvent::Leave && !hasFocus()) {
         emit pointedAt({});
     }
-    return QWidget::eventFilter(watched, event);
+    return WalkedChart::eventFilter(watched, event);
 }
 
 }  // namespace ui::study

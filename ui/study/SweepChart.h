@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QWidget>
-
 #include "ui/charts/Chart.h"
+#include "ui/charts/WalkedChart.h"
 #include "ui/study/ToleranceSweep.h"
 
 class QChart;
@@ -18,7 +17,7 @@ namespace ui::study {
 /// Scores of past attempts over the tolerance, 0 to 3 times what the rubric says: a line for each attempt, or the
 /// median and the middle half where they are many; how many pass, dashed, at the right axis. Says the figures under the
 /// pointer, or where the arrow keys have got to, and can be saved.
-class SweepChart : public QWidget
+class SweepChart : public charts::WalkedChart
 {
     Q_OBJECT
 public:
@@ -37,18 +36,13 @@ signals:
     void saved(const QString& sentence);
 
 protected:
-    void paintEvent(QPaintEvent* event) override;
-    /// The keys that walk are the chart's, whatever else they are keys of.
-    bool event(QEvent* event) override;
-    void keyPressEvent(QKeyEvent* event) override;
-    void focusInEvent(QFocusEvent* event) override;
-    void focusOutEvent(QFocusEvent* event) override;
+    [[nodiscard]] double told() const override { return m_toldTimes; }
+    void walkTo(double times) override;
     void changeEvent(QEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void draw();
-    void walkTo(double times);
     [[nodiscard]] QList<charts::Line> attemptLines() const;
 
     QChart* m_chart;
