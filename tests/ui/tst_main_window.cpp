@@ -255,6 +255,7 @@ private slots:
     void unsavedLessonsAreAskedAbout_data();
     void unsavedLessonsAreAskedAbout();
     void whatPagesHaveNotKeptIsAskedAbout();
+    void atALockedPlaceNobodyDecidesForItsOwner();
 
     void anotherToothIsChosenWithTheMouse();
     void anotherToothIsChosenWithTheKeys();
@@ -3122,6 +3123,29 @@ void TestMainWindow::whatPagesHaveNotKeptIsAskedAbout()
     question->findChild<QPushButton*>("questionSave")->click();
     QVERIFY(m_window->isVisible() && people.isVisible());
     m_window->close();
+    child<QuestionCard>("unkeptQuestion")->findChild<QPushButton*>("questionDiscard")->click();
+    QVERIFY(!m_window->isVisible());
+}
+
+/// Whoever stands there may be anybody.
+void TestMainWindow::atALockedPlaceNobodyDecidesForItsOwner()
+{
+    support::SchoolRig rig(false);
+    rig.populate();
+    m_window->setWho(rig.admin);
+    ui::admin::PeoplePart& people = openPeople();
+    people.setPeople({someone(1, "Ada", true), someone(2, "Bob", true)}, {});
+    choosePerson(0);
+    QTest::keyClicks(child<QLineEdit>("personGiven"), "lina");
+    choosePerson(1);
+    m_window->askWho(ui::people::Door::Locked);
+    m_window->close();
+    QVERIFY(m_window->isVisible() && child<QuestionCard>("unkeptQuestion") == nullptr);
+    QVERIFY2(message().contains("until that person logs in") && !message().contains("Ada"), qPrintable(message()));
+    // He is back.
+    m_window->setWho(rig.admin);
+    m_window->close();
+    QVERIFY(m_window->isVisible() && child<QuestionCard>("unkeptQuestion") != nullptr);
     child<QuestionCard>("unkeptQuestion")->findChild<QPushButton*>("questionDiscard")->click();
     QVERIFY(!m_window->isVisible());
 }

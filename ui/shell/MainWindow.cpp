@@ -2343,10 +2343,12 @@ std::vector<MainWindow::Unkept> MainWindow::unkept()
     return all;
 }
 
-/// Comments and scores that others are writing, and presets that they have changed.
-bool MainWindow::hasOthersUnkept() const
+/// Comments and scores that others are writing, and presets that they have changed; at a place that its owner has
+/// locked all of his: whoever stands there may be anybody.
+bool MainWindow::hasOthersUnkept()
 {
-    return m_scorePage->talk().hasOthersUnkept() || m_presets->hasOthersUnkept();
+    const bool isLocked = isAtDoor() && !m_mayLeaveDoor && !m_who.isGuest();
+    return (isLocked && !unkept().empty()) || m_scorePage->talk().hasOthersUnkept() || m_presets->hasOthersUnkept();
 }
 
 void MainWindow::showDraft(qint64 attempt)

@@ -442,7 +442,7 @@ private:
     };
     [[nodiscard]] std::vector<Unkept> unkept();
     /// The attempt that a comment is typed on.
-    [[nodiscard]] bool hasOthersUnkept() const;
+    [[nodiscard]] bool hasOthersUnkept();
     void showDraft(qint64 attempt);
     /// The same of what other pages have that is kept nowhere yet.
     void leaveUnkept(const std::function<void()>& what);
