@@ -31,9 +31,9 @@ int runOnDisplay(const QStringList& arguments, bool quiet)
         const QString xvfb = QStandardPaths::findExecutable(QStringLiteral("xvfb-run"));
         if (xvfb.isEmpty())
             return -1;
-        all =
-            QStringList{QStringLiteral("-a"), QStringLiteral("-s"), QStringLiteral("-screen 0 1280x800x24"), program} +
-            arguments;
+        // A server that resets when its last client goes signals xvfb-run, whose tidying then ends in code 5.
+        const QString server = QStringLiteral("-screen 0 1280x800x24 -noreset");
+        all = QStringList{QStringLiteral("-a"), QStringLiteral("-s"), server, program} + arguments;
         program = xvfb;
     }
     QProcess process;

@@ -206,8 +206,7 @@ void TestRenderCommand::aPictureThatCannotBeWrittenLeavesTheOlderOne()
     const QString folder = m_folder.filePath("there.png");
     QVERIFY(QDir().mkpath(folder));
     const Ending ending = runCusp({"render", "--tooth", "36", "--size", "64x64", "--out", folder});
-    QCOMPARE(ending.exitCode, 1);
-    QVERIFY2(ending.error.startsWith("cusp: "), ending.error);
+    QVERIFY2(ending.exitCode == 1 && ending.isOneSentence(), ending.error);
     QVERIFY(QFileInfo(folder).isDir());
 }
 
