@@ -584,6 +584,7 @@ void AdminDesk::tellAudit(qint64 beforeSeq)
             if (without != part.leavesOutAttempts())  // what is wanted now was asked for after it
                 return;
             if (!found) {
+                part.keepRows();
                 refuse(found.error());
                 return;
             }

@@ -12,6 +12,7 @@
 #include <QLineEdit>
 #include <QLocale>
 #include <QPushButton>
+#include <QSignalBlocker>
 #include <QStandardItemModel>
 #include <QVBoxLayout>
 
@@ -81,12 +82,10 @@ AuditPart::AuditPart(QWidget* parent)
         m_shown->setWords(words);
         tell();
     });
-    // Those that are there are no answer any more: between them there are others, or none of them is wanted.
+    // Those that are there stay until the others come, and are no answer any more: between them there are others, or
+    // none of them is wanted.
     connect(m_noAttempts, &QCheckBox::toggled, this, [this] {
         m_isAsked = true;
-        m_hasOlder = false;
-        m_audit.clear();
-        fill();
         tell();
         emit newestWanted();
     });
@@ -122,7 +121,7 @@ void AuditPart::tell()
                        "everything\" (Backups) to see whether what was noted before it is still as it was.")
                         .arg(m_head));
     m_count->setText(m_isAsked ? QString() : countWords());
-    m_older->setEnabled(m_hasOlder);
+    m_older->setEnabled(m_hasOlder && !m_isAsked);
 }
 
 QString AuditPart::countWords() const
@@ -182,7 +181,16 @@ void AuditPart::setRows(const QList<database::AuditRow>& newestFirst, const QStr
     m_head = code;
     m_hasOlder = hasOlder;
     m_isAsked = false;
+    m_isWithoutAttempts = leavesOutAttempts();
     fill();
+    tell();
+}
+
+void AuditPart::keepRows()
+{
+    const QSignalBlocker quiet(m_noAttempts);
+    m_noAttempts->setChecked(m_isWithoutAttempts);
+    m_isAsked = m_head.isEmpty();  // none were ever read
     tell();
 }
 

@@ -35,6 +35,8 @@ public:
     /// In place of what is there.
     /// @param hasOlder  there are more before them
     void setRows(const QList<database::AuditRow>& newestFirst, const QString& code, bool hasOlder);
+    /// What was asked for cannot be read: what is there stays, as it was chosen.
+    void keepRows();
     /// Older ones, beneath the row `beforeSeq`; nothing where that is the last no longer.
     void addRows(qint64 beforeSeq, const QList<database::AuditRow>& newestFirst, bool hasOlder);
 
@@ -64,7 +66,8 @@ private:
     people::ListTable* m_table;
     QString m_head;
     bool m_hasOlder = false;
-    bool m_isAsked = false;  ///< the newest are on their way
+    bool m_isAsked = true;             ///< the newest are on their way
+    bool m_isWithoutAttempts = false;  ///< those that are there
 };
 
 }  // namespace ui::admin
