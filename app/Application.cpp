@@ -358,7 +358,7 @@ void Application::openDatabase()
     m_stationFolder = address->isServer() ? dataFolder() : QFileInfo(address->file).absolutePath();
     if (m_options.database.isEmpty() || address->isServer())
         QDir().mkpath(m_stationFolder);
-    m_window->setDraftFile(QDir(m_stationFolder).filePath(QStringLiteral("drafts.json")));
+    m_window->setPutByFolder(QDir(m_stationFolder).filePath(QStringLiteral("put-by")));
     m_desk = std::make_unique<SchoolDesk>(*address, m_stationFolder, m_options.opening);
     connect(m_desk.get(), &SchoolDesk::delivered, this, [this](const QString& uid) {
         if (m_graded && m_graded->record.uid == uid.toStdString()) {

@@ -288,17 +288,18 @@ void PeopleDesk::sayInTalk(Work work)
                 tellTalk();
                 tellAttempts();
             }
-            if (!done)
-                tellRefused(attempt, whose, done.error());
+            if (!done) {
+                const QString sentence = text::errorText(done.error(), text::Failed::ChangingSchool);
+                m_window.scorePage().talk().answer(attempt, sentence);
+                tellRefused(attempt, whose, sentence);
+            }
         });
 }
 
-/// At the attempt, where it was typed; and to whoever has left that, where he is now.
-void PeopleDesk::tellRefused(qint64 attempt, const QString& whose, const core::Error& error)
+/// What stands at the attempt, to whoever has left that: where he is now.
+void PeopleDesk::tellRefused(qint64 attempt, const QString& whose, const QString& sentence)
 {
     ui::study::ScorePage& page = m_window.scorePage();
-    const QString sentence = text::errorText(error, text::Failed::ChangingSchool);
-    page.talk().answer(attempt, sentence);
     if (!page.isVisible() || page.talk().attempt() != attempt)
         //: %1: who made an attempt, and when; %2: why
         m_window.showWarning(tr("On the attempt of %1: %2").arg(whose, sentence));
@@ -318,7 +319,9 @@ void PeopleDesk::takeBack(qint64 comment)
         },
         [this, comment, attempt = m_talkedAbout->id, whose = whoseIsTalkedAbout()](const core::Result<bool>& done) {
             if (!done) {
-                tellRefused(attempt, whose, done.error());
+                const QString sentence = text::errorText(done.error(), text::Failed::ChangingSchool);
+                m_window.scorePage().talk().keepComment(comment, attempt, sentence);
+                tellRefused(attempt, whose, sentence);
                 return;
             }
             m_window.scorePage().talk().withdraw(comment, !*done);

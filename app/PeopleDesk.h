@@ -90,7 +90,7 @@ private:
     template <class Work>
     void sayInTalk(Work work);
     void takeBack(qint64 comment);
-    void tellRefused(qint64 attempt, const QString& whose, const core::Error& error);
+    void tellRefused(qint64 attempt, const QString& whose, const QString& sentence);
     void connectReport();
     [[nodiscard]] ui::report::ClassReport report() const;
     void withReport(const std::function<void(const ui::report::ClassReport&)>& use);

@@ -207,7 +207,14 @@ void PresetDesk::keep(const FeelPreset& preset, const QString& note)
     }
     m_school->ask(
         this, [who, preset](const School& school) { return keepInSchool(school, who, preset); },
-        [this, note](const core::Result<FeelPreset>& kept) { tellKept(kept, note); });
+        [this, note, who](const core::Result<FeelPreset>& kept) {
+            if (who.person() == m_who().person()) {
+                tellKept(kept, note);
+            } else if (kept) {  // somebody else works here by now
+                m_window.forgetPresetDraft(who, *kept);
+                refresh();
+            }
+        });
 }
 
 void PresetDesk::tellKept(const core::Result<FeelPreset>& kept, const QString& note)

@@ -7352,10 +7352,6 @@ ungesichert</translation>
         <translation>Ein Kommentar ist geschrieben und noch nicht hinzugefügt.</translation>
     </message>
     <message>
-        <source>Cusp stays open: a teacher&apos;s work is not saved yet. It waits until a teacher logs in here.</source>
-        <translation>Cusp bleibt geöffnet: Die Arbeit einer Lehrkraft ist noch nicht gespeichert. Sie wartet, bis sich hier eine Lehrkraft anmeldet.</translation>
-    </message>
-    <message>
         <source>A score was typed and is not given yet.</source>
         <translation>Ein Ergebnis ist eingegeben und noch nicht vergeben.</translation>
     </message>
@@ -7364,16 +7360,16 @@ ungesichert</translation>
         <translation>Die Daten der Schule antworten noch nicht. Sie können weiter üben; was Sie angefragt haben, kommt, sobald sie antworten.</translation>
     </message>
     <message>
-        <source>It waits for the person who has changed it.</source>
-        <translation>Sie wartet auf die Person, die sie geändert hat.</translation>
-    </message>
-    <message>
         <source>&amp;Show it</source>
         <translation>An&amp;zeigen</translation>
     </message>
     <message>
         <source>Cusp stays open: what somebody else has typed or changed is not kept yet. It waits until that person logs in here.</source>
         <translation>Cusp bleibt geöffnet: Was jemand anderes geschrieben oder geändert hat, ist noch nicht gespeichert. Es wartet, bis sich diese Person hier anmeldet.</translation>
+    </message>
+    <message>
+        <source>Cusp stays open: what somebody else has typed or changed is not kept yet, and it cannot be put by on this computer. Make room on the disk, or let that person log in here.</source>
+        <translation>Cusp bleibt offen: Was jemand anderes getippt oder geändert hat, ist noch nicht gespeichert und lässt sich auf diesem Computer auch nicht beiseitelegen. Schaffen Sie Platz auf der Festplatte, oder lassen Sie diese Person sich hier anmelden.</translation>
     </message>
 </context>
 <context>

@@ -7343,10 +7343,6 @@ unsaved</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Cusp stays open: a teacher&apos;s work is not saved yet. It waits until a teacher logs in here.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>A score was typed and is not given yet.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7355,15 +7351,15 @@ unsaved</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>It waits for the person who has changed it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>&amp;Show it</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Cusp stays open: what somebody else has typed or changed is not kept yet. It waits until that person logs in here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cusp stays open: what somebody else has typed or changed is not kept yet, and it cannot be put by on this computer. Make room on the disk, or let that person log in here.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -7352,10 +7352,6 @@ sin guardar</translation>
         <translation>Hay un comentario escrito que aún no se ha añadido.</translation>
     </message>
     <message>
-        <source>Cusp stays open: a teacher&apos;s work is not saved yet. It waits until a teacher logs in here.</source>
-        <translation>Cusp sigue abierto: el trabajo de un docente aún no está guardado. Queda en espera hasta que un docente inicie sesión aquí.</translation>
-    </message>
-    <message>
         <source>A score was typed and is not given yet.</source>
         <translation>Se escribió una puntuación y aún no se ha dado.</translation>
     </message>
@@ -7364,16 +7360,16 @@ sin guardar</translation>
         <translation>Los datos de la escuela aún no responden. Usted puede seguir practicando; lo que pidió llegará cuando respondan.</translation>
     </message>
     <message>
-        <source>It waits for the person who has changed it.</source>
-        <translation>Queda pendiente para la persona que lo cambió.</translation>
-    </message>
-    <message>
         <source>&amp;Show it</source>
         <translation>&amp;Mostrarlo</translation>
     </message>
     <message>
         <source>Cusp stays open: what somebody else has typed or changed is not kept yet. It waits until that person logs in here.</source>
         <translation>Cusp sigue abierto: lo que ha escrito o cambiado otra persona aún no está guardado. Queda pendiente hasta que esa persona inicie sesión aquí.</translation>
+    </message>
+    <message>
+        <source>Cusp stays open: what somebody else has typed or changed is not kept yet, and it cannot be put by on this computer. Make room on the disk, or let that person log in here.</source>
+        <translation>Cusp sigue abierto: lo que otra persona ha escrito o cambiado aún no está guardado, y no se puede apartar en este ordenador. Haga sitio en el disco o deje que esa persona inicie sesión aquí.</translation>
     </message>
 </context>
 <context>

@@ -7303,10 +7303,6 @@ unsaved</source>
         <translation>入力中のコメントがまだ追加されていません。</translation>
     </message>
     <message>
-        <source>Cusp stays open: a teacher&apos;s work is not saved yet. It waits until a teacher logs in here.</source>
-        <translation>Cuspは開いたままです。教員の作業がまだ保存されていません。教員がここでログインするまで残しておきます。</translation>
-    </message>
-    <message>
         <source>A score was typed and is not given yet.</source>
         <translation>得点が入力されましたが、まだ与えられていません。</translation>
     </message>
@@ -7315,16 +7311,16 @@ unsaved</source>
         <translation>学校のデータがまだ応答しません。練習は続けられます。要求した内容は、応答があり次第表示されます。</translation>
     </message>
     <message>
-        <source>It waits for the person who has changed it.</source>
-        <translation>変更した人が戻るまで残しておきます。</translation>
-    </message>
-    <message>
         <source>&amp;Show it</source>
         <translation>表示する(&amp;S)</translation>
     </message>
     <message>
         <source>Cusp stays open: what somebody else has typed or changed is not kept yet. It waits until that person logs in here.</source>
         <translation>Cuspは開いたままです。ほかの人が入力または変更した内容がまだ保存されていません。その人がここでログインするまで残しておきます。</translation>
+    </message>
+    <message>
+        <source>Cusp stays open: what somebody else has typed or changed is not kept yet, and it cannot be put by on this computer. Make room on the disk, or let that person log in here.</source>
+        <translation>Cusp は開いたままです。ほかの人が入力または変更したものがまだ保存されておらず、このコンピューターに取り置くこともできません。ディスクの空きを増やすか、その人にここでログインしてもらってください。</translation>
     </message>
 </context>
 <context>

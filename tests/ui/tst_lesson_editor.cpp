@@ -23,7 +23,6 @@
 #include "ui/shell/Actions.h"
 #include "ui/study/LessonEditor.h"
 #include "ui/study/LessonsPage.h"
-#include "ui/study/PutBy.h"
 #include "ui/study/SweepChart.h"
 
 using namespace ui::study;
@@ -478,43 +477,35 @@ void TestLessonEditor::draftsAreKeptAndSavedTogether()
     QVERIFY(!saved("class1-37-own.lesson.json").isEmpty());
 }
 
-/// In another language, and opened again.
+/// In another window.
 void TestLessonEditor::draftsThatWerePutByComeBack()
 {
-    const QString file = m_folder->filePath("put by/drafts.json");
-    QVERIFY(m_editor->putBy(file));  // there are none
-    QVERIFY(!QFile::exists(file));
+    QVERIFY(m_editor->unsavedDrafts().isEmpty());
     m_editor->edit(shipped("class1-36"), m_folder->path());
     auto* title = m_editor->findChild<QLineEdit*>("draftTitle");
     title->clear();
     QTest::keyClicks(title, "Mine");
-    QVERIFY(m_editor->putBy(file));
+    const QJsonArray drafts = m_editor->unsavedDrafts();
+    QCOMPARE(drafts.size(), 1);
     const ui::shell::Actions actions(m_window.get());
     LessonEditor next(actions, nullptr);
-    next.goOnWith(file, m_folder->path());
+    QVERIFY(next.goOnWith(drafts[0].toObject(), m_folder->path()));
     QCOMPARE(next.unsaved(), QStringList{"Mine"});
+    QCOMPARE(next.unsavedDrafts(), drafts);
+    // Another window's draft of the same lesson does not take its place.
+    QVERIFY(!next.goOnWith(drafts[0].toObject(), m_folder->path()));
     // It is the draft of that lesson, and can be undone to what that says.
     next.edit(shipped("class1-36"), m_folder->path());
     QCOMPARE(next.findChild<QLineEdit*>("draftTitle")->text(), QString("Mine"));
     QVERIFY(next.canUndo());
     next.undo();
     QVERIFY(next.unsaved().isEmpty());
-    // Of a lesson that is no longer there, and of what is no such file, nothing comes.
-    QVERIFY(ui::study::putBy(file, {{m_folder->filePath("gone.lesson.json"), QJsonObject{{"title", "Lost"}}},
-                                    {":/lessons/class1-36.lesson.json", {}}}));
+    // Of a lesson that is not there, perhaps on a medium that is not in, and of what is no draft, none is made.
     LessonEditor another(actions, nullptr);
-    another.goOnWith(file, m_folder->path());
-    // It may be on a medium that is not in: what is put by later takes it along.
-    QVERIFY(another.unsaved().isEmpty() && another.putBy(file));
-    QCOMPARE(ui::study::putByIn(file).size(), std::size_t{1});
-    another.forgetPutBy(file);
-    QCOMPARE(ui::study::putByIn(file).front().from, m_folder->filePath("gone.lesson.json"));
-    for (const QByteArray& noise : {QByteArray(), QByteArray("{\"drafts\": 7}"), QByteArray(100'000, '[')}) {
-        QFile out(file);
-        QVERIFY(out.open(QIODevice::WriteOnly) && out.write(noise) == noise.size());
-        out.close();
-        another.goOnWith(file, m_folder->path());
-    }
+    const QString gone = m_folder->filePath("gone.lesson.json");
+    QVERIFY(!another.goOnWith({{"from", gone}, {"lesson", QJsonObject{{"title", "Lost"}}}}, m_folder->path()));
+    QVERIFY(!another.goOnWith({{"from", ":/lessons/class1-36.lesson.json"}}, m_folder->path()));
+    QVERIFY(!another.goOnWith({}, m_folder->path()));
     QVERIFY(another.unsaved().isEmpty());
 }
 

@@ -7,6 +7,7 @@
 #include <QAbstractSlider>
 #include <QAccessible>
 #include <QAction>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDir>
 #include <QDoubleSpinBox>
@@ -48,6 +49,7 @@
 #include "tests/support/OpenGlMain.h"
 #include "tests/support/SyntheticMolar.h"
 #include "ui/admin/AdminPage.h"
+#include "ui/admin/AuditPart.h"
 #include "ui/admin/PeoplePart.h"
 #include "ui/admin/RosterPart.h"
 #include "ui/charts/ChartPanel.h"
@@ -57,6 +59,7 @@
 #include "ui/inside/XrayPage.h"
 #include "ui/people/HistoryPage.h"
 #include "ui/people/LoginPage.h"
+#include "ui/people/TalkPanel.h"
 #include "ui/presets/PresetsPage.h"
 #include "ui/presets/TrialCard.h"
 #include "ui/replay/HistoryPanel.h"
@@ -180,6 +183,7 @@ private slots:
     void whoTypesACommandGoesOnTyping();
     void whatARuleStoppedTurnsAgainInTheNextLesson();
     void draftsWaitForWhoTeaches();
+    void whatSomebodyHasTypedIsPutBy();
     void anAdminIsToldHowToBeginWithClasses();
     void peoplesColumnsAreMeasuredByAllOfThem();
     void aHalfFilledFormIsPutAside();
@@ -256,6 +260,7 @@ private slots:
     void unsavedLessonsAreAskedAbout();
     void whatPagesHaveNotKeptIsAskedAbout();
     void atALockedPlaceNobodyDecidesForItsOwner();
+    void anAuditThatCannotBeReadKeepsItsRows();
 
     void anotherToothIsChosenWithTheMouse();
     void anotherToothIsChosenWithTheKeys();
@@ -3150,6 +3155,28 @@ void TestMainWindow::atALockedPlaceNobodyDecidesForItsOwner()
     QVERIFY(!m_window->isVisible());
 }
 
+/// As it was chosen.
+void TestMainWindow::anAuditThatCannotBeReadKeepsItsRows()
+{
+    ui::admin::AuditPart& audit = m_window->adminPage().audit();
+    auto* without = child<QCheckBox>("auditNoAttempts");
+    const auto* rows = child<QTableView>("audit")->model();
+    const auto* counted = child<QLabel>("auditCount");
+    audit.keepRows();
+    QVERIFY(counted->text().isEmpty());  // whether there are any nobody knows
+    database::AuditRow row;
+    row.seq = 7;
+    audit.setRows({row}, "1234", true);
+    QSignalSpy wanted(&audit, &ui::admin::AuditPart::newestWanted);
+    without->click();
+    QCOMPARE(wanted.size(), 1);
+    QVERIFY(!child<QPushButton>("olderAudit")->isEnabled());
+    audit.keepRows();
+    QVERIFY(!without->isChecked() && rows->rowCount() == 1 && counted->text().startsWith('1'));
+    QVERIFY(child<QPushButton>("olderAudit")->isEnabled());
+    QCOMPARE(wanted.size(), 1);
+}
+
 /// The rest of the command would be taken for keys of the tooth.
 void TestMainWindow::whoTypesACommandGoesOnTyping()
 {
@@ -3235,11 +3262,12 @@ void TestMainWindow::draftsWaitForWhoTeaches()
     QVERIFY(m_window->isVisible());
     QVERIFY(child<QuestionCard>("draftQuestion") == nullptr);
     const QString said = child<MessageBar>()->sentence();
-    QVERIFY2(said.contains("until a teacher logs in") && !said.contains("Mine"), qPrintable(said));
+    QVERIFY2(said.contains("cannot be put by") && !said.contains("Mine"), qPrintable(said));
     QCOMPARE(editor->unsaved(), QStringList{"Mine"});
     // Where there is a place for it, it waits there, for nobody else to read, and the window closes.
-    const QString file = folder.filePath("drafts.json");
-    m_window->setDraftFile(file);
+    const QString putBy = folder.filePath("put-by");
+    const QString file = folder.filePath("put-by/1.json");
+    m_window->setPutByFolder(putBy);
     m_window->close();
     QVERIFY(!m_window->isVisible());
     QCOMPARE(QFile::permissions(file) & (QFile::ReadGroup | QFile::ReadOther), QFile::Permissions());
@@ -3247,7 +3275,7 @@ void TestMainWindow::draftsWaitForWhoTeaches()
     openWindow();
     editor = child<ui::study::LessonEditor>();
     QVERIFY(editor->unsaved().isEmpty());
-    m_window->setDraftFile(file);
+    m_window->setPutByFolder(putBy);
     QCOMPARE(editor->unsaved(), QStringList{"Mine"});
     m_window->setMayEdit(true);
     m_window->setLessons(lessons::readCatalog({}), {});
@@ -3259,6 +3287,44 @@ void TestMainWindow::draftsWaitForWhoTeaches()
     QVERIFY(!m_window->isVisible());
     // Who may has thrown it away.
     QVERIFY(!QFile::exists(file));
+}
+
+/// Neither a passer-by nor who works here next decides on it, and the window closes all the same.
+void TestMainWindow::whatSomebodyHasTypedIsPutBy()
+{
+    support::SchoolRig rig(false);
+    rig.populate();
+    const QTemporaryDir folder;
+    const auto typed = [&folder] { return ui::shell::PutBy(folder.path()).found(); };
+    m_window->setPutByFolder(folder.path());
+    m_window->setWho(rig.instructor);
+    auto& talk = child<ui::study::ScorePage>()->talk();
+    talk.setAttempt(5);
+    talk.findChild<QPlainTextEdit*>("commentWords")->setPlainText("Half a sentence");
+    m_window->setWho(rig.student);
+    m_window->close();
+    QVERIFY(!m_window->isVisible());
+    openWindow();
+    QCOMPARE(typed().size(), 1);
+    QCOMPARE(typed()[0].toObject()["comment"].toString(), QString("Half a sentence"));
+    // The same of who has locked the place.
+    m_window->setPutByFolder(folder.path());
+    m_window->setWho(rig.instructor);
+    QCOMPARE(child<ui::study::ScorePage>()->talk().unkeptComment(), std::optional<qint64>(5));
+    m_window->askWho(ui::people::Door::Locked);
+    m_window->close();
+    QVERIFY(!m_window->isVisible());
+    openWindow();
+    QCOMPARE(typed().size(), 1);
+    // Who has typed it is asked, and throws it away.
+    m_window->setPutByFolder(folder.path());
+    m_window->setWho(rig.instructor);
+    m_window->close();
+    QVERIFY(m_window->isVisible() && child<QuestionCard>("unkeptQuestion") != nullptr);
+    child<QPushButton>("questionDiscard")->click();
+    QVERIFY(!m_window->isVisible());
+    openWindow();
+    QVERIFY(typed().isEmpty());
 }
 
 void TestMainWindow::typingSearchesTheLessons()

@@ -118,6 +118,7 @@ private slots:
     void allAsItWasUndoesTheConsoleToo();
     void whatWasChangedIsPutAside();
     void whatOneHasChangedWaitsForHim();
+    void whatBreaksTheBoundIsPutByAllTheSame();
     void whatWasLoadedInATrialIsThatPreset();
     void namesOfAnyLengthLeaveTheVersionItsLine();
     void allNumbersFitTheFirstWindow_data();
@@ -614,8 +615,8 @@ void TestPresetsPage::whatWasChangedIsPutAside()
 
 void TestPresetsPage::whatOneHasChangedWaitsForHim()
 {
-    constexpr qint64 kAdmin = 1;
-    constexpr qint64 kTeacher = 2;
+    const QString kAdmin = "1";
+    const QString kTeacher = "2";
     Room room;
     auto* list = room.find<QListWidget>("presetList");
     auto* aside = room.find<QLabel>("presetAside");
@@ -631,28 +632,65 @@ void TestPresetsPage::whatOneHasChangedWaitsForHim()
     QVERIFY(room.page.draft() == lessons::shippedPresets().front());
     QCOMPARE(list->currentRow(), 2);
     QCOMPARE(room.find<QSlider>("dial0")->value(), 0);
-    QVERIFY(!aside->isVisible() && room.page.unkept().isEmpty() && room.page.hasOthersUnkept());
+    QVERIFY(!aside->isVisible() && room.page.unkept().isEmpty() && room.page.waiting(false).size() == 1);
     room.find<QSlider>("dial2")->setValue(7);
     const FeelPreset teachers = room.page.draft();
-    room.page.setWriter(0);
+    room.page.setWriter({});
     room.page.setMayKeep(true);
     QVERIFY(room.page.unkept().isEmpty() && !aside->isVisible());
     QVERIFY(room.page.draft() == lessons::shippedPresets().front());
     // Nobody waits for a guest.
     Room other;
-    other.page.setWriter(0);
+    other.page.setWriter({});
     other.find<QSlider>("dial0")->setValue(10);
     other.page.setWriter(kAdmin);
-    QVERIFY(!other.page.hasOthersUnkept());
+    QVERIFY(other.page.waiting(false).isEmpty());
     // Each has his own back, whatever is on the shelf meanwhile.
     room.page.setWriter(kAdmin);
     room.page.setPresets(Room::shelf(), named("hard", 1, 0.5));
-    QVERIFY(room.page.draft() == changed && !room.page.hasOthersUnkept());
+    QVERIFY(room.page.draft() == changed && room.page.waiting(false).isEmpty());
     QCOMPARE(list->currentRow(), 0);
     QVERIFY2(aside->isVisible() && aside->text().contains("natural, version 1"), qPrintable(aside->text()));
     QVERIFY2(room.page.unkept().contains("hard, version 2"), qPrintable(room.page.unkept()));
     room.page.setWriter(kTeacher);
     QVERIFY(room.page.draft() == teachers && !aside->isVisible());
+    // Put by, it comes back in another window; what could not be kept does not.
+    room.page.setMayKeep(false);
+    const QJsonArray put = room.page.waiting(true);
+    QVERIFY(put == room.page.waiting(false) && put.size() == 1);
+    Room next;
+    QVERIFY(next.page.goOnWith(put[0].toObject()));
+    QVERIFY(!next.page.goOnWith(put[0].toObject()) && !next.page.goOnWith({{"person", "3"}, {"preset", 7}}));
+    next.page.setWriter(kTeacher);
+    QVERIFY(next.page.unkept().isEmpty());
+    next.page.setWriter(kAdmin);
+    QCOMPARE(next.page.draft().name, changed.name);
+    QCOMPARE(next.page.draft().enamelRate, changed.enamelRate);
+    QCOMPARE(next.page.waiting(true), put);
+    // What was kept after its owner had gone waits for him no more; what he had put aside does.
+    next.page.setWriter(kTeacher);
+    next.page.forget(kAdmin, lessons::hashed(changed));
+    QVERIFY(next.page.waiting(false).size() == 1 && !next.page.waiting(false)[0].toObject().contains("preset"));
+    next.page.setWriter(kAdmin);
+    QVERIFY(next.find<QLabel>("presetAside")->isVisible());
+}
+
+/// While it was being turned.
+void TestPresetsPage::whatBreaksTheBoundIsPutByAllTheSame()
+{
+    Room room;
+    room.page.setWriter("1");
+    FeelPreset stiff = named("hard", 2, 0.4);
+    stiff.stiffnessNPerMm = 8.0;
+    stiff.hash.clear();
+    QVERIFY(!core::settings::checkStability(stiff));
+    room.page.setDraft(stiff);
+    const QJsonArray put = room.page.waiting(true);
+    QCOMPARE(put.size(), 1);
+    Room next;
+    QVERIFY(next.page.goOnWith(put[0].toObject()));
+    next.page.setWriter("1");
+    QCOMPARE(next.page.draft().stiffnessNPerMm, 8.0);
 }
 
 void TestPresetsPage::whatWasLoadedInATrialIsThatPreset()

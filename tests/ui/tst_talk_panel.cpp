@@ -59,6 +59,9 @@ private slots:
     void wordsTakenBackOutlastAnotherAttempt();
     void whatWasTakenBackElsewhereGoesToo();
     void anAddedCommentLeavesItsFieldWhileAnotherIsTakenBack();
+    void whatWasGivenMeanwhileIsNoDraft();
+    void whatIsTypedCanBePutBy();
+    void aRefusedTakeBackWakesNothingElse();
     void nothingIsSentTwice();
     void whatWasRefusedIsToldAtItsAttempt();
     void whatIsTickedStaysWhatItIs();
@@ -291,7 +294,7 @@ void TestTalkPanel::whatIsTypedStaysWithItsAttempt()
 {
     auto* words = get<QPlainTextEdit>("commentWords");
     auto* reason = get<QLineEdit>("reason");
-    m_panel->setWriter(1);
+    m_panel->setWriter("1");
     m_panel->setAttempt(7);
     m_panel->setMoment(4500);
     m_panel->setPlace(std::array<double, 3>{1.0, 2.0, 3.0}, true);
@@ -326,26 +329,26 @@ void TestTalkPanel::whatIsTypedStaysWithItsAttempt()
     const auto place = wanted[0][2].value<std::optional<std::array<double, 3>>>();
     QVERIFY(place.has_value());
     // Who comes next sees nothing of it, and it is there again for who was writing.
-    QVERIFY(!m_panel->hasOthersUnkept());
-    m_panel->setWriter(2);
-    QVERIFY(!m_panel->unkeptComment() && !m_panel->unkeptScore() && m_panel->hasOthersUnkept());
+    QVERIFY(m_panel->waiting(false).isEmpty());
+    m_panel->setWriter("2");
+    QVERIFY(!m_panel->unkeptComment() && !m_panel->unkeptScore() && !m_panel->waiting(false).isEmpty());
     for (const qint64 attempt : {7, 8}) {
         m_panel->setAttempt(attempt);
         QCOMPARE(words->toPlainText(), QString());
         QCOMPARE(reason->text(), QString());
     }
-    m_panel->setWriter(3);
-    QVERIFY(m_panel->hasOthersUnkept());
+    m_panel->setWriter("3");
+    QVERIFY(!m_panel->waiting(false).isEmpty());
     m_panel->setAttempt(7);
     QVERIFY(!get<QCheckBox>("atMoment")->isChecked() && !m_panel->place());
     m_panel->setScore(684, 750, false);
     QCOMPARE(get<QDoubleSpinBox>("givenPoints")->value(), 68.4);
-    m_panel->setWriter(1);
+    m_panel->setWriter("1");
     m_panel->setAttempt(7);
     QCOMPARE(words->toPlainText(), QString("Half a sentence"));
     QCOMPARE(reason->text(), QString("Half a reason"));
     QCOMPARE(get<QDoubleSpinBox>("givenPoints")->value(), 45.5);
-    QVERIFY(get<QCheckBox>("atMoment")->isChecked() && m_panel->place() && !m_panel->hasOthersUnkept());
+    QVERIFY(get<QCheckBox>("atMoment")->isChecked() && m_panel->place() && m_panel->waiting(false).isEmpty());
 }
 
 /// The button rests once the comment is there; a digit that is typed next must not become the score.
@@ -515,14 +518,14 @@ void TestTalkPanel::anAddedCommentLeavesItsFieldWhileAnotherIsTakenBack()
 void TestTalkPanel::whatWasAddedMeanwhileIsNoDraft()
 {
     auto* field = get<QPlainTextEdit>("commentWords");
-    m_panel->setWriter(7);
+    m_panel->setWriter("7");
     m_panel->setAttempt(1);
     m_panel->setTalk(talk());
     field->setPlainText("Lift the bur here.");
     get<QPushButton>("addComment")->click();
-    m_panel->setWriter(8);
+    m_panel->setWriter("8");
     QVERIFY(field->toPlainText().isEmpty());
-    m_panel->setWriter(7);
+    m_panel->setWriter("7");
     m_panel->setAttempt(1);
     QCOMPARE(field->toPlainText(), QString("Lift the bur here."));
     AttemptTalk added = talk();
@@ -533,6 +536,94 @@ void TestTalkPanel::whatWasAddedMeanwhileIsNoDraft()
     field->setPlainText("Lift the bur here.");
     m_panel->setTalk(added);
     QCOMPARE(field->toPlainText(), QString("Lift the bur here."));
+}
+
+/// The same of a score; the machine's that counts again is one.
+void TestTalkPanel::whatWasGivenMeanwhileIsNoDraft()
+{
+    for (const bool isMachines : {false, true}) {
+        AttemptTalk before = talk();
+        before.overrides = {{"Grace Hopper", "2026-11-20T12:00:00Z", 400, "Two steps"}};
+        m_panel->setWriter("7");
+        m_panel->setAttempt(1);
+        m_panel->setScore(684, 750, false);
+        m_panel->setTalk(before);
+        get<QDoubleSpinBox>("givenPoints")->setValue(50.5);
+        get<QLineEdit>("reason")->setText("Steady hand");
+        get<QPushButton>(isMachines ? "machineAgain" : "giveScore")->click();
+        m_panel->setWriter("8");
+        m_panel->setWriter("7");
+        m_panel->setAttempt(1);
+        m_panel->setTalk({});  // not read yet
+        QVERIFY(m_panel->unkeptScore().has_value());
+        AttemptTalk given = before;
+        given.overrides.push_back(
+            {"Grace Hopper", "2026-11-20T13:00:00Z", isMachines ? std::nullopt : std::optional(505), "Steady hand"});
+        m_panel->setTalk(given);
+        QVERIFY(!m_panel->unkeptScore() && get<QLineEdit>("reason")->text().isEmpty());
+    }
+}
+
+/// Until he comes back: on the disk, say.
+void TestTalkPanel::whatIsTypedCanBePutBy()
+{
+    m_panel->setWriter("7");
+    m_panel->setAttempt(1);
+    m_panel->setTalk(talk());
+    m_panel->setScore(684, 750, false);
+    m_panel->setMoment(4500);
+    m_panel->setPlace(std::array<double, 3>{1.0, 2.0, 3.0}, true);
+    get<QCheckBox>("atMoment")->setChecked(true);
+    get<QPlainTextEdit>("commentWords")->setPlainText("Half a sentence");
+    m_panel->setAttempt(2);
+    m_panel->setScore(684, 750, false);
+    get<QDoubleSpinBox>("givenPoints")->setValue(45.5);
+    QVERIFY(m_panel->waiting(false).isEmpty());
+    const QJsonArray typed = m_panel->waiting(true);
+    QCOMPARE(typed.size(), 2);
+    m_panel->setWriter("8");
+    QCOMPARE(m_panel->waiting(false), typed);
+    // In another window nobody else sees it.
+    TalkPanel next(nullptr);
+    for (const QJsonValue one : typed)
+        QVERIFY(next.goOnWith(one.toObject()));
+    QVERIFY(!next.goOnWith(typed[0].toObject()));
+    QVERIFY(!next.goOnWith({}) && !next.goOnWith({{"person", "9"}, {"attempt", 0}}));
+    next.setWriter("8");
+    next.setAttempt(1);
+    QVERIFY(!next.unkeptComment() && !next.unkeptScore());
+    QCOMPARE(next.waiting(false), typed);
+    next.setWriter("7");
+    QVERIFY(next.waiting(false).isEmpty());
+    QCOMPARE(next.unkeptScore(), std::optional<qint64>(2));
+    next.setAttempt(1);
+    QCOMPARE(next.findChild<QPlainTextEdit*>("commentWords")->toPlainText(), QString("Half a sentence"));
+    QVERIFY(next.findChild<QCheckBox*>("atMoment")->isChecked() && next.findChild<QCheckBox*>("atPlace")->isChecked());
+    QCOMPARE(next.place(), std::optional(std::array<double, 3>{1.0, 2.0, 3.0}));
+    // It had been added after all.
+    AttemptTalk added = talk();
+    added.comments.push_back({9, "Grace Hopper", "2026-11-20T13:00:00Z", "Half a sentence", {}, {}, true});
+    next.setTalk(added);
+    QVERIFY(!next.unkeptComment());
+}
+
+/// What is on its way still rests.
+void TestTalkPanel::aRefusedTakeBackWakesNothingElse()
+{
+    AttemptTalk mine = talk();
+    mine.comments.front().isMine = true;
+    m_panel->setWriter("7");
+    m_panel->setAttempt(1);
+    m_panel->setTalk(mine);
+    get<QPlainTextEdit>("commentWords")->setPlainText("Lift the bur here.");
+    get<QPushButton>("addComment")->click();
+    get<QPushButton>("takeBack")->click();
+    QVERIFY(!get<QPushButton>("takeBack")->isEnabled());
+    m_panel->keepComment(1, 1, "The school does not answer.");
+    QVERIFY(get<QPushButton>("takeBack")->isEnabled() && !get<QPushButton>("addComment")->isEnabled());
+    QCOMPARE(get<QLabel>("fault")->text(), QString("The school does not answer."));
+    m_panel->answer(1);
+    QVERIFY(get<QPlainTextEdit>("commentWords")->toPlainText().isEmpty());
 }
 
 void TestTalkPanel::nothingIsSentTwice()
@@ -562,7 +653,7 @@ void TestTalkPanel::nothingIsSentTwice()
     for (int press = 0; press < 3; ++press)
         get<QPushButton>("takeBack")->click();
     QVERIFY(withdrawals.size() == 1 && !get<QPushButton>("takeBack")->isEnabled());
-    m_panel->answer(0, "It could not be done.");
+    m_panel->keepComment(1, 0, "It could not be done.");
     QVERIFY(get<QPushButton>("takeBack")->isEnabled());
 }
 

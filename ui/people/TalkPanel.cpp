@@ -42,6 +42,9 @@ QLabel* label(int size, QFont::Weight weight, QPalette::ColorRole role, QWidget*
     return made;
 }
 
+const QString kPerson = QStringLiteral("person");
+const QString kAttempt = QStringLiteral("attempt");
+
 /// The words of a comment that was taken back, under a draft.
 QString below(const QString& draft, const database::AttemptComment& comment)
 {
@@ -124,7 +127,7 @@ void TalkPanel::makeComposer(QVBoxLayout& column)
         m_fault->hide();
         say({});
         const QString words = m_words->toPlainText().trimmed();
-        send(false, words);
+        send({false, words});
         emit commentWanted(words, m_atMoment->isChecked() ? m_moment : std::nullopt,
                            m_atPlace->isChecked() ? m_place : std::nullopt);
     });
@@ -174,7 +177,7 @@ void TalkPanel::makeOverride(QVBoxLayout& column)
         m_asked = m_override;
         m_fault->hide();
         const QString reason = m_reason->text().trimmed();
-        send(true, reason);
+        send({true, reason, tenths});
         emit overrideWanted(tenths, reason, m_talk.overrides.size());
     };
     connect(m_give, &QPushButton::clicked, this,
@@ -192,7 +195,7 @@ void TalkPanel::setAttempt(qint64 attempt)
     say({});
 }
 
-void TalkPanel::setWriter(qint64 person)
+void TalkPanel::setWriter(const QString& person)
 {
     if (person == m_writer)
         return;
@@ -202,11 +205,34 @@ void TalkPanel::setWriter(qint64 person)
     m_drafts = std::move(m_waiting[person]);
     m_waiting.erase(person);
     for (const auto& [attempt, sent] : m_sent)
-        if (!sent.isScore)
-            m_unheard[{m_writer, attempt}] = sent.words;
+        m_unheard.insert({{m_writer, attempt}, sent});
     m_writer = person;
     m_sent.clear();
     m_withdrawn.clear();
+}
+
+QJsonObject TalkPanel::toJson(const QString& person, qint64 attempt, const Draft& draft)
+{
+    QJsonObject typed{{kPerson, person}, {kAttempt, attempt}, {"comment", draft.words}, {"reason", draft.reason}};
+    if (draft.momentMs)
+        typed["momentMs"] = qint64{*draft.momentMs};
+    if (draft.placeMm)
+        typed["placeMm"] = QJsonArray{(*draft.placeMm)[0], (*draft.placeMm)[1], (*draft.placeMm)[2]};
+    if (draft.hasPoints)
+        typed["points"] = draft.points;
+    return typed;
+}
+
+TalkPanel::Draft TalkPanel::fromJson(const QJsonObject& typed)
+{
+    Draft draft{typed["comment"].toString(), {}, {}, typed["reason"].toString()};
+    if (const QJsonValue moment = typed["momentMs"]; moment.isDouble())
+        draft.momentMs = moment.toInteger();
+    if (const QJsonArray place = typed["placeMm"].toArray(); place.size() == 3)
+        draft.placeMm = {place[0].toDouble(), place[1].toDouble(), place[2].toDouble()};
+    draft.hasPoints = typed["points"].isDouble();
+    draft.points = std::clamp(typed["points"].toDouble(), 0.0, kFullPoints);
+    return draft;
 }
 
 TalkPanel::Draft TalkPanel::draft() const
@@ -257,7 +283,7 @@ void TalkPanel::offerPoints(int tenths)
 
 std::optional<qint64> TalkPanel::unkeptComment() const
 {
-    return unkept([](const Draft& draft) { return !draft.words.trimmed().isEmpty(); });
+    return unkept(&TalkPanel::hasComment);
 }
 
 std::optional<qint64> TalkPanel::unkeptScore() const
@@ -265,18 +291,47 @@ std::optional<qint64> TalkPanel::unkeptScore() const
     return unkept(&TalkPanel::hasScore);
 }
 
+bool TalkPanel::hasComment(const Draft& draft)
+{
+    return !draft.words.trimmed().isEmpty();
+}
+
 bool TalkPanel::hasScore(const Draft& draft)
 {
     return draft.hasPoints || !draft.reason.trimmed().isEmpty();
 }
 
-bool TalkPanel::hasOthersUnkept() const
+QJsonArray TalkPanel::waiting(bool withOwn) const
 {
-    for (const auto& [person, drafts] : m_waiting)
+    auto all = m_waiting;
+    if (withOwn) {
+        all[m_writer] = m_drafts;
+        all[m_writer][m_attempt] = draft();
+    }
+    all.erase(QString());  // a guest does not come back for it
+    QJsonArray typed;
+    for (const auto& [person, drafts] : all)
         for (const auto& [attempt, draft] : drafts)
-            if (!draft.words.trimmed().isEmpty() || hasScore(draft))
-                return true;
-    return false;
+            if (hasComment(draft) || hasScore(draft))
+                typed.append(toJson(person, attempt, draft));
+    return typed;
+}
+
+bool TalkPanel::goOnWith(const QJsonObject& typed)
+{
+    const QString person = typed[kPerson].toString();
+    const qint64 attempt = typed[kAttempt].toInteger();
+    if (person.isEmpty() || attempt <= 0)
+        return false;
+    const Draft draft = fromJson(typed);
+    Draft& waits = m_waiting[person][attempt];
+    if (hasComment(waits) || hasScore(waits))
+        return false;
+    waits = draft;
+    // It may have been sent, and the program killed before that was noted.
+    if (hasComment(draft))
+        m_unheard.insert({{person, attempt}, {false, draft.words.trimmed()}});
+    return true;
 }
 
 std::optional<qint64> TalkPanel::unkept(const std::function<bool(const Draft&)>& has) const
@@ -294,22 +349,46 @@ void TalkPanel::setTalk(const database::AttemptTalk& talk)
     QWidget* form = formInUse();
     const int countedTenths = given().value_or(m_machineTenths);
     m_talk = talk;
-    if (const auto unheard = m_unheard.find({m_writer, m_attempt}); unheard != m_unheard.end()) {
-        const bool isThere = std::any_of(talk.comments.begin(), talk.comments.end(), [&](const auto& comment) {
-            return comment.isMine && QString::fromStdString(comment.words) == unheard->second;
-        });
-        if (isThere && m_words->toPlainText().trimmed() == unheard->second) {
-            m_words->clear();
-            unpin();
-        }
-        m_unheard.erase(unheard);
-    }
+    settleUnheard();
     if (const int countsTenths = given().value_or(m_machineTenths); countsTenths != countedTenths)
         offerPoints(countsTenths);
     fill();
     tellScore();
     if (form != nullptr)
         emit formUsed(form);  // what was said has moved it
+}
+
+/// What is there by now need not be written again.
+void TalkPanel::settleUnheard()
+{
+    const auto isThere = [this](const Sent& sent) {
+        if (sent.isScore)
+            return !m_talk.overrides.empty() && given() == sent.tenths &&
+                   QString::fromStdString(m_talk.overrides.back().reason) == sent.words;
+        return std::any_of(m_talk.comments.begin(), m_talk.comments.end(), [&sent](const auto& comment) {
+            return comment.isMine && QString::fromStdString(comment.words) == sent.words;
+        });
+    };
+    std::erase_if(m_unheard, [this, isThere](const auto& unheard) {
+        const auto& [where, sent] = unheard;
+        const bool isSettled = where == std::pair(m_writer, m_attempt) && isThere(sent);
+        if (isSettled)
+            clearSent(sent);
+        return isSettled;
+    });
+}
+
+/// From its field, where that has nothing else by now.
+void TalkPanel::clearSent(const Sent& sent)
+{
+    if (sent.isScore && m_reason->text().trimmed() == sent.words) {
+        m_reason->clear();
+        m_arePointsTyped = false;
+    }
+    if (!sent.isScore && m_words->toPlainText().trimmed() == sent.words) {
+        m_words->clear();
+        unpin();
+    }
 }
 
 /// Where the keyboard is; null: in neither.
@@ -438,13 +517,25 @@ void TalkPanel::refuse(const QString& sentence)
 }
 
 /// A button that rests hands the keyboard on to whatever comes next, and that might be the score.
-void TalkPanel::send(bool isScore, const QString& words)
+void TalkPanel::send(const Sent& sent)
 {
-    if (formInUse() == (isScore ? m_override : m_composer))
-        (isScore ? static_cast<QWidget*>(m_reason) : m_words)->setFocus();
-    m_sent[m_attempt] = {isScore, words};
+    if (formInUse() == (sent.isScore ? m_override : m_composer))
+        (sent.isScore ? static_cast<QWidget*>(m_reason) : m_words)->setFocus();
+    m_sent[m_attempt] = sent;
     tellReady();
     tellRoom();
+}
+
+void TalkPanel::keepComment(qint64 comment, qint64 attempt, const QString& fault)
+{
+    m_withdrawn.erase(comment);
+    if (attempt != m_attempt) {
+        m_drafts[attempt].fault = fault;
+        return;
+    }
+    fill();
+    m_asked = m_composer;
+    refuse(fault);
 }
 
 void TalkPanel::answer(qint64 attempt, const QString& fault)
@@ -452,35 +543,25 @@ void TalkPanel::answer(qint64 attempt, const QString& fault)
     const auto found = m_sent.find(attempt);
     const std::optional<Sent> sent = found != m_sent.end() ? std::optional(found->second) : std::nullopt;
     m_sent.erase(attempt);
-    if (!fault.isEmpty())
-        std::erase_if(m_withdrawn, [attempt](const auto& one) { return one.second.attempt == attempt; });
     const bool isShown = attempt == m_attempt;
+    const bool isKept = sent && fault.isEmpty();
+    if (isShown && isKept)
+        clearSent(*sent);
     Draft after = isShown ? draft() : m_drafts[attempt];
     after.fault = fault;
     after.isScoreRefused = sent && sent->isScore;
-    const bool isKept = sent && fault.isEmpty();
-    const bool hasComment = isKept && !sent->isScore && after.words.trimmed() == sent->words;
-    const bool isGiven = isKept && sent->isScore && after.reason.trimmed() == sent->words;
     if (!isShown) {
-        if (hasComment) {
+        if (isKept && !sent->isScore && after.words.trimmed() == sent->words) {
             after.words.clear();
             after.momentMs.reset();
             after.placeMm.reset();
         }
-        if (isGiven) {
+        if (isKept && sent->isScore && after.reason.trimmed() == sent->words) {
             after.reason.clear();
             after.hasPoints = false;
         }
         m_drafts[attempt] = after;
         return;
-    }
-    if (hasComment) {
-        m_words->clear();
-        unpin();
-    }
-    if (isGiven) {
-        m_reason->clear();
-        m_arePointsTyped = false;
     }
     tellReady();
     tellRoom();

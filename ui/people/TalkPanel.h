@@ -7,6 +7,8 @@
 #include <map>
 #include <optional>
 
+#include <QJsonArray>
+#include <QJsonObject>
 #include <QString>
 #include <QWidget>
 
@@ -35,15 +37,18 @@ public:
     /// pins, and the score that was being given there wait until that comes again.
     void setAttempt(qint64 attempt);
     [[nodiscard]] qint64 attempt() const { return m_attempt; }
-    /// This person writes from now on, 0: a guest. What the one before was writing waits until he is back; it is shown
-    /// to nobody else.
-    void setWriter(qint64 person);
+    /// This person writes from now on, by his uid, empty: a guest. What the one before was writing waits until he is
+    /// back; it is shown to nobody else.
+    void setWriter(const QString& person);
     /// One of the attempts with a comment that is typed and kept nowhere yet; nothing: there is none.
     [[nodiscard]] std::optional<qint64> unkeptComment() const;
     /// The same of a score that is being given, or the reason for one.
     [[nodiscard]] std::optional<qint64> unkeptScore() const;
-    /// Something that somebody else was writing waits for him.
-    [[nodiscard]] bool hasOthersUnkept() const;
+    /// What others were writing, each attempt's as an object.
+    /// @param withOwn  and what who writes now has typed
+    [[nodiscard]] QJsonArray waiting(bool withOwn) const;
+    /// One of those waits again, for who was writing it. False: it is none, or he has typed something else there.
+    [[nodiscard]] bool goOnWith(const QJsonObject& typed);
     /// @param machineTenths  what the machine gave
     void setScore(int machineTenths, int passMarkTenths, bool passedByMachine);
     void setTalk(const database::AttemptTalk& talk);
@@ -60,6 +65,8 @@ public:
     void withdraw(qint64 comment, bool earlier);
     /// Says why what was written could not be kept. It stays where it was typed.
     void refuse(const QString& sentence);
+    /// It could not be taken back, and why, told at its attempt, now or when that is shown again.
+    void keepComment(qint64 comment, qint64 attempt, const QString& fault);
     /// What was wanted of this attempt has been done, and what was sent leaves its field; or not. Until then nothing
     /// more is sent of it.
     /// @param fault  why it was not done, told at the attempt, now or when it is shown again; empty: it was
@@ -97,10 +104,23 @@ private:
         bool isScoreRefused = false;
     };
 
+    /// What somebody has asked to be kept.
+    struct Sent
+    {
+        bool isScore = false;
+        QString words;                ///< of the comment, or the reason
+        std::optional<int> tenths{};  ///< of a score
+    };
+
     [[nodiscard]] Draft draft() const;
     void take(const Draft& draft);
+    [[nodiscard]] static QJsonObject toJson(const QString& person, qint64 attempt, const Draft& draft);
+    [[nodiscard]] static Draft fromJson(const QJsonObject& typed);
+    [[nodiscard]] static bool hasComment(const Draft& draft);
     [[nodiscard]] static bool hasScore(const Draft& draft);
     [[nodiscard]] std::optional<qint64> unkept(const std::function<bool(const Draft&)>& has) const;
+    void settleUnheard();
+    void clearSent(const Sent& sent);
     void makeComposer(QVBoxLayout& column);
     void makeOverride(QVBoxLayout& column);
     void retell();
@@ -113,7 +133,7 @@ private:
     void unpin();
     void offerPoints(int tenths);
     void tellReady();
-    void send(bool isScore, const QString& words);
+    void send(const Sent& sent);
     void writeAgain(const database::AttemptComment& comment);
     void putBy(qint64 comment);
     void say(std::function<QString()> sentence);
@@ -127,19 +147,13 @@ private:
         database::AttemptComment comment;
     };
 
-    std::map<qint64, Draft> m_drafts;                     ///< on the other attempts
-    qint64 m_writer = 0;                                  ///< whose they are
-    std::map<qint64, std::map<qint64, Draft>> m_waiting;  ///< of others, by the person
-    /// What somebody has asked to be kept.
-    struct Sent
-    {
-        bool isScore = false;
-        QString words;  ///< of the comment, or the reason
-    };
-    std::map<qint64, Sent> m_sent;  ///< by attempt, until it is answered
-    /// Comments whose writer had gone when the answer came, by him and the attempt: whether they are there is seen when
-    /// he opens it again.
-    std::map<std::pair<qint64, qint64>, QString> m_unheard;
+    std::map<qint64, Draft> m_drafts;                      ///< on the other attempts
+    QString m_writer;                                      ///< whose they are
+    std::map<QString, std::map<qint64, Draft>> m_waiting;  ///< of others, by the person
+    std::map<qint64, Sent> m_sent;                         ///< by attempt, until it is answered
+    /// What may have been kept while its writer was gone, by him and the attempt: whether it is there is seen when he
+    /// opens that again.
+    std::multimap<std::pair<QString, qint64>, Sent> m_unheard;
     std::map<qint64, Withdrawn> m_withdrawn;  ///< by comment, until that is done
     qint64 m_attempt = 0;
     database::AttemptTalk m_talk;

@@ -8,6 +8,7 @@
 #include <QComboBox>
 #include <QFileInfo>
 #include <QHBoxLayout>
+#include <QJsonDocument>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -65,6 +66,27 @@ bool isSameFeel(FeelPreset a, const FeelPreset& b)
     a.version = b.version;
     a.hash = b.hash;
     return a == b;
+}
+
+const QString kPerson = QStringLiteral("person");
+
+QJsonObject toJson(const std::pair<FeelPreset, FeelPreset>& changed)
+{
+    return {{"from", lessons::toJson(changed.first)}, {"to", lessons::toJson(changed.second)}};
+}
+
+/// Also one that is beyond the bound: it was being turned.
+std::optional<FeelPreset> presetIn(const QJsonValue& value)
+{
+    const lessons::ReadPreset read = lessons::readPresetText(QJsonDocument(value.toObject()).toJson(), {});
+    return read.preset ? read.preset : read.beyondBound;
+}
+
+std::optional<std::pair<FeelPreset, FeelPreset>> fromJson(const QJsonValue& changed)
+{
+    const auto base = presetIn(changed["from"]);
+    const auto draft = presetIn(changed["to"]);
+    return base && draft ? std::optional(std::pair(*base, *draft)) : std::nullopt;
 }
 
 /// A button at rest gives the keys to the list: to the button beside it a second Space would say what nobody meant.
@@ -510,14 +532,19 @@ void PresetsPage::take(const FeelPreset& preset)
     tell();
 }
 
-void PresetsPage::setWriter(qint64 person)
+PresetsPage::Waiting PresetsPage::own() const
+{
+    return {isChanged() ? std::optional(Changed(m_base, m_draft)) : std::nullopt, m_putAside, m_mayKeep};
+}
+
+void PresetsPage::setWriter(const QString& person)
 {
     if (person == m_writer)
         return;
     setFault({});
-    const auto shown = isChanged() ? std::optional(Changed(m_base, m_draft)) : std::nullopt;
-    if ((shown || m_putAside) && m_writer != 0)  // a guest is nobody who could come back for it
-        m_waiting[m_writer] = {shown, m_putAside, m_mayKeep};
+    // A guest is nobody who could come back for it.
+    if (Waiting left = own(); (left.shown || left.aside) && !m_writer.isEmpty())
+        m_waiting[m_writer] = std::move(left);
     m_writer = person;
     m_draft = m_base;
     m_putAside.reset();
@@ -531,9 +558,46 @@ void PresetsPage::setWriter(qint64 person)
     write(own.shown ? own.shown->second : m_draft);
 }
 
-bool PresetsPage::hasOthersUnkept() const
+QJsonArray PresetsPage::waiting(bool withOwn) const
 {
-    return std::any_of(m_waiting.begin(), m_waiting.end(), [](const auto& one) { return one.second.couldKeep; });
+    auto all = m_waiting;
+    if (withOwn && !m_writer.isEmpty())
+        all[m_writer] = own();
+    QJsonArray changed;
+    for (const auto& [person, waits] : all) {
+        if (!waits.couldKeep || (!waits.shown && !waits.aside))
+            continue;
+        QJsonObject one{{kPerson, person}};
+        if (waits.shown)
+            one["preset"] = toJson(*waits.shown);
+        if (waits.aside)
+            one["aside"] = toJson(*waits.aside);
+        changed.append(one);
+    }
+    return changed;
+}
+
+bool PresetsPage::goOnWith(const QJsonObject& changed)
+{
+    const QString person = changed[kPerson].toString();
+    const Waiting waits{fromJson(changed["preset"]), fromJson(changed["aside"]), true};
+    if (person.isEmpty() || (!waits.shown && !waits.aside) || m_waiting.count(person) > 0)
+        return false;
+    m_waiting[person] = waits;
+    return true;
+}
+
+void PresetsPage::forget(const QString& person, const FeelPreset& kept)
+{
+    const auto found = m_waiting.find(person);
+    if (found == m_waiting.end())
+        return;
+    Waiting& waits = found->second;
+    for (std::optional<Changed>* one : {&waits.shown, &waits.aside})
+        if (*one && (*one)->second.name == kept.name && isSameFeel((*one)->second, kept))
+            one->reset();
+    if (!waits.shown && !waits.aside)
+        m_waiting.erase(found);
 }
 
 QString PresetsPage::unkept() const

@@ -6,6 +6,10 @@
 #include <utility>
 #include <vector>
 
+#include <QJsonArray>
+#include <QJsonObject>
+#include <QString>
+
 #include "lessons/PresetFile.h"
 #include "ui/shell/Page.h"
 
@@ -41,15 +45,21 @@ public:
     /// What could not be done, beside the buttons, a second line of it quieter; empty: nothing any more.
     void setFault(const QString& sentence);
 
-    /// Who works here now. What another has changed and not kept waits until he is back, and is shown to nobody else.
-    void setWriter(qint64 person);
+    /// Who works here now, by his uid, empty: a guest. What another has changed and not kept waits until he is back,
+    /// and is shown to nobody else.
+    void setWriter(const QString& person);
     /// The writer's versions can be kept, imported and put to use; else they are looked at and tried.
     void setMayKeep(bool may);
 
     /// What the writer has changed, and could keep, and has not: in a sentence. Empty: nothing.
     [[nodiscard]] QString unkept() const;
-    /// Somebody who does not work here now has changed something that he could keep.
-    [[nodiscard]] bool hasOthersUnkept() const;
+    /// What others have changed and could keep, each person's as an object.
+    /// @param withOwn  and what the writer has changed
+    [[nodiscard]] QJsonArray waiting(bool withOwn) const;
+    /// One of those waits again, for who has changed it. False: it is none, or he has changed something else.
+    [[nodiscard]] bool goOnWith(const QJsonObject& changed);
+    /// What this person has changed was kept as this, while another worked here.
+    void forget(const QString& person, const core::settings::FeelPreset& kept);
 
     [[nodiscard]] const core::settings::FeelPreset& draft() const { return m_draft; }
     [[nodiscard]] const std::vector<lessons::ReadPreset>& all() const { return m_all; }
@@ -69,6 +79,16 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
+    /// A version, and what has been made of it.
+    using Changed = std::pair<core::settings::FeelPreset, core::settings::FeelPreset>;
+    /// What waits for somebody.
+    struct Waiting
+    {
+        std::optional<Changed> shown;
+        std::optional<Changed> aside;
+        bool couldKeep = false;
+    };
+
     QWidget* makeList();
     QWidget* makeDetails();
     QWidget* makePreset(QWidget* parent);
@@ -85,26 +105,17 @@ private:
     void offerOther();
     void duplicate();
     [[nodiscard]] bool isChanged() const;
+    [[nodiscard]] Waiting own() const;
     [[nodiscard]] bool isNewest() const;
     [[nodiscard]] std::vector<core::settings::FeelPreset> origins() const;
-
-    /// A version, and what has been made of it.
-    using Changed = std::pair<core::settings::FeelPreset, core::settings::FeelPreset>;
-    /// What waits for somebody.
-    struct Waiting
-    {
-        std::optional<Changed> shown;
-        std::optional<Changed> aside;
-        bool couldKeep = false;
-    };
 
     std::vector<lessons::ReadPreset> m_all;
     core::settings::FeelPreset m_inUse;
     core::settings::FeelPreset m_base;   ///< the version that is chosen in the list
     core::settings::FeelPreset m_draft;  ///< what has been made of it
     std::optional<Changed> m_putAside;   ///< when another was chosen
-    qint64 m_writer = 0;
-    std::map<qint64, Waiting> m_waiting;  ///< for who does not work here now
+    QString m_writer;
+    std::map<QString, Waiting> m_waiting;  ///< for who does not work here now
 
     bool m_mayKeep = true;
     bool m_otherIsChosen = false;  ///< what to compare with, by hand

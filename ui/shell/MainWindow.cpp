@@ -201,8 +201,8 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
     connect(m_lessonsPage, &study::LessonsPage::folderWanted, this, &MainWindow::lessonFolderWanted);
     connect(m_editor, &study::LessonEditor::stepsChanged, this, &MainWindow::enableActions);
     connect(m_editor, &study::LessonEditor::lessonSaved, this, [this] {
-        if (m_knowsDrafts && QFile::exists(m_draftFile))  // what is saved comes back as a draft no more
-            static_cast<void>(m_editor->putBy(m_draftFile));
+        if (m_putBy && !m_putBy->found().isEmpty())  // what is saved comes back as a draft no more
+            static_cast<void>(putOthersBy());
         emit lessonsWanted();
     });
     const auto workOn = [this] {
@@ -620,7 +620,7 @@ bool MainWindow::keepsOnLogin() const
 void MainWindow::setWho(const database::Session& who)
 {
     m_who = who;
-    m_scorePage->talk().setWriter(who.person().value);
+    m_scorePage->talk().setWriter(QString::fromStdString(who.uid()));
     m_actions->showAccount(QString::fromStdString(who.username()));
     m_actions->attempts->setVisible(!who.isGuest());
     m_actions->school->setVisible(who.role() == database::Role::Admin);
@@ -918,6 +918,11 @@ void MainWindow::showPresetKept(const core::settings::FeelPreset& preset, const 
         m_messages->say({MessageBar::Kind::News, said, {}, {}, {}, MessageBar::Topic::Preset});
 }
 
+void MainWindow::forgetPresetDraft(const database::Session& who, const core::settings::FeelPreset& kept)
+{
+    m_presets->forget(QString::fromStdString(who.uid()), kept);
+}
+
 void MainWindow::showPresetFault(const QString& sentence)
 {
     m_messages->withdraw(MessageBar::Topic::Preset);
@@ -928,7 +933,7 @@ void MainWindow::showPresetFault(const QString& sentence)
 
 void MainWindow::setMayKeepPresets(const database::Session& who, bool may)
 {
-    m_presets->setWriter(who.person().value);
+    m_presets->setWriter(QString::fromStdString(who.uid()));
     m_presets->setMayKeep(may);
 }
 
@@ -994,19 +999,38 @@ void MainWindow::editLesson(const lessons::ReadLesson& lesson)
     goTo(m_editor);
 }
 
-void MainWindow::setDraftFile(const QString& file)
+void MainWindow::setPutByFolder(const QString& folder)
 {
-    m_draftFile = file;
-    m_editor->goOnWith(file, lessons::teachersFolder());
-    m_knowsDrafts = !m_editor->unsaved().isEmpty();
+    m_putBy = std::make_unique<PutBy>(folder);
+    for (const QJsonValue one : m_putBy->found()) {
+        const QJsonObject typed = one.toObject();
+        if (!m_editor->goOnWith(typed, lessons::teachersFolder()) && !m_scorePage->talk().goOnWith(typed) &&
+            !m_presets->goOnWith(typed))
+            m_unclaimed.append(typed);
+    }
 }
 
-/// Without a place for them they stay where they are.
-bool MainWindow::putDraftsBy()
+/// What whoever stands here may not decide on, and hears nothing of; at a place that its owner has locked all of his:
+/// whoever stands there may be anybody.
+QJsonArray MainWindow::othersUnkept() const
 {
-    const bool isDone = !m_draftFile.isEmpty() && m_editor->putBy(m_draftFile);
-    m_knowsDrafts = m_knowsDrafts || isDone;
-    return isDone;
+    QJsonArray all = m_unclaimed;
+    const auto add = [&all](const QJsonArray& more) {
+        for (const QJsonValue one : more)
+            all.append(one);
+    };
+    if (!mayDecideOnDrafts())
+        add(m_editor->unsavedDrafts());
+    add(m_scorePage->talk().waiting(isAtLockedDoor()));
+    add(m_presets->waiting(isAtLockedDoor()));
+    return all;
+}
+
+/// False: there is something, and it is written nowhere.
+bool MainWindow::putOthersBy()
+{
+    const QJsonArray all = othersUnkept();
+    return m_putBy ? m_putBy->keep(all) : all.isEmpty();
 }
 
 void MainWindow::setKnownAttempts(std::vector<study::MeasuredAttempt> attempts)
@@ -2288,11 +2312,16 @@ void MainWindow::sayWaits(const std::function<QString()>& sentence)
     sayAtDoor(sentence);
 }
 
+bool MainWindow::isAtLockedDoor() const
+{
+    return isAtDoor() && !m_mayLeaveDoor && !m_who.isGuest();
+}
+
 /// Who may not change lessons, or stands at the door that another has locked, neither hears of drafts nor decides on
 /// them.
 bool MainWindow::mayDecideOnDrafts() const
 {
-    return m_mayEdit && (!isAtDoor() || m_mayLeaveDoor || m_who.isGuest());
+    return m_mayEdit && !isAtLockedDoor();
 }
 
 void MainWindow::leaveDrafts(const std::function<void()>& what)
@@ -2326,14 +2355,9 @@ std::vector<MainWindow::Unkept> MainWindow::unkept()
             m_admin->show(part);
         };
     };
-    const auto presetWaits = [this] { sayWaits([] { return tr("It waits for the person who has changed it."); }); };
     std::vector<Unkept> all{{m_admin->people().unkept(), toSchool(admin::AdminPage::People)},
                             {m_admin->roster().unkept(), toSchool(admin::AdminPage::Roster)},
-                            {m_presets->unkept(), [this, presetWaits] {
-                                 if (isAtDoor() && !m_mayLeaveDoor)
-                                     presetWaits();
-                                 goTo(m_presets);
-                             }}};
+                            {m_presets->unkept(), [this] { goTo(m_presets); }}};
     const auto& talk = m_scorePage->talk();
     if (const auto attempt = talk.unkeptComment())
         all.push_back({tr("A comment was typed and is not added yet."), [this, attempt] { showDraft(*attempt); }});
@@ -2341,14 +2365,6 @@ std::vector<MainWindow::Unkept> MainWindow::unkept()
         all.push_back({tr("A score was typed and is not given yet."), [this, attempt] { showDraft(*attempt); }});
     all.erase(std::remove_if(all.begin(), all.end(), [](const Unkept& one) { return one.what.isEmpty(); }), all.end());
     return all;
-}
-
-/// Comments and scores that others are writing, and presets that they have changed; at a place that its owner has
-/// locked all of his: whoever stands there may be anybody.
-bool MainWindow::hasOthersUnkept()
-{
-    const bool isLocked = isAtDoor() && !m_mayLeaveDoor && !m_who.isGuest();
-    return (isLocked && !unkept().empty()) || m_scorePage->talk().hasOthersUnkept() || m_presets->hasOthersUnkept();
 }
 
 void MainWindow::showDraft(qint64 attempt)
@@ -2364,7 +2380,7 @@ void MainWindow::showDraft(qint64 attempt)
 void MainWindow::leaveUnkept(const std::function<void()>& what)
 {
     const std::vector<Unkept> all = unkept();
-    if (all.empty()) {
+    if (all.empty() || isAtLockedDoor()) {
         what();
         return;
     }
@@ -2395,29 +2411,27 @@ void MainWindow::askToSave()
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
-    // What is a teacher's waits for one, also through another start of the program.
-    const bool areOthers = !m_editor->unsaved().isEmpty() && !mayDecideOnDrafts();
-    const bool arePutBy = areOthers && putDraftsBy();
-    if (m_mayClose ||
-        (!wouldLoseWork() && (m_editor->unsaved().isEmpty() || arePutBy) && unkept().empty() && !hasOthersUnkept())) {
-        // What another window has put by there is not ours.
-        if (!arePutBy && m_knowsDrafts && mayDecideOnDrafts())
-            m_editor->forgetPutBy(m_draftFile);
+    const bool isPutBy = putOthersBy();
+    // Codes are put by nowhere: they open accounts.
+    const bool hasCodes = isAtLockedDoor() && !(m_admin->people().unkept() + m_admin->roster().unkept()).isEmpty();
+    const bool asksOfDrafts = mayDecideOnDrafts() && !m_editor->unsaved().isEmpty();
+    const bool asksOfTyped = !isAtLockedDoor() && !unkept().empty();
+    if (isPutBy && !hasCodes && (m_mayClose || (!wouldLoseWork() && !asksOfDrafts && !asksOfTyped))) {
         memory().setValue(kGeometry, saveGeometry());
         return;
     }
     event->ignore();
-    if (areOthers && !arePutBy) {
-        sayWaits([] {
-            return tr("Cusp stays open: a teacher's work is not saved yet. It waits until a teacher logs in here.");
-        });
-        return;
-    }
-    // Only who has typed it decides on it.
-    if (hasOthersUnkept()) {
+    if (hasCodes) {
         sayWaits([] {
             return tr("Cusp stays open: what somebody else has typed or changed is not kept yet. It waits until that "
                       "person logs in here.");
+        });
+        return;
+    }
+    if (!isPutBy) {
+        sayWaits([] {
+            return tr("Cusp stays open: what somebody else has typed or changed is not kept yet, and it cannot be put "
+                      "by on this computer. Make room on the disk, or let that person log in here.");
         });
         return;
     }

@@ -10,6 +10,7 @@
 
 #include <QDateTime>
 #include <QElapsedTimer>
+#include <QJsonArray>
 #include <QList>
 #include <QMainWindow>
 #include <QPointer>
@@ -32,6 +33,7 @@
 #include "ui/replay/Course.h"
 #include "ui/replay/HistoryPanel.h"
 #include "ui/shell/MessageBar.h"
+#include "ui/shell/PutBy.h"
 #include "ui/shell/QuestionCard.h"
 #include "ui/shell/Tour.h"
 #include "ui/study/Expectation.h"
@@ -202,6 +204,8 @@ public slots:
     /// presetSaveWanted(), or a file that was imported, has become this version: shown on the page, and said.
     /// @param note  what deserves a look all the same; may be empty
     void showPresetKept(const core::settings::FeelPreset& preset, const QString& note = {});
+    /// What this person had changed was kept as this, when somebody else worked here already.
+    void forgetPresetDraft(const database::Session& who, const core::settings::FeelPreset& kept);
     /// What could not be done, on the page of presets.
     void showPresetFault(const QString& sentence);
     /// The block that presetTrialWanted() asked for is on the table.
@@ -210,9 +214,9 @@ public slots:
     void showFeel(const core::settings::FeelPreset& now, const core::settings::FeelPreset& usual);
     /// Opens the editor on a sound lesson.
     void editLesson(const lessons::ReadLesson& lesson);
-    /// Where drafts of lessons are put by that nobody here may decide on when the window is closed; those that lie
-    /// there are drafts again.
-    void setDraftFile(const QString& file);
+    /// Where it is put by what nobody here may decide on when the window is closed: drafts of lessons, and what
+    /// somebody who is not here has typed. What lies there waits again for who it belongs to.
+    void setPutByFolder(const QString& folder);
     /// What was measured of attempts at the lesson that is edited, as it is.
     void setKnownAttempts(std::vector<study::MeasuredAttempt> attempts);
     /// A recording of this length drives the bur: the student's own controls rest, the student's own work waits. Call
@@ -432,7 +436,9 @@ private:
     /// The same of lessons that were changed in the editor, whose drafts live as long as the window.
     void leaveDrafts(const std::function<void()>& what);
     [[nodiscard]] bool mayDecideOnDrafts() const;
-    [[nodiscard]] bool putDraftsBy();
+    [[nodiscard]] bool isAtLockedDoor() const;
+    [[nodiscard]] QJsonArray othersUnkept() const;
+    [[nodiscard]] bool putOthersBy();
     void sayWaits(const std::function<QString()>& sentence);
     /// What a page would lose with the window, in a sentence, and the way to where it can be kept.
     struct Unkept
@@ -441,8 +447,6 @@ private:
         std::function<void()> show;
     };
     [[nodiscard]] std::vector<Unkept> unkept();
-    /// The attempt that a comment is typed on.
-    [[nodiscard]] bool hasOthersUnkept();
     void showDraft(qint64 attempt);
     /// The same of what other pages have that is kept nowhere yet.
     void leaveUnkept(const std::function<void()>& what);
@@ -596,9 +600,9 @@ private:
     QWidget* m_behindHistory = nullptr;  ///< the same of the attempts
     QWidget* m_behindDoor = nullptr;     ///< the page to go on with
     bool m_isNewSchool = false;
-    bool m_mayLeaveDoor = false;  ///< who practises as a guest, and has only looked at it
-    QString m_draftFile;          ///< empty: drafts are put by nowhere
-    bool m_knowsDrafts = false;   ///< what lies there is what the editor has
+    bool m_mayLeaveDoor = false;     ///< who practises as a guest, and has only looked at it
+    std::unique_ptr<PutBy> m_putBy;  ///< null: there is no place for it
+    QJsonArray m_unclaimed;          ///< of what was put by, what nothing can be made of here and now
     bool m_mayClose = false;
     bool m_hasCut = false;
     bool m_knowsTheFarSide = false;  ///< has been told why nothing is drilled from below

@@ -596,35 +596,30 @@ bool LessonEditor::saveAll()
     return true;
 }
 
-bool LessonEditor::putBy(const QString& file) const
+QJsonArray LessonEditor::unsavedDrafts() const
 {
-    std::vector<PutByDraft> drafts = m_unread;
+    QJsonArray all;
     for (const auto& [from, opened] : m_opened)
         if (opened.draft.isChanged())
-            drafts.push_back({opened.draft.isSavedOnce() ? opened.draft.file() : from, opened.draft.object()});
-    return study::putBy(file, drafts);
+            all.append(QJsonObject{{"from", opened.draft.isSavedOnce() ? opened.draft.file() : from},
+                                   {"lesson", opened.draft.object()}});
+    return all;
 }
 
-void LessonEditor::goOnWith(const QString& file, const QString& folder)
+bool LessonEditor::goOnWith(const QJsonObject& unsaved, const QString& folder)
 {
-    for (const PutByDraft& kept : putByIn(file)) {
-        const ::lessons::ReadLesson read = ::lessons::readLesson(kept.from);
-        if (kept.object.isEmpty() || m_opened.contains(kept.from))
-            continue;
-        if (!read.lesson) {
-            m_unread.push_back(kept);
-            continue;
-        }
-        Opened& opened = m_opened[kept.from];
-        opened.lesson = *read.lesson;
-        opened.draft.begin(read, folder);
-        opened.draft.goOnWith(kept.object);
-    }
-}
-
-void LessonEditor::forgetPutBy(const QString& file) const
-{
-    static_cast<void>(study::putBy(file, m_unread));
+    const QString from = unsaved["from"].toString();
+    const QJsonObject object = unsaved["lesson"].toObject();
+    if (object.isEmpty() || m_opened.contains(from))
+        return false;
+    const ::lessons::ReadLesson read = ::lessons::readLesson(from);
+    if (!read.lesson)
+        return false;
+    Opened& opened = m_opened[from];
+    opened.lesson = *read.lesson;
+    opened.draft.begin(read, folder);
+    opened.draft.goOnWith(object);
+    return true;
 }
 
 void LessonEditor::say(std::function<QString()> sentence, bool isWrong)

@@ -5,12 +5,13 @@
 #include <map>
 #include <memory>
 
+#include <QJsonArray>
+#include <QJsonObject>
 #include <QSet>
 #include <QThreadPool>
 
 #include "ui/shell/Page.h"
 #include "ui/study/LessonDraft.h"
-#include "ui/study/PutBy.h"
 #include "ui/study/ToleranceSweep.h"
 
 class QLabel;
@@ -57,15 +58,12 @@ public:
     /// the page, with what is wrong.
     [[nodiscard]] bool saveAll();
 
-    /// Puts the changed drafts by, in place of what was put by there; where there are none nothing is left. False: they
-    /// could not be written.
-    [[nodiscard]] bool putBy(const QString& file) const;
-    /// Those that were put by are drafts again, where their lessons can be read now; the others stay put by whatever is
-    /// put by later.
+    /// The changed drafts, each as an object with its "lesson" and the file "from" which it began.
+    [[nodiscard]] QJsonArray unsavedDrafts() const;
+    /// One of those is a draft again. False: it is none, its lesson cannot be read now, or another draft of that is
+    /// here.
     /// @param folder  the teacher's
-    void goOnWith(const QString& file, const QString& folder);
-    /// The drafts are thrown away, and what was put by of them.
-    void forgetPutBy(const QString& file) const;
+    [[nodiscard]] bool goOnWith(const QJsonObject& unsaved, const QString& folder);
 
     /// What was measured of attempts at the lesson that is edited, as it was when it was opened: they count in the
     /// sweep until its ideal is changed.
@@ -111,7 +109,6 @@ private:
     void say(std::function<QString()> words, bool isWrong);
     void speak();
 
-    std::vector<PutByDraft> m_unread;    ///< put by, of lessons that could not be read
     std::map<QString, Opened> m_opened;  ///< by the file of the lesson they began from
     QString m_present;
     std::shared_ptr<const Weighed> m_now;   ///< the newest of the present draft
