@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A file dialog shows the folder of the school's file, and SQLite's locks on it stay.
 #include <QAbstractItemView>
+#include <QDateTime>
 #include <QDir>
 #include <QFile>
 #include <QFileSystemModel>
+#include <QLocale>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
@@ -12,6 +14,7 @@
 #include <unistd.h>
 
 #include <memory>
+#include <tuple>
 
 #include "ui/shell/FileDialog.h"
 
@@ -44,6 +47,7 @@ class TestFileDialog : public QObject
 private slots:
     void looksAtNamesOnly();
     void beginsWhereTheLastFileWasSaved();
+    void tellsDatesAndSizesInTheProgramsLanguage();
 };
 
 void TestFileDialog::looksAtNamesOnly()
@@ -95,6 +99,34 @@ void TestFileDialog::beginsWhereTheLastFileWasSaved()
     second->reject();
     QVERIFY(QDir(stick.path()).removeRecursively());  // pulled out meanwhile
     QCOMPARE(ask()->selectedFiles(), QStringList{documents.filePath("Time Decay 36.csv")});
+}
+
+void TestFileDialog::tellsDatesAndSizesInTheProgramsLanguage()
+{
+    QTemporaryDir folder;
+    QFile made(folder.filePath("a.csv"));
+    QVERIFY(made.open(QIODevice::WriteOnly) && made.write(QByteArray(1500, 'a')) == 1500 && made.flush());
+    QVERIFY(made.setFileTime(QDateTime({2026, 3, 9}, {14, 5}), QFileDevice::FileModificationTime));
+    made.close();
+    QVERIFY(QDir(folder.path()).mkdir("other"));
+    const QLocale before;
+    for (const auto& [locale, size, date] :
+         {std::tuple("de", "1,46 KiB", "09.03.26 14:05"), std::tuple("ja", "1.46 KiB", "2026/03/09 14:05")}) {
+        QLocale::setDefault(QLocale(QString(locale)));
+        ui::shell::FileDialog dialog(nullptr, "Choose", folder.path());
+        dialog.setAttribute(Qt::WA_DeleteOnClose, false);
+        dialog.setViewMode(QFileDialog::Detail);
+        dialog.show();
+        const auto* view = dialog.findChild<QAbstractItemView*>("treeView");
+        const auto cell = [view](int row, int column) {
+            return view->model()->index(row, column, view->rootIndex()).data().toString();
+        };
+        QTRY_COMPARE(cell(1, 0), QString("a.csv"));
+        QTRY_COMPARE(cell(1, 1), QString(size));
+        QCOMPARE(cell(1, 3), QString(date));
+        QCOMPARE(cell(0, 1), QString());  // a folder's
+    }
+    QLocale::setDefault(before);
 }
 
 QTEST_MAIN(TestFileDialog)

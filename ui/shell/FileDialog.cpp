@@ -4,6 +4,9 @@
 #include <QDir>
 #include <QFileIconProvider>
 #include <QFileInfo>
+#include <QFileSystemModel>
+#include <QIdentityProxyModel>
+#include <QLocale>
 #include <QMimeDatabase>
 #include <QRegularExpression>
 
@@ -28,6 +31,29 @@ public:
     }
 };
 
+/// Qt's own model tells sizes and dates as the computer does, whatever language the program speaks.
+class InProgramsLanguage final : public QIdentityProxyModel
+{
+public:
+    using QIdentityProxyModel::QIdentityProxyModel;
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override
+    {
+        const auto* files = qobject_cast<const QFileSystemModel*>(sourceModel());
+        if (role == Qt::DisplayRole && files != nullptr) {
+            const QModelIndex at = mapToSource(index);
+            if (index.column() == kSize && !files->isDir(at))
+                return QLocale().formattedDataSize(files->size(at));
+            if (index.column() == kModified)
+                return QLocale().toString(files->lastModified(at), QLocale::ShortFormat);
+        }
+        return QIdentityProxyModel::data(index, role);
+    }
+
+private:
+    static constexpr int kSize = 1;  ///< columns of QFileSystemModel
+    static constexpr int kModified = 3;
+};
+
 }  // namespace
 
 // It begins to look around at once: where there is no school's file, until it has learned how to look.
@@ -38,6 +64,7 @@ FileDialog::FileDialog(QWidget* parent, const QString& title, const QString& fol
     setAttribute(Qt::WA_DeleteOnClose);
     setOption(DontUseNativeDialog);  // a desktop's own may look into files, too
     setIconProvider(&byName);
+    setProxyModel(new InProgramsLanguage(this));
     setDirectory(folder);
     // Without a window manager nobody else gives the keys back.
     if (parent != nullptr)
