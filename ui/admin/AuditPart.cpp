@@ -31,7 +31,7 @@ namespace {
 
 enum Column { kNumber, kWhen, kWho, kAction, kObject, kDetail, kColumns };
 
-constexpr int kObjectPx = 320;  ///< at most; what is longer ends in "…"
+constexpr int kObjectPx = 320;  ///< at least, where it needs so much; what is longer ends in "…"
 
 }  // namespace
 
@@ -160,7 +160,25 @@ void AuditPart::fill()
         m_rows->appendRow(items);
     }
     m_table->resizeColumnsToContents();
-    m_table->setColumnWidth(kObject, std::min(m_table->columnWidth(kObject), kObjectPx));
+    fit();
+}
+
+/// What is done to may be long: it has what the others leave, and never less than some.
+void AuditPart::fit()
+{
+    const QAbstractItemView& cells = *m_table;
+    int room = m_table->viewport()->width() - cells.sizeHintForColumn(kDetail);
+    for (int column = 0; column < kDetail; ++column)
+        room -= column == kObject ? 0 : m_table->columnWidth(column);
+    const int wanted =
+        std::max(cells.sizeHintForColumn(kObject), m_table->horizontalHeader()->sectionSizeHint(kObject));
+    m_table->setColumnWidth(kObject, std::min(wanted, std::max(kObjectPx, room)));
+}
+
+void AuditPart::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    fit();
 }
 
 void AuditPart::setNames(const NamesByUid& names)

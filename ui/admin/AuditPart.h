@@ -46,9 +46,13 @@ signals:
     /// Rows before this one are wanted.
     void olderWanted(qint64 beforeSeq);
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     void speak();
     void fill();
+    void fit();
     void tell();
     [[nodiscard]] QString countWords() const;
 
