@@ -3654,6 +3654,7 @@
     </message>
     <message>
         <source>%1 could not be written (%2). Try another folder.</source>
+        <extracomment>%2: the system&apos;s own words</extracomment>
         <translation>%1 konnte nicht geschrieben werden (%2). Versuchen Sie einen anderen Ordner.</translation>
     </message>
 </context>
@@ -3719,26 +3720,6 @@
         <translation>Voreinstellungen gibt es hier nicht.</translation>
     </message>
     <message>
-        <source>list [TEXT]      the parameters whose name holds the text
-get NAME         its value, range and what it does
-set NAME VALUE   sets it
-reset [NAME]     sets it, or everything that is felt, back
-watch NAME       shows it over the view
-plot NAME        draws its last ten seconds over the view
-unwatch [NAME]   takes it, or everything, away
-save NAME        keeps what is felt as a hardness preset
-load NAME        feels a hardness preset that is kept</source>
-        <translation>list [TEXT]      die Parameter, in deren Namen der Text vorkommt
-get NAME         Wert, Bereich und Wirkung
-set NAME WERT    stellt ihn ein
-reset [NAME]     setzt ihn oder alles, was man fühlt, zurück
-watch NAME       zeigt ihn über der Ansicht
-plot NAME        zeichnet seine letzten zehn Sekunden über die Ansicht
-unwatch [NAME]   nimmt ihn oder alles wieder weg
-save NAME        behält, was man fühlt, als Härte-Voreinstellung
-load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translation>
-    </message>
-    <message>
         <source>There is no command &quot;%1&quot;. &quot;help&quot; lists those there are.</source>
         <translation>Den Befehl „%1“ gibt es nicht. „help“ zeigt alle.</translation>
     </message>
@@ -3761,6 +3742,47 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>Page Up and Page Down turn over the answers, Up and Down what was typed.</source>
         <translation>Bild auf und Bild ab blättern in den Antworten, Auf und Ab in dem, was getippt wurde.</translation>
+    </message>
+    <message>
+        <source>Write &quot;export NAME FILE&quot;, as in &quot;export live.force force.csv&quot;.</source>
+        <translation>Schreiben Sie „export NAME DATEI“, etwa „export live.force force.csv“.</translation>
+    </message>
+    <message>
+        <source>list [TEXT]      the parameters whose name holds the text
+get NAME         its value, range and what it does
+set NAME VALUE   sets it
+reset [NAME]     sets it, or everything that is felt, back
+watch NAME       shows it over the view
+plot NAME        draws its last ten seconds over the view
+export NAME FILE saves what is plotted: .csv, .svg or .png
+unwatch [NAME]   takes it, or everything, away
+save NAME        keeps what is felt as a hardness preset
+load NAME        feels a hardness preset that is kept</source>
+        <translation>list [TEXT]      die Parameter, in deren Namen der Text vorkommt
+get NAME         Wert, Bereich und Wirkung
+set NAME WERT    stellt ihn ein
+reset [NAME]     setzt ihn oder alles, was man fühlt, zurück
+watch NAME       zeigt ihn über der Ansicht
+plot NAME        zeichnet seine letzten zehn Sekunden über die Ansicht
+export NAME DATEI speichert das Gezeichnete: .csv, .svg oder .png
+unwatch [NAME]   nimmt ihn oder alles wieder weg
+save NAME        behält, was man fühlt, als Härte-Voreinstellung
+load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translation>
+    </message>
+    <message>
+        <source>%1 is not plotted. &quot;plot %1&quot; begins it; then it can be saved.</source>
+        <translation>%1 wird nicht gezeichnet. „plot %1“ beginnt damit; dann lässt es sich speichern.</translation>
+    </message>
+    <message>
+        <source>Saved as %1.</source>
+        <translation>Gespeichert als %1.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::console::WatchPanel</name>
+    <message>
+        <source>Seconds before now</source>
+        <translation>Sekunden vor jetzt</translation>
     </message>
 </context>
 <context>
@@ -7031,6 +7053,11 @@ ungesichert</translation>
         <source>%1 by another rubric</source>
         <translation>%1 nach anderer Regel</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <extracomment>%1: date and time; %2: what the grade of then came to</extracomment>
+        <translation>%1: %2</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::LanguageMenu</name>
@@ -7348,14 +7375,6 @@ ungesichert</translation>
         <translation>Es wartet, bis sich die Verwaltung hier anmeldet.</translation>
     </message>
     <message>
-        <source>A comment was typed and is not added yet.</source>
-        <translation>Ein Kommentar ist geschrieben und noch nicht hinzugefügt.</translation>
-    </message>
-    <message>
-        <source>A score was typed and is not given yet.</source>
-        <translation>Ein Ergebnis ist eingegeben und noch nicht vergeben.</translation>
-    </message>
-    <message>
         <source>What the school keeps does not answer yet. You can go on drilling; what you asked for comes when it does.</source>
         <translation>Die Daten der Schule antworten noch nicht. Sie können weiter üben; was Sie angefragt haben, kommt, sobald sie antworten.</translation>
     </message>
@@ -7370,6 +7389,20 @@ ungesichert</translation>
     <message>
         <source>Cusp stays open: what somebody else has typed or changed is not kept yet, and it cannot be put by on this computer. Make room on the disk, or let that person log in here.</source>
         <translation>Cusp bleibt offen: Was jemand anderes getippt oder geändert hat, ist noch nicht gespeichert und lässt sich auf diesem Computer auch nicht beiseitelegen. Schaffen Sie Platz auf der Festplatte, oder lassen Sie diese Person sich hier anmelden.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n comment(s) were typed and are not added yet.</source>
+        <translation>
+            <numerusform>%n Kommentar ist getippt und noch nicht hinzugefügt.</numerusform>
+            <numerusform>%n Kommentare sind getippt und noch nicht hinzugefügt.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n score(s) were typed and are not given yet.</source>
+        <translation>
+            <numerusform>%n Punktzahl ist getippt und noch nicht vergeben.</numerusform>
+            <numerusform>%n Punktzahlen sind getippt und noch nicht vergeben.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -3654,6 +3654,7 @@
     </message>
     <message>
         <source>%1 could not be written (%2). Try another folder.</source>
+        <extracomment>%2: the system&apos;s own words</extracomment>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3719,18 +3720,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>list [TEXT]      the parameters whose name holds the text
-get NAME         its value, range and what it does
-set NAME VALUE   sets it
-reset [NAME]     sets it, or everything that is felt, back
-watch NAME       shows it over the view
-plot NAME        draws its last ten seconds over the view
-unwatch [NAME]   takes it, or everything, away
-save NAME        keeps what is felt as a hardness preset
-load NAME        feels a hardness preset that is kept</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>There is no command &quot;%1&quot;. &quot;help&quot; lists those there are.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3752,6 +3741,38 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
     <message>
         <source>Page Up and Page Down turn over the answers, Up and Down what was typed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write &quot;export NAME FILE&quot;, as in &quot;export live.force force.csv&quot;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>list [TEXT]      the parameters whose name holds the text
+get NAME         its value, range and what it does
+set NAME VALUE   sets it
+reset [NAME]     sets it, or everything that is felt, back
+watch NAME       shows it over the view
+plot NAME        draws its last ten seconds over the view
+export NAME FILE saves what is plotted: .csv, .svg or .png
+unwatch [NAME]   takes it, or everything, away
+save NAME        keeps what is felt as a hardness preset
+load NAME        feels a hardness preset that is kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not plotted. &quot;plot %1&quot; begins it; then it can be saved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saved as %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::console::WatchPanel</name>
+    <message>
+        <source>Seconds before now</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7022,6 +7043,11 @@ unsaved</source>
         <source>%1 by another rubric</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <extracomment>%1: date and time; %2: what the grade of then came to</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::LanguageMenu</name>
@@ -7339,14 +7365,6 @@ unsaved</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>A comment was typed and is not added yet.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A score was typed and is not given yet.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>What the school keeps does not answer yet. You can go on drilling; what you asked for comes when it does.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7361,6 +7379,20 @@ unsaved</source>
     <message>
         <source>Cusp stays open: what somebody else has typed or changed is not kept yet, and it cannot be put by on this computer. Make room on the disk, or let that person log in here.</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n comment(s) were typed and are not added yet.</source>
+        <translation>
+            <numerusform>%n comment was typed and is not added yet.</numerusform>
+            <numerusform>%n comments were typed and are not added yet.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n score(s) were typed and are not given yet.</source>
+        <translation>
+            <numerusform>%n score was typed and is not given yet.</numerusform>
+            <numerusform>%n scores were typed and are not given yet.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -3654,6 +3654,7 @@
     </message>
     <message>
         <source>%1 could not be written (%2). Try another folder.</source>
+        <extracomment>%2: the system&apos;s own words</extracomment>
         <translation>%1 no se pudo escribir (%2). Pruebe con otra carpeta.</translation>
     </message>
 </context>
@@ -3719,26 +3720,6 @@
         <translation>Aquí no hay ajustes de dureza disponibles.</translation>
     </message>
     <message>
-        <source>list [TEXT]      the parameters whose name holds the text
-get NAME         its value, range and what it does
-set NAME VALUE   sets it
-reset [NAME]     sets it, or everything that is felt, back
-watch NAME       shows it over the view
-plot NAME        draws its last ten seconds over the view
-unwatch [NAME]   takes it, or everything, away
-save NAME        keeps what is felt as a hardness preset
-load NAME        feels a hardness preset that is kept</source>
-        <translation>list [TEXTO]       los parámetros cuyo nombre contiene el texto
-get NOMBRE         su valor, intervalo y qué hace
-set NOMBRE VALOR   lo fija
-reset [NOMBRE]     lo devuelve a su valor, o todo lo que se siente
-watch NOMBRE       lo muestra sobre la vista
-plot NOMBRE        dibuja sus últimos diez segundos sobre la vista
-unwatch [NOMBRE]   lo quita, o lo quita todo
-save NOMBRE        conserva lo que se siente como ajuste de dureza
-load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
-    </message>
-    <message>
         <source>There is no command &quot;%1&quot;. &quot;help&quot; lists those there are.</source>
         <translation>No hay ninguna orden «%1». «help» enumera las que hay.</translation>
     </message>
@@ -3761,6 +3742,47 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>Page Up and Page Down turn over the answers, Up and Down what was typed.</source>
         <translation>Re Pág y Av Pág pasan las respuestas; Arriba y Abajo, lo escrito.</translation>
+    </message>
+    <message>
+        <source>Write &quot;export NAME FILE&quot;, as in &quot;export live.force force.csv&quot;.</source>
+        <translation>Escriba «export NOMBRE ARCHIVO», como en «export live.force force.csv».</translation>
+    </message>
+    <message>
+        <source>list [TEXT]      the parameters whose name holds the text
+get NAME         its value, range and what it does
+set NAME VALUE   sets it
+reset [NAME]     sets it, or everything that is felt, back
+watch NAME       shows it over the view
+plot NAME        draws its last ten seconds over the view
+export NAME FILE saves what is plotted: .csv, .svg or .png
+unwatch [NAME]   takes it, or everything, away
+save NAME        keeps what is felt as a hardness preset
+load NAME        feels a hardness preset that is kept</source>
+        <translation>list [TEXTO]       los parámetros cuyo nombre contiene el texto
+get NOMBRE         su valor, intervalo y qué hace
+set NOMBRE VALOR   lo fija
+reset [NOMBRE]     lo devuelve a su valor, o todo lo que se siente
+watch NOMBRE       lo muestra sobre la vista
+plot NOMBRE        dibuja sus últimos diez segundos sobre la vista
+export NOMBRE ARCHIVO guarda lo trazado: .csv, .svg o .png
+unwatch [NOMBRE]   lo quita, o lo quita todo
+save NOMBRE        conserva lo que se siente como ajuste de dureza
+load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
+    </message>
+    <message>
+        <source>%1 is not plotted. &quot;plot %1&quot; begins it; then it can be saved.</source>
+        <translation>%1 no se está trazando. «plot %1» lo empieza; después se puede guardar.</translation>
+    </message>
+    <message>
+        <source>Saved as %1.</source>
+        <translation>Guardado como %1.</translation>
+    </message>
+</context>
+<context>
+    <name>ui::console::WatchPanel</name>
+    <message>
+        <source>Seconds before now</source>
+        <translation>Segundos antes de ahora</translation>
     </message>
 </context>
 <context>
@@ -7031,6 +7053,11 @@ sin guardar</translation>
         <source>%1 by another rubric</source>
         <translation>%1 según otra rúbrica</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <extracomment>%1: date and time; %2: what the grade of then came to</extracomment>
+        <translation>%1: %2</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::LanguageMenu</name>
@@ -7348,14 +7375,6 @@ sin guardar</translation>
         <translation>Quedará en espera hasta que la administración inicie sesión aquí.</translation>
     </message>
     <message>
-        <source>A comment was typed and is not added yet.</source>
-        <translation>Hay un comentario escrito que aún no se ha añadido.</translation>
-    </message>
-    <message>
-        <source>A score was typed and is not given yet.</source>
-        <translation>Se escribió una puntuación y aún no se ha dado.</translation>
-    </message>
-    <message>
         <source>What the school keeps does not answer yet. You can go on drilling; what you asked for comes when it does.</source>
         <translation>Los datos de la escuela aún no responden. Usted puede seguir practicando; lo que pidió llegará cuando respondan.</translation>
     </message>
@@ -7370,6 +7389,20 @@ sin guardar</translation>
     <message>
         <source>Cusp stays open: what somebody else has typed or changed is not kept yet, and it cannot be put by on this computer. Make room on the disk, or let that person log in here.</source>
         <translation>Cusp sigue abierto: lo que otra persona ha escrito o cambiado aún no está guardado, y no se puede apartar en este ordenador. Haga sitio en el disco o deje que esa persona inicie sesión aquí.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n comment(s) were typed and are not added yet.</source>
+        <translation>
+            <numerusform>Se ha escrito %n comentario que aún no se ha añadido.</numerusform>
+            <numerusform>Se han escrito %n comentarios que aún no se han añadido.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n score(s) were typed and are not given yet.</source>
+        <translation>
+            <numerusform>Se ha escrito %n puntuación que aún no se ha asignado.</numerusform>
+            <numerusform>Se han escrito %n puntuaciones que aún no se han asignado.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

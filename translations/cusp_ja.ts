@@ -3632,6 +3632,7 @@
     </message>
     <message>
         <source>%1 could not be written (%2). Try another folder.</source>
+        <extracomment>%2: the system&apos;s own words</extracomment>
         <translation>%1に書き込めませんでした（%2）。別のフォルダーをお試しください。</translation>
     </message>
 </context>
@@ -3697,26 +3698,6 @@
         <translation>ここではプリセットを使えません。</translation>
     </message>
     <message>
-        <source>list [TEXT]      the parameters whose name holds the text
-get NAME         its value, range and what it does
-set NAME VALUE   sets it
-reset [NAME]     sets it, or everything that is felt, back
-watch NAME       shows it over the view
-plot NAME        draws its last ten seconds over the view
-unwatch [NAME]   takes it, or everything, away
-save NAME        keeps what is felt as a hardness preset
-load NAME        feels a hardness preset that is kept</source>
-        <translation>list [文字列]    名前にその文字列を含むパラメーター
-get 名前         値、範囲、働き
-set 名前 値      値を設定します
-reset [名前]     その値、または手応えすべてを元に戻します
-watch 名前       画面に表示します
-plot 名前        直近10秒を画面に描きます
-unwatch [名前]   その表示、またはすべてを消します
-save 名前        今の手応えを硬さのプリセットとして保存します
-load 名前        保存済みの硬さのプリセットを使います</translation>
-    </message>
-    <message>
         <source>There is no command &quot;%1&quot;. &quot;help&quot; lists those there are.</source>
         <translation>「%1」というコマンドはありません。「help」で一覧を表示します。</translation>
     </message>
@@ -3739,6 +3720,47 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>Page Up and Page Down turn over the answers, Up and Down what was typed.</source>
         <translation>Page Up／Page Down で応答を、上下キーで入力履歴をめくります。</translation>
+    </message>
+    <message>
+        <source>Write &quot;export NAME FILE&quot;, as in &quot;export live.force force.csv&quot;.</source>
+        <translation>「export 名前 ファイル」の形で入力してください。例: 「export live.force force.csv」</translation>
+    </message>
+    <message>
+        <source>list [TEXT]      the parameters whose name holds the text
+get NAME         its value, range and what it does
+set NAME VALUE   sets it
+reset [NAME]     sets it, or everything that is felt, back
+watch NAME       shows it over the view
+plot NAME        draws its last ten seconds over the view
+export NAME FILE saves what is plotted: .csv, .svg or .png
+unwatch [NAME]   takes it, or everything, away
+save NAME        keeps what is felt as a hardness preset
+load NAME        feels a hardness preset that is kept</source>
+        <translation>list [文字列]    名前にその文字列を含むパラメーター
+get 名前         値、範囲、働き
+set 名前 値      値を設定します
+reset [名前]     その値、または手応えすべてを元に戻します
+watch 名前       画面に表示します
+plot 名前        直近10秒を画面に描きます
+export 名前 ファイル 描いたものを保存します: .csv、.svg、.png
+unwatch [名前]   その表示、またはすべてを消します
+save 名前        今の手応えを硬さのプリセットとして保存します
+load 名前        保存済みの硬さのプリセットを使います</translation>
+    </message>
+    <message>
+        <source>%1 is not plotted. &quot;plot %1&quot; begins it; then it can be saved.</source>
+        <translation>%1 は描かれていません。「plot %1」で描き始めると、保存できるようになります。</translation>
+    </message>
+    <message>
+        <source>Saved as %1.</source>
+        <translation>%1 として保存しました。</translation>
+    </message>
+</context>
+<context>
+    <name>ui::console::WatchPanel</name>
+    <message>
+        <source>Seconds before now</source>
+        <translation>現在までの秒数</translation>
     </message>
 </context>
 <context>
@@ -6984,6 +7006,11 @@ unsaved</source>
         <source>pass mark %1</source>
         <translation>合格点%1</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <extracomment>%1: date and time; %2: what the grade of then came to</extracomment>
+        <translation>%1: %2</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::LanguageMenu</name>
@@ -7299,14 +7326,6 @@ unsaved</source>
         <translation>管理者がここにログインするまで保留されます。</translation>
     </message>
     <message>
-        <source>A comment was typed and is not added yet.</source>
-        <translation>入力中のコメントがまだ追加されていません。</translation>
-    </message>
-    <message>
-        <source>A score was typed and is not given yet.</source>
-        <translation>得点が入力されましたが、まだ与えられていません。</translation>
-    </message>
-    <message>
         <source>What the school keeps does not answer yet. You can go on drilling; what you asked for comes when it does.</source>
         <translation>学校のデータがまだ応答しません。練習は続けられます。要求した内容は、応答があり次第表示されます。</translation>
     </message>
@@ -7321,6 +7340,18 @@ unsaved</source>
     <message>
         <source>Cusp stays open: what somebody else has typed or changed is not kept yet, and it cannot be put by on this computer. Make room on the disk, or let that person log in here.</source>
         <translation>Cusp は開いたままです。ほかの人が入力または変更したものがまだ保存されておらず、このコンピューターに取り置くこともできません。ディスクの空きを増やすか、その人にここでログインしてもらってください。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n comment(s) were typed and are not added yet.</source>
+        <translation>
+            <numerusform>入力したまま、まだ追加していないコメントが %n 件あります。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n score(s) were typed and are not given yet.</source>
+        <translation>
+            <numerusform>入力したまま、まだ付けていない点数が %n 件あります。</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -4,12 +4,15 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QFile>
+#include <QFileInfo>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QScrollBar>
 #include <QSignalSpy>
+#include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
 #include <QWidget>
@@ -315,6 +318,21 @@ void TestConsole::watchesAndPlots()
     QCOMPARE(values.size(), std::size_t{101});
     QVERIFY(std::abs(values.front() - 2.0) < 1.0e-9 && std::abs(values.back() - 3.0) < 1.0e-9);
     QVERIFY(!room.panel.grab().isNull());
+    // And can be saved, whatever the language, as a table where nothing else is said.
+    const QTemporaryDir folder;
+    QVERIFY(room.answer("export live.force " + folder.filePath("a force")).contains("a force.csv"));
+    QFile table(folder.filePath("a force.csv"));
+    QVERIFY(table.open(QIODevice::ReadOnly));
+    const QList<QByteArray> lines = table.readAll().trimmed().split('\n');
+    QCOMPARE(lines.size(), 102);
+    QVERIFY2(lines[0].contains("live.force (N)") && lines[1].contains("-10,2") && lines.back().contains("0,3"),
+             (lines[0] + lines[1] + lines.back()).constData());
+    for (const char* name : {"force.svg", "force.png"})
+        QVERIFY(room.answer("export live.force " + folder.filePath(name)).contains("Saved as") &&
+                QFileInfo(folder.filePath(name)).size() > 0);
+    QVERIFY(room.answer("export live.force " + folder.filePath("none/a.csv")).contains("could not be written"));
+    QVERIFY(room.answer("export force.stiffness a.csv").contains("is not plotted"));
+    QVERIFY(room.answer("export live.force").contains("export NAME FILE"));
     for (const char* name :
          {"live.rpm", "live.removed", "live.depth", "live.missed", "live.period_p50", "live.period_p99"})
         room.answer(QStringLiteral("watch %1").arg(name));

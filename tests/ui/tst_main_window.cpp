@@ -3310,7 +3310,7 @@ void TestMainWindow::whatSomebodyHasTypedIsPutBy()
     // The same of who has locked the place.
     m_window->setPutByFolder(folder.path());
     m_window->setWho(rig.instructor);
-    QCOMPARE(child<ui::study::ScorePage>()->talk().unkeptComment(), std::optional<qint64>(5));
+    QCOMPARE(child<ui::study::ScorePage>()->talk().unkeptComments(), QList<qint64>{5});
     m_window->askWho(ui::people::Door::Locked);
     m_window->close();
     QVERIFY(!m_window->isVisible());

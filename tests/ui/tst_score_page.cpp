@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QApplication>
 #include <QCheckBox>
+#include <QFile>
+#include <QHelpEvent>
 #include <QLabel>
 #include <QLayout>
 #include <QLineEdit>
@@ -8,13 +10,16 @@
 #include <QPushButton>
 #include <QScrollBar>
 #include <QSignalSpy>
+#include <QTemporaryDir>
 #include <QTest>
+#include <QToolTip>
 
 #include <cmath>
 #include <memory>
 #include <set>
 
 #include "lessons/LessonCatalog.h"
+#include "ui/charts/SaveButton.h"
 #include "ui/people/TalkPanel.h"
 #include "ui/shell/Actions.h"
 #include "ui/shell/HistoryChart.h"
@@ -399,6 +404,24 @@ void TestScorePage::otherRubricsAreShownApart()
     const QString spoken = m_page->findChild<ui::shell::HistoryChart*>()->accessibleName();
     QVERIFY2(spoken.contains("61.2 by another rubric, " + ui::text::points(made.sheet.totalTenths)),
              qPrintable(spoken));
+    // The pointer is told more of a column, and a file of all of them.
+    auto* chart = m_page->findChild<ui::shell::HistoryChart*>();
+    m_page->resize(1200, 800);
+    m_page->show();
+    QHelpEvent onFirst(QEvent::ToolTip, {4, 40}, chart->mapToGlobal(QPoint(4, 40)));
+    QApplication::sendEvent(chart, &onFirst);
+    QVERIFY2(QToolTip::text().contains("2026") && QToolTip::text().contains("61.2 by another rubric"),
+             qPrintable(QToolTip::text()));
+    const QTemporaryDir folder;
+    auto* save = m_page->findChild<ui::charts::SaveButton*>();
+    QVERIFY(save->isVisible() && save->save(folder.filePath("scores.csv")));
+    QFile table(folder.filePath("scores.csv"));
+    QVERIFY(table.open(QIODevice::ReadOnly));
+    const QByteArray rows = table.readAll();
+    QVERIFY2(rows.contains("61.2"), rows.constData());
+    m_page->setHistory({});
+    QVERIFY(!save->isVisible());  // there is nothing to be saved
+    m_page->setHistory({now, old});
     int apart = 0;
     for (const QLabel* label : m_page->findChildren<QLabel*>())
         apart += label->text() == "other rubric" ? 1 : 0;

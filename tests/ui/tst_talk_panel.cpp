@@ -265,7 +265,7 @@ void TestTalkPanel::theScoreBeginsWithWhatCounts()
     m_panel->setTalk(commented);
     QCOMPARE(points->value(), 77.7);
     // Another attempt begins with its own; typed points wait, with a reason or without.
-    QCOMPARE(m_panel->unkeptScore(), std::optional<qint64>(0));
+    QCOMPARE(m_panel->unkeptScores(), QList<qint64>{0});
     m_panel->setAttempt(8);
     m_panel->setScore(500, 750, false);
     m_panel->setTalk({});
@@ -275,7 +275,7 @@ void TestTalkPanel::theScoreBeginsWithWhatCounts()
     m_panel->setTalk(talk());
     QCOMPARE(points->value(), 77.7);
     points->setValue(80.0);
-    QVERIFY(!m_panel->unkeptScore());
+    QVERIFY(m_panel->unkeptScores().isEmpty());
 }
 
 void TestTalkPanel::whatWasRefusedStaysTyped()
@@ -300,7 +300,7 @@ void TestTalkPanel::whatIsTypedStaysWithItsAttempt()
     m_panel->setPlace(std::array<double, 3>{1.0, 2.0, 3.0}, true);
     get<QCheckBox>("atMoment")->setChecked(true);
     words->setPlainText("Half a sentence");
-    QVERIFY(!m_panel->unkeptScore());
+    QVERIFY(m_panel->unkeptScores().isEmpty());
     reason->setText("Half a reason");
     get<QDoubleSpinBox>("givenPoints")->setValue(45.5);
     m_panel->refuse("It could not be kept.");
@@ -312,10 +312,10 @@ void TestTalkPanel::whatIsTypedStaysWithItsAttempt()
     for (const char* pin : {"atMoment", "atPlace"})
         QVERIFY(!get<QCheckBox>(pin)->isChecked() && !get<QCheckBox>(pin)->isVisible());
     QVERIFY(!get<QLabel>("fault")->isVisible());
-    QCOMPARE(m_panel->unkeptComment(), std::optional<qint64>(7));
-    QCOMPARE(m_panel->unkeptScore(), std::optional<qint64>(7));
+    QCOMPARE(m_panel->unkeptComments(), QList<qint64>{7});
+    QCOMPARE(m_panel->unkeptScores(), QList<qint64>{7});
     words->setPlainText("Of another");
-    QCOMPARE(m_panel->unkeptComment(), std::optional<qint64>(8));
+    QCOMPARE(m_panel->unkeptComments(), (QList<qint64>{8, 7}));
     m_panel->setAttempt(0);  // work that is on the table
     m_panel->setAttempt(7);
     m_panel->setScore(684, 750, false);
@@ -331,7 +331,8 @@ void TestTalkPanel::whatIsTypedStaysWithItsAttempt()
     // Who comes next sees nothing of it, and it is there again for who was writing.
     QVERIFY(m_panel->waiting(false).isEmpty());
     m_panel->setWriter("2");
-    QVERIFY(!m_panel->unkeptComment() && !m_panel->unkeptScore() && !m_panel->waiting(false).isEmpty());
+    QVERIFY(m_panel->unkeptComments().isEmpty() && m_panel->unkeptScores().isEmpty() &&
+            !m_panel->waiting(false).isEmpty());
     for (const qint64 attempt : {7, 8}) {
         m_panel->setAttempt(attempt);
         QCOMPARE(words->toPlainText(), QString());
@@ -555,12 +556,12 @@ void TestTalkPanel::whatWasGivenMeanwhileIsNoDraft()
         m_panel->setWriter("7");
         m_panel->setAttempt(1);
         m_panel->setTalk({});  // not read yet
-        QVERIFY(m_panel->unkeptScore().has_value());
+        QVERIFY(m_panel->unkeptScores().size() == 1);
         AttemptTalk given = before;
         given.overrides.push_back(
             {"Grace Hopper", "2026-11-20T13:00:00Z", isMachines ? std::nullopt : std::optional(505), "Steady hand"});
         m_panel->setTalk(given);
-        QVERIFY(!m_panel->unkeptScore() && get<QLineEdit>("reason")->text().isEmpty());
+        QVERIFY(m_panel->unkeptScores().isEmpty() && get<QLineEdit>("reason")->text().isEmpty());
     }
 }
 
@@ -591,11 +592,11 @@ void TestTalkPanel::whatIsTypedCanBePutBy()
     QVERIFY(!next.goOnWith({}) && !next.goOnWith({{"person", "9"}, {"attempt", 0}}));
     next.setWriter("8");
     next.setAttempt(1);
-    QVERIFY(!next.unkeptComment() && !next.unkeptScore());
+    QVERIFY(next.unkeptComments().isEmpty() && next.unkeptScores().isEmpty());
     QCOMPARE(next.waiting(false), typed);
     next.setWriter("7");
     QVERIFY(next.waiting(false).isEmpty());
-    QCOMPARE(next.unkeptScore(), std::optional<qint64>(2));
+    QCOMPARE(next.unkeptScores(), QList<qint64>{2});
     next.setAttempt(1);
     QCOMPARE(next.findChild<QPlainTextEdit*>("commentWords")->toPlainText(), QString("Half a sentence"));
     QVERIFY(next.findChild<QCheckBox*>("atMoment")->isChecked() && next.findChild<QCheckBox*>("atPlace")->isChecked());
@@ -604,7 +605,7 @@ void TestTalkPanel::whatIsTypedCanBePutBy()
     AttemptTalk added = talk();
     added.comments.push_back({9, "Grace Hopper", "2026-11-20T13:00:00Z", "Half a sentence", {}, {}, true});
     next.setTalk(added);
-    QVERIFY(!next.unkeptComment());
+    QVERIFY(next.unkeptComments().isEmpty());
 }
 
 /// What is on its way still rests.
@@ -675,7 +676,7 @@ void TestTalkPanel::whatWasRefusedIsToldAtItsAttempt()
     get<QPushButton>("addComment")->click();
     m_panel->setAttempt(8);
     m_panel->answer(7);
-    QVERIFY(!m_panel->unkeptComment());
+    QVERIFY(m_panel->unkeptComments().isEmpty());
     m_panel->setAttempt(7);
     QVERIFY(!fault->isVisible() && field->toPlainText().isEmpty());
 }

@@ -5,16 +5,12 @@
 
 #include <QCoreApplication>
 #include <QEvent>
-#include <QFileInfo>
 #include <QMenu>
-#include <QSaveFile>
 
-#include "ui/charts/Drawing.h"
-#include "ui/charts/Table.h"
+#include "ui/charts/ChartFile.h"
 #include "ui/shell/FileDialog.h"
 #include "ui/shell/Folders.h"
 #include "ui/shell/LineIcon.h"
-#include "ui/shell/SavedFile.h"
 #include "ui/text/EveryLanguage.h"
 
 namespace ui::charts {
@@ -83,19 +79,9 @@ void SaveButton::askForFile(const QString& ending)
 
 bool SaveButton::save(const QString& path)
 {
-    const Chart chart = m_chart();
-    const QString ending = QFileInfo(path).suffix().toLower();
-    const QByteArray bytes = ending == QLatin1String("csv")   ? csv(tableOf(chart))
-                             : ending == QLatin1String("svg") ? svg(chart)
-                                                              : png(chart);
-    QSaveFile file(path);
-    const bool isWritten =
-        openForOwner(file) && file.write(bytes) == bytes.size() && !bytes.isEmpty() && file.flush() && file.commit();
-    const QString name = QFileInfo(path).fileName();
-    emit told(isWritten ? Words::tr("Saved: %1").arg(name)
-                        //: %2: the system's own words
-                        : Words::tr("%1 could not be written (%2). Try another folder.").arg(name, file.errorString()));
-    return isWritten;
+    const Written written = writeChart(m_chart(), path);
+    emit told(written.told);
+    return written.isDone;
 }
 
 }  // namespace ui::charts

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <optional>
 
+#include <QDir>
 #include <QEvent>
+#include <QFileInfo>
 #include <QFontDatabase>
 #include <QKeyEvent>
 #include <QLabel>
@@ -15,8 +17,10 @@
 #include <QScrollBar>
 #include <QVBoxLayout>
 
+#include "ui/charts/ChartFile.h"
 #include "ui/console/ParameterWords.h"
 #include "ui/console/WatchPanel.h"
+#include "ui/shell/Folders.h"
 #include "ui/shell/Theme.h"
 #include "ui/text/EveryLanguage.h"
 #include "ui/text/Search.h"
@@ -31,14 +35,14 @@ constexpr std::size_t kNameWidth = 30;  ///< characters, at least
 /// What lies beneath shines through, and however bright it is, words stand out by 4.5 to 1.
 constexpr QColor kGround(14, 16, 17, 204);
 
-const QStringList kCommands{QStringLiteral("get"),  QStringLiteral("help"), QStringLiteral("list"),
-                            QStringLiteral("load"), QStringLiteral("plot"), QStringLiteral("reset"),
-                            QStringLiteral("save"), QStringLiteral("set"),  QStringLiteral("unwatch"),
-                            QStringLiteral("watch")};
+const QStringList kCommands{QStringLiteral("export"),  QStringLiteral("get"),  QStringLiteral("help"),
+                            QStringLiteral("list"),    QStringLiteral("load"), QStringLiteral("plot"),
+                            QStringLiteral("reset"),   QStringLiteral("save"), QStringLiteral("set"),
+                            QStringLiteral("unwatch"), QStringLiteral("watch")};
 /// Commands that a parameter's name follows.
-const QStringList kOfNames{QStringLiteral("get"),   QStringLiteral("list"), QStringLiteral("plot"),
-                           QStringLiteral("reset"), QStringLiteral("set"),  QStringLiteral("unwatch"),
-                           QStringLiteral("watch")};
+const QStringList kOfNames{QStringLiteral("export"),  QStringLiteral("get"),   QStringLiteral("list"),
+                           QStringLiteral("plot"),    QStringLiteral("reset"), QStringLiteral("set"),
+                           QStringLiteral("unwatch"), QStringLiteral("watch")};
 
 /// Commands that the name of a preset follows, which may have spaces.
 bool isOfPresets(const QString& line)
@@ -168,6 +172,11 @@ void Console::execute(const QString& line)
         reset(rest);
     } else if (command == u"watch" || command == u"plot") {
         watch(rest, command == u"plot");
+    } else if (command == u"export") {
+        if (words.size() > 2)
+            exportPlot(words[1], words.mid(2).join(u' '));
+        else
+            say(tr("Write \"export NAME FILE\", as in \"export live.force force.csv\"."));
     } else if (command == u"unwatch") {
         m_panel.forget(rest);
     } else if (command == u"save" || command == u"load") {
@@ -180,6 +189,7 @@ void Console::execute(const QString& line)
                "reset [NAME]     sets it, or everything that is felt, back\n"
                "watch NAME       shows it over the view\n"
                "plot NAME        draws its last ten seconds over the view\n"
+               "export NAME FILE saves what is plotted: .csv, .svg or .png\n"
                "unwatch [NAME]   takes it, or everything, away\n"
                "save NAME        keeps what is felt as a hardness preset\n"
                "load NAME        feels a hardness preset that is kept"));
@@ -278,6 +288,21 @@ void Console::watch(const QString& name, bool plotted)
         say(answerWords({core::settings::SetAnswer::Outcome::Unknown, {}}, name, nullptr));
     else if (!m_panel.watch(name, plotted))
         say(tr("There is room for %1. Take one away with \"unwatch NAME\".").arg(WatchPanel::kMost));
+}
+
+/// Where nothing else is said it lies among the user's documents, as a table.
+void Console::exportPlot(const QString& name, const QString& file)
+{
+    const auto chart = m_panel.chart(name);
+    if (!chart) {
+        say(tr("%1 is not plotted. \"plot %1\" begins it; then it can be saved.").arg(name));
+        return;
+    }
+    static const QStringList kEndings{QStringLiteral("csv"), QStringLiteral("png"), QStringLiteral("svg")};
+    const bool hasEnding = kEndings.contains(QFileInfo(file).suffix().toLower());
+    const QString path = QDir(shell::documentsFolder()).filePath(hasEnding ? file : file + QStringLiteral(".csv"));
+    const charts::Written written = charts::writeChart(*chart, path);
+    say(written.isDone ? tr("Saved as %1.").arg(QDir::toNativeSeparators(path)) : written.told);
 }
 
 QStringList Console::candidates(const QString& line) const

@@ -58,6 +58,7 @@ private:
     void set(const QString& name, const QString& value);
     void reset(const QString& name);
     void watch(const QString& name, bool plotted);
+    void exportPlot(const QString& name, const QString& file);
     void recall(int step);
     [[nodiscard]] QStringList candidates(const QString& line) const;
 

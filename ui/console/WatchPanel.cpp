@@ -78,6 +78,41 @@ std::vector<double> WatchPanel::plotted(const QString& name) const
     return values;
 }
 
+std::optional<charts::Chart> WatchPanel::chart(const QString& name) const
+{
+    const auto row =
+        std::find_if(m_rows.begin(), m_rows.end(), [&](const Row& one) { return one.name == name && one.isPlotted; });
+    const core::settings::Parameter* parameter = m_parameters.find(name.toStdString());
+    if (row == m_rows.end() || parameter == nullptr)
+        return std::nullopt;
+    charts::Curve curve;
+    curve.x = {tr("Seconds before now"), -kPlottedS, 0.0};
+    const QString unit = QString::fromStdString(parameter->unit);
+    curve.y.title = unit.isEmpty() ? name : QStringLiteral("%1 (%2)").arg(name, unit);
+    const auto [low, high] = row->range().value_or(std::pair(0.0, 1.0));
+    curve.y.low = low;
+    curve.y.high = high > low ? high : low + 1.0;
+    charts::Line line{name, {}, charts::Mark::Plain};
+    for (const Point& point : row->points)
+        if (std::isfinite(point.value))
+            line.dots << charts::Dot{point.seconds - row->points.back().seconds, point.value,
+                                     valueWords(*parameter, point.value)};
+    curve.lines << line;
+    return charts::Chart{name, {}, {}, curve};
+}
+
+std::optional<std::pair<double, double>> WatchPanel::Row::range() const
+{
+    std::optional<std::pair<double, double>> range;
+    for (const Point& point : points) {
+        if (!std::isfinite(point.value))
+            continue;
+        range = range ? std::pair(std::min(range->first, point.value), std::max(range->second, point.value))
+                      : std::pair(point.value, point.value);
+    }
+    return range;
+}
+
 void WatchPanel::sample(double seconds)
 {
     for (Row& row : m_rows) {
@@ -126,18 +161,13 @@ void WatchPanel::paintEvent(QPaintEvent*)
         if (!row.isPlotted)
             continue;
         const QRectF plot(shell::kSpace2, y, width() - 2.0 * shell::kSpace2, kPlotPx - shell::kSpace1);
+        y += kPlotPx;
         painter.setPen(QPen(p.color(QPalette::Mid), 1.0));
         painter.drawLine(plot.bottomLeft(), plot.bottomRight());
-        double low = 0.0;
-        double high = 0.0;
-        bool isFirst = true;
-        for (const Point& point : row.points) {
-            if (!std::isfinite(point.value))
-                continue;
-            low = isFirst ? point.value : std::min(low, point.value);
-            high = isFirst ? point.value : std::max(high, point.value);
-            isFirst = false;
-        }
+        const auto range = row.range();
+        if (!range || parameter == nullptr)
+            continue;
+        const auto [low, high] = *range;
         const double span = high > low ? high - low : 1.0;
         QPainterPath path;
         bool isDown = false;
@@ -154,7 +184,12 @@ void WatchPanel::paintEvent(QPaintEvent*)
         painter.setBrush(Qt::NoBrush);
         painter.setPen(QPen(p.color(QPalette::Link), 1.6));
         painter.drawPath(path);
-        y += kPlotPx;
+        // The pointer goes through: what it would be told stands there.
+        painter.setFont(shell::typeface(shell::kSmall));
+        painter.setPen(p.color(QPalette::PlaceholderText));
+        painter.drawText(plot, Qt::AlignLeft | Qt::AlignTop, valueWords(*parameter, high));
+        if (high > low)
+            painter.drawText(plot, Qt::AlignLeft | Qt::AlignBottom, valueWords(*parameter, low));
     }
 }
 

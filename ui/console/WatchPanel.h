@@ -2,7 +2,8 @@
 #pragma once
 
 #include <deque>
-#include <functional>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include <QString>
@@ -11,6 +12,7 @@
 #include <QWidget>
 
 #include "core/settings/Parameters.h"
+#include "ui/charts/Chart.h"
 
 namespace ui::console {
 
@@ -34,6 +36,8 @@ public:
     /// Reads the values once more; done ten times a second by itself.
     /// @param seconds  since some beginning
     void sample(double seconds);
+    /// The same as a chart for a file; nothing: it is not plotted.
+    [[nodiscard]] std::optional<charts::Chart> chart(const QString& name) const;
     /// What has been plotted of a name so far: values, the oldest first.
     [[nodiscard]] std::vector<double> plotted(const QString& name) const;
 
@@ -56,6 +60,9 @@ private:
         bool isPlotted = false;
         double now = 0.0;
         std::deque<Point> points;
+
+        /// The least and the greatest that are plotted; nothing: there was nothing to read.
+        [[nodiscard]] std::optional<std::pair<double, double>> range() const;
     };
     void fit();
 

@@ -281,12 +281,12 @@ void TalkPanel::offerPoints(int tenths)
         m_points->setValue(m_offered);
 }
 
-std::optional<qint64> TalkPanel::unkeptComment() const
+QList<qint64> TalkPanel::unkeptComments() const
 {
     return unkept(&TalkPanel::hasComment);
 }
 
-std::optional<qint64> TalkPanel::unkeptScore() const
+QList<qint64> TalkPanel::unkeptScores() const
 {
     return unkept(&TalkPanel::hasScore);
 }
@@ -334,14 +334,15 @@ bool TalkPanel::goOnWith(const QJsonObject& typed)
     return true;
 }
 
-std::optional<qint64> TalkPanel::unkept(const std::function<bool(const Draft&)>& has) const
+QList<qint64> TalkPanel::unkept(const std::function<bool(const Draft&)>& has) const
 {
+    QList<qint64> attempts;
     if (has(draft()))
-        return m_attempt;
+        attempts << m_attempt;
     for (const auto& [attempt, draft] : m_drafts)
         if (attempt != m_attempt && has(draft))
-            return attempt;
-    return std::nullopt;
+            attempts << attempt;
+    return attempts;
 }
 
 void TalkPanel::setTalk(const database::AttemptTalk& talk)

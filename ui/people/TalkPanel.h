@@ -9,6 +9,7 @@
 
 #include <QJsonArray>
 #include <QJsonObject>
+#include <QList>
 #include <QString>
 #include <QWidget>
 
@@ -40,10 +41,10 @@ public:
     /// This person writes from now on, by his uid, empty: a guest. What the one before was writing waits until he is
     /// back; it is shown to nobody else.
     void setWriter(const QString& person);
-    /// One of the attempts with a comment that is typed and kept nowhere yet; nothing: there is none.
-    [[nodiscard]] std::optional<qint64> unkeptComment() const;
-    /// The same of a score that is being given, or the reason for one.
-    [[nodiscard]] std::optional<qint64> unkeptScore() const;
+    /// The attempts with a comment that is typed and kept nowhere yet, the one that is shown first.
+    [[nodiscard]] QList<qint64> unkeptComments() const;
+    /// The same of scores that are being given, or reasons for one.
+    [[nodiscard]] QList<qint64> unkeptScores() const;
     /// What others were writing, each attempt's as an object.
     /// @param withOwn  and what who writes now has typed
     [[nodiscard]] QJsonArray waiting(bool withOwn) const;
@@ -118,7 +119,7 @@ private:
     [[nodiscard]] static Draft fromJson(const QJsonObject& typed);
     [[nodiscard]] static bool hasComment(const Draft& draft);
     [[nodiscard]] static bool hasScore(const Draft& draft);
-    [[nodiscard]] std::optional<qint64> unkept(const std::function<bool(const Draft&)>& has) const;
+    [[nodiscard]] QList<qint64> unkept(const std::function<bool(const Draft&)>& has) const;
     void settleUnheard();
     void clearSent(const Sent& sent);
     void makeComposer(QVBoxLayout& column);

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 
+#include <QHelpEvent>
 #include <QPainter>
+#include <QToolTip>
 
 #include "ui/shell/Theme.h"
 #include "ui/text/Texts.h"
@@ -29,10 +31,47 @@ void HistoryChart::setScores(const QList<Score>& oldestFirst, int passMarkTenths
     m_passMarkTenths = passMarkTenths;
     QStringList words;
     for (const Score& score : oldestFirst)
-        words << (score.isComparable ? text::points(score.tenths)
-                                     : tr("%1 by another rubric").arg(text::points(score.tenths)));
+        words << HistoryChart::words(score);
     setAccessibleName(tr("Last grades, oldest first: %1").arg(words.join(QStringLiteral(", "))));
     update();
+}
+
+QString HistoryChart::words(const Score& score)
+{
+    return score.isComparable ? text::points(score.tenths) : tr("%1 by another rubric").arg(text::points(score.tenths));
+}
+
+QString HistoryChart::passMarkWords() const
+{
+    return tr("pass mark %1").arg(text::points(m_passMarkTenths));
+}
+
+double HistoryChart::marginPx() const
+{
+    return QFontMetricsF(typeface(kSmall)).horizontalAdvance(passMarkWords()) + 2.0 * kGapPx;
+}
+
+double HistoryChart::stepPx() const
+{
+    return std::min(kWidestPx + kGapPx, (width() - marginPx()) / static_cast<double>(m_scores.size()));
+}
+
+bool HistoryChart::event(QEvent* event)
+{
+    if (event->type() != QEvent::ToolTip)
+        return QWidget::event(event);
+    const auto* help = static_cast<QHelpEvent*>(event);
+    const auto at = m_scores.isEmpty() ? -1 : static_cast<qsizetype>(help->pos().x() / stepPx());
+    if (at < 0 || at >= m_scores.size()) {
+        QToolTip::hideText();
+        event->ignore();
+        return true;
+    }
+    const Score& score = m_scores[at];
+    const QString points = words(score);
+    //: %1: date and time; %2: what the grade of then came to
+    QToolTip::showText(help->globalPos(), score.when.isEmpty() ? points : tr("%1: %2").arg(score.when, points), this);
+    return true;
 }
 
 void HistoryChart::paintEvent(QPaintEvent*)
@@ -48,16 +87,15 @@ void HistoryChart::paintEvent(QPaintEvent*)
     painter.setPen(QPen(p.color(QPalette::PlaceholderText), 1, Qt::DashLine));
     painter.drawLine(QPointF(0, mark), QPointF(width(), mark));
     painter.setFont(typeface(kSmall));
-    const QString words = tr("pass mark %1").arg(text::points(m_passMarkTenths));
-    const double margin = painter.fontMetrics().horizontalAdvance(words) + 2.0 * kGapPx;
+    const double margin = marginPx();
     // Above its line, or beneath it where there is no room.
     const double line = painter.fontMetrics().height();
     const double top = mark - line - 2.0 >= 0.0 ? mark - line - 2.0 : mark + 2.0;
-    painter.drawText(QRectF(width() - margin, top, margin, line), Qt::AlignRight | Qt::AlignVCenter, words);
+    painter.drawText(QRectF(width() - margin, top, margin, line), Qt::AlignRight | Qt::AlignVCenter, passMarkWords());
     if (m_scores.isEmpty())
         return;
 
-    const double step = std::min(kWidestPx + kGapPx, (width() - margin) / static_cast<double>(m_scores.size()));
+    const double step = stepPx();
     const double column = std::max(3.0, step - kGapPx);
     painter.setFont(typeface(kSmall, QFont::DemiBold));
     for (qsizetype k = 0; k < m_scores.size(); ++k) {

@@ -2359,10 +2359,13 @@ std::vector<MainWindow::Unkept> MainWindow::unkept()
                             {m_admin->roster().unkept(), toSchool(admin::AdminPage::Roster)},
                             {m_presets->unkept(), [this] { goTo(m_presets); }}};
     const auto& talk = m_scorePage->talk();
-    if (const auto attempt = talk.unkeptComment())
-        all.push_back({tr("A comment was typed and is not added yet."), [this, attempt] { showDraft(*attempt); }});
-    if (const auto attempt = talk.unkeptScore())
-        all.push_back({tr("A score was typed and is not given yet."), [this, attempt] { showDraft(*attempt); }});
+    if (const QList<qint64> comments = talk.unkeptComments(); !comments.isEmpty())
+        all.push_back(
+            {tr("%n comment(s) were typed and are not added yet.", nullptr, static_cast<int>(comments.size())),
+             [this, attempt = comments.front()] { showDraft(attempt); }});
+    if (const QList<qint64> scores = talk.unkeptScores(); !scores.isEmpty())
+        all.push_back({tr("%n score(s) were typed and are not given yet.", nullptr, static_cast<int>(scores.size())),
+                       [this, attempt = scores.front()] { showDraft(attempt); }});
     all.erase(std::remove_if(all.begin(), all.end(), [](const Unkept& one) { return one.what.isEmpty(); }), all.end());
     return all;
 }

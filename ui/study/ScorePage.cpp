@@ -23,6 +23,9 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "ui/charts/SaveButton.h"
+#include "ui/people/HistoryCharts.h"
+#include "ui/people/PeopleWords.h"
 #include "ui/people/TalkPanel.h"
 #include "ui/presets/PresetWords.h"
 #include "ui/report/Report.h"
@@ -465,7 +468,15 @@ QWidget* ScorePage::makeHistory()
     auto* row = new QHBoxLayout;
     row->setSpacing(2 * kSpace6);
     m_chart = new HistoryChart(frame);
-    row->addWidget(m_chart, 3);
+    m_saveChart = new charts::SaveButton([this] { return historyChart(); }, frame);
+    m_saveChart->beSmall();
+    connect(m_saveChart, &charts::SaveButton::told, this,
+            [this](const QString& sentence) { say([sentence] { return sentence; }); });
+    auto* chart = new QHBoxLayout;
+    chart->setSpacing(kSpace1);
+    chart->addWidget(m_chart, 1);
+    chart->addWidget(m_saveChart, 0, Qt::AlignTop);
+    row->addLayout(chart, 3);
     m_listSlot = new QVBoxLayout;
     row->addLayout(m_listSlot, 2);
     row->setAlignment(m_listSlot, Qt::AlignTop);
@@ -792,6 +803,18 @@ void ScorePage::setHistory(const QList<database::AttemptRecord>& history)
     tellHistory();
 }
 
+/// For a file: all of them, along with when they were made.
+charts::Chart ScorePage::historyChart() const
+{
+    people::ChartedAttempts charted;
+    charted.newestFirst = m_history;
+    charted.isOneLesson = true;
+    charts::Chart chart = people::scoreChart(charted);
+    const QString work = m_work ? m_work() : QString();
+    chart.of = m_person.isEmpty() ? work : QStringLiteral("%1, %2").arg(m_person, work);
+    return chart;
+}
+
 void ScorePage::tellHistory()
 {
     const QList<database::AttemptRecord>& history = m_history;
@@ -801,10 +824,13 @@ void ScorePage::tellHistory()
     };
     QList<HistoryChart::Score> scores;
     for (qsizetype k = std::min(kCharted, history.size()); k > 0; --k)
-        scores << HistoryChart::Score{history[k - 1].countingTenths(), isComparable(history[k - 1])};
+        scores << HistoryChart::Score{history[k - 1].countingTenths(), isComparable(history[k - 1]),
+                                      people::when(history[k - 1].finishedUtc)};
     if (scores.isEmpty())
         scores << HistoryChart::Score{sheet.totalTenths, true};
     m_chart->setScores(scores, sheet.passMarkTenths);
+    m_saveChart->setVisible(!history.isEmpty());
+    m_saveChart->nameIt();
 
     delete m_list;
     m_list = new QWidget(this);

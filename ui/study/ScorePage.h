@@ -28,6 +28,11 @@ class ScrollPane;
 class TabularLabel;
 }  // namespace ui::shell
 
+namespace ui::charts {
+class SaveButton;
+struct Chart;
+}  // namespace ui::charts
+
 namespace ui::people {
 class TalkPanel;
 }
@@ -136,6 +141,7 @@ private:
     void tellKeeping();
     void tellNoise();
     void tellMoments();
+    [[nodiscard]] charts::Chart historyChart() const;
     void tellHistory();
     void tellClass();
 
@@ -192,6 +198,7 @@ private:
     ::lessons::ScoreSheet m_sheet;  ///< that is shown
     QLabel* m_class = nullptr;
     shell::HistoryChart* m_chart = nullptr;
+    charts::SaveButton* m_saveChart = nullptr;
     QWidget* m_list = nullptr;
     QVBoxLayout* m_listSlot = nullptr;
 };
