@@ -160,15 +160,25 @@ void WatchPanel::paintEvent(QPaintEvent*)
         y += kLinePx;
         if (!row.isPlotted)
             continue;
-        const QRectF plot(shell::kSpace2, y, width() - 2.0 * shell::kSpace2, kPlotPx - shell::kSpace1);
+        QRectF plot(shell::kSpace2, y, width() - 2.0 * shell::kSpace2, kPlotPx - shell::kSpace1);
         y += kPlotPx;
-        painter.setPen(QPen(p.color(QPalette::Mid), 1.0));
-        painter.drawLine(plot.bottomLeft(), plot.bottomRight());
         const auto range = row.range();
         if (!range || parameter == nullptr)
             continue;
         const auto [low, high] = *range;
         const double span = high > low ? high - low : 1.0;
+        // The pointer goes through: what it would be told stands beside the curve.
+        const QString lowWords = valueWords(*parameter, low);
+        const QString highWords = high > low ? valueWords(*parameter, high) : QString();
+        painter.setFont(shell::typeface(shell::kSmall));
+        painter.setPen(p.color(QPalette::PlaceholderText));
+        painter.drawText(plot, Qt::AlignLeft | Qt::AlignTop, highWords);
+        painter.drawText(plot, Qt::AlignLeft | Qt::AlignBottom, lowWords);
+        const QFontMetrics metrics = painter.fontMetrics();
+        plot.setLeft(plot.left() + shell::kSpace2 +
+                     std::max(metrics.horizontalAdvance(lowWords), metrics.horizontalAdvance(highWords)));
+        painter.setPen(QPen(p.color(QPalette::Mid), 1.0));
+        painter.drawLine(plot.bottomLeft(), plot.bottomRight());
         QPainterPath path;
         bool isDown = false;
         for (const Point& point : row.points) {
@@ -184,12 +194,6 @@ void WatchPanel::paintEvent(QPaintEvent*)
         painter.setBrush(Qt::NoBrush);
         painter.setPen(QPen(p.color(QPalette::Link), 1.6));
         painter.drawPath(path);
-        // The pointer goes through: what it would be told stands there.
-        painter.setFont(shell::typeface(shell::kSmall));
-        painter.setPen(p.color(QPalette::PlaceholderText));
-        painter.drawText(plot, Qt::AlignLeft | Qt::AlignTop, valueWords(*parameter, high));
-        if (high > low)
-            painter.drawText(plot, Qt::AlignLeft | Qt::AlignBottom, valueWords(*parameter, low));
     }
 }
 
