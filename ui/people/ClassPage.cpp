@@ -30,6 +30,7 @@
 #include "ui/shell/FileDialog.h"
 #include "ui/shell/Folders.h"
 #include "ui/shell/SavedFile.h"
+#include "ui/shell/ScrollPane.h"
 #include "ui/shell/Theme.h"
 #include "ui/study/FormInputs.h"
 #include "ui/text/EveryLanguage.h"
@@ -46,6 +47,8 @@ constexpr int kDuePx = 18;   ///< and one for when it is due
 constexpr int kNamesPx = 250;
 constexpr int kLeastChooserPx = 240;
 constexpr int kSearchPx = 240;
+constexpr int kLeastMatrixPx = 240;
+constexpr int kLeastChartsPx = 280;
 constexpr std::array kNeeds{Need::NoneLeft, Need::Stuck, Need::NeverLoggedIn, Need::Late, Need::NotBegun};
 
 }  // namespace
@@ -55,9 +58,18 @@ ClassPage::ClassPage(const Actions& actions, QWidget* parent)
 {
     body()->setSpacing(kSpace2);
     body()->addWidget(makeHead());
-    body()->addWidget(makeMatrix(), 1);
+    // In a low window, or with large text, both have the height that they can be read at, and are scrolled.
+    auto* both = new QWidget(this);
+    auto* column = new QVBoxLayout(both);
+    both->setMinimumWidth(1);  // as wide as the page: nothing scrolls sideways
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(kSpace2);
+    column->addWidget(makeMatrix(), 1);
     m_charts = makeCharts();
-    body()->addWidget(m_charts, 1);
+    column->addWidget(m_charts, 1);
+    m_stack->setMinimumHeight(kLeastMatrixPx);
+    m_charts->setMinimumHeight(kLeastChartsPx);
+    body()->addWidget(new ScrollPane(both, QPalette::Window, this), 1);
     retell();
 }
 
@@ -198,6 +210,7 @@ QWidget* ClassPage::makeMatrix()
         words->setFont(typeface(kSmall));
         words->setForegroundRole(QPalette::PlaceholderText);
         words->setMinimumWidth(1);
+        words->setWordWrap(true);
         column->addWidget(words);
     }
     m_stack->addWidget(part);
