@@ -1640,8 +1640,8 @@
         <translation>Zeile %1 des Protokolls (%2, %3, %4) sagt, dass die Zeilen davor nicht so endeten, wie sie signiert worden waren</translation>
     </message>
     <message>
-        <source>audit row %1 (%2, %3, %4) is not the one that was signed: it was changed</source>
-        <translation>Zeile %1 des Protokolls (%2, %3, %4) ist nicht die, die signiert wurde: Sie wurde verändert</translation>
+        <source>audit row %1 (%2, %3, %4) is not the one that was signed: it was changed, or the signature was put there from elsewhere</source>
+        <translation>Zeile %1 des Protokolls (%2, %3, %4) ist nicht die, die signiert wurde: Sie wurde verändert, oder die Signatur kommt von anderswo</translation>
     </message>
     <message>
         <source>the signature of the newest row of the audit was not made by the station whose key stands beside it</source>
@@ -1656,12 +1656,12 @@
         <translation>die Zeilen %1 bis %2 des Protokolls wurden entfernt</translation>
     </message>
     <message>
-        <source>audit row %1 was inserted: no station has signed that</source>
-        <translation>Zeile %1 des Protokolls wurde eingefügt: Kein Arbeitsplatz hat das signiert</translation>
+        <source>no signature covers audit row %1: it was inserted, or the signed head was set back, or the row behind it was changed</source>
+        <translation>keine Signatur deckt Zeile %1 des Protokolls: Sie wurde eingefügt, der signierte Kopf wurde zurückgesetzt, oder die Zeile dahinter wurde verändert</translation>
     </message>
     <message>
-        <source>audit rows %1 to %2 were inserted: no station has signed that</source>
-        <translation>die Zeilen %1 bis %2 des Protokolls wurden eingefügt: Kein Arbeitsplatz hat das signiert</translation>
+        <source>no signature covers audit rows %1 to %2: they were inserted, or the signed head was set back, or the row behind them was changed</source>
+        <translation>keine Signatur deckt die Zeilen %1 bis %2 des Protokolls: Sie wurden eingefügt, der signierte Kopf wurde zurückgesetzt, oder die Zeile dahinter wurde verändert</translation>
     </message>
     <message>
         <source>audit row %1 (%2, %3, %4) and row %5 (%6, %7, %8) were exchanged</source>

@@ -1640,7 +1640,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>audit row %1 (%2, %3, %4) is not the one that was signed: it was changed</source>
+        <source>audit row %1 (%2, %3, %4) is not the one that was signed: it was changed, or the signature was put there from elsewhere</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1656,11 +1656,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>audit row %1 was inserted: no station has signed that</source>
+        <source>no signature covers audit row %1: it was inserted, or the signed head was set back, or the row behind it was changed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>audit rows %1 to %2 were inserted: no station has signed that</source>
+        <source>no signature covers audit rows %1 to %2: they were inserted, or the signed head was set back, or the row behind them was changed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -1640,8 +1640,8 @@
         <translation>la fila %1 del registro (%2, %3, %4) dice que las filas anteriores no terminaban como se habían firmado</translation>
     </message>
     <message>
-        <source>audit row %1 (%2, %3, %4) is not the one that was signed: it was changed</source>
-        <translation>la fila %1 del registro (%2, %3, %4) no es la que se firmó: fue alterada</translation>
+        <source>audit row %1 (%2, %3, %4) is not the one that was signed: it was changed, or the signature was put there from elsewhere</source>
+        <translation>la fila %1 del registro (%2, %3, %4) no es la que se firmó: fue alterada, o la firma procede de otro lugar</translation>
     </message>
     <message>
         <source>the signature of the newest row of the audit was not made by the station whose key stands beside it</source>
@@ -1656,12 +1656,12 @@
         <translation>las filas %1 a %2 del registro fueron eliminadas</translation>
     </message>
     <message>
-        <source>audit row %1 was inserted: no station has signed that</source>
-        <translation>la fila %1 del registro fue insertada: ningún puesto lo ha firmado</translation>
+        <source>no signature covers audit row %1: it was inserted, or the signed head was set back, or the row behind it was changed</source>
+        <translation>ninguna firma cubre la fila %1 del registro: fue insertada, o se volvió a una cabecera firmada anterior, o la fila siguiente fue alterada</translation>
     </message>
     <message>
-        <source>audit rows %1 to %2 were inserted: no station has signed that</source>
-        <translation>las filas %1 a %2 del registro fueron insertadas: ningún puesto lo ha firmado</translation>
+        <source>no signature covers audit rows %1 to %2: they were inserted, or the signed head was set back, or the row behind them was changed</source>
+        <translation>ninguna firma cubre las filas %1 a %2 del registro: fueron insertadas, o se volvió a una cabecera firmada anterior, o la fila siguiente fue alterada</translation>
     </message>
     <message>
         <source>audit row %1 (%2, %3, %4) and row %5 (%6, %7, %8) were exchanged</source>

@@ -1638,8 +1638,8 @@
         <translation>監査記録の %1 行（%2、%3、%4）は、その前の行が署名された状態で終わっていなかったことを示しています</translation>
     </message>
     <message>
-        <source>audit row %1 (%2, %3, %4) is not the one that was signed: it was changed</source>
-        <translation>監査記録の %1 行（%2、%3、%4）は署名された行ではありません。改変されています</translation>
+        <source>audit row %1 (%2, %3, %4) is not the one that was signed: it was changed, or the signature was put there from elsewhere</source>
+        <translation>監査記録の %1 行（%2、%3、%4）は署名された行ではありません。改変されたか、署名が別のところから持ち込まれています</translation>
     </message>
     <message>
         <source>the signature of the newest row of the audit was not made by the station whose key stands beside it</source>
@@ -1654,12 +1654,12 @@
         <translation>監査記録の %1～%2 行が削除されています</translation>
     </message>
     <message>
-        <source>audit row %1 was inserted: no station has signed that</source>
-        <translation>監査記録の %1 行が挿入されています。どの端末も署名していません</translation>
+        <source>no signature covers audit row %1: it was inserted, or the signed head was set back, or the row behind it was changed</source>
+        <translation>監査記録の %1 行はどの署名にも含まれていません。挿入されたか、署名された先頭が以前のものに戻されたか、次の行が改変されています</translation>
     </message>
     <message>
-        <source>audit rows %1 to %2 were inserted: no station has signed that</source>
-        <translation>監査記録の %1～%2 行が挿入されています。どの端末も署名していません</translation>
+        <source>no signature covers audit rows %1 to %2: they were inserted, or the signed head was set back, or the row behind them was changed</source>
+        <translation>監査記録の %1～%2 行はどの署名にも含まれていません。挿入されたか、署名された先頭が以前のものに戻されたか、次の行が改変されています</translation>
     </message>
     <message>
         <source>audit row %1 (%2, %3, %4) and row %5 (%6, %7, %8) were exchanged</source>

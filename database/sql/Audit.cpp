@@ -67,8 +67,10 @@ class ChainReader
 public:
     /// @param signedSeq  of the row that was signed as the newest
     /// @param lastSeq    of the last row there is
-    ChainReader(const std::vector<std::string>& witnesses, std::int64_t signedSeq, std::int64_t lastSeq)
-        : m_signedSeq(std::min(signedSeq, kHighest)), m_lastSeq(lastSeq)
+    /// @param broken     rows that tell that the chain ended otherwise than was signed, the newest first
+    ChainReader(const std::vector<std::string>& witnesses, std::int64_t signedSeq, std::int64_t lastSeq,
+                std::vector<AuditRow> broken)
+        : m_signedSeq(std::min(signedSeq, kHighest)), m_lastSeq(lastSeq), m_broken(std::move(broken))
     {
         for (const std::string& witness : witnesses) {
             const auto found = matchCode(witness);
@@ -79,30 +81,32 @@ public:
             else
                 m_witnesses.push_back({found.captured(1).toLongLong(), found.captured(2).toStdString()});
         }
+        lookAhead();
     }
 
     void take(const AuditRow& row)
     {
-        const std::string before = m_last.hash;
-        const bool isNext = row.seq == m_last.seq + 1;
-        const bool isBelieved = row.seq > 0 && row.seq <= kHighest;
         witness(row);
-        if (isBelieved && !isNext && isAs(row, m_last.seq + 1 + m_shift, before)) {
+        const bool isBelieved = row.seq > 0 && row.seq <= kHighest;
+        if (!isBelieved || row.seq < m_goesOnAt) {
+            takeUnsigned(row.seq);
+            return;
+        }
+        const std::string before = m_last.hash;
+        const bool isNext = row.seq == m_last.seq + 1 || row.seq == m_goesOnAt;
+        const bool isRenumbered = !isNext && isAs(row, m_last.seq + 1 + m_shift, before);
+        if (isRenumbered)
             tellRenumbered(row);
-        } else {
-            const bool isSigned = isBelieved && row.seq + m_shift <= m_signedSeq;
-            if (!isSigned)
-                takeUnsigned(row.seq);
-            if (!isBelieved)
-                return;
+        if (!isSigned(row.seq)) {
+            takeUnsigned(row.seq);
             // What goes on from the signed row is looked at like all else: it may be the signed number that was
             // changed.
-            if (!isSigned && !m_goesOnUnsigned)
-                m_goesOnUnsigned = isNext && isAs(row, row.seq + m_shift, before);
-            if (!isSigned && !*m_goesOnUnsigned)
+            if (!m_goesOnUnsigned)
+                m_goesOnUnsigned = (isNext || isRenumbered) && isAs(row, row.seq + m_shift, before);
+            if (!*m_goesOnUnsigned)
                 return;
-            if (!isNext)  // what stood before this row is not known
-                tellGap(row.seq);
+        } else if (!isNext && !isRenumbered) {  // what stood before this row is not known
+            tellMissing(m_last.seq + 1, row.seq - 1);
         }
         if (row.action == kJoin)
             m_stations.insert(row.object);
@@ -113,7 +117,7 @@ public:
                     "Finding",
                     "audit row %1 (%2, %3, %4) tells that the rows before it did not end as they had been signed"),
                 named(row));
-        if (isNext && !isAs(row, row.seq + m_shift, before) && !explainSlipped(row) && !explain(row))
+        if (isNext && !isAs(row, row.seq + m_shift, before) && !explain(row))
             suspect(row, before);
         m_beforeLast = before;
         m_recent.push_back({row.seq, before});
@@ -122,27 +126,31 @@ public:
         m_last = row;
         if (!m_continueWith.empty())
             m_last.hash = std::exchange(m_continueWith, {});
+        if (row.seq + m_shift == m_signedSeq)
+            m_signed = m_last;
+        lookAhead();
     }
 
     [[nodiscard]] std::vector<Finding> conclude(const QSqlQuery& seal)
     {
         settle();
         const AuditHead head{seal.value(0).toLongLong(), textOf(seal, 1)};
-        const std::int64_t last = m_last.seq + m_shift;
-        if (head.seq > last)
+        const std::string key = textOf(seal, 3);
+        const bool isSealed = head.seq == 0 || StationKey::isSigned(wordsOf(head), textOf(seal, 2), key);
+        if (const std::int64_t last = m_last.seq + m_shift; head.seq > last)
             tellMissing(last + 1, head.seq);
-        else if (head.hash != m_last.hash)
+        else if (isSealed && m_signed && head.hash != m_signed->hash)
             say(QT_TRANSLATE_NOOP("Finding",
-                                  "audit row %1 (%2, %3, %4) is not the one that was signed: it was changed"),
-                named(m_last));
-        if (m_unsigned)
-            tellUnsigned(m_unsigned->first, m_unsigned->second);
-        if (head.seq > 0 && !StationKey::isSigned(wordsOf(head), textOf(seal, 2), textOf(seal, 3)))
+                                  "audit row %1 (%2, %3, %4) is not the one that was signed: it was changed, "
+                                  "or the signature was put there from elsewhere"),
+                named(*m_signed));
+        for (const auto& [first, last] : m_unsigned)
+            tellUnsigned(first, last);
+        if (!isSealed)
             say(QT_TRANSLATE_NOOP(
                 "Finding",
                 "the signature of the newest row of the audit was not made by the station whose key stands beside it"));
-        if (const std::string key = textOf(seal, 3);
-            head.seq > 0 && m_areStationsNoted && m_stations.count(stationOf(key)) == 0)
+        if (head.seq > 0 && m_areStationsNoted && m_stations.count(stationOf(key)) == 0)
             say(QT_TRANSLATE_NOOP("Finding", "the newest row of the audit was signed with the key %1, and the audit "
                                              "knows no station that has it"),
                 {key.substr(0, kCodeDigits)});
@@ -185,53 +193,58 @@ private:
             say(QT_TRANSLATE_NOOP("Finding", "audit rows %1 to %2 were removed"),
                 {std::to_string(first), std::to_string(last)});
     }
-    void tellGap(std::int64_t seq)
+    /// Of a number as it is now.
+    [[nodiscard]] bool isSigned(std::int64_t seq) const { return seq + m_shift <= m_signedSeq; }
+    /// Adds to what no signature covers.
+    void takeUnsigned(std::int64_t seq)
     {
-        const std::size_t told = m_findings.size();
-        tellMissing(m_last.seq + 1, seq - 1);
-        if (m_findings.size() > told)
-            m_gap = Gap{seq, told};
+        if (!m_unsigned.empty() && m_unsigned.back().second >= seq - 1)
+            m_unsigned.back().second = seq;
+        else if (m_unsigned.size() < kMostFindings)
+            m_unsigned.emplace_back(seq, seq);
     }
-    void takeUnsigned(std::int64_t seq) { m_unsigned = {m_unsigned ? m_unsigned->first : seq, seq}; }
+    /// Whether a row behind goes on from this one, as the program writes where rows stand behind the signed one: those
+    /// between them, however many, are not of the chain. Of several it is the last: what was signed then follows from
+    /// that.
+    void lookAhead()
+    {
+        while (!m_broken.empty() && m_broken.back().seq <= m_last.seq)
+            m_broken.pop_back();
+        const auto goesOn = std::find_if(m_broken.begin(), m_broken.end(), [&](const AuditRow& row) {
+            // One that nobody has signed says nothing of those that were.
+            return (isSigned(row.seq) || !isSigned(m_last.seq + 1)) && isAs(row, row.seq + m_shift, m_last.hash);
+        });
+        if (goesOn != m_broken.end())
+            m_goesOnAt = goesOn->seq;
+    }
     /// It follows from the one before it, but for its number: nothing that stood between them was taken out.
     void tellRenumbered(const AuditRow& row)
     {
         say(QT_TRANSLATE_NOOP("Finding", "audit row %1 (%2, %3, %4) and those behind it were renumbered"), named(row));
         m_shift -= row.seq - m_last.seq - 1;
     }
+    /// Which of these it is the chain does not say: whoever has the file in his hands can chain rows as the program
+    /// does.
     void tellUnsigned(std::int64_t first, std::int64_t last)
     {
         if (first == last)
-            say(QT_TRANSLATE_NOOP("Finding", "audit row %1 was inserted: no station has signed that"),
+            say(QT_TRANSLATE_NOOP("Finding",
+                                  "no signature covers audit row %1: it was inserted, or the signed head was "
+                                  "set back, or the row behind it was changed"),
                 {std::to_string(first)});
         else
-            say(QT_TRANSLATE_NOOP("Finding", "audit rows %1 to %2 were inserted: no station has signed that"),
+            say(QT_TRANSLATE_NOOP("Finding",
+                                  "no signature covers audit rows %1 to %2: they were inserted, or the signed "
+                                  "head was set back, or the row behind them was changed"),
                 {std::to_string(first), std::to_string(last)});
     }
     [[nodiscard]] static bool isAs(const AuditRow& row, std::int64_t seq, const std::string& hashBefore)
     {
+        if (row.seq == seq)
+            return hashOf(row, hashBefore) == row.hash;
         AuditRow as = row;
         as.seq = seq;
         return hashOf(as, hashBefore) == row.hash;
-    }
-    /// Whether rows were slipped in behind the newest one, before the program wrote again: its next row then follows
-    /// from the one that was signed, with a number behind theirs.
-    bool explainSlipped(const AuditRow& row)
-    {
-        if (row.action != kBroken)
-            return false;
-        const auto first = std::find_if(m_recent.rbegin(), m_recent.rend(), [&](const Recent& recent) {
-            return isAs(row, row.seq + m_shift, recent.before);
-        });
-        if (first == m_recent.rend())
-            return false;
-        forgive(first->seq);
-        if (m_gap && m_gap->before >= first->seq) {
-            m_findings.erase(m_findings.begin() + static_cast<std::ptrdiff_t>(m_gap->finding));
-            m_gap.reset();
-        }
-        tellUnsigned(first->seq, m_last.seq);
-        return true;
     }
     /// Rows from this one on are explained.
     void forgive(std::int64_t first)
@@ -357,12 +370,6 @@ private:
         std::int64_t first = 0;
         std::int64_t count = 0;
     };
-    /// Rows that are not there, as was told last.
-    struct Gap
-    {
-        std::int64_t before = 0;  ///< the row behind them
-        std::size_t finding = 0;
-    };
     struct Suspect
     {
         AuditRow row;
@@ -371,9 +378,11 @@ private:
 
     std::int64_t m_signedSeq;
     std::int64_t m_lastSeq;
-    std::optional<std::pair<std::int64_t, std::int64_t>> m_unsigned;  ///< first and last row behind the signed one
-    std::optional<bool> m_goesOnUnsigned;  ///< the first of those follows from the signed one
-    std::optional<Gap> m_gap;
+    std::vector<AuditRow> m_broken;  ///< those behind the last one, the newest first
+    std::int64_t m_goesOnAt = 0;     ///< row that follows from the last one, however many stand between them
+    std::vector<std::pair<std::int64_t, std::int64_t>> m_unsigned;  ///< first and last of rows that stand together
+    std::optional<bool> m_goesOnUnsigned;                           ///< the first behind the signed one follows from it
+    std::optional<AuditRow> m_signed;                               ///< what stands where the signed one should
     std::vector<Witness> m_witnesses;
     std::vector<Finding> m_findings;
     AuditRow m_last;
@@ -544,6 +553,15 @@ core::Result<std::vector<AuditRow>> readAudit(const School& school, const Sessio
 core::Result<std::vector<Finding>> checkAudit(const QSqlDatabase& db, const std::vector<std::string>& witnesses,
                                               const std::function<bool(std::int64_t)>& progress)
 {
+    std::vector<AuditRow> broken;
+    if (auto read = forEach(db,
+                            QStringLiteral("SELECT %1 FROM audit WHERE object = 'audit' AND action = '%2' AND seq <= ? "
+                                           "ORDER BY seq DESC LIMIT ?")
+                                .arg(kColumns, QString::fromStdString(kBroken)),
+                            "read the audit", {static_cast<qlonglong>(kHighest), static_cast<qlonglong>(kMostFindings)},
+                            [&](const QSqlQuery& query) { broken.push_back(rowOf(query)); });
+        !read)
+        return tl::unexpected(read.error());
     std::int64_t signedSeq = std::numeric_limits<std::int64_t>::max();
     std::int64_t lastSeq = 0;
     if (auto read = forEach(db,
@@ -557,7 +575,7 @@ core::Result<std::vector<Finding>> checkAudit(const QSqlDatabase& db, const std:
                             });
         !read)
         return tl::unexpected(read.error());
-    ChainReader reader(witnesses, signedSeq, lastSeq);
+    ChainReader reader(witnesses, signedSeq, lastSeq, std::move(broken));
     bool goesOn = true;
     if (auto read = forEach(db, QStringLiteral("SELECT %1 FROM audit ORDER BY seq").arg(kColumns), "read the audit", {},
                             [&](const QSqlQuery& query) {

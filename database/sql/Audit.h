@@ -94,8 +94,9 @@ enum class AuditRows { All, WithoutAttempts };
                                                             std::int64_t beforeSeq = 0,
                                                             AuditRows rows = AuditRows::All);
 
-/// What is wrong with the chain, a finding for each row that was changed, removed, inserted or moved; at most
-/// `kMostFindings`. Empty: nothing, or `progress` returned false.
+/// What is wrong with the chain, a finding for each row that was changed, removed, inserted or moved, and for rows that
+/// stand together and no signature covers: genuine ones may be among them. At most `kMostFindings`. Empty: nothing, or
+/// `progress` returned false.
 inline constexpr std::size_t kMostFindings = 100;
 [[nodiscard]] core::Result<std::vector<Finding>> checkAudit(const QSqlDatabase& db,
                                                             const std::vector<std::string>& witnesses,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <limits>
+#include <numeric>
 
 #include <QSqlError>
 #include <QSqlQuery>
@@ -45,6 +46,14 @@ private slots:
     void whoeverElseSignsIsNamed();
     void workGoesOnBehindWhatWasSlippedIn_data();
     void workGoesOnBehindWhatWasSlippedIn();
+    void everyPlaceIsNamed_data() { support::addEngines(); }
+    void everyPlaceIsNamed();
+    void aSealSetBackAccusesNobody_data() { support::addEngines(); }
+    void aSealSetBackAccusesNobody();
+    void whatIsChainedBehindTheSealAccusesNobody_data() { support::addEngines(); }
+    void whatIsChainedBehindTheSealAccusesNobody();
+    void aSignedRowRewrittenIsNamed_data() { support::addEngines(); }
+    void aSignedRowRewrittenIsNamed();
     void rowsBehindTheSignedOneAreLookedAt_data() { support::addEngines(); }
     void rowsBehindTheSignedOneAreLookedAt();
     void goingOnMakesNothingGood_data() { support::addEngines(); }
@@ -63,6 +72,29 @@ private:
                  ? std::vector{"DROP TRIGGER audit_no_change ON audit", "ALTER TABLE audit DROP CONSTRAINT audit_pkey"}
                  : std::vector{"DROP TRIGGER audit_no_update", "DROP TRIGGER audit_no_delete"})
             QVERIFY2(query.exec(QLatin1String(sql)), qPrintable(query.lastError().text()));
+    }
+    /// A row that follows from none, as somebody copies it who does not know how they hang together.
+    static void slipIn(const School& school, const QList<qint64>& places)
+    {
+        QVERIFY(QSqlDatabase(school.db).transaction());
+        QSqlQuery query(school.db);
+        for (const qint64 seq : places)
+            QVERIFY2(query.exec(QStringLiteral("INSERT INTO audit SELECT %1, at_utc, actor, action, object, detail, "
+                                               "hash FROM audit WHERE seq = 3")
+                                    .arg(seq)),
+                     qPrintable(query.lastError().text()));
+        QVERIFY(QSqlDatabase(school.db).commit());
+    }
+    /// Rows of the program's own.
+    static void work(const SchoolRig& rig, int times)
+    {
+        for (int k = 0; k < times; ++k)
+            VERIFY_DONE(addAttempt(rig.school(), rig.student, SchoolRig::attempt("class1-36", 500), {}));
+    }
+    static void workUpTo(const SchoolRig& rig, qint64 seq)
+    {
+        work(rig, static_cast<int>(seq - auditHead(rig.school())->seq));
+        QCOMPARE(auditHead(rig.school())->seq, seq);
     }
 };
 
@@ -155,11 +187,11 @@ void TestAudit::namesTheRow_data()
                         << "row 10 (" << 1;
         row("appended") << QStringList{"INSERT INTO audit SELECT 31, at_utc, actor, action, object, detail, hash FROM "
                                        "audit WHERE seq = 3"}
-                        << "row 31 was inserted: no station has signed that" << 1;
+                        << "no signature covers audit row 31:" << 1;
         row("appended at the end of numbers")
             << QStringList{"INSERT INTO audit SELECT 9223372036854775807, at_utc, actor, action, object, detail, hash "
                            "FROM audit WHERE seq = 30"}
-            << "row 9223372036854775807 was inserted: no station has signed that" << 1;
+            << "no signature covers audit row 9223372036854775807:" << 1;
         row("other numbers") << QStringList{"UPDATE audit SET seq = seq + 1000 WHERE seq > 9",
                                             "UPDATE audit SET seq = seq - 995 WHERE seq > 1000"}
                              << "row 15 (" << 1;
@@ -168,6 +200,9 @@ void TestAudit::namesTheRow_data()
         row("neighbours exchanged") << QStringList{"UPDATE audit SET seq = 1019 - seq WHERE seq IN (9, 10)",
                                                    "UPDATE audit SET seq = seq - 1000 WHERE seq > 1000"}
                                     << "row 9 (" << 1;
+        row("last ones exchanged") << QStringList{"UPDATE audit SET seq = 1059 - seq WHERE seq IN (29, 30)",
+                                                  "UPDATE audit SET seq = seq - 1000 WHERE seq > 1000"}
+                                   << "row 29 (" << 1;
         row("exchanged") << QStringList{"UPDATE audit SET seq = 1021 - seq WHERE seq IN (7, 14)",
                                         "UPDATE audit SET seq = seq - 1000 WHERE seq > 1000"}
                          << "it was written as row 14" << 2;
@@ -638,13 +673,17 @@ void TestAudit::workGoesOnBehindWhatWasSlippedIn_data()
         const auto row = [onServer](const char* name) -> QTestData& {
             return QTest::addRow("%s %s", name, onServer ? "postgresql" : "sqlite") << onServer;
         };
-        row("one") << QList<qint64>{31} << "row 31 was inserted: no station has signed that" << 2;
-        row("three") << QList<qint64>{31, 32, 33} << "rows 31 to 33 were inserted: no station has signed that" << 2;
-        row("far behind") << QList<qint64>{5000} << "row 5000 was inserted: no station has signed that" << 2;
+        row("one") << QList<qint64>{31} << "no signature covers audit row 31:" << 2;
+        row("three") << QList<qint64>{31, 32, 33} << "no signature covers audit rows 31 to 33:" << 2;
+        QList<qint64> many(1500);
+        std::iota(many.begin(), many.end(), 31);
+        row("many") << many << "no signature covers audit rows 31 to 1530:" << 2;
+        row("far behind") << QList<qint64>{5000} << "no signature covers audit row 5000:" << 2;
+        row("far apart") << QList<qint64>{40, 500, 501, 900} << "no signature covers audit rows 500 to 501:" << 4;
         row("beyond belief") << QList<qint64>{4'000'000'000'000'000'000}
-                             << "row 4000000000000000000 was inserted: no station has signed that" << 1;
+                             << "no signature covers audit row 4000000000000000000:" << 1;
         row("where numbers end") << QList<qint64>{std::numeric_limits<qint64>::max() - 1}
-                                 << "row 9223372036854775806 was inserted: no station has signed that" << 1;
+                                 << "no signature covers audit row 9223372036854775806:" << 1;
     }
 }
 
@@ -656,22 +695,11 @@ void TestAudit::workGoesOnBehindWhatWasSlippedIn()
     QFETCH(int, findings);
     SCHOOL_RIG(rig);
     rig.populate();
-    const auto work = [&](int times) {
-        for (int k = 0; k < times; ++k)
-            if (const auto added = addAttempt(rig.school(), rig.student, SchoolRig::attempt("class1-36", 500), {});
-                !added)
-                qFatal("%s", added.error().detail.c_str());
-    };
-    work(30 - static_cast<int>(auditHead(rig.school())->seq));
-    QCOMPARE(auditHead(rig.school())->seq, 30);
+    workUpTo(rig, 30);
     unlock(rig.school());
+    slipIn(rig.school(), slipped);
+    work(rig, 6);
     QSqlQuery query(rig.school().db);
-    for (const qint64 seq : slipped)
-        QVERIFY2(query.exec(QStringLiteral("INSERT INTO audit SELECT %1, at_utc, actor, action, object, detail, hash "
-                                           "FROM audit WHERE seq = 3")
-                                .arg(seq)),
-                 qPrintable(query.lastError().text()));
-    work(6);
     const auto found = checkAudit(rig.school().db, {});
     VERIFY_DONE(found);
     QVERIFY2(support::wordsOf(*found).contains(finding), qPrintable(support::wordsOf(*found)));
@@ -687,6 +715,110 @@ void TestAudit::workGoesOnBehindWhatWasSlippedIn()
     QVERIFY2(said.contains(QStringLiteral("row %1 (").arg(changed)), qPrintable(said));
 }
 
+/// Whenever the program has gone on behind what was slipped in.
+void TestAudit::everyPlaceIsNamed()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    workUpTo(rig, 30);
+    unlock(rig.school());
+    QStringList places;
+    for (int k = 0; k < 3; ++k) {
+        const qint64 last = auditHead(rig.school())->seq;
+        slipIn(rig.school(), {last + 5, last + 50, last + 51});
+        places << QStringLiteral("no signature covers audit row %1:").arg(last + 5)
+               << QStringLiteral("no signature covers audit rows %1 to %2:").arg(last + 50).arg(last + 51);
+        work(rig, 4);
+    }
+    const auto found = checkAudit(rig.school().db, {});
+    VERIFY_DONE(found);
+    const QString said = support::wordsOf(*found);
+    for (const QString& place : std::as_const(places))
+        QVERIFY2(said.contains(place), qPrintable(said));
+    // And the program's three notes of it.
+    QVERIFY2(found->size() == 9 && said.count("did not end as they had been signed") == 3, qPrintable(said));
+}
+
+/// A station has made that signature, only long ago.
+void TestAudit::aSealSetBackAccusesNobody()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    const School& school = rig.school();
+    const qint64 back = auditHead(school)->seq;
+    QSqlQuery query(school.db);
+    QVERIFY(query.exec("CREATE TABLE old_seal AS SELECT * FROM audit_seal"));
+    const auto setBack = [&query] {
+        return query.exec("UPDATE audit_seal SET (seq, hash, signature, station_key) = (SELECT seq, hash, signature, "
+                          "station_key FROM old_seal)");
+    };
+    workUpTo(rig, 30);
+    unlock(school);
+    QVERIFY2(setBack(), qPrintable(query.lastError().text()));
+    const QString told =
+        "no signature covers audit rows %1 to %2: they were inserted, or the signed head was set back, "
+        "or the row behind them was changed";
+    QCOMPARE(support::wordsOf(*checkAudit(school.db, {})), told.arg(back + 1).arg(30));
+    // The program goes on from the row that is signed, and once more when it is set back again.
+    for (const qint64 last : {qint64{30}, qint64{33}}) {
+        QVERIFY2(setBack(), qPrintable(query.lastError().text()));
+        work(rig, 2);
+        const auto found = checkAudit(school.db, {});
+        VERIFY_DONE(found);
+        const QString said = support::wordsOf(*found);
+        QVERIFY2(said.contains(told.arg(back + 1).arg(last)), qPrintable(said));
+        QVERIFY2(said.contains(QStringLiteral("row %1 (").arg(last + 1)), qPrintable(said));
+        QVERIFY2(found->size() == 2, qPrintable(said));
+    }
+}
+
+/// By somebody who knows how the rows hang together.
+void TestAudit::whatIsChainedBehindTheSealAccusesNobody()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    workUpTo(rig, 30);
+    AuditRow row = readAudit(rig.school(), rig.admin, 1)->front();
+    QSqlQuery query(rig.school().db);
+    for (const qint64 seq : {qint64{31}, qint64{33}}) {
+        row.seq = seq;
+        row.hash = hashOf(row, row.hash);
+        QVERIFY2(query.exec(QStringLiteral("INSERT INTO audit SELECT %1, at_utc, actor, action, object, detail, '%2' "
+                                           "FROM audit WHERE seq = 30")
+                                .arg(seq)
+                                .arg(QString::fromStdString(row.hash))),
+                 qPrintable(query.lastError().text()));
+    }
+    const auto found = checkAudit(rig.school().db, {});
+    VERIFY_DONE(found);
+    const QString said = support::wordsOf(*found);
+    for (const char* place : {"no signature covers audit row 31:", "no signature covers audit row 33:"})
+        QVERIFY2(said.contains(place), qPrintable(said));
+    QVERIFY2(found->size() == 2, qPrintable(said));
+}
+
+/// It follows from the one before it, but it is not what the station has signed.
+void TestAudit::aSignedRowRewrittenIsNamed()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    workUpTo(rig, 30);
+    unlock(rig.school());
+    const auto newest = readAudit(rig.school(), rig.admin, 2);
+    VERIFY_DONE(newest);
+    AuditRow row = newest->front();
+    row.actor = "nobody";
+    QSqlQuery query(rig.school().db);
+    QVERIFY2(query.exec(QStringLiteral("UPDATE audit SET actor = 'nobody', hash = '%1' WHERE seq = 30")
+                            .arg(QString::fromStdString(hashOf(row, newest->back().hash)))),
+             qPrintable(query.lastError().text()));
+    const auto found = checkAudit(rig.school().db, {});
+    VERIFY_DONE(found);
+    const QString said = support::wordsOf(*found);
+    QVERIFY2(found->size() == 1 && said.contains("row 30 (") && said.contains("is not the one that was signed"),
+             qPrintable(said));
+}
+
 /// Whoever sets the signed number back hides nothing of what stands behind it.
 void TestAudit::rowsBehindTheSignedOneAreLookedAt()
 {
@@ -699,8 +831,8 @@ void TestAudit::rowsBehindTheSignedOneAreLookedAt()
     QSqlQuery query(rig.school().db);
     QVERIFY(query.exec("UPDATE audit_seal SET seq = 10"));
     const QString back = support::wordsOf(*checkAudit(rig.school().db, {code}));
-    QVERIFY2(back.contains("rows 11 to 30 were inserted: no station has signed that"), qPrintable(back));
-    QVERIFY2(!back.contains("which a report names"), qPrintable(back));
+    QVERIFY2(back.contains("no signature covers audit rows 11 to 30:"), qPrintable(back));
+    QVERIFY2(!back.contains("which a report names") && !back.contains("is not the one"), qPrintable(back));
     QVERIFY(query.exec("UPDATE audit SET actor = 'nobody' WHERE seq = 20"));
     const QString said = support::wordsOf(*checkAudit(rig.school().db, {code}));
     QVERIFY2(said.contains("row 20 ("), qPrintable(said));
