@@ -421,7 +421,9 @@ std::string AuditHead::code() const
 core::Status AuditBatch::begin()
 {
     bool isThere = false;
+    bool isSigned = false;
     bool isSound = false;
+    std::int64_t last = 0;
     bool mustJoin = false;
     bool isFirst = false;
     const QString joined = QStringLiteral("EXISTS (SELECT 1 FROM audit j WHERE j.action = '%1' AND j.object = %2)")
@@ -443,13 +445,11 @@ core::Status AuditBatch::begin()
                 isThere = true;
                 isFirst = m_seq == 0;
                 const bool areStationsNoted = isFirst || textOf(row, 6) == kJoin;
-                isSound =
-                    m_seq == row.value(5).toLongLong() && m_hash == textOf(row, 4) &&
-                    (m_seq == 0 || (StationKey::isSigned(wordsOf({m_seq, m_hash}), textOf(row, 2), textOf(row, 3)) &&
-                                    (!areStationsNoted || row.value(7).toInt() == 1)));
+                isSigned = isFirst || (StationKey::isSigned(wordsOf({m_seq, m_hash}), textOf(row, 2), textOf(row, 3)) &&
+                                       (!areStationsNoted || row.value(7).toInt() == 1));
+                last = row.value(5).toLongLong();
+                isSound = isSigned && m_seq == last && m_hash == textOf(row, 4);
                 mustJoin = areStationsNoted && row.value(8).toInt() == 0;
-                const std::int64_t last = row.value(5).toLongLong();
-                m_seq = m_seq <= kHighest ? std::max(m_seq, last) : last;
             });
         !read)
         return read;
@@ -457,6 +457,16 @@ core::Status AuditBatch::begin()
         return core::unexpected(core::ErrorCode::BadStructure, "database " + dialect::nameOf(m_school.db) +
                                                                    ": the head of its audit is missing; restore a "
                                                                    "backup of it");
+    // Numbers have to be left for what is noted from now on: one that nobody has signed must not come near their end.
+    if (m_seq > (isSigned ? kHighest : kHighest / 2)) {
+        const auto found = ask(m_school.db, "SELECT COALESCE(MAX(seq), 0) FROM audit WHERE seq <= ?", kNote,
+                               {static_cast<qlonglong>(kFarthest)});
+        if (!found)
+            return tl::unexpected(found.error());
+        m_seq = found->toLongLong();
+    } else {
+        m_seq = std::max(m_seq, last);
+    }
     m_insert.emplace(m_school.db);
     if (!m_insert->prepare(QStringLiteral("INSERT INTO audit (%1) VALUES (?, ?, ?, ?, ?, ?, ?)").arg(kColumns)))
         return tl::unexpected(dialect::error(m_school.db, m_insert->lastError(), kNote));

@@ -54,6 +54,8 @@ private slots:
     void whatIsChainedBehindTheSealAccusesNobody();
     void aSignedRowRewrittenIsNamed_data() { support::addEngines(); }
     void aSignedRowRewrittenIsNamed();
+    void aSealFarAwayMakesNobodyForeign_data();
+    void aSealFarAwayMakesNobodyForeign();
     void rowsBehindTheSignedOneAreLookedAt_data() { support::addEngines(); }
     void rowsBehindTheSignedOneAreLookedAt();
     void goingOnMakesNothingGood_data() { support::addEngines(); }
@@ -817,6 +819,33 @@ void TestAudit::aSignedRowRewrittenIsNamed()
     const QString said = support::wordsOf(*found);
     QVERIFY2(found->size() == 1 && said.contains("row 30 (") && said.contains("is not the one that was signed"),
              qPrintable(said));
+}
+
+void TestAudit::aSealFarAwayMakesNobodyForeign_data()
+{
+    QTest::addColumn<bool>("onServer");
+    QTest::addColumn<qint64>("seq");
+    constexpr qint64 kMost = std::numeric_limits<qint64>::max();
+    for (const bool onServer : {false, true})
+        for (const qint64 seq : {qint64{5000}, kMost / 8, kMost / 8 + 1, kMost / 4 - 1, kMost / 4, kMost})
+            QTest::addRow("%lld %s", static_cast<long long>(seq), onServer ? "postgresql" : "sqlite")
+                << onServer << seq;
+}
+
+/// Whatever number somebody writes into it: the program's own next rows are told from those that were slipped in.
+void TestAudit::aSealFarAwayMakesNobodyForeign()
+{
+    QFETCH(qint64, seq);
+    SCHOOL_RIG(rig);
+    rig.populate();
+    workUpTo(rig, 30);
+    QSqlQuery query(rig.school().db);
+    QVERIFY(query.exec(QStringLiteral("UPDATE audit_seal SET seq = %1").arg(seq)));
+    work(rig, 4);
+    const auto found = checkAudit(rig.school().db, {});
+    VERIFY_DONE(found);
+    const QString said = support::wordsOf(*found);
+    QVERIFY2(found->size() == 1 && said.contains("did not end as they had been signed"), qPrintable(said));
 }
 
 /// Whoever sets the signed number back hides nothing of what stands behind it.
