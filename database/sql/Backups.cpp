@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <set>
 
 #include <QDir>
@@ -528,6 +529,19 @@ core::Result<QString> exchange(const QString& copy, const QString& databaseFile,
     return wasThere ? replaced : QString();
 }
 
+/// How a restore's copy for this database is called, as an expression.
+QString copyOf(const QFileInfo& target)
+{
+    return QRegularExpression::escape(target.fileName() + kRestoring) + QStringLiteral("[0-9a-f]{%1}").arg(kUidLength);
+}
+
+/// Whether freeAside() gives this database such a name.
+bool isAside(const QString& name, const QFileInfo& target)
+{
+    return madeAt(name).isValid() && name.startsWith(kReplaced) &&
+           name.mid(kReplaced.size() + kStamp.size()) == '-' + target.fileName();
+}
+
 /// The copies that restores have left which were killed: nobody uses them any more. Nothing else that is called nearly
 /// so, and not the backup itself: older programs left the user one of such a name.
 void sweep(const QString& databaseFile, const QString& backup)
@@ -536,8 +550,7 @@ void sweep(const QString& databaseFile, const QString& backup)
     QStringList ends{QString()};
     for (const char* end : kBeside)
         ends += QLatin1String(end);
-    const QRegularExpression ours('^' + QRegularExpression::escape(target.fileName() + kRestoring) +
-                                  QStringLiteral("[0-9a-f]{%1}(%2)$").arg(kUidLength).arg(ends.join(u'|')));
+    const QRegularExpression ours(QStringLiteral("^%1(%2)$").arg(copyOf(target), ends.join(u'|')));
     const QDir there = target.absoluteDir();
     for (const QString& name : there.entryList(QDir::Files | QDir::Hidden))
         if (const QString file = there.filePath(name);
@@ -602,8 +615,7 @@ QString newestReplaced(const QString& databaseFile, const QDateTime& nowUtc)
     putFutureLast(names, nowUtc);
     for (const QString& name : std::as_const(names))
         if (QString file = there.filePath(name);
-            name.mid(kReplaced.size() + kStamp.size()) == '-' + target.fileName() && !holdsNobody(file) &&
-            verifyBackup(file).has_value())
+            isAside(name, target) && !holdsNobody(file) && verifyBackup(file).has_value())
             return file;
     return {};
 }
@@ -825,6 +837,29 @@ core::Result<QString> restoreBackup(const QString& backup, const QString& databa
     if (auto closed = expectClosed(databaseFile); !closed)
         return tl::unexpected(closed.error());
     return exchange(copy, databaseFile, nowUtc);
+}
+
+void removeLeftNames(const QString& databaseFile)
+{
+    const auto found = [](const QString& file) {
+        struct stat there
+        {};
+        return lstat(QFile::encodeName(file).constData(), &there) == 0 ? std::optional(there) : std::nullopt;
+    };
+    const RestoreLock lock(databaseFile);
+    const auto own = found(databaseFile);
+    if (!lock.isHeld() || !own || !S_ISREG(own->st_mode))
+        return;
+    const QFileInfo target(databaseFile);
+    const QRegularExpression copy('^' + copyOf(target) + '$');
+    const QDir there = target.absoluteDir();
+    for (const QString& name : there.entryList(QDir::Files | QDir::Hidden)) {
+        const QString file = there.filePath(name);
+        const auto other = found(file);
+        if (other && other->st_dev == own->st_dev && other->st_ino == own->st_ino && !hasBeside(file) &&
+            (isAside(name, target) || copy.match(name).hasMatch()))
+            QFile::remove(file);
+    }
 }
 
 core::Status mayRestore(const School& school, const Session& session)

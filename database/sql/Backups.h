@@ -106,6 +106,12 @@ using BackupProgress = std::function<bool(int done, int all)>;
 [[nodiscard]] core::Result<QString> restoreBackup(const QString& backup, const QString& databaseFile,
                                                   const QDateTime& nowUtc);
 
+/// Where the file system gives a new name before it removes the old one, a restore that was killed between the two has
+/// left the database's file both. Removes the other one: a name of a restore's own, beside it, of the very same file.
+/// Nothing while another program restores there, which may be about to remove this one, or where that cannot be known;
+/// and none that a log lies beside, which goes with it.
+void removeLeftNames(const QString& databaseFile);
+
 /// Whether this person may put a backup in the place of the school. Admins. Of a file that is damaged or gone nobody
 /// can be asked.
 [[nodiscard]] core::Status mayRestore(const School& school, const Session& session);

@@ -38,7 +38,9 @@ namespace {
 struct Disk
 {
     int renamesLeft = -1;  ///< then the program is killed; negative: it is not
+    int unlinksLeft = -1;  ///< the same
     bool knowsExchange = true;
+    bool knowsNoReplace = true;
     bool knowsLocks = true;
     mode_t widestOfCopies = 0;
     mode_t widestOfNew = 0;
@@ -63,7 +65,8 @@ int renameat2(int fromFolder, const char* from, int toFolder, const char* to, un
 {
     if (disk.renamesLeft >= 0 && disk.renamesLeft-- == 0)
         static_cast<void>(raise(SIGKILL));
-    if ((flags & RENAME_EXCHANGE) != 0 && !disk.knowsExchange) {
+    if (((flags & RENAME_EXCHANGE) != 0 && !disk.knowsExchange) ||
+        ((flags & RENAME_NOREPLACE) != 0 && !disk.knowsNoReplace)) {
         errno = EINVAL;
         return -1;
     }
@@ -72,6 +75,13 @@ int renameat2(int fromFolder, const char* from, int toFolder, const char* to, un
     else if (before)
         disk.beforeExchange = before;
     return static_cast<int>(syscall(SYS_renameat2, fromFolder, from, toFolder, to, flags));
+}
+
+int unlink(const char* path) noexcept
+{
+    if (disk.unlinksLeft >= 0 && disk.unlinksLeft-- == 0)
+        static_cast<void>(raise(SIGKILL));
+    return static_cast<int>(syscall(SYS_unlinkat, AT_FDCWD, path, 0));
 }
 
 int flock(int file, int operation) noexcept
@@ -126,6 +136,9 @@ private slots:
     void whoOpensItInTheLastMomentKeepsIt();
     void aNewSchoolIsNeverForOthers();
     void aFileOfTwoNamesIsRefused();
+    void aNameThatAKilledRestoreHasLeftIsRemoved();
+    void onlyARestoresOwnNamesAreRemoved_data();
+    void onlyARestoresOwnNamesAreRemoved();
     void onlyWhatADrillOrABackupLeftIsSwept();
     void aFullDiskIsNotTheBackupsFault();
 
@@ -136,7 +149,7 @@ private:
         return QDir(m_folder->path()).entryList({names}, QDir::Files | QDir::Hidden);
     }
     /// Restores in a process of its own. Whether it came to its end.
-    [[nodiscard]] bool isRestored(int killedBeforeRename) const;
+    [[nodiscard]] bool isRestored(int killedBeforeRename, int killedBeforeUnlink = -1) const;
 
     std::unique_ptr<QTemporaryDir> m_folder;
     QTemporaryDir m_backups;
@@ -156,6 +169,13 @@ int attemptsIn(const QString& file)
     return database ? ask((*database)->handle(), "SELECT count(*) FROM attempts", "count")->toInt() : -1;
 }
 
+int namesOf(const QString& file)
+{
+    struct stat found
+    {};
+    return stat(QFile::encodeName(file).constData(), &found) == 0 ? static_cast<int>(found.st_nlink) : 0;
+}
+
 }  // namespace
 
 void TestRestoring::init()
@@ -172,11 +192,12 @@ void TestRestoring::init()
     QVERIFY(QFile::copy(m_school, file()));
 }
 
-bool TestRestoring::isRestored(int killedBeforeRename) const
+bool TestRestoring::isRestored(int killedBeforeRename, int killedBeforeUnlink) const
 {
     const pid_t other = fork();
     if (other == 0) {
         disk.renamesLeft = killedBeforeRename;
+        disk.unlinksLeft = killedBeforeUnlink;
         _exit(restoreBackup(m_backup, file(), m_now).has_value() ? 0 : 1);
     }
     int status = 0;
@@ -383,6 +404,68 @@ void TestRestoring::aFileOfTwoNamesIsRefused()
     QCOMPARE(link(qPrintable(backup), qPrintable(other)), 0);
     VERIFY_DONE(restoreBackup(backup, file(), m_now));
     QCOMPARE(attemptsIn(file()), 0);
+}
+
+/// Where a file system knows no name change that replaces nothing, the new name is given before the old one is removed.
+void TestRestoring::aNameThatAKilledRestoreHasLeftIsRemoved()
+{
+    int withTwoNames = 0;
+    bool isDone = false;
+    for (int unlinks = 0; !isDone; ++unlinks) {
+        init();
+        disk.knowsExchange = false;
+        disk.knowsNoReplace = false;
+        isDone = isRestored(-1, unlinks);
+        if (!QFile::exists(file()))
+            continue;
+        withTwoNames += static_cast<int>(namesOf(file()) > 1);
+        const int kept = attemptsIn(file());
+        QVERIFY(kept == 1 || (kept == 0 && attemptsIn(m_folder->filePath(there("replaced-*").value(0))) == 1));
+        QCOMPARE(namesOf(file()), 1);
+    }
+    // The old file's, and the new one's.
+    QCOMPARE(withTwoNames, 2);
+    QCOMPARE(attemptsIn(file()), 0);
+}
+
+void TestRestoring::onlyARestoresOwnNamesAreRemoved_data()
+{
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<bool>("isOwn");
+    const QString uid(32, 'a');
+    QTest::newRow("moved aside") << "replaced-2026-11-21-12.00.00-school.sqlite" << true;
+    QTest::newRow("a copy") << "school.sqlite.restoring" + uid << true;
+    QTest::newRow("another school's") << "replaced-2026-11-21-12.00.00-other.sqlite" << false;
+    QTest::newRow("without a moment") << "replaced-school.sqlite" << false;
+    QTest::newRow("a user's") << "school.sqlite.restoring-mine" << false;
+    QTest::newRow("more than a copy") << "school.sqlite.restoring" + uid + ".txt" << false;
+    QTest::newRow("elsewhere") << "elsewhere/replaced-2026-11-21-12.00.00-school.sqlite" << false;
+}
+
+void TestRestoring::onlyARestoresOwnNamesAreRemoved()
+{
+    QFETCH(QString, name);
+    QFETCH(bool, isOwn);
+    const QString other = m_folder->filePath(name);
+    QVERIFY(QDir().mkpath(QFileInfo(other).path()));
+    QCOMPARE(link(qPrintable(file()), qPrintable(other)), 0);
+    // Who restores there may be between the two steps.
+    disk.knowsLocks = false;
+    VERIFY_REFUSED(Database::open(file()), ErrorCode::FileUnreadable);
+    disk.knowsLocks = true;
+    QVERIFY(QFile::copy(m_backup, other + "-wal"));
+    VERIFY_REFUSED(Database::open(file()), ErrorCode::FileUnreadable);
+    QVERIFY(QFile::remove(other + "-wal"));
+    QVERIFY(QFile::exists(other));
+    QCOMPARE(Database::open(file()).has_value(), isOwn);
+    QCOMPARE(QFile::exists(other), !isOwn);
+    // What is called so and is a file of its own.
+    QVERIFY(QFile::exists(other) ? QFile::remove(other) : true);
+    QVERIFY(QFile::copy(m_backup, other));
+    QVERIFY(QDir().mkpath(m_folder->filePath("more")));
+    QCOMPARE(link(qPrintable(file()), qPrintable(m_folder->filePath("more/school.sqlite"))), 0);
+    VERIFY_REFUSED(Database::open(file()), ErrorCode::FileUnreadable);
+    QVERIFY(QFile::exists(other));
 }
 
 void TestRestoring::onlyWhatADrillOrABackupLeftIsSwept()
