@@ -81,7 +81,7 @@ public:
             else
                 m_witnesses.push_back({found.captured(1).toLongLong(), found.captured(2).toStdString()});
         }
-        lookAhead();
+        lookAhead(0, {});
     }
 
     void take(const AuditRow& row)
@@ -90,9 +90,15 @@ public:
         const bool isBelieved = row.seq > 0 && row.seq <= kHighest;
         if (!isBelieved || row.seq < m_goesOnAt) {
             takeUnsigned(row.seq);
+            if (isBelieved) {  // it may be the program's own, and the head have been set back, to it or to one before
+                               // it
+                lookAhead(row.seq, row.hash);
+                if (row.action == kJoin)
+                    m_stations.insert(row.object);
+            }
             return;
         }
-        const std::string before = m_last.hash;
+        const std::string before = row.seq == m_goesOnAt ? m_goesOnFrom : m_last.hash;
         const bool isNext = row.seq == m_last.seq + 1 || row.seq == m_goesOnAt;
         const bool isRenumbered = !isNext && isAs(row, m_last.seq + 1 + m_shift, before);
         if (isRenumbered)
@@ -117,7 +123,9 @@ public:
                     "Finding",
                     "audit row %1 (%2, %3, %4) tells that the rows before it did not end as they had been signed"),
                 named(row));
-        if (isNext && !isAs(row, row.seq + m_shift, before) && !explain(row))
+        // One that tells of a break may, behind the signed row, go on from any before that.
+        if (isNext && !isAs(row, row.seq + m_shift, before) && !explain(row) &&
+            (isSigned(row.seq) || row.action != kBroken))
             suspect(row, before);
         m_beforeLast = before;
         m_recent.push_back({row.seq, before});
@@ -128,7 +136,7 @@ public:
             m_last.hash = std::exchange(m_continueWith, {});
         if (row.seq + m_shift == m_signedSeq)
             m_signed = m_last;
-        lookAhead();
+        lookAhead(row.seq, m_last.hash);
     }
 
     [[nodiscard]] std::vector<Finding> conclude(const QSqlQuery& seal)
@@ -203,19 +211,21 @@ private:
         else if (m_unsigned.size() < kMostFindings)
             m_unsigned.emplace_back(seq, seq);
     }
-    /// Whether a row behind goes on from this one, as the program writes where rows stand behind the signed one: those
-    /// between them, however many, are not of the chain. Of several it is the last: what was signed then follows from
-    /// that.
-    void lookAhead()
+    /// Looks whether a row behind goes on from this one, as the program writes where rows stand behind the signed one:
+    /// those between them, however many, are not of the chain. Of several it is the last: what was signed then follows
+    /// from that.
+    void lookAhead(std::int64_t seq, const std::string& hash)
     {
-        while (!m_broken.empty() && m_broken.back().seq <= m_last.seq)
+        while (!m_broken.empty() && m_broken.back().seq <= seq)
             m_broken.pop_back();
         const auto goesOn = std::find_if(m_broken.begin(), m_broken.end(), [&](const AuditRow& row) {
             // One that nobody has signed says nothing of those that were.
-            return (isSigned(row.seq) || !isSigned(m_last.seq + 1)) && isAs(row, row.seq + m_shift, m_last.hash);
+            return (isSigned(row.seq) || !isSigned(seq + 1)) && isAs(row, row.seq + m_shift, hash);
         });
-        if (goesOn != m_broken.end())
-            m_goesOnAt = goesOn->seq;
+        if (goesOn == m_broken.end() || goesOn->seq <= m_goesOnAt)
+            return;
+        m_goesOnAt = goesOn->seq;
+        m_goesOnFrom = hash;
     }
     /// It follows from the one before it, but for its number: nothing that stood between them was taken out.
     void tellRenumbered(const AuditRow& row)
@@ -378,8 +388,9 @@ private:
 
     std::int64_t m_signedSeq;
     std::int64_t m_lastSeq;
-    std::vector<AuditRow> m_broken;  ///< those behind the last one, the newest first
-    std::int64_t m_goesOnAt = 0;     ///< row that follows from the last one, however many stand between them
+    std::vector<AuditRow> m_broken;  ///< those still to come, the newest first
+    std::int64_t m_goesOnAt = 0;     ///< where the chain goes on; what stands before that is passed over
+    std::string m_goesOnFrom;        ///< hash of the row that it follows from
     std::vector<std::pair<std::int64_t, std::int64_t>> m_unsigned;  ///< first and last of rows that stand together
     std::optional<bool> m_goesOnUnsigned;                           ///< the first behind the signed one follows from it
     std::optional<AuditRow> m_signed;                               ///< what stands where the signed one should

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <limits>
 #include <numeric>
+#include <set>
 
+#include <QRandomGenerator>
+#include <QRegularExpression>
 #include <QSqlError>
 #include <QSqlQuery>
 #include <QTest>
@@ -50,8 +53,10 @@ private slots:
     void everyPlaceIsNamed();
     void aSealSetBackAccusesNobody_data() { support::addEngines(); }
     void aSealSetBackAccusesNobody();
+    void aStationThatJoinedIsKnownWhenTheSealIsSetBack();
     void whatIsChainedBehindTheSealAccusesNobody_data() { support::addEngines(); }
     void whatIsChainedBehindTheSealAccusesNobody();
+    void nothingGenuineIsAccused();
     void aSignedRowRewrittenIsNamed_data() { support::addEngines(); }
     void aSignedRowRewrittenIsNamed();
     void aSealFarAwayMakesNobodyForeign_data();
@@ -86,6 +91,22 @@ private:
                                     .arg(seq)),
                      qPrintable(query.lastError().text()));
         QVERIFY(QSqlDatabase(school.db).commit());
+    }
+    /// One that follows from the last, of somebody who knows how they hang together.
+    static void chain(const SchoolRig& rig, qint64 seq, const std::string& action = "attempt.add")
+    {
+        AuditRow row = readAudit(rig.school(), rig.admin, 1)->front();
+        const std::string before = row.hash;
+        row.seq = seq;
+        row.action = action;
+        row.hash = hashOf(row, before);
+        QSqlQuery query(rig.school().db);
+        QVERIFY2(
+            query.exec(QStringLiteral("INSERT INTO audit SELECT %1, at_utc, actor, '%2', object, detail, '%3' FROM "
+                                      "audit ORDER BY seq DESC LIMIT 1")
+                           .arg(seq)
+                           .arg(QString::fromStdString(action), QString::fromStdString(row.hash))),
+            qPrintable(query.lastError().text()));
     }
     /// Rows of the program's own.
     static void work(const SchoolRig& rig, int times)
@@ -774,29 +795,95 @@ void TestAudit::aSealSetBackAccusesNobody()
     }
 }
 
-/// By somebody who knows how the rows hang together.
+/// To before it joined; it does not join again.
+void TestAudit::aStationThatJoinedIsKnownWhenTheSealIsSetBack()
+{
+    SchoolRig rig(false);
+    rig.populate();
+    QSqlQuery query(rig.school().db);
+    QVERIFY(query.exec("CREATE TABLE old_seal AS SELECT * FROM audit_seal"));
+    const School other{rig.school().db, StationKey::make()};
+    VERIFY_DONE(addAttempt(other, rig.student, SchoolRig::attempt("class1-36", 500), {}));
+    QVERIFY(query.exec("UPDATE audit_seal SET (seq, hash, signature, station_key) = (SELECT seq, hash, signature, "
+                       "station_key FROM old_seal)"));
+    VERIFY_DONE(addAttempt(other, rig.student, SchoolRig::attempt("class1-36", 500), {}));
+    const auto found = checkAudit(rig.school().db, {});
+    VERIFY_DONE(found);
+    const QString said = support::wordsOf(*found);
+    QVERIFY2(found->size() == 2 && said.contains("no signature covers audit rows"), qPrintable(said));
+}
+
 void TestAudit::whatIsChainedBehindTheSealAccusesNobody()
 {
     SCHOOL_RIG(rig);
     rig.populate();
     workUpTo(rig, 30);
-    AuditRow row = readAudit(rig.school(), rig.admin, 1)->front();
-    QSqlQuery query(rig.school().db);
-    for (const qint64 seq : {qint64{31}, qint64{33}}) {
-        row.seq = seq;
-        row.hash = hashOf(row, row.hash);
-        QVERIFY2(query.exec(QStringLiteral("INSERT INTO audit SELECT %1, at_utc, actor, action, object, detail, '%2' "
-                                           "FROM audit WHERE seq = 30")
-                                .arg(seq)
-                                .arg(QString::fromStdString(row.hash))),
-                 qPrintable(query.lastError().text()));
-    }
+    chain(rig, 31);
+    chain(rig, 33);
     const auto found = checkAudit(rig.school().db, {});
     VERIFY_DONE(found);
     const QString said = support::wordsOf(*found);
     for (const char* place : {"no signature covers audit row 31:", "no signature covers audit row 33:"})
         QVERIFY2(said.contains(place), qPrintable(said));
     QVERIFY2(found->size() == 2, qPrintable(said));
+}
+
+/// Whatever somebody puts behind the signed row, wherever he sets the head back to, and whenever the program goes on:
+/// of its own rows none is said to be changed, removed or moved. Where the head stayed, exactly the others are named.
+void TestAudit::nothingGenuineIsAccused()
+{
+    static const QRegularExpression kNumber("row (\\d+) \\(");
+    static const QRegularExpression kUnsigned("audit rows? (\\d+)(?: to (\\d+))?:");
+    for (quint32 seed = 1; seed <= 60; ++seed) {
+        QRandomGenerator random(seed);
+        SchoolRig rig(false);
+        rig.populate();
+        unlock(rig.school());
+        QSqlQuery query(rig.school().db);
+        QVERIFY(query.exec("CREATE TABLE seals AS SELECT * FROM audit_seal"));
+        const auto last = [&query] {
+            return query.exec("SELECT MAX(seq) FROM audit") && query.next() ? query.value(0).toLongLong() : 0;
+        };
+        int seals = 1;
+        std::set<qint64> others;
+        for (int step = 0; step < 15; ++step)
+            switch (random.bounded(seed % 2 == 0 ? 4 : 3)) {
+            case 0:
+                work(rig, random.bounded(1, 4));
+                QVERIFY(query.exec("INSERT INTO seals SELECT * FROM audit_seal"));
+                ++seals;
+                break;
+            case 1:
+                others.insert(last() + random.bounded(1, 4));
+                slipIn(rig.school(), {*others.rbegin()});
+                break;
+            case 2:
+                others.insert(last() + 1);
+                chain(rig, *others.rbegin(), random.bounded(3) == 0 ? "audit.broken" : "attempt.add");
+                break;
+            default:
+                QVERIFY(query.exec(
+                    QStringLiteral("UPDATE audit_seal SET (seq, hash, signature, station_key) = (SELECT seq, "
+                                   "hash, signature, station_key FROM seals ORDER BY rowid LIMIT 1 OFFSET %1)")
+                        .arg(random.bounded(seals))));
+            }
+        for (const bool hasGoneOn : {false, true}) {
+            if (hasGoneOn)
+                work(rig, 2);
+            const QString said = support::wordsOf(*checkAudit(rig.school().db, {}));
+            const QString where = QStringLiteral("seed %1:\n%2").arg(seed).arg(said);
+            std::set<qint64> named;
+            for (const QString& line : said.split(u'\n', Qt::SkipEmptyParts)) {
+                if (const auto found = kUnsigned.match(line); found.hasMatch())
+                    for (qint64 seq = found.captured(1).toLongLong();
+                         seq <= std::max(found.captured(1).toLongLong(), found.captured(2).toLongLong()); ++seq)
+                        named.insert(seq);
+                else if (!line.contains("did not end as they had been signed"))
+                    QVERIFY2(others.count(kNumber.match(line).captured(1).toLongLong()) == 1, qPrintable(where));
+            }
+            QVERIFY2(seed % 2 == 0 || named == others, qPrintable(where));
+        }
+    }
 }
 
 /// It follows from the one before it, but it is not what the station has signed.
