@@ -72,6 +72,9 @@ constexpr int kDoorPatienceMs = 12'000;  ///< for an answer at the door; longer 
 constexpr int kBackupWatchMs = 3'600'000;
 constexpr int kExamRetryMs = 10'000;
 constexpr int kKeepAgainMs = 5000;
+constexpr int kSettleMs = 20;
+constexpr int kSettledLooks = 3;  ///< in a row that find the bur out of the tooth
+constexpr int kMostSettleLooks = 25;
 constexpr int kLongestLookMs = 1500;  ///< for how often a lesson may be tried
 constexpr int kDemoBeatMs = 16;
 constexpr int kPictureDelayMs = 200;  ///< between two looks whether the picture is ready
@@ -101,15 +104,16 @@ bool isGradedNote(const core::session::ServoEvent& event)
     return event.kind == core::session::ServoEvent::Kind::Note && event.value == core::session::kGradedNote;
 }
 
-/// Whether anything was cut after the last grade. It takes as long as a replay.
-bool isCutOn(const core::recording::Recording& recording)
+/// Whether anything was cut after the last grade, or after these events. It takes as long as a replay.
+bool isCutOn(const core::recording::Recording& recording, std::uint64_t events = 0)
 {
     auto servo = core::recording::Replayer::make(recording);
     bool isCut = !servo;  // nobody knows
+    std::uint64_t played = 0;
     if (servo)
         recording.forEach([&](const core::session::ServoEvent& event) {
             const bool cuts = servo->play(event) && !servo->changed().isEmpty();
-            isCut = !isGradedNote(event) && (isCut || cuts);
+            isCut = ++played > events && !isGradedNote(event) && (isCut || cuts);
         });
     return isCut;
 }
@@ -786,7 +790,8 @@ void Application::clearTable()
     m_tried.reset();
     if (!m_assignment.anatomy)  // it is still being made
         return;
-    if (const auto practice = lessons::practiceOn(m_assignment.anatomy))
+    // The tooth of a lesson may have no decay to be taken out.
+    if (const auto practice = lessons::practiceOn(m_practised ? m_practised : m_assignment.anatomy))
         begin(*practice, {}, false);
 }
 
@@ -930,6 +935,12 @@ void Application::showLessons()
         show();
         return;
     }
+    // Lessons are files: they do not wait for a server that does not answer.
+    const auto isAnswered = std::make_shared<bool>(false);
+    QTimer::singleShot(kLongestLookMs, this, [isAnswered, show] {
+        if (!*isAnswered)
+            show();
+    });
     m_desk->ask(
         this,
         [who = m_who](const School& school) -> core::Result<LessonsRead> {
@@ -967,7 +978,8 @@ void Application::showLessons()
             }
             return found;
         },
-        [this, show, who = m_who](const core::Result<LessonsRead>& found) {
+        [this, show, isAnswered, who = m_who](const core::Result<LessonsRead>& found) {
+            *isAnswered = true;
             if (m_who != who)
                 return;
             if (found)
@@ -1066,6 +1078,8 @@ void Application::refuse(const core::Error& error, Failed failed, const QString&
 
 void Application::takeTooth(const core::teeth::BuiltTooth& built)
 {
+    if (!m_tried)
+        m_practised = built.anatomy;
     const auto practice = lessons::practiceOn(built.anatomy);
     if (practice)
         begin(*practice, notesOf(built.report), built.report.placement.unitDoubtful);
@@ -1250,7 +1264,35 @@ void Application::takeBack(std::uint64_t tick)
         static_cast<void>(m_links.commands.tryPush(core::session::GoTo{*last}));
 }
 
+/// What is cut while the grade is worked out would be no part of it, and no other attempt either: the bur is out of the
+/// tooth first. Whose hand holds it there is not waited for.
+void Application::settle(int looks, int settled)
+{
+    const core::session::ServoState& servo = m_links.servo.latest();
+    const bool isOut = !(servo.touching && servo.drillOn);
+    settled = isOut ? settled + 1 : 0;
+    if (settled >= kSettledLooks || looks >= kMostSettleLooks) {
+        m_isSettling = false;
+        gradeNow();
+        return;
+    }
+    QTimer::singleShot(kSettleMs, this, [this, looks, settled, generation = m_ownGeneration] {
+        if (generation == m_ownGeneration && !m_replay)
+            settle(looks + 1, settled);
+        else
+            m_isSettling = false;  // another tooth lies there by now
+    });
+}
+
 void Application::grade()
+{
+    if (std::exchange(m_isSettling, true))
+        return;
+    m_window->view().release();
+    settle(0, 0);
+}
+
+void Application::gradeNow()
 {
     const auto tooth = m_session.toothSoFar();
     if (!tooth || m_session.recordedGeneration() != m_ownGeneration) {
@@ -1319,7 +1361,6 @@ void Application::finish(const std::optional<ui::study::Expectation>& expected)
                  m_tried ? std::nullopt : std::optional(lessons::presetUsed(done->recording)), m_assignment.exercise},
                 done->recording,
                 found.practised};
-    static_cast<void>(m_links.commands.tryPush(core::session::AddNote{core::session::kGradedNote}));
     showGrade();
     keepGrade();
     m_explainer.explain(m_assignment, m_graded->recording, m_graded->work.tooth, conduct);
@@ -1378,40 +1419,71 @@ void Application::keepGrade()
         m_options.simulatedDevice || m_tried || m_graded->isOverLimit || (m_who.isGuest() && (isExam || m_isTakenUp));
     m_graded->keeping = !m_desk || isNobodys ? Keeping::Nowhere : m_who.isGuest() ? Keeping::Guest : Keeping::Pending;
     tellKeeping();
-    if (m_graded->keeping != Keeping::Pending)
-        return;
-    m_desk->keep(this, m_who, m_graded->record, m_graded->recording,
-                 [this, uid = m_graded->record.uid](const core::Status& kept) {
-                     if (!kept)
-                         m_window->showNotKept(kept.error());
-                     if (!m_graded || m_graded->record.uid != uid || m_graded->keeping != Keeping::Pending)
-                         return;
+    if (m_graded->keeping == Keeping::Pending)
+        send(std::make_shared<const Letter>(Letter{m_who, m_graded->record, m_graded->recording, m_graded->generation,
+                                                   m_graded->hash,
+                                                   m_journal ? m_journal->file() : std::filesystem::path()}));
+    else if (m_graded->generation == m_ownGeneration)
+        static_cast<void>(m_links.commands.tryPush(core::session::AddNote{core::session::kGradedNote}));
+}
+
+/// Into the outbox. What the disk refuses is offered to it again, whoever works here by then: there may be room.
+void Application::send(const std::shared_ptr<const Letter>& letter, bool isAgain)
+{
+    m_desk->keep(this, letter->who, letter->record, letter->recording,
+                 [this, letter, isAgain](const core::Status& kept) {
+                     const bool isOfCard = m_graded && m_graded->record.uid == letter->record.uid;
                      if (kept)
-                         m_window->forgetNotKept();
+                         endJournal(*letter);
+                     else
+                         QTimer::singleShot(kKeepAgainMs, this, [this, letter] { send(letter, true); });
+                     if (!kept && !isAgain && m_who == letter->who)
+                         m_window->showNotKept(kept.error());
+                     if (!isOfCard || (m_graded->keeping != Keeping::Pending && m_graded->keeping != Keeping::Nowhere))
+                         return;
                      m_graded->keeping = kept ? Keeping::Waiting : Keeping::Nowhere;
                      tellKeeping();
                      if (!kept)
-                         QTimer::singleShot(kKeepAgainMs, this, [this, uid] { keepAgain(uid); });
+                         return;
+                     m_window->forgetNotKept();
+                     if (isAgain)
+                         m_window->showMessage(tr("The grade that could not be kept is kept now."));
                  });
 }
 
-/// What the disk has refused is offered to it again while its card is the last: there may be room by now.
-void Application::keepAgain(const std::string& uid)
+/// What is kept is not offered to be gone on with; what is not could be. What was cut on since is another attempt,
+/// unless it was an exam, which ends with its score.
+void Application::endJournal(const Letter& letter)
 {
-    if (!m_graded || m_graded->record.uid != uid || m_graded->keeping != Keeping::Nowhere || m_who.isGuest())
+    if (letter.generation == m_ownGeneration) {
+        const auto tooth = m_session.toothSoFar();
+        const bool isExam = m_assignment.lesson && m_assignment.lesson->exam;
+        const bool isSame = tooth && m_session.recordedGeneration() == m_ownGeneration &&
+                            core::terrain::stateHash(*tooth) == letter.hash;
+        if (isSame || isExam)
+            static_cast<void>(m_links.commands.tryPush(core::session::AddNote{core::session::kGradedNote}));
+        if (m_isTakenUp && !m_unfinished)
+            offerUnfinished();  // others may be waiting
         return;
-    m_desk->keep(this, m_who, m_graded->record, m_graded->recording, [this, uid](const core::Status& kept) {
-        if (!m_graded || m_graded->record.uid != uid || m_graded->keeping != Keeping::Nowhere)
-            return;
-        if (!kept) {
-            QTimer::singleShot(kKeepAgainMs, this, [this, uid] { keepAgain(uid); });
-            return;
-        }
-        m_graded->keeping = Keeping::Waiting;
-        tellKeeping();
-        m_window->forgetNotKept();
-        m_window->showMessage(tr("The grade that could not be kept is kept now."));
-    });
+    }
+    // He has left the tooth meanwhile, perhaps for somebody else.
+    const bool isOffered = m_unfinished && m_unfinished->path == letter.journal;
+    if (isOffered) {
+        m_unfinished.reset();
+        m_window->forgetUnfinished();
+    }
+    inBackground(
+        this,
+        [file = letter.journal, events = letter.recording.events()] {
+            const auto found = core::recording::findAttempt(file);
+            if (found && *found && !isCutOn((*found)->recording, events))
+                core::recording::discardJournal(file);
+            return true;
+        },
+        [this, isOffered](bool) {
+            if (isOffered)
+                offerUnfinished();
+        });
 }
 
 /// A guest's grade becomes that of who has logged in for it, unless he has no attempt left. Where nobody can be asked
@@ -1431,10 +1503,7 @@ void Application::keepGuestsGrade()
             if (!m_graded || m_graded->record.uid != record.uid || m_who != who) {
                 // He has gone on meanwhile.
                 if (!isOverLimit)
-                    m_desk->keep(this, who, record, recording, [this](const core::Status& kept) {
-                        if (!kept)
-                            m_window->showNotKept(kept.error());
-                    });
+                    send(std::make_shared<const Letter>(Letter{who, record, recording}));
                 return;
             }
             m_graded->isOverLimit = isOverLimit;
@@ -1900,7 +1969,13 @@ void Application::takeUp(std::unique_ptr<core::session::Unfinished> attempt)
     m_window->showFeel(felt, felt);
     m_isTakenUp = true;
     m_takenUpAtTick = attempt->recording.ticks();
-    m_window->resumeClock(std::chrono::duration<double>(attempt->recording.duration()).count(), attempt->restedS);
+    const double recordedS = std::chrono::duration<double>(attempt->recording.duration()).count();
+    double workedS = recordedS - attempt->restedS;
+    // An exam's time goes on while its student is away, for whatever reason: he could think as long as he likes.
+    if (assignment->lesson && assignment->lesson->exam)
+        workedS = std::max(
+            workedS, static_cast<double>(QDateTime::currentMSecsSinceEpoch() - m_unfinished->begunUtcMs) / kMsPerS);
+    m_window->resumeClock(recordedS, workedS);
     m_begunExam = {m_ownGeneration, {}, true};  // it was told when it began
     m_journal->takeUp(m_ownGeneration, std::move(*m_unfinished));
     m_unfinished.reset();

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
@@ -114,6 +115,8 @@ private:
     void holdHand(bool wanted);
     void takeBack(std::uint64_t tick);
     void grade();
+    void settle(int looks, int settled);
+    void gradeNow();
     void finish(const std::optional<ui::study::Expectation>& expected);
     [[nodiscard]] database::AttemptRecord recordOf(const core::session::Concluded& done,
                                                    const lessons::ScoreSheet& sheet,
@@ -121,7 +124,18 @@ private:
     void connectExplainer(Explainer& explainer);
     void showGrade();
     void keepGrade();
-    void keepAgain(const std::string& uid);
+    /// A graded attempt on its way to the outbox.
+    struct Letter
+    {
+        database::Session who;
+        database::AttemptRecord record;
+        core::recording::Recording recording;
+        std::uint64_t generation = 0;        ///< of the tooth that was graded; 0: none of the present ones
+        std::uint64_t hash = 0;              ///< of what was graded
+        std::filesystem::path journal = {};  ///< where the attempt lies until it is kept
+    };
+    void send(const std::shared_ptr<const Letter>& letter, bool isAgain = false);
+    void endJournal(const Letter& letter);
     void keepGuestsGrade();
     void tellKeeping();
     void tellHistory();
@@ -166,7 +180,8 @@ private:
     void stopLoops();
 
     WindowOptions m_options;
-    core::teeth::ToothSource m_source;  ///< of the tooth taken last
+    core::teeth::ToothSource m_source;                               ///< of the tooth taken last
+    std::shared_ptr<const core::terrain::ToothAnatomy> m_practised;  ///< that was practised on last without a lesson
     core::session::UiLinks m_links;
     core::session::ServoLinks m_servoLinks;
     core::rt::TripleBuffer<core::session::PointerInput> m_demoWish;  ///< of m_demoHand
@@ -236,6 +251,7 @@ private:
         std::vector<database::Feedback> feedback;
     };
     LessonsRead m_lessonsRead;                         ///< of who works here, as the database said last
+    bool m_isSettling = false;                         ///< a grade is wanted, and the bur not yet out of the tooth
     std::optional<core::session::Concluded> m_toMark;  ///< while what is expected of it is asked
     std::optional<Graded> m_graded;
     std::optional<core::recording::Recording> m_opened;  ///< of the score card that is shown, where it is an old one

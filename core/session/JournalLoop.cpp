@@ -144,6 +144,12 @@ void JournalLoop::takeUp(std::uint64_t generation, recording::FoundAttempt found
     m_found = {generation, std::move(found.path), found.begunUtcMs, std::move(found.lock)};
 }
 
+std::filesystem::path JournalLoop::file()
+{
+    const std::lock_guard lock(m_mutex);
+    return m_path;
+}
+
 void JournalLoop::putAway()
 {
     setFile(nullptr);

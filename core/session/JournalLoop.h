@@ -50,6 +50,8 @@ public:
     [[nodiscard]] std::optional<Error> failure();
     /// Things go well, or go well again. Any thread.
     [[nodiscard]] bool isWell() const { return !m_cannotWrite.load() && !m_cannotSync.load(); }
+    /// The file of the present attempt, whether it is there yet or not. Any thread.
+    [[nodiscard]] std::filesystem::path file();
     /// Events of the present attempt that are written. Any thread.
     [[nodiscard]] std::uint64_t eventsWritten() const { return m_written.load(std::memory_order_acquire); }
 
@@ -76,7 +78,7 @@ private:
     std::filesystem::path m_folder;
     std::uint64_t m_generation = 0;  ///< of the tooth whose attempt this is
     std::int64_t m_begunUtcMs = 0;
-    std::filesystem::path m_path;
+    std::filesystem::path m_path;  ///< written under the mutex
     std::shared_ptr<recording::JournalFile> m_file;
     std::optional<recording::JournalLock> m_older;  ///< of the file that m_file takes the place of
     std::chrono::microseconds m_rest{0};            ///< until writing is tried again

@@ -337,7 +337,7 @@ core::Result<std::vector<AttemptRecord>> history(const School& school, const Ses
         values += text(query.lessonId);
     }
     if (!query.tooth.empty()) {
-        where += QStringLiteral(" AND a.tooth = ?");
+        where += QStringLiteral(" AND a.lesson_id = '' AND a.tooth = ?");
         values += text(query.tooth);
     }
     values += query.limit > 0 ? query.limit : std::numeric_limits<int>::max();

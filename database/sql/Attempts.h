@@ -43,7 +43,7 @@ private:
 struct HistoryQuery
 {
     std::string lessonId;  ///< empty: of any lesson
-    std::string tooth;     ///< empty: at any tooth
+    std::string tooth;     ///< not empty: practice without a lesson, at this tooth
     int limit = 0;
 };
 [[nodiscard]] core::Result<std::vector<AttemptRecord>> history(const School& school, const Session& session,

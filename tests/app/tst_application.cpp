@@ -50,6 +50,7 @@ private slots:
     void anUnfinishedAttemptIsOfferedAndTakenUp();
     void discardedAttemptsMakeWayForOlderOnes();
     void anExamThatWasGradedIsNotTakenUpAgain();
+    void anExamsTimeGoesOnWhileItsStudentIsAway();
 
 private:
     template <class T>
@@ -284,6 +285,42 @@ void TestApplication::anExamThatWasGradedIsNotTakenUpAgain()
     }
 }
 
+/// Who leaves an exam, or has its program killed, could think as long as he likes.
+void TestApplication::anExamsTimeGoesOnWhileItsStudentIsAway()
+{
+    QFile file(m_folder->filePath("exam.lesson.json"));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(R"({"format": 1, "based_on": "decay-36-2-moderate.lesson.json", "id": "exam-36", "exam": true,
+                   "minutes": 10})");
+    file.close();
+    const auto read = lessons::readLesson(file.fileName());
+    QVERIFY(read.lesson && read.lesson->exam);
+    start();
+    emit m_application->window().lessonChosen(*read.lesson);
+    QTest::qWait(100);
+    QTRY_VERIFY_WITH_TIMEOUT(actions().grade->isEnabled(), 30000);
+    drillAt({-2.0, 1.0, -1.0});
+    QTest::qWait(300);
+    QCOMPARE(journals().size(), 1);
+    const QString kept = m_folder->filePath("kept");
+    QVERIFY(QFile::copy(m_folder->filePath("unfinished/" + journals().front()), kept));
+    m_application.reset();
+    // It was begun four minutes ago.
+    const auto found = core::recording::findAttempt(kept.toStdString());
+    QVERIFY(found && *found);
+    const std::int64_t begunUtcMs = QDateTime::currentMSecsSinceEpoch() - 240'000;
+    auto made = core::recording::JournalFile::create(m_folder->filePath("unfinished/1-1.cuspjournal").toStdString(),
+                                                     (*found)->recording, begunUtcMs);
+    QVERIFY(made && (*made)->sync());
+    made->reset();
+    start();
+    QTRY_VERIFY_WITH_TIMEOUT(message().contains("an attempt of"), 30000);
+    QTest::mouseClick(messageButton(), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(message().contains("goes on where it was left"), 30000);
+    const auto* left = child<ui::shell::TabularLabel>("lessonTime");
+    QTRY_VERIFY2_WITH_TIMEOUT(left->text().startsWith("5:"), qPrintable(left->text()), 30000);
+}
+
 lessons::Lesson TestApplication::openLesson(const std::string& id) const
 {
     lessons::Lesson lesson;
@@ -320,6 +357,8 @@ QString TestApplication::graded() const
     if (!button->isVisible())
         return QStringLiteral("is not offered");
     QTest::mouseClick(button, Qt::LeftButton);
+    if (!QTest::qWaitFor([this] { return child<ui::study::Forecast>()->isVisible(); }, 3000))
+        return message();
     return expected();
 }
 
@@ -387,7 +426,7 @@ void TestApplication::theFirstMinutesFromBeginningToEnd()
     // The same is not graded twice: the page comes at once, without a question.
     actions().back->trigger();
     actions().grade->trigger();
-    QVERIFY(child<ui::study::ScorePage>()->isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT(child<ui::study::ScorePage>()->isVisible(), 30000);
     actions().back->trigger();
 
     openLesson("orientation-2-hold");
@@ -438,13 +477,13 @@ void TestApplication::theSameWorkIsGradedOnce()
     };
     const auto grade = [this] {
         actions().grade->trigger();
-        QVERIFY(child<ui::study::ScorePage>()->isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(child<ui::study::ScorePage>()->isVisible(), 30000);
         actions().back->trigger();
     };
     // A whole tooth is no attempt.
     actions().grade->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(message().contains("not ready") || message().contains("Nothing has been cut"), 30000);
     QVERIFY(!child<ui::study::ScorePage>()->isVisible());
-    QVERIFY(message().contains("not ready") || message().contains("Nothing has been cut"));
     QCOMPARE(rows(), 0);
     drillAt({-2.0, 1.0, -1.0});
     grade();
@@ -482,6 +521,7 @@ void TestApplication::aScoreIsExplainedInTheBackground()
     QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("class")->isVisible(), 30000);
     actions().back->trigger();
     actions().grade->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(child<ui::study::ScorePage>()->isVisible(), 30000);
     QCOMPARE(moments().size(), 1);
     QVERIFY(child<QLabel>("noise")->isVisible());
     QTest::mouseClick(moments().front(), Qt::LeftButton);

@@ -119,7 +119,12 @@ private slots:
     void whatIsTypedWaitsForItsWriter();
     void theFolderOfLessonsIsNamed();
     void whatTheDiskRefusesIsKeptWhenItCanBe();
+    void whatTheDiskRefusesIsKeptWhenItsMakerHasGone();
+    void whatWasGradedAndNotKeptIsUnfinished();
+    void nothingIsCutWhileAGradeIsWorkedOut();
+    void whoComesNextHasDecayToTakeOut();
     void aGuestsGradeIsKeptWhenHeLogsIn();
+    void aGuestsGradeIsNobodysAfterAWhile();
     void aGuestsGradeIsNotAnothers();
     void aGuestsGradeCountsAsAnAttempt();
     void whatWasGradedIsNotUnfinished_data();
@@ -768,6 +773,11 @@ void TestSchool::nobodyWaitsAtTheDoorForEver()
     tryWith(QString::fromStdString(kPassword));
     QVERIFY2(!m_application->window().isAtDoor(), qPrintable(saidAtDoor()));
     QVERIFY(m_application->window().view().isVisible());
+    // Lessons are files: they are there all the same, as long as what is noted of this login waits.
+    m_application->window().setLessons({}, {});
+    QCOMPARE(child<QListView>("lessonList")->model()->rowCount(), 0);
+    actions().lessons->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(child<QListView>("lessonList")->model()->rowCount() > 2, kPatienceMs);
     QVERIFY(sql::execute(other->handle(), "ROLLBACK", "let it go"));
 }
 
@@ -957,6 +967,92 @@ void TestSchool::whatTheDiskRefusesIsKeptWhenItCanBe()
     QTRY_VERIFY2_WITH_TIMEOUT(keeping().contains("first grade"), qPrintable(keeping()), kPatienceMs);
 }
 
+/// Whoever works there by then.
+void TestSchool::whatTheDiskRefusesIsKeptWhenItsMakerHasGone()
+{
+    start();
+    logIn("sam");
+    toTheTooth();
+    drill(-2.0);
+    QFile inTheWay(m_folder->filePath("outbox"));
+    QVERIFY(inTheWay.open(QIODevice::WriteOnly));
+    grade("not being kept");
+    leaveFor("sue");
+    QVERIFY2(!message().contains("Make room on the disk"), qPrintable(message()));
+    QVERIFY(inTheWay.remove());
+    QTRY_COMPARE_WITH_TIMEOUT(count("attempts a JOIN people p ON p.id = a.person_id WHERE p.username = 'sam'"), 1,
+                              kPatienceMs);
+    QCOMPARE(attemptsKept(), 1);
+    QVERIFY2(!message().contains("is kept now"), qPrintable(message()));
+    // It is not offered to be gone on with: that would be another.
+    leaveFor("sam");
+    QTRY_VERIFY_WITH_TIMEOUT(child<QListView>("lessonList")->model()->rowCount() > 2, kPatienceMs);
+    QTest::qWait(500);
+    QVERIFY2(!message().contains("an attempt of"), qPrintable(message()));
+}
+
+/// As if it had never been graded.
+void TestSchool::whatWasGradedAndNotKeptIsUnfinished()
+{
+    start();
+    logIn("sam");
+    toTheTooth();
+    drill(-2.0);
+    const QString own = removed();
+    QFile inTheWay(m_folder->filePath("outbox"));
+    QVERIFY(inTheWay.open(QIODevice::WriteOnly));
+    grade("not being kept");
+    leaveFor("sue");
+    m_application.reset();
+    QVERIFY(inTheWay.remove());
+    start();
+    logIn("sam");
+    QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("continueWords")->text().contains("Continue where I stopped"), kPatienceMs);
+    click("continue");
+    toTheTooth();
+    QTRY_COMPARE_WITH_TIMEOUT(removed(), own, kPatienceMs);
+    grade("first grade");
+    QCOMPARE(attemptsKept(), 1);
+}
+
+/// Which would be an attempt of its own.
+void TestSchool::nothingIsCutWhileAGradeIsWorkedOut()
+{
+    start();
+    logIn("sam");
+    toTheTooth();
+    ui::tooth::ToothView& view = m_application->window().view();
+    const QString before = removed();
+    const glm::dvec2 pixel = view.camera().pixelOf({-2.0, 1.0, -1.0});
+    const QPoint at(qRound(pixel.x), qRound(pixel.y));
+    QTest::mouseMove(&view, at);
+    QTest::mousePress(&view, Qt::LeftButton, {}, at);
+    QTRY_VERIFY_WITH_TIMEOUT(removed() != before, kPatienceMs);
+    grade("first grade");
+    QTest::mouseRelease(&view, Qt::LeftButton, {}, at);
+    leaveFor("sue");
+    leaveFor("sam");
+    QTRY_VERIFY_WITH_TIMEOUT(child<QListView>("lessonList")->model()->rowCount() > 2, kPatienceMs);
+    QTest::qWait(500);
+    QVERIFY2(!message().contains("an attempt of"), qPrintable(message()));
+    QCOMPARE(attemptsKept(), 1);
+}
+
+/// The tooth of a lesson may have none, and practice is graded by it.
+void TestSchool::whoComesNextHasDecayToTakeOut()
+{
+    start();
+    logIn("sam");
+    toTheTooth();
+    const auto onTheTable = [this] { return m_application->window().view().tooth()->anatomy; };
+    const auto whole = onTheTable();
+    beginLesson("class1-36");
+    QTRY_VERIFY_WITH_TIMEOUT(onTheTable() != whole, kPatienceMs);
+    leaveFor("sue");
+    toTheTooth();
+    QTRY_COMPARE_WITH_TIMEOUT(onTheTable().get(), whole.get(), kPatienceMs);
+}
+
 void TestSchool::aGuestsGradeIsKeptWhenHeLogsIn()
 {
     start();
@@ -997,6 +1093,26 @@ void TestSchool::aGuestsGradeIsNotAnothers()
     toTheTooth();
     QTRY_COMPARE_WITH_TIMEOUT(removed(), QString("0.00"), kPatienceMs);
     QVERIFY(!child<ui::study::ScorePage>()->isVisible());
+    QCOMPARE(attemptsKept(), 0);
+}
+
+/// Whoever logs in then is somebody else.
+void TestSchool::aGuestsGradeIsNobodysAfterAWhile()
+{
+    start();
+    QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("practiseAsGuest")->isVisible(), kPatienceMs);
+    click("practiseAsGuest");
+    toTheTooth();
+    drill(-2.0);
+    grade("not logged in");
+    click("keepGrade");
+    QVERIFY(child<QCheckBox>("keepOnLogin")->isVisible());
+    m_application->window().setIdleLimit(std::chrono::milliseconds(300));
+    QTRY_VERIFY_WITH_TIMEOUT(!child<QCheckBox>("keepOnLogin")->isVisible(), kPatienceMs);
+    m_application->window().setIdleLimit(std::chrono::minutes(10));
+    logIn("sue");
+    toTheTooth();
+    QTRY_COMPARE_WITH_TIMEOUT(removed(), QString("0.00"), kPatienceMs);
     QCOMPARE(attemptsKept(), 0);
 }
 

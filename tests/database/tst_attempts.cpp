@@ -161,7 +161,10 @@ void TestAttempts::historyIsNewestFirstAndOfOnePerson()
     QCOMPARE(times36(0), (std::vector<std::string>{times[1], times[2], times[0]}));
     QCOMPARE(times36(2), (std::vector<std::string>{times[1], times[2]}));
     QCOMPARE(history(rig.school(), rig.student, rig.student.person(), {})->size(), std::size_t{4});
-    QCOMPARE(history(rig.school(), rig.student, rig.student.person(), {"", "36", 0})->size(), std::size_t{4});
+    // Practice at a tooth is no lesson at it.
+    QCOMPARE(history(rig.school(), rig.student, rig.student.person(), {"", "36", 0})->size(), std::size_t{0});
+    VERIFY_DONE(addAttempt(rig.school(), rig.student, SchoolRig::attempt("", 700, times[0]), {}));
+    QCOMPARE(history(rig.school(), rig.student, rig.student.person(), {"", "36", 0})->size(), std::size_t{1});
     QCOMPARE(history(rig.school(), rig.student, rig.student.person(), {"", "11", 0})->size(), std::size_t{0});
 }
 

@@ -1186,7 +1186,7 @@ void TestMainWindow::aLessonsClockRestsWhereNobodyWorks()
     QVERIFY2(!message().contains("time of this lesson"), qPrintable(message()));
     // One that is gone on with has rested before as well.
     begin();
-    m_window->resumeClock(100.0, 60.0);
+    m_window->resumeClock(100.0, 40.0);
     recordedS = 100.0;
     pass(10.0);
     QTRY_COMPARE(clock(), QString("1:10"));

@@ -332,7 +332,7 @@ void LoginPage::offerToKeep(std::function<QString()> work)
 
 bool LoginPage::keeps() const
 {
-    return m_kept && m_keep->isChecked();
+    return m_kept && m_keep->isChecked() && !m_keep->isHidden();
 }
 
 void LoginPage::offerBackup(const QDateTime& made, const QString& where)

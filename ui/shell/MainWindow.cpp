@@ -450,10 +450,10 @@ void MainWindow::runClock()
         m_room->lesson().setTime(std::max(0.0, m_recordedAtS - m_clockRestedS));
 }
 
-void MainWindow::resumeClock(double recordedS, double restedS)
+void MainWindow::resumeClock(double recordedS, double workedS)
 {
     m_recordedAtS = recordedS;
-    m_clockRestedS = restedS;
+    m_clockRestedS = recordedS - workedS;
 }
 
 void MainWindow::connectDoor()
@@ -534,8 +534,12 @@ void MainWindow::setIdleLimit(std::chrono::milliseconds limit)
 
 void MainWindow::lockIfIdle()
 {
-    if (!m_who.isGuest() && (!isAtDoor() || m_mayLeaveDoor) && m_sinceTouch.hasExpired(m_idleLimit.count()))
+    if (!m_sinceTouch.hasExpired(m_idleLimit.count()))
+        return;
+    if (!m_who.isGuest() && (!isAtDoor() || m_mayLeaveDoor))
         askWho(people::Door::Locked);
+    else if (m_login->keeps())  // whoever logs in after so long is somebody else
+        m_login->offerToKeep({});
 }
 
 bool MainWindow::isAtDoor() const
@@ -637,6 +641,7 @@ void MainWindow::setMayEdit(bool may)
 {
     m_mayEdit = may;
     m_actions->editLesson->setVisible(may);
+    m_lessonsPage->setMayEdit(may);
     m_lessonsPage->setUnsaved(may ? m_editor->unsavedFiles() : QSet<QString>());
     enableActions();
 }

@@ -181,9 +181,8 @@ public slots:
     void askForecast();
     /// The lesson that the tooth shown next is for; none: practised freely.
     void setAssignment(const lessons::Assignment& assignment);
-    /// The attempt at it is one that is gone on with: so long it was recorded, and so long of that its student was
-    /// elsewhere, s.
-    void resumeClock(double recordedS, double restedS);
+    /// The attempt at it is one that is gone on with: so long it was recorded, and the clock stands there, s.
+    void resumeClock(double recordedS, double workedS);
     /// The handpieces of the attempt that is shown next, in the order of its settings.
     void setHandpieces(const std::vector<core::settings::Handpiece>& atHand);
     /// Bur and handpiece (an index, as of SetHandpiece) that an attempt was left with.

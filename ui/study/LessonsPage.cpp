@@ -477,6 +477,13 @@ void LessonsPage::setPresent(const std::string& lessonId)
     fillList();
 }
 
+void LessonsPage::setMayEdit(bool may)
+{
+    m_mayEdit = may;
+    const CatalogEntry* entry = chosen();
+    m_edit->setVisible(may && entry != nullptr && entry->read.lesson.has_value());
+}
+
 void LessonsPage::setUnsaved(const QSet<QString>& files)
 {
     if (std::exchange(m_unsaved, files) != files)
@@ -637,7 +644,7 @@ void LessonsPage::describe()
     m_whyNot->setText(usedUpWords());
     m_whyNot->setVisible(isOver);
     m_picture->setLesson(isSound ? entry->read.lesson : std::nullopt);
-    m_edit->setVisible(isSound);
+    m_edit->setVisible(isSound && m_mayEdit);
     const bool isSearched = !m_search->text().trimmed().isEmpty();
     m_title->setText(entry == nullptr ? tr("No lesson fits") : nameOf(*entry));
     m_goal->setText(isSound      ? said(entry->read.lesson->goal)

@@ -65,6 +65,8 @@ public:
     void setFeedback(const std::vector<database::Feedback>& feedback);
     /// The lesson on the table, marked in the list; empty for none.
     void setPresent(const std::string& lessonId);
+    /// Who is here changes lessons: there is a way to the editor.
+    void setMayEdit(bool may);
     /// Lessons that began from these files have been changed in the editor and not saved: the list says so.
     void setUnsaved(const QSet<QString>& files);
     /// Somebody else comes: what was searched for, filtered and chosen is not his.
@@ -119,6 +121,7 @@ private:
     QDateTime m_unfinishedBegun;
     LessonThumbs* m_thumbs;
     std::string m_present;
+    bool m_mayEdit = true;
     QSet<QString> m_unsaved;
     QLineEdit* m_search = nullptr;
     QPushButton* m_tooth = nullptr;

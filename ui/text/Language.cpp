@@ -73,8 +73,10 @@ void Language::choose(const QString& code)
     Spoken& now = spoken();
     // Before the words, which are said again with numbers in them.
     const QLocale named(code);
-    // A computer that was told no place writes days with seconds: it speaks English as most of the world does.
-    const QLocale wanted = named.language() == QLocale::C ? QLocale(QLocale::English, QLocale::UnitedKingdom) : named;
+    // A computer that was told no place writes days with seconds, and English without one is American: it is spoken as
+    // in most of the world, whether it was chosen or not.
+    const bool isAnywhere = named.language() == QLocale::C || code == u"en";
+    const QLocale wanted = isAnywhere ? QLocale(QLocale::English, QLocale::UnitedKingdom) : named;
     const bool isSystems = !code.contains(u'_') && QLocale::system().language() == wanted.language();
     QLocale::setDefault(isSystems ? QLocale::system() : wanted);
     for (QTranslator* before : std::exchange(now.translators, {}))

@@ -916,7 +916,6 @@ void ToothView::focusOutEvent(QFocusEvent* event)
     SceneWidget::focusOutEvent(event);
 }
 
-/// Nothing stays pressed when the keys go elsewhere.
 void ToothView::release()
 {
     m_arrows.clear();

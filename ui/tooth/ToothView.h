@@ -59,6 +59,8 @@ public:
     /// How hard the button pushes, newtons: 0.2 .. 3, 0.6 to begin with.
     void setPushForce(double newtons);
     [[nodiscard]] double pushForce() const { return m_control.forceN(); }
+    /// Nothing is pushed or turned any more, whatever is held down.
+    void release();
     /// For the look of the bur only.
     void setDrillOn(bool on);
     /// Colours the head of the bur; an invalid colour is that of steel.
@@ -138,7 +140,6 @@ private:
     void publishPointer();
     void turnCamera(double azimuthDeg, double elevationDeg);
     void turnHandpiece(double degrees);
-    void release();
     void showNeighbours();
     void drawForce(QPainter& painter);
     void drawGizmo(QPainter& painter);
