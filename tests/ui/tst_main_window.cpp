@@ -2274,6 +2274,11 @@ void TestMainWindow::anUnfinishedAttemptIsOffered()
     emit child<ui::study::LessonsPage>()->discardWanted();
     QVERIFY(message().isEmpty());
     QCOMPARE(discarded.takeLast().size(), 0);
+    // The page of lessons has a card for it, and needs no second offer.
+    m_window->offerUnfinished([] { return QString("Tooth 36"); }, now);
+    actions().lessons->trigger();
+    QVERIFY(message().isEmpty() && child<QFrame>("continueCard")->isVisible());
+    actions().back->trigger();
     // Closed: neither, and it is offered again another time.
     m_window->offerUnfinished([] { return QString("Tooth 36"); }, now);
     press(Qt::Key_Escape);
@@ -3302,6 +3307,7 @@ void TestMainWindow::whatSomebodyHasTypedIsPutBy()
     talk.setAttempt(5);
     talk.findChild<QPlainTextEdit*>("commentWords")->setPlainText("Half a sentence");
     m_window->setWho(rig.student);
+    QVERIFY(QFile::exists(folder.filePath("1.json")));  // also where the program is killed now
     m_window->close();
     QVERIFY(!m_window->isVisible());
     openWindow();

@@ -625,6 +625,7 @@ void MainWindow::setWho(const database::Session& who)
 {
     m_who = who;
     m_scorePage->talk().setWriter(QString::fromStdString(who.uid()));
+    static_cast<void>(putOthersBy());  // the program may be killed before he is back
     m_actions->showAccount(QString::fromStdString(who.username()));
     m_actions->attempts->setVisible(!who.isGuest());
     m_actions->school->setVisible(who.role() == database::Role::Admin);
@@ -1627,8 +1628,10 @@ void MainWindow::goTo(QWidget* page)
         m_tour->breakOff();
     if (page != m_room)
         m_messages->withdraw(MessageBar::Topic::Lesson);
-    if (page == m_lessonsPage)
+    if (page == m_lessonsPage) {
+        m_messages->withdraw(MessageBar::Topic::Unfinished);  // it has a card for it
         m_lessonsPage->setUnsaved(m_mayEdit ? m_editor->unsavedFiles() : QSet<QString>());
+    }
     m_pages->setCurrentWidget(page);
     sayWayBack();
     restBur();
