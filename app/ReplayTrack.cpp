@@ -161,6 +161,7 @@ Course ReplayTrack::course() const
         if (const auto kind = maker.take(marked, lastCut))
             course.marks.push_back({*kind, m_player->secondsAt(marked.tick + kMarginTicks), marked.event.value,
                                     nameOf(*kind, marked.event.value)});
+        takeRest(marked, course);
     }
     const std::lock_guard lock(m_mutex);
     course.infractions = m_infractions;
@@ -171,6 +172,20 @@ Course ReplayTrack::course() const
     std::stable_sort(course.marks.begin(), course.marks.end(),
                      [](const Mark& a, const Mark& b) { return a.atS < b.atS; });
     return course;
+}
+
+/// As core::session::Rests leaves it out; one that nothing ends lasts to the end.
+void ReplayTrack::takeRest(const MarkedEvent& marked, Course& course) const
+{
+    const auto& [tick, event] = marked;
+    const bool isOpen = !course.rests.empty() && course.rests.back().toS >= m_lengthS;
+    const bool begins = event.kind == ServoEvent::Kind::Note && event.value == core::session::kRestNote;
+    const bool ends = (event.kind == ServoEvent::Kind::Note && event.value == core::session::kWorkNote) ||
+                      event.kind == ServoEvent::Kind::Resume;
+    if (begins && !isOpen)
+        course.rests.push_back({m_player->secondsAt(tick), m_lengthS});
+    else if (ends && isOpen)
+        course.rests.back().toS = m_player->secondsAt(tick);
 }
 
 /// Of what a mark is about, where it has a name in the attempt's settings.

@@ -52,6 +52,7 @@ public:
 private:
     ReplayTrack(std::unique_ptr<core::recording::Player> player, const core::session::Examination& examination,
                 core::session::UiLinks& links, std::uint64_t generation);
+    void takeRest(const core::recording::MarkedEvent& marked, ui::replay::Course& course) const;
     [[nodiscard]] std::string nameOf(ui::replay::Mark::Kind kind, std::uint64_t value) const;
     [[nodiscard]] std::uint64_t shownTick(double seconds, std::uint64_t ready) const;
     void sendPatches(std::uint64_t tick, bool isSettled);

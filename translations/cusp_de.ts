@@ -5946,6 +5946,10 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <source>Stroke %1, %2 s, %3</source>
         <translation>Strich %1, %2 s, %3</translation>
     </message>
+    <message>
+        <source>Elsewhere for %1, which is no time of the attempt</source>
+        <translation>%1 lang anderswo, was keine Zeit des Versuchs ist</translation>
+    </message>
 </context>
 <context>
     <name>ui::report::ClassReport</name>

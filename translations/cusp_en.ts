@@ -5937,6 +5937,10 @@ load NAME        feels a hardness preset that is kept</source>
         <source>Stroke %1, %2 s, %3</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Elsewhere for %1, which is no time of the attempt</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::report::ClassReport</name>

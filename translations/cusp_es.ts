@@ -5946,6 +5946,10 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <source>Stroke %1, %2 s, %3</source>
         <translation>Pasada %1, %2 s, %3</translation>
     </message>
+    <message>
+        <source>Elsewhere for %1, which is no time of the attempt</source>
+        <translation>En otra parte durante %1, que no cuenta como tiempo del intento</translation>
+    </message>
 </context>
 <context>
     <name>ui::report::ClassReport</name>

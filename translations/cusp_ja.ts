@@ -5901,6 +5901,10 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <source>Stroke %1, %2 s, %3</source>
         <translation>ストローク%1、%2秒、%3</translation>
     </message>
+    <message>
+        <source>Elsewhere for %1, which is no time of the attempt</source>
+        <translation>%1 のあいだ別の画面にいました。この時間は課題の時間に入りません</translation>
+    </message>
 </context>
 <context>
     <name>ui::report::ClassReport</name>

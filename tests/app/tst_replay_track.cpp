@@ -53,6 +53,7 @@ Recording attempt()
     rig.run(60);
     rig.send(session::AddNote{5});
     rig.send(session::AddNote{session::kRestNote});
+    rig.run(50);
     rig.send(session::AddNote{session::kWorkNote});
     rig.send(session::SetBur{3});
     rig.run(20);
@@ -218,6 +219,11 @@ void TestReplayTrack::theCourseTellsStrokesAndMarks()
         kinds << mark.kind;
     QCOMPARE(kinds, (QList<Mark::Kind>{Mark::Kind::Aids, Mark::Kind::Undo, Mark::Kind::Redo, Mark::Kind::Note,
                                        Mark::Kind::Bur, Mark::Kind::StartAgain}));
+    // Where he was elsewhere is told, and is no mark.
+    QCOMPARE(course.rests.size(), 1U);
+    const auto [restFromS, restToS] = course.rests.front();
+    QVERIFY2(std::abs(restToS - restFromS - 0.05) < 0.02, qPrintable(QString::number(restToS - restFromS)));
+    QVERIFY(restFromS > course.strokes[1].toS && restToS < course.strokes[2].fromS);
     // Going through it step by step shows each state of the tooth once: whole, one stroke, two, undone, redone, ...
     std::vector<std::size_t> cut;
     for (double at = 0.0; at < course.lengthS; at = course.stepAfter(at)) {

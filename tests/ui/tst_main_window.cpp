@@ -2600,6 +2600,11 @@ void TestMainWindow::theTimeLineIsScrubbedAndTellsWhatWas()
     QVERIFY(line->saidAt(at(50.0, 12)).join(' ').contains("Middle pad: said to be dentin"));
     QVERIFY(line->saidAt(at(7.0, 24)).join(' ').contains("Stroke 1, 4.0 s"));
     QVERIFY(line->saidAt(at(30.0, 24)).isEmpty());
+    ui::replay::Course rested = course();
+    rested.rests = {{28.0, 34.0}};
+    m_window->setReplayCourse(rested);
+    QVERIFY(line->saidAt(at(30.0, 24)).join(' ').contains("Elsewhere for 0:06"));
+    QVERIFY(line->saidAt(at(36.0, 24)).isEmpty());
 }
 
 void TestMainWindow::anotherAttemptIsShownBeside()

@@ -64,6 +64,14 @@ struct Remark
     bool operator==(const Remark&) const = default;
 };
 
+/// While its student was elsewhere: no time of the attempt.
+struct Rest
+{
+    double fromS = 0.0;
+    double toS = 0.0;
+    bool operator==(const Rest&) const = default;
+};
+
 /// How an attempt went, as far as it is known: what is drawn on a time line. All in order of time.
 struct Course
 {
@@ -74,6 +82,7 @@ struct Course
     std::vector<core::grading::Infraction> infractions;
     std::vector<TouchPoint> points;
     std::vector<Remark> remarks;
+    std::vector<Rest> rests;
 
     /// The first end of a stroke, step through the history or touched point after a moment; the end of all when there
     /// is none.

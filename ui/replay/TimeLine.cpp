@@ -284,6 +284,11 @@ QStringList TimeLine::saidAt(const QPoint& place) const
                                          .arg(text::number(stroke.toS - stroke.fromS, 1), burWords(stroke.burIndex)));
             break;
         }
+        for (const Rest& rest : lane.course.rests)
+            if (place.x() >= xIn(lane.course, rest.fromS) && place.x() <= xIn(lane.course, rest.toS))
+                said << at(
+                    rest.fromS,
+                    tr("Elsewhere for %1, which is no time of the attempt").arg(text::duration(rest.toS - rest.fromS)));
     }
     return said;
 }
@@ -311,6 +316,10 @@ void TimeLine::paintLane(QPainter& painter, const Lane& lane) const
         painter.setBrush(QBrush(palette().color(QPalette::Mid), Qt::BDiagPattern));
         painter.drawRect(QRectF(QPointF(readyX, bed.top()), bed.bottomRight()));
     }
+    painter.setBrush(QBrush(palette().color(QPalette::Mid), Qt::Dense5Pattern));
+    for (const Rest& rest : lane.course.rests)
+        painter.drawRect(QRectF(QPointF(xIn(lane.course, rest.fromS), bed.top()),
+                                QPointF(xIn(lane.course, rest.toS), bed.bottom())));
     for (const Stroke& stroke : lane.course.strokes) {
         const double x = xIn(lane.course, stroke.fromS);
         const double wide = std::max(kNarrowestPx, xIn(lane.course, stroke.toS) - x);
