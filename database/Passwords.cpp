@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cmath>
 #include <ctime>
+#include <optional>
 #include <utility>
 
 #include <QRegularExpression>
@@ -19,7 +20,7 @@
 namespace database {
 namespace {
 
-constexpr unsigned long long kMostPasses = 16;
+constexpr std::size_t kKiB = 1024;
 constexpr std::size_t kDigestBytes = 32;
 constexpr std::size_t kUidBytes = 16;
 constexpr std::string_view kCodeLetters = "23456789ABCDEFGHJKMNPQRSTUVWXYZ";
@@ -37,6 +38,16 @@ double threadMs()
 QByteArray normal(const std::string& password)
 {
     return QString::fromStdString(password).normalized(QString::NormalizationForm_KC).toUtf8();
+}
+
+/// What a hash says that it cost; nothing: it is none.
+std::optional<PasswordCost> costOf(const std::string& hash)
+{
+    static const QRegularExpression kCost(QStringLiteral(R"(^\$argon2id\$v=19\$m=(\d{1,9}),t=(\d{1,9}),)"));
+    const auto found = kCost.match(QString::fromStdString(hash));
+    if (!found.hasMatch())
+        return std::nullopt;
+    return PasswordCost{found.captured(2).toULongLong(), found.captured(1).toULongLong() * kKiB};
 }
 
 core::Error noMemory()
@@ -150,7 +161,7 @@ core::Result<std::string> hashPassword(const std::string& password, const Passwo
 core::Result<bool> fits(const std::string& password, const std::string& hash)
 {
     const QByteArray given = normal(password);
-    if (!beginSodium() || hash.size() >= crypto_pwhash_STRBYTES || given.size() > 4 * kLongestPassword)
+    if (!isPasswordHash(hash) || hash.size() >= crypto_pwhash_STRBYTES || given.size() > 4 * kLongestPassword)
         return false;
     errno = 0;
     const bool isRight =
@@ -163,20 +174,18 @@ core::Result<bool> fits(const std::string& password, const std::string& hash)
 bool isPasswordHash(const std::string& hash)
 {
     const PasswordCost cost;
-    return beginSodium() && hash.rfind("$argon2id$v=19$", 0) == 0 &&
+    const auto paid = costOf(hash);
+    return beginSodium() && paid && paid->passes <= kMostPasses && paid->memoryBytes <= kMostMemoryBytes &&
            crypto_pwhash_str_needs_rehash(hash.c_str(), cost.passes, cost.memoryBytes) != -1;
 }
 
 bool wantsRehash(const std::string& hash, const PasswordCost& cost)
 {
-    static const QRegularExpression kCost(QStringLiteral(R"(^\$argon2id\$v=\d+\$m=(\d+),t=(\d+),)"));
-    const auto found = kCost.match(QString::fromStdString(hash));
-    if (!found.hasMatch())
+    const auto paid = costOf(hash);
+    if (!paid)
         return true;
-    const qulonglong memoryKiB = found.captured(1).toULongLong();
-    const qulonglong passes = found.captured(2).toULongLong();
-    const qulonglong wantedKiB = cost.memoryBytes / 1024;
-    return passes <= cost.passes && memoryKiB <= wantedKiB && (passes < cost.passes || memoryKiB < wantedKiB);
+    return paid->passes <= cost.passes && paid->memoryBytes <= cost.memoryBytes &&
+           (paid->passes < cost.passes || paid->memoryBytes < cost.memoryBytes);
 }
 
 std::string newCode()

@@ -19,6 +19,11 @@ struct PasswordCost
     bool operator==(const PasswordCost&) const = default;
 };
 
+/// No school asks for more, and no hash is worked out that does: who may write the database must not keep everybody at
+/// the door.
+inline constexpr unsigned long long kMostPasses = 16;
+inline constexpr std::size_t kMostMemoryBytes = std::size_t{1} << 30U;
+
 /// The dearest cost that this computer pays within `goalMs` of thread time: 64 MiB, and passes from 2 to 16.
 [[nodiscard]] PasswordCost timedCost(double goalMs = 350.0);
 
@@ -31,7 +36,8 @@ inline constexpr int kLongestPassword = 256;  ///< bytes of UTF-8: hashing a nov
 
 /// "$argon2id$v=19$m=65536,t=2,p=1$salt$hash". FileTooLarge when there is no memory for it.
 [[nodiscard]] core::Result<std::string> hashPassword(const std::string& password, const PasswordCost& cost);
-/// FileTooLarge when there is no memory for it: then nobody knows whether it fits.
+/// FileTooLarge when there is no memory for it: then nobody knows whether it fits. None fits what isPasswordHash() is
+/// not of.
 [[nodiscard]] core::Result<bool> fits(const std::string& password, const std::string& hash);
 /// Whether it is one that hashPassword() has made, or could have: no password fits another.
 [[nodiscard]] bool isPasswordHash(const std::string& hash);

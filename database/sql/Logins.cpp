@@ -399,9 +399,9 @@ core::Result<PasswordCost> passwordCost(const School& school)
         if (const qulonglong value = kept->toString().toULongLong(); value > 0)
             take(cost, value);
     }
-    // Who may write the database must not make everybody's password cheap to guess.
-    cost.passes = std::max(cost.passes, school.leastCost.passes);
-    cost.memoryBytes = std::max(cost.memoryBytes, school.leastCost.memoryBytes);
+    // Who may write the database must not make everybody's password cheap to guess, nor every login endless.
+    cost.passes = std::clamp(cost.passes, school.leastCost.passes, kMostPasses);
+    cost.memoryBytes = std::clamp(cost.memoryBytes, school.leastCost.memoryBytes, kMostMemoryBytes);
     return cost;
 }
 

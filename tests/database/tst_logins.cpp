@@ -423,6 +423,13 @@ void TestLogins::aHashIsNeverMadeCheaper()
     VERIFY_DONE(putSetting(school, "", "password.memory", "8192"));
     VERIFY_DONE(Logins::login(school, "s1001", SchoolRig::kPassword));
     QCOMPARE(hash(), dear);
+    // Nor does anybody wait for ever at the door.
+    VERIFY_DONE(putSetting(school, "", "password.passes", "100000"));
+    VERIFY_DONE(putSetting(school, "", "password.memory", "99999999999999"));
+    QVERIFY(passwordCost(school).value() == (PasswordCost{16, std::size_t{1} << 30U}));
+    std::string endless = dear.toStdString();
+    endless.replace(endless.find("t=3"), 3, "t=100000");
+    QVERIFY(!isPasswordHash(endless) && !fits(SchoolRig::kPassword, endless).value());
     QVERIFY(!wantsRehash(dear.toStdString(), {2, std::size_t{128} << 20U}));
 }
 
