@@ -66,6 +66,11 @@ struct Newcomer
     core::Status put;
 };
 
+QString uidOf(const Session& who)
+{
+    return QString::fromStdString(who.uid());
+}
+
 /// For people: the file with its whole path, however it was named, or the URL.
 QString placeOf(const database::Address& address)
 {
@@ -257,17 +262,22 @@ void AdminDesk::connectPeople()
                         core::Status put = belong(school, who, entered->person.id, classes, {});
                         return Newcomer{std::move(*entered), std::move(put)};
                     },
-                    [this, name, &part](const core::Result<Newcomer>& newcomer) {
-                        if (!newcomer) {
-                            part.refuse(why(newcomer.error()));
-                            return;
+                    [this, name, who = m_who(), &part](const core::Result<Newcomer>& newcomer) {
+                        const bool isHere = m_who() == who;
+                        if (newcomer) {
+                            const Person& entered = newcomer->entered.person;
+                            if (isHere)
+                                part.confirm(entered.id,
+                                             [said = name(entered)] { return tr("%1 was entered.").arg(said); });
+                            part.showCode(uidOf(who), entered, QString::fromStdString(newcomer->entered.code));
                         }
-                        const Person& entered = newcomer->entered.person;
-                        part.confirm(entered.id, tr("%1 was entered.").arg(name(entered)));
-                        part.showCode(entered.id, name(entered), QString::fromStdString(newcomer->entered.code));
-                        if (!newcomer->put)
-                            part.refuse(why(newcomer->put.error()));
-                        tellPeople();
+                        if (!isHere)
+                            return;
+                        if (const core::Status done = newcomer ? newcomer->put : tl::unexpected(newcomer.error());
+                            !done)
+                            part.refuse([error = done.error()] { return why(error); });
+                        if (newcomer)
+                            tellPeople();
                     });
             });
     connect(
@@ -285,43 +295,49 @@ void AdminDesk::connectPeople()
                         return tl::unexpected(put.error());
                     return true;
                 },
-                [this, name, person, &part](const core::Result<bool>& done) {
+                [this, name, person, who = m_who(), &part](const core::Result<bool>& done) {
+                    if (m_who() != who)  // nothing of it is for who works here now
+                        return;
                     if (done)
-                        part.confirm(person.id, tr("%1 was changed.").arg(name(person)));
+                        part.confirm(person.id, [said = name(person)] { return tr("%1 was changed.").arg(said); });
                     else
-                        part.refuse(why(done.error()));
+                        part.refuse([error = done.error()] { return why(error); });
                     tellPeople();
                 });
         });
-    connect(&part, &PeoplePart::resetWanted, this, [this, name, &part](qint64 id) {
-        const auto person =
-            std::find_if(m_people.begin(), m_people.end(), [&](const Person& one) { return one.id.value == id; });
-        if (person == m_people.end())
-            return;
+    connect(&part, &PeoplePart::resetWanted, this, [this, &part](qint64 id) {
         m_desk.ask(
             this, [who = m_who(), id](const School& school) { return database::sql::resetPassword(school, who, {id}); },
-            [this, id, said = name(*person), &part](const core::Result<std::string>& code) {
-                if (code)
-                    part.showCode({id}, said, QString::fromStdString(*code));
-                else
-                    part.refuse(why(code.error()));
+            [this, who = m_who(), &part](const core::Result<database::sql::Entered>& reset) {
+                if (reset)
+                    part.showCode(uidOf(who), reset->person, QString::fromStdString(reset->code));
+                if (m_who() != who)
+                    return;
+                if (!reset)
+                    part.refuse([error = reset.error()] { return why(error); });
                 tellPeople();
             });
     });
-    const auto done = [this, &part](const core::Result<bool>& changed) {
-        if (!changed)
-            part.refuse(whyNoClass(changed.error()));
-        tellPeople();
+    const auto classDone = [this, &part](const QString& className) {
+        return [this, className, who = m_who(), &part](const core::Result<bool>& changed) {
+            if (m_who() != who)
+                return;
+            if (changed)
+                part.confirmClass(className);
+            else
+                part.refuseClass([error = changed.error()] { return whyNoClass(error); });
+            tellPeople();
+        };
     };
-    connect(&part, &PeoplePart::classWanted, this, [this, done](const QString& className) {
+    connect(&part, &PeoplePart::classWanted, this, [this, classDone](const QString& className) {
         m_desk.ask(
             this,
             [who = m_who(), className = className.toStdString()](const School& school) {
                 return database::sql::addClass(school, who, className).map([](ClassId) { return true; });
             },
-            done);
+            classDone(className));
     });
-    connect(&part, &PeoplePart::classNameWanted, this, [this, done](qint64 id, const QString& className) {
+    connect(&part, &PeoplePart::classNameWanted, this, [this, classDone](qint64 id, const QString& className) {
         m_desk.ask(
             this,
             [who = m_who(), id, className = className.toStdString()](const School& school) -> core::Result<bool> {
@@ -329,7 +345,7 @@ void AdminDesk::connectPeople()
                     return tl::unexpected(renamed.error());
                 return true;
             },
-            done);
+            classDone(className));
     });
 }
 
@@ -364,9 +380,14 @@ void AdminDesk::import(bool isDryRun)
         [who = m_who(), csv = m_roster.toStdString(), isDryRun](const School& school) {
             return database::sql::importRoster(school, who, csv, isDryRun);
         },
-        [this, isDryRun, isOver](const core::Result<database::RosterOutcome>& outcome) {
+        [this, isDryRun, isOver, who = m_who()](const core::Result<database::RosterOutcome>& outcome) {
             *isOver = true;
             ui::admin::RosterPart& part = m_window.adminPage().roster();
+            if (m_who() != who) {
+                if (outcome && !isDryRun)
+                    part.keepFor(uidOf(who), *outcome, m_rosterFile);
+                return;
+            }
             if (outcome)
                 part.showOutcome(*outcome, m_rosterFile, !isDryRun);
             else if (const QString fault = classListFault(outcome.error().code, QFileInfo(m_rosterFile).fileName());
@@ -392,8 +413,12 @@ void AdminDesk::beside(const QString& what, Job job, Done done)
             return job(school, work);
         },
         [this, who = m_who(), done = std::move(done)](auto& answer) mutable {
-            if (!answer && answer.error().code == core::ErrorCode::Disabled && m_who() == who)
-                emit m_desk.disabled();  // as where he asks for anything else
+            if (!answer && m_who() == who) {  // as where he asks for anything else
+                if (answer.error().code == core::ErrorCode::Disabled)
+                    emit m_desk.disabled();
+                if (answer.error().code == core::ErrorCode::NotAllowed)
+                    emit m_desk.refused();
+            }
             done(answer);
         });
 }

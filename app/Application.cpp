@@ -40,6 +40,7 @@
 #include "lessons/LessonPack.h"
 #include "lessons/LessonReader.h"
 #include "lessons/ScoreSheetJson.h"
+#include "ui/admin/AdminPage.h"
 #include "ui/shell/Memory.h"
 #include "ui/study/LessonWords.h"
 #include "ui/study/ScorePage.h"
@@ -395,9 +396,11 @@ void Application::openDatabase()
     connect(m_desk.get(), &SchoolDesk::disabled, this, [this] {
         if (m_who.isGuest())  // has been shown out already
             return;
+        m_window->adminPage().forgetCodes();  // he does not come back for them
         leave();
         m_window->sayAtDoor([] { return tr("This account was disabled, and you were logged out. Ask an admin."); });
     });
+    connect(m_desk.get(), &SchoolDesk::refused, this, &Application::leaveWithAnotherRole);
     m_address = *address;
     m_admin = std::make_unique<AdminDesk>(*m_window, *m_desk,
                                           AdminDesk::Place{*address, m_stationFolder, m_options.simulatedDevice,
@@ -760,6 +763,25 @@ void Application::leave()
     tellMayEdit();
     clearTable();
     m_window->askLogin();
+}
+
+/// The window shows the pages of the role in which somebody has logged in.
+void Application::leaveWithAnotherRole()
+{
+    if (m_who.isGuest())
+        return;
+    m_desk->ask(
+        this,
+        [who = m_who](const School& school) {
+            return database::sql::admit(school, who, database::Operation::ReadSettings);
+        },
+        [this, who = m_who](const core::Result<database::sql::Who>& now) {
+            if (!now || m_who != who || now->role == who.role())
+                return;
+            m_window->adminPage().forgetCodes();
+            leave();
+            m_window->sayAtDoor([] { return tr("Your role was changed, and you were logged out. Log in again."); });
+        });
 }
 
 /// Where there is a school its lessons, and its exams, are changed by who teaches.

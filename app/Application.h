@@ -89,6 +89,7 @@ private:
     void forgetWrongAlone();
     void endNewSchool();
     void leave();
+    void leaveWithAnotherRole();
     void becomeGuest();
     void raisePasswordCost();
     void tellMayEdit();

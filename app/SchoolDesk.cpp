@@ -142,6 +142,9 @@ void SchoolDesk::notice(const core::Error& error)
     if (error.code == ErrorCode::Disabled)
         QMetaObject::invokeMethod(
             this, [this] { emit disabled(); }, Qt::QueuedConnection);
+    if (error.code == ErrorCode::NotAllowed)
+        QMetaObject::invokeMethod(
+            this, [this] { emit refused(); }, Qt::QueuedConnection);
 }
 
 SchoolDesk::Opening SchoolDesk::tryToOpen()

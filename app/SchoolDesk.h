@@ -143,6 +143,8 @@ signals:
     void waitOn(int count);
     /// So many on their way were put there for other schools: they wait for them.
     /// @param schools  as Outbox::schoolAt() calls them; empty: the file is called as a copy of a school is
+    /// Something is not allowed to who asked, whose role may have been changed since he logged in.
+    void refused();
     void waitForOthers(int count, const QString& schools);
     /// What was asked has had no answer for a while: the server hangs, or another program holds the file.
     void unanswered();

@@ -2696,6 +2696,14 @@
         <source>But its audit was changed. &quot;Check everything&quot; says where. Older backups in which it is whole are kept.</source>
         <translation>Ihr Protokoll wurde aber verändert. „Alles prüfen“ sagt, wo. Ältere Sicherungen, in denen es unverändert ist, bleiben erhalten.</translation>
     </message>
+    <message>
+        <source>The school&apos;s file is in use: another window of Cusp, or another program, has it open, or a backup is being made. Close what has it open, and restore then.</source>
+        <translation>Die Datei der Schule ist in Gebrauch: Ein anderes Fenster von Cusp oder ein anderes Programm hat sie geöffnet, oder eine Sicherung wird gerade gemacht. Schließen Sie, was sie geöffnet hat, und spielen Sie dann zurück.</translation>
+    </message>
+    <message>
+        <source>The backup was not restored; nothing has been changed. %1</source>
+        <translation>Die Sicherung wurde nicht zurückgespielt; nichts wurde verändert. %1</translation>
+    </message>
 </context>
 <context>
     <name>app::Application</name>
@@ -2856,6 +2864,10 @@
     <message>
         <source>Its audit had been changed before it was made. &quot;Check everything&quot; on the page of the backups says where; an older backup may have it whole.</source>
         <translation>Ihr Protokoll war schon verändert, als sie entstand. „Alles prüfen“ auf der Seite der Sicherungen sagt, wo; in einer älteren Sicherung ist es vielleicht ganz.</translation>
+    </message>
+    <message>
+        <source>Your role was changed, and you were logged out. Log in again.</source>
+        <translation>Ihre Rolle wurde geändert, und Sie wurden abgemeldet. Melden Sie sich neu an.</translation>
     </message>
 </context>
 <context>
@@ -3390,6 +3402,34 @@
     <message>
         <source>The name to log in with is missing.</source>
         <translation>Der Anmeldename fehlt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n one-time code(s) are shown under School, and kept nowhere else: %1.</source>
+        <extracomment>%1: a person, or several</extracomment>
+        <translation>
+            <numerusform>%n Einmalcode steht unter „Schule“ und sonst nirgends: %1.</numerusform>
+            <numerusform>%n Einmalcodes stehen unter „Schule“ und sonst nirgends: %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Yes, save it</source>
+        <translation>Ja, speichern</translation>
+    </message>
+    <message>
+        <source>Stay an admin</source>
+        <translation>Admin bleiben</translation>
+    </message>
+    <message>
+        <source>You would be an admin no longer, and be logged out: save it all the same?</source>
+        <translation>Sie wären nicht mehr Admin und würden abgemeldet: trotzdem speichern?</translation>
+    </message>
+    <message>
+        <source>This is your own account. You would be logged out, and could not log in again: disable it?</source>
+        <translation>Das ist Ihr eigenes Konto. Sie würden abgemeldet und könnten sich nicht wieder anmelden: sperren?</translation>
+    </message>
+    <message>
+        <source>Yes, disable it</source>
+        <translation>Ja, sperren</translation>
     </message>
 </context>
 <context>
@@ -7373,10 +7413,6 @@ ungesichert</translation>
     <message>
         <source>The work itself can be kept as a recording.</source>
         <translation>Die Arbeit selbst kann als Aufzeichnung behalten werden.</translation>
-    </message>
-    <message>
-        <source>It waits until an admin logs in here.</source>
-        <translation>Es wartet, bis sich die Verwaltung hier anmeldet.</translation>
     </message>
     <message>
         <source>What the school keeps does not answer yet. You can go on drilling; what you asked for comes when it does.</source>

@@ -2696,6 +2696,14 @@
         <source>But its audit was changed. &quot;Check everything&quot; says where. Older backups in which it is whole are kept.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The school&apos;s file is in use: another window of Cusp, or another program, has it open, or a backup is being made. Close what has it open, and restore then.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The backup was not restored; nothing has been changed. %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>app::Application</name>
@@ -2855,6 +2863,10 @@
     </message>
     <message>
         <source>Its audit had been changed before it was made. &quot;Check everything&quot; on the page of the backups says where; an older backup may have it whole.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your role was changed, and you were logged out. Log in again.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3389,6 +3401,34 @@
     </message>
     <message>
         <source>The name to log in with is missing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n one-time code(s) are shown under School, and kept nowhere else: %1.</source>
+        <extracomment>%1: a person, or several</extracomment>
+        <translation>
+            <numerusform>%n one-time code is shown under School, and kept nowhere else: %1.</numerusform>
+            <numerusform>%n one-time codes are shown under School, and kept nowhere else: %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Yes, save it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stay an admin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>You would be an admin no longer, and be logged out: save it all the same?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is your own account. You would be logged out, and could not log in again: disable it?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Yes, disable it</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7362,10 +7402,6 @@ unsaved</source>
     </message>
     <message>
         <source>The work itself can be kept as a recording.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>It waits until an admin logs in here.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -2696,6 +2696,14 @@
         <source>But its audit was changed. &quot;Check everything&quot; says where. Older backups in which it is whole are kept.</source>
         <translation>Pero su registro fue modificado. «Revisar todo» dice dónde. Las copias anteriores en las que está íntegro se conservan.</translation>
     </message>
+    <message>
+        <source>The school&apos;s file is in use: another window of Cusp, or another program, has it open, or a backup is being made. Close what has it open, and restore then.</source>
+        <translation>El archivo de la escuela está en uso: otra ventana de Cusp u otro programa lo tiene abierto, o se está haciendo una copia de seguridad. Cierre lo que lo tiene abierto y restaure después.</translation>
+    </message>
+    <message>
+        <source>The backup was not restored; nothing has been changed. %1</source>
+        <translation>La copia de seguridad no se restauró; no se ha cambiado nada. %1</translation>
+    </message>
 </context>
 <context>
     <name>app::Application</name>
@@ -2856,6 +2864,10 @@
     <message>
         <source>Its audit had been changed before it was made. &quot;Check everything&quot; on the page of the backups says where; an older backup may have it whole.</source>
         <translation>Su registro ya había sido modificado cuando se hizo. «Comprobar todo», en la página de copias de seguridad, dice dónde; una copia anterior quizá lo tenga íntegro.</translation>
+    </message>
+    <message>
+        <source>Your role was changed, and you were logged out. Log in again.</source>
+        <translation>Se ha cambiado su rol y se ha cerrado su sesión. Inicie sesión de nuevo.</translation>
     </message>
 </context>
 <context>
@@ -3390,6 +3402,34 @@
     <message>
         <source>The name to log in with is missing.</source>
         <translation>Falta el nombre para iniciar sesión.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n one-time code(s) are shown under School, and kept nowhere else: %1.</source>
+        <extracomment>%1: a person, or several</extracomment>
+        <translation>
+            <numerusform>%n código de un solo uso se muestra en Escuela y no está en ningún otro lugar: %1.</numerusform>
+            <numerusform>%n códigos de un solo uso se muestran en Escuela y no están en ningún otro lugar: %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Yes, save it</source>
+        <translation>Sí, guardar</translation>
+    </message>
+    <message>
+        <source>Stay an admin</source>
+        <translation>Seguir siendo administrador</translation>
+    </message>
+    <message>
+        <source>You would be an admin no longer, and be logged out: save it all the same?</source>
+        <translation>Dejaría de ser administrador y se cerraría su sesión: ¿guardarlo de todos modos?</translation>
+    </message>
+    <message>
+        <source>This is your own account. You would be logged out, and could not log in again: disable it?</source>
+        <translation>Es su propia cuenta. Se cerraría su sesión y no podría volver a iniciarla: ¿desactivarla?</translation>
+    </message>
+    <message>
+        <source>Yes, disable it</source>
+        <translation>Sí, desactivar</translation>
     </message>
 </context>
 <context>
@@ -7373,10 +7413,6 @@ sin guardar</translation>
     <message>
         <source>The work itself can be kept as a recording.</source>
         <translation>El trabajo en sí puede conservarse como grabación.</translation>
-    </message>
-    <message>
-        <source>It waits until an admin logs in here.</source>
-        <translation>Quedará en espera hasta que la administración inicie sesión aquí.</translation>
     </message>
     <message>
         <source>What the school keeps does not answer yet. You can go on drilling; what you asked for comes when it does.</source>

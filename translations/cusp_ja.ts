@@ -2685,6 +2685,14 @@
         <source>But its audit was changed. &quot;Check everything&quot; says where. Older backups in which it is whole are kept.</source>
         <translation>ただし、監査記録が変更されています。「すべて確認」で場所がわかります。監査記録が元のままの以前のバックアップは残されます。</translation>
     </message>
+    <message>
+        <source>The school&apos;s file is in use: another window of Cusp, or another program, has it open, or a backup is being made. Close what has it open, and restore then.</source>
+        <translation>学校のファイルは使用中です。Cuspの別のウィンドウか別のプログラムが開いているか、バックアップの作成中です。開いているものを閉じてから復元してください。</translation>
+    </message>
+    <message>
+        <source>The backup was not restored; nothing has been changed. %1</source>
+        <translation>バックアップは復元されませんでした。何も変更されていません。%1</translation>
+    </message>
 </context>
 <context>
     <name>app::Application</name>
@@ -2842,6 +2850,10 @@
     <message>
         <source>Its audit had been changed before it was made. &quot;Check everything&quot; on the page of the backups says where; an older backup may have it whole.</source>
         <translation>このバックアップの監査は、作成される前に変更されていました。どこが変わったかはバックアップのページの「すべて検査」で分かります。古いバックアップなら元のまま残っているかもしれません。</translation>
+    </message>
+    <message>
+        <source>Your role was changed, and you were logged out. Log in again.</source>
+        <translation>役割が変更され、ログアウトしました。もう一度ログインしてください。</translation>
     </message>
 </context>
 <context>
@@ -3372,6 +3384,33 @@
     <message>
         <source>The name to log in with is missing.</source>
         <translation>ログイン名が入力されていません。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n one-time code(s) are shown under School, and kept nowhere else: %1.</source>
+        <extracomment>%1: a person, or several</extracomment>
+        <translation>
+            <numerusform>%n個のワンタイムコードは「学校」に表示されているだけで、ほかのどこにもありません：%1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Yes, save it</source>
+        <translation>はい、保存する</translation>
+    </message>
+    <message>
+        <source>Stay an admin</source>
+        <translation>管理者のままにする</translation>
+    </message>
+    <message>
+        <source>You would be an admin no longer, and be logged out: save it all the same?</source>
+        <translation>あなたは管理者ではなくなり、ログアウトします。それでも保存しますか？</translation>
+    </message>
+    <message>
+        <source>This is your own account. You would be logged out, and could not log in again: disable it?</source>
+        <translation>これはあなた自身のアカウントです。ログアウトし、再びログインできなくなります。無効にしますか？</translation>
+    </message>
+    <message>
+        <source>Yes, disable it</source>
+        <translation>はい、無効にする</translation>
     </message>
 </context>
 <context>
@@ -7324,10 +7363,6 @@ unsaved</source>
     <message>
         <source>The work itself can be kept as a recording.</source>
         <translation>作業そのものは記録として残せます。</translation>
-    </message>
-    <message>
-        <source>It waits until an admin logs in here.</source>
-        <translation>管理者がここにログインするまで保留されます。</translation>
     </message>
     <message>
         <source>What the school keeps does not answer yet. You can go on drilling; what you asked for comes when it does.</source>

@@ -151,13 +151,13 @@ int resetUser(const QCommandLineParser& parser, const QString& username)
     const auto person = database::sql::findPerson(*desk->open.school, desk->session, username.toStdString());
     if (!person)
         return failed(person.error());
-    const auto code = database::sql::resetPassword(*desk->open.school, desk->session, person->id);
-    if (!code)
-        return failed(code.error());
+    const auto reset = database::sql::resetPassword(*desk->open.school, desk->session, person->id);
+    if (!reset)
+        return failed(reset.error());
     if (person->disabled)
         warn({username.toStdString() + " is disabled and cannot log in, with a code or without; \"cusp user disable " +
               username.toStdString() + " --enable\" lets him in again"});
-    return tellCode(parser, username, *code, "the password of " + username.toStdString() + " is taken away");
+    return tellCode(parser, username, reset->code, "the password of " + username.toStdString() + " is taken away");
 }
 
 int disableUser(const QCommandLineParser& parser, const QString& username)

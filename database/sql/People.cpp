@@ -188,6 +188,7 @@ core::Result<Person> enter(const School& school, AuditBatch& audit, const std::s
     KeptLogin kept;
     if (!login.code.empty())
         kept = codeAsKept(school, person.uid, login.code);
+    person.codeUntilUtc = kept.codeUntilUtc;
     kept.passwordHash = login.passwordHash;
     auto added = ask(school.db,
                      "INSERT INTO people (uid, username, given_name, family_name, role, password_hash, reset_hash, "
@@ -267,12 +268,12 @@ core::Status changePerson(const School& school, const Session& session, const Pe
     });
 }
 
-core::Result<std::string> resetPassword(const School& school, const Session& session, PersonId person)
+core::Result<Entered> resetPassword(const School& school, const Session& session, PersonId person)
 {
     if (auto may = admit(school, session, Operation::ResetPassword); !may)
         return tl::unexpected(may.error());
-    return inTurn(school, "set a one-time code", [&]() -> core::Result<std::string> {
-        const auto who = personBy(school, QStringLiteral("id"), static_cast<qlonglong>(person.value));
+    return inTurn(school, "set a one-time code", [&]() -> core::Result<Entered> {
+        auto who = personBy(school, QStringLiteral("id"), static_cast<qlonglong>(person.value));
         if (!who)
             return tl::unexpected(who.error());
         if (who->role == Role::Admin)
@@ -291,7 +292,9 @@ core::Result<std::string> resetPassword(const School& school, const Session& ses
             return tl::unexpected(forgiven.error());
         if (auto noted = noteLogin(school, session.uid(), "password.reset", who->uid); !noted)
             return tl::unexpected(noted.error());
-        return code;
+        who->hasPassword = false;
+        who->codeUntilUtc = kept.codeUntilUtc;
+        return Entered{std::move(*who), code};
     });
 }
 

@@ -17,7 +17,8 @@ class AuditBatch;
 /// OutOfRange: a given or family name is too long, or holds what cannot be seen.
 [[nodiscard]] core::Status checkPersonName(const std::string& name);
 
-/// Who was entered, and the one-time code that lets him in: it is kept nowhere in clear, so tell it now.
+/// Who was entered, or has no password any more, and the one-time code that lets him in: it is kept nowhere in clear,
+/// so tell it now.
 struct Entered
 {
     Person person;
@@ -31,9 +32,9 @@ struct Entered
 [[nodiscard]] core::Status changePerson(const School& school, const Session& session, const Person& person,
                                         const std::optional<Person>& asItWas = {});
 
-/// Takes the password away and returns a one-time code in its place, good for Logins::kCodeLife. Failed logins are
+/// Takes the password away and gives a one-time code in its place, good for Logins::kCodeLife. Failed logins are
 /// forgiven.
-[[nodiscard]] core::Result<std::string> resetPassword(const School& school, const Session& session, PersonId person);
+[[nodiscard]] core::Result<Entered> resetPassword(const School& school, const Session& session, PersonId person);
 
 /// By the name that is typed at the login. UnknownName; admins.
 [[nodiscard]] core::Result<Person> findPerson(const School& school, const Session& session,

@@ -114,6 +114,8 @@ private slots:
     void nobodyWaitsAtTheDoorForEver();
     void eachDayHasItsBackup();
     void whoIsDisabledIsShownOutByLongWork();
+    void whoseRoleWasChangedIsShownOut();
+    void twoAdminsUndoNothingOfEachOther();
     void aRestoreThrowsNobodyElseOut();
     void aClassReportIsOfTheClassThatWasShown();
     void whatIsTypedWaitsForItsWriter();
@@ -806,6 +808,59 @@ void TestSchool::whoIsDisabledIsShownOutByLongWork()
     QTRY_COMPARE_WITH_TIMEOUT(door(), Door::Login, kPatienceMs);
     QTRY_VERIFY_WITH_TIMEOUT(m_application->window().isAtDoor(), kPatienceMs);
     QVERIFY2(saidAtDoor().contains("This account was disabled"), qPrintable(saidAtDoor()));
+}
+
+/// He would see pages that are closed to him.
+void TestSchool::whoseRoleWasChangedIsShownOut()
+{
+    start();
+    logIn("admin");
+    openSchool(ui::admin::AdminPage::People);
+    QTRY_COMPARE_WITH_TIMEOUT(child<QTableView>("people")->model()->rowCount(), 4, kPatienceMs);
+    QVERIFY(sql::execute(sql::Database::open(file()).value()->handle(),
+                         "UPDATE people SET role = 'student' WHERE username = 'admin'", "write"));
+    actions().readAgain->trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(door(), Door::Login, kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(m_application->window().isAtDoor(), kPatienceMs);
+    QVERIFY2(saidAtDoor().contains("Your role was changed"), qPrintable(saidAtDoor()));
+    QVERIFY2(message().isEmpty(), qPrintable(message()));
+    logIn("admin");
+    QVERIFY(!actions().school->isVisible());
+}
+
+/// One has begun to type when the other saves.
+void TestSchool::twoAdminsUndoNothingOfEachOther()
+{
+    start();
+    logIn("admin");
+    openSchool(ui::admin::AdminPage::People);
+    const auto* people = child<QTableView>("people")->model();
+    QTRY_COMPARE_WITH_TIMEOUT(people->rowCount(), 4, kPatienceMs);
+    for (int row = 0; row < people->rowCount(); ++row)
+        if (people->index(row, 1).data().toString() == "sam")
+            child<QTableView>("people")->setCurrentIndex(people->index(row, 0));
+    QTest::keyClicks(child<QLineEdit>("personGiven"), "X");
+    const auto database = sql::Database::open(file()).value();
+    const sql::School school{database->handle(), StationKey::readOrMake(m_folder->filePath("station.key")).value()};
+    const auto other = sql::Logins::login(school, "admin", kPassword).value();
+    Person sam = sql::findPerson(school, other, "sam").value();
+    sam.role = Role::Instructor;
+    QVERIFY(sql::changePerson(school, other, sam));
+    const ClassId next = sql::addClass(school, other, "DEN102-B").value();
+    const ClassId before = sql::listClasses(school, other).value().front().id;
+    QVERIFY(sql::enrol(school, other, next, sam.id, true));
+    QVERIFY(sql::enrol(school, other, before, sam.id, false));
+    actions().readAgain->trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(child<QListWidget>("personClasses")->count(), 2, kPatienceMs);
+    click("savePerson");
+    QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("personSaid")->text().contains("was changed"), kPatienceMs);
+    const auto all = sql::listPeople(school, other).value();
+    for (const Person& one : all)
+        if (one.username == "sam") {
+            QCOMPARE(one.givenName, std::string("samX"));
+            QCOMPARE(one.role, Role::Instructor);
+            QCOMPARE(one.classes, std::vector<ClassId>{next});
+        }
 }
 
 /// Who had asked for it has left while the backup was looked at.
@@ -1848,6 +1903,8 @@ void TestSchool::anAdminEntersAndChangesPeople()
     };
     select("admin");
     click("disablePerson");
+    QTest::qWait(2 * QGuiApplication::styleHints()->mouseDoubleClickInterval() + 50);
+    click("disablePerson");
     QTRY_VERIFY2_WITH_TIMEOUT(child<QLabel>("personFault")->text().contains("the last admin"),
                               qPrintable(child<QLabel>("personFault")->text()), 5000);
     select("sue");
@@ -1856,8 +1913,8 @@ void TestSchool::anAdminEntersAndChangesPeople()
     click("resetPassword");
     click("resetPassword");
     QVERIFY(child<QLabel>("personSaid")->text().startsWith("sue Student will need"));
-    QTest::keyClick(child<QPushButton>("keepPassword"), Qt::Key_Escape);
-    QVERIFY(!child<QPushButton>("keepPassword")->isVisible() && child<ui::admin::AdminPage>()->isVisible());
+    QTest::keyClick(child<QPushButton>("keepAsItIs"), Qt::Key_Escape);
+    QVERIFY(!child<QPushButton>("keepAsItIs")->isVisible() && child<ui::admin::AdminPage>()->isVisible());
     QVERIFY(sql::Logins::login(school, "sue", kPassword));
     click("resetPassword");
     QTest::qWait(2 * QGuiApplication::styleHints()->mouseDoubleClickInterval() + 50);

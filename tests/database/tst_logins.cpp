@@ -316,7 +316,7 @@ void TestLogins::aCodeIsGoodOnceAndForThreeDays()
     SCHOOL_RIG(rig);
     rig.populate();
     const PersonId sam = rig.student.person();
-    const std::string code = resetPassword(rig.school(), rig.admin, sam).value();
+    const std::string code = resetPassword(rig.school(), rig.admin, sam).value().code;
     VERIFY_REFUSED(Logins::login(rig.school(), "s1001", SchoolRig::kPassword), ErrorCode::WrongLogin);
     VERIFY_REFUSED(Logins::login(rig.school(), "s1001", code), ErrorCode::NewPassword);
     VERIFY_REFUSED(Logins::redeem(rig.school(), "s1002", code, "another horse"), ErrorCode::WrongLogin);
@@ -328,7 +328,7 @@ void TestLogins::aCodeIsGoodOnceAndForThreeDays()
     VERIFY_REFUSED(Logins::redeem(rig.school(), "s1001", code, "third horse!"), ErrorCode::WrongLogin);
     VERIFY_DONE(Logins::login(rig.school(), "s1001", "another horse"));
 
-    const std::string late = resetPassword(rig.school(), rig.admin, sam).value();
+    const std::string late = resetPassword(rig.school(), rig.admin, sam).value().code;
     rig.nowUtc = rig.nowUtc.addSecs(std::chrono::seconds(Logins::kCodeLife).count() + 1);
     VERIFY_REFUSED(Logins::login(rig.school(), "s1001", late), ErrorCode::WrongLogin);
     // Neither code nor password stand in the database.

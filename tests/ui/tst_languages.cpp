@@ -242,11 +242,11 @@ void TestLanguages::openSchool(ui::admin::AdminPage::Part part)
     ui::admin::AdminPage& school = m_window->adminPage();
     qobject_cast<QStackedWidget*>(school.parentWidget())->setCurrentWidget(&school);
     school.show(part);
-    school.people().setPeople(
-        {{{1}, "a", "[···]", "[··]", "[···]", database::Role::Admin, false, true, "", "2026-05-04T10:20:30Z", {{1}}}},
-        {{{1}, "[···]", 1, 1}});
-    school.people().confirm({1}, "[···]");
-    school.people().showCode({1}, "[···]", "[···]");
+    const database::Person person{
+        {1}, "a", "[···]", "[··]", "[···]", database::Role::Admin, false, true, "", "2026-05-04T10:20:30Z", {{1}}};
+    school.people().setPeople({person}, {{{1}, "[···]", 1, 1}});
+    school.people().confirm({1}, [] { return QString("[···]"); });
+    school.people().showCode({}, person, "[···]");
     school.roster().showOutcome({{},
                                  {{"[···]", "[···]", database::Role::Student, {"[···]"}, true, "[···]", {}},
                                   {"[···]", "[···]", database::Role::Student, {"[···]"}, false, {}, "[···]"}},

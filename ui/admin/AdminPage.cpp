@@ -3,7 +3,6 @@
 
 #include <QButtonGroup>
 #include <QHBoxLayout>
-#include <QHideEvent>
 #include <QKeyEvent>
 #include <QPushButton>
 #include <QStackedWidget>
@@ -70,6 +69,18 @@ void AdminPage::setLessonTitles(const people::LessonTitles& titles)
     m_audit->setLessonTitles(titles);
 }
 
+void AdminPage::setWriter(const QString& person)
+{
+    m_people->setWriter(person);
+    m_roster->setWriter(person);
+}
+
+void AdminPage::forgetCodes()
+{
+    m_people->forgetCodes();
+    m_roster->showOutcome({}, {}, false);
+}
+
 void AdminPage::show(Part part)
 {
     m_choice->button(part)->setChecked(true);
@@ -89,13 +100,6 @@ bool AdminPage::event(QEvent* event)
         return true;
     }
     return Page::event(event);
-}
-
-void AdminPage::hideEvent(QHideEvent* event)
-{
-    Page::hideEvent(event);
-    if (!event->spontaneous())  // or else the window was only made small
-        m_people->forgetCodes();
 }
 
 }  // namespace ui::admin

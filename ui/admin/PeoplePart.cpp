@@ -49,6 +49,26 @@ constexpr int kTickPx = 28;
 constexpr int kMostFittedPx = 320;  ///< of a column, for the sake of one who is in many classes
 constexpr int kSoonMs = 100;        ///< what takes longer is told
 constexpr std::array kRoles{Role::Student, Role::Instructor, Role::Admin};
+const QString kPerson = QStringLiteral("person");
+const QString kForms = QStringLiteral("forms");
+
+QString nameOf(const Person& person)
+{
+    return QString::fromStdString(person.fullName().empty() ? person.username : person.fullName());
+}
+
+QString roleText(int index)
+{
+    return QString::fromUtf8(database::roleName(kRoles.at(static_cast<std::size_t>(std::max(0, index)))).data());
+}
+
+/// Of what a file says; a student, where it says nothing.
+int roleAt(const QJsonValue& text)
+{
+    const auto role = database::roleOf(text.toString().toStdString()).value_or(Role::Student);
+    const auto found = std::find(kRoles.begin(), kRoles.end(), role);
+    return found == kRoles.end() ? 0 : static_cast<int>(found - kRoles.begin());
+}
 
 /// As high as the fields leave it room for, and at least three lines.
 class TickList final : public QListWidget
@@ -222,7 +242,7 @@ QWidget* PeoplePart::makeForm()
     stack->addWidget(m_said);
     m_save = button("filled", "savePerson", whole);
     m_reset = button("", "resetPassword", whole);
-    m_keepPassword = button("", "keepPassword", whole);
+    m_keep = button("", "keepAsItIs", whole);
     m_disable = button("", "disablePerson", whole);
     // The button above stays where it is when they come.
     QSizePolicy keepsPlace = m_reset->sizePolicy();
@@ -230,7 +250,7 @@ QWidget* PeoplePart::makeForm()
     m_reset->setSizePolicy(keepsPlace);
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(m_reset);
-    buttons->addWidget(m_keepPassword);
+    buttons->addWidget(m_keep);
     buttons->addWidget(m_disable);
     buttons->addStretch(1);
     stack->addWidget(m_save, 0, Qt::AlignLeft);
@@ -250,11 +270,13 @@ QWidget* PeoplePart::makeForm()
     m_thought = new SecondThought(*this);
     const auto keep = [this] {
         m_thought->end();
-        m_said->clear();
+        say({});
+        if (const Person* const person = chosen(); person != nullptr && m_question == Question::OwnRole)
+            m_role->setCurrentIndex(asEntered(*person).role);
         showForm();
-        m_reset->setFocus();
+        (m_question == Question::Password ? m_reset : m_question == Question::OwnRole ? m_save : m_disable)->setFocus();
     };
-    connect(m_keepPassword, &QPushButton::clicked, this, keep);
+    connect(m_keep, &QPushButton::clicked, this, keep);
     connect(m_thought, &SecondThought::withdrawn, this, keep);
     connect(m_disable, &QPushButton::clicked, this, &PeoplePart::toggleDisabled);
     connect(m_copy, &QPushButton::clicked, this, [this] { QGuiApplication::clipboard()->setText(m_code->text()); });
@@ -266,17 +288,14 @@ QWidget* PeoplePart::makeForm()
                 there->setCheckState(Qt::Checked);
                 m_classList->scrollToItem(there);
                 m_className->clear();
-                study::showFault(m_fault, {});
                 //: %1: the name of a class
-                m_said->setText(tr("There is a class %1 already. It is ticked above.").arg(wanted));
+                say([wanted] { return tr("There is a class %1 already. It is ticked above.").arg(wanted); });
                 return;
             }
-        if (!wanted.isEmpty())
-            emit classWanted(wanted);
-        // Whoever adds a class while he enters or changes somebody means him to be in it.
-        m_isTouched = m_isTouched || !m_className->text().trimmed().isEmpty();
-        m_classAdded = m_className->text().trimmed().toStdString();
-        m_className->clear();
+        if (wanted.isEmpty() || wanted.toStdString() == m_classAdded)  // it is on its way
+            return;
+        m_classAdded = wanted.toStdString();
+        emit classWanted(wanted);
     };
     connect(m_addClass, &QPushButton::clicked, this, addClass);
     connect(m_className, &QLineEdit::returnPressed, this, addClass);
@@ -342,8 +361,6 @@ void PeoplePart::speak()
     m_addClass->setToolTip(tr("Add a class of this name"));
     m_renameClass->setText(tr("Rename"));
     m_renameClass->setToolTip(tr("Give this name to the class that is chosen above"));
-    m_keepPassword->setText(tr("Keep it"));
-    m_keepPassword->setAccessibleName(tr("Keep the password"));
     m_reset->setToolTip(brokenIntoLines(tr("Take the password away and give a one-time code in its place")));
     m_copy->setText(tr("Copy"));
     m_new->setAccessibleName(m_new->text());
@@ -357,6 +374,7 @@ void PeoplePart::speak()
         m_role->addItem(roleWord(one));
     m_role->setCurrentIndex(role);
     study::nameInput(m_role, tr("Role"));
+    say(m_sentence, m_faultSentence);
     fill();
     showForm();
 }
@@ -447,9 +465,14 @@ void PeoplePart::setPeople(const QList<Person>& people, const QList<database::Sc
 {
     m_people = people;
     m_classes = classes;
-    for (const Person& person : people)
-        if (person.hasPassword)  // the code was used
+    for (const Person& person : people)  // the code was used, or another was made in its place
+        if (person.hasPassword || person.codeUntilUtc != m_codes.value(person.id.value).untilUtc)
             m_codes.remove(person.id.value);
+    // A backup was put in the place of the school, in which somebody else has the number.
+    m_aside.removeIf([this](const Typed& one) {
+        const Person* const whose = find(one.person());
+        return one.person() != 0 && (whose == nullptr || whose->uid != one.asItWas.uid);
+    });
     fill();
     showForm();
 }
@@ -468,10 +491,10 @@ void PeoplePart::choose(qint64 person)
     putAside();
     m_chosen = person;
     m_isTouched = false;
+    m_classAdded.clear();
     m_sinceSubmitted.invalidate();
-    m_said->clear();
     m_thought->end();
-    study::showFault(m_fault, {});
+    say({});
     if (person == 0) {
         for (QLineEdit* one : {m_username, m_given, m_family})
             one->clear();
@@ -494,9 +517,52 @@ void PeoplePart::select(qint64 person)
     choose(person);
 }
 
+PeoplePart::Typed PeoplePart::asEntered(const Person& person)
+{
+    Typed form{person,
+               QString::fromStdString(person.username),
+               QString::fromStdString(person.givenName),
+               QString::fromStdString(person.familyName),
+               static_cast<int>(std::find(kRoles.begin(), kRoles.end(), person.role) - kRoles.begin()),
+               {}};
+    for (const database::ClassId one : person.classes)
+        form.classes.insert(one.value);
+    return form;
+}
+
+/// What was changed by hand stays; all else is as others have entered it since the form was filled.
+PeoplePart::Typed PeoplePart::onto(const Person& now, const Typed& typed)
+{
+    const Typed before = asEntered(typed.asItWas);
+    Typed form = asEntered(now);
+    if (typed.given != before.given)
+        form.given = typed.given;
+    if (typed.family != before.family)
+        form.family = typed.family;
+    if (typed.role != before.role)
+        form.role = typed.role;
+    form.classes += typed.classes - before.classes;
+    form.classes -= before.classes - typed.classes;
+    return form;
+}
+
 PeoplePart::Typed PeoplePart::typed() const
 {
     return {m_inForm, m_username->text(), m_given->text(), m_family->text(), m_role->currentIndex(), tickedClasses()};
+}
+
+void PeoplePart::write(const Typed& typed)
+{
+    m_inForm = typed.asItWas;
+    const auto put = [](QLineEdit* field, const QString& words) {
+        if (field->text() != words)  // or else who is typing would lose his place
+            field->setText(words);
+    };
+    put(m_username, typed.username);
+    put(m_given, typed.given);
+    put(m_family, typed.family);
+    m_role->setCurrentIndex(typed.role);
+    fillClasses(typed.classes);
 }
 
 /// Touched is not enough: what was typed and taken out again is nothing.
@@ -505,15 +571,11 @@ bool PeoplePart::isHalfFilled() const
     if (!m_isTouched)
         return false;
     const Typed now = typed();
-    const Person* const person = find(m_inForm);
-    if (person == nullptr)
+    if (now.person() == 0)
         return !now.username.isEmpty() || !now.given.isEmpty() || !now.family.isEmpty();
-    QSet<qint64> belongs;
-    for (const database::ClassId one : person->classes)
-        belongs.insert(one.value);
-    return now.given != QString::fromStdString(person->givenName) ||
-           now.family != QString::fromStdString(person->familyName) ||
-           kRoles.at(static_cast<std::size_t>(std::max(0, now.role))) != person->role || now.classes != belongs;
+    const Typed before = asEntered(m_inForm);
+    return now.given != before.given || now.family != before.family || now.role != before.role ||
+           now.classes != before.classes;
 }
 
 void PeoplePart::putAside()
@@ -529,27 +591,25 @@ void PeoplePart::putAside()
 void PeoplePart::dropAside(const Typed& what)
 {
     m_aside.removeIf([&what](const Typed& one) {
-        return one.person == what.person &&
-               (one.person != 0 || (!one.username.isEmpty() && one.username == what.username));
+        return one.person() == what.person() &&
+               (one.person() != 0 || (!one.username.isEmpty() && one.username == what.username));
     });
     tellAside();
 }
 
-QString PeoplePart::asideWords(qint64 person) const
+QString PeoplePart::asideWords(const Typed& aside)
 {
-    const Person* const whose = find(person);
-    if (whose == nullptr)
+    if (aside.person() == 0)
         return tr("What you had typed for a new person is put aside.");
     //: %1 is a person
-    return tr("What you had changed of %1 is put aside.")
-        .arg(QString::fromStdString(whose->fullName().empty() ? whose->username : whose->fullName()));
+    return tr("What you had changed of %1 is put aside.").arg(nameOf(aside.asItWas));
 }
 
 void PeoplePart::tellAside()
 {
     m_asideRow->setVisible(!m_aside.isEmpty());
     if (!m_aside.isEmpty())
-        m_asideWords->setText(asideWords(m_aside.back().person));
+        m_asideWords->setText(asideWords(m_aside.back()));
 }
 
 void PeoplePart::bringBack()
@@ -557,29 +617,130 @@ void PeoplePart::bringBack()
     const Typed back = m_aside.takeLast();
     putAside();  // what has been typed since, of the same person as well
     m_isTouched = false;
-    select(back.person);
+    select(back.person());
     showForm();
-    if (back.person == 0)
-        m_username->setText(back.username);
-    m_given->setText(back.given);
-    m_family->setText(back.family);
-    m_role->setCurrentIndex(back.role);
-    const QSignalBlocker quiet(m_classList);
-    for (int k = 0; k < m_classList->count(); ++k) {
-        QListWidgetItem* const item = m_classList->item(k);
-        item->setCheckState(back.classes.contains(item->data(kId).toLongLong()) ? Qt::Checked : Qt::Unchecked);
-    }
+    const Person* const person = chosen();
+    write(person == nullptr ? back : onto(*person, back));
     m_isTouched = true;
     tellAside();
 }
 
 QString PeoplePart::unkept() const
 {
+    QStringList sentences;
     if (isHalfFilled())
-        return m_inForm == 0 ? tr("What you have typed for a new person is not entered.")
-                             //: %1 is a person
-                             : tr("What you have changed of %1 is not saved.").arg(m_title->text());
-    return m_aside.isEmpty() ? QString() : asideWords(m_aside.back().person);
+        sentences << (m_inForm.id.value == 0 ? tr("What you have typed for a new person is not entered.")
+                                             //: %1 is a person
+                                             : tr("What you have changed of %1 is not saved.").arg(m_title->text()));
+    else if (!m_aside.isEmpty())
+        sentences << asideWords(m_aside.back());
+    if (!m_codes.isEmpty()) {
+        QStringList names;
+        for (const Code& one : m_codes)
+            names << one.fullName;
+        names.sort();
+        //: %1: a person, or several
+        sentences << tr("%n one-time code(s) are shown under School, and kept nowhere else: %1.", nullptr,
+                        static_cast<int>(names.size()))
+                         .arg(names.join(QStringLiteral(", ")));
+    }
+    return sentences.join(u'\n');
+}
+
+void PeoplePart::setWriter(const QString& person)
+{
+    if (person == m_writer)
+        return;
+    select(0);  // puts aside what is half filled in
+    m_search->clear();
+    m_className->clear();
+    m_submitted.reset();
+    if (!m_aside.isEmpty() || !m_codes.isEmpty())
+        m_waiting[m_writer] = {std::move(m_aside), std::move(m_codes)};
+    m_waiting.erase(QString());  // nobody comes back for it
+    m_writer = person;
+    m_aside.clear();
+    m_codes.clear();
+    if (const auto own = m_waiting.find(person); own != m_waiting.end()) {
+        m_aside = std::move(own->second.forms);
+        m_codes = std::move(own->second.codes);
+        m_waiting.erase(own);
+    }
+    fill();
+    showForm();
+}
+
+bool PeoplePart::holdsCodes(bool withOwn) const
+{
+    return (withOwn && !m_codes.isEmpty()) ||
+           std::any_of(m_waiting.begin(), m_waiting.end(), [](const auto& one) { return !one.second.codes.isEmpty(); });
+}
+
+QJsonArray PeoplePart::waiting(bool withOwn) const
+{
+    QJsonArray all;
+    const auto add = [&all](const QString& person, const QList<Typed>& forms) {
+        QJsonArray typed;
+        for (const Typed& one : forms)
+            typed.append(toJson(one));
+        if (!typed.isEmpty())
+            all.append(QJsonObject{{kPerson, person}, {kForms, typed}});
+    };
+    for (const auto& [person, waits] : m_waiting)
+        add(person, waits.forms);
+    if (withOwn && !m_writer.isEmpty())
+        add(m_writer, isHalfFilled() ? m_aside + QList{this->typed()} : m_aside);
+    return all;
+}
+
+bool PeoplePart::goOnWith(const QJsonObject& typed)
+{
+    const QString person = typed[kPerson].toString();
+    const QJsonArray forms = typed[kForms].toArray();
+    if (person.isEmpty() || forms.isEmpty() || person == m_writer || m_waiting.count(person) > 0)
+        return false;
+    for (const QJsonValue one : forms)
+        m_waiting[person].forms << fromJson(one.toObject());
+    return true;
+}
+
+QJsonObject PeoplePart::toJson(const Typed& typed)
+{
+    const auto form = [](const Typed& one) {
+        QJsonArray classes;
+        for (const qint64 id : one.classes)
+            classes.append(id);
+        return QJsonObject{
+            {"given", one.given}, {"family", one.family}, {"role", roleText(one.role)}, {"classes", classes}};
+    };
+    QJsonObject json = form(typed);
+    json["username"] = typed.username;
+    if (typed.person() != 0) {
+        json["was"] = form(asEntered(typed.asItWas));
+        json["id"] = typed.person();
+        json["uid"] = QString::fromStdString(typed.asItWas.uid);
+    }
+    return json;
+}
+
+PeoplePart::Typed PeoplePart::fromJson(const QJsonObject& typed)
+{
+    Typed form{
+        {}, typed["username"].toString(), typed["given"].toString(), typed["family"].toString(), roleAt(typed["role"]),
+        {}};
+    for (const QJsonValue one : typed["classes"].toArray())
+        form.classes.insert(one.toInteger());
+    const QJsonObject was = typed["was"].toObject();
+    Person& before = form.asItWas;
+    before.id = {typed["id"].toInteger()};
+    before.uid = typed["uid"].toString().toStdString();
+    before.username = form.username.toStdString();
+    before.givenName = was["given"].toString().toStdString();
+    before.familyName = was["family"].toString().toStdString();
+    before.role = kRoles.at(static_cast<std::size_t>(roleAt(was["role"])));
+    for (const QJsonValue one : was["classes"].toArray())
+        before.classes.push_back({one.toInteger()});
+    return form;
 }
 
 /// The question is about what was on the screen when it was asked.
@@ -588,8 +749,38 @@ void PeoplePart::endThought()
     if (!m_thought->isAsked())
         return;
     m_thought->end();
-    m_said->clear();
+    say({});
     showButtons(chosen());
+}
+
+/// Whether what cannot be undone was asked about and may be done. The first time it is asked.
+bool PeoplePart::isAnswered(Question question)
+{
+    if (m_thought->isAsked() && m_question == question) {
+        if (!m_thought->mayBeAnswered())
+            return false;
+        endThought();
+        return true;
+    }
+    m_question = question;
+    m_thought->ask();
+    showForm();
+    m_keep->setFocus();
+    return false;
+}
+
+/// In the language there is, and in another when that is chosen.
+void PeoplePart::say(const Words& sentence, const Words& fault)
+{
+    m_sentence = sentence;
+    m_faultSentence = fault;
+    m_said->setText(sentence ? sentence() : QString());
+    study::showFault(m_fault, fault ? fault() : QString());
+}
+
+bool PeoplePart::isOwn(const Person* person) const
+{
+    return person != nullptr && person->uid == m_writer.toStdString();
 }
 
 /// Of a double click whose first has changed what the buttons are.
@@ -608,13 +799,14 @@ void PeoplePart::forgetCodes()
 
 bool PeoplePart::mayLeave()
 {
-    const QString warning =
-        tr("The one-time codes that are shown here are kept nowhere else. Esc once more leaves School without them.");
+    const auto warning = [] {
+        return tr("The one-time codes that are shown here are kept nowhere else. Esc once more leaves School without "
+                  "them.");
+    };
     // Who has done anything else meanwhile does not remember it.
-    if (m_codes.isEmpty() || m_said->text() == warning)
+    if (m_codes.isEmpty() || m_said->text() == warning())
         return true;
-    study::showFault(m_fault, {});
-    m_said->setText(warning);
+    say(warning);
     return false;
 }
 
@@ -622,19 +814,16 @@ void PeoplePart::showForm()
 {
     const Person* const person = chosen();
     // What is being typed outlives news of what others have entered.
-    m_isTouched = std::exchange(m_inForm, m_chosen) == m_chosen && m_isTouched;
-    m_title->setText(person == nullptr
-                         ? tr("New person")
-                         : QString::fromStdString(person->fullName().empty() ? person->username : person->fullName()));
+    m_isTouched = m_inForm.id.value == m_chosen && m_isTouched;
+    m_title->setText(person == nullptr ? tr("New person") : nameOf(*person));
     m_username->setReadOnly(person != nullptr);
-    if (person != nullptr && !m_isTouched) {
-        m_username->setText(QString::fromStdString(person->username));
-        m_given->setText(QString::fromStdString(person->givenName));
-        m_family->setText(QString::fromStdString(person->familyName));
-        m_role->setCurrentIndex(
-            static_cast<int>(std::find(kRoles.begin(), kRoles.end(), person->role) - kRoles.begin()));
+    if (person != nullptr) {
+        write(m_isTouched ? onto(*person, typed()) : asEntered(*person));
+    } else {
+        m_inForm = {};
+        m_inForm.id = {m_chosen};  // whom the list does not have yet
+        fillClasses(tickedClasses());
     }
-    fillClasses(person);
     showButtons(person);
     const Code code = m_codes.value(m_chosen);
     m_codeCard->setVisible(!code.code.isEmpty());
@@ -647,35 +836,47 @@ void PeoplePart::showForm()
 
 void PeoplePart::showButtons(const Person* person)
 {
-    m_save->setText(person == nullptr ? tr("Enter the person") : tr("Save the changes"));
-    m_save->setAccessibleName(m_save->text());
-    m_reset->setVisible(person != nullptr);
+    const auto asks = [this](Question question) { return m_thought->isAsked() && m_question == question; };
     const bool isAsked = m_thought->isAsked();
+    const bool ofPassword = asks(Question::Password);
+    m_save->setText(person == nullptr         ? tr("Enter the person")
+                    : asks(Question::OwnRole) ? tr("Yes, save it")
+                                              : tr("Save the changes"));
+    m_save->setAccessibleName(m_save->text());
+    m_reset->setVisible(person != nullptr && (!isAsked || ofPassword));
     const bool hasPassword = person != nullptr && person->hasPassword;
-    m_reset->setText(!isAsked ? tr("Reset password") : hasPassword ? tr("Yes, take it away") : tr("Yes, make another"));
-    m_reset->setAccessibleName(isAsked && hasPassword ? tr("Yes, take the password away") : m_reset->text());
-    m_keepPassword->setVisible(isAsked);
-    if (isAsked && person != nullptr)
+    m_reset->setText(!ofPassword   ? tr("Reset password")
+                     : hasPassword ? tr("Yes, take it away")
+                                   : tr("Yes, make another"));
+    m_reset->setAccessibleName(ofPassword && hasPassword ? tr("Yes, take the password away") : m_reset->text());
+    m_keep->setVisible(isAsked);
+    m_keep->setText(asks(Question::OwnRole) ? tr("Stay an admin") : tr("Keep it"));
+    m_keep->setAccessibleName(ofPassword ? tr("Keep the password") : m_keep->text());
+    if (ofPassword && person != nullptr)
         m_said->setText(person->hasPassword
                             //: %1 is a person
                             ? tr("%1 will need a new one-time code: take the password away?").arg(m_title->text())
                             //: %1 is a person
                             : tr("The one-time code of %1 above would let nobody in any longer: make another?")
                                   .arg(m_title->text()));
-    m_disable->setVisible(person != nullptr && !isAsked);
-    m_disable->setText(person != nullptr && person->disabled ? tr("Enable") : tr("Disable"));
+    else if (asks(Question::OwnRole))
+        m_said->setText(tr("You would be an admin no longer, and be logged out: save it all the same?"));
+    else if (asks(Question::OwnAccount))
+        m_said->setText(tr("This is your own account. You would be logged out, and could not log in again: disable "
+                           "it?"));
+    m_disable->setVisible(person != nullptr && (!isAsked || asks(Question::OwnAccount)));
+    m_disable->setText(asks(Question::OwnAccount)              ? tr("Yes, disable it")
+                       : person != nullptr && person->disabled ? tr("Enable")
+                                                               : tr("Disable"));
     m_disable->setAccessibleName(m_disable->text());
     m_disable->setToolTip(brokenIntoLines(tr("Who is disabled cannot log in; attempts and names stay")));
 }
 
 /// The person's own first; DEN2 before DEN10.
-void PeoplePart::fillClasses(const Person* person)
+void PeoplePart::fillClasses(const QSet<qint64>& wanted)
 {
-    const QSet<qint64> ticked = tickedClasses();
     const auto belongs = [&](const database::SchoolClass& one) {
-        return person != nullptr && !m_isTouched
-                   ? std::find(person->classes.begin(), person->classes.end(), one.id) != person->classes.end()
-                   : ticked.contains(one.id.value) || one.name == m_classAdded;
+        return wanted.contains(one.id.value) || (m_isTouched && one.name == m_classAdded);
     };
     QCollator byName;
     byName.setNumericMode(true);
@@ -711,13 +912,16 @@ void PeoplePart::submit()
 {
     if (isSecondClick())
         return;
-    endThought();
-    study::showFault(m_fault, {});
-    m_said->clear();
     const Role role = kRoles.at(static_cast<std::size_t>(std::max(0, m_role->currentIndex())));
+    const Person* const person = chosen();
+    const bool givesUpRole = isOwn(person) && person->role == Role::Admin && role != Role::Admin;
+    if (givesUpRole && !isAnswered(Question::OwnRole))
+        return;
+    endThought();
+    say({});
     const std::string given = m_given->text().trimmed().toStdString();
     const std::string family = m_family->text().trimmed().toStdString();
-    if (const Person* const person = chosen()) {
+    if (person != nullptr) {
         Person changed = *person;
         changed.givenName = given;
         changed.familyName = family;
@@ -726,7 +930,7 @@ void PeoplePart::submit()
         m_sinceSubmitted.start();
         emit changeWanted(changed, tickedClasses());
     } else if (const QString name = m_username->text().trimmed(); name.isEmpty()) {
-        study::showFault(m_fault, tr("The name to log in with is missing."));
+        say({}, [] { return tr("The name to log in with is missing."); });
         m_username->setFocus();
     } else {
         m_submitted = typed();
@@ -735,7 +939,7 @@ void PeoplePart::submit()
     }
     QTimer::singleShot(kSoonMs, this, [this] {
         if (m_submitted)
-            m_said->setText(tr("The school's data are being written to …"));
+            say([] { return tr("The school's data are being written to …"); });
     });
 }
 
@@ -745,17 +949,11 @@ void PeoplePart::askToReset()
     if (isSecondClick())
         return;
     const Person* const person = chosen();
-    if (m_thought->isAsked() && !m_thought->mayBeAnswered())
+    const bool isLoss = person != nullptr && (person->hasPassword || m_codes.contains(m_chosen));
+    if (isLoss && !isAnswered(Question::Password))
         return;
-    if (person != nullptr && (person->hasPassword || m_codes.contains(m_chosen)) && !m_thought->isAsked()) {
-        m_thought->ask();
-        showForm();
-        m_keepPassword->setFocus();
-        return;
-    }
-    m_thought->end();
-    m_said->clear();
-    showForm();
+    endThought();
+    say({});
     emit resetWanted(m_chosen);
 }
 
@@ -763,6 +961,8 @@ void PeoplePart::toggleDisabled()
 {
     const Person* const person = chosen();
     if (person == nullptr || isSecondClick())
+        return;
+    if (isOwn(person) && !person->disabled && !isAnswered(Question::OwnAccount))
         return;
     Person changed = *person;
     changed.disabled = !changed.disabled;
@@ -775,37 +975,55 @@ void PeoplePart::toggleDisabled()
     emit changeWanted(changed, classes);
 }
 
-void PeoplePart::showCode(database::PersonId person, const QString& fullName, const QString& code)
+void PeoplePart::showCode(const QString& writer, const Person& person, const QString& code)
 {
-    m_codes.insert(person.value, {fullName, code});
+    const Code made{nameOf(person), code, person.codeUntilUtc};
+    if (writer != m_writer) {
+        m_waiting[writer].codes.insert(person.id.value, made);
+        return;
+    }
+    m_codes.insert(person.id.value, made);
     fill();
     showForm();
     m_pane->ensureVisible(0, 0);
 }
 
-void PeoplePart::confirm(database::PersonId person, const QString& sentence)
+void PeoplePart::confirm(database::PersonId person, const Words& sentence)
 {
     // What was not sent with this stays as it was typed, or is put aside.
     const std::optional<Typed> submitted = std::exchange(m_submitted, std::nullopt);
     if (submitted) {
         dropAside(*submitted);
-        m_isTouched = m_isTouched && m_inForm != submitted->person;
+        m_isTouched = m_isTouched && m_inForm.id.value != submitted->person();
     }
-    if (m_inForm != person.value)
+    if (m_inForm.id.value != person.value)
         putAside();
-    if (submitted && submitted->person == 0)  // the buttons of somebody who is there come under the pointer
+    if (submitted && submitted->person() == 0)  // the buttons of somebody who is there come under the pointer
         m_sinceSubmitted.start();
     m_chosen = person.value;
     m_className->clear();
-    study::showFault(m_fault, {});
-    m_said->setText(sentence);
+    say(sentence);
 }
 
-void PeoplePart::refuse(const QString& sentence)
+void PeoplePart::refuse(const Words& sentence)
 {
     m_submitted.reset();
-    m_said->clear();
-    study::showFault(m_fault, sentence);
+    say({}, sentence);
+}
+
+void PeoplePart::confirmClass(const QString& name)
+{
+    // Whoever adds a class while he enters or changes somebody means him to be in it.
+    m_isTouched = m_isTouched || !m_classAdded.empty();
+    if (m_className->text().trimmed() == name)  // and not the next already
+        m_className->clear();
+    say({});
+}
+
+void PeoplePart::refuseClass(const Words& sentence)
+{
+    m_classAdded.clear();
+    say({}, sentence);
 }
 
 }  // namespace ui::admin

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
+#include <map>
 #include <optional>
 
 #include <QElapsedTimer>
 #include <QHash>
+#include <QJsonArray>
+#include <QJsonObject>
 #include <QList>
 #include <QSet>
 #include <QString>
@@ -40,20 +44,41 @@ class PeoplePart final : public QWidget
 public:
     explicit PeoplePart(QWidget* parent);
 
+    /// A sentence in the language there is.
+    using Words = std::function<QString()>;
+
     /// Who is chosen stays chosen.
     void setPeople(const QList<database::Person>& people, const QList<database::SchoolClass>& classes);
-    /// Lets a person in once; it is kept nowhere else, so his form shows it until it is used or the page is left.
-    void showCode(database::PersonId person, const QString& fullName, const QString& code);
-    /// The page is left, and perhaps by who made them.
+    /// Lets a person in once; it is kept nowhere else, so his form shows it until it is used, another is made, or the
+    /// page is left.
+    /// @param writer  who has made it: nobody else is shown it
+    void showCode(const QString& writer, const database::Person& person, const QString& code);
+    /// The page is left by who made them.
     void forgetCodes();
     /// Whether the page may be left by Esc, perhaps one key too many: codes would be gone. No, the first time, and says
     /// so.
     [[nodiscard]] bool mayLeave();
     /// What was wanted has been done; the form is that of this person from now on.
-    void confirm(database::PersonId person, const QString& sentence);
-    void refuse(const QString& sentence);
-    /// That somebody's form is half filled in, in a sentence. Empty: none is.
+    void confirm(database::PersonId person, const Words& sentence);
+    void refuse(const Words& sentence);
+    /// The same of a class that was added, or has another name now.
+    void confirmClass(const QString& name);
+    /// The name that was typed stays, to be corrected.
+    void refuseClass(const Words& sentence);
+
+    /// Which admin works here now, by his uid, empty: none. What another has typed, and one-time codes that he has
+    /// made, wait until he is back, and are shown to nobody else.
+    void setWriter(const QString& person);
+    /// That somebody's form is half filled in, or codes are shown, in sentences. Empty: neither.
     [[nodiscard]] QString unkept() const;
+    /// Whether codes wait that others have made.
+    /// @param withOwn  or the writer
+    [[nodiscard]] bool holdsCodes(bool withOwn) const;
+    /// What others have typed, each person's as an object; codes are not among it: they open accounts.
+    /// @param withOwn  and what the writer has typed
+    [[nodiscard]] QJsonArray waiting(bool withOwn) const;
+    /// One of those waits again, for who has typed it. False: it is none, or he has typed something else.
+    [[nodiscard]] bool goOnWith(const QJsonObject& typed);
 
 signals:
     /// @param classes  to belong to
@@ -67,17 +92,28 @@ private:
     /// What stands in a form and is not entered.
     struct Typed
     {
-        qint64 person = 0;  ///< 0: somebody new
+        database::Person asItWas;  ///< whom it is about, when it was filled; without an id: somebody new
         QString username;
         QString given;
         QString family;
         int role = 0;
         QSet<qint64> classes;
+
+        [[nodiscard]] qint64 person() const { return asItWas.id.value; }
     };
     struct Code
     {
         QString fullName;
         QString code;
+        std::string untilUtc;
+    };
+    /// What is asked before it is done.
+    enum class Question { Password, OwnRole, OwnAccount };
+    /// What waits for somebody.
+    struct Waiting
+    {
+        QList<Typed> forms;
+        QHash<qint64, Code> codes;
     };
 
     QWidget* makeList();
@@ -93,8 +129,10 @@ private:
     void dropAside(const Typed& what);
     void tellAside();
     void bringBack();
-    void fillClasses(const database::Person* person);
+    void fillClasses(const QSet<qint64>& wanted);
     void endThought();
+    [[nodiscard]] bool isAnswered(Question question);
+    void say(const Words& sentence, const Words& fault = {});
     void showButtons(const database::Person* person);
     void showForm();
     void submit();
@@ -103,16 +141,24 @@ private:
     [[nodiscard]] const database::Person* find(qint64 person) const;
     [[nodiscard]] const database::Person* chosen() const { return find(m_chosen); }
     [[nodiscard]] QSet<qint64> tickedClasses() const;
+    [[nodiscard]] static Typed asEntered(const database::Person& person);
+    [[nodiscard]] static Typed onto(const database::Person& now, const Typed& typed);
+    [[nodiscard]] static QJsonObject toJson(const Typed& typed);
+    [[nodiscard]] static Typed fromJson(const QJsonObject& typed);
+    void write(const Typed& typed);
     [[nodiscard]] Typed typed() const;
     [[nodiscard]] bool isHalfFilled() const;
-    [[nodiscard]] QString asideWords(qint64 person) const;
+    [[nodiscard]] static QString asideWords(const Typed& aside);
+    [[nodiscard]] bool isOwn(const database::Person* person) const;
     [[nodiscard]] bool isSecondClick() const;
     [[nodiscard]] QString stateOf(const database::Person& person) const;
 
     QList<database::Person> m_people;
     QList<database::SchoolClass> m_classes;
-    qint64 m_chosen = 0;       ///< 0: somebody new
-    qint64 m_inForm = 0;       ///< whom the form shows
+    QString m_writer;
+    std::map<QString, Waiting> m_waiting;  ///< for who does not work here now
+    qint64 m_chosen = 0;                   ///< 0: somebody new
+    database::Person m_inForm;             ///< whom the form shows, as he was then; without an id: somebody new
     bool m_isTouched = false;  ///< something in it was changed by hand, and outlives news of what others have entered
     std::optional<Typed> m_submitted;  ///< what is on its way
     QElapsedTimer m_sinceSubmitted;
@@ -141,13 +187,16 @@ private:
     QPushButton* m_renameClass = nullptr;
     QPushButton* m_save = nullptr;
     QPushButton* m_reset = nullptr;
-    QPushButton* m_keepPassword = nullptr;
+    QPushButton* m_keep = nullptr;  ///< what is asked about
     QPushButton* m_disable = nullptr;
-    SecondThought* m_thought = nullptr;  ///< whether the password is to be taken away
+    SecondThought* m_thought = nullptr;
+    Question m_question = Question::Password;
     QWidget* m_asideRow = nullptr;
     QLabel* m_asideWords = nullptr;
     QLabel* m_said = nullptr;
     QLabel* m_fault = nullptr;
+    Words m_sentence;
+    Words m_faultSentence;
     QFrame* m_codeCard = nullptr;
     QLabel* m_codeWords = nullptr;
     QLabel* m_code = nullptr;

@@ -2,6 +2,7 @@
 #include "ui/admin/RosterPart.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <QDragEnterEvent>
 #include <QFileInfo>
@@ -35,6 +36,12 @@ constexpr auto* kExample = "username,given_name,family_name,role,class\n"
                            "s1001,Ada,Okafor,student,DEN101-A\n"
                            "s1002,Jürgen,Müller,student,DEN101-A|DEN102\n"
                            "teresa,Teresa,Rossi,instructor,DEN101-A";
+
+int newcomersOf(const database::RosterOutcome& outcome)
+{
+    return static_cast<int>(std::count_if(outcome.people.begin(), outcome.people.end(),
+                                          [](const database::RosterPerson& person) { return person.isNew; }));
+}
 
 }  // namespace
 
@@ -157,10 +164,36 @@ QString RosterPart::unkept() const
                : tr("The one-time codes of %1 are not saved, and they are kept nowhere else.").arg(m_file);
 }
 
+void RosterPart::setWriter(const QString& person)
+{
+    if (person == m_writer)
+        return;
+    m_thought->end();
+    if (!unkept().isEmpty())
+        keepFor(m_writer, m_outcome, m_file);
+    m_writer = person;
+    Waiting own;
+    if (const auto found = m_waiting.find(person); found != m_waiting.end()) {
+        own = std::move(found->second);
+        m_waiting.erase(found);
+    }
+    showOutcome(own.outcome, own.file, !own.file.isEmpty());
+}
+
+void RosterPart::keepFor(const QString& writer, const database::RosterOutcome& outcome, const QString& file)
+{
+    if (!writer.isEmpty() && newcomersOf(outcome) > 0)
+        m_waiting[writer] = {outcome, file};
+}
+
+bool RosterPart::holdsCodes(bool withOwn) const
+{
+    return (withOwn && !unkept().isEmpty()) || !m_waiting.empty();
+}
+
 int RosterPart::newcomers() const
 {
-    return static_cast<int>(std::count_if(m_outcome.people.begin(), m_outcome.people.end(),
-                                          [](const database::RosterPerson& person) { return person.isNew; }));
+    return newcomersOf(m_outcome);
 }
 
 void RosterPart::fill()

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
+
 #include <QString>
 #include <QWidget>
 
@@ -25,6 +27,15 @@ class RosterPart final : public QWidget
     Q_OBJECT
 public:
     explicit RosterPart(QWidget* parent);
+
+    /// Which admin works here now, by his uid, empty: none. One-time codes that another has not saved wait until he is
+    /// back, and are shown to nobody else.
+    void setWriter(const QString& person);
+    /// Whether codes wait that others have not saved.
+    /// @param withOwn  or the writer
+    [[nodiscard]] bool holdsCodes(bool withOwn) const;
+    /// What the writer has had entered, while another worked here already.
+    void keepFor(const QString& writer, const database::RosterOutcome& outcome, const QString& file);
 
     /// @param isDone  entered; else only looked at
     void showOutcome(const database::RosterOutcome& outcome, const QString& file, bool isDone);
@@ -57,6 +68,15 @@ private:
     void saveCodes();
     void writeCodes(const QString& path);
 
+    /// What was entered, whose codes are not saved.
+    struct Waiting
+    {
+        database::RosterOutcome outcome;
+        QString file;
+    };
+
+    QString m_writer;
+    std::map<QString, Waiting> m_waiting;  ///< for who does not work here now
     database::RosterOutcome m_outcome;
     QString m_file;
     bool m_isDone = false;

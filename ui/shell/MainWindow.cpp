@@ -392,6 +392,7 @@ void MainWindow::connectActions()
     on(m_actions->attempts, [this] { emit attemptsWanted(); });
     on(m_actions->classes, [this] { emit classesWanted(); });
     on(m_actions->readAgain, [this] {
+        m_messages->withdraw(MessageBar::Topic::Page);
         if (m_pages->currentWidget() == m_admin)
             m_admin->readAgain();
         else
@@ -466,6 +467,7 @@ void MainWindow::connectDoor()
         goTo(m_admin);
         m_admin->show(m_admin->part());
     });
+    connect(m_admin, &admin::AdminPage::partOpened, this, [this] { m_messages->withdraw(MessageBar::Topic::Page); });
     connect(m_classes, &people::ClassPage::peopleWanted, this, [this] {
         m_admin->show(admin::AdminPage::People);
         goTo(m_admin);
@@ -625,6 +627,7 @@ void MainWindow::setWho(const database::Session& who)
 {
     m_who = who;
     m_scorePage->talk().setWriter(QString::fromStdString(who.uid()));
+    m_admin->setWriter(who.role() == database::Role::Admin ? QString::fromStdString(who.uid()) : QString());
     static_cast<void>(putOthersBy());  // the program may be killed before he is back
     m_actions->showAccount(QString::fromStdString(who.username()));
     m_actions->attempts->setVisible(!who.isGuest());
@@ -702,9 +705,9 @@ void MainWindow::leaveAll()
     m_assign->forget();
     m_console->forget();
     m_view->setPushForce(tooth::PointerControl::kFirstN);
-    for (const auto topic :
-         {MessageBar::Topic::Tooth, MessageBar::Topic::Unfinished, MessageBar::Topic::General,
-          MessageBar::Topic::Keeping, MessageBar::Topic::Journal, MessageBar::Topic::Preset, MessageBar::Topic::School})
+    for (const auto topic : {MessageBar::Topic::Tooth, MessageBar::Topic::Unfinished, MessageBar::Topic::General,
+                             MessageBar::Topic::Keeping, MessageBar::Topic::Journal, MessageBar::Topic::Preset,
+                             MessageBar::Topic::School, MessageBar::Topic::Page})
         m_messages->withdraw(topic);
 }
 
@@ -1011,7 +1014,7 @@ void MainWindow::setPutByFolder(const QString& folder)
     for (const QJsonValue one : m_putBy->found()) {
         const QJsonObject typed = one.toObject();
         if (!m_editor->goOnWith(typed, lessons::teachersFolder()) && !m_scorePage->talk().goOnWith(typed) &&
-            !m_presets->goOnWith(typed))
+            !m_presets->goOnWith(typed) && !m_admin->people().goOnWith(typed))
             m_unclaimed.append(typed);
     }
 }
@@ -1029,6 +1032,7 @@ QJsonArray MainWindow::othersUnkept() const
         add(m_editor->unsavedDrafts());
     add(m_scorePage->talk().waiting(isAtLockedDoor()));
     add(m_presets->waiting(isAtLockedDoor()));
+    add(m_admin->people().waiting(isAtLockedDoor()));
     return all;
 }
 
@@ -1628,10 +1632,14 @@ void MainWindow::goTo(QWidget* page)
         m_tour->breakOff();
     if (page != m_room)
         m_messages->withdraw(MessageBar::Topic::Lesson);
+    if (page != m_pages->currentWidget())
+        m_messages->withdraw(MessageBar::Topic::Page);
     if (page == m_lessonsPage) {
         m_messages->withdraw(MessageBar::Topic::Unfinished);  // it has a card for it
         m_lessonsPage->setUnsaved(m_mayEdit ? m_editor->unsavedFiles() : QSet<QString>());
     }
+    if (m_pages->currentWidget() == m_admin && page != m_admin && page != m_login)
+        m_admin->people().forgetCodes();  // of who locks his place they are there when he is back
     m_pages->setCurrentWidget(page);
     sayWayBack();
     restBur();
@@ -1888,11 +1896,11 @@ void MainWindow::showError(const core::Error& error, text::Failed failed, const 
     const bool ofTooth = failed == text::Failed::OpeningScan || failed == text::Failed::MakingTooth ||
                          failed == text::Failed::OpeningRecording;
     tellError(error, failed, file,
-              ofTooth                                  ? MessageBar::Topic::Tooth
-              : failed == text::Failed::KeepingAttempt ? MessageBar::Topic::Journal
-              : failed == text::Failed::ReadingSchool && error.code == core::ErrorCode::ConnectionLost
-                  ? MessageBar::Topic::School
-                  : MessageBar::Topic::General);
+              ofTooth                                         ? MessageBar::Topic::Tooth
+              : failed == text::Failed::KeepingAttempt        ? MessageBar::Topic::Journal
+              : failed != text::Failed::ReadingSchool         ? MessageBar::Topic::General
+              : error.code == core::ErrorCode::ConnectionLost ? MessageBar::Topic::School
+                                                              : MessageBar::Topic::Page);
 }
 
 void MainWindow::showNotKept(const core::Error& error)
@@ -2352,13 +2360,8 @@ void MainWindow::leaveDrafts(const std::function<void()>& what)
 
 std::vector<MainWindow::Unkept> MainWindow::unkept()
 {
-    const bool isAdmin = m_who.role() == database::Role::Admin;
-    const auto toSchool = [this, isAdmin](admin::AdminPage::Part part) {
-        return [this, isAdmin, part] {
-            if (!isAdmin) {  // only an admin may see them
-                sayWaits([] { return tr("It waits until an admin logs in here."); });
-                return;
-            }
+    const auto toSchool = [this](admin::AdminPage::Part part) {
+        return [this, part] {
             goTo(m_admin);
             m_admin->show(part);
         };
@@ -2424,7 +2427,8 @@ void MainWindow::closeEvent(QCloseEvent* event)
 {
     const bool isPutBy = putOthersBy();
     // Codes are put by nowhere: they open accounts.
-    const bool hasCodes = isAtLockedDoor() && !(m_admin->people().unkept() + m_admin->roster().unkept()).isEmpty();
+    const bool hasCodes =
+        m_admin->people().holdsCodes(isAtLockedDoor()) || m_admin->roster().holdsCodes(isAtLockedDoor());
     const bool asksOfDrafts = mayDecideOnDrafts() && !m_editor->unsaved().isEmpty();
     const bool asksOfTyped = !isAtLockedDoor() && !unkept().empty();
     if (isPutBy && !hasCodes && (m_mayClose || (!wouldLoseWork() && !asksOfDrafts && !asksOfTyped))) {
