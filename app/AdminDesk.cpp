@@ -554,11 +554,36 @@ void AdminDesk::connectBackups()
                                          .arg(name);
                     },
                     {}, !sound);
-                if (sound) {
-                    m_found.clear();  // of what is replaced
-                    emit restoreWanted(backup);
-                }
+                if (sound)
+                    restoreAlone(backup);
             });
+    });
+}
+
+QString AdminDesk::whyNotRestored(const core::Error& error)
+{
+    return error.code == core::ErrorCode::Busy
+               ? tr("The school's file is in use: another window of Cusp, or another program, has it open, or a backup "
+                    "is being made. Close what has it open, and restore then.")
+               : errorText(error, Failed::ReadingSchool);
+}
+
+/// Everybody is logged out for it; not where it is known before that it would be refused.
+void AdminDesk::restoreAlone(const QString& backup)
+{
+    m_desk.expectAlone(this, m_who(), [this, backup, who = m_who()](const core::Status& alone) {
+        if (m_who() != who)
+            return;
+        if (!alone) {
+            m_window.adminPage().backups().finish(
+                [error = alone.error()] {
+                    return tr("The backup was not restored; nothing has been changed. %1").arg(whyNotRestored(error));
+                },
+                m_found, true);
+            return;
+        }
+        m_found.clear();  // of what is replaced
+        emit restoreWanted(backup);
     });
 }
 

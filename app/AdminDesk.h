@@ -35,6 +35,9 @@ public:
     AdminDesk(ui::shell::MainWindow& window, SchoolDesk& desk, Place place, std::function<database::Session()> who);
     ~AdminDesk() override;
 
+    /// Why a backup was not put in the place of the school.
+    [[nodiscard]] static QString whyNotRestored(const core::Error& error);
+
 signals:
     /// Everybody is to be logged out and this backup put in the place of the database.
     void restoreWanted(const QString& backup);
@@ -51,6 +54,7 @@ private:
     void import(bool isDryRun);
     void connectBackups();
     void tellBackups();
+    void restoreAlone(const QString& backup);
     void tellFailed(const core::Error& error);
     /// A backup was made or tried, which looks at less than a check: what the last check has found stays in view.
     /// @param done  says what was done, in the language there is

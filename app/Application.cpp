@@ -480,7 +480,7 @@ void Application::restore(const database::Session& who)
             if (!restored)
                 return (isOpen ? tr("The backup was not restored; nothing has been changed. %1")
                                : tr("The backup was not restored. %1"))
-                    .arg(ui::text::errorText(restored.error(), Failed::ReadingSchool));
+                    .arg(AdminDesk::whyNotRestored(restored.error()));
             const QString when = QLocale().toString(made, QLocale::ShortFormat);
             //: %2: a file's name
             QString said = replaced.isEmpty()

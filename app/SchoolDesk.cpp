@@ -229,6 +229,21 @@ void SchoolDesk::restore(QObject* owner, const database::Session& session, const
     });
 }
 
+void SchoolDesk::expectAlone(QObject* owner, const database::Session& session,
+                             const std::function<void(const core::Status&)>& done)
+{
+    post([this, guard = QPointer<QObject>(owner), session, done] {
+        core::Status alone = mayRestore(session);
+        if (alone) {
+            m_school.reset();
+            m_database.reset();
+            alone = database::sql::expectClosed(m_address.file);
+            static_cast<void>(connect());
+        }
+        answerKept(guard, alone, done);
+    });
+}
+
 QString SchoolDesk::outboxFolder() const
 {
     return QDir(m_folder).filePath(QStringLiteral("outbox"));

@@ -63,6 +63,10 @@ public:
     /// backup was made are delivered again. Where a school is open, admins only.
     void restore(QObject* owner, const database::Session& session, const QString& backup, const Opened& done);
 
+    /// Whether this person could restore now: nobody else has the file open, and nothing goes on with it here.
+    void expectAlone(QObject* owner, const database::Session& session,
+                     const std::function<void(const core::Status&)>& done);
+
     /// Does `work` with the school on the desk's thread and gives its result to `done` on the ui thread, unless `owner`
     /// has gone meanwhile. Where there is no connection, the error of that is the result.
     /// @param work  takes `const database::sql::School&` and returns a core::Result
@@ -139,12 +143,12 @@ signals:
     void damaged(const core::Error& error);
     /// Who asked has been disabled since he logged in.
     void disabled();
+    /// Something is not allowed to who asked, whose role may have been changed since he logged in.
+    void refused();
     /// So many on their way cannot be delivered to this school, or with this station's key: they wait.
     void waitOn(int count);
     /// So many on their way were put there for other schools: they wait for them.
     /// @param schools  as Outbox::schoolAt() calls them; empty: the file is called as a copy of a school is
-    /// Something is not allowed to who asked, whose role may have been changed since he logged in.
-    void refused();
     void waitForOthers(int count, const QString& schools);
     /// What was asked has had no answer for a while: the server hangs, or another program holds the file.
     void unanswered();

@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The whole program and the school's database: people come and go, and the database is damaged, gone, locked or full.
+#include <array>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <QAbstractButton>
 #include <QAction>
 #include <QCheckBox>
@@ -116,6 +121,7 @@ private slots:
     void whoIsDisabledIsShownOutByLongWork();
     void whoseRoleWasChangedIsShownOut();
     void twoAdminsUndoNothingOfEachOther();
+    void aSchoolThatIsOpenElsewhereLogsNobodyOut();
     void aRestoreThrowsNobodyElseOut();
     void aClassReportIsOfTheClassThatWasShown();
     void whatIsTypedWaitsForItsWriter();
@@ -861,6 +867,47 @@ void TestSchool::twoAdminsUndoNothingOfEachOther()
             QCOMPARE(one.role, Role::Instructor);
             QCOMPARE(one.classes, std::vector<ClassId>{next});
         }
+}
+
+/// It would not be restored while another window has it, and the next one is made when that is closed.
+void TestSchool::aSchoolThatIsOpenElsewhereLogsNobodyOut()
+{
+    std::array<int, 2> ends{};
+    std::array<int, 2> opened{};
+    QCOMPARE(pipe(ends.data()) + pipe(opened.data()), 0);
+    const pid_t other = fork();
+    if (other == 0) {
+        close(ends[1]);
+        const auto database = sql::Database::open(file());
+        static_cast<void>(write(opened[1], database ? "y" : "n", 1));
+        char byte = 0;
+        static_cast<void>(read(ends[0], &byte, 1));  // until the test closes its end
+        _exit(0);
+    }
+    char byte = 0;
+    QCOMPARE(read(opened[0], &byte, 1), 1);
+    QCOMPARE(byte, 'y');
+    start();
+    logIn("admin");
+    openSchool(ui::admin::AdminPage::Backups);
+    QTRY_VERIFY_WITH_TIMEOUT(!sql::backupsIn(sql::backupFolder(file())).isEmpty(), kPatienceMs);  // today's
+    QTest::qWait(1000);
+    const auto restore = [this] {
+        emit child<ui::admin::BackupPart>()->restoreWanted(
+            QDir(sql::backupFolder(file())).filePath(sql::backupsIn(sql::backupFolder(file())).front()));
+    };
+    const auto said = [this] { return child<QLabel>("backupSaid")->text(); };
+    restore();
+    QTRY_VERIFY2_WITH_TIMEOUT(said().contains("another window of Cusp"), qPrintable(said()), kPatienceMs);
+    QVERIFY(!m_application->window().isAtDoor());
+    QCOMPARE(actions().account->text(), QString("admin"));
+    close(ends[1]);
+    int status = 0;
+    QCOMPARE(waitpid(other, &status, 0), other);
+    for (const int end : {ends[0], opened[0], opened[1]})
+        close(end);
+    restore();
+    QTRY_VERIFY2_WITH_TIMEOUT(saidAtDoor().contains("is in place"), qPrintable(saidAtDoor()), kPatienceMs);
 }
 
 /// Who had asked for it has left while the backup was looked at.
