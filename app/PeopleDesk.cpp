@@ -19,6 +19,7 @@
 #include "database/sql/Export.h"
 #include "database/sql/Feedback.h"
 #include "database/sql/Overview.h"
+#include "lessons/RubricReader.h"
 #include "ui/admin/AdminPage.h"
 #include "ui/people/ClassPage.h"
 #include "ui/people/HistoryPage.h"
@@ -40,10 +41,13 @@ using ui::people::ClassPage;
 using ui::people::HistoryPage;
 using ui::shell::MainWindow;
 
-std::map<std::string, QString> criteriaOf(const lessons::Lesson& lesson)
+/// What marks practice without a lesson (lessons::practiceOn).
+const QString kFreeRubric = QStringLiteral("decay_removal");
+
+std::map<std::string, QString> criteriaOf(const lessons::Rubric& rubric)
 {
     std::map<std::string, QString> names;
-    for (const lessons::CriterionRule& rule : lesson.rubric.criteria) {
+    for (const lessons::CriterionRule& rule : rubric.criteria) {
         lessons::Criterion criterion;
         criterion.id = rule.id;
         criterion.title = rule.title;
@@ -213,12 +217,14 @@ void PeopleDesk::tellLessons()
 {
     std::vector<ui::people::LessonOffer> offers;
     std::map<std::string, ui::people::CriterionNames> criteria;
+    if (const auto free = lessons::shippedRubric(kFreeRubric))
+        criteria[{}] = criteriaOf(*free);
     m_titles.clear();
     for (const lessons::CatalogEntry& entry : m_catalog) {
         if (entry.isFaulty())
             continue;
         const lessons::Lesson& one = *entry.read.lesson;
-        criteria[one.id] = criteriaOf(one);
+        criteria[one.id] = criteriaOf(one.rubric);
         const QString title = ui::study::said(one.title);
         m_titles[QString::fromStdString(one.id)] = title;
         const QString file = entry.isShipped ? QString() : entry.pack.isEmpty() ? entry.read.file : entry.pack;
@@ -230,7 +236,7 @@ void PeopleDesk::tellLessons()
     m_window.adminPage().setLessonTitles(m_titles);
     m_window.assignPage().setLessons(offers);
     if (const lessons::Lesson* shown = lesson(m_results.lessonId))
-        m_window.classPage().setResults(m_results, shown->rubric.passMarkTenths, criteriaOf(*shown));
+        m_window.classPage().setResults(m_results, shown->rubric.passMarkTenths, criteriaOf(shown->rubric));
 }
 
 /// Null: there is none any more.
@@ -506,7 +512,7 @@ ui::report::ClassReport PeopleDesk::report() const
         report.rubricTitle = known->rubric.title;
         report.rubricVersion = known->rubric.version;
         report.rubricHash = known->rubric.hash;
-        report.criteria = criteriaOf(*known);
+        report.criteria = criteriaOf(known->rubric);
     }
     return report;
 }
@@ -742,7 +748,7 @@ void PeopleDesk::tellResults(const QString& lesson)
               m_results = *results;
               const lessons::Lesson* known = this->lesson(m_results.lessonId);
               page.setResults(*results, known != nullptr ? known->rubric.passMarkTenths : 0,
-                              known != nullptr ? criteriaOf(*known) : std::map<std::string, QString>());
+                              known != nullptr ? criteriaOf(known->rubric) : std::map<std::string, QString>());
           });
 }
 

@@ -48,6 +48,7 @@
 #include "ui/admin/AuditPart.h"
 #include "ui/admin/BackupPart.h"
 #include "ui/admin/RosterPart.h"
+#include "ui/charts/ChartPanel.h"
 #include "ui/people/AssignPage.h"
 #include "ui/people/ClassPage.h"
 #include "ui/people/HistoryModel.h"
@@ -120,6 +121,7 @@ private slots:
     void eachDayHasItsBackup();
     void whoIsDisabledIsShownOutByLongWork();
     void whoseRoleWasChangedIsShownOut();
+    void whatCostPointsInFreePracticeHasItsName();
     void twoAdminsUndoNothingOfEachOther();
     void aSchoolThatIsOpenElsewhereLogsNobodyOut();
     void aRestoreThrowsNobodyElseOut();
@@ -832,6 +834,29 @@ void TestSchool::whoseRoleWasChangedIsShownOut()
     QVERIFY2(message().isEmpty(), qPrintable(message()));
     logIn("admin");
     QVERIFY(!actions().school->isVisible());
+}
+
+/// As in the lessons, and one criterion once.
+void TestSchool::whatCostPointsInFreePracticeHasItsName()
+{
+    start();
+    logIn("sam");
+    toTheTooth();
+    drill(-2.0);
+    grade("first grade");
+    actions().attempts->trigger();
+    const auto* chart = child<ui::charts::ChartPanel>("otherChart");
+    const auto names = [chart] {
+        QStringList all;
+        if (const auto* bars = std::get_if<ui::charts::Bars>(&chart->chart().content))
+            for (const auto& bar : bars->bars)
+                all << bar.name;
+        return all;
+    };
+    QTRY_VERIFY2_WITH_TIMEOUT(names().contains("Sound tissue removed beside the decay") ||
+                                  names().contains("Pulp opened") || names().contains("Decay left"),
+                              qPrintable(names().join(", ")), kPatienceMs);
+    QVERIFY2(!names().contains("Sound tissue") && !names().contains("Caries left"), qPrintable(names().join(", ")));
 }
 
 /// One has begun to type when the other saves.
