@@ -11,6 +11,7 @@ namespace database::sql {
 namespace {
 
 const std::string kKeep = "keep the setting";
+constexpr qsizetype kLongestValue = 1000;
 /// What belongs to logins is told to nobody.
 const QString kSecret = QStringLiteral("password.%");
 
@@ -19,6 +20,14 @@ core::Status refuseSecret(const std::string& name)
     if (name.rfind("password.", 0) != 0)
         return {};
     return core::unexpected(core::ErrorCode::NotAllowed, "the setting \"" + name + "\" is Cusp's own");
+}
+
+core::Status checkLength(const std::string& name, const std::string& value)
+{
+    if (QString::fromStdString(value).toUcs4().size() <= kLongestValue)
+        return {};
+    return core::unexpected(core::ErrorCode::OutOfRange, "the setting \"" + name + "\" has more than " +
+                                                             std::to_string(kLongestValue) + " characters; shorten it");
 }
 
 /// @param owner  uid; empty: the school
@@ -37,10 +46,10 @@ core::Result<SettingsMap> readSettings(const School& school, const Session& sess
     if (auto who = admit(school, session, Operation::ReadSettings); !who)
         return tl::unexpected(who.error());
     SettingsMap settings;
-    // The school's come first, and one's own replace them.
+    // One's own come first, and the school's replace them.
     if (auto read = forEach(school.db,
                             "SELECT name, value FROM settings WHERE (owner = '' OR owner = ?) AND name NOT LIKE ? "
-                            "ORDER BY owner",
+                            "ORDER BY owner DESC",
                             "read the settings", {text(session.uid()), kSecret},
                             [&](const QSqlQuery& row) { settings[textOf(row, 0)] = textOf(row, 1); });
         !read)
@@ -66,6 +75,8 @@ core::Status changeSetting(const School& school, const Session& session, const s
         return tl::unexpected(who.error());
     if (auto fit = refuseSecret(name); !fit)
         return fit;
+    if (auto fit = checkLength(name, value); !fit)
+        return fit;
     return inTurn(school, kKeep, [&]() -> core::Status {
         const auto before =
             ask(school.db, "SELECT value FROM settings WHERE owner = '' AND name = ?", kKeep, {text(name)});
@@ -83,6 +94,8 @@ core::Status changeOwnSetting(const School& school, const Session& session, cons
     if (auto who = admit(school, session, Operation::ChangeOwnSettings); !who)
         return tl::unexpected(who.error());
     if (auto fit = refuseSecret(name); !fit)
+        return fit;
+    if (auto fit = checkLength(name, value); !fit)
         return fit;
     return inTransaction(school.db, kKeep, [&] { return put(school, session.uid(), name, value); });
 }

@@ -12,12 +12,12 @@ namespace database::sql {
 /// Names and values as texts; what they mean is for who uses them.
 using SettingsMap = std::map<std::string, std::string>;
 
-/// The school's, and over them the session's own.
+/// The session's own, and the school's, over which nobody has a say for himself.
 [[nodiscard]] core::Result<SettingsMap> readSettings(const School& school, const Session& session);
-/// For everybody here.
+/// For everybody here. OutOfRange: the value has more than a thousand characters.
 [[nodiscard]] core::Status changeSetting(const School& school, const Session& session, const std::string& name,
                                          const std::string& value);
-/// For the session's person alone.
+/// For the session's person alone. OutOfRange as above.
 [[nodiscard]] core::Status changeOwnSetting(const School& school, const Session& session, const std::string& name,
                                             const std::string& value);
 

@@ -197,6 +197,8 @@ private slots:
     void numbersThatCannotBeSeenAreToldOf();
     void whatASpreadsheetWouldRunIsQuoted();
     void lettersAreCountedAndNotTheirHalves();
+    void nobodySetsForHimselfWhatTheSchoolSets_data() { support::addEngines(); }
+    void nobodySetsForHimselfWhatTheSchoolSets();
     void aClockWithoutAYearIsSaidToBeWrong_data() { support::addEngines(); }
     void aClockWithoutAYearIsSaidToBeWrong();
     void ofTwoCopiesAtOnceOneArrives_data() { support::addEngines(); }
@@ -997,6 +999,24 @@ void TestUpkeep::lettersAreCountedAndNotTheirHalves()
     VERIFY_REFUSED(checkPersonName(of(201)), ErrorCode::OutOfRange);
     VERIFY_DONE(normalUsername(of(64)));
     VERIFY_REFUSED(normalUsername(of(65)), ErrorCode::OutOfRange);
+}
+
+/// Whatever he keeps for himself.
+void TestUpkeep::nobodySetsForHimselfWhatTheSchoolSets()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    VERIFY_DONE(changeSetting(rig.school(), rig.admin, "idle.minutes", "12"));
+    VERIFY_DONE(changeOwnSetting(rig.school(), rig.student, "idle.minutes", "600"));
+    VERIFY_DONE(changeOwnSetting(rig.school(), rig.student, "language", "de"));
+    const auto settings = readSettings(rig.school(), rig.student);
+    VERIFY_DONE(settings);
+    QCOMPARE(settings->at("idle.minutes"), std::string("12"));
+    QCOMPARE(settings->at("language"), std::string("de"));
+    const std::string most(1000, 'x');
+    VERIFY_DONE(changeOwnSetting(rig.school(), rig.student, "language", most));
+    VERIFY_REFUSED(changeOwnSetting(rig.school(), rig.student, "language", most + 'x'), ErrorCode::OutOfRange);
+    VERIFY_REFUSED(changeSetting(rig.school(), rig.admin, "idle.minutes", most + 'x'), ErrorCode::OutOfRange);
 }
 
 /// Or with one of five digits, which nothing is noted and no backup is named by.
