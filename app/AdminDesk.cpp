@@ -82,7 +82,7 @@ QString why(const core::Error& error)
     switch (error.code) {
     case core::ErrorCode::OutOfRange:
         return AdminDesk::tr("That cannot be: the name is empty or taken, or has other signs than letters, digits and "
-                             ". _ - @");
+                             ". _ - @, or letters of several scripts in one word.");
     default:
         return errorText(error, Failed::ChangingSchool);
     }

@@ -30,6 +30,36 @@ bool mayBeJoined(uint letter)
     }
 }
 
+/// Whether a word has letters of several scripts that look alike: an "а" of Cyrillic beside "dmin". Those of China,
+/// Japan and Korea look like no others, and are written beside them.
+bool mixesScripts(const QList<uint>& letters)
+{
+    QChar::Script script = QChar::Script_Unknown;  // no letter has told yet
+    for (const uint letter : letters) {
+        if (!QChar::isLetter(letter)) {
+            if (!QChar::isMark(letter) && !QChar::isNumber(letter))
+                script = QChar::Script_Unknown;  // a word ends
+            continue;
+        }
+        switch (const QChar::Script here = QChar::script(letter); here) {
+        case QChar::Script_Unknown:
+        case QChar::Script_Inherited:
+        case QChar::Script_Common:
+        case QChar::Script_Han:
+        case QChar::Script_Hiragana:
+        case QChar::Script_Katakana:
+        case QChar::Script_Bopomofo:
+        case QChar::Script_Hangul:
+            break;
+        default:
+            if (script != QChar::Script_Unknown && script != here)
+                return true;
+            script = here;
+        }
+    }
+    return false;
+}
+
 const char* const kOthers = "a user's name has letters, digits and . _ - @ only; correct it";
 
 /// Letters that are blank: the fillers of Hangul, and the blank pattern of Braille.
@@ -80,6 +110,11 @@ core::Result<std::string> newUsername(const std::string& typed)
     const auto isUnseen = [](uint c) { return isBlank(c) || isBlankMark(c); };
     if (std::any_of(letters.begin(), letters.end(), isUnseen) || isMarkAlone(letters, 0))
         return core::unexpected(core::ErrorCode::OutOfRange, kOthers);
+    if (mixesScripts(letters))
+        return core::unexpected(
+            core::ErrorCode::OutOfRange,
+            "a word of the user's name has letters of several scripts, which look alike; type it in "
+            "one");
     return name;
 }
 

@@ -11,8 +11,8 @@ namespace database {
 /// empty, over 64 characters, or with others than letters, digits, ". _ - @".
 [[nodiscard]] core::Result<std::string> normalUsername(const std::string& typed);
 
-/// The same of somebody who is entered: also OutOfRange with letters that cannot be seen. Who has such a name from
-/// before keeps it.
+/// The same of somebody who is entered: also OutOfRange with letters that cannot be seen, and with a word in several
+/// scripts, which would look like another's name. Who has such a name from before keeps it.
 [[nodiscard]] core::Result<std::string> newUsername(const std::string& typed);
 
 /// Whether each character of somebody's or something's name can be seen, those beyond the first plane of Unicode

@@ -74,7 +74,7 @@ struct RosterFault
         NoUtf8,         ///< the file, from this sign of the line on, which is the value
         OpenQuote,      ///< begins at this sign of the line, which is the value, and is not closed
         AfterQuote,     ///< words stand behind a closing quote, at this sign
-        NoSuchColumn,   ///< that a class list has; the value is the one that was perhaps meant
+        NoSuchColumn,   ///< that a class list has; the value is the one that was perhaps meant, if any
         ColumnTwice,    ///< is named by the head again
         ColumnMissing,  ///< in the head
         Refused         ///< by the database
@@ -94,6 +94,7 @@ struct RosterPerson
     bool isNew = false;
     std::string code;        ///< of a new one: it lets him in once, and is kept nowhere else
     std::string nameBefore;  ///< of who is known under another name so far; empty: it stays
+    bool isShort = false;    ///< his line ends before all fields that the head names
 };
 struct RosterOutcome
 {

@@ -163,10 +163,6 @@
         <translation>Sie hat mehr Felder, als die erste Zeile nennt.</translation>
     </message>
     <message>
-        <source>It is empty, longer than 64 characters, or has other signs than letters, digits and . _ - @</source>
-        <translation>Er ist leer, länger als 64 Zeichen oder enthält anderes als Buchstaben, Ziffern und . _ - @</translation>
-    </message>
-    <message>
         <source>It stands in line %1 already.</source>
         <translation>Er steht schon in Zeile %1.</translation>
     </message>
@@ -291,6 +287,14 @@
     <message>
         <source>how long a login by a name that nobody has takes</source>
         <translation>wie lange eine Anmeldung mit einem Namen dauert, den niemand hat</translation>
+    </message>
+    <message>
+        <source>It is empty, longer than 64 characters, has other signs than letters, digits and . _ - @, or letters of several scripts in one word.</source>
+        <translation>Er ist leer, länger als 64 Zeichen, enthält anderes als Buchstaben, Ziffern und . _ - @ oder in einem Wort Buchstaben mehrerer Schriften.</translation>
+    </message>
+    <message>
+        <source>A class list has no such column. It has username, given_name, family_name, role and class.</source>
+        <translation>Eine Klassenliste hat keine solche Spalte. Sie hat username, given_name, family_name, role und class.</translation>
     </message>
 </context>
 <context>
@@ -2638,10 +2642,6 @@
         </translation>
     </message>
     <message>
-        <source>That cannot be: the name is empty or taken, or has other signs than letters, digits and . _ - @</source>
-        <translation>Das geht nicht: Der Name ist leer oder vergeben oder hat andere Zeichen als Buchstaben, Ziffern und . _ - @</translation>
-    </message>
-    <message>
         <source>%1 is empty. The first line of a class list names its columns: username, given_name, family_name, role, class.</source>
         <translation>%1 ist leer. Die erste Zeile einer Klassenliste nennt ihre Spalten: username, given_name, family_name, role, class.</translation>
     </message>
@@ -2703,6 +2703,10 @@
     <message>
         <source>The backup was not restored; nothing has been changed. %1</source>
         <translation>Die Sicherung wurde nicht zurückgespielt; nichts wurde verändert. %1</translation>
+    </message>
+    <message>
+        <source>That cannot be: the name is empty or taken, or has other signs than letters, digits and . _ - @, or letters of several scripts in one word.</source>
+        <translation>Das geht nicht: Der Name ist leer oder vergeben, hat andere Zeichen als Buchstaben, Ziffern und . _ - @ oder in einem Wort Buchstaben mehrerer Schriften.</translation>
     </message>
 </context>
 <context>
@@ -3571,20 +3575,20 @@
     </message>
     <message>
         <source>known as %1 so far</source>
-        <extracomment>%1: the name that somebody on a class list had so far</extracomment>
         <translation>bisher bekannt als %1</translation>
     </message>
     <message>
         <source>%1 was entered: nobody in it is new.</source>
         <translation>%1 wurde eingetragen: Niemand darin ist neu.</translation>
     </message>
+    <message>
+        <source>%1; the line has fewer fields than the first</source>
+        <extracomment>%1: &quot;new&quot; or &quot;known&quot;, of somebody on a class list</extracomment>
+        <translation>%1; die Zeile hat weniger Felder als die erste</translation>
+    </message>
 </context>
 <context>
     <name>ui::admin::StationPart</name>
-    <message>
-        <source>A place that was left is locked after</source>
-        <translation>Ein verlassener Platz wird gesperrt nach</translation>
-    </message>
     <message>
         <source>min</source>
         <translation>min</translation>
@@ -3660,6 +3664,10 @@
     <message>
         <source>Measured</source>
         <translation>Gemessen</translation>
+    </message>
+    <message>
+        <source>Everywhere in the school, a place that was left is locked after</source>
+        <translation>In der ganzen Schule wird ein verlassener Platz gesperrt nach</translation>
     </message>
 </context>
 <context>

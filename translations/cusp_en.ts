@@ -163,10 +163,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>It is empty, longer than 64 characters, or has other signs than letters, digits and . _ - @</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>It stands in line %1 already.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -290,6 +286,14 @@
     </message>
     <message>
         <source>how long a login by a name that nobody has takes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is empty, longer than 64 characters, has other signs than letters, digits and . _ - @, or letters of several scripts in one word.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A class list has no such column. It has username, given_name, family_name, role and class.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2638,10 +2642,6 @@
         </translation>
     </message>
     <message>
-        <source>That cannot be: the name is empty or taken, or has other signs than letters, digits and . _ - @</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1 is empty. The first line of a class list names its columns: username, given_name, family_name, role, class.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2702,6 +2702,10 @@
     </message>
     <message>
         <source>The backup was not restored; nothing has been changed. %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>That cannot be: the name is empty or taken, or has other signs than letters, digits and . _ - @, or letters of several scripts in one word.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3571,20 +3575,20 @@
     </message>
     <message>
         <source>known as %1 so far</source>
-        <extracomment>%1: the name that somebody on a class list had so far</extracomment>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>%1 was entered: nobody in it is new.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1; the line has fewer fields than the first</source>
+        <extracomment>%1: &quot;new&quot; or &quot;known&quot;, of somebody on a class list</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::admin::StationPart</name>
-    <message>
-        <source>A place that was left is locked after</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message>
         <source>min</source>
         <translation type="unfinished"></translation>
@@ -3659,6 +3663,10 @@
     </message>
     <message>
         <source>Measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Everywhere in the school, a place that was left is locked after</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

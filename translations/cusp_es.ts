@@ -163,10 +163,6 @@
         <translation>Tiene más campos de los que nombra la primera línea.</translation>
     </message>
     <message>
-        <source>It is empty, longer than 64 characters, or has other signs than letters, digits and . _ - @</source>
-        <translation>Está vacío, tiene más de 64 caracteres o contiene algo más que letras, cifras y . _ - @</translation>
-    </message>
-    <message>
         <source>It stands in line %1 already.</source>
         <translation>Ya está en la línea %1.</translation>
     </message>
@@ -291,6 +287,14 @@
     <message>
         <source>how long a login by a name that nobody has takes</source>
         <translation>cuánto tarda un inicio de sesión con un nombre que nadie tiene</translation>
+    </message>
+    <message>
+        <source>It is empty, longer than 64 characters, has other signs than letters, digits and . _ - @, or letters of several scripts in one word.</source>
+        <translation>Está vacío, tiene más de 64 caracteres, contiene algo más que letras, cifras y . _ - @ o mezcla letras de varios alfabetos en una palabra.</translation>
+    </message>
+    <message>
+        <source>A class list has no such column. It has username, given_name, family_name, role and class.</source>
+        <translation>Una lista de clase no tiene tal columna. Tiene username, given_name, family_name, role y class.</translation>
     </message>
 </context>
 <context>
@@ -2638,10 +2642,6 @@
         </translation>
     </message>
     <message>
-        <source>That cannot be: the name is empty or taken, or has other signs than letters, digits and . _ - @</source>
-        <translation>No puede ser: el nombre está vacío u ocupado, o tiene otros signos que letras, cifras y . _ - @</translation>
-    </message>
-    <message>
         <source>%1 is empty. The first line of a class list names its columns: username, given_name, family_name, role, class.</source>
         <translation>%1 está vacío. La primera línea de una lista de clase nombra sus columnas: username, given_name, family_name, role, class.</translation>
     </message>
@@ -2703,6 +2703,10 @@
     <message>
         <source>The backup was not restored; nothing has been changed. %1</source>
         <translation>La copia de seguridad no se restauró; no se ha cambiado nada. %1</translation>
+    </message>
+    <message>
+        <source>That cannot be: the name is empty or taken, or has other signs than letters, digits and . _ - @, or letters of several scripts in one word.</source>
+        <translation>No puede ser: el nombre está vacío u ocupado, tiene otros signos que letras, cifras y . _ - @ o mezcla letras de varios alfabetos en una palabra.</translation>
     </message>
 </context>
 <context>
@@ -2867,7 +2871,7 @@
     </message>
     <message>
         <source>Your role was changed, and you were logged out. Log in again.</source>
-        <translation>Se ha cambiado su rol y se ha cerrado su sesión. Inicie sesión de nuevo.</translation>
+        <translation>Se ha cambiado su papel y se ha cerrado su sesión. Inicie sesión de nuevo.</translation>
     </message>
 </context>
 <context>
@@ -3571,20 +3575,20 @@
     </message>
     <message>
         <source>known as %1 so far</source>
-        <extracomment>%1: the name that somebody on a class list had so far</extracomment>
         <translation>hasta ahora conocido como %1</translation>
     </message>
     <message>
         <source>%1 was entered: nobody in it is new.</source>
         <translation>%1 se ha registrado: nadie en ella es nuevo.</translation>
     </message>
+    <message>
+        <source>%1; the line has fewer fields than the first</source>
+        <extracomment>%1: &quot;new&quot; or &quot;known&quot;, of somebody on a class list</extracomment>
+        <translation>%1; la línea tiene menos campos que la primera</translation>
+    </message>
 </context>
 <context>
     <name>ui::admin::StationPart</name>
-    <message>
-        <source>A place that was left is locked after</source>
-        <translation>Un puesto abandonado se bloquea a los</translation>
-    </message>
     <message>
         <source>min</source>
         <translation>min</translation>
@@ -3660,6 +3664,10 @@
     <message>
         <source>Measured</source>
         <translation>Medido</translation>
+    </message>
+    <message>
+        <source>Everywhere in the school, a place that was left is locked after</source>
+        <translation>En toda la escuela, un puesto abandonado se bloquea a los</translation>
     </message>
 </context>
 <context>

@@ -162,10 +162,6 @@
         <translation>1行目の列より項目が多くあります。</translation>
     </message>
     <message>
-        <source>It is empty, longer than 64 characters, or has other signs than letters, digits and . _ - @</source>
-        <translation>空か、64文字を超えるか、文字・数字と . _ - @ 以外の記号を含んでいます</translation>
-    </message>
-    <message>
         <source>It stands in line %1 already.</source>
         <translation>すでに%1行目にあります。</translation>
     </message>
@@ -290,6 +286,14 @@
     <message>
         <source>how long a login by a name that nobody has takes</source>
         <translation>存在しない名前でのログインにかかる時間</translation>
+    </message>
+    <message>
+        <source>It is empty, longer than 64 characters, has other signs than letters, digits and . _ - @, or letters of several scripts in one word.</source>
+        <translation>空か、64文字を超えるか、文字・数字と . _ - @ 以外の記号を含むか、一つの語に複数の文字体系が混ざっています。</translation>
+    </message>
+    <message>
+        <source>A class list has no such column. It has username, given_name, family_name, role and class.</source>
+        <translation>クラス名簿にこの列はありません。列は username、given_name、family_name、role、class です。</translation>
     </message>
 </context>
 <context>
@@ -2628,10 +2632,6 @@
         </translation>
     </message>
     <message>
-        <source>That cannot be: the name is empty or taken, or has other signs than letters, digits and . _ - @</source>
-        <translation>できません：名前が空か、使われているか、英字・数字・. _ - @ 以外の文字があります</translation>
-    </message>
-    <message>
         <source>%1 is empty. The first line of a class list names its columns: username, given_name, family_name, role, class.</source>
         <translation>%1は空です。名簿の1行目には列名（username, given_name, family_name, role, class）を書きます。</translation>
     </message>
@@ -2692,6 +2692,10 @@
     <message>
         <source>The backup was not restored; nothing has been changed. %1</source>
         <translation>バックアップは復元されませんでした。何も変更されていません。%1</translation>
+    </message>
+    <message>
+        <source>That cannot be: the name is empty or taken, or has other signs than letters, digits and . _ - @, or letters of several scripts in one word.</source>
+        <translation>できません：名前が空か、使われているか、英字・数字・. _ - @ 以外の文字があるか、一つの語に複数の文字体系が混ざっています。</translation>
     </message>
 </context>
 <context>
@@ -3549,20 +3553,20 @@
     </message>
     <message>
         <source>known as %1 so far</source>
-        <extracomment>%1: the name that somebody on a class list had so far</extracomment>
         <translation>これまでの名前：%1</translation>
     </message>
     <message>
         <source>%1 was entered: nobody in it is new.</source>
         <translation>%1 を登録しました。新しい人はいません。</translation>
     </message>
+    <message>
+        <source>%1; the line has fewer fields than the first</source>
+        <extracomment>%1: &quot;new&quot; or &quot;known&quot;, of somebody on a class list</extracomment>
+        <translation>%1（この行の項目は1行目より少ない）</translation>
+    </message>
 </context>
 <context>
     <name>ui::admin::StationPart</name>
-    <message>
-        <source>A place that was left is locked after</source>
-        <translation>離席後にロックするまで</translation>
-    </message>
     <message>
         <source>min</source>
         <translation>分</translation>
@@ -3637,6 +3641,10 @@
     <message>
         <source>Measured</source>
         <translation>測定値</translation>
+    </message>
+    <message>
+        <source>Everywhere in the school, a place that was left is locked after</source>
+        <translation>学校全体で、離席後にロックするまで</translation>
     </message>
 </context>
 <context>

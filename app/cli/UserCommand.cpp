@@ -294,6 +294,7 @@ int tellRoster(const QCommandLineParser& parser, const database::RosterOutcome& 
                               {"role", QString::fromUtf8(database::roleName(person.role).data())},
                               {"new", person.isNew},
                               {"name_before", QString::fromStdString(person.nameBefore)},
+                              {"short_line", person.isShort},
                               {"code", tellsCodes ? QString::fromStdString(person.code) : QString()}};
     if (parser.isSet(QStringLiteral("json"))) {
         printJson({{"dry_run", dryRun}, {"faults", faults}, {"people", people}});
@@ -315,6 +316,10 @@ int tellRoster(const QCommandLineParser& parser, const database::RosterOutcome& 
             printText(QStringLiteral("other name: %1 was %2\n")
                           .arg(printable(QString::fromStdString(person.username + ' ' + person.fullName)),
                                printable(QString::fromStdString(person.nameBefore))));
+    for (const database::RosterPerson& person : outcome.people)
+        if (person.isShort)
+            printText(QStringLiteral("fewer fields than the first line names: %1\n")
+                          .arg(printable(QString::fromStdString(person.username + ' ' + person.fullName))));
     for (const std::string& name : outcome.newClasses)
         printText(QStringLiteral("new class: %1\n").arg(printable(QString::fromStdString(name))));
     if (!dryRun && tellsCodes)

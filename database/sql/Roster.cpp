@@ -72,6 +72,7 @@ struct Line
     int number = 0;
     NewPerson who;
     bool saysRole = false;
+    bool isShort = false;
     std::vector<std::string> classes;
 };
 
@@ -93,14 +94,18 @@ std::size_t distance(std::string_view a, std::string_view b)
     return row.back();
 }
 
-/// By its meaning where that is known, or else by its letters.
-std::string nearestColumn(std::string_view name)
+/// By its meaning where that is known, or else by its letters, unless half of them would be others. Empty: none.
+std::string nearestColumn(const std::string& name)
 {
+    std::string words = name;
+    std::replace(words.begin(), words.end(), '_', ' ');
     for (const auto& [word, column] : kMeant)
-        if (name == word)
+        if (words == word)
             return column;
-    return *std::min_element(kColumns.begin(), kColumns.end(),
-                             [name](const char* a, const char* b) { return distance(name, a) < distance(name, b); });
+    const char* const nearest = *std::min_element(kColumns.begin(), kColumns.end(), [&](const char* a, const char* b) {
+        return distance(name, a) < distance(name, b);
+    });
+    return 2 * distance(name, nearest) < name.size() ? nearest : std::string();
 }
 
 /// What is wrong with the first line is told all at once.
@@ -111,12 +116,14 @@ Places placesOf(const CsvRow& head, std::vector<RosterFault>& faults)
         const std::string name = QString::fromStdString(trimmed(head.fields[at])).toLower().toStdString();
         if (name.empty())
             continue;
-        if (std::find(kColumns.begin(), kColumns.end(), name) == kColumns.end())
+        if (std::find(kColumns.begin(), kColumns.end(), name) == kColumns.end()) {
+            const std::string nearest = nearestColumn(name);
             faults.push_back({head.line, name,
-                              "is no column of a class list, perhaps it is \"" + nearestColumn(name) +
-                                  "\"; the columns are username, given_name, family_name, role and class",
-                              Kind::NoSuchColumn, nearestColumn(name)});
-        else if (!places.emplace(name, at).second)
+                              "is no column of a class list" +
+                                  (nearest.empty() ? nearest : ", perhaps it is \"" + nearest + "\"") +
+                                  "; the columns are username, given_name, family_name, role and class",
+                              Kind::NoSuchColumn, nearest});
+        } else if (!places.emplace(name, at).second)
             faults.push_back({head.line, name, "is there twice", Kind::ColumnTwice, {}});
     }
     if (places.count("username") == 0)
@@ -152,6 +159,7 @@ public:
         const std::size_t before = m_faults.size();
         Line line;
         line.number = row.line;
+        line.isShort = row.fields.size() < widest();
         if (row.fields.size() > widest())
             fault(row, "", "has more fields than the first line names", Kind::Fields);
         line.who = {at(row, "username"), at(row, "given_name"), at(row, "family_name"), Role::Student};
@@ -275,7 +283,8 @@ std::vector<Line> plan(const std::vector<Line>& lines, const Present& present, R
                                   whole.classes,
                                   !isThere,
                                   {},
-                                  known == fullName ? std::string() : known});
+                                  known == fullName ? std::string() : known,
+                                  line.isShort});
         wanted.push_back(std::move(whole));
     }
     return wanted;

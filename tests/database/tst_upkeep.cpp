@@ -197,6 +197,7 @@ private slots:
     void numbersThatCannotBeSeenAreToldOf();
     void whatASpreadsheetWouldRunIsQuoted();
     void lettersAreCountedAndNotTheirHalves();
+    void aNewNameHasItsWordsInOneScript();
     void nobodySetsForHimselfWhatTheSchoolSets_data() { support::addEngines(); }
     void nobodySetsForHimselfWhatTheSchoolSets();
     void aClockWithoutAYearIsSaidToBeWrong_data() { support::addEngines(); }
@@ -1001,6 +1002,16 @@ void TestUpkeep::lettersAreCountedAndNotTheirHalves()
     VERIFY_REFUSED(normalUsername(of(65)), ErrorCode::OutOfRange);
 }
 
+/// "admin" with a letter of Cyrillic is read as another's name.
+void TestUpkeep::aNewNameHasItsWordsInOneScript()
+{
+    for (const char* name : {"аdmin", "аdmin2", "ana.bаrros", "αnna", "s1001а"})
+        VERIFY_REFUSED(newUsername(name), ErrorCode::OutOfRange);
+    for (const char* name : {"анна.berg", "анна", "ανα@school", "山田taro", "たなかﾀﾅｶ", "김a", "müller-2", "3年a組"})
+        VERIFY_DONE(newUsername(name));
+    VERIFY_DONE(normalUsername("аdmin"));  // who has it logs in
+}
+
 /// Whatever he keeps for himself.
 void TestUpkeep::nobodySetsForHimselfWhatTheSchoolSets()
 {
@@ -1334,6 +1345,11 @@ void TestUpkeep::aClassListSaysWhatIsWrongWithItsFile()
     QVERIFY(head[0].kind == Kind::NoSuchColumn && head[0].column == "user_name" && head[0].value == "username");
     QVERIFY(head[1].kind == Kind::ColumnTwice && head[1].column == "family_name");
     QVERIFY(head[2].kind == Kind::ColumnMissing && head[2].column == "username");
+    // What is no slip of one of them means none; and words may be parted by a line.
+    const auto guessed = faults("name,first_name,username\nx,y,z\n");
+    QCOMPARE(guessed.size(), std::size_t{2});
+    QVERIFY2(guessed[0].value.empty() && guessed[0].what.find("perhaps") == std::string::npos, guessed[0].what.c_str());
+    QCOMPARE(guessed[1].value, std::string("given_name"));
     // A head in one of the window's languages names the column that it means.
     const auto meant = [&](std::string_view file) {
         QStringList columns;
@@ -1377,6 +1393,11 @@ void TestUpkeep::classListsAreTakenWholeOrNotAtAll()
     QVERIFY(dry->people[0].isNew && dry->people[0].code.empty() && !dry->people[1].isNew);
     // Another name may be a slip of the line.
     QVERIFY(dry->people[0].nameBefore.empty());
+    QVERIFY(!dry->people[0].isShort && !dry->people[1].isShort);
+    const auto shorter =
+        importRoster(rig.school(), rig.admin, "username,given_name,family_name\nnew8,Eve,\nnew9,Eve\n", true);
+    VERIFY_DONE(shorter);
+    QVERIFY(!shorter->people[0].isShort && shorter->people[1].isShort);
     QCOMPARE(dry->people[1].nameBefore, before1001);
     QCOMPARE(people(), before);
     const auto done = importRoster(rig.school(), rig.admin, good, false);

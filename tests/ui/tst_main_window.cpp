@@ -189,6 +189,9 @@ private slots:
     void anAdminIsToldHowToBeginWithClasses();
     void peoplesColumnsAreMeasuredByAllOfThem();
     void aHalfFilledFormIsPutAside();
+    void peoplesColumnsShareTheWidth();
+    void whoWasEnteredIsSeenInTheList();
+    void aClassListIsChosenWhereTheLastOneLay();
     void presetsAreFoundFromTheSchoolAndFromOnesPlace();
     void theChosenPartOfTheSchoolIsReadWhole();
     void nobodyIsChosenByPassingThroughTheList();
@@ -1625,6 +1628,75 @@ void TestMainWindow::peoplesColumnsAreMeasuredByAllOfThem()
     people.setPeople(all, {});
     search->clear();
     QVERIFY(fits());
+}
+
+/// As the column of states is where there is little room: none has to be looked for behind a bar.
+void TestMainWindow::peoplesColumnsShareTheWidth()
+{
+    ui::admin::PeoplePart& people = openPeople();
+    database::Person one = someone(1, "Maria Magdalena Hildegard Victoria", false, {{1}, {2}, {3}});
+    one.familyName = "von der Heide-Sondershausen";
+    one.role = database::Role::Instructor;
+    one.lastLoginUtc = "2026-11-20T10:15:00Z";
+    people.setPeople({one}, {{{1}, "DEN101-A operative dentistry", 0}, {{2}, "DEN102-B", 0}, {{3}, "DEN103-C", 0}});
+    people.showCode(writer(), one, "1234-5678");
+    const auto* table = child<QTableView>("people");
+    const auto inEnglish = qScopeGuard([] { ui::text::Language::choose("en_GB"); });
+    for (const char* language : {"en_GB", "de", "es", "ja"})
+        for (const QSize size : {QSize(1280, 800), QSize(1920, 1000), QSize(1280, 800)}) {
+            ui::text::Language::choose(language);
+            m_window->resize(size);
+            QTest::qWait(50);
+            QCOMPARE(table->horizontalScrollBar()->maximum(), 0);
+            for (const int column : {2, 4, 5})
+                QVERIFY2(table->columnWidth(column) >=
+                             table->sizeHintForIndex(table->model()->index(0, column)).width(),
+                         qPrintable(QString("%1, column %2").arg(QLatin1String(language)).arg(column)));
+        }
+}
+
+void TestMainWindow::whoWasEnteredIsSeenInTheList()
+{
+    ui::admin::PeoplePart& people = openPeople();
+    QList<database::Person> all;
+    for (int k = 1; k <= 200; ++k)
+        all << someone(k, "Ada", true);
+    people.setPeople(all, {});
+    all << someone(999, "Zoe", false);
+    all.back().familyName = "Zuse";
+    people.confirm({999}, [] { return QString("Zoe was entered."); });
+    people.setPeople(all, {});
+    const auto* table = child<QTableView>("people");
+    const QModelIndexList rows = table->selectionModel()->selectedRows();
+    QCOMPARE(rows.size(), 1);
+    QVERIFY(rows.front().row() > 100);
+    QTRY_VERIFY(table->viewport()->rect().contains(table->visualRect(rows.front()).center()));
+}
+
+void TestMainWindow::aClassListIsChosenWhereTheLastOneLay()
+{
+    openPeople();
+    m_window->adminPage().show(ui::admin::AdminPage::Roster);
+    const QTemporaryDir folder;
+    const auto choose = [this] {
+        child<QPushButton>("chooseRoster")->click();
+        return child<QFileDialog>("QFileDialog");
+    };
+    QFileDialog* dialog = choose();
+    QVERIFY(dialog != nullptr);
+    emit dialog->fileSelected(folder.filePath("class.csv"));
+    delete dialog;
+    dialog = choose();
+    QCOMPARE(QFileInfo(dialog->directory().path()).canonicalFilePath(), QFileInfo(folder.path()).canonicalFilePath());
+    dialog->reject();
+    // What is short in it is said.
+    database::RosterOutcome looked;
+    looked.people = {{"eve", "Eve", database::Role::Student, {}, true, "", "", true},
+                     {"ada", "Ada Berg", database::Role::Student, {}, false, "", "", false}};
+    m_window->adminPage().roster().showOutcome(looked, "class.csv", false);
+    const auto* rows = child<QTableView>("roster")->model();
+    QCOMPARE(rows->index(0, 4).data().toString(), QString("new; the line has fewer fields than the first"));
+    QCOMPARE(rows->index(1, 4).data().toString(), QString("known"));
 }
 
 void TestMainWindow::aHalfFilledFormIsPutAside()

@@ -231,7 +231,8 @@ QString rosterFaultWords(const database::RosterFault& fault)
         return QCoreApplication::translate("Admin", "It has more fields than the first line names.");
     case Kind::Username:
         return QCoreApplication::translate(
-            "Admin", "It is empty, longer than 64 characters, or has other signs than letters, digits and . _ - @");
+            "Admin", "It is empty, longer than 64 characters, has other signs than letters, digits and . _ - @, or "
+                     "letters of several scripts in one word.");
     case Kind::Twice:
         return QCoreApplication::translate("Admin", "It stands in line %1 already.").arg(value);
     case Kind::Name:
@@ -255,6 +256,9 @@ QString rosterFaultWords(const database::RosterFault& fault)
                                                     "mark.")
             .arg(value);
     case Kind::NoSuchColumn:
+        if (value.isEmpty())
+            return QCoreApplication::translate("Admin", "A class list has no such column. It has username, given_name, "
+                                                        "family_name, role and class.");
         //: %1: the name of a column
         return QCoreApplication::translate("Admin", "A class list has no such column. Is it %1?").arg(value);
     case Kind::ColumnTwice:

@@ -47,6 +47,7 @@ constexpr int kFormPx = 340;
 constexpr int kClassListPx = 110;
 constexpr int kTickPx = 28;
 constexpr int kMostFittedPx = 320;  ///< of a column, for the sake of one who is in many classes
+constexpr int kLeastFittedPx = 80;  ///< of one that gives room to others
 constexpr int kSoonMs = 100;        ///< what takes longer is told
 constexpr std::array kRoles{Role::Student, Role::Instructor, Role::Admin};
 const QString kPerson = QStringLiteral("person");
@@ -149,6 +150,7 @@ QWidget* PeoplePart::makeList()
     m_table->verticalHeader()->hide();
     m_table->horizontalHeader()->setStretchLastSection(true);
     m_table->sortByColumn(kName, Qt::AscendingOrder);
+    m_table->viewport()->installEventFilter(this);
     column->addWidget(m_table, 1);
     connect(m_search, &QLineEdit::textChanged, this, &PeoplePart::filter);
     connect(m_new, &QPushButton::clicked, this, [this] {
@@ -431,6 +433,7 @@ void PeoplePart::fitColumns()
 {
     m_shown->setWords({});
     m_table->resizeColumnsToContents();
+    m_widths.clear();
     for (int column = 0; column < m_rows->columnCount(); ++column) {
         int longest = -1;
         qsizetype letters = 0;
@@ -439,12 +442,50 @@ void PeoplePart::fitColumns()
                 letters = here;
                 longest = row;
             }
+        m_widths << m_table->columnWidth(column);
         if (longest < 0)
             continue;
         const QModelIndex index = m_shown->mapFromSource(m_rows->index(longest, column));
         const int wanted = std::min(m_table->sizeHintForIndex(index).width() + 1, kMostFittedPx);
-        m_table->setColumnWidth(column, std::max(m_table->columnWidth(column), wanted));
+        m_widths.back() = std::max(m_widths.back(), wanted);
     }
+    shareWidth();
+}
+
+/// Where there is too little room for all columns, names and classes give it, the widest first: they are told whole
+/// where the pointer is.
+void PeoplePart::shareWidth()
+{
+    constexpr std::array kGiving{kName, kUsername, kClasses};
+    if (m_widths.size() != kColumns)
+        return;
+    int room = m_table->viewport()->width();
+    for (int column = 0; column < kColumns; ++column)
+        if (std::find(kGiving.begin(), kGiving.end(), column) == kGiving.end())
+            room -= m_widths[column];
+    std::array<int, kGiving.size()> wanted{};
+    std::transform(kGiving.begin(), kGiving.end(), wanted.begin(), [this](Column one) { return m_widths[one]; });
+    std::sort(wanted.begin(), wanted.end());
+    int most = wanted.back();
+    for (std::size_t k = 0; k < wanted.size(); ++k) {
+        const int share = room / static_cast<int>(wanted.size() - k);
+        if (wanted.at(k) > share) {
+            most = std::max(share, kLeastFittedPx);
+            break;
+        }
+        room -= wanted.at(k);
+    }
+    for (int column = 0; column < kColumns; ++column)
+        m_table->setColumnWidth(column, std::find(kGiving.begin(), kGiving.end(), column) == kGiving.end()
+                                            ? m_widths[column]
+                                            : std::min(m_widths[column], most));
+}
+
+bool PeoplePart::eventFilter(QObject* watched, QEvent* event)
+{
+    if (watched == m_table->viewport() && event->type() == QEvent::Resize)
+        shareWidth();
+    return QWidget::eventFilter(watched, event);
 }
 
 void PeoplePart::filter()
@@ -456,8 +497,11 @@ void PeoplePart::filter()
     m_count->setText(tr("%Ln person(s)", nullptr, m_shown->rowCount()));
     m_table->clearSelection();
     for (int row = 0; row < m_shown->rowCount() && m_chosen != 0; ++row)
-        if (m_shown->index(row, kName).data(kId).toLongLong() == m_chosen)
+        if (const QModelIndex index = m_shown->index(row, kName); index.data(kId).toLongLong() == m_chosen) {
             m_table->selectRow(row);
+            // When the table knows how many rows it has by now.
+            QTimer::singleShot(0, this, [this, at = QPersistentModelIndex(index)] { m_table->scrollTo(at); });
+        }
     m_table->viewport()->update();
 }
 

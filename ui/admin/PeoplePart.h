@@ -88,6 +88,9 @@ signals:
     void classWanted(const QString& name);
     void classNameWanted(qint64 id, const QString& name);
 
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
     /// What stands in a form and is not entered.
     struct Typed
@@ -122,6 +125,7 @@ private:
     void speak();
     void fill();
     void fitColumns();
+    void shareWidth();
     void filter();
     void choose(qint64 person);
     void select(qint64 person);
@@ -166,6 +170,7 @@ private:
     QHash<qint64, Code> m_codes;  ///< by whom they let in
     QStandardItemModel* m_rows = nullptr;
     people::WordFilter* m_shown = nullptr;
+    QList<int> m_widths;  ///< of the columns, where there is room
     QLineEdit* m_search = nullptr;
     people::ListTable* m_table = nullptr;
     QLabel* m_count = nullptr;

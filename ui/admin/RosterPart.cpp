@@ -22,6 +22,7 @@
 #include "ui/people/ListTable.h"
 #include "ui/shell/FileDialog.h"
 #include "ui/shell/Folders.h"
+#include "ui/shell/Memory.h"
 #include "ui/shell/Theme.h"
 #include "ui/study/FormInputs.h"
 #include "ui/text/EveryLanguage.h"
@@ -36,6 +37,20 @@ constexpr auto* kExample = "username,given_name,family_name,role,class\n"
                            "s1001,Ada,Okafor,student,DEN101-A\n"
                            "s1002,Jürgen,Müller,student,DEN101-A|DEN102\n"
                            "teresa,Teresa,Rossi,instructor,DEN101-A";
+
+const QString kFolder = QStringLiteral("folders/roster");
+
+/// Where a class list was chosen, or codes were saved, last.
+QString folder()
+{
+    const QString last = memory().value(kFolder).toString();
+    return QFileInfo(last).isDir() ? last : documentsFolder();
+}
+
+void remember(const QString& file)
+{
+    memory().setValue(kFolder, QFileInfo(file).absolutePath());
+}
 
 int newcomersOf(const database::RosterOutcome& outcome)
 {
@@ -222,10 +237,13 @@ void RosterPart::fill()
             return isNew ? tr("%1 (new)").arg(QString::fromStdString(name)) : QString::fromStdString(name);
         };
         const auto state = [](const database::RosterPerson& person) {
-            if (!person.nameBefore.empty())
-                //: %1: the name that somebody on a class list had so far
-                return tr("known as %1 so far").arg(QString::fromStdString(person.nameBefore));
-            return person.isNew ? tr("new") : tr("known");
+            const QString known = person.isNew ? tr("new")
+                                  : person.nameBefore.empty()
+                                      ? tr("known")
+                                      //: %1: the name that somebody on a class list had so far
+                                      : tr("known as %1 so far").arg(QString::fromStdString(person.nameBefore));
+            //: %1: "new" or "known", of somebody on a class list
+            return person.isShort ? tr("%1; the line has fewer fields than the first").arg(known) : known;
         };
         for (const database::RosterPerson& person : m_outcome.people) {
             QStringList classes;
@@ -296,16 +314,17 @@ void RosterPart::chooseFile()
 {
     if (!mayForgetCodes())
         return;
-    auto* dialog =
-        new FileDialog(this, tr("Choose a class list"), documentsFolder(), tr("Class lists (*.csv);;All files (*)"));
+    auto* dialog = new FileDialog(this, tr("Choose a class list"), folder(), tr("Class lists (*.csv);;All files (*)"));
     dialog->setFileMode(QFileDialog::ExistingFile);
+    connect(dialog, &QFileDialog::fileSelected, this, &remember);
     connect(dialog, &QFileDialog::fileSelected, this, &RosterPart::fileChosen);
     dialog->open();
 }
 
 void RosterPart::saveCodes()
 {
-    auto* dialog = new FileDialog(this, tr("Save the one-time codes"), documentsFolder(), tr("Tables (*.csv)"));
+    auto* dialog = new FileDialog(this, tr("Save the one-time codes"), folder(), tr("Tables (*.csv)"));
+    connect(dialog, &QFileDialog::fileSelected, this, &remember);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(QStringLiteral("csv"));
     connect(dialog, &QFileDialog::fileSelected, this, &RosterPart::writeCodes);

@@ -87,7 +87,7 @@ StationPart::StationPart(QWidget* parent)
 
 void StationPart::speak()
 {
-    m_idleWords->setText(tr("A place that was left is locked after"));
+    m_idleWords->setText(tr("Everywhere in the school, a place that was left is locked after"));
     m_idle->setSuffix(u' ' + tr("min"));
     m_idle->setAccessibleName(tr("Minutes after which a place that was left is locked"));
     const QString servo = text::number(m_facts.servoHz, 0);
