@@ -172,6 +172,9 @@ void TestSchoolCommands::aClassListIsTriedAndEntered()
     QCOMPARE(dry["dry_run"].toBool(), true);
     QCOMPARE(dry["people"].toArray().size(), 2);
     QCOMPARE(byAdmin({"user", "list", "--json"}).json()["people"].toArray().size(), 1);
+    put(at("short.csv"), "username,given_name,family_name,role,class\nn8,Ada,Eight\nn9,Ada,Two,,A\n");
+    const QByteArray shorter = byAdmin({"import", "roster", at("short.csv"), "--dry-run"}).out;
+    QVERIFY2(shorter.contains("fewer fields than the first line names: n8") && !shorter.contains("n9"), shorter);
     // Codes that go into a file are not told as well.
     const Ending done = byAdmin({"import", "roster", at("list.csv"), "--codes", at("codes.csv"), "--json"});
     QVERIFY2(done.exitCode == 0, done.error);
