@@ -370,8 +370,8 @@ void AdminDesk::connectRoster()
 void AdminDesk::import(bool isDryRun)
 {
     const auto isOver = std::make_shared<bool>(false);
-    QTimer::singleShot(kProgressMs, this, [this, isOver, isDryRun] {
-        if (!*isOver)
+    QTimer::singleShot(kProgressMs, this, [this, isOver, isDryRun, who = m_who()] {
+        if (!*isOver && m_who() == who)
             m_window.adminPage().roster().say(isDryRun ? tr("The class list is looked at …")
                                                        : tr("These people are being entered …"));
     });

@@ -1818,6 +1818,11 @@ void TestMainWindow::aCodeStaysWithItsPerson()
     people.setPeople({again, someone(2, "Bob", true)}, {});
     QVERIFY(!code->isVisible());
     QCOMPARE(state(0), QString("has a one-time code"));
+    // Nor is one of somebody whom a restored school does not know.
+    people.showCode(writer(), again, "1234-5678");
+    QVERIFY(!people.unkept().isEmpty());
+    people.setPeople({someone(2, "Bob", true)}, {});
+    QVERIFY2(people.unkept().isEmpty(), qPrintable(people.unkept()));
     people.setPeople({someone(1, "Ada", false), someone(2, "Bob", true)}, {});
     people.showCode(writer(), someone(1, "Ada", false), "1234-5678");
     actions().lessons->trigger();

@@ -509,9 +509,11 @@ void PeoplePart::setPeople(const QList<Person>& people, const QList<database::Sc
 {
     m_people = people;
     m_classes = classes;
-    for (const Person& person : people)  // the code was used, or another was made in its place
-        if (person.hasPassword || person.codeUntilUtc != m_codes.value(person.id.value).untilUtc)
-            m_codes.remove(person.id.value);
+    // Of a code that was used, or that another was made in the place of.
+    m_codes.removeIf([this](const std::pair<const qint64&, Code&>& one) {
+        const Person* const whose = find(one.first);
+        return whose == nullptr || whose->hasPassword || whose->codeUntilUtc != one.second.untilUtc;
+    });
     // A backup was put in the place of the school, in which somebody else has the number.
     m_aside.removeIf([this](const Typed& one) {
         const Person* const whose = find(one.person());
