@@ -759,6 +759,8 @@ void Application::leave()
     m_byHand.reset();
     m_presets.refresh();
     m_window->leaveAll();
+    if (m_people)
+        m_people->forget();
     m_window->setWho(m_who);
     tellMayEdit();
     clearTable();

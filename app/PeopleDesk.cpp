@@ -192,6 +192,19 @@ PeopleDesk::PeopleDesk(MainWindow& window, SchoolDesk& desk, std::function<datab
     });
 }
 
+void PeopleDesk::forget()
+{
+    talkAbout({});
+    m_talkedName.clear();
+    m_played.reset();
+    m_person = {};
+    m_names.clear();
+    m_overview = {};
+    m_given.clear();
+    m_results = {};
+    m_reads = {};
+}
+
 /// A teacher's folder may have changed since it was read last.
 void PeopleDesk::readLessons(const std::function<void()>& then)
 {
@@ -520,6 +533,8 @@ ui::report::ClassReport PeopleDesk::report() const
 /// With the head of the audit as it is now, so that paper and database can be compared.
 void PeopleDesk::withReport(const std::function<void(const ui::report::ClassReport&)>& use)
 {
+    if (m_overview.id != m_window.classPage().chosenClass())  // it is not there yet
+        return;
     m_window.classPage().say([] { return tr("The report is being written …"); });
     askAs(
         [who = m_who(), ofClass = m_overview.id](const School& school) -> core::Result<database::sql::AuditHead> {

@@ -41,6 +41,9 @@ public:
     /// Nothing: none that is kept is played.
     void followReplay(const std::optional<database::AttemptRecord>& played);
 
+    /// Somebody else comes: nothing that was read for the one before is shown, printed or named any more.
+    void forget();
+
 signals:
     /// This recording is to be played; followReplay() is to be told.
     /// @param whose  who made it, and when

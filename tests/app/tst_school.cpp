@@ -110,6 +110,7 @@ private slots:
     void aLockedDatabaseIsTriedAgain();
     void aFileThatIsMovedAwayIsMissed();
     void whoIsDisabledIsShownOut();
+    void nobodySeesTheClassOfWhoLeft();
     void aClassReportIsNoted();
     void theCardOfAnotherKeepsItsNameInAnotherLanguage();
     void anotherScoreIsNotOverruledUnseen();
@@ -528,6 +529,42 @@ void TestSchool::whoIsDisabledIsShownOut()
     QTRY_COMPARE_WITH_TIMEOUT(door(), Door::Login, kPatienceMs);
     QTRY_VERIFY_WITH_TIMEOUT(m_application->window().isAtDoor(), kPatienceMs);
     QVERIFY2(saidAtDoor().contains("This account was disabled"), qPrintable(saidAtDoor()));
+}
+
+/// Otto has no class; what he comes to is not Ines's, whose page it was.
+void TestSchool::nobodySeesTheClassOfWhoLeft()
+{
+    {
+        const auto database = sql::Database::open(file()).value();
+        const sql::School school{database->handle(), StationKey::readOrMake(m_folder->filePath("station.key")).value()};
+        const auto admin = sql::Logins::login(school, "admin", kPassword).value();
+        const auto otto = sql::addPerson(school, admin, {"otto", "Otto", "Teach", Role::Instructor}).value();
+        QVERIFY(sql::Logins::redeem(school, "otto", otto.code, kPassword));
+    }
+    start();
+    logIn("sam");
+    toTheTooth();
+    drill(-2.0);
+    grade("first grade");
+    leaveFor("ines");
+    const auto* const matrix = child<QTableView>("matrix")->model();
+    const auto* const attempts = child<QTableView>("attempts")->model();
+    QTRY_COMPARE_WITH_TIMEOUT(matrix->rowCount(), 1, kPatienceMs);
+    emit child<QTableView>("matrix")->verticalHeader()->sectionDoubleClicked(0);
+    QTRY_VERIFY_WITH_TIMEOUT(child<ui::people::HistoryPage>()->isVisible() && attempts->rowCount() == 1, kPatienceMs);
+    actions().lock->trigger();
+    click("otherLogin");
+    QTRY_COMPARE_WITH_TIMEOUT(door(), Door::Login, kPatienceMs);
+    QCOMPARE(matrix->rowCount(), 0);
+    QCOMPARE(attempts->rowCount(), 0);
+    logIn("otto");
+    QTRY_VERIFY_WITH_TIMEOUT(child<ui::people::ClassPage>()->isVisible(), kPatienceMs);
+    QTest::qWait(500);
+    QCOMPARE(matrix->rowCount(), 0);
+    QVERIFY(child<QLabel>("classEmpty")->isVisible());
+    QVERIFY(child<QLabel>("classEmpty")->text().contains("Here you will see your classes"));
+    for (const QLabel* label : m_application->window().findChildren<QLabel*>())
+        QVERIFY2(!label->isVisible() || !label->text().contains("sam"), qPrintable(label->text()));
 }
 
 /// Whatever leaves the school with names and marks.
@@ -974,9 +1011,12 @@ void TestSchool::aClassReportIsOfTheClassThatWasShown()
     const auto student = [matrix] { return matrix->headerData(0, Qt::Vertical).toString(); };
     QTRY_VERIFY_WITH_TIMEOUT(matrix->rowCount() == 1 && student().startsWith("sam"), kPatienceMs);
     auto* const classes = child<QComboBox>("classChooser");
-    classes->setCurrentIndex(classes->findText("DEN102-B", Qt::MatchStartsWith));
     const QString table = m_folder->filePath("class.csv");
     emit child<ui::people::ClassPage>()->tableWanted(table);
+    classes->setCurrentIndex(classes->findText("DEN102-B", Qt::MatchStartsWith));
+    // Nor is one that has not been read yet taken out under the other's name.
+    const QString none = m_folder->filePath("none.csv");
+    emit child<ui::people::ClassPage>()->tableWanted(none);
     QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(table), kPatienceMs);
     QTRY_VERIFY_WITH_TIMEOUT(student().startsWith("sue"), kPatienceMs);
     QFile written(table);
@@ -986,7 +1026,9 @@ void TestSchool::aClassReportIsOfTheClassThatWasShown()
                                 "SELECT classes.name FROM audit JOIN classes ON audit.object = 'class:' || classes.id "
                                 "WHERE action = 'class.export'",
                                 "read");
-    QVERIFY2(rows.contains(noted->toString() == "DEN102-B" ? "sue" : "sam"), rows.constData());
+    QCOMPARE(noted->toString(), QString("DEN101-A"));
+    QVERIFY2(rows.contains("sam"), rows.constData());
+    QVERIFY(!QFile::exists(none));
 }
 
 /// A comment that was begun is shown to nobody else, and where it was begun it bears the name of who it is about.

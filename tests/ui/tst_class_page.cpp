@@ -91,6 +91,8 @@ private slots:
     void aStudentIsSearchedFor();
     void whatIsReadAgainLeavesEverythingInItsPlace();
     void itIsReadAgainWhenItIsShownAgain();
+    void whoLeavesTakesHisClassesAlong();
+    void aClassThatIsTakenAwayIsNotShown();
     void nobodyNeedsYou();
     void whoIsLateNeedsTheTeacher();
     void whoHasNoAttemptsLeftNeedsTheTeacher();
@@ -235,6 +237,41 @@ void TestClassPage::itIsReadAgainWhenItIsShownAgain()
     m_page->show();
     QCOMPARE(wanted.count(), 1);
     QCOMPARE(wanted[0][0].toLongLong(), 7);
+}
+
+void TestClassPage::whoLeavesTakesHisClassesAlong()
+{
+    m_page->setResults(results(12), 750, {});
+    m_page->findChild<QLineEdit*>("studentSearch")->setText("Student 1004");
+    m_page->say([] { return QString("The report was saved."); });
+    m_page->forget();
+    QCOMPARE(matrix()->model()->rowCount(), 0);
+    QVERIFY(m_page->table().rows.isEmpty());
+    QVERIFY(m_page->chosenLesson().isEmpty());
+    for (const ChartPanel* panel : m_page->findChildren<ChartPanel*>()) {
+        QVERIFY(panel->chart().title.isEmpty() || ui::charts::stopsOf(panel->chart()).isEmpty());
+        QVERIFY2(!panel->chart().of.contains("DEN101"), qPrintable(panel->chart().of));
+    }
+    for (const QLabel* label : m_page->findChildren<QLabel*>())
+        QVERIFY2(!label->text().contains("report was saved"), qPrintable(label->text()));
+    QVERIFY(m_page->findChild<QLineEdit*>("studentSearch")->text().isEmpty());
+}
+
+/// Its teacher was taken out of it, or it is another that is chosen now.
+void TestClassPage::aClassThatIsTakenAwayIsNotShown()
+{
+    QSignalSpy wanted(m_page, &ClassPage::classChosen);
+    m_page->setClasses({{{8}, "DEN101-B", 3, 1}});
+    QCOMPARE(wanted.count(), 1);
+    QCOMPARE(wanted[0][0].toLongLong(), 8);
+    QCOMPARE(matrix()->model()->rowCount(), 0);
+    ClassOverview other = overview(3, 6);
+    other.id = {8};
+    m_page->setOverview(other, kNow);
+    QCOMPARE(matrix()->model()->rowCount(), 3);
+    m_page->setClasses({});
+    QCOMPARE(matrix()->model()->rowCount(), 0);
+    QVERIFY(m_page->findChild<QLabel*>("classEmpty")->text().contains("Here you will see your classes"));
 }
 
 void TestClassPage::nobodyNeedsYou()

@@ -91,10 +91,7 @@ QWidget* ClassPage::makeHead()
     m_class->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_class->setMinimumContentsLength(16);
     m_class->setMinimumHeight(32);
-    connect(m_class, &QComboBox::currentIndexChanged, this, [this] {
-        if (chosenClass().value != 0)
-            emit classChosen(chosenClass().value);
-    });
+    connect(m_class, &QComboBox::currentIndexChanged, this, &ClassPage::takeClass);
     row->addWidget(m_class);
     m_search = new QLineEdit(part);
     m_search->setObjectName(QStringLiteral("studentSearch"));
@@ -293,9 +290,30 @@ void ClassPage::setClasses(const QList<database::SchoolClass>& classes)
     m_classes = classes;
     const database::ClassId before = chosenClass();
     fillClasses();
-    if (chosenClass() != before && chosenClass().value != 0)
-        emit classChosen(chosenClass().value);
+    if (chosenClass() != before)
+        takeClass();
     retell();
+}
+
+/// Under its name stands no other.
+void ClassPage::takeClass()
+{
+    if (m_model->overview().id != chosenClass())
+        clear();
+    if (chosenClass().value != 0)
+        emit classChosen(chosenClass().value);
+}
+
+void ClassPage::clear()
+{
+    m_model->setOverview({}, {});
+    m_search->clear();
+    for (QAbstractButton* button : m_need->buttons())
+        button->setChecked(false);
+    fillLessons();
+    takeLesson();
+    tellNeeds();
+    say({});
 }
 
 void ClassPage::fillClasses()
@@ -460,9 +478,7 @@ void ClassPage::takeCell(const QModelIndex& index)
 
 void ClassPage::forget()
 {
-    m_search->clear();
-    for (QAbstractButton* button : m_need->buttons())
-        button->setChecked(false);
+    setClasses({});
 }
 
 void ClassPage::tellNeeds()

@@ -42,7 +42,7 @@ public:
     void setMayEnter(bool may);
     /// Those that are his. What is chosen stays, where it is among them.
     void setClasses(const QList<database::SchoolClass>& classes);
-    /// Somebody else comes: what was searched and filtered is shown to nobody.
+    /// Somebody else comes: nothing that was shown, searched and filtered stays.
     void forget();
     /// @param now  days are counted from here
     /// What is chosen and seen of the same class stays.
@@ -97,6 +97,8 @@ private:
     QWidget* makeCharts();
     void fillLessons();
     void fillClasses();
+    void takeClass();
+    void clear();
     /// Of the matrix.
     struct Place
     {

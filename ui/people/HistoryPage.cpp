@@ -198,6 +198,15 @@ QWidget* HistoryPage::makeEmpty(const Actions& actions)
     return part;
 }
 
+void HistoryPage::forget()
+{
+    setLesson({});
+    setExamsWithoutScore({});
+    setHistory({});
+    setFeedback({});
+    setPerson({});
+}
+
 void HistoryPage::setPerson(const QString& fullName)
 {
     m_person = fullName;

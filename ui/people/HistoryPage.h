@@ -37,6 +37,8 @@ class HistoryPage final : public shell::Page
 public:
     HistoryPage(const shell::Actions& actions, QWidget* parent);
 
+    /// Somebody else comes: nobody's attempts are shown.
+    void forget();
     /// @param fullName  empty: one's own
     void setPerson(const QString& fullName);
     /// @param newestFirst  of one person. What is chosen stays, where it is among them.

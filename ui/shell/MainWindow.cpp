@@ -701,6 +701,7 @@ void MainWindow::leaveAll()
     m_behindHistory = m_room;
     m_lessonsPage->setUnfinished({}, {});
     m_lessonsPage->forget();
+    m_history->forget();
     m_classes->forget();
     m_assign->forget();
     m_console->forget();
