@@ -2,6 +2,7 @@
 #include "app/PeopleDesk.h"
 
 #include <algorithm>
+#include <chrono>
 #include <climits>
 #include <cmath>
 #include <memory>
@@ -10,6 +11,7 @@
 #include <QDir>
 #include <QPagedPaintDevice>
 #include <QPointer>
+#include <QTimer>
 
 #include "app/Background.h"
 #include "database/sql/Attempts.h"
@@ -32,7 +34,8 @@
 namespace app {
 namespace {
 
-constexpr std::size_t kMostBesides = 12;  ///< attempts to choose from
+constexpr std::size_t kMostBesides = 12;    ///< attempts to choose from
+constexpr std::chrono::seconds kAgain{10};  ///< what could not be read is asked for anew
 
 namespace text = ui::text;
 using database::sql::School;
@@ -667,21 +670,29 @@ void PeopleDesk::tellClassAt(const QString& lesson)
 
 void PeopleDesk::openClasses()
 {
-    const auto show = [this](const core::Result<std::vector<database::SchoolClass>>& classes) {
-        if (!classes) {
-            refuse(classes.error());
-            return;
-        }
-        ClassPage& page = m_window.classPage();
-        page.setClasses(QList<database::SchoolClass>(classes->begin(), classes->end()));
-        const bool isShown = page.isVisible();  // otherwise it is read when it is shown
-        m_window.openClasses();
-        if (isShown)
-            page.readAgain();
-    };
-    readLessons([this, show] {
-        askAs([who = m_who()](const School& school) { return database::sql::listClasses(school, who); }, show);
+    readLessons([this] {
+        tellClasses([this] {
+            ClassPage& page = m_window.classPage();
+            const bool isShown = page.isVisible();  // otherwise it is read when it is shown
+            m_window.openClasses();
+            if (isShown)
+                page.readAgain();
+        });
     });
+}
+
+void PeopleDesk::tellClasses(const std::function<void()>& then)
+{
+    askAs([who = m_who()](const School& school) { return database::sql::listClasses(school, who); },
+          [this, then](const core::Result<std::vector<database::SchoolClass>>& classes) {
+              if (!classes) {
+                  refuse(classes.error());
+                  return;
+              }
+              m_window.classPage().setClasses(QList<database::SchoolClass>(classes->begin(), classes->end()));
+              if (then)
+                  then();
+          });
 }
 
 void PeopleDesk::openAssign()
@@ -731,7 +742,7 @@ void PeopleDesk::tellOverview(database::ClassId ofClass)
           [this, ofClass](const core::Result<ClassNow>& now) {
               ClassPage& page = m_window.classPage();
               if (!now) {
-                  refuse(now.error());
+                  tellUnread(ofClass, now.error());
                   return;
               }
               const QList<database::ClassAssignment> given(now->given.begin(), now->given.end());
@@ -749,6 +760,26 @@ void PeopleDesk::tellOverview(database::ClassId ofClass)
               if (!page.chosenLesson().isEmpty())
                   tellResults(page.chosenLesson());
           });
+}
+
+/// Of a class that is shown already what was read before stays; in the place of any other stands that it is not there.
+void PeopleDesk::tellUnread(database::ClassId ofClass, const core::Error& error)
+{
+    ClassPage& page = m_window.classPage();
+    if (error.code == core::ErrorCode::NotAllowed) {  // it is his no longer
+        tellClasses();
+        return;
+    }
+    if (page.chosenClass() != ofClass || page.isRead()) {
+        refuse(error);
+        return;
+    }
+    page.refuse([error] { return text::errorText(error, text::Failed::ReadingSchool); });
+    QTimer::singleShot(kAgain, this, [this, ofClass, who = m_who()] {
+        ClassPage& waiting = m_window.classPage();  // elsewhere it is read when somebody comes back to it
+        if (m_who() == who && waiting.isVisible() && waiting.chosenClass() == ofClass && !waiting.isRead())
+            waiting.readAgain();
+    });
 }
 
 void PeopleDesk::tellResults(const QString& lesson)

@@ -74,8 +74,11 @@ private:
     void openDraft(qint64 attempt);
     void tellClassAt(const QString& lesson);
     void openClasses();
+    /// @param then  once they are shown
+    void tellClasses(const std::function<void()>& then = {});
     void openAssign();
     void tellOverview(database::ClassId ofClass);
+    void tellUnread(database::ClassId ofClass, const core::Error& error);
     void changeAssignments(const QList<ui::people::AssignmentChange>& changes);
     void tellResults(const QString& lesson);
     void fetch(qint64 attempt,

@@ -127,6 +127,8 @@ private slots:
     void aSchoolThatIsOpenElsewhereLogsNobodyOut();
     void aRestoreThrowsNobodyElseOut();
     void aClassReportIsOfTheClassThatWasShown();
+    void underAClasssNameStandsNoOther();
+    void whoIsTakenOutOfAClassSeesItNoLonger();
     void whatIsTypedWaitsForItsWriter();
     void theFolderOfLessonsIsNamed();
     void whatTheDiskRefusesIsKeptWhenItCanBe();
@@ -214,6 +216,8 @@ private:
     /// Opens the newest attempt of the history page.
     void openNewest() const;
     [[nodiscard]] QList<QPushButton*> pins() const;
+    /// A second class: with Sue in it, and Ines.
+    void enterSecondClass() const;
     /// Saves the card that is shown as a PDF, and waits until that is said.
     void saveCard(const QString& path) const;
 
@@ -992,19 +996,22 @@ void TestSchool::aRestoreThrowsNobodyElseOut()
     logIn("sam");
 }
 
+void TestSchool::enterSecondClass() const
+{
+    const auto database = sql::Database::open(file()).value();
+    const sql::School school{database->handle(), StationKey::readOrMake(m_folder->filePath("station.key")).value()};
+    const auto admin = sql::Logins::login(school, "admin", kPassword).value();
+    const ClassId other = sql::addClass(school, admin, "DEN102-B").value();
+    for (const char* name : {"sue", "ines"}) {
+        const auto id = sql::ask(school.db, "SELECT id FROM people WHERE username = ?", "r", {QLatin1String(name)});
+        QVERIFY(sql::enrol(school, admin, other, {id.value().toLongLong()}, true));
+    }
+}
+
 /// Another was chosen by the time that the audit had answered.
 void TestSchool::aClassReportIsOfTheClassThatWasShown()
 {
-    {
-        const auto database = sql::Database::open(file()).value();
-        const sql::School school{database->handle(), StationKey::readOrMake(m_folder->filePath("station.key")).value()};
-        const auto admin = sql::Logins::login(school, "admin", kPassword).value();
-        const ClassId other = sql::addClass(school, admin, "DEN102-B").value();
-        for (const char* name : {"sue", "ines"}) {
-            const auto id = sql::ask(school.db, "SELECT id FROM people WHERE username = ?", "r", {QLatin1String(name)});
-            QVERIFY(sql::enrol(school, admin, other, {id.value().toLongLong()}, true));
-        }
-    }
+    enterSecondClass();
     start();
     logIn("ines");
     const auto* const matrix = child<QTableView>("matrix")->model();
@@ -1029,6 +1036,59 @@ void TestSchool::aClassReportIsOfTheClassThatWasShown()
     QCOMPARE(noted->toString(), QString("DEN101-A"));
     QVERIFY2(rows.contains("sam"), rows.constData());
     QVERIFY(!QFile::exists(none));
+}
+
+/// Where it cannot be read it says so, and is read again: by F5, and by itself.
+void TestSchool::underAClasssNameStandsNoOther()
+{
+    enterSecondClass();
+    start();
+    logIn("ines");
+    const auto* const matrix = child<QTableView>("matrix")->model();
+    const auto student = [matrix] { return matrix->headerData(0, Qt::Vertical).toString(); };
+    QTRY_VERIFY_WITH_TIMEOUT(matrix->rowCount() == 1 && student().startsWith("sam"), kPatienceMs);
+    const auto name = [this](const char* from, const char* to) {
+        return sql::execute(sql::Database::open(file()).value()->handle(),
+                            QStringLiteral("ALTER TABLE %1 RENAME TO %2").arg(QLatin1String(from), QLatin1String(to)),
+                            "name");
+    };
+    auto* const classes = child<QComboBox>("classChooser");
+    const auto* const empty = child<QLabel>("classEmpty");
+    for (const auto& [chosen, expected] : {std::pair("DEN102-B", "sue"), std::pair("DEN101-A", "sam")}) {
+        QVERIFY(name("standings", "elsewhere"));
+        classes->setCurrentIndex(classes->findText(chosen, Qt::MatchStartsWith));
+        QCOMPARE(matrix->rowCount(), 0);
+        QTRY_VERIFY2_WITH_TIMEOUT(empty->isVisible() && empty->text().contains("cannot be shown now") &&
+                                      empty->text().contains("F5"),
+                                  qPrintable(empty->text()), kPatienceMs);
+        QCOMPARE(matrix->rowCount(), 0);
+        QVERIFY(!child<QAbstractButton>("classReport")->isEnabled());
+        QVERIFY(name("elsewhere", "standings"));
+        if (QLatin1String(expected) == u"sue")
+            actions().readAgain->trigger();
+        QTRY_VERIFY_WITH_TIMEOUT(matrix->rowCount() == 1 && student().startsWith(expected), kPatienceMs);
+    }
+    // What was read of the same class stays.
+    QVERIFY(name("standings", "elsewhere"));
+    actions().readAgain->trigger();
+    QTRY_VERIFY2_WITH_TIMEOUT(message().contains("cannot be shown now"), qPrintable(message()), kPatienceMs);
+    QVERIFY(matrix->rowCount() == 1 && student().startsWith("sam"));
+    QVERIFY(name("elsewhere", "standings"));
+}
+
+void TestSchool::whoIsTakenOutOfAClassSeesItNoLonger()
+{
+    start();
+    logIn("ines");
+    const auto* const matrix = child<QTableView>("matrix")->model();
+    QTRY_COMPARE_WITH_TIMEOUT(matrix->rowCount(), 1, kPatienceMs);
+    QVERIFY(sql::execute(sql::Database::open(file()).value()->handle(),
+                         "DELETE FROM enrolments WHERE person_id = (SELECT id FROM people WHERE username = 'ines')",
+                         "write"));
+    actions().readAgain->trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(matrix->rowCount(), 0, kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("classEmpty")->text().contains("Here you will see your classes"),
+                             kPatienceMs);
 }
 
 /// A comment that was begun is shown to nobody else, and where it was begun it bears the name of who it is about.

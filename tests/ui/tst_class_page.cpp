@@ -93,6 +93,7 @@ private slots:
     void itIsReadAgainWhenItIsShownAgain();
     void whoLeavesTakesHisClassesAlong();
     void aClassThatIsTakenAwayIsNotShown();
+    void whatCouldNotBeReadSaysSo();
     void nobodyNeedsYou();
     void whoIsLateNeedsTheTeacher();
     void whoHasNoAttemptsLeftNeedsTheTeacher();
@@ -272,6 +273,20 @@ void TestClassPage::aClassThatIsTakenAwayIsNotShown()
     m_page->setClasses({});
     QCOMPARE(matrix()->model()->rowCount(), 0);
     QVERIFY(m_page->findChild<QLabel*>("classEmpty")->text().contains("Here you will see your classes"));
+}
+
+void TestClassPage::whatCouldNotBeReadSaysSo()
+{
+    const auto* words = m_page->findChild<QLabel*>("classEmpty");
+    m_page->refuse([] { return QString("The server does not answer."); });  // of the class that is there
+    QCOMPARE(matrix()->model()->rowCount(), 12);
+    m_page->findChild<QComboBox*>("classChooser")->setCurrentIndex(1);
+    QCOMPARE(matrix()->model()->rowCount(), 0);
+    QVERIFY2(words->isVisible() && words->text().contains("being read"), qPrintable(words->text()));
+    m_page->refuse([] { return QString("The server does not answer."); });
+    QVERIFY2(words->text().startsWith("The server does not answer. F5"), qPrintable(words->text()));
+    m_page->readAgain();
+    QVERIFY2(words->text().contains("being read"), qPrintable(words->text()));
 }
 
 void TestClassPage::nobodyNeedsYou()
@@ -565,7 +580,7 @@ void TestClassPage::aLargeClass()
 
 void TestClassPage::anEmptyPageSaysWhatWillBeHere()
 {
-    m_page->setOverview({}, kNow);
+    m_page->setOverview(overview(0, 6), kNow);
     auto* words = m_page->findChild<QLabel*>("classEmpty");
     QVERIFY(words->isVisible());
     QVERIFY(words->text().contains("Nobody is in this class"));

@@ -298,15 +298,24 @@ void ClassPage::setClasses(const QList<database::SchoolClass>& classes)
 /// Under its name stands no other.
 void ClassPage::takeClass()
 {
-    if (m_model->overview().id != chosenClass())
+    if (!isRead())
         clear();
-    if (chosenClass().value != 0)
-        emit classChosen(chosenClass().value);
+    readAgain();
+}
+
+void ClassPage::refuse(std::function<QString()> why)
+{
+    if (isRead())
+        return;
+    m_whyNot = std::move(why);
+    tellEmpty();
+    announce(*m_empty);
 }
 
 void ClassPage::clear()
 {
     m_model->setOverview({}, {});
+    m_whyNot = nullptr;
     m_search->clear();
     for (QAbstractButton* button : m_need->buttons())
         button->setChecked(false);
@@ -390,8 +399,11 @@ void ClassPage::goTo(const Place& place)
 
 void ClassPage::readAgain()
 {
-    if (chosenClass().value != 0)
-        emit classChosen(chosenClass().value);
+    if (chosenClass().value == 0)
+        return;
+    m_whyNot = nullptr;
+    tellEmpty();
+    emit classChosen(chosenClass().value);
 }
 
 void ClassPage::setAssignments(const QList<database::ClassAssignment>& given)
@@ -533,8 +545,13 @@ void ClassPage::search()
 
 void ClassPage::tellEmpty()
 {
-    m_people->setVisible(m_mayEnter);
-    if (m_classes.isEmpty())
+    m_people->setVisible(m_mayEnter && isRead());
+    if (!isRead())
+        m_empty->setText(m_whyNot
+                             //: %1: that a class could not be read, and why
+                             ? tr("%1 F5 reads the class again; Cusp tries it every ten seconds, too.").arg(m_whyNot())
+                             : tr("The class is being read …"));
+    else if (m_classes.isEmpty())
         m_empty->setText(
             m_mayEnter
                 ? tr("There is no class yet. Make one, and enter its teachers and students: then you see here who "

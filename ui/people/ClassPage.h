@@ -49,6 +49,12 @@ public:
     void setOverview(const database::ClassOverview& overview, const QDateTime& now = QDateTime::currentDateTimeUtc());
     /// What the class is to do: when it is due, and who is late. After setOverview().
     void setAssignments(const QList<database::ClassAssignment>& given);
+    /// The class that is chosen could not be read. Until it can be, that stands in its place; where it was read before,
+    /// it stays.
+    /// @param why  said again in another language
+    void refuse(std::function<QString()> why);
+    /// The class that is chosen is there.
+    [[nodiscard]] bool isRead() const { return m_model->overview().id == chosenClass(); }
     void setLessonTitles(const LessonTitles& titles);
     /// Of the lesson that is chosen.
     /// @param passMarkTenths  of its rubric; 0: not known
@@ -120,6 +126,7 @@ private:
     void askForFile();
 
     QList<database::SchoolClass> m_classes;
+    std::function<QString()> m_whyNot;  ///< the class that is chosen is not there
     bool m_mayEnter = false;
     database::LessonResults m_results;
     int m_passMarkTenths = 0;
