@@ -6,6 +6,7 @@
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QScopeGuard>
 #include <QSignalSpy>
 #include <QTest>
 #include <QWheelEvent>
@@ -65,6 +66,10 @@ private slots:
     void nothingIsSentTwice();
     void whatWasRefusedIsToldAtItsAttempt();
     void whatIsTickedStaysWhatItIs();
+    void aPointAndACommaAreOne_data();
+    void aPointAndACommaAreOne();
+    void whatIsNoScoreIsNotMadeOne_data();
+    void whatIsNoScoreIsNotMadeOne();
     void whatWasAddedMeanwhileIsNoDraft();
 
 private:
@@ -698,6 +703,59 @@ void TestTalkPanel::whatIsTickedStaysWhatItIs()
     QCOMPARE(atMoment->text(), QString("at 0:01 of the replay"));
     m_panel->setMoment(2000);
     QCOMPARE(atMoment->text(), QString("at 0:02 of the replay"));
+}
+
+void TestTalkPanel::aPointAndACommaAreOne_data()
+{
+    QTest::addColumn<QString>("language");
+    QTest::addColumn<QString>("typed");
+    for (const char* language : {"en_GB", "de_DE", "es_ES", "ja_JP"})
+        for (const char* typed : {"9.5", "9,5"})
+            QTest::addRow("%s in %s", typed, language) << QString(language) << QString(typed);
+}
+
+/// Else a score that is typed with the sign of another language is ten times as large.
+void TestTalkPanel::aPointAndACommaAreOne()
+{
+    QFETCH(QString, language);
+    QFETCH(QString, typed);
+    QLocale::setDefault(QLocale(language));
+    const auto back = qScopeGuard([] { QLocale::setDefault(QLocale("en_GB")); });
+    TalkPanel panel(nullptr);
+    panel.setMay(true, true);
+    auto* points = panel.findChild<QDoubleSpinBox*>("givenPoints");
+    points->selectAll();
+    QTest::keyClicks(points, typed);
+    QCOMPARE(points->value(), 9.5);
+}
+
+void TestTalkPanel::whatIsNoScoreIsNotMadeOne_data()
+{
+    QTest::addColumn<QString>("typed");
+    for (const char* typed : {"950", "101", "9500", "-5", "100.1"})
+        QTest::newRow(typed) << QString(typed);
+}
+
+/// It stays as it was typed, and is not given.
+void TestTalkPanel::whatIsNoScoreIsNotMadeOne()
+{
+    QFETCH(QString, typed);
+    QSignalSpy wanted(m_panel.get(), &TalkPanel::overrideWanted);
+    auto* points = get<QDoubleSpinBox>("givenPoints");
+    get<QLineEdit>("reason")->setText("by hand");
+    points->selectAll();
+    QTest::keyClicks(points, typed);
+    QVERIFY(points->value() < 0.0 || points->value() > 100.0);
+    QVERIFY(!get<QPushButton>("giveScore")->isEnabled());
+    QVERIFY2(get<QLabel>("pointsBeyond")->isVisible(), "nothing is said of it");
+    QTest::keyClick(get<QLineEdit>("reason"), Qt::Key_Return);
+    QCOMPARE(wanted.count(), 0);
+    points->selectAll();
+    QTest::keyClicks(points, "100");
+    QVERIFY(!get<QLabel>("pointsBeyond")->isVisible());
+    get<QPushButton>("giveScore")->click();
+    QCOMPARE(wanted.count(), 1);
+    QCOMPARE(wanted[0][0].value<std::optional<int>>(), std::optional<int>(1000));
 }
 
 QTEST_MAIN(TestTalkPanel)

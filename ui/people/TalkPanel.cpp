@@ -30,6 +30,8 @@ using namespace ui::shell;
 
 constexpr int kWordsPx = 72;
 constexpr double kFullPoints = 100.0;
+/// What is no score is shown as it was typed, and refused: a field that took no more digits would make 95 of 950.
+constexpr double kMostTyped = 999.9;
 constexpr int kSoonFull = 500;  ///< so many characters before a comment is full, that is said
 
 QLabel* label(int size, QFont::Weight weight, QPalette::ColorRole role, QWidget* parent)
@@ -144,19 +146,19 @@ void TalkPanel::makeOverride(QVBoxLayout& column)
     inside->addWidget(m_overrideTitle);
     auto* row = new QHBoxLayout;
     row->setSpacing(kSpace2);
-    m_points = new QDoubleSpinBox(m_override);
+    m_points = study::numberInput(-kMostTyped, kMostTyped, 1, {}, {}, m_override);
     m_points->setObjectName(QStringLiteral("givenPoints"));
-    m_points->setRange(0.0, kFullPoints);
-    m_points->setDecimals(1);
     m_points->setMinimumHeight(34);
-    m_points->setFocusPolicy(Qt::StrongFocus);
-    study::bindToForm(m_points);
+    m_points->setMaximumWidth(QWIDGETSIZE_MAX);  // its unit is a word
     m_reason = new QLineEdit(m_override);
     m_reason->setObjectName(QStringLiteral("reason"));
     m_reason->setMaxLength(database::kLongestComment);
     row->addWidget(m_points);
     row->addWidget(m_reason, 1);
     inside->addLayout(row);
+    m_beyond = study::faultLabel(m_override);
+    m_beyond->setObjectName(QStringLiteral("pointsBeyond"));
+    inside->addWidget(m_beyond);
     auto* buttons = new QHBoxLayout;
     m_again = new QPushButton(m_override);
     m_again->setObjectName(QStringLiteral("machineAgain"));
@@ -170,8 +172,10 @@ void TalkPanel::makeOverride(QVBoxLayout& column)
     inside->addLayout(buttons);
     column.addWidget(m_override);
     connect(m_reason, &QLineEdit::textChanged, this, &TalkPanel::tellReady);
-    connect(m_points, &QDoubleSpinBox::valueChanged, this,
-            [this](double points) { m_arePointsTyped = points != m_offered; });
+    connect(m_points, &QDoubleSpinBox::valueChanged, this, [this](double points) {
+        m_arePointsTyped = points != m_offered;
+        tellReady();
+    });
     tellReady();
     const auto ask = [this](std::optional<int> tenths) {
         m_asked = m_override;
@@ -231,7 +235,7 @@ TalkPanel::Draft TalkPanel::fromJson(const QJsonObject& typed)
     if (const QJsonArray place = typed["placeMm"].toArray(); place.size() == 3)
         draft.placeMm = {place[0].toDouble(), place[1].toDouble(), place[2].toDouble()};
     draft.hasPoints = typed["points"].isDouble();
-    draft.points = std::clamp(typed["points"].toDouble(), 0.0, kFullPoints);
+    draft.points = std::clamp(typed["points"].toDouble(), -kMostTyped, kMostTyped);
     return draft;
 }
 
@@ -571,11 +575,13 @@ void TalkPanel::answer(qint64 attempt, const QString& fault)
     refuse(fault);
 }
 
-/// A score can be given: it has a reason, and nothing is on its way.
+/// A score can be given: it is one, has a reason, and nothing is on its way.
 void TalkPanel::tellReady()
 {
+    const bool isScore = m_points->value() >= 0.0 && m_points->value() <= kFullPoints;
     const bool isReady = !m_reason->text().trimmed().isEmpty() && m_sent.count(m_attempt) == 0;
-    m_give->setEnabled(isReady);
+    study::showFault(m_beyond, isScore ? QString() : tr("A score has 0 to 100 points."));
+    m_give->setEnabled(isReady && isScore);
     m_again->setEnabled(isReady);
 }
 
@@ -747,6 +753,7 @@ void TalkPanel::retell()
     tellScore();
     tellPins();
     tellRoom();
+    tellReady();
 }
 
 void TalkPanel::changeEvent(QEvent* event)

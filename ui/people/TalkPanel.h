@@ -184,6 +184,7 @@ private:
     QWidget* m_override = nullptr;
     QLabel* m_overrideTitle = nullptr;
     QDoubleSpinBox* m_points = nullptr;
+    QLabel* m_beyond = nullptr;  ///< that the points are no score
     QLineEdit* m_reason = nullptr;
     QPushButton* m_give = nullptr;
     QPushButton* m_again = nullptr;
