@@ -50,6 +50,8 @@ private slots:
     void changesInARowAreOneStepBack();
     void aShippedLessonIsSavedAsTheTeachersOwn();
     void saveRefusesNothingSilently();
+    void whatAnotherHasWrittenIsNotWrittenOver();
+    void whatAnotherHasWrittenMeanwhileIsSeenAfterTheDraftWasPutBy();
     void stepsBackShowNumbersOfARubricThatIsNone();
     void theTitleIsTakenBackAsWell();
     void aLessonWithoutATitleIsToldOfInPlainWords();
@@ -69,6 +71,27 @@ private slots:
     void replayingIsCalledOff();
 
 private:
+    /// Makes the teacher's own of a lesson, and opens that.
+    void openOwn()
+    {
+        open("class1-36");
+        spin("depth_mm")->setValue(1.75);
+        m_editor->save();
+        QTRY_VERIFY2_WITH_TIMEOUT(saidBelow().contains("Saved"), qPrintable(saidBelow()), kLoadedMs);
+        m_editor->edit(::lessons::readLesson(ownFile()), m_folder->path());
+        QTRY_VERIFY2_WITH_TIMEOUT(check().contains("100"), qPrintable(check()), kLoadedMs);
+        QTRY_COMPARE_WITH_TIMEOUT(spin("depth_mm")->value(), 1.75, kLoadedMs);
+    }
+    QString ownFile() const { return m_folder->filePath("class1-36-own.lesson.json"); }
+    /// As another window would.
+    void writeElsewhere(const QString& title) const
+    {
+        QJsonObject object = saved("class1-36-own.lesson.json");
+        object["title"] = QJsonObject{{"en", title}};
+        object["version"] = object["version"].toInt() + 1;
+        QFile file(ownFile());
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write(QJsonDocument(object).toJson()) > 0);
+    }
     ::lessons::ReadLesson shipped(const QString& id) const
     {
         for (const ::lessons::CatalogEntry& entry : ::lessons::readCatalog({}))
@@ -330,6 +353,61 @@ void TestLessonEditor::saveRefusesNothingSilently()
     QTRY_VERIFY2_WITH_TIMEOUT(saidBelow().contains("there is a file class1-36-own.lesson.json already"),
                               qPrintable(saidBelow()), kLoadedMs);
     QVERIFY(saved("class1-36-own.lesson.json").isEmpty());
+}
+
+/// It is shown, and one's own changes come back by a step back, to be saved in its place.
+void TestLessonEditor::whatAnotherHasWrittenIsNotWrittenOver()
+{
+    openOwn();
+    spin("depth_mm")->setValue(2.0);
+    m_editor->save();
+    QTRY_VERIFY2_WITH_TIMEOUT(saidBelow().contains("Saved"), qPrintable(saidBelow()), kLoadedMs);
+    spin("depth_mm")->setValue(1.5);
+    auto* const anew = m_editor->findChild<QPushButton*>("openAnew");
+    QVERIFY(!anew->isVisible());
+    writeElsewhere("Another's");
+    const QJsonObject others = saved("class1-36-own.lesson.json");
+    m_editor->save();
+    QTRY_VERIFY2_WITH_TIMEOUT(saidBelow().contains("has been changed since you opened it"), qPrintable(saidBelow()),
+                              kLoadedMs);
+    QCOMPARE(saved("class1-36-own.lesson.json"), others);
+    QVERIFY(anew->isVisible());
+    // Nor at the end of the program.
+    QVERIFY(!m_editor->saveAll());
+    QCOMPARE(saved("class1-36-own.lesson.json"), others);
+    anew->click();
+    QVERIFY(!anew->isVisible());
+    QCOMPARE(m_editor->findChild<QLineEdit*>("draftTitle")->text(), QString("Another's"));
+    QTRY_VERIFY2_WITH_TIMEOUT(check().contains("100"), qPrintable(check()), kLoadedMs);
+    QTRY_COMPARE_WITH_TIMEOUT(spin("depth_mm")->value(), 2.0, kLoadedMs);
+    QVERIFY(m_editor->unsaved().isEmpty());
+    m_editor->undo();
+    QTRY_COMPARE_WITH_TIMEOUT(spin("depth_mm")->value(), 1.5, kLoadedMs);
+    QVERIFY(m_editor->findChild<QLineEdit*>("draftTitle")->text() != "Another's");
+    m_editor->save();
+    QTRY_VERIFY2_WITH_TIMEOUT(saidBelow().contains("Saved"), qPrintable(saidBelow()), kLoadedMs);
+    // Under a version that neither of them had.
+    QCOMPARE(saved("class1-36-own.lesson.json")["version"].toInt(), others["version"].toInt() + 1);
+    // And once more, over what was written just now.
+    spin("depth_mm")->setValue(1.25);
+    m_editor->save();
+    QTRY_VERIFY2_WITH_TIMEOUT(saidBelow().contains("Saved"), qPrintable(saidBelow()), kLoadedMs);
+}
+
+void TestLessonEditor::whatAnotherHasWrittenMeanwhileIsSeenAfterTheDraftWasPutBy()
+{
+    openOwn();
+    spin("depth_mm")->setValue(1.5);
+    const QJsonArray drafts = m_editor->unsavedDrafts();
+    QCOMPARE(drafts.size(), 1);
+    writeElsewhere("Another's");
+    const QJsonObject others = saved("class1-36-own.lesson.json");
+    const ui::shell::Actions actions(m_window.get());
+    LessonEditor next(actions, nullptr);
+    QVERIFY(next.goOnWith(drafts[0].toObject(), m_folder->path()));
+    QVERIFY(!next.saveAll());
+    QVERIFY(next.findChild<QLabel*>("editorSaid")->text().contains("has been changed since you opened it"));
+    QCOMPARE(saved("class1-36-own.lesson.json"), others);
 }
 
 /// While the weights do not add up there is no rubric, and yet each input shows what its draft says.

@@ -227,11 +227,42 @@ void LessonDraft::begin(const ::lessons::ReadLesson& lesson, const QString& teac
     m_at = 0;
     m_lastChange.clear();
     m_saved = object;
-    m_wholeRubric = ::lessons::ownRubric(*lesson.lesson);
+    takeWhole(*lesson.lesson);
+}
+
+void LessonDraft::takeWhole(const ::lessons::Lesson& lesson)
+{
+    m_wholeRubric = ::lessons::ownRubric(lesson);
     m_wholeTitle = {};
-    for (const auto& [language, text] : lesson.lesson->title)
+    for (const auto& [language, text] : lesson.title)
         m_wholeTitle.insert(QString::fromStdString(language), QString::fromStdString(text));
-    m_isBlock = lesson.lesson->task == ::lessons::Task::TraceShape;
+    m_isBlock = lesson.task == ::lessons::Task::TraceShape;
+}
+
+void LessonDraft::goOnWith(const QJsonObject& object, const QJsonObject& saved)
+{
+    if (m_exists && !saved.isEmpty())
+        m_saved = saved;
+    change(QStringLiteral("gone on with"), object);
+}
+
+void LessonDraft::openAnew(const ::lessons::ReadLesson& lesson)
+{
+    m_saved = ::lessons::ownVersion(lesson);
+    m_isStamped = false;
+    takeWhole(*lesson.lesson);
+    m_lastChange.clear();
+    change(QStringLiteral("opened anew"), m_saved);
+    m_lastChange.clear();
+}
+
+bool LessonDraft::isOvertaken() const
+{
+    ::lessons::ReadLesson now;
+    now.file = m_file;
+    // As they are written: 5 from a file and 5.0 from an input are one number.
+    return m_exists && QFileInfo::exists(m_file) &&
+           QJsonDocument(::lessons::ownVersion(now)).toJson() != QJsonDocument(m_saved).toJson();
 }
 
 void LessonDraft::change(const QString& what, const QJsonObject& object)
@@ -285,8 +316,9 @@ QString LessonDraft::title() const
 QByteArray LessonDraft::stamped()
 {
     QJsonObject& now = m_states[m_at];
+    const auto versionOf = [](const QJsonObject& one) { return one.value(QStringLiteral("version")).toInt(1); };
     if (m_exists && !std::exchange(m_isStamped, true))
-        now.insert(QStringLiteral("version"), now.value(QStringLiteral("version")).toInt(1) + 1);
+        now.insert(QStringLiteral("version"), std::max(versionOf(now), versionOf(m_saved)) + 1);
     m_exists = true;
     m_isStamped = true;
     m_saved = now;

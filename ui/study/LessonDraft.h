@@ -63,10 +63,17 @@ public:
     void begin(const ::lessons::ReadLesson& lesson, const QString& teachersFolder);
 
     /// What it had become, as object() gave it; one step further than it begins.
-    void goOnWith(const QJsonObject& object) { change(QStringLiteral("gone on with"), object); }
+    /// @param saved  what stood in its file then, as saved() gave it; empty: as it stands there now
+    void goOnWith(const QJsonObject& object, const QJsonObject& saved);
+    /// What stands in its file now becomes one step further; a step back leads to what was changed here.
+    void openAnew(const ::lessons::ReadLesson& lesson);
 
     [[nodiscard]] const QJsonObject& object() const { return m_states[m_at]; }
+    /// What stood in its file when that was read or written last.
+    [[nodiscard]] const QJsonObject& saved() const { return m_saved; }
     [[nodiscard]] const QString& file() const { return m_file; }
+    /// Another window, or somebody at another computer, has written to its file since.
+    [[nodiscard]] bool isOvertaken() const;
     /// In the user's language.
     [[nodiscard]] QString title() const;
     /// As it is marked, also where that is no rubric yet.
@@ -89,6 +96,7 @@ public:
     void setCriterion(int index, const char* key, double value);
 
 private:
+    void takeWhole(const ::lessons::Lesson& lesson);
     /// The title by language: the file's own words, and where it says none those of what it is based on.
     [[nodiscard]] QJsonObject titles() const;
     /// @param what  several changes of one thing in a row are one

@@ -62,6 +62,11 @@ QString wordsOf(const ::lessons::Fault& fault, const LessonDraft& draft)
 /// @param weighed  what it comes to
 QString write(LessonDraft& draft, const Weighed& weighed)
 {
+    if (draft.isOvertaken())
+        return LessonEditor::tr("Not saved: %1 has been changed since you opened it, in another window or at another "
+                                "computer. Open it anew to see that; a step back then brings your own changes back, "
+                                "to be saved in its place.")
+            .arg(QFileInfo(draft.file()).fileName());
     for (const ::lessons::Fault& fault : weighed.read.faults)
         if (fault.grave)
             return LessonEditor::tr("Not saved: %1").arg(wordsOf(fault, draft));
@@ -121,8 +126,11 @@ void LessonEditor::speak()
     offerReferences();
     if (m_good)
         showMeaning();
-    if (m_saying)
+    if (m_saying) {
+        const bool mayOpenAnew = !m_anew->isHidden();
         say(m_saying, m_isSaidWrong);
+        m_anew->setVisible(mayOpenAnew);
+    }
     m_weigher->weigh(draft().object(), draft().file());
 }
 
@@ -279,6 +287,17 @@ QWidget* LessonEditor::makeFoot(const Actions& actions)
     connect(m_fit, &QPushButton::clicked, this, &LessonEditor::fitTolerances);
     m_fit->hide();
     row->addWidget(m_fit);
+    m_anew = new QPushButton(foot);
+    m_anew->setObjectName(QStringLiteral("openAnew"));
+    m_anew->setAutoDefault(true);
+    text::inEveryLanguage(m_anew, [this] {
+        m_anew->setText(tr("Open anew"));
+        m_anew->setToolTip(tr("Show what stands in the file now; a step back brings your own changes back"));
+        m_anew->setAccessibleName(m_anew->text());
+    });
+    connect(m_anew, &QPushButton::clicked, this, &LessonEditor::openAnew);
+    m_anew->hide();
+    row->addWidget(m_anew);
     return foot;
 }
 
@@ -552,13 +571,41 @@ void LessonEditor::save()
     m_isSaveWanted = !m_now || m_weigher->isBusy();
     if (m_isSaveWanted)
         return;  // as soon as it is checked
-    if (QString whyNot = write(draft(), *m_now); !whyNot.isEmpty()) {
-        say([whyNot] { return whyNot; }, true);
+    if (const QString whyNot = write(draft(), *m_now); !whyNot.isEmpty()) {
+        refuseToSave(whyNot);
         return;
     }
     changed();
     say([file = QDir::toNativeSeparators(draft().file())] { return tr("Saved as %1.").arg(file); }, false);
     emit lessonSaved(draft().file());
+}
+
+void LessonEditor::refuseToSave(const QString& whyNot)
+{
+    say([whyNot] { return whyNot; }, true);
+    m_anew->setVisible(draft().isOvertaken());
+}
+
+/// Nothing that was changed here is lost: it is a step back.
+void LessonEditor::openAnew()
+{
+    const ::lessons::ReadLesson read = ::lessons::readLesson(draft().file());
+    if (!read.lesson) {
+        say(
+            [file = QFileInfo(draft().file()).fileName()] {
+                return tr("%1 is no lesson as it stands now, and was not opened. Look at it with whoever has changed "
+                          "it.")
+                    .arg(file);
+            },
+            true);
+        m_anew->show();
+        return;
+    }
+    m_opened.at(m_present).lesson = *read.lesson;
+    draft().openAnew(read);
+    turnTo(m_present);
+    say([] { return tr("This is what stands in the file now. A step back brings your own changes back."); }, false);
+    m_title->setFocus();
 }
 
 QStringList LessonEditor::unsaved() const
@@ -585,10 +632,10 @@ bool LessonEditor::saveAll()
         if (!opened.draft.isChanged())
             continue;
         const auto weighed = weigh(opened.draft.object(), opened.draft.file(), nullptr);
-        if (QString whyNot = write(opened.draft, *weighed); !whyNot.isEmpty()) {
+        if (const QString whyNot = write(opened.draft, *weighed); !whyNot.isEmpty()) {
             if (from != m_present)
                 turnTo(from);
-            say([whyNot] { return whyNot; }, true);
+            refuseToSave(whyNot);
             return false;
         }
         emit lessonSaved(opened.draft.file());
@@ -602,7 +649,8 @@ QJsonArray LessonEditor::unsavedDrafts() const
     for (const auto& [from, opened] : m_opened)
         if (opened.draft.isChanged())
             all.append(QJsonObject{{"from", opened.draft.isSavedOnce() ? opened.draft.file() : from},
-                                   {"lesson", opened.draft.object()}});
+                                   {"lesson", opened.draft.object()},
+                                   {"saved", opened.draft.saved()}});
     return all;
 }
 
@@ -618,7 +666,7 @@ bool LessonEditor::goOnWith(const QJsonObject& unsaved, const QString& folder)
     Opened& opened = m_opened[from];
     opened.lesson = *read.lesson;
     opened.draft.begin(read, folder);
-    opened.draft.goOnWith(object);
+    opened.draft.goOnWith(object, unsaved["saved"].toObject());
     return true;
 }
 
@@ -626,6 +674,7 @@ void LessonEditor::say(std::function<QString()> sentence, bool isWrong)
 {
     m_saying = std::move(sentence);
     m_isSaidWrong = isWrong;
+    m_anew->hide();
     QPalette colours = palette();
     colours.setColor(QPalette::PlaceholderText,
                      isWrong ? tones(palette()).harmText : palette().color(QPalette::PlaceholderText));

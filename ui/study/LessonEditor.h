@@ -58,7 +58,8 @@ public:
     /// the page, with what is wrong.
     [[nodiscard]] bool saveAll();
 
-    /// The changed drafts, each as an object with its "lesson" and the file "from" which it began.
+    /// The changed drafts, each as an object with its "lesson", the file "from" which it began, and what was "saved"
+    /// there.
     [[nodiscard]] QJsonArray unsavedDrafts() const;
     /// One of those is a draft again. False: it is none, its lesson cannot be read now, or another draft of that is
     /// here.
@@ -103,6 +104,8 @@ private:
     void showCheck();
     void fitTolerances();
     void chooseReference(const QString& name);
+    void openAnew();
+    void refuseToSave(const QString& whyNot);
     void askForRecordings();
     void captureFrom(const QStringList& recordings);
     /// @param words  said again in another language
@@ -130,7 +133,8 @@ private:
     QLabel* m_check = nullptr;
     QLabel* m_said = nullptr;
     QPushButton* m_fit = nullptr;
-    QThreadPool m_capturing;  ///< last: waited for before what it answers to goes away
+    QPushButton* m_anew = nullptr;  ///< while somebody else has written to the file
+    QThreadPool m_capturing;        ///< last: waited for before what it answers to goes away
 };
 
 }  // namespace ui::study
