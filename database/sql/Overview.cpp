@@ -166,6 +166,29 @@ LessonDifficulty difficultyOf(const std::map<std::int64_t, std::vector<std::pair
     return difficulty;
 }
 
+/// ", and of these": what a band adds to a query over the attempts a of students p. A class of fewer people tells
+/// nothing of them, however many others its students meet in their other classes; and who teaches is told of his own.
+QString amongThem(const Who& who)
+{
+    return QStringLiteral(
+               " AND p.role = 'student' AND p.disabled = 0 AND a.person_id IN (SELECT e.person_id FROM enrolments e "
+               "WHERE e.class_id IN (SELECT his.class_id FROM enrolments his JOIN enrolments theirs ON "
+               "theirs.class_id = his.class_id JOIN people one ON one.id = theirs.person_id WHERE his.person_id = ? "
+               "AND one.role = 'student' AND one.disabled = 0%1 GROUP BY his.class_id HAVING COUNT(*) >= %2))")
+        .arg(who.reach == Reach::Classes
+                 ? QStringLiteral(" AND his.class_id IN (SELECT class_id FROM enrolments WHERE person_id = ?)")
+                 : QString())
+        .arg(lessons::kFewestPeople);
+}
+
+QVariantList valuesOf(const Who& who, const Session& session, PersonId person, const std::string& lessonId)
+{
+    QVariantList values{text(lessonId), number(person.value)};
+    if (who.reach == Reach::Classes)
+        values << number(session.person().value);
+    return values;
+}
+
 }  // namespace
 
 core::Result<ClassOverview> classOverview(const School& school, const Session& session, ClassId ofClass)
@@ -236,17 +259,17 @@ core::Result<LessonResults> lessonResults(const School& school, const Session& s
 core::Result<std::vector<BandPoint>> classBand(const School& school, const Session& session, PersonId person,
                                                const std::string& lessonId)
 {
-    if (auto who = admitTo(school, session, Operation::CompareWithClass, person); !who)
+    const auto who = admitTo(school, session, Operation::CompareWithClass, person);
+    if (!who)
         return tl::unexpected(who.error());
     std::map<std::int64_t, int> count;
     std::map<int, std::vector<int>> scoresOfNth;
     if (auto read =
             forEach(school.db,
-                    QStringLiteral("SELECT a.person_id, COALESCE(a.given_tenths, a.score_tenths) FROM attempts a JOIN "
-                                   "people p ON p.id = a.person_id WHERE p.role = 'student' AND a.lesson_id = ? AND "
-                                   "a.person_id IN %1 ORDER BY a.person_id, a.finished_utc, a.id")
-                        .arg(classmates()),
-                    kDoing, {text(lessonId), number(person.value)},
+                    "SELECT a.person_id, COALESCE(a.given_tenths, a.score_tenths) FROM attempts a JOIN people p ON "
+                    "p.id = a.person_id WHERE a.lesson_id = ?" +
+                        amongThem(*who) + " ORDER BY a.person_id, a.finished_utc, a.id",
+                    kDoing, valuesOf(*who, session, person, lessonId),
                     [&](const QSqlQuery& row) {
                         scoresOfNth[++count[row.value(0).toLongLong()]].push_back(row.value(1).toInt());
                     });
@@ -258,17 +281,17 @@ core::Result<std::vector<BandPoint>> classBand(const School& school, const Sessi
 core::Result<std::optional<LessonMedians>> classMedians(const School& school, const Session& session, PersonId person,
                                                         const std::string& lessonId)
 {
-    if (auto who = admitTo(school, session, Operation::CompareWithClass, person); !who)
+    const auto who = admitTo(school, session, Operation::CompareWithClass, person);
+    if (!who)
         return tl::unexpected(who.error());
     std::set<std::int64_t> people;
     std::vector<int> scores;
     std::vector<int> durations;
     if (auto read = forEach(school.db,
-                            QStringLiteral("SELECT a.person_id, COALESCE(a.given_tenths, a.score_tenths), "
-                                           "a.duration_ms FROM attempts a JOIN people p ON p.id = a.person_id WHERE "
-                                           "p.role = 'student' AND a.lesson_id = ? AND a.person_id IN %1")
-                                .arg(classmates()),
-                            kDoing, {text(lessonId), number(person.value)},
+                            "SELECT a.person_id, COALESCE(a.given_tenths, a.score_tenths), a.duration_ms FROM attempts "
+                            "a JOIN people p ON p.id = a.person_id WHERE a.lesson_id = ?" +
+                                amongThem(*who),
+                            kDoing, valuesOf(*who, session, person, lessonId),
                             [&](const QSqlQuery& row) {
                                 people.insert(row.value(0).toLongLong());
                                 scores.push_back(row.value(1).toInt());

@@ -76,6 +76,8 @@ private slots:
     void aClassesNumbersAreThoseWorkedOutByHand();
     void ofFourPeopleNoBandIsShown_data() { support::addEngines(); }
     void ofFourPeopleNoBandIsShown();
+    void aBandIsOfTheClassesOfWhoAsks_data() { support::addEngines(); }
+    void aBandIsOfTheClassesOfWhoAsks();
     void whoIsStuckIsToldByTheLastAttempts_data() { support::addEngines(); }
     void whoIsStuckIsToldByTheLastAttempts();
     void whatIsNoPlainFileIsNotRead();
@@ -400,6 +402,45 @@ void TestAttempts::ofFourPeopleNoBandIsShown()
     const std::vector<BandPoint> alike{{1, 5, 700, 700, 700}};
     QVERIFY(classBand(rig.school(), rig.student, rig.student.person(), "class1-36").value() == alike);
     QCOMPARE(classMedians(rig.school(), rig.student, rig.student.person(), "class1-36").value()->people, 5);
+}
+
+/// What the one does not see, and what would tell of few people, does not come by way of a student's other class.
+void TestAttempts::aBandIsOfTheClassesOfWhoAsks()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    const School& school = rig.school();
+    const std::string lesson = "class1-36";
+    const PersonId sam = rig.student.person();
+    const auto people = [&](const Session& who) {
+        const auto band = classBand(school, who, sam, lesson).value();
+        const auto medians = classMedians(school, who, sam, lesson).value();
+        if (band.empty() != !medians || (medians && medians->people != band.front().people))
+            return -1;
+        return band.empty() ? 0 : band.front().people;
+    };
+    // Sam and Sue are the first class; Sam is with six others in the second, too.
+    VERIFY_DONE(enrol(school, rig.admin, rig.second, sam, true));
+    std::vector<Session> others;
+    for (int k = 0; k < 6; ++k)
+        others.push_back(rig.join({"s300" + std::to_string(k), "Nn", std::to_string(k), Role::Student}, rig.second));
+    for (const Session* who : {&rig.student, &rig.classmate})
+        VERIFY_DONE(addAttempt(school, *who, SchoolRig::attempt(lesson, 700), {}));
+    for (const Session& who : others)
+        VERIFY_DONE(addAttempt(school, who, SchoolRig::attempt(lesson, 600), {}));
+    QCOMPARE(people(rig.instructor), 0);
+    QCOMPARE(people(rig.otherInstructor), 7);
+    QCOMPARE(people(rig.student), 7);  // without Sue, of whose class there are but two
+    // As soon as there are five in it, her class counts.
+    for (int k = 0; k < 3; ++k)
+        VERIFY_DONE(enrol(school, rig.admin, rig.first, others[static_cast<std::size_t>(k)].person(), true));
+    QCOMPARE(people(rig.instructor), 5);
+    QCOMPARE(people(rig.student), 8);
+    QCOMPARE(people(rig.admin), 8);
+    // Who was disabled is of no class any more.
+    VERIFY_DONE(execute(school.db, "UPDATE people SET disabled = 1 WHERE username = 's3000'", "write"));
+    QCOMPARE(people(rig.instructor), 0);
+    QCOMPARE(people(rig.otherInstructor), 6);
 }
 
 /// At the lesson he tried last, by the scores that count.
