@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -40,7 +41,17 @@ struct MatrixCell
     int bestTenths = 0;
     bool passed = false;
     std::string lastUtc;
+    int withoutScore = 0;                    ///< exams that were begun, which count as attempts as well
+    std::optional<int> limitElsewhere = {};  ///< that his other classes were given; the most generous, 0: none at all
     bool operator==(const MatrixCell&) const = default;
+
+    /// He has not passed, and may not try again: sql::attemptsLeft() tells him so.
+    /// @param limit  that this class was given; 0: none
+    [[nodiscard]] bool isUsedUp(int limit) const
+    {
+        const bool isLimited = limit > 0 && limitElsewhere.value_or(limit) > 0;
+        return isLimited && !passed && attempts + withoutScore >= std::max(limit, limitElsewhere.value_or(0));
+    }
 };
 
 struct MatrixStudent
@@ -53,6 +64,7 @@ struct MatrixStudent
     std::vector<int> recentTenths;   ///< of his last attempts at the lesson he tried last, newest first, at most five
     std::vector<bool> recentPassed;  ///< the same
     std::string recentLesson;        ///< its id
+    bool isDisabled = false;         ///< he comes no more, needs nobody, and counts nowhere
     bool operator==(const MatrixStudent&) const = default;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -18,5 +19,9 @@ namespace database::sql {
 
 /// How many there are of one lesson; asks nobody's leave.
 [[nodiscard]] core::Result<int> countWithoutScore(const School& school, PersonId person, const std::string& lessonId);
+/// The same of everybody in a class, lesson by lesson, where there are any.
+[[nodiscard]] core::Status
+forEachWithoutScore(const School& school, ClassId ofClass,
+                    const std::function<void(PersonId person, const std::string& lessonId, int count)>& take);
 
 }  // namespace database::sql

@@ -10,6 +10,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 
+#include "database/sql/ExamStarts.h"
 #include "database/sql/Statement.h"
 #include "lessons/ClassStanding.h"
 
@@ -28,8 +29,8 @@ const QString kStudents = QStringLiteral("people p JOIN enrolments e ON e.person
 core::Status readStudents(const School& school, ClassOverview& overview, std::map<std::int64_t, std::size_t>& rowOf)
 {
     return forEach(school.db,
-                   "SELECT p.id, p.username, p.given_name, p.family_name, p.last_login_utc FROM " + kStudents +
-                       " ORDER BY p.family_name, p.given_name, p.username",
+                   "SELECT p.id, p.username, p.given_name, p.family_name, p.last_login_utc, p.disabled FROM " +
+                       kStudents + " ORDER BY p.family_name, p.given_name, p.username",
                    kDoing, {number(overview.id.value)}, [&](const QSqlQuery& row) {
                        MatrixStudent student;
                        student.id = {row.value(0).toLongLong()};
@@ -38,6 +39,7 @@ core::Status readStudents(const School& school, ClassOverview& overview, std::ma
                        const std::string family = textOf(row, 3);
                        student.fullName = given + (given.empty() || family.empty() ? "" : " ") + family;
                        student.lastLoginUtc = textOf(row, 4);
+                       student.isDisabled = row.value(5).toInt() != 0;
                        rowOf[student.id.value] = overview.students.size();
                        overview.students.push_back(std::move(student));
                    });
@@ -89,6 +91,36 @@ core::Status readCells(const School& school, ClassOverview& overview, const std:
             overview.cells[one.student][column->second] = std::move(one.cell);
     }
     return {};
+}
+
+/// What else counts where a class may try a lesson so often and no more.
+core::Status readLimits(const School& school, ClassOverview& overview, const std::map<std::int64_t, std::size_t>& rowOf)
+{
+    std::map<std::string, std::size_t> columnOf;
+    for (std::size_t k = 0; k < overview.lessons.size(); ++k)
+        columnOf[overview.lessons[k]] = k;
+    const auto cellOf = [&](std::int64_t person, const std::string& lesson) -> MatrixCell* {
+        const auto row = rowOf.find(person);
+        const auto column = columnOf.find(lesson);
+        return row == rowOf.end() || column == columnOf.end() ? nullptr : &overview.cells[row->second][column->second];
+    };
+    if (auto read = forEachWithoutScore(school, overview.id,
+                                        [&](PersonId person, const std::string& lesson, int count) {
+                                            if (MatrixCell* cell = cellOf(person.value, lesson))
+                                                cell->withoutScore = count;
+                                        });
+        !read)
+        return read;
+    return forEach(
+        school.db,
+        "SELECT e.person_id, a.lesson_id, CASE WHEN MIN(a.attempt_limit) = 0 THEN 0 ELSE "
+        "MAX(a.attempt_limit) END FROM enrolments here JOIN enrolments e ON e.person_id = here.person_id AND "
+        "e.class_id <> here.class_id JOIN assignments a ON a.class_id = e.class_id WHERE here.class_id = ? "
+        "GROUP BY e.person_id, a.lesson_id",
+        kDoing, {number(overview.id.value)}, [&](const QSqlQuery& row) {
+            if (MatrixCell* cell = cellOf(row.value(0).toLongLong(), textOf(row, 1)))
+                cell->limitElsewhere = row.value(2).toInt();
+        });
 }
 
 /// The last attempts of each student, of which those at the lesson tried last are kept.
@@ -208,6 +240,8 @@ core::Result<ClassOverview> classOverview(const School& school, const Session& s
         return tl::unexpected(read.error());
     if (auto read = readCells(school, overview, rowOf); !read)
         return tl::unexpected(read.error());
+    if (auto read = readLimits(school, overview, rowOf); !read)
+        return tl::unexpected(read.error());
     if (auto read = readRecent(school, overview, rowOf); !read)
         return tl::unexpected(read.error());
     return overview;
@@ -229,7 +263,7 @@ core::Result<LessonResults> lessonResults(const School& school, const Session& s
             "a.passed WHEN a.given_tenths >= a.pass_mark_tenths THEN 1 ELSE 0 END, a.criteria_json FROM attempts a "
             "JOIN "
             "enrolments e ON e.person_id = a.person_id JOIN people p ON p.id = a.person_id WHERE e.class_id = ? AND "
-            "p.role = 'student' AND a.lesson_id = ? ORDER BY a.person_id, a.finished_utc, a.id",
+            "p.role = 'student' AND p.disabled = 0 AND a.lesson_id = ? ORDER BY a.person_id, a.finished_utc, a.id",
             kDoing, {number(ofClass.value), text(lessonId)},
             [&](const QSqlQuery& row) {
                 auto& attempts = byPerson[row.value(0).toLongLong()];

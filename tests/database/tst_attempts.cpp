@@ -91,6 +91,10 @@ private slots:
     void whatATeacherSaysIsNewUntilItIsRead();
     void aCommentIsTakenBackByWhoWroteIt_data() { support::addEngines(); }
     void aCommentIsTakenBackByWhoWroteIt();
+    void aTeacherSeesWhoHasNoAttemptsLeft_data() { support::addEngines(); }
+    void aTeacherSeesWhoHasNoAttemptsLeft();
+    void whoIsDisabledCountsNowhere_data() { support::addEngines(); }
+    void whoIsDisabledCountsNowhere();
     void saysThatTheDiskIsFullAndGoesOnAfterwards();
     void saysThatAnotherProgramWrites();
 };
@@ -782,6 +786,62 @@ void TestAttempts::anAttemptBeyondTheLimitIsKept()
     QVERIFY((overview.cells.at(0).at(0) == MatrixCell{2, 900, true, dayOf(1)}));
     QCOMPARE(lessonResults(school, rig.instructor, rig.first, lesson)->bestTenths, (std::vector<int>{900}));
     QVERIFY(checkDatabase(school.db, {})->findings.empty());
+}
+
+/// Also by an exam that was broken off; and of several classes the most generous decides, for both.
+void TestAttempts::aTeacherSeesWhoHasNoAttemptsLeft()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    const School& school = rig.school();
+    const std::string exam = "exam-36";
+    const auto isUsedUp = [&](int limit) {
+        return classOverview(school, rig.instructor, rig.first)->cells.at(0).at(0).isUsedUp(limit);
+    };
+    const auto give = [&](const Session& teacher, ClassId ofClass, int limit) {
+        std::optional<ClassAssignment> before;
+        const std::vector<ClassAssignment> given = listAssignments(school, teacher).value();
+        for (const ClassAssignment& one : given)
+            if (one.classId == ofClass)
+                before = one;
+        return assign(school, teacher, {0, ofClass, exam, "", limit}, before);
+    };
+    const auto left = [&] { return attemptsLeft(school, rig.student, exam).value(); };
+    VERIFY_DONE(give(rig.instructor, rig.first, 1));
+    QVERIFY(left() == 1 && !isUsedUp(1));
+    VERIFY_DONE(deliverExam(school, rig.student.uid(), {newUid(), exam, "2026-11-20T10:00:00Z"}));
+    QVERIFY(left() == 0 && isUsedUp(1));
+    const MatrixCell cell = classOverview(school, rig.instructor, rig.first)->cells.at(0).at(0);
+    QCOMPARE(cell.attempts, 0);
+    QCOMPARE(cell.withoutScore, 1);
+    // Of the classmate nothing is said.
+    QVERIFY(classOverview(school, rig.instructor, rig.first)->cells.at(1).at(0) == MatrixCell{});
+    VERIFY_DONE(enrol(school, rig.admin, rig.second, rig.student.person(), true));
+    QVERIFY(left() == 0 && isUsedUp(1));
+    VERIFY_DONE(give(rig.otherInstructor, rig.second, 2));
+    QVERIFY(left() == 1 && !isUsedUp(1));
+    VERIFY_DONE(addAttempt(school, rig.student, SchoolRig::attempt(exam, 600, "2026-11-20T09:00:00Z"), {}));
+    QVERIFY(left() == 0 && isUsedUp(1));
+    VERIFY_DONE(give(rig.otherInstructor, rig.second, 0));
+    QVERIFY(!left() && !isUsedUp(1));
+    VERIFY_DONE(give(rig.otherInstructor, rig.second, 1));
+    VERIFY_DONE(give(rig.instructor, rig.first, 3));
+    QVERIFY(left() == 1 && !isUsedUp(3));
+}
+
+void TestAttempts::whoIsDisabledCountsNowhere()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    for (const Session* who : {&rig.student, &rig.classmate})
+        VERIFY_DONE(addAttempt(rig.school(), *who, SchoolRig::attempt("class1-36", 700), {}));
+    const auto results = [&] { return lessonResults(rig.school(), rig.instructor, rig.first, "class1-36").value(); };
+    QCOMPARE(results().difficulty.people, 2);
+    VERIFY_DONE(execute(rig.school().db, "UPDATE people SET disabled = 1 WHERE username = 's1001'", "write"));
+    QCOMPARE(results().difficulty.people, 1);
+    QCOMPARE(results().bestTenths.size(), std::size_t{1});
+    const ClassOverview overview = classOverview(rig.school(), rig.instructor, rig.first).value();
+    QVERIFY(overview.students.at(0).isDisabled && !overview.students.at(1).isDisabled);
 }
 
 void TestAttempts::saysThatTheDiskIsFullAndGoesOnAfterwards()

@@ -97,6 +97,8 @@ private slots:
     void nobodyNeedsYou();
     void whoIsLateNeedsTheTeacher();
     void whoHasNoAttemptsLeftNeedsTheTeacher();
+    void anExamWithoutAScoreIsSeen();
+    void whoIsDisabledNeedsNobody();
     void headsSayWhenALessonIsDue();
     void theMatrixSortsByValueAndEmptyCellsComeLast();
     void theThirdClickIsByNameAgain();
@@ -345,6 +347,57 @@ void TestClassPage::whoHasNoAttemptsLeftNeedsTheTeacher()
     QVERIFY2(words.contains("no attempts left"), qPrintable(words));
     button("2 out of tries")->click();
     QCOMPARE(matrix()->model()->rowCount(), 2);
+}
+
+/// An exam that was begun is an attempt; and another class of his may be allowed more.
+void TestClassPage::anExamWithoutAScoreIsSeen()
+{
+    ClassOverview shown = overview(6, 1);
+    for (const std::size_t student : {3, 4, 5}) {
+        shown.cells[student][0] = {};
+        shown.cells[student][0].withoutScore = 1;
+    }
+    shown.cells[4][0].limitElsewhere = 2;
+    shown.cells[5][0].limitElsewhere = 0;
+    m_page->setOverview(shown, kNow);
+    m_page->setAssignments({{1, {7}, "lesson-10", "", 1}});
+    QVERIFY2(name(3).contains("out of tries"), qPrintable(name(3)));
+    QVERIFY(!name(4).contains("out of tries") && !name(5).contains("out of tries"));
+    const auto tip = [this](int row) { return matrix()->model()->index(row, 1).data(Qt::ToolTipRole).toString(); };
+    QVERIFY2(tip(3).contains("begun") && tip(3).contains("no attempts left"), qPrintable(tip(3)));
+    QVERIFY2(tip(4).contains("begun") && !tip(4).contains("no attempts left"), qPrintable(tip(4)));
+    // His attempts say when it was begun.
+    QSignalSpy wanted(m_page, &ClassPage::attemptsWanted);
+    matrix()->setCurrentIndex(matrix()->model()->index(3, 1));
+    QTest::keyClick(matrix(), Qt::Key_Return);
+    QCOMPARE(wanted.count(), 1);
+    QCOMPARE(wanted[0][0].toLongLong(), 103);
+}
+
+/// He comes no more: he is listed and called so, and counts nowhere.
+void TestClassPage::whoIsDisabledNeedsNobody()
+{
+    ClassOverview shown = overview(6, 2);
+    shown.cells[4][0] = {1, 600, false, "2026-11-18T08:00:00Z"};
+    const auto show = [&] {
+        m_page->setOverview(shown, kNow);
+        m_page->setAssignments({{1, {7}, "lesson-10", "2026-11-19T23:59:59Z", 1}});
+        return m_page->findChild<QComboBox*>("lessonChooser")->itemText(0);
+    };
+    const QString before = show();
+    QVERIFY2(name(0).contains("out of tries") && name(4).contains("out of tries"), qPrintable(name(4)));
+    for (const std::size_t student : {0, 1, 4})
+        shown.students[student].isDisabled = true;
+    const QString after = show();
+    QVERIFY2(before.contains(" of 4 passed") && after.contains(" of 2 passed"), qPrintable(before + after));
+    for (const int row : {0, 1, 4}) {
+        QVERIFY2(name(row).endsWith("– disabled"), qPrintable(name(row)));
+        const QString tip = matrix()->model()->index(row, 1).data(Qt::ToolTipRole).toString();
+        QVERIFY2(!tip.contains("overdue") && !tip.contains("no attempts left"), qPrintable(tip));
+    }
+    QVERIFY2(m_page->findChild<QLabel*>("needs")->text().startsWith("2 "),
+             qPrintable(m_page->findChild<QLabel*>("needs")->text()));
+    QCOMPARE(m_page->table().rows.size(), qsizetype{6});
 }
 
 void TestClassPage::headsSayWhenALessonIsDue()

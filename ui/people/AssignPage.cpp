@@ -411,12 +411,11 @@ std::set<std::size_t> AssignPage::usedUp(const database::ClassAssignment& given)
 {
     std::set<std::size_t> students;
     const auto place = std::find(m_overview.lessons.begin(), m_overview.lessons.end(), given.lessonId);
-    if (given.attemptLimit == 0 || place == m_overview.lessons.end())
+    if (place == m_overview.lessons.end())
         return students;
     const auto column = static_cast<std::size_t>(place - m_overview.lessons.begin());
     for (std::size_t row = 0; row < m_overview.cells.size(); ++row)
-        if (const database::MatrixCell& cell = m_overview.cells[row][column];
-            cell.attempts >= given.attemptLimit && !cell.passed)
+        if (m_overview.cells[row][column].isUsedUp(given.attemptLimit) && !m_overview.students[row].isDisabled)
             students.insert(row);
     return students;
 }
@@ -494,15 +493,19 @@ void AssignPage::fillGiven()
     for (const database::ClassAssignment& one : chosen())
         kept.insert(one.lessonId);
     m_rows->removeRows(0, m_rows->rowCount());
-    const auto students = static_cast<int>(m_overview.students.size());
+    const auto students = static_cast<int>(std::count_if(m_overview.students.begin(), m_overview.students.end(),
+                                                         [](const auto& one) { return !one.isDisabled; }));
     const std::string nowUtc = m_now.toString(Qt::ISODate).toStdString();
     for (const database::ClassAssignment& given : m_given) {
         const auto place = std::find(m_overview.lessons.begin(), m_overview.lessons.end(), given.lessonId);
         int passed = 0;
         int tried = 0;
         if (place != m_overview.lessons.end())
-            for (const auto& row : m_overview.cells) {
-                const database::MatrixCell& cell = row[static_cast<std::size_t>(place - m_overview.lessons.begin())];
+            for (std::size_t k = 0; k < m_overview.students.size(); ++k) {
+                if (m_overview.students[k].isDisabled)
+                    continue;
+                const database::MatrixCell& cell =
+                    m_overview.cells[k][static_cast<std::size_t>(place - m_overview.lessons.begin())];
                 passed += cell.passed ? 1 : 0;
                 tried += cell.attempts > 0 ? 1 : 0;
             }

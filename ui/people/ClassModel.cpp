@@ -25,6 +25,7 @@ constexpr double kFullTenths = 1000.0;
 constexpr double kFaintest = 0.06;
 constexpr double kFullest = 0.42;       ///< more, and the words on it would be hard to read
 constexpr QStringView kSign = u"  ▲ ";  ///< between a name and what is needed
+constexpr QStringView kGone = u"  – ";  ///< and between that of who comes no more and the word for it
 
 }  // namespace
 
@@ -74,7 +75,7 @@ QString nameOf(const MatrixStudent& student)
 
 QString shortened(const QString& head, const QFontMetrics& metrics, int widthPx)
 {
-    const qsizetype sign = head.indexOf(kSign);
+    const qsizetype sign = std::max(head.indexOf(kSign), head.indexOf(kGone));
     if (sign < 0)
         return metrics.elidedText(head, Qt::ElideRight, widthPx);
     const QString need = head.mid(sign);
@@ -132,7 +133,7 @@ void ClassModel::findNeeds()
             noneLeft = noneLeft || hasNoneLeft(k, lesson);
             late = late || isLate(k, lesson);
         }
-        m_needs << needOf(m_overview.students[k], noneLeft, late);
+        m_needs << (m_overview.students[k].isDisabled ? Need::Nothing : needOf(m_overview.students[k], noneLeft, late));
         m_areLate << late;
     }
 }
@@ -141,7 +142,7 @@ bool ClassModel::isLate(std::size_t student, std::size_t lesson) const
 {
     const auto given = m_given.find(m_overview.lessons[lesson]);
     return given != m_given.end() && !given->second.dueUtc.empty() && momentOf(given->second.dueUtc) < m_now &&
-           !m_overview.cells[student][lesson].passed;
+           !m_overview.cells[student][lesson].passed && !m_overview.students[student].isDisabled;
 }
 
 bool ClassModel::isLate(const QModelIndex& index) const
@@ -153,9 +154,8 @@ bool ClassModel::isLate(const QModelIndex& index) const
 bool ClassModel::hasNoneLeft(std::size_t student, std::size_t lesson) const
 {
     const auto given = m_given.find(m_overview.lessons[lesson]);
-    const MatrixCell& cell = m_overview.cells[student][lesson];
-    return given != m_given.end() && given->second.attemptLimit > 0 && cell.attempts >= given->second.attemptLimit &&
-           !cell.passed;
+    return given != m_given.end() && m_overview.cells[student][lesson].isUsedUp(given->second.attemptLimit) &&
+           !m_overview.students[student].isDisabled;
 }
 
 bool ClassModel::hasNoneLeft(const QModelIndex& index) const
@@ -205,10 +205,11 @@ std::optional<std::size_t> ClassModel::lessonOf(int column)
 ClassModel::Passed ClassModel::passed(std::size_t lesson) const
 {
     Passed made;
-    for (const auto& row : m_overview.cells)
-        if (row[lesson].attempts > 0) {
+    for (std::size_t k = 0; k < m_overview.students.size(); ++k)
+        if (const MatrixCell& one = m_overview.cells[k][lesson];
+            one.attempts > 0 && !m_overview.students[k].isDisabled) {
             ++made.tried;
-            made.passed += row[lesson].passed ? 1 : 0;
+            made.passed += one.passed ? 1 : 0;
         }
     return made;
 }
@@ -242,6 +243,11 @@ QString ClassModel::cellWords(const QModelIndex& index) const
                    : tr("%1: last attempt %2").arg(nameOf(student), when(student.lastAttemptUtc));
     const QString who = QStringLiteral("%1, %2").arg(
         nameOf(student), lessonTitle(m_titles, m_overview.lessons[*lessonOf(index.column())]));
+    if (one->attempts == 0 && one->withoutScore > 0)
+        return (hasNoneLeft(index) ? tr("%1: begun, without a score so far, and no attempts left")
+                : isLate(index)    ? tr("%1: begun, without a score so far, and overdue")
+                                   : tr("%1: begun, without a score so far"))
+            .arg(who);
     if (one->attempts == 0)
         return isLate(index) ? tr("%1: not tried, and overdue").arg(who) : tr("%1: not tried").arg(who);
     const QString count = tr("%n attempt(s)", nullptr, one->attempts);
@@ -292,6 +298,15 @@ QString ClassModel::headWords(std::size_t lesson, bool isTip) const
     return words.join(u'\n');
 }
 
+/// Behind a name; empty: nothing.
+QString ClassModel::markOf(int row) const
+{
+    return m_overview.students[static_cast<std::size_t>(row)].isDisabled
+               //: Of a student whose account is closed
+               ? tr("disabled")
+               : needWord(m_needs[row]);
+}
+
 QVariant ClassModel::headerData(int section, Qt::Orientation orientation, int role) const
 {
     if (orientation == Qt::Horizontal) {
@@ -310,8 +325,10 @@ QVariant ClassModel::headerData(int section, Qt::Orientation orientation, int ro
     const MatrixStudent& student = m_overview.students[static_cast<std::size_t>(section)];
     switch (role) {
     case Qt::DisplayRole: {
-        const QString word = needWord(m_needs[section]);
-        return word.isEmpty() ? nameOf(student) : nameOf(student) + kSign.toString() + word;
+        const QString word = markOf(section);
+        if (word.isEmpty())
+            return nameOf(student);
+        return nameOf(student) + (student.isDisabled ? kGone : kSign).toString() + word;
     }
     case Qt::ToolTipRole:
         return student.lastLoginUtc.empty()
@@ -336,8 +353,7 @@ charts::Table ClassModel::table() const
     for (std::size_t k = 0; k < m_overview.students.size(); ++k) {
         const MatrixStudent& student = m_overview.students[k];
         QList<charts::Cell> row{QString::fromStdString(student.username), QString::fromStdString(student.fullName),
-                                needWord(m_needs[static_cast<qsizetype>(k)]),
-                                QString::fromStdString(student.lastLoginUtc),
+                                markOf(static_cast<int>(k)), QString::fromStdString(student.lastLoginUtc),
                                 QString::fromStdString(student.lastAttemptUtc)};
         for (const MatrixCell& one : m_overview.cells[k]) {
             row << (one.attempts == 0 ? charts::Cell(QString()) : charts::Cell(one.bestTenths / 10.0));

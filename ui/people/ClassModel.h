@@ -90,6 +90,7 @@ public:
 
 private:
     [[nodiscard]] QString cellWords(const QModelIndex& index) const;
+    [[nodiscard]] QString markOf(int row) const;
     [[nodiscard]] QString headWords(std::size_t lesson, bool isTip) const;
     [[nodiscard]] bool isLate(std::size_t student, std::size_t lesson) const;
     [[nodiscard]] bool hasNoneLeft(std::size_t student, std::size_t lesson) const;

@@ -482,7 +482,7 @@ void ClassPage::takeCell(const QModelIndex& index)
     if (cell == nullptr) {
         if (!student.lastAttemptUtc.empty())
             emit studentWanted(student.id.value);
-    } else if (cell->attempts > 0) {
+    } else if (cell->attempts + cell->withoutScore > 0) {
         const std::string& lesson = m_model->overview().lessons[*ClassModel::lessonOf(source.column())];
         emit attemptsWanted(student.id.value, QString::fromStdString(lesson));
     }
