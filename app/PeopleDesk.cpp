@@ -160,6 +160,7 @@ PeopleDesk::PeopleDesk(MainWindow& window, SchoolDesk& desk, std::function<datab
         }
     });
     connect(&history, &HistoryPage::lessonChosen, this, &PeopleDesk::tellClassAt);
+    connect(&history, &HistoryPage::readAgainWanted, this, &PeopleDesk::tellAttempts);
     connect(&history, &HistoryPage::replayWanted, this, [this](qint64 id) {
         fetch(id, [this](const auto& attempt, const auto& recording) {
             emit replayWanted(recording, attempt, whose(makerOf(attempt), attempt));
@@ -306,10 +307,8 @@ void PeopleDesk::sayInTalk(Work work)
         [this, attempt = m_talkedAbout->id, whose = whoseIsTalkedAbout()](const core::Result<bool>& done) {
             if (done)
                 m_window.scorePage().talk().answer(attempt);
-            if (done || done.error().code == core::ErrorCode::ChangedSince) {
+            if (done || done.error().code == core::ErrorCode::ChangedSince)
                 tellTalk();
-                tellAttempts();
-            }
             if (!done) {
                 const QString sentence = text::errorText(done.error(), text::Failed::ChangingSchool);
                 m_window.scorePage().talk().answer(attempt, sentence);
@@ -348,7 +347,6 @@ void PeopleDesk::takeBack(qint64 comment)
             }
             m_window.scorePage().talk().withdraw(comment, !*done);
             tellTalk();
-            tellAttempts();
         });
 }
 
@@ -437,6 +435,8 @@ void PeopleDesk::tellTalk()
                                                                         : talk->overrides.back().givenTenths);
                   if (m_talkedAbout->person == m_who().person() && !(talk->comments.empty() && talk->overrides.empty()))
                       noteSeen(*m_talkedAbout);
+                  if (m_talkedAbout->person == m_person)  // the list behind it says the same
+                      tellAttempts();
               } else
                   refuse(talk.error());
           });
@@ -630,12 +630,14 @@ void PeopleDesk::openHistory(database::PersonId person, const QString& fullName,
     });
 }
 
-/// What was said of one of them has changed the list.
+/// What was said of one of them, perhaps at another computer, has changed the list.
 void PeopleDesk::tellAttempts()
 {
     askAs([who = m_who(), person = m_person](const School& school) { return readAttempts(school, who, person); },
           [this, person = m_person](const core::Result<AttemptsNow>& found) {
-              if (found && person == m_person)
+              if (!found)
+                  refuse(found.error());
+              else if (person == m_person)
                   showAttempts(m_window.historyPage(), *found);
           });
 }

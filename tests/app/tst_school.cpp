@@ -114,6 +114,7 @@ private slots:
     void aClassReportIsNoted();
     void theCardOfAnotherKeepsItsNameInAnotherLanguage();
     void anotherScoreIsNotOverruledUnseen();
+    void theListFollowsWhatOthersSay();
     void whoLeftHisPlaceComesBackWithoutTheDatabase();
     void aLoginForgetsWhatWasMistyped();
     void whoWasLateToCreateTheSchoolIsAGuestOfIt();
@@ -668,6 +669,49 @@ void TestSchool::anotherScoreIsNotOverruledUnseen()
     QCOMPARE(count("overrides"), 1);
     click("giveScore");
     QTRY_COMPARE_WITH_TIMEOUT(count("overrides"), 2, kPatienceMs);
+}
+
+/// By F5, and by a card that was opened.
+void TestSchool::theListFollowsWhatOthersSay()
+{
+    start();
+    logIn("sam");
+    toTheTooth();
+    drill(-2.0);
+    grade("first grade");
+    leaveFor("ines");
+    QTRY_COMPARE_WITH_TIMEOUT(child<QTableView>("matrix")->model()->rowCount(), 1, kPatienceMs);
+    emit child<QTableView>("matrix")->verticalHeader()->sectionDoubleClicked(0);
+    QTRY_VERIFY_WITH_TIMEOUT(child<ui::people::HistoryPage>()->isVisible(), kPatienceMs);
+    const auto listed = [this] {
+        const auto* model = child<QTableView>("attempts")->model();
+        return model->index(0, ui::people::HistoryModel::Score).data().toString();
+    };
+    const auto giveElsewhere = [this](int tenths) {
+        const auto database = sql::Database::open(file()).value();
+        const sql::School school{database->handle(), StationKey::readOrMake(m_folder->filePath("station.key")).value()};
+        const auto ines = sql::Logins::login(school, "ines", kPassword).value();
+        const auto id = sql::ask(database->handle(), "SELECT max(id) FROM attempts", "read")->toLongLong();
+        QVERIFY(sql::overrideScore(school, ines, {id}, tenths, "neat"));
+    };
+    giveElsewhere(910);
+    QVERIFY(listed() != "91.0");
+    QVERIFY(actions().readAgain->isEnabled());
+    actions().readAgain->trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(listed(), QString("91.0"), kPatienceMs);
+    giveElsewhere(820);
+    openNewest();
+    QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("counts")->text().contains("82.0"), kPatienceMs);
+    actions().back->trigger();
+    QVERIFY(child<ui::people::HistoryPage>()->isVisible());
+    QTRY_COMPARE_WITH_TIMEOUT(listed(), QString("82.0"), kPatienceMs);
+    // Who made it reads it anew as well.
+    leaveFor("sam");
+    actions().attempts->trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(listed(), QString("82.0"), kPatienceMs);
+    giveElsewhere(730);
+    actions().readAgain->trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(listed(), QString("73.0"), kPatienceMs);
 }
 
 void TestSchool::whoLeftHisPlaceComesBackWithoutTheDatabase()

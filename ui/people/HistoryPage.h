@@ -57,6 +57,9 @@ public:
     void setBand(const std::vector<database::BandPoint>& band);
     void setClassMedians(const std::optional<ClassMedians>& medians);
 
+    /// Asks for them once more: others may have said something of them meanwhile.
+    void readAgain() { emit readAgainWanted(); }
+
     [[nodiscard]] std::optional<std::string> lesson() const;
     /// The chosen attempt; 0: none.
     [[nodiscard]] std::int64_t chosen() const;
@@ -65,6 +68,7 @@ signals:
     /// Its score card is to be seen.
     void attemptOpenWanted(qint64 id);
     void replayWanted(qint64 id);
+    void readAgainWanted();
     /// A lesson was chosen: its band and medians are wanted. Of all lessons together there are none.
     void lessonChosen(const QString& id);
 

@@ -395,6 +395,8 @@ void MainWindow::connectActions()
         m_messages->withdraw(MessageBar::Topic::Page);
         if (m_pages->currentWidget() == m_admin)
             m_admin->readAgain();
+        else if (m_pages->currentWidget() == m_history)
+            m_history->readAgain();
         else
             m_classes->readAgain();
     });
@@ -633,8 +635,8 @@ void MainWindow::setWho(const database::Session& who)
     m_actions->attempts->setVisible(!who.isGuest());
     m_actions->school->setVisible(who.role() == database::Role::Admin);
     m_classes->setMayEnter(who.role() == database::Role::Admin);
-    for (QAction* action : {m_actions->classes, m_actions->readAgain})
-        action->setVisible(who.role() == database::Role::Instructor || who.role() == database::Role::Admin);
+    m_actions->classes->setVisible(who.role() == database::Role::Instructor || who.role() == database::Role::Admin);
+    m_actions->readAgain->setVisible(!who.isGuest());
     if (!isAtDoor())
         return;
     m_mayLeaveDoor = true;
@@ -1747,7 +1749,8 @@ void MainWindow::enableActions()
     m_actions->undo->setEnabled(inEditor ? m_editor->canUndo() : inRoom && mayGoBack && m_session.undoSteps > 0);
     m_actions->redo->setEnabled(inEditor ? m_editor->canRedo() : inRoom && mayGoBack && m_session.redoSteps > 0);
     m_actions->editLesson->setEnabled(m_mayEdit && m_pages->currentWidget() == m_lessonsPage);
-    m_actions->readAgain->setEnabled(m_pages->currentWidget() == m_classes || m_pages->currentWidget() == m_admin);
+    const QList<const QWidget*> ofTheSchool{m_classes, m_history, m_admin};
+    m_actions->readAgain->setEnabled(ofTheSchool.contains(m_pages->currentWidget()));
     m_actions->saveReference->setEnabled(inRoom && mine && !isExamRunning());
     m_actions->reload->setEnabled((mayGoBack || (mine && m_examIsOver)) && !m_isUsedUp);
     m_actions->grade->setEnabled(inRoom && m_tooth != nullptr && !m_busy->isWorking());
