@@ -201,12 +201,19 @@ void PeopleDesk::forget()
     talkAbout({});
     m_talkedName.clear();
     m_played.reset();
+    m_asked = {};
     m_person = {};
     m_names.clear();
     m_overview = {};
     m_given.clear();
     m_results = {};
     m_reads = {};
+}
+
+/// Who has gone to another page since he asked for one is not torn away from there.
+std::function<bool()> PeopleDesk::isStillThere() const
+{
+    return [this, page = m_window.page()] { return m_window.page() == page; };
 }
 
 /// A teacher's folder may have changed since it was read last.
@@ -606,15 +613,17 @@ void PeopleDesk::refuse(const core::Error& error)
 void PeopleDesk::openHistory(database::PersonId person, const QString& fullName,
                              const std::optional<std::string>& lesson, const std::function<void()>& then)
 {
-    m_person = person;
+    m_asked = person;
     m_names[person.value] = fullName;
-    const auto show = [this, person, fullName, lesson, then](const core::Result<AttemptsNow>& found) {
+    const auto show = [this, person, fullName, lesson, then,
+                       isStillThere = isStillThere()](const core::Result<AttemptsNow>& found) {
         if (!found) {
             refuse(found.error());
             return;
         }
-        if (person != m_person)
+        if (person != m_asked || !isStillThere())
             return;
+        m_person = person;
         HistoryPage& page = m_window.historyPage();
         page.setPerson(fullName);
         showAttempts(page, *found);
@@ -672,8 +681,10 @@ void PeopleDesk::tellClassAt(const QString& lesson)
 
 void PeopleDesk::openClasses()
 {
-    readLessons([this] {
-        tellClasses([this] {
+    readLessons([this, isStillThere = isStillThere()] {
+        tellClasses([this, isStillThere] {
+            if (!isStillThere())
+                return;
             ClassPage& page = m_window.classPage();
             const bool isShown = page.isVisible();  // otherwise it is read when it is shown
             m_window.openClasses();
@@ -699,14 +710,16 @@ void PeopleDesk::tellClasses(const std::function<void()>& then)
 
 void PeopleDesk::openAssign()
 {
-    readLessons([this] {
+    readLessons([this, isStillThere = isStillThere()] {
         askAs([who = m_who(), ofClass = m_window.classPage().chosenClass()](
                   const School& school) { return readClass(school, who, ofClass); },
-              [this](const core::Result<ClassNow>& now) {
+              [this, isStillThere](const core::Result<ClassNow>& now) {
                   if (!now) {
                       refuse(now.error());
                       return;
                   }
+                  if (!isStillThere())
+                      return;
                   m_window.assignPage().setAssignments(
                       now->overview, QList<database::ClassAssignment>(now->given.begin(), now->given.end()));
                   m_window.openAssign();
@@ -822,9 +835,11 @@ void PeopleDesk::fetch(
                 return tl::unexpected(recording.error());
             return Found{std::move(*record), std::move(*recording)};
         },
-        [this, use](const core::Result<Found>& found) {
-            if (found)
+        [this, use, isStillThere = isStillThere()](const core::Result<Found>& found) {
+            if (found && isStillThere())
                 use(found->attempt, found->recording);
+            else if (found)
+                m_reads = {};
             else if (found.error().code == core::ErrorCode::FileMissing)
                 m_window.showMessage(tr("The recording of this attempt is not there, so it cannot be shown again. Its "
                                         "score and its figures are in the list."));

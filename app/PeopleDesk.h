@@ -64,6 +64,7 @@ private:
                 done(answer);
         });
     }
+    [[nodiscard]] std::function<bool()> isStillThere() const;
     void tellRemarks();
     void readLessons(const std::function<void()>& then);
     void tellLessons();
@@ -104,7 +105,8 @@ private:
     ui::shell::MainWindow& m_window;
     SchoolDesk& m_desk;
     std::function<database::Session()> m_who;
-    database::PersonId m_person;              ///< whose attempts are shown
+    database::PersonId m_asked;               ///< whose attempts are to be shown
+    database::PersonId m_person;              ///< whose are
     std::map<std::int64_t, QString> m_names;  ///< of those whose attempts have been shown
     database::ClassOverview m_overview;
     QList<database::ClassAssignment> m_given;  ///< to that class

@@ -130,6 +130,7 @@ private slots:
     void aClassReportIsOfTheClassThatWasShown();
     void underAClasssNameStandsNoOther();
     void whoIsTakenOutOfAClassSeesItNoLonger();
+    void aLateAnswerTearsNobodyAway();
     void whatIsTypedWaitsForItsWriter();
     void theFolderOfLessonsIsNamed();
     void whatTheDiskRefusesIsKeptWhenItCanBe();
@@ -1133,6 +1134,34 @@ void TestSchool::whoIsTakenOutOfAClassSeesItNoLonger()
     QTRY_COMPARE_WITH_TIMEOUT(matrix->rowCount(), 0, kPatienceMs);
     QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("classEmpty")->text().contains("Here you will see your classes"),
                              kPatienceMs);
+}
+
+/// The school answers when he has gone on to the lessons, or has locked his place.
+void TestSchool::aLateAnswerTearsNobodyAway()
+{
+    start();
+    logIn("ines");
+    const auto* const classes = child<ui::people::ClassPage>();
+    const auto* const list = child<QListView>("lessonList");
+    QTRY_VERIFY_WITH_TIMEOUT(classes->isVisible(), kPatienceMs);
+    for (QAction* late : {actions().classes, actions().attempts}) {
+        toTheTooth();
+        late->trigger();
+        actions().lessons->trigger();
+        QTRY_VERIFY_WITH_TIMEOUT(list->isVisible(), kPatienceMs);
+        QTest::qWait(1500);
+        QVERIFY(list->isVisible());
+    }
+    // What was asked for where he still is, is there when he comes back.
+    toTheTooth();
+    actions().classes->trigger();
+    actions().lock->trigger();
+    QCOMPARE(door(), Door::Locked);
+    QTest::qWait(1500);
+    QVERIFY(m_application->window().isAtDoor());
+    child<QLineEdit>("password")->setText(QString::fromStdString(kPassword));
+    click("logIn");
+    QTRY_VERIFY_WITH_TIMEOUT(classes->isVisible(), kPatienceMs);
 }
 
 /// A comment that was begun is shown to nobody else, and where it was begun it bears the name of who it is about.

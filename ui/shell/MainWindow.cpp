@@ -652,6 +652,11 @@ void MainWindow::setMayEdit(bool may)
     enableActions();
 }
 
+const QWidget* MainWindow::page() const
+{
+    return isAtDoor() ? m_behindDoor : m_tour->isVisible() ? m_beforeTour : m_pages->currentWidget();
+}
+
 void MainWindow::openHistory()
 {
     if (m_pages->currentWidget() != m_history)

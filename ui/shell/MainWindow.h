@@ -120,6 +120,8 @@ public:
     void setMayEdit(bool may);
     [[nodiscard]] tooth::ToothView& view() { return *m_view; }
     [[nodiscard]] study::ScorePage& scorePage() { return *m_scorePage; }
+    /// Where somebody is, or comes to when the door opens or the tour has ended.
+    [[nodiscard]] const QWidget* page() const;
     [[nodiscard]] people::HistoryPage& historyPage() { return *m_history; }
     [[nodiscard]] people::ClassPage& classPage() { return *m_classes; }
     [[nodiscard]] admin::AdminPage& adminPage() { return *m_admin; }
