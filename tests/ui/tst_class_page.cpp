@@ -99,6 +99,7 @@ private slots:
     void whoHasNoAttemptsLeftNeedsTheTeacher();
     void anExamWithoutAScoreIsSeen();
     void whoIsDisabledNeedsNobody();
+    void whatIsNotPassedIsNotRoundedUp();
     void headsSayWhenALessonIsDue();
     void theMatrixSortsByValueAndEmptyCellsComeLast();
     void theThirdClickIsByNameAgain();
@@ -398,6 +399,19 @@ void TestClassPage::whoIsDisabledNeedsNobody()
     QVERIFY2(m_page->findChild<QLabel*>("needs")->text().startsWith("2 "),
              qPrintable(m_page->findChild<QLabel*>("needs")->text()));
     QCOMPARE(m_page->table().rows.size(), qsizetype{6});
+}
+
+/// Below its mark it would stand there as if it were passed, on paper as well.
+void TestClassPage::whatIsNotPassedIsNotRoundedUp()
+{
+    ClassOverview shown = overview(6, 1);
+    shown.cells[3][0] = {1, 749, false, "2026-11-18T08:00:00Z"};
+    shown.cells[4][0] = {1, 750, true, "2026-11-18T08:00:00Z"};
+    shown.cells[5][0] = {1, 756, true, "2026-11-18T08:00:00Z"};
+    m_page->setOverview(shown, kNow);
+    QCOMPARE(cell(3, 1), QString("74"));
+    QCOMPARE(cell(4, 1), QString("75"));
+    QCOMPARE(cell(5, 1), QString("76"));
 }
 
 void TestClassPage::headsSayWhenALessonIsDue()

@@ -271,7 +271,9 @@ QVariant ClassModel::data(const QModelIndex& index, int role) const
             const std::string& last = m_overview.students[static_cast<std::size_t>(index.row())].lastAttemptUtc;
             return last.empty() ? QStringLiteral("–") : whenShort(last, m_now);
         }
-        return one->attempts == 0 ? QStringLiteral("–") : QLocale().toString((one->bestTenths + 5) / 10);
+        // 74.9 of the 75 that were needed are not 75.
+        return one->attempts == 0 ? QStringLiteral("–")
+                                  : QLocale().toString((one->bestTenths + (one->passed ? 5 : 0)) / 10);
     case Qt::ToolTipRole:
     case Qt::AccessibleTextRole:
         return cellWords(index);
