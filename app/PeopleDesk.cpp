@@ -317,11 +317,25 @@ void PeopleDesk::sayInTalk(Work work)
             if (done || done.error().code == core::ErrorCode::ChangedSince)
                 tellTalk();
             if (!done) {
-                const QString sentence = text::errorText(done.error(), text::Failed::ChangingSchool);
+                const QString sentence = whyNotDone(done.error());
                 m_window.scorePage().talk().answer(attempt, sentence);
                 tellRefused(attempt, whose, sentence);
             }
         });
+}
+
+/// Who teaches may say something of every student of his: where he is refused, it is one no longer.
+QString PeopleDesk::whyNotDone(const core::Error& error) const
+{
+    if (!isOfAnotherNow(error))
+        return text::errorText(error, text::Failed::ChangingSchool);
+    return tr("That was not done: this student is in none of your classes any more. What you have typed stays here; an "
+              "admin can enter you into the class again.");
+}
+
+bool PeopleDesk::isOfAnotherNow(const core::Error& error) const
+{
+    return error.code == core::ErrorCode::NotAllowed && m_who().role() == database::Role::Instructor;
 }
 
 /// What stands at the attempt, to whoever has left that: where he is now.
@@ -347,7 +361,7 @@ void PeopleDesk::takeBack(qint64 comment)
         },
         [this, comment, attempt = m_talkedAbout->id, whose = whoseIsTalkedAbout()](const core::Result<bool>& done) {
             if (!done) {
-                const QString sentence = text::errorText(done.error(), text::Failed::ChangingSchool);
+                const QString sentence = whyNotDone(done.error());
                 m_window.scorePage().talk().keepComment(comment, attempt, sentence);
                 tellRefused(attempt, whose, sentence);
                 return;
@@ -607,7 +621,11 @@ void PeopleDesk::tellBesides(const std::vector<database::AttemptRecord>& attempt
 
 void PeopleDesk::refuse(const core::Error& error)
 {
-    m_window.showError(error, text::Failed::ReadingSchool);
+    if (isOfAnotherNow(error))
+        m_window.showWarning(tr("This belongs to none of your classes any more. An admin can enter you into the class "
+                                "again."));
+    else
+        m_window.showError(error, text::Failed::ReadingSchool);
 }
 
 void PeopleDesk::openHistory(database::PersonId person, const QString& fullName,
@@ -782,6 +800,7 @@ void PeopleDesk::tellUnread(database::ClassId ofClass, const core::Error& error)
 {
     ClassPage& page = m_window.classPage();
     if (error.code == core::ErrorCode::NotAllowed) {  // it is his no longer
+        refuse(error);
         tellClasses();
         return;
     }

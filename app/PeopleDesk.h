@@ -88,6 +88,8 @@ private:
     void offerBeside(const std::string& lesson, const std::string& tooth);
     void tellBesides(const std::vector<database::AttemptRecord>& attempts);
     void refuse(const core::Error& error);
+    [[nodiscard]] QString whyNotDone(const core::Error& error) const;
+    [[nodiscard]] bool isOfAnotherNow(const core::Error& error) const;
     void connectTalk();
     [[nodiscard]] QString makerOf(const database::AttemptRecord& attempt) const;
     void tellTalk();

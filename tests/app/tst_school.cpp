@@ -1121,17 +1121,36 @@ void TestSchool::underAClasssNameStandsNoOther()
     QVERIFY(name("elsewhere", "standings"));
 }
 
+/// Nor comments he there, and he reads why.
 void TestSchool::whoIsTakenOutOfAClassSeesItNoLonger()
 {
     start();
-    logIn("ines");
+    logIn("sam");
+    toTheTooth();
+    drill(-2.0);
+    grade("first grade");
+    leaveFor("ines");
     const auto* const matrix = child<QTableView>("matrix")->model();
     QTRY_COMPARE_WITH_TIMEOUT(matrix->rowCount(), 1, kPatienceMs);
+    emit child<QTableView>("matrix")->verticalHeader()->sectionDoubleClicked(0);
+    openNewest();
+    auto* const words = child<QPlainTextEdit>("commentWords");
+    QTRY_VERIFY_WITH_TIMEOUT(words->isVisible(), kPatienceMs);
+    words->setPlainText("Half a sentence");
     QVERIFY(sql::execute(sql::Database::open(file()).value()->handle(),
                          "DELETE FROM enrolments WHERE person_id = (SELECT id FROM people WHERE username = 'ines')",
                          "write"));
+    click("addComment");
+    const auto* const fault = child<ui::people::TalkPanel>()->findChild<QLabel*>("fault");
+    QTRY_VERIFY_WITH_TIMEOUT(fault->isVisible(), kPatienceMs);
+    QVERIFY2(fault->text().contains("in none of your classes any more"), qPrintable(fault->text()));
+    QCOMPARE(words->toPlainText(), QString("Half a sentence"));
+    actions().back->trigger();
+    actions().back->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(child<ui::people::ClassPage>()->isVisible(), kPatienceMs);
     actions().readAgain->trigger();
     QTRY_COMPARE_WITH_TIMEOUT(matrix->rowCount(), 0, kPatienceMs);
+    QTRY_VERIFY2_WITH_TIMEOUT(message().contains("none of your classes any more"), qPrintable(message()), kPatienceMs);
     QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("classEmpty")->text().contains("Here you will see your classes"),
                              kPatienceMs);
 }
