@@ -66,6 +66,7 @@ private slots:
     void nothingIsSentTwice();
     void whatWasRefusedIsToldAtItsAttempt();
     void whatIsTickedStaysWhatItIs();
+    void theMomentOneWentToIsTicked();
     void aPointAndACommaAreOne_data();
     void aPointAndACommaAreOne();
     void whatIsNoScoreIsNotMadeOne_data();
@@ -703,6 +704,42 @@ void TestTalkPanel::whatIsTickedStaysWhatItIs()
     QCOMPARE(atMoment->text(), QString("at 0:01 of the replay"));
     m_panel->setMoment(2000);
     QCOMPARE(atMoment->text(), QString("at 0:02 of the replay"));
+}
+
+/// As a place is that he clicks on.
+void TestTalkPanel::theMomentOneWentToIsTicked()
+{
+    auto* atMoment = get<QCheckBox>("atMoment");
+    const auto goTo = [this](std::int64_t ms) {
+        m_panel->hide();
+        m_panel->setMoment(0);
+        m_panel->setMoment(ms);
+        m_panel->show();
+    };
+    goTo(34'000);
+    QVERIFY(atMoment->isVisible() && !atMoment->isChecked());  // he writes nothing
+    auto* words = get<QPlainTextEdit>("commentWords");
+    words->setPlainText("Here you press too hard");
+    goTo(34'000);
+    QVERIFY(atMoment->isChecked());
+    QCOMPARE(atMoment->text(), QString("at 0:34 of the replay"));
+    // He looks on, and it stays.
+    goTo(70'000);
+    QVERIFY(atMoment->isChecked());
+    QCOMPARE(atMoment->text(), QString("at 0:34 of the replay"));
+    // To have been elsewhere is not to have gone to a moment, nor is to look at what another is pinned to.
+    atMoment->setChecked(false);
+    m_panel->hide();
+    m_panel->show();
+    QVERIFY(!atMoment->isChecked());
+    m_panel->setTalk(talk());
+    for (QPushButton* button : m_panel->findChildren<QPushButton*>())
+        if (button->accessibleName().startsWith("Show the moment"))
+            button->click();
+    goTo(102'400);
+    QVERIFY(!atMoment->isChecked());
+    goTo(102'400);
+    QVERIFY(atMoment->isChecked());
 }
 
 void TestTalkPanel::aPointAndACommaAreOne_data()

@@ -266,6 +266,7 @@ void TalkPanel::take(const Draft& draft)
     tellRoom();
     m_asked = draft.isScoreRefused ? m_override : m_composer;
     refuse(draft.fault);
+    m_hasPlayed = false;
 }
 
 void TalkPanel::setScore(int machineTenths, int passMarkTenths, bool passedByMachine)
@@ -415,6 +416,7 @@ void TalkPanel::setMay(bool comment, bool override)
 void TalkPanel::setMoment(std::optional<std::int64_t> ms)
 {
     m_seen = ms;
+    m_hasPlayed = !isVisible();
     if (ms && m_atMoment->isChecked())
         return;
     m_moment = ms;
@@ -699,7 +701,10 @@ void TalkPanel::fill()
             const QString at = clock(*comment.momentMs);
             //: %1: minutes and seconds
             connect(pin(tr("▶ %1").arg(at), tr("Show the moment %1").arg(at)), &QPushButton::clicked, this,
-                    [this, ms = *comment.momentMs] { emit momentWanted(static_cast<double>(ms) / 1000.0); });
+                    [this, ms = *comment.momentMs] {
+                        m_isLooking = true;
+                        emit momentWanted(static_cast<double>(ms) / 1000.0);
+                    });
         }
         if (comment.placeMm)
             connect(pin(tr("◎ place"), tr("Show the place")), &QPushButton::clicked, this,
@@ -761,6 +766,16 @@ void TalkPanel::changeEvent(QEvent* event)
     QWidget::changeEvent(event);
     if (event->type() == QEvent::LanguageChange)
         retell();
+}
+
+/// Who went from what he was writing to a moment of the replay, and is back, means that one; not who only looked at
+/// what another is pinned to.
+void TalkPanel::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    const bool isLooking = std::exchange(m_isLooking, false);
+    if (std::exchange(m_hasPlayed, false) && !isLooking && m_moment && hasComment(draft()))
+        m_atMoment->setChecked(true);
 }
 
 bool TalkPanel::eventFilter(QObject* watched, QEvent* event)

@@ -54,7 +54,8 @@ public:
     void setScore(int machineTenths, int passMarkTenths, bool passedByMachine);
     void setTalk(const database::AttemptTalk& talk);
     void setMay(bool comment, bool override);
-    /// Where the replay was seen last; nothing: it has not been. A moment that is ticked stays what was ticked.
+    /// Where the replay was seen last; nothing: it has not been. A moment that is ticked stays what was ticked; whoever
+    /// comes back from there to what he is writing finds it ticked.
     void setMoment(std::optional<std::int64_t> ms);
     /// The place that is marked on the tooth, in its frame, mm.
     /// @param forComment  it was marked by who writes, so that what he writes is about it
@@ -89,6 +90,7 @@ signals:
 
 protected:
     void changeEvent(QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
@@ -167,6 +169,8 @@ private:
     bool m_mayOverride = false;
     std::optional<std::int64_t> m_seen;    ///< where the replay was last
     std::optional<std::int64_t> m_moment;  ///< that can be ticked, or is
+    bool m_hasPlayed = false;              ///< since the panel was seen last
+    bool m_isLooking = false;              ///< at what a comment is pinned to
     std::optional<std::array<double, 3>> m_place;
     QLabel* m_counts;
     QLabel* m_machine;
