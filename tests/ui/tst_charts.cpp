@@ -107,6 +107,7 @@ private slots:
     void noWordIsCutWhereOthersCanBeLeftOut();
     void theKeyIsSeenWhole();
     void aFileThatIsSavedMovesNothing();
+    void thatAFileWasSavedGoesByItself();
 
 private:
     /// The names of bars as they are drawn, each inside the chart and before its axis; empty: one is not.
@@ -495,6 +496,20 @@ void TestCharts::aFileThatIsSavedMovesNothing()
     m_panel->setChart(curve());
     QCoreApplication::processEvents();
     QCOMPARE(view->geometry(), before);
+}
+
+/// It lies over the chart; that it could not be saved stays.
+void TestCharts::thatAFileWasSavedGoesByItself()
+{
+    const QTemporaryDir folder;
+    const auto* said = m_panel->findChild<QLabel*>("chartSaved");
+    QVERIFY(m_panel->save(folder.filePath("chart.csv")));
+    QVERIFY(said->isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT(!said->isVisible(), 15000);
+    QVERIFY(m_panel->save(folder.filePath("chart.csv")));
+    QVERIFY(!m_panel->save("/nowhere/at/all/chart.png"));
+    QTest::qWait(7000);
+    QVERIFY(said->isVisible());
 }
 
 QTEST_MAIN(TestCharts)

@@ -2,6 +2,7 @@
 #include "ui/charts/ChartPanel.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include <QChart>
@@ -13,6 +14,7 @@
 #include <QLabel>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include "ui/charts/Drawing.h"
@@ -28,6 +30,7 @@ using namespace ui::shell;
 constexpr double kRingPx = 8.0;
 constexpr double kReachPx = 40.0;  ///< from the pointer to a value
 constexpr int kCalloutPx = 300;
+constexpr std::chrono::seconds kSaidFor{6};
 
 QLabel* label(int size, QFont::Weight weight, QPalette::ColorRole role, QWidget* parent)
 {
@@ -47,7 +50,7 @@ ChartPanel::ChartPanel(QWidget* parent)
       m_save(new SaveButton([this] { return m_chart; }, this)), m_view(new QChartView(this)),
       m_empty(label(kBody, QFont::Normal, QPalette::PlaceholderText, this)),
       m_callout(label(kSmall, QFont::Normal, QPalette::WindowText, this)),
-      m_saved(label(kSmall, QFont::Normal, QPalette::PlaceholderText, this))
+      m_saved(label(kSmall, QFont::Normal, QPalette::PlaceholderText, this)), m_forSaved(new QTimer(this))
 {
     setFocusPolicy(Qt::StrongFocus);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
@@ -70,10 +73,14 @@ ChartPanel::ChartPanel(QWidget* parent)
     m_callout->setAttribute(Qt::WA_TransparentForMouseEvents);
     m_callout->setContentsMargins(kSpace2, kSpace1, kSpace2, kSpace1);
     m_callout->hide();
-    // Over the foot of the chart: nothing moves when it comes and goes, and no room is kept for it.
+    // Over the foot of the chart: nothing moves when it comes and goes, and no room is kept for it. So it does not
+    // stay.
     m_saved->setAutoFillBackground(true);
     m_saved->setBackgroundRole(QPalette::Base);
     m_saved->hide();
+    m_forSaved->setSingleShot(true);
+    m_forSaved->setInterval(kSaidFor);
+    connect(m_forSaved, &QTimer::timeout, m_saved, &QLabel::hide);
 
     connect(m_save, &SaveButton::told, this, &ChartPanel::saySaved);
 
@@ -333,8 +340,11 @@ bool ChartPanel::save(const QString& path)
     return m_save->save(path);
 }
 
-void ChartPanel::saySaved(const QString& sentence)
+void ChartPanel::saySaved(const QString& sentence, bool isSaved)
 {
+    m_forSaved->stop();
+    if (isSaved)
+        m_forSaved->start();
     m_saved->setText(sentence);
     placeSaved();
     m_saved->show();

@@ -11,6 +11,7 @@ class QChart;
 class QChartView;
 class QGraphicsEllipseItem;
 class QLabel;
+class QTimer;
 
 namespace ui::charts {
 
@@ -32,7 +33,8 @@ public:
     void setStop(std::optional<qsizetype> stop);
     [[nodiscard]] QString said() const;
 
-    /// Writes .png, .svg or .csv, by the name's ending, and says below the chart what became of it.
+    /// Writes .png, .svg or .csv, by the name's ending, and says over the foot of the chart what became of it: for some
+    /// seconds, or until the chart is another one where it came to nothing.
     bool save(const QString& path);
 
     [[nodiscard]] QSize sizeHint() const override { return {420, 280}; }
@@ -58,7 +60,7 @@ private:
     void placeSaved();
     void tell();
     void open();
-    void saySaved(const QString& sentence);
+    void saySaved(const QString& sentence, bool isSaved);
     /// Where a value lies in the view, px.
     [[nodiscard]] QPointF placeOf(const Dot& dot) const;
     [[nodiscard]] std::optional<qsizetype> nearest(const QPointF& at) const;
@@ -76,6 +78,7 @@ private:
     QLabel* m_empty;
     QLabel* m_callout;
     QLabel* m_saved;
+    QTimer* m_forSaved;  ///< until that goes
 };
 
 }  // namespace ui::charts

@@ -80,7 +80,7 @@ void SaveButton::askForFile(const QString& ending)
 bool SaveButton::save(const QString& path)
 {
     const Written written = writeChart(m_chart(), path);
-    emit told(written.told);
+    emit told(written.told, written.isDone);
     return written.isDone;
 }
 

@@ -25,7 +25,7 @@ public:
 
 signals:
     /// What became of a file, as a sentence.
-    void told(const QString& sentence);
+    void told(const QString& sentence, bool isSaved);
 
 protected:
     void changeEvent(QEvent* event) override;
