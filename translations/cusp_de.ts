@@ -2957,6 +2957,14 @@
         <extracomment>%1: who made an attempt, and when; %2: why</extracomment>
         <translation>Zum Versuch von %1: %2</translation>
     </message>
+    <message>
+        <source>That was not done: this student is in none of your classes any more. What you have typed stays here; an admin can enter you into the class again.</source>
+        <translation>Das wurde nicht getan: Diese Person ist in keiner Ihrer Klassen mehr. Was Sie geschrieben haben, bleibt hier stehen; die Verwaltung kann Sie wieder in die Klasse aufnehmen.</translation>
+    </message>
+    <message>
+        <source>This belongs to none of your classes any more. An admin can enter you into the class again.</source>
+        <translation>Das gehört zu keiner Ihrer Klassen mehr. Die Verwaltung kann Sie wieder in die Klasse aufnehmen.</translation>
+    </message>
 </context>
 <context>
     <name>app::PresetDesk</name>
@@ -4485,6 +4493,23 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <source>%1: best %2, not passed and no attempts left, %3, last %4</source>
         <translation>%1: bestes Ergebnis %2, nicht bestanden und keine Versuche mehr, %3, zuletzt %4</translation>
     </message>
+    <message>
+        <source>%1: begun, without a score so far, and no attempts left</source>
+        <translation>%1: begonnen, bisher ohne Ergebnis, und keine Versuche mehr</translation>
+    </message>
+    <message>
+        <source>%1: begun, without a score so far, and overdue</source>
+        <translation>%1: begonnen, bisher ohne Ergebnis, und überfällig</translation>
+    </message>
+    <message>
+        <source>%1: begun, without a score so far</source>
+        <translation>%1: begonnen, bisher ohne Ergebnis</translation>
+    </message>
+    <message>
+        <source>disabled</source>
+        <extracomment>Of a student whose account is closed</extracomment>
+        <translation>gesperrt</translation>
+    </message>
 </context>
 <context>
     <name>ui::people::ClassPage</name>
@@ -4626,6 +4651,15 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>Search: a student</source>
         <translation>Suche: eine Person</translation>
+    </message>
+    <message>
+        <source>%1 F5 reads the class again; Cusp tries it every ten seconds, too.</source>
+        <extracomment>%1: that a class could not be read, and why</extracomment>
+        <translation>%1 F5 liest die Klasse noch einmal; Cusp versucht es auch von selbst alle zehn Sekunden.</translation>
+    </message>
+    <message>
+        <source>The class is being read …</source>
+        <translation>Die Klasse wird gelesen …</translation>
     </message>
 </context>
 <context>
@@ -5329,6 +5363,10 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>Taken back. Nobody is shown it any more. Its words are here again, below what you are writing.</source>
         <translation>Zurückgenommen. Niemand sieht es mehr. Die Worte stehen wieder hier, unter dem, was Sie gerade schreiben.</translation>
+    </message>
+    <message>
+        <source>A score has 0 to 100 points.</source>
+        <translation>Ein Ergebnis hat 0 bis 100 Punkte.</translation>
     </message>
 </context>
 <context>
@@ -8479,6 +8517,26 @@ ungesichert</translation>
     <message>
         <source>The lesson needs a title.</source>
         <translation>Die Lektion braucht einen Titel.</translation>
+    </message>
+    <message>
+        <source>Not saved: %1 has been changed since you opened it, in another window or at another computer. Open it anew to see that; a step back then brings your own changes back, to be saved in its place.</source>
+        <translation>Nicht gespeichert: %1 wurde geändert, seit Sie es geöffnet haben, in einem anderen Fenster oder an einem anderen Computer. Öffnen Sie es neu, um das zu sehen; ein Schritt zurück holt dann Ihre eigenen Änderungen wieder, die sich an seiner Stelle speichern lassen.</translation>
+    </message>
+    <message>
+        <source>Open anew</source>
+        <translation>Neu öffnen</translation>
+    </message>
+    <message>
+        <source>Show what stands in the file now; a step back brings your own changes back</source>
+        <translation>Zeigen, was jetzt in der Datei steht; ein Schritt zurück holt die eigenen Änderungen wieder</translation>
+    </message>
+    <message>
+        <source>%1 is no lesson as it stands now, and was not opened. Look at it with whoever has changed it.</source>
+        <translation>%1 ist so, wie es jetzt dasteht, keine Lektion und wurde nicht geöffnet. Sehen Sie es mit dem an, der es geändert hat.</translation>
+    </message>
+    <message>
+        <source>This is what stands in the file now. A step back brings your own changes back.</source>
+        <translation>Das steht jetzt in der Datei. Ein Schritt zurück holt Ihre eigenen Änderungen wieder.</translation>
     </message>
 </context>
 <context>

@@ -2957,6 +2957,14 @@
         <extracomment>%1: who made an attempt, and when; %2: why</extracomment>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>That was not done: this student is in none of your classes any more. What you have typed stays here; an admin can enter you into the class again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This belongs to none of your classes any more. An admin can enter you into the class again.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>app::PresetDesk</name>
@@ -4476,6 +4484,23 @@ load NAME        feels a hardness preset that is kept</source>
         <source>%1: best %2, not passed and no attempts left, %3, last %4</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1: begun, without a score so far, and no attempts left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: begun, without a score so far, and overdue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: begun, without a score so far</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>disabled</source>
+        <extracomment>Of a student whose account is closed</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::people::ClassPage</name>
@@ -4616,6 +4641,15 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
     <message>
         <source>Search: a student</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 F5 reads the class again; Cusp tries it every ten seconds, too.</source>
+        <extracomment>%1: that a class could not be read, and why</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The class is being read …</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5319,6 +5353,10 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
     <message>
         <source>Taken back. Nobody is shown it any more. Its words are here again, below what you are writing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A score has 0 to 100 points.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8468,6 +8506,26 @@ unsaved</source>
     </message>
     <message>
         <source>The lesson needs a title.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not saved: %1 has been changed since you opened it, in another window or at another computer. Open it anew to see that; a step back then brings your own changes back, to be saved in its place.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open anew</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show what stands in the file now; a step back brings your own changes back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is no lesson as it stands now, and was not opened. Look at it with whoever has changed it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is what stands in the file now. A step back brings your own changes back.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -2957,6 +2957,14 @@
         <extracomment>%1: who made an attempt, and when; %2: why</extracomment>
         <translation>Sobre el intento de %1: %2</translation>
     </message>
+    <message>
+        <source>That was not done: this student is in none of your classes any more. What you have typed stays here; an admin can enter you into the class again.</source>
+        <translation>No se hizo: este estudiante ya no está en ninguno de sus grupos. Lo que ha escrito queda aquí; un administrador puede volver a ponerle en el grupo.</translation>
+    </message>
+    <message>
+        <source>This belongs to none of your classes any more. An admin can enter you into the class again.</source>
+        <translation>Esto ya no pertenece a ninguno de sus grupos. Un administrador puede volver a ponerle en el grupo.</translation>
+    </message>
 </context>
 <context>
     <name>app::PresetDesk</name>
@@ -4485,6 +4493,23 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <source>%1: best %2, not passed and no attempts left, %3, last %4</source>
         <translation>%1: mejor %2, no aprobado y sin intentos restantes, %3, último %4</translation>
     </message>
+    <message>
+        <source>%1: begun, without a score so far, and no attempts left</source>
+        <translation>%1: empezado, sin puntuación hasta ahora y sin más intentos</translation>
+    </message>
+    <message>
+        <source>%1: begun, without a score so far, and overdue</source>
+        <translation>%1: empezado, sin puntuación hasta ahora y con el plazo vencido</translation>
+    </message>
+    <message>
+        <source>%1: begun, without a score so far</source>
+        <translation>%1: empezado, sin puntuación hasta ahora</translation>
+    </message>
+    <message>
+        <source>disabled</source>
+        <extracomment>Of a student whose account is closed</extracomment>
+        <translation>desactivado</translation>
+    </message>
 </context>
 <context>
     <name>ui::people::ClassPage</name>
@@ -4626,6 +4651,15 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>Search: a student</source>
         <translation>Buscar: un estudiante</translation>
+    </message>
+    <message>
+        <source>%1 F5 reads the class again; Cusp tries it every ten seconds, too.</source>
+        <extracomment>%1: that a class could not be read, and why</extracomment>
+        <translation>%1 F5 vuelve a leer el grupo; Cusp también lo intenta cada diez segundos.</translation>
+    </message>
+    <message>
+        <source>The class is being read …</source>
+        <translation>Leyendo el grupo …</translation>
     </message>
 </context>
 <context>
@@ -5329,6 +5363,10 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>Taken back. Nobody is shown it any more. Its words are here again, below what you are writing.</source>
         <translation>Retirado. Ya no lo ve nadie. Sus palabras están aquí de nuevo, debajo de lo que usted escribe.</translation>
+    </message>
+    <message>
+        <source>A score has 0 to 100 points.</source>
+        <translation>Una puntuación tiene de 0 a 100 puntos.</translation>
     </message>
 </context>
 <context>
@@ -8479,6 +8517,26 @@ sin guardar</translation>
     <message>
         <source>The lesson needs a title.</source>
         <translation>La lección necesita un título.</translation>
+    </message>
+    <message>
+        <source>Not saved: %1 has been changed since you opened it, in another window or at another computer. Open it anew to see that; a step back then brings your own changes back, to be saved in its place.</source>
+        <translation>No guardado: %1 ha cambiado desde que usted lo abrió, en otra ventana o en otro ordenador. Ábralo de nuevo para verlo; después, un paso atrás recupera sus propios cambios, que se pueden guardar en su lugar.</translation>
+    </message>
+    <message>
+        <source>Open anew</source>
+        <translation>Abrir de nuevo</translation>
+    </message>
+    <message>
+        <source>Show what stands in the file now; a step back brings your own changes back</source>
+        <translation>Mostrar lo que dice ahora el archivo; un paso atrás recupera los cambios propios</translation>
+    </message>
+    <message>
+        <source>%1 is no lesson as it stands now, and was not opened. Look at it with whoever has changed it.</source>
+        <translation>%1, tal como está ahora, no es una lección y no se abrió. Revíselo con quien lo haya cambiado.</translation>
+    </message>
+    <message>
+        <source>This is what stands in the file now. A step back brings your own changes back.</source>
+        <translation>Esto es lo que dice ahora el archivo. Un paso atrás recupera sus propios cambios.</translation>
     </message>
 </context>
 <context>

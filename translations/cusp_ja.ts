@@ -2943,6 +2943,14 @@
         <extracomment>%1: who made an attempt, and when; %2: why</extracomment>
         <translation>%1の試行について：%2</translation>
     </message>
+    <message>
+        <source>That was not done: this student is in none of your classes any more. What you have typed stays here; an admin can enter you into the class again.</source>
+        <translation>実行されませんでした：この学生はもうあなたのどのクラスにもいません。入力した内容はここに残ります。管理者がもう一度クラスに登録できます。</translation>
+    </message>
+    <message>
+        <source>This belongs to none of your classes any more. An admin can enter you into the class again.</source>
+        <translation>これはもうあなたのどのクラスのものでもありません。管理者がもう一度クラスに登録できます。</translation>
+    </message>
 </context>
 <context>
     <name>app::PresetDesk</name>
@@ -4452,6 +4460,23 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <source>%1: best %2, not passed and no attempts left, %3, last %4</source>
         <translation>%1：最高%2点、不合格で残り回数なし、%3、最後 %4</translation>
     </message>
+    <message>
+        <source>%1: begun, without a score so far, and no attempts left</source>
+        <translation>%1：開始済み、まだ点数なし、試行回数の残りなし</translation>
+    </message>
+    <message>
+        <source>%1: begun, without a score so far, and overdue</source>
+        <translation>%1：開始済み、まだ点数なし、期限超過</translation>
+    </message>
+    <message>
+        <source>%1: begun, without a score so far</source>
+        <translation>%1：開始済み、まだ点数なし</translation>
+    </message>
+    <message>
+        <source>disabled</source>
+        <extracomment>Of a student whose account is closed</extracomment>
+        <translation>無効</translation>
+    </message>
 </context>
 <context>
     <name>ui::people::ClassPage</name>
@@ -4591,6 +4616,15 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>Search: a student</source>
         <translation>検索：学生</translation>
+    </message>
+    <message>
+        <source>%1 F5 reads the class again; Cusp tries it every ten seconds, too.</source>
+        <extracomment>%1: that a class could not be read, and why</extracomment>
+        <translation>%1 F5でクラスを読み直します。Cuspも10秒ごとに試みます。</translation>
+    </message>
+    <message>
+        <source>The class is being read …</source>
+        <translation>クラスを読み込んでいます …</translation>
     </message>
 </context>
 <context>
@@ -5287,6 +5321,10 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>Taken back. Nobody is shown it any more. Its words are here again, below what you are writing.</source>
         <translation>取り消しました。もう誰にも表示されません。その文章は、書きかけの文の下に戻りました。</translation>
+    </message>
+    <message>
+        <source>A score has 0 to 100 points.</source>
+        <translation>点数は0から100までです。</translation>
     </message>
 </context>
 <context>
@@ -8420,6 +8458,26 @@ unsaved</source>
     <message>
         <source>The lesson needs a title.</source>
         <translation>課題には題名が必要です。</translation>
+    </message>
+    <message>
+        <source>Not saved: %1 has been changed since you opened it, in another window or at another computer. Open it anew to see that; a step back then brings your own changes back, to be saved in its place.</source>
+        <translation>保存されていません：%1は、あなたが開いた後に別のウィンドウまたは別のコンピューターで変更されました。開き直すとその内容が表示されます。その後「元に戻す」で自分の変更に戻り、代わりに保存できます。</translation>
+    </message>
+    <message>
+        <source>Open anew</source>
+        <translation>開き直す</translation>
+    </message>
+    <message>
+        <source>Show what stands in the file now; a step back brings your own changes back</source>
+        <translation>ファイルの現在の内容を表示します。「元に戻す」で自分の変更に戻ります</translation>
+    </message>
+    <message>
+        <source>%1 is no lesson as it stands now, and was not opened. Look at it with whoever has changed it.</source>
+        <translation>%1は現在の内容では課題ではないため、開かれませんでした。変更した人と一緒に確認してください。</translation>
+    </message>
+    <message>
+        <source>This is what stands in the file now. A step back brings your own changes back.</source>
+        <translation>これがファイルの現在の内容です。「元に戻す」で自分の変更に戻ります。</translation>
     </message>
 </context>
 <context>
