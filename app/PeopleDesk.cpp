@@ -11,7 +11,6 @@
 #include <QDir>
 #include <QPagedPaintDevice>
 #include <QPointer>
-#include <QTimer>
 
 #include "app/Background.h"
 #include "database/sql/Attempts.h"
@@ -177,6 +176,12 @@ PeopleDesk::PeopleDesk(MainWindow& window, SchoolDesk& desk, std::function<datab
     connect(&m_window.adminPage(), &ui::admin::AdminPage::partOpened, this, [this] {
         if (m_titles.isEmpty())
             readLessons([] {});
+    });
+    m_again.setSingleShot(true);
+    m_again.setInterval(kAgain);
+    connect(&m_again, &QTimer::timeout, &classes, [&classes] {
+        if (classes.isVisible() && !classes.isRead())  // elsewhere it is read when somebody comes back to it
+            classes.readAgain();
     });
     connect(&m_window, &MainWindow::classesWanted, this, &PeopleDesk::openClasses);
     connect(&classes, &ClassPage::classChosen, this, [this](qint64 id) { tellOverview({id}); });
@@ -809,11 +814,7 @@ void PeopleDesk::tellUnread(database::ClassId ofClass, const core::Error& error)
         return;
     }
     page.refuse([error] { return text::errorText(error, text::Failed::ReadingSchool); });
-    QTimer::singleShot(kAgain, this, [this, ofClass, who = m_who()] {
-        ClassPage& waiting = m_window.classPage();  // elsewhere it is read when somebody comes back to it
-        if (m_who() == who && waiting.isVisible() && waiting.chosenClass() == ofClass && !waiting.isRead())
-            waiting.readAgain();
-    });
+    m_again.start();
 }
 
 void PeopleDesk::tellResults(const QString& lesson)

@@ -5,6 +5,7 @@
 
 #include <QObject>
 #include <QString>
+#include <QTimer>
 
 #include "app/SchoolDesk.h"
 #include "core/recording/Recording.h"
@@ -112,6 +113,7 @@ private:
     std::map<std::int64_t, QString> m_names;  ///< of those whose attempts have been shown
     database::ClassOverview m_overview;
     QList<database::ClassAssignment> m_given;  ///< to that class
+    QTimer m_again;                            ///< until a class that could not be read is tried once more
     database::LessonResults m_results;
     std::optional<database::AttemptRecord> m_talkedAbout;
     QString m_talkedName;  ///< of who made it
