@@ -24,6 +24,8 @@ struct Parameter
     std::function<std::string(double)> write;
     std::function<std::string()> label;  ///< "Stiffness", in the language of the window
     std::function<std::string()> help;   ///< what it does, in the same
+    /// Why it is not told here and now, in the same, or nothing; `read` says NaN meanwhile. Null: it always is told.
+    std::function<std::string()> withheld{};
 
     [[nodiscard]] bool isLive() const { return !write; }
 };

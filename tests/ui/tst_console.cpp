@@ -41,6 +41,7 @@ struct Room
     FeelPreset feel;
     std::string refusal;
     QAction wet;
+    console::Told told;
     core::session::ServoState servo;
     console::PeriodMeter meter;
     core::settings::Parameters parameters;
@@ -61,7 +62,7 @@ struct Room
             });
         console::registerSwitch(parameters, "view.wet", &wet);
         console::registerLive(
-            parameters, [this] { return servo; }, meter);
+            parameters, [this] { return servo; }, meter, [this] { return told; });
         window.resize(900, 600);
         console.resize(900, 300);
         window.show();
@@ -103,6 +104,7 @@ private slots:
     void choicesOfTheSettingsAreAsWideAsTheirWords();
     void theToothShinesThroughTheConsole();
     void nothingIsToldWhileComparedBlind();
+    void whatTheLessonForbidsIsNeitherToldNorWatched();
     void answersAreSeenWhateverIsTyped();
     void numbersTakePointAndComma_data();
     void numbersTakePointAndComma();
@@ -540,6 +542,36 @@ void TestConsole::nothingIsToldWhileComparedBlind()
     QVERIFY(!why->isVisible());
     QVERIFY(stiffness->isEnabled() && stiffness->value() == 2.0 && stiffness->text().contains("2.000"));
     QVERIFY(room.answer("get force.stiffness").contains("= 2 N/mm"));
+}
+
+void TestConsole::whatTheLessonForbidsIsNeitherToldNorWatched()
+{
+    Room room;
+    room.servo.hasDepth = true;
+    room.servo.depthMm = 1.25;
+    room.servo.removedMm3.fill(0.5);
+    room.answer("plot live.depth");
+    room.answer("watch live.removed");
+    QVERIFY(room.answer("get live.depth").contains("1.25 mm"));
+    QVERIFY(!room.panel.plotted("live.depth").empty());
+    room.told = {false, false};
+    const QTemporaryDir folder;
+    for (const char* name : {"live.depth", "live.removed"})
+        for (const QString command : {"get %1", "%1", "watch %1", "plot %1", "export %1 "})
+            QCOMPARE(room.answer(command.arg(name) + (command.startsWith("export") ? folder.filePath("a.csv") : "")),
+                     QString("This lesson does not allow it."));
+    QVERIFY(!QFileInfo::exists(folder.filePath("a.csv")));
+    QVERIFY(room.answer("list live.depth").contains("–"));
+    room.line().setText("get live.depth");
+    QVERIFY(room.console.findChild<QLabel*>("consoleHint")->text().startsWith("–"));
+    // What was watched before shows nothing, nor what it was a moment ago.
+    room.panel.sample(1.0e9);
+    for (const double value : room.panel.plotted("live.depth"))
+        QVERIFY(std::isnan(value));
+    QVERIFY(room.answer("get live.force").contains("0 N"));
+    room.told = {};
+    room.panel.sample(1.0e9 + 0.1);
+    QCOMPARE(room.panel.plotted("live.depth").back(), 1.25);
 }
 
 void TestConsole::answersAreSeenWhateverIsTyped()

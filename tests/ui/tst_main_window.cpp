@@ -1313,6 +1313,19 @@ void TestMainWindow::theAidsInUseAreNoted()
     QVERIFY((aidsNoted().value_or(kRadiographAid) & kRadiographAid) == 0);
     QTest::qWait(250);
     QVERIFY2(!aidsNoted().has_value(), "said once");
+    // The console tells no more than the lesson allows, and of what it tells that is noted, too.
+    auto* console = child<ui::console::Console>();
+    press(Qt::Key_F9);
+    QTest::qWait(250);
+    QVERIFY((aidsNoted().value_or(kDepthGaugeAid) & kDepthGaugeAid) == 0);
+    console->execute(QStringLiteral("watch live.depth"));
+    QTest::qWait(250);
+    QVERIFY((aidsNoted().value_or(0) & kDepthGaugeAid) != 0);
+    m_window->setAids(lessons::Aids::none());
+    QTest::qWait(250);
+    QVERIFY((aidsNoted().value_or(kDepthGaugeAid) & kDepthGaugeAid) == 0);
+    console->execute(QStringLiteral("get live.depth"));
+    QVERIFY(child<QPlainTextEdit>("consoleOutput")->toPlainText().endsWith("This lesson does not allow it."));
 }
 
 void TestMainWindow::theBurTellsHowNearItIs()

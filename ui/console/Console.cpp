@@ -232,8 +232,8 @@ void Console::get(const QString& name)
         say(answerWords({core::settings::SetAnswer::Outcome::Unknown, {}}, name, nullptr));
         return;
     }
-    if (isVeiled(*parameter)) {
-        say(blindWords());
+    if (const QString withheld = withheldWords(*parameter); !withheld.isEmpty()) {
+        say(withheld);
         return;
     }
     say(QStringLiteral("%1 = %2   (%3)\n%4")
@@ -284,8 +284,11 @@ void Console::reset(const QString& name)
 
 void Console::watch(const QString& name, bool plotted)
 {
-    if (m_parameters.find(name.toStdString()) == nullptr)
+    const core::settings::Parameter* parameter = m_parameters.find(name.toStdString());
+    if (parameter == nullptr)
         say(answerWords({core::settings::SetAnswer::Outcome::Unknown, {}}, name, nullptr));
+    else if (const QString withheld = withheldWords(*parameter); !withheld.isEmpty())
+        say(withheld);
     else if (!m_panel.watch(name, plotted))
         say(tr("There is room for %1. Take one away with \"unwatch NAME\".").arg(WatchPanel::kMost));
 }
@@ -293,6 +296,11 @@ void Console::watch(const QString& name, bool plotted)
 /// Where nothing else is said it lies among the user's documents, as a table.
 void Console::exportPlot(const QString& name, const QString& file)
 {
+    const core::settings::Parameter* parameter = m_parameters.find(name.toStdString());
+    if (const QString withheld = parameter != nullptr ? withheldWords(*parameter) : QString(); !withheld.isEmpty()) {
+        say(withheld);
+        return;
+    }
     const auto chart = m_panel.chart(name);
     if (!chart) {
         say(tr("%1 is not plotted. \"plot %1\" begins it; then it can be saved.").arg(name));

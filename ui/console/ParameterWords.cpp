@@ -80,15 +80,15 @@ QString answerWords(const core::settings::SetAnswer& answer, const QString& name
     return Words::tr("%1 takes %2.").arg(name, parameter != nullptr ? rangeWords(*parameter) : QString());
 }
 
-bool isVeiled(const core::settings::Parameter& parameter)
+QString withheldWords(const core::settings::Parameter& parameter)
 {
-    return !parameter.isLive() && !std::isfinite(parameter.read());
+    return parameter.withheld ? QString::fromStdString(parameter.withheld()) : QString();
 }
 
 bool isFeelVeiled(const core::settings::Parameters& parameters)
 {
     const auto felt = parameters.beginningWith("force.");
-    return std::any_of(felt.begin(), felt.end(), [](const auto* one) { return isVeiled(*one); });
+    return std::any_of(felt.begin(), felt.end(), [](const auto* one) { return !withheldWords(*one).isEmpty(); });
 }
 
 QString blindWords()

@@ -15,9 +15,9 @@ namespace ui::console {
 /// Why a value was not taken; empty if it was.
 [[nodiscard]] QString answerWords(const core::settings::SetAnswer& answer, const QString& name,
                                   const core::settings::Parameter* parameter);
-/// Whether a value that can be set is kept from view: two presets are being compared blind.
-[[nodiscard]] bool isVeiled(const core::settings::Parameter& parameter);
-/// Whether all that is felt is.
+/// Why a value is kept from view; empty: it is not.
+[[nodiscard]] QString withheldWords(const core::settings::Parameter& parameter);
+/// Whether all that is felt is kept from view: two presets are being compared blind.
 [[nodiscard]] bool isFeelVeiled(const core::settings::Parameters& parameters);
 /// The sentence that says so, and what ends it.
 [[nodiscard]] QString blindWords();

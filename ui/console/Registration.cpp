@@ -15,6 +15,7 @@
 #include "ui/console/ParameterWords.h"
 #include "ui/presets/BlindTrial.h"
 #include "ui/presets/PresetWords.h"
+#include "ui/shell/Actions.h"
 #include "ui/tooth/PointerControl.h"
 
 namespace ui::console {
@@ -101,6 +102,7 @@ void registerFeel(Parameters& parameters, const std::function<FeelPreset()>& now
         };
         parameter.label = [id = field.id] { return presets::fieldName(id).toStdString(); };
         parameter.help = [id = field.id] { return presets::fieldHelp(id).toStdString(); };
+        parameter.withheld = [now] { return presets::isVeiled(now()) ? blindWords().toStdString() : std::string(); };
         parameters.add(std::move(parameter));
     }
 }
@@ -140,16 +142,25 @@ void registerPush(Parameters& parameters, std::function<double()> read, std::fun
 }
 
 void registerLive(Parameters& parameters, const std::function<core::session::ServoState()>& servo,
-                  const PeriodMeter& meter)
+                  const PeriodMeter& meter, const std::function<Told()>& told)
 {
-    const auto add = [&](const char* name, const char* unit, std::function<double()> read,
-                         const std::function<QString()>& help) {
+    const auto add = [&](const char* name, const char* unit, const std::function<double()>& read,
+                         const std::function<QString()>& help, bool Told::*which = nullptr) {
         Parameter parameter;
         parameter.name = name;
         parameter.unit = unit;
-        parameter.read = std::move(read);
+        parameter.read = read;
         parameter.label = [help] { return help().toStdString(); };
         parameter.help = parameter.label;
+        if (which != nullptr) {
+            parameter.read = [read, told, which] {
+                return told().*which ? read() : std::numeric_limits<double>::quiet_NaN();
+            };
+            parameter.withheld = [told, which] {
+                return told().*which ? std::string()
+                                     : shell::Actions::tr("This lesson does not allow it.").toStdString();
+            };
+        }
         parameters.add(std::move(parameter));
     };
     add(
@@ -161,7 +172,7 @@ void registerLive(Parameters& parameters, const std::function<core::session::Ser
             const core::session::ServoState state = servo();
             return state.hasDepth ? state.depthMm : std::numeric_limits<double>::quiet_NaN();
         },
-        [] { return Words::tr("Depth of the bur's tip below the uncut surface."); });
+        [] { return Words::tr("Depth of the bur's tip below the uncut surface."); }, &Told::depth);
     add(
         "live.removed", "mm³",
         [servo] {
@@ -170,7 +181,7 @@ void registerLive(Parameters& parameters, const std::function<core::session::Ser
                 sum += volume;
             return sum;
         },
-        [] { return Words::tr("Volume removed since the tooth was taken, undone or not."); });
+        [] { return Words::tr("Volume removed since the tooth was taken, undone or not."); }, &Told::removed);
     add(
         "live.rpm", "rpm", [servo] { return servo().burRpm; },
         [] { return Words::tr("Turns of the bur under its load."); });

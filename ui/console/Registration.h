@@ -49,9 +49,17 @@ void registerSwitch(core::settings::Parameters& parameters, const char* name, QA
 void registerPush(core::settings::Parameters& parameters, std::function<double()> read,
                   std::function<void(double newtons)> write);
 
+/// What may be told of the bur's work, as in the panel beside the tooth.
+struct Told
+{
+    bool depth = true;
+    bool removed = true;
+};
+
 /// "live.force", "live.depth" and so on.
 /// @param meter  must outlive the registry
+/// @param told   here and now
 void registerLive(core::settings::Parameters& parameters, const std::function<core::session::ServoState()>& servo,
-                  const PeriodMeter& meter);
+                  const PeriodMeter& meter, const std::function<Told()>& told);
 
 }  // namespace ui::console

@@ -118,6 +118,8 @@ void WatchPanel::sample(double seconds)
     for (Row& row : m_rows) {
         const core::settings::Parameter* parameter = m_parameters.find(row.name.toStdString());
         row.now = parameter != nullptr ? parameter->read() : std::nan("");
+        if (parameter != nullptr && !withheldWords(*parameter).isEmpty())
+            row.points.clear();  // nor what it was a moment ago
         if (!row.isPlotted)
             continue;
         row.points.push_back({seconds, row.now});

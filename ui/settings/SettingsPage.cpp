@@ -192,10 +192,10 @@ QWidget* SettingsPage::makeRow(const core::settings::Parameter& parameter, QWidg
         connect(number, &QDoubleSpinBox::valueChanged, this,
                 [this, key = parameter.name](double value) { set(key, value); });
         row.show = [number, bound] {
-            const bool veiled = console::isVeiled(*bound);
-            number->setEnabled(!veiled);
-            number->setToolTip(veiled ? brokenIntoLines(console::blindWords()) : QString());
-            if (veiled)
+            const QString withheld = console::withheldWords(*bound);
+            number->setEnabled(withheld.isEmpty());
+            number->setToolTip(brokenIntoLines(withheld));
+            if (!withheld.isEmpty())
                 number->clear();
             else
                 number->setValue(bound->read());

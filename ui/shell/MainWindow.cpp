@@ -837,7 +837,10 @@ void MainWindow::registerParameters()
         m_parameters, [this] { return m_view->pushForce(); },
         [this](double newtons) { m_view->setPushForce(newtons); });
     console::registerLive(
-        m_parameters, [this] { return m_servo; }, m_periods);
+        m_parameters, [this] { return m_servo; }, m_periods,
+        [this] {
+            return console::Told{m_aids.depthGauge && !isBlindfolded(), !isBlindfolded()};
+        });
     connect(m_watch, &console::WatchPanel::resized, this, &MainWindow::placeOverlays);
     connect(m_console, &console::Console::closeWanted, m_actions->console, &QAction::trigger);
     connect(m_actions->console, &QAction::triggered, this, [this] {
@@ -1513,7 +1516,8 @@ void MainWindow::tellAids()
     const bool seesIdeal = m_ideal != nullptr && m_aids.ideal;
     const std::uint8_t aids = static_cast<std::uint8_t>(
         inUse(m_actions->section->isChecked(), kSectionAid) |
-        inUse(m_aids.depthGauge && m_actions->panel->isChecked() && !(m_assignment && m_assignment->exercise),
+        inUse(m_aids.depthGauge && ((m_actions->panel->isChecked() && !(m_assignment && m_assignment->exercise)) ||
+                                    m_watch->names().contains(QStringLiteral("live.depth"))),
               kDepthGaugeAid) |
         inUse(m_pages->currentWidget() == m_xray, kRadiographAid) |
         inUse(m_actions->depthColours->isChecked() || m_actions->idealColours->isChecked(), kHeatMapAid) |
