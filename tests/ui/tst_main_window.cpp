@@ -2074,6 +2074,8 @@ void TestMainWindow::aComparisonIsEndedBesideTheTooth()
     QVERIFY(!stiffness->isEnabled());
     press(Qt::Key_Escape);
     QTRY_VERIFY(child<ui::presets::TrialCard>()->isVisible());
+    // What is cut into such a block is nobody's work, and no grade says anything of it.
+    QVERIFY(!actions().grade->isEnabled());
     QTest::mouseClick(child<QPushButton>("trialEnd"), Qt::LeftButton);
     press(Qt::Key_Comma, Qt::ControlModifier);
     QTRY_VERIFY(stiffness->isVisible());

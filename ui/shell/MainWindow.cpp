@@ -966,6 +966,7 @@ void MainWindow::beginTrial()
     m_blindTrial.reset();
     m_triedPreset.reset();
     m_room->setHintVisible(false);
+    enableActions();
     placeOverlays();
 }
 
@@ -1762,7 +1763,8 @@ void MainWindow::enableActions()
     m_actions->readAgain->setEnabled(ofTheSchool.contains(m_pages->currentWidget()));
     m_actions->saveReference->setEnabled(inRoom && mine && !isExamRunning());
     m_actions->reload->setEnabled((mayGoBack || (mine && m_examIsOver)) && !m_isUsedUp);
-    m_actions->grade->setEnabled(inRoom && m_tooth != nullptr && !m_busy->isWorking());
+    const bool isTrial = !m_replaying && m_trialCard->isVisibleTo(m_room);
+    m_actions->grade->setEnabled(inRoom && m_tooth != nullptr && !m_busy->isWorking() && !isTrial);
     m_actions->lessons->setEnabled(!m_busy->isWorking());
     m_actions->console->setEnabled(inRoom);
     m_actions->settings->setEnabled(!m_busy->isWorking());
