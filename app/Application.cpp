@@ -258,9 +258,14 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ses
     connect(m_window.get(), &MainWindow::takeBackWanted, this, &Application::takeBack);
     connect(m_window.get(), &MainWindow::attemptAgainWanted, this, [this] {
         ++m_loading;
-        const auto again = [this] {
-            begin(lessons::Assignment(m_assignment), {}, false);
-            m_window->showBegunAnew();
+        m_presets.readAgain();
+        const auto again = [this, load = m_loading] {
+            m_presets.whenRead([this, load] {
+                if (load != m_loading)
+                    return;
+                begin(lessons::Assignment(m_assignment), {}, false);
+                m_window->showBegunAnew();
+            });
         };
         if (m_assignment.lesson)
             whereAllowed(m_assignment.lesson->id, again);
@@ -833,7 +838,7 @@ void Application::connectPresets()
     connect(&m_presets, &PresetDesk::inUseChanged, this, [this] {
         m_byHand.reset();
         // What nobody has begun to work on begins anew, as it feels now.
-        if (!m_assignment.lesson && !m_tried && isUntouched())
+        if (!m_assignment.lesson && !m_tried && !m_window->isBusy() && isUntouched())
             beginAsItFeels();
     });
     m_window->showFeel(m_presets.inUse(), m_presets.inUse());
@@ -904,20 +909,23 @@ void Application::openTooth(const core::teeth::ToothSource& source, const std::o
     core::teeth::BuildOptions build = m_options.build;
     if (unit)
         build.placement.unit = unit;
+    m_presets.readAgain();
     inBackground(
         this, [source, build] { return core::teeth::buildTooth(source, build); },
         [this, load, source, file, tried](const core::Result<core::teeth::BuiltTooth>& built) {
-            if (load != m_loading)
-                return;
-            if (!built) {
-                refuse(built.error(), file.isEmpty() ? Failed::MakingTooth : Failed::OpeningScan, file);
-                return;
-            }
-            m_source = source;
-            m_tried = tried;
-            takeTooth(*built);
-            if (tried)
-                m_window->beginTrial();
+            m_presets.whenRead([this, load, source, file, tried, built] {
+                if (load != m_loading)
+                    return;
+                if (!built) {
+                    refuse(built.error(), file.isEmpty() ? Failed::MakingTooth : Failed::OpeningScan, file);
+                    return;
+                }
+                m_source = source;
+                m_tried = tried;
+                takeTooth(*built);
+                if (tried)
+                    m_window->beginTrial();
+            });
         });
 }
 
@@ -925,18 +933,21 @@ void Application::openLesson(const lessons::Lesson& lesson)
 {
     const int load = ++m_loading;
     m_window->showBusy(tr("Preparing the lesson …"));
+    m_presets.readAgain();
     whereAllowed(lesson.id, [this, load, lesson] {
         inBackground(
             this, [lesson, drawn = QRandomGenerator::global()->generate64()] { return lessons::assign(lesson, drawn); },
             [this, load, id = lesson.id](const core::Result<lessons::Assigned>& assigned) {
-                if (load != m_loading)
-                    return;
-                if (!assigned) {
-                    refuse(assigned.error(), Failed::OpeningLesson, QString::fromStdString(id));
-                    return;
-                }
-                m_tried.reset();
-                begin(assigned->assignment, notesOf(assigned->report), false);
+                m_presets.whenRead([this, load, id, assigned] {
+                    if (load != m_loading)
+                        return;
+                    if (!assigned) {
+                        refuse(assigned.error(), Failed::OpeningLesson, QString::fromStdString(id));
+                        return;
+                    }
+                    m_tried.reset();
+                    begin(assigned->assignment, notesOf(assigned->report), false);
+                });
             });
     });
 }

@@ -2,10 +2,12 @@
 #include "app/PresetDesk.h"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 #include <QDir>
 #include <QJsonDocument>
+#include <QTimer>
 
 #include "database/sql/Presets.h"
 #include "database/sql/Settings.h"
@@ -26,6 +28,7 @@ using ui::shell::MainWindow;
 const QString kInUse = QStringLiteral("presets/inUse");  ///< of who practises without a login
 const std::string kSchoolsInUse = "preset.in_use";       ///< among the school's settings
 constexpr int kTries = 16;
+constexpr int kLongestWaitMs = 1500;  ///< that a tooth waits for what it is to feel like
 
 core::Result<std::vector<ReadPreset>> readAll(const School& school, const Session& who)
 {
@@ -108,6 +111,30 @@ void PresetDesk::setSchool(SchoolDesk* school)
 
 void PresetDesk::refresh()
 {
+    read(true);
+}
+
+void PresetDesk::readAgain()
+{
+    read(false);
+}
+
+void PresetDesk::whenRead(const std::function<void()>& goOn)
+{
+    if (m_asked == 0) {
+        goOn();
+        return;
+    }
+    const auto once = [goOn, isOver = std::make_shared<bool>(false)] {
+        if (!std::exchange(*isOver, true))
+            goOn();
+    };
+    connect(this, &PresetDesk::isRead, this, once, Qt::SingleShotConnection);
+    QTimer::singleShot(kLongestWaitMs, this, once);
+}
+
+void PresetDesk::read(bool tellsFault)
+{
     const Session who = m_who();
     m_window.setMayKeepPresets(who, who.isGuest() || who.role() == Role::Admin);
     // His own first: he has chosen it himself.
@@ -129,6 +156,7 @@ void PresetDesk::refresh()
         std::vector<ReadPreset> all;
         QString inUse;
     };
+    ++m_asked;
     m_school->ask(
         this,
         [who](const School& school) -> core::Result<Found> {
@@ -138,15 +166,17 @@ void PresetDesk::refresh()
                 return tl::unexpected(all ? settings.error() : all.error());
             return Found{std::move(*all), QString::fromStdString((*settings)[kSchoolsInUse])};
         },
-        [this, who, takeWith](const core::Result<Found>& found) {
-            if (who.person() != m_who().person())
-                return;
-            if (found)
-                takeWith(found->all, found->inUse);
-            else if (m_all.empty())
-                takeWith({}, {});
-            else  // what was in use is so still: nobody is to drill otherwise than his class meanwhile
-                m_window.showPresetFault(ui::text::errorText(found.error(), ui::text::Failed::ReadingSchool));
+        [this, who, takeWith, tellsFault](const core::Result<Found>& found) {
+            if (who.person() == m_who().person()) {
+                if (found)
+                    takeWith(found->all, found->inUse);
+                else if (m_all.empty())
+                    takeWith({}, {});
+                else if (tellsFault)  // what was in use is so still: nobody is to drill otherwise than his class
+                    m_window.showPresetFault(ui::text::errorText(found.error(), ui::text::Failed::ReadingSchool));
+            }
+            if (--m_asked == 0)
+                emit isRead();
         });
 }
 

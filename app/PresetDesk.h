@@ -28,6 +28,11 @@ public:
     void setSchool(SchoolDesk* school);
     /// Somebody else works here now, or what is kept may have changed.
     void refresh();
+    /// A tooth is to begin, and another station may have said otherwise meanwhile. Where that cannot be read, what is
+    /// known holds, and nothing is told.
+    void readAgain();
+    /// Goes on when what was asked for is there, or after a moment without it.
+    void whenRead(const std::function<void()>& goOn);
 
     /// What teeth feel like, unless a lesson says otherwise.
     [[nodiscard]] const core::settings::FeelPreset& inUse() const { return m_inUse; }
@@ -35,9 +40,12 @@ public:
 signals:
     /// Teeth that are begun from now on feel otherwise.
     void inUseChanged();
+    /// Nothing is being asked for any more.
+    void isRead();
 
 private:
     void connectPage();
+    void read(bool tellsFault);
     void take(std::vector<lessons::ReadPreset> all, const QString& inUse);
     void use(const core::settings::FeelPreset& preset);
     /// @param note  what its file deserves a look for; may be empty
@@ -52,6 +60,7 @@ private:
     lessons::PresetFolder m_folder;
     std::vector<lessons::ReadPreset> m_all;  ///< as shelved()
     core::settings::FeelPreset m_inUse;
+    int m_asked = 0;  ///< how often the school was asked what there is, and has not answered yet
 };
 
 }  // namespace app

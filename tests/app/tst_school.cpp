@@ -15,6 +15,7 @@
 #include <QFile>
 #include <QFileDialog>
 #include <QHeaderView>
+#include <QJsonDocument>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
@@ -39,6 +40,8 @@
 #include "database/sql/Classes.h"
 #include "database/sql/Logins.h"
 #include "database/sql/People.h"
+#include "database/sql/Presets.h"
+#include "database/sql/Settings.h"
 #include "database/sql/Statement.h"
 #include "lessons/LessonCatalog.h"
 #include "lessons/LessonReader.h"
@@ -149,6 +152,7 @@ private slots:
     void anOpenedAttemptHasThoseBeforeIt();
     void onesOwnAttemptsAreComparedInAReplay();
     void theSchoolsPresetIsTheAdmins();
+    void theNextToothFeelsAsWasChosenElsewhere();
     void whatIsGivenIsDueAndLimited();
     void noneBeginsAgainWhenTheAttemptsAreUsedUp();
     void aPresetGivesNoAttemptBack();
@@ -201,6 +205,8 @@ private:
     void beginLesson(const std::string& id) const;
     /// So many attempts, to Sam's class.
     void give(const std::string& lesson, int attempts) const;
+    /// An admin at another station keeps a preset, if it is not there, and says that everybody's teeth feel like it.
+    void chooseElsewhere(const std::string& preset) const;
     /// Has a lesson's work graded, and expects a little of it.
     void gradeLesson() const;
     /// Has the work graded and waits until `keeping` is said of it; empty: until nothing is.
@@ -325,6 +331,21 @@ void TestSchool::give(const std::string& lesson, int attempts) const
     const auto admin = sql::Logins::login(school, "admin", kPassword).value();
     const ClassId ofClass = sql::listClasses(school, admin).value().front().id;
     QVERIFY(sql::assign(school, admin, {0, ofClass, lesson, "", attempts}));
+}
+
+void TestSchool::chooseElsewhere(const std::string& preset) const
+{
+    const auto database = sql::Database::open(file()).value();
+    const auto key = StationKey::readOrMake(m_folder->filePath("station.key")).value();
+    const sql::School school{database->handle(), key};
+    const auto admin = sql::Logins::login(school, "admin", kPassword).value();
+    core::settings::FeelPreset kept = lessons::shippedPresets().front();
+    kept.name = preset;
+    kept.enamelRate *= 0.5;
+    kept = lessons::hashed(kept);
+    const QByteArray json = QJsonDocument(lessons::toJson(kept)).toJson(QJsonDocument::Compact);
+    QVERIFY(sql::addPreset(school, admin, {kept.name, kept.version, kept.hash, json.toStdString()}));
+    QVERIFY(sql::changeSetting(school, admin, "preset.in_use", preset + " v1"));
 }
 
 void TestSchool::gradeLesson() const
@@ -1674,6 +1695,47 @@ void TestSchool::theSchoolsPresetIsTheAdmins()
     grade("first grade");
     const auto preset = sql::ask(sql::Database::open(file()).value()->handle(), "SELECT preset FROM attempts", "read");
     QCOMPARE(preset.value().toString(), QString("hard v1"));
+}
+
+/// At another station an admin chooses a preset, while somebody is logged in here.
+void TestSchool::theNextToothFeelsAsWasChosenElsewhere()
+{
+    const Exam exam;
+    start();
+    logIn("sam");
+    toTheTooth();
+    const auto felt = [this](int attempt) {
+        return sql::ask(sql::Database::open(file()).value()->handle(),
+                        QStringLiteral("SELECT preset FROM attempts ORDER BY id LIMIT 1 OFFSET %1").arg(attempt),
+                        "read")
+            .value()
+            .toString();
+    };
+    chooseElsewhere("hard");
+    beginLesson("exam-36");
+    drill(-2.0);
+    gradeLesson();
+    QTRY_COMPARE_WITH_TIMEOUT(attemptsKept(), 1, kPatienceMs);
+    QCOMPARE(felt(0), QString("hard v1"));
+    // Another attempt at it is another tooth, too.
+    chooseElsewhere("soft");
+    actions().reload->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(message().contains("Another attempt"), kPatienceMs);
+    QTRY_COMPARE_WITH_TIMEOUT(removed(), QString("0.00"), kPatienceMs);
+    QTest::qWait(500);
+    drill(-2.0);
+    gradeLesson();
+    QTRY_COMPARE_WITH_TIMEOUT(attemptsKept(), 2, kPatienceMs);
+    QCOMPARE(felt(1), QString("soft v1"));
+    chooseElsewhere("middle");
+    emit m_application->window().toothChosen(26);
+    QTRY_VERIFY_WITH_TIMEOUT(m_application->window().windowTitle().startsWith("Tooth 26"), kPatienceMs);
+    toTheTooth();
+    QTest::qWait(500);
+    drill(-2.0);
+    grade("");
+    QTRY_COMPARE_WITH_TIMEOUT(attemptsKept(), 3, kPatienceMs);
+    QCOMPARE(felt(2), QString("middle v1"));
 }
 
 /// A teacher gives a class a lesson, due yesterday, to be tried once.

@@ -1971,6 +1971,11 @@ void MainWindow::tellError(const core::Error& error, text::Failed failed, const 
     });
 }
 
+bool MainWindow::isBusy() const
+{
+    return m_busy->isWorking();
+}
+
 void MainWindow::stopBusy()
 {
     m_busy->done();

@@ -126,6 +126,8 @@ public:
     [[nodiscard]] people::ClassPage& classPage() { return *m_classes; }
     [[nodiscard]] admin::AdminPage& adminPage() { return *m_admin; }
     [[nodiscard]] people::AssignPage& assignPage() { return *m_assign; }
+    /// What showBusy() told of goes on.
+    [[nodiscard]] bool isBusy() const;
 
 public slots:
     /// The tooth that is now on the table.
