@@ -30,6 +30,11 @@ const std::string kSchoolsInUse = "preset.in_use";       ///< among the school's
 constexpr int kTries = 16;
 constexpr int kLongestWaitMs = 1500;  ///< that a tooth waits for what it is to feel like
 
+std::string nameOf(const FeelPreset& preset)
+{
+    return preset.name + " v" + std::to_string(preset.version);
+}
+
 core::Result<std::vector<ReadPreset>> readAll(const School& school, const Session& who)
 {
     const auto kept = database::sql::listPresets(school, who);
@@ -97,7 +102,8 @@ PresetDesk::PresetDesk(MainWindow& window, std::function<Session()> who)
 void PresetDesk::connectPage()
 {
     connect(&m_window, &MainWindow::presetsWanted, this, &PresetDesk::refresh);
-    connect(&m_window, &MainWindow::presetUseWanted, this, &PresetDesk::use);
+    connect(&m_window, &MainWindow::presetUseWanted, this,
+            [this](const FeelPreset& preset) { use(QString::fromStdString(nameOf(preset)), {}); });
     connect(&m_window, &MainWindow::presetSaveWanted, this, [this](const FeelPreset& preset) { keep(preset, {}); });
     connect(&m_window, &MainWindow::presetImportWanted, this, &PresetDesk::import);
     connect(&m_window, &MainWindow::presetExportWanted, this, &PresetDesk::exportTo);
@@ -191,37 +197,54 @@ void PresetDesk::take(std::vector<ReadPreset> all, const QString& inUse)
 }
 
 /// From the next tooth on. What lies on the table goes on as it was begun.
-void PresetDesk::use(const FeelPreset& preset)
+/// @param name       with its version; empty: what a guest has where he chooses nothing
+/// @param insteadOf  only where that is still in use: another admin may have chosen meanwhile
+void PresetDesk::use(const QString& name, const std::optional<QString>& insteadOf)
 {
-    const QString name = QStringLiteral("%1 v%2").arg(QString::fromStdString(preset.name)).arg(preset.version);
-    const auto used = [this, preset, before = m_inUse](const QString& said) {
-        refresh();
-        if (before == preset)
-            m_window.showMessage(said);
-        else
-            m_window.showUndoable(said, [this, before] { use(before); });
-    };
     const Session who = m_who();
     if (who.isGuest()) {
-        ui::shell::memory().setValue(kInUse, name);
-        used(tr("The next tooth feels like this."));
+        const QString before = ui::shell::memory().value(kInUse).toString();
+        if (name.isEmpty())
+            ui::shell::memory().remove(kInUse);
+        else
+            ui::shell::memory().setValue(kInUse, name);
+        tellUsed(name, before, tr("The next tooth feels like this."));
         return;
     }
     if (!m_school)
         return;
     m_school->ask(
         this,
-        [who, name](const School& school) -> core::Result<bool> {
-            if (auto done = database::sql::changeSetting(school, who, kSchoolsInUse, name.toStdString()); !done)
-                return tl::unexpected(done.error());
-            return true;
+        [who, name, insteadOf](const School& school) {
+            return database::sql::replaceSetting(school, who, kSchoolsInUse, name.toStdString(),
+                                                 insteadOf ? std::optional(insteadOf->toStdString()) : std::nullopt);
         },
-        [this, used](const core::Result<bool>& done) {
-            if (done)
-                used(tr("The next tooth of everybody here feels like this."));
-            else
-                m_window.showPresetFault(ui::text::errorText(done.error(), ui::text::Failed::ChangingSchool));
+        [this, name](const core::Result<database::sql::ReplacedSetting>& replaced) {
+            if (!replaced) {
+                m_window.showPresetFault(ui::text::errorText(replaced.error(), ui::text::Failed::ChangingSchool));
+                return;
+            }
+            const QString before = QString::fromStdString(
+                replaced->before.empty() ? nameOf(lessons::shippedPresets().front()) : replaced->before);
+            if (replaced->isDone) {
+                tellUsed(name, before, tr("The next tooth of everybody here feels like this."));
+                return;
+            }
+            refresh();
+            //: %1 is a hardness preset
+            m_window.showMessage(tr("Somebody else has chosen %1 for everybody here meanwhile. That stays.")
+                                     .arg(ui::presets::presetWords(lessons::presetUsed(replaced->before, false))));
         });
+}
+
+void PresetDesk::tellUsed(const QString& name, const QString& before, const QString& said)
+{
+    refresh();
+    m_window.showPresetFault({});
+    if (before == name)
+        m_window.showMessage(said);
+    else
+        m_window.showUndoable(said, [this, name, before] { use(before, name); });
 }
 
 void PresetDesk::keep(const FeelPreset& preset, const QString& note)
@@ -278,9 +301,10 @@ void PresetDesk::import(const QString& path)
 
 void PresetDesk::exportTo(const FeelPreset& preset, const QString& path)
 {
-    if (const auto written = lessons::writePreset(path, preset))
+    if (const auto written = lessons::writePreset(path, preset)) {
+        m_window.showPresetFault({});
         m_window.showMessage(tr("The preset was exported as %1.").arg(QDir::toNativeSeparators(path)));
-    else
+    } else
         m_window.showPresetFault(
             tr("Not exported: the file cannot be written. Choose another folder, or make room on the disk.") + u'\n' +
             QString::fromStdString(written.error().detail));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include <QObject>
@@ -47,7 +48,8 @@ private:
     void connectPage();
     void read(bool tellsFault);
     void take(std::vector<lessons::ReadPreset> all, const QString& inUse);
-    void use(const core::settings::FeelPreset& preset);
+    void use(const QString& name, const std::optional<QString>& insteadOf);
+    void tellUsed(const QString& name, const QString& before, const QString& said);
     /// @param note  what its file deserves a look for; may be empty
     void keep(const core::settings::FeelPreset& preset, const QString& note);
     void tellKept(const core::Result<core::settings::FeelPreset>& kept, const QString& note);

@@ -71,21 +71,37 @@ core::Status putSetting(const School& school, const std::string& actor, const st
 core::Status changeSetting(const School& school, const Session& session, const std::string& name,
                            const std::string& value)
 {
+    const auto replaced = replaceSetting(school, session, name, value);
+    return replaced ? core::Status() : tl::unexpected(replaced.error());
+}
+
+core::Result<ReplacedSetting> replaceSetting(const School& school, const Session& session, const std::string& name,
+                                             const std::string& value, const std::optional<std::string>& of)
+{
     if (auto who = admit(school, session, Operation::ChangeSettings); !who)
         return tl::unexpected(who.error());
     if (auto fit = refuseSecret(name); !fit)
-        return fit;
+        return tl::unexpected(fit.error());
     if (auto fit = checkLength(name, value); !fit)
-        return fit;
-    return inTurn(school, kKeep, [&]() -> core::Status {
+        return tl::unexpected(fit.error());
+    ReplacedSetting replaced;
+    const core::Status kept = inTurn(school, kKeep, [&]() -> core::Status {
         const auto before =
             ask(school.db, "SELECT value FROM settings WHERE owner = '' AND name = ?", kKeep, {text(name)});
         if (!before)
             return tl::unexpected(before.error());
-        if (!before->isNull() && before->toString().toStdString() == value)
+        replaced = {true, before->toString().toStdString()};
+        if (!before->isNull() && replaced.before == value)
             return {};  // nothing was changed, and nothing is noted
+        if (of && replaced.before != *of) {
+            replaced.isDone = false;
+            return {};
+        }
         return putSetting(school, session.uid(), name, value);
     });
+    if (!kept)
+        return tl::unexpected(kept.error());
+    return replaced;
 }
 
 core::Status changeOwnSetting(const School& school, const Session& session, const std::string& name,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 
 #include "core/base/Result.h"
@@ -17,6 +18,17 @@ using SettingsMap = std::map<std::string, std::string>;
 /// For everybody here. OutOfRange: the value has more than a thousand characters.
 [[nodiscard]] core::Status changeSetting(const School& school, const Session& session, const std::string& name,
                                          const std::string& value);
+
+struct ReplacedSetting
+{
+    bool isDone = false;
+    std::string before;  ///< what was there until then; empty: nothing
+};
+/// The same, and tells in the place of what.
+/// @param of  only where that is still what is there; nothing: whatever is
+[[nodiscard]] core::Result<ReplacedSetting> replaceSetting(const School& school, const Session& session,
+                                                           const std::string& name, const std::string& value,
+                                                           const std::optional<std::string>& of = {});
 /// For the session's person alone. OutOfRange as above.
 [[nodiscard]] core::Status changeOwnSetting(const School& school, const Session& session, const std::string& name,
                                             const std::string& value);

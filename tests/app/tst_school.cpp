@@ -58,6 +58,7 @@
 #include "ui/people/HistoryPage.h"
 #include "ui/people/LoginPage.h"
 #include "ui/people/TalkPanel.h"
+#include "ui/presets/PresetsPage.h"
 #include "ui/report/Report.h"
 #include "ui/shell/Actions.h"
 #include "ui/shell/MessageBar.h"
@@ -153,6 +154,7 @@ private slots:
     void onesOwnAttemptsAreComparedInAReplay();
     void theSchoolsPresetIsTheAdmins();
     void theNextToothFeelsAsWasChosenElsewhere();
+    void whatAnotherAdminHasChosenIsNotUndone();
     void whatIsGivenIsDueAndLimited();
     void noneBeginsAgainWhenTheAttemptsAreUsedUp();
     void aPresetGivesNoAttemptBack();
@@ -1681,8 +1683,10 @@ void TestSchool::theSchoolsPresetIsTheAdmins()
     emit window.presetSaveWanted(hard);
     QTRY_VERIFY2_WITH_TIMEOUT(message().contains("hard"), qPrintable(message()), kPatienceMs);
     QVERIFY(child<QPushButton>("presetUse")->isEnabled());
+    window.showPresetFault("That was not done, because the server does not answer.");
     click("presetUse");
     QTRY_VERIFY2_WITH_TIMEOUT(message().contains("everybody"), qPrintable(message()), kPatienceMs);
+    QVERIFY(!child<QLabel>("presetFault")->isVisible());
     leaveFor("sam");
     actions().presets->trigger();
     QVERIFY(!child<QPushButton>("presetUse")->isEnabled());
@@ -1736,6 +1740,45 @@ void TestSchool::theNextToothFeelsAsWasChosenElsewhere()
     grade("");
     QTRY_COMPARE_WITH_TIMEOUT(attemptsKept(), 3, kPatienceMs);
     QCOMPARE(felt(2), QString("middle v1"));
+}
+
+void TestSchool::whatAnotherAdminHasChosenIsNotUndone()
+{
+    start();
+    logIn("admin");
+    const auto inUse = [this] {
+        return sql::ask(sql::Database::open(file()).value()->handle(),
+                        "SELECT value FROM settings WHERE owner = '' AND name = 'preset.in_use'", "read")
+            .value()
+            .toString();
+    };
+    const auto undo = [this] {
+        for (QPushButton* button : child<ui::shell::MessageBar>()->findChildren<QPushButton*>())
+            if (button->isVisible() && button->text() == "Undo")
+                button->click();
+    };
+    const auto use = [this, inUse](const char* name) {
+        for (const lessons::ReadPreset& read : child<ui::presets::PresetsPage>()->all())
+            if (read.preset && read.preset->name == name)
+                emit m_application->window().presetUseWanted(*read.preset);
+        QTRY_COMPARE_WITH_TIMEOUT(inUse(), QString(name) + " v1", kPatienceMs);
+        QTRY_VERIFY2_WITH_TIMEOUT(message().contains("everybody"), qPrintable(message()), kPatienceMs);
+        QTest::qWait(200);
+    };
+    toTheTooth();
+    chooseElsewhere("hard");
+    actions().presets->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(child<QListWidget>("presetList")->count() == 2, kPatienceMs);
+    // Chosen here after this window has read what was in use.
+    chooseElsewhere("soft");
+    use("hard");
+    undo();
+    QTRY_COMPARE_WITH_TIMEOUT(inUse(), QString("soft v1"), kPatienceMs);
+    use("natural");
+    chooseElsewhere("hard");
+    undo();
+    QTRY_VERIFY2_WITH_TIMEOUT(message().contains("hard, version 1"), qPrintable(message()), kPatienceMs);
+    QCOMPARE(inUse(), QString("hard v1"));
 }
 
 /// A teacher gives a class a lesson, due yesterday, to be tried once.

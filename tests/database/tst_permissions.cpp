@@ -255,6 +255,8 @@ std::vector<Call> TestPermissions::callsOn(SchoolRig& rig)
              return raisePasswordCost(s, me, {1, 8192});
          },
          false},
+        {Operation::ChangeSettings, "replaceSetting",
+         [&s](const Session& me, Target) { return plain(replaceSetting(s, me, "idle.minutes", "5")); }, false},
         {Operation::ChangeOwnSettings, "changeOwnSetting",
          [&s](const Session& me, Target) { return changeOwnSetting(s, me, "language", "de"); }, false},
         {Operation::ReadAudit, "readAudit", [&s](const Session& me, Target) { return plain(readAudit(s, me, 10)); },

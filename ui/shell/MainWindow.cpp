@@ -947,7 +947,7 @@ void MainWindow::showPresetFault(const QString& sentence)
 {
     m_messages->withdraw(MessageBar::Topic::Preset);
     m_presets->setFault(sentence);
-    if (m_console->isVisible())
+    if (m_console->isVisible() && !sentence.isEmpty())
         m_console->say(sentence);
 }
 
