@@ -108,6 +108,8 @@ private slots:
     void answersAreSeenWhateverIsTyped();
     void numbersTakePointAndComma_data();
     void numbersTakePointAndComma();
+    void whatIsBeyondTheRangeBecomesNoOtherNumber_data();
+    void whatIsBeyondTheRangeBecomesNoOtherNumber();
     void answersAreWrittenAsTheWindowWritesNumbers();
 };
 
@@ -623,6 +625,67 @@ void TestConsole::numbersTakePointAndComma()
     QCOMPARE(number->value(), becomes);
     number->setValue(1000.5);
     QVERIFY2(number->text().startsWith("1000"), qPrintable(number->text()));
+}
+
+void TestConsole::whatIsBeyondTheRangeBecomesNoOtherNumber_data()
+{
+    QTest::addColumn<double>("low");
+    QTest::addColumn<double>("high");
+    QTest::addColumn<int>("decimals");
+    QTest::addColumn<QString>("typed");
+    QTest::addColumn<bool>("isToldAtOnce");
+    QTest::newRow("too much") << 0.2 << 20.0 << 3 << "25" << true;
+    QTest::newRow("far too much") << 0.2 << 9.0 << 3 << "99" << true;
+    QTest::newRow("a little too much") << 0.2 << 3.0 << 3 << "3.5" << true;
+    QTest::newRow("too little") << 0.2 << 20.0 << 3 << "0.1" << false;
+    QTest::newRow("too little so far") << 2.0 << 20.0 << 3 << "1" << false;
+    QTest::newRow("below a negative range") << -2.0 << 20.0 << 3 << "-25" << true;
+    QTest::newRow("no whole number") << 1.0 << 90.0 << 0 << "3.5" << true;
+}
+
+void TestConsole::whatIsBeyondTheRangeBecomesNoOtherNumber()
+{
+    QFETCH(double, low);
+    QFETCH(double, high);
+    QFETCH(int, decimals);
+    QFETCH(QString, typed);
+    QFETCH(bool, isToldAtOnce);
+    QWidget form;
+    form.resize(400, 300);
+    QDoubleSpinBox* number = study::numberInput(low, high, decimals, "N/mm", {}, &form);
+    number->setValue(2.0);
+    form.show();
+    QVERIFY(QTest::qWaitForWindowActive(&form));
+    const auto said = [&form] {
+        const auto* note = form.findChild<QLabel*>("numberNote");
+        return note != nullptr && note->isVisible() ? note->text() : QString();
+    };
+    number->setFocus();
+    number->selectAll();
+    QTest::keyClicks(number, typed);
+    QVERIFY2(number->text().startsWith(typed), qPrintable(number->text()));
+    QCOMPARE(number->value(), 2.0);
+    QCOMPARE(!said().isEmpty(), isToldAtOnce);
+    QTest::keyClick(number, Qt::Key_Return);
+    QCOMPARE(number->value(), 2.0);
+    QVERIFY2(number->text().startsWith("2"), qPrintable(number->text()));
+    QVERIFY2(said().contains(QLocale().toString(high) + " N/mm can be entered here.") && said().endsWith("N/mm stays."),
+             qPrintable(said()));
+    // What fits is taken, and nothing is said of it.
+    number->selectAll();
+    QTest::keyClicks(number, "3");
+    QTest::keyClick(number, Qt::Key_Return);
+    QCOMPARE(number->value(), 3.0);
+    QVERIFY2(said().isEmpty(), qPrintable(said()));
+    // Nor does the part that fits stay where the field is left.
+    number->selectAll();
+    QTest::keyClicks(number, typed);
+    number->clearFocus();
+    QCOMPARE(number->value(), 3.0);
+    QVERIFY2(number->text().startsWith("3"), qPrintable(number->text()));
+    QVERIFY2(said().contains("3.000 N/mm stays.") || decimals == 0, qPrintable(said()));
+    number->stepUp();
+    QVERIFY2(number->value() > 3.0 || high == 3.0, qPrintable(number->text()));
 }
 
 QTEST_MAIN(TestConsole)
