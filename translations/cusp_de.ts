@@ -73,7 +73,7 @@
     </message>
     <message>
         <source>kept a hardness preset</source>
-        <translation>hat ein Härteprofil gespeichert</translation>
+        <translation>hat eine Härte-Voreinstellung gespeichert</translation>
     </message>
     <message>
         <source>changed a setting</source>
@@ -7438,7 +7438,7 @@ ungesichert</translation>
     </message>
     <message>
         <source>There is no hardness preset &quot;%1&quot;. There are: %2.</source>
-        <translation>Es gibt kein Härteprofil „%1“. Es gibt: %2.</translation>
+        <translation>Es gibt keine Härte-Voreinstellung „%1“. Es gibt: %2.</translation>
     </message>
     <message>
         <source>%1 – %2</source>
