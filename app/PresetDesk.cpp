@@ -13,6 +13,7 @@
 #include "database/sql/Settings.h"
 #include "ui/presets/PresetWords.h"
 #include "ui/shell/Memory.h"
+#include "ui/text/FaultWords.h"
 #include "ui/text/Texts.h"
 
 namespace app {
@@ -83,6 +84,8 @@ QString keptFault(const core::Error& error)
 {
     if (error.code == core::ErrorCode::NotAllowed)
         return PresetDesk::tr("Not kept: only an admin keeps the school's presets.");
+    if (error.code == core::ErrorCode::OutOfRange)
+        return PresetDesk::tr("Not kept: %1").arg(ui::text::faultWords(core::wordsOf(error)));
     if (error.code == core::ErrorCode::FileUnwritable)
         return PresetDesk::tr("Not kept: the file cannot be written. Make room on the disk, or check the rights.") +
                u'\n' + QString::fromStdString(error.detail);
@@ -293,7 +296,12 @@ void PresetDesk::import(const QString& path)
 {
     const ReadPreset read = lessons::readPreset(path);
     if (read.preset) {
-        keep(*read.preset, read.faults.empty() ? QString() : ui::presets::faultWords(read));
+        QStringList note;
+        if (!read.faults.empty())
+            note << ui::presets::faultWords(read);
+        if (const auto left = lessons::leftOutFault(read))
+            note << ui::text::faultWords(*left);
+        keep(*read.preset, note.join(u'\n'));
         return;
     }
     m_window.showPresetFault(tr("Not imported: %1").arg(ui::presets::faultWords(read)));

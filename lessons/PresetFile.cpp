@@ -71,6 +71,35 @@ void takeNumbers(JsonKeys& keys, FeelPreset& preset)
             group->nameTheRest();
 }
 
+/// "caries" stands for both kinds of it.
+bool says(const QJsonObject& whole, const Field& field)
+{
+    const QString group = groupOf(field);
+    const QString key = QString::fromLatin1(keyOf(field));
+    if (group.isEmpty())
+        return whole.contains(key);
+    const bool isCaries = group == u"soft_caries" || group == u"firm_caries";
+    return whole.value(group).toObject().contains(key) ||
+           (isCaries && whole.value(QLatin1String(kBothCaries)).toObject().contains(key));
+}
+
+QStringList leftOutOf(const QJsonObject& whole)
+{
+    QStringList left;
+    for (const Field& field : core::settings::feelFields()) {
+        if (says(whole, field))
+            continue;
+        const QString group = groupOf(field);
+        const auto fields = core::settings::feelFields();
+        const bool isAllOfIt = !group.isEmpty() && std::none_of(fields.begin(), fields.end(), [&](const Field& other) {
+            return groupOf(other) == group && says(whole, other);
+        });
+        left << (isAllOfIt ? group : QString::fromLatin1(field.id));
+    }
+    left.removeDuplicates();
+    return left;
+}
+
 /// A name stands in one line of a table.
 bool isOneLine(const std::string& name)
 {
@@ -125,7 +154,19 @@ ReadPreset readPresetText(const QByteArray& json, const QString& file)
         return complain(core::wordsOf(held.error()), QStringLiteral("force"));
     }
     read.preset = hashed(std::move(preset));
+    read.leftOut = leftOutOf(*whole);
     return read;
+}
+
+std::optional<Fault> leftOutFault(const ReadPreset& read)
+{
+    if (read.leftOut.isEmpty())
+        return std::nullopt;
+    return Fault{read.file,
+                 {},
+                 {QT_TRANSLATE_NOOP("Fault", "says nothing of %1: that is as shipped"),
+                  {noted(read.leftOut.join(QStringLiteral(", ")))}},
+                 false};
 }
 
 ReadPreset readPreset(const QString& path)

@@ -32,6 +32,9 @@ struct ReadPreset
     std::vector<Fault> faults;
     /// Sound, but for the bound: what is in the file all the same.
     std::optional<core::settings::FeelPreset> beyondBound{};
+    /// Numbers that the file does not say, so that they are as shipped: "pulp.threshold_n", or "pulp" where it says
+    /// nothing of it.
+    QStringList leftOut{};
 };
 
 /// Number by number and with its hash. What is left out is as shipped; "caries" stands for soft and firm alike, and a
@@ -40,6 +43,9 @@ struct ReadPreset
 /// @param file  what the faults call it
 [[nodiscard]] ReadPreset readPresetText(const QByteArray& json, const QString& file);
 [[nodiscard]] ReadPreset readPreset(const QString& file);
+
+/// A warning that names what the file leaves out, which may be meant so; nothing where it says all.
+[[nodiscard]] std::optional<Fault> leftOutFault(const ReadPreset& read);
 
 /// Whether it may be kept: a name that can be seen, numbers in their ranges, and within the bound.
 [[nodiscard]] core::Status checkPreset(const core::settings::FeelPreset& preset);

@@ -86,6 +86,12 @@ core::Result<Placed> place(FeelPreset preset, const std::vector<ReadPreset>& all
         isTaken = isTaken || other.preset->version == wanted;
     }
     preset.version = isTaken ? newest + 1 : wanted;
+    if (preset.version > kNewestPresetVersion)
+        return core::unexpected(
+            core::ErrorCode::OutOfRange,
+            core::Words{QT_TRANSLATE_NOOP("Fault", "%1 has the last version that there can be, %2; keep this under "
+                                                   "another name"),
+                        {core::noted(preset.name), noted(kNewestPresetVersion)}});
     if (auto sound = checkPreset(preset); !sound)
         return tl::unexpected(sound.error());
     return Placed{hashed(std::move(preset))};

@@ -23,7 +23,7 @@ struct Placed
     bool isThere = false;               ///< nothing is left to do
 };
 /// Where its version is taken by another content, or is 0, it becomes the next version of its name; what is as that
-/// version, or as the newest, is there already. Errors: checkPreset().
+/// version, or as the newest, is there already. Errors: checkPreset(), and OutOfRange where no version is left.
 /// @param all  as shelved() puts them
 [[nodiscard]] core::Result<Placed> place(core::settings::FeelPreset preset, const std::vector<ReadPreset>& all);
 

@@ -105,7 +105,9 @@ int checkPresets(const QStringList& arguments)
     QJsonArray list;
     QString text;
     for (const QString& file : parser.positionalArguments()) {
-        const lessons::ReadPreset read = lessons::readPreset(file);
+        lessons::ReadPreset read = lessons::readPreset(file);
+        if (const auto left = lessons::leftOutFault(read))
+            read.faults.push_back(*left);
         isSound = isSound && read.preset;
         QJsonObject object{{"file", file}, {"sound", read.preset.has_value()}, {"faults", toJson(read.faults)}};
         text += toText(read.faults);

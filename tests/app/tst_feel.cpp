@@ -307,6 +307,8 @@ void TestFeel::whatIsWrongWithAFileStaysToBeRead()
     QTRY_COMPARE(page().draft().name, std::string("slip"));
     QVERIFY2(fault->text().contains("slip.json, enamell: ") && fault->text().contains("did you mean \"enamel\"?"),
              qPrintable(fault->text()));
+    const QString detail = child<QLabel>("presetFaultDetail")->text();
+    QVERIFY2(detail.contains("says nothing of ") && detail.contains("pulp"), qPrintable(detail));
     const auto* bar = child<ui::shell::MessageBar>();
     QVERIFY2(bar->sentence().contains("was kept: slip"), qPrintable(bar->sentence()));
     import(R"({"force": {"stiffness_n_per_mm": 15}})");

@@ -50,6 +50,12 @@ void TestPresetCommand::listsShowsAndChecks()
     const QJsonObject checked = runCusp({"preset", "check", bad, "--json"}).json()["presets"].toArray()[0].toObject();
     QCOMPARE(checked["sound"].toBool(), false);
     QCOMPARE(checked["faults"].toArray().size(), 1);
+    // What is not in the file is sound, and told.
+    QVERIFY(file.open(QIODevice::WriteOnly) && file.write(R"({"force": {"stiffness_n_per_mm": 1.5}})") > 0);
+    file.close();
+    const Ending sparse = runCusp({"preset", "check", bad});
+    QCOMPARE(sparse.exitCode, 0);
+    QVERIFY2(sparse.out.contains("says nothing of ") && sparse.out.contains("pulp"), sparse.out);
 }
 
 void TestPresetCommand::wrongUsageIsExplained()

@@ -128,6 +128,16 @@ void TestPresets::whatIsLeftOutIsAsShipped()
     QCOMPARE(both.preset->firmCariesRate, 4.5);
     QCOMPARE(both.preset->enamelFromN, 0.2);
     QCOMPARE(both.preset->enamelRate, FeelPreset{}.enamelRate);
+    // Which may be meant so, and is told.
+    QVERIFY(!both.leftOut.contains("enamel") && both.leftOut.contains("enamel.rate_mm3_per_ns"));
+    QVERIFY(both.leftOut.contains("pulp") && both.leftOut.contains("soft_caries.threshold_n"));
+    QVERIFY(!both.leftOut.contains("soft_caries.rate_mm3_per_ns"));
+    QJsonObject all = lessons::toJson(hardTooth());
+    QVERIFY(!lessons::leftOutFault(lessons::readPresetText(written(all), "x")));
+    all.remove("pulp");
+    const auto fault = lessons::leftOutFault(lessons::readPresetText(written(all), "x"));
+    QVERIFY(fault && !fault->grave);
+    QCOMPARE(fault->english(), QString("says nothing of pulp: that is as shipped"));
 }
 
 void TestPresets::cutAnywhereIsAFault()
@@ -259,6 +269,16 @@ void TestPresets::anImportKeepsItsNumberIfThatIsFree()
     QCOMPARE(shelf.list().size(), std::size_t{2});
     theirs.notes = "another of the same number";
     QCOMPARE(shelf.save(theirs).value().version, 8);
+    // After the last number there is none.
+    theirs.name = "worn out";
+    theirs.version = lessons::kNewestPresetVersion;
+    QVERIFY(shelf.save(theirs));
+    theirs.version = 0;
+    theirs.enamelRate *= 0.9;
+    const auto none = shelf.save(theirs);
+    QVERIFY(!none);
+    QVERIFY2(none.error().detail.find("keep this under another name") != std::string::npos,
+             none.error().detail.c_str());
 }
 
 void TestPresets::aFolderOfStrangersIsHarmless()

@@ -459,6 +459,7 @@ void TestTexts::faultsAreToldInEveryLanguage()
     for (const QByteArray json : {R"({"format": 9})", R"({"kind": "x"})", R"({"name": ""})",
                                   R"({"force": {"stiffness_n_per_mm": 15}})", R"({"enamel": {"rate_mm3_per_ns": -1}})"})
         faults.push_back(lessons::readPresetText(json, "a.cusppreset").faults.front());
+    faults.push_back(*lessons::leftOutFault(lessons::readPresetText("{}", "a.cusppreset")));
     for (const char* rubric : {R"({"id": "r", "title": "R"})",
                                R"({"id": "r", "title": "R", "criteria": [{"id": "c", "measure": "caries_left_percent",
                                    "weight": 90}]})",
