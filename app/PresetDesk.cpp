@@ -28,6 +28,9 @@ using ui::shell::MainWindow;
 
 const QString kInUse = QStringLiteral("presets/inUse");  ///< of who practises without a login
 const std::string kSchoolsInUse = "preset.in_use";       ///< among the school's settings
+/// The same: names, one a line.
+const std::string kSchoolsRetired = "preset.retired";
+constexpr qsizetype kLongestRetired = 16'000;  ///< characters of all those names
 constexpr int kTries = 16;
 constexpr int kLongestWaitMs = 1500;  ///< that a tooth waits for what it is to feel like
 
@@ -72,6 +75,37 @@ core::Result<FeelPreset> keepInSchool(const School& school, const Session& who, 
     return tl::unexpected(why);
 }
 
+QStringList retiredIn(const std::string& setting)
+{
+    return QString::fromStdString(setting).split(u'\n', Qt::SkipEmptyParts);
+}
+
+/// Another admin may retire another at the same time. Not what is in use: OutOfRange.
+core::Result<bool> retireInSchool(const School& school, const Session& who, const QString& name, bool isRetired)
+{
+    for (int attempt = 0; attempt < kTries; ++attempt) {
+        auto settings = database::sql::readSettings(school, who);
+        if (!settings)
+            return tl::unexpected(settings.error());
+        if (isRetired && lessons::presetUsed((*settings)[kSchoolsInUse], false).name == name)
+            return false;
+        const std::string before = (*settings)[kSchoolsRetired];
+        QStringList retired = retiredIn(before);
+        retired.removeAll(name);
+        if (isRetired)
+            retired << name;
+        const QString all = retired.join(u'\n');
+        if (all.size() > kLongestRetired)
+            return false;
+        const auto replaced = database::sql::replaceSetting(school, who, kSchoolsRetired, all.toStdString(), before);
+        if (!replaced)
+            return tl::unexpected(replaced.error());
+        if (replaced->isDone)
+            return true;
+    }
+    return core::unexpected(core::ErrorCode::Busy, "others are changing which presets are retired");
+}
+
 /// What reading it would find, were it kept.
 ReadPreset readBack(FeelPreset preset)
 {
@@ -108,6 +142,7 @@ void PresetDesk::connectPage()
     connect(&m_window, &MainWindow::presetUseWanted, this,
             [this](const FeelPreset& preset) { use(QString::fromStdString(nameOf(preset)), {}); });
     connect(&m_window, &MainWindow::presetSaveWanted, this, [this](const FeelPreset& preset) { keep(preset, {}); });
+    connect(&m_window, &MainWindow::presetRetireWanted, this, &PresetDesk::retire);
     connect(&m_window, &MainWindow::presetImportWanted, this, &PresetDesk::import);
     connect(&m_window, &MainWindow::presetExportWanted, this, &PresetDesk::exportTo);
 }
@@ -147,7 +182,9 @@ void PresetDesk::read(bool tellsFault)
     const Session who = m_who();
     m_window.setMayKeepPresets(who, who.isGuest() || who.role() == Role::Admin);
     // His own first: he has chosen it himself.
-    const auto takeWith = [this, who](std::vector<ReadPreset> all, QString inUse) {
+    const auto takeWith = [this, who](std::vector<ReadPreset> all, QString inUse, const QStringList& retired = {}) {
+        for (ReadPreset& one : all)
+            one.isRetired = one.preset && retired.contains(QString::fromStdString(one.preset->name));
         if (who.isGuest()) {
             for (ReadPreset& own : m_folder.list())
                 if (!own.file.isEmpty())
@@ -164,6 +201,7 @@ void PresetDesk::read(bool tellsFault)
     {
         std::vector<ReadPreset> all;
         QString inUse;
+        QStringList retired;
     };
     ++m_asked;
     m_school->ask(
@@ -173,12 +211,13 @@ void PresetDesk::read(bool tellsFault)
             auto settings = database::sql::readSettings(school, who);
             if (!all || !settings)
                 return tl::unexpected(all ? settings.error() : all.error());
-            return Found{std::move(*all), QString::fromStdString((*settings)[kSchoolsInUse])};
+            return Found{std::move(*all), QString::fromStdString((*settings)[kSchoolsInUse]),
+                         retiredIn((*settings)[kSchoolsRetired])};
         },
         [this, who, takeWith, tellsFault](const core::Result<Found>& found) {
             if (who.person() == m_who().person()) {
                 if (found)
-                    takeWith(found->all, found->inUse);
+                    takeWith(found->all, found->inUse, found->retired);
                 else if (m_all.empty())
                     takeWith({}, {});
                 else if (tellsFault)  // what was in use is so still: nobody is to drill otherwise than his class
@@ -248,6 +287,33 @@ void PresetDesk::tellUsed(const QString& name, const QString& before, const QStr
         m_window.showMessage(said);
     else
         m_window.showUndoable(said, [this, name, before] { use(before, name); });
+}
+
+/// In all its versions. What was made with it goes on naming it.
+void PresetDesk::retire(const QString& name, bool isRetired)
+{
+    if (!m_school)
+        return;
+    m_school->ask(
+        this,
+        [who = m_who(), name, isRetired](const School& school) { return retireInSchool(school, who, name, isRetired); },
+        [this, name, isRetired](const core::Result<bool>& done) {
+            if (!done) {
+                m_window.showPresetFault(ui::text::errorText(done.error(), ui::text::Failed::ChangingSchool));
+                return;
+            }
+            refresh();
+            if (!*done) {
+                m_window.showPresetFault(
+                    tr("%1 was not retired: teeth feel like it now, or too many are retired.").arg(name));
+                return;
+            }
+            m_window.showPresetFault({});
+            m_window.showUndoable(isRetired
+                                      ? tr("%1 is offered to nobody any more. Attempts go on naming it.").arg(name)
+                                      : tr("%1 is offered again.").arg(name),
+                                  [this, name, isRetired] { retire(name, !isRetired); });
+        });
 }
 
 void PresetDesk::keep(const FeelPreset& preset, const QString& note)

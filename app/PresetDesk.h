@@ -50,6 +50,7 @@ private:
     void take(std::vector<lessons::ReadPreset> all, const QString& inUse);
     void use(const QString& name, const std::optional<QString>& insteadOf);
     void tellUsed(const QString& name, const QString& before, const QString& said);
+    void retire(const QString& name, bool isRetired);
     /// @param note  what its file deserves a look for; may be empty
     void keep(const core::settings::FeelPreset& preset, const QString& note);
     void tellKept(const core::Result<core::settings::FeelPreset>& kept, const QString& note);

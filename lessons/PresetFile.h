@@ -35,6 +35,7 @@ struct ReadPreset
     /// Numbers that the file does not say, so that they are as shipped: "pulp.threshold_n", or "pulp" where it says
     /// nothing of it.
     QStringList leftOut{};
+    bool isRetired = false;  ///< by the school: attempts go on naming it, and nobody is offered it
 };
 
 /// Number by number and with its hash. What is left out is as shipped; "caries" stands for soft and firm alike, and a

@@ -144,7 +144,7 @@ QStringList namesOf(const std::vector<ReadPreset>& all)
 {
     QStringList names;
     for (const ReadPreset& read : all)
-        if (read.preset)
+        if (read.preset && !read.isRetired)
             names << QString::fromStdString(read.preset->name);
     names.removeDuplicates();
     return names;

@@ -27,7 +27,7 @@ struct Placed
 /// @param all  as shelved() puts them
 [[nodiscard]] core::Result<Placed> place(core::settings::FeelPreset preset, const std::vector<ReadPreset>& all);
 
-/// Each name once, in their order.
+/// Each name once, in their order; not those that are retired.
 [[nodiscard]] QStringList namesOf(const std::vector<ReadPreset>& all);
 
 /// The newest version of that name, or the version that "name v2" asks for. UnknownName lists the names there are.

@@ -155,6 +155,7 @@ private slots:
     void theSchoolsPresetIsTheAdmins();
     void theNextToothFeelsAsWasChosenElsewhere();
     void whatAnotherAdminHasChosenIsNotUndone();
+    void aPresetIsRetiredAndTakenUpAgain();
     void whatIsGivenIsDueAndLimited();
     void noneBeginsAgainWhenTheAttemptsAreUsedUp();
     void aPresetGivesNoAttemptBack();
@@ -1779,6 +1780,57 @@ void TestSchool::whatAnotherAdminHasChosenIsNotUndone()
     undo();
     QTRY_VERIFY2_WITH_TIMEOUT(message().contains("hard, version 1"), qPrintable(message()), kPatienceMs);
     QCOMPARE(inUse(), QString("hard v1"));
+}
+
+void TestSchool::aPresetIsRetiredAndTakenUpAgain()
+{
+    chooseElsewhere("junk");
+    chooseElsewhere("hard");
+    start();
+    logIn("admin");
+    toTheTooth();
+    actions().presets->trigger();
+    auto* list = child<QListWidget>("presetList");
+    const auto rowOf = [list](const QString& name) {
+        for (int row = 0; row < list->count(); ++row)
+            if (list->item(row)->text().startsWith(name))
+                return row;
+        return -1;
+    };
+    const auto isOffered = [this](const QString& preset) {
+        return child<QComboBox>("presetOther")->findText(preset) >= 0;
+    };
+    auto* retire = child<QPushButton>("presetRetire");
+    QTRY_VERIFY_WITH_TIMEOUT(rowOf("junk") >= 0 && rowOf("hard") >= 0, kPatienceMs);
+    list->setCurrentRow(rowOf("hard"));
+    QVERIFY(!retire->isEnabled());  // it is in use
+    list->setCurrentRow(rowOf("natural"));
+    QVERIFY(!retire->isEnabled());
+    list->setCurrentRow(rowOf("junk"));
+    QVERIFY(isOffered("junk v1"));
+    retire->click();
+    QTRY_VERIFY2_WITH_TIMEOUT(message().contains("junk is offered to nobody"), qPrintable(message()), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(!isOffered("junk v1"), kPatienceMs);
+    QVERIFY(list->item(rowOf("junk"))->text().contains("retired"));
+    QVERIFY(!child<QPushButton>("presetUse")->isEnabled());
+    leaveFor("sam");
+    toTheTooth();
+    actions().presets->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(rowOf("hard") >= 0 && rowOf("junk") < 0, kPatienceMs);
+    QVERIFY(!retire->isVisible());
+    leaveFor("admin");
+    toTheTooth();
+    actions().presets->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(rowOf("junk") >= 0, kPatienceMs);
+    list->setCurrentRow(rowOf("junk"));
+    QCOMPARE(retire->text(), QString("Take up again"));
+    retire->click();
+    QTRY_VERIFY_WITH_TIMEOUT(isOffered("junk v1"), kPatienceMs);
+    // Chosen at another station meanwhile, it is not retired.
+    chooseElsewhere("junk");
+    retire->click();
+    QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("presetFault")->text().contains("not retired"), kPatienceMs);
+    QCOMPARE(count("settings WHERE name = 'preset.retired' AND value = ''"), 1);
 }
 
 /// A teacher gives a class a lesson, due yesterday, to be tried once.

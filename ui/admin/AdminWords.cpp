@@ -56,6 +56,7 @@ constexpr std::array kSettings{
     // What a login by a name that nobody has is compared with, so that it takes as long as any other.
     std::pair{"password.decoy", QT_TRANSLATE_NOOP("Admin", "how long a login by a name that nobody has takes")},
     std::pair{"preset.in_use", QT_TRANSLATE_NOOP("Admin", "the preset that everybody uses")},
+    std::pair{"preset.retired", QT_TRANSLATE_NOOP("Admin", "which presets are retired")},
 };
 
 constexpr std::array kKinds{

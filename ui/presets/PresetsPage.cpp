@@ -143,12 +143,15 @@ QWidget* PresetsPage::makeList()
     column->addWidget(m_list, 1);
     m_import = button("", "presetImport", side);
     m_export = button("", "presetExport", side);
+    m_retire = button("", "presetRetire", side);
+    connect(m_retire, &QPushButton::clicked, this, [this] { emit retireWanted(nameOf(m_base), !isRetired()); });
     connect(m_import, &QPushButton::clicked, this, &PresetsPage::importWanted);
     connect(m_export, &QPushButton::clicked, this, [this] { emit exportWanted(m_base); });
     auto* buttons = new QVBoxLayout;
     buttons->setSpacing(kSpace2);
     buttons->addWidget(m_import);
     buttons->addWidget(m_export);
+    buttons->addWidget(m_retire);
     column->addLayout(buttons);
     text::inEveryLanguage(side, [this] {
         m_list->setAccessibleName(tr("Hardness presets and their versions"));
@@ -413,6 +416,10 @@ void PresetsPage::setPresets(std::vector<lessons::ReadPreset> all, const FeelPre
     const bool follows =
         m_all.empty() || (!isChanged() && isSameVersion(m_base, m_inUse) && !isSameVersion(m_inUse, inUse));
     m_all = std::move(all);
+    if (!m_mayRetire)
+        std::erase_if(m_all, [&](const lessons::ReadPreset& read) {
+            return read.isRetired && read.preset && !isSameVersion(*read.preset, inUse);
+        });
     m_inUse = inUse;
     fill();
     if (follows)
@@ -442,6 +449,9 @@ void PresetsPage::fill()
             standing << tr("in use");
         if (read.file.isEmpty())
             standing << tr("shipped");
+        if (read.isRetired)
+            //: A hardness preset that nobody is offered any more
+            standing << tr("retired");
         QStringList lines{nameOf(*read.preset), tr("version %1").arg(read.preset->version)};
         if (!standing.isEmpty())  // behind the version there is room for it in English alone
             lines << standing.join(QStringLiteral(" · "));
@@ -450,6 +460,8 @@ void PresetsPage::fill()
         item->setToolTip(brokenIntoLines((QStringList(presetWords(*read.preset)) + standing).join(u" · ")));
         if (isSameVersion(*read.preset, m_base))
             m_list->setCurrentItem(item);
+        if (read.isRetired)
+            continue;
         m_other->addItem(QStringLiteral("%1 v%2").arg(nameOf(*read.preset)).arg(read.preset->version),
                          static_cast<int>(k));
     }
@@ -621,6 +633,21 @@ bool PresetsPage::isNewest() const
     });
 }
 
+bool PresetsPage::isRetired() const
+{
+    return std::any_of(m_all.begin(), m_all.end(), [&](const lessons::ReadPreset& read) {
+        return read.isRetired && read.preset && read.preset->name == m_base.name;
+    });
+}
+
+/// Not what is in use or shipped, in any of its versions.
+bool PresetsPage::mayBeRetired() const
+{
+    const auto isNamedSo = [this](const FeelPreset& preset) { return preset.name == m_base.name; };
+    const auto& shipped = lessons::shippedPresets();
+    return !isNamedSo(m_inUse) && std::none_of(shipped.begin(), shipped.end(), isNamedSo);
+}
+
 /// What the sliders may start from, so that a version stands as far from what it came from as it has been turned
 /// altogether, however often it was kept on the way: what is shipped, then its own versions, the oldest first.
 std::vector<FeelPreset> PresetsPage::origins() const
@@ -657,7 +684,14 @@ void PresetsPage::tell()
                                  : tr("An admin keeps the school's presets"));
     enable(m_try, held && isNamed, m_list);
     offerOther();
-    enable(m_use, m_mayKeep && !isChanged() && !isSameVersion(m_base, m_inUse), m_list);
+    enable(m_use, m_mayKeep && !isChanged() && !isSameVersion(m_base, m_inUse) && !isRetired(), m_list);
+    m_retire->setText(isRetired() ? tr("Take up again") : tr("Retire"));
+    m_retire->setAccessibleName(isRetired() ? tr("Offer this preset again") : tr("Retire this preset"));
+    m_retire->setToolTip(!mayBeRetired() ? tr("What is in use or shipped is not retired")
+                         : isRetired()   ? tr("It is offered again, in all its versions")
+                                         : tr("Nobody is offered it any more; attempts go on naming it"));
+    m_retire->setVisible(m_mayRetire);
+    enable(m_retire, isRetired() || mayBeRetired(), m_list);
     enable(m_export, !isChanged(), m_list);
     enable(m_import, m_mayKeep, m_list);
 }
@@ -697,6 +731,12 @@ void PresetsPage::fit()
 void PresetsPage::setMayKeep(bool may)
 {
     m_mayKeep = may;
+    tell();
+}
+
+void PresetsPage::setMayRetire(bool may)
+{
+    m_mayRetire = may;
     tell();
 }
 

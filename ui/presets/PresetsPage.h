@@ -51,6 +51,9 @@ public:
     /// The writer's versions can be kept, imported and put to use; else they are looked at and tried.
     void setMayKeep(bool may);
 
+    /// The school's presets can be retired, and are seen when they are.
+    void setMayRetire(bool may);
+
     /// What the writer has changed, and could keep, and has not: in a sentence. Empty: nothing.
     [[nodiscard]] QString unkept() const;
     /// What others have changed and could keep, each person's as an object.
@@ -72,6 +75,8 @@ signals:
     void saveWanted(const core::settings::FeelPreset& preset);
     /// Teeth are to feel like this from now on, unless a lesson says otherwise.
     void useWanted(const core::settings::FeelPreset& preset);
+    /// A preset in all its versions is to be offered to nobody any more, or again.
+    void retireWanted(const QString& name, bool isRetired);
     void importWanted();
     void exportWanted(const core::settings::FeelPreset& preset);
 
@@ -107,6 +112,8 @@ private:
     [[nodiscard]] bool isChanged() const;
     [[nodiscard]] Waiting own() const;
     [[nodiscard]] bool isNewest() const;
+    [[nodiscard]] bool isRetired() const;
+    [[nodiscard]] bool mayBeRetired() const;
     [[nodiscard]] std::vector<core::settings::FeelPreset> origins() const;
 
     std::vector<lessons::ReadPreset> m_all;
@@ -118,6 +125,7 @@ private:
     std::map<QString, Waiting> m_waiting;  ///< for who does not work here now
 
     bool m_mayKeep = true;
+    bool m_mayRetire = false;
     bool m_otherIsChosen = false;  ///< what to compare with, by hand
 
     QWidget* m_side = nullptr;  ///< with the list
@@ -143,6 +151,7 @@ private:
     QPushButton* m_use = nullptr;
     QPushButton* m_import = nullptr;
     QPushButton* m_export = nullptr;
+    QPushButton* m_retire = nullptr;
 };
 
 }  // namespace ui::presets

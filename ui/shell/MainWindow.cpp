@@ -781,6 +781,7 @@ void MainWindow::connectPresets()
                     emit presetTrialWanted(preset);
                 });
             });
+    connect(m_presets, &PresetsPage::retireWanted, this, &MainWindow::presetRetireWanted);
     connect(m_presets, &PresetsPage::compareWanted, this,
             [this](const core::settings::FeelPreset& first, const core::settings::FeelPreset& second, int trials) {
                 leaveWork([this, first, second, trials] {
@@ -955,6 +956,7 @@ void MainWindow::setMayKeepPresets(const database::Session& who, bool may)
 {
     m_presets->setWriter(QString::fromStdString(who.uid()));
     m_presets->setMayKeep(may);
+    m_presets->setMayRetire(may && !who.isGuest());
 }
 
 void MainWindow::beginTrial()

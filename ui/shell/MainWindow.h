@@ -342,6 +342,7 @@ signals:
     void presetSaveWanted(const core::settings::FeelPreset& preset);
     void presetUseWanted(const core::settings::FeelPreset& preset);
     void presetImportWanted(const QString& path);
+    void presetRetireWanted(const QString& name, bool isRetired);
     void presetExportWanted(const core::settings::FeelPreset& preset, const QString& path);
     /// A block to try this preset on is to be laid on the table; beginTrial() answers.
     void presetTrialWanted(const core::settings::FeelPreset& preset);
