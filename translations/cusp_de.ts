@@ -296,6 +296,10 @@
         <source>A class list has no such column. It has username, given_name, family_name, role and class.</source>
         <translation>Eine Klassenliste hat keine solche Spalte. Sie hat username, given_name, family_name, role und class.</translation>
     </message>
+    <message>
+        <source>which presets are retired</source>
+        <translation>welche Voreinstellungen ausgemustert sind</translation>
+    </message>
 </context>
 <context>
     <name>Block</name>
@@ -1528,6 +1532,14 @@
         <source>%1 %2</source>
         <extracomment>%1: the name of a file; %2: what is wrong with it: &quot;is empty&quot;</extracomment>
         <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>says nothing of %1: that is as shipped</source>
+        <translation>sagt nichts über %1: Das ist wie mitgeliefert</translation>
+    </message>
+    <message>
+        <source>%1 has the last version that there can be, %2; keep this under another name</source>
+        <translation>%1 hat die letzte mögliche Version, %2; speichern Sie dies unter einem anderen Namen</translation>
     </message>
 </context>
 <context>
@@ -2999,6 +3011,23 @@
     <message>
         <source>Not exported: the file cannot be written. Choose another folder, or make room on the disk.</source>
         <translation>Nicht exportiert: Die Datei kann nicht geschrieben werden. Wählen Sie einen anderen Ordner oder schaffen Sie Platz auf der Festplatte.</translation>
+    </message>
+    <message>
+        <source>Somebody else has chosen %1 for everybody here meanwhile. That stays.</source>
+        <extracomment>%1 is a hardness preset</extracomment>
+        <translation>Inzwischen hat jemand anderes für alle hier %1 gewählt. Das bleibt so.</translation>
+    </message>
+    <message>
+        <source>%1 was not retired: teeth feel like it now, or too many are retired.</source>
+        <translation>%1 wurde nicht ausgemustert: Zähne fühlen sich jetzt so an, oder es sind schon zu viele ausgemustert.</translation>
+    </message>
+    <message>
+        <source>%1 is offered to nobody any more. Attempts go on naming it.</source>
+        <translation>%1 wird niemandem mehr angeboten. Versuche nennen es weiterhin.</translation>
+    </message>
+    <message>
+        <source>%1 is offered again.</source>
+        <translation>%1 wird wieder angeboten.</translation>
     </message>
 </context>
 <context>
@@ -5633,6 +5662,39 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <source>What you have changed of the hardness preset %1 is not saved.</source>
         <extracomment>%1 is a hardness preset</extracomment>
         <translation>Was Sie an der Härte-Voreinstellung %1 geändert haben, ist nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>retired</source>
+        <extracomment>A hardness preset that nobody is offered any more</extracomment>
+        <translation>ausgemustert</translation>
+    </message>
+    <message>
+        <source>Take up again</source>
+        <translation>Wieder anbieten</translation>
+    </message>
+    <message>
+        <source>Retire</source>
+        <translation>Ausmustern</translation>
+    </message>
+    <message>
+        <source>Offer this preset again</source>
+        <translation>Diese Voreinstellung wieder anbieten</translation>
+    </message>
+    <message>
+        <source>Retire this preset</source>
+        <translation>Diese Voreinstellung ausmustern</translation>
+    </message>
+    <message>
+        <source>What is in use or shipped is not retired</source>
+        <translation>Was verwendet wird oder mitgeliefert ist, wird nicht ausgemustert</translation>
+    </message>
+    <message>
+        <source>It is offered again, in all its versions</source>
+        <translation>Sie wird wieder angeboten, in allen Versionen</translation>
+    </message>
+    <message>
+        <source>Nobody is offered it any more; attempts go on naming it</source>
+        <translation>Sie wird niemandem mehr angeboten; Versuche nennen sie weiterhin</translation>
     </message>
 </context>
 <context>
@@ -9296,6 +9358,22 @@ ungesichert</translation>
     <message>
         <source>The ideal is being made …</source>
         <translation>Das Ideal wird angelegt …</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::Words</name>
+    <message>
+        <source>%1 stays.</source>
+        <translation>%1 bleibt.</translation>
+    </message>
+    <message>
+        <source>Only whole numbers from %1 to %2 can be entered here.</source>
+        <extracomment>%1 and %2: the least and the greatest number, %2 with a unit</extracomment>
+        <translation>Hier sind nur ganze Zahlen von %1 bis %2 möglich.</translation>
+    </message>
+    <message>
+        <source>Only %1 to %2 can be entered here.</source>
+        <translation>Hier ist nur %1 bis %2 möglich.</translation>
     </message>
 </context>
 <context>

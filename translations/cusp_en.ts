@@ -294,6 +294,9 @@
     </message>
     <message>
         <source>A class list has no such column. It has username, given_name, family_name, role and class.</source>
+    </message>
+    <message>
+        <source>which presets are retired</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1527,6 +1530,14 @@
     <message>
         <source>%1 %2</source>
         <extracomment>%1: the name of a file; %2: what is wrong with it: &quot;is empty&quot;</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>says nothing of %1: that is as shipped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has the last version that there can be, %2; keep this under another name</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2998,6 +3009,23 @@
     </message>
     <message>
         <source>Not exported: the file cannot be written. Choose another folder, or make room on the disk.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Somebody else has chosen %1 for everybody here meanwhile. That stays.</source>
+        <extracomment>%1 is a hardness preset</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was not retired: teeth feel like it now, or too many are retired.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is offered to nobody any more. Attempts go on naming it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is offered again.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5623,6 +5651,39 @@ load NAME        feels a hardness preset that is kept</source>
     <message>
         <source>What you have changed of the hardness preset %1 is not saved.</source>
         <extracomment>%1 is a hardness preset</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>retired</source>
+        <extracomment>A hardness preset that nobody is offered any more</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take up again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Retire</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Offer this preset again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Retire this preset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is in use or shipped is not retired</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is offered again, in all its versions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody is offered it any more; attempts go on naming it</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9285,6 +9346,22 @@ unsaved</source>
     </message>
     <message>
         <source>The ideal is being made …</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::Words</name>
+    <message>
+        <source>%1 stays.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only whole numbers from %1 to %2 can be entered here.</source>
+        <extracomment>%1 and %2: the least and the greatest number, %2 with a unit</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only %1 to %2 can be entered here.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

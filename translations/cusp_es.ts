@@ -296,6 +296,10 @@
         <source>A class list has no such column. It has username, given_name, family_name, role and class.</source>
         <translation>Una lista de clase no tiene tal columna. Tiene username, given_name, family_name, role y class.</translation>
     </message>
+    <message>
+        <source>which presets are retired</source>
+        <translation>qué ajustes de dureza están retirados</translation>
+    </message>
 </context>
 <context>
     <name>Block</name>
@@ -1528,6 +1532,14 @@
         <source>%1 %2</source>
         <extracomment>%1: the name of a file; %2: what is wrong with it: &quot;is empty&quot;</extracomment>
         <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>says nothing of %1: that is as shipped</source>
+        <translation>no dice nada de %1: eso queda como viene con Cusp</translation>
+    </message>
+    <message>
+        <source>%1 has the last version that there can be, %2; keep this under another name</source>
+        <translation>%1 tiene la última versión posible, %2; guárdelo con otro nombre</translation>
     </message>
 </context>
 <context>
@@ -2999,6 +3011,23 @@
     <message>
         <source>Not exported: the file cannot be written. Choose another folder, or make room on the disk.</source>
         <translation>No se exportó: el archivo no se puede escribir. Elija otra carpeta o libere espacio en el disco.</translation>
+    </message>
+    <message>
+        <source>Somebody else has chosen %1 for everybody here meanwhile. That stays.</source>
+        <extracomment>%1 is a hardness preset</extracomment>
+        <translation>Mientras tanto, otra persona ha elegido %1 para todos aquí. Se queda así.</translation>
+    </message>
+    <message>
+        <source>%1 was not retired: teeth feel like it now, or too many are retired.</source>
+        <translation>%1 no se ha retirado: los dientes se sienten así ahora, o ya hay demasiados retirados.</translation>
+    </message>
+    <message>
+        <source>%1 is offered to nobody any more. Attempts go on naming it.</source>
+        <translation>%1 ya no se ofrece a nadie. Los intentos lo siguen nombrando.</translation>
+    </message>
+    <message>
+        <source>%1 is offered again.</source>
+        <translation>%1 se ofrece de nuevo.</translation>
     </message>
 </context>
 <context>
@@ -5633,6 +5662,39 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <source>What you have changed of the hardness preset %1 is not saved.</source>
         <extracomment>%1 is a hardness preset</extracomment>
         <translation>Lo que ha cambiado del ajuste de dureza %1 no está guardado.</translation>
+    </message>
+    <message>
+        <source>retired</source>
+        <extracomment>A hardness preset that nobody is offered any more</extracomment>
+        <translation>retirado</translation>
+    </message>
+    <message>
+        <source>Take up again</source>
+        <translation>Volver a ofrecer</translation>
+    </message>
+    <message>
+        <source>Retire</source>
+        <translation>Retirar</translation>
+    </message>
+    <message>
+        <source>Offer this preset again</source>
+        <translation>Volver a ofrecer este ajuste</translation>
+    </message>
+    <message>
+        <source>Retire this preset</source>
+        <translation>Retirar este ajuste</translation>
+    </message>
+    <message>
+        <source>What is in use or shipped is not retired</source>
+        <translation>Lo que está en uso o viene con Cusp no se retira</translation>
+    </message>
+    <message>
+        <source>It is offered again, in all its versions</source>
+        <translation>Se ofrece de nuevo, en todas sus versiones</translation>
+    </message>
+    <message>
+        <source>Nobody is offered it any more; attempts go on naming it</source>
+        <translation>Ya no se ofrece a nadie; los intentos lo siguen nombrando</translation>
     </message>
 </context>
 <context>
@@ -9296,6 +9358,22 @@ sin guardar</translation>
     <message>
         <source>The ideal is being made …</source>
         <translation>Se está creando el ideal …</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::Words</name>
+    <message>
+        <source>%1 stays.</source>
+        <translation>Se queda %1.</translation>
+    </message>
+    <message>
+        <source>Only whole numbers from %1 to %2 can be entered here.</source>
+        <extracomment>%1 and %2: the least and the greatest number, %2 with a unit</extracomment>
+        <translation>Aquí solo se admiten números enteros de %1 a %2.</translation>
+    </message>
+    <message>
+        <source>Only %1 to %2 can be entered here.</source>
+        <translation>Aquí solo se admite de %1 a %2.</translation>
     </message>
 </context>
 <context>

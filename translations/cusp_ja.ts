@@ -295,6 +295,10 @@
         <source>A class list has no such column. It has username, given_name, family_name, role and class.</source>
         <translation>クラス名簿にこの列はありません。列は username、given_name、family_name、role、class です。</translation>
     </message>
+    <message>
+        <source>which presets are retired</source>
+        <translation>使わないプリセット</translation>
+    </message>
 </context>
 <context>
     <name>Block</name>
@@ -1526,6 +1530,14 @@
         <source>%1 %2</source>
         <extracomment>%1: the name of a file; %2: what is wrong with it: &quot;is empty&quot;</extracomment>
         <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>says nothing of %1: that is as shipped</source>
+        <translation>%1 の記載がありません。それらは付属の値になります</translation>
+    </message>
+    <message>
+        <source>%1 has the last version that there can be, %2; keep this under another name</source>
+        <translation>%1 は最後のバージョン %2 に達しています。別の名前で保存してください</translation>
     </message>
 </context>
 <context>
@@ -2985,6 +2997,23 @@
     <message>
         <source>Not exported: the file cannot be written. Choose another folder, or make room on the disk.</source>
         <translation>書き出されませんでした。ファイルに書き込めません。別のフォルダを選ぶか、ディスクの空きを作ってください。</translation>
+    </message>
+    <message>
+        <source>Somebody else has chosen %1 for everybody here meanwhile. That stays.</source>
+        <extracomment>%1 is a hardness preset</extracomment>
+        <translation>その間に別の人が全員用に %1 を選びました。それはそのままです。</translation>
+    </message>
+    <message>
+        <source>%1 was not retired: teeth feel like it now, or too many are retired.</source>
+        <translation>%1 は外せませんでした。今の歯の感触に使われているか、外したものが多すぎます。</translation>
+    </message>
+    <message>
+        <source>%1 is offered to nobody any more. Attempts go on naming it.</source>
+        <translation>%1 は今後だれにも表示されません。これまでの試行にはその名前が残ります。</translation>
+    </message>
+    <message>
+        <source>%1 is offered again.</source>
+        <translation>%1 はまた選べます。</translation>
     </message>
 </context>
 <context>
@@ -5591,6 +5620,39 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <source>What you have changed of the hardness preset %1 is not saved.</source>
         <extracomment>%1 is a hardness preset</extracomment>
         <translation>硬さプリセット「%1」の変更は保存されていません。</translation>
+    </message>
+    <message>
+        <source>retired</source>
+        <extracomment>A hardness preset that nobody is offered any more</extracomment>
+        <translation>使用終了</translation>
+    </message>
+    <message>
+        <source>Take up again</source>
+        <translation>再び使う</translation>
+    </message>
+    <message>
+        <source>Retire</source>
+        <translation>使用を終える</translation>
+    </message>
+    <message>
+        <source>Offer this preset again</source>
+        <translation>このプリセットを再び使う</translation>
+    </message>
+    <message>
+        <source>Retire this preset</source>
+        <translation>このプリセットの使用を終える</translation>
+    </message>
+    <message>
+        <source>What is in use or shipped is not retired</source>
+        <translation>使用中または付属のものは外せません</translation>
+    </message>
+    <message>
+        <source>It is offered again, in all its versions</source>
+        <translation>すべてのバージョンがまた選べるようになります</translation>
+    </message>
+    <message>
+        <source>Nobody is offered it any more; attempts go on naming it</source>
+        <translation>だれにも表示されなくなります。これまでの試行には名前が残ります</translation>
     </message>
 </context>
 <context>
@@ -9229,6 +9291,22 @@ unsaved</source>
     <message>
         <source>The ideal is being made …</source>
         <translation>理想形を作成しています …</translation>
+    </message>
+</context>
+<context>
+    <name>ui::study::Words</name>
+    <message>
+        <source>%1 stays.</source>
+        <translation>%1 のままです。</translation>
+    </message>
+    <message>
+        <source>Only whole numbers from %1 to %2 can be entered here.</source>
+        <extracomment>%1 and %2: the least and the greatest number, %2 with a unit</extracomment>
+        <translation>ここに入力できるのは %1 ～ %2 の整数だけです。</translation>
+    </message>
+    <message>
+        <source>Only %1 to %2 can be entered here.</source>
+        <translation>ここに入力できるのは %1 ～ %2 だけです。</translation>
     </message>
 </context>
 <context>
