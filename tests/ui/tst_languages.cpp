@@ -485,7 +485,7 @@ void TestLanguages::pages()
                             QString::fromStdString(lessons::shippedPresets().front().hash).left(8),
                             "synthetic",
                             child<QLineEdit>("draftTitle")->text(),
-                            "get   help   list   load   plot   reset   save   set   unwatch   watch"};
+                            "export   get   help   list   load   plot   reset   save   set   unwatch   watch"};
     for (const QInputDevice* device : QInputDevice::devices())
         for (const QString& word : device->name().split(u' '))
             fromOutside << word;
