@@ -133,6 +133,7 @@ private slots:
     void chartIsSavedAndWalkedWithKeys();
     void noWordOfTheLegendBreaks();
     void everyControlHasAName();
+    void whatIsRetiredIsOfferedToNobody();
 };
 
 void TestPresetsPage::initTestCase()
@@ -930,6 +931,38 @@ void TestPresetsPage::everyControlHasAName()
             if ((widget->focusPolicy() & Qt::TabFocus) != 0 && !widget->objectName().startsWith("qt_"))
                 QVERIFY2(!widget->accessibleName().isEmpty(),
                          qPrintable(QString("%1 %2").arg(widget->metaObject()->className(), widget->objectName())));
+}
+
+void TestPresetsPage::whatIsRetiredIsOfferedToNobody()
+{
+    Room room;
+    auto* retire = room.find<QPushButton>("presetRetire");
+    auto* list = room.find<QListWidget>("presetList");
+    const auto* other = room.find<QComboBox>("presetOther");
+    QVERIFY(!retire->isVisible());  // nobody but an admin
+    auto shelf = Room::shelf();
+    shelf[0].isRetired = shelf[1].isRetired = true;
+    room.page.setPresets(shelf, lessons::shippedPresets().front());
+    QCOMPARE(list->count(), 2);
+    QVERIFY(other->findText("hard v1") < 0);
+    room.page.setMayRetire(true);
+    room.page.setPresets(shelf, lessons::shippedPresets().front());
+    QCOMPARE(list->count(), 4);
+    QVERIFY(list->item(0)->text().contains("retired") && other->findText("hard v1") < 0);
+    QVERIFY(retire->isVisible() && !retire->isEnabled());  // what is shipped stays
+    list->setCurrentRow(0);
+    QVERIFY(!room.find<QPushButton>("presetUse")->isEnabled());
+    QSignalSpy wanted(&room.page, &presets::PresetsPage::retireWanted);
+    QTest::mouseClick(retire, Qt::LeftButton);
+    room.page.setPresets(Room::shelf(), lessons::shippedPresets().front());
+    QTest::mouseClick(retire, Qt::LeftButton);
+    QCOMPARE(wanted.count(), 2);
+    QCOMPARE(wanted[0], (QVariantList{"hard", false}));
+    QCOMPARE(wanted[1], (QVariantList{"hard", true}));
+    // In use it stays to be seen by everybody.
+    room.page.setMayRetire(false);
+    room.page.setPresets(shelf, named("hard", 1, 0.5));
+    QCOMPARE(list->count(), 3);
 }
 
 QTEST_MAIN(TestPresetsPage)
