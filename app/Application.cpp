@@ -754,7 +754,9 @@ void Application::leave()
                 return true;
             },
             [](const core::Result<bool>&) {});
-    stopJournal(false);
+    // The note that it is graded may still be on its way: behind a replay, say.
+    const bool isKept = isAsGraded() && (m_graded->keeping == Keeping::Waiting || m_graded->keeping == Keeping::Kept);
+    stopJournal(isKept);
     ++m_loading;  // what was being made for him opens for nobody else
     m_window->stopBusy();
     m_who = {};
@@ -922,6 +924,8 @@ void Application::openTooth(const core::teeth::ToothSource& source, const std::o
                 }
                 m_source = source;
                 m_tried = tried;
+                if (!tried && file.isEmpty())  // a scan may be of somebody's patient
+                    m_practised = built->anatomy;
                 takeTooth(*built);
                 if (tried)
                     m_window->beginTrial();
@@ -1113,8 +1117,6 @@ void Application::refuse(const core::Error& error, Failed failed, const QString&
 
 void Application::takeTooth(const core::teeth::BuiltTooth& built)
 {
-    if (!m_tried)
-        m_practised = built.anatomy;
     const auto practice = lessons::practiceOn(built.anatomy);
     if (practice)
         begin(*practice, notesOf(built.report), built.report.placement.unitDoubtful);
@@ -1396,8 +1398,13 @@ void Application::finish(const std::optional<ui::study::Expectation>& expected)
                  m_tried ? std::nullopt : std::optional(lessons::presetUsed(done->recording)), m_assignment.exercise},
                 done->recording,
                 found.practised};
-    showGrade();
-    keepGrade();
+    const bool isExam = m_assignment.lesson && m_assignment.lesson->exam;
+    if (isExam)
+        keepExam();
+    else {
+        showGrade();
+        keepGrade();
+    }
     m_explainer.explain(m_assignment, m_graded->recording, m_graded->work.tooth, conduct);
 }
 
@@ -1454,71 +1461,107 @@ void Application::keepGrade()
         m_options.simulatedDevice || m_tried || m_graded->isOverLimit || (m_who.isGuest() && (isExam || m_isTakenUp));
     m_graded->keeping = !m_desk || isNobodys ? Keeping::Nowhere : m_who.isGuest() ? Keeping::Guest : Keeping::Pending;
     tellKeeping();
-    if (m_graded->keeping == Keeping::Pending)
-        send(std::make_shared<const Letter>(Letter{m_who, m_graded->record, m_graded->recording, m_graded->generation,
-                                                   m_graded->hash,
-                                                   m_journal ? m_journal->file() : std::filesystem::path()}));
-    else if (m_graded->generation == m_ownGeneration)
+    if (m_graded->keeping != Keeping::Pending)
+        noteGraded();
+    else if (m_letters.count(m_graded->record.uid) == 0)  // else it is tried again and again as it is
+        send(std::make_shared<const Letter>(
+            Letter{m_who, m_graded->record, m_graded->recording, m_graded->generation,
+                   m_journal ? m_journal->fileOf(m_graded->generation) : std::filesystem::path()}));
+}
+
+/// Whose program is killed before his exam is kept has not seen its score, and may go on with it; whoever has seen it
+/// may not, whatever the disk says.
+void Application::keepExam()
+{
+    keepGrade();
+    m_scoreToShow = m_graded->record.uid;
+    if (m_graded->keeping != Keeping::Pending)
+        showExamsScore(m_scoreToShow);
+    else
+        QTimer::singleShot(kLongestLookMs, this, [this, uid = m_scoreToShow] { showExamsScore(uid); });
+}
+
+void Application::showExamsScore(const std::string& uid)
+{
+    if (m_scoreToShow != uid || !m_graded || m_graded->record.uid != uid)
+        return;
+    m_scoreToShow.clear();
+    noteGraded();
+    showGrade();
+}
+
+/// On its recording, and so in its journal: it is not offered to be gone on with.
+void Application::noteGraded()
+{
+    if (m_graded->generation == m_ownGeneration)
         static_cast<void>(m_links.commands.tryPush(core::session::AddNote{core::session::kGradedNote}));
 }
 
 /// Into the outbox. What the disk refuses is offered to it again, whoever works here by then: there may be room.
-void Application::send(const std::shared_ptr<const Letter>& letter, bool isAgain)
+void Application::send(const std::shared_ptr<const Letter>& letter)
 {
+    const bool isAgain = !m_letters.emplace(letter->record.uid, letter).second;
     m_desk->keep(this, letter->who, letter->record, letter->recording,
-                 [this, letter, isAgain](const core::Status& kept) {
-                     const bool isOfCard = m_graded && m_graded->record.uid == letter->record.uid;
-                     if (kept)
-                         endJournal(*letter);
-                     else
-                         QTimer::singleShot(kKeepAgainMs, this, [this, letter] { send(letter, true); });
-                     if (!kept && !isAgain && m_who == letter->who)
-                         m_window->showNotKept(kept.error());
-                     if (!isOfCard || (m_graded->keeping != Keeping::Pending && m_graded->keeping != Keeping::Nowhere))
-                         return;
-                     m_graded->keeping = kept ? Keeping::Waiting : Keeping::Nowhere;
-                     tellKeeping();
-                     if (!kept)
-                         return;
-                     m_window->forgetNotKept();
-                     if (isAgain)
-                         m_window->showMessage(tr("The grade that could not be kept is kept now."));
-                 });
+                 [this, letter, isAgain](const core::Status& kept) { takeKept(letter, isAgain, kept); });
 }
 
-/// What is kept is not offered to be gone on with; what is not could be. What was cut on since is another attempt,
-/// unless it was an exam, which ends with its score.
+void Application::takeKept(const std::shared_ptr<const Letter>& letter, bool isAgain, const core::Status& kept)
+{
+    const std::string& uid = letter->record.uid;
+    const bool isOfCard = m_graded && m_graded->record.uid == uid;
+    if (kept) {
+        m_letters.erase(uid);
+        endJournal(*letter);
+    } else {
+        QTimer::singleShot(kKeepAgainMs, this, [this, letter] { send(letter); });
+    }
+    if (isOfCard) {
+        m_graded->keeping = kept ? Keeping::Waiting : Keeping::Nowhere;
+        tellKeeping();
+    }
+    showExamsScore(uid);
+    m_window->setUnkeptGrades(static_cast<int>(m_letters.size()));
+    if (m_who != letter->who)
+        return;
+    if (!kept && !isAgain)
+        m_window->showNotKept(kept.error());
+    const bool isLast =
+        std::none_of(m_letters.begin(), m_letters.end(), [this](const auto& one) { return one.second->who == m_who; });
+    if (!kept || !isLast)
+        return;
+    m_window->forgetNotKept();
+    if (isAgain)
+        m_window->showMessage(tr("The grade that could not be kept is kept now."));
+}
+
+/// The work that is graded is as it was, so that its journal has nothing that is not kept.
+bool Application::isAsGraded() const
+{
+    const auto tooth = m_session.toothSoFar();
+    return m_graded && m_graded->generation == m_ownGeneration && tooth &&
+           m_session.recordedGeneration() == m_ownGeneration && core::terrain::stateHash(*tooth) == m_graded->hash;
+}
+
+/// What is kept is not offered to be gone on with. What was cut on since is another attempt.
 void Application::endJournal(const Letter& letter)
 {
     if (letter.generation == m_ownGeneration) {
-        const auto tooth = m_session.toothSoFar();
-        const bool isExam = m_assignment.lesson && m_assignment.lesson->exam;
-        const bool isSame = tooth && m_session.recordedGeneration() == m_ownGeneration &&
-                            core::terrain::stateHash(*tooth) == letter.hash;
-        if (isSame || isExam)
-            static_cast<void>(m_links.commands.tryPush(core::session::AddNote{core::session::kGradedNote}));
+        if (isAsGraded())
+            noteGraded();
         if (m_isTakenUp && !m_unfinished)
             offerUnfinished();  // others may be waiting
-        return;
+    } else if (!letter.journal.empty()) {
+        // He has left the tooth meanwhile, perhaps for somebody else.
+        inBackground(
+            this,
+            [file = letter.journal, events = letter.recording.events()] {
+                const auto found = core::recording::findAttempt(file);
+                if (found && *found && !isCutOn((*found)->recording, events))
+                    core::recording::discardJournal(file);
+                return true;
+            },
+            [](bool) {});
     }
-    // He has left the tooth meanwhile, perhaps for somebody else.
-    const bool isOffered = m_unfinished && m_unfinished->path == letter.journal;
-    if (isOffered) {
-        m_unfinished.reset();
-        m_window->forgetUnfinished();
-    }
-    inBackground(
-        this,
-        [file = letter.journal, events = letter.recording.events()] {
-            const auto found = core::recording::findAttempt(file);
-            if (found && *found && !isCutOn((*found)->recording, events))
-                core::recording::discardJournal(file);
-            return true;
-        },
-        [this, isOffered](bool) {
-            if (isOffered)
-                offerUnfinished();
-        });
 }
 
 /// A guest's grade becomes that of who has logged in for it, unless he has no attempt left. Where nobody can be asked
@@ -1893,9 +1936,13 @@ void Application::lookForUnfinished(const LessonIds& usedUp)
         std::optional<core::recording::FoundAttempt> found;
         std::optional<core::Error> failure;
     };
+    // What is graded and waits to be kept is no unfinished work: it would become two attempts.
+    std::set<std::filesystem::path> toBeKept;
+    for (const auto& [uid, letter] : m_letters)
+        toBeKept.insert(letter->journal);
     inBackground(
         this,
-        [folder = journalFolder(m_stationFolder, m_who), usedUp] {
+        [folder = journalFolder(m_stationFolder, m_who), usedUp, toBeKept] {
             Search search;
             core::recording::tidyJournals(folder);
             // A program that was just killed may hold its journal for a moment more.
@@ -1904,6 +1951,8 @@ void Application::lookForUnfinished(const LessonIds& usedUp)
                 QThread::msleep(look > 0 ? kJournalRestMs : 0);
                 isInUse = false;
                 for (const std::filesystem::path& path : core::recording::journalsIn(folder)) {
+                    if (toBeKept.contains(path))
+                        continue;
                     auto found = core::recording::findAttempt(path);
                     if (!found) {
                         search.failure = found.error();
@@ -1979,8 +2028,8 @@ void Application::rebuildUnfinished(int load)
         return;
     inBackground(
         this, [recording = m_unfinished->recording] { return core::session::rebuild(recording); },
-        [this, load](core::Result<std::unique_ptr<core::session::Unfinished>>& attempt) {
-            if (load != m_loading)
+        [this, load, path = m_unfinished->path](core::Result<std::unique_ptr<core::session::Unfinished>>& attempt) {
+            if (load != m_loading || !m_unfinished || m_unfinished->path != path)  // another is offered by now
                 return;
             if (attempt)
                 takeUp(std::move(*attempt));

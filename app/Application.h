@@ -132,10 +132,14 @@ private:
         database::AttemptRecord record;
         core::recording::Recording recording;
         std::uint64_t generation = 0;        ///< of the tooth that was graded; 0: none of the present ones
-        std::uint64_t hash = 0;              ///< of what was graded
         std::filesystem::path journal = {};  ///< where the attempt lies until it is kept
     };
-    void send(const std::shared_ptr<const Letter>& letter, bool isAgain = false);
+    void keepExam();
+    void showExamsScore(const std::string& uid);
+    void noteGraded();
+    void send(const std::shared_ptr<const Letter>& letter);
+    void takeKept(const std::shared_ptr<const Letter>& letter, bool isAgain, const core::Status& kept);
+    [[nodiscard]] bool isAsGraded() const;
     void endJournal(const Letter& letter);
     void keepGuestsGrade();
     void tellKeeping();
@@ -255,6 +259,8 @@ private:
     bool m_isSettling = false;                         ///< a grade is wanted, and the bur not yet out of the tooth
     std::optional<core::session::Concluded> m_toMark;  ///< while what is expected of it is asked
     std::optional<Graded> m_graded;
+    std::map<std::string, std::shared_ptr<const Letter>> m_letters;  ///< not in the outbox yet, by uid
+    std::string m_scoreToShow;                           ///< uid of the exam whose score is shown when it is kept
     std::optional<core::recording::Recording> m_opened;  ///< of the score card that is shown, where it is an old one
     /// Where the attempt that is played was asked for; the way back leads there.
     enum class PlayedFrom : std::uint8_t { Elsewhere, ScoreCard, Attempts };

@@ -7552,6 +7552,17 @@ ungesichert</translation>
             <numerusform>%n Punktzahlen sind getippt und noch nicht vergeben.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n grade(s) could not be written to the disk yet.</source>
+        <translation>
+            <numerusform>%n Bewertung konnte noch nicht auf die Festplatte geschrieben werden.</numerusform>
+            <numerusform>%n Bewertungen konnten noch nicht auf die Festplatte geschrieben werden.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>It is tried again every few seconds. Make room on the disk, or check the rights of the folder.</source>
+        <translation>Es wird alle paar Sekunden wieder versucht. Schaffen Sie Platz auf der Festplatte, oder prüfen Sie die Rechte des Ordners.</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::MessageBar</name>

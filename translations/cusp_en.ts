@@ -294,6 +294,7 @@
     </message>
     <message>
         <source>A class list has no such column. It has username, given_name, family_name, role and class.</source>
+        <translation></translation>
     </message>
     <message>
         <source>which presets are retired</source>
@@ -7540,6 +7541,17 @@ unsaved</source>
             <numerusform>%n score was typed and is not given yet.</numerusform>
             <numerusform>%n scores were typed and are not given yet.</numerusform>
         </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n grade(s) could not be written to the disk yet.</source>
+        <translation>
+            <numerusform>%n grade could not be written to the disk yet.</numerusform>
+            <numerusform>%n grades could not be written to the disk yet.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>It is tried again every few seconds. Make room on the disk, or check the rights of the folder.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -7552,6 +7552,17 @@ sin guardar</translation>
             <numerusform>Se han escrito %n puntuaciones que aún no se han asignado.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n grade(s) could not be written to the disk yet.</source>
+        <translation>
+            <numerusform>%n calificación aún no se ha podido escribir en el disco.</numerusform>
+            <numerusform>%n calificaciones aún no se han podido escribir en el disco.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>It is tried again every few seconds. Make room on the disk, or check the rights of the folder.</source>
+        <translation>Se vuelve a intentar cada pocos segundos. Haga sitio en el disco o revise los permisos de la carpeta.</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::MessageBar</name>

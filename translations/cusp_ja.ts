@@ -7500,6 +7500,16 @@ unsaved</source>
             <numerusform>入力したまま、まだ付けていない点数が %n 件あります。</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n grade(s) could not be written to the disk yet.</source>
+        <translation>
+            <numerusform>まだディスクに書き込めていない評価が %n 件あります。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>It is tried again every few seconds. Make room on the disk, or check the rights of the folder.</source>
+        <translation>数秒ごとにもう一度試みます。ディスクの空きを増やすか、フォルダーの権限を確認してください。</translation>
+    </message>
 </context>
 <context>
     <name>ui::shell::MessageBar</name>

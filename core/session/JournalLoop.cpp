@@ -123,8 +123,8 @@ void JournalLoop::beginWith(std::uint64_t generation)
     setFile(nullptr);
     m_older.reset();
     m_written.store(0, std::memory_order_release);
-    m_generation = generation;
     const std::lock_guard lock(m_mutex);
+    m_generation = generation;
     if (m_found && m_found->generation == generation) {
         m_begunUtcMs = m_found->begunUtcMs;
         m_path = m_found->path;
@@ -144,10 +144,10 @@ void JournalLoop::takeUp(std::uint64_t generation, recording::FoundAttempt found
     m_found = {generation, std::move(found.path), found.begunUtcMs, std::move(found.lock)};
 }
 
-std::filesystem::path JournalLoop::file()
+std::filesystem::path JournalLoop::fileOf(std::uint64_t generation)
 {
     const std::lock_guard lock(m_mutex);
-    return m_path;
+    return generation == m_generation ? m_path : std::filesystem::path();
 }
 
 void JournalLoop::putAway()

@@ -50,8 +50,9 @@ public:
     [[nodiscard]] std::optional<Error> failure();
     /// Things go well, or go well again. Any thread.
     [[nodiscard]] bool isWell() const { return !m_cannotWrite.load() && !m_cannotSync.load(); }
-    /// The file of the present attempt, whether it is there yet or not. Any thread.
-    [[nodiscard]] std::filesystem::path file();
+    /// The file of the attempt at the tooth of this generation, whether it is there yet or not; empty: that is not the
+    /// present one. Any thread.
+    [[nodiscard]] std::filesystem::path fileOf(std::uint64_t generation);
     /// Events of the present attempt that are written. Any thread.
     [[nodiscard]] std::uint64_t eventsWritten() const { return m_written.load(std::memory_order_acquire); }
 
@@ -76,7 +77,7 @@ private:
 
     const SessionLoop& m_session;
     std::filesystem::path m_folder;
-    std::uint64_t m_generation = 0;  ///< of the tooth whose attempt this is
+    std::uint64_t m_generation = 0;  ///< of the tooth whose attempt this is; written under the mutex
     std::int64_t m_begunUtcMs = 0;
     std::filesystem::path m_path;  ///< written under the mutex
     std::shared_ptr<recording::JournalFile> m_file;

@@ -11,7 +11,7 @@ namespace database::sql {
 namespace {
 
 const std::string kKeep = "keep the setting";
-constexpr qsizetype kLongestValue = 1000;
+constexpr qsizetype kLongestValue = 16'000;
 /// What belongs to logins is told to nobody.
 const QString kSecret = QStringLiteral("password.%");
 

@@ -15,7 +15,7 @@ using SettingsMap = std::map<std::string, std::string>;
 
 /// The session's own, and the school's, over which nobody has a say for himself.
 [[nodiscard]] core::Result<SettingsMap> readSettings(const School& school, const Session& session);
-/// For everybody here. OutOfRange: the value has more than a thousand characters.
+/// For everybody here. OutOfRange: the value has more than 16,000 characters.
 [[nodiscard]] core::Status changeSetting(const School& school, const Session& session, const std::string& name,
                                          const std::string& value);
 

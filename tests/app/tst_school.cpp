@@ -139,6 +139,8 @@ private slots:
     void theFolderOfLessonsIsNamed();
     void whatTheDiskRefusesIsKeptWhenItCanBe();
     void whatTheDiskRefusesIsKeptWhenItsMakerHasGone();
+    void whatWaitsToBeKeptIsNotOffered();
+    void whatIsKeptDuringAReplayIsNotOffered();
     void whatWasGradedAndNotKeptIsUnfinished();
     void nothingIsCutWhileAGradeIsWorkedOut();
     void whoComesNextHasDecayToTakeOut();
@@ -1330,6 +1332,52 @@ void TestSchool::whatTheDiskRefusesIsKeptWhenItsMakerHasGone()
     QCOMPARE(attemptsKept(), 1);
     QVERIFY2(!message().contains("is kept now"), qPrintable(message()));
     // It is not offered to be gone on with: that would be another.
+    leaveFor("sam");
+    QTRY_VERIFY_WITH_TIMEOUT(child<QListView>("lessonList")->model()->rowCount() > 2, kPatienceMs);
+    QTest::qWait(500);
+    QVERIFY2(!message().contains("an attempt of"), qPrintable(message()));
+}
+
+/// While it waits it is no unfinished work: it would become two attempts.
+void TestSchool::whatWaitsToBeKeptIsNotOffered()
+{
+    start();
+    logIn("sam");
+    toTheTooth();
+    drill(-2.0);
+    QFile inTheWay(m_folder->filePath("outbox"));
+    QVERIFY(inTheWay.open(QIODevice::WriteOnly));
+    grade("not being kept");
+    leaveFor("sue");
+    // Whoever quits is told of it.
+    m_application->window().close();
+    QVERIFY(m_application->window().isVisible());
+    QVERIFY2(child<QLabel>("questionDetail")->text().contains("1 grade"),
+             qPrintable(child<QLabel>("questionDetail")->text()));
+    click("questionStay");
+    leaveFor("sam");
+    QTRY_VERIFY_WITH_TIMEOUT(child<QListView>("lessonList")->model()->rowCount() > 2, kPatienceMs);
+    QTest::qWait(500);
+    QVERIFY2(!message().contains("an attempt of"), qPrintable(message()));
+    QVERIFY(inTheWay.remove());
+    QTRY_COMPARE_WITH_TIMEOUT(attemptsKept(), 1, kPatienceMs);
+}
+
+/// Its note cannot come to the recording then.
+void TestSchool::whatIsKeptDuringAReplayIsNotOffered()
+{
+    start();
+    logIn("sam");
+    toTheTooth();
+    drill(-2.0);
+    QFile inTheWay(m_folder->filePath("outbox"));
+    QVERIFY(inTheWay.open(QIODevice::WriteOnly));
+    grade("not being kept");
+    m_application->showMoment(0.1);
+    QTRY_VERIFY_WITH_TIMEOUT(actions().pauseReplay->isEnabled(), kPatienceMs);
+    QVERIFY(inTheWay.remove());
+    QTRY_COMPARE_WITH_TIMEOUT(attemptsKept(), 1, kPatienceMs);
+    leaveFor("sue");
     leaveFor("sam");
     QTRY_VERIFY_WITH_TIMEOUT(child<QListView>("lessonList")->model()->rowCount() > 2, kPatienceMs);
     QTest::qWait(500);

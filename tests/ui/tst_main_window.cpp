@@ -185,6 +185,7 @@ private slots:
     void whoTypesACommandGoesOnTyping();
     void whatARuleStoppedTurnsAgainInTheNextLesson();
     void draftsWaitForWhoTeaches();
+    void whatIsPutByStaysThere();
     void whatSomebodyHasTypedIsPutBy();
     void anAdminIsToldHowToBeginWithClasses();
     void peoplesColumnsAreMeasuredByAllOfThem();
@@ -3605,6 +3606,40 @@ void TestMainWindow::draftsWaitForWhoTeaches()
     QVERIFY(!m_window->isVisible());
     // Who may has thrown it away.
     QVERIFY(!QFile::exists(file));
+}
+
+/// Until it is decided on, whoever works there by then, and however the program ends.
+void TestMainWindow::whatIsPutByStaysThere()
+{
+    support::SchoolRig rig(false);
+    rig.populate();
+    const QTemporaryDir folder;
+    const QString file = folder.filePath("1.json");
+    const auto held = [&file] {
+        QFile read(file);
+        return read.open(QIODevice::ReadOnly) ? read.readAll() : QByteArray();
+    };
+    m_window->setPutByFolder(folder.path());
+    m_window->setWho(rig.instructor);
+    m_window->setMayEdit(true);
+    auto* editor = child<ui::study::LessonEditor>();
+    editor->edit(shipped("class1-36"), folder.path());
+    auto* title = child<QLineEdit>("draftTitle");
+    title->clear();
+    QTest::keyClicks(title, "Mine");
+    auto& talk = child<ui::study::ScorePage>()->talk();
+    talk.setAttempt(5);
+    talk.findChild<QPlainTextEdit*>("commentWords")->setPlainText("Half a sentence");
+    // Rights come after the change of user, and so does the power cut.
+    m_window->setWho({});
+    m_window->setMayEdit(false);
+    QVERIFY(held().contains("Mine") && held().contains("Half a sentence"));
+    m_window->setWho(rig.instructor);
+    m_window->setMayEdit(true);
+    QVERIFY(held().contains("Mine") && held().contains("Half a sentence"));
+    // What is saved is no draft any more.
+    QVERIFY(editor->saveAll());
+    QVERIFY(!held().contains("Mine") && held().contains("Half a sentence"));
 }
 
 /// Neither a passer-by nor who works here next decides on it, and the window closes all the same.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <csignal>
 #include <memory>
 
 #include <QDir>
@@ -6,6 +7,7 @@
 #include <QJsonObject>
 #include <QTemporaryDir>
 #include <QTest>
+#include <sys/resource.h>
 
 #include "ui/shell/PutBy.h"
 
@@ -31,6 +33,8 @@ private slots:
     void oneThatTakesOverLeavesOneFile();
     void whatIsNoSuchFileStaysAsItIs_data();
     void whatIsNoSuchFileStaysAsItIs();
+    void aLockThatNobodyHoldsHoldsNothing();
+    void whatLiesThereIsNotWrittenAgain();
     void whatCannotBeWrittenIsSaid();
 
 private:
@@ -126,6 +130,36 @@ void TestPutBy::whatIsNoSuchFileStaysAsItIs()
     QVERIFY(file.open(QIODevice::ReadOnly));
     QCOMPARE(file.readAll(), bytes);
     QCOMPARE(PutBy(folder()).found(), typed("mine"));
+}
+
+/// However it ended, and on whatever computer that was.
+void TestPutBy::aLockThatNobodyHoldsHoldsNothing()
+{
+    QVERIFY(PutBy(folder()).keep(typed("mine")));
+    for (const QByteArray& left : {QByteArray(), QByteArray("7\ncusp\nelsewhere\n")}) {
+        QFile lock(folder() + "/1.json.lock");
+        QVERIFY(lock.open(QIODevice::WriteOnly) && lock.write(left) == left.size());
+        lock.close();
+        QCOMPARE(PutBy(folder()).found(), typed("mine"));
+        QVERIFY(!lock.exists());
+    }
+}
+
+/// On a full disk a window that has nothing new to write can be closed.
+void TestPutBy::whatLiesThereIsNotWrittenAgain()
+{
+    QVERIFY(PutBy(folder()).keep(typed("mine")));
+    PutBy window(folder());
+    rlimit before{};
+    QCOMPARE(getrlimit(RLIMIT_FSIZE, &before), 0);
+    signal(SIGXFSZ, SIG_IGN);
+    const rlimit full{0, before.rlim_max};
+    QCOMPARE(setrlimit(RLIMIT_FSIZE, &full), 0);
+    const bool isSame = window.keep(typed("mine"));
+    const bool isMore = window.keep(typed("more"));
+    QCOMPARE(setrlimit(RLIMIT_FSIZE, &before), 0);
+    QVERIFY(isSame && !isMore);
+    QVERIFY(window.keep(typed("more")));
 }
 
 void TestPutBy::whatCannotBeWrittenIsSaid()

@@ -322,10 +322,10 @@ void LoginPage::setUnreachable(const QString& sentence)
     setBusy(false);
 }
 
-void LoginPage::offerToKeep(std::function<QString()> work)
+void LoginPage::offerToKeep(std::function<QString()> work, bool isTicked)
 {
     m_kept = std::move(work);
-    m_keep->setChecked(true);
+    m_keep->setChecked(isTicked);
     arrange();
     speak();
 }

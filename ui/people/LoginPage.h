@@ -44,7 +44,8 @@ public:
     void offerBackup(const QDateTime& made, const QString& where);
     /// A guest's grade becomes that of who logs in, unless he says that it is not his.
     /// @param work  of what it is, in the language of the moment; empty: there is none
-    void offerToKeep(std::function<QString()> work);
+    /// @param isTicked  to begin with: who asks for it has just been graded
+    void offerToKeep(std::function<QString()> work, bool isTicked = true);
     [[nodiscard]] bool keeps() const;
     /// What was typed is being looked at: nothing can be typed meanwhile.
     void setBusy(bool busy);

@@ -31,7 +31,7 @@ using namespace ui::shell;
 constexpr int kWordsPx = 72;
 constexpr double kFullPoints = 100.0;
 /// What is no score is shown as it was typed, and refused: a field that took no more digits would make 95 of 950.
-constexpr double kMostTyped = 999.9;
+constexpr double kMostTyped = 999999.0;
 constexpr int kSoonFull = 500;  ///< so many characters before a comment is full, that is said
 
 QLabel* label(int size, QFont::Weight weight, QPalette::ColorRole role, QWidget* parent)
@@ -336,6 +336,9 @@ bool TalkPanel::goOnWith(const QJsonObject& typed)
     // It may have been sent, and the program killed before that was noted.
     if (hasComment(draft))
         m_unheard.insert({{person, attempt}, {false, draft.words.trimmed()}});
+    if (hasScore(draft))
+        m_unheard.insert(
+            {{person, attempt}, {true, draft.reason.trimmed(), static_cast<int>(std::lround(10.0 * draft.points))}});
     return true;
 }
 

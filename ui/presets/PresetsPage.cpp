@@ -72,7 +72,10 @@ const QString kPerson = QStringLiteral("person");
 
 QJsonObject toJson(const std::pair<FeelPreset, FeelPreset>& changed)
 {
-    return {{"from", lessons::toJson(changed.first)}, {"to", lessons::toJson(changed.second)}};
+    FeelPreset draft = changed.second;
+    if (draft.name.empty())  // it is being typed, and none without could be read
+        draft.name = changed.first.name;
+    return {{"from", lessons::toJson(changed.first)}, {"to", lessons::toJson(draft)}};
 }
 
 /// Also one that is beyond the bound: it was being turned.

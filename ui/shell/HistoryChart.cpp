@@ -53,7 +53,8 @@ double HistoryChart::marginPx() const
 
 double HistoryChart::stepPx() const
 {
-    return std::min(kWidestPx + kGapPx, (width() - marginPx()) / static_cast<double>(m_scores.size()));
+    const double room = (width() - marginPx()) / static_cast<double>(std::max<qsizetype>(1, m_scores.size()));
+    return std::clamp(room, 1.0, kWidestPx + kGapPx);
 }
 
 bool HistoryChart::event(QEvent* event)

@@ -201,8 +201,7 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
     connect(m_lessonsPage, &study::LessonsPage::folderWanted, this, &MainWindow::lessonFolderWanted);
     connect(m_editor, &study::LessonEditor::stepsChanged, this, &MainWindow::enableActions);
     connect(m_editor, &study::LessonEditor::lessonSaved, this, [this] {
-        if (m_putBy && !m_putBy->found().isEmpty())  // what is saved comes back as a draft no more
-            static_cast<void>(putOthersBy());
+        putAllBy();  // what is saved comes back as a draft no more
         emit lessonsWanted();
     });
     const auto workOn = [this] {
@@ -544,6 +543,8 @@ void MainWindow::lockIfIdle()
         askWho(people::Door::Locked);
     else if (m_login->keeps())  // whoever logs in after so long is somebody else
         m_login->offerToKeep({});
+    else if (m_who.isGuest())
+        m_isGuestGone = true;
 }
 
 bool MainWindow::isAtDoor() const
@@ -617,7 +618,7 @@ void MainWindow::askWho(people::Door door)
 void MainWindow::askLoginToKeep()
 {
     askLogin();
-    m_login->offerToKeep([this] { return workTitle(); });
+    m_login->offerToKeep([this] { return workTitle(); }, !m_isGuestGone);
 }
 
 bool MainWindow::keepsOnLogin() const
@@ -630,7 +631,7 @@ void MainWindow::setWho(const database::Session& who)
     m_who = who;
     m_scorePage->talk().setWriter(QString::fromStdString(who.uid()));
     m_admin->setWriter(who.role() == database::Role::Admin ? QString::fromStdString(who.uid()) : QString());
-    static_cast<void>(putOthersBy());  // the program may be killed before he is back
+    putAllBy();  // the program may be killed before who has gone is back
     m_actions->showAccount(QString::fromStdString(who.username()));
     m_actions->attempts->setVisible(!who.isGuest());
     m_actions->school->setVisible(who.role() == database::Role::Admin);
@@ -679,6 +680,7 @@ void MainWindow::showOldScore(std::function<QString()> work, const lessons::Scor
                               const std::optional<study::Expectation>& expected,
                               const std::optional<study::ScoredWork>& scored)
 {
+    m_isGuestGone = false;
     m_busy->done();
     m_scorePage->setScore(std::move(work), sheet, history, expected, scored);
     m_behindScore = m_room;
@@ -1033,27 +1035,36 @@ void MainWindow::setPutByFolder(const QString& folder)
     }
 }
 
-/// What whoever stands here may not decide on, and hears nothing of; at a place that its owner has locked all of his:
-/// whoever stands there may be anybody.
-QJsonArray MainWindow::othersUnkept() const
+/// @param drafts  of lessons, too
+/// @param withOwn  and what who works here has typed
+QJsonArray MainWindow::typed(bool drafts, bool withOwn) const
 {
     QJsonArray all = m_unclaimed;
     const auto add = [&all](const QJsonArray& more) {
         for (const QJsonValue one : more)
             all.append(one);
     };
-    if (!mayDecideOnDrafts())
+    if (drafts)
         add(m_editor->unsavedDrafts());
-    add(m_scorePage->talk().waiting(isAtLockedDoor()));
-    add(m_presets->waiting(isAtLockedDoor()));
-    add(m_admin->people().waiting(isAtLockedDoor()));
+    add(m_scorePage->talk().waiting(withOwn));
+    add(m_presets->waiting(withOwn));
+    add(m_admin->people().waiting(withOwn));
     return all;
 }
 
-/// False: there is something, and it is written nowhere.
+/// While the window goes on: nothing of it is decided.
+void MainWindow::putAllBy()
+{
+    if (m_putBy)
+        static_cast<void>(m_putBy->keep(typed(true, true)));
+}
+
+/// When the window is closed: what whoever stands here may not decide on, and hears nothing of; at a place that its
+/// owner has locked all of his: whoever stands there may be anybody. False: there is something, and it is written
+/// nowhere.
 bool MainWindow::putOthersBy()
 {
-    const QJsonArray all = othersUnkept();
+    const QJsonArray all = typed(!mayDecideOnDrafts(), isAtLockedDoor());
     return m_putBy ? m_putBy->keep(all) : all.isEmpty();
 }
 
@@ -1926,6 +1937,11 @@ void MainWindow::showNotKept(const core::Error& error)
     tellError(error, text::Failed::KeepingGrades, {}, MessageBar::Topic::Keeping);
 }
 
+void MainWindow::setUnkeptGrades(int count)
+{
+    m_unkeptGrades = count;
+}
+
 void MainWindow::forgetNotKept()
 {
     m_messages->withdraw(MessageBar::Topic::Keeping);
@@ -2399,6 +2415,11 @@ std::vector<MainWindow::Unkept> MainWindow::unkept()
     if (const QList<qint64> scores = talk.unkeptScores(); !scores.isEmpty())
         all.push_back({tr("%n score(s) were typed and are not given yet.", nullptr, static_cast<int>(scores.size())),
                        [this, attempt = scores.front()] { showDraft(attempt); }});
+    if (m_unkeptGrades > 0)
+        all.push_back({tr("%n grade(s) could not be written to the disk yet.", nullptr, m_unkeptGrades), [this] {
+                           showMessage(tr("It is tried again every few seconds. Make room on the disk, or check the "
+                                          "rights of the folder."));
+                       }});
     all.erase(std::remove_if(all.begin(), all.end(), [](const Unkept& one) { return one.what.isEmpty(); }), all.end());
     return all;
 }
@@ -2448,7 +2469,7 @@ void MainWindow::askToSave()
 void MainWindow::closeEvent(QCloseEvent* event)
 {
     const bool isPutBy = putOthersBy();
-    // Codes are put by nowhere: they open accounts.
+    // One-time codes are put by nowhere: they open accounts.
     const bool hasCodes =
         m_admin->people().holdsCodes(isAtLockedDoor()) || m_admin->roster().holdsCodes(isAtLockedDoor());
     const bool asksOfDrafts = mayDecideOnDrafts() && !m_editor->unsaved().isEmpty();
@@ -2477,6 +2498,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
             leaveUnkept([this] {
                 m_mayClose = true;
                 close();
+                m_mayClose = false;  // it may not have been closed after all
             });
         });
     });

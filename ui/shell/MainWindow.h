@@ -141,6 +141,8 @@ public slots:
     void showError(const core::Error& error, text::Failed failed, const QString& file = {});
     /// A grade could not be kept. That stands until forgetNotKept(), or until somebody closes it.
     void showNotKept(const core::Error& error);
+    /// So many grades, of whomever, are not in the outbox yet: the disk refuses them.
+    void setUnkeptGrades(int count);
     void forgetNotKept();
     /// What the school keeps has been asked for, and does not come.
     void showUnanswered();
@@ -441,7 +443,8 @@ private:
     void leaveDrafts(const std::function<void()>& what);
     [[nodiscard]] bool mayDecideOnDrafts() const;
     [[nodiscard]] bool isAtLockedDoor() const;
-    [[nodiscard]] QJsonArray othersUnkept() const;
+    [[nodiscard]] QJsonArray typed(bool drafts, bool withOwn) const;
+    void putAllBy();
     [[nodiscard]] bool putOthersBy();
     void sayWaits(const std::function<QString()>& sentence);
     /// What a page would lose with the window, in a sentence, and the way to where it can be kept.
@@ -608,6 +611,8 @@ private:
     std::unique_ptr<PutBy> m_putBy;  ///< null: there is no place for it
     QJsonArray m_unclaimed;          ///< of what was put by, what nothing can be made of here and now
     bool m_mayClose = false;
+    int m_unkeptGrades = 0;
+    bool m_isGuestGone = false;  ///< nobody has touched anything for long since the guest's work was graded
     bool m_hasCut = false;
     bool m_knowsTheFarSide = false;  ///< has been told why nothing is drilled from below
 };

@@ -10,8 +10,11 @@
 #include <QFileInfo>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QLockFile>
 #include <QSaveFile>
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "ui/shell/SavedFile.h"
 
@@ -21,6 +24,17 @@ namespace {
 constexpr qint64 kLargestBytes = qint64{16} << 20;
 constexpr int kMostWindows = 1000;
 const QString kAll = QStringLiteral("typed");
+
+/// Whether the name still leads to the open file: another window may have removed it meanwhile.
+bool isStillCalled(const QByteArray& name, int file)
+{
+    struct stat open
+    {};
+    struct stat named
+    {};
+    return fstat(file, &open) == 0 && stat(name.constData(), &named) == 0 && open.st_dev == named.st_dev &&
+           open.st_ino == named.st_ino;
+}
 
 /// Nothing: it is damaged, or something else, and stays where it is.
 std::optional<QJsonArray> readAll(const QString& file)
@@ -33,6 +47,25 @@ std::optional<QJsonArray> readAll(const QString& file)
 }
 
 }  // namespace
+
+PutBy::Lock::Lock(const QString& file) : m_name(QFile::encodeName(file + QStringLiteral(".lock")))
+{
+    const int opened = open(m_name.constData(), O_RDWR | O_CREAT | O_CLOEXEC, S_IRUSR | S_IWUSR);
+    if (opened < 0)
+        return;
+    if (flock(opened, LOCK_EX | LOCK_NB) == 0 && isStillCalled(m_name, opened))
+        m_file = opened;
+    else
+        close(opened);
+}
+
+PutBy::Lock::~Lock()
+{
+    if (m_file < 0)
+        return;
+    unlink(m_name.constData());  // while it is held
+    close(m_file);
+}
 
 PutBy::PutBy(QString folder) : m_folder(std::move(folder))
 {
@@ -48,16 +81,13 @@ PutBy::PutBy(QString folder) : m_folder(std::move(folder))
             if (!m_found.contains(one))  // a window that was killed may have left it twice
                 m_found.append(one);
     }
+    m_kept = m_held.size() == 1 ? m_found : QJsonArray();
 }
 
-PutBy::~PutBy() = default;
-
-/// A window that was killed holds nothing, however long ago.
 bool PutBy::hold(const QString& file)
 {
-    auto lock = std::make_unique<QLockFile>(file + QStringLiteral(".lock"));
-    lock->setStaleLockTime(0);
-    if (!lock->tryLock())
+    Lock lock(file);
+    if (!lock.isHeld())
         return false;
     m_held.push_back({file, std::move(lock)});
     return true;
@@ -80,20 +110,22 @@ bool PutBy::holdNew()
 
 bool PutBy::keep(const QJsonArray& all)
 {
-    if (!all.isEmpty()) {
+    if (!all.isEmpty() && all != m_kept) {
         if (m_held.empty() && !holdNew())
             return false;
         const QByteArray bytes = QJsonDocument(QJsonObject{{kAll, all}}).toJson();
         QSaveFile out(m_held.front().file);
-        if (!openForOwner(out) || out.write(bytes) != bytes.size() || !out.flush() || !out.commit())
+        if (bytes.size() > kLargestBytes || !openForOwner(out) || out.write(bytes) != bytes.size() || !out.flush() ||
+            !out.commit())
             return false;
     }
+    m_kept = all;
+    // Where one cannot be removed it comes back, and harms nothing.
     const auto firstToGo = m_held.begin() + (all.isEmpty() ? 0 : 1);
-    const bool areGone = std::all_of(
-        firstToGo, m_held.end(), [](const Held& one) { return !QFile::exists(one.file) || QFile::remove(one.file); });
-    if (areGone)
-        m_held.erase(firstToGo, m_held.end());
-    return areGone;
+    for (auto gone = firstToGo; gone != m_held.end(); ++gone)
+        QFile::remove(gone->file);
+    m_held.erase(firstToGo, m_held.end());
+    return true;
 }
 
 }  // namespace ui::shell
