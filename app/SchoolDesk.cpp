@@ -126,7 +126,9 @@ core::Status SchoolDesk::connect()
         m_database.reset();
         return openDatabase();
     }
-    if (std::exchange(m_isLost, false)) {
+    // Nothing was asked of it yet, so that nothing can be done twice: nobody is told of a server that was only started
+    // anew.
+    if (std::exchange(m_isLost, false) || !m_database->answers()) {
         if (auto again = m_database->reconnect(); !again) {
             m_isLost = true;
             return again;

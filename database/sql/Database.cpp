@@ -364,22 +364,28 @@ core::Status Database::reconnect()
     db.close();
     if (!db.open())
         return tl::unexpected(dialect::error(db, db.lastError(), "open it"));
+    if (!m_address.isServer())
+        return {};
     // Who waits for a lock longer than this is told, as SQLite does. And the server, too, notices within some ten
     // seconds that a cable was pulled, and gives back what the station had locked; on a socket that says nothing. What
-    // it confirms is on its disk: a letter is thrown away then.
-    if (m_address.isServer())
-        return execute(db,
-                       QStringLiteral("SELECT set_config('lock_timeout', '%1', false), "
-                                      "set_config('client_min_messages', 'warning', false), "
-                                      "set_config('tcp_keepalives_idle', '5', false), "
-                                      "set_config('tcp_keepalives_interval', '2', false), "
-                                      "set_config('tcp_keepalives_count', '3', false), "
-                                      "set_config('tcp_user_timeout', '10000', false), "
-                                      "set_config('synchronous_commit', replace(current_setting('synchronous_commit'), "
-                                      "'off', 'on'), false)")
-                           .arg(m_patience.count()),
-                       "set it up");
-    return {};
+    // it confirms is on its disk: a letter is thrown away then. What it says besides answers would stand among our
+    // sentences.
+    return execute(db,
+                   QStringLiteral("SELECT set_config('lock_timeout', '%1', false), "
+                                  "set_config('client_min_messages', 'error', false), "
+                                  "set_config('tcp_keepalives_idle', '5', false), "
+                                  "set_config('tcp_keepalives_interval', '2', false), "
+                                  "set_config('tcp_keepalives_count', '3', false), "
+                                  "set_config('tcp_user_timeout', '10000', false), "
+                                  "set_config('synchronous_commit', replace(current_setting('synchronous_commit'), "
+                                  "'off', 'on'), false)")
+                       .arg(m_patience.count()),
+                   "set it up");
+}
+
+bool Database::answers() const
+{
+    return !m_address.isServer() || (handle().isOpen() && ask(handle(), "SELECT 1", "ask it").has_value());
 }
 
 Database::~Database()

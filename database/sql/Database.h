@@ -77,6 +77,9 @@ public:
     /// and what was read may be of two moments; to be asked before what was found is told.
     [[nodiscard]] core::Status stayedAsItWas() const;
 
+    /// Of a server: whether it answers, and on this connection: one that was started anew meanwhile does not.
+    [[nodiscard]] bool answers() const;
+
     /// After core::ErrorCode::ConnectionLost: connects again. What was in a transaction is gone.
     [[nodiscard]] core::Status reconnect();
 

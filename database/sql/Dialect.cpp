@@ -75,7 +75,12 @@ core::Error sqliteError(const std::string& head, const QSqlError& error)
 core::Error postgresError(const std::string& head, const QSqlError& error, bool isOpen)
 {
     const QString code = error.nativeErrorCode();
-    const std::string said = error.databaseText().simplified().toStdString();
+    // Qt writes the code behind it.
+    QString words = error.databaseText().simplified();
+    if (const QString end = '(' + code + ')'; words.endsWith(end))
+        words.chop(end.size());
+    const std::string said = words.trimmed().toStdString();
+    const bool isConnecting = error.type() == QSqlError::ConnectionError;
     const auto is = [&code](const char* begin) { return code.startsWith(QLatin1String(begin)); };
     if (said.find("role \"") != std::string::npos && said.find("does not exist") != std::string::npos)
         return {ErrorCode::NotAllowed,
@@ -90,18 +95,20 @@ core::Error postgresError(const std::string& head, const QSqlError& error, bool 
     if (is("3D") || (said.find("database \"") != std::string::npos && said.find("does not exist") != std::string::npos))
         return {ErrorCode::FileMissing,
                 head + "the server has no such database; create it with createdb, or correct the name"};
-    if (!isOpen && (said.find("too many c") != std::string::npos || said.find("connection slots") != std::string::npos))
+    if (isConnecting &&
+        (said.find("too many c") != std::string::npos || said.find("connection slots") != std::string::npos))
         return {ErrorCode::Busy, head + "the server has no connection left (" + said +
                                      "); try again in a moment, or let its administrator allow more"};
-    // It answered, and said no.
-    if (!isOpen && said.find("FATAL") != std::string::npos && !is("08") && !is("57P"))
+    // It answered, and said no. To who is connected already it says only that it stops.
+    if (isConnecting && said.find("FATAL") != std::string::npos &&
+        said.find("terminating connection") == std::string::npos)
         return {ErrorCode::NotAllowed,
                 head + "the server refuses the connection (" + said + "); let its administrator allow it"};
     // Without a code it is libpq that speaks, not the server: the connection is gone or never was. 25P03: this station
     // paused too long in a transaction.
     if (code.isEmpty() || is("08") || is("57P") || is("25P03") || !isOpen)
         return {ErrorCode::ConnectionLost, head + "the server does not answer" +
-                                               (isOpen || said.empty() ? std::string() : " (" + said + ")") +
+                                               (isConnecting && !said.empty() ? " (" + said + ")" : std::string()) +
                                                "; check the network and that the server runs"};
     if (is("23") || is("22") || is("54"))
         return {ErrorCode::OutOfRange, head + "a value is not allowed (" + said + "); correct it"};

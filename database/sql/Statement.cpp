@@ -9,6 +9,9 @@ namespace database::sql {
 core::Result<QSqlQuery> run(const QSqlDatabase& db, const QString& sql, const std::string& doing,
                             const QVariantList& values)
 {
+    // Qt would warn of it, and say no more.
+    if (!db.isOpen())
+        return tl::unexpected(dialect::error(db, QSqlError(), doing));
     QSqlQuery query(db);
     query.setForwardOnly(true);
     bool done = false;

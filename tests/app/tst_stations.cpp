@@ -143,6 +143,7 @@ private slots:
     void killedStationsKeepWhatTheyConfirmed_data() { support::addEngines(); }
     void killedStationsKeepWhatTheyConfirmed();
     void aServerThatGoesAwayGetsEverythingOnce();
+    void ofAServerThatWasStartedAnewNobodyHears();
     void aLetterIsTakenOnceAndOnlyAsItWasWritten();
     void twoWindowsDeliverWithoutAnAlarm();
     void aLetterWaitsForItsSchool();
@@ -281,6 +282,42 @@ void TestStations::aServerThatGoesAwayGetsEverythingOnce()
     QVERIFY(keptIn(rig.school()) == put);
     QCOMPARE(countExams(), exams);
     QVERIFY(checkDatabase(rig.school().db, {})->findings.empty());
+}
+
+/// Between two things that a window asks.
+void TestStations::ofAServerThatWasStartedAnewNobodyHears()
+{
+    auto& server = support::sharedServer();
+    if (!server.fault().isEmpty())
+        QSKIP(qPrintable(server.fault()));
+    SchoolRig rig(true);
+    QVERIFY(rig.isOpen());
+    rig.populate();
+    QTemporaryDir folder;
+    app::SchoolDesk desk(Address::parse(rig.address()).value(), folder.path());
+    std::optional<core::Result<Session>> answered;
+    const auto logIn = [&] {
+        answered.reset();
+        desk.ask(
+            this, [](const School& school) { return Logins::login(school, "s1001", SchoolRig::kPassword); },
+            [&answered](const core::Result<Session>& session) { answered = session; });
+    };
+    logIn();
+    QTRY_VERIFY(answered);
+    VERIFY_DONE(*answered);
+    server.stop();
+    QVERIFY(server.start());
+    logIn();
+    QTRY_VERIFY(answered);
+    VERIFY_DONE(*answered);
+    server.stop();
+    logIn();
+    QTRY_VERIFY(answered);
+    VERIFY_REFUSED(*answered, core::ErrorCode::ConnectionLost);
+    QVERIFY(server.start());
+    logIn();
+    QTRY_VERIFY(answered);
+    VERIFY_DONE(*answered);
 }
 
 void TestStations::aLetterIsTakenOnceAndOnlyAsItWasWritten()

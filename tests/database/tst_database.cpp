@@ -45,6 +45,8 @@ private slots:
     void refusesWhatIsFromTheFuture();
     void whatAServerConfirmsIsOnItsDisk_data();
     void whatAServerConfirmsIsOnItsDisk();
+    void aServerThatWasStoppedIsAway();
+    void whomAServerDoesNotLetInIsTold();
     void saysWhoHoldsTheLock();
     void brokenStepLeavesAllAsItWas_data() { support::addEngines(); }
     void brokenStepLeavesAllAsItWas();
@@ -353,6 +355,53 @@ void TestDatabase::whatAServerConfirmsIsOnItsDisk()
     rig.reopen();
     QVERIFY(rig.isOpen());
     QTEST(asked("SHOW synchronous_commit"), "used");
+}
+
+/// It takes leave of each connection with words like those for whom it does not let in.
+void TestDatabase::aServerThatWasStoppedIsAway()
+{
+    auto& server = support::sharedServer();
+    if (!server.fault().isEmpty())
+        QSKIP(qPrintable(server.fault()));
+    support::SchoolRig rig(true);
+    QVERIFY(rig.isOpen());
+    const auto look = [&] { return database::sql::ask(rig.school().db, "SELECT 1", "look"); };
+    for (const bool isUpAgain : {false, true}) {
+        VERIFY_DONE(look());
+        server.stop();
+        QVERIFY(!isUpAgain || server.start());
+        QVERIFY(rig.database().handle().isOpen());
+        const auto lost = look();
+        VERIFY_REFUSED(lost, ErrorCode::ConnectionLost);
+        QVERIFY2(lost.error().detail.find("does not answer; check the network") != std::string::npos,
+                 lost.error().detail.c_str());
+        QVERIFY(!rig.database().answers());
+        if (!isUpAgain) {
+            VERIFY_REFUSED(rig.database().reconnect(), ErrorCode::ConnectionLost);
+            QVERIFY(server.start());
+        }
+        VERIFY_DONE(rig.database().reconnect());
+        QVERIFY(rig.database().answers());
+    }
+}
+
+void TestDatabase::whomAServerDoesNotLetInIsTold()
+{
+    auto& server = support::sharedServer();
+    if (!server.fault().isEmpty())
+        QSKIP(qPrintable(server.fault()));
+    support::SchoolRig rig(true);
+    QVERIFY(rig.isOpen());
+    const QString name = rig.database().address().name;
+    VERIFY_REFUSED(Database::open(QString(rig.address()).replace("school@", "nobody@")), ErrorCode::NotAllowed);
+    VERIFY_REFUSED(Database::open(rig.address() + "0"), ErrorCode::FileMissing);
+    const QString role = "closed_" + name;
+    VERIFY_DONE(execute(rig.school().db, "CREATE ROLE " + role, "make it"));
+    const auto refused = Database::open(QString(rig.address()).replace("school@", role + '@'));
+    VERIFY_DONE(execute(rig.school().db, "DROP ROLE " + role, "drop it"));
+    VERIFY_REFUSED(refused, ErrorCode::NotAllowed);
+    QVERIFY2(refused.error().detail.find("not permitted to log in") != std::string::npos,
+             refused.error().detail.c_str());
 }
 
 void TestDatabase::saysWhoHoldsTheLock()

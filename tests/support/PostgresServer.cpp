@@ -38,8 +38,6 @@ PostgresServer::PostgresServer()
                                      "--locale=C.UTF-8", "--no-sync"}) ||
         !start())
         m_fault = "the server does not start: " + m_fault;
-    else
-        m_fault.clear();  // of the looks for it while it started
 }
 
 PostgresServer::~PostgresServer()
@@ -83,19 +81,31 @@ bool PostgresServer::start()
     since.start();
     while (since.elapsed() < kLongMs && m_server.state() != QProcess::NotRunning) {
         m_server.waitForReadyRead(1);
-        if (run(binaries() + "psql", {"-h", m_folder.path(), "-U", "school", "-d", "postgres", "-c", "SELECT 1"}))
+        if (run(binaries() + "psql", {"-h", m_folder.path(), "-U", "school", "-d", "postgres", "-c", "SELECT 1"})) {
+            m_fault.clear();  // of the looks for it while it started
             return true;
+        }
         QThread::msleep(50);
     }
     return false;
 }
 
-void PostgresServer::kill()
+void PostgresServer::end(int signal)
 {
     if (m_server.state() == QProcess::NotRunning)
         return;
-    ::kill(static_cast<pid_t>(m_server.processId()), SIGQUIT);
+    ::kill(static_cast<pid_t>(m_server.processId()), signal);
     m_server.waitForFinished(kLongMs);
+}
+
+void PostgresServer::kill()
+{
+    end(SIGQUIT);
+}
+
+void PostgresServer::stop()
+{
+    end(SIGINT);
 }
 
 QString PostgresServer::newDatabase()

@@ -27,9 +27,12 @@ public:
 
     /// As a cable that is pulled, and plugged in again: the server stops at once, and starts anew.
     void kill();
+    /// As its administrator stops it: it takes leave of who is connected.
+    void stop();
     [[nodiscard]] bool start();
 
 private:
+    void end(int signal);
     [[nodiscard]] bool run(const QString& program, const QStringList& arguments);
     [[nodiscard]] QStringList asUser(const QString& program) const;
 
