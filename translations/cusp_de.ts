@@ -1947,6 +1947,10 @@
         <source>%1 is not from this program: who changes its rows changes those of the table %2, past what guards them</source>
         <translation>%1 stammt nicht von diesem Programm: Wer dort Zeilen ändert, ändert die der Tabelle %2, vorbei an dem, was sie schützt</translation>
     </message>
+    <message>
+        <source>%1 is not from this program: it may change what is read</source>
+        <translation>%1 stammt nicht von diesem Programm und kann verändern, was gelesen wird</translation>
+    </message>
 </context>
 <context>
     <name>Handpiece</name>

@@ -1947,6 +1947,10 @@
         <source>%1 is not from this program: who changes its rows changes those of the table %2, past what guards them</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1 is not from this program: it may change what is read</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Handpiece</name>

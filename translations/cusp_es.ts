@@ -1947,6 +1947,10 @@
         <source>%1 is not from this program: who changes its rows changes those of the table %2, past what guards them</source>
         <translation>%1 no es de este programa: quien cambia sus filas cambia las de la tabla %2, sin pasar por lo que las protege</translation>
     </message>
+    <message>
+        <source>%1 is not from this program: it may change what is read</source>
+        <translation>%1 no es de este programa: puede alterar lo que se lee</translation>
+    </message>
 </context>
 <context>
     <name>Handpiece</name>

@@ -1945,6 +1945,10 @@
         <source>%1 is not from this program: who changes its rows changes those of the table %2, past what guards them</source>
         <translation>%1 はこのプログラムのものではありません。その行を変更すると、保護を素通りして表 %2 の行が変更されます</translation>
     </message>
+    <message>
+        <source>%1 is not from this program: it may change what is read</source>
+        <translation>%1 は、このプログラムのものではありません。読み取られる内容を変える可能性があります</translation>
+    </message>
 </context>
 <context>
     <name>Handpiece</name>

@@ -366,6 +366,8 @@ core::Status Database::reconnect()
         return tl::unexpected(dialect::error(db, db.lastError(), "open it"));
     if (!m_address.isServer())
         return {};
+    if (auto pinned = dialect::pinSearchPath(db); !pinned)
+        return pinned;
     // Who waits for a lock longer than this is told, as SQLite does. And the server, too, notices within some ten
     // seconds that a cable was pulled, and gives back what the station had locked; on a socket that says nothing. What
     // it confirms is on its disk: a letter is thrown away then. What it says besides answers would stand among our

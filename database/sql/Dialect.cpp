@@ -217,6 +217,30 @@ QString lockTurn(const QSqlDatabase& db)
     return lockAsProgram(db, kTurnLock);
 }
 
+core::Status pinSearchPath(const QSqlDatabase& db)
+{
+    const std::string doing = "set it up";
+    // Until then nothing is found by its name alone, not even what compares. First of all comes what is the server's
+    // own, unless it is named at another place; and what is made for this connection only comes last.
+    if (auto pinned = execute(
+            db,
+            "SELECT pg_catalog.set_config('search_path', COALESCE(COALESCE((SELECT pg_catalog.quote_ident(n.nspname) "
+            "FROM pg_catalog.pg_class c JOIN pg_catalog.pg_namespace n ON n.oid OPERATOR(pg_catalog.=) c.relnamespace "
+            "WHERE c.relname OPERATOR(pg_catalog.=) 'cusp_schema' AND pg_catalog.pg_table_is_visible(c.oid)), "
+            "pg_catalog.quote_ident(pg_catalog.current_schema())) OPERATOR(pg_catalog.||) ', pg_temp', ''), false)",
+            doing);
+        !pinned)
+        return pinned;
+    const auto first = ask(db, "SELECT (pg_catalog.current_schemas(true))[1]", doing);
+    if (!first)
+        return tl::unexpected(first.error());
+    if (first->toString() == u"pg_catalog")
+        return {};
+    return core::unexpected(ErrorCode::WrongKind,
+                            "database " + nameOf(db) + ": the server looks for its own functions in " +
+                                first->toString().toStdString() + " first; let its administrator look at search_path");
+}
+
 core::Result<int> schemaVersion(const QSqlDatabase& db)
 {
     const std::string doing = "read the schema version";

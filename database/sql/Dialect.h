@@ -35,6 +35,11 @@ inline constexpr int kApplicationId = 0x43555350;
 /// The same for what is noted in the audit. Who then does nothing for three seconds loses his connection.
 [[nodiscard]] QString lockTurn(const QSqlDatabase& db);
 
+/// Of a server: this connection finds the server's own functions before all others, and tables in the schema only in
+/// which the school is, or would be made, whatever its role and its database are set to. Who owns those could else put
+/// functions of his own in the place of the server's, and be found sound by them.
+[[nodiscard]] core::Status pinSearchPath(const QSqlDatabase& db);
+
 /// Number of the last migration applied; 0 on an empty database.
 [[nodiscard]] core::Result<int> schemaVersion(const QSqlDatabase& db);
 /// To be called inside the transaction of the migration.

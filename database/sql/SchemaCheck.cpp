@@ -196,6 +196,34 @@ core::Status checkGuardsAct(const QSqlDatabase& db, const std::function<void(con
     return {};
 }
 
+/// What stands beside the tables of a server and is called as something of its own is taken in the place of that where
+/// it fits better. To be looked for where nothing but the server's own is found. What an extension brings is its
+/// administrator's.
+core::Status checkNames(const QSqlDatabase& db, const std::function<void(const Finding&)>& say)
+{
+    const auto home = ask(db, "SELECT pg_catalog.current_schema()", kDoing);
+    if (!home)
+        return tl::unexpected(home.error());
+    if (auto begun = execute(db, "BEGIN", kDoing); !begun)
+        return begun;
+    const auto ended = qScopeGuard([&db] { static_cast<void>(execute(db, "ROLLBACK", kDoing)); });
+    if (auto alone = execute(db, "SET LOCAL search_path = pg_catalog, pg_temp", kDoing); !alone)
+        return alone;
+    return forEach(db, QStringLiteral(R"(
+WITH beside AS (SELECT 'function ' || p.oid::regprocedure::text AS named, 'pg_proc'::regclass AS kind, p.oid
+                FROM pg_proc p WHERE p.pronamespace = (SELECT oid FROM pg_namespace WHERE nspname = ?)
+                AND p.proname IN (SELECT proname FROM pg_proc WHERE pronamespace = 'pg_catalog'::regnamespace)
+                UNION ALL
+                SELECT 'operator ' || o.oid::regoperator::text, 'pg_operator'::regclass, o.oid
+                FROM pg_operator o WHERE o.oprnamespace = (SELECT oid FROM pg_namespace WHERE nspname = ?))
+SELECT named FROM beside b
+WHERE NOT EXISTS (SELECT 1 FROM pg_depend d WHERE d.classid = b.kind AND d.objid = b.oid AND d.deptype = 'e'))"),
+                   kDoing, {*home, *home}, [&say](const QSqlQuery& row) {
+                       say({QT_TRANSLATE_NOOP("Finding", "%1 is not from this program: it may change what is read"),
+                            {textOf(row, 0)}});
+                   });
+}
+
 core::Result<Schema> expectedSchema(const QSqlDatabase& db)
 {
     return dialect::isPostgres(db) ? freshSchemaOnServer(db) : freshSchema();
@@ -231,8 +259,9 @@ void tellAdded(const std::string& named, const Made& made, const Schema& expecte
 core::Status checkSchema(const QSqlDatabase& db, const std::function<void(const Finding&)>& say)
 {
     if (dialect::isPostgres(db))
-        if (auto asked = checkGuardsAct(db, say); !asked)
-            return asked;
+        for (const auto look : {&checkGuardsAct, &checkNames})
+            if (auto looked = look(db, say); !looked)
+                return looked;
     auto expected = expectedSchema(db);
     const bool areNamesAll =
         dialect::isPostgres(db) && !expected && expected.error().code == core::ErrorCode::FileUnwritable;

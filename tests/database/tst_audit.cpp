@@ -45,6 +45,7 @@ private slots:
     void aSchemaInFrontIsNoFinding();
     void whatCannotBeLookedAtHidesNothingElse_data() { support::addEngines(); }
     void whatCannotBeLookedAtHidesNothingElse();
+    void whatIsCalledLikeTheServersOwnIsFound();
     void whoMayNotCompareIsTold();
     void whoeverElseSignsIsNamed();
     void workGoesOnBehindWhatWasSlippedIn_data();
@@ -567,7 +568,8 @@ void TestAudit::whatGuardsIsThere_data()
     QTest::newRow("a table in front of it")
         << true
         << QStringList{"CREATE SCHEMA school",
-                       "CREATE TABLE school.failed_logins (LIKE failed_logins INCLUDING CONSTRAINTS)"}
+                       "CREATE TABLE school.failed_logins (LIKE failed_logins INCLUDING CONSTRAINTS)",
+                       "SET search_path = school, public"}
         << "constraint failed_logins.failed_logins_pkey is no longer there";
     QTest::newRow("gift, sqlite") << false
                                   << QStringList{"CREATE TRIGGER gift AFTER INSERT ON attempts BEGIN UPDATE attempts "
@@ -661,6 +663,29 @@ void TestAudit::whatCannotBeLookedAtHidesNothingElse()
                               "the exams that were begun could not be looked at"})
         QVERIFY2(said.contains(words), qPrintable(said));
     QCOMPARE(report->auditCode, auditHead(rig.school())->code());
+}
+
+/// The better it fits, the rather it is taken: also for what the check itself asks.
+void TestAudit::whatIsCalledLikeTheServersOwnIsFound()
+{
+    if (!support::sharedServer().fault().isEmpty())
+        QSKIP(qPrintable(support::sharedServer().fault()));
+    SchoolRig rig(true);
+    QVERIFY(rig.isOpen());
+    const QSqlDatabase& db = rig.school().db;
+    QVERIFY(checkDatabase(db, {})->findings.empty());
+    QSqlQuery query(db);
+    for (const char* sql :
+         {"CREATE FUNCTION concat(\"char\", \"char\", boolean) RETURNS text LANGUAGE sql AS $$ SELECT 'rpf' $$",
+          "CREATE FUNCTION of_another_name(text) RETURNS text LANGUAGE sql AS $$ SELECT 'x' $$",
+          "CREATE FUNCTION same(name, text) RETURNS boolean LANGUAGE sql AS $$ SELECT true $$",
+          "CREATE OPERATOR = (LEFTARG = name, RIGHTARG = text, FUNCTION = same)",
+          "CREATE OPERATOR === (LEFTARG = name, RIGHTARG = name, FUNCTION = nameeq)"})
+        QVERIFY2(query.exec(sql), qPrintable(query.lastError().text()));
+    const QString said = support::wordsOf(checkDatabase(db, {})->findings);
+    for (const char* named : {"function public.concat(\"char\",\"char\",boolean)", "operator public.=(name,text)"})
+        QVERIFY2(said.contains(QLatin1String(named) + " is not from this program"), qPrintable(said));
+    QVERIFY2(!said.contains("another_name"), qPrintable(said));
 }
 
 /// Who may not make a schema beside it sees names alone, and is told.

@@ -47,6 +47,8 @@ private slots:
     void whatAServerConfirmsIsOnItsDisk();
     void aServerThatWasStoppedIsAway();
     void whomAServerDoesNotLetInIsTold();
+    void aServersOwnFunctionsAreFoundFirst_data();
+    void aServersOwnFunctionsAreFoundFirst();
     void saysWhoHoldsTheLock();
     void brokenStepLeavesAllAsItWas_data() { support::addEngines(); }
     void brokenStepLeavesAllAsItWas();
@@ -402,6 +404,47 @@ void TestDatabase::whomAServerDoesNotLetInIsTold()
     VERIFY_REFUSED(refused, ErrorCode::NotAllowed);
     QVERIFY2(refused.error().detail.find("not permitted to log in") != std::string::npos,
              refused.error().detail.c_str());
+}
+
+void TestDatabase::aServersOwnFunctionsAreFoundFirst_data()
+{
+    QTest::addColumn<QString>("home");
+    QTest::newRow("the usual schema") << "public";
+    QTest::newRow("one of its own") << "Cusp \"2\"";
+}
+
+/// Who owns a database may set what its sessions begin with.
+void TestDatabase::aServersOwnFunctionsAreFoundFirst()
+{
+    QFETCH(QString, home);
+    if (!support::sharedServer().fault().isEmpty())
+        QSKIP(qPrintable(support::sharedServer().fault()));
+    const QString where = support::sharedServer().newDatabase();
+    const QString name = database::Address::parse(where)->name;
+    const QString quoted = '"' + QString(home).replace('"', "\"\"") + '"';
+    const auto asked = [](const Database& database, const char* what) {
+        return database::sql::ask(database.handle(), what, "ask")->toString();
+    };
+    {
+        const auto database = Database::open(where);
+        VERIFY_DONE(database);
+        for (const QString& sql :
+             {QStringLiteral("ALTER SCHEMA public RENAME TO %1"), QStringLiteral("CREATE SCHEMA first"),
+              QStringLiteral("CREATE TABLE first.people AS SELECT 1 AS id"),
+              QStringLiteral(
+                  "CREATE FUNCTION %1.substr(text, int) RETURNS text LANGUAGE sql AS $$ SELECT 'made up' $$"),
+              QStringLiteral("ALTER DATABASE %2 SET search_path = nowhere, first, %1, pg_catalog")})
+            if (home != u"public" || !sql.contains("RENAME"))
+                VERIFY_DONE(
+                    execute((*database)->handle(), QString(sql).replace("%1", quoted).replace("%2", name), "set it"));
+    }
+    const auto database = Database::open(where);
+    VERIFY_DONE(database);
+    QCOMPARE(asked(**database, "SELECT substr('abc', 2)"), QStringLiteral("bc"));
+    QCOMPARE(asked(**database, "SELECT current_schema()"), home);
+    QCOMPARE(asked(**database, "SELECT count(*) FROM people"), QStringLiteral("0"));
+    VERIFY_DONE((*database)->reconnect());
+    QCOMPARE(asked(**database, "SELECT substr('abc', 2)"), QStringLiteral("bc"));
 }
 
 void TestDatabase::saysWhoHoldsTheLock()
