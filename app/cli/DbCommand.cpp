@@ -242,12 +242,10 @@ int restoreFile(const QCommandLineParser& parser, const Address& address)
         return failed(fit.error());
     makeDataFolder(address);
     const QString backup = parser.positionalArguments().front();
-    const std::string there = database::sql::schoolOf(address.file);
-    if (const std::string other = database::sql::schoolOf(backup); !there.empty() && !other.empty() && other != there)
-        return failed({ErrorCode::WrongKind, "backup " + backup.toStdString() + ": it is of another school than " +
-                                                 address.file.toStdString() +
-                                                 "; give another --db, or move that file away first"});
-    if (!there.empty() && database::sql::holdsNobody(backup))
+    const auto isCompared = database::sql::mayReplace(backup, address.file);
+    if (!isCompared)
+        return failed(isCompared.error());
+    if (!database::sql::schoolOf(address.file).empty() && database::sql::holdsNobody(backup))
         return failed({ErrorCode::WrongKind, "backup " + backup.toStdString() +
                                                  ": nobody is in it, and it would replace a whole school; choose "
                                                  "another backup"});
@@ -266,6 +264,9 @@ int restoreFile(const QCommandLineParser& parser, const Address& address)
     const auto open = openSchool(address, Opening::Migrate);
     if (!open)
         return failedInPlace(open.error());
+    if (!*isCompared)
+        warn({"whether the backup is of the school whose place it took is not known: there was nothing to compare it "
+              "with, in that file or in the folder of its backups"});
     const bool isAuditWhole = database::sql::holdsItsAudit(open->school->db).value_or(false);
     if (auto noted = database::sql::noteRestored(*open->school, {}, backup); !noted)
         return failedInPlace(noted.error());
@@ -276,7 +277,10 @@ int restoreFile(const QCommandLineParser& parser, const Address& address)
                   replaced->isEmpty()
                       ? QStringLiteral("Restored as %1.").arg(address.file)
                       : QStringLiteral("Restored as %1; what was there lies in %2.").arg(address.file, *replaced),
-                  {{"database", address.file}, {"replaced", *replaced}, {"audit_whole", isAuditWhole}});
+                  {{"database", address.file},
+                   {"replaced", *replaced},
+                   {"compared", *isCompared},
+                   {"audit_whole", isAuditWhole}});
 }
 
 int drillRestore(const QCommandLineParser& parser, const Address& address)

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <vector>
 
 #include <QDir>
 #include <QFile>
@@ -571,7 +572,78 @@ void putFutureLast(QStringList& files, const QDateTime& nowUtc)
                           [&nowUtc](const QString& file) { return !isOfTheFuture(file, nowUtc); });
 }
 
+/// The schools that it was, one copied from the other, and is: see schoolOf().
+core::Result<std::vector<std::string>> lineOf(const QSqlDatabase& db)
+{
+    std::vector<std::string> line;
+    if (auto read = forEach(db,
+                            "SELECT hash, seq FROM audit WHERE seq = 1 UNION SELECT hash, seq FROM audit WHERE object "
+                            "= 'school' AND action = 'school.copied' ORDER BY seq",
+                            "see whose it is", {}, [&line](const QSqlQuery& row) { line.push_back(textOf(row, 0)); });
+        !read)
+        return tl::unexpected(read.error());
+    return line;
+}
+
+std::vector<std::string> lineOf(const QString& file)
+{
+    if (!QFileInfo(file).isFile())
+        return {};
+    const Reader reader(file);
+    return lineOf(reader.handle()).value_or(std::vector<std::string>());
+}
+
+/// As a school's file is before there is a school in it.
+bool holdsNothing(const QString& file)
+{
+    if (!QFileInfo(file).isFile())
+        return false;
+    const Reader reader(file);
+    return dialect::countTables(reader.handle()).value_or(1) == 0;
+}
+
+/// What lies there was written by a program that knows more than this one.
+core::Status expectKnown(const QString& databaseFile)
+{
+    if (!QFileInfo(databaseFile).isFile())
+        return {};
+    const Reader reader(databaseFile);
+    const auto steps = shippedMigrations();
+    const auto application = ask(reader.handle(), "PRAGMA application_id", "look into it");
+    const auto version = dialect::schemaVersion(reader.handle());
+    if (!steps || !application || !version || application->toInt() != dialect::kApplicationId ||
+        *version <= static_cast<int>(steps->size()))
+        return {};
+    return core::unexpected(ErrorCode::NewerVersion,
+                            "database " + databaseFile.toStdString() + ": it was written by a later program (schema " +
+                                std::to_string(*version) + ", this program knows " + std::to_string(steps->size()) +
+                                "), and a backup would take its place; use that program, or move the file away first");
+}
+
 }  // namespace
+
+core::Result<bool> mayReplace(const QString& backup, const QString& databaseFile)
+{
+    if (auto known = expectKnown(databaseFile); !known)
+        return tl::unexpected(known.error());
+    if (liesEmpty(databaseFile))
+        return true;
+    const std::string school = schoolOf(backup);
+    if (school.empty())
+        return false;
+    auto line = lineOf(databaseFile);
+    const QStringList beside = line.empty() ? backupsIn(backupFolder(databaseFile)) : QStringList();
+    for (const QString& file : beside)
+        for (const std::string& other : lineOf(file))
+            line.push_back(other);
+    if (line.empty())
+        return false;
+    if (std::find(line.begin(), line.end(), school) != line.end())
+        return true;
+    return core::unexpected(ErrorCode::WrongKind, "backup " + backup.toStdString() + ": it is of another school than " +
+                                                      databaseFile.toStdString() +
+                                                      "; name another place, or move that file away first");
+}
 
 core::Status expectClosed(const QString& databaseFile)
 {
@@ -622,7 +694,7 @@ QString newestReplaced(const QString& databaseFile, const QDateTime& nowUtc)
 
 bool liesEmpty(const QString& databaseFile)
 {
-    return !QFileInfo::exists(databaseFile) || holdsNobody(databaseFile);
+    return !QFileInfo::exists(databaseFile) || holdsNobody(databaseFile) || holdsNothing(databaseFile);
 }
 
 QString newestKept(const QString& databaseFile, const QDateTime& nowUtc)
@@ -639,18 +711,13 @@ QString newestKept(const QString& databaseFile, const QDateTime& nowUtc)
 
 core::Result<std::string> schoolOf(const QSqlDatabase& db)
 {
-    const auto first = ask(db, "SELECT hash FROM audit WHERE seq = 1", "see whose it is");
-    if (!first)
-        return tl::unexpected(first.error());
-    return first->toString().toStdString();
+    return lineOf(db).map([](const auto& line) { return line.empty() ? std::string() : line.back(); });
 }
 
 std::string schoolOf(const QString& file)
 {
-    if (!QFileInfo(file).isFile())
-        return {};
-    const Reader reader(file);
-    return schoolOf(reader.handle()).value_or(std::string());
+    const auto line = lineOf(file);
+    return line.empty() ? std::string() : line.back();
 }
 
 bool holdsNobody(const QString& file)
@@ -826,6 +893,8 @@ core::Result<QString> restoreBackup(const QString& backup, const QString& databa
                                                      "the folder; wait until it has ended");
     if (auto closed = expectClosed(databaseFile); !closed)
         return tl::unexpected(closed.error());
+    if (auto may = mayReplace(backup, databaseFile); !may)
+        return tl::unexpected(may.error());
     // It gives back the room that the copy needs.
     if (lock.isHeld())
         sweep(databaseFile, backup);

@@ -43,8 +43,9 @@ using BackupProgress = std::function<bool(int done, int all)>;
 /// The backups in a folder, newest first; of whichever school.
 [[nodiscard]] QStringList backupsIn(const QString& folder);
 
-/// What names a school: the hash of the first row of its audit, the same in all its copies and in no other school.
-/// Empty: nobody has been entered yet.
+/// What names a school: the hash of the row of its audit that says it was copied from another, the last of them, or of
+/// the first row of all; the same in all its backups and in no other school. So what copySchool() has brought elsewhere
+/// is a school of its own: what is tried out there does not come back as a backup. Empty: nobody has been entered yet.
 [[nodiscard]] core::Result<std::string> schoolOf(const QSqlDatabase& db);
 /// Of a file that nobody writes, with its log if a program that was killed has left one; empty also where it cannot be
 /// read.
@@ -77,7 +78,7 @@ using BackupProgress = std::function<bool(int done, int all)>;
 /// one from the future last; empty: there is none.
 [[nodiscard]] QString newestReplaced(const QString& databaseFile, const QDateTime& nowUtc);
 
-/// Whether no file is there, or one that nobody is in: as after a restore that was stopped in the middle.
+/// Whether no file is there, or one that nothing or nobody is in: as after a restore that was stopped in the middle.
 [[nodiscard]] bool liesEmpty(const QString& databaseFile);
 
 /// What there is to go back to: newestSound(); where the school lies empty newestReplaced(), if that was moved aside
@@ -95,12 +96,17 @@ using BackupProgress = std::function<bool(int done, int all)>;
 /// a school, in which nobody looks for what comes in.
 [[nodiscard]] bool isNamedAsCopy(const QString& file);
 
-/// Puts a backup in the place of the database. Busy: another program has that open (this one has closed it), or is
-/// restoring there. Refused where no database may lie, and for the database itself. The backup is checked, copied and
-/// brought to this program's schema first; what cannot be used replaces nothing. What lies there is moved to
-/// "replaced-..." in the same step in which the backup takes its place; where the file system knows no such step,
-/// before it, and back where that fails. What stands in its -wal is brought into it before; where it is damaged that
-/// goes with it as it is, and first: whenever this is stopped, nothing is lost, and nothing of it is read into the
+/// Whether a backup may take the place of what lies there. WrongKind: that is another school than the one of the
+/// backup, and no copy of it, as a school is that has moved; where what lies there cannot be read the backups in its
+/// folder say whose it was. NewerVersion: a later program wrote it. False: it may, but nothing says whose that was.
+[[nodiscard]] core::Result<bool> mayReplace(const QString& backup, const QString& databaseFile);
+
+/// Puts a backup in the place of the database, if it mayReplace() that. Busy: another program has that open (this one
+/// has closed it), or is restoring there. Refused where no database may lie, and for the database itself. The backup is
+/// checked, copied and brought to this program's schema first; what cannot be used replaces nothing. What lies there is
+/// moved to "replaced-..." in the same step in which the backup takes its place; where the file system knows no such
+/// step, before it, and back where that fails. What stands in its -wal is brought into it before; where it is damaged
+/// that goes with it as it is, and first: whenever this is stopped, nothing is lost, and nothing of it is read into the
 /// restored file. Who may read and write it stays as it was. Returns where the old file lies now, empty if there was
 /// none.
 [[nodiscard]] core::Result<QString> restoreBackup(const QString& backup, const QString& databaseFile,

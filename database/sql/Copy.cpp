@@ -180,7 +180,8 @@ core::Result<CopyReport> copySchool(const School& from, const Session& session, 
             return copied;
         if (auto copied = copySeal(from, to); !copied)
             return copied;
-        // This computer signs what it has brought there, and knows the copy as its own from then on.
+        // This computer signs what it has brought there, and knows the copy as its own from then on. By this row the
+        // copy is a school of its own, see schoolOf().
         return note(to, session.uid(), "school.copied", "school");
     };
     const auto done = inTransaction(to.db, "copy the school", [&] {

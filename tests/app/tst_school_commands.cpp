@@ -453,6 +453,17 @@ void TestSchoolCommands::aBackupOfAnotherSchoolIsNotRestored()
     QCOMPARE(refused.exitCode, 1);
     QVERIFY2(refused.isOneSentence() && refused.error.contains("another school"), refused.error);
     QCOMPARE(byAdmin({"user", "list"}).exitCode, 0);
+    // What cannot be read any more is known by the backups beside it; without those nobody knows, and is told.
+    const QByteArray noise(50'000, 'n');
+    const QString beside = onFile({"db", "backup", "--json"}).json()["backup"].toString();
+    put(school(), noise);
+    const Ending still = onFile({"db", "restore", others});
+    QVERIFY2(still.exitCode == 1 && still.isOneSentence() && still.error.contains("another school"), still.error);
+    QCOMPARE(contentOf(school()), noise);
+    QVERIFY(QFile::remove(beside));
+    const Ending untold = onFile({"db", "restore", others, "--json"});
+    QVERIFY2(untold.exitCode == 0 && untold.error.contains("is not known"), untold.error);
+    QCOMPARE(untold.json()["compared"].toBool(true), false);
 }
 
 void TestSchoolCommands::nothingIsRestoredOverWhatIsNoDatabase()

@@ -170,6 +170,9 @@ private slots:
     void nothingIsRestoredUnderAnotherProgram();
     void longWorkIsStopped();
     void eachSchoolThinsItsOwnBackups();
+    void aCopyIsASchoolOfItsOwn();
+    void aDamagedSchoolIsReplacedByItsOwnBackupOnly();
+    void whatALaterProgramWroteIsNotReplaced();
     void aClockThatWasWrongHidesNoBackup();
     void anEmptyDatabaseIsNoBackup();
     void aSchoolWithoutPeopleIsNotOffered();
@@ -658,6 +661,79 @@ void TestUpkeep::eachSchoolThinsItsOwnBackups()
     // Nobody has been entered yet: it is not known whose it is, and nothing is anybody's to delete.
     SchoolRig empty(false);
     QVERIFY(backupsOf(empty.school().db, drive.path()).isEmpty());
+}
+
+/// Somebody tries something out in it, and has it backed up where the school's own backups lie.
+void TestUpkeep::aCopyIsASchoolOfItsOwn()
+{
+    SchoolRig first(false);
+    SchoolRig trial(false);
+    SchoolRig again(false);
+    first.populate();
+    VERIFY_DONE(copySchool(first.school(), first.admin, trial.school()));
+    const auto admin = [](const SchoolRig& rig) {
+        return Logins::login(rig.school(), "admin", SchoolRig::kPassword).value();
+    };
+    VERIFY_DONE(copySchool(trial.school(), admin(trial), again.school()));
+    QTemporaryDir drive;
+    QStringList backups;
+    for (const SchoolRig* rig : {&first, &trial, &again}) {
+        backups += backUp(rig->school().db, drive.path(), first.nowUtc).value();
+        QCOMPARE(backupsOf(rig->school().db, drive.path()), QStringList{backups.last()});
+        QCOMPARE(schoolOf(backups.last()), *schoolOf(rig->school().db));
+    }
+    // Back to what it was before it moved, and never to what came of its copy.
+    QCOMPARE(mayReplace(backups[0], again.address()).value(), true);
+    QCOMPARE(mayReplace(backups[1], again.address()).value(), true);
+    VERIFY_REFUSED(mayReplace(backups[2], trial.address()), ErrorCode::WrongKind);
+    first.close();
+    const QByteArray before = contentOf(first.address());
+    for (const QString& other : {backups[1], backups[2]})
+        VERIFY_REFUSED(restoreBackup(other, first.address(), first.nowUtc), ErrorCode::WrongKind);
+    QCOMPARE(contentOf(first.address()), before);
+    VERIFY_DONE(restoreBackup(backups[0], first.address(), first.nowUtc));
+}
+
+/// The backups beside it say what it was.
+void TestUpkeep::aDamagedSchoolIsReplacedByItsOwnBackupOnly()
+{
+    SchoolRig first(false);
+    SchoolRig second(false);
+    first.populate();
+    second.populate();
+    QTemporaryDir drive;
+    const QString own = backUp(first.school().db, drive.path(), first.nowUtc).value();
+    const QString others = backUp(second.school().db, drive.path(), first.nowUtc).value();
+    const QString beside = backUp(first.school().db, backupFolder(first.address()), first.nowUtc).value();
+    first.close();
+    const auto spoil = [&first] {
+        QFile file(first.address());
+        return file.open(QIODevice::WriteOnly) && file.write(QByteArray(50'000, 'n')) == 50'000;
+    };
+    QVERIFY(spoil());
+    VERIFY_REFUSED(restoreBackup(others, first.address(), first.nowUtc), ErrorCode::WrongKind);
+    QCOMPARE(mayReplace(own, first.address()).value(), true);
+    VERIFY_DONE(restoreBackup(own, first.address(), first.nowUtc));
+    QVERIFY(spoil() && QFile::remove(beside));
+    QCOMPARE(mayReplace(others, first.address()).value(), false);
+    // Where nothing lies there is nothing to compare with.
+    QCOMPARE(mayReplace(others, drive.filePath("new.sqlite")).value(), true);
+}
+
+void TestUpkeep::whatALaterProgramWroteIsNotReplaced()
+{
+    QTemporaryDir folder;
+    SchoolRig rig(false);
+    rig.populate();
+    const QString backup = backUp(rig.school().db, folder.filePath("backups"), rig.nowUtc).value();
+    const QString file = folder.filePath("school.sqlite");
+    QVERIFY(QFile::copy(backup, file) && runOn(file, "PRAGMA user_version = 99"));
+    const QByteArray before = contentOf(file);
+    const auto refused = restoreBackup(backup, file, rig.nowUtc);
+    VERIFY_REFUSED(refused, ErrorCode::NewerVersion);
+    QVERIFY2(refused.error().detail.find("later program (schema 99") != std::string::npos,
+             refused.error().detail.c_str());
+    QCOMPARE(contentOf(file), before);
 }
 
 void TestUpkeep::aClockThatWasWrongHidesNoBackup()
