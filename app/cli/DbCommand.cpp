@@ -319,6 +319,44 @@ int migrateDatabase(const QCommandLineParser& parser, const Address& address)
                   {{"database", address.shown()}, {"schema", *version}});
 }
 
+struct Delivery
+{
+    int sent = 0;
+    int left = 0;
+    int damaged = 0;  ///< is set aside
+};
+
+/// Delivers what waits on this station, each that stays with a warning.
+/// @param isOfAll  also what was put there for another school
+Delivery deliverWaiting(const Address& address, const OpenSchool& open, bool isOfAll)
+{
+    const QDir folder = QFileInfo(stationKeyOf(address)).dir();
+    const database::Outbox letters(folder.filePath(QStringLiteral("outbox")), open.school->key);
+    const QString school = database::Outbox::schoolAt(address, folder.path());
+    Delivery delivery;
+    for (const QString& file : letters.waiting()) {
+        const auto letter = readLetter(letters, file);
+        if (letter && !isOfAll && !letter->school.isEmpty() && letter->school != school)
+            continue;
+        const core::Status done = letter ? letter->deliver(*open.school) : tl::unexpected(letter.error());
+        if (done) {
+            address.isServer() ? letters.remove(file) : letters.keepArrived(file);
+            ++delivery.sent;
+            continue;
+        }
+        if (done.error().code == ErrorCode::FileMissing)  // a window has delivered it
+            continue;
+        warn({done.error().detail});
+        if (!letter && done.error().code == ErrorCode::BadStructure) {
+            letters.setAside(file);
+            ++delivery.damaged;
+        } else {
+            ++delivery.left;
+        }
+    }
+    return delivery;
+}
+
 /// What waits on this station, whichever school it was put there for: of one that was renamed or moved.
 int sendWaiting(const QCommandLineParser& parser, const Address& address)
 {
@@ -329,24 +367,11 @@ int sendWaiting(const QCommandLineParser& parser, const Address& address)
     const auto open = openSchool(address, Opening::AsItIs);
     if (!open)
         return failedWithBackups(open.error(), address);
-    const database::Outbox letters(QFileInfo(stationKeyOf(address)).dir().filePath(QStringLiteral("outbox")),
-                                   open->school->key);
-    int sent = 0;
-    int left = 0;
-    for (const QString& file : letters.waiting()) {
-        const auto letter = readLetter(letters, file);
-        const core::Status done = letter ? letter->deliver(*open->school) : tl::unexpected(letter.error());
-        if (done) {
-            address.isServer() ? letters.remove(file) : letters.keepArrived(file);
-            ++sent;
-        } else if (done.error().code != ErrorCode::FileMissing) {  // a window has delivered it
-            warn({done.error().detail});
-            ++left;
-        }
-    }
-    answer(parser, QStringLiteral("%1 attempts and beginnings of exams were sent, %2 wait.").arg(sent).arg(left),
-           {{"database", address.shown()}, {"sent", sent}, {"waiting", left}});
-    return left == 0 ? kDone : kFailed;
+    const Delivery done = deliverWaiting(address, *open, true);
+    answer(parser,
+           QStringLiteral("%1 attempts and beginnings of exams were sent, %2 wait.").arg(done.sent).arg(done.left),
+           {{"database", address.shown()}, {"sent", done.sent}, {"waiting", done.left}, {"damaged", done.damaged}});
+    return done.left + done.damaged == 0 ? kDone : kFailed;
 }
 
 /// What a copy makes beside its recordings, and is not there yet. Nothing on a server.
@@ -378,6 +403,9 @@ int copyDatabase(const QCommandLineParser& parser, const Address& address)
     // Before anything is made there.
     if (const auto may = database::sql::admit(*from->school, *session, database::Operation::CopySchool); !may)
         return failed(may.error());
+    // What waits for the school belongs into its copy: where that lies nobody looks for it.
+    const bool isCopy = !address.isServer() && database::sql::isNamedAsCopy(address.file);
+    const Delivery delivered = isCopy ? Delivery() : deliverWaiting(address, *from, false);
     const QStringList made = filesToMake(*target);
     auto to = openSchool(*target, Opening::Create);
     if (!to)
@@ -399,6 +427,10 @@ int copyDatabase(const QCommandLineParser& parser, const Address& address)
                 QFile::remove(file);
         return failed(report.error());
     }
+    if (delivered.left > 0)
+        warn({std::to_string(delivered.left) +
+              " attempts and beginnings of exams wait beside what was copied, and are not in the copy: put right what "
+              "is said of them above, and copy again"});
     if (report->recordingsMissing > 0)
         warn({std::to_string(report->recordingsMissing) +
               " recordings are missing or damaged in what was copied: \"cusp db check\" names them; their attempts are "
@@ -409,6 +441,8 @@ int copyDatabase(const QCommandLineParser& parser, const Address& address)
                   {{"rows", static_cast<qint64>(report->rows)},
                    {"recordings", static_cast<qint64>(report->recordings)},
                    {"recordings_missing", static_cast<qint64>(report->recordingsMissing)},
+                   {"sent", delivered.sent},
+                   {"waiting", delivered.left},
                    {"database", target->shown()}});
 }
 

@@ -65,6 +65,8 @@ private slots:
     void attemptsAreExported();
     void whatABackupMissesIsSentAgain();
     void whatWaitsForASchoolThatWasRenamedIsSent();
+    void aDamagedLetterIsSetAside();
+    void whatWaitsForASchoolMovesWithIt();
     void aBackupOfAnotherSchoolIsNotRestored();
     void nothingIsRestoredOverWhatIsNoDatabase();
     void anEmptySchoolReplacesNone();
@@ -438,6 +440,58 @@ void TestSchoolCommands::whatWaitsForASchoolThatWasRenamedIsSent()
     QCOMPARE(sent.json()["sent"].toInt(), 2);
     QVERIFY(outbox.waiting().isEmpty());
     QCOMPARE(outbox.arrived().size(), 2);
+}
+
+void TestSchoolCommands::aDamagedLetterIsSetAside()
+{
+    const auto key = database::StationKey::readOrMake(at("station.key"));
+    QVERIFY(key && QDir(m_folder->path()).mkpath("outbox"));
+    const database::Outbox outbox(at("outbox"), *key);
+    put(at("outbox/spoilt.attempt"), "noise");
+    const Ending sent = onFile({"db", "send", "--json"});
+    QVERIFY2(sent.exitCode == 1 && sent.error.contains("kept in the folder \"damaged\""), sent.error);
+    QCOMPARE(sent.json()["damaged"].toInt(), 1);
+    QCOMPARE(sent.json()["waiting"].toInt(-1), 0);
+    QCOMPARE(contentOf(at("outbox/damaged/spoilt.attempt")), QByteArray("noise"));
+    QVERIFY(outbox.waiting().isEmpty());
+    QCOMPARE(onFile({"db", "send"}).exitCode, 0);
+}
+
+/// Beside the copy nobody would look for it.
+void TestSchoolCommands::whatWaitsForASchoolMovesWithIt()
+{
+    const auto key = database::StationKey::readOrMake(at("station.key"));
+    QVERIFY(key && QDir(m_folder->path()).mkpath("new"));
+    SchoolRig rig(false);
+    rig.populate();
+    const QString moving = at("moving.sqlite");
+    QVERIFY(QFile::copy(database::sql::backUp(rig.school().db, at("b"), rig.nowUtc).value(), moving));
+    database::Outbox own(at("outbox"), *key, "moving.sqlite");
+    database::Outbox others(at("outbox"), *key, "school.sqlite");
+    const auto keep = [&](database::Outbox& outbox, const database::Session& who) {
+        return outbox.put(who, SchoolRig::attempt("class1-36", 500), {}).has_value();
+    };
+    const auto copy = [&](const char* to) {
+        return runCusp({"db", "copy", "--json", "--db", moving, "--as", "admin", "--to", at(to)}, {}, kPassword);
+    };
+    const auto attemptsIn = [&](const char* file) {
+        return runCusp({"db", "stats", "--json", "--db", at(file)}).json()["attempts"].toInt();
+    };
+    QVERIFY(keep(own, rig.student) && keep(others, rig.student));
+    const Ending copied = copy("new/copy.sqlite");
+    QVERIFY2(copied.exitCode == 0 && !copied.error.contains("wait"), copied.error);
+    QCOMPARE(copied.json()["sent"].toInt(), 1);
+    QCOMPARE(attemptsIn("new/copy.sqlite"), 1);
+    QCOMPARE(own.waiting().size(), 1);
+    QCOMPARE(own.arrived().size(), 1);
+    // Of somebody who is not there.
+    SchoolRig foreign(false);
+    foreign.populate();
+    QVERIFY(keep(own, foreign.student));
+    const Ending left = copy("new/second.sqlite");
+    QVERIFY2(left.exitCode == 0 && left.error.contains("1 attempts and beginnings of exams wait beside"), left.error);
+    QCOMPARE(left.json()["waiting"].toInt(), 1);
+    QCOMPARE(attemptsIn("new/second.sqlite"), 1);
 }
 
 void TestSchoolCommands::aBackupOfAnotherSchoolIsNotRestored()
