@@ -85,33 +85,25 @@ core::Status expectFile(const Address& address)
                             "it into a file");
 }
 
-/// Of a file, what there is to go back to; empty: nothing.
-std::string wayBack(const Address& address)
-{
-    if (address.isServer())
-        return {};
-    const QString backup = database::sql::newestSound(address.file, QDateTime::currentDateTimeUtc());
-    // A restore that somebody stopped in the middle may leave none in the place of the file, where a new one is begun.
-    const QString replaced = database::sql::liesEmpty(address.file)
-                                 ? database::sql::newestReplaced(address.file, QDateTime::currentDateTimeUtc())
-                                 : QString();
-    std::string way;
-    if (!replaced.isEmpty())
-        way = "the newest whole school that a restore has moved aside is " + replaced.toStdString();
-    if (!backup.isEmpty())
-        way += (way.empty() ? "" : ", ") + ("the newest sound backup is " + backup.toStdString());
-    return way.empty() ? way : way + ", and \"cusp db restore\" brings it back";
-}
-
-/// Where a file cannot be used any more, what there is to go back to.
 int failedWithBackups(const core::Error& error, const Address& address)
 {
-    core::Error said = error;
-    if (error.code == ErrorCode::BadStructure || error.code == ErrorCode::WrongKind ||
-        error.code == ErrorCode::FileMissing)
-        if (const std::string way = wayBack(address); !way.empty())
-            said.detail += "; " + way;
-    return failed(said);
+    return failed(withWayBack(error, address));
+}
+
+/// A school that lies beside the place where a new one is to be made; empty: there is none.
+QString earlierAt(const Address& address)
+{
+    return address.isServer() || !database::sql::liesEmpty(address.file)
+               ? QString()
+               : database::sql::newestKept(address.file, QDateTime::currentDateTimeUtc());
+}
+
+void tellEarlier(const QString& earlier, const Address& address)
+{
+    if (!earlier.isEmpty())
+        warn({"this is a new school, and an earlier one is kept beside it; to have that back, move this file away and "
+              "type \"cusp db restore " +
+              earlier.toStdString() + " --db " + address.file.toStdString() + '"'});
 }
 
 int initDatabase(const QCommandLineParser& parser, const Address& address)
@@ -126,16 +118,11 @@ int initDatabase(const QCommandLineParser& parser, const Address& address)
         if (auto fit = database::sql::Logins::checkNewPassword(password, admin.toStdString()); !fit)
             return failed(fit.error());
     }
-    const QString backup = address.isServer() || !database::sql::liesEmpty(address.file)
-                               ? QString()
-                               : database::sql::newestKept(address.file, QDateTime::currentDateTimeUtc());
+    const QString earlier = earlierAt(address);
     const auto open = openSchool(address, Opening::Create);
     if (!open)
         return failedWithBackups(open.error(), address);
-    if (!backup.isEmpty())
-        warn({"this is a new, empty school, and an earlier one is kept beside it; to have that back, move this "
-              "file away and type \"cusp db restore " +
-              backup.toStdString() + " --db " + address.file.toStdString() + '"'});
+    tellEarlier(earlier, address);
     if (!open->database->notice().empty())
         warn({open->database->notice()});
     if (!admin.isEmpty()) {
@@ -497,9 +484,11 @@ int makeUpSchool(const QCommandLineParser& parser, const Address& address)
     size.students = static_cast<int>(*students);
     size.attempts = *attempts;
     size.seed = static_cast<std::uint64_t>(*seed);
+    const QString earlier = earlierAt(address);
     const auto open = openSchool(address, Opening::Create);
     if (!open)
-        return failed(open.error());
+        return failedWithBackups(open.error(), address);
+    tellEarlier(earlier, address);
     const std::string password = database::newCode() + "x";
     const auto admin = database::sql::Logins::createFirstAdmin(*open->school, {"admin", "", "", database::Role::Admin},
                                                                password, database::PasswordCost{});

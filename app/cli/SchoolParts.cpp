@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <iostream>
 
+#include <QDateTime>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -12,6 +13,7 @@
 #include <termios.h>
 #include <unistd.h>
 
+#include "database/sql/Backups.h"
 #include "database/sql/Logins.h"
 
 namespace app::cli {
@@ -54,6 +56,32 @@ void makeDataFolder(const database::Address& address)
 {
     if (!address.isServer() && QFileInfo(address.file).absolutePath() == dataFolder())
         QDir().mkpath(dataFolder());
+}
+
+std::string wayBack(const database::Address& address)
+{
+    if (address.isServer())
+        return {};
+    const QString backup = database::sql::newestSound(address.file, QDateTime::currentDateTimeUtc());
+    // A restore that somebody stopped in the middle may leave none in the place of the file, where a new one is begun.
+    const QString replaced = database::sql::liesEmpty(address.file)
+                                 ? database::sql::newestReplaced(address.file, QDateTime::currentDateTimeUtc())
+                                 : QString();
+    std::string way;
+    if (!replaced.isEmpty())
+        way = "the newest whole school that a restore has moved aside is " + replaced.toStdString();
+    if (!backup.isEmpty())
+        way += (way.empty() ? "" : ", ") + ("the newest sound backup is " + backup.toStdString());
+    return way.empty() ? way : way + ", and \"cusp db restore\" brings it back";
+}
+
+core::Error withWayBack(core::Error error, const database::Address& address)
+{
+    if (error.code == ErrorCode::BadStructure || error.code == ErrorCode::WrongKind ||
+        error.code == ErrorCode::FileMissing)
+        if (const std::string way = wayBack(address); !way.empty())
+            error.detail += "; " + way;
+    return error;
 }
 
 QString stationKeyOf(const database::Address& address)

@@ -36,6 +36,10 @@ enum class Opening {
 /// Makes the user's own folder, if the database is to lie there; no other.
 void makeDataFolder(const database::Address& address);
 [[nodiscard]] core::Result<OpenSchool> openSchool(const database::Address& address, Opening how);
+/// Of a file, what there is to go back to; empty: nothing.
+[[nodiscard]] std::string wayBack(const database::Address& address);
+/// The same behind what is the matter, where a file cannot be used any more.
+[[nodiscard]] core::Error withWayBack(core::Error error, const database::Address& address);
 /// Where the key lies that signs what is written there.
 [[nodiscard]] QString stationKeyOf(const database::Address& address);
 

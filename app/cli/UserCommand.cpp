@@ -60,7 +60,7 @@ core::Result<Desk> deskOf(const QCommandLineParser& parser)
         return tl::unexpected(address.error());
     auto open = openSchool(*address, Opening::AsItIs);
     if (!open)
-        return tl::unexpected(open.error());
+        return tl::unexpected(withWayBack(open.error(), *address));
     auto session = logIn(parser, *open);
     if (!session)
         return tl::unexpected(session.error());

@@ -72,6 +72,7 @@ private slots:
     void anEmptySchoolReplacesNone();
     void aBackupOfAChangedAuditSaysSo();
     void aMigrationLetsRowsBeNumberedAgain();
+    void whereTheSchoolCannotBeUsedABackupIsNamed();
     void aNewSchoolBesideBackupsSaysSo();
     void aFileThatIsGoneIsLookedForWhereARestoreMovedIt();
     void aFailedRestoreNamesWhatWasThere();
@@ -551,6 +552,28 @@ void TestSchoolCommands::anEmptySchoolReplacesNone()
     QCOMPARE(byAdmin({"user", "list"}).exitCode, 0);
     // Where there is no school it takes nothing away.
     QCOMPARE(runCusp({"db", "restore", at("empty.sqlite"), "--db", at("new.sqlite")}).exitCode, 0);
+}
+
+void TestSchoolCommands::whereTheSchoolCannotBeUsedABackupIsNamed()
+{
+    put(at("list.csv"), "username,given_name,family_name,role,class\nn1,Ada,One,,A\n");
+    const QByteArray backup = onFile({"db", "backup", "--json"}).json()["backup"].toString().toUtf8();
+    for (const bool isThere : {true, false}) {
+        put(school(), QByteArray(50'000, 'n'));
+        QVERIFY(isThere || QFile::remove(school()));
+        for (const QStringList& words : {QStringList{"user", "list"},
+                                         {"user", "add", "s1"},
+                                         {"import", "roster", at("list.csv")},
+                                         {"export", "attempts", "--csv", at("table.csv")},
+                                         {"db", "check"},
+                                         {"db", "sample"}}) {
+            const Ending refused = words.front() == u"db" ? onFile(words) : byAdmin(words);
+            const bool isMade = !isThere && words.contains("sample");
+            QVERIFY2((isMade ? refused.exitCode == 0 : refused.exitCode == 1 && refused.isOneSentence()) &&
+                         refused.error.contains(backup) && refused.error.contains("cusp db restore"),
+                     refused.error);
+        }
+    }
 }
 
 void TestSchoolCommands::aNewSchoolBesideBackupsSaysSo()
