@@ -470,7 +470,9 @@ void AdminDesk::tellChecked(const database::sql::CheckReport& report, const QStr
                    : sound + u' ' + tr("The audit is still the one that the report with the code %1 names.").arg(code);
     };
     m_found = report.findings;
-    part.finish(sentence, m_found, !m_found.empty());
+    std::vector<database::Finding> shown = m_found;
+    shown.insert(shown.end(), report.notes.begin(), report.notes.end());
+    part.finish(sentence, shown, !m_found.empty());
 }
 
 void AdminDesk::tellDone(const std::function<QString()>& done, bool isFault)

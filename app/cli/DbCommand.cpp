@@ -21,6 +21,7 @@
 #include "database/Outbox.h"
 #include "database/Usernames.h"
 #include "database/sql/Attempts.h"
+#include "database/sql/Audit.h"
 #include "database/sql/Backups.h"
 #include "database/sql/Check.h"
 #include "database/sql/Classes.h"
@@ -141,12 +142,16 @@ int initDatabase(const QCommandLineParser& parser, const Address& address)
 
 int checkWhole(const QCommandLineParser& parser, const Address& address)
 {
+    std::vector<std::string> witnesses;
+    for (const QString& code : parser.values(QStringLiteral("witness"))) {
+        witnesses.push_back(code.toStdString());
+        if (!database::sql::isAuditCode(witnesses.back()))
+            return wrongUsage(QStringLiteral("\"%1\" is no audit code; a report shows one such as 412-9f3ac07be1d2")
+                                  .arg(printable(code)));
+    }
     const auto open = openSchool(address, Opening::ToLook);
     if (!open)
         return failedWithBackups(open.error(), address);
-    std::vector<std::string> witnesses;
-    for (const QString& code : parser.values(QStringLiteral("witness")))
-        witnesses.push_back(code.toStdString());
     const auto report = database::sql::checkDatabase(
         open->school->db, witnesses, {},
         address.isServer() || !open->hasStationKey ? std::string() : open->school->key.publicHex());
@@ -160,6 +165,9 @@ int checkWhole(const QCommandLineParser& parser, const Address& address)
         findings += finding.english();
         text += printable(finding.english()) + '\n';
     }
+    std::vector<std::string> notes;
+    for (const database::Finding& note : report->notes)
+        notes.push_back(printable(note.english()).toStdString());
     const bool isSound = report->findings.empty();
     const QString signedBy = QString::fromStdString(report->signedBy);
     const bool isOwnKey = open->hasStationKey && report->signedBy == open->school->key.publicHex();
@@ -167,6 +175,7 @@ int checkWhole(const QCommandLineParser& parser, const Address& address)
     const QJsonObject object{{"database", address.shown()},
                              {"sound", isSound},
                              {"findings", findings},
+                             {"notes", toJsonArray(notes)},
                              {"attempts", static_cast<qint64>(report->attempts)},
                              {"audit_rows", static_cast<qint64>(report->auditRows)},
                              {"audit_code", QString::fromStdString(report->auditCode)},
@@ -182,6 +191,7 @@ int checkWhole(const QCommandLineParser& parser, const Address& address)
                                   signedBy.isEmpty()
                                       ? QString()
                                       : QStringLiteral(", signed by %1%2").arg(signedBy.left(16), signer)));
+    warn(notes);
     if (!open->keyFault.empty())
         warn({open->keyFault + "; whether this computer signed the head of the audit is not known"});
     const bool isMissed = !report->isWhole || (!address.isServer() && database::sql::liesEmpty(address.file));

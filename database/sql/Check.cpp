@@ -257,8 +257,9 @@ core::Result<CheckReport> checkDatabase(const QSqlDatabase& db, const std::vecto
     CheckReport report;
     const bool onServer = dialect::isPostgres(db);
     const auto tell = [&report](const Finding& finding) { say(report, finding); };
+    const auto note = [&report](const Finding& finding) { report.notes.push_back(finding); };
     // It makes a schema to compare with, and so it cannot stand in a transaction that only reads.
-    if (auto done = lookAt({[&] { return checkSchema(db, tell); },
+    if (auto done = lookAt({[&] { return checkSchema(db, tell, note); },
                             QT_TRANSLATE_NOOP("Finding", "tables, indexes and triggers could not be looked at (%1)")},
                            report);
         !done)

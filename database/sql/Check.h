@@ -18,6 +18,7 @@ namespace database::sql {
 struct CheckReport
 {
     std::vector<Finding> findings;  ///< empty: it is sound
+    std::vector<Finding> notes;     ///< what could not be compared, and is no fault of the school's
     std::int64_t attempts = 0;
     std::int64_t auditRows = 0;
     std::string auditCode;                     ///< of the newest row, as reports show it

@@ -256,7 +256,8 @@ void tellAdded(const std::string& named, const Made& made, const Schema& expecte
 
 }  // namespace
 
-core::Status checkSchema(const QSqlDatabase& db, const std::function<void(const Finding&)>& say)
+core::Status checkSchema(const QSqlDatabase& db, const std::function<void(const Finding&)>& say,
+                         const std::function<void(const Finding&)>& note)
 {
     if (dialect::isPostgres(db))
         for (const auto look : {&checkGuardsAct, &checkNames})
@@ -266,11 +267,11 @@ core::Status checkSchema(const QSqlDatabase& db, const std::function<void(const 
     const bool areNamesAll =
         dialect::isPostgres(db) && !expected && expected.error().code == core::ErrorCode::FileUnwritable;
     if (areNamesAll) {
-        say({QT_TRANSLATE_NOOP("Finding",
-                               "of tables, indexes and triggers the names alone could be compared: this user "
-                               "of the server may not create a schema there; let the owner of the "
-                               "database check it"),
-             {}});
+        note({QT_TRANSLATE_NOOP("Finding",
+                                "of tables, indexes and triggers the names alone could be compared: this user "
+                                "of the server may not create a schema there; let the owner of the "
+                                "database check it"),
+              {}});
         expected = freshSchema().map(asOnServer);
     }
     const auto found = schemaOf(db);

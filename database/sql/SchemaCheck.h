@@ -16,6 +16,8 @@ namespace database::sql {
 /// there, in a schema that is gone when this returns; where its user may not create one, names alone are compared, and
 /// that is said.
 /// @param say  is told each that is missing, changed or foreign
-[[nodiscard]] core::Status checkSchema(const QSqlDatabase& db, const std::function<void(const Finding&)>& say);
+/// @param note  is told what could not be compared
+[[nodiscard]] core::Status checkSchema(const QSqlDatabase& db, const std::function<void(const Finding&)>& say,
+                                       const std::function<void(const Finding&)>& note);
 
 }  // namespace database::sql

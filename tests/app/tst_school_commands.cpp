@@ -746,6 +746,7 @@ void TestSchoolCommands::wrongUsageIsExplained()
                                      {"db", "paint"},
                                      {"db", "restore"},
                                      {"db", "copy"},
+                                     {"db", "check", "--db", school(), "--witness", "412-9f3ac07be1d"},
                                      {"user"},
                                      {"user", "add"},
                                      {"import"},
