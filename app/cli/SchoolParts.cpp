@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/SchoolParts.h"
 
+#include <array>
+#include <csignal>
 #include <cstdio>
 #include <iostream>
+#include <optional>
 
 #include <QDateTime>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
-#include <QScopeGuard>
 #include <QStandardPaths>
 #include <termios.h>
 #include <unistd.h>
@@ -34,6 +36,64 @@ bool isClosed(const QString& path)
     QFile file(path);
     return info.isFile() && !info.isSymLink() && !file.open(QIODevice::ReadOnly);
 }
+
+/// A terminal that does not show what is typed, while this lives. Who stops the program meanwhile has one that does,
+/// and who lets it go on is not shown, either.
+class HiddenTyping
+{
+public:
+    HiddenTyping()
+    {
+        tcgetattr(STDIN_FILENO, &shown);
+        hide();
+        for (std::size_t k = 0; k < kSignals.size(); ++k)
+            m_knew[k] = catchIt(kSignals[k]);
+    }
+    ~HiddenTyping()
+    {
+        for (std::size_t k = 0; k < kSignals.size(); ++k)
+            sigaction(kSignals[k], &m_knew[k], nullptr);
+        tcsetattr(STDIN_FILENO, TCSAFLUSH, &shown);
+    }
+    HiddenTyping(const HiddenTyping&) = delete;
+    HiddenTyping& operator=(const HiddenTyping&) = delete;
+
+private:
+    static constexpr std::array kSignals{SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGTSTP};
+    static inline termios shown{};  ///< for a handler, which is given nothing else
+
+    static void hide()
+    {
+        termios hidden = shown;
+        hidden.c_lflag &= ~static_cast<tcflag_t>(ECHO);
+        tcsetattr(STDIN_FILENO, TCSAFLUSH, &hidden);
+    }
+    /// Once; what the signal does otherwise comes after it. Returns what was done at it before.
+    static struct sigaction catchIt(int signal)
+    {
+        struct sigaction ours
+        {};
+        struct sigaction before
+        {};
+        ours.sa_handler = &showAgain;
+        ours.sa_flags = SA_RESTART | SA_RESETHAND | SA_NODEFER;
+        sigaction(signal, &ours, &before);
+        // Who began the program so that it lives on (nohup) means it.
+        if (before.sa_handler == SIG_IGN)
+            sigaction(signal, &before, nullptr);
+        return before;
+    }
+    static void showAgain(int signal)
+    {
+        tcsetattr(STDIN_FILENO, TCSANOW, &shown);
+        raise(signal);
+        // That was a halt, and it goes on.
+        hide();
+        catchIt(signal);
+    }
+
+    std::array<struct sigaction, kSignals.size()> m_knew{};
+};
 
 }  // namespace
 
@@ -148,22 +208,15 @@ core::Result<database::Session> logIn(const QCommandLineParser& parser, const Op
 
 std::string askSecret(const char* question)
 {
-    std::string line;
-    const bool isTerminal = isatty(STDIN_FILENO) != 0;
-    termios before{};
-    if (isTerminal && tcgetattr(STDIN_FILENO, &before) == 0) {
+    std::optional<HiddenTyping> hidden;
+    if (isatty(STDIN_FILENO) != 0) {
         std::fputs(question, stderr);
-        termios hidden = before;
-        hidden.c_lflag &= ~static_cast<tcflag_t>(ECHO);
-        tcsetattr(STDIN_FILENO, TCSAFLUSH, &hidden);
+        hidden.emplace();
     }
-    const auto restore = qScopeGuard([&] {
-        if (isTerminal) {
-            tcsetattr(STDIN_FILENO, TCSAFLUSH, &before);
-            std::fputc('\n', stderr);
-        }
-    });
+    std::string line;
     std::getline(std::cin, line);
+    if (hidden)
+        std::fputc('\n', stderr);
     if (!line.empty() && line.back() == '\r')  // of a file that was written on Windows
         line.pop_back();
     return line;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `cusp db`, `user`, `import` and `export`, as a technician types them.
+#include <csignal>
 #include <future>
 
 #include <QDeadlineTimer>
@@ -12,7 +13,10 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QThread>
+#include <pty.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
+#include <termios.h>
 #include <unistd.h>
 
 #include "app/cli/SchoolParts.h"
@@ -84,6 +88,8 @@ private slots:
     void whoMayNotReadTheKeyLooksAllTheSame();
     void lookingLeavesNothingBehind();
     void namesThatAreNoFilesAreRefused();
+    void whoStopsAtThePasswordSeesWhatHeTypes_data();
+    void whoStopsAtThePasswordSeesWhatHeTypes();
     void wrongUsageIsExplained();
 
 private:
@@ -738,6 +744,62 @@ void TestSchoolCommands::namesThatAreNoFilesAreRefused()
         const Ending refused = runCusp({"db", "init", "--db", name});
         QVERIFY2(refused.exitCode == 1 && refused.error.contains("cannot be seen"), refused.error);
     }
+}
+
+void TestSchoolCommands::whoStopsAtThePasswordSeesWhatHeTypes_data()
+{
+    QTest::addColumn<int>("signal");
+    QTest::newRow("Ctrl+C") << SIGINT;
+    QTest::newRow("ended") << SIGTERM;
+    QTest::newRow("the terminal is closed") << SIGHUP;
+}
+
+/// A halt and going on comes first: nothing is shown then, either. As a shell would have begun it, which waits beside.
+void TestSchoolCommands::whoStopsAtThePasswordSeesWhatHeTypes()
+{
+    QFETCH(int, signal);
+    const QByteArray file = school().toLocal8Bit();
+    int terminal = -1;
+    const pid_t shell = forkpty(&terminal, nullptr, nullptr, nullptr);
+    if (shell == 0) {
+        const pid_t cusp = fork();
+        if (cusp == 0) {
+            setpgid(0, 0);
+            ::signal(SIGTTOU, SIG_IGN);
+            tcsetpgrp(STDIN_FILENO, getpid());
+            ::signal(SIGTTOU, SIG_DFL);
+            execl(CUSP_BINARY_DIR "/bin/cusp", "cusp", "user", "list", "--as", "admin", "--db", file.constData(),
+                  nullptr);
+            _exit(127);
+        }
+        int status = 0;
+        waitpid(cusp, &status, 0);
+        _exit(WIFSIGNALED(status) ? WTERMSIG(status) : 0);
+    }
+    const auto closed = qScopeGuard([&] {
+        kill(shell, SIGKILL);
+        waitpid(shell, nullptr, 0);
+        close(terminal);
+    });
+    const auto isShown = [&terminal] {
+        termios now{};
+        return tcgetattr(terminal, &now) == 0 && (now.c_lflag & ECHO) != 0;
+    };
+    QTRY_VERIFY(!isShown());
+    const pid_t cusp = tcgetpgrp(terminal);
+    QVERIFY(cusp > 0 && cusp != shell);
+    QCOMPARE(kill(cusp, SIGTSTP), 0);
+    QTRY_VERIFY(contentOf(QStringLiteral("/proc/%1/stat").arg(cusp)).contains(") T "));
+    QVERIFY(isShown());
+    QCOMPARE(kill(cusp, SIGCONT), 0);
+    QTRY_VERIFY(!isShown());
+    QCOMPARE(kill(cusp, signal), 0);
+    int status = 0;
+    bool isOver = false;
+    QTRY_VERIFY(isOver = isOver || waitpid(shell, &status, WNOHANG) == shell);
+    QVERIFY(WIFEXITED(status));
+    QCOMPARE(WEXITSTATUS(status), signal);
+    QVERIFY(isShown());
 }
 
 void TestSchoolCommands::wrongUsageIsExplained()
