@@ -404,7 +404,7 @@ int copyDatabase(const QCommandLineParser& parser, const Address& address)
     const bool isCopy = !address.isServer() && database::sql::isNamedAsCopy(address.file);
     const Delivery delivered = isCopy ? Delivery() : deliverWaiting(address, *from, false);
     const QStringList made = filesToMake(*target);
-    auto to = openSchool(*target, Opening::Create);
+    auto to = openSchool(*target, Opening::ToFill);
     if (!to)
         return failed(to.error());
     const bool tells = isatty(STDERR_FILENO) != 0;

@@ -152,7 +152,7 @@ QString stationKeyOf(const database::Address& address)
 
 core::Result<OpenSchool> openSchool(const database::Address& address, Opening how)
 {
-    const bool mayCreate = how == Opening::Create;
+    const bool mayCreate = how == Opening::Create || how == Opening::ToFill;
     if (!mayCreate && !address.isServer() && !QFileInfo::exists(address.file))
         return core::unexpected(ErrorCode::FileMissing, "database " + address.file.toStdString() +
                                                             ": there is no such file; \"cusp db init\" creates one");
@@ -160,7 +160,8 @@ core::Result<OpenSchool> openSchool(const database::Address& address, Opening ho
         makeDataFolder(address);
     OpenSchool open;
     database::sql::Database::Options options;
-    options.mayMigrate = how == Opening::Migrate || how == Opening::Create;
+    options.mayMigrate = how == Opening::Migrate || mayCreate;
+    options.isToBeFilled = how == Opening::ToFill;
     options.mayCreate = mayCreate;
     options.onlyLooks = how == Opening::ToLook;
     auto database = database::sql::Database::open(address, options);

@@ -31,7 +31,8 @@ enum class Opening {
               ///< works where nothing can be written
     AsItIs,   ///< the same; what is written is signed with the station's key, which is made if need be
     Migrate,  ///< bring it to the newest schema
-    Create    ///< where nothing is
+    Create,   ///< where nothing is
+    ToFill    ///< the same, by a copy: until that is whole nothing is there
 };
 /// Makes the user's own folder, if the database is to lie there; no other.
 void makeDataFolder(const database::Address& address);

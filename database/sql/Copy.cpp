@@ -9,6 +9,7 @@
 #include <QSqlQuery>
 
 #include "database/sql/Audit.h"
+#include "database/sql/Migrations.h"
 #include "database/sql/Recordings.h"
 #include "database/sql/RowSum.h"
 #include "database/sql/Statement.h"
@@ -122,6 +123,11 @@ core::Status copySeal(const School& from, const School& to)
 
 core::Status expectEmpty(const QSqlDatabase& to)
 {
+    const auto version = dialect::schemaVersion(to);
+    if (!version)
+        return tl::unexpected(version.error());
+    if (*version == 0)
+        return {};
     for (const char* table : kMustBeEmpty) {
         const auto row = ask(to, QStringLiteral("SELECT 1 FROM %1 LIMIT 1").arg(QLatin1String(table)), "look into it");
         if (!row)
@@ -133,9 +139,25 @@ core::Status expectEmpty(const QSqlDatabase& to)
     return {};
 }
 
+/// With the school or not at all. Another may be copying into it, too, and has to end first.
+core::Status makeSchema(const QSqlDatabase& to)
+{
+    const auto steps = shippedMigrations();
+    if (!steps)
+        return tl::unexpected(steps.error());
+    if (auto made = applyAll(to, *steps); !made)
+        return made;
+    // Who makes a schema may not pause; who reads what is copied there does.
+    return dialect::isPostgres(to)
+               ? execute(to, "SET LOCAL idle_in_transaction_session_timeout = DEFAULT", "make a schema")
+               : core::Status();
+}
+
 /// In the transaction that copies: another may be copying into it, too, and has to end first.
 core::Status keepForOne(const QSqlDatabase& to)
 {
+    if (auto made = makeSchema(to); !made)
+        return made;
     if (dialect::isPostgres(to))
         if (auto locked = execute(to, "LOCK TABLE people IN EXCLUSIVE MODE", "copy the school"); !locked)
             return locked;

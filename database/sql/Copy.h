@@ -19,8 +19,9 @@ struct CopyReport
 };
 
 /// Brings everything of a school into an empty database of either engine, recordings included, all or nothing (of a
-/// copy that fails no file is left there), and verifies it: the same rows in both, by a sum of their hashes, and each
-/// recording read back. OutOfRange where the target holds anything already. Noted in the audit.
+/// copy that fails no file is left there, and the schema is made with it where there is none), and verifies it: the
+/// same rows in both, by a sum of their hashes, and each recording read back. OutOfRange where the target holds
+/// anything already. Noted in the audit.
 /// @param session  an admin's of `from`
 [[nodiscard]] core::Result<CopyReport> copySchool(const School& from, const Session& session, const School& to,
                                                   const CopyProgress& progress = {});

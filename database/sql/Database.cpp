@@ -338,6 +338,8 @@ core::Status Database::bringToNewest(const Options& options)
         return core::unexpected(ErrorCode::BadStructure, "database " + dialect::nameOf(db) +
                                                              ": it is empty, there is no school in it; restore a "
                                                              "backup, or \"cusp db init\" creates a school");
+    if (*version == 0 && options.isToBeFilled)
+        return {};
     const bool isOlder = *version > 0 && *version < static_cast<int>(steps->size());
     if (isOlder && !options.mayMigrate)
         return core::unexpected(ErrorCode::OlderVersion,

@@ -41,6 +41,8 @@ public:
         bool savesFirst = true;
         /// Make a school where there is nothing, or an empty file.
         bool mayCreate = true;
+        /// Where nothing is, leave it so: copySchool() makes the school there.
+        bool isToBeFilled = false;
         /// Only read it: also where the disk is full, or nothing can be written beside it.
         bool onlyLooks = false;
         /// Where the file lies; for tests. Servers are not asked.

@@ -84,6 +84,7 @@ private slots:
     void aCopyIsSoundAndKnownHere();
     void ofTwoCopiesAtOnceOneIsThere();
     void aCopyThatFailsLeavesNothingBehind();
+    void ofACopyThatFailsAServerHasNothing();
     void aCopyOfABusySchoolLeavesNothingBehind();
     void whoMayNotReadTheKeyLooksAllTheSame();
     void lookingLeavesNothingBehind();
@@ -679,6 +680,37 @@ void TestSchoolCommands::aCopyThatFailsLeavesNothingBehind()
     QCOMPARE(byAdmin({"db", "copy", "--to", school()}).exitCode, 1);
     QVERIFY(QFile::exists(at("station.key")) && QFile::exists(school()));
     QCOMPARE(onFile({"db", "check"}).exitCode, 0);
+}
+
+/// What a server does not take.
+void TestSchoolCommands::ofACopyThatFailsAServerHasNothing()
+{
+    if (!support::sharedServer().fault().isEmpty())
+        QSKIP(qPrintable(support::sharedServer().fault()));
+    const QString where = support::sharedServer().newDatabase();
+    const auto tables = [&where]() -> core::Result<int> {
+        const auto address = database::Address::parse(where);
+        database::sql::Database::Options options;
+        options.isToBeFilled = true;
+        const auto opened = database::sql::Database::open(*address, options);
+        if (!opened)
+            return tl::unexpected(opened.error());
+        return database::sql::dialect::countTables((*opened)->handle());
+    };
+    const auto setName = [this](const char* name) {
+        const auto opened = database::sql::Database::open(school());
+        return opened &&
+               database::sql::execute((*opened)->handle(),
+                                      QStringLiteral("UPDATE people SET family_name = %1").arg(name), "do it");
+    };
+    QVERIFY(setName("'a' || char(0) || 'b'"));
+    const Ending refused = byAdmin({"db", "copy", "--to", where});
+    QVERIFY2(refused.exitCode == 1 && refused.isOneSentence(), refused.error);
+    QCOMPARE(tables().value_or(-1), 0);
+    QVERIFY(setName("'b'"));
+    const Ending copied = byAdmin({"db", "copy", "--to", where});
+    QVERIFY2(copied.exitCode == 0, copied.error);
+    QVERIFY(tables().value_or(-1) > 10);
 }
 
 /// Another program writes to it, once who copies is logged in: until then it would be the login that waits.

@@ -190,6 +190,8 @@ private slots:
     void commentsFromBeforeTheyCouldBeTakenBackStand();
     void aSchoolMovesBetweenEnginesAndBack();
     void aCopyThatFailsTakesAwayWhatItBrought();
+    void aCopyThatIsKilledIsNoSchool_data() { support::addEngines(); }
+    void aCopyThatIsKilledIsNoSchool();
     void aCheckNamesTheAttemptThatWasChanged_data() { support::addEngines(); }
     void aCheckNamesTheAttemptThatWasChanged();
     void newRowsAreNumberedAgain_data() { support::addEngines(); }
@@ -1265,6 +1267,50 @@ void TestUpkeep::aCopyThatFailsTakesAwayWhatItBrought()
         VERIFY_DONE(copied);
         QCOMPARE(copied->recordings, 2);
     }
+}
+
+/// Nor is there half of one, or an empty one, that somebody might take for it.
+void TestUpkeep::aCopyThatIsKilledIsNoSchool()
+{
+    QFETCH(bool, onServer);
+    if (onServer && !support::sharedServer().fault().isEmpty())
+        QSKIP(qPrintable(support::sharedServer().fault()));
+    SchoolRig first(false);
+    first.populate();
+    VERIFY_DONE(addAttempt(first.school(), first.student, SchoolRig::attempt("class1-36", 500), "a recording"));
+    const QString from = first.address();
+    first.close();
+    QTemporaryDir folder;
+    const Address where =
+        Address::parse(onServer ? support::sharedServer().newDatabase() : folder.filePath("copy.sqlite")).value();
+    Database::Options options;
+    options.isToBeFilled = true;
+    const auto copy = [&](const CopyProgress& progress) {
+        const StationKey key = StationKey::make();
+        const auto source = Database::open(from);
+        const auto there = Database::open(where, options);
+        return source && there &&
+               copySchool({(*source)->handle(), key}, first.admin, {(*there)->handle(), key}, progress);
+    };
+    const pid_t other = fork();
+    if (other == 0) {
+        static_cast<void>(copy([](const QString& what, std::int64_t) {
+            if (what == u"recordings")  // they come last
+                _exit(0);
+        }));
+        _exit(1);
+    }
+    int status = 0;
+    QCOMPARE(waitpid(other, &status, 0), other);
+    QVERIFY(WIFEXITED(status) && WEXITSTATUS(status) == 0);
+    Database::Options asItIs;
+    asItIs.mayCreate = false;
+    const auto empty = Database::open(where, asItIs);
+    VERIFY_REFUSED(empty, ErrorCode::BadStructure);
+    QVERIFY2(empty.error().detail.find("there is no school in it") != std::string::npos, empty.error().detail.c_str());
+    QVERIFY(onServer || liesEmpty(where.file));
+    QVERIFY(copy({}));
+    VERIFY_DONE(Database::open(where, asItIs));
 }
 
 void TestUpkeep::aCheckNamesTheAttemptThatWasChanged()
