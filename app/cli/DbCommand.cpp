@@ -110,8 +110,9 @@ void tellEarlier(const QString& earlier, const Address& address)
 int initDatabase(const QCommandLineParser& parser, const Address& address)
 {
     const QString admin = parser.value(QStringLiteral("admin"));
+    const bool hasAdmin = parser.isSet(QStringLiteral("admin"));
     std::string password;
-    if (!admin.isEmpty()) {
+    if (hasAdmin) {
         // Before there is a file without anybody in it.
         if (auto fit = database::newUsername(admin.toStdString()); !fit)
             return failed(fit.error());
@@ -126,7 +127,7 @@ int initDatabase(const QCommandLineParser& parser, const Address& address)
     tellEarlier(earlier, address);
     if (!open->database->notice().empty())
         warn({open->database->notice()});
-    if (!admin.isEmpty()) {
+    if (hasAdmin) {
         const auto session = database::sql::Logins::createFirstAdmin(
             *open->school, {admin.toStdString(), "", "", database::Role::Admin}, password, database::timedCost());
         if (!session)
@@ -388,6 +389,8 @@ int copyDatabase(const QCommandLineParser& parser, const Address& address)
 {
     if (!parser.isSet(QStringLiteral("to")))
         return wrongUsage(QStringLiteral("say where with --to FILE or --to postgresql://user@host/name"));
+    if (const auto code = refuseNobody(parser))
+        return *code;
     const auto target = Address::parse(parser.value(QStringLiteral("to")));
     if (!target)
         return failed(target.error());
@@ -545,6 +548,8 @@ QJsonObject timesOf(std::vector<double> ms)
 int measureSchool(const QCommandLineParser& parser, const Address& address)
 {
     namespace sql = database::sql;
+    if (const auto code = refuseNobody(parser))
+        return *code;
     const auto open = openSchool(address, Opening::AsItIs);
     if (!open)
         return failedWithBackups(open.error(), address);

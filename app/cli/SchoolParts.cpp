@@ -15,6 +15,7 @@
 #include <termios.h>
 #include <unistd.h>
 
+#include "app/cli/Arguments.h"
 #include "database/sql/Backups.h"
 #include "database/sql/Logins.h"
 
@@ -193,11 +194,15 @@ void addPersonOption(QCommandLineParser& parser)
                       QStringLiteral("NAME")});
 }
 
+std::optional<int> refuseNobody(const QCommandLineParser& parser)
+{
+    if (!parser.value(QStringLiteral("as")).isEmpty())
+        return std::nullopt;
+    return wrongUsage(QStringLiteral("that needs a login; say who does it with --as NAME (the password is asked for)"));
+}
+
 core::Result<database::Session> logIn(const QCommandLineParser& parser, const OpenSchool& school)
 {
-    if (!parser.isSet(QStringLiteral("as")))
-        return core::unexpected(ErrorCode::NotAllowed,
-                                "that needs a login; say who does it with --as NAME (the password is asked for)");
     const std::string name = parser.value(QStringLiteral("as")).toStdString();
     auto session = database::sql::Logins::login(*school.school, name, askSecret("Password: "));
     if (!session && session.error().code == ErrorCode::NewPassword)

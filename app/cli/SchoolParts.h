@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include <QCommandLineParser>
@@ -46,6 +47,8 @@ void makeDataFolder(const database::Address& address);
 
 /// Adds --as: who does it. His password is asked for, or read from the first line of standard input.
 void addPersonOption(QCommandLineParser& parser);
+/// Says that somebody has to be named, and gives the exit code, where nobody is.
+[[nodiscard]] std::optional<int> refuseNobody(const QCommandLineParser& parser);
 [[nodiscard]] core::Result<database::Session> logIn(const QCommandLineParser& parser, const OpenSchool& school);
 
 /// Asks on the terminal without showing what is typed; without a terminal, the next line of standard input.

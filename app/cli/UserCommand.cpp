@@ -357,6 +357,8 @@ int userCommand(const QStringList& arguments)
         return *code;
     if (parser.positionalArguments().size() != (part->takesName ? 1 : 0))
         return wrongUsage(QStringLiteral("usage: ") + QLatin1String(part->usage));
+    if (const auto code = refuseNobody(parser))
+        return *code;
     return part->run(parser, parser.positionalArguments().value(0));
 }
 
@@ -378,6 +380,8 @@ int importCommand(const QStringList& arguments)
     const QStringList words = parser.positionalArguments();
     if (words.size() != 2 || words.front() != u"roster")
         return wrongUsage("usage: " + usage);
+    if (const auto code = refuseNobody(parser))
+        return *code;
     // Looked at before it is opened: a pipe would be waited for without end.
     const QFileInfo list(words.back());
     if (list.exists() && !list.isFile())
@@ -427,6 +431,8 @@ int exportCommand(const QStringList& arguments)
         return *code;
     if (parser.positionalArguments() != QStringList{QStringLiteral("attempts")} || !parser.isSet(QStringLiteral("csv")))
         return wrongUsage("usage: " + usage);
+    if (const auto code = refuseNobody(parser))
+        return *code;
     const auto desk = deskOf(parser);
     if (!desk)
         return failed(desk.error());

@@ -966,7 +966,8 @@ core::Result<qint64> restoreDrill(const QSqlDatabase& db, const BackupProgress& 
     QTemporaryDir folder(
         QDir(beside).filePath(QStringLiteral("cusp-drill-%1-XXXXXX").arg(QString::fromStdString(newUid()))));
     if (!folder.isValid())
-        return tl::unexpected(refused(folder.path(), "the folder cannot be created; check who may write there"));
+        return tl::unexpected(refused(beside, "no folder can be made there to restore it into; check who may write "
+                                              "there, and the room on the disk"));
     // One moment of the school, whoever writes meanwhile: the copy is made of it, and compared with it.
     if (auto begun = execute(db, "BEGIN", "read it"); !begun)
         return tl::unexpected(begun.error());

@@ -127,7 +127,7 @@ void TestSchoolCommands::aSchoolIsMadeAndPeopled()
     QVERIFY(weak.isOneSentence());
     QVERIFY(!QFile::exists(at("weak.sqlite")));
     // Nor does a name that cannot be one.
-    for (const QString& name : {QString("a b"), QString(" "), QString(65, 'a')}) {
+    for (const QString& name : {QString("a b"), QString(" "), QString(""), QString(65, 'a')}) {
         const Ending unfit = runCusp({"db", "init", "--db", at("weak.sqlite"), "--admin", name}, {}, kPassword);
         QVERIFY2(unfit.exitCode == 1 && unfit.isOneSentence(), unfit.error);
         QVERIFY(!QFile::exists(at("weak.sqlite")));
@@ -841,6 +841,12 @@ void TestSchoolCommands::wrongUsageIsExplained()
                                      {"db", "restore"},
                                      {"db", "copy"},
                                      {"db", "check", "--db", school(), "--witness", "412-9f3ac07be1d"},
+                                     {"db", "copy", "--db", school(), "--to", at("copy.sqlite")},
+                                     {"db", "measure", "--db", school()},
+                                     {"user", "list", "--db", school()},
+                                     {"user", "list", "--db", school(), "--as", ""},
+                                     {"import", "roster", "list.csv", "--db", school()},
+                                     {"export", "attempts", "--csv", "-", "--db", school()},
                                      {"user"},
                                      {"user", "add"},
                                      {"import"},

@@ -462,6 +462,10 @@ void TestUpkeep::whatCannotBeWrittenIsLookedAtAndBackedUp()
         VERIFY_DONE(looked);
         QVERIFY(checkDatabase((*looked)->handle(), {})->findings.empty());
         VERIFY_DONE(backUp((*looked)->handle(), elsewhere.path(), rig.nowUtc.addDays(1)));
+        const auto drill = restoreDrill((*looked)->handle());
+        VERIFY_REFUSED(drill, ErrorCode::FileUnwritable);
+        QVERIFY2(drill.error().detail.find(folder.path().toStdString() + ": no folder") != std::string::npos,
+                 drill.error().detail.c_str());
         VERIFY_DONE((*looked)->stayedAsItWas());
     }
     QCOMPARE(QDir(folder.path()).entryList(QDir::Files), QStringList{"school.sqlite"});
