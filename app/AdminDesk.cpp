@@ -564,10 +564,11 @@ void AdminDesk::connectBackups()
 
 QString AdminDesk::whyNotRestored(const core::Error& error)
 {
-    return error.code == core::ErrorCode::Busy
-               ? tr("The school's file is in use: another window of Cusp, or another program, has it open, or a backup "
-                    "is being made. Close what has it open, and restore then.")
-               : errorText(error, Failed::ReadingSchool);
+    if (error.code == core::ErrorCode::Busy)
+        return tr("The school's file is in use: another window of Cusp, or another program, has it open, or a backup "
+                  "is being made. Close what has it open, and restore then.");
+    return error.code == core::ErrorCode::WrongKind ? tr("It is no backup of this school.")
+                                                    : errorText(error, Failed::ReadingSchool);
 }
 
 /// Everybody is logged out for it; not where it is known before that it would be refused.

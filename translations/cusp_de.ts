@@ -2724,6 +2724,10 @@
         <source>That cannot be: the name is empty or taken, or has other signs than letters, digits and . _ - @, or letters of several scripts in one word.</source>
         <translation>Das geht nicht: Der Name ist leer oder vergeben, hat andere Zeichen als Buchstaben, Ziffern und . _ - @ oder in einem Wort Buchstaben mehrerer Schriften.</translation>
     </message>
+    <message>
+        <source>It is no backup of this school.</source>
+        <translation>Sie ist keine Sicherung dieser Schule.</translation>
+    </message>
 </context>
 <context>
     <name>app::Application</name>

@@ -2724,6 +2724,10 @@
         <source>That cannot be: the name is empty or taken, or has other signs than letters, digits and . _ - @, or letters of several scripts in one word.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>It is no backup of this school.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>app::Application</name>

@@ -2724,6 +2724,10 @@
         <source>That cannot be: the name is empty or taken, or has other signs than letters, digits and . _ - @, or letters of several scripts in one word.</source>
         <translation>No puede ser: el nombre está vacío u ocupado, tiene otros signos que letras, cifras y . _ - @ o mezcla letras de varios alfabetos en una palabra.</translation>
     </message>
+    <message>
+        <source>It is no backup of this school.</source>
+        <translation>No es una copia de seguridad de esta escuela.</translation>
+    </message>
 </context>
 <context>
     <name>app::Application</name>

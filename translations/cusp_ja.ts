@@ -2713,6 +2713,10 @@
         <source>That cannot be: the name is empty or taken, or has other signs than letters, digits and . _ - @, or letters of several scripts in one word.</source>
         <translation>できません：名前が空か、使われているか、英字・数字・. _ - @ 以外の文字があるか、一つの語に複数の文字体系が混ざっています。</translation>
     </message>
+    <message>
+        <source>It is no backup of this school.</source>
+        <translation>この学校のバックアップではありません。</translation>
+    </message>
 </context>
 <context>
     <name>app::Application</name>

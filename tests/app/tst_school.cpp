@@ -46,6 +46,7 @@
 #include "lessons/LessonCatalog.h"
 #include "lessons/LessonReader.h"
 #include "lessons/PresetFile.h"
+#include "tests/database/SchoolRig.h"
 #include "tests/support/OpenGlMain.h"
 #include "ui/admin/AdminPage.h"
 #include "ui/admin/AuditPart.h"
@@ -168,6 +169,7 @@ private slots:
     void anAdminEntersAndChangesPeople();
     void aClassListIsSeenBeforeItIsEntered();
     void aBackupIsMadeTriedAndRestored();
+    void anotherSchoolsBackupIsNotRestored();
     void aNetworkDriveIsForOneAndIsBackedUp();
     void whatWasDoneStandsInTheAudit();
     void attemptsDoNotHideWhatWasDone();
@@ -2518,6 +2520,29 @@ void TestSchool::aBackupIsMadeTriedAndRestored()
         sql::Database::open(file()).value()->handle(),
         "SELECT p.username FROM audit a JOIN people p ON p.uid = a.actor WHERE a.action = 'backup.restored'", "read");
     QCOMPARE(actor->toString(), QString("admin"));
+    logIn("admin");
+}
+
+/// Which somebody has put among those of this one.
+void TestSchool::anotherSchoolsBackupIsNotRestored()
+{
+    support::SchoolRig other(false);
+    other.populate();
+    const QString folder = sql::backupFolder(file());
+    QVERIFY(sql::backUp(other.school().db, folder, QDateTime::currentDateTimeUtc()));  // today's, so that none is made
+    start();
+    const int people = count("people");
+    logIn("admin");
+    openSchool(ui::admin::AdminPage::Backups);
+    const auto* backups = child<QTableView>("backups")->model();
+    QTRY_COMPARE_WITH_TIMEOUT(backups->rowCount(), 1, kPatienceMs);
+    child<QTableView>("backups")->setCurrentIndex(backups->index(0, 0));
+    click("restoreThis");
+    QTest::qWait(2 * QGuiApplication::styleHints()->mouseDoubleClickInterval() + 50);
+    click("restoreThis");
+    QTRY_VERIFY2_WITH_TIMEOUT(saidAtDoor().contains("nothing has been changed. It is no backup of this school."),
+                              qPrintable(saidAtDoor()), kPatienceMs);
+    QCOMPARE(count("people"), people);
     logIn("admin");
 }
 
