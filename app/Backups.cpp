@@ -39,10 +39,15 @@ bool isBackupDue(const database::Address& address, const QDateTime& nowUtc)
 {
     if (address.isServer())
         return false;
-    const QStringList there = database::sql::backupsIn(database::sql::backupFolder(address.file));
-    return std::none_of(there.begin(), there.end(), [&nowUtc](const QString& backup) {
-        return database::sql::madeAt(backup).date() == nowUtc.date();
-    });
+    using database::sql::schoolOf;
+    QStringList today = database::sql::backupsIn(database::sql::backupFolder(address.file));
+    today.removeIf([&nowUtc](const QString& backup) { return database::sql::madeAt(backup).date() != nowUtc.date(); });
+    if (today.isEmpty())
+        return true;
+    // Another school may back up into the same folder.
+    const std::string school = schoolOf(address.file);
+    return !school.empty() && std::none_of(today.begin(), today.end(),
+                                           [&school](const QString& backup) { return schoolOf(backup) == school; });
 }
 
 core::Result<MadeBackup> makeBackup(const database::sql::School& school, const database::Address& address,

@@ -12,7 +12,8 @@
 /// Backups of a school that is in use: while others write, on the thread of the connection.
 namespace app {
 
-/// Whether a file has no backup of today (UTC). A server never: its administrator makes them.
+/// Whether a school's file has no backup of today (UTC) in its own folder. A server never: its administrator makes
+/// them.
 [[nodiscard]] bool isBackupDue(const database::Address& address, const QDateTime& nowUtc);
 
 struct MadeBackup
