@@ -3870,6 +3870,10 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <source>Saved as %1.</source>
         <translation>Gespeichert als %1.</translation>
     </message>
+    <message>
+        <source>There is a file %1 already; choose another name.</source>
+        <translation>Es gibt schon eine Datei %1; wählen Sie einen anderen Namen.</translation>
+    </message>
 </context>
 <context>
     <name>ui::console::WatchPanel</name>

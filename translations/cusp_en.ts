@@ -3861,6 +3861,10 @@ load NAME        feels a hardness preset that is kept</source>
         <source>Saved as %1.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>There is a file %1 already; choose another name.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::console::WatchPanel</name>

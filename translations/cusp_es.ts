@@ -3870,6 +3870,10 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <source>Saved as %1.</source>
         <translation>Guardado como %1.</translation>
     </message>
+    <message>
+        <source>There is a file %1 already; choose another name.</source>
+        <translation>Ya existe un archivo %1; elija otro nombre.</translation>
+    </message>
 </context>
 <context>
     <name>ui::console::WatchPanel</name>

@@ -3847,6 +3847,10 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <source>Saved as %1.</source>
         <translation>%1 として保存しました。</translation>
     </message>
+    <message>
+        <source>There is a file %1 already; choose another name.</source>
+        <translation>ファイル %1 は既にあります。別の名前を選んでください。</translation>
+    </message>
 </context>
 <context>
     <name>ui::console::WatchPanel</name>

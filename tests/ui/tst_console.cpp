@@ -331,6 +331,7 @@ void TestConsole::watchesAndPlots()
     QCOMPARE(lines.size(), 102);
     QVERIFY2(lines[0].contains("live.force (N)") && lines[1].contains("-10,2") && lines.back().contains("0,3"),
              (lines[0] + lines[1] + lines.back()).constData());
+    QVERIFY(room.answer("export live.force " + folder.filePath("a force")).contains("already"));
     for (const char* name : {"force.svg", "force.png"})
         QVERIFY(room.answer("export live.force " + folder.filePath(name)).contains("Saved as") &&
                 QFileInfo(folder.filePath(name)).size() > 0);

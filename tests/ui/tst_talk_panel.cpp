@@ -62,6 +62,7 @@ private slots:
     void anAddedCommentLeavesItsFieldWhileAnotherIsTakenBack();
     void whatWasGivenMeanwhileIsNoDraft();
     void whatIsTypedCanBePutBy();
+    void aScoreThatIsTypedMeanwhileIsAnother();
     void aRefusedTakeBackWakesNothingElse();
     void nothingIsSentTwice();
     void whatWasRefusedIsToldAtItsAttempt();
@@ -612,6 +613,20 @@ void TestTalkPanel::whatIsTypedCanBePutBy()
     added.comments.push_back({9, "Grace Hopper", "2026-11-20T13:00:00Z", "Half a sentence", {}, {}, true});
     next.setTalk(added);
     QVERIFY(next.unkeptComments().isEmpty());
+}
+
+/// And waits to be given.
+void TestTalkPanel::aScoreThatIsTypedMeanwhileIsAnother()
+{
+    m_panel->setAttempt(1);
+    m_panel->setScore(684, 750, false);
+    get<QLineEdit>("reason")->setText("Steady hand");
+    get<QDoubleSpinBox>("givenPoints")->setValue(50.0);
+    get<QPushButton>("giveScore")->click();
+    get<QDoubleSpinBox>("givenPoints")->setValue(60.0);
+    m_panel->answer(1);
+    QCOMPARE(get<QDoubleSpinBox>("givenPoints")->value(), 60.0);
+    QCOMPARE(get<QLineEdit>("reason")->text(), QString("Steady hand"));
 }
 
 /// What is on its way still rests.

@@ -309,6 +309,10 @@ void Console::exportPlot(const QString& name, const QString& file)
     static const QStringList kEndings{QStringLiteral("csv"), QStringLiteral("png"), QStringLiteral("svg")};
     const bool hasEnding = kEndings.contains(QFileInfo(file).suffix().toLower());
     const QString path = QDir(shell::documentsFolder()).filePath(hasEnding ? file : file + QStringLiteral(".csv"));
+    if (QFileInfo::exists(path)) {
+        say(tr("There is a file %1 already; choose another name.").arg(QDir::toNativeSeparators(path)));
+        return;
+    }
     const charts::Written written = charts::writeChart(*chart, path);
     say(written.isDone ? tr("Saved as %1.").arg(QDir::toNativeSeparators(path)) : written.told);
 }

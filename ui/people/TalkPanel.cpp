@@ -387,10 +387,16 @@ void TalkPanel::settleUnheard()
     });
 }
 
+/// The score that was sent, and not another that was typed while it was on its way; the machine's is none of these.
+bool TalkPanel::isOf(const Sent& sent, double points)
+{
+    return !sent.tenths || *sent.tenths == std::lround(10.0 * points);
+}
+
 /// From its field, where that has nothing else by now.
 void TalkPanel::clearSent(const Sent& sent)
 {
-    if (sent.isScore && m_reason->text().trimmed() == sent.words) {
+    if (sent.isScore && m_reason->text().trimmed() == sent.words && isOf(sent, m_points->value())) {
         m_reason->clear();
         m_arePointsTyped = false;
     }
@@ -566,7 +572,7 @@ void TalkPanel::answer(qint64 attempt, const QString& fault)
             after.momentMs.reset();
             after.placeMm.reset();
         }
-        if (isKept && sent->isScore && after.reason.trimmed() == sent->words) {
+        if (isKept && sent->isScore && after.reason.trimmed() == sent->words && isOf(*sent, after.points)) {
             after.reason.clear();
             after.hasPoints = false;
         }

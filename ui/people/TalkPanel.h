@@ -124,6 +124,7 @@ private:
     [[nodiscard]] QList<qint64> unkept(const std::function<bool(const Draft&)>& has) const;
     void settleUnheard();
     void clearSent(const Sent& sent);
+    [[nodiscard]] static bool isOf(const Sent& sent, double points);
     void makeComposer(QVBoxLayout& column);
     void makeOverride(QVBoxLayout& column);
     void retell();

@@ -46,6 +46,12 @@ QString HistoryChart::passMarkWords() const
     return tr("pass mark %1").arg(text::points(m_passMarkTenths));
 }
 
+/// None that is below the pass mark is rounded up to it.
+int HistoryChart::wholePoints(int tenths) const
+{
+    return (tenths < m_passMarkTenths ? tenths : tenths + 5) / 10;
+}
+
 double HistoryChart::marginPx() const
 {
     return QFontMetricsF(typeface(kSmall)).horizontalAdvance(passMarkWords()) + 2.0 * kGapPx;
@@ -114,7 +120,7 @@ void HistoryChart::paintEvent(QPaintEvent*)
         const bool inside = tall > 24.0;
         painter.setPen(p.color(inside && newest ? QPalette::HighlightedText : QPalette::WindowText));
         painter.drawText(QRectF(bar.left(), inside ? bar.top() + 4 : bar.top() - 20, column, 16), Qt::AlignCenter,
-                         QString::number((m_scores[k].tenths + 5) / 10));
+                         QString::number(wholePoints(m_scores[k].tenths)));
     }
 }
 

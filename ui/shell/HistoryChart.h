@@ -32,6 +32,7 @@ private:
     /// Of what is written at the pass mark, with the air around it.
     [[nodiscard]] double marginPx() const;
     [[nodiscard]] double stepPx() const;
+    [[nodiscard]] int wholePoints(int tenths) const;
     [[nodiscard]] QString passMarkWords() const;
     [[nodiscard]] static QString words(const Score& score);
 
