@@ -1106,7 +1106,7 @@ void TestUpkeep::nobodySetsForHimselfWhatTheSchoolSets()
     VERIFY_DONE(settings);
     QCOMPARE(settings->at("idle.minutes"), std::string("12"));
     QCOMPARE(settings->at("language"), std::string("de"));
-    const std::string most(1000, 'x');
+    const std::string most(16'000, 'x');
     VERIFY_DONE(changeOwnSetting(rig.school(), rig.student, "language", most));
     VERIFY_REFUSED(changeOwnSetting(rig.school(), rig.student, "language", most + 'x'), ErrorCode::OutOfRange);
     VERIFY_REFUSED(changeSetting(rig.school(), rig.admin, "idle.minutes", most + 'x'), ErrorCode::OutOfRange);
