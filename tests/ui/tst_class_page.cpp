@@ -354,7 +354,7 @@ void TestClassPage::whoHasNoAttemptsLeftNeedsTheTeacher()
 void TestClassPage::anExamWithoutAScoreIsSeen()
 {
     ClassOverview shown = overview(6, 1);
-    for (const std::size_t student : {3, 4, 5}) {
+    for (const std::size_t student : {3U, 4U, 5U}) {
         shown.cells[student][0] = {};
         shown.cells[student][0].withoutScore = 1;
     }
@@ -387,7 +387,7 @@ void TestClassPage::whoIsDisabledNeedsNobody()
     };
     const QString before = show();
     QVERIFY2(name(0).contains("out of tries") && name(4).contains("out of tries"), qPrintable(name(4)));
-    for (const std::size_t student : {0, 1, 4})
+    for (const std::size_t student : {0U, 1U, 4U})
         shown.students[student].isDisabled = true;
     const QString after = show();
     QVERIFY2(before.contains(" of 4 passed") && after.contains(" of 2 passed"), qPrintable(before + after));

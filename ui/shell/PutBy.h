@@ -35,7 +35,7 @@ private:
     public:
         explicit Lock(const QString& file);
         ~Lock();
-        Lock(Lock&& other) noexcept : m_name(other.m_name), m_file(std::exchange(other.m_file, -1)) {}
+        Lock(Lock&& other) noexcept : m_name(std::move(other.m_name)), m_file(std::exchange(other.m_file, -1)) {}
         Lock& operator=(Lock&& other) noexcept
         {
             std::swap(m_name, other.m_name);
