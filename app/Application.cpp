@@ -19,6 +19,7 @@
 #include "app/Background.h"
 #include "app/Backups.h"
 #include "app/Demonstration.h"
+#include "app/GradedMark.h"
 #include "app/SchoolSettings.h"
 #include "app/cli/Arguments.h"
 #include "core/grading/Measures.h"
@@ -74,6 +75,8 @@ constexpr int kBackupWatchMs = 3'600'000;
 constexpr int kExamRetryMs = 10'000;
 constexpr int kKeepAgainMs = 5000;
 constexpr int kSettleMs = 20;
+constexpr int kMostTakeUpLooks = 250;
+constexpr int kNewestKept = 200;  ///< attempts, among which is what was graded here last
 constexpr int kSettledLooks = 3;  ///< in a row that find the bur out of the tooth
 constexpr int kMostSettleLooks = 25;
 constexpr int kLongestLookMs = 1500;  ///< for how often a lesson may be tried
@@ -140,6 +143,18 @@ bool isDone(const core::recording::Recording& recording)
 }
 
 using LessonIds = std::set<std::string>;
+
+/// Whether an attempt is kept; nothing: nobody says.
+/// @param kept  uids that the school has; nothing: it does not say
+std::optional<bool> isThere(const std::string& uid, const QString& outbox,
+                            const std::optional<std::set<std::string>>& kept)
+{
+    const QString letter = QString::fromStdString(uid) + QStringLiteral(".attempt");
+    for (const QString& folder : {outbox, outbox + QStringLiteral("/arrived")})
+        if (QFile::exists(QDir(folder).filePath(letter)))
+            return true;
+    return kept ? std::optional(kept->contains(uid)) : std::nullopt;
+}
 
 /// Of which a student has no attempt left.
 core::Result<LessonIds> usedUpLessons(const School& school, const database::Session& who)
@@ -1501,6 +1516,8 @@ void Application::noteGraded()
 void Application::send(const std::shared_ptr<const Letter>& letter)
 {
     const bool isAgain = !m_letters.emplace(letter->record.uid, letter).second;
+    if (!isAgain && !letter->journal.empty())
+        markGraded(letter->journal, {letter->record.uid, letter->recording.events()});
     m_desk->keep(this, letter->who, letter->record, letter->recording,
                  [this, letter, isAgain](const core::Status& kept) { takeKept(letter, isAgain, kept); });
 }
@@ -1910,30 +1927,56 @@ void Application::watchJournal()
         m_window->forgetAttemptNotKept();
 }
 
-/// Where a student has no attempt left it could not be gone on with. Nobody waits for a server that does not answer.
+/// Where a student has no attempt left it could not be gone on with, and what the school has already is finished.
+/// Nobody waits for a server that does not answer.
 void Application::offerUnfinished()
 {
-    if (!m_desk || m_who.role() != database::Role::Student) {
-        lookForUnfinished({});
+    if (!m_desk || m_who.isGuest()) {
+        lookForUnfinished({}, std::set<std::string>());
         return;
     }
-    const auto look = [this, isDecided = std::make_shared<bool>(false), who = m_who](const LessonIds& usedUp) {
-        if (!std::exchange(*isDecided, true) && m_who == who)
-            lookForUnfinished(usedUp);
-    };
+    using Known = std::pair<LessonIds, std::set<std::string>>;
+    const auto isDecided = std::make_shared<bool>(false);
     m_desk->ask(
-        this, [who = m_who](const School& school) { return usedUpLessons(school, who); },
-        [look](const core::Result<LessonIds>& usedUp) { look(usedUp.value_or(LessonIds())); });
-    QTimer::singleShot(kLongestLookMs, this, [look] { look({}); });
+        this,
+        [who = m_who](const School& school) -> core::Result<Known> {
+            Known known;
+            if (who.role() == database::Role::Student) {
+                auto usedUp = usedUpLessons(school, who);
+                if (!usedUp)
+                    return tl::unexpected(usedUp.error());
+                known.first = std::move(*usedUp);
+            }
+            const auto newest = database::sql::history(school, who, who.person(), {"", "", kNewestKept});
+            if (!newest)
+                return tl::unexpected(newest.error());
+            for (const database::AttemptRecord& one : *newest)
+                known.second.insert(one.uid);
+            return known;
+        },
+        [this, isDecided, who = m_who](const core::Result<Known>& known) {
+            if (std::exchange(*isDecided, true) || m_who != who)
+                return;
+            if (known)
+                lookForUnfinished(known->first, known->second);
+            else
+                lookForUnfinished({}, std::nullopt);
+        });
+    QTimer::singleShot(kLongestLookMs, this, [this, isDecided, who = m_who] {
+        if (!std::exchange(*isDecided, true) && m_who == who)
+            lookForUnfinished({}, std::nullopt);
+    });
 }
 
 /// Offers the newest attempt that was not finished; one that cannot be read is told of and put aside.
 /// @param usedUp  an attempt at one of these waits until there may be another
-void Application::lookForUnfinished(const LessonIds& usedUp)
+/// @param kept  uids that the school has; nothing: it does not say
+void Application::lookForUnfinished(const LessonIds& usedUp, const std::optional<std::set<std::string>>& kept)
 {
     struct Search
     {
         std::optional<core::recording::FoundAttempt> found;
+        bool isToBeGraded = false;  ///< an exam whose score was seen, and is nowhere
         std::optional<core::Error> failure;
     };
     // What is graded and waits to be kept is no unfinished work: it would become two attempts.
@@ -1942,7 +1985,8 @@ void Application::lookForUnfinished(const LessonIds& usedUp)
         toBeKept.insert(letter->journal);
     inBackground(
         this,
-        [folder = journalFolder(m_stationFolder, m_who), usedUp, toBeKept] {
+        [folder = journalFolder(m_stationFolder, m_who), outbox = QDir(m_stationFolder).filePath("outbox"), usedUp,
+         kept, toBeKept] {
             Search search;
             core::recording::tidyJournals(folder);
             // A program that was just killed may hold its journal for a moment more.
@@ -1958,15 +2002,28 @@ void Application::lookForUnfinished(const LessonIds& usedUp)
                         search.failure = found.error();
                         if (found.error().code != core::ErrorCode::NewerVersion)  // which may still take it up
                             core::recording::discardJournal(path);
-                    } else if (*found && isDone((*found)->recording)) {
-                        core::recording::discardJournal(path);
-                    } else if (*found && usedUp.contains(limitedLessonOf((*found)->recording))) {
                         continue;
-                    } else if (*found) {
+                    }
+                    if (!*found) {
+                        isInUse = true;
+                        continue;
+                    }
+                    const core::recording::Recording& recording = (*found)->recording;
+                    const auto mark = gradedMark(path);
+                    const auto isKept = mark ? isThere(mark->uid, outbox, kept) : std::nullopt;
+                    if (mark && !isKept)  // nobody knows: it may become two attempts
+                        continue;
+                    const bool isOver = isDone(recording);
+                    const bool isFinished = mark ? *isKept && (isOver || !isCutOn(recording, mark->events)) : isOver;
+                    if (isFinished) {
+                        core::recording::discardJournal(path);
+                        removeGradedMark(path);
+                    } else if (usedUp.contains(limitedLessonOf(recording))) {
+                        continue;
+                    } else {
+                        search.isToBeGraded = isOver;
                         search.found = std::move(*found);
                         break;
-                    } else {
-                        isInUse = true;
                     }
                 }
             }
@@ -1978,6 +2035,7 @@ void Application::lookForUnfinished(const LessonIds& usedUp)
             if (search.failure)
                 m_window->showError(*search.failure, Failed::ResumingAttempt);
             m_unfinished = std::move(search.found);
+            m_isToBeGraded = search.isToBeGraded;
             tellUnfinished();
         });
 }
@@ -2067,7 +2125,26 @@ void Application::takeUp(std::unique_ptr<core::session::Unfinished> attempt)
     if (m_links.commands.tryPush(core::session::ResumeAttempt{attempt.get(), m_ownGeneration}))
         static_cast<void>(attempt.release());  // the session owns it now
     m_window->takeInHand(bur, handpiece);
+    if (std::exchange(m_isToBeGraded, false)) {
+        m_window->endExam();
+        gradeTakenUp(0);
+        return;
+    }
     m_window->showMessage(tr("Your attempt goes on where it was left."));
+}
+
+/// An exam whose score was seen, and was kept nowhere: nothing is cut any more. Once the session has it.
+void Application::gradeTakenUp(int looks)
+{
+    if (m_session.recordedGeneration() == m_ownGeneration && m_session.toothSoFar()) {
+        grade();
+        return;
+    }
+    if (looks < kMostTakeUpLooks)
+        QTimer::singleShot(kSettleMs, this, [this, looks, generation = m_ownGeneration] {
+            if (generation == m_ownGeneration)
+                gradeTakenUp(looks + 1);
+        });
 }
 
 /// It is kept for a week, in case the student thinks better of it. Others may be waiting.

@@ -166,7 +166,8 @@ private:
     void clearTable();
     void watchJournal();
     void offerUnfinished();
-    void lookForUnfinished(const std::set<std::string>& usedUp);
+    void lookForUnfinished(const std::set<std::string>& usedUp, const std::optional<std::set<std::string>>& kept);
+    void gradeTakenUp(int looks);
     void tellUnfinished();
     void resumeUnfinished();
     void rebuildUnfinished(int load);
@@ -270,6 +271,7 @@ private:
     QTimer m_journalWatch;
     std::unique_ptr<core::session::JournalLoop> m_journal;      ///< null: nothing is kept
     std::optional<core::recording::FoundAttempt> m_unfinished;  ///< the one that is offered
+    bool m_isToBeGraded = false;  ///< it is an exam whose score was seen, and is kept nowhere
     QTimer m_attemptWatch;
     std::size_t m_infractionsTold = 0;  ///< of the present attempt
     std::uint64_t m_takenUpAtTick = 0;  ///< where it was taken up again after the program, or its owner, had left

@@ -222,8 +222,9 @@ QJsonObject TalkPanel::toJson(const QString& person, qint64 attempt, const Draft
         typed["momentMs"] = qint64{*draft.momentMs};
     if (draft.placeMm)
         typed["placeMm"] = QJsonArray{(*draft.placeMm)[0], (*draft.placeMm)[1], (*draft.placeMm)[2]};
-    if (draft.hasPoints)
+    if (hasScore(draft))
         typed["points"] = draft.points;
+    typed["arePointsTyped"] = draft.hasPoints;
     return typed;
 }
 
@@ -234,7 +235,7 @@ TalkPanel::Draft TalkPanel::fromJson(const QJsonObject& typed)
         draft.momentMs = moment.toInteger();
     if (const QJsonArray place = typed["placeMm"].toArray(); place.size() == 3)
         draft.placeMm = {place[0].toDouble(), place[1].toDouble(), place[2].toDouble()};
-    draft.hasPoints = typed["points"].isDouble();
+    draft.hasPoints = typed["arePointsTyped"].toBool();
     draft.points = std::clamp(typed["points"].toDouble(), -kMostTyped, kMostTyped);
     return draft;
 }

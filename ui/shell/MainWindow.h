@@ -189,6 +189,8 @@ public slots:
     void setAssignment(const lessons::Assignment& assignment);
     /// The attempt at it is one that is gone on with: so long it was recorded, and the clock stands there, s.
     void resumeClock(double recordedS, double workedS);
+    /// Nothing is cut any more in the exam on the table; in practice nothing.
+    void endExam();
     /// The handpieces of the attempt that is shown next, in the order of its settings.
     void setHandpieces(const std::vector<core::settings::Handpiece>& atHand);
     /// Bur and handpiece (an index, as of SetHandpiece) that an attempt was left with.
@@ -491,7 +493,6 @@ private:
     void startAgain();
     void runClock();
     [[nodiscard]] bool isExam() const;
-    void endExam();
     /// The student's lesson is an exam, and has not been graded yet.
     [[nodiscard]] bool isExamRunning() const;
     [[nodiscard]] replay::Course asMayBeTold(replay::Course course) const;

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/GradedMark.h"
+
+#include <fstream>
+#include <system_error>
+
+namespace app {
+namespace {
+
+std::filesystem::path markOf(std::filesystem::path journal)
+{
+    journal += ".graded";
+    return journal;
+}
+
+}  // namespace
+
+void markGraded(const std::filesystem::path& journal, const GradedMark& mark)
+{
+    std::error_code failure;
+    std::filesystem::path part = markOf(journal);
+    part += ".part";
+    {
+        std::ofstream out(part);
+        out << mark.uid << '\n' << mark.events << '\n';
+        out.close();
+        if (!out) {
+            std::filesystem::remove(part, failure);
+            return;
+        }
+    }
+    std::filesystem::rename(part, markOf(journal), failure);
+}
+
+std::optional<GradedMark> gradedMark(const std::filesystem::path& journal)
+{
+    std::ifstream in(markOf(journal));
+    GradedMark mark;
+    return in >> mark.uid >> mark.events ? std::optional(mark) : std::nullopt;
+}
+
+void removeGradedMark(const std::filesystem::path& journal)
+{
+    std::error_code failure;
+    std::filesystem::remove(markOf(journal), failure);
+}
+
+}  // namespace app

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace app {
+
+/// Beside a journal: as which attempt its work was graded, before that is kept. Whoever finds the journal of a program
+/// that was killed then can tell whether it is work that nobody has.
+struct GradedMark
+{
+    std::string uid;           ///< of the attempt
+    std::uint64_t events = 0;  ///< of the recording, when it was graded
+};
+
+/// In place of an earlier one. No end of the program undoes it; where it cannot be written there is none.
+void markGraded(const std::filesystem::path& journal, const GradedMark& mark);
+[[nodiscard]] std::optional<GradedMark> gradedMark(const std::filesystem::path& journal);
+void removeGradedMark(const std::filesystem::path& journal);
+
+}  // namespace app
