@@ -142,6 +142,8 @@ private slots:
     void whatTheDiskRefusesIsKeptWhenItsMakerHasGone();
     void whatWaitsToBeKeptIsNotOffered();
     void whatIsKeptDuringAReplayIsNotOffered();
+    void whatWasKeptBeforeAKillIsNotOffered();
+    void anExamThatWasNotKeptIsGradedAgain();
     void whatWasGradedAndNotKeptIsUnfinished();
     void nothingIsCutWhileAGradeIsWorkedOut();
     void whoComesNextHasDecayToTakeOut();
@@ -1384,6 +1386,86 @@ void TestSchool::whatIsKeptDuringAReplayIsNotOffered()
     QTRY_VERIFY_WITH_TIMEOUT(child<QListView>("lessonList")->model()->rowCount() > 2, kPatienceMs);
     QTest::qWait(500);
     QVERIFY2(!message().contains("an attempt of"), qPrintable(message()));
+}
+
+/// A program that was killed then leaves the journal as it was before, and beside it as what it was graded.
+void TestSchool::whatWasKeptBeforeAKillIsNotOffered()
+{
+    for (const bool isKept : {true, false}) {
+        start();
+        logIn("sam");
+        toTheTooth();
+        drill(isKept ? -2.0 : 2.0);
+        QTest::qWait(300);  // the last of it reaches the disk
+        const auto uid = sql::ask(sql::Database::open(file()).value()->handle(),
+                                  "SELECT uid FROM people WHERE username = 'sam'", "read");
+        const QDir folder(m_folder->filePath("unfinished/" + uid.value().toString()));
+        const QStringList journals = folder.entryList({"*.cuspjournal"}, QDir::Files);
+        QCOMPARE(journals.size(), 1);
+        const QString journal = folder.filePath(journals.front());
+        QVERIFY(QFile::copy(journal, m_folder->filePath("kept")));
+        const int before = attemptsKept();
+        grade("");
+        QTRY_COMPARE_WITH_TIMEOUT(attemptsKept(), before + 1, kPatienceMs);
+        QFile mark(journal + ".graded");
+        QVERIFY(mark.open(QIODevice::ReadOnly));
+        QByteArray marked = mark.readAll();
+        mark.close();
+        m_application.reset();
+        if (!isKept)  // as another, which never got so far
+            marked[0] = marked[0] == 'a' ? 'b' : 'a';
+        QVERIFY(QFile::rename(m_folder->filePath("kept"), journal));
+        QVERIFY(mark.open(QIODevice::WriteOnly) && mark.write(marked) == marked.size());
+        mark.close();
+        start();
+        logIn("sam");
+        QTRY_VERIFY_WITH_TIMEOUT(child<QListView>("lessonList")->model()->rowCount() > 2, kPatienceMs);
+        if (isKept) {
+            QTRY_VERIFY_WITH_TIMEOUT(!QFile::exists(journal), kPatienceMs);
+            QTest::qWait(300);
+            QVERIFY(!child<QLabel>("continueWords")->text().contains("Continue where I stopped"));
+        } else {
+            QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("continueWords")->text().contains("Continue where I stopped"),
+                                     kPatienceMs);
+        }
+        m_application.reset();
+    }
+}
+
+/// As it stands: its score was seen.
+void TestSchool::anExamThatWasNotKeptIsGradedAgain()
+{
+    const Exam exam;
+    start();
+    logIn("sam");
+    beginLesson("exam-36");
+    drill(-2.0);
+    QFile inTheWay(m_folder->filePath("outbox"));
+    QTRY_COMPARE_WITH_TIMEOUT(count("exam_starts"), 1, kPatienceMs);
+    QVERIFY(QDir(m_folder->filePath("outbox")).removeRecursively());
+    QVERIFY(inTheWay.open(QIODevice::WriteOnly));
+    gradeLesson();
+    QTRY_VERIFY2_WITH_TIMEOUT(keeping().contains("not being kept"), qPrintable(keeping()), kPatienceMs);
+    QTest::qWait(300);
+    const auto uid = sql::ask(sql::Database::open(file()).value()->handle(),
+                              "SELECT uid FROM people WHERE username = 'sam'", "read");
+    const QDir folder(m_folder->filePath("unfinished/" + uid.value().toString()));
+    const QString journal = folder.filePath(folder.entryList({"*.cuspjournal"}, QDir::Files).value(0));
+    QVERIFY(QFile::copy(journal, m_folder->filePath("kept")));
+    m_application.reset();
+    QVERIFY(QFile::rename(m_folder->filePath("kept"), journal));
+    QVERIFY(inTheWay.remove());
+    start();
+    logIn("sam");
+    QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("continueWords")->text().contains("Continue where I stopped"), kPatienceMs);
+    click("continue");
+    QTRY_VERIFY_WITH_TIMEOUT(child<ui::study::Forecast>()->isVisible(), kPatienceMs);
+    QTest::keyClick(child<QSlider>("expected"), Qt::Key_Right);
+    QTest::keyClick(child<ui::study::Forecast>()->findChild<QRadioButton*>(), Qt::Key_Space);
+    click("showScore");
+    QTRY_COMPARE_WITH_TIMEOUT(attemptsKept(), 1, kPatienceMs);
+    toTheTooth();
+    QVERIFY(!actions().drill->isEnabled());
 }
 
 /// As if it had never been graded.

@@ -16,6 +16,7 @@
 #include <memory>
 
 #include "ui/people/AssignPage.h"
+#include "ui/people/AssignTerms.h"
 #include "ui/people/PeopleWords.h"
 #include "ui/shell/Actions.h"
 #include "ui/shell/Theme.h"
@@ -50,6 +51,7 @@ class TestAssignPage : public QObject
 {
     Q_OBJECT
 private slots:
+    void aLimitBeyondTheRangeIsNoOther();
     void initTestCase();
     void init();
     void severalLessonsAreGivenAtOnce();
@@ -445,6 +447,27 @@ void TestAssignPage::everyControlHasAName()
             !widget->inherits("QLineEdit"))
             QVERIFY2(!widget->accessibleName().isEmpty(),
                      qPrintable(QString("%1 %2").arg(widget->metaObject()->className(), widget->objectName())));
+}
+
+/// 150 is no 15.
+void TestAssignPage::aLimitBeyondTheRangeIsNoOther()
+{
+    ui::people::AssignTerms terms(nullptr);
+    terms.show();
+    auto* limit = terms.findChild<QSpinBox*>("attemptLimit");
+    limit->setValue(3);
+    for (const char* typed : {"150", "1000"}) {
+        limit->setFocus();
+        limit->selectAll();
+        QTest::keyClicks(limit, typed);
+        QTest::keyClick(limit, Qt::Key_Return);
+        QCOMPARE(limit->value(), 3);
+    }
+    limit->setFocus();
+    limit->selectAll();
+    QTest::keyClicks(limit, "12");
+    QTest::keyClick(limit, Qt::Key_Return);
+    QCOMPARE(limit->value(), 12);
 }
 
 QTEST_MAIN(TestAssignPage)

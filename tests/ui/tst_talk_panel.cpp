@@ -591,6 +591,18 @@ void TestTalkPanel::whatIsTypedCanBePutBy()
     QCOMPARE(typed.size(), 2);
     m_panel->setWriter("8");
     QCOMPARE(m_panel->waiting(false), typed);
+    // Half a reason is no score of nothing.
+    m_panel->setAttempt(3);
+    m_panel->setScore(400, 750, false);
+    get<QLineEdit>("reason")->setText("Half a reason");
+    for (const QJsonValue one : m_panel->waiting(true))
+        if (one.toObject()["attempt"].toInt() == 3) {
+            TalkPanel another(nullptr);
+            QVERIFY(another.goOnWith(one.toObject()));
+            another.setWriter(one.toObject()["person"].toString());
+            another.setAttempt(3);
+            QCOMPARE(another.findChild<QDoubleSpinBox*>("givenPoints")->value(), 40.0);
+        }
     // In another window nobody else sees it.
     TalkPanel next(nullptr);
     for (const QJsonValue one : typed)

@@ -47,7 +47,7 @@ QString foundDevices()
 }  // namespace
 
 StationPart::StationPart(QWidget* parent)
-    : QWidget(parent), m_grid(new QGridLayout), m_idle(new QSpinBox(this)),
+    : QWidget(parent), m_grid(new QGridLayout), m_idle(study::countInput(1, kLongestIdle, this)),
       m_idleWords(study::formWords({}, kBody, QFont::Normal, QPalette::WindowText, this))
 {
     auto* column = new QVBoxLayout(this);
@@ -69,8 +69,6 @@ StationPart::StationPart(QWidget* parent)
     column->addWidget(line(this));
     auto* idle = new QHBoxLayout;
     m_idle->setObjectName(QStringLiteral("idleMinutes"));
-    m_idle->setRange(1, kLongestIdle);
-    study::bindToForm(m_idle);
     idle->addWidget(m_idleWords);
     idle->addWidget(m_idle);
     idle->addStretch(1);

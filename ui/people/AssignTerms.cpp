@@ -33,7 +33,7 @@ constexpr int kInputHighPx = 30;
 
 AssignTerms::AssignTerms(QWidget* parent)
     : QWidget(parent), m_isDue(new QCheckBox(this)), m_day(new QDateEdit(this)), m_limitWord(new QLabel(this)),
-      m_limit(new QSpinBox(this)), m_note(new QLabel(this))
+      m_limit(study::countInput(0, kMostAttempts, this)), m_note(new QLabel(this))
 {
     m_isDue->setObjectName(QStringLiteral("isDue"));
     m_isDue->setChecked(true);
@@ -42,13 +42,12 @@ AssignTerms::AssignTerms(QWidget* parent)
     m_day->installEventFilter(this);
     m_day->setDate(QDate::currentDate().addDays(kDaysGiven));
     m_limit->setObjectName(QStringLiteral("attemptLimit"));
-    m_limit->setRange(0, kMostAttempts);
     m_limitWord->setBuddy(m_limit);
     for (QWidget* input : {static_cast<QWidget*>(m_day), static_cast<QWidget*>(m_limit)}) {
         input->setMinimumHeight(kInputHighPx);
         input->setFocusPolicy(Qt::StrongFocus);
-        study::bindToForm(input);
     }
+    study::bindToForm(m_day);
     m_note->setObjectName(QStringLiteral("termsNote"));
     m_note->setTextFormat(Qt::PlainText);
     m_note->setFont(shell::typeface(shell::kSmall));

@@ -380,11 +380,9 @@ QWidget* PresetsPage::makeCompare(QWidget* parent)
     m_other->setMinimumContentsLength(5);
     words->setBuddy(m_other);
     m_other->setMaximumWidth(kOtherPx);
-    m_trials = new QSpinBox(whole);
+    m_trials = study::countInput(1, kMostTrials, whole);
     m_trials->setObjectName(QStringLiteral("presetTrials"));
-    m_trials->setRange(1, kMostTrials);
     m_trials->setValue(kUsualTrials);
-    study::bindToForm(m_trials);
     m_compare = button("", "presetCompare", whole);
     row->addWidget(words);
     row->addWidget(m_other, 1);

@@ -11,10 +11,6 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QSaveFile>
-#include <fcntl.h>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include "ui/shell/SavedFile.h"
 
@@ -24,17 +20,6 @@ namespace {
 constexpr qint64 kLargestBytes = qint64{16} << 20;
 constexpr int kMostWindows = 1000;
 const QString kAll = QStringLiteral("typed");
-
-/// Whether the name still leads to the open file: another window may have removed it meanwhile.
-bool isStillCalled(const QByteArray& name, int file)
-{
-    struct stat open
-    {};
-    struct stat named
-    {};
-    return fstat(file, &open) == 0 && stat(name.constData(), &named) == 0 && open.st_dev == named.st_dev &&
-           open.st_ino == named.st_ino;
-}
 
 /// Nothing: it is damaged, or something else, and stays where it is.
 std::optional<QJsonArray> readAll(const QString& file)
@@ -47,25 +32,6 @@ std::optional<QJsonArray> readAll(const QString& file)
 }
 
 }  // namespace
-
-PutBy::Lock::Lock(const QString& file) : m_name(QFile::encodeName(file + QStringLiteral(".lock")))
-{
-    const int opened = open(m_name.constData(), O_RDWR | O_CREAT | O_CLOEXEC, S_IRUSR | S_IWUSR);
-    if (opened < 0)
-        return;
-    if (flock(opened, LOCK_EX | LOCK_NB) == 0 && isStillCalled(m_name, opened))
-        m_file = opened;
-    else
-        close(opened);
-}
-
-PutBy::Lock::~Lock()
-{
-    if (m_file < 0)
-        return;
-    unlink(m_name.constData());  // while it is held
-    close(m_file);
-}
 
 PutBy::PutBy(QString folder) : m_folder(std::move(folder))
 {
@@ -86,7 +52,7 @@ PutBy::PutBy(QString folder) : m_folder(std::move(folder))
 
 bool PutBy::hold(const QString& file)
 {
-    Lock lock(file);
+    core::FileLock lock((file + QStringLiteral(".lock")).toStdU16String());
     if (!lock.isHeld())
         return false;
     m_held.push_back({file, std::move(lock)});

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <utility>
 #include <vector>
 
-#include <QByteArray>
 #include <QJsonArray>
 #include <QString>
+
+#include "core/base/FileLock.h"
 
 namespace ui::shell {
 
@@ -28,33 +28,11 @@ private:
     [[nodiscard]] bool hold(const QString& file);
     [[nodiscard]] bool holdNew();
 
-    /// Keeps other windows from a file while it lives (flock): whatever ends the program, and whatever the computer is
-    /// called by then, it holds nothing any more.
-    class Lock
-    {
-    public:
-        explicit Lock(const QString& file);
-        ~Lock();
-        Lock(Lock&& other) noexcept : m_name(std::move(other.m_name)), m_file(std::exchange(other.m_file, -1)) {}
-        Lock& operator=(Lock&& other) noexcept
-        {
-            std::swap(m_name, other.m_name);
-            std::swap(m_file, other.m_file);
-            return *this;
-        }
-        Lock(const Lock&) = delete;
-        Lock& operator=(const Lock&) = delete;
-        [[nodiscard]] bool isHeld() const { return m_file >= 0; }
-
-    private:
-        QByteArray m_name;
-        int m_file = -1;
-    };
     /// A file that is this window's for as long as it is locked.
     struct Held
     {
         QString file;
-        Lock lock;
+        core::FileLock lock;
     };
 
     QString m_folder;

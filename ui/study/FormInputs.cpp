@@ -17,6 +17,7 @@
 #include <QLocale>
 #include <QPointer>
 #include <QSignalBlocker>
+#include <QSpinBox>
 #include <QStyledItemDelegate>
 #include <QTimer>
 
@@ -231,6 +232,21 @@ public:
     }
 };
 
+class CountInput final : public QSpinBox
+{
+public:
+    using QSpinBox::QSpinBox;
+    QValidator::State validate(QString& text, int& at) const override
+    {
+        const QValidator::State state = QSpinBox::validate(text, at);
+        const qsizetype begin = text.startsWith(prefix()) ? prefix().size() : 0;
+        const qsizetype end = text.size() - (text.endsWith(suffix()) ? suffix().size() : 0);
+        const QString number = text.mid(begin, end - begin).trimmed();
+        const bool isNumber = std::all_of(number.begin(), number.end(), [](QChar c) { return c.isDigit(); });
+        return state == QValidator::Invalid && isNumber ? QValidator::Intermediate : state;
+    }
+};
+
 }  // namespace
 
 QLabel* formWords(const QString& text, int size, QFont::Weight weight, QPalette::ColorRole role, QWidget* parent)
@@ -281,6 +297,15 @@ QDoubleSpinBox* numberInput(double low, double high, int decimals, const QString
     made->setFocusPolicy(Qt::StrongFocus);
     bindToForm(made);
     return made;
+}
+
+QSpinBox* countInput(int low, int high, QWidget* parent)
+{
+    auto* input = new CountInput(parent);
+    input->setRange(low, high);
+    input->setKeyboardTracking(false);  // 9 and 99 are no numbers of who types 9999
+    bindToForm(input);
+    return input;
 }
 
 QComboBox* choiceInput(const QString& name, QWidget* parent)

@@ -8,6 +8,7 @@
 class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
+class QSpinBox;
 class QWidget;
 
 /// What the forms of the lesson editor are made of. Ui thread.
@@ -31,6 +32,8 @@ void bindToForm(QWidget* input);
 /// @param name  for who hears it
 [[nodiscard]] QDoubleSpinBox* numberInput(double low, double high, int decimals, const QString& unit,
                                           const QString& name, QWidget* parent);
+/// A whole number. One that is beyond the range can be typed, and is not taken: what was there before comes back.
+[[nodiscard]] QSpinBox* countInput(int low, int high, QWidget* parent);
 [[nodiscard]] QComboBox* choiceInput(const QString& name, QWidget* parent);
 /// Names it, and the list that it opens.
 void nameInput(QComboBox* choice, const QString& name);
