@@ -91,6 +91,8 @@ core::Result<bool> retireInSchool(const School& school, const Session& who, cons
             return false;
         const std::string before = (*settings)[kSchoolsRetired];
         QStringList retired = retiredIn(before);
+        if (!isRetired && !retired.contains(name))
+            return true;
         retired.removeAll(name);
         if (isRetired)
             retired << name;
@@ -257,9 +259,17 @@ void PresetDesk::use(const QString& name, const std::optional<QString>& insteadO
         return;
     m_school->ask(
         this,
-        [who, name, insteadOf](const School& school) {
-            return database::sql::replaceSetting(school, who, kSchoolsInUse, name.toStdString(),
-                                                 insteadOf ? std::optional(insteadOf->toStdString()) : std::nullopt);
+        [who, name, insteadOf](const School& school) -> core::Result<database::sql::ReplacedSetting> {
+            auto replaced =
+                database::sql::replaceSetting(school, who, kSchoolsInUse, name.toStdString(),
+                                              insteadOf ? std::optional(insteadOf->toStdString()) : std::nullopt);
+            // What is in use is not retired, though another admin may just have retired it.
+            if (replaced && replaced->isDone)
+                if (const auto up =
+                        retireInSchool(school, who, lessons::presetUsed(name.toStdString(), false).name, false);
+                    !up)
+                    return tl::unexpected(up.error());
+            return replaced;
         },
         [this, name](const core::Result<database::sql::ReplacedSetting>& replaced) {
             if (!replaced) {

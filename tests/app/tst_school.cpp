@@ -1963,6 +1963,21 @@ void TestSchool::aPresetIsRetiredAndTakenUpAgain()
     retire->click();
     QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("presetFault")->text().contains("not retired"), kPatienceMs);
     QCOMPARE(count("settings WHERE name = 'preset.retired' AND value = ''"), 1);
+    // Retired at another station meanwhile, it is taken up again by being put in use.
+    actions().back->trigger();
+    actions().presets->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(list->item(rowOf("junk"))->text().contains("in use"), kPatienceMs);
+    {
+        const auto database = sql::Database::open(file()).value();
+        const auto key = StationKey::readOrMake(m_folder->filePath("station.key")).value();
+        const sql::School school{database->handle(), key};
+        const auto admin = sql::Logins::login(school, "admin", kPassword).value();
+        QVERIFY(sql::changeSetting(school, admin, "preset.retired", "hard"));
+    }
+    list->setCurrentRow(rowOf("hard"));
+    click("presetUse");
+    QTRY_COMPARE_WITH_TIMEOUT(count("settings WHERE name = 'preset.in_use' AND value = 'hard v1'"), 1, kPatienceMs);
+    QTRY_COMPARE_WITH_TIMEOUT(count("settings WHERE name = 'preset.retired' AND value = ''"), 1, kPatienceMs);
 }
 
 /// A teacher gives a class a lesson, due yesterday, to be tried once.

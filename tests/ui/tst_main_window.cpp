@@ -1314,6 +1314,19 @@ void TestMainWindow::theAidsInUseAreNoted()
     QVERIFY((aidsNoted().value_or(kRadiographAid) & kRadiographAid) == 0);
     QTest::qWait(250);
     QVERIFY2(!aidsNoted().has_value(), "said once");
+    // What was out before, and is not seen where the lesson does not allow it, is not in use there.
+    actions().mirror->setChecked(true);
+    QTest::qWait(250);
+    QVERIFY((aidsNoted().value_or(0) & kMirrorAid) != 0);
+    lessons::Aids noMirror;
+    noMirror.mirror = false;
+    m_window->setAids(noMirror);
+    QTest::qWait(250);
+    QVERIFY((aidsNoted().value_or(kMirrorAid) & kMirrorAid) == 0);
+    m_window->setAids({});
+    actions().mirror->setChecked(false);
+    QTest::qWait(250);
+    static_cast<void>(aidsNoted());
     // The console tells no more than the lesson allows, and of what it tells that is noted, too.
     auto* console = child<ui::console::Console>();
     press(Qt::Key_F9);

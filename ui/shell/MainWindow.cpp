@@ -1534,10 +1534,12 @@ void MainWindow::tellAids()
                                     m_watch->names().contains(QStringLiteral("live.depth"))),
               kDepthGaugeAid) |
         inUse(m_pages->currentWidget() == m_xray, kRadiographAid) |
-        inUse(m_actions->depthColours->isChecked() || m_actions->idealColours->isChecked(), kHeatMapAid) |
-        inUse(m_actions->mirror->isChecked(), kMirrorAid) |
-        inUse(m_ideal != nullptr && m_viewMenu->settings().showsMargin, kBurColourAid) |
-        inUse(m_actions->fixture->isChecked(), kFixtureAid) |
+        // What the lesson does not allow stays ticked for the next, and is not seen meanwhile.
+        inUse(m_aids.heatMap && (m_actions->depthColours->isChecked() || m_actions->idealColours->isChecked()),
+              kHeatMapAid) |
+        inUse(m_aids.mirror && m_actions->mirror->isChecked(), kMirrorAid) |
+        inUse(m_aids.burColour && m_ideal != nullptr && m_viewMenu->settings().showsMargin, kBurColourAid) |
+        inUse(m_aids.fixture && m_actions->fixture->isChecked(), kFixtureAid) |
         inUse(seesIdeal && (m_actions->idealColours->isChecked() || m_actions->section->isChecked()), kIdealAid));
     if (m_aidsTold != std::pair(m_ownGeneration, aids) && m_links.commands.tryPush(SetAids{aids}))
         m_aidsTold = {m_ownGeneration, aids};
