@@ -1989,6 +1989,7 @@ void Application::lookForUnfinished(const LessonIds& usedUp, const std::optional
          kept, toBeKept] {
             Search search;
             core::recording::tidyJournals(folder);
+            tidyGradedMarks(folder);
             // A program that was just killed may hold its journal for a moment more.
             bool isInUse = true;
             for (int look = 0; look < kLooksForJournal && isInUse && !search.found; ++look) {

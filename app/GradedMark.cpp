@@ -45,4 +45,20 @@ void removeGradedMark(const std::filesystem::path& journal)
     std::filesystem::remove(markOf(journal), failure);
 }
 
+void tidyGradedMarks(const std::filesystem::path& folder)
+{
+    std::error_code failure;
+    for (std::filesystem::directory_iterator at(folder, failure), end; !failure && at != end; at.increment(failure)) {
+        std::filesystem::path journal = at->path();
+        if (journal.extension() != ".graded")
+            continue;
+        journal.replace_extension();
+        std::filesystem::path part = journal;
+        part += ".part";  // where it stands until the disk has it
+        std::error_code gone;
+        if (!std::filesystem::exists(journal, gone) && !std::filesystem::exists(part, gone))
+            removeGradedMark(journal);
+    }
+}
+
 }  // namespace app

@@ -20,5 +20,7 @@ struct GradedMark
 void markGraded(const std::filesystem::path& journal, const GradedMark& mark);
 [[nodiscard]] std::optional<GradedMark> gradedMark(const std::filesystem::path& journal);
 void removeGradedMark(const std::filesystem::path& journal);
+/// Those of a folder whose journals have gone.
+void tidyGradedMarks(const std::filesystem::path& folder);
 
 }  // namespace app

@@ -1423,6 +1423,7 @@ void TestSchool::whatWasKeptBeforeAKillIsNotOffered()
         if (isKept) {
             QTRY_VERIFY_WITH_TIMEOUT(!QFile::exists(journal), kPatienceMs);
             QTest::qWait(300);
+            QVERIFY(folder.entryList({"*.graded"}, QDir::Files).isEmpty());
             QVERIFY(!child<QLabel>("continueWords")->text().contains("Continue where I stopped"));
         } else {
             QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("continueWords")->text().contains("Continue where I stopped"),
