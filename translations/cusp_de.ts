@@ -1951,6 +1951,30 @@
         <source>%1 is not from this program: it may change what is read</source>
         <translation>%1 stammt nicht von diesem Programm und kann verändern, was gelesen wird</translation>
     </message>
+    <message>
+        <source>audit rows %1 to %2 were moved: they were written as rows %3 to %4</source>
+        <translation>die Zeilen %1 bis %2 des Protokolls wurden verschoben: Geschrieben wurden sie als Zeilen %3 bis %4</translation>
+    </message>
+    <message>
+        <source>%1 (%2, %3) is not noted in the audit: it was inserted, or the note of it is among the rows of the audit that were removed or changed</source>
+        <translation>%1 (%2, %3) ist im Protokoll nicht vermerkt: Es wurde eingefügt, oder der Vermerk stand in einer der Zeilen, die aus dem Protokoll entfernt oder darin geändert wurden</translation>
+    </message>
+    <message>
+        <source>rows of the audit were removed or changed: what is said not to be as it was noted, or not to be noted, may be sound, and the note of it among them</source>
+        <translation>Zeilen des Protokolls wurden entfernt oder geändert: Wovon es heißt, es sei nicht so oder gar nicht vermerkt, das kann in Ordnung sein, wenn sein Vermerk in diesen Zeilen stand</translation>
+    </message>
+    <message>
+        <source>an override of %1 is not noted in the audit: it was inserted, or the note of it is among the rows of the audit that were removed or changed</source>
+        <translation>eine geänderte Punktzahl (%1) ist im Protokoll nicht vermerkt: Sie wurde eingefügt, oder der Vermerk stand in einer der Zeilen, die aus dem Protokoll entfernt oder darin geändert wurden</translation>
+    </message>
+    <message>
+        <source>a comment on %1 is not noted in the audit: it was inserted, or the note of it is among the rows of the audit that were removed or changed</source>
+        <translation>ein Kommentar (%1) ist im Protokoll nicht vermerkt: Er wurde eingefügt, oder der Vermerk stand in einer der Zeilen, die aus dem Protokoll entfernt oder darin geändert wurden</translation>
+    </message>
+    <message>
+        <source>%1 is not noted in the audit: it was inserted, or the note of it is among the rows of the audit that were removed or changed</source>
+        <translation>%1 ist im Protokoll nicht vermerkt: Es wurde eingefügt, oder der Vermerk stand in einer der Zeilen, die aus dem Protokoll entfernt oder darin geändert wurden</translation>
+    </message>
 </context>
 <context>
     <name>Handpiece</name>

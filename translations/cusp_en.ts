@@ -1951,6 +1951,30 @@
         <source>%1 is not from this program: it may change what is read</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>audit rows %1 to %2 were moved: they were written as rows %3 to %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (%2, %3) is not noted in the audit: it was inserted, or the note of it is among the rows of the audit that were removed or changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rows of the audit were removed or changed: what is said not to be as it was noted, or not to be noted, may be sound, and the note of it among them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an override of %1 is not noted in the audit: it was inserted, or the note of it is among the rows of the audit that were removed or changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a comment on %1 is not noted in the audit: it was inserted, or the note of it is among the rows of the audit that were removed or changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is not noted in the audit: it was inserted, or the note of it is among the rows of the audit that were removed or changed</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Handpiece</name>

@@ -1951,6 +1951,30 @@
         <source>%1 is not from this program: it may change what is read</source>
         <translation>%1 no es de este programa: puede alterar lo que se lee</translation>
     </message>
+    <message>
+        <source>audit rows %1 to %2 were moved: they were written as rows %3 to %4</source>
+        <translation>las filas %1 a %2 del registro fueron movidas: se escribieron como filas %3 a %4</translation>
+    </message>
+    <message>
+        <source>%1 (%2, %3) is not noted in the audit: it was inserted, or the note of it is among the rows of the audit that were removed or changed</source>
+        <translation>%1 (%2, %3): no consta en el registro; fue insertado, o su anotación está entre las filas del registro que fueron eliminadas o modificadas</translation>
+    </message>
+    <message>
+        <source>rows of the audit were removed or changed: what is said not to be as it was noted, or not to be noted, may be sound, and the note of it among them</source>
+        <translation>se eliminaron o modificaron filas del registro: lo que según esta lista no consta, o no es como consta, puede estar en orden, si su anotación estaba entre esas filas</translation>
+    </message>
+    <message>
+        <source>an override of %1 is not noted in the audit: it was inserted, or the note of it is among the rows of the audit that were removed or changed</source>
+        <translation>una puntuación cambiada (%1) no consta en el registro: fue insertada, o su anotación está entre las filas del registro que fueron eliminadas o modificadas</translation>
+    </message>
+    <message>
+        <source>a comment on %1 is not noted in the audit: it was inserted, or the note of it is among the rows of the audit that were removed or changed</source>
+        <translation>un comentario (%1) no consta en el registro: fue insertado, o su anotación está entre las filas del registro que fueron eliminadas o modificadas</translation>
+    </message>
+    <message>
+        <source>%1 is not noted in the audit: it was inserted, or the note of it is among the rows of the audit that were removed or changed</source>
+        <translation>%1: no consta en el registro; fue insertado, o su anotación está entre las filas del registro que fueron eliminadas o modificadas</translation>
+    </message>
 </context>
 <context>
     <name>Handpiece</name>

@@ -1949,6 +1949,30 @@
         <source>%1 is not from this program: it may change what is read</source>
         <translation>%1 は、このプログラムのものではありません。読み取られる内容を変える可能性があります</translation>
     </message>
+    <message>
+        <source>audit rows %1 to %2 were moved: they were written as rows %3 to %4</source>
+        <translation>監査記録の %1～%2 行が移動されています。元は %3～%4 行として書かれました</translation>
+    </message>
+    <message>
+        <source>%1 (%2, %3) is not noted in the audit: it was inserted, or the note of it is among the rows of the audit that were removed or changed</source>
+        <translation>%1（%2、%3）は監査記録に記載がありません。挿入されたか、削除または変更された監査記録の行に記載されていました</translation>
+    </message>
+    <message>
+        <source>rows of the audit were removed or changed: what is said not to be as it was noted, or not to be noted, may be sound, and the note of it among them</source>
+        <translation>監査記録の行が削除または変更されています。記載がない、または記載と異なるとされたものも、その記載がそれらの行にあったのであれば、問題がない可能性があります</translation>
+    </message>
+    <message>
+        <source>an override of %1 is not noted in the audit: it was inserted, or the note of it is among the rows of the audit that were removed or changed</source>
+        <translation>%1 の点数の変更は監査記録に記載がありません。挿入されたか、削除または変更された監査記録の行に記載されていました</translation>
+    </message>
+    <message>
+        <source>a comment on %1 is not noted in the audit: it was inserted, or the note of it is among the rows of the audit that were removed or changed</source>
+        <translation>%1 へのコメントは監査記録に記載がありません。挿入されたか、削除または変更された監査記録の行に記載されていました</translation>
+    </message>
+    <message>
+        <source>%1 is not noted in the audit: it was inserted, or the note of it is among the rows of the audit that were removed or changed</source>
+        <translation>%1 は監査記録に記載がありません。挿入されたか、削除または変更された監査記録の行に記載されていました</translation>
+    </message>
 </context>
 <context>
     <name>Handpiece</name>

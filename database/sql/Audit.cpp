@@ -25,6 +25,9 @@ constexpr std::size_t kCodeDigits = 12;
 constexpr std::int64_t kHighest = std::numeric_limits<std::int64_t>::max() / 4;
 constexpr std::int64_t kFarthest = 1'000'000'000;
 constexpr std::size_t kLongestRun = 1000;  ///< of rows that were slipped in or taken out together
+/// Of rows that tell of a break no school has more. Each is compared with every row before it; of many that somebody
+/// has made up each only with the longest run, so that they hold nobody up who looks.
+constexpr std::size_t kUsualBreaks = 8;
 const QString kColumns = QStringLiteral("seq, at_utc, actor, action, object, detail, hash");
 const QString kNoAttempt = QStringLiteral("AND action NOT IN ('attempt.add', 'exam.begin')");
 
@@ -86,10 +89,11 @@ public:
 
     void take(const AuditRow& row)
     {
+        ++m_rows;
         witness(row);
         const bool isBelieved = row.seq > 0 && row.seq <= kHighest;
         if (!isBelieved || row.seq < m_goesOnAt) {
-            takeUnsigned(row.seq);
+            takeUnsigned(row);
             if (isBelieved) {  // it may be the program's own, and the head have been set back, to it or to one before
                                // it
                 lookAhead(row.seq, row.hash);
@@ -104,7 +108,7 @@ public:
         if (isRenumbered)
             tellRenumbered(row);
         if (!isSigned(row.seq)) {
-            takeUnsigned(row.seq);
+            takeUnsigned(row);
             // What goes on from the signed row is looked at like all else: it may be the signed number that was
             // changed.
             if (!m_goesOnUnsigned)
@@ -112,14 +116,15 @@ public:
             if (!*m_goesOnUnsigned)
                 return;
         } else if (!isNext && !isRenumbered) {  // what stood before this row is not known
-            tellMissing(m_last.seq + 1, row.seq - 1);
+            takeGap({m_last.seq + 1 + m_shift, row.seq - 1 - m_last.seq, m_last.hash, {}});
         }
         if (row.action == kJoin)
             m_stations.insert(row.object);
         if (row.seq == 1)
             m_areStationsNoted = row.action == kJoin;
         if (row.action == kBroken)
-            say(QT_TRANSLATE_NOOP(
+            sayLacking(
+                QT_TRANSLATE_NOOP(
                     "Finding",
                     "audit row %1 (%2, %3, %4) tells that the rows before it did not end as they had been signed"),
                 named(row));
@@ -128,7 +133,7 @@ public:
             (isSigned(row.seq) || row.action != kBroken))
             suspect(row, before);
         m_beforeLast = before;
-        m_recent.push_back({row.seq, before});
+        m_recent.push_back({row, before});
         if (m_recent.size() > kLongestRun + 1)
             m_recent.pop_front();
         m_last = row;
@@ -139,19 +144,20 @@ public:
         lookAhead(row.seq, m_last.hash);
     }
 
-    [[nodiscard]] std::vector<Finding> conclude(const QSqlQuery& seal)
+    [[nodiscard]] ChainReport conclude(const QSqlQuery& seal)
     {
-        settle();
         const AuditHead head{seal.value(0).toLongLong(), textOf(seal, 1)};
         const std::string key = textOf(seal, 3);
         const bool isSealed = head.seq == 0 || StationKey::isSigned(wordsOf(head), textOf(seal, 2), key);
-        if (const std::int64_t last = m_last.seq + m_shift; head.seq > last)
-            tellMissing(last + 1, head.seq);
-        else if (isSealed && m_signed && head.hash != m_signed->hash)
-            say(QT_TRANSLATE_NOOP("Finding",
-                                  "audit row %1 (%2, %3, %4) is not the one that was signed: it was changed, "
-                                  "or the signature was put there from elsewhere"),
-                named(*m_signed));
+        const std::int64_t newest = m_last.seq + m_shift;
+        if (head.seq > newest)
+            takeGap({newest + 1, head.seq - newest, m_last.hash, {}});
+        settle();
+        if (head.seq <= newest && isSealed && m_signed && head.hash != m_signed->hash)
+            sayLacking(QT_TRANSLATE_NOOP("Finding",
+                                         "audit row %1 (%2, %3, %4) is not the one that was signed: it was changed, "
+                                         "or the signature was put there from elsewhere"),
+                       named(*m_signed));
         for (const auto& [first, last] : m_unsigned)
             tellUnsigned(first, last);
         if (!isSealed)
@@ -164,11 +170,12 @@ public:
                 {key.substr(0, kCodeDigits)});
         for (const Witness& witness : m_witnesses)
             if (!witness.isSeen && witness.seq > m_last.seq)
-                say(QT_TRANSLATE_NOOP(
-                        "Finding", "audit row %1, which a report names, is not there: it was removed, or the code is "
-                                   "not typed as it stands there"),
-                    {std::to_string(witness.seq)});
-        return std::move(m_findings);
+                sayLacking(QT_TRANSLATE_NOOP(
+                               "Finding",
+                               "audit row %1, which a report names, is not there: it was removed, or the code is "
+                               "not typed as it stands there"),
+                           {std::to_string(witness.seq)});
+        return {std::move(m_findings), m_rows, m_lacksRows};
     }
 
 private:
@@ -177,6 +184,22 @@ private:
         std::int64_t seq = 0;
         std::string hash;
         bool isSeen = false;
+    };
+
+    /// Where rows are missing.
+    struct Gap
+    {
+        std::int64_t first = 0;  ///< number of the first, as it was written
+        std::int64_t count = 0;
+        std::string hashBefore;          ///< of the row that stands before them
+        std::optional<AuditRow> behind;  ///< the next one, where the numbers were made to go on
+    };
+    /// Rows that stand together, and elsewhere than they were written.
+    struct Moved
+    {
+        AuditRow first;
+        std::int64_t last = 0;       ///< number
+        std::int64_t writtenAs = 0;  ///< the first
     };
 
     static std::vector<std::string> named(const AuditRow& row)
@@ -193,23 +216,28 @@ private:
         if (m_findings.size() < kMostFindings)
             m_findings.push_back({words, values});
     }
-    void tellMissing(std::int64_t first, std::int64_t last)
+    /// Of what may have taken a note with it.
+    void sayLacking(const char* words, const std::vector<std::string>& values = {})
     {
-        if (first >= last)
-            say(QT_TRANSLATE_NOOP("Finding", "audit row %1 was removed"), {std::to_string(first)});
-        else
-            say(QT_TRANSLATE_NOOP("Finding", "audit rows %1 to %2 were removed"),
-                {std::to_string(first), std::to_string(last)});
+        m_lacksRows = true;
+        say(words, values);
     }
     /// Of a number as it is now.
     [[nodiscard]] bool isSigned(std::int64_t seq) const { return seq + m_shift <= m_signedSeq; }
     /// Adds to what no signature covers.
-    void takeUnsigned(std::int64_t seq)
+    void takeUnsigned(const AuditRow& row)
     {
-        if (!m_unsigned.empty() && m_unsigned.back().second >= seq - 1)
-            m_unsigned.back().second = seq;
+        // One that was taken from before the signed row belongs there.
+        if (const auto gap = std::find_if(m_gaps.begin(), m_gaps.end(),
+                                          [&row](const Gap& one) { return isAs(row, one.first, one.hashBefore); });
+            gap != m_gaps.end()) {
+            fill(*gap, {row});
+            return;
+        }
+        if (!m_unsigned.empty() && m_unsigned.back().second >= row.seq - 1)
+            m_unsigned.back().second = row.seq;
         else if (m_unsigned.size() < kMostFindings)
-            m_unsigned.emplace_back(seq, seq);
+            m_unsigned.emplace_back(row.seq, row.seq);
     }
     /// Looks whether a row behind goes on from this one, as the program writes where rows stand behind the signed one:
     /// those between them, however many, are not of the chain. Of several it is the last: what was signed then follows
@@ -219,6 +247,8 @@ private:
         while (!m_broken.empty() && m_broken.back().seq <= seq)
             m_broken.pop_back();
         const auto goesOn = std::find_if(m_broken.begin(), m_broken.end(), [&](const AuditRow& row) {
+            if (m_areManyBroken && row.seq - seq > static_cast<std::int64_t>(kLongestRun) + 1)
+                return false;
             // One that nobody has signed says nothing of those that were.
             return (isSigned(row.seq) || !isSigned(seq + 1)) && isAs(row, row.seq + m_shift, hash);
         });
@@ -226,6 +256,39 @@ private:
             return;
         m_goesOnAt = goesOn->seq;
         m_goesOnFrom = hash;
+    }
+    void takeGap(const Gap& gap)
+    {
+        if (m_gaps.size() < kMostFindings)
+            m_gaps.push_back(gap);
+        else
+            m_lacksRows = true;
+    }
+    /// Rows that were taken out and rows that were slipped in elsewhere are the same ones where the chain goes on with
+    /// them from what stands before the gap: then they were moved. Returns whether they are.
+    bool fill(Gap& gap, const std::vector<AuditRow>& rows)
+    {
+        if (static_cast<std::int64_t>(rows.size()) > gap.count)
+            return false;
+        std::string before = gap.hashBefore;
+        for (std::size_t k = 0; k < rows.size(); ++k) {
+            if (!isAs(rows[k], gap.first + static_cast<std::int64_t>(k), before))
+                return false;
+            before = rows[k].hash;
+        }
+        for (const AuditRow& row : rows)
+            takeMoved(row, gap.first++);
+        gap.count -= static_cast<std::int64_t>(rows.size());
+        gap.hashBefore = before;
+        return true;
+    }
+    void takeMoved(const AuditRow& row, std::int64_t writtenAs)
+    {
+        if (!m_moved.empty() && m_moved.back().last + 1 == row.seq &&
+            m_moved.back().writtenAs - m_moved.back().first.seq == writtenAs - row.seq)
+            m_moved.back().last = row.seq;
+        else if (m_moved.size() < kMostFindings)
+            m_moved.push_back({row, row.seq, writtenAs});
     }
     /// It follows from the one before it, but for its number: nothing that stood between them was taken out.
     void tellRenumbered(const AuditRow& row)
@@ -276,10 +339,7 @@ private:
                     with(named(m_last), named(row)));
                 m_continueWith = m_last.hash;
             } else {
-                say(QT_TRANSLATE_NOOP("Finding",
-                                      "audit row %1 (%2, %3, %4) was inserted, and those behind it were renumbered"),
-                    named(m_last));
-                --m_shift;
+                takeInserted({m_last});
             }
             return true;
         }
@@ -291,16 +351,17 @@ private:
     {
         if (const auto run = std::exchange(m_run, {}); run && isAs(row, row.seq + m_shift - run->count, m_last.hash)) {
             forgive(run->first);
-            say(QT_TRANSLATE_NOOP("Finding",
-                                  "audit rows %1 to %2 were inserted, and those behind them were renumbered"),
-                {std::to_string(run->first), std::to_string(run->first + run->count - 1)});
-            m_shift -= run->count;
+            std::vector<AuditRow> rows;
+            for (const Recent& recent : m_recent)
+                if (recent.row.seq >= run->first && static_cast<std::int64_t>(rows.size()) < run->count)
+                    rows.push_back(recent.row);
+            takeInserted(std::move(rows));
             return true;
         }
-        for (std::size_t count = 2; count <= m_recent.size() && !m_run; ++count)
+        for (std::size_t count = 2; count <= std::min(m_recent.size(), kLongestRun) && !m_run; ++count)
             if (const Recent& first = m_recent[m_recent.size() - count];
                 isAs(row, row.seq + m_shift - static_cast<std::int64_t>(count), first.before))
-                m_run = Run{first.seq, static_cast<std::int64_t>(count)};
+                m_run = Run{first.row.seq, static_cast<std::int64_t>(count)};
         return false;
     }
     /// Whether rows were taken out before the last one, and it and those behind it renumbered. That one itself follows
@@ -319,17 +380,79 @@ private:
         }
         if (!m_suspects.empty() && m_suspects.back().row.seq == m_last.seq)
             m_suspects.pop_back();
-        if (count == 1)
-            say(QT_TRANSLATE_NOOP(
-                    "Finding", "before audit row %1 (%2, %3, %4) a row was removed, and those behind were renumbered"),
-                named(m_last));
-        else
-            say(QT_TRANSLATE_NOOP(
-                    "Finding",
-                    "before audit row %1 (%2, %3, %4) %5 rows were removed, and those behind were renumbered"),
-                with(named(m_last), {std::to_string(count)}));
+        takeGap({m_last.seq + m_shift, count, m_beforeLast, m_last});
         m_shift += count;
         return true;
+    }
+    /// Of rows that stand together up to the last one.
+    void takeInserted(std::vector<AuditRow> rows)
+    {
+        m_shift -= static_cast<std::int64_t>(rows.size());
+        if (m_inserted.size() < kMostFindings)
+            m_inserted.push_back(std::move(rows));
+    }
+    void tellMissing(const Gap& gap)
+    {
+        const std::string first = std::to_string(gap.first);
+        if (gap.behind && gap.count == 1)
+            sayLacking(
+                QT_TRANSLATE_NOOP(
+                    "Finding", "before audit row %1 (%2, %3, %4) a row was removed, and those behind were renumbered"),
+                named(*gap.behind));
+        else if (gap.behind)
+            sayLacking(QT_TRANSLATE_NOOP(
+                           "Finding",
+                           "before audit row %1 (%2, %3, %4) %5 rows were removed, and those behind were renumbered"),
+                       with(named(*gap.behind), {std::to_string(gap.count)}));
+        else if (gap.count == 1)
+            sayLacking(QT_TRANSLATE_NOOP("Finding", "audit row %1 was removed"), {first});
+        else
+            sayLacking(QT_TRANSLATE_NOOP("Finding", "audit rows %1 to %2 were removed"),
+                       {first, std::to_string(gap.first + gap.count - 1)});
+    }
+    void tellInserted(const std::vector<AuditRow>& rows)
+    {
+        if (rows.size() == 1)
+            say(QT_TRANSLATE_NOOP("Finding",
+                                  "audit row %1 (%2, %3, %4) was inserted, and those behind it were renumbered"),
+                named(rows.front()));
+        else
+            say(QT_TRANSLATE_NOOP("Finding",
+                                  "audit rows %1 to %2 were inserted, and those behind them were renumbered"),
+                {std::to_string(rows.front().seq), std::to_string(rows.back().seq)});
+    }
+    void tellMoved(const Moved& moved)
+    {
+        const std::int64_t behind = moved.last - moved.first.seq;
+        if (behind == 0)
+            say(QT_TRANSLATE_NOOP("Finding", "audit row %1 (%2, %3, %4) was moved: it was written as row %5"),
+                with(named(moved.first), {std::to_string(moved.writtenAs)}));
+        else
+            say(QT_TRANSLATE_NOOP("Finding", "audit rows %1 to %2 were moved: they were written as rows %3 to %4"),
+                {std::to_string(moved.first.seq), std::to_string(moved.last), std::to_string(moved.writtenAs),
+                 std::to_string(moved.writtenAs + behind)});
+    }
+    /// What was taken out and what was slipped in, as far as that is not the same.
+    void settleNumbers()
+    {
+        const auto fillOne = [this] {
+            for (Gap& gap : m_gaps)
+                for (auto rows = m_inserted.begin(); rows != m_inserted.end(); ++rows)
+                    if (fill(gap, *rows)) {
+                        m_inserted.erase(rows);
+                        return true;
+                    }
+            return false;
+        };
+        while (fillOne()) {
+        }
+        for (const Moved& moved : m_moved)
+            tellMoved(moved);
+        for (const Gap& gap : m_gaps)
+            if (gap.count > 0)
+                tellMissing(gap);
+        for (const auto& rows : m_inserted)
+            tellInserted(rows);
     }
     void suspect(const AuditRow& row, const std::string& before)
     {
@@ -339,6 +462,7 @@ private:
     /// Those that fit into each other's place were moved there. One that follows from a row that was moved is sound.
     void settle()
     {
+        settleNumbers();
         for (const Suspect& suspect : m_suspects) {
             const auto fits = [&](const Suspect& place) {
                 return place.row.seq != suspect.row.seq && isAs(suspect.row, place.row.seq, place.before);
@@ -349,10 +473,10 @@ private:
                 say(QT_TRANSLATE_NOOP("Finding", "audit row %1 (%2, %3, %4) was moved: it was written as row %5"),
                     with(named(suspect.row), {std::to_string(place->row.seq)}));
             else if (std::none_of(m_suspects.begin(), m_suspects.end(), leads))
-                say(QT_TRANSLATE_NOOP(
-                        "Finding",
-                        "audit row %1 (%2, %3, %4) was changed, or the one before it was and its hash with it"),
-                    named(suspect.row));
+                sayLacking(QT_TRANSLATE_NOOP(
+                               "Finding",
+                               "audit row %1 (%2, %3, %4) was changed, or the one before it was and its hash with it"),
+                           named(suspect.row));
         }
     }
     void witness(const AuditRow& row)
@@ -371,7 +495,7 @@ private:
 
     struct Recent
     {
-        std::int64_t seq = 0;
+        AuditRow row;
         std::string before;  ///< hash of the row that stands before it
     };
     /// Of rows that may have been slipped in.
@@ -389,8 +513,9 @@ private:
     std::int64_t m_signedSeq;
     std::int64_t m_lastSeq;
     std::vector<AuditRow> m_broken;  ///< those still to come, the newest first
-    std::int64_t m_goesOnAt = 0;     ///< where the chain goes on; what stands before that is passed over
-    std::string m_goesOnFrom;        ///< hash of the row that it follows from
+    const bool m_areManyBroken = m_broken.size() > kUsualBreaks;
+    std::int64_t m_goesOnAt = 0;  ///< where the chain goes on; what stands before that is passed over
+    std::string m_goesOnFrom;     ///< hash of the row that it follows from
     std::vector<std::pair<std::int64_t, std::int64_t>> m_unsigned;  ///< first and last of rows that stand together
     std::optional<bool> m_goesOnUnsigned;                           ///< the first behind the signed one follows from it
     std::optional<AuditRow> m_signed;                               ///< what stands where the signed one should
@@ -403,6 +528,11 @@ private:
     std::string m_continueWith;  ///< what the next row follows from, where that is not the last one read
     std::int64_t m_shift = 0;    ///< what a row's number was when it was written, less what it is
     std::vector<Suspect> m_suspects;
+    std::vector<Gap> m_gaps;
+    std::vector<std::vector<AuditRow>> m_inserted;  ///< each those that stand together, where numbers go on behind them
+    std::vector<Moved> m_moved;
+    std::int64_t m_rows = 0;  ///< so far
+    bool m_lacksRows = false;
     std::set<std::string> m_stations;  ///< that have joined
     bool m_areStationsNoted = false;
 };
@@ -571,8 +701,8 @@ core::Result<std::vector<AuditRow>> readAudit(const School& school, const Sessio
     return rows;
 }
 
-core::Result<std::vector<Finding>> checkAudit(const QSqlDatabase& db, const std::vector<std::string>& witnesses,
-                                              const std::function<bool(std::int64_t)>& progress)
+core::Result<ChainReport> readChain(const QSqlDatabase& db, const std::vector<std::string>& witnesses,
+                                    const std::function<bool(std::int64_t rows)>& progress)
 {
     std::vector<AuditRow> broken;
     if (auto read = forEach(db,
@@ -598,25 +728,33 @@ core::Result<std::vector<Finding>> checkAudit(const QSqlDatabase& db, const std:
         return tl::unexpected(read.error());
     ChainReader reader(witnesses, signedSeq, lastSeq, std::move(broken));
     bool goesOn = true;
+    std::int64_t rows = 0;
     if (auto read = forEach(db, QStringLiteral("SELECT %1 FROM audit ORDER BY seq").arg(kColumns), "read the audit", {},
                             [&](const QSqlQuery& query) {
                                 if (!goesOn)
                                     return;
-                                const AuditRow row = rowOf(query);
-                                reader.take(row);
+                                reader.take(rowOf(query));
+                                ++rows;
                                 if (progress)
-                                    goesOn = progress(row.seq);
+                                    goesOn = progress(rows);
                             });
         !read)
         return tl::unexpected(read.error());
     if (!goesOn)
-        return std::vector<Finding>{};
+        return ChainReport{{}, rows, false};
     auto seal = run(db, "SELECT seq, hash, signature, station_key FROM audit_seal WHERE id = 1", "read the audit");
     if (!seal)
         return tl::unexpected(seal.error());
     if (!seal->next())
-        return std::vector<Finding>{{QT_TRANSLATE_NOOP("Finding", "the signed head of the audit was removed"), {}}};
+        return ChainReport{
+            {{QT_TRANSLATE_NOOP("Finding", "the signed head of the audit was removed"), {}}}, rows, false};
     return reader.conclude(*seal);
+}
+
+core::Result<std::vector<Finding>> checkAudit(const QSqlDatabase& db, const std::vector<std::string>& witnesses,
+                                              const std::function<bool(std::int64_t rows)>& progress)
+{
+    return readChain(db, witnesses, progress).map([](ChainReport report) { return std::move(report.findings); });
 }
 
 }  // namespace database::sql

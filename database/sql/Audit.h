@@ -94,12 +94,23 @@ enum class AuditRows { All, WithoutAttempts };
                                                             std::int64_t beforeSeq = 0,
                                                             AuditRows rows = AuditRows::All);
 
-/// What is wrong with the chain, a finding for each row that was changed, removed, inserted or moved, and for rows that
-/// stand together and no signature covers: genuine ones may be among them. At most `kMostFindings`. Empty: nothing, or
-/// `progress` returned false.
 inline constexpr std::size_t kMostFindings = 100;
-[[nodiscard]] core::Result<std::vector<Finding>> checkAudit(const QSqlDatabase& db,
-                                                            const std::vector<std::string>& witnesses,
-                                                            const std::function<bool(std::int64_t)>& progress = {});
+
+/// What a look at the whole chain has found.
+struct ChainReport
+{
+    /// One for each row that was changed, removed, inserted or moved, and for rows that stand together and no signature
+    /// covers: genuine ones may be among them. At most `kMostFindings`.
+    std::vector<Finding> findings;
+    std::int64_t rows = 0;   ///< that there are, whatever their numbers
+    bool lacksRows = false;  ///< some were removed, or do not say any more what was noted
+};
+/// @param progress  rows so far; false stops it, and nothing was found then
+[[nodiscard]] core::Result<ChainReport> readChain(const QSqlDatabase& db, const std::vector<std::string>& witnesses,
+                                                  const std::function<bool(std::int64_t rows)>& progress = {});
+/// What is wrong with the chain, see readChain(). Empty: nothing, or `progress` returned false.
+[[nodiscard]] core::Result<std::vector<Finding>>
+checkAudit(const QSqlDatabase& db, const std::vector<std::string>& witnesses,
+           const std::function<bool(std::int64_t rows)>& progress = {});
 
 }  // namespace database::sql

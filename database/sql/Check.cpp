@@ -48,6 +48,11 @@ core::Status checkPages(const QSqlDatabase& db, CheckReport& report)
 
 core::Status checkAttempts(const QSqlDatabase& db, CheckReport& report, const Progress& progress)
 {
+    const char* const notNoted =
+        report.lacksNotes
+            ? QT_TRANSLATE_NOOP("Finding", "%1 (%2, %3) is not noted in the audit: it was inserted, or the note of it "
+                                           "is among the rows of the audit that were removed or changed")
+            : QT_TRANSLATE_NOOP("Finding", "%1 (%2, %3) was inserted: the audit knows nothing of it");
     // Those without an owner were made before there were people, and before there was an audit.
     const auto early = ask(db, "SELECT COUNT(*) FROM attempts WHERE person_id IS NULL", kDoing);
     if (!early)
@@ -65,9 +70,7 @@ core::Status checkAttempts(const QSqlDatabase& db, CheckReport& report, const Pr
                                                .toString()
                                                .toStdString();
                 if (noted.empty())
-                    say(report,
-                        {QT_TRANSLATE_NOOP("Finding", "%1 (%2, %3) was inserted: the audit knows nothing of it"),
-                         named});
+                    say(report, {notNoted, named});
                 else if (digest != digestOfAttempt(attempt))
                     say(report,
                         {QT_TRANSLATE_NOOP("Finding", "%1 (%2, %3) was changed after it had been kept"), named});
@@ -88,15 +91,16 @@ core::Status checkAttempts(const QSqlDatabase& db, CheckReport& report, const Pr
 core::Status checkChain(const QSqlDatabase& db, const std::vector<std::string>& witnesses, CheckReport& report,
                         const Progress& progress)
 {
-    const auto chain = checkAudit(db, witnesses, [&](std::int64_t row) {
-        report.auditRows = row;
-        if (progress && row % 1000 == 0)
-            report.isStopped = !progress("audit", row);
+    const auto chain = readChain(db, witnesses, [&](std::int64_t rows) {
+        if (progress && rows % 1000 == 0)
+            report.isStopped = !progress("audit", rows);
         return !report.isStopped;
     });
     if (!chain)
         return tl::unexpected(chain.error());
-    for (const Finding& finding : *chain)
+    report.auditRows = chain->rows;
+    report.lacksNotes = chain->lacksRows;
+    for (const Finding& finding : chain->findings)
         say(report, finding);
     const auto head = auditHead(db);
     if (!head)
@@ -126,8 +130,7 @@ core::Status checkExamStarts(const QSqlDatabase& db, CheckReport& report)
                    kDoing, {}, [&](const QSqlQuery& row) {
                        const QJsonObject noted = QJsonDocument::fromJson(row.value(3).toByteArray()).object();
                        if (noted.isEmpty())
-                           say(report, {QT_TRANSLATE_NOOP("Finding", "%1 was inserted: the audit knows nothing of it"),
-                                        {"exam:" + textOf(row, 0)}});
+                           say(report, {wordsOfUnnoted(report.lacksNotes), {"exam:" + textOf(row, 0)}});
                        else if (noted.value(QStringLiteral("lesson")).toString() != row.value(1).toString() ||
                                 noted.value(QStringLiteral("begun")).toString() != row.value(2).toString())
                            say(report, {QT_TRANSLATE_NOOP("Finding", "%1 was changed after it had been noted"),
@@ -268,10 +271,15 @@ core::Result<CheckReport> checkDatabase(const QSqlDatabase& db, const std::vecto
     if (auto begun = execute(db, dialect::beginRead(db), kDoing); !begun)
         return tl::unexpected(begun.error());
     const auto ended = qScopeGuard([&db] { static_cast<void>(execute(db, "ROLLBACK", kDoing)); });
+    std::size_t ofChain = 0;  // findings, and of what is looked at before it
     const std::array looks{
         Look{[&] { return checkPages(db, report); },
              QT_TRANSLATE_NOOP("Finding", "the pages of the file could not be looked at (%1)")},
-        Look{[&] { return checkChain(db, witnesses, report, progress); },
+        Look{[&] {
+                 const auto done = checkChain(db, witnesses, report, progress);
+                 ofChain = report.findings.size();
+                 return done;
+             },
              QT_TRANSLATE_NOOP("Finding", "the audit could not be looked at (%1)")},
         Look{[&] { return checkAttempts(db, report, progress); },
              QT_TRANSLATE_NOOP("Finding", "the attempts could not be looked at (%1)")},
@@ -281,7 +289,7 @@ core::Result<CheckReport> checkDatabase(const QSqlDatabase& db, const std::vecto
              QT_TRANSLATE_NOOP("Finding", "score sheets and standings could not be looked at (%1)")},
         Look{[&] { return checkNumbers(db, report); },
              QT_TRANSLATE_NOOP("Finding", "the numbers of new rows could not be looked at (%1)")},
-        Look{[&] { return compareWithAudit(db, tell); },
+        Look{[&] { return compareWithAudit(db, report.lacksNotes, tell); },
              QT_TRANSLATE_NOOP("Finding", "people, classes, comments, presets and settings could not be compared with "
                                           "the audit (%1)")},
         Look{[&] { return checkRecordings(db, report, progress); },
@@ -302,6 +310,11 @@ core::Result<CheckReport> checkDatabase(const QSqlDatabase& db, const std::vecto
         if (report.isStopped)
             return report;
     }
+    if (report.lacksNotes && report.findings.size() > ofChain)
+        note({QT_TRANSLATE_NOOP("Finding", "rows of the audit were removed or changed: what is said not to be as it "
+                                           "was noted, or not to be noted, may be sound, and the note of it among "
+                                           "them"),
+              {}});
     return report;
 }
 

@@ -23,6 +23,7 @@ struct CheckReport
     std::int64_t auditRows = 0;
     std::string auditCode;                     ///< of the newest row, as reports show it
     std::string signedBy;                      ///< key of the station that wrote that row, 64 hex digits
+    bool lacksNotes = false;                   ///< the audit has lost rows: what it says nothing of may be sound
     bool isStopped = false;                    ///< not all was looked at
     bool isWhole = true;                       ///< false: something could not be looked at, as a finding says
     std::size_t mostFindings = kMostFindings;  ///< further ones are not told

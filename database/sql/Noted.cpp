@@ -152,23 +152,27 @@ void take(Noted& noted, const Origin& origin, const std::string& action, const s
 struct OpinionWords
 {
     const char* inserted;
+    const char* notNoted;  ///< the same where the audit has lost rows
     const char* changed;
     const char* removed;
 };
 constexpr OpinionWords kOverride{
     QT_TRANSLATE_NOOP("Finding", "an override of %1 was inserted: the audit knows nothing of it"),
+    QT_TRANSLATE_NOOP("Finding", "an override of %1 is not noted in the audit: it was inserted, or the note of it is "
+                                 "among the rows of the audit that were removed or changed"),
     QT_TRANSLATE_NOOP("Finding", "an override of %1 was changed after it had been noted"),
     QT_TRANSLATE_NOOP("Finding", "an override of %1 was removed")};
 constexpr OpinionWords kComment{
     QT_TRANSLATE_NOOP("Finding", "a comment on %1 was inserted: the audit knows nothing of it"),
+    QT_TRANSLATE_NOOP("Finding", "a comment on %1 is not noted in the audit: it was inserted, or the note of it is "
+                                 "among the rows of the audit that were removed or changed"),
     QT_TRANSLATE_NOOP("Finding", "a comment on %1 was changed after it had been noted"),
     QT_TRANSLATE_NOOP("Finding", "a comment on %1 was removed")};
-constexpr const char* kInserted = QT_TRANSLATE_NOOP("Finding", "%1 was inserted: the audit knows nothing of it");
 constexpr const char* kRemoved = QT_TRANSLATE_NOOP("Finding", "%1 was removed");
 constexpr const char* kOtherwise = QT_TRANSLATE_NOOP("Finding", "%1 is not what the audit says");
 
 core::Status compareOpinions(const QSqlDatabase& db, const char* sql, const Opinions& expected,
-                             const OpinionWords& words, const Say& say)
+                             const OpinionWords& words, bool lacksNotes, const Say& say)
 {
     std::map<std::string, std::size_t> seen;
     if (auto read = forEach(
@@ -181,7 +185,7 @@ core::Status compareOpinions(const QSqlDatabase& db, const char* sql, const Opin
                     found != expected.end() && n < found->second.size() ? &found->second[n] : nullptr;
                 const int tenths = row.isNull(2) ? kMachines : row.value(2).toInt();
                 if (noted == nullptr)
-                    say({words.inserted, {"attempt:" + attempt}});
+                    say({lacksNotes ? words.notNoted : words.inserted, {"attempt:" + attempt}});
                 else if (noted->author != textOf(row, 1) || noted->tenths.value_or(kMachines) != tenths ||
                          (!noted->digest.empty() && noted->digest != digestOf(textOf(row, 3))) ||
                          (!noted->digestOfAll.empty() && noted->digestOfAll != digestOfComment(valuesOf(row, 3))))
@@ -243,14 +247,15 @@ core::Status compareScores(const QSqlDatabase& db, const Opinions& overrides, co
     return {};
 }
 
-core::Status comparePeople(const QSqlDatabase& db, std::map<std::string, Standing> expected, const Say& say)
+core::Status comparePeople(const QSqlDatabase& db, std::map<std::string, Standing> expected, bool lacksNotes,
+                           const Say& say)
 {
     if (auto read =
             forEach(db, "SELECT uid, role, disabled, username, given_name, family_name FROM people", kDoing, {},
                     [&](const QSqlQuery& row) {
                         const auto found = expected.find(textOf(row, 0));
                         if (found == expected.end()) {
-                            say({kInserted, {"person:" + textOf(row, 0)}});
+                            say({wordsOfUnnoted(lacksNotes), {"person:" + textOf(row, 0)}});
                             return;
                         }
                         if (found->second.role != textOf(row, 1))
@@ -335,13 +340,13 @@ core::Status compareAssignments(const QSqlDatabase& db,
 }
 
 core::Status compareClasses(const QSqlDatabase& db, std::map<std::string, std::string> names, Enrolments expected,
-                            const Say& say)
+                            bool lacksNotes, const Say& say)
 {
     if (auto read = forEach(db, "SELECT id, name FROM classes", kDoing, {},
                             [&](const QSqlQuery& row) {
                                 const auto found = names.find(textOf(row, 0));
                                 if (found == names.end()) {
-                                    say({kInserted, {"class:" + textOf(row, 0)}});
+                                    say({wordsOfUnnoted(lacksNotes), {"class:" + textOf(row, 0)}});
                                     return;
                                 }
                                 if (found->second != textOf(row, 1))
@@ -395,7 +400,7 @@ core::Status comparePresets(const QSqlDatabase& db, const std::map<std::string, 
 core::Status compareKept(const QSqlDatabase& db, const QString& sql, std::map<std::string, std::string> expected,
                          const std::function<std::string(const std::string& value)>& asNoted,
                          const std::function<bool(const std::string& name)>& mustBeNoted, const std::string& kind,
-                         const Say& say)
+                         bool lacksNotes, const Say& say)
 {
     if (auto read = forEach(db, sql, kDoing, {},
                             [&](const QSqlQuery& row) {
@@ -403,7 +408,7 @@ core::Status compareKept(const QSqlDatabase& db, const QString& sql, std::map<st
                                 const auto found = expected.find(textOf(row, 0));
                                 if (found == expected.end()) {
                                     if (mustBeNoted(textOf(row, 0)))
-                                        say({kInserted, {named}});
+                                        say({wordsOfUnnoted(lacksNotes), {named}});
                                     return;
                                 }
                                 if (found->second != asNoted(textOf(row, 1)))
@@ -419,7 +424,7 @@ core::Status compareKept(const QSqlDatabase& db, const QString& sql, std::map<st
 
 /// An attempt that is nobody's counts for nobody. Those from before there were people are called by their number, and
 /// come before all others.
-core::Status compareOwners(const QSqlDatabase& db, const Say& say)
+core::Status compareOwners(const QSqlDatabase& db, bool lacksNotes, const Say& say)
 {
     if (auto read = forEach(db,
                             "SELECT a.uid FROM attempts a WHERE a.person_id IS NULL AND NOT EXISTS (SELECT 1 FROM "
@@ -428,7 +433,7 @@ core::Status compareOwners(const QSqlDatabase& db, const Say& say)
                             "WHERE b.person_id IS NOT NULL), a.id + 1))",
                             kDoing, {},
                             [&](const QSqlQuery& row) {
-                                say({kInserted, {"attempt:" + textOf(row, 0)}});
+                                say({wordsOfUnnoted(lacksNotes), {"attempt:" + textOf(row, 0)}});
                             });
         !read)
         return read;
@@ -443,7 +448,14 @@ core::Status compareOwners(const QSqlDatabase& db, const Say& say)
 
 }  // namespace
 
-core::Status compareWithAudit(const QSqlDatabase& db, const Say& say)
+const char* wordsOfUnnoted(bool lacksNotes)
+{
+    return lacksNotes ? QT_TRANSLATE_NOOP("Finding", "%1 is not noted in the audit: it was inserted, or the note of it "
+                                                     "is among the rows of the audit that were removed or changed")
+                      : QT_TRANSLATE_NOOP("Finding", "%1 was inserted: the audit knows nothing of it");
+}
+
+core::Status compareWithAudit(const QSqlDatabase& db, bool lacksNotes, const Say& say)
 {
     Noted noted;
     if (auto read =
@@ -469,21 +481,22 @@ core::Status compareWithAudit(const QSqlDatabase& db, const Say& say)
               db,
               "SELECT a.uid, p.uid, o.given_tenths, o.reason, o.given_utc FROM overrides o JOIN attempts a ON a.id = "
               "o.attempt_id JOIN people p ON p.id = o.author_id ORDER BY o.id",
-              noted.overrides, kOverride, say),
+              noted.overrides, kOverride, lacksNotes, say),
           compareOpinions(db,
                           "SELECT a.uid, p.uid, NULL, c.words, c.x_um, c.y_um, c.z_um, c.moment_ms, c.written_utc FROM "
                           "comments c JOIN attempts a ON a.id = c.attempt_id "
                           "JOIN people p ON p.id = c.author_id ORDER BY c.id",
-                          noted.comments, kComment, say),
+                          noted.comments, kComment, lacksNotes, say),
           compareWithdrawn(db, noted.withdrawn, say), compareScores(db, noted.overrides, say),
-          comparePeople(db, noted.people, say), compareLogins(db, say), compareAssignments(db, noted.assignments, say),
-          compareClasses(db, noted.classes, noted.enrolments, say),
+          comparePeople(db, noted.people, lacksNotes, say), compareLogins(db, say),
+          compareAssignments(db, noted.assignments, say),
+          compareClasses(db, noted.classes, noted.enrolments, lacksNotes, say),
           compareKept(db, "SELECT name || ' v' || version, hash FROM presets", noted.presets, asItIs, always, "preset",
-                      say),
+                      lacksNotes, say),
           comparePresets(db, noted.presetOrigins, say),
           compareKept(db, "SELECT name, value FROM settings WHERE owner = ''", noted.settings, digest, must, "setting",
-                      say),
-          compareOwners(db, say)})
+                      lacksNotes, say),
+          compareOwners(db, lacksNotes, say)})
         if (!done)
             return done;
     return {};

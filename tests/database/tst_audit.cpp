@@ -3,6 +3,7 @@
 #include <numeric>
 #include <set>
 
+#include <QElapsedTimer>
 #include <QRandomGenerator>
 #include <QRegularExpression>
 #include <QSqlError>
@@ -69,6 +70,9 @@ private slots:
     void aStationThatNeverJoinedIsFound_data() { support::addEngines(); }
     void aStationThatNeverJoinedIsFound();
     void namesOfPeopleAreNotInIt();
+    void manyMadeUpBreaksHoldNobodyUp();
+    void whatItsLostRowsNotedIsNotAccused_data() { support::addEngines(); }
+    void whatItsLostRowsNotedIsNotAccused();
 
 private:
     /// Lets the test do what only somebody with the file in his hands can.
@@ -230,6 +234,31 @@ void TestAudit::namesTheRow_data()
         row("exchanged") << QStringList{"UPDATE audit SET seq = 1021 - seq WHERE seq IN (7, 14)",
                                         "UPDATE audit SET seq = seq - 1000 WHERE seq > 1000"}
                          << "it was written as row 14" << 2;
+        // Rows that stand elsewhere, where all numbers go on.
+        row("moved behind others") << QStringList{"UPDATE audit SET seq = seq + 1000 WHERE seq BETWEEN 10 AND 20",
+                                                  "UPDATE audit SET seq = 20 WHERE seq = 1010",
+                                                  "UPDATE audit SET seq = seq - 1001 WHERE seq > 1000"}
+                                   << "was moved: it was written as row 10" << 1;
+        row("moved before others") << QStringList{"UPDATE audit SET seq = seq + 1000 WHERE seq BETWEEN 10 AND 20",
+                                                  "UPDATE audit SET seq = 10 WHERE seq = 1020",
+                                                  "UPDATE audit SET seq = seq - 999 WHERE seq > 1000"}
+                                   << "was moved: it was written as row 20" << 1;
+        row("three moved") << QStringList{"UPDATE audit SET seq = seq + 1000 WHERE seq BETWEEN 10 AND 20",
+                                          "UPDATE audit SET seq = seq - 992 WHERE seq BETWEEN 1010 AND 1012",
+                                          "UPDATE audit SET seq = seq - 1003 WHERE seq > 1000"}
+                           << "rows 18 to 20 were moved: they were written as rows 10 to 12" << 1;
+        row("moved round") << QStringList{"UPDATE audit SET seq = seq + 1000 WHERE seq BETWEEN 9 AND 11",
+                                          "UPDATE audit SET seq = 11 WHERE seq = 1009",
+                                          "UPDATE audit SET seq = seq - 1001 WHERE seq > 1000"}
+                           << "row 11 (" << 1;
+        row("moved behind the signed one")
+            << QStringList{"UPDATE audit SET seq = 31 WHERE seq = 10"} << "was moved: it was written as row 10" << 1;
+        row("moved, and one removed besides")
+            << QStringList{"DELETE FROM audit WHERE seq = 25",
+                           "UPDATE audit SET seq = seq + 1000 WHERE seq BETWEEN 10 AND 20",
+                           "UPDATE audit SET seq = 20 WHERE seq = 1010",
+                           "UPDATE audit SET seq = seq - 1001 WHERE seq > 1000"}
+            << "row 25 was removed" << 2;
         row("seal gone") << QStringList{"DELETE FROM audit_seal"} << "signed head of the audit was removed" << 1;
         row("seal in capitals") << QStringList{"UPDATE audit_seal SET signature = upper(signature)"} << "signature"
                                 << 1;
@@ -258,6 +287,75 @@ void TestAudit::namesTheRow()
     const QString said = support::wordsOf(*found);
     QVERIFY2(said.contains(finding), qPrintable(said));
     QVERIFY2(static_cast<int>(found->size()) == findings, qPrintable(said));
+}
+
+/// Those that somebody has made up tell of no break, and are not looked for from each row before them.
+void TestAudit::manyMadeUpBreaksHoldNobodyUp()
+{
+    SchoolRig rig(false);
+    rig.populate();
+    const School& school = rig.school();
+    VERIFY_DONE(inTransaction(school.db, "note many", [&]() -> core::Status {
+        AuditBatch batch(school);
+        for (int k = 0; k < 40'000; ++k)
+            if (auto noted = batch.note("system", "test", "row"); !noted)
+                return noted;
+        return batch.seal();
+    }));
+    const auto msOf = [&school](std::size_t findings) {
+        qint64 least = std::numeric_limits<qint64>::max();
+        for (int k = 0; k < 3; ++k) {
+            QElapsedTimer since;
+            since.start();
+            const auto found = checkAudit(school.db, {});
+            least = std::min(least, since.nsecsElapsed());
+            if (!found || found->size() != findings)
+                qWarning("%s", found ? qPrintable(support::wordsOf(*found)) : found.error().detail.c_str());
+        }
+        return static_cast<double>(least) * 1.0e-6;
+    };
+    const double before = msOf(0);
+    unlock(school);
+    QSqlQuery query(school.db);
+    QVERIFY2(
+        query.exec("UPDATE audit SET action = 'audit.broken', object = 'audit' WHERE seq > 39000 AND seq % 10 = 0"),
+        qPrintable(query.lastError().text()));
+    const double after = msOf(100);
+    QVERIFY2(after < 6.0 * before, qPrintable(QStringLiteral("%1 ms, and %2 ms").arg(before).arg(after)));
+}
+
+/// What it noted may be sound: whoever removes rows of the audit shall not have others accused.
+void TestAudit::whatItsLostRowsNotedIsNotAccused()
+{
+    SCHOOL_RIG(rig);
+    rig.populate();
+    const School& school = rig.school();
+    const AttemptId id = addAttempt(school, rig.student, SchoolRig::attempt("class1-36", 700), {}).value();
+    VERIFY_DONE(overrideScore(school, rig.instructor, id, 800, "neat"));
+    VERIFY_DONE(addComment(school, rig.instructor, id, {"too deep", {}, {}}));
+    VERIFY_DONE(addAttempt(school, rig.student, SchoolRig::attempt("class1-36", 500), {}));
+    const qint64 rows = checkDatabase(school.db, {})->auditRows;
+    unlock(school);
+    QSqlQuery query(school.db);
+    const char* const gone = "('attempt.add', 'attempt.override', 'attempt.comment', 'person.add')";
+    QVERIFY(query.exec(QStringLiteral("SELECT count(*) FROM audit WHERE action IN %1").arg(gone)) && query.next());
+    const qint64 lost = query.value(0).toLongLong();
+    QVERIFY2(query.exec(QStringLiteral("DELETE FROM audit WHERE action IN %1").arg(gone)),
+             qPrintable(query.lastError().text()));
+    const auto report = checkDatabase(school.db, {});
+    VERIFY_DONE(report);
+    QVERIFY(report->lacksNotes);
+    // However high the last number is.
+    QCOMPARE(report->auditRows, rows - lost);
+    const QString said = support::wordsOf(report->findings);
+    QVERIFY2(!said.contains("knows nothing of it"), qPrintable(said));
+    for (const char* thing : {"attempt:", "an override of attempt:", "a comment on attempt:", "person:"})
+        QVERIFY2(QRegularExpression(
+                     QStringLiteral("(^|\n)%1\\S+( \\([^)]*\\))? is not noted in the audit").arg(QLatin1String(thing)))
+                     .match(said)
+                     .hasMatch(),
+                 qPrintable(said));
+    QVERIFY2(support::wordsOf(report->notes).contains("may be sound"), qPrintable(support::wordsOf(report->notes)));
 }
 
 void TestAudit::whatStandsElsewhereIsAsItWasNoted_data()
