@@ -29,9 +29,8 @@ constexpr int kNoRoomForShm = 4874;  // SQLITE_IOERR_SHMSIZE
 
 const std::string kNumber = "go on with its numbers";
 
-/// Any numbers that no other program is likely to lock: "CUSP" and the next.
+/// A number that no other program is likely to lock: "CUSP".
 constexpr int kSchemaLock = kApplicationId;
-constexpr int kTurnLock = kApplicationId + 1;
 
 core::Error sqliteError(const std::string& head, const QSqlError& error)
 {
@@ -123,7 +122,8 @@ core::Error postgresError(const std::string& head, const QSqlError& error, bool 
         return {ErrorCode::Busy,
                 head + "the server has stopped it (" + said + "); try again, or let its administrator allow more time"};
     if (is("55P03") || is("40"))
-        return {ErrorCode::Busy, head + "another station is writing to it; try again in a moment"};
+        return {ErrorCode::Busy, head + "another station is writing to it; try again in a moment, and if it stays so, "
+                                        "let the server's administrator see who has locked it (pg_locks)"};
     if (is("XX"))
         return {ErrorCode::BadStructure, head + "the server found damage (" + said + "); restore a backup of it"};
     return {ErrorCode::BadStructure,
@@ -150,14 +150,22 @@ QString appendOnly(bool postgres, const QString& table)
 
 /// Held until the transaction ends. Who waits for it stands in a queue; a row's lock often goes to who came last. A
 /// station that stops in the middle (a laptop that is shut) loses it, and its connection, before the others give up.
-QString lockAsProgram(const QSqlDatabase& db, int lock)
+QString lockAsProgram(const QSqlDatabase& db, const QString& lock)
 {
     constexpr int kLongestPauseMs = 3000;
-    return isPostgres(db) ? QStringLiteral("SELECT set_config('idle_in_transaction_session_timeout', '%1', true), "
-                                           "pg_advisory_xact_lock(%2)")
+    // One statement: of several Qt tells the fault of the first alone.
+    return isPostgres(db) ? QStringLiteral("DO $$ BEGIN PERFORM set_config('idle_in_transaction_session_timeout', "
+                                           "'%1', true); %2; END $$")
                                 .arg(kLongestPauseMs)
                                 .arg(lock)
                           : QString();
+}
+
+/// Lets others read and write. Of a table, and not of a number, which everybody could lock who may connect: who may
+/// only read shall not be able to hold up those that write.
+QString lockTable(const char* table)
+{
+    return QStringLiteral("LOCK TABLE %1 IN SHARE UPDATE EXCLUSIVE MODE").arg(QLatin1String(table));
 }
 
 /// Of a server: what numbers the rows of a table. Null: this user may not look into it.
@@ -207,14 +215,15 @@ QString forUpdate(const QSqlDatabase& db)
     return isPostgres(db) ? QStringLiteral(" FOR UPDATE") : QString();
 }
 
-QString lockSchema(const QSqlDatabase& db)
+QString lockSchema(const QSqlDatabase& db, bool isThere)
 {
-    return lockAsProgram(db, kSchemaLock);
+    return lockAsProgram(db, isThere ? lockTable("cusp_schema")
+                                     : QStringLiteral("PERFORM pg_advisory_xact_lock(%1)").arg(kSchemaLock));
 }
 
 QString lockTurn(const QSqlDatabase& db)
 {
-    return lockAsProgram(db, kTurnLock);
+    return lockAsProgram(db, lockTable("audit_seal"));
 }
 
 core::Status pinSearchPath(const QSqlDatabase& db)

@@ -31,7 +31,8 @@ inline constexpr int kApplicationId = 0x43555350;
 /// Goes behind a SELECT whose rows nobody else may take until the transaction ends.
 [[nodiscard]] QString forUpdate(const QSqlDatabase& db);
 /// Lets one migration run at a time, until the transaction ends; empty where beginWrite() does.
-[[nodiscard]] QString lockSchema(const QSqlDatabase& db);
+/// @param isThere  a schema, of whichever version
+[[nodiscard]] QString lockSchema(const QSqlDatabase& db, bool isThere);
 /// The same for what is noted in the audit. Who then does nothing for three seconds loses his connection.
 [[nodiscard]] QString lockTurn(const QSqlDatabase& db);
 

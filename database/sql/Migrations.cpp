@@ -38,11 +38,14 @@ QStringList statementsOf(const QString& sql)
 /// Runs one step inside a transaction that is already open.
 core::Status apply(const QSqlDatabase& db, const Migration& step, const std::string& doing)
 {
-    if (const QString lock = dialect::lockSchema(db); !lock.isEmpty())
+    auto version = dialect::schemaVersion(db);
+    if (!version)
+        return tl::unexpected(version.error());
+    if (const QString lock = dialect::lockSchema(db, *version > 0); !lock.isEmpty())
         if (auto locked = execute(db, lock, doing); !locked)
             return locked;
     // Another program may have migrated while we waited for the lock.
-    const auto version = dialect::schemaVersion(db);
+    version = dialect::schemaVersion(db);
     if (!version)
         return tl::unexpected(version.error());
     if (*version >= step.number)

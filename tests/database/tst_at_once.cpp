@@ -114,6 +114,7 @@ private slots:
     void whatIsTooLongForTheServerIsAValueThatIsNotAllowed();
     void aClassListIsTriedWhileOthersWrite_data() { support::addEngines(); }
     void aClassListIsTriedWhileOthersWrite();
+    void whoMayOnlyReadHoldsNobodyUp();
 };
 
 void TestAtOnce::oneAdminAtLeastStays()
@@ -341,6 +342,39 @@ void TestAtOnce::whatAnotherHasGivenIsNotOverwritten()
     QVERIFY(given().empty());
     VERIFY_DONE(assign(school, rig.instructor, mine));
     QCOMPARE(given(), std::vector{mine});
+}
+
+/// He can lock any number there is: what a station waits for is none.
+void TestAtOnce::whoMayOnlyReadHoldsNobodyUp()
+{
+    if (!support::sharedServer().fault().isEmpty())
+        QSKIP(qPrintable(support::sharedServer().fault()));
+    SchoolRig rig(true);
+    rig.populate();
+    const auto reader = Database::open(rig.address());
+    VERIFY_DONE(reader);
+    const QSqlDatabase db = (*reader)->handle();
+    const QString role = "reads_" + QString::fromStdString(newUid());
+    for (const char* sql : {"CREATE ROLE %1", "GRANT SELECT ON ALL TABLES IN SCHEMA public TO %1", "SET ROLE %1"})
+        VERIFY_DONE(execute(db, QString::fromLatin1(sql).arg(role), "be another"));
+    for (int more = 0; more < 3; ++more)
+        VERIFY_DONE(
+            execute(db, QStringLiteral("SELECT pg_advisory_lock(%1)").arg(dialect::kApplicationId + more), "lock"));
+    VERIFY_DONE(execute(db, "BEGIN", "read"));
+    VERIFY_DONE(execute(db, "SELECT count(*) FROM audit_seal", "read"));
+    VERIFY_REFUSED(execute(db, "LOCK TABLE audit_seal IN SHARE UPDATE EXCLUSIVE MODE", "lock"),
+                   ErrorCode::FileUnwritable);
+    VERIFY_DONE(execute(db, "ROLLBACK", "end reading"));
+    VERIFY_DONE(addAttempt(rig.school(), rig.student, SchoolRig::attempt("class1-36", 500), {}));
+    // Of two that write one waits, and is told by whom it may be held up.
+    VERIFY_DONE(execute(db, "RESET ROLE", "be oneself"));
+    VERIFY_DONE(execute(db, "BEGIN", "write"));
+    VERIFY_DONE(execute(db, dialect::lockTurn(db), "write"));
+    const auto late = addAttempt(rig.school(), rig.student, SchoolRig::attempt("class1-36", 500), {});
+    VERIFY_REFUSED(late, ErrorCode::Busy);
+    QVERIFY2(late.error().detail.find("pg_locks") != std::string::npos, late.error().detail.c_str());
+    VERIFY_DONE(execute(db, "ROLLBACK", "end writing"));
+    VERIFY_DONE(execute(db, "DROP OWNED BY " + role + "; DROP ROLE " + role, "tidy up"));
 }
 
 QTEST_GUILESS_MAIN(TestAtOnce)
