@@ -17,6 +17,14 @@ constexpr qsizetype kMostNames = 40;
 /// So many letters may differ for one key to be taken for a slip of another.
 constexpr int kSlip = 3;
 
+/// With all its digits where it is whole, as a version is.
+core::Words written(double number)
+{
+    constexpr double kWrittenOut = 1.0e15;
+    const bool isWhole = number == std::floor(number) && std::abs(number) < kWrittenOut;
+    return isWhole ? noted(QString::number(number, 'f', 0)) : noted(number);
+}
+
 /// How many letters have to be changed, put in or left out to make b of a (Levenshtein).
 int lettersApart(const QString& a, const QString& b)
 {
@@ -110,9 +118,9 @@ std::optional<double> JsonKeys::number(const char* key, double low, double high,
     const double number = value.toDouble();
     if (!std::isfinite(number) || number < low || number > high) {
         fault(key, hasUnit ? core::Words{QT_TRANSLATE_NOOP("Fault", "is %1, it must lie between %2 and %3 %4"),
-                                         {noted(number), noted(low), noted(high), {unit}}}
+                                         {written(number), written(low), written(high), {unit}}}
                            : core::Words{QT_TRANSLATE_NOOP("Fault", "is %1, it must lie between %2 and %3"),
-                                         {noted(number), noted(low), noted(high)}});
+                                         {written(number), written(low), written(high)}});
         return std::nullopt;
     }
     return number;
@@ -129,7 +137,7 @@ qint64 JsonKeys::whole(const char* key, qint64 low, qint64 high, qint64 otherwis
     if (!value)
         return otherwise;
     if (*value != std::floor(*value)) {
-        fault(key, {QT_TRANSLATE_NOOP("Fault", "is %1, it must be a whole number"), {noted(*value)}});
+        fault(key, {QT_TRANSLATE_NOOP("Fault", "is %1, it must be a whole number"), {written(*value)}});
         return otherwise;
     }
     return static_cast<qint64>(*value);

@@ -9,7 +9,10 @@
 
 #include "app/cli/Arguments.h"
 #include "app/cli/Commands.h"
+#include "app/cli/SchoolParts.h"
 #include "core/settings/StabilityBound.h"
+#include "database/sql/Presets.h"
+#include "database/sql/Settings.h"
 #include "lessons/PresetShelf.h"
 
 namespace app::cli {
@@ -59,25 +62,86 @@ lessons::PresetFolder shelfOf(const QCommandLineParser& parser)
                                                                         : lessons::presetsFolder());
 }
 
+/// The presets of a folder, or of a school.
+struct Shelf
+{
+    std::vector<lessons::ReadPreset> presets;
+    std::optional<FeelPreset> inUse{};  ///< in a school
+};
+
+core::Result<Shelf> schoolsShelf(const QCommandLineParser& parser)
+{
+    const auto address = databaseAddress(parser);
+    if (!address)
+        return tl::unexpected(address.error());
+    const auto open = openSchool(*address, Opening::AsItIs);
+    if (!open)
+        return tl::unexpected(withWayBack(open.error(), *address));
+    const auto session = logIn(parser, *open);
+    if (!session)
+        return tl::unexpected(session.error());
+    const auto kept = database::sql::listPresets(*open->school, *session);
+    if (!kept)
+        return tl::unexpected(kept.error());
+    auto settings = database::sql::readSettings(*open->school, *session);
+    if (!settings)
+        return tl::unexpected(settings.error());
+    std::vector<lessons::ReadPreset> read;
+    for (const database::sql::KeptPreset& one : *kept)
+        read.push_back(lessons::readPresetText(QByteArray::fromStdString(one.json), QString::fromStdString(one.name)));
+    Shelf shelf{lessons::shelved(std::move(read))};
+    const QStringList retired = QString::fromStdString((*settings)[database::sql::kRetiredPresets]).split(u'\n');
+    for (lessons::ReadPreset& one : shelf.presets)
+        one.isRetired = one.preset && retired.contains(QString::fromStdString(one.preset->name));
+    const auto inUse =
+        lessons::findPreset(shelf.presets, QString::fromStdString((*settings)[database::sql::kPresetInUse]));
+    shelf.inUse = inUse ? *inUse : lessons::shippedPresets().front();
+    return shelf;
+}
+
 int listPresets(const QStringList& arguments)
 {
     QCommandLineParser parser;
-    parser.setApplicationDescription(QStringLiteral("Lists the hardness presets there are, each in all its versions."));
+    parser.setApplicationDescription(QStringLiteral("Lists the hardness presets there are, each in all its versions: "
+                                                    "the user's own, or with --as those of a school, of which one is "
+                                                    "in use."));
     addFolder(parser);
+    addDatabaseOption(parser);
+    addPersonOption(parser);
     addJson(parser);
-    if (const auto code = parse(parser, arguments, QStringLiteral("cusp preset list [--folder FOLDER] [--json]")))
+    if (const auto code =
+            parse(parser, arguments,
+                  QStringLiteral("cusp preset list [--folder FOLDER | --as NAME [--db FILE|URL]] [--json]")))
         return *code;
+    const bool isOfSchool = parser.isSet(QStringLiteral("as")) || parser.isSet(QStringLiteral("db"));
+    if (isOfSchool && parser.isSet(QStringLiteral("folder")))
+        return wrongUsage(QStringLiteral("list the presets of a folder or those of a school, not both at once"));
+    if (isOfSchool)
+        if (const auto code = refuseNobody(parser))
+            return *code;
+    const auto shelf = isOfSchool ? schoolsShelf(parser) : Shelf{shelfOf(parser).list()};
+    if (!shelf)
+        return failed(shelf.error());
     QJsonArray list;
     QString text;
-    for (const lessons::ReadPreset& read : shelfOf(parser).list()) {
+    for (const lessons::ReadPreset& read : shelf->presets) {
         QJsonObject object{{"file", read.file}, {"shipped", read.file.isEmpty()}, {"faults", toJson(read.faults)}};
         if (read.preset) {
             object.insert("name", QString::fromStdString(read.preset->name));
             object.insert("version", read.preset->version);
             object.insert("hash", QString::fromStdString(read.preset->hash));
-            text += QStringLiteral("%1%2\n").arg(
-                printable(QString::fromStdString(core::settings::labelOf(*read.preset))),
-                read.file.isEmpty() ? QString() : QStringLiteral("  (") + QFileInfo(read.file).fileName() + u')');
+            const bool isInUse = shelf->inUse && shelf->inUse->hash == read.preset->hash;
+            if (isOfSchool) {
+                object.insert("in_use", isInUse);
+                object.insert("retired", read.isRetired);
+            }
+            text += QStringLiteral("%1%2%3%4\n")
+                        .arg(printable(QString::fromStdString(core::settings::labelOf(*read.preset))),
+                             isOfSchool || read.file.isEmpty()
+                                 ? QString()
+                                 : QStringLiteral("  (") + QFileInfo(read.file).fileName() + u')',
+                             isInUse ? QStringLiteral("  (in use)") : QString(),
+                             read.isRetired ? QStringLiteral("  (retired)") : QString());
         }
         list.append(object);
         text += toText(read.faults);

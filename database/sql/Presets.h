@@ -8,6 +8,11 @@
 
 namespace database::sql {
 
+/// Among the school's settings: "name v2" of the preset that is in use, where that is not the one that is shipped; and
+/// the names of those that are offered to nobody any more, one a line.
+inline const std::string kPresetInUse = "preset.in_use";
+inline const std::string kRetiredPresets = "preset.retired";
+
 /// A version of a hardness preset, as it is kept: what its file says.
 struct KeptPreset
 {

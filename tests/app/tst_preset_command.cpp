@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QFile>
 #include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "database/sql/Presets.h"
+#include "lessons/PresetFile.h"
 #include "lessons/PresetShelf.h"
+#include "tests/database/SchoolRig.h"
 #include "tests/support/Program.h"
 
 using support::Ending;
@@ -15,6 +20,8 @@ class TestPresetCommand : public QObject
     Q_OBJECT
 private slots:
     void listsShowsAndChecks();
+    void aSchoolsPresetsAreListed();
+    void wholeNumbersAreWrittenOut();
     void wrongUsageIsExplained();
 };
 
@@ -56,6 +63,53 @@ void TestPresetCommand::listsShowsAndChecks()
     const Ending sparse = runCusp({"preset", "check", bad});
     QCOMPARE(sparse.exitCode, 0);
     QVERIFY2(sparse.out.contains("says nothing of ") && sparse.out.contains("pulp"), sparse.out);
+}
+
+void TestPresetCommand::aSchoolsPresetsAreListed()
+{
+    support::SchoolRig rig(false);
+    rig.populate();
+    core::settings::FeelPreset mine;
+    mine.name = "mine";
+    for (mine.version = 1; mine.version <= 2; ++mine.version) {
+        mine.stiffnessNPerMm = 1.0 + 0.5 * mine.version;
+        const auto hashed = lessons::hashed(mine);
+        const QByteArray json = QJsonDocument(lessons::toJson(hashed)).toJson(QJsonDocument::Compact);
+        VERIFY_DONE(database::sql::addPreset(rig.school(), rig.admin,
+                                             {hashed.name, hashed.version, hashed.hash, json.toStdString()}));
+    }
+    const auto listed = [&rig](const char* who) {
+        return runCusp({"preset", "list", "--db", rig.address(), "--as", who, "--json"}, {}, "correct horse\n");
+    };
+    const auto inUse = [&] {
+        QStringList names;
+        for (const QJsonValue& one : listed("s1001").json()["presets"].toArray())
+            if (one["in_use"].toBool())
+                names << one["name"].toString() + " v" + QString::number(one["version"].toInt());
+        return names;
+    };
+    QCOMPARE(listed("s1001").json()["presets"].toArray().size(), 3);
+    QCOMPARE(inUse(), QStringList{"natural v1"});
+    VERIFY_DONE(database::sql::changeSetting(rig.school(), rig.admin, "preset.in_use", "mine v1"));
+    QCOMPARE(inUse(), QStringList{"mine v1"});
+    VERIFY_DONE(database::sql::changeSetting(rig.school(), rig.admin, "preset.retired", "natural"));
+    const Ending text = runCusp({"preset", "list", "--db", rig.address(), "--as", "admin"}, {}, "correct horse\n");
+    QVERIFY2(text.out.contains("(in use)") && text.out.count("(retired)") == 1, text.out);
+    QCOMPARE(runCusp({"preset", "list", "--db", rig.address()}).exitCode, 2);
+    QCOMPARE(runCusp({"preset", "list", "--db", rig.address(), "--as", "admin", "--folder", "x"}).exitCode, 2);
+    const Ending wrong = runCusp({"preset", "list", "--db", rig.address(), "--as", "admin"}, {}, "wrong\n");
+    QVERIFY2(wrong.exitCode == 1 && wrong.isOneSentence(), wrong.error);
+}
+
+/// A version is no measure.
+void TestPresetCommand::wholeNumbersAreWrittenOut()
+{
+    QTemporaryDir folder;
+    QFile file(folder.filePath("far.json"));
+    QVERIFY(file.open(QIODevice::WriteOnly) && file.write(R"({"version": 20000000})") > 0);
+    file.close();
+    const Ending far = runCusp({"preset", "check", file.fileName()});
+    QVERIFY2(far.error.contains("is 20000000, it must lie between 1 and 1000000"), far.error);
 }
 
 void TestPresetCommand::wrongUsageIsExplained()

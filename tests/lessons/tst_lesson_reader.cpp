@@ -231,7 +231,7 @@ void TestLessonReader::tellsEachFaultByFileAndKey_data()
         "touch.reach_mm: is 0, it must lie between 0.1 and 3 mm");
     row("a force that is not said", "task", "\"hold_force\"", "hold: is missing");
     row("a force in grams", "hold", "{\"force_n\": 100}", "hold.force_n: is 100, it must lie between 0.2 and 5 N");
-    row("held for ever", "hold", "{\"seconds\": 1e9}", "hold.seconds: is 1e+09, it must lie between 1 and 120 s");
+    row("held for ever", "hold", "{\"seconds\": 1e9}", "hold.seconds: is 1000000000, it must lie between 1 and 120 s");
     row("layers of a tooth", "task", "\"tell_layers\"", "tooth: layers are told apart in a block of them");
     row("no rubric", "rubric", "null", "rubric: is missing");
     row("a rubric unheard of", "rubric", "\"fair\"", "rubric: there is no rubric \"fair\"");
