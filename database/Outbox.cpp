@@ -113,12 +113,14 @@ QStringList lettersIn(const QString& folder)
 }
 
 /// One of that name there is the same attempt, and is replaced.
-void move(const QString& file, const QString& folder)
+bool move(const QString& file, const QString& folder)
 {
     makeOwnFolder(folder);
     const QString target = QDir(folder).filePath(QFileInfo(file).fileName());
-    if (rename(QFile::encodeName(file).constData(), QFile::encodeName(target).constData()) == 0)
-        core::bringToDisk(folder.toStdU16String());
+    if (rename(QFile::encodeName(file).constData(), QFile::encodeName(target).constData()) != 0)
+        return false;
+    core::bringToDisk(folder.toStdU16String());
+    return true;
 }
 
 core::Error refused(ErrorCode code, const QString& file, const std::string& why)
@@ -195,9 +197,9 @@ QStringList Outbox::arrived() const
     return lettersIn(QDir(m_folder).filePath(kArrived));
 }
 
-void Outbox::keepArrived(const QString& file) const
+bool Outbox::keepArrived(const QString& file) const
 {
-    move(file, QDir(m_folder).filePath(kArrived));
+    return move(file, QDir(m_folder).filePath(kArrived));
 }
 
 void Outbox::sendAgain(const QString& folder)
@@ -279,9 +281,9 @@ QString Outbox::schoolAt(const Address& address, const QString& folder)
     return QDir(canonical(folder)).relativeFilePath(QDir(canonical(file.absolutePath())).filePath(file.fileName()));
 }
 
-void Outbox::remove(const QString& file) const
+bool Outbox::remove(const QString& file) const
 {
-    QFile::remove(file);
+    return QFile::remove(file);
 }
 
 void Outbox::setAside(const QString& file) const

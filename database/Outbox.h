@@ -63,9 +63,11 @@ public:
     /// signed with another key than this station has now; it waits until that one is back.
     [[nodiscard]] core::Result<Letter> read(const QString& file) const;
     [[nodiscard]] core::Result<ExamLetter> readExam(const QString& file) const;
-    void remove(const QString& file) const;
-    /// Into the folder "arrived" beside it: the database has it, but not yet two backups of the database.
-    void keepArrived(const QString& file) const;
+    /// False: another program has done so before, or it cannot be done.
+    bool remove(const QString& file) const;
+    /// Into the folder "arrived" beside it: the database has it, but not yet two backups of the database. False as in
+    /// remove().
+    bool keepArrived(const QString& file) const;
     /// Those that lie there; removed when they are in two backups.
     [[nodiscard]] QStringList arrived() const;
     /// All of a folder's wait again: its database is put back to how it was before them. What is there all the same is

@@ -17,6 +17,7 @@
 #include "app/cli/Arguments.h"
 #include "app/cli/Commands.h"
 #include "app/cli/SchoolParts.h"
+#include "app/cli/StopSignal.h"
 #include "app/cli/bench/Circumstances.h"
 #include "database/Outbox.h"
 #include "database/Usernames.h"
@@ -75,6 +76,12 @@ int answer(const QCommandLineParser& parser, const QString& sentence, const QJso
     else
         printText(sentence + '\n');
     return kDone;
+}
+
+/// Goes on until a signal comes.
+bool goesOn(int /*done*/, int /*all*/)
+{
+    return !StopSignal::hasCome();
 }
 
 core::Status expectFile(const Address& address)
@@ -205,13 +212,14 @@ int backUpFile(const QCommandLineParser& parser, const Address& address)
 {
     if (auto fit = expectFile(address); !fit)
         return failed(fit.error());
+    const StopSignal stop;
     const auto open = openSchool(address, Opening::ToLook);
     if (!open)
         return failedWithBackups(open.error(), address);
     const QString folder = parser.isSet(QStringLiteral("to")) ? parser.value(QStringLiteral("to"))
                                                               : database::sql::backupFolder(address.file);
     const QDateTime now = QDateTime::currentDateTimeUtc();
-    const auto made = database::sql::backUp(open->school->db, folder, now);
+    const auto made = database::sql::backUp(open->school->db, folder, now, goesOn);
     if (const auto stayed = open->database->stayedAsItWas(); !stayed) {
         if (made)
             QFile::remove(*made);
@@ -219,7 +227,12 @@ int backUpFile(const QCommandLineParser& parser, const Address& address)
     }
     if (!made)
         return failedWithBackups(made.error(), address);
-    const bool isAuditWhole = database::sql::holdsItsAudit(*made).value_or(false);
+    const auto looked = database::sql::holdsItsAudit(*made, goesOn);
+    if (!looked)  // who stops this has a backup, and nothing is thrown away
+        return failed({ErrorCode::FileUnwritable,
+                       "backed up to " + made->toStdString() +
+                           ", and stopped then: its audit was not looked at, and older backups were not thinned out"});
+    const bool isAuditWhole = *looked;
     QJsonArray gone;
     for (const QString& file :
          database::sql::toThin(database::sql::backupsOf(open->school->db, folder), now, isAuditWhole))
@@ -234,15 +247,46 @@ int backUpFile(const QCommandLineParser& parser, const Address& address)
                   {{"backup", *made}, {"audit_whole", isAuditWhole}, {"removed", gone}});
 }
 
+/// "it is of 2026-11-20T10:15:00Z, of a school with people: 7, ..."
+std::string shownSchool(const QString& backup)
+{
+    return database::sql::madeAt(backup).toString(Qt::ISODate).toStdString() + ", " +
+           printable(database::sql::whoIsIn(backup)).toStdString();
+}
+
+/// Where nothing says whose the file was, and its folder has backups of several schools, it is for who restores to
+/// know.
+core::Status expectOneSchool(const QString& backup, const Address& address)
+{
+    const QStringList newest =
+        database::sql::newestOfEach(database::sql::backupsIn(database::sql::backupFolder(address.file)));
+    if (newest.size() < 2)
+        return {};
+    std::string schools;
+    for (const QString& one : newest)
+        schools +=
+            (schools.empty() ? "" : "; ") + QFileInfo(one).fileName().toStdString() + " (" + shownSchool(one) + ')';
+    return core::unexpected(ErrorCode::WrongKind,
+                            "database " + address.file.toStdString() +
+                                ": it does not say any more whose it was, and the folder of its backups has those of " +
+                                std::to_string(newest.size()) + " schools, the newest of each " + schools + "; " +
+                                QFileInfo(backup).fileName().toStdString() + " is " + shownSchool(backup) +
+                                "; if that is the right school, say so with --any-school");
+}
+
 int restoreFile(const QCommandLineParser& parser, const Address& address)
 {
     if (auto fit = expectFile(address); !fit)
         return failed(fit.error());
+    const StopSignal stop;
     makeDataFolder(address);
     const QString backup = parser.positionalArguments().front();
     const auto isCompared = database::sql::mayReplace(backup, address.file);
     if (!isCompared)
         return failed(isCompared.error());
+    if (!*isCompared && !parser.isSet(QStringLiteral("any-school")))
+        if (auto known = expectOneSchool(backup, address); !known)
+            return failed(known.error());
     if (!database::sql::schoolOf(address.file).empty() && database::sql::holdsNobody(backup))
         return failed({ErrorCode::WrongKind, "backup " + backup.toStdString() +
                                                  ": nobody is in it, and it would replace a whole school; choose "
@@ -250,7 +294,7 @@ int restoreFile(const QCommandLineParser& parser, const Address& address)
     // What came after the backup was made is delivered again when the window opens next. Before the file is put in its
     // place: whatever comes in between, it holds.
     database::Outbox::sendAgain(QFileInfo(address.file).absoluteDir().filePath(QStringLiteral("outbox")));
-    const auto replaced = database::sql::restoreBackup(backup, address.file, QDateTime::currentDateTimeUtc());
+    const auto replaced = database::sql::restoreBackup(backup, address.file, QDateTime::currentDateTimeUtc(), goesOn);
     if (!replaced)
         return failed(replaced.error());
     const auto failedInPlace = [&](core::Error error) {
@@ -263,8 +307,8 @@ int restoreFile(const QCommandLineParser& parser, const Address& address)
     if (!open)
         return failedInPlace(open.error());
     if (!*isCompared)
-        warn({"whether the backup is of the school whose place it took is not known: there was nothing to compare it "
-              "with, in that file or in the folder of its backups"});
+        warn({"whether the backup is of the school whose place it took is not known: that file does not say, nor does "
+              "the folder of its backups"});
     const bool isAuditWhole = database::sql::holdsItsAudit(open->school->db).value_or(false);
     if (auto noted = database::sql::noteRestored(*open->school, {}, backup); !noted)
         return failedInPlace(noted.error());
@@ -285,10 +329,11 @@ int drillRestore(const QCommandLineParser& parser, const Address& address)
 {
     if (auto fit = expectFile(address); !fit)
         return failed(fit.error());
+    const StopSignal stop;
     const auto open = openSchool(address, Opening::ToLook);
     if (!open)
         return failedWithBackups(open.error(), address);
-    const auto rows = database::sql::restoreDrill(open->school->db);
+    const auto rows = database::sql::restoreDrill(open->school->db, goesOn);
     if (const auto stayed = open->database->stayedAsItWas(); !stayed)
         return failed(stayed.error());
     if (!rows)
@@ -338,8 +383,9 @@ Delivery deliverWaiting(const Address& address, const OpenSchool& open, bool isO
             continue;
         const core::Status done = letter ? letter->deliver(*open.school) : tl::unexpected(letter.error());
         if (done) {
-            address.isServer() ? letters.remove(file) : letters.keepArrived(file);
-            ++delivery.sent;
+            // Where several programs deliver at once it is counted by the one whose letter it was in the end.
+            if (address.isServer() ? letters.remove(file) : letters.keepArrived(file))
+                ++delivery.sent;
             continue;
         }
         if (done.error().code == ErrorCode::FileMissing)  // a window has delivered it
@@ -406,6 +452,7 @@ int copyDatabase(const QCommandLineParser& parser, const Address& address)
     // What waits for the school belongs into its copy: where that lies nobody looks for it.
     const bool isCopy = !address.isServer() && database::sql::isNamedAsCopy(address.file);
     const Delivery delivered = isCopy ? Delivery() : deliverWaiting(address, *from, false);
+    const StopSignal stop;
     const QStringList made = filesToMake(*target);
     auto to = openSchool(*target, Opening::ToFill);
     if (!to)
@@ -415,6 +462,7 @@ int copyDatabase(const QCommandLineParser& parser, const Address& address)
         database::sql::copySchool(*from->school, *session, *to->school, [tells](const QString& table, qint64 rows) {
             if (tells)
                 tellProgress(table, rows);
+            return !StopSignal::hasCome();
         });
     if (tells)
         printText(QStringLiteral("\n"), stderr);
@@ -646,6 +694,13 @@ void addBackupFolder(QCommandLineParser& parser)
                       QStringLiteral("FOLDER")});
 }
 
+void addAnySchool(QCommandLineParser& parser)
+{
+    parser.addOption({QStringLiteral("any-school"),
+                      QStringLiteral("Also where nothing says whose the damaged file was that is replaced, and its "
+                                     "folder has backups of several schools.")});
+}
+
 void addTarget(QCommandLineParser& parser)
 {
     addPersonOption(parser);
@@ -672,8 +727,8 @@ constexpr std::array kParts{
          "looks at everything: pages, keys, audit, attempts; names what was changed", addWitness, checkWhole},
     Part{"backup", "cusp db backup [--db FILE] [--to FOLDER] [--json]",
          "copies the file after a good check, and thins out older backups", addBackupFolder, backUpFile},
-    Part{"restore", "cusp db restore BACKUP [--db FILE]", "puts a backup in the place of the file", nothing,
-         restoreFile, true},
+    Part{"restore", "cusp db restore BACKUP [--db FILE] [--any-school]", "puts a backup in the place of the file",
+         addAnySchool, restoreFile, true},
     Part{"drill", "cusp db drill [--db FILE]", "tries that a backup can be made and restored", nothing, drillRestore},
     Part{"migrate", "cusp db migrate [--db FILE|URL]",
          "brings an older database to this program's schema; new rows get numbers again", nothing, migrateDatabase},

@@ -17,6 +17,7 @@
 #include "app/cli/Arguments.h"
 #include "app/cli/Commands.h"
 #include "app/cli/SchoolParts.h"
+#include "app/cli/StopSignal.h"
 #include "core/base/WholeFile.h"
 #include "database/Codes.h"
 #include "database/Csv.h"
@@ -441,6 +442,8 @@ int exportCommand(const QStringList& arguments)
     const auto place = toStdout ? core::Result<QString>() : placeOfTable(path, desk->open.database->address());
     if (!place)
         return failed(place.error());
+    // Before the file: what is made beside its place until it is whole goes when the writing is stopped.
+    const StopSignal stop;
     // Names and marks: a new file is for its owner only, and one that is there stays as somebody has set it.
     const bool isNew = !QFileInfo::exists(*place);
     QSaveFile file(*place);
@@ -450,9 +453,15 @@ int exportCommand(const QStringList& arguments)
                                                       file.errorString().toStdString() + "); choose another place"});
     const auto count = database::sql::exportAttempts(*desk->open.school, desk->session, [&](std::string_view line) {
         const auto size = static_cast<qint64>(line.size());
+        if (StopSignal::hasCome())
+            return false;
         return toStdout ? std::fwrite(line.data(), 1, line.size(), stdout) == line.size()
                         : file.write(line.data(), size) == size;
     });
+    if (StopSignal::hasCome())
+        return failed(
+            {ErrorCode::FileUnwritable, "the attempts were not all written: it was stopped" +
+                                            std::string(toStdout ? "" : ", and the file is as it was before")});
     if (!count)
         return failed(count.error());
     if (toStdout ? std::fflush(stdout) != 0 : !file.flush() || !file.commit())

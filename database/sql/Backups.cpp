@@ -23,6 +23,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "core/base/FileLock.h"
 #include "core/base/WholeFile.h"
 #include "database/Passwords.h"
 #include "database/sql/Audit.h"
@@ -59,6 +60,11 @@ core::Error refused(const QString& file, const std::string& why)
 core::Error refusedThere(const QString& databaseFile, const std::string& why)
 {
     return {ErrorCode::FileUnwritable, "database " + databaseFile.toStdString() + ": " + why};
+}
+
+core::Error stoppedThere(const QString& databaseFile)
+{
+    return refusedThere(databaseFile, "it was stopped, and nothing was replaced");
 }
 
 core::Error openElsewhere(const QString& databaseFile)
@@ -232,9 +238,29 @@ QStringList staleIn(const QString& folder, const QString& name, QDir::Filters ki
     return stale;
 }
 
-/// As backUpAs() names what is not whole yet.
+/// As backUpAs() names what is not whole yet, and what lies beside that.
 const QString kPartName = QStringLiteral(R"((?:backup|before-schema-\d+)-\d{4}-\d\d-\d\d-\d\d\.\d\d\.\d\d)"
-                                         R"(\.sqlite\.part-[0-9a-f]{32}(?:-journal|-wal|-shm)?)");
+                                         R"(\.sqlite\.part-[0-9a-f]{32})");
+const QString kPartEnd = QStringLiteral("(?:-journal|-wal|-shm|-lock)?");
+/// Of the file that is locked while one is made.
+const QString kLock = QStringLiteral("-lock");
+
+/// What programs have left of backups when they were killed. Those that do not say who makes them are from older
+/// programs, or lie where files cannot be locked: they go after a day.
+void removeLeftParts(const QString& folder)
+{
+    for (const QString& part : staleIn(folder, kPartName + kPartEnd, QDir::Files))
+        QFile::remove(part);
+    const QRegularExpression ours('^' + kPartName + kLock + '$');
+    const QDir there(folder);
+    for (const QString& name : there.entryList(QDir::Files | QDir::NoSymLinks)) {
+        if (!ours.match(name).hasMatch())
+            continue;
+        const QString file = there.filePath(name);
+        if (const core::FileLock lock(file.toStdU16String()); lock.isHeld())
+            removeWhole(file.chopped(kLock.size()));
+    }
+}
 
 /// The drills' folders that were not removed because the program was killed, as far as nothing else lies in them.
 void removeStaleDrills(const QString& folder)
@@ -242,7 +268,7 @@ void removeStaleDrills(const QString& folder)
     for (const QString& drill : staleIn(folder, QStringLiteral("cusp-drill-[0-9a-f]{32}-[A-Za-z]{6}"), QDir::Dirs)) {
         const QString name = QStringLiteral(R"((?:%1|backup-[-.\d]{19}\.sqlite|)"
                                             R"(restored\.sqlite(?:\.restoring[0-9a-f]{32})?(?:-journal|-wal|-shm)?))")
-                                 .arg(kPartName);
+                                 .arg(kPartName + kPartEnd);
         for (const QString& file : staleIn(drill, name, QDir::Files))
             QFile::remove(file);
         QDir().rmdir(drill);
@@ -279,11 +305,14 @@ core::Result<QString> backUpAs(const QSqlDatabase& db, const QString& folder, co
     const auto nameOf = [&](const QDateTime& at) {
         return QDir(folder).filePath(kind + '-' + at.toString(kStamp) + kSuffix);
     };
-    for (const QString& part : staleIn(folder, kPartName, QDir::Files))
-        QFile::remove(part);
+    removeLeftParts(folder);
     // Another program may be making one in the same second.
     const QString part = nameOf(nowUtc) + ".part-" + QString::fromStdString(newUid());
-    const auto removePart = qScopeGuard([&part] { removeWhole(part); });
+    const core::FileLock isBeingMade((part + kLock).toStdU16String());
+    const auto removePart = qScopeGuard([&part] {
+        removeWhole(part);
+        QFile::remove(part + kLock);  // which stays where files cannot be locked
+    });
     const auto counts = copyMoment(db, part, progress);
     if (!counts)
         return tl::unexpected(counts.error());
@@ -390,7 +419,7 @@ private:
 };
 
 /// Whoever may not read the school may not read the copy, not even while it grows.
-bool copyBytes(const QString& backup, const QString& copy, QFile::Permissions mode)
+bool copyBytes(const QString& backup, const QString& copy, QFile::Permissions mode, const std::function<bool()>& goesOn)
 {
     constexpr qint64 kAtOnce = qint64{1} << 20;
     QFile from(backup);
@@ -400,22 +429,23 @@ bool copyBytes(const QString& backup, const QString& copy, QFile::Permissions mo
     QByteArray bytes;
     do {
         bytes = from.read(kAtOnce);
-        if (to.write(bytes) != bytes.size())
+        if (to.write(bytes) != bytes.size() || !goesOn())
             return false;
     } while (!bytes.isEmpty());
     return from.error() == QFile::NoError && to.flush();
 }
 
 /// Copies a backup and brings the copy to this program's schema: what cannot be used replaces nothing.
-core::Status makeReady(const QString& backup, const QString& copy, const QString& databaseFile)
+core::Status makeReady(const QString& backup, const QString& copy, const QString& databaseFile,
+                       const std::function<bool()>& goesOn)
 {
     // As the file was whose place it takes: a backup may be read-only.
     const QFileInfo target(databaseFile);
     const QFile::Permissions mode = target.exists() ? target.permissions() | kOwners : kOwners;
     const core::Error noRoom = refusedThere(
         databaseFile, "it could not be copied there; make room on the disk, and check who may write there");
-    if (!copyBytes(backup, copy, mode))
-        return tl::unexpected(noRoom);
+    if (!copyBytes(backup, copy, mode, goesOn))
+        return tl::unexpected(goesOn() ? noRoom : stoppedThere(databaseFile));
     Database::Options options;
     options.mayCreate = false;
     options.savesFirst = false;  // the backup itself is what there is to go back to
@@ -638,11 +668,39 @@ core::Result<bool> mayReplace(const QString& backup, const QString& databaseFile
             line.push_back(other);
     if (line.empty())
         return false;
+    // Several schools may back up into one folder: then it says whose the file may have been, and not whose it was.
     if (std::find(line.begin(), line.end(), school) != line.end())
-        return true;
+        return beside.isEmpty() || newestOfEach(beside).size() == 1;
     return core::unexpected(ErrorCode::WrongKind, "backup " + backup.toStdString() + ": it is of another school than " +
                                                       databaseFile.toStdString() +
                                                       "; name another place, or move that file away first");
+}
+
+QStringList newestOfEach(const QStringList& backups)
+{
+    QStringList newest;
+    std::set<std::string> schools;
+    for (const QString& file : backups)
+        if (const auto line = lineOf(file); !line.empty() && schools.insert(line.front()).second)
+            newest += file;
+    return newest;
+}
+
+QString whoIsIn(const QString& file)
+{
+    if (!QFileInfo(file).isFile())
+        return {};
+    const Reader reader(file);
+    const auto people = ask(reader.handle(), "SELECT COUNT(*) FROM people", "see whose it is");
+    const auto first = ask(reader.handle(), "SELECT username FROM people ORDER BY id LIMIT 1", "see whose it is");
+    if (!people || !first)
+        return {};
+    QStringList classes;
+    static_cast<void>(forEach(reader.handle(), "SELECT name FROM classes ORDER BY id LIMIT 3", "see whose it is", {},
+                              [&classes](const QSqlQuery& row) { classes += row.value(0).toString(); }));
+    return QStringLiteral("people: %1, the first of them %2%3")
+        .arg(people->toString(), first->toString(),
+             classes.isEmpty() ? QString() : QStringLiteral("; classes: ") + classes.join(QStringLiteral(", ")));
 }
 
 core::Status expectClosed(const QString& databaseFile)
@@ -773,7 +831,14 @@ core::Result<QString> saveBeforeMigration(const QSqlDatabase& db, int version)
 
 core::Status verifyBackup(const QString& file)
 {
-    if (!QFileInfo(file).isFile())
+    const QFileInfo there(file);
+    if (there.isDir())
+        return core::unexpected(ErrorCode::FileUnreadable,
+                                "backup " + file.toStdString() + ": this is a folder; choose a file in it");
+    if (there.exists() && !there.isFile())
+        return core::unexpected(ErrorCode::WrongKind, "backup " + file.toStdString() +
+                                                          ": this is no file but a device or a pipe; choose a file");
+    if (!there.exists())
         return core::unexpected(ErrorCode::FileMissing,
                                 "backup " + file.toStdString() + ": there is no such file; choose another one");
     const Reader reader(file);
@@ -871,7 +936,8 @@ QStringList toThin(const QStringList& files, const QDateTime& nowUtc, bool isAud
     return gone;
 }
 
-core::Result<QString> restoreBackup(const QString& backup, const QString& databaseFile, const QDateTime& nowUtc)
+core::Result<QString> restoreBackup(const QString& backup, const QString& databaseFile, const QDateTime& nowUtc,
+                                    const BackupProgress& progress)
 {
     if (core::isSameFile(backup.toStdU16String(), databaseFile.toStdU16String()))
         return core::unexpected(ErrorCode::WrongKind, "backup " + backup.toStdString() +
@@ -900,11 +966,14 @@ core::Result<QString> restoreBackup(const QString& backup, const QString& databa
         sweep(databaseFile, backup);
     const QString copy = databaseFile + kRestoring + QString::fromStdString(newUid());
     const auto removeCopy = qScopeGuard([&copy] { removeWhole(copy); });
-    if (auto ready = makeReady(backup, copy, databaseFile); !ready)
+    const auto goesOn = [&progress] { return !progress || progress(0, 0); };
+    if (auto ready = makeReady(backup, copy, databaseFile, goesOn); !ready)
         return tl::unexpected(ready.error());
     // That took its time.
     if (auto closed = expectClosed(databaseFile); !closed)
         return tl::unexpected(closed.error());
+    if (!goesOn())
+        return tl::unexpected(stoppedThere(databaseFile));
     return exchange(copy, databaseFile, nowUtc);
 }
 

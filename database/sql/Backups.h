@@ -98,8 +98,15 @@ using BackupProgress = std::function<bool(int done, int all)>;
 
 /// Whether a backup may take the place of what lies there. WrongKind: that is another school than the one of the
 /// backup, and no copy of it, as a school is that has moved; where what lies there cannot be read the backups in its
-/// folder say whose it was. NewerVersion: a later program wrote it. False: it may, but nothing says whose that was.
+/// folder say whose it was. NewerVersion: a later program wrote it. False: it may, but nothing says whose that was, or
+/// the folder has backups of several schools, this one among them.
 [[nodiscard]] core::Result<bool> mayReplace(const QString& backup, const QString& databaseFile);
+
+/// Of some backups, newest first, the newest of each school. One that was copied from another counts as the same.
+[[nodiscard]] QStringList newestOfEach(const QStringList& backups);
+/// By what people know their school: how many are in it, who was entered first, some of the classes. Empty where that
+/// cannot be read.
+[[nodiscard]] QString whoIsIn(const QString& file);
 
 /// Puts a backup in the place of the database, if it mayReplace() that. Busy: another program has that open (this one
 /// has closed it), or is restoring there. Refused where no database may lie, and for the database itself. The backup is
@@ -109,8 +116,9 @@ using BackupProgress = std::function<bool(int done, int all)>;
 /// that goes with it as it is, and first: whenever this is stopped, nothing is lost, and nothing of it is read into the
 /// restored file. Who may read and write it stays as it was. Returns where the old file lies now, empty if there was
 /// none.
+/// @param progress  says nothing of how far it is; false stops it, as long as nothing was replaced
 [[nodiscard]] core::Result<QString> restoreBackup(const QString& backup, const QString& databaseFile,
-                                                  const QDateTime& nowUtc);
+                                                  const QDateTime& nowUtc, const BackupProgress& progress = {});
 
 /// Where the file system gives a new name before it removes the old one, a restore that was killed between the two has
 /// left the database's file both. Removes the other one: a name of a restore's own, beside it, of the very same file.

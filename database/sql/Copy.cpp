@@ -35,6 +35,11 @@ constexpr std::array kTables{Table{"people", true},       Table{"classes", true}
                              Table{"audit", false}};
 constexpr std::array kMustBeEmpty{"people", "classes", "attempts", "presets", "audit"};
 
+core::Status stopped()
+{
+    return core::unexpected(ErrorCode::FileUnwritable, "the copying was stopped; nothing was kept of it");
+}
+
 core::Status copyTable(const School& from, const School& to, const QString& table, RowSum& sum,
                        const CopyProgress& progress)
 {
@@ -53,8 +58,8 @@ core::Status copyTable(const School& from, const School& to, const QString& tabl
         if (!insert.exec())
             return tl::unexpected(dialect::error(to.db, insert.lastError(), doing));
         sum.add(*rows, columns.size());
-        if (progress && sum.rows() % kToldEvery == 0)
-            progress(table, sum.rows());
+        if (progress && sum.rows() % kToldEvery == 0 && !progress(table, sum.rows()))
+            return stopped();
     }
     if (rows->lastError().isValid())
         return tl::unexpected(dialect::error(from.db, rows->lastError(), doing));
@@ -94,8 +99,8 @@ core::Status copyRecordings(const School& from, const School& to, CopyReport& re
         if (const auto back = recordingOf(to.db, hash); !back)
             return tl::unexpected(back.error());
         ++report.recordings;
-        if (progress)
-            progress(QStringLiteral("recordings"), report.recordings);
+        if (progress && !progress(QStringLiteral("recordings"), report.recordings))
+            return stopped();
     }
     return {};
 }
@@ -189,6 +194,8 @@ core::Result<CopyReport> copySchool(const School& from, const Session& session, 
         for (const Table& table : kTables) {
             RowSum sum;
             const QString name = QLatin1String(table.name);
+            if (progress && !progress(name, 0))
+                return stopped();
             if (auto copied = copyTable(from, to, name, sum, progress); !copied)
                 return copied;
             if (auto same = verifyTable(to, name, sum); !same)

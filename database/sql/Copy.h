@@ -8,8 +8,8 @@
 
 namespace database::sql {
 
-/// Table and rows of it so far.
-using CopyProgress = std::function<void(const QString& table, std::int64_t rows)>;
+/// Table and rows of it so far; returns false to stop.
+using CopyProgress = std::function<bool(const QString& table, std::int64_t rows)>;
 
 struct CopyReport
 {

@@ -72,6 +72,11 @@ private slots:
     void aDamagedLetterIsSetAside();
     void whatWaitsForASchoolMovesWithIt();
     void aBackupOfAnotherSchoolIsNotRestored();
+    void ofTwoSchoolsInOneFolderItIsAskedWhich();
+    void whatIsNoFileIsNoBackup();
+    void whatIsSentByManyIsCountedOnce();
+    void aSignalLeavesNothingBehind_data();
+    void aSignalLeavesNothingBehind();
     void nothingIsRestoredOverWhatIsNoDatabase();
     void anEmptySchoolReplacesNone();
     void aBackupOfAChangedAuditSaysSo();
@@ -526,6 +531,131 @@ void TestSchoolCommands::aBackupOfAnotherSchoolIsNotRestored()
     const Ending untold = onFile({"db", "restore", others, "--json"});
     QVERIFY2(untold.exitCode == 0 && untold.error.contains("is not known"), untold.error);
     QCOMPARE(untold.json()["compared"].toBool(true), false);
+}
+
+/// A folder that several schools share says whose a damaged file may have been, and not whose it was.
+void TestSchoolCommands::ofTwoSchoolsInOneFolderItIsAskedWhich()
+{
+    QVERIFY(runCusp({"db", "init", "--db", at("other.sqlite"), "--admin", "boss"}, {}, kPassword).exitCode == 0);
+    const QString folder = database::sql::backupFolder(school());
+    const QString mine = onFile({"db", "backup", "--json"}).json()["backup"].toString();
+    const QString others =
+        runCusp({"db", "backup", "--db", at("other.sqlite"), "--to", folder, "--json"}).json()["backup"].toString();
+    const QByteArray noise(50'000, 'n');
+    put(school(), noise);
+    for (const QString& either : {mine, others}) {
+        const Ending asked = onFile({"db", "restore", either});
+        QVERIFY2(asked.exitCode == 1 && asked.isOneSentence() && asked.error.contains("--any-school"), asked.error);
+        QVERIFY2(asked.error.contains("the first of them admin") && asked.error.contains("the first of them boss") &&
+                     asked.error.contains(QDate::currentDate().toString("yyyy").toUtf8()),
+                 asked.error);
+        QCOMPARE(contentOf(school()), noise);
+    }
+    const Ending done = onFile({"db", "restore", mine, "--any-school", "--json"});
+    QVERIFY2(done.exitCode == 0 && done.error.contains("is not known"), done.error);
+    QCOMPARE(byAdmin({"user", "list"}).exitCode, 0);
+    // A file that can be read says itself whose it is, whatever anybody says.
+    const Ending sound = onFile({"db", "restore", others, "--any-school"});
+    QVERIFY2(sound.exitCode == 1 && sound.error.contains("another school"), sound.error);
+}
+
+void TestSchoolCommands::whatIsNoFileIsNoBackup()
+{
+    QCOMPARE(mkfifo(qPrintable(at("pipe")), 0600), 0);
+    for (const auto& [name, said] :
+         {std::pair(QString("/dev/zero"), "no file but a device or a pipe"),
+          std::pair(at("pipe"), "no file but a device or a pipe"), std::pair(m_folder->path(), "this is a folder"),
+          std::pair(at("nothing"), "there is no such file")}) {
+        const Ending refused = onFile({"db", "restore", name});
+        QVERIFY2(refused.exitCode == 1 && refused.isOneSentence() && refused.error.contains(said), refused.error);
+    }
+}
+
+/// Whoever else delivers at the same time.
+void TestSchoolCommands::whatIsSentByManyIsCountedOnce()
+{
+    const auto key = database::StationKey::readOrMake(at("station.key"));
+    QVERIFY(key);
+    SchoolRig rig(false);
+    rig.populate();
+    const QString copy = database::sql::backUp(rig.school().db, at("b"), rig.nowUtc).value();
+    QVERIFY(QFile::copy(copy, at("busy.sqlite")));
+    database::Outbox outbox(at("outbox"), *key, "busy.sqlite");
+    constexpr int kLetters = 60;
+    for (int k = 0; k < kLetters; ++k)
+        QVERIFY(outbox.put(rig.student, SchoolRig::attempt("class1-36", 500 + k), {}).has_value());
+    std::vector<std::future<Ending>> all;
+    for (int k = 0; k < 4; ++k)
+        all.push_back(std::async(std::launch::async, [this] {
+            return runCusp({"db", "send", "--json", "--db", at("busy.sqlite")});
+        }));
+    int sent = 0;
+    for (auto& one : all) {
+        const Ending ending = one.get();
+        sent += ending.json()["sent"].toInt();
+    }
+    QVERIFY(outbox.waiting().isEmpty());
+    QCOMPARE(sent, kLetters);
+    QCOMPARE(runCusp({"db", "stats", "--db", at("busy.sqlite"), "--json"}).json()["attempts"].toInt(), kLetters);
+}
+
+void TestSchoolCommands::aSignalLeavesNothingBehind_data()
+{
+    QTest::addColumn<QStringList>("words");
+    QTest::newRow("backup") << QStringList{"db", "backup", "--to", "there"};
+    QTest::newRow("restore") << QStringList{"db", "restore", "backup.sqlite"};
+    QTest::newRow("drill") << QStringList{"db", "drill"};
+    QTest::newRow("copy") << QStringList{"db", "copy", "--to", "there/copy.sqlite", "--as", "admin"};
+    QTest::newRow("export") << QStringList{"export", "attempts", "--csv", "there/table.csv", "--as", "admin"};
+}
+
+/// Whenever it comes: what is there by its name is whole, and nothing half made is there by another.
+void TestSchoolCommands::aSignalLeavesNothingBehind()
+{
+    QFETCH(QStringList, words);
+    QFile::remove(school());
+    const Ending made = runCusp({"db", "sample", "--db", school(), "--students", "20", "--attempts", "3000", "--json"});
+    QVERIFY2(made.exitCode == 0, made.error);
+    {
+        const auto opened = database::sql::Database::open(school());
+        VERIFY_DONE(opened);
+        for (const char* sql : {"CREATE TABLE ballast (x)", "INSERT INTO ballast VALUES (zeroblob(40000000))"})
+            VERIFY_DONE(database::sql::execute((*opened)->handle(), sql, "make it large"));
+    }
+    const QByteArray password = made.json()["password"].toString().toUtf8() + '\n';
+    const QString backup = onFile({"db", "backup", "--to", at("kept"), "--json"}).json()["backup"].toString();
+    QVERIFY(QDir(m_folder->path()).mkdir("there") && QFile::rename(backup, at("backup.sqlite")));
+    const auto half = [this] {
+        QStringList found;
+        for (const char* folder : {"", "there"})
+            found << QDir(at(folder))
+                         .entryList({"*.part-*", "*.restoring*", "cusp-drill-*", "table.csv?*"},
+                                    QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot);
+        return found;
+    };
+    int stopped = 0;
+    for (int round = 0; round < 24; ++round) {
+        QProcess cusp;
+        cusp.setWorkingDirectory(m_folder->path());
+        cusp.start(QStringLiteral(CUSP_BINARY_DIR "/bin/cusp"), words + QStringList{"--db", school()});
+        QVERIFY(cusp.waitForStarted());
+        cusp.write(password);
+        cusp.closeWriteChannel();
+        QThread::msleep(static_cast<unsigned long>(round) * 15);
+        ::kill(static_cast<pid_t>(cusp.processId()), round % 3 == 0 ? SIGINT : round % 3 == 1 ? SIGTERM : SIGHUP);
+        QVERIFY(cusp.waitForFinished());
+        stopped += cusp.exitStatus() == QProcess::CrashExit ? 1 : 0;
+        QVERIFY2(half().isEmpty(), qPrintable(half().join(u' ')));
+        QCOMPARE(runCusp({"db", "stats", "--db", school(), "--json"}).json()["attempts"].toInt(), 3000);
+        const QString copy = at("there/copy.sqlite");
+        if (QFile::exists(copy)) {
+            const Ending there = runCusp({"db", "stats", "--db", copy, "--json"});
+            QVERIFY2(there.exitCode != 0 || there.json()["attempts"].toInt() == 3000, there.out);
+        }
+        QDir(at("there")).removeRecursively();
+        QVERIFY(QDir(m_folder->path()).mkdir("there"));
+    }
+    QVERIFY(stopped > 0);
 }
 
 void TestSchoolCommands::nothingIsRestoredOverWhatIsNoDatabase()
