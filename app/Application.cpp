@@ -438,7 +438,7 @@ void Application::openDatabase()
     connect(m_people.get(), &PeopleDesk::replayWanted, this,
             [this](const core::recording::Recording& recording, const database::AttemptRecord& attempt,
                    const QString& whose) {
-                if (!play(recording, {}, whose))
+                if (isHiddenByExam() || !play(recording, {}, whose))
                     return;
                 m_playedFrom = PlayedFrom::Attempts;
                 m_people->followReplay(attempt);
@@ -1044,17 +1044,31 @@ void Application::showLessons()
         });
 }
 
-/// Goes on where the student may still try this lesson; else says so. Nobody waits for a server that does not answer:
-/// then he may.
-void Application::whereAllowed(const std::string& lessonId, const std::function<void()>& go)
+/// Whether the student may still try this lesson, once. Nobody waits for a server that does not answer: then he may.
+void Application::askWhetherAllowed(const std::string& lessonId, const std::function<void(bool)>& decide)
 {
     if (!m_desk || m_who.role() != database::Role::Student) {
-        go();
+        decide(true);
         return;
     }
-    const auto isDecided = std::make_shared<bool>(false);
-    const auto decide = [this, isDecided, go, load = m_loading](bool may) {
-        if (std::exchange(*isDecided, true) || load != m_loading)
+    const auto once = [decide, isDecided = std::make_shared<bool>(false)](bool may) {
+        if (!std::exchange(*isDecided, true))
+            decide(may);
+    };
+    m_desk->ask(
+        this,
+        [who = m_who, lessonId](const School& school) { return database::sql::attemptsLeft(school, who, lessonId); },
+        [once](const core::Result<std::optional<int>>& left) {
+            once(!left || !left->has_value() || left->value() > 0);
+        });
+    QTimer::singleShot(kLongestLookMs, this, [once] { once(true); });
+}
+
+/// Goes on where the student may still try this lesson; else says so.
+void Application::whereAllowed(const std::string& lessonId, const std::function<void()>& go)
+{
+    askWhetherAllowed(lessonId, [this, go, load = m_loading](bool may) {
+        if (load != m_loading)
             return;
         if (may) {
             go();
@@ -1062,14 +1076,7 @@ void Application::whereAllowed(const std::string& lessonId, const std::function<
         }
         m_window->stopBusy();
         m_window->showMessage(ui::study::usedUpWords());
-    };
-    m_desk->ask(
-        this,
-        [who = m_who, lessonId](const School& school) { return database::sql::attemptsLeft(school, who, lessonId); },
-        [decide](const core::Result<std::optional<int>>& left) {
-            decide(!left || !left->has_value() || left->value() > 0);
-        });
-    QTimer::singleShot(kLongestLookMs, this, [decide] { decide(true); });
+    });
 }
 
 /// Into the teacher's folder, where a lesson can be changed.
@@ -1272,30 +1279,56 @@ void Application::connectExplainer(Explainer& explainer)
 }
 
 /// Once it is begun in earnest, the school knows of an exam: it counts as an attempt, whether or not a score comes of
-/// it.
+/// it. Who has opened his last one in two windows begins it in one of them.
 void Application::noteExam(const core::session::Findings& findings)
 {
     const bool isBegun =
         findings.process.firstCutS || (findings.practised && core::grading::isBegun(*findings.practised));
     const bool isGraded = m_graded && m_graded->generation == m_ownGeneration;
-    if (!m_assignment.lesson->exam || !isBegun || isGraded || !m_desk || m_who.isGuest())
+    if (!m_assignment.lesson->exam || !isBegun || isGraded || !m_desk || m_who.isGuest() || !m_journal)
         return;
-    if (m_begunExam.generation != m_ownGeneration)
-        m_begunExam = {m_ownGeneration,
-                       {database::newUid(), m_assignment.lesson->id,
-                        QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString()},
-                       false};
-    if (std::exchange(m_begunExam.isTold, true))
+    if (m_begunExam.generation == m_ownGeneration)
         return;
-    // Where the school's server is away it lies in the outbox, as a graded attempt does.
-    m_desk->keep(this, m_who, m_begunExam.start, [this, generation = m_ownGeneration](const core::Status& kept) {
-        if (kept)
+    const std::filesystem::path journal = m_journal->fileOf(m_ownGeneration);
+    if (journal.empty())  // it has yet to hear of this tooth
+        return;
+    // Taken up after a kill it is told of again, and is the same one.
+    const database::ExamStart start{database::uidOf("exam " + m_who.uid() + ' ' + journal.filename().string()),
+                                    m_assignment.lesson->id,
+                                    QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString()};
+    m_begunExam = {m_ownGeneration, m_isTakenUp};
+    if (m_isTakenUp) {
+        tellExam(m_who, start);
+        return;
+    }
+    askWhetherAllowed(start.lessonId, [this, who = m_who, start, generation = m_ownGeneration](bool may) {
+        if (may)
+            tellExam(who, start);
+        if (generation != m_ownGeneration)
             return;
-        QTimer::singleShot(kExamRetryMs, this, [this, generation] {
-            if (m_begunExam.generation == generation)
-                m_begunExam.isTold = false;
-        });
+        m_begunExam.isAllowed = may;
+        if (!may)
+            refuseExam();
     });
+}
+
+/// Where the school's server is away it lies in the outbox, as a graded attempt does. What the disk refuses is offered
+/// to it again.
+void Application::tellExam(const database::Session& who, const database::ExamStart& start)
+{
+    m_desk->keep(this, who, start, [this, who, start](const core::Status& kept) {
+        if (!kept)
+            QTimer::singleShot(kExamRetryMs, this, [this, who, start] { tellExam(who, start); });
+    });
+}
+
+/// It was begun, too, where the student's last attempt at it was begun meanwhile.
+void Application::refuseExam()
+{
+    m_window->endExam();
+    m_window->setUsedUp(true);
+    m_window->showMessage(
+        tr("Your last attempt at this exam was begun in another window. What was cut here does not count."));
 }
 
 /// Within the outline of what is to be cut, or nowhere.
@@ -1374,13 +1407,15 @@ void Application::gradeNow()
         return;
     }
     m_toMark = m_follower.conclude();  // to think about one's work takes no time from it
+    // That an exam was begun has been counted. What is cut on and graded again is one more attempt.
     const bool isAnother = m_graded && m_graded->generation == m_ownGeneration;
+    const bool isCounted = m_begunExam.generation == m_ownGeneration && m_begunExam.isAllowed;
     if (!m_assignment.lesson)
         finish({});
-    else if (isAnother)  // what is cut on and graded again is one more attempt
-        whereAllowed(m_assignment.lesson->id, [this] { m_window->askForecast(); });
-    else
+    else if (m_assignment.lesson->exam && isCounted && !isAnother)
         m_window->askForecast();
+    else
+        whereAllowed(m_assignment.lesson->id, [this] { m_window->askForecast(); });
 }
 
 /// Marks the work as it was when the grade was asked for, keeps the grade and shows it.
@@ -1686,9 +1721,23 @@ std::optional<CardDesk::Subject> Application::shownCard() const
                              m_graded->keeping == Keeping::Kept ? m_desk.get() : nullptr};
 }
 
+/// In an exam nobody looks up what he did before, nor what was said of it.
+bool Application::isHiddenByExam()
+{
+    if (!m_window->isExamRunning())
+        return false;
+    m_window->stopBusy();
+    m_window->showMessage(
+        tr("You are in an exam: earlier attempts are opened when it is over. Press G for the grade, or take another "
+           "lesson."));
+    return true;
+}
+
 /// One that was kept: marked again from its recording, which comes to the same, and shows where and when.
 void Application::showAttempt(const database::AttemptRecord& attempt, const core::recording::Recording& recording)
 {
+    if (isHiddenByExam())
+        return;
     const int load = ++m_loading;
     m_window->showBusy(tr("Working out the score card …"));
     inBackground(
@@ -2119,7 +2168,6 @@ void Application::takeUp(std::unique_ptr<core::session::Unfinished> attempt)
         workedS = std::max(
             workedS, static_cast<double>(QDateTime::currentMSecsSinceEpoch() - m_unfinished->begunUtcMs) / kMsPerS);
     m_window->resumeClock(recordedS, workedS);
-    m_begunExam = {m_ownGeneration, {}, true};  // it was told when it began
     m_journal->takeUp(m_ownGeneration, std::move(*m_unfinished));
     m_unfinished.reset();
     const auto [bur, handpiece] = std::pair(attempt->bur, attempt->handpiece);

@@ -95,6 +95,7 @@ private:
     void tellMayEdit();
     void openLesson(const lessons::Lesson& lesson);
     void showLessons();
+    void askWhetherAllowed(const std::string& lessonId, const std::function<void(bool)>& decide);
     void whereAllowed(const std::string& lessonId, const std::function<void()>& go);
     void tellKnownAttempts(const lessons::Lesson& lesson);
     void openTooth(const core::teeth::ToothSource& source, const std::optional<core::mesh::LengthUnit>& unit = {},
@@ -113,6 +114,9 @@ private:
              const std::function<QStringList()>& notes, bool unitInDoubt);
     void watchAttempt();
     void noteExam(const core::session::Findings& findings);
+    void tellExam(const database::Session& who, const database::ExamStart& start);
+    void refuseExam();
+    [[nodiscard]] bool isHiddenByExam();
     void holdHand(bool wanted);
     void takeBack(std::uint64_t tick);
     void grade();
@@ -275,12 +279,11 @@ private:
     QTimer m_attemptWatch;
     std::size_t m_infractionsTold = 0;  ///< of the present attempt
     std::uint64_t m_takenUpAtTick = 0;  ///< where it was taken up again after the program, or its owner, had left
-    /// The exam that was begun last, and whether the school has been told.
+    /// The exam that was begun last.
     struct BegunExam
     {
         std::uint64_t generation = 0;
-        database::ExamStart start;
-        bool isTold = false;
+        bool isAllowed = false;  ///< no answer yet, or there is no attempt left
     };
     BegunExam m_begunExam;
     std::map<ui::render::Stereo, int> m_cutIn;  ///< looks at the attempt that found it being cut, by what it is seen in

@@ -213,6 +213,11 @@ std::string newUid()
     return hexOf(bytes.data(), bytes.size());
 }
 
+std::string uidOf(std::string_view identity)
+{
+    return digestOf(identity).substr(0, kUidLength);
+}
+
 std::string digestOf(std::string_view bytes)
 {
     beginSodium();

@@ -51,6 +51,8 @@ inline constexpr int kLongestPassword = 256;  ///< bytes of UTF-8: hashing a nov
 inline constexpr std::size_t kUidLength = 32;
 /// So many hex digits that nobody else has.
 [[nodiscard]] std::string newUid();
+/// Of what may be told twice, by what is its own: always the same.
+[[nodiscard]] std::string uidOf(std::string_view identity);
 /// BLAKE2b-256, 64 hex digits.
 [[nodiscard]] std::string digestOf(std::string_view bytes);
 

@@ -38,6 +38,7 @@
 #include "database/sql/Audit.h"
 #include "database/sql/Backups.h"
 #include "database/sql/Classes.h"
+#include "database/sql/ExamStarts.h"
 #include "database/sql/Logins.h"
 #include "database/sql/People.h"
 #include "database/sql/Presets.h"
@@ -166,6 +167,9 @@ private slots:
     void aPresetGivesNoAttemptBack();
     void anUnfinishedAttemptIsNotTakenUpWhenTheAttemptsAreUsedUp();
     void anExamThatIsBrokenOffIsToldOf();
+    void anExamIsBegunInOneWindow();
+    void anExamThatIsTakenUpWasBegunOnce();
+    void anExamHidesEarlierAttempts();
     void aGuestsExamIsNobodys();
     void lessonsAreChangedByWhoTeaches();
     void anAdminEntersAndChangesPeople();
@@ -360,7 +364,7 @@ void TestSchool::chooseElsewhere(const std::string& preset) const
 void TestSchool::gradeLesson() const
 {
     actions().grade->trigger();
-    QTRY_VERIFY_WITH_TIMEOUT(child<ui::study::Forecast>()->isVisible(), kPatienceMs);
+    QTRY_VERIFY2_WITH_TIMEOUT(child<ui::study::Forecast>()->isVisible(), qPrintable(message()), kPatienceMs);
     QTest::keyClick(child<QSlider>("expected"), Qt::Key_Right);
     QTest::keyClick(child<ui::study::Forecast>()->findChild<QRadioButton*>(), Qt::Key_Space);
     click("showScore");
@@ -2202,6 +2206,100 @@ void TestSchool::anExamThatIsBrokenOffIsToldOf()
     QTRY_VERIFY_WITH_TIMEOUT(child<ui::people::HistoryPage>()->isVisible(), kPatienceMs);
     const QString told = child<QLabel>("examsWithoutScore")->text();
     QVERIFY2(child<QLabel>("examsWithoutScore")->isVisible() && told.count("The exam, begun") == 2, qPrintable(told));
+}
+
+/// It was opened in two of them, with one attempt left.
+void TestSchool::anExamIsBegunInOneWindow()
+{
+    const Exam exam;
+    give("exam-36", 1);
+    start();
+    logIn("sam");
+    QTRY_VERIFY_WITH_TIMEOUT(child<ui::study::LessonsPage>()->isVisible(), kPatienceMs);
+    beginLesson("exam-36");
+    {
+        const auto database = sql::Database::open(file()).value();
+        const auto key = StationKey::readOrMake(m_folder->filePath("station.key")).value();
+        const sql::School school{database->handle(), key};
+        const auto sam = sql::Logins::login(school, "sam", kPassword).value();
+        QVERIFY(sql::deliverExam(school, sam.uid(), {newUid(), "exam-36", "2026-01-01T00:00:00Z"}));
+    }
+    drill(-2.0);
+    QTRY_VERIFY2_WITH_TIMEOUT(message().contains("begun in another window"), qPrintable(message()), kPatienceMs);
+    QVERIFY(!actions().drill->isEnabled() && !actions().reload->isEnabled());
+    actions().grade->trigger();
+    QTRY_VERIFY2_WITH_TIMEOUT(message().contains("used up your attempts"), qPrintable(message()), kPatienceMs);
+    QVERIFY(!child<ui::study::Forecast>()->isVisible());
+    QCOMPARE(count("exam_starts"), 1);
+}
+
+/// The school is told when it could not be told before the program was killed, and never twice.
+void TestSchool::anExamThatIsTakenUpWasBegunOnce()
+{
+    const Exam exam;
+    give("exam-36", 1);
+    start();
+    logIn("sam");
+    QTRY_VERIFY_WITH_TIMEOUT(child<ui::study::LessonsPage>()->isVisible(), kPatienceMs);
+    beginLesson("exam-36");
+    QVERIFY(QDir(m_folder->path()).mkpath("outbox"));
+    QFile inTheWay(m_folder->filePath("outbox"));
+    QVERIFY(QDir(m_folder->filePath("outbox")).removeRecursively());
+    QVERIFY(inTheWay.open(QIODevice::WriteOnly));
+    drill(-2.0);
+    QCOMPARE(count("exam_starts"), 0);
+    const auto uid = sql::ask(sql::Database::open(file()).value()->handle(),
+                              "SELECT uid FROM people WHERE username = 'sam'", "read");
+    const QDir folder(m_folder->filePath("unfinished/" + uid.value().toString()));
+    for (int kill = 0; kill < 2; ++kill) {
+        const QString journal = folder.filePath(folder.entryList({"*.cuspjournal"}, QDir::Files).value(0));
+        QVERIFY(QFile::copy(journal, m_folder->filePath("kept")));
+        m_application.reset();
+        QVERIFY(QFile::rename(m_folder->filePath("kept"), journal));
+        if (kill == 0)
+            QVERIFY(inTheWay.remove());
+        start();
+        logIn("sam");
+        QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("continueWords")->text().contains("Continue where I stopped"),
+                                 kPatienceMs);
+        click("continue");
+        QTRY_VERIFY2_WITH_TIMEOUT(message().contains("goes on where it was left"), qPrintable(message()), kPatienceMs);
+        QTRY_COMPARE_WITH_TIMEOUT(count("exam_starts"), 1, kPatienceMs);
+        QTest::qWait(500);
+        QCOMPARE(count("exam_starts"), 1);
+        QVERIFY(actions().drill->isEnabled());
+    }
+}
+
+void TestSchool::anExamHidesEarlierAttempts()
+{
+    const Exam exam;
+    start();
+    logIn("sam");
+    QTRY_VERIFY_WITH_TIMEOUT(child<ui::study::LessonsPage>()->isVisible(), kPatienceMs);
+    beginLesson("exam-36");
+    drill(-2.0);
+    gradeLesson();
+    QTRY_COMPARE_WITH_TIMEOUT(attemptsKept(), 1, kPatienceMs);
+    beginLesson("exam-36");
+    QTRY_COMPARE_WITH_TIMEOUT(removed(), QString("0.00"), kPatienceMs);
+    drill(-2.0);
+    actions().attempts->trigger();
+    auto* const history = child<ui::people::HistoryPage>();
+    QTRY_VERIFY_WITH_TIMEOUT(history->isVisible(), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(child<QTableView>("attempts")->model()->rowCount() == 1, kPatienceMs);
+    child<QTableView>("attempts")->selectRow(0);
+    for (const char* button : {"openAttempt", "replayAttempt"}) {
+        m_application->window().showMessage("Nothing yet.");
+        click(button);
+        QTRY_VERIFY2_WITH_TIMEOUT(message().contains("You are in an exam"), qPrintable(message()), kPatienceMs);
+        QVERIFY(history->isVisible());
+    }
+    toTheTooth();
+    gradeLesson();
+    QTRY_COMPARE_WITH_TIMEOUT(attemptsKept(), 2, kPatienceMs);
+    actions().attempts->trigger();
+    openNewest();
 }
 
 /// Else he could do it as often as he likes, and log in for the best.

@@ -189,6 +189,8 @@ public slots:
     void setAssignment(const lessons::Assignment& assignment);
     /// The attempt at it is one that is gone on with: so long it was recorded, and the clock stands there, s.
     void resumeClock(double recordedS, double workedS);
+    /// The student's lesson is an exam, and has not been graded yet.
+    [[nodiscard]] bool isExamRunning() const;
     /// Nothing is cut any more in the exam on the table; in practice nothing.
     void endExam();
     /// The handpieces of the attempt that is shown next, in the order of its settings.
@@ -493,8 +495,6 @@ private:
     void startAgain();
     void runClock();
     [[nodiscard]] bool isExam() const;
-    /// The student's lesson is an exam, and has not been graded yet.
-    [[nodiscard]] bool isExamRunning() const;
     [[nodiscard]] replay::Course asMayBeTold(replay::Course course) const;
     [[nodiscard]] std::pair<std::vector<tooth::PointMark>, std::vector<tooth::PointMark>> replayedPoints() const;
     void setDrillFor(lessons::Task task);
