@@ -44,7 +44,7 @@ struct SchoolClass
 {
     ClassId id;
     std::string name;
-    int students = 0;
+    int students = 0;  ///< and teachers: who is disabled does not count
     int teachers = 0;
     bool operator==(const SchoolClass&) const = default;
 };

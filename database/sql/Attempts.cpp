@@ -445,8 +445,8 @@ core::Result<lessons::ClassStanding> standingAmongClassmates(const School& schoo
     if (auto read = forEach(school.db,
                             QStringLiteral("SELECT MAX(COALESCE(a.given_tenths, a.score_tenths)) FROM attempts a JOIN "
                                            "people p ON p.id = a.person_id WHERE a.lesson_id = ? AND a.rubric_hash = ? "
-                                           "AND (a.person_id = ? OR (p.role = 'student' AND a.person_id IN %1)) GROUP "
-                                           "BY a.person_id")
+                                           "AND (a.person_id = ? OR (p.role = 'student' AND p.disabled = 0 AND "
+                                           "a.person_id IN %1)) GROUP BY a.person_id")
                                 .arg(classmates()),
                             "compare with the class", {text(lessonId), text(rubricHash), me, me},
                             [&](const QSqlQuery& row) { best.push_back(row.value(0).toInt()); });

@@ -70,7 +70,8 @@ struct KeptSheet
                                                                   const std::string& lessonHash, int limit);
 
 /// Where a score, in tenths of a point, stands among each classmate's best of a lesson by that rubric, the session's
-/// own among them; without a class it is alone.
+/// own among them; without a class it is alone. Classmates are the students who can log in and are in a class with him
+/// at present.
 [[nodiscard]] core::Result<lessons::ClassStanding> standingAmongClassmates(const School& school, const Session& session,
                                                                            const std::string& lessonId,
                                                                            const std::string& rubricHash, int tenths);

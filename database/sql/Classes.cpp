@@ -97,8 +97,8 @@ core::Result<std::vector<SchoolClass>> listClasses(const School& school, const S
     std::vector<SchoolClass> classes;
     if (auto read =
             forEach(school.db,
-                    "SELECT c.id, c.name, COUNT(CASE WHEN p.role = 'student' THEN 1 END), "
-                    "COUNT(CASE WHEN p.role = 'instructor' THEN 1 END) FROM classes c "
+                    "SELECT c.id, c.name, COUNT(CASE WHEN p.role = 'student' AND p.disabled = 0 THEN 1 END), "
+                    "COUNT(CASE WHEN p.role = 'instructor' AND p.disabled = 0 THEN 1 END) FROM classes c "
                     "LEFT JOIN enrolments e ON e.class_id = c.id LEFT JOIN people p ON p.id = e.person_id" +
                         within(*who) + " GROUP BY c.id, c.name ORDER BY c.name",
                     kListClasses, valuesOf(*who, session),

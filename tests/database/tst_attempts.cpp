@@ -612,6 +612,16 @@ void TestAttempts::classmatesAreComparedWithoutNames()
                                SchoolRig::attempt("class1-36", tenths), {}));
     QCOMPARE(standing(rig.student).people, 5);
     QCOMPARE(standing(rig.student).percentBelow.value(), 60.0);
+    // Who has left, as an account or from the class, is no classmate.
+    const Person left = findPerson(rig.school(), rig.admin, "s1003").value();
+    Person disabled = left;
+    disabled.disabled = true;
+    VERIFY_DONE(changePerson(rig.school(), rig.admin, disabled));
+    QCOMPARE(standing(rig.student).people, 4);
+    VERIFY_DONE(changePerson(rig.school(), rig.admin, left));
+    QCOMPARE(standing(rig.student).people, 5);
+    VERIFY_DONE(enrol(rig.school(), rig.admin, rig.first, left.id, false));
+    QCOMPARE(standing(rig.student).people, 4);
 }
 
 void TestAttempts::whatATeacherSaysIsNewUntilItIsRead()

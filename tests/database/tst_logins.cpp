@@ -478,7 +478,10 @@ void TestLogins::whoIsDisabledIsStoppedAtOnce()
     VERIFY_DONE(standingsOf(rig.school(), rig.student, rig.student.person()));
     Person sam = findPerson(rig.school(), rig.admin, "s1001").value();
     sam.disabled = true;
+    const auto studentsOfHis = [&] { return listClasses(rig.school(), rig.instructor)->front().students; };
+    const int before = studentsOfHis();
     VERIFY_DONE(changePerson(rig.school(), rig.admin, sam));
+    QCOMPARE(studentsOfHis(), before - 1);
     // Two admins at one person: what only the other has changed stays as he set it.
     Person asItWas = sam;
     asItWas.disabled = false;
