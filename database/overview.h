@@ -43,6 +43,7 @@ struct MatrixCell
     std::string lastUtc;
     int withoutScore = 0;                    ///< exams that were begun, which count as attempts as well
     std::optional<int> limitElsewhere = {};  ///< that his other classes were given; the most generous, 0: none at all
+    std::string begunUtc = {};               ///< the newest of the exams without a score, which may go on still
     bool operator==(const MatrixCell&) const = default;
 
     /// He has not passed, and may not try again: sql::attemptsLeft() tells him so.

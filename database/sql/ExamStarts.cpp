@@ -70,14 +70,14 @@ core::Result<int> countWithoutScore(const School& school, PersonId person, const
 }
 
 core::Status forEachWithoutScore(const School& school, ClassId ofClass,
-                                 const std::function<void(PersonId, const std::string&, int)>& take)
+                                 const std::function<void(const WithoutScore&)>& take)
 {
     return forEach(school.db,
-                   "SELECT s.person_id, s.lesson_id, COUNT(*)" + kWithoutScore +
+                   "SELECT s.person_id, s.lesson_id, COUNT(*), MAX(s.begun_utc)" + kWithoutScore +
                        " AND s.person_id IN (SELECT person_id FROM enrolments WHERE class_id = ?) GROUP BY "
                        "s.person_id, s.lesson_id",
                    kList, {number(ofClass.value)}, [&take](const QSqlQuery& row) {
-                       take({row.value(0).toLongLong()}, textOf(row, 1), row.value(2).toInt());
+                       take({{row.value(0).toLongLong()}, textOf(row, 1), row.value(2).toInt(), textOf(row, 3)});
                    });
 }
 

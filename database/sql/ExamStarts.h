@@ -20,8 +20,14 @@ namespace database::sql {
 /// How many there are of one lesson; asks nobody's leave.
 [[nodiscard]] core::Result<int> countWithoutScore(const School& school, PersonId person, const std::string& lessonId);
 /// The same of everybody in a class, lesson by lesson, where there are any.
-[[nodiscard]] core::Status
-forEachWithoutScore(const School& school, ClassId ofClass,
-                    const std::function<void(PersonId person, const std::string& lessonId, int count)>& take);
+struct WithoutScore
+{
+    PersonId person;
+    std::string lessonId;
+    int count = 0;
+    std::string newestUtc;  ///< when that was begun
+};
+[[nodiscard]] core::Status forEachWithoutScore(const School& school, ClassId ofClass,
+                                               const std::function<void(const WithoutScore&)>& take);
 
 }  // namespace database::sql

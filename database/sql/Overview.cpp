@@ -105,9 +105,12 @@ core::Status readLimits(const School& school, ClassOverview& overview, const std
         return row == rowOf.end() || column == columnOf.end() ? nullptr : &overview.cells[row->second][column->second];
     };
     if (auto read = forEachWithoutScore(school, overview.id,
-                                        [&](PersonId person, const std::string& lesson, int count) {
-                                            if (MatrixCell* cell = cellOf(person.value, lesson))
-                                                cell->withoutScore = count;
+                                        [&](const WithoutScore& begun) {
+                                            MatrixCell* const cell = cellOf(begun.person.value, begun.lessonId);
+                                            if (cell == nullptr)
+                                                return;
+                                            cell->withoutScore = begun.count;
+                                            cell->begunUtc = begun.newestUtc;
                                         });
         !read)
         return read;

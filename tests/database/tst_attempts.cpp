@@ -824,6 +824,7 @@ void TestAttempts::aTeacherSeesWhoHasNoAttemptsLeft()
     const MatrixCell cell = classOverview(school, rig.instructor, rig.first)->cells.at(0).at(0);
     QCOMPARE(cell.attempts, 0);
     QCOMPARE(cell.withoutScore, 1);
+    QCOMPARE(cell.begunUtc, std::string("2026-11-20T10:00:00Z"));
     // Of the classmate nothing is said.
     QVERIFY(classOverview(school, rig.instructor, rig.first)->cells.at(1).at(0) == MatrixCell{});
     VERIFY_DONE(enrol(school, rig.admin, rig.second, rig.student.person(), true));

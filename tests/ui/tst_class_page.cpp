@@ -367,6 +367,16 @@ void TestClassPage::anExamWithoutAScoreIsSeen()
     const auto tip = [this](int row) { return matrix()->model()->index(row, 1).data(Qt::ToolTipRole).toString(); };
     QVERIFY2(tip(3).contains("begun") && tip(3).contains("no attempts left"), qPrintable(tip(3)));
     QVERIFY2(tip(4).contains("begun") && !tip(4).contains("no attempts left"), qPrintable(tip(4)));
+    // One that may go on still has not used it up; nobody tells when it is broken off.
+    shown.cells[3][0].begunUtc = "2026-11-20T11:20:00Z";
+    m_page->setOverview(shown, kNow);
+    m_page->setAssignments({{1, {7}, "lesson-10", "", 1}});
+    QVERIFY2(!name(3).contains("out of tries"), qPrintable(name(3)));
+    QVERIFY2(tip(3).contains("begun") && !tip(3).contains("no attempts left"), qPrintable(tip(3)));
+    shown.cells[3][0].begunUtc = "2026-11-20T08:20:00Z";
+    m_page->setOverview(shown, kNow);
+    m_page->setAssignments({{1, {7}, "lesson-10", "", 1}});
+    QVERIFY2(name(3).contains("out of tries"), qPrintable(name(3)));
     // His attempts say when it was begun.
     QSignalSpy wanted(m_page, &ClassPage::attemptsWanted);
     matrix()->setCurrentIndex(matrix()->model()->index(3, 1));

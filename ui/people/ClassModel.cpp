@@ -22,6 +22,7 @@ namespace {
 
 constexpr double kPaleAt = 200.0;  ///< tenths: below this the ground is at its faintest
 constexpr double kFullTenths = 1000.0;
+constexpr int kLongestExamS = 3 * 3600;
 constexpr double kFaintest = 0.06;
 constexpr double kFullest = 0.42;       ///< more, and the words on it would be hard to read
 constexpr QStringView kSign = u"  ▲ ";  ///< between a name and what is needed
@@ -66,6 +67,11 @@ QString needWord(Need need)
         break;
     }
     return {};
+}
+
+bool mayGoOn(const MatrixCell& cell, const QDateTime& now)
+{
+    return !cell.begunUtc.empty() && momentOf(cell.begunUtc).addSecs(kLongestExamS) > now;
 }
 
 QString nameOf(const MatrixStudent& student)
@@ -154,7 +160,8 @@ bool ClassModel::isLate(const QModelIndex& index) const
 bool ClassModel::hasNoneLeft(std::size_t student, std::size_t lesson) const
 {
     const auto given = m_given.find(m_overview.lessons[lesson]);
-    return given != m_given.end() && m_overview.cells[student][lesson].isUsedUp(given->second.attemptLimit) &&
+    const MatrixCell& cell = m_overview.cells[student][lesson];
+    return given != m_given.end() && cell.isUsedUp(given->second.attemptLimit) && !mayGoOn(cell, m_now) &&
            !m_overview.students[student].isDisabled;
 }
 

@@ -30,6 +30,9 @@ enum class Need {
     NotBegun        ///< he has logged in, and not had an attempt graded yet
 };
 
+/// Whether the exam that a student has begun last may go on still: nobody tells when he breaks it off.
+[[nodiscard]] bool mayGoOn(const database::MatrixCell& cell, const QDateTime& now);
+
 /// @param hasNoneLeft, isLate  with any lesson
 [[nodiscard]] Need needOf(const database::MatrixStudent& student, bool hasNoneLeft, bool isLate);
 /// "out of tries", "stuck", "no login", "late", "new"; empty for nothing.
@@ -74,7 +77,7 @@ public:
     [[nodiscard]] const database::MatrixCell* cell(const QModelIndex& index) const;
     /// The lesson is overdue, and has not been passed by this student.
     [[nodiscard]] bool isLate(const QModelIndex& index) const;
-    /// This student has made as many attempts at the lesson as he may, and passed none.
+    /// This student has made as many attempts at the lesson as he may, and passed none; the last may not go on still.
     [[nodiscard]] bool hasNoneLeft(const QModelIndex& index) const;
     /// Some lesson has a day when it is due.
     [[nodiscard]] bool hasDueDates() const;
