@@ -10,6 +10,7 @@
 #include <QFileInfo>
 #include <QGraphicsScene>
 #include <QGraphicsSimpleTextItem>
+#include <QGraphicsTextItem>
 #include <QImage>
 #include <QLabel>
 #include <QPainter>
@@ -102,6 +103,8 @@ private slots:
     void aFileSaysWhoseItIs();
     void namesOfBarsAreSeenWhole_data();
     void namesOfBarsAreSeenWhole();
+    void numbersOfALyingAxisAreNotCut_data();
+    void numbersOfALyingAxisAreNotCut();
     void namesHaveTheRoomThatIsThereWhenTheyCome();
     void aShortNameIsBetterThanNoBar();
     void noWordIsCutWhereOthersCanBeLeftOut();
@@ -430,6 +433,44 @@ void TestCharts::namesOfBarsAreSeenWhole()
     QTRY_VERIFY(namesDrawn().contains("Gesunde Substanz neben der Karies entfernt"));
     QVERIFY(namesDrawn().contains("Gesunde Substanz neben der Öffnung entfernt"));
     QVERIFY2(namesDrawn().size() >= shown, qPrintable(QString::number(namesDrawn().size())));
+}
+
+void TestCharts::numbersOfALyingAxisAreNotCut_data()
+{
+    QTest::addColumn<Chart>("chart");
+    QTest::addColumn<int>("widthPx");
+    Bars lost;
+    lost.value = {"Verloren, % dessen, was es zählt", 0.0, 100.0, false, false};
+    for (int k = 0; k < 5; ++k)
+        lost.bars << Bars::Bar{QString("Gesunde Substanz neben der Karies entfernt %1").arg(k), 20.0 * k, {}};
+    Histogram scores;
+    scores.x = {"Punkte", 0.0, 100.0, false, false};
+    scores.count = {"Studierende", 0.0, 10.0, false, true};
+    scores.bins = {{0.0, 10.0, 3, "0–10: 3"}, {90.0, 100.0, 4, "90–100: 4"}};
+    for (const int widthPx : {200, 260, 330, 450, 900}) {
+        QTest::addRow("bars, %d px", widthPx) << Chart{"Schwierigkeit", {}, {}, lost} << widthPx;
+        QTest::addRow("columns, %d px", widthPx) << Chart{"Verteilung", {}, {}, scores} << widthPx;
+    }
+}
+
+/// Qt cuts those that have less room than it wants: "0 ... ... ...".
+void TestCharts::numbersOfALyingAxisAreNotCut()
+{
+    QFETCH(Chart, chart);
+    QFETCH(int, widthPx);
+    m_panel->resize(widthPx, 290);
+    m_panel->setChart(chart);
+    const auto labels = [this] {
+        QStringList words;
+        for (const QGraphicsItem* item : m_panel->findChild<QChartView*>()->scene()->items())
+            if (const auto* label = qgraphicsitem_cast<const QGraphicsTextItem*>(item);
+                label != nullptr && label->isVisible() && !label->toPlainText().isEmpty())
+                words << label->toPlainText();
+        return words;
+    };
+    QTRY_VERIFY2(labels().contains("100"), qPrintable(labels().join(" | ")));
+    for (const QString& label : labels())
+        QVERIFY2(!label.startsWith("...") && !label.startsWith(u'…'), qPrintable(labels().join(" | ")));
 }
 
 void TestCharts::namesHaveTheRoomThatIsThereWhenTheyCome()

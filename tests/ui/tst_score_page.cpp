@@ -404,6 +404,13 @@ void TestScorePage::otherRubricsAreShownApart()
     const QString spoken = m_page->findChild<ui::shell::HistoryChart*>()->accessibleName();
     QVERIFY2(spoken.contains("61.2 by another rubric, " + ui::text::points(made.sheet.totalTenths)),
              qPrintable(spoken));
+    // Twelve of nought are seen as well, in little room.
+    ui::shell::HistoryChart small(nullptr);
+    small.resize(260, 60);
+    small.setScores({}, 750);
+    const QImage without = small.grab().toImage();
+    small.setScores(QList<ui::shell::HistoryChart::Score>(12, {0, true, {}}), 750);
+    QVERIFY(small.grab().toImage() != without);
     // The pointer is told more of a column, and a file of all of them.
     auto* chart = m_page->findChild<ui::shell::HistoryChart*>();
     m_page->resize(1200, 800);

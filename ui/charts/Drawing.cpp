@@ -44,6 +44,8 @@ constexpr int kNameLines = 2;         ///< and no more, or too few bars have roo
 constexpr double kNameEdgesPx = 4.0;  ///< above and below together
 constexpr double kNameGapPx = 8.0;    ///< to the axis
 constexpr double kFootPx = 46.0;      ///< of the axis beneath bars
+constexpr double kUprightPx = 64.0;   ///< of an upright axis with its labels and title
+constexpr double kLabelGapPx = 12.0;  ///< between two labels of an axis: or else Qt cuts them
 constexpr int kFewestRows = 3;
 constexpr QSize kPicturePx{960, 600};
 constexpr double kPictureDensity = 2.0;
@@ -135,6 +137,16 @@ QAbstractAxis* axisOf(const Axis& axis, const Ink& ink, int ticks = kMostTicks)
                                                                  : QStringLiteral("%.2f"));
     dressAxis(*made, axis.title, ink);
     return made;
+}
+
+/// So many of a lying axis have room for their labels.
+int ticksAcross(const Axis& axis, double plotPx)
+{
+    const QFontMetricsF metrics(typeface(kSmall));
+    double widest = 0.0;
+    for (const double end : {axis.low, axis.high})
+        widest = std::max(widest, metrics.horizontalAdvance(QLocale().toString(end, 'f', 0)));
+    return std::clamp(static_cast<int>(plotPx / (widest + kLabelGapPx)) - 1, 1, kMostTicks);
 }
 
 void addLimits(Board& board, const QList<Limit>& limits, const Frame& frame)
@@ -233,7 +245,7 @@ void draw(const Histogram& histogram, Board& board)
 
 void makeAxes(const Curve& curve, Board& board)
 {
-    board.x = axisOf(curve.x, board.ink);
+    board.x = axisOf(curve.x, board.ink, ticksAcross(curve.x, board.roomPx.width() - kUprightPx));
     QAbstractAxis* y = axisOf(curve.y, board.ink, ticksFor(board.roomPx.height()));
     // A mark on the edge, as of a score of 0, is seen whole.
     const double spare = kEdgeShare * (curve.y.high - curve.y.low);
@@ -250,7 +262,7 @@ void makeAxes(const Curve& curve, Board& board)
 
 void makeAxes(const Histogram& histogram, Board& board)
 {
-    board.x = axisOf(histogram.x, board.ink);
+    board.x = axisOf(histogram.x, board.ink, ticksAcross(histogram.x, board.roomPx.width() - kUprightPx));
     board.y = axisOf(histogram.count, board.ink, ticksFor(board.roomPx.height()));
     board.x->setGridLineVisible(false);
 }
@@ -349,11 +361,12 @@ void addNames(const Bars& bars, Board& board)
 void makeAxes(const Bars& bars, Board& board)
 {
     const Frame frame = frameOf({{}, {}, {}, bars});
-    board.x = axisOf(bars.value, board.ink);
+    addNames(bars, board);
+    const double plotPx = board.roomPx.width() - board.edges.left() - 2.0 * kNameGapPx;
+    board.x = axisOf(bars.value, board.ink, ticksAcross(bars.value, plotPx));
     board.y = axisOf({{}, frame.yLow, frame.yHigh}, board.ink);
     board.y->setLabelsVisible(false);
     board.y->setGridLineVisible(false);
-    addNames(bars, board);
 }
 
 /// Words in a column, as high as they come out.

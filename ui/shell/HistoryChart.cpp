@@ -15,8 +15,7 @@ namespace {
 
 constexpr double kWidestPx = 44.0;
 constexpr double kGapPx = 8.0;
-/// From this width on a column carries its number.
-constexpr double kNumberPx = 22.0;
+constexpr double kNumberGapPx = 4.0;
 
 }  // namespace
 
@@ -114,13 +113,15 @@ void HistoryChart::paintEvent(QPaintEvent*)
         painter.setPen(hatched ? QPen(fill, 1) : QPen(Qt::NoPen));
         painter.setBrush(QBrush(fill, hatched ? Qt::BDiagPattern : Qt::SolidPattern));
         painter.drawRect(hatched ? bar.adjusted(0.5, 0.5, -0.5, -0.5) : bar);
-        if (column < kNumberPx)
+        const QString number = QString::number(wholePoints(m_scores[k].tenths));
+        const double numberPx = painter.fontMetrics().height();
+        if (painter.fontMetrics().horizontalAdvance(number) > step)  // it would run into the next
             continue;
         // Inside the column where it fits, above it otherwise.
-        const bool inside = tall > 24.0;
+        const bool inside = tall > numberPx + 2.0 * kNumberGapPx;
         painter.setPen(p.color(inside && newest ? QPalette::HighlightedText : QPalette::WindowText));
-        painter.drawText(QRectF(bar.left(), inside ? bar.top() + 4 : bar.top() - 20, column, 16), Qt::AlignCenter,
-                         QString::number(wholePoints(m_scores[k].tenths)));
+        const double at = inside ? bar.top() + kNumberGapPx : bar.top() - kNumberGapPx - numberPx;
+        painter.drawText(QRectF(bar.center().x() - 0.5 * step, at, step, numberPx), Qt::AlignCenter, number);
     }
 }
 
