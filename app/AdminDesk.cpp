@@ -288,20 +288,21 @@ void AdminDesk::connectPeople()
                 return;
             m_desk.ask(
                 this,
-                [who = m_who(), person, classes, asItWas = *before](const School& school) -> core::Result<bool> {
-                    if (auto done = database::sql::changePerson(school, who, person, asItWas); !done)
-                        return tl::unexpected(done.error());
+                [who = m_who(), person, classes, asItWas = *before](const School& school) -> core::Result<Person> {
+                    auto changed = database::sql::changePerson(school, who, person, asItWas);
+                    if (!changed)
+                        return changed;
                     if (auto put = belong(school, who, person.id, classes, asItWas.classes); !put)
                         return tl::unexpected(put.error());
-                    return true;
+                    return changed;
                 },
-                [this, name, person, who = m_who(), &part](const core::Result<bool>& done) {
+                [this, name, who = m_who(), &part](const core::Result<Person>& changed) {
                     if (m_who() != who)  // nothing of it is for who works here now
                         return;
-                    if (done)
-                        part.confirm(person.id, [said = name(person)] { return tr("%1 was changed.").arg(said); });
+                    if (changed)
+                        part.confirm(changed->id, [said = name(*changed)] { return tr("%1 was changed.").arg(said); });
                     else
-                        part.refuse([error = done.error()] { return why(error); });
+                        part.refuse([error = changed.error()] { return why(error); });
                     tellPeople();
                 });
         });

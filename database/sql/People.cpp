@@ -226,36 +226,43 @@ core::Result<Entered> addPerson(const School& school, const Session& session, co
     });
 }
 
-core::Status changePerson(const School& school, const Session& session, const Person& wanted,
-                          const std::optional<Person>& asItWas)
+core::Result<Person> changePerson(const School& school, const Session& session, const Person& wanted,
+                                  const std::optional<Person>& asItWas)
 {
     if (auto may = admit(school, session, Operation::ChangePerson); !may)
         return tl::unexpected(may.error());
     if (auto fit = checkNames({wanted.username, wanted.givenName, wanted.familyName, wanted.role}); !fit)
-        return fit;
+        return tl::unexpected(fit.error());
     const qlonglong id = wanted.id.value;
-    return inTurn(school, "change the person", [&]() -> core::Status {
+    return inTurn(school, "change the person", [&]() -> core::Result<Person> {
         const auto before = personBy(school, QStringLiteral("id"), id);
         if (!before)
             return tl::unexpected(before.error());
         Person person = wanted;
+        bool isOverruled = false;
         const auto keepOthers = [&](auto field) {
-            if (asItWas && wanted.*field == (*asItWas).*field)
+            if (!asItWas)
+                return;
+            if (wanted.*field == (*asItWas).*field)
                 person.*field = (*before).*field;
+            else if ((*before).*field != (*asItWas).*field && (*before).*field != wanted.*field)
+                isOverruled = true;
         };
         keepOthers(&Person::givenName);
         keepOthers(&Person::familyName);
         keepOthers(&Person::role);
         keepOthers(&Person::disabled);
+        if (isOverruled)
+            return core::unexpected(core::ErrorCode::ChangedSince, "the person has been changed by somebody else");
         if (before->role == Role::Admin && (person.disabled || person.role != Role::Admin))
             if (auto left = expectAnotherAdmin(school, person.id); !left)
-                return left;
+                return tl::unexpected(left.error());
         if (auto changed = execute(
                 school.db, "UPDATE people SET given_name = ?, family_name = ?, role = ?, disabled = ? WHERE id = ?",
                 "change the person",
                 {text(person.givenName), text(person.familyName), roleText(person.role), person.disabled ? 1 : 0, id});
             !changed)
-            return changed;
+            return tl::unexpected(changed.error());
         // Names stay out of the audit, which cannot forget.
         QJsonObject detail;
         if (before->role != person.role)
@@ -264,7 +271,9 @@ core::Status changePerson(const School& school, const Session& session, const Pe
             detail["disabled"] = person.disabled;
         if (before->givenName != person.givenName || before->familyName != person.familyName)
             detail["names_digest"] = QString::fromStdString(digestOfNames(person));
-        return note(school, session.uid(), "person.change", "person:" + before->uid, detail);
+        if (auto noted = note(school, session.uid(), "person.change", "person:" + before->uid, detail); !noted)
+            return tl::unexpected(noted.error());
+        return person;
     });
 }
 

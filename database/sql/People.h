@@ -28,9 +28,11 @@ struct Entered
 
 /// Names, role and whether disabled; the uid and the username stay. NobodyLeft: the last admin who can log in cannot be
 /// disabled or made something else.
-/// @param asItWas  when the change was thought of: what has not been changed since then stays as others have set it
-[[nodiscard]] core::Status changePerson(const School& school, const Session& session, const Person& person,
-                                        const std::optional<Person>& asItWas = {});
+/// ChangedSince: others have set the same to something else, and nothing is changed.
+/// @param asItWas  when the change was thought of: what is as it was then stays as others have set it since
+/// @returns  as he is now
+[[nodiscard]] core::Result<Person> changePerson(const School& school, const Session& session, const Person& person,
+                                                const std::optional<Person>& asItWas = {});
 
 /// Takes the password away and gives a one-time code in its place, good for Logins::kCodeLife. Failed logins are
 /// forgiven.

@@ -490,6 +490,19 @@ void TestLogins::whoIsDisabledIsStoppedAtOnce()
     VERIFY_DONE(changePerson(rig.school(), rig.admin, renamed, asItWas));
     QVERIFY(findPerson(rig.school(), rig.admin, sam.username)->disabled);
     QCOMPARE(findPerson(rig.school(), rig.admin, sam.username)->givenName, std::string("Samuel"));
+    // What the other has changed as well is not undone unseen.
+    Person called = asItWas;
+    called.givenName = "Sammy";
+    called.familyName = "Other";
+    VERIFY_REFUSED(changePerson(rig.school(), rig.admin, called, asItWas), ErrorCode::ChangedSince);
+    const Person now = findPerson(rig.school(), rig.admin, sam.username).value();
+    QCOMPARE(now.givenName, std::string("Samuel"));
+    QCOMPARE(now.familyName, asItWas.familyName);
+    VERIFY_DONE(changePerson(rig.school(), rig.admin, renamed, asItWas));  // both want the same
+    const auto seen = changePerson(rig.school(), rig.admin, called, now);
+    VERIFY_DONE(seen);
+    QCOMPARE(seen->fullName(), std::string("Sammy Other"));
+    QCOMPARE(findPerson(rig.school(), rig.admin, sam.username)->fullName(), seen->fullName());
     VERIFY_DONE(changePerson(rig.school(), rig.admin, sam));
     VERIFY_REFUSED(standingsOf(rig.school(), rig.student, rig.student.person()), ErrorCode::Disabled);
     // And who is no instructor any more loses what they may.

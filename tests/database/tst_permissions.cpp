@@ -151,7 +151,7 @@ std::vector<Call> TestPermissions::callsOn(SchoolRig& rig)
          },
          false},
         {Operation::ChangePerson, "changePerson",
-         [&s, person](const Session& me, Target) { return changePerson(s, me, person({3})); }, false},
+         [&s, person](const Session& me, Target) { return plain(changePerson(s, me, person({3}))); }, false},
         {Operation::ChangePerson, "findPerson",
          [&s](const Session& me, Target) { return plain(findPerson(s, me, "s1002")); }, false},
         {Operation::ResetPassword, "resetPassword",

@@ -246,10 +246,6 @@ QWidget* PeoplePart::makeForm()
     m_reset = button("", "resetPassword", whole);
     m_keep = button("", "keepAsItIs", whole);
     m_disable = button("", "disablePerson", whole);
-    // The button above stays where it is when they come.
-    QSizePolicy keepsPlace = m_reset->sizePolicy();
-    keepsPlace.setRetainSizeWhenHidden(true);
-    m_reset->setSizePolicy(keepsPlace);
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(m_reset);
     buttons->addWidget(m_keep);
@@ -592,6 +588,38 @@ PeoplePart::Typed PeoplePart::onto(const Person& now, const Typed& typed)
     return form;
 }
 
+/// The form, on what there is now. Whose change would undo that of another is told before he saves it.
+void PeoplePart::rebase(const Person& now, const Typed& typed)
+{
+    write(onto(now, typed));
+    const Typed before = asEntered(typed.asItWas);
+    const Typed entered = asEntered(now);
+    const auto isUndone = [](const auto& was, const auto& is, const auto& wanted) {
+        return is != was && wanted != was && is != wanted;
+    };
+    const bool ofGiven = isUndone(before.given, entered.given, typed.given);
+    const bool ofFamily = isUndone(before.family, entered.family, typed.family);
+    const bool ofRole = isUndone(before.role, entered.role, typed.role);
+    if (!ofGiven && !ofFamily && !ofRole)
+        return;
+    say({}, [=] {
+        QStringList facts;
+        const auto add = [&facts](const QString& what, const QString& is) {
+            facts << QStringLiteral("%1: %2").arg(what, is.isEmpty() ? QStringLiteral("–") : is);
+        };
+        if (ofGiven)
+            add(tr("Given name"), entered.given);
+        if (ofFamily)
+            add(tr("Family name"), entered.family);
+        if (ofRole)
+            add(tr("Role"), roleWord(kRoles.at(static_cast<std::size_t>(entered.role))));
+        //: %1: "Given name: Ann · Role: Instructor"
+        return tr("Somebody else has changed it meanwhile. There is now: %1. What you have typed stays here; saving it "
+                  "puts it in the place of that.")
+            .arg(facts.join(QStringLiteral(" · ")));
+    });
+}
+
 PeoplePart::Typed PeoplePart::typed() const
 {
     return {m_inForm, m_username->text(), m_given->text(), m_family->text(), m_role->currentIndex(), tickedClasses()};
@@ -666,7 +694,10 @@ void PeoplePart::bringBack()
     select(back.person());
     showForm();
     const Person* const person = chosen();
-    write(person == nullptr ? back : onto(*person, back));
+    if (person == nullptr)
+        write(back);
+    else
+        rebase(*person, back);
     m_isTouched = true;
     tellAside();
 }
@@ -864,7 +895,10 @@ void PeoplePart::showForm()
     m_title->setText(person == nullptr ? tr("New person") : nameOf(*person));
     m_username->setReadOnly(person != nullptr);
     if (person != nullptr) {
-        write(m_isTouched ? onto(*person, typed()) : asEntered(*person));
+        if (m_isTouched)
+            rebase(*person, typed());
+        else
+            write(asEntered(*person));
     } else {
         m_inForm = {};
         m_inForm.id = {m_chosen};  // whom the list does not have yet
@@ -885,6 +919,10 @@ void PeoplePart::showButtons(const Person* person)
     const auto asks = [this](Question question) { return m_thought->isAsked() && m_question == question; };
     const bool isAsked = m_thought->isAsked();
     const bool ofPassword = asks(Question::Password);
+    // The button above stays where it is when they come; an answer has the whole row.
+    QSizePolicy keepsPlace = m_reset->sizePolicy();
+    keepsPlace.setRetainSizeWhenHidden(!isAsked);
+    m_reset->setSizePolicy(keepsPlace);
     m_save->setText(person == nullptr         ? tr("Enter the person")
                     : asks(Question::OwnRole) ? tr("Yes, save it")
                                               : tr("Save the changes"));

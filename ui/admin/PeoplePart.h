@@ -147,6 +147,7 @@ private:
     [[nodiscard]] QSet<qint64> tickedClasses() const;
     [[nodiscard]] static Typed asEntered(const database::Person& person);
     [[nodiscard]] static Typed onto(const database::Person& now, const Typed& typed);
+    void rebase(const database::Person& now, const Typed& typed);
     [[nodiscard]] static QJsonObject toJson(const Typed& typed);
     [[nodiscard]] static Typed fromJson(const QJsonObject& typed);
     void write(const Typed& typed);
