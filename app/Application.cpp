@@ -202,6 +202,14 @@ bool isAway(core::ErrorCode code)
            code == ErrorCode::WrongKind;
 }
 
+/// What had been expected of an old attempt; what was to cost most is not kept.
+std::optional<ui::study::Expectation> expectationOf(const database::AttemptRecord& attempt)
+{
+    if (!attempt.expectedTenths)
+        return std::nullopt;
+    return ui::study::Expectation{*attempt.expectedTenths, {}};
+}
+
 using Wishes = core::rt::TripleBuffer<core::session::PointerInput>;
 
 std::unique_ptr<haptics::HapticDevice> makeDevice(bool simulated, Wishes& demo, Wishes& pointer)
@@ -447,6 +455,7 @@ void Application::openDatabase()
         m_people.get(), &PeopleDesk::besideWanted, this,
         [this](const core::recording::Recording& recording, const QString& name) { putBeside(recording, name, {}); });
     connect(m_people.get(), &PeopleDesk::scoreWanted, this, &Application::showAttempt);
+    connect(m_people.get(), &PeopleDesk::sheetWanted, this, &Application::showSheet);
     const auto open = [this] {
         m_desk->open(this, [this](const SchoolDesk::Opening& opening) { takeOpening(opening); });
     };
@@ -1254,9 +1263,7 @@ void Application::watchAttempt()
 /// What is found of an attempt that is not the one on the score page waits until it is.
 void Application::connectExplainer(Explainer& explainer)
 {
-    const auto isShown = [this, isOfOpened = &explainer == &m_openedExplainer] {
-        return m_opened.has_value() == isOfOpened;
-    };
+    const auto isShown = [this, isOfOpened = &explainer == &m_openedExplainer] { return isOldShown() == isOfOpened; };
     ui::study::ScorePage& page = m_window->scorePage();
     connect(&explainer, &Explainer::noiseFound, &page, [&page, isShown](const lessons::GridNoise& noise) {
         if (isShown())
@@ -1659,7 +1666,7 @@ void Application::showGrade()
 /// On the score page, where the grade it is about is shown.
 void Application::tellKeeping()
 {
-    if (m_opened)
+    if (isOldShown())
         return;
     ui::study::ScorePage& page = m_window->scorePage();
     page.setHistory(m_graded->history);
@@ -1710,10 +1717,16 @@ void Application::tellHistory()
         });
 }
 
+/// On the score page, and not the work graded last.
+bool Application::isOldShown() const
+{
+    return m_people && m_people->talkedAbout();
+}
+
 /// What the score card is about: an old attempt that was opened, or the work graded last.
 std::optional<CardDesk::Subject> Application::shownCard() const
 {
-    if (m_opened && m_people && m_people->talkedAbout())
+    if (isOldShown())
         return CardDesk::Subject{*m_people->talkedAbout(), m_people->nameOfTalkedAbout(), m_who, m_desk.get()};
     if (!m_graded)
         return {};
@@ -1747,12 +1760,10 @@ void Application::showAttempt(const database::AttemptRecord& attempt, const core
                 return;
             if (!marked) {
                 m_window->showError(marked.error(), Failed::Marking);
+                m_people->openSheet(attempt);
                 return;
             }
             const auto assignment = lessons::assignmentOf(recording.anatomy(), recording.lesson());
-            std::optional<ui::study::Expectation> expected;
-            if (attempt.expectedTenths)
-                expected = ui::study::Expectation{*attempt.expectedTenths, {}};
             const ui::study::ScoredWork work{std::make_shared<const core::terrain::Tooth>(marked->outcome.tooth),
                                              assignment ? assignment->shownIdeal() : nullptr,
                                              marked->mark.measured,
@@ -1764,7 +1775,7 @@ void Application::showAttempt(const database::AttemptRecord& attempt, const core
                 [lesson = assignment ? assignment->lesson : std::nullopt, tooth = recording.anatomy()] {
                     return lesson ? ui::study::said(lesson->title) : ui::text::toothTitle(*tooth);
                 },
-                marked->mark.sheet, {attempt}, expected, work);
+                marked->mark.sheet, {attempt}, expectationOf(attempt), work);
             m_opened = recording;
             m_people->talkAbout(attempt);
             m_window->scorePage().setPerson(attempt.person == m_who.person() ? QString()
@@ -1772,6 +1783,18 @@ void Application::showAttempt(const database::AttemptRecord& attempt, const core
             if (assignment)
                 m_openedExplainer.explain(*assignment, recording, work.tooth, marked->conduct);
         });
+}
+
+/// One that was kept, without its recording: nothing can be marked again, nor played.
+void Application::showSheet(const database::AttemptRecord& attempt, const lessons::ScoreSheet& sheet,
+                            const std::function<QString()>& work)
+{
+    ++m_loading;
+    m_window->showOldScore(work, sheet, {attempt}, expectationOf(attempt), {});
+    m_opened.reset();
+    m_openedExplainer.forget();
+    m_people->talkAbout(attempt);
+    m_window->scorePage().setPerson(attempt.person == m_who.person() ? QString() : m_people->nameOfTalkedAbout());
 }
 
 void Application::saveRecording(const QString& path)
@@ -2246,7 +2269,7 @@ void Application::showMoment(double seconds)
 {
     if (m_opened)
         playOpened(std::max(0.0, seconds - ui::replay::kLeadUpS));
-    else if (m_graded && !m_replay) {
+    else if (m_graded && !m_replay && !isOldShown()) {
         if (!play(m_graded->recording, std::max(0.0, seconds - ui::replay::kLeadUpS)))
             return;
         m_playedFrom = PlayedFrom::ScoreCard;

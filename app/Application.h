@@ -150,6 +150,9 @@ private:
     void tellHistory();
     [[nodiscard]] std::optional<CardDesk::Subject> shownCard() const;
     void showAttempt(const database::AttemptRecord& attempt, const core::recording::Recording& recording);
+    void showSheet(const database::AttemptRecord& attempt, const lessons::ScoreSheet& sheet,
+                   const std::function<QString()>& work);
+    [[nodiscard]] bool isOldShown() const;
     void openBeside(const QString& path);
     void putBeside(const core::recording::Recording& recording, const QString& name, const QString& path);
     void openExpert();

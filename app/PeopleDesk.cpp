@@ -20,7 +20,8 @@
 #include "database/sql/Export.h"
 #include "database/sql/Feedback.h"
 #include "database/sql/Overview.h"
-#include "lessons/RubricReader.h"
+#include "lessons/Assignment.h"
+#include "lessons/ScoreSheetJson.h"
 #include "ui/admin/AdminPage.h"
 #include "ui/people/ClassPage.h"
 #include "ui/people/HistoryPage.h"
@@ -42,9 +43,6 @@ using ui::people::AssignPage;
 using ui::people::ClassPage;
 using ui::people::HistoryPage;
 using ui::shell::MainWindow;
-
-/// What marks practice without a lesson (lessons::practiceOn).
-const QString kFreeRubric = QStringLiteral("decay_removal");
 
 std::map<std::string, QString> criteriaOf(const lessons::Rubric& rubric)
 {
@@ -123,6 +121,46 @@ std::vector<ui::replay::Remark> remarksOf(const database::AttemptTalk& talk)
     return remarks;
 }
 
+/// As it was kept; where no sheet says how the points were lost, with what else is known of it.
+/// @param rubric  of the lesson, as it is today; null: there is none
+lessons::ScoreSheet sheetOf(const database::AttemptRecord& attempt, const lessons::Rubric* rubric)
+{
+    if (auto kept = lessons::sheetIn(attempt.scoreSheetJson); kept && kept->totalTenths == attempt.scoreTenths)
+        return *kept;
+    lessons::ScoreSheet sheet;
+    sheet.rubricHash = attempt.rubricHash;
+    sheet.passMarkTenths = attempt.passMarkTenths;
+    sheet.totalTenths = attempt.scoreTenths;
+    if (rubric != nullptr && rubric->hash == attempt.rubricHash) {
+        sheet.rubricId = rubric->id;
+        sheet.rubricVersion = rubric->version;
+        sheet.rubricTitle = rubric->title;
+    }
+    for (const database::CriterionLoss& loss : attempt.criteria) {
+        lessons::Criterion criterion;
+        criterion.id = loss.id;
+        criterion.title = {{"en", loss.id}};
+        criterion.weightTenths = loss.weightTenths;
+        criterion.lostTenths = loss.lostTenths;
+        criterion.critical = loss.weightTenths == 0;
+        criterion.share = loss.lostTenths > 0 ? 1.0 : 0.0;
+        const auto isIt = [&](const lessons::CriterionRule& rule) { return rule.id == loss.id; };
+        if (rubric != nullptr)
+            if (const auto rule = std::find_if(rubric->criteria.begin(), rubric->criteria.end(), isIt);
+                rule != rubric->criteria.end())
+                criterion.title = rule->title.empty() ? lessons::LocalText{{"en", rule->measure}} : rule->title;
+        sheet.criteria.push_back(std::move(criterion));
+    }
+    return sheet;
+}
+
+/// Why a recording is of no use; of anything else one can only be told.
+bool isOfTheRecording(core::ErrorCode code)
+{
+    using core::ErrorCode;
+    return code == ErrorCode::FileMissing || code == ErrorCode::FileUnreadable || code == ErrorCode::BadStructure;
+}
+
 void showAttempts(HistoryPage& page, const AttemptsNow& now)
 {
     page.setExamsWithoutScore({now.withoutScore.begin(), now.withoutScore.end()});
@@ -167,7 +205,9 @@ PeopleDesk::PeopleDesk(MainWindow& window, SchoolDesk& desk, std::function<datab
     });
     connect(&m_window, &MainWindow::besidesWanted, this, &PeopleDesk::offerBeside);
     connect(&history, &HistoryPage::attemptOpenWanted, this, [this](qint64 id) {
-        fetch(id, [this](const auto& attempt, const auto& recording) { emit scoreWanted(attempt, recording); });
+        fetch(
+            id, [this](const auto& attempt, const auto& recording) { emit scoreWanted(attempt, recording); },
+            [this](const auto& attempt) { openSheet(attempt); });
     });
     connect(&m_window, &MainWindow::draftWanted, this, &PeopleDesk::openDraft);
     connectTalk();
@@ -182,6 +222,10 @@ PeopleDesk::PeopleDesk(MainWindow& window, SchoolDesk& desk, std::function<datab
     connect(&m_again, &QTimer::timeout, &classes, [&classes] {
         if (classes.isVisible() && !classes.isRead())  // elsewhere it is read when somebody comes back to it
             classes.readAgain();
+    });
+    connect(&classes, &ClassPage::listWanted, this, [this] {
+        if (!m_who().isGuest())
+            tellClasses();
     });
     connect(&m_window, &MainWindow::classesWanted, this, &PeopleDesk::openClasses);
     connect(&classes, &ClassPage::classChosen, this, [this](qint64 id) { tellOverview({id}); });
@@ -246,7 +290,7 @@ void PeopleDesk::tellLessons()
 {
     std::vector<ui::people::LessonOffer> offers;
     std::map<std::string, ui::people::CriterionNames> criteria;
-    if (const auto free = lessons::shippedRubric(kFreeRubric))
+    if (const auto free = lessons::practiceRubric())
         criteria[{}] = criteriaOf(*free);
     m_titles.clear();
     for (const lessons::CatalogEntry& entry : m_catalog) {
@@ -405,13 +449,47 @@ QString PeopleDesk::makerOf(const database::AttemptRecord& attempt) const
 /// Before the list that it belongs to, and where it was being written.
 void PeopleDesk::openDraft(qint64 id)
 {
-    fetch(id, [this](const auto& attempt, const auto& recording) {
+    const auto afterList = [this](const database::AttemptRecord& attempt, const std::function<void()>& show) {
         const bool isOwn = attempt.person == m_who().person();
-        openHistory(attempt.person, isOwn ? QString() : makerOf(attempt), {}, [this, attempt, recording] {
-            m_reads = database::AttemptId{attempt.id};
-            emit scoreWanted(attempt, recording);
+        openHistory(attempt.person, isOwn ? QString() : makerOf(attempt), {}, [this, id = attempt.id, show] {
+            m_reads = database::AttemptId{id};
+            show();
+        });
+    };
+    fetch(
+        id,
+        [this, afterList](const auto& attempt, const auto& recording) {
+            afterList(attempt, [this, attempt, recording] { emit scoreWanted(attempt, recording); });
+        },
+        [this, afterList](const auto& attempt) { afterList(attempt, [this, attempt] { openSheet(attempt); }); });
+}
+
+/// What a lesson is called is in its file.
+void PeopleDesk::openSheet(const database::AttemptRecord& attempt)
+{
+    readLessons([this, attempt, isStillThere = isStillThere()] {
+        if (!isStillThere()) {
+            m_reads = {};
+            return;
+        }
+        const lessons::Lesson* const known = lesson(attempt.lessonId);
+        const auto practice = lessons::practiceRubric();
+        const lessons::Rubric* const rubric = known != nullptr                       ? &known->rubric
+                                              : attempt.lessonId.empty() && practice ? &*practice
+                                                                                     : nullptr;
+        emit sheetWanted(attempt, sheetOf(attempt, rubric), [desk = QPointer<PeopleDesk>(this), attempt] {
+            return desk ? desk->workOf(attempt) : QString();
         });
     });
+}
+
+QString PeopleDesk::workOf(const database::AttemptRecord& attempt) const
+{
+    if (const lessons::Lesson* known = lesson(attempt.lessonId))
+        return ui::study::said(known->title);
+    const QString title = ui::people::lessonTitle({}, attempt.lessonId);
+    return attempt.lessonId.empty() ? QStringLiteral("%1, %2").arg(title, QString::fromStdString(attempt.tooth))
+                                    : title;
 }
 
 QString PeopleDesk::whoseIsTalkedAbout() const
@@ -722,13 +800,25 @@ void PeopleDesk::tellClasses(const std::function<void()>& then)
     askAs([who = m_who()](const School& school) { return database::sql::listClasses(school, who); },
           [this, then](const core::Result<std::vector<database::SchoolClass>>& classes) {
               if (!classes) {
-                  refuse(classes.error());
+                  tellUnlisted(classes.error());
                   return;
               }
               m_window.classPage().setClasses(QList<database::SchoolClass>(classes->begin(), classes->end()));
               if (then)
                   then();
           });
+}
+
+/// Those that were listed before stay.
+void PeopleDesk::tellUnlisted(const core::Error& error)
+{
+    ClassPage& page = m_window.classPage();
+    if (error.code == core::ErrorCode::NotAllowed || !page.isVisible() || page.isRead()) {
+        refuse(error);
+        return;
+    }
+    page.refuse([error] { return text::errorText(error, text::Failed::ReadingSchool); });
+    m_again.start();
 }
 
 void PeopleDesk::openAssign()
@@ -788,6 +878,8 @@ void PeopleDesk::tellOverview(database::ClassId ofClass)
                   m_window.assignPage().setAssignments(now->overview, given);
               if (page.chosenClass() != ofClass)
                   return;
+              if (page.isVisible())
+                  m_window.forgetUnread();
               // What another class did is not this one's, neither shown nor printed.
               if (m_overview.id != now->overview.id || page.chosenLesson().isEmpty())
                   m_results = {};
@@ -833,13 +925,12 @@ void PeopleDesk::tellResults(const QString& lesson)
           });
 }
 
-void PeopleDesk::fetch(
-    qint64 attempt, const std::function<void(const database::AttemptRecord&, const core::recording::Recording&)>& use)
+void PeopleDesk::fetch(qint64 attempt, const UseAttempt& use, const UseRecord& orElse)
 {
     struct Found
     {
         database::AttemptRecord attempt;
-        core::recording::Recording recording;
+        core::Result<core::recording::Recording> recording;
     };
     askAs(
         [who = m_who(), id = database::AttemptId{attempt}](const School& school) -> core::Result<Found> {
@@ -847,24 +938,31 @@ void PeopleDesk::fetch(
             if (!record)
                 return tl::unexpected(record.error());
             const auto bytes = database::sql::openRecording(school, who, id);
-            if (!bytes)
+            if (!bytes && !isOfTheRecording(bytes.error().code))
                 return tl::unexpected(bytes.error());
-            auto recording =
-                core::recording::Recording::fromBytes({bytes->constData(), static_cast<std::size_t>(bytes->size())});
-            if (!recording)
-                return tl::unexpected(recording.error());
-            return Found{std::move(*record), std::move(*recording)};
+            if (!bytes)
+                return Found{std::move(*record), tl::unexpected(bytes.error())};
+            return Found{std::move(*record), core::recording::Recording::fromBytes(
+                                                 {bytes->constData(), static_cast<std::size_t>(bytes->size())})};
         },
-        [this, use, isStillThere = isStillThere()](const core::Result<Found>& found) {
-            if (found && isStillThere())
-                use(found->attempt, found->recording);
-            else if (found)
+        [this, use, orElse, isStillThere = isStillThere()](const core::Result<Found>& found) {
+            if (!found) {
+                refuse(found.error());
+                return;
+            }
+            if (!isStillThere()) {
                 m_reads = {};
-            else if (found.error().code == core::ErrorCode::FileMissing)
+                return;
+            }
+            if (found->recording)
+                use(found->attempt, *found->recording);
+            else if (orElse)
+                orElse(found->attempt);
+            else if (found->recording.error().code == core::ErrorCode::FileMissing)
                 m_window.showMessage(tr("The recording of this attempt is not there, so it cannot be shown again. Its "
                                         "score and its figures are in the list."));
             else
-                refuse(found.error());
+                refuse(found->recording.error());
         });
 }
 

@@ -13,6 +13,7 @@
 #include "database/people.h"
 #include "database/records.h"
 #include "lessons/LessonCatalog.h"
+#include "lessons/ScoreSheet.h"
 #include "ui/people/AssignPage.h"
 #include "ui/people/PeopleWords.h"
 #include "ui/report/Report.h"
@@ -42,6 +43,9 @@ public:
     /// Nothing: none that is kept is played.
     void followReplay(const std::optional<database::AttemptRecord>& played);
 
+    /// The score card of one whose recording cannot be marked is to be shown from its sheet.
+    void openSheet(const database::AttemptRecord& attempt);
+
     /// Somebody else comes: nothing that was read for the one before is shown, printed or named any more.
     void forget();
 
@@ -54,6 +58,10 @@ signals:
     void besideWanted(const core::recording::Recording& recording, const QString& name);
     /// This attempt's score card is to be shown.
     void scoreWanted(const database::AttemptRecord& attempt, const core::recording::Recording& recording);
+    /// The same of one without a recording that can be read: all that there is to show is this sheet.
+    /// @param work  what was done, in the language there is
+    void sheetWanted(const database::AttemptRecord& attempt, const lessons::ScoreSheet& sheet,
+                     const std::function<QString()>& work);
 
 private:
     /// As SchoolDesk::ask(); whoever works here when the answer comes hears only what he asked himself.
@@ -78,13 +86,17 @@ private:
     void openClasses();
     /// @param then  once they are shown
     void tellClasses(const std::function<void()>& then = {});
+    void tellUnlisted(const core::Error& error);
     void openAssign();
     void tellOverview(database::ClassId ofClass);
     void tellUnread(database::ClassId ofClass, const core::Error& error);
     void changeAssignments(const QList<ui::people::AssignmentChange>& changes);
     void tellResults(const QString& lesson);
-    void fetch(qint64 attempt,
-               const std::function<void(const database::AttemptRecord&, const core::recording::Recording&)>& use);
+    using UseAttempt = std::function<void(const database::AttemptRecord&, const core::recording::Recording&)>;
+    using UseRecord = std::function<void(const database::AttemptRecord&)>;
+    /// @param orElse  where there is no recording that can be read; nothing: that is said
+    void fetch(qint64 attempt, const UseAttempt& use, const UseRecord& orElse = {});
+    [[nodiscard]] QString workOf(const database::AttemptRecord& attempt) const;
     [[nodiscard]] bool playsTalkedAbout() const;
     void offerBeside(const std::string& lesson, const std::string& tooth);
     void tellBesides(const std::vector<database::AttemptRecord>& attempts);

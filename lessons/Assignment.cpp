@@ -189,9 +189,14 @@ core::Result<Assigned> assign(const Lesson& lesson, std::uint64_t drawn)
     return Assigned{std::move(*assignment), std::move(built->report)};
 }
 
+core::Result<Rubric> practiceRubric()
+{
+    return shippedRubric(kFreeRubric);
+}
+
 core::Result<Assignment> practiceOn(std::shared_ptr<const core::terrain::ToothAnatomy> anatomy)
 {
-    auto rubric = shippedRubric(kFreeRubric);
+    auto rubric = practiceRubric();
     if (!rubric)
         return tl::unexpected(rubric.error());
     Assignment assignment;

@@ -58,7 +58,9 @@ servoSettings(const Lesson* lesson, core::session::ServoSettings usual,
 ///               recording, so that every replay asks the same
 [[nodiscard]] core::Result<Assigned> assign(const Lesson& lesson, std::uint64_t drawn = 0);
 
-/// A tooth without a lesson: marked as removal of decay.
+/// What a tooth without a lesson is marked by: removal of decay.
+[[nodiscard]] core::Result<Rubric> practiceRubric();
+/// A tooth without a lesson.
 [[nodiscard]] core::Result<Assignment> practiceOn(std::shared_ptr<const core::terrain::ToothAnatomy> anatomy);
 
 /// The assignment that a recording was made for.

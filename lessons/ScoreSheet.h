@@ -33,7 +33,7 @@ struct Criterion
 {
     std::string id;
     LocalText title;      ///< empty: the name of the measure
-    std::string measure;  ///< id of the measure
+    std::string measure;  ///< id of the measure; empty: only the points are known
     std::string unit;     ///< "percent", "mm3", "mm", "deg", ...
     std::optional<double> measured;
     Side side = Side::Over;

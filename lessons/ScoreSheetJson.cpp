@@ -5,6 +5,8 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
+#include "core/grading/MeasureTable.h"
+
 namespace lessons {
 namespace {
 
@@ -34,6 +36,98 @@ QString nameOf(Side side)
         break;
     }
     return QStringLiteral("both");
+}
+
+std::optional<Side> sideOf(const QString& name)
+{
+    for (const Side side : {Side::Over, Side::Under, Side::Both})
+        if (nameOf(side) == name)
+            return side;
+    return std::nullopt;
+}
+
+/// Reads what has to be there, and remembers whether it was.
+class Keys
+{
+public:
+    explicit Keys(QJsonObject object) : m_object(std::move(object)) {}
+
+    [[nodiscard]] bool areThere() const { return m_areThere; }
+    [[nodiscard]] QJsonValue value(QLatin1String key) const { return m_object.value(key); }
+    double number(QLatin1String key) { return need(key, QJsonValue::Double).toDouble(); }
+    int count(QLatin1String key) { return need(key, QJsonValue::Double).toInt(); }
+    bool flag(QLatin1String key) { return need(key, QJsonValue::Bool).toBool(); }
+    QString words(QLatin1String key) { return need(key, QJsonValue::String).toString(); }
+    std::string utf8(QLatin1String key) { return words(key).toStdString(); }
+    LocalText localText(QLatin1String key)
+    {
+        LocalText text;
+        const QJsonObject object = need(key, QJsonValue::Object).toObject();
+        for (auto word = object.begin(); word != object.end(); ++word)
+            text[word.key().toStdString()] = word.value().toString().toStdString();
+        return text;
+    }
+    QJsonArray list(QLatin1String key) { return need(key, QJsonValue::Array).toArray(); }
+    /// Nothing where it says so.
+    std::optional<double> measure(QLatin1String key)
+    {
+        const QJsonValue value = m_object.value(key);
+        m_areThere = m_areThere && (value.isDouble() || value.isNull());
+        return value.isDouble() ? std::optional(value.toDouble()) : std::nullopt;
+    }
+    void refuse() { m_areThere = false; }
+
+private:
+    QJsonValue need(QLatin1String key, QJsonValue::Type type)
+    {
+        const QJsonValue value = m_object.value(key);
+        m_areThere = m_areThere && value.type() == type;
+        return value;
+    }
+
+    QJsonObject m_object;
+    bool m_areThere = true;
+};
+
+/// A sheet does not say it: it is that of the measure.
+std::string unitOf(const std::string& measure)
+{
+    const auto known = core::grading::findMeasure(measure);
+    return known ? std::string(known->unit) : std::string();
+}
+
+std::optional<Criterion> criterionIn(const QJsonObject& object)
+{
+    Keys line(object);
+    Criterion criterion;
+    criterion.id = line.utf8(QLatin1String("id"));
+    criterion.title = line.localText(QLatin1String("title"));
+    criterion.measure = line.utf8(QLatin1String("measure"));
+    criterion.unit = line.utf8(QLatin1String("unit"));
+    criterion.measured = line.measure(QLatin1String("measured"));
+    if (const auto side = sideOf(line.words(QLatin1String("side"))))
+        criterion.side = *side;
+    else
+        line.refuse();
+    criterion.target = line.number(QLatin1String("target"));
+    criterion.tolerance = line.number(QLatin1String("tolerance"));
+    criterion.span = line.number(QLatin1String("span"));
+    criterion.critical = line.flag(QLatin1String("critical"));
+    criterion.weightTenths = line.count(QLatin1String("weight_tenths"));
+    criterion.error = line.number(QLatin1String("error"));
+    criterion.share = line.number(QLatin1String("share"));
+    criterion.lostTenths = line.count(QLatin1String("lost_tenths"));
+    if (!line.areThere())
+        return std::nullopt;
+    const QJsonValue condition = line.value(QLatin1String("once"));
+    if (condition.isUndefined())
+        return criterion;
+    Keys once(condition.toObject());
+    const std::string measure = once.utf8(QLatin1String("measure"));
+    criterion.once = Once{measure, unitOf(measure), once.number(QLatin1String("reaches"))};
+    criterion.onceMeasured = once.measure(QLatin1String("measured"));
+    criterion.isTooEarly = once.flag(QLatin1String("too_early"));
+    return once.areThere() ? std::optional(criterion) : std::nullopt;
 }
 
 }  // namespace
@@ -86,6 +180,30 @@ QByteArray toJson(const ScoreSheet& sheet, const std::optional<PresetUsed>& pres
                                                             {"hash", preset->hash},
                                                             {"changed", preset->isChanged}});
     return QJsonDocument(object).toJson(QJsonDocument::Compact);
+}
+
+std::optional<ScoreSheet> sheetIn(std::string_view json)
+{
+    const QByteArray bytes(json.data(), static_cast<qsizetype>(json.size()));
+    Keys keys(QJsonDocument::fromJson(bytes).object());
+    if (keys.count(QLatin1String("format")) != kFormat)
+        return std::nullopt;
+    ScoreSheet sheet;
+    sheet.rubricId = keys.utf8(QLatin1String("rubric"));
+    sheet.rubricVersion = keys.count(QLatin1String("rubric_version"));
+    sheet.rubricHash = keys.utf8(QLatin1String("rubric_hash"));
+    sheet.rubricTitle = keys.localText(QLatin1String("rubric_title"));
+    sheet.verdict = keys.words(QLatin1String("verdict")) == QLatin1String("sum_of_errors") ? Verdict::SumOfErrors
+                                                                                           : Verdict::WorstError;
+    for (const QJsonValue line : keys.list(QLatin1String("criteria"))) {
+        auto criterion = criterionIn(line.toObject());
+        if (!criterion)
+            return std::nullopt;
+        sheet.criteria.push_back(std::move(*criterion));
+    }
+    sheet.totalTenths = keys.count(QLatin1String("total_tenths"));
+    sheet.passMarkTenths = keys.count(QLatin1String("pass_mark_tenths"));
+    return keys.areThere() ? std::optional(sheet) : std::nullopt;
 }
 
 Values measuredIn(std::string_view json)

@@ -532,6 +532,10 @@
         <source>%1 of the shape is cut</source>
         <translation>%1 der Form geschnitten sind</translation>
     </message>
+    <message>
+        <source>What was measured here was not kept</source>
+        <translation>Was hier gemessen wurde, ist nicht aufbewahrt worden</translation>
+    </message>
 </context>
 <context>
     <name>Direction</name>
@@ -3504,6 +3508,11 @@
         <source>Yes, disable it</source>
         <translation>Ja, sperren</translation>
     </message>
+    <message>
+        <source>Somebody else has changed it meanwhile. There is now: %1. What you have typed stays here; saving it puts it in the place of that.</source>
+        <extracomment>%1: &quot;Given name: Ann · Role: Instructor&quot;</extracomment>
+        <translation>Jemand anderes hat es inzwischen geändert. Jetzt gilt: %1. Was Sie eingegeben haben, bleibt hier stehen; wenn Sie es speichern, tritt es an dessen Stelle.</translation>
+    </message>
 </context>
 <context>
     <name>ui::admin::RosterPart</name>
@@ -4726,6 +4735,14 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <source>The class is being read …</source>
         <translation>Die Klasse wird gelesen …</translation>
     </message>
+    <message>
+        <source>%1 F5 reads the classes again; Cusp tries it every ten seconds, too.</source>
+        <translation>%1 F5 liest die Klassen noch einmal; Cusp versucht es auch von selbst alle zehn Sekunden.</translation>
+    </message>
+    <message>
+        <source>The classes are being read …</source>
+        <translation>Die Klassen werden gelesen …</translation>
+    </message>
 </context>
 <context>
     <name>ui::people::HistoryCharts</name>
@@ -5085,6 +5102,10 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>My attempts</source>
         <translation>Meine Versuche</translation>
+    </message>
+    <message>
+        <source>See what cost points</source>
+        <translation>Sehen, was Punkte gekostet hat</translation>
     </message>
 </context>
 <context>
@@ -9243,6 +9264,10 @@ ungesichert</translation>
         <source>The machine&apos;s score: %1</source>
         <extracomment>%1: a sum of points</extracomment>
         <translation>Ergebnis der Maschine: %1</translation>
+    </message>
+    <message>
+        <source>This attempt has no recording that can be read: it cannot be replayed, and no picture of the tooth is shown. The score and what cost points are as they were kept.</source>
+        <translation>Von diesem Versuch gibt es keine lesbare Aufzeichnung: Er kann nicht abgespielt werden, und es gibt kein Bild des Zahns. Die Punktzahl und was Punkte gekostet hat stehen hier so, wie sie aufbewahrt wurden.</translation>
     </message>
 </context>
 <context>

@@ -532,6 +532,10 @@
         <source>%1 of the shape is cut</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>What was measured here was not kept</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Direction</name>
@@ -3504,6 +3508,11 @@
         <source>Yes, disable it</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Somebody else has changed it meanwhile. There is now: %1. What you have typed stays here; saving it puts it in the place of that.</source>
+        <extracomment>%1: &quot;Given name: Ann · Role: Instructor&quot;</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::admin::RosterPart</name>
@@ -4717,6 +4726,14 @@ load NAME        feels a hardness preset that is kept</source>
         <source>The class is being read …</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1 F5 reads the classes again; Cusp tries it every ten seconds, too.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The classes are being read …</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::people::HistoryCharts</name>
@@ -5075,6 +5092,10 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
     <message>
         <source>My attempts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>See what cost points</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9232,6 +9253,10 @@ unsaved</source>
     <message>
         <source>The machine&apos;s score: %1</source>
         <extracomment>%1: a sum of points</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This attempt has no recording that can be read: it cannot be replayed, and no picture of the tooth is shown. The score and what cost points are as they were kept.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -532,6 +532,10 @@
         <source>%1 of the shape is cut</source>
         <translation>se haya tallado el %1 de la forma</translation>
     </message>
+    <message>
+        <source>What was measured here was not kept</source>
+        <translation>Lo que se midió aquí no se guardó</translation>
+    </message>
 </context>
 <context>
     <name>Direction</name>
@@ -3504,6 +3508,11 @@
         <source>Yes, disable it</source>
         <translation>Sí, desactivar</translation>
     </message>
+    <message>
+        <source>Somebody else has changed it meanwhile. There is now: %1. What you have typed stays here; saving it puts it in the place of that.</source>
+        <extracomment>%1: &quot;Given name: Ann · Role: Instructor&quot;</extracomment>
+        <translation>Otra persona lo ha cambiado entretanto. Ahora consta: %1. Lo que ha escrito sigue aquí; si lo guarda, ocupará su lugar.</translation>
+    </message>
 </context>
 <context>
     <name>ui::admin::RosterPart</name>
@@ -4726,6 +4735,14 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <source>The class is being read …</source>
         <translation>Leyendo el grupo …</translation>
     </message>
+    <message>
+        <source>%1 F5 reads the classes again; Cusp tries it every ten seconds, too.</source>
+        <translation>%1 F5 vuelve a leer los grupos; Cusp también lo intenta cada diez segundos.</translation>
+    </message>
+    <message>
+        <source>The classes are being read …</source>
+        <translation>Leyendo los grupos …</translation>
+    </message>
 </context>
 <context>
     <name>ui::people::HistoryCharts</name>
@@ -5085,6 +5102,10 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>My attempts</source>
         <translation>Mis intentos</translation>
+    </message>
+    <message>
+        <source>See what cost points</source>
+        <translation>Ver qué costó puntos</translation>
     </message>
 </context>
 <context>
@@ -9243,6 +9264,10 @@ sin guardar</translation>
         <source>The machine&apos;s score: %1</source>
         <extracomment>%1: a sum of points</extracomment>
         <translation>La puntuación de la máquina: %1</translation>
+    </message>
+    <message>
+        <source>This attempt has no recording that can be read: it cannot be replayed, and no picture of the tooth is shown. The score and what cost points are as they were kept.</source>
+        <translation>Este intento no tiene una grabación que se pueda leer: no se puede reproducir y no se muestra ninguna imagen del diente. La puntuación y lo que costó puntos están tal como se guardaron.</translation>
     </message>
 </context>
 <context>

@@ -530,6 +530,10 @@
         <source>%1, no more than all of them</source>
         <translation>%1、ただし全点まで</translation>
     </message>
+    <message>
+        <source>What was measured here was not kept</source>
+        <translation>ここで測定された値は保存されていません</translation>
+    </message>
 </context>
 <context>
     <name>Direction</name>
@@ -3485,6 +3489,11 @@
         <source>Yes, disable it</source>
         <translation>はい、無効にする</translation>
     </message>
+    <message>
+        <source>Somebody else has changed it meanwhile. There is now: %1. What you have typed stays here; saving it puts it in the place of that.</source>
+        <extracomment>%1: &quot;Given name: Ann · Role: Instructor&quot;</extracomment>
+        <translation>その間にほかの人が変更しました。現在の内容：%1。入力した内容はここに残っています。保存すると、それに置き換わります。</translation>
+    </message>
 </context>
 <context>
     <name>ui::admin::RosterPart</name>
@@ -4691,6 +4700,14 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <source>The class is being read …</source>
         <translation>クラスを読み込んでいます …</translation>
     </message>
+    <message>
+        <source>%1 F5 reads the classes again; Cusp tries it every ten seconds, too.</source>
+        <translation>%1 F5でクラスの一覧を読み直します。Cuspも10秒ごとに試みます。</translation>
+    </message>
+    <message>
+        <source>The classes are being read …</source>
+        <translation>クラスの一覧を読み込んでいます …</translation>
+    </message>
 </context>
 <context>
     <name>ui::people::HistoryCharts</name>
@@ -5045,6 +5062,10 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>My attempts</source>
         <translation>自分の試行</translation>
+    </message>
+    <message>
+        <source>See what cost points</source>
+        <translation>何が減点になったかを見る</translation>
     </message>
 </context>
 <context>
@@ -9179,6 +9200,10 @@ unsaved</source>
         <source>The machine&apos;s score: %1</source>
         <extracomment>%1: a sum of points</extracomment>
         <translation>機械採点：%1</translation>
+    </message>
+    <message>
+        <source>This attempt has no recording that can be read: it cannot be replayed, and no picture of the tooth is shown. The score and what cost points are as they were kept.</source>
+        <translation>この試行には読み取れる記録がないため、再生できず、歯の画像も表示されません。点数と減点の内訳は保存されたときのままです。</translation>
     </message>
 </context>
 <context>

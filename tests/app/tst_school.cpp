@@ -72,6 +72,7 @@
 #include "ui/study/LessonsPage.h"
 #include "ui/study/ScorePage.h"
 #include "ui/text/Language.h"
+#include "ui/text/Texts.h"
 #include "ui/tooth/ToothView.h"
 
 using namespace database;
@@ -131,10 +132,13 @@ private slots:
     void whoseRoleWasChangedIsShownOut();
     void whatCostPointsInFreePracticeHasItsName();
     void twoAdminsUndoNothingOfEachOther();
+    void whatAnotherAdminHasChangedIsToldBeforeItIsUndone_data();
+    void whatAnotherAdminHasChangedIsToldBeforeItIsUndone();
     void aSchoolThatIsOpenElsewhereLogsNobodyOut();
     void aRestoreThrowsNobodyElseOut();
     void aClassReportIsOfTheClassThatWasShown();
     void underAClasssNameStandsNoOther();
+    void whichClassesThereAreIsReadAgain();
     void whoIsTakenOutOfAClassSeesItNoLonger();
     void aLateAnswerTearsNobodyAway();
     void whatIsTypedWaitsForItsWriter();
@@ -183,6 +187,8 @@ private slots:
     void onesOwnPasswordIsChanged();
     void aTeacherAssignsLessonsAndTakesThemBack();
     void commentsArePinnedToMomentsAndPlaces();
+    void withoutItsRecordingAnAttemptIsOpenedAndOverruled_data();
+    void withoutItsRecordingAnAttemptIsOpenedAndOverruled();
     void aScoreCardIsSavedWithItsAuditCode();
     void withoutADatabaseTheCardSaysSo();
     void everybodyIsShownRoundOnce();
@@ -1014,6 +1020,50 @@ void TestSchool::twoAdminsUndoNothingOfEachOther()
         }
 }
 
+void TestSchool::whatAnotherAdminHasChangedIsToldBeforeItIsUndone_data()
+{
+    QTest::addColumn<bool>("isReadAgain");
+    QTest::newRow("he saves it without looking again") << false;
+    QTest::newRow("the list was read again while he typed") << true;
+}
+
+/// The same field: the later one is told what there is now, and puts his in the place of it all the same.
+void TestSchool::whatAnotherAdminHasChangedIsToldBeforeItIsUndone()
+{
+    QFETCH(bool, isReadAgain);
+    start();
+    logIn("admin");
+    openSchool(ui::admin::AdminPage::People);
+    const auto* people = child<QTableView>("people")->model();
+    QTRY_COMPARE_WITH_TIMEOUT(people->rowCount(), 4, kPatienceMs);
+    for (int row = 0; row < people->rowCount(); ++row)
+        if (people->index(row, 1).data().toString() == "sam")
+            child<QTableView>("people")->setCurrentIndex(people->index(row, 0));
+    QTest::keyClicks(child<QLineEdit>("personGiven"), "X");
+    const auto database = sql::Database::open(file()).value();
+    const sql::School school{database->handle(), StationKey::readOrMake(m_folder->filePath("station.key")).value()};
+    const auto other = sql::Logins::login(school, "admin", kPassword).value();
+    Person sam = sql::findPerson(school, other, "sam").value();
+    sam.givenName = "Samuel";
+    sam.familyName = "Stone";
+    QVERIFY(sql::changePerson(school, other, sam));
+    if (isReadAgain)
+        actions().readAgain->trigger();
+    else
+        click("savePerson");
+    const auto* const fault = child<QLabel>("personFault");
+    QTRY_VERIFY2_WITH_TIMEOUT(fault->text().contains("There is now: Given name: Samuel."), qPrintable(fault->text()),
+                              kPatienceMs);
+    QVERIFY(fault->isVisible());
+    QCOMPARE(child<QLineEdit>("personGiven")->text(), QString("samX"));
+    QCOMPARE(child<QLineEdit>("personFamily")->text(), QString("Stone"));
+    QCOMPARE(sql::findPerson(school, other, "sam")->givenName, std::string("Samuel"));
+    QTest::qWait(2 * QGuiApplication::styleHints()->mouseDoubleClickInterval());
+    click("savePerson");
+    QTRY_COMPARE_WITH_TIMEOUT(child<QLabel>("personSaid")->text(), QString("samX Stone was changed."), kPatienceMs);
+    QCOMPARE(sql::findPerson(school, other, "sam")->fullName(), std::string("samX Stone"));
+}
+
 /// It would not be restored while another window has it, and the next one is made when that is closed.
 void TestSchool::aSchoolThatIsOpenElsewhereLogsNobodyOut()
 {
@@ -1153,6 +1203,39 @@ void TestSchool::underAClasssNameStandsNoOther()
     QTRY_VERIFY2_WITH_TIMEOUT(message().contains("cannot be shown now"), qPrintable(message()), kPatienceMs);
     QVERIFY(matrix->rowCount() == 1 && student().startsWith("sam"));
     QVERIFY(name("elsewhere", "standings"));
+    // That it could not be read is over when another is.
+    classes->setCurrentIndex(classes->findText("DEN102-B", Qt::MatchStartsWith));
+    QTRY_VERIFY_WITH_TIMEOUT(matrix->rowCount() == 1 && student().startsWith("sue"), kPatienceMs);
+    QTRY_VERIFY2_WITH_TIMEOUT(!message().contains("cannot be shown now"), qPrintable(message()), kPatienceMs);
+}
+
+/// When a teacher logs in: they come by themselves, or by F5.
+void TestSchool::whichClassesThereAreIsReadAgain()
+{
+    start();
+    const auto name = [this](const char* from, const char* to) {
+        return sql::execute(sql::Database::open(file()).value()->handle(),
+                            QStringLiteral("ALTER TABLE %1 RENAME TO %2").arg(QLatin1String(from), QLatin1String(to)),
+                            "name");
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(child<QLineEdit>("username")->isEnabled(), kPatienceMs);
+    const auto* const empty = child<QLabel>("classEmpty");
+    const auto* const matrix = child<QTableView>("matrix")->model();
+    for (const bool byHand : {true, false}) {
+        QVERIFY(name("classes", "elsewhere"));
+        if (byHand)
+            logIn("ines");
+        else
+            leaveFor("ines");
+        QTRY_VERIFY2_WITH_TIMEOUT(empty->isVisible() && empty->text().contains("cannot be shown now") &&
+                                      empty->text().contains("F5 reads the classes again"),
+                                  qPrintable(empty->text()), kPatienceMs);
+        QVERIFY(name("elsewhere", "classes"));
+        if (byHand)
+            actions().readAgain->trigger();
+        QTRY_COMPARE_WITH_TIMEOUT(matrix->rowCount(), 1, kPatienceMs);
+        QVERIFY(child<QComboBox>("classChooser")->isVisible());
+    }
 }
 
 /// Nor comments he there, and he reads why.
@@ -2484,6 +2567,71 @@ void TestSchool::commentsArePinnedToMomentsAndPlaces()
     QCOMPARE(count("comments WHERE withdrawn_utc IS NOT NULL"), 1);
     QCOMPARE(child<QPlainTextEdit>("commentWords")->toPlainText(), QString("Here you pressed too hard."));
     QVERIFY(child<QCheckBox>("atMoment")->isChecked() && child<QCheckBox>("atPlace")->isChecked());
+}
+
+void TestSchool::withoutItsRecordingAnAttemptIsOpenedAndOverruled_data()
+{
+    QTest::addColumn<QString>("lost");
+    QTest::addColumn<bool>("hasSheet");
+    QTest::newRow("its file has gone") << "" << true;
+    QTest::newRow("none was kept") << "UPDATE attempts SET recording_hash = ''" << true;
+    QTest::newRow("nor a sheet, as in a sample school") << "UPDATE score_sheets SET json = '{\"format\":2}'" << false;
+}
+
+/// From its score sheet, as it was marked.
+void TestSchool::withoutItsRecordingAnAttemptIsOpenedAndOverruled()
+{
+    QFETCH(QString, lost);
+    QFETCH(bool, hasSheet);
+    start();
+    logIn("sam");
+    toTheTooth();
+    drill(-2.0);
+    grade("first grade");
+    const auto* const page = child<ui::study::ScorePage>();
+    const lessons::ScoreSheet marked = page->card().sheet;
+    QVERIFY(QDir(m_folder->filePath("recordings")).removeRecursively());
+    if (!lost.isEmpty())
+        QVERIFY(sql::execute(sql::Database::open(file()).value()->handle(), lost, "lose"));
+    leaveFor("ines");
+    QTRY_COMPARE_WITH_TIMEOUT(child<QTableView>("matrix")->model()->rowCount(), 1, kPatienceMs);
+    emit child<QTableView>("matrix")->verticalHeader()->sectionDoubleClicked(0);
+    openNewest();
+    QCOMPARE(page->person(), QString("sam Student"));
+    const lessons::ScoreSheet shown = page->card().sheet;
+    if (hasSheet)
+        QVERIFY(shown == marked);
+    QCOMPARE(shown.totalTenths, marked.totalTenths);
+    QCOMPARE(shown.criteria.size(), marked.criteria.size());
+    for (std::size_t k = 0; k < marked.criteria.size(); ++k) {
+        QCOMPARE(shown.criteria[k].lostTenths, marked.criteria[k].lostTenths);
+        QCOMPARE(ui::text::criterionName(shown.criteria[k]), ui::text::criterionName(marked.criteria[k]));
+        QCOMPARE(ui::text::criterionWorked(shown.criteria[k], shown.verdict).contains("not kept"), !hasSheet);
+    }
+    QVERIFY2(child<QLabel>("unrecorded")->isVisible() && child<QLabel>("unrecorded")->text().contains("no recording"),
+             qPrintable(child<QLabel>("unrecorded")->text()));
+    QVERIFY(!child<QPushButton>("replayScored")->isVisible() && !child<ui::study::HeatMap>()->isVisible());
+    QVERIFY(!child<QLabel>("howToPin")->isVisible());
+    child<QPlainTextEdit>("commentWords")->setPlainText("Do it again.");
+    click("addComment");
+    QTRY_COMPARE_WITH_TIMEOUT(count("comments"), 1, kPatienceMs);
+    child<QDoubleSpinBox>("givenPoints")->setValue(91.5);
+    child<QLineEdit>("reason")->setText("Seen by hand.");
+    click("giveScore");
+    QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("counts")->text().contains("91.5"), kPatienceMs);
+    QCOMPARE(count("overrides"), 1);
+    QCOMPARE(page->card().sheet.totalTenths, marked.totalTenths);
+    saveCard(m_folder->filePath("old.pdf"));
+    // Who made it reads it as well, and what is on the table is graded for itself.
+    leaveFor("sam");
+    actions().attempts->trigger();
+    openNewest();
+    QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("counts")->text().contains("91.5"), kPatienceMs);
+    QVERIFY(child<QLabel>("unrecorded")->isVisible());
+    toTheTooth();
+    drill(2.0);
+    grade("");
+    QVERIFY(!child<QLabel>("unrecorded")->isVisible() && child<ui::study::HeatMap>()->isVisible());
 }
 
 /// Of the work that was just graded, and of an old attempt.

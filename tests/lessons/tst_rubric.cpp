@@ -358,6 +358,22 @@ void TestRubric::jsonHoldsEveryNumberBitForBit()
         if (line.measured)
             QCOMPARE(again.at(line.measure), *line.measured);
     }
+    // So is the whole sheet.
+    const auto readAgain = [](const ScoreSheet& one) { return sheetIn(toJson(one).toStdString()); };
+    QVERIFY(readAgain(sheet) == sheet);
+    Rubric worst = rubric;
+    worst.verdict = Verdict::WorstError;
+    worst.title = {{"en", "Halves"}, {"ja", "半分"}};
+    worst.criteria[1].side = Side::Both;
+    worst.criteria[1].once = Once{"caries_removed_percent", "percent", 50.1};
+    for (const Values& values : {Values{{"a", 0.1}}, Values{{"a", 0.1}, {"caries_removed_percent", 1.0 / 3.0}}}) {
+        const ScoreSheet other = grade(worst, values);
+        QVERIFY(readAgain(other) == other);
+    }
+    const QByteArray whole = toJson(sheet);
+    for (const char* key : {"\"format\":", "\"measured\":", "\"side\":", "\"lost_tenths\":", "\"total_tenths\":"})
+        QVERIFY2(!sheetIn(QByteArray(whole).replace(key, "\"other\":").toStdString()), key);
+    QVERIFY(!sheetIn("") && !sheetIn("hello") && !sheetIn("{\"format\":2,\"sample\":true}"));
     QVERIFY(measuredIn("").empty() && measuredIn("{\"criteria\": 3}").empty() && measuredIn("hello").empty());
     QCOMPARE(object["format"].toInt(), 2);
     QCOMPARE(object["total_tenths"].toInt(), sheet.totalTenths);

@@ -287,6 +287,7 @@ void TestHistoryPage::withoutRecordingThereIsNoReplay()
     table()->selectRow(2);
     QVERIFY(!replay->isEnabled());
     QVERIFY(!replay->toolTip().isEmpty());
+    QVERIFY(m_page->findChild<QPushButton*>("openAttempt")->isEnabled());  // its score sheet is there
     QVERIFY2(why->isVisible() && why->text().contains("no recording"), qPrintable(why->text()));
 }
 

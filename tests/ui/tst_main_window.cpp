@@ -58,6 +58,7 @@
 #include "ui/console/WatchPanel.h"
 #include "ui/inside/SectionView.h"
 #include "ui/inside/XrayPage.h"
+#include "ui/people/ClassPage.h"
 #include "ui/people/HistoryPage.h"
 #include "ui/people/LoginPage.h"
 #include "ui/people/TalkPanel.h"
@@ -203,6 +204,7 @@ private slots:
     void enterPressesTheWayBack();
     void aDoubleClickOnEnterTakesNoPasswordAway();
     void theQuestionOfAPasswordEndsWithAnythingElse();
+    void answersToAQuestionHaveTheirRoom();
     void theOwnClassesComeFirst();
     void manyPeopleAreCountedByTheLocale();
     void aListOfNobodyIsAFault();
@@ -1612,6 +1614,7 @@ void TestMainWindow::anAdminIsToldHowToBeginWithClasses()
     rig.populate();
     m_window->setWho(rig.admin);
     m_window->openClasses();
+    m_window->classPage().setClasses({});
     QVERIFY(child<QLabel>("classEmpty")->text().contains("Make one"));
     QVERIFY(!child<QWidget>("lessonChooser")->isVisible());
     child<QPushButton>("enterPeople")->click();
@@ -1976,6 +1979,34 @@ void TestMainWindow::theQuestionOfAPasswordEndsWithAnythingElse()
     child<QPushButton>("savePerson")->click();
     QVERIFY(!keep->isVisible());
     QCOMPARE(child<QPushButton>("resetPassword")->text(), QString("Reset password"));
+}
+
+/// In the language with the longest words.
+void TestMainWindow::answersToAQuestionHaveTheirRoom()
+{
+    const auto inEnglish = qScopeGuard([] { ui::text::Language::choose("en_GB"); });
+    ui::text::Language::choose("de");
+    ui::admin::PeoplePart& people = openPeople();
+    database::Person own = someone(1, "Ada", true);
+    own.uid = writer().toStdString();
+    own.role = database::Role::Admin;
+    people.setPeople({own}, {});
+    choosePerson(0);
+    const auto* keep = child<QPushButton>("keepAsItIs");
+    const auto isSeenWhole = [](const QPushButton* button) {
+        return button->isVisible() && button->width() >= button->sizeHint().width() &&
+               button->parentWidget()->rect().contains(button->geometry());
+    };
+    child<QComboBox>("personRole")->setCurrentIndex(0);
+    child<QPushButton>("savePerson")->click();
+    QTRY_VERIFY2(isSeenWhole(keep), qPrintable(keep->text()));
+    QTRY_VERIFY(isSeenWhole(child<QPushButton>("savePerson")));
+    QCOMPARE(keep->x(), child<QPushButton>("savePerson")->x());
+    child<QPushButton>("keepAsItIs")->click();
+    child<QPushButton>("disablePerson")->click();
+    QTRY_VERIFY2(isSeenWhole(keep), qPrintable(keep->text()));
+    QTRY_VERIFY2(isSeenWhole(child<QPushButton>("disablePerson")),
+                 qPrintable(child<QPushButton>("disablePerson")->text()));
 }
 
 void TestMainWindow::theOwnClassesComeFirst()

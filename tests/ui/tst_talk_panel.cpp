@@ -807,8 +807,12 @@ void TestTalkPanel::whatIsNoScoreIsNotMadeOne()
     QSignalSpy wanted(m_panel.get(), &TalkPanel::overrideWanted);
     auto* points = get<QDoubleSpinBox>("givenPoints");
     get<QLineEdit>("reason")->setText("by hand");
+    QApplication::processEvents();
+    const QRect before = get<QPushButton>("giveScore")->geometry();
     points->selectAll();
     QTest::keyClicks(points, typed);
+    QTest::qWait(50);
+    QCOMPARE(get<QPushButton>("giveScore")->geometry(), before);  // it does not move under the pointer
     QVERIFY(points->value() < 0.0 || points->value() > 100.0);
     QVERIFY(!get<QPushButton>("giveScore")->isEnabled());
     QVERIFY2(get<QLabel>("pointsBeyond")->isVisible(), "nothing is said of it");

@@ -287,6 +287,13 @@ QWidget* ClassPage::makeCharts()
 
 void ClassPage::setClasses(const QList<database::SchoolClass>& classes)
 {
+    m_isListed = true;
+    m_whyNot = nullptr;
+    listClasses(classes);
+}
+
+void ClassPage::listClasses(const QList<database::SchoolClass>& classes)
+{
     m_classes = classes;
     const database::ClassId before = chosenClass();
     fillClasses();
@@ -300,7 +307,8 @@ void ClassPage::takeClass()
 {
     if (!isRead())
         clear();
-    readAgain();
+    if (chosenClass().value != 0)
+        readAgain();
 }
 
 void ClassPage::refuse(std::function<QString()> why)
@@ -399,11 +407,12 @@ void ClassPage::goTo(const Place& place)
 
 void ClassPage::readAgain()
 {
-    if (chosenClass().value == 0)
-        return;
     m_whyNot = nullptr;
     tellEmpty();
-    emit classChosen(chosenClass().value);
+    if (chosenClass().value == 0)
+        emit listWanted();
+    else
+        emit classChosen(chosenClass().value);
 }
 
 void ClassPage::setAssignments(const QList<database::ClassAssignment>& given)
@@ -490,7 +499,8 @@ void ClassPage::takeCell(const QModelIndex& index)
 
 void ClassPage::forget()
 {
-    setClasses({});
+    m_isListed = false;
+    listClasses({});
 }
 
 void ClassPage::tellNeeds()
@@ -547,10 +557,14 @@ void ClassPage::tellEmpty()
 {
     m_people->setVisible(m_mayEnter && isRead());
     if (!isRead())
-        m_empty->setText(m_whyNot
-                             //: %1: that a class could not be read, and why
-                             ? tr("%1 F5 reads the class again; Cusp tries it every ten seconds, too.").arg(m_whyNot())
-                             : tr("The class is being read …"));
+        m_empty->setText(
+            m_whyNot && !m_isListed
+                //: %1: that the classes could not be read, and why
+                ? tr("%1 F5 reads the classes again; Cusp tries it every ten seconds, too.").arg(m_whyNot())
+                : m_whyNot
+                      //: %1: that a class could not be read, and why
+                      ? tr("%1 F5 reads the class again; Cusp tries it every ten seconds, too.").arg(m_whyNot())
+                      : m_isListed ? tr("The class is being read …") : tr("The classes are being read …"));
     else if (m_classes.isEmpty())
         m_empty->setText(
             m_mayEnter

@@ -49,12 +49,12 @@ public:
     void setOverview(const database::ClassOverview& overview, const QDateTime& now = QDateTime::currentDateTimeUtc());
     /// What the class is to do: when it is due, and who is late. After setOverview().
     void setAssignments(const QList<database::ClassAssignment>& given);
-    /// The class that is chosen could not be read. Until it can be, that stands in its place; where it was read before,
-    /// it stays.
+    /// The class that is chosen, or which there are, could not be read. Until it can be, that stands in its place;
+    /// where it was read before, it stays.
     /// @param why  said again in another language
     void refuse(std::function<QString()> why);
-    /// The class that is chosen is there.
-    [[nodiscard]] bool isRead() const { return m_model->overview().id == chosenClass(); }
+    /// The class that is chosen is there; without a class, that there is none.
+    [[nodiscard]] bool isRead() const { return m_isListed && m_model->overview().id == chosenClass(); }
     void setLessonTitles(const LessonTitles& titles);
     /// Of the lesson that is chosen.
     /// @param passMarkTenths  of its rubric; 0: not known
@@ -78,6 +78,8 @@ public:
 signals:
     /// Or it is to be read again.
     void classChosen(qint64 classId);
+    /// Which classes there are is to be read: none is known.
+    void listWanted();
     /// How the class does at it is wanted.
     void lessonChosen(const QString& lessonId);
     void attemptsWanted(qint64 personId, const QString& lessonId);
@@ -102,6 +104,7 @@ private:
     QWidget* makeEmpty();
     QWidget* makeCharts();
     void fillLessons();
+    void listClasses(const QList<database::SchoolClass>& classes);
     void fillClasses();
     void takeClass();
     void clear();
@@ -126,7 +129,8 @@ private:
     void askForFile();
 
     QList<database::SchoolClass> m_classes;
-    std::function<QString()> m_whyNot;  ///< the class that is chosen is not there
+    bool m_isListed = false;            ///< the classes are those that there are
+    std::function<QString()> m_whyNot;  ///< the class that is chosen is not there, or which there are
     bool m_mayEnter = false;
     database::LessonResults m_results;
     int m_passMarkTenths = 0;

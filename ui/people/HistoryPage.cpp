@@ -347,12 +347,12 @@ void HistoryPage::tellChosen()
     const QModelIndexList rows = m_table->selectionModel()->selectedRows();
     const auto* attempt = rows.isEmpty() ? nullptr : &m_model->at(m_filter->mapToSource(rows.front()).row());
     const bool isRecorded = attempt != nullptr && !attempt->recordingHash.empty();
-    for (QPushButton* button : {m_open, m_replay})
-        button->setEnabled(isRecorded);
+    m_open->setEnabled(attempt != nullptr);
+    m_replay->setEnabled(isRecorded);
     const QString missing = tr("Of this attempt no recording was kept.");
     const bool isMissing = attempt != nullptr && !isRecorded;
     m_missing->setText(isMissing ? missing : QString());
-    m_open->setToolTip(isMissing ? missing : tr("See what cost points, and where"));
+    m_open->setToolTip(isMissing ? tr("See what cost points") : tr("See what cost points, and where"));
     m_replay->setToolTip(isMissing ? missing : tr("See again how it was done"));
 }
 

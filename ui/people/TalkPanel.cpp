@@ -156,17 +156,20 @@ void TalkPanel::makeOverride(QVBoxLayout& column)
     row->addWidget(m_points);
     row->addWidget(m_reason, 1);
     inside->addLayout(row);
+    // It has its room beforehand: the buttons do not move under the pointer.
     m_beyond = study::faultLabel(m_override);
     m_beyond->setObjectName(QStringLiteral("pointsBeyond"));
-    inside->addWidget(m_beyond);
+    QSizePolicy keepsPlace = m_beyond->sizePolicy();
+    keepsPlace.setRetainSizeWhenHidden(true);
+    m_beyond->setSizePolicy(keepsPlace);
     auto* buttons = new QHBoxLayout;
+    buttons->addWidget(m_beyond, 1);
     m_again = new QPushButton(m_override);
     m_again->setObjectName(QStringLiteral("machineAgain"));
     m_give = new QPushButton(m_override);
     m_give->setObjectName(QStringLiteral("giveScore"));
     for (QPushButton* button : {m_again, m_give})
         button->setAutoDefault(true);
-    buttons->addStretch(1);
     buttons->addWidget(m_again);
     buttons->addWidget(m_give);
     inside->addLayout(buttons);
@@ -423,6 +426,13 @@ void TalkPanel::setMay(bool comment, bool override)
     fill();
 }
 
+void TalkPanel::setRecorded(bool isRecorded)
+{
+    m_isRecorded = isRecorded;
+    tellPins();
+    fill();
+}
+
 void TalkPanel::setMoment(std::optional<std::int64_t> ms)
 {
     m_seen = ms;
@@ -592,7 +602,8 @@ void TalkPanel::tellReady()
 {
     const bool isScore = m_points->value() >= 0.0 && m_points->value() <= kFullPoints;
     const bool isReady = !m_reason->text().trimmed().isEmpty() && m_sent.count(m_attempt) == 0;
-    study::showFault(m_beyond, isScore ? QString() : tr("A score has 0 to 100 points."));
+    study::showFault(m_beyond, tr("A score has 0 to 100 points."));
+    m_beyond->setVisible(!isScore);
     m_give->setEnabled(isReady && isScore);
     m_again->setEnabled(isReady);
 }
@@ -636,7 +647,7 @@ void TalkPanel::tellPins()
     m_atPlace->setVisible(m_place.has_value());
     m_atPlace->setText(tr("at the marked place"));
     m_atPlace->setAccessibleName(tr("Pin the comment to this place"));
-    m_howToPin->setVisible(!m_moment || !m_place);
+    m_howToPin->setVisible(m_isRecorded && (!m_moment || !m_place));
     m_howToPin->setText(!m_moment && !m_place
                             ? tr("To pin it, click a place on the tooth above, or play the attempt to "
                                  "a moment and come back.")
@@ -704,6 +715,7 @@ void TalkPanel::fill()
             button->setProperty("kind", "chip");
             button->setAutoDefault(true);
             button->setAccessibleName(name);
+            button->setEnabled(m_isRecorded);
             pins->addWidget(button);
             return button;
         };

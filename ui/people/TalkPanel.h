@@ -54,6 +54,8 @@ public:
     void setScore(int machineTenths, int passMarkTenths, bool passedByMachine);
     void setTalk(const database::AttemptTalk& talk);
     void setMay(bool comment, bool override);
+    /// Without a recording there is neither a moment nor a place to be seen, or to be pinned to.
+    void setRecorded(bool isRecorded);
     /// Where the replay was seen last; nothing: it has not been. A moment that is ticked stays what was ticked; whoever
     /// comes back from there to what he is writing finds it ticked.
     void setMoment(std::optional<std::int64_t> ms);
@@ -168,6 +170,7 @@ private:
     bool m_arePointsTyped = false;
     bool m_mayComment = false;
     bool m_mayOverride = false;
+    bool m_isRecorded = true;
     std::optional<std::int64_t> m_seen;    ///< where the replay was last
     std::optional<std::int64_t> m_moment;  ///< that can be ticked, or is
     bool m_hasPlayed = false;              ///< since the panel was seen last

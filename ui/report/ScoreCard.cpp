@@ -169,7 +169,9 @@ void paintCriteria(Sheet& sheet, const ScoreCard& card)
         QStringList why{text::criterionWorked(criterion, card.sheet.verdict)};
         if (const QString moments = momentsOf(card, k); !moments.isEmpty())
             why << moments;
-        const QString name = text::criterionName(criterion) + QStringLiteral(": ") + text::criterionMeasured(criterion);
+        const QString measured = text::criterionMeasured(criterion);
+        const QString name =
+            text::criterionName(criterion) + (measured.isEmpty() ? QString() : QStringLiteral(": ") + measured);
         const double nameHigh = sheet.heightOf(wide, name, kTextPt, QFont::DemiBold);
         const double whyHigh = sheet.heightOf(wide, why.join(u'\n'), kTextPt, QFont::Normal);
         sheet.need(nameHigh + whyHigh + 8.0);
@@ -298,7 +300,7 @@ void paintCircumstances(Sheet& sheet, const ScoreCard& card)
     const QString rubric =
         QString::fromStdString(lessons::inLanguage(card.sheet.rubricTitle, QLocale().name().toStdString()));
     sheet.say(Words::tr("Rubric: %1, version %2, content %3")
-                  .arg(rubric)
+                  .arg(rubric.isEmpty() ? noted({}) : rubric)
                   .arg(card.sheet.rubricVersion)
                   .arg(shown(card.sheet.rubricHash.empty() ? attempt.rubricHash : card.sheet.rubricHash)),
               kTextPt);

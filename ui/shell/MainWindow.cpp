@@ -1969,6 +1969,11 @@ void MainWindow::forgetUnanswered()
     m_messages->withdraw(MessageBar::Topic::School);
 }
 
+void MainWindow::forgetUnread()
+{
+    m_messages->withdraw(MessageBar::Topic::Page);
+}
+
 void MainWindow::forgetAttemptNotKept()
 {
     m_messages->withdraw(MessageBar::Topic::Journal);

@@ -148,6 +148,8 @@ public slots:
     void showUnanswered();
     /// It answers again: what was said of its silence, and of what could not be read, is over.
     void forgetUnanswered();
+    /// What could not be read for the page that is shown is there now.
+    void forgetUnread();
     /// An attempt is kept on the disk again while it is made, or is over.
     void forgetAttemptNotKept();
     /// What showBusy() told of came to nothing.

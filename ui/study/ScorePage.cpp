@@ -369,6 +369,11 @@ QWidget* ScorePage::makeResult()
     words->addStretch(1);
     words->addWidget(m_expected);
     words->addWidget(m_noise);
+    m_unrecorded = label({}, kBody, QFont::Normal, QPalette::WindowText, frame);
+    fold(m_unrecorded);
+    m_unrecorded->setObjectName(QStringLiteral("unrecorded"));
+    m_unrecorded->hide();
+    words->addWidget(m_unrecorded);
     words->addStretch(1);
     row->addLayout(words, 3);
     return frame;
@@ -626,7 +631,7 @@ void ScorePage::speak()
         m_expected->setText(
             (expectation(m_expectation->tenths, total) + u' ' + expectedWorst(m_expectation->worst, m_sheet))
                 .trimmed());
-    QString how = rubricWords(m_sheet);
+    QString how = m_sheet.rubricId.empty() ? QString() : rubricWords(m_sheet);
     if (m_scored && m_scored->preset)
         //: %1 is a hardness preset with its version
         how += (m_scored->preset->isChanged ? QStringLiteral("\n⚠ ") : QStringLiteral(" ")) +
@@ -651,8 +656,17 @@ void ScorePage::speak()
     arrange();
     fillCriteria();
     tellNoise();
+    tellUnrecorded();
     tellHistory();
     tellClass();
+}
+
+/// Of an old attempt: one on the table can always be shown.
+void ScorePage::tellUnrecorded()
+{
+    m_unrecorded->setVisible(m_talks && !m_scored);
+    m_unrecorded->setText(tr("This attempt has no recording that can be read: it cannot be replayed, and no picture of "
+                             "the tooth is shown. The score and what cost points are as they were kept."));
 }
 
 void ScorePage::setNoise(const ::lessons::GridNoise& noise)
@@ -867,7 +881,9 @@ void ScorePage::setTalkVisible(bool visible)
     for (QPushButton* button : m_ofTheTable)
         button->setVisible(!visible);
     m_talks = visible;
-    m_replay->setVisible(visible);
+    m_replay->setVisible(visible && m_scored);
+    m_talk->setRecorded(m_scored.has_value());
+    tellUnrecorded();
     if (!visible)
         setMayTalk(false);
     arrange();

@@ -60,7 +60,7 @@ public:
     /// @param work     the lesson, or the tooth, in the language of the moment
     /// @param history  newest first, this attempt included
     /// @param expected  what the student had expected, where that was asked
-    /// @param scored   what was marked; nothing: no pictures
+    /// @param scored   what was marked; nothing: no pictures, and no replay
     void setScore(std::function<QString()> work, const ::lessons::ScoreSheet& sheet,
                   const QList<database::AttemptRecord>& history, const std::optional<Expectation>& expected,
                   const std::optional<ScoredWork>& scored);
@@ -140,6 +140,7 @@ private:
     void showPin(const std::optional<std::array<double, 3>>& placeMm);
     void tellKeeping();
     void tellNoise();
+    void tellUnrecorded();
     void tellMoments();
     [[nodiscard]] charts::Chart historyChart() const;
     void tellHistory();
@@ -178,6 +179,7 @@ private:
     QLabel* m_verdict = nullptr;
     QLabel* m_expected = nullptr;
     QLabel* m_noise = nullptr;
+    QLabel* m_unrecorded = nullptr;
     QLabel* m_rubric = nullptr;
     shell::ScoreBar* m_bar = nullptr;
     QWidget* m_criteria = nullptr;

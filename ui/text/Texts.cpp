@@ -573,6 +573,8 @@ QString soundTissueCounted()
 
 QString criterionMeasured(const lessons::Criterion& criterion)
 {
+    if (criterion.measure.empty())
+        return {};
     if (!criterion.measured)
         return QCoreApplication::translate("Criterion", "not measured");
     return number(*criterion.measured, criterion.unit == "percent" ? 1 : 2) + u' ' + unitName(criterion.unit);
@@ -616,6 +618,8 @@ QString freeRange(const lessons::Criterion& criterion)
 
 QString criterionWorked(const lessons::Criterion& criterion, lessons::Verdict verdict)
 {
+    if (criterion.measure.empty())
+        return QCoreApplication::translate("Criterion", "What was measured here was not kept");
     if (criterion.isTooEarly && criterion.lostTenths > 0)
         //: %1: points of a score, %2: what has to be done: "50 % of the decay is out"
         return QCoreApplication::translate("Criterion", "None of its %1 points are earned before %2")
@@ -651,6 +655,8 @@ QString criterionWorked(const lessons::Criterion& criterion, lessons::Verdict ve
 
 QString scoreSum(const lessons::ScoreSheet& sheet)
 {
+    if (sheet.criteria.empty())  // what cost points is not known
+        return points(sheet.totalTenths);
     QString sum = points(lessons::kFullTenths);
     for (const lessons::Criterion& criterion : sheet.criteria)
         sum += QStringLiteral(" %1 %2").arg(QChar(0x2212)).arg(points(criterion.lostTenths));
