@@ -123,7 +123,10 @@ int initDatabase(const QCommandLineParser& parser, const Address& address)
         // Before there is a file without anybody in it.
         if (auto fit = database::newUsername(admin.toStdString()); !fit)
             return failed(fit.error());
-        password = askSecret("Password of the new admin: ");
+        const auto typed = askSecret("Password of the new admin: ");
+        if (!typed)
+            return failed(typed.error());
+        password = *typed;
         if (auto fit = database::sql::Logins::checkNewPassword(password, admin.toStdString()); !fit)
             return failed(fit.error());
     }

@@ -204,7 +204,10 @@ std::optional<int> refuseNobody(const QCommandLineParser& parser)
 core::Result<database::Session> logIn(const QCommandLineParser& parser, const OpenSchool& school)
 {
     const std::string name = parser.value(QStringLiteral("as")).toStdString();
-    auto session = database::sql::Logins::login(*school.school, name, askSecret("Password: "));
+    const auto password = askSecret("Password: ");
+    if (!password)
+        return tl::unexpected(password.error());
+    auto session = database::sql::Logins::login(*school.school, name, *password);
     if (!session && session.error().code == ErrorCode::NewPassword)
         return core::unexpected(ErrorCode::NewPassword,
                                 "the one-time code is right; log in with it in Cusp's window, choose a password there, "
@@ -212,7 +215,7 @@ core::Result<database::Session> logIn(const QCommandLineParser& parser, const Op
     return session;
 }
 
-std::string askSecret(const char* question)
+core::Result<std::string> askSecret(const char* question)
 {
     std::optional<HiddenTyping> hidden;
     if (isatty(STDIN_FILENO) != 0) {
@@ -220,9 +223,11 @@ std::string askSecret(const char* question)
         hidden.emplace();
     }
     std::string line;
-    std::getline(std::cin, line);
+    const bool isGiven = static_cast<bool>(std::getline(std::cin, line));
     if (hidden)
         std::fputc('\n', stderr);
+    if (!isGiven)
+        return core::unexpected(ErrorCode::FileEmpty, "no password was given, so nothing was done");
     if (!line.empty() && line.back() == '\r')  // of a file that was written on Windows
         line.pop_back();
     return line;

@@ -51,7 +51,8 @@ void addPersonOption(QCommandLineParser& parser);
 [[nodiscard]] std::optional<int> refuseNobody(const QCommandLineParser& parser);
 [[nodiscard]] core::Result<database::Session> logIn(const QCommandLineParser& parser, const OpenSchool& school);
 
-/// Asks on the terminal without showing what is typed; without a terminal, the next line of standard input.
-[[nodiscard]] std::string askSecret(const char* question);
+/// Asks on the terminal without showing what is typed; without a terminal, the next line of standard input. FileEmpty:
+/// that ends before there is one, as by Ctrl+D.
+[[nodiscard]] core::Result<std::string> askSecret(const char* question);
 
 }  // namespace app::cli

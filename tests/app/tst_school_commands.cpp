@@ -156,6 +156,9 @@ void TestSchoolCommands::aSchoolIsMadeAndPeopled()
     const Ending wrong = runCusp({"user", "list", "--db", school(), "--as", "admin"}, {}, "wrong horse\n");
     QCOMPARE(wrong.exitCode, 1);
     QVERIFY2(wrong.isOneSentence(), wrong.error);
+    const Ending given = runCusp({"user", "list", "--db", school(), "--as", "admin"}, {}, {});  // as by Ctrl+D
+    QCOMPARE(given.exitCode, 1);
+    QVERIFY2(given.isOneSentence() && given.error.contains("no password was given"), given.error);
     QVERIFY(onFile({"user", "list"}).error.contains("--as"));
     QCOMPARE(byAdmin({"user", "disable", "admin"}).exitCode, 1);
     const QJsonObject checked = onFile({"db", "check", "--json"}).json();
