@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A file dialog shows the folder of the school's file, and SQLite's locks on it stay.
-#include <QAbstractItemView>
 #include <QDateTime>
 #include <QDir>
 #include <QFile>
 #include <QFileSystemModel>
+#include <QHeaderView>
 #include <QLocale>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTreeView>
 #include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -117,13 +118,17 @@ void TestFileDialog::tellsDatesAndSizesInTheProgramsLanguage()
         dialog.setAttribute(Qt::WA_DeleteOnClose, false);
         dialog.setViewMode(QFileDialog::Detail);
         dialog.show();
-        const auto* view = dialog.findChild<QAbstractItemView*>("treeView");
+        const auto* view = dialog.findChild<QTreeView*>("treeView");
         const auto cell = [view](int row, int column) {
             return view->model()->index(row, column, view->rootIndex()).data().toString();
         };
         QTRY_COMPARE(cell(1, 0), QString("a.csv"));
         QTRY_COMPARE(cell(1, 1), QString(size));
         QCOMPARE(cell(1, 3), QString(date));
+        // As a whole.
+        const QModelIndex modified = view->model()->index(1, 3, view->rootIndex());
+        QTRY_VERIFY(view->columnWidth(3) >= view->sizeHintForIndex(modified).width());
+        QVERIFY(view->columnWidth(3) >= view->header()->sectionSizeHint(3));
         QCOMPARE(cell(0, 1), QString());  // a folder's
     }
     QLocale::setDefault(before);

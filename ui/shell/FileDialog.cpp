@@ -5,15 +5,20 @@
 #include <QFileIconProvider>
 #include <QFileInfo>
 #include <QFileSystemModel>
+#include <QHeaderView>
 #include <QIdentityProxyModel>
 #include <QLocale>
 #include <QMimeDatabase>
 #include <QRegularExpression>
+#include <QTreeView>
 
 #include "ui/shell/Memory.h"
 
 namespace ui::shell {
 namespace {
+
+constexpr int kSize = 1;  ///< columns of QFileSystemModel
+constexpr int kModified = 3;
 
 /// Never opens a file.
 class ByName final : public QFileIconProvider
@@ -48,10 +53,6 @@ public:
         }
         return QIdentityProxyModel::data(index, role);
     }
-
-private:
-    static constexpr int kSize = 1;  ///< columns of QFileSystemModel
-    static constexpr int kModified = 3;
 };
 
 }  // namespace
@@ -66,6 +67,9 @@ FileDialog::FileDialog(QWidget* parent, const QString& title, const QString& fol
     setIconProvider(&byName);
     setProxyModel(new InProgramsLanguage(this));
     setDirectory(folder);
+    // Qt makes room for a date as it is written in English.
+    if (auto* list = findChild<QTreeView*>(QStringLiteral("treeView")))
+        list->header()->setSectionResizeMode(kModified, QHeaderView::ResizeToContents);
     // Without a window manager nobody else gives the keys back.
     if (parent != nullptr)
         connect(this, &QDialog::finished, parent->window(), [window = parent->window()] { window->activateWindow(); });
