@@ -1575,7 +1575,7 @@ void Application::takeKept(const std::shared_ptr<const Letter>& letter, bool isA
         QTimer::singleShot(kKeepAgainMs, this, [this, letter] { send(letter); });
     }
     if (isOfCard) {
-        m_graded->keeping = kept ? Keeping::Waiting : Keeping::Nowhere;
+        m_graded->keeping = kept ? Keeping::Waiting : Keeping::Refused;
         tellKeeping();
     }
     showExamsScore(uid);

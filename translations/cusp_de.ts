@@ -842,6 +842,11 @@
         <source>The school&apos;s server does not answer. Try it again when the server answers.</source>
         <translation>Der Server der Schule antwortet nicht. Versuchen Sie es noch einmal, wenn er wieder antwortet.</translation>
     </message>
+    <message>
+        <source>This grade is not kept yet; it is tried again as long as Cusp runs. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation>Diese Bewertung ist noch nicht gespeichert; es wird wieder versucht, solange Cusp läuft. %1</translation>
+    </message>
 </context>
 <context>
     <name>ExerciseMarks</name>
@@ -5454,6 +5459,15 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <source>A score has 0 to 100 points.</source>
         <translation>Ein Ergebnis hat 0 bis 100 Punkte.</translation>
     </message>
+    <message>
+        <source>What you had typed on this attempt in another window stands below it.</source>
+        <translation>Was Sie zu diesem Versuch in einem anderen Fenster geschrieben hatten, steht darunter.</translation>
+    </message>
+    <message>
+        <source>You were giving another score to an attempt in another window, and that waits, too: %1 points. %2</source>
+        <extracomment>%1: a number; %2: why</extracomment>
+        <translation>In einem anderen Fenster haben Sie einem Versuch ein anderes Ergebnis geben wollen, und auch das wartet: %1 Punkte. %2</translation>
+    </message>
 </context>
 <context>
     <name>ui::people::Words</name>
@@ -5752,6 +5766,11 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>Nobody is offered it any more; attempts go on naming it</source>
         <translation>Sie wird niemandem mehr angeboten; Versuche nennen sie weiterhin</translation>
+    </message>
+    <message>
+        <source>What you changed of the hardness preset %1 in another window waits, too.</source>
+        <extracomment>%1 is a hardness preset</extracomment>
+        <translation>Was Sie an der Härte-Voreinstellung %1 in einem anderen Fenster geändert haben, wartet auch noch.</translation>
     </message>
 </context>
 <context>
@@ -7588,10 +7607,6 @@ ungesichert</translation>
         <translation>An&amp;zeigen</translation>
     </message>
     <message>
-        <source>Cusp stays open: what somebody else has typed or changed is not kept yet. It waits until that person logs in here.</source>
-        <translation>Cusp bleibt geöffnet: Was jemand anderes geschrieben oder geändert hat, ist noch nicht gespeichert. Es wartet, bis sich diese Person hier anmeldet.</translation>
-    </message>
-    <message>
         <source>Cusp stays open: what somebody else has typed or changed is not kept yet, and it cannot be put by on this computer. Make room on the disk, or let that person log in here.</source>
         <translation>Cusp bleibt offen: Was jemand anderes getippt oder geändert hat, ist noch nicht gespeichert und lässt sich auf diesem Computer auch nicht beiseitelegen. Schaffen Sie Platz auf der Festplatte, oder lassen Sie diese Person sich hier anmelden.</translation>
     </message>
@@ -7609,16 +7624,41 @@ ungesichert</translation>
             <numerusform>%n Punktzahlen sind getippt und noch nicht vergeben.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Something that was typed and kept nowhere waits on this computer, but this Cusp cannot read it.</source>
+        <translation>Auf diesem Computer wartet etwas, das geschrieben und nirgends gespeichert wurde, aber dieses Cusp kann es nicht lesen.</translation>
+    </message>
+    <message>
+        <source>Take it instead</source>
+        <translation>Stattdessen nehmen</translation>
+    </message>
+    <message>
+        <source>Throw it away</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>The attempt that you typed this on is there no more.</source>
+        <translation>Den Versuch, zu dem Sie das geschrieben haben, gibt es nicht mehr.</translation>
+    </message>
     <message numerus="yes">
-        <source>%n grade(s) could not be written to the disk yet.</source>
+        <source>%n grade(s) are not kept yet, and would be lost.</source>
         <translation>
-            <numerusform>%n Bewertung konnte noch nicht auf die Festplatte geschrieben werden.</numerusform>
-            <numerusform>%n Bewertungen konnten noch nicht auf die Festplatte geschrieben werden.</numerusform>
+            <numerusform>%n Bewertung ist noch nicht gespeichert und ginge verloren.</numerusform>
+            <numerusform>%n Bewertungen sind noch nicht gespeichert und gingen verloren.</numerusform>
         </translation>
     </message>
     <message>
-        <source>It is tried again every few seconds. Make room on the disk, or check the rights of the folder.</source>
-        <translation>Es wird alle paar Sekunden wieder versucht. Schaffen Sie Platz auf der Festplatte, oder prüfen Sie die Rechte des Ordners.</translation>
+        <source>The disk takes nothing now. It is tried again every few seconds as long as Cusp runs: make room on the disk, or check the rights of the folder.</source>
+        <translation>Die Festplatte nimmt gerade nichts an. Solange Cusp läuft, wird es alle paar Sekunden wieder versucht: Schaffen Sie Platz auf der Festplatte, oder prüfen Sie die Rechte des Ordners.</translation>
+    </message>
+    <message>
+        <source>One-time codes that %1 made would be lost.</source>
+        <extracomment>%1: an admin, or several</extracomment>
+        <translation>Einmalcodes, die %1 erzeugt hat, gingen verloren.</translation>
+    </message>
+    <message>
+        <source>They are kept nowhere else. Whoever has not logged in with one by then gets another from an admin, under School.</source>
+        <translation>Sie sind sonst nirgends gespeichert. Wer sich bis dahin nicht damit angemeldet hat, bekommt von der Verwaltung unter „Schule“ einen anderen.</translation>
     </message>
 </context>
 <context>
@@ -7695,6 +7735,10 @@ ungesichert</translation>
     <message>
         <source>&amp;Cancel</source>
         <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>&amp;Stay</source>
+        <translation>&amp;Bleiben</translation>
     </message>
 </context>
 <context>
@@ -8668,6 +8712,14 @@ ungesichert</translation>
         <source>This is what stands in the file now. A step back brings your own changes back.</source>
         <translation>Das steht jetzt in der Datei. Ein Schritt zurück holt Ihre eigenen Änderungen wieder.</translation>
     </message>
+    <message>
+        <source>What was changed of the lesson &quot;%1&quot; in another window waits, too.</source>
+        <translation>Was an der Lektion „%1“ in einem anderen Fenster geändert wurde, wartet auch noch.</translation>
+    </message>
+    <message>
+        <source>What was changed of a lesson waits, but its file is there no more, or is no lesson: %1.</source>
+        <translation>Was an einer Lektion geändert wurde, wartet noch, aber ihre Datei gibt es nicht mehr, oder sie ist keine Lektion: %1.</translation>
+    </message>
 </context>
 <context>
     <name>ui::study::LessonPicture</name>
@@ -9268,6 +9320,10 @@ ungesichert</translation>
     <message>
         <source>This attempt has no recording that can be read: it cannot be replayed, and no picture of the tooth is shown. The score and what cost points are as they were kept.</source>
         <translation>Von diesem Versuch gibt es keine lesbare Aufzeichnung: Er kann nicht abgespielt werden, und es gibt kein Bild des Zahns. Die Punktzahl und was Punkte gekostet hat stehen hier so, wie sie aufbewahrt wurden.</translation>
+    </message>
+    <message>
+        <source>This grade is not kept yet. It is tried again every few seconds as long as Cusp runs: make room on the disk.</source>
+        <translation>Diese Bewertung ist noch nicht gespeichert. Solange Cusp läuft, wird es alle paar Sekunden wieder versucht: Schaffen Sie Platz auf der Festplatte.</translation>
     </message>
 </context>
 <context>

@@ -842,6 +842,11 @@
         <source>The school&apos;s server does not answer. Try it again when the server answers.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>This grade is not kept yet; it is tried again as long as Cusp runs. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ExerciseMarks</name>
@@ -5445,6 +5450,15 @@ load NAME        feels a hardness preset that is kept</source>
         <source>A score has 0 to 100 points.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>What you had typed on this attempt in another window stands below it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>You were giving another score to an attempt in another window, and that waits, too: %1 points. %2</source>
+        <extracomment>%1: a number; %2: why</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::people::Words</name>
@@ -5742,6 +5756,11 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
     <message>
         <source>Nobody is offered it any more; attempts go on naming it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What you changed of the hardness preset %1 in another window waits, too.</source>
+        <extracomment>%1 is a hardness preset</extracomment>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7578,10 +7597,6 @@ unsaved</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Cusp stays open: what somebody else has typed or changed is not kept yet. It waits until that person logs in here.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Cusp stays open: what somebody else has typed or changed is not kept yet, and it cannot be put by on this computer. Make room on the disk, or let that person log in here.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7599,15 +7614,40 @@ unsaved</source>
             <numerusform>%n scores were typed and are not given yet.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Something that was typed and kept nowhere waits on this computer, but this Cusp cannot read it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take it instead</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Throw it away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The attempt that you typed this on is there no more.</source>
+        <translation type="unfinished"></translation>
+    </message>
     <message numerus="yes">
-        <source>%n grade(s) could not be written to the disk yet.</source>
+        <source>%n grade(s) are not kept yet, and would be lost.</source>
         <translation>
-            <numerusform>%n grade could not be written to the disk yet.</numerusform>
-            <numerusform>%n grades could not be written to the disk yet.</numerusform>
+            <numerusform>%n grade is not kept yet, and would be lost.</numerusform>
+            <numerusform>%n grades are not kept yet, and would be lost.</numerusform>
         </translation>
     </message>
     <message>
-        <source>It is tried again every few seconds. Make room on the disk, or check the rights of the folder.</source>
+        <source>The disk takes nothing now. It is tried again every few seconds as long as Cusp runs: make room on the disk, or check the rights of the folder.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One-time codes that %1 made would be lost.</source>
+        <extracomment>%1: an admin, or several</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>They are kept nowhere else. Whoever has not logged in with one by then gets another from an admin, under School.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7684,6 +7724,10 @@ unsaved</source>
     </message>
     <message>
         <source>&amp;Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Stay</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8658,6 +8702,14 @@ unsaved</source>
         <source>This is what stands in the file now. A step back brings your own changes back.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>What was changed of the lesson &quot;%1&quot; in another window waits, too.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What was changed of a lesson waits, but its file is there no more, or is no lesson: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::study::LessonPicture</name>
@@ -9257,6 +9309,9 @@ unsaved</source>
     </message>
     <message>
         <source>This attempt has no recording that can be read: it cannot be replayed, and no picture of the tooth is shown. The score and what cost points are as they were kept.</source>
+    </message>
+    <message>
+        <source>This grade is not kept yet. It is tried again every few seconds as long as Cusp runs: make room on the disk.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -842,6 +842,11 @@
         <source>The school&apos;s server does not answer. Try it again when the server answers.</source>
         <translation>El servidor de la escuela no responde. Inténtelo de nuevo cuando responda.</translation>
     </message>
+    <message>
+        <source>This grade is not kept yet; it is tried again as long as Cusp runs. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation>Esta calificación aún no está guardada; se vuelve a intentar mientras Cusp esté abierto. %1</translation>
+    </message>
 </context>
 <context>
     <name>ExerciseMarks</name>
@@ -5454,6 +5459,15 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <source>A score has 0 to 100 points.</source>
         <translation>Una puntuación tiene de 0 a 100 puntos.</translation>
     </message>
+    <message>
+        <source>What you had typed on this attempt in another window stands below it.</source>
+        <translation>Debajo está lo que había escrito sobre este intento en otra ventana.</translation>
+    </message>
+    <message>
+        <source>You were giving another score to an attempt in another window, and that waits, too: %1 points. %2</source>
+        <extracomment>%1: a number; %2: why</extracomment>
+        <translation>En otra ventana estaba dando otra puntuación a un intento, y también está pendiente: %1 puntos. %2</translation>
+    </message>
 </context>
 <context>
     <name>ui::people::Words</name>
@@ -5752,6 +5766,11 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>Nobody is offered it any more; attempts go on naming it</source>
         <translation>Ya no se ofrece a nadie; los intentos lo siguen nombrando</translation>
+    </message>
+    <message>
+        <source>What you changed of the hardness preset %1 in another window waits, too.</source>
+        <extracomment>%1 is a hardness preset</extracomment>
+        <translation>También está pendiente lo que cambió del ajuste de dureza %1 en otra ventana.</translation>
     </message>
 </context>
 <context>
@@ -7588,10 +7607,6 @@ sin guardar</translation>
         <translation>&amp;Mostrarlo</translation>
     </message>
     <message>
-        <source>Cusp stays open: what somebody else has typed or changed is not kept yet. It waits until that person logs in here.</source>
-        <translation>Cusp sigue abierto: lo que ha escrito o cambiado otra persona aún no está guardado. Queda pendiente hasta que esa persona inicie sesión aquí.</translation>
-    </message>
-    <message>
         <source>Cusp stays open: what somebody else has typed or changed is not kept yet, and it cannot be put by on this computer. Make room on the disk, or let that person log in here.</source>
         <translation>Cusp sigue abierto: lo que otra persona ha escrito o cambiado aún no está guardado, y no se puede apartar en este ordenador. Haga sitio en el disco o deje que esa persona inicie sesión aquí.</translation>
     </message>
@@ -7609,16 +7624,41 @@ sin guardar</translation>
             <numerusform>Se han escrito %n puntuaciones que aún no se han asignado.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Something that was typed and kept nowhere waits on this computer, but this Cusp cannot read it.</source>
+        <translation>En este equipo está pendiente algo que se escribió y no se guardó en ningún sitio, pero esta versión de Cusp no puede leerlo.</translation>
+    </message>
+    <message>
+        <source>Take it instead</source>
+        <translation>Usar eso en su lugar</translation>
+    </message>
+    <message>
+        <source>Throw it away</source>
+        <translation>Descartar</translation>
+    </message>
+    <message>
+        <source>The attempt that you typed this on is there no more.</source>
+        <translation>El intento sobre el que escribió esto ya no existe.</translation>
+    </message>
     <message numerus="yes">
-        <source>%n grade(s) could not be written to the disk yet.</source>
+        <source>%n grade(s) are not kept yet, and would be lost.</source>
         <translation>
-            <numerusform>%n calificación aún no se ha podido escribir en el disco.</numerusform>
-            <numerusform>%n calificaciones aún no se han podido escribir en el disco.</numerusform>
+            <numerusform>%n calificación aún no está guardada y se perdería.</numerusform>
+            <numerusform>%n calificaciones aún no están guardadas y se perderían.</numerusform>
         </translation>
     </message>
     <message>
-        <source>It is tried again every few seconds. Make room on the disk, or check the rights of the folder.</source>
-        <translation>Se vuelve a intentar cada pocos segundos. Haga sitio en el disco o revise los permisos de la carpeta.</translation>
+        <source>The disk takes nothing now. It is tried again every few seconds as long as Cusp runs: make room on the disk, or check the rights of the folder.</source>
+        <translation>El disco no admite nada ahora. Mientras Cusp esté abierto se vuelve a intentar cada pocos segundos: haga sitio en el disco o revise los permisos de la carpeta.</translation>
+    </message>
+    <message>
+        <source>One-time codes that %1 made would be lost.</source>
+        <extracomment>%1: an admin, or several</extracomment>
+        <translation>Se perderían códigos de un solo uso que creó %1.</translation>
+    </message>
+    <message>
+        <source>They are kept nowhere else. Whoever has not logged in with one by then gets another from an admin, under School.</source>
+        <translation>No están guardados en ningún otro sitio. Quien no haya iniciado sesión con el suyo recibe otro de un administrador, en «Escuela».</translation>
     </message>
 </context>
 <context>
@@ -7695,6 +7735,10 @@ sin guardar</translation>
     <message>
         <source>&amp;Cancel</source>
         <translation>&amp;Cancelar</translation>
+    </message>
+    <message>
+        <source>&amp;Stay</source>
+        <translation>&amp;Quedarse</translation>
     </message>
 </context>
 <context>
@@ -8668,6 +8712,14 @@ sin guardar</translation>
         <source>This is what stands in the file now. A step back brings your own changes back.</source>
         <translation>Esto es lo que dice ahora el archivo. Un paso atrás recupera sus propios cambios.</translation>
     </message>
+    <message>
+        <source>What was changed of the lesson &quot;%1&quot; in another window waits, too.</source>
+        <translation>También está pendiente lo que se cambió de la lección «%1» en otra ventana.</translation>
+    </message>
+    <message>
+        <source>What was changed of a lesson waits, but its file is there no more, or is no lesson: %1.</source>
+        <translation>Está pendiente lo que se cambió de una lección, pero su archivo ya no existe o no es una lección: %1.</translation>
+    </message>
 </context>
 <context>
     <name>ui::study::LessonPicture</name>
@@ -9268,6 +9320,10 @@ sin guardar</translation>
     <message>
         <source>This attempt has no recording that can be read: it cannot be replayed, and no picture of the tooth is shown. The score and what cost points are as they were kept.</source>
         <translation>Este intento no tiene una grabación que se pueda leer: no se puede reproducir y no se muestra ninguna imagen del diente. La puntuación y lo que costó puntos están tal como se guardaron.</translation>
+    </message>
+    <message>
+        <source>This grade is not kept yet. It is tried again every few seconds as long as Cusp runs: make room on the disk.</source>
+        <translation>Esta calificación aún no está guardada. Mientras Cusp esté abierto se vuelve a intentar cada pocos segundos: haga sitio en el disco.</translation>
     </message>
 </context>
 <context>

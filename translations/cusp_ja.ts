@@ -840,6 +840,11 @@
         <source>The school&apos;s server does not answer. Try it again when the server answers.</source>
         <translation>学校のサーバーが応答しません。サーバーが応答するようになったら、もう一度お試しください。</translation>
     </message>
+    <message>
+        <source>This grade is not kept yet; it is tried again as long as Cusp runs. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation>この評価はまだ保存されていません。Cuspの起動中はもう一度試み続けます。%1</translation>
+    </message>
 </context>
 <context>
     <name>ExerciseMarks</name>
@@ -5412,6 +5417,15 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <source>A score has 0 to 100 points.</source>
         <translation>点数は0から100までです。</translation>
     </message>
+    <message>
+        <source>What you had typed on this attempt in another window stands below it.</source>
+        <translation>ほかのウィンドウでこの試行について入力していた内容は、その下にあります。</translation>
+    </message>
+    <message>
+        <source>You were giving another score to an attempt in another window, and that waits, too: %1 points. %2</source>
+        <extracomment>%1: a number; %2: why</extracomment>
+        <translation>ほかのウィンドウで、ある試行に別の点数をつけようとしていました。それも残っています：%1点。%2</translation>
+    </message>
 </context>
 <context>
     <name>ui::people::Words</name>
@@ -5710,6 +5724,11 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>Nobody is offered it any more; attempts go on naming it</source>
         <translation>だれにも表示されなくなります。これまでの試行には名前が残ります</translation>
+    </message>
+    <message>
+        <source>What you changed of the hardness preset %1 in another window waits, too.</source>
+        <extracomment>%1 is a hardness preset</extracomment>
+        <translation>ほかのウィンドウで硬さプリセット %1 に加えた変更も残っています。</translation>
     </message>
 </context>
 <context>
@@ -7538,10 +7557,6 @@ unsaved</source>
         <translation>表示する(&amp;S)</translation>
     </message>
     <message>
-        <source>Cusp stays open: what somebody else has typed or changed is not kept yet. It waits until that person logs in here.</source>
-        <translation>Cuspは開いたままです。ほかの人が入力または変更した内容がまだ保存されていません。その人がここでログインするまで残しておきます。</translation>
-    </message>
-    <message>
         <source>Cusp stays open: what somebody else has typed or changed is not kept yet, and it cannot be put by on this computer. Make room on the disk, or let that person log in here.</source>
         <translation>Cusp は開いたままです。ほかの人が入力または変更したものがまだ保存されておらず、このコンピューターに取り置くこともできません。ディスクの空きを増やすか、その人にここでログインしてもらってください。</translation>
     </message>
@@ -7557,15 +7572,40 @@ unsaved</source>
             <numerusform>入力したまま、まだ付けていない点数が %n 件あります。</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Something that was typed and kept nowhere waits on this computer, but this Cusp cannot read it.</source>
+        <translation>入力されたまま保存されていない内容がこのコンピューターに残っていますが、このCuspでは読めません。</translation>
+    </message>
+    <message>
+        <source>Take it instead</source>
+        <translation>代わりにこちらを使う</translation>
+    </message>
+    <message>
+        <source>Throw it away</source>
+        <translation>破棄する</translation>
+    </message>
+    <message>
+        <source>The attempt that you typed this on is there no more.</source>
+        <translation>この内容を入力した試行は、もうありません。</translation>
+    </message>
     <message numerus="yes">
-        <source>%n grade(s) could not be written to the disk yet.</source>
+        <source>%n grade(s) are not kept yet, and would be lost.</source>
         <translation>
-            <numerusform>まだディスクに書き込めていない評価が %n 件あります。</numerusform>
+            <numerusform>%n 件の評価がまだ保存されておらず、失われます。</numerusform>
         </translation>
     </message>
     <message>
-        <source>It is tried again every few seconds. Make room on the disk, or check the rights of the folder.</source>
-        <translation>数秒ごとにもう一度試みます。ディスクの空きを増やすか、フォルダーの権限を確認してください。</translation>
+        <source>The disk takes nothing now. It is tried again every few seconds as long as Cusp runs: make room on the disk, or check the rights of the folder.</source>
+        <translation>現在ディスクに書き込めません。Cuspの起動中は数秒ごとにもう一度試みます。ディスクの空きを増やすか、フォルダーの権限を確認してください。</translation>
+    </message>
+    <message>
+        <source>One-time codes that %1 made would be lost.</source>
+        <extracomment>%1: an admin, or several</extracomment>
+        <translation>%1 が作成したワンタイムコードが失われます。</translation>
+    </message>
+    <message>
+        <source>They are kept nowhere else. Whoever has not logged in with one by then gets another from an admin, under School.</source>
+        <translation>ほかのどこにも保存されていません。まだそれでログインしていない人には、管理者が「学校」で新しいコードを渡せます。</translation>
     </message>
 </context>
 <context>
@@ -7642,6 +7682,10 @@ unsaved</source>
     <message>
         <source>&amp;Cancel</source>
         <translation>キャンセル(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Stay</source>
+        <translation>このままにする(&amp;S)</translation>
     </message>
 </context>
 <context>
@@ -8608,6 +8652,14 @@ unsaved</source>
         <source>This is what stands in the file now. A step back brings your own changes back.</source>
         <translation>これがファイルの現在の内容です。「元に戻す」で自分の変更に戻ります。</translation>
     </message>
+    <message>
+        <source>What was changed of the lesson &quot;%1&quot; in another window waits, too.</source>
+        <translation>ほかのウィンドウでレッスン「%1」に加えられた変更も残っています。</translation>
+    </message>
+    <message>
+        <source>What was changed of a lesson waits, but its file is there no more, or is no lesson: %1.</source>
+        <translation>あるレッスンへの変更が残っていますが、そのファイルはもうないか、レッスンではありません：%1</translation>
+    </message>
 </context>
 <context>
     <name>ui::study::LessonPicture</name>
@@ -9204,6 +9256,10 @@ unsaved</source>
     <message>
         <source>This attempt has no recording that can be read: it cannot be replayed, and no picture of the tooth is shown. The score and what cost points are as they were kept.</source>
         <translation>この試行には読み取れる記録がないため、再生できず、歯の画像も表示されません。点数と減点の内訳は保存されたときのままです。</translation>
+    </message>
+    <message>
+        <source>This grade is not kept yet. It is tried again every few seconds as long as Cusp runs: make room on the disk.</source>
+        <translation>この評価はまだ保存されていません。Cuspの起動中は数秒ごとにもう一度試みます。ディスクの空きを増やしてください。</translation>
     </message>
 </context>
 <context>

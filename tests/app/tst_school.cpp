@@ -1394,7 +1394,7 @@ void TestSchool::whatTheDiskRefusesIsKeptWhenItCanBe()
     // Not even root can write here.
     QFile inTheWay(m_folder->filePath("outbox"));
     QVERIFY(inTheWay.open(QIODevice::WriteOnly));
-    grade("not being kept");
+    grade("not kept yet");
     QVERIFY2(message().contains("Make room on the disk"), qPrintable(message()));
     QVERIFY(inTheWay.remove());
     QTRY_COMPARE_WITH_TIMEOUT(attemptsKept(), 1, kPatienceMs);
@@ -1414,7 +1414,7 @@ void TestSchool::whatTheDiskRefusesIsKeptWhenItsMakerHasGone()
     drill(-2.0);
     QFile inTheWay(m_folder->filePath("outbox"));
     QVERIFY(inTheWay.open(QIODevice::WriteOnly));
-    grade("not being kept");
+    grade("not kept yet");
     leaveFor("sue");
     QVERIFY2(!message().contains("Make room on the disk"), qPrintable(message()));
     QVERIFY(inTheWay.remove());
@@ -1438,13 +1438,13 @@ void TestSchool::whatWaitsToBeKeptIsNotOffered()
     drill(-2.0);
     QFile inTheWay(m_folder->filePath("outbox"));
     QVERIFY(inTheWay.open(QIODevice::WriteOnly));
-    grade("not being kept");
+    grade("not kept yet");
     leaveFor("sue");
     // Whoever quits is told of it.
     m_application->window().close();
     QVERIFY(m_application->window().isVisible());
-    QVERIFY2(child<QLabel>("questionDetail")->text().contains("1 grade"),
-             qPrintable(child<QLabel>("questionDetail")->text()));
+    QVERIFY2(child<QLabel>("questionText")->text().contains("1 grade"),
+             qPrintable(child<QLabel>("questionText")->text()));
     click("questionStay");
     leaveFor("sam");
     QTRY_VERIFY_WITH_TIMEOUT(child<QListView>("lessonList")->model()->rowCount() > 2, kPatienceMs);
@@ -1463,7 +1463,7 @@ void TestSchool::whatIsKeptDuringAReplayIsNotOffered()
     drill(-2.0);
     QFile inTheWay(m_folder->filePath("outbox"));
     QVERIFY(inTheWay.open(QIODevice::WriteOnly));
-    grade("not being kept");
+    grade("not kept yet");
     m_application->showMoment(0.1);
     QTRY_VERIFY_WITH_TIMEOUT(actions().pauseReplay->isEnabled(), kPatienceMs);
     QVERIFY(inTheWay.remove());
@@ -1533,7 +1533,7 @@ void TestSchool::anExamThatWasNotKeptIsGradedAgain()
     QVERIFY(QDir(m_folder->filePath("outbox")).removeRecursively());
     QVERIFY(inTheWay.open(QIODevice::WriteOnly));
     gradeLesson();
-    QTRY_VERIFY2_WITH_TIMEOUT(keeping().contains("not being kept"), qPrintable(keeping()), kPatienceMs);
+    QTRY_VERIFY2_WITH_TIMEOUT(keeping().contains("not kept yet"), qPrintable(keeping()), kPatienceMs);
     QTest::qWait(300);
     const auto uid = sql::ask(sql::Database::open(file()).value()->handle(),
                               "SELECT uid FROM people WHERE username = 'sam'", "read");
@@ -1566,7 +1566,7 @@ void TestSchool::whatWasGradedAndNotKeptIsUnfinished()
     const QString own = removed();
     QFile inTheWay(m_folder->filePath("outbox"));
     QVERIFY(inTheWay.open(QIODevice::WriteOnly));
-    grade("not being kept");
+    grade("not kept yet");
     leaveFor("sue");
     m_application.reset();
     QVERIFY(inTheWay.remove());

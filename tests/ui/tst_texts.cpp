@@ -188,7 +188,7 @@ void TestTexts::everyErrorCodeHasASentenceOfItsOwn()
     using ui::text::Failed;
     for (const Failed failed :
          {Failed::OpeningScan, Failed::MakingTooth, Failed::OpeningRecording, Failed::SavingRecording,
-          Failed::KeepingGrades, Failed::KeepingAttempt, Failed::ResumingAttempt}) {
+          Failed::KeepingGrades, Failed::KeepingGrade, Failed::KeepingAttempt, Failed::ResumingAttempt}) {
         QSet<QString> seen;
         for (const ErrorCode code : kAllCodes) {
             const QString text = ui::text::errorText({code, "molar.stl: the exact detail."}, failed);

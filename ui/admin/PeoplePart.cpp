@@ -747,10 +747,15 @@ void PeoplePart::setWriter(const QString& person)
     showForm();
 }
 
-bool PeoplePart::holdsCodes(bool withOwn) const
+QStringList PeoplePart::whoHasCodes(bool withOwn) const
 {
-    return (withOwn && !m_codes.isEmpty()) ||
-           std::any_of(m_waiting.begin(), m_waiting.end(), [](const auto& one) { return !one.second.codes.isEmpty(); });
+    QStringList admins;
+    if (withOwn && !m_codes.isEmpty())
+        admins << m_writer;
+    for (const auto& [person, waits] : m_waiting)
+        if (!waits.codes.isEmpty())
+            admins << person;
+    return admins;
 }
 
 QJsonArray PeoplePart::waiting(bool withOwn) const

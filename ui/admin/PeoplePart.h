@@ -71,9 +71,9 @@ public:
     void setWriter(const QString& person);
     /// That somebody's form is half filled in, or codes are shown, in sentences. Empty: neither.
     [[nodiscard]] QString unkept() const;
-    /// Whether codes wait that others have made.
-    /// @param withOwn  or the writer
-    [[nodiscard]] bool holdsCodes(bool withOwn) const;
+    /// The others whose codes wait, by their uids.
+    /// @param withOwn  and the writer, if codes of his are shown
+    [[nodiscard]] QStringList whoHasCodes(bool withOwn) const;
     /// What others have typed, each person's as an object; codes are not among it: they open accounts.
     /// @param withOwn  and what the writer has typed
     [[nodiscard]] QJsonArray waiting(bool withOwn) const;

@@ -201,9 +201,14 @@ void RosterPart::keepFor(const QString& writer, const database::RosterOutcome& o
         m_waiting[writer] = {outcome, file};
 }
 
-bool RosterPart::holdsCodes(bool withOwn) const
+QStringList RosterPart::whoHasCodes(bool withOwn) const
 {
-    return (withOwn && !unkept().isEmpty()) || !m_waiting.empty();
+    QStringList admins;
+    if (withOwn && !unkept().isEmpty())
+        admins << m_writer;
+    for (const auto& one : m_waiting)
+        admins << one.first;
+    return admins;
 }
 
 int RosterPart::newcomers() const

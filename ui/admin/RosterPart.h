@@ -31,9 +31,9 @@ public:
     /// Which admin works here now, by his uid, empty: none. One-time codes that another has not saved wait until he is
     /// back, and are shown to nobody else.
     void setWriter(const QString& person);
-    /// Whether codes wait that others have not saved.
+    /// The others whose codes wait that they have not saved, by their uids.
     /// @param withOwn  or the writer
-    [[nodiscard]] bool holdsCodes(bool withOwn) const;
+    [[nodiscard]] QStringList whoHasCodes(bool withOwn) const;
     /// What the writer has had entered, while another worked here already.
     void keepFor(const QString& writer, const database::RosterOutcome& outcome, const QString& file);
 

@@ -632,6 +632,7 @@ void MainWindow::setWho(const database::Session& who)
     m_scorePage->talk().setWriter(QString::fromStdString(who.uid()));
     m_admin->setWriter(who.role() == database::Role::Admin ? QString::fromStdString(who.uid()) : QString());
     putAllBy();  // the program may be killed before who has gone is back
+    m_names[QString::fromStdString(who.uid())] = QString::fromStdString(who.fullName());
     m_actions->showAccount(QString::fromStdString(who.username()));
     m_actions->attempts->setVisible(!who.isGuest());
     m_actions->school->setVisible(who.role() == database::Role::Admin);
@@ -1936,7 +1937,7 @@ void MainWindow::showError(const core::Error& error, text::Failed failed, const 
 void MainWindow::showNotKept(const core::Error& error)
 {
     forgetNotKept();
-    tellError(error, text::Failed::KeepingGrades, {}, MessageBar::Topic::Keeping);
+    tellError(error, text::Failed::KeepingGrade, {}, MessageBar::Topic::Keeping);
 }
 
 void MainWindow::setUnkeptGrades(int count)
@@ -2422,11 +2423,6 @@ std::vector<MainWindow::Unkept> MainWindow::unkept()
     if (const QList<qint64> scores = talk.unkeptScores(); !scores.isEmpty())
         all.push_back({tr("%n score(s) were typed and are not given yet.", nullptr, static_cast<int>(scores.size())),
                        [this, attempt = scores.front()] { showDraft(attempt); }});
-    if (m_unkeptGrades > 0)
-        all.push_back({tr("%n grade(s) could not be written to the disk yet.", nullptr, m_unkeptGrades), [this] {
-                           showMessage(tr("It is tried again every few seconds. Make room on the disk, or check the "
-                                          "rights of the folder."));
-                       }});
     all.erase(std::remove_if(all.begin(), all.end(), [](const Unkept& one) { return one.what.isEmpty(); }), all.end());
     return all;
 }
@@ -2477,22 +2473,14 @@ void MainWindow::closeEvent(QCloseEvent* event)
 {
     const bool isPutBy = putOthersBy();
     // One-time codes are put by nowhere: they open accounts.
-    const bool hasCodes =
-        m_admin->people().holdsCodes(isAtLockedDoor()) || m_admin->roster().holdsCodes(isAtLockedDoor());
+    const bool asksOfOthers = m_unkeptGrades > 0 || !othersWithCodes().isEmpty();
     const bool asksOfDrafts = mayDecideOnDrafts() && !m_editor->unsaved().isEmpty();
     const bool asksOfTyped = !isAtLockedDoor() && !unkept().empty();
-    if (isPutBy && !hasCodes && (m_mayClose || (!wouldLoseWork() && !asksOfDrafts && !asksOfTyped))) {
+    if (isPutBy && (m_mayClose || (!asksOfOthers && !wouldLoseWork() && !asksOfDrafts && !asksOfTyped))) {
         memory().setValue(kGeometry, saveGeometry());
         return;
     }
     event->ignore();
-    if (hasCodes) {
-        sayWaits([] {
-            return tr("Cusp stays open: what somebody else has typed or changed is not kept yet. It waits until that "
-                      "person logs in here.");
-        });
-        return;
-    }
     if (!isPutBy) {
         sayWaits([] {
             return tr("Cusp stays open: what somebody else has typed or changed is not kept yet, and it cannot be put "
@@ -2500,14 +2488,13 @@ void MainWindow::closeEvent(QCloseEvent* event)
         });
         return;
     }
-    leaveWork([this] {
-        leaveDrafts([this] {
-            leaveUnkept([this] {
-                m_mayClose = true;
-                close();
-                m_mayClose = false;  // it may not have been closed after all
-            });
-        });
+    const auto leave = [this] {
+        m_mayClose = true;
+        close();
+        m_mayClose = false;  // it may not have been closed after all
+    };
+    leaveGrades([this, leave] {
+        leaveCodes([this, leave] { leaveWork([this, leave] { leaveDrafts([this, leave] { leaveUnkept(leave); }); }); });
     });
 }
 
@@ -2542,6 +2529,51 @@ void MainWindow::askForFile(const QString& title, FileKind kind, const std::func
         filter = tr("Hardness presets (%1)").arg(patternOf({suffix}));
         key = QStringLiteral("folders/preset");
         break;
+/// What the disk has refused so far, whoever made it: with the program goes who tries it again.
+void MainWindow::leaveGrades(const std::function<void()>& what)
+{
+    if (m_unkeptGrades == 0) {
+        what();
+        return;
+    }
+    ask("gradeQuestion", {tr("%n grade(s) are not kept yet, and would be lost.", nullptr, m_unkeptGrades),
+                          tr("The disk takes nothing now. It is tried again every few seconds as long as Cusp runs: "
+                             "make room on the disk, or check the rights of the folder."),
+                          {},
+                          {},
+                          what});
+}
+
+/// Another admin's, which nobody here may see.
+void MainWindow::leaveCodes(const std::function<void()>& what)
+{
+    const QStringList admins = othersWithCodes();
+    if (admins.isEmpty()) {
+        what();
+        return;
+    }
+    ask("codeQuestion",
+        //: %1: an admin, or several
+        {tr("One-time codes that %1 made would be lost.").arg(admins.join(QStringLiteral(", "))),
+         tr("They are kept nowhere else. Whoever has not logged in with one by then gets another from an admin, under "
+            "School."),
+         {},
+         {},
+         what});
+}
+
+/// At a place that an admin has locked, him as well.
+QStringList MainWindow::othersWithCodes() const
+{
+    QStringList names;
+    for (const QStringList& admins :
+         {m_admin->people().whoHasCodes(isAtLockedDoor()), m_admin->roster().whoHasCodes(isAtLockedDoor())})
+        for (const QString& admin : admins)
+            names << m_names.value(admin);
+    names.removeDuplicates();
+    return names;
+}
+
     case FileKind::Table:
         suffix = QStringLiteral("csv");
         filter = tr("Tables (%1)").arg(patternOf({suffix}));

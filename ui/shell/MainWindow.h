@@ -470,6 +470,9 @@ private:
     void changePassword();
     void changeAccount();
     void tellUnreachable();
+    void leaveGrades(const std::function<void()>& what);
+    void leaveCodes(const std::function<void()>& what);
+    [[nodiscard]] QStringList othersWithCodes() const;
     void resumeUnfinished();
     void discardUnfinished();
     void lockIfIdle();
@@ -541,6 +544,7 @@ private:
     core::settings::Parameters m_parameters;
     console::PeriodMeter m_periods;
     console::WatchPanel* m_watch;
+    QHash<QString, QString> m_names;           ///< of who has worked here, by uid
     console::Console* m_console;
     settings::SettingsPage* m_settingsPage = nullptr;
     core::settings::FeelPreset m_feel;       ///< of what lies on the table

@@ -67,8 +67,10 @@ QuestionCard::QuestionCard(const Question& question, QWidget* parent)
         m_answers << button;
     };
     offer(tr("&Discard"), "questionDiscard", "quiet", question.discard);
-    offer(tr("&Cancel"), "questionStay", "", [] {});
-    offer(question.saveText, "questionSave", "filled", question.save);
+    const bool isLost = question.saveText.isEmpty();
+    offer(isLost ? tr("&Stay") : tr("&Cancel"), "questionStay", isLost ? "filled" : "", [] {});
+    if (!isLost)
+        offer(question.saveText, "questionSave", "filled", question.save);
     auto* column = new QVBoxLayout(m_card);
     column->setContentsMargins(kSpace6, kSpace6, kSpace6, kSpace4);
     column->setSpacing(kSpace6);

@@ -12,8 +12,9 @@ class QPushButton;
 
 namespace ui::shell {
 
-/// A question inside the window, before something would be lost: three answers, over a veil that keeps the rest of the
-/// window and its keys waiting. Esc, and a click on the veil, leave all as it is. It goes when it is answered.
+/// A question inside the window, before something would be lost: three answers, or two where nobody here can save it,
+/// over a veil that keeps the rest of the window and its keys waiting. Esc, and a click on the veil, leave all as it
+/// is. It goes when it is answered.
 class QuestionCard final : public QWidget
 {
     Q_OBJECT
@@ -22,7 +23,7 @@ public:
     {
         QString text;
         QString detail;    ///< quieter, beneath
-        QString saveText;  ///< of the answer that loses nothing
+        QString saveText;  ///< of the answer that loses nothing; empty: there is none but to stay
         std::function<void()> save;
         std::function<void()> discard;
     };

@@ -930,6 +930,9 @@ void ScorePage::tellKeeping()
         switch (m_keeping) {
         case Keeping::Nowhere:
             return tr("Grades are not being kept; this one will not be here next time.");
+        case Keeping::Refused:
+            return tr("This grade is not kept yet. It is tried again every few seconds as long as Cusp runs: make room "
+                      "on the disk.");
         case Keeping::Guest:
             return tr("You are not logged in, so this grade is not kept.");
         case Keeping::Waiting:

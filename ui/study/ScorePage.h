@@ -74,6 +74,7 @@ public:
     /// What becomes of the grade that is shown.
     enum class Keeping {
         Nowhere,  ///< there is no database
+        Refused,  ///< by the disk: it is tried again as long as the program runs
         Guest,    ///< nobody is logged in: keepWanted() is offered
         Pending,  ///< it is being kept
         Waiting,  ///< on this computer, until the database can be reached

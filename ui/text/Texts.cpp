@@ -66,6 +66,7 @@ QString remedy(Failed failed)
     case Failed::OpeningRecording:
         return QCoreApplication::translate("Error", "Copy it again from where it was made, or choose another one.");
     case Failed::KeepingGrades:
+    case Failed::KeepingGrade:
     case Failed::ReadingSchool:
     case Failed::ChangingSchool:
         return QCoreApplication::translate("Error", "Put a copy of it back, or move it away: Cusp then begins a new "
@@ -92,6 +93,7 @@ QString wrongKind(Failed failed)
     case Failed::OpeningRecording:
         return QCoreApplication::translate("Error", "The file is no recording of Cusp.");
     case Failed::KeepingGrades:
+    case Failed::KeepingGrade:
     case Failed::ReadingSchool:
     case Failed::ChangingSchool:
         return QCoreApplication::translate("Error", "The file is no database of Cusp.");
@@ -120,7 +122,8 @@ QString reason(core::ErrorCode code, Failed failed)
         return QCoreApplication::translate("Error", "The file cannot be read. Check that it is a file and that you may "
                                                     "open it.");
     case core::ErrorCode::FileUnwritable:
-        if (failed == Failed::KeepingGrades || failed == Failed::ReadingSchool || failed == Failed::ChangingSchool)
+        if (failed == Failed::KeepingGrades || failed == Failed::KeepingGrade || failed == Failed::ReadingSchool ||
+            failed == Failed::ChangingSchool)
             return QCoreApplication::translate("Error", "The school's file cannot be written. Make room on the disk, "
                                                         "or make its folder writable.");
         return QCoreApplication::translate("Error", "The file cannot be written. Choose another folder, or make room "
@@ -217,6 +220,11 @@ QString errorText(const core::Error& error, Failed failed)
         //: %1: why, and what to do
         return QCoreApplication::translate("Error",
                                            "Grades will not be kept; drilling and grading work all the same. %1")
+            .arg(reason(error.code, failed));
+    case Failed::KeepingGrade:
+        //: %1: why, and what to do
+        return QCoreApplication::translate("Error",
+                                           "This grade is not kept yet; it is tried again as long as Cusp runs. %1")
             .arg(reason(error.code, failed));
     case Failed::ReadingSchool:
         //: %1: why, and what to do

@@ -26,6 +26,7 @@ enum class Failed {
     SavingReference,
     Marking,
     KeepingGrades,
+    KeepingGrade,    ///< on the disk; it is tried again
     ReadingSchool,   ///< what is known of people, classes and attempts
     ChangingSchool,  ///< the same; nothing was changed
     SendingAttempt,  ///< to the school; it is damaged
