@@ -27,6 +27,7 @@
 #include "core/preparation/CapturedIdeal.h"
 #include "core/recording/Replay.h"
 #include "core/settings/StabilityBound.h"
+#include "database/Outbox.h"
 #include "database/Passwords.h"
 #include "database/sql/Attempts.h"
 #include "database/sql/Backups.h"
@@ -391,7 +392,8 @@ void Application::openDatabase()
     m_stationFolder = address->isServer() ? dataFolder() : QFileInfo(address->file).absolutePath();
     if (m_options.database.isEmpty() || address->isServer())
         QDir().mkpath(m_stationFolder);
-    m_window->setPutByFolder(QDir(m_stationFolder).filePath(QStringLiteral("put-by")));
+    m_window->setPutByFolder(QDir(m_stationFolder).filePath(QStringLiteral("put-by")),
+                             database::Outbox::schoolAt(*address, m_stationFolder));
     m_desk = std::make_unique<SchoolDesk>(*address, m_stationFolder, m_options.opening);
     connect(m_desk.get(), &SchoolDesk::delivered, this, [this](const QString& uid) {
         if (m_graded && m_graded->record.uid == uid.toStdString()) {

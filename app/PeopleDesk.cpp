@@ -425,7 +425,7 @@ void PeopleDesk::talkAbout(const std::optional<database::AttemptRecord>& attempt
     m_talkedAbout = attempt;
     ui::study::ScorePage& page = m_window.scorePage();
     page.setTalkVisible(attempt.has_value());
-    page.talk().setAttempt(attempt ? attempt->id : 0);
+    page.talk().setAttempt(attempt ? attempt->id : 0, attempt ? QString::fromStdString(attempt->uid) : QString());
     if (!attempt)
         return;
     page.talk().setScore(attempt->scoreTenths, attempt->passMarkTenths, attempt->passed);
@@ -461,7 +461,8 @@ void PeopleDesk::openDraft(qint64 id)
         [this, afterList](const auto& attempt, const auto& recording) {
             afterList(attempt, [this, attempt, recording] { emit scoreWanted(attempt, recording); });
         },
-        [this, afterList](const auto& attempt) { afterList(attempt, [this, attempt] { openSheet(attempt); }); });
+        [this, afterList](const auto& attempt) { afterList(attempt, [this, attempt] { openSheet(attempt); }); },
+        [this, id] { m_window.tellDraftOfNothing(id); });
 }
 
 /// What a lesson is called is in its file.
@@ -925,7 +926,8 @@ void PeopleDesk::tellResults(const QString& lesson)
           });
 }
 
-void PeopleDesk::fetch(qint64 attempt, const UseAttempt& use, const UseRecord& orElse)
+void PeopleDesk::fetch(qint64 attempt, const UseAttempt& use, const UseRecord& orElse,
+                       const std::function<void()>& isGone)
 {
     struct Found
     {
@@ -945,9 +947,12 @@ void PeopleDesk::fetch(qint64 attempt, const UseAttempt& use, const UseRecord& o
             return Found{std::move(*record), core::recording::Recording::fromBytes(
                                                  {bytes->constData(), static_cast<std::size_t>(bytes->size())})};
         },
-        [this, use, orElse, isStillThere = isStillThere()](const core::Result<Found>& found) {
+        [this, use, orElse, isGone, isStillThere = isStillThere()](const core::Result<Found>& found) {
             if (!found) {
-                refuse(found.error());
+                if (found.error().code == core::ErrorCode::UnknownName && isGone)
+                    isGone();
+                else
+                    refuse(found.error());
                 return;
             }
             if (!isStillThere()) {

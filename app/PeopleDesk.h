@@ -95,7 +95,9 @@ private:
     using UseAttempt = std::function<void(const database::AttemptRecord&, const core::recording::Recording&)>;
     using UseRecord = std::function<void(const database::AttemptRecord&)>;
     /// @param orElse  where there is no recording that can be read; nothing: that is said
-    void fetch(qint64 attempt, const UseAttempt& use, const UseRecord& orElse = {});
+    /// @param isGone  in place of saying so, where the attempt is there no more; may be empty
+    void fetch(qint64 attempt, const UseAttempt& use, const UseRecord& orElse = {},
+               const std::function<void()>& isGone = {});
     [[nodiscard]] QString workOf(const database::AttemptRecord& attempt) const;
     [[nodiscard]] bool playsTalkedAbout() const;
     void offerBeside(const std::string& lesson, const std::string& tooth);

@@ -571,7 +571,17 @@ void TestLessonEditor::draftsThatWerePutByComeBack()
     QCOMPARE(next.unsaved(), QStringList{"Mine"});
     QCOMPARE(next.unsavedDrafts(), drafts);
     // Another window's draft of the same lesson does not take its place.
-    QVERIFY(!next.goOnWith(drafts[0].toObject(), m_folder->path()));
+    QJsonObject others = drafts[0].toObject();
+    QJsonObject lesson = others["lesson"].toObject();
+    lesson["title"] = QJsonObject{{"en", "Another's"}};
+    others["lesson"] = lesson;
+    QVERIFY(!next.goOnWith(others, m_folder->path()));
+    QVERIFY(LessonEditor::words(others).contains("another window"));
+    // Unless that is wanted, and back.
+    QCOMPARE(next.trade(others), drafts[0].toObject());
+    QCOMPARE(next.unsaved(), QStringList{"Another's"});
+    static_cast<void>(next.trade(drafts[0].toObject()));
+    QCOMPARE(next.unsavedDrafts(), drafts);
     // It is the draft of that lesson, and can be undone to what that says.
     next.edit(shipped("class1-36"), m_folder->path());
     QCOMPARE(next.findChild<QLineEdit*>("draftTitle")->text(), QString("Mine"));

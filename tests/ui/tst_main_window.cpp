@@ -104,6 +104,8 @@ using ui::text::Failed;
 
 namespace {
 
+const QString kSchool = QStringLiteral("school.sqlite");
+
 std::function<QStringList()> noted(const QStringList& notes)
 {
     return [notes] { return notes; };
@@ -188,6 +190,8 @@ private slots:
     void draftsWaitForWhoTeaches();
     void whatIsPutByStaysThere();
     void whatSomebodyHasTypedIsPutBy();
+    void whatTwoWindowsHadOfOneThingIsTold();
+    void aDraftOfALessonThatIsGoneCanBeThrownAway();
     void aGradeThatIsNotKeptIsAskedAboutFirst();
     void anAdminIsToldHowToBeginWithClasses();
     void peoplesColumnsAreMeasuredByAllOfThem();
@@ -3345,21 +3349,21 @@ void TestMainWindow::atALockedPlaceNobodyDecidesForItsOwner()
     QVERIFY(m_window->isVisible() && question != nullptr);
     const QString detail = question->findChild<QLabel*>("questionDetail")->text();
     QVERIFY2(detail.contains("Ada Berg, Bob Berg") && !detail.contains("1234"), qPrintable(detail));
-    question->findChild<QPushButton*>("questionDiscard")->click();
-    QVERIFY(!m_window->isVisible());
-}
-
-/// Another admin finds an empty form, in whose name it would be entered.
     question->findChild<QPushButton*>("questionStay")->click();
     // Nobody is kept here by them.
     m_window->setWho({});
     m_window->close();
     question = child<QuestionCard>("codeQuestion");
     QVERIFY(m_window->isVisible() && question != nullptr);
+    question->findChild<QPushButton*>("questionDiscard")->click();
+    QVERIFY(!m_window->isVisible());
+}
+
+/// Another admin finds an empty form, in whose name it would be entered.
 void TestMainWindow::whatAnAdminHasTypedWaitsForHim()
 {
     const QTemporaryDir folder;
-    m_window->setPutByFolder(folder.path());
+    m_window->setPutByFolder(folder.path(), kSchool);
     ui::admin::PeoplePart* people = &openPeople();
     const database::Session owner = m_admin;
     const QList<database::Person> all{someone(1, "Ada", true), someone(2, "Bob", true)};
@@ -3388,7 +3392,7 @@ void TestMainWindow::whatAnAdminHasTypedWaitsForHim()
     QVERIFY(!put.readAll().contains("1234"));
     // After another start as well, on what others have entered by then.
     openWindow();
-    m_window->setPutByFolder(folder.path());
+    m_window->setPutByFolder(folder.path(), kSchool);
     people = &m_window->adminPage().people();
     m_window->setWho(owner);
     actions().school->trigger();
@@ -3644,7 +3648,7 @@ void TestMainWindow::draftsWaitForWhoTeaches()
     // Where there is a place for it, it waits there, for nobody else to read, and the window closes.
     const QString putBy = folder.filePath("put-by");
     const QString file = folder.filePath("put-by/1.json");
-    m_window->setPutByFolder(putBy);
+    m_window->setPutByFolder(putBy, kSchool);
     m_window->close();
     QVERIFY(!m_window->isVisible());
     QCOMPARE(QFile::permissions(file) & (QFile::ReadGroup | QFile::ReadOther), QFile::Permissions());
@@ -3652,7 +3656,7 @@ void TestMainWindow::draftsWaitForWhoTeaches()
     openWindow();
     editor = child<ui::study::LessonEditor>();
     QVERIFY(editor->unsaved().isEmpty());
-    m_window->setPutByFolder(putBy);
+    m_window->setPutByFolder(putBy, kSchool);
     QCOMPARE(editor->unsaved(), QStringList{"Mine"});
     m_window->setMayEdit(true);
     m_window->setLessons(lessons::readCatalog({}), {});
@@ -3677,7 +3681,7 @@ void TestMainWindow::whatIsPutByStaysThere()
         QFile read(file);
         return read.open(QIODevice::ReadOnly) ? read.readAll() : QByteArray();
     };
-    m_window->setPutByFolder(folder.path());
+    m_window->setPutByFolder(folder.path(), kSchool);
     m_window->setWho(rig.instructor);
     m_window->setMayEdit(true);
     auto* editor = child<ui::study::LessonEditor>();
@@ -3706,8 +3710,8 @@ void TestMainWindow::whatSomebodyHasTypedIsPutBy()
     support::SchoolRig rig(false);
     rig.populate();
     const QTemporaryDir folder;
-    const auto typed = [&folder] { return ui::shell::PutBy(folder.path()).found(); };
-    m_window->setPutByFolder(folder.path());
+    const auto typed = [&folder] { return ui::shell::PutBy(folder.path(), kSchool).found(); };
+    m_window->setPutByFolder(folder.path(), kSchool);
     m_window->setWho(rig.instructor);
     auto& talk = child<ui::study::ScorePage>()->talk();
     talk.setAttempt(5);
@@ -3720,7 +3724,7 @@ void TestMainWindow::whatSomebodyHasTypedIsPutBy()
     QCOMPARE(typed().size(), 1);
     QCOMPARE(typed()[0].toObject()["comment"].toString(), QString("Half a sentence"));
     // The same of who has locked the place.
-    m_window->setPutByFolder(folder.path());
+    m_window->setPutByFolder(folder.path(), kSchool);
     m_window->setWho(rig.instructor);
     QCOMPARE(child<ui::study::ScorePage>()->talk().unkeptComments(), QList<qint64>{5});
     m_window->askWho(ui::people::Door::Locked);
@@ -3729,7 +3733,7 @@ void TestMainWindow::whatSomebodyHasTypedIsPutBy()
     openWindow();
     QCOMPARE(typed().size(), 1);
     // Who has typed it is asked, and throws it away.
-    m_window->setPutByFolder(folder.path());
+    m_window->setPutByFolder(folder.path(), kSchool);
     m_window->setWho(rig.instructor);
     m_window->close();
     QVERIFY(m_window->isVisible() && child<QuestionCard>("unkeptQuestion") != nullptr);
@@ -3737,6 +3741,98 @@ void TestMainWindow::whatSomebodyHasTypedIsPutBy()
     QVERIFY(!m_window->isVisible());
     openWindow();
     QVERIFY(typed().isEmpty());
+}
+
+/// To who has typed it, and to nobody else.
+void TestMainWindow::whatTwoWindowsHadOfOneThingIsTold()
+{
+    support::SchoolRig rig(false);
+    rig.populate();
+    const QTemporaryDir folder;
+    const QString person = QString::fromStdString(rig.instructor.uid());
+    const auto draft = [&person](qint64 attempt, const QString& comment, const QString& reason, double points) {
+        QJsonObject typed{{"person", person}, {"attempt", attempt}, {"comment", comment}, {"reason", reason}};
+        if (!reason.isEmpty()) {
+            typed["points"] = points;
+            typed["arePointsTyped"] = true;
+        }
+        return typed;
+    };
+    const auto put = [&folder] { return ui::shell::PutBy(folder.path(), kSchool).found(); };
+    {
+        ui::shell::PutBy first(folder.path(), kSchool);
+        ui::shell::PutBy second(folder.path(), kSchool);
+        QVERIFY(first.keep({draft(5, "One half", {}, 0.0), draft(6, {}, "Steady", 40.0)}));
+        QVERIFY(second.keep({draft(5, "the other", {}, 0.0), draft(6, {}, "Shaky", 30.0)}));
+    }
+    m_window->setPutByFolder(folder.path(), kSchool);
+    m_window->setWho(rig.student);
+    m_window->setMayEdit(false);
+    QVERIFY2(message().isEmpty(), qPrintable(message()));
+    m_window->setWho(rig.instructor);
+    m_window->setMayEdit(true);
+    auto& talk = child<ui::study::ScorePage>()->talk();
+    // Comments stand together.
+    talk.setAttempt(5);
+    QCOMPARE(talk.findChild<QPlainTextEdit*>("commentWords")->toPlainText(), QString("One half\n\nthe other"));
+    QVERIFY(talk.findChild<QLabel*>("commentSaid")->text().contains("another window"));
+    // Of two scores one is given: the other takes its place, and back.
+    talk.setAttempt(6);
+    const auto* reason = talk.findChild<QLineEdit*>("reason");
+    QCOMPARE(reason->text(), QString("Steady"));
+    QVERIFY2(message().contains("30") && message().contains("Shaky"), qPrintable(message()));
+    const auto press = [this](const QString& words) {
+        for (auto* button : child<MessageBar>()->findChildren<QPushButton*>())
+            if (button->isVisible() && button->text() == words) {
+                button->click();
+                return true;
+            }
+        return false;
+    };
+    // A passer-by does not see it.
+    m_window->askWho(ui::people::Door::Locked);
+    QVERIFY2(message().isEmpty(), qPrintable(message()));
+    m_window->setWho(rig.instructor);
+    talk.setAttempt(6);
+    QVERIFY(press("Take it instead"));
+    QCOMPARE(reason->text(), QString("Shaky"));
+    QVERIFY2(message().contains("40") && message().contains("Steady"), qPrintable(message()));
+    QVERIFY(press("Take it instead"));
+    QCOMPARE(reason->text(), QString("Steady"));
+    QVERIFY(press("Throw it away"));
+    QVERIFY2(message().isEmpty(), qPrintable(message()));
+    m_window->askWho(ui::people::Door::Locked);
+    m_window->close();
+    QVERIFY(!m_window->isVisible());
+    openWindow();
+    QCOMPARE(put().size(), 2);
+    QVERIFY(!QJsonDocument(put()).toJson().contains("Shaky"));
+}
+
+/// Else it would lie there for ever, and nobody would know.
+void TestMainWindow::aDraftOfALessonThatIsGoneCanBeThrownAway()
+{
+    const QTemporaryDir folder;
+    const auto put = [&folder] { return ui::shell::PutBy(folder.path(), kSchool).found(); };
+    QVERIFY(ui::shell::PutBy(folder.path(), kSchool)
+                .keep({QJsonObject{{"from", folder.filePath("gone.lesson.json")},
+                                   {"lesson", QJsonObject{{"title", "Gone"}}}},
+                       QJsonObject{{"later", "program"}}}));
+    m_window->setPutByFolder(folder.path(), kSchool);
+    m_window->setMayEdit(false);
+    QVERIFY2(message().isEmpty(), qPrintable(message()));
+    m_window->setMayEdit(true);
+    QStringList told;
+    for (int k = 0; k < 2; ++k) {
+        told << message();
+        child<QPushButton>("decline")->click();
+    }
+    told.sort();
+    QVERIFY2(told[0].contains("cannot read it") && told[1].contains("gone.lesson.json"), qPrintable(told.join('|')));
+    QVERIFY2(message().isEmpty(), qPrintable(message()));
+    m_window.reset();
+    QVERIFY(put().isEmpty());
+    openWindow();
 }
 
 /// Whoever made it, and whatever else would be lost.

@@ -692,6 +692,19 @@ void TestPresetsPage::whatBreaksTheBoundIsPutByAllTheSame()
     QVERIFY(next.page.goOnWith(put[0].toObject()));
     next.page.setWriter("1");
     QCOMPARE(next.page.draft().stiffnessNPerMm, 8.0);
+    // What another window had takes its place, and back.
+    QJsonObject other = put[0].toObject();
+    QJsonObject changed = other["preset"].toObject();
+    QJsonObject to = changed["from"].toObject();
+    to["name"] = "another";
+    changed["to"] = to;
+    other["preset"] = changed;
+    QVERIFY(!next.page.goOnWith(other));
+    QVERIFY(ui::presets::PresetsPage::words(other).contains("another window"));
+    QCOMPARE(next.page.trade(other), put[0].toObject());
+    QCOMPARE(next.page.draft().name, std::string("another"));
+    static_cast<void>(next.page.trade(put[0].toObject()));
+    QCOMPARE(next.page.draft().stiffnessNPerMm, 8.0);
 }
 
 void TestPresetsPage::whatWasLoadedInATrialIsThatPreset()

@@ -4,6 +4,7 @@
 
 #include <QDir>
 #include <QFile>
+#include <QJsonDocument>
 #include <QJsonObject>
 #include <QTemporaryDir>
 #include <QTest>
@@ -14,6 +15,8 @@
 using ui::shell::PutBy;
 
 namespace {
+
+const QString kSchool = QStringLiteral("school.sqlite");
 
 QJsonArray typed(const QString& words)
 {
@@ -36,6 +39,8 @@ private slots:
     void aLockThatNobodyHoldsHoldsNothing();
     void whatLiesThereIsNotWrittenAgain();
     void whatCannotBeWrittenIsSaid();
+    void anotherSchoolsWaitsForIt();
+    void whatNamesNoSchoolIsTakenOnce();
 
 private:
     [[nodiscard]] QString folder() const { return m_folder->filePath("put-by"); }
@@ -51,7 +56,7 @@ void TestPutBy::init()
 
 void TestPutBy::nothingIsWrittenBeforeThereIsSomething()
 {
-    PutBy window(folder());
+    PutBy window(folder(), kSchool);
     QVERIFY(window.found().isEmpty() && window.keep({}));
     QVERIFY(!QDir(folder()).exists());
 }
@@ -59,16 +64,16 @@ void TestPutBy::nothingIsWrittenBeforeThereIsSomething()
 void TestPutBy::whatWasKeptIsFoundByTheNext()
 {
     {
-        PutBy window(folder());
+        PutBy window(folder(), kSchool);
         QVERIFY(window.keep(typed("first")) && window.keep(typed("second")));
     }
     QCOMPARE(files(), QStringList{"1.json"});
     QCOMPARE(QFile::permissions(folder() + "/1.json") & (QFile::ReadGroup | QFile::ReadOther), QFile::Permissions());
     {
-        PutBy window(folder());
+        PutBy window(folder(), kSchool);
         QCOMPARE(window.found(), typed("second"));
     }
-    PutBy window(folder());
+    PutBy window(folder(), kSchool);
     QCOMPARE(window.found(), typed("second"));  // who found it has not decided on it
     QVERIFY(window.keep({}));
     QVERIFY(files().isEmpty());
@@ -76,9 +81,9 @@ void TestPutBy::whatWasKeptIsFoundByTheNext()
 
 void TestPutBy::eachWindowHasItsOwn()
 {
-    PutBy first(folder());
+    PutBy first(folder(), kSchool);
     QVERIFY(first.keep(typed("first")));
-    PutBy second(folder());
+    PutBy second(folder(), kSchool);
     QVERIFY(second.found().isEmpty());  // it may be sent there yet
     QVERIFY(second.keep(typed("second")) && second.keep({}));
     QVERIFY(QFile::exists(folder() + "/1.json"));
@@ -87,21 +92,21 @@ void TestPutBy::eachWindowHasItsOwn()
 void TestPutBy::oneThatTakesOverLeavesOneFile()
 {
     {
-        PutBy first(folder());
+        PutBy first(folder(), kSchool);
         QVERIFY(first.keep(typed("first")));
-        PutBy second(folder());
+        PutBy second(folder(), kSchool);
         QVERIFY(second.keep(typed("second")));
     }
     const QJsonArray both{typed("first")[0], typed("second")[0]};
     {
-        PutBy next(folder());
+        PutBy next(folder(), kSchool);
         QCOMPARE(next.found(), both);
         QVERIFY(next.keep(both));
     }
     QCOMPARE(files(), QStringList{"1.json"});
     // A window that was killed between writing one and removing the other.
     QVERIFY(QFile::copy(folder() + "/1.json", folder() + "/7.json"));
-    PutBy next(folder());
+    PutBy next(folder(), kSchool);
     QCOMPARE(next.found(), both);
 }
 
@@ -123,24 +128,24 @@ void TestPutBy::whatIsNoSuchFileStaysAsItIs()
     QVERIFY(file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size());
     file.close();
     {
-        PutBy window(folder());
+        PutBy window(folder(), kSchool);
         QVERIFY(window.found().isEmpty());
         QVERIFY(window.keep(typed("mine")));
     }
     QVERIFY(file.open(QIODevice::ReadOnly));
     QCOMPARE(file.readAll(), bytes);
-    QCOMPARE(PutBy(folder()).found(), typed("mine"));
+    QCOMPARE(PutBy(folder(), kSchool).found(), typed("mine"));
 }
 
 /// However it ended, and on whatever computer that was.
 void TestPutBy::aLockThatNobodyHoldsHoldsNothing()
 {
-    QVERIFY(PutBy(folder()).keep(typed("mine")));
+    QVERIFY(PutBy(folder(), kSchool).keep(typed("mine")));
     for (const QByteArray& left : {QByteArray(), QByteArray("7\ncusp\nelsewhere\n")}) {
         QFile lock(folder() + "/1.json.lock");
         QVERIFY(lock.open(QIODevice::WriteOnly) && lock.write(left) == left.size());
         lock.close();
-        QCOMPARE(PutBy(folder()).found(), typed("mine"));
+        QCOMPARE(PutBy(folder(), kSchool).found(), typed("mine"));
         QVERIFY(!lock.exists());
     }
 }
@@ -148,8 +153,8 @@ void TestPutBy::aLockThatNobodyHoldsHoldsNothing()
 /// On a full disk a window that has nothing new to write can be closed.
 void TestPutBy::whatLiesThereIsNotWrittenAgain()
 {
-    QVERIFY(PutBy(folder()).keep(typed("mine")));
-    PutBy window(folder());
+    QVERIFY(PutBy(folder(), kSchool).keep(typed("mine")));
+    PutBy window(folder(), kSchool);
     rlimit before{};
     QCOMPARE(getrlimit(RLIMIT_FSIZE, &before), 0);
     signal(SIGXFSZ, SIG_IGN);
@@ -166,13 +171,45 @@ void TestPutBy::whatCannotBeWrittenIsSaid()
 {
     QFile inTheWay(folder());  // not even root can write here
     QVERIFY(inTheWay.open(QIODevice::WriteOnly));
-    PutBy window(folder());
+    PutBy window(folder(), kSchool);
     QVERIFY(window.keep({}) && !window.keep(typed("mine")));
     QVERIFY(inTheWay.remove());
     QVERIFY(window.keep(typed("mine")));
     // What was kept before stays where the next cannot be.
     QVERIFY(QFile::remove(folder() + "/1.json") && QDir(folder()).mkdir("1.json"));
     QVERIFY(!window.keep(typed("more")));
+}
+
+/// Also while a window of this one is open.
+void TestPutBy::anotherSchoolsWaitsForIt()
+{
+    QVERIFY(PutBy(folder(), kSchool).keep(typed("mine")));
+    PutBy copy(folder(), "copy.sqlite");
+    QVERIFY(copy.found().isEmpty());
+    QVERIFY(copy.keep(typed("another's")) && copy.keep({}));
+    PutBy window(folder(), kSchool);
+    QCOMPARE(window.found(), typed("mine"));
+    QVERIFY(copy.keep(typed("another's")));
+    QCOMPARE(PutBy(folder(), kSchool).found(), QJsonArray());  // a window holds it
+    QVERIFY(window.keep({}));
+    QCOMPARE(PutBy(folder(), kSchool).found(), QJsonArray());
+}
+
+/// An earlier program has left it.
+void TestPutBy::whatNamesNoSchoolIsTakenOnce()
+{
+    QVERIFY(QDir().mkpath(folder()));
+    QFile earlier(QDir(folder()).filePath("1.json"));
+    QVERIFY(earlier.open(QIODevice::WriteOnly));
+    earlier.write(QJsonDocument(QJsonObject{{"typed", typed("mine")}}).toJson());
+    earlier.close();
+    {
+        PutBy window(folder(), kSchool);
+        QCOMPARE(window.found(), typed("mine"));
+        QVERIFY(window.keep(window.found()));
+    }
+    QVERIFY(PutBy(folder(), "copy.sqlite").found().isEmpty());
+    QCOMPARE(PutBy(folder(), kSchool).found(), typed("mine"));
 }
 
 QTEST_GUILESS_MAIN(TestPutBy)

@@ -62,6 +62,7 @@ private slots:
     void anAddedCommentLeavesItsFieldWhileAnotherIsTakenBack();
     void whatWasGivenMeanwhileIsNoDraft();
     void whatIsTypedCanBePutBy();
+    void whatIsTypedBelongsToTheAttempt();
     void aScoreThatIsTypedMeanwhileIsAnother();
     void aRefusedTakeBackWakesNothingElse();
     void nothingIsSentTwice();
@@ -607,7 +608,7 @@ void TestTalkPanel::whatIsTypedCanBePutBy()
     TalkPanel next(nullptr);
     for (const QJsonValue one : typed)
         QVERIFY(next.goOnWith(one.toObject()));
-    QVERIFY(!next.goOnWith(typed[0].toObject()));
+    QVERIFY(next.goOnWith(typed[0].toObject()));  // the same once more is no more
     QVERIFY(!next.goOnWith({}) && !next.goOnWith({{"person", "9"}, {"attempt", 0}}));
     next.setWriter("8");
     next.setAttempt(1);
@@ -624,6 +625,32 @@ void TestTalkPanel::whatIsTypedCanBePutBy()
     AttemptTalk added = talk();
     added.comments.push_back({9, "Grace Hopper", "2026-11-20T13:00:00Z", "Half a sentence", {}, {}, true});
     next.setTalk(added);
+    QVERIFY(next.unkeptComments().isEmpty());
+}
+
+/// Whatever the row is called after a backup was put back.
+void TestTalkPanel::whatIsTypedBelongsToTheAttempt()
+{
+    m_panel->setWriter("7");
+    m_panel->setAttempt(1, "aa");
+    get<QPlainTextEdit>("commentWords")->setPlainText("Half a sentence");
+    m_panel->setAttempt(0);
+    const QJsonArray typed = m_panel->waiting(true);
+    QCOMPARE(typed.size(), 1);
+    TalkPanel next(nullptr);
+    QVERIFY(next.goOnWith(typed[0].toObject()));
+    next.setWriter("7");
+    const auto* words = next.findChild<QPlainTextEdit*>("commentWords");
+    next.setAttempt(1, "bb");
+    QVERIFY(words->toPlainText().isEmpty());
+    QCOMPARE(next.unkeptComments().size(), 1);
+    next.setAttempt(2, "aa");
+    QCOMPARE(words->toPlainText(), QString("Half a sentence"));
+    QCOMPARE(next.unkeptComments(), QList<qint64>{2});
+    // What cannot be reached any more is told by its words, and goes.
+    next.setAttempt(1, "bb");
+    QCOMPARE(next.typedOn(2), QString("Half a sentence"));
+    next.forget(2);
     QVERIFY(next.unkeptComments().isEmpty());
 }
 

@@ -779,10 +779,16 @@ bool PeoplePart::goOnWith(const QJsonObject& typed)
 {
     const QString person = typed[kPerson].toString();
     const QJsonArray forms = typed[kForms].toArray();
-    if (person.isEmpty() || forms.isEmpty() || person == m_writer || m_waiting.count(person) > 0)
+    if (person.isEmpty() || forms.isEmpty())
         return false;
+    QList<Typed>& there = person == m_writer ? m_aside : m_waiting[person].forms;
+    QJsonArray known;
+    for (const Typed& one : std::as_const(there))
+        known.append(toJson(one));
     for (const QJsonValue one : forms)
-        m_waiting[person].forms << fromJson(one.toObject());
+        if (!known.contains(one))
+            there << fromJson(one.toObject());
+    tellAside();
     return true;
 }
 

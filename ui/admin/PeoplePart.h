@@ -77,7 +77,7 @@ public:
     /// What others have typed, each person's as an object; codes are not among it: they open accounts.
     /// @param withOwn  and what the writer has typed
     [[nodiscard]] QJsonArray waiting(bool withOwn) const;
-    /// One of those waits again, for who has typed it. False: it is none, or he has typed something else.
+    /// One of those waits again, for who has typed it, beside what else he has. False: it is none.
     [[nodiscard]] bool goOnWith(const QJsonObject& typed);
 
 signals:

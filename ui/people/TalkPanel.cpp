@@ -46,12 +46,17 @@ QLabel* label(int size, QFont::Weight weight, QPalette::ColorRole role, QWidget*
 
 const QString kPerson = QStringLiteral("person");
 const QString kAttempt = QStringLiteral("attempt");
+const QString kUid = QStringLiteral("uid");
+
+QString below(const QString& draft, const QString& words)
+{
+    return draft.trimmed().isEmpty() ? words : draft + QStringLiteral("\n\n") + words;
+}
 
 /// The words of a comment that was taken back, under a draft.
 QString below(const QString& draft, const database::AttemptComment& comment)
 {
-    const QString words = QString::fromStdString(comment.words);
-    return draft.trimmed().isEmpty() ? words : draft + QStringLiteral("\n\n") + words;
+    return below(draft, QString::fromStdString(comment.words));
 }
 
 }  // namespace
@@ -192,14 +197,62 @@ void TalkPanel::makeOverride(QVBoxLayout& column)
     connect(m_again, &QPushButton::clicked, this, [ask] { ask(std::nullopt); });
 }
 
-void TalkPanel::setAttempt(qint64 attempt)
+void TalkPanel::setAttempt(qint64 attempt, const QString& uid)
 {
-    if (attempt == m_attempt)
+    if (attempt == m_attempt && uid == m_uid)
         return;
     m_drafts[m_attempt] = draft();
+    findDrafts(attempt, uid);
     m_attempt = attempt;
-    take(m_drafts[m_attempt]);
+    m_uid = uid;
     say({});
+    take(m_drafts[m_attempt]);
+}
+
+/// Of no attempt.
+qint64 TalkPanel::freeRow(const std::map<qint64, Draft>& drafts)
+{
+    return std::min<qint64>(drafts.empty() ? 0 : drafts.begin()->first, 0) - 1;
+}
+
+/// Where it belongs: by the attempt, as far as that is known.
+qint64 TalkPanel::rowOf(const std::map<qint64, Draft>& drafts, const QJsonObject& typed)
+{
+    const qint64 row = typed[kAttempt].toInteger();
+    const QString uid = typed[kUid].toString();
+    for (const auto& [other, draft] : drafts)
+        if (!uid.isEmpty() && draft.uid == uid)
+            return other;
+    const auto there = drafts.find(row);
+    const bool isAnothers = there != drafts.end() && !uid.isEmpty() && !there->second.uid.isEmpty();
+    return isAnothers ? freeRow(drafts) : row;
+}
+
+std::map<qint64, TalkPanel::Draft>& TalkPanel::draftsOf(const QString& person)
+{
+    if (person != m_writer)
+        return m_waiting[person];
+    m_drafts[m_attempt] = draft();
+    return m_drafts;
+}
+
+/// What was typed on an attempt of another row by this one's uid, or on another attempt that had this row.
+void TalkPanel::findDrafts(qint64 attempt, const QString& uid)
+{
+    if (uid.isEmpty())
+        return;
+    if (const auto there = m_drafts.find(attempt);
+        there != m_drafts.end() && !there->second.uid.isEmpty() && there->second.uid != uid) {
+        m_drafts[freeRow(m_drafts)] = std::move(there->second);
+        m_drafts.erase(attempt);
+    }
+    const auto own = std::find_if(m_drafts.begin(), m_drafts.end(),
+                                  [&](const auto& one) { return one.first != attempt && one.second.uid == uid; });
+    if (own == m_drafts.end())
+        return;
+    if (const Draft& there = m_drafts[attempt]; !hasComment(there) && !hasScore(there))
+        m_drafts[attempt] = std::move(own->second);
+    m_drafts.erase(own);
 }
 
 void TalkPanel::setWriter(const QString& person)
@@ -228,6 +281,8 @@ QJsonObject TalkPanel::toJson(const QString& person, qint64 attempt, const Draft
     if (hasScore(draft))
         typed["points"] = draft.points;
     typed["arePointsTyped"] = draft.hasPoints;
+    if (!draft.uid.isEmpty())
+        typed[kUid] = draft.uid;
     return typed;
 }
 
@@ -240,6 +295,7 @@ TalkPanel::Draft TalkPanel::fromJson(const QJsonObject& typed)
         draft.placeMm = {place[0].toDouble(), place[1].toDouble(), place[2].toDouble()};
     draft.hasPoints = typed["arePointsTyped"].toBool();
     draft.points = std::clamp(typed["points"].toDouble(), -kMostTyped, kMostTyped);
+    draft.uid = typed[kUid].toString();
     return draft;
 }
 
@@ -252,7 +308,8 @@ TalkPanel::Draft TalkPanel::draft() const
             m_points->value(),
             m_arePointsTyped,
             m_fault->isVisibleTo(this) ? m_fault->text() : QString(),
-            m_asked == m_override};
+            m_asked == m_override,
+            m_uid};
 }
 
 void TalkPanel::take(const Draft& draft)
@@ -270,6 +327,8 @@ void TalkPanel::take(const Draft& draft)
     tellRoom();
     m_asked = draft.isScoreRefused ? m_override : m_composer;
     refuse(draft.fault);
+    if (draft.isJoined)
+        say([] { return tr("What you had typed on this attempt in another window stands below it."); });
     m_hasPlayed = false;
 }
 
@@ -330,20 +389,80 @@ bool TalkPanel::goOnWith(const QJsonObject& typed)
 {
     const QString person = typed[kPerson].toString();
     const qint64 attempt = typed[kAttempt].toInteger();
-    if (person.isEmpty() || attempt <= 0)
+    if (person.isEmpty() || attempt == 0)
         return false;
     const Draft draft = fromJson(typed);
-    Draft& waits = m_waiting[person][attempt];
-    if (hasComment(waits) || hasScore(waits))
+    auto& drafts = draftsOf(person);
+    const qint64 row = rowOf(drafts, typed);
+    Draft& waits = drafts[row];
+    const bool isSameScore = waits.reason.trimmed() == draft.reason.trimmed() && waits.points == draft.points;
+    if (hasScore(waits) && hasScore(draft) && !isSameScore)
         return false;
-    waits = draft;
+    join(waits, draft);
+    if (person == m_writer && row == m_attempt)
+        take(waits);
     // It may have been sent, and the program killed before that was noted.
     if (hasComment(draft))
-        m_unheard.insert({{person, attempt}, {false, draft.words.trimmed()}});
+        m_unheard.insert({{person, row}, {false, draft.words.trimmed()}});
     if (hasScore(draft))
         m_unheard.insert(
-            {{person, attempt}, {true, draft.reason.trimmed(), static_cast<int>(std::lround(10.0 * draft.points))}});
+            {{person, row}, {true, draft.reason.trimmed(), static_cast<int>(std::lround(10.0 * draft.points))}});
     return true;
+}
+
+/// What was typed elsewhere to what is typed here.
+void TalkPanel::join(Draft& waits, const Draft& more)
+{
+    if (!hasComment(waits) && !hasScore(waits)) {
+        waits = more;
+        return;
+    }
+    if (hasScore(more)) {
+        waits.reason = more.reason;
+        waits.points = more.points;
+        waits.hasPoints = more.hasPoints;
+    }
+    if (!hasComment(more) || waits.words.contains(more.words.trimmed()))
+        return;
+    waits.isJoined = hasComment(waits);
+    waits.words = below(waits.words, more.words);
+    waits.momentMs = waits.momentMs ? waits.momentMs : more.momentMs;
+    waits.placeMm = waits.placeMm ? waits.placeMm : more.placeMm;
+}
+
+QJsonObject TalkPanel::trade(const QJsonObject& typed)
+{
+    const QString person = typed[kPerson].toString();
+    auto& drafts = draftsOf(person);
+    const qint64 row = rowOf(drafts, typed);
+    const QJsonObject before = toJson(person, row, drafts[row]);
+    drafts[row] = fromJson(typed);
+    if (person == m_writer && row == m_attempt)
+        take(drafts[row]);
+    return before;
+}
+
+QString TalkPanel::words(const QJsonObject& typed)
+{
+    if (!typed.contains(kAttempt))
+        return {};
+    const Draft draft = fromJson(typed);
+    //: %1: a number; %2: why
+    return tr("You were giving another score to an attempt in another window, and that waits, too: %1 points. %2")
+        .arg(text::points(static_cast<int>(std::lround(10.0 * draft.points))), draft.reason.trimmed());
+}
+
+QString TalkPanel::typedOn(qint64 attempt) const
+{
+    const auto found = m_drafts.find(attempt);
+    return found == m_drafts.end() ? QString() : (found->second.words + u'\n' + found->second.reason).trimmed();
+}
+
+void TalkPanel::forget(qint64 attempt)
+{
+    m_drafts.erase(attempt);
+    if (attempt == m_attempt)
+        take({});
 }
 
 QList<qint64> TalkPanel::unkept(const std::function<bool(const Draft&)>& has) const

@@ -36,7 +36,8 @@ public:
 
     /// It is about this attempt from now on, 0: none that is kept. What was being written on the one before, with its
     /// pins, and the score that was being given there wait until that comes again.
-    void setAttempt(qint64 attempt);
+    /// @param uid  of the attempt: after a backup was put back its row may be another's. Empty: not known
+    void setAttempt(qint64 attempt, const QString& uid = {});
     [[nodiscard]] qint64 attempt() const { return m_attempt; }
     /// This person writes from now on, by his uid, empty: a guest. What the one before was writing waits until he is
     /// back; it is shown to nobody else.
@@ -48,8 +49,17 @@ public:
     /// What others were writing, each attempt's as an object.
     /// @param withOwn  and what who writes now has typed
     [[nodiscard]] QJsonArray waiting(bool withOwn) const;
-    /// One of those waits again, for who was writing it. False: it is none, or he has typed something else there.
+    /// One of those waits again, for who was writing it; a comment below what he has typed there otherwise. False: it
+    /// is none, or he was giving another score there.
     [[nodiscard]] bool goOnWith(const QJsonObject& typed);
+    /// One that was refused, in place of what is there. Answers that, which waits in its stead.
+    [[nodiscard]] QJsonObject trade(const QJsonObject& typed);
+    /// What was refused, in a sentence for who has typed it; empty: it is none.
+    [[nodiscard]] static QString words(const QJsonObject& typed);
+    /// What the writer has typed on another attempt than is shown, in his words.
+    [[nodiscard]] QString typedOn(qint64 attempt) const;
+    /// The writer throws away what he has typed on this attempt.
+    void forget(qint64 attempt);
     /// @param machineTenths  what the machine gave
     void setScore(int machineTenths, int passMarkTenths, bool passedByMachine);
     void setTalk(const database::AttemptTalk& talk);
@@ -107,6 +117,8 @@ private:
         bool hasPoints = false;  ///< that somebody has typed
         QString fault = {};      ///< why it could not be kept
         bool isScoreRefused = false;
+        QString uid = {};       ///< of the attempt; empty: not known
+        bool isJoined = false;  ///< what was typed in another window stands below it
     };
 
     /// What somebody has asked to be kept.
@@ -119,6 +131,11 @@ private:
 
     [[nodiscard]] Draft draft() const;
     void take(const Draft& draft);
+    void findDrafts(qint64 attempt, const QString& uid);
+    [[nodiscard]] std::map<qint64, Draft>& draftsOf(const QString& person);
+    [[nodiscard]] static qint64 freeRow(const std::map<qint64, Draft>& drafts);
+    static void join(Draft& waits, const Draft& more);
+    [[nodiscard]] static qint64 rowOf(const std::map<qint64, Draft>& drafts, const QJsonObject& typed);
     [[nodiscard]] static QJsonObject toJson(const QString& person, qint64 attempt, const Draft& draft);
     [[nodiscard]] static Draft fromJson(const QJsonObject& typed);
     [[nodiscard]] static bool hasComment(const Draft& draft);
@@ -153,8 +170,8 @@ private:
         database::AttemptComment comment;
     };
 
-    std::map<qint64, Draft> m_drafts;                      ///< on the other attempts
-    QString m_writer;                                      ///< whose they are
+    std::map<qint64, Draft> m_drafts;  ///< on the other attempts; below 0: whose row is another's now
+    QString m_writer;                  ///< whose they are
     std::map<QString, std::map<qint64, Draft>> m_waiting;  ///< of others, by the person
     std::map<qint64, Sent> m_sent;                         ///< by attempt, until it is answered
     /// What may have been kept while its writer was gone, by him and the attempt: whether it is there is seen when he
@@ -162,6 +179,7 @@ private:
     std::multimap<std::pair<QString, qint64>, Sent> m_unheard;
     std::map<qint64, Withdrawn> m_withdrawn;  ///< by comment, until that is done
     qint64 m_attempt = 0;
+    QString m_uid;
     database::AttemptTalk m_talk;
     int m_machineTenths = 0;
     int m_passMarkTenths = 0;

@@ -559,13 +559,19 @@ void PresetsPage::setWriter(const QString& person)
     if (Waiting left = own(); (left.shown || left.aside) && !m_writer.isEmpty())
         m_waiting[m_writer] = std::move(left);
     m_writer = person;
-    m_draft = m_base;
-    m_putAside.reset();
     Waiting own;
     if (const auto found = m_waiting.find(person); found != m_waiting.end()) {
         own = found->second;
         m_waiting.erase(found);
     }
+    takeOver(own);
+}
+
+/// In place of what the writer has changed.
+void PresetsPage::takeOver(const Waiting& own)
+{
+    m_draft = m_base;
+    m_putAside.reset();
     select(own.shown ? own.shown->first : m_inUse);
     m_putAside = own.aside;
     write(own.shown ? own.shown->second : m_draft);
@@ -580,24 +586,62 @@ QJsonArray PresetsPage::waiting(bool withOwn) const
     for (const auto& [person, waits] : all) {
         if (!waits.couldKeep || (!waits.shown && !waits.aside))
             continue;
-        QJsonObject one{{kPerson, person}};
-        if (waits.shown)
-            one["preset"] = toJson(*waits.shown);
-        if (waits.aside)
-            one["aside"] = toJson(*waits.aside);
-        changed.append(one);
+        changed.append(toJson(person, waits));
     }
     return changed;
+}
+
+QJsonObject PresetsPage::toJson(const QString& person, const Waiting& waits)
+{
+    QJsonObject one{{kPerson, person}};
+    if (waits.shown)
+        one["preset"] = presets::toJson(*waits.shown);
+    if (waits.aside)
+        one["aside"] = presets::toJson(*waits.aside);
+    return one;
+}
+
+PresetsPage::Waiting PresetsPage::fromJson(const QJsonObject& changed)
+{
+    return {presets::fromJson(changed["preset"]), presets::fromJson(changed["aside"]), true};
 }
 
 bool PresetsPage::goOnWith(const QJsonObject& changed)
 {
     const QString person = changed[kPerson].toString();
-    const Waiting waits{fromJson(changed["preset"]), fromJson(changed["aside"]), true};
+    const Waiting waits = fromJson(changed);
     if (person.isEmpty() || (!waits.shown && !waits.aside) || m_waiting.count(person) > 0)
         return false;
-    m_waiting[person] = waits;
+    if (person != m_writer)
+        m_waiting[person] = waits;
+    else if (const Waiting there = own(); !there.shown && !there.aside)
+        takeOver(waits);
+    else
+        return false;
     return true;
+}
+
+QJsonObject PresetsPage::trade(const QJsonObject& changed)
+{
+    const QString person = changed[kPerson].toString();
+    Waiting before;
+    if (person == m_writer) {
+        before = own();
+        takeOver(fromJson(changed));
+    } else {
+        before = std::exchange(m_waiting[person], fromJson(changed));
+    }
+    return toJson(person, before);
+}
+
+QString PresetsPage::words(const QJsonObject& changed)
+{
+    const Waiting waits = fromJson(changed);
+    if (!waits.shown && !waits.aside)
+        return {};
+    //: %1 is a hardness preset
+    return tr("What you changed of the hardness preset %1 in another window waits, too.")
+        .arg(presetWords(waits.shown ? waits.shown->first : waits.aside->first));
 }
 
 void PresetsPage::forget(const QString& person, const FeelPreset& kept)

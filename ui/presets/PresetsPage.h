@@ -61,6 +61,10 @@ public:
     [[nodiscard]] QJsonArray waiting(bool withOwn) const;
     /// One of those waits again, for who has changed it. False: it is none, or he has changed something else.
     [[nodiscard]] bool goOnWith(const QJsonObject& changed);
+    /// One that was refused, in place of what is there. Answers that, which waits in its stead.
+    [[nodiscard]] QJsonObject trade(const QJsonObject& changed);
+    /// What was refused, in a sentence for who has changed it; empty: it is none.
+    [[nodiscard]] static QString words(const QJsonObject& changed);
     /// What this person has changed was kept as this, while another worked here.
     void forget(const QString& person, const core::settings::FeelPreset& kept);
 
@@ -111,6 +115,9 @@ private:
     void duplicate();
     [[nodiscard]] bool isChanged() const;
     [[nodiscard]] Waiting own() const;
+    void takeOver(const Waiting& own);
+    [[nodiscard]] static QJsonObject toJson(const QString& person, const Waiting& waits);
+    [[nodiscard]] static Waiting fromJson(const QJsonObject& changed);
     [[nodiscard]] bool isNewest() const;
     [[nodiscard]] bool isRetired() const;
     [[nodiscard]] bool mayBeRetired() const;

@@ -606,6 +606,8 @@ void MainWindow::closeAllOver()
 void MainWindow::askWho(people::Door door)
 {
     closeAllOver();
+    m_messages->withdraw(MessageBar::Topic::Drafts);
+    m_toldUnclaimed = {};
     if (!isAtDoor())
         m_behindDoor = m_pages->currentWidget();
     m_mayLeaveDoor = false;
@@ -628,21 +630,24 @@ bool MainWindow::keepsOnLogin() const
 
 void MainWindow::setWho(const database::Session& who)
 {
+    const bool isBack = who == m_who;
     m_who = who;
+    m_names[QString::fromStdString(who.uid())] = QString::fromStdString(who.fullName());
     m_scorePage->talk().setWriter(QString::fromStdString(who.uid()));
     m_admin->setWriter(who.role() == database::Role::Admin ? QString::fromStdString(who.uid()) : QString());
     putAllBy();  // the program may be killed before who has gone is back
-    m_names[QString::fromStdString(who.uid())] = QString::fromStdString(who.fullName());
     m_actions->showAccount(QString::fromStdString(who.username()));
     m_actions->attempts->setVisible(!who.isGuest());
     m_actions->school->setVisible(who.role() == database::Role::Admin);
     m_classes->setMayEnter(who.role() == database::Role::Admin);
     m_actions->classes->setVisible(who.role() == database::Role::Instructor || who.role() == database::Role::Admin);
     m_actions->readAgain->setVisible(!who.isGuest());
-    if (!isAtDoor())
-        return;
-    m_mayLeaveDoor = true;
-    goTo(m_behindDoor != nullptr ? m_behindDoor : m_room);
+    if (isAtDoor()) {
+        m_mayLeaveDoor = true;
+        goTo(m_behindDoor != nullptr ? m_behindDoor : m_room);
+    }
+    if (isBack)  // what another may do is told next
+        tellUnclaimed();
 }
 
 void MainWindow::setMayEdit(bool may)
@@ -652,6 +657,7 @@ void MainWindow::setMayEdit(bool may)
     m_lessonsPage->setMayEdit(may);
     m_lessonsPage->setUnsaved(may ? m_editor->unsavedFiles() : QSet<QString>());
     enableActions();
+    tellUnclaimed();
 }
 
 const QWidget* MainWindow::page() const
@@ -718,8 +724,9 @@ void MainWindow::leaveAll()
     m_view->setPushForce(tooth::PointerControl::kFirstN);
     for (const auto topic : {MessageBar::Topic::Tooth, MessageBar::Topic::Unfinished, MessageBar::Topic::General,
                              MessageBar::Topic::Keeping, MessageBar::Topic::Journal, MessageBar::Topic::Preset,
-                             MessageBar::Topic::School, MessageBar::Topic::Page})
+                             MessageBar::Topic::School, MessageBar::Topic::Page, MessageBar::Topic::Drafts})
         m_messages->withdraw(topic);
+    m_toldUnclaimed = {};
 }
 
 void MainWindow::refuseLogin(const core::Error& error)
@@ -1025,15 +1032,109 @@ void MainWindow::editLesson(const lessons::ReadLesson& lesson)
     goTo(m_editor);
 }
 
-void MainWindow::setPutByFolder(const QString& folder)
+void MainWindow::setPutByFolder(const QString& folder, const QString& school)
 {
-    m_putBy = std::make_unique<PutBy>(folder);
-    for (const QJsonValue one : m_putBy->found()) {
-        const QJsonObject typed = one.toObject();
-        if (!m_editor->goOnWith(typed, lessons::teachersFolder()) && !m_scorePage->talk().goOnWith(typed) &&
-            !m_presets->goOnWith(typed) && !m_admin->people().goOnWith(typed))
-            m_unclaimed.append(typed);
-    }
+    m_putBy = std::make_unique<PutBy>(folder, school);
+    for (const QJsonValue one : m_putBy->found())
+        if (!goOnWith(one.toObject()))
+            m_unclaimed.append(one);
+}
+
+/// False: another has its place, or it is nothing.
+bool MainWindow::goOnWith(const QJsonObject& typed)
+{
+    return m_editor->goOnWith(typed, lessons::teachersFolder()) || m_scorePage->talk().goOnWith(typed) ||
+           m_presets->goOnWith(typed) || m_admin->people().goOnWith(typed);
+}
+
+/// Drafts of lessons, and what nobody can read, are nobody's in particular.
+bool MainWindow::mayDecideOn(const QJsonObject& typed) const
+{
+    const QString person = typed["person"].toString();
+    return person.isEmpty() ? mayDecideOnDrafts() : person == QString::fromStdString(m_who.uid()) && !isAtLockedDoor();
+}
+
+/// Of what was put by and has no place, once to each who works here: two windows may have had a draft of the same.
+void MainWindow::tellUnclaimed()
+{
+    QJsonArray left;
+    for (const QJsonValue one : std::as_const(m_unclaimed))
+        if (!mayDecideOn(one.toObject()) || !goOnWith(one.toObject()))  // its place may be free by now
+            left.append(one);
+    m_unclaimed = left;
+    for (const QJsonValue one : left)
+        if (mayDecideOn(one.toObject()) && !m_toldUnclaimed.contains(one)) {
+            m_toldUnclaimed.append(one);
+            tellUnclaimed(one.toObject());
+        }
+}
+
+void MainWindow::tellUnclaimed(const QJsonObject& typed)
+{
+    m_messages->say([this, typed] {
+        MessageBar::Message message;
+        message.kind = MessageBar::Kind::Warning;
+        message.topic = MessageBar::Topic::Drafts;
+        for (const QString& words :
+             {people::TalkPanel::words(typed), presets::PresetsPage::words(typed), study::LessonEditor::words(typed)})
+            if (message.sentence.isEmpty())
+                message.sentence = words;
+        const bool isNothing = message.sentence.isEmpty();
+        if (isNothing)
+            message.sentence = tr("Something that was typed and kept nowhere waits on this computer, but this Cusp "
+                                  "cannot read it.");
+        // Of a lesson whose file is gone nothing can be made.
+        if (!isNothing && (!typed.contains("lesson") || m_editor->isTaken(typed))) {
+            message.actionText = tr("Take it instead");
+            message.action = [this, typed] { takeInstead(typed); };
+        }
+        message.declining = {tr("Throw it away"), [this, typed] { dropUnclaimed(typed); }};
+        return message;
+    });
+}
+
+/// What is there waits from now on, and can be taken back in the same way.
+void MainWindow::takeInstead(const QJsonObject& typed)
+{
+    const bool isLesson = typed.contains("lesson");
+    const bool isTalk = typed.contains("attempt");
+    const QJsonObject before = isLesson ? m_editor->trade(typed)
+                               : isTalk ? m_scorePage->talk().trade(typed)
+                                        : m_presets->trade(typed);
+    m_toldUnclaimed.append(before);
+    m_unclaimed.append(before);
+    dropUnclaimed(typed);
+    if (isTalk)
+        showDraft(typed["attempt"].toInteger());
+    else if (!isLesson)
+        goTo(m_presets);
+    tellUnclaimed(before);
+}
+
+void MainWindow::tellDraftOfNothing(qint64 attempt)
+{
+    m_messages->say([this, attempt, typed = m_scorePage->talk().typedOn(attempt)] {
+        MessageBar::Message message;
+        message.kind = MessageBar::Kind::Warning;
+        message.topic = MessageBar::Topic::Drafts;
+        message.sentence = tr("The attempt that you typed this on is there no more.");
+        message.detail = typed;
+        message.declining = {tr("Throw it away"), [this, attempt] {
+                                 m_scorePage->talk().forget(attempt);
+                                 putAllBy();
+                             }};
+        return message;
+    });
+}
+
+void MainWindow::dropUnclaimed(const QJsonObject& typed)
+{
+    QJsonArray left;
+    for (const QJsonValue one : std::as_const(m_unclaimed))
+        if (one != QJsonValue(typed))
+            left.append(one);
+    m_unclaimed = left;
+    putAllBy();
 }
 
 /// @param drafts  of lessons, too
@@ -2437,6 +2538,51 @@ void MainWindow::showDraft(qint64 attempt)
     m_scorePage->showTalk();
 }
 
+/// What the disk has refused so far, whoever made it: with the program goes who tries it again.
+void MainWindow::leaveGrades(const std::function<void()>& what)
+{
+    if (m_unkeptGrades == 0) {
+        what();
+        return;
+    }
+    ask("gradeQuestion", {tr("%n grade(s) are not kept yet, and would be lost.", nullptr, m_unkeptGrades),
+                          tr("The disk takes nothing now. It is tried again every few seconds as long as Cusp runs: "
+                             "make room on the disk, or check the rights of the folder."),
+                          {},
+                          {},
+                          what});
+}
+
+/// Another admin's, which nobody here may see.
+void MainWindow::leaveCodes(const std::function<void()>& what)
+{
+    const QStringList admins = othersWithCodes();
+    if (admins.isEmpty()) {
+        what();
+        return;
+    }
+    ask("codeQuestion",
+        //: %1: an admin, or several
+        {tr("One-time codes that %1 made would be lost.").arg(admins.join(QStringLiteral(", "))),
+         tr("They are kept nowhere else. Whoever has not logged in with one by then gets another from an admin, under "
+            "School."),
+         {},
+         {},
+         what});
+}
+
+/// At a place that an admin has locked, him as well.
+QStringList MainWindow::othersWithCodes() const
+{
+    QStringList names;
+    for (const QStringList& admins :
+         {m_admin->people().whoHasCodes(isAtLockedDoor()), m_admin->roster().whoHasCodes(isAtLockedDoor())})
+        for (const QString& admin : admins)
+            names << m_names.value(admin);
+    names.removeDuplicates();
+    return names;
+}
+
 void MainWindow::leaveUnkept(const std::function<void()>& what)
 {
     const std::vector<Unkept> all = unkept();
@@ -2529,51 +2675,6 @@ void MainWindow::askForFile(const QString& title, FileKind kind, const std::func
         filter = tr("Hardness presets (%1)").arg(patternOf({suffix}));
         key = QStringLiteral("folders/preset");
         break;
-/// What the disk has refused so far, whoever made it: with the program goes who tries it again.
-void MainWindow::leaveGrades(const std::function<void()>& what)
-{
-    if (m_unkeptGrades == 0) {
-        what();
-        return;
-    }
-    ask("gradeQuestion", {tr("%n grade(s) are not kept yet, and would be lost.", nullptr, m_unkeptGrades),
-                          tr("The disk takes nothing now. It is tried again every few seconds as long as Cusp runs: "
-                             "make room on the disk, or check the rights of the folder."),
-                          {},
-                          {},
-                          what});
-}
-
-/// Another admin's, which nobody here may see.
-void MainWindow::leaveCodes(const std::function<void()>& what)
-{
-    const QStringList admins = othersWithCodes();
-    if (admins.isEmpty()) {
-        what();
-        return;
-    }
-    ask("codeQuestion",
-        //: %1: an admin, or several
-        {tr("One-time codes that %1 made would be lost.").arg(admins.join(QStringLiteral(", "))),
-         tr("They are kept nowhere else. Whoever has not logged in with one by then gets another from an admin, under "
-            "School."),
-         {},
-         {},
-         what});
-}
-
-/// At a place that an admin has locked, him as well.
-QStringList MainWindow::othersWithCodes() const
-{
-    QStringList names;
-    for (const QStringList& admins :
-         {m_admin->people().whoHasCodes(isAtLockedDoor()), m_admin->roster().whoHasCodes(isAtLockedDoor())})
-        for (const QString& admin : admins)
-            names << m_names.value(admin);
-    names.removeDuplicates();
-    return names;
-}
-
     case FileKind::Table:
         suffix = QStringLiteral("csv");
         filter = tr("Tables (%1)").arg(patternOf({suffix}));

@@ -227,7 +227,10 @@ public slots:
     void editLesson(const lessons::ReadLesson& lesson);
     /// Where it is put by what nobody here may decide on when the window is closed: drafts of lessons, and what
     /// somebody who is not here has typed. What lies there waits again for who it belongs to.
-    void setPutByFolder(const QString& folder);
+    /// @param school  see PutBy
+    void setPutByFolder(const QString& folder, const QString& school);
+    /// What is typed of this attempt can be thrown away: the attempt is there no more.
+    void tellDraftOfNothing(qint64 attempt);
     /// What was measured of attempts at the lesson that is edited, as it is.
     void setKnownAttempts(std::vector<study::MeasuredAttempt> attempts);
     /// A recording of this length drives the bur: the student's own controls rest, the student's own work waits. Call
@@ -451,6 +454,12 @@ private:
     [[nodiscard]] bool isAtLockedDoor() const;
     [[nodiscard]] QJsonArray typed(bool drafts, bool withOwn) const;
     void putAllBy();
+    [[nodiscard]] bool goOnWith(const QJsonObject& typed);
+    void tellUnclaimed();
+    void tellUnclaimed(const QJsonObject& typed);
+    void takeInstead(const QJsonObject& typed);
+    void dropUnclaimed(const QJsonObject& typed);
+    [[nodiscard]] bool mayDecideOn(const QJsonObject& typed) const;
     [[nodiscard]] bool putOthersBy();
     void sayWaits(const std::function<QString()>& sentence);
     /// What a page would lose with the window, in a sentence, and the way to where it can be kept.
@@ -461,6 +470,9 @@ private:
     };
     [[nodiscard]] std::vector<Unkept> unkept();
     void showDraft(qint64 attempt);
+    void leaveGrades(const std::function<void()>& what);
+    void leaveCodes(const std::function<void()>& what);
+    [[nodiscard]] QStringList othersWithCodes() const;
     /// The same of what other pages have that is kept nowhere yet.
     void leaveUnkept(const std::function<void()>& what);
     void connectDoor();
@@ -470,9 +482,6 @@ private:
     void changePassword();
     void changeAccount();
     void tellUnreachable();
-    void leaveGrades(const std::function<void()>& what);
-    void leaveCodes(const std::function<void()>& what);
-    [[nodiscard]] QStringList othersWithCodes() const;
     void resumeUnfinished();
     void discardUnfinished();
     void lockIfIdle();
@@ -535,6 +544,7 @@ private:
     people::AssignPage* m_assign;
     admin::AdminPage* m_admin;
     database::Session m_who;
+    QHash<QString, QString> m_names;           ///< of who has worked here, by uid
     std::optional<core::Error> m_unreachable;  ///< why the database cannot be used
     QString m_where;                           ///< the database
     study::LessonEditor* m_editor;
@@ -544,7 +554,6 @@ private:
     core::settings::Parameters m_parameters;
     console::PeriodMeter m_periods;
     console::WatchPanel* m_watch;
-    QHash<QString, QString> m_names;           ///< of who has worked here, by uid
     console::Console* m_console;
     settings::SettingsPage* m_settingsPage = nullptr;
     core::settings::FeelPreset m_feel;       ///< of what lies on the table
@@ -617,6 +626,7 @@ private:
     bool m_mayLeaveDoor = false;     ///< who practises as a guest, and has only looked at it
     std::unique_ptr<PutBy> m_putBy;  ///< null: there is no place for it
     QJsonArray m_unclaimed;          ///< of what was put by, what nothing can be made of here and now
+    QJsonArray m_toldUnclaimed;      ///< of it, what who works here has been told of
     bool m_mayClose = false;
     int m_unkeptGrades = 0;
     bool m_isGuestGone = false;  ///< nobody has touched anything for long since the guest's work was graded

@@ -20,34 +20,49 @@ namespace {
 constexpr qint64 kLargestBytes = qint64{16} << 20;
 constexpr int kMostWindows = 1000;
 const QString kAll = QStringLiteral("typed");
+const QString kSchool = QStringLiteral("school");
+
+struct Content
+{
+    QJsonArray all;
+    QString school;  ///< empty: an earlier program did not say
+};
 
 /// Nothing: it is damaged, or something else, and stays where it is.
-std::optional<QJsonArray> readAll(const QString& file)
+std::optional<Content> readAll(const QString& file)
 {
     QFile in(file);
     if (!QFileInfo(file).isFile() || in.size() > kLargestBytes || !in.open(QIODevice::ReadOnly))
         return std::nullopt;
-    const QJsonValue all = QJsonDocument::fromJson(in.read(kLargestBytes)).object().value(kAll);
-    return all.isArray() ? std::optional(all.toArray()) : std::nullopt;
+    const QJsonObject content = QJsonDocument::fromJson(in.read(kLargestBytes)).object();
+    const QJsonValue all = content.value(kAll);
+    return all.isArray() ? std::optional(Content{all.toArray(), content.value(kSchool).toString()}) : std::nullopt;
 }
 
 }  // namespace
 
-PutBy::PutBy(QString folder) : m_folder(std::move(folder))
+PutBy::PutBy(QString folder, QString school) : m_folder(std::move(folder)), m_school(std::move(school))
 {
+    const auto isOwn = [this](const std::optional<Content>& content) {
+        return content && (content->school.isEmpty() || content->school == m_school);
+    };
+    bool isNamed = true;
     for (const QString& name : QDir(m_folder).entryList({QStringLiteral("*.json")}, QDir::Files, QDir::Name)) {
-        if (!hold(QDir(m_folder).filePath(name)))
+        const QString file = QDir(m_folder).filePath(name);
+        // Another school's is not even held: a window of that may be looking for it.
+        if (!isOwn(readAll(file)) || !hold(file))
             continue;
-        const auto all = readAll(m_held.back().file);
-        if (!all) {
+        const auto content = readAll(file);  // as the window that held it has left it
+        if (!isOwn(content)) {
             m_held.pop_back();
             continue;
         }
-        for (const QJsonValue one : *all)
+        isNamed = isNamed && content->school == m_school;
+        for (const QJsonValue one : content->all)
             if (!m_found.contains(one))  // a window that was killed may have left it twice
                 m_found.append(one);
     }
-    m_kept = m_held.size() == 1 ? m_found : QJsonArray();
+    m_kept = m_held.size() == 1 && isNamed ? m_found : QJsonArray();
 }
 
 bool PutBy::hold(const QString& file)
@@ -79,7 +94,7 @@ bool PutBy::keep(const QJsonArray& all)
     if (!all.isEmpty() && all != m_kept) {
         if (m_held.empty() && !holdNew())
             return false;
-        const QByteArray bytes = QJsonDocument(QJsonObject{{kAll, all}}).toJson();
+        const QByteArray bytes = QJsonDocument(QJsonObject{{kSchool, m_school}, {kAll, all}}).toJson();
         QSaveFile out(m_held.front().file);
         if (bytes.size() > kLargestBytes || !openForOwner(out) || out.write(bytes) != bytes.size() || !out.flush() ||
             !out.commit())

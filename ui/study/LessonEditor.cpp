@@ -648,26 +648,74 @@ QJsonArray LessonEditor::unsavedDrafts() const
     QJsonArray all;
     for (const auto& [from, opened] : m_opened)
         if (opened.draft.isChanged())
-            all.append(QJsonObject{{"from", opened.draft.isSavedOnce() ? opened.draft.file() : from},
-                                   {"lesson", opened.draft.object()},
-                                   {"saved", opened.draft.saved()}});
+            all.append(toJson(from, opened));
     return all;
+}
+
+QJsonObject LessonEditor::toJson(const QString& from, const Opened& opened)
+{
+    return {{"from", opened.draft.isSavedOnce() ? opened.draft.file() : from},
+            {"lesson", opened.draft.object()},
+            {"saved", opened.draft.saved()}};
+}
+
+/// By what its lesson is opened here, if it is.
+QString LessonEditor::keyOf(const QJsonObject& unsaved) const
+{
+    const QString file = unsaved["from"].toString();
+    for (const auto& [from, opened] : m_opened)
+        if (opened.draft.isSavedOnce() && opened.draft.file() == file)
+            return from;
+    return file;
+}
+
+bool LessonEditor::isTaken(const QJsonObject& unsaved) const
+{
+    const auto found = m_opened.find(keyOf(unsaved));
+    return found != m_opened.end() && found->second.draft.isChanged();
 }
 
 bool LessonEditor::goOnWith(const QJsonObject& unsaved, const QString& folder)
 {
-    const QString from = unsaved["from"].toString();
     const QJsonObject object = unsaved["lesson"].toObject();
-    if (object.isEmpty() || m_opened.contains(from))
+    if (object.isEmpty() || isTaken(unsaved))
         return false;
-    const ::lessons::ReadLesson read = ::lessons::readLesson(from);
+    const ::lessons::ReadLesson read = ::lessons::readLesson(unsaved["from"].toString());
     if (!read.lesson)
         return false;
+    const QString from = keyOf(unsaved);
     Opened& opened = m_opened[from];
     opened.lesson = *read.lesson;
     opened.draft.begin(read, folder);
     opened.draft.goOnWith(object, unsaved["saved"].toObject());
+    if (from == m_present)
+        turnTo(from);
     return true;
+}
+
+QJsonObject LessonEditor::trade(const QJsonObject& unsaved)
+{
+    const QString from = keyOf(unsaved);
+    const auto there = m_opened.find(from);
+    if (there == m_opened.end())
+        return unsaved;
+    const QJsonObject before = toJson(from, there->second);
+    there->second.draft.goOnWith(unsaved["lesson"].toObject(), unsaved["saved"].toObject());
+    if (from == m_present)
+        turnTo(from);
+    return before;
+}
+
+QString LessonEditor::words(const QJsonObject& unsaved)
+{
+    if (unsaved["lesson"].toObject().isEmpty())
+        return {};
+    const QString file = unsaved["from"].toString();
+    const ::lessons::ReadLesson read = ::lessons::readLesson(file);
+    if (read.lesson)
+        return tr("What was changed of the lesson \"%1\" in another window waits, too.").arg(said(read.lesson->title));
+    return tr("What was changed of a lesson waits, but its file is there no more, or is no lesson: %1.")
+        .arg(QDir::toNativeSeparators(file));
 }
 
 void LessonEditor::say(std::function<QString()> sentence, bool isWrong)

@@ -65,6 +65,12 @@ public:
     /// here.
     /// @param folder  the teacher's
     [[nodiscard]] bool goOnWith(const QJsonObject& unsaved, const QString& folder);
+    /// One that was refused, in place of what is there. Answers that, which waits in its stead.
+    [[nodiscard]] QJsonObject trade(const QJsonObject& unsaved);
+    /// What was refused, in a sentence; empty: it is none.
+    [[nodiscard]] static QString words(const QJsonObject& unsaved);
+    /// Another draft of that lesson is here.
+    [[nodiscard]] bool isTaken(const QJsonObject& unsaved) const;
 
     /// What was measured of attempts at the lesson that is edited, as it was when it was opened: they count in the
     /// sweep until its ideal is changed.
@@ -94,6 +100,8 @@ private:
     QWidget* makeFoot(const shell::Actions& actions);
     [[nodiscard]] LessonDraft& draft();
     [[nodiscard]] const LessonDraft& draft() const;
+    [[nodiscard]] static QJsonObject toJson(const QString& from, const Opened& opened);
+    [[nodiscard]] QString keyOf(const QJsonObject& unsaved) const;
     void turnTo(const QString& present);
     void showTitle();
     void changed();
