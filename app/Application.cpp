@@ -1791,6 +1791,8 @@ void Application::showAttempt(const database::AttemptRecord& attempt, const core
 void Application::showSheet(const database::AttemptRecord& attempt, const lessons::ScoreSheet& sheet,
                             const std::function<QString()>& work)
 {
+    if (isHiddenByExam())
+        return;
     ++m_loading;
     m_window->showOldScore(work, sheet, {attempt}, expectationOf(attempt), {});
     m_opened.reset();

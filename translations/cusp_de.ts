@@ -2926,6 +2926,14 @@
         <source>Your role was changed, and you were logged out. Log in again.</source>
         <translation>Ihre Rolle wurde geändert, und Sie wurden abgemeldet. Melden Sie sich neu an.</translation>
     </message>
+    <message>
+        <source>Your last attempt at this exam was begun in another window. What was cut here does not count.</source>
+        <translation>Ihr letzter Versuch an dieser Prüfung wurde in einem anderen Fenster begonnen. Was hier geschnitten wurde, zählt nicht.</translation>
+    </message>
+    <message>
+        <source>You are in an exam: earlier attempts are opened when it is over. Press G for the grade, or take another lesson.</source>
+        <translation>Sie sind in einer Prüfung: Frühere Versuche werden geöffnet, wenn sie zu Ende ist. Drücken Sie G für die Note, oder nehmen Sie eine andere Lektion.</translation>
+    </message>
 </context>
 <context>
     <name>app::CardDesk</name>

@@ -2926,6 +2926,14 @@
         <source>Your role was changed, and you were logged out. Log in again.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Your last attempt at this exam was begun in another window. What was cut here does not count.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>You are in an exam: earlier attempts are opened when it is over. Press G for the grade, or take another lesson.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>app::CardDesk</name>
@@ -9309,6 +9317,7 @@ unsaved</source>
     </message>
     <message>
         <source>This attempt has no recording that can be read: it cannot be replayed, and no picture of the tooth is shown. The score and what cost points are as they were kept.</source>
+        <translation></translation>
     </message>
     <message>
         <source>This grade is not kept yet. It is tried again every few seconds as long as Cusp runs: make room on the disk.</source>

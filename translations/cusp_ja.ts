@@ -2912,6 +2912,14 @@
         <source>Your role was changed, and you were logged out. Log in again.</source>
         <translation>役割が変更され、ログアウトしました。もう一度ログインしてください。</translation>
     </message>
+    <message>
+        <source>Your last attempt at this exam was begun in another window. What was cut here does not count.</source>
+        <translation>この試験の最後の試行は、別のウィンドウで始められました。ここで削ったものは数えられません。</translation>
+    </message>
+    <message>
+        <source>You are in an exam: earlier attempts are opened when it is over. Press G for the grade, or take another lesson.</source>
+        <translation>試験中です。以前の試行は試験が終わってから開けます。G キーで採点するか、別の課題を選んでください。</translation>
+    </message>
 </context>
 <context>
     <name>app::CardDesk</name>

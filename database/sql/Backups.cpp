@@ -731,8 +731,13 @@ QString newestSound(const QString& databaseFile, const QDateTime& nowUtc)
 {
     QStringList files = backupsIn(backupFolder(databaseFile));
     putFutureLast(files, nowUtc);
-    const auto sound = std::find_if(files.begin(), files.end(), [](const QString& file) {
-        return !holdsNobody(file) && verifyBackup(file).has_value();
+    // Another school's, which backs up into the same folder, would take its place.
+    const auto isOfIt = [&](const QString& file) {
+        const auto may = mayReplace(file, databaseFile);
+        return may && (*may || newestOfEach(files).size() < 2);
+    };
+    const auto sound = std::find_if(files.begin(), files.end(), [&isOfIt](const QString& file) {
+        return !holdsNobody(file) && verifyBackup(file).has_value() && isOfIt(file);
     });
     return sound != files.end() ? *sound : QString();
 }

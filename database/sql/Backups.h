@@ -71,7 +71,8 @@ using BackupProgress = std::function<bool(int done, int all)>;
 [[nodiscard]] QStringList toThin(const QStringList& files, const QDateTime& nowUtc, bool isAuditWhole);
 
 /// The newest backup of a database's own folder that verifyBackup() finds whole and that somebody is in, one from the
-/// future last; empty: there is none.
+/// future last, and none of another school, as far as mayReplace() can tell; empty: there is none, or the folder has
+/// those of several schools and nothing says whose the file was.
 [[nodiscard]] QString newestSound(const QString& databaseFile, const QDateTime& nowUtc);
 
 /// The newest of those that restoreBackup() has moved aside, that verifyBackup() finds whole and that somebody is in,

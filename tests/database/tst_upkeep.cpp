@@ -777,7 +777,9 @@ void TestUpkeep::aDamagedSchoolIsReplacedByItsOwnBackupOnly()
     const QString stranger = backUp(second.school().db, backupFolder(first.address()), first.nowUtc.addDays(1)).value();
     QCOMPARE(mayReplace(beside, first.address()).value(), true);
     VERIFY_REFUSED(mayReplace(stranger, first.address()), ErrorCode::WrongKind);
+    QCOMPARE(newestSound(first.address(), first.nowUtc.addDays(1)), beside);
     QVERIFY(spoil());
+    QCOMPARE(newestSound(first.address(), first.nowUtc.addDays(1)), QString());
     for (const QString& either : {beside, stranger})
         QCOMPARE(mayReplace(either, first.address()).value(), false);
     QCOMPARE(newestOfEach(backupsIn(backupFolder(first.address()))), (QStringList{stranger, beside}));
