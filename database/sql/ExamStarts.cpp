@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "database/sql/ExamStarts.h"
 
+#include <algorithm>
+#include <map>
+#include <utility>
+
 #include "database/sql/Audit.h"
 #include "database/sql/Statement.h"
 
@@ -10,12 +14,47 @@ namespace {
 const std::string kBegin = "note that the exam has begun";
 const std::string kList = "list the exams that were begun";
 
-/// An attempt belongs to the last start before it ended; of two in one second, to that with the larger uid.
-const QString kWithoutScore = QStringLiteral(
-    " FROM exam_starts s WHERE NOT EXISTS (SELECT 1 FROM attempts a WHERE a.person_id = "
-    "s.person_id AND a.lesson_id = s.lesson_id AND a.finished_utc >= s.begun_utc AND NOT EXISTS (SELECT 1 FROM "
-    "exam_starts n WHERE n.person_id = s.person_id AND n.lesson_id = s.lesson_id AND (n.begun_utc > "
-    "s.begun_utc OR (n.begun_utc = s.begun_utc AND n.uid > s.uid)) AND n.begun_utc <= a.finished_utc))");
+using Pair = std::pair<std::int64_t, std::string>;  ///< a person and a lesson
+
+/// Those of the starts that a condition asks for, with no score, newest first of each person and lesson. In the order
+/// in which they ended the attempts have each the last start before that which no earlier one has: of two exams that
+/// went on at once, in two windows, both have theirs, whichever ended first.
+core::Result<std::map<Pair, std::vector<ExamStart>>> withoutScore(const School& school, const QString& where,
+                                                                  const QVariantList& values)
+{
+    std::map<Pair, std::vector<ExamStart>> starts;
+    if (auto read = forEach(school.db,
+                            "SELECT s.person_id, s.lesson_id, s.uid, s.begun_utc FROM exam_starts s WHERE " + where +
+                                " ORDER BY s.begun_utc DESC, s.uid DESC",
+                            kList, values,
+                            [&](const QSqlQuery& row) {
+                                starts[{row.value(0).toLongLong(), textOf(row, 1)}].push_back(
+                                    {textOf(row, 2), textOf(row, 1), textOf(row, 3)});
+                            });
+        !read)
+        return tl::unexpected(read.error());
+    if (starts.empty())
+        return starts;
+    if (auto read = forEach(school.db,
+                            "SELECT a.person_id, a.lesson_id, a.finished_utc FROM attempts a JOIN (SELECT DISTINCT "
+                            "s.person_id, s.lesson_id FROM exam_starts s WHERE " +
+                                where +
+                                ") begun ON begun.person_id = a.person_id AND begun.lesson_id = a.lesson_id ORDER BY "
+                                "a.finished_utc",
+                            kList, values,
+                            [&](const QSqlQuery& row) {
+                                std::vector<ExamStart>& left = starts[{row.value(0).toLongLong(), textOf(row, 1)}];
+                                const std::string finishedUtc = textOf(row, 2);
+                                const auto own = std::find_if(left.begin(), left.end(), [&](const ExamStart& start) {
+                                    return start.begunUtc <= finishedUtc;
+                                });
+                                if (own != left.end())
+                                    left.erase(own);
+                            });
+        !read)
+        return tl::unexpected(read.error());
+    return starts;
+}
 
 }  // namespace
 
@@ -47,38 +86,38 @@ core::Result<std::vector<ExamStart>> examsWithoutScore(const School& school, con
 {
     if (auto who = admitTo(school, session, Operation::ReadHistory, person); !who)
         return tl::unexpected(who.error());
+    auto found = withoutScore(school, QStringLiteral("s.person_id = ?"), {number(person.value)});
+    if (!found)
+        return tl::unexpected(found.error());
     std::vector<ExamStart> starts;
-    if (auto read = forEach(school.db,
-                            "SELECT s.uid, s.lesson_id, s.begun_utc" + kWithoutScore +
-                                " AND s.person_id = ? ORDER BY s.begun_utc DESC",
-                            kList, {number(person.value)},
-                            [&](const QSqlQuery& row) {
-                                starts.push_back({textOf(row, 0), textOf(row, 1), textOf(row, 2)});
-                            });
-        !read)
-        return tl::unexpected(read.error());
+    for (auto& [of, left] : *found)
+        starts.insert(starts.end(), left.begin(), left.end());
+    std::stable_sort(starts.begin(), starts.end(),
+                     [](const ExamStart& one, const ExamStart& other) { return one.begunUtc > other.begunUtc; });
     return starts;
 }
 
 core::Result<int> countWithoutScore(const School& school, PersonId person, const std::string& lessonId)
 {
-    const auto count = ask(school.db, "SELECT COUNT(*)" + kWithoutScore + " AND s.person_id = ? AND s.lesson_id = ?",
-                           kList, {number(person.value), text(lessonId)});
-    if (!count)
-        return tl::unexpected(count.error());
-    return count->toInt();
+    const auto found = withoutScore(school, QStringLiteral("s.person_id = ? AND s.lesson_id = ?"),
+                                    {number(person.value), text(lessonId)});
+    if (!found)
+        return tl::unexpected(found.error());
+    return found->empty() ? 0 : static_cast<int>(found->begin()->second.size());
 }
 
 core::Status forEachWithoutScore(const School& school, ClassId ofClass,
                                  const std::function<void(const WithoutScore&)>& take)
 {
-    return forEach(school.db,
-                   "SELECT s.person_id, s.lesson_id, COUNT(*), MAX(s.begun_utc)" + kWithoutScore +
-                       " AND s.person_id IN (SELECT person_id FROM enrolments WHERE class_id = ?) GROUP BY "
-                       "s.person_id, s.lesson_id",
-                   kList, {number(ofClass.value)}, [&take](const QSqlQuery& row) {
-                       take({{row.value(0).toLongLong()}, textOf(row, 1), row.value(2).toInt(), textOf(row, 3)});
-                   });
+    const auto found =
+        withoutScore(school, QStringLiteral("s.person_id IN (SELECT person_id FROM enrolments WHERE class_id = ?)"),
+                     {number(ofClass.value)});
+    if (!found)
+        return tl::unexpected(found.error());
+    for (const auto& [of, left] : *found)
+        if (!left.empty())
+            take({{of.first}, of.second, static_cast<int>(left.size()), left.front().begunUtc});
+    return {};
 }
 
 }  // namespace database::sql

@@ -737,6 +737,16 @@ void TestAttempts::anExamThatIsBegunIsAnAttempt()
     QVERIFY(examsWithoutScore(school, rig.student, rig.student.person()).value() == std::vector{brokenOff});
     VERIFY_REFUSED(examsWithoutScore(school, rig.classmate, rig.student.person()), ErrorCode::NotAllowed);
     VERIFY_REFUSED(deliverExam(school, newUid(), brokenOff), ErrorCode::UnknownName);
+    // Two that went on at once, in two windows, have each its score, whichever ended first.
+    const ExamStart inOne{newUid(), "at-once", "2026-11-20T11:30:00Z"};
+    const ExamStart inTwo{newUid(), "at-once", "2026-11-20T11:32:00Z"};
+    VERIFY_DONE(assign(school, rig.instructor, {0, rig.first, "at-once", "", 3}));
+    for (const ExamStart* one : {&inOne, &inTwo})
+        VERIFY_DONE(deliverExam(school, rig.student.uid(), *one));
+    for (const char* at : {"2026-11-20T11:33:00Z", "2026-11-20T11:34:00Z"})
+        VERIFY_DONE(addAttempt(school, rig.student, SchoolRig::attempt("at-once", 900, at), {}));
+    QVERIFY(without() == std::vector{brokenOff});
+    QCOMPARE(attemptsLeft(school, rig.student, "at-once")->value(), 1);
     // Two that were begun in one second are two.
     const ExamStart twin{newUid(), "twins", "2026-11-20T12:00:00Z"};
     const ExamStart other{newUid(), "twins", "2026-11-20T12:00:00Z"};
