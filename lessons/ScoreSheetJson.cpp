@@ -80,7 +80,7 @@ public:
 private:
     QJsonValue need(QLatin1String key, QJsonValue::Type type)
     {
-        const QJsonValue value = m_object.value(key);
+        QJsonValue value = m_object.value(key);
         m_areThere = m_areThere && value.type() == type;
         return value;
     }

@@ -276,7 +276,7 @@ core::Result<CheckReport> checkDatabase(const QSqlDatabase& db, const std::vecto
         Look{[&] { return checkPages(db, report); },
              QT_TRANSLATE_NOOP("Finding", "the pages of the file could not be looked at (%1)")},
         Look{[&] {
-                 const auto done = checkChain(db, witnesses, report, progress);
+                 auto done = checkChain(db, witnesses, report, progress);
                  ofChain = report.findings.size();
                  return done;
              },

@@ -662,7 +662,7 @@ QJsonObject LessonEditor::toJson(const QString& from, const Opened& opened)
 /// By what its lesson is opened here, if it is.
 QString LessonEditor::keyOf(const QJsonObject& unsaved) const
 {
-    const QString file = unsaved["from"].toString();
+    QString file = unsaved["from"].toString();
     for (const auto& [from, opened] : m_opened)
         if (opened.draft.isSavedOnce() && opened.draft.file() == file)
             return from;
@@ -699,7 +699,7 @@ QJsonObject LessonEditor::trade(const QJsonObject& unsaved)
     const auto there = m_opened.find(from);
     if (there == m_opened.end())
         return unsaved;
-    const QJsonObject before = toJson(from, there->second);
+    QJsonObject before = toJson(from, there->second);
     there->second.draft.goOnWith(unsaved["lesson"].toObject(), unsaved["saved"].toObject());
     if (from == m_present)
         turnTo(from);
