@@ -3692,6 +3692,12 @@ void TestMainWindow::whatIsPutByStaysThere()
     auto& talk = child<ui::study::ScorePage>()->talk();
     talk.setAttempt(5);
     talk.findChild<QPlainTextEdit*>("commentWords")->setPlainText("Half a sentence");
+    // Nobody has left yet: who types is not asked whether the power may go.
+    QTRY_VERIFY_WITH_TIMEOUT(held().contains("Mine") && held().contains("Half a sentence"), 20000);
+    talk.findChild<QPlainTextEdit*>("commentWords")->setPlainText("Half a sentence more");
+    m_window->askWho(ui::people::Door::Locked);
+    QVERIFY(held().contains("Half a sentence more"));
+    talk.findChild<QPlainTextEdit*>("commentWords")->setPlainText("Half a sentence");
     // Rights come after the change of user, and so does the power cut.
     m_window->setWho({});
     m_window->setMayEdit(false);

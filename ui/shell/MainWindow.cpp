@@ -88,6 +88,7 @@ constexpr qint64 kWishMs = 500;
 /// The session's state is read this often even while the view does not paint.
 constexpr int kIdleLooks = 20;  ///< at whether the place was left, in the time after which it was
 constexpr int kSessionMs = 100;
+constexpr int kPutByMs = 5000;
 constexpr int kQuestionIconPx = 36;
 constexpr int kConsolePx = 260;
 constexpr QSize kFirstSize{1280, 800};
@@ -245,6 +246,9 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
     auto* pulse = new QTimer(this);
     connect(pulse, &QTimer::timeout, this, &MainWindow::takeSession);
     pulse->start(kSessionMs);
+    // The program may be killed, or the computer switched off.
+    connect(&m_putByWatch, &QTimer::timeout, this, &MainWindow::putAllBy);
+    m_putByWatch.start(kPutByMs);
     qApp->installEventFilter(this);
     recallLayout();
     text::inEveryLanguage(this, [this] { speak(); });
@@ -606,6 +610,7 @@ void MainWindow::closeAllOver()
 void MainWindow::askWho(people::Door door)
 {
     closeAllOver();
+    putAllBy();  // the computer may be switched off before he is back
     m_messages->withdraw(MessageBar::Topic::Drafts);
     m_toldUnclaimed = {};
     if (!isAtDoor())
@@ -2624,6 +2629,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
     const bool asksOfTyped = !isAtLockedDoor() && !unkept().empty();
     if (isPutBy && (m_mayClose || (!asksOfOthers && !wouldLoseWork() && !asksOfDrafts && !asksOfTyped))) {
         memory().setValue(kGeometry, saveGeometry());
+        m_putByWatch.stop();  // what is left was decided on
         return;
     }
     event->ignore();

@@ -619,6 +619,7 @@ private:
     QElapsedTimer m_sinceTouch;  ///< keys, mouse, pen, or the bur on the tooth
     std::chrono::milliseconds m_idleLimit = std::chrono::minutes(10);
     QTimer m_idleWatch;
+    QTimer m_putByWatch;
     QWidget* m_behindScore = nullptr;    ///< the page from which the score card was opened
     QWidget* m_behindHistory = nullptr;  ///< the same of the attempts
     QWidget* m_behindDoor = nullptr;     ///< the page to go on with
