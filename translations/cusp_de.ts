@@ -533,8 +533,8 @@
         <translation>%1 der Form geschnitten sind</translation>
     </message>
     <message>
-        <source>What was measured here was not kept</source>
-        <translation>Was hier gemessen wurde, ist nicht aufbewahrt worden</translation>
+        <source>The value that was measured here is not stored</source>
+        <translation>Der hier gemessene Wert ist nicht gespeichert</translation>
     </message>
 </context>
 <context>
@@ -5368,14 +5368,6 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>ließ wieder das Ergebnis der Maschine gelten: %1</translation>
     </message>
     <message>
-        <source>Nobody has written anything yet. A comment can be pinned to a moment of the replay and to a place on the tooth.</source>
-        <translation>Noch hat niemand etwas geschrieben. Ein Kommentar lässt sich an einen Moment der Wiedergabe und an eine Stelle am Zahn heften.</translation>
-    </message>
-    <message>
-        <source>Nobody has written anything yet. What your instructor says is here.</source>
-        <translation>Noch hat niemand etwas geschrieben. Was Ihre Lehrkraft sagt, steht hier.</translation>
-    </message>
-    <message>
         <source>Write a comment</source>
         <translation>Kommentar schreiben</translation>
     </message>
@@ -5475,6 +5467,14 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <source>You were giving another score to an attempt in another window, and that waits, too: %1 points. %2</source>
         <extracomment>%1: a number; %2: why</extracomment>
         <translation>In einem anderen Fenster haben Sie einem Versuch ein anderes Ergebnis geben wollen, und auch das wartet: %1 Punkte. %2</translation>
+    </message>
+    <message>
+        <source>Nobody has written anything yet. Where there is a recording, a comment can be pinned to a moment of the replay and to a place on the tooth.</source>
+        <translation>Noch hat niemand etwas geschrieben. Wo es eine Aufzeichnung gibt, lässt sich ein Kommentar an einen Moment der Wiedergabe und an eine Stelle am Zahn heften.</translation>
+    </message>
+    <message>
+        <source>Nobody has written anything yet. What an instructor says is here.</source>
+        <translation>Noch hat niemand etwas geschrieben. Was eine Lehrkraft sagt, steht hier.</translation>
     </message>
 </context>
 <context>

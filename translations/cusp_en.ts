@@ -533,7 +533,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What was measured here was not kept</source>
+        <source>The value that was measured here is not stored</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5359,14 +5359,6 @@ load NAME        feels a hardness preset that is kept</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Nobody has written anything yet. A comment can be pinned to a moment of the replay and to a place on the tooth.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Nobody has written anything yet. What your instructor says is here.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Write a comment</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5465,6 +5457,14 @@ load NAME        feels a hardness preset that is kept</source>
     <message>
         <source>You were giving another score to an attempt in another window, and that waits, too: %1 points. %2</source>
         <extracomment>%1: a number; %2: why</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody has written anything yet. Where there is a recording, a comment can be pinned to a moment of the replay and to a place on the tooth.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody has written anything yet. What an instructor says is here.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

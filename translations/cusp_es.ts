@@ -533,8 +533,8 @@
         <translation>se haya tallado el %1 de la forma</translation>
     </message>
     <message>
-        <source>What was measured here was not kept</source>
-        <translation>Lo que se midió aquí no se guardó</translation>
+        <source>The value that was measured here is not stored</source>
+        <translation>El valor que se midió aquí no está guardado</translation>
     </message>
 </context>
 <context>
@@ -5368,14 +5368,6 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>devolvió la validez a la puntuación de la máquina: %1</translation>
     </message>
     <message>
-        <source>Nobody has written anything yet. A comment can be pinned to a moment of the replay and to a place on the tooth.</source>
-        <translation>Nadie ha escrito nada todavía. Un comentario se puede fijar a un momento de la reproducción y a un lugar del diente.</translation>
-    </message>
-    <message>
-        <source>Nobody has written anything yet. What your instructor says is here.</source>
-        <translation>Nadie ha escrito nada todavía. Aquí está lo que dice su docente.</translation>
-    </message>
-    <message>
         <source>Write a comment</source>
         <translation>Escriba un comentario</translation>
     </message>
@@ -5475,6 +5467,14 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <source>You were giving another score to an attempt in another window, and that waits, too: %1 points. %2</source>
         <extracomment>%1: a number; %2: why</extracomment>
         <translation>En otra ventana estaba dando otra puntuación a un intento, y también está pendiente: %1 puntos. %2</translation>
+    </message>
+    <message>
+        <source>Nobody has written anything yet. Where there is a recording, a comment can be pinned to a moment of the replay and to a place on the tooth.</source>
+        <translation>Nadie ha escrito nada todavía. Donde hay una grabación, un comentario se puede fijar a un momento de la reproducción y a un lugar del diente.</translation>
+    </message>
+    <message>
+        <source>Nobody has written anything yet. What an instructor says is here.</source>
+        <translation>Nadie ha escrito nada todavía. Aquí está lo que dice un docente.</translation>
     </message>
 </context>
 <context>

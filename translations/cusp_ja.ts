@@ -531,8 +531,8 @@
         <translation>%1、ただし全点まで</translation>
     </message>
     <message>
-        <source>What was measured here was not kept</source>
-        <translation>ここで測定された値は保存されていません</translation>
+        <source>The value that was measured here is not stored</source>
+        <translation>ここで測った値は保存されていません</translation>
     </message>
 </context>
 <context>
@@ -5328,14 +5328,6 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>機械採点に戻しました：%1</translation>
     </message>
     <message>
-        <source>Nobody has written anything yet. A comment can be pinned to a moment of the replay and to a place on the tooth.</source>
-        <translation>まだ何も書かれていません。コメントは再生の時点や歯の場所に付けられます。</translation>
-    </message>
-    <message>
-        <source>Nobody has written anything yet. What your instructor says is here.</source>
-        <translation>まだ何も書かれていません。教員のコメントがここに表示されます。</translation>
-    </message>
-    <message>
         <source>Write a comment</source>
         <translation>コメントを書く</translation>
     </message>
@@ -5433,6 +5425,14 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <source>You were giving another score to an attempt in another window, and that waits, too: %1 points. %2</source>
         <extracomment>%1: a number; %2: why</extracomment>
         <translation>ほかのウィンドウで、ある試行に別の点数をつけようとしていました。それも残っています：%1点。%2</translation>
+    </message>
+    <message>
+        <source>Nobody has written anything yet. Where there is a recording, a comment can be pinned to a moment of the replay and to a place on the tooth.</source>
+        <translation>まだ何も書かれていません。記録があれば、コメントは再生の時点や歯の場所に付けられます。</translation>
+    </message>
+    <message>
+        <source>Nobody has written anything yet. What an instructor says is here.</source>
+        <translation>まだ何も書かれていません。教員のコメントはここに表示されます。</translation>
     </message>
 </context>
 <context>

@@ -435,7 +435,7 @@ QJsonObject TalkPanel::trade(const QJsonObject& typed)
     const QString person = typed[kPerson].toString();
     auto& drafts = draftsOf(person);
     const qint64 row = rowOf(drafts, typed);
-    const QJsonObject before = toJson(person, row, drafts[row]);
+    QJsonObject before = toJson(person, row, drafts[row]);
     drafts[row] = fromJson(typed);
     if (person == m_writer && row == m_attempt)
         take(drafts[row]);
@@ -870,9 +870,9 @@ void TalkPanel::fill()
     if (m_talk.comments.empty() && m_talk.overrides.empty()) {
         QLabel* none = label(kBody, QFont::Normal, QPalette::PlaceholderText, m_list);
         none->setObjectName(QStringLiteral("noTalk"));
-        none->setText(m_mayComment ? tr("Nobody has written anything yet. A comment can be pinned to a moment of the "
-                                        "replay and to a place on the tooth.")
-                                   : tr("Nobody has written anything yet. What your instructor says is here."));
+        none->setText(m_mayComment ? tr("Nobody has written anything yet. Where there is a recording, a comment can be "
+                                        "pinned to a moment of the replay and to a place on the tooth.")
+                                   : tr("Nobody has written anything yet. What an instructor says is here."));
         column->addWidget(none);
     }
     m_listSlot->addWidget(m_list);

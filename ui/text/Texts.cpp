@@ -627,7 +627,7 @@ QString freeRange(const lessons::Criterion& criterion)
 QString criterionWorked(const lessons::Criterion& criterion, lessons::Verdict verdict)
 {
     if (criterion.measure.empty())
-        return QCoreApplication::translate("Criterion", "What was measured here was not kept");
+        return QCoreApplication::translate("Criterion", "The value that was measured here is not stored");
     if (criterion.isTooEarly && criterion.lostTenths > 0)
         //: %1: points of a score, %2: what has to be done: "50 % of the decay is out"
         return QCoreApplication::translate("Criterion", "None of its %1 points are earned before %2")
