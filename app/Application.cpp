@@ -1209,6 +1209,7 @@ void Application::lay(const lessons::Assignment& assignment, const core::session
     m_cutIn.clear();
     m_takenUpAtTick = 0;
     m_isTakenUp = false;
+    m_seenBefore.reset();
     m_infractionsTold = 0;
     m_follower.watch(m_ownGeneration, lessons::examinationOf(m_assignment));
     m_demoHand.reset();
@@ -1421,6 +1422,9 @@ void Application::gradeNow()
     const bool isCounted = m_begunExam.generation == m_ownGeneration && m_begunExam.isAllowed;
     if (!m_assignment.lesson)
         finish({});
+    else if (m_seenBefore && !isAnother)  // nobody expects what he has seen
+        finish(m_seenBefore->expectedTenths ? std::optional(ui::study::Expectation{*m_seenBefore->expectedTenths, {}})
+                                            : std::nullopt);
     else if (m_assignment.lesson->exam && isCounted && !isAnother)
         m_window->askForecast();
     else
@@ -1561,7 +1565,7 @@ void Application::send(const std::shared_ptr<const Letter>& letter)
 {
     const bool isAgain = !m_letters.emplace(letter->record.uid, letter).second;
     if (!isAgain && !letter->journal.empty())
-        markGraded(letter->journal, {letter->record.uid, letter->recording.events()});
+        markGraded(letter->journal, {letter->record.uid, letter->recording.events(), letter->record.expectedTenths});
     m_desk->keep(this, letter->who, letter->record, letter->recording,
                  [this, letter, isAgain](const core::Status& kept) { takeKept(letter, isAgain, kept); });
 }
@@ -2052,7 +2056,7 @@ void Application::lookForUnfinished(const LessonIds& usedUp, const std::optional
     struct Search
     {
         std::optional<core::recording::FoundAttempt> found;
-        bool isToBeGraded = false;  ///< an exam whose score was seen, and is nowhere
+        std::optional<GradedMark> seen;  ///< of an exam whose score was seen, and is nowhere
         std::optional<core::Error> failure;
     };
     // What is graded and waits to be kept is no unfinished work: it would become two attempts.
@@ -2098,7 +2102,8 @@ void Application::lookForUnfinished(const LessonIds& usedUp, const std::optional
                     } else if (usedUp.contains(limitedLessonOf(recording))) {
                         continue;
                     } else {
-                        search.isToBeGraded = isOver;
+                        if (isOver)
+                            search.seen = mark;
                         search.found = std::move(*found);
                         break;
                     }
@@ -2112,7 +2117,7 @@ void Application::lookForUnfinished(const LessonIds& usedUp, const std::optional
             if (search.failure)
                 m_window->showError(*search.failure, Failed::ResumingAttempt);
             m_unfinished = std::move(search.found);
-            m_isToBeGraded = search.isToBeGraded;
+            m_seenOfUnfinished = search.seen;
             tellUnfinished();
         });
 }
@@ -2201,7 +2206,8 @@ void Application::takeUp(std::unique_ptr<core::session::Unfinished> attempt)
     if (m_links.commands.tryPush(core::session::ResumeAttempt{attempt.get(), m_ownGeneration}))
         static_cast<void>(attempt.release());  // the session owns it now
     m_window->takeInHand(bur, handpiece);
-    if (std::exchange(m_isToBeGraded, false)) {
+    m_seenBefore = std::exchange(m_seenOfUnfinished, {});
+    if (m_seenBefore) {
         m_window->endExam();
         gradeTakenUp(0);
         return;

@@ -16,6 +16,7 @@
 #include "app/AdminDesk.h"
 #include "app/CardDesk.h"
 #include "app/Explainer.h"
+#include "app/GradedMark.h"
 #include "app/LoopThread.h"
 #include "app/PeopleDesk.h"
 #include "app/PresetDesk.h"
@@ -278,7 +279,9 @@ private:
     QTimer m_journalWatch;
     std::unique_ptr<core::session::JournalLoop> m_journal;      ///< null: nothing is kept
     std::optional<core::recording::FoundAttempt> m_unfinished;  ///< the one that is offered
-    bool m_isToBeGraded = false;  ///< it is an exam whose score was seen, and is kept nowhere
+    /// It is an exam whose score was seen, and is kept nowhere.
+    std::optional<GradedMark> m_seenOfUnfinished;
+    std::optional<GradedMark> m_seenBefore;  ///< the same of the attempt on the table, which was taken up
     QTimer m_attemptWatch;
     std::size_t m_infractionsTold = 0;  ///< of the present attempt
     std::uint64_t m_takenUpAtTick = 0;  ///< where it was taken up again after the program, or its owner, had left

@@ -23,6 +23,8 @@ void markGraded(const std::filesystem::path& journal, const GradedMark& mark)
     {
         std::ofstream out(part);
         out << mark.uid << '\n' << mark.events << '\n';
+        if (mark.expectedTenths)
+            out << *mark.expectedTenths << '\n';
         out.close();
         if (!out) {
             std::filesystem::remove(part, failure);
@@ -36,7 +38,11 @@ std::optional<GradedMark> gradedMark(const std::filesystem::path& journal)
 {
     std::ifstream in(markOf(journal));
     GradedMark mark;
-    return in >> mark.uid >> mark.events ? std::optional(mark) : std::nullopt;
+    if (!(in >> mark.uid >> mark.events))
+        return std::nullopt;
+    if (int expected = 0; in >> expected)
+        mark.expectedTenths = expected;
+    return mark;
 }
 
 void removeGradedMark(const std::filesystem::path& journal)

@@ -12,8 +12,9 @@ namespace app {
 /// that was killed then can tell whether it is work that nobody has.
 struct GradedMark
 {
-    std::string uid;           ///< of the attempt
-    std::uint64_t events = 0;  ///< of the recording, when it was graded
+    std::string uid;                         ///< of the attempt
+    std::uint64_t events = 0;                ///< of the recording, when it was graded
+    std::optional<int> expectedTenths = {};  ///< of a point, what its maker had expected before he saw the score
 };
 
 /// In place of an earlier one. No end of the program undoes it; where it cannot be written there is none.
