@@ -244,6 +244,7 @@ const QString kPartName = QStringLiteral(R"((?:backup|before-schema-\d+)-\d{4}-\
 const QString kPartEnd = QStringLiteral("(?:-journal|-wal|-shm|-lock)?");
 /// Of the file that is locked while one is made.
 const QString kLock = QStringLiteral("-lock");
+constexpr int kMostLockTries = 8;  ///< where files cannot be locked none is held, and nobody takes a part for left
 
 /// What programs have left of backups when they were killed. Those that do not say who makes them are from older
 /// programs, or lie where files cannot be locked: they go after a day.
@@ -306,9 +307,14 @@ core::Result<QString> backUpAs(const QSqlDatabase& db, const QString& folder, co
         return QDir(folder).filePath(kind + '-' + at.toString(kStamp) + kSuffix);
     };
     removeLeftParts(folder);
-    // Another program may be making one in the same second.
-    const QString part = nameOf(nowUtc) + ".part-" + QString::fromStdString(newUid());
-    const core::FileLock isBeingMade((part + kLock).toStdU16String());
+    // Another program may be making one in the same second; and one that looks for what is left may have come between
+    // the name of a lock and its being held: it would take the part for left.
+    QString part;
+    std::optional<core::FileLock> isBeingMade;
+    for (int tries = 0; tries < kMostLockTries && !(isBeingMade && isBeingMade->isHeld()); ++tries) {
+        part = nameOf(nowUtc) + ".part-" + QString::fromStdString(newUid());
+        isBeingMade.emplace((part + kLock).toStdU16String());
+    }
     const auto removePart = qScopeGuard([&part] {
         removeWhole(part);
         QFile::remove(part + kLock);  // which stays where files cannot be locked

@@ -143,7 +143,7 @@ void TestTalkPanel::whoMayNotWriteReads()
     QVERIFY(!get<QLineEdit>("reason")->isVisible());
     QVERIFY(words().contains("Here you pressed too hard."));
     m_panel->setTalk({});
-    QVERIFY(get<QLabel>("noTalk")->text().contains("What your instructor says"));
+    QVERIFY(get<QLabel>("noTalk")->text().contains("What an instructor says"));
 }
 
 void TestTalkPanel::aCommentThatIsTooLongSaysSoBesideItsField()
