@@ -203,9 +203,9 @@ void TestSimulateCommand::badPresetsSayWhatToDo_data()
     QTest::addColumn<QString>("preset");
     QTest::addColumn<QByteArray>("says");
     QTest::newRow("a folder") << m_folder.path() << QByteArray("name natural, typodont or a JSON file");
-    QTest::newRow("out of range") << write("hard.json", R"({"enamel": {"rate_mm3_per_ns": 1e9}})")
-                                  << QByteArray(
-                                         "enamel.rate_mm3_per_ns: is 1e+09, it must lie between 0 and 100 mm³/(N s)");
+    QTest::newRow("out of range")
+        << write("hard.json", R"({"enamel": {"rate_mm3_per_ns": 1e9}})")
+        << QByteArray("enamel.rate_mm3_per_ns: is 1000000000, it must lie between 0 and 100 mm³/(N s)");
     QTest::newRow("unknown figure") << write("odd.json", R"({"enamel": {"rate": 1}})") << QByteArray("--help");
     QTest::newRow("no JSON") << write("no.json", "rate: 1") << QByteArray("--help");
 }
