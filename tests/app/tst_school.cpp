@@ -2608,7 +2608,7 @@ void TestSchool::withoutItsRecordingAnAttemptIsOpenedAndOverruled()
     for (std::size_t k = 0; k < marked.criteria.size(); ++k) {
         QCOMPARE(shown.criteria[k].lostTenths, marked.criteria[k].lostTenths);
         QCOMPARE(ui::text::criterionName(shown.criteria[k]), ui::text::criterionName(marked.criteria[k]));
-        QCOMPARE(ui::text::criterionWorked(shown.criteria[k], shown.verdict).contains("not kept"), !hasSheet);
+        QCOMPARE(ui::text::criterionWorked(shown.criteria[k], shown.verdict).contains("not stored"), !hasSheet);
     }
     QVERIFY2(child<QLabel>("unrecorded")->isVisible() && child<QLabel>("unrecorded")->text().contains("no recording"),
              qPrintable(child<QLabel>("unrecorded")->text()));
@@ -2617,6 +2617,7 @@ void TestSchool::withoutItsRecordingAnAttemptIsOpenedAndOverruled()
     child<QPlainTextEdit>("commentWords")->setPlainText("Do it again.");
     click("addComment");
     QTRY_COMPARE_WITH_TIMEOUT(count("comments"), 1, kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(child<QPlainTextEdit>("commentWords")->toPlainText().isEmpty(), kPatienceMs);  // answered
     child<QDoubleSpinBox>("givenPoints")->setValue(91.5);
     child<QLineEdit>("reason")->setText("Seen by hand.");
     click("giveScore");
