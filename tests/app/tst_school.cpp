@@ -247,6 +247,7 @@ private:
     void enterSecondClass() const;
     /// Saves the card that is shown as a PDF, and waits until that is said.
     void saveCard(const QString& path) const;
+    void typeBehindSamsName();
 
     std::unique_ptr<QTemporaryDir> m_folder;
     std::unique_ptr<app::Application> m_application;
@@ -985,8 +986,8 @@ void TestSchool::whatCostPointsInFreePracticeHasItsName()
     QVERIFY2(!names().contains("Sound tissue") && !names().contains("Caries left"), qPrintable(names().join(", ")));
 }
 
-/// One has begun to type when the other saves.
-void TestSchool::twoAdminsUndoNothingOfEachOther()
+/// On the page of the people, as their admin.
+void TestSchool::typeBehindSamsName()
 {
     start();
     logIn("admin");
@@ -997,6 +998,12 @@ void TestSchool::twoAdminsUndoNothingOfEachOther()
         if (people->index(row, 1).data().toString() == "sam")
             child<QTableView>("people")->setCurrentIndex(people->index(row, 0));
     QTest::keyClicks(child<QLineEdit>("personGiven"), "X");
+}
+
+/// One has begun to type when the other saves.
+void TestSchool::twoAdminsUndoNothingOfEachOther()
+{
+    typeBehindSamsName();
     const auto database = sql::Database::open(file()).value();
     const sql::School school{database->handle(), StationKey::readOrMake(m_folder->filePath("station.key")).value()};
     const auto other = sql::Logins::login(school, "admin", kPassword).value();
@@ -1031,15 +1038,7 @@ void TestSchool::whatAnotherAdminHasChangedIsToldBeforeItIsUndone_data()
 void TestSchool::whatAnotherAdminHasChangedIsToldBeforeItIsUndone()
 {
     QFETCH(bool, isReadAgain);
-    start();
-    logIn("admin");
-    openSchool(ui::admin::AdminPage::People);
-    const auto* people = child<QTableView>("people")->model();
-    QTRY_COMPARE_WITH_TIMEOUT(people->rowCount(), 4, kPatienceMs);
-    for (int row = 0; row < people->rowCount(); ++row)
-        if (people->index(row, 1).data().toString() == "sam")
-            child<QTableView>("people")->setCurrentIndex(people->index(row, 0));
-    QTest::keyClicks(child<QLineEdit>("personGiven"), "X");
+    typeBehindSamsName();
     const auto database = sql::Database::open(file()).value();
     const sql::School school{database->handle(), StationKey::readOrMake(m_folder->filePath("station.key")).value()};
     const auto other = sql::Logins::login(school, "admin", kPassword).value();

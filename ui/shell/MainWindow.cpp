@@ -88,7 +88,7 @@ constexpr qint64 kWishMs = 500;
 /// The session's state is read this often even while the view does not paint.
 constexpr int kIdleLooks = 20;  ///< at whether the place was left, in the time after which it was
 constexpr int kSessionMs = 100;
-constexpr int kPutByMs = 5000;
+constexpr int kPutByMs = 5000;  ///< so much typing a power cut may take
 constexpr int kQuestionIconPx = 36;
 constexpr int kConsolePx = 260;
 constexpr QSize kFirstSize{1280, 800};
