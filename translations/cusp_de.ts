@@ -7096,6 +7096,25 @@ ungesichert</translation>
     </message>
 </context>
 <context>
+    <name>ui::shell::Drafts</name>
+    <message>
+        <source>Something that was typed and kept nowhere waits on this computer, but this Cusp cannot read it.</source>
+        <translation>Auf diesem Computer wartet etwas, das geschrieben und nirgends gespeichert wurde, aber dieses Cusp kann es nicht lesen.</translation>
+    </message>
+    <message>
+        <source>Take it instead</source>
+        <translation>Stattdessen nehmen</translation>
+    </message>
+    <message>
+        <source>Throw it away</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>The attempt that you typed this on is there no more.</source>
+        <translation>Den Versuch, zu dem Sie das geschrieben haben, gibt es nicht mehr.</translation>
+    </message>
+</context>
+<context>
     <name>ui::shell::DrillSwitch</name>
     <message>
         <source>Drill is on</source>
@@ -7631,22 +7650,6 @@ ungesichert</translation>
             <numerusform>%n Punktzahl ist getippt und noch nicht vergeben.</numerusform>
             <numerusform>%n Punktzahlen sind getippt und noch nicht vergeben.</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Something that was typed and kept nowhere waits on this computer, but this Cusp cannot read it.</source>
-        <translation>Auf diesem Computer wartet etwas, das geschrieben und nirgends gespeichert wurde, aber dieses Cusp kann es nicht lesen.</translation>
-    </message>
-    <message>
-        <source>Take it instead</source>
-        <translation>Stattdessen nehmen</translation>
-    </message>
-    <message>
-        <source>Throw it away</source>
-        <translation>Verwerfen</translation>
-    </message>
-    <message>
-        <source>The attempt that you typed this on is there no more.</source>
-        <translation>Den Versuch, zu dem Sie das geschrieben haben, gibt es nicht mehr.</translation>
     </message>
     <message numerus="yes">
         <source>%n grade(s) are not kept yet, and would be lost.</source>

@@ -7086,6 +7086,25 @@ unsaved</source>
     </message>
 </context>
 <context>
+    <name>ui::shell::Drafts</name>
+    <message>
+        <source>Something that was typed and kept nowhere waits on this computer, but this Cusp cannot read it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take it instead</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Throw it away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The attempt that you typed this on is there no more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>ui::shell::DrillSwitch</name>
     <message>
         <source>Drill is on</source>
@@ -7621,22 +7640,6 @@ unsaved</source>
             <numerusform>%n score was typed and is not given yet.</numerusform>
             <numerusform>%n scores were typed and are not given yet.</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Something that was typed and kept nowhere waits on this computer, but this Cusp cannot read it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Take it instead</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Throw it away</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The attempt that you typed this on is there no more.</source>
-        <translation type="unfinished"></translation>
     </message>
     <message numerus="yes">
         <source>%n grade(s) are not kept yet, and would be lost.</source>

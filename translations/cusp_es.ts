@@ -7096,6 +7096,25 @@ sin guardar</translation>
     </message>
 </context>
 <context>
+    <name>ui::shell::Drafts</name>
+    <message>
+        <source>Something that was typed and kept nowhere waits on this computer, but this Cusp cannot read it.</source>
+        <translation>En este equipo está pendiente algo que se escribió y no se guardó en ningún sitio, pero esta versión de Cusp no puede leerlo.</translation>
+    </message>
+    <message>
+        <source>Take it instead</source>
+        <translation>Usar eso en su lugar</translation>
+    </message>
+    <message>
+        <source>Throw it away</source>
+        <translation>Descartar</translation>
+    </message>
+    <message>
+        <source>The attempt that you typed this on is there no more.</source>
+        <translation>El intento sobre el que escribió esto ya no existe.</translation>
+    </message>
+</context>
+<context>
     <name>ui::shell::DrillSwitch</name>
     <message>
         <source>Drill is on</source>
@@ -7631,22 +7650,6 @@ sin guardar</translation>
             <numerusform>Se ha escrito %n puntuación que aún no se ha asignado.</numerusform>
             <numerusform>Se han escrito %n puntuaciones que aún no se han asignado.</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Something that was typed and kept nowhere waits on this computer, but this Cusp cannot read it.</source>
-        <translation>En este equipo está pendiente algo que se escribió y no se guardó en ningún sitio, pero esta versión de Cusp no puede leerlo.</translation>
-    </message>
-    <message>
-        <source>Take it instead</source>
-        <translation>Usar eso en su lugar</translation>
-    </message>
-    <message>
-        <source>Throw it away</source>
-        <translation>Descartar</translation>
-    </message>
-    <message>
-        <source>The attempt that you typed this on is there no more.</source>
-        <translation>El intento sobre el que escribió esto ya no existe.</translation>
     </message>
     <message numerus="yes">
         <source>%n grade(s) are not kept yet, and would be lost.</source>

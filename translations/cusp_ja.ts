@@ -7048,6 +7048,25 @@ unsaved</source>
     </message>
 </context>
 <context>
+    <name>ui::shell::Drafts</name>
+    <message>
+        <source>Something that was typed and kept nowhere waits on this computer, but this Cusp cannot read it.</source>
+        <translation>入力されたまま保存されていない内容がこのコンピューターに残っていますが、このCuspでは読めません。</translation>
+    </message>
+    <message>
+        <source>Take it instead</source>
+        <translation>代わりにこちらを使う</translation>
+    </message>
+    <message>
+        <source>Throw it away</source>
+        <translation>破棄する</translation>
+    </message>
+    <message>
+        <source>The attempt that you typed this on is there no more.</source>
+        <translation>この内容を入力した試行は、もうありません。</translation>
+    </message>
+</context>
+<context>
     <name>ui::shell::DrillSwitch</name>
     <message>
         <source>Drill is on</source>
@@ -7579,22 +7598,6 @@ unsaved</source>
         <translation>
             <numerusform>入力したまま、まだ付けていない点数が %n 件あります。</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Something that was typed and kept nowhere waits on this computer, but this Cusp cannot read it.</source>
-        <translation>入力されたまま保存されていない内容がこのコンピューターに残っていますが、このCuspでは読めません。</translation>
-    </message>
-    <message>
-        <source>Take it instead</source>
-        <translation>代わりにこちらを使う</translation>
-    </message>
-    <message>
-        <source>Throw it away</source>
-        <translation>破棄する</translation>
-    </message>
-    <message>
-        <source>The attempt that you typed this on is there no more.</source>
-        <translation>この内容を入力した試行は、もうありません。</translation>
     </message>
     <message numerus="yes">
         <source>%n grade(s) are not kept yet, and would be lost.</source>

@@ -56,6 +56,7 @@
 #include "ui/shell/AccountMenu.h"
 #include "ui/shell/Actions.h"
 #include "ui/shell/BusyCard.h"
+#include "ui/shell/Drafts.h"
 #include "ui/shell/FileDialog.h"
 #include "ui/shell/Folders.h"
 #include "ui/shell/HelpOverlay.h"
@@ -88,7 +89,6 @@ constexpr qint64 kWishMs = 500;
 /// The session's state is read this often even while the view does not paint.
 constexpr int kIdleLooks = 20;  ///< at whether the place was left, in the time after which it was
 constexpr int kSessionMs = 100;
-constexpr int kPutByMs = 5000;  ///< so much typing a power cut may take
 constexpr int kQuestionIconPx = 36;
 constexpr int kConsolePx = 260;
 constexpr QSize kFirstSize{1280, 800};
@@ -188,6 +188,7 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
     connectDoor();
     connectTour();
     connectPresets();
+    connectDrafts();
     connect(m_chooser, &ToothChooser::toothChosen, this, [this](int fdi) {
         goTo(m_room);
         leaveWork([this, fdi] { emit toothChosen(fdi); });
@@ -202,7 +203,7 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
     connect(m_lessonsPage, &study::LessonsPage::folderWanted, this, &MainWindow::lessonFolderWanted);
     connect(m_editor, &study::LessonEditor::stepsChanged, this, &MainWindow::enableActions);
     connect(m_editor, &study::LessonEditor::lessonSaved, this, [this] {
-        putAllBy();  // what is saved comes back as a draft no more
+        m_drafts->putBy();  // what is saved comes back as a draft no more
         emit lessonsWanted();
     });
     const auto workOn = [this] {
@@ -246,9 +247,6 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
     auto* pulse = new QTimer(this);
     connect(pulse, &QTimer::timeout, this, &MainWindow::takeSession);
     pulse->start(kSessionMs);
-    // The program may be killed, or the computer switched off.
-    connect(&m_putByWatch, &QTimer::timeout, this, &MainWindow::putAllBy);
-    m_putByWatch.start(kPutByMs);
     qApp->installEventFilter(this);
     recallLayout();
     text::inEveryLanguage(this, [this] { speak(); });
@@ -610,9 +608,9 @@ void MainWindow::closeAllOver()
 void MainWindow::askWho(people::Door door)
 {
     closeAllOver();
-    putAllBy();  // the computer may be switched off before he is back
+    m_drafts->putBy();  // the computer may be switched off before he is back
     m_messages->withdraw(MessageBar::Topic::Drafts);
-    m_toldUnclaimed = {};
+    m_drafts->forgetTold();
     if (!isAtDoor())
         m_behindDoor = m_pages->currentWidget();
     m_mayLeaveDoor = false;
@@ -640,7 +638,7 @@ void MainWindow::setWho(const database::Session& who)
     m_names[QString::fromStdString(who.uid())] = QString::fromStdString(who.fullName());
     m_scorePage->talk().setWriter(QString::fromStdString(who.uid()));
     m_admin->setWriter(who.role() == database::Role::Admin ? QString::fromStdString(who.uid()) : QString());
-    putAllBy();  // the program may be killed before who has gone is back
+    m_drafts->putBy();  // the program may be killed before who has gone is back
     m_actions->showAccount(QString::fromStdString(who.username()));
     m_actions->attempts->setVisible(!who.isGuest());
     m_actions->school->setVisible(who.role() == database::Role::Admin);
@@ -652,7 +650,7 @@ void MainWindow::setWho(const database::Session& who)
         goTo(m_behindDoor != nullptr ? m_behindDoor : m_room);
     }
     if (isBack)  // what another may do is told next
-        tellUnclaimed();
+        m_drafts->tell();
 }
 
 void MainWindow::setMayEdit(bool may)
@@ -662,7 +660,7 @@ void MainWindow::setMayEdit(bool may)
     m_lessonsPage->setMayEdit(may);
     m_lessonsPage->setUnsaved(may ? m_editor->unsavedFiles() : QSet<QString>());
     enableActions();
-    tellUnclaimed();
+    m_drafts->tell();
 }
 
 const QWidget* MainWindow::page() const
@@ -731,7 +729,7 @@ void MainWindow::leaveAll()
                              MessageBar::Topic::Keeping, MessageBar::Topic::Journal, MessageBar::Topic::Preset,
                              MessageBar::Topic::School, MessageBar::Topic::Page, MessageBar::Topic::Drafts})
         m_messages->withdraw(topic);
-    m_toldUnclaimed = {};
+    m_drafts->forgetTold();
 }
 
 void MainWindow::refuseLogin(const core::Error& error)
@@ -1037,142 +1035,25 @@ void MainWindow::editLesson(const lessons::ReadLesson& lesson)
     goTo(m_editor);
 }
 
+void MainWindow::connectDrafts()
+{
+    m_drafts = new Drafts(
+        {*m_editor, m_scorePage->talk(), *m_presets, m_admin->people()}, *m_messages,
+        {[this](const QString& person) { return person == QString::fromStdString(m_who.uid()) && !isAtLockedDoor(); },
+         [this] { return mayDecideOnDrafts(); }, [this] { return isAtLockedDoor(); }},
+        this);
+    connect(m_drafts, &Drafts::attemptWanted, this, &MainWindow::showDraft);
+    connect(m_drafts, &Drafts::presetsWanted, this, [this] { goTo(m_presets); });
+}
+
 void MainWindow::setPutByFolder(const QString& folder, const QString& school)
 {
-    m_putBy = std::make_unique<PutBy>(folder, school);
-    for (const QJsonValue one : m_putBy->found())
-        if (!goOnWith(one.toObject()))
-            m_unclaimed.append(one);
-}
-
-/// False: another has its place, or it is nothing.
-bool MainWindow::goOnWith(const QJsonObject& typed)
-{
-    return m_editor->goOnWith(typed, lessons::teachersFolder()) || m_scorePage->talk().goOnWith(typed) ||
-           m_presets->goOnWith(typed) || m_admin->people().goOnWith(typed);
-}
-
-/// Drafts of lessons, and what nobody can read, are nobody's in particular.
-bool MainWindow::mayDecideOn(const QJsonObject& typed) const
-{
-    const QString person = typed["person"].toString();
-    return person.isEmpty() ? mayDecideOnDrafts() : person == QString::fromStdString(m_who.uid()) && !isAtLockedDoor();
-}
-
-/// Of what was put by and has no place, once to each who works here: two windows may have had a draft of the same.
-void MainWindow::tellUnclaimed()
-{
-    QJsonArray left;
-    for (const QJsonValue one : std::as_const(m_unclaimed))
-        if (!mayDecideOn(one.toObject()) || !goOnWith(one.toObject()))  // its place may be free by now
-            left.append(one);
-    m_unclaimed = left;
-    for (const QJsonValue one : left)
-        if (mayDecideOn(one.toObject()) && !m_toldUnclaimed.contains(one)) {
-            m_toldUnclaimed.append(one);
-            tellUnclaimed(one.toObject());
-        }
-}
-
-void MainWindow::tellUnclaimed(const QJsonObject& typed)
-{
-    m_messages->say([this, typed] {
-        MessageBar::Message message;
-        message.kind = MessageBar::Kind::Warning;
-        message.topic = MessageBar::Topic::Drafts;
-        for (const QString& words :
-             {people::TalkPanel::words(typed), presets::PresetsPage::words(typed), study::LessonEditor::words(typed)})
-            if (message.sentence.isEmpty())
-                message.sentence = words;
-        const bool isNothing = message.sentence.isEmpty();
-        if (isNothing)
-            message.sentence = tr("Something that was typed and kept nowhere waits on this computer, but this Cusp "
-                                  "cannot read it.");
-        // Of a lesson whose file is gone nothing can be made.
-        if (!isNothing && (!typed.contains("lesson") || m_editor->isTaken(typed))) {
-            message.actionText = tr("Take it instead");
-            message.action = [this, typed] { takeInstead(typed); };
-        }
-        message.declining = {tr("Throw it away"), [this, typed] { dropUnclaimed(typed); }};
-        return message;
-    });
-}
-
-/// What is there waits from now on, and can be taken back in the same way.
-void MainWindow::takeInstead(const QJsonObject& typed)
-{
-    const bool isLesson = typed.contains("lesson");
-    const bool isTalk = typed.contains("attempt");
-    const QJsonObject before = isLesson ? m_editor->trade(typed)
-                               : isTalk ? m_scorePage->talk().trade(typed)
-                                        : m_presets->trade(typed);
-    m_toldUnclaimed.append(before);
-    m_unclaimed.append(before);
-    dropUnclaimed(typed);
-    if (isTalk)
-        showDraft(typed["attempt"].toInteger());
-    else if (!isLesson)
-        goTo(m_presets);
-    tellUnclaimed(before);
+    m_drafts->setFolder(folder, school);
 }
 
 void MainWindow::tellDraftOfNothing(qint64 attempt)
 {
-    m_messages->say([this, attempt, typed = m_scorePage->talk().typedOn(attempt)] {
-        MessageBar::Message message;
-        message.kind = MessageBar::Kind::Warning;
-        message.topic = MessageBar::Topic::Drafts;
-        message.sentence = tr("The attempt that you typed this on is there no more.");
-        message.detail = typed;
-        message.declining = {tr("Throw it away"), [this, attempt] {
-                                 m_scorePage->talk().forget(attempt);
-                                 putAllBy();
-                             }};
-        return message;
-    });
-}
-
-void MainWindow::dropUnclaimed(const QJsonObject& typed)
-{
-    QJsonArray left;
-    for (const QJsonValue one : std::as_const(m_unclaimed))
-        if (one != QJsonValue(typed))
-            left.append(one);
-    m_unclaimed = left;
-    putAllBy();
-}
-
-/// @param drafts  of lessons, too
-/// @param withOwn  and what who works here has typed
-QJsonArray MainWindow::typed(bool drafts, bool withOwn) const
-{
-    QJsonArray all = m_unclaimed;
-    const auto add = [&all](const QJsonArray& more) {
-        for (const QJsonValue one : more)
-            all.append(one);
-    };
-    if (drafts)
-        add(m_editor->unsavedDrafts());
-    add(m_scorePage->talk().waiting(withOwn));
-    add(m_presets->waiting(withOwn));
-    add(m_admin->people().waiting(withOwn));
-    return all;
-}
-
-/// While the window goes on: nothing of it is decided.
-void MainWindow::putAllBy()
-{
-    if (m_putBy)
-        static_cast<void>(m_putBy->keep(typed(true, true)));
-}
-
-/// When the window is closed: what whoever stands here may not decide on, and hears nothing of; at a place that its
-/// owner has locked all of his: whoever stands there may be anybody. False: there is something, and it is written
-/// nowhere.
-bool MainWindow::putOthersBy()
-{
-    const QJsonArray all = typed(!mayDecideOnDrafts(), isAtLockedDoor());
-    return m_putBy ? m_putBy->keep(all) : all.isEmpty();
+    m_drafts->tellOfNothing(attempt);
 }
 
 void MainWindow::setKnownAttempts(std::vector<study::MeasuredAttempt> attempts)
@@ -2622,14 +2503,14 @@ void MainWindow::askToSave()
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
-    const bool isPutBy = putOthersBy();
+    const bool isPutBy = m_drafts->putOthersBy();
     // One-time codes are put by nowhere: they open accounts.
     const bool asksOfOthers = m_unkeptGrades > 0 || !othersWithCodes().isEmpty();
     const bool asksOfDrafts = mayDecideOnDrafts() && !m_editor->unsaved().isEmpty();
     const bool asksOfTyped = !isAtLockedDoor() && !unkept().empty();
     if (isPutBy && (m_mayClose || (!asksOfOthers && !wouldLoseWork() && !asksOfDrafts && !asksOfTyped))) {
         memory().setValue(kGeometry, saveGeometry());
-        m_putByWatch.stop();  // what is left was decided on
+        m_drafts->stop();  // what is left was decided on
         return;
     }
     event->ignore();

@@ -10,7 +10,6 @@
 
 #include <QDateTime>
 #include <QElapsedTimer>
-#include <QJsonArray>
 #include <QList>
 #include <QMainWindow>
 #include <QPointer>
@@ -33,7 +32,6 @@
 #include "ui/replay/Course.h"
 #include "ui/replay/HistoryPanel.h"
 #include "ui/shell/MessageBar.h"
-#include "ui/shell/PutBy.h"
 #include "ui/shell/QuestionCard.h"
 #include "ui/shell/Tour.h"
 #include "ui/study/Expectation.h"
@@ -90,6 +88,7 @@ namespace ui::shell {
 
 class Actions;
 class BusyCard;
+class Drafts;
 class HelpOverlay;
 class PracticeRoom;
 class StereoCard;
@@ -452,15 +451,6 @@ private:
     void leaveDrafts(const std::function<void()>& what);
     [[nodiscard]] bool mayDecideOnDrafts() const;
     [[nodiscard]] bool isAtLockedDoor() const;
-    [[nodiscard]] QJsonArray typed(bool drafts, bool withOwn) const;
-    void putAllBy();
-    [[nodiscard]] bool goOnWith(const QJsonObject& typed);
-    void tellUnclaimed();
-    void tellUnclaimed(const QJsonObject& typed);
-    void takeInstead(const QJsonObject& typed);
-    void dropUnclaimed(const QJsonObject& typed);
-    [[nodiscard]] bool mayDecideOn(const QJsonObject& typed) const;
-    [[nodiscard]] bool putOthersBy();
     void sayWaits(const std::function<QString()>& sentence);
     /// What a page would lose with the window, in a sentence, and the way to where it can be kept.
     struct Unkept
@@ -515,6 +505,7 @@ private:
     void showXray();
     void connectPresets();
     void connectConsole();
+    void connectDrafts();
     void registerParameters();
     [[nodiscard]] std::string feelByHand(const core::settings::FeelPreset& wanted);
     void savePicture(const QString& path, const QImage& picture);
@@ -562,6 +553,7 @@ private:
     inside::XrayPage* m_xray;
     MessageBar* m_messages;
     BusyCard* m_busy;
+    Drafts* m_drafts = nullptr;
     HelpOverlay* m_help;
     Tour* m_tour;
     QWidget* m_beforeTour = nullptr;  ///< the page where it began
@@ -619,15 +611,11 @@ private:
     QElapsedTimer m_sinceTouch;  ///< keys, mouse, pen, or the bur on the tooth
     std::chrono::milliseconds m_idleLimit = std::chrono::minutes(10);
     QTimer m_idleWatch;
-    QTimer m_putByWatch;
     QWidget* m_behindScore = nullptr;    ///< the page from which the score card was opened
     QWidget* m_behindHistory = nullptr;  ///< the same of the attempts
     QWidget* m_behindDoor = nullptr;     ///< the page to go on with
     bool m_isNewSchool = false;
-    bool m_mayLeaveDoor = false;     ///< who practises as a guest, and has only looked at it
-    std::unique_ptr<PutBy> m_putBy;  ///< null: there is no place for it
-    QJsonArray m_unclaimed;          ///< of what was put by, what nothing can be made of here and now
-    QJsonArray m_toldUnclaimed;      ///< of it, what who works here has been told of
+    bool m_mayLeaveDoor = false;  ///< who practises as a guest, and has only looked at it
     bool m_mayClose = false;
     int m_unkeptGrades = 0;
     bool m_isGuestGone = false;  ///< nobody has touched anything for long since the guest's work was graded
