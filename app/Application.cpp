@@ -12,14 +12,12 @@
 #include <QFileInfo>
 #include <QRandomGenerator>
 #include <QStandardPaths>
-#include <QThread>
 #include <QThreadPool>
 #include <QUrl>
 
 #include "app/Background.h"
 #include "app/Backups.h"
 #include "app/Demonstration.h"
-#include "app/GradedMark.h"
 #include "app/SchoolSettings.h"
 #include "app/cli/Arguments.h"
 #include "core/grading/Measures.h"
@@ -62,8 +60,6 @@ using Keeping = ui::study::ScorePage::Keeping;
 constexpr std::chrono::microseconds kServoPeriod = 1ms;
 constexpr std::chrono::microseconds kSessionPeriod = 10ms;
 constexpr int kHistoryLength = 12;
-constexpr int kLooksForJournal = 6;
-constexpr unsigned long kJournalRestMs = 500;
 constexpr int kMostKnownAttempts = 200;
 constexpr double kMnPerN = 1000.0;
 constexpr double kMsPerS = 1000.0;
@@ -74,10 +70,8 @@ constexpr int kOpenWatchMs = 10'000;
 constexpr int kDoorPatienceMs = 12'000;  ///< for an answer at the door; longer than a file is waited for
 constexpr int kBackupWatchMs = 3'600'000;
 constexpr int kExamRetryMs = 10'000;
-constexpr int kKeepAgainMs = 5000;
 constexpr int kSettleMs = 20;
 constexpr int kMostTakeUpLooks = 250;
-constexpr int kNewestKept = 200;  ///< attempts, among which is what was graded here last
 constexpr int kSettledLooks = 3;  ///< in a row that find the bur out of the tooth
 constexpr int kMostSettleLooks = 25;
 constexpr int kLongestLookMs = 1500;  ///< for how often a lesson may be tried
@@ -102,84 +96,6 @@ std::filesystem::path journalFolder(const QString& stationFolder, const database
 std::function<QStringList()> notesOf(const core::teeth::ToothReport& report)
 {
     return [report] { return ui::text::scanNotes(report); };
-}
-
-bool isGradedNote(const core::session::ServoEvent& event)
-{
-    return event.kind == core::session::ServoEvent::Kind::Note && event.value == core::session::kGradedNote;
-}
-
-/// Whether anything was cut after the last grade, or after these events. It takes as long as a replay.
-bool isCutOn(const core::recording::Recording& recording, std::uint64_t events = 0)
-{
-    auto servo = core::recording::Replayer::make(recording);
-    bool isCut = !servo;  // nobody knows
-    std::uint64_t played = 0;
-    if (servo)
-        recording.forEach([&](const core::session::ServoEvent& event) {
-            const bool cuts = servo->play(event) && !servo->changed().isEmpty();
-            isCut = ++played > events && !isGradedNote(event) && (isCut || cuts);
-        });
-    return isCut;
-}
-
-/// An attempt that was graded and not gone on with is done: taken up again it would count twice. That a bur turned
-/// while the work was looked at is not to go on. An exam ends with its score, however the program ended.
-bool isDone(const core::recording::Recording& recording)
-{
-    using Kind = core::session::ServoEvent::Kind;
-    bool isGraded = false;
-    bool drillOn = false;
-    bool mayBeCut = false;
-    recording.forEach([&](const core::session::ServoEvent& event) {
-        isGraded = isGraded || isGradedNote(event);
-        if (event.kind == Kind::Drill || event.kind == Kind::Resume)
-            drillOn = event.kind == Kind::Drill && event.value != 0;
-        mayBeCut = !isGradedNote(event) && (mayBeCut || (event.kind == Kind::Tick && drillOn));
-    });
-    if (!isGraded || !mayBeCut)
-        return isGraded;
-    const auto read = lessons::readLessonText(QByteArray::fromStdString(recording.lesson()), QStringLiteral("lesson"));
-    return (read.lesson && read.lesson->exam) || !isCutOn(recording);
-}
-
-using LessonIds = std::set<std::string>;
-
-/// Whether an attempt is kept; nothing: nobody says.
-/// @param kept  uids that the school has; nothing: it does not say
-std::optional<bool> isThere(const std::string& uid, const QString& outbox,
-                            const std::optional<std::set<std::string>>& kept)
-{
-    const QString letter = QString::fromStdString(uid) + QStringLiteral(".attempt");
-    for (const QString& folder : {outbox, outbox + QStringLiteral("/arrived")})
-        if (QFile::exists(QDir(folder).filePath(letter)))
-            return true;
-    return kept ? std::optional(kept->contains(uid)) : std::nullopt;
-}
-
-/// Of which a student has no attempt left.
-core::Result<LessonIds> usedUpLessons(const School& school, const database::Session& who)
-{
-    const auto given = database::sql::listAssignments(school, who);
-    if (!given)
-        return tl::unexpected(given.error());
-    LessonIds usedUp;
-    for (const database::ClassAssignment& one : *given) {
-        const auto left = database::sql::attemptsLeft(school, who, one.lessonId);
-        if (!left)
-            return tl::unexpected(left.error());
-        if (*left && **left <= 0)
-            usedUp.insert(one.lessonId);
-    }
-    return usedUp;
-}
-
-/// The lesson whose attempts an attempt would count among; empty: none. That an exam was begun has been counted: to end
-/// it takes no other attempt.
-std::string limitedLessonOf(const core::recording::Recording& recording)
-{
-    const auto read = lessons::readLessonText(QByteArray::fromStdString(recording.lesson()), QStringLiteral("lesson"));
-    return read.lesson && !read.lesson->exam ? read.lesson->id : std::string();
 }
 
 /// What the attempt of a recording was made for. The file of an expert's attempt lies beside the lesson of today.
@@ -339,6 +255,7 @@ Application::~Application()
     stopJournal(true);
     m_tour.reset();
     m_people.reset();
+    m_letters.reset();
     m_desk.reset();
 }
 
@@ -395,6 +312,9 @@ void Application::openDatabase()
     m_window->setPutByFolder(QDir(m_stationFolder).filePath(QStringLiteral("put-by")),
                              database::Outbox::schoolAt(*address, m_stationFolder));
     m_desk = std::make_unique<SchoolDesk>(*address, m_stationFolder, m_options.opening);
+    m_letters = std::make_unique<Letters>(*m_desk);
+    connect(m_letters.get(), &Letters::kept, this, &Application::takeKept);
+    connect(m_letters.get(), &Letters::refused, this, &Application::takeRefused);
     connect(m_desk.get(), &SchoolDesk::delivered, this, [this](const QString& uid) {
         if (m_graded && m_graded->record.uid == uid.toStdString()) {
             m_graded->keeping = Keeping::Kept;
@@ -1526,8 +1446,8 @@ void Application::keepGrade()
     tellKeeping();
     if (m_graded->keeping != Keeping::Pending)
         noteGraded();
-    else if (m_letters.count(m_graded->record.uid) == 0)  // else it is tried again and again as it is
-        send(std::make_shared<const Letter>(
+    else
+        m_letters->send(std::make_shared<const Letter>(
             Letter{m_who, m_graded->record, m_graded->recording, m_graded->generation,
                    m_journal ? m_journal->fileOf(m_graded->generation) : std::filesystem::path()}));
 }
@@ -1560,43 +1480,33 @@ void Application::noteGraded()
         static_cast<void>(m_links.commands.tryPush(core::session::AddNote{core::session::kGradedNote}));
 }
 
-/// Into the outbox. What the disk refuses is offered to it again, whoever works here by then: there may be room.
-void Application::send(const std::shared_ptr<const Letter>& letter)
+void Application::takeKept(const Letter& letter, bool isAgain)
 {
-    const bool isAgain = !m_letters.emplace(letter->record.uid, letter).second;
-    if (!isAgain && !letter->journal.empty())
-        markGraded(letter->journal, {letter->record.uid, letter->recording.events(), letter->record.expectedTenths});
-    m_desk->keep(this, letter->who, letter->record, letter->recording,
-                 [this, letter, isAgain](const core::Status& kept) { takeKept(letter, isAgain, kept); });
-}
-
-void Application::takeKept(const std::shared_ptr<const Letter>& letter, bool isAgain, const core::Status& kept)
-{
-    const std::string& uid = letter->record.uid;
-    const bool isOfCard = m_graded && m_graded->record.uid == uid;
-    if (kept) {
-        m_letters.erase(uid);
-        endJournal(*letter);
-    } else {
-        QTimer::singleShot(kKeepAgainMs, this, [this, letter] { send(letter); });
-    }
-    if (isOfCard) {
-        m_graded->keeping = kept ? Keeping::Waiting : Keeping::Refused;
-        tellKeeping();
-    }
-    showExamsScore(uid);
-    m_window->setUnkeptGrades(static_cast<int>(m_letters.size()));
-    if (m_who != letter->who)
-        return;
-    if (!kept && !isAgain)
-        m_window->showNotKept(kept.error());
-    const bool isLast =
-        std::none_of(m_letters.begin(), m_letters.end(), [this](const auto& one) { return one.second->who == m_who; });
-    if (!kept || !isLast)
+    endJournal(letter);
+    takeAnswer(letter, Keeping::Waiting);
+    if (m_who != letter.who || m_letters->hasAnyOf(m_who))
         return;
     m_window->forgetNotKept();
     if (isAgain)
         m_window->showMessage(tr("The grade that could not be kept is kept now."));
+}
+
+void Application::takeRefused(const Letter& letter, bool isAgain, const core::Error& why)
+{
+    takeAnswer(letter, Keeping::Refused);
+    if (m_who == letter.who && !isAgain)
+        m_window->showNotKept(why);
+}
+
+/// Of the disk.
+void Application::takeAnswer(const Letter& letter, Keeping keeping)
+{
+    if (m_graded && m_graded->record.uid == letter.record.uid) {
+        m_graded->keeping = keeping;
+        tellKeeping();
+    }
+    showExamsScore(letter.record.uid);
+    m_window->setUnkeptGrades(m_letters->count());
 }
 
 /// The work that is graded is as it was, so that its journal has nothing that is not kept.
@@ -1617,15 +1527,8 @@ void Application::endJournal(const Letter& letter)
             offerUnfinished();  // others may be waiting
     } else if (!letter.journal.empty()) {
         // He has left the tooth meanwhile, perhaps for somebody else.
-        inBackground(
-            this,
-            [file = letter.journal, events = letter.recording.events()] {
-                const auto found = core::recording::findAttempt(file);
-                if (found && *found && !isCutOn((*found)->recording, events))
-                    core::recording::discardJournal(file);
-                return true;
-            },
-            [](bool) {});
+        QThreadPool::globalInstance()->start(
+            [journal = letter.journal, events = letter.recording.events()] { endKept(journal, events); });
     }
 }
 
@@ -1646,7 +1549,7 @@ void Application::keepGuestsGrade()
             if (!m_graded || m_graded->record.uid != record.uid || m_who != who) {
                 // He has gone on meanwhile.
                 if (!isOverLimit)
-                    send(std::make_shared<const Letter>(Letter{who, record, recording}));
+                    m_letters->send(std::make_shared<const Letter>(Letter{who, record, recording}));
                 return;
             }
             m_graded->isOverLimit = isOverLimit;
@@ -2012,112 +1915,38 @@ void Application::watchJournal()
 void Application::offerUnfinished()
 {
     if (!m_desk || m_who.isGuest()) {
-        lookForUnfinished({}, std::set<std::string>());
+        lookForUnfinished({{}, std::set<std::string>()});
         return;
     }
-    using Known = std::pair<LessonIds, std::set<std::string>>;
     const auto isDecided = std::make_shared<bool>(false);
     m_desk->ask(
-        this,
-        [who = m_who](const School& school) -> core::Result<Known> {
-            Known known;
-            if (who.role() == database::Role::Student) {
-                auto usedUp = usedUpLessons(school, who);
-                if (!usedUp)
-                    return tl::unexpected(usedUp.error());
-                known.first = std::move(*usedUp);
-            }
-            const auto newest = database::sql::history(school, who, who.person(), {"", "", kNewestKept});
-            if (!newest)
-                return tl::unexpected(newest.error());
-            for (const database::AttemptRecord& one : *newest)
-                known.second.insert(one.uid);
-            return known;
-        },
-        [this, isDecided, who = m_who](const core::Result<Known>& known) {
-            if (std::exchange(*isDecided, true) || m_who != who)
-                return;
-            if (known)
-                lookForUnfinished(known->first, known->second);
-            else
-                lookForUnfinished({}, std::nullopt);
+        this, [who = m_who](const School& school) { return knownAttempts(school, who); },
+        [this, isDecided, who = m_who](const core::Result<KnownAttempts>& known) {
+            if (!std::exchange(*isDecided, true) && m_who == who)
+                lookForUnfinished(known.value_or(KnownAttempts()));
         });
     QTimer::singleShot(kLongestLookMs, this, [this, isDecided, who = m_who] {
         if (!std::exchange(*isDecided, true) && m_who == who)
-            lookForUnfinished({}, std::nullopt);
+            lookForUnfinished({});
     });
 }
 
-/// Offers the newest attempt that was not finished; one that cannot be read is told of and put aside.
-/// @param usedUp  an attempt at one of these waits until there may be another
-/// @param kept  uids that the school has; nothing: it does not say
-void Application::lookForUnfinished(const LessonIds& usedUp, const std::optional<std::set<std::string>>& kept)
+/// Offers the newest attempt that was not finished; of one that cannot be read it is told.
+void Application::lookForUnfinished(const KnownAttempts& known)
 {
-    struct Search
-    {
-        std::optional<core::recording::FoundAttempt> found;
-        std::optional<GradedMark> seen;  ///< of an exam whose score was seen, and is nowhere
-        std::optional<core::Error> failure;
-    };
-    // What is graded and waits to be kept is no unfinished work: it would become two attempts.
-    std::set<std::filesystem::path> toBeKept;
-    for (const auto& [uid, letter] : m_letters)
-        toBeKept.insert(letter->journal);
     inBackground(
         this,
-        [folder = journalFolder(m_stationFolder, m_who), outbox = QDir(m_stationFolder).filePath("outbox"), usedUp,
-         kept, toBeKept] {
-            Search search;
-            core::recording::tidyJournals(folder);
-            tidyGradedMarks(folder);
-            // A program that was just killed may hold its journal for a moment more.
-            bool isInUse = true;
-            for (int look = 0; look < kLooksForJournal && isInUse && !search.found; ++look) {
-                QThread::msleep(look > 0 ? kJournalRestMs : 0);
-                isInUse = false;
-                for (const std::filesystem::path& path : core::recording::journalsIn(folder)) {
-                    if (toBeKept.contains(path))
-                        continue;
-                    auto found = core::recording::findAttempt(path);
-                    if (!found) {
-                        search.failure = found.error();
-                        if (found.error().code != core::ErrorCode::NewerVersion)  // which may still take it up
-                            core::recording::discardJournal(path);
-                        continue;
-                    }
-                    if (!*found) {
-                        isInUse = true;
-                        continue;
-                    }
-                    const core::recording::Recording& recording = (*found)->recording;
-                    const auto mark = gradedMark(path);
-                    const auto isKept = mark ? isThere(mark->uid, outbox, kept) : std::nullopt;
-                    if (mark && !isKept)  // nobody knows: it may become two attempts
-                        continue;
-                    const bool isOver = isDone(recording);
-                    const bool isFinished = mark ? *isKept && (isOver || !isCutOn(recording, mark->events)) : isOver;
-                    if (isFinished) {
-                        core::recording::discardJournal(path);
-                        removeGradedMark(path);
-                    } else if (usedUp.contains(limitedLessonOf(recording))) {
-                        continue;
-                    } else {
-                        if (isOver)
-                            search.seen = mark;
-                        search.found = std::move(*found);
-                        break;
-                    }
-                }
-            }
-            return search;
+        [folder = journalFolder(m_stationFolder, m_who), outbox = QDir(m_stationFolder).filePath("outbox"), known,
+         toBeKept = m_letters ? m_letters->journals() : std::set<std::filesystem::path>()] {
+            return findUnfinished(folder, outbox, known, toBeKept);
         },
-        [this, who = m_who](Search& search) {
+        [this, who = m_who](FoundUnfinished& found) {
             if (m_who != who)  // the search was for somebody who has left
                 return;
-            if (search.failure)
-                m_window->showError(*search.failure, Failed::ResumingAttempt);
-            m_unfinished = std::move(search.found);
-            m_seenOfUnfinished = search.seen;
+            if (found.failure)
+                m_window->showError(*found.failure, Failed::ResumingAttempt);
+            m_unfinished = std::move(found.attempt);
+            m_seenOfUnfinished = found.seen;
             tellUnfinished();
         });
 }

@@ -7,7 +7,6 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <set>
 
 #include <QObject>
 #include <QString>
@@ -17,12 +16,14 @@
 #include "app/CardDesk.h"
 #include "app/Explainer.h"
 #include "app/GradedMark.h"
+#include "app/Letters.h"
 #include "app/LoopThread.h"
 #include "app/PeopleDesk.h"
 #include "app/PresetDesk.h"
 #include "app/ReplayDesk.h"
 #include "app/SchoolDesk.h"
 #include "app/TourDesk.h"
+#include "app/UnfinishedAttempts.h"
 #include "core/session/Follower.h"
 #include "core/session/JournalLoop.h"
 #include "core/session/ServoNumbers.h"
@@ -130,20 +131,12 @@ private:
     void connectExplainer(Explainer& explainer);
     void showGrade();
     void keepGrade();
-    /// A graded attempt on its way to the outbox.
-    struct Letter
-    {
-        database::Session who;
-        database::AttemptRecord record;
-        core::recording::Recording recording;
-        std::uint64_t generation = 0;        ///< of the tooth that was graded; 0: none of the present ones
-        std::filesystem::path journal = {};  ///< where the attempt lies until it is kept
-    };
     void keepExam();
     void showExamsScore(const std::string& uid);
     void noteGraded();
-    void send(const std::shared_ptr<const Letter>& letter);
-    void takeKept(const std::shared_ptr<const Letter>& letter, bool isAgain, const core::Status& kept);
+    void takeKept(const Letter& letter, bool isAgain);
+    void takeRefused(const Letter& letter, bool isAgain, const core::Error& why);
+    void takeAnswer(const Letter& letter, ui::study::ScorePage::Keeping keeping);
     [[nodiscard]] bool isAsGraded() const;
     void endJournal(const Letter& letter);
     void keepGuestsGrade();
@@ -174,7 +167,7 @@ private:
     void clearTable();
     void watchJournal();
     void offerUnfinished();
-    void lookForUnfinished(const std::set<std::string>& usedUp, const std::optional<std::set<std::string>>& kept);
+    void lookForUnfinished(const KnownAttempts& known);
     void gradeTakenUp(int looks);
     void tellUnfinished();
     void resumeUnfinished();
@@ -207,7 +200,8 @@ private:
     core::session::Follower m_follower;
     std::unique_ptr<ui::shell::MainWindow> m_window;
     std::unique_ptr<SchoolDesk> m_desk;    ///< null: nothing is kept
-    std::unique_ptr<PeopleDesk> m_people;  ///< null where m_desk is
+    std::unique_ptr<Letters> m_letters;    ///< null where m_desk is
+    std::unique_ptr<PeopleDesk> m_people;  ///< the same
     std::unique_ptr<AdminDesk> m_admin;    ///< the same
     std::optional<database::Address> m_address;
     std::shared_ptr<std::atomic<bool>> m_backupIsStopped = std::make_shared<std::atomic<bool>>(false);
@@ -268,7 +262,6 @@ private:
     bool m_isSettling = false;                         ///< a grade is wanted, and the bur not yet out of the tooth
     std::optional<core::session::Concluded> m_toMark;  ///< while what is expected of it is asked
     std::optional<Graded> m_graded;
-    std::map<std::string, std::shared_ptr<const Letter>> m_letters;  ///< not in the outbox yet, by uid
     std::string m_scoreToShow;                           ///< uid of the exam whose score is shown when it is kept
     std::optional<core::recording::Recording> m_opened;  ///< of the score card that is shown, where it is an old one
     /// Where the attempt that is played was asked for; the way back leads there.

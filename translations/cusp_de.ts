@@ -847,6 +847,10 @@
         <extracomment>%1: why, and what to do</extracomment>
         <translation>Diese Bewertung ist noch nicht gespeichert; es wird wieder versucht, solange Cusp läuft. %1</translation>
     </message>
+    <message>
+        <source>The folder “outbox”, where grades wait for the school, cannot be written. Make room on the disk, or make that folder writable.</source>
+        <translation>In den Ordner „outbox“, in dem Noten auf die Schule warten, kann nicht geschrieben werden. Schaffen Sie Platz auf dem Datenträger oder erlauben Sie das Schreiben in diesen Ordner.</translation>
+    </message>
 </context>
 <context>
     <name>ExerciseMarks</name>
@@ -6384,6 +6388,10 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>stereo, halves one above the other</source>
         <translation>Stereo, Hälften übereinander</translation>
+    </message>
+    <message>
+        <source>Rubric: content %1</source>
+        <translation>Bewertungsschema: Inhalt %1</translation>
     </message>
 </context>
 <context>

@@ -847,6 +847,10 @@
         <extracomment>%1: why, and what to do</extracomment>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The folder “outbox”, where grades wait for the school, cannot be written. Make room on the disk, or make that folder writable.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ExerciseMarks</name>
@@ -6374,6 +6378,10 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
     <message>
         <source>stereo, halves one above the other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rubric: content %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

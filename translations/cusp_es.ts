@@ -847,6 +847,10 @@
         <extracomment>%1: why, and what to do</extracomment>
         <translation>Esta calificación aún no está guardada; se vuelve a intentar mientras Cusp esté abierto. %1</translation>
     </message>
+    <message>
+        <source>The folder “outbox”, where grades wait for the school, cannot be written. Make room on the disk, or make that folder writable.</source>
+        <translation>No se puede escribir en la carpeta «outbox», donde las notas esperan a la escuela. Libere espacio en el disco o permita escribir en esa carpeta.</translation>
+    </message>
 </context>
 <context>
     <name>ExerciseMarks</name>
@@ -6384,6 +6388,10 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>stereo, halves one above the other</source>
         <translation>estéreo, mitades una encima de otra</translation>
+    </message>
+    <message>
+        <source>Rubric: content %1</source>
+        <translation>Rúbrica: contenido %1</translation>
     </message>
 </context>
 <context>

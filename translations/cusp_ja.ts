@@ -845,6 +845,10 @@
         <extracomment>%1: why, and what to do</extracomment>
         <translation>この評価はまだ保存されていません。Cuspの起動中はもう一度試み続けます。%1</translation>
     </message>
+    <message>
+        <source>The folder “outbox”, where grades wait for the school, cannot be written. Make room on the disk, or make that folder writable.</source>
+        <translation>成績が学校へ送られるのを待つフォルダー「outbox」に書き込めません。ディスクの空きを作るか、そのフォルダーを書き込み可能にしてください。</translation>
+    </message>
 </context>
 <context>
     <name>ExerciseMarks</name>
@@ -6336,6 +6340,10 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>stereo, halves one above the other</source>
         <translation>立体視、上下に分割</translation>
+    </message>
+    <message>
+        <source>Rubric: content %1</source>
+        <translation>評価基準：内容%1</translation>
     </message>
 </context>
 <context>

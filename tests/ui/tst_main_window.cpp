@@ -80,6 +80,7 @@
 #include "ui/shell/MessageBar.h"
 #include "ui/shell/Mouth.h"
 #include "ui/shell/PracticeRoom.h"
+#include "ui/shell/PutBy.h"
 #include "ui/shell/QuestionCard.h"
 #include "ui/shell/ScrollPane.h"
 #include "ui/shell/SidePanel.h"
