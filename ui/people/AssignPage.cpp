@@ -23,6 +23,7 @@
 #include <QStyledItemDelegate>
 #include <QVBoxLayout>
 
+#include "ui/people/ClassModel.h"
 #include "ui/people/ListTable.h"
 #include "ui/people/PeopleWords.h"
 #include "ui/shell/Announce.h"
@@ -414,9 +415,12 @@ std::set<std::size_t> AssignPage::usedUp(const database::ClassAssignment& given)
     if (place == m_overview.lessons.end())
         return students;
     const auto column = static_cast<std::size_t>(place - m_overview.lessons.begin());
-    for (std::size_t row = 0; row < m_overview.cells.size(); ++row)
-        if (m_overview.cells[row][column].isUsedUp(given.attemptLimit) && !m_overview.students[row].isDisabled)
+    const QDateTime now = QDateTime::currentDateTimeUtc();
+    for (std::size_t row = 0; row < m_overview.cells.size(); ++row) {
+        const database::MatrixCell& cell = m_overview.cells[row][column];
+        if (cell.isUsedUp(given.attemptLimit) && !mayGoOn(cell, now) && !m_overview.students[row].isDisabled)
             students.insert(row);
+    }
     return students;
 }
 

@@ -299,10 +299,13 @@ void paintCircumstances(Sheet& sheet, const ScoreCard& card)
     sheet.head(Words::tr("How it was marked and made"), 40.0);
     const QString rubric =
         QString::fromStdString(lessons::inLanguage(card.sheet.rubricTitle, QLocale().name().toStdString()));
-    sheet.say(Words::tr("Rubric: %1, version %2, content %3")
-                  .arg(rubric.isEmpty() ? noted({}) : rubric)
-                  .arg(card.sheet.rubricVersion)
-                  .arg(shown(card.sheet.rubricHash.empty() ? attempt.rubricHash : card.sheet.rubricHash)),
+    const QString content = shown(card.sheet.rubricHash.empty() ? attempt.rubricHash : card.sheet.rubricHash);
+    sheet.say(card.sheet.rubricVersion > 0 ? Words::tr("Rubric: %1, version %2, content %3")
+                                                 .arg(rubric.isEmpty() ? noted({}) : rubric)
+                                                 .arg(card.sheet.rubricVersion)
+                                                 .arg(content)
+                                           // its sheet was not kept with the attempt
+                                           : Words::tr("Rubric: content %1").arg(content),
               kTextPt);
     sheet.say(Words::tr("Hardness: %1, content %2").arg(noted(attempt.preset), shown(attempt.presetHash)), kTextPt);
     sheet.say(Words::tr("Device: %1; contact: %2; grid: %3 columns a side; view: %4; seed: %5")

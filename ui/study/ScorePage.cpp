@@ -732,6 +732,8 @@ void ScorePage::fillCriteria()
             if (on)
                 showPlace(*row);
         });
+        if (!m_scored)
+            row->setToolTip({});  // there is nothing to show it on
         column->addWidget(row);
         m_rows << row;
         // The one that was looked at; otherwise the costliest.

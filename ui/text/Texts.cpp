@@ -122,8 +122,11 @@ QString reason(core::ErrorCode code, Failed failed)
         return QCoreApplication::translate("Error", "The file cannot be read. Check that it is a file and that you may "
                                                     "open it.");
     case core::ErrorCode::FileUnwritable:
-        if (failed == Failed::KeepingGrades || failed == Failed::KeepingGrade || failed == Failed::ReadingSchool ||
-            failed == Failed::ChangingSchool)
+        if (failed == Failed::KeepingGrade)  // it lies there until the school has it
+            return QCoreApplication::translate("Error", "The folder “outbox”, where grades wait for the school, "
+                                                        "cannot be written. Make room on the disk, or make that "
+                                                        "folder writable.");
+        if (failed == Failed::KeepingGrades || failed == Failed::ReadingSchool || failed == Failed::ChangingSchool)
             return QCoreApplication::translate("Error", "The school's file cannot be written. Make room on the disk, "
                                                         "or make its folder writable.");
         return QCoreApplication::translate("Error", "The file cannot be written. Choose another folder, or make room "
