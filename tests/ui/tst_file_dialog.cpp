@@ -5,6 +5,7 @@
 #include <QFile>
 #include <QFileSystemModel>
 #include <QHeaderView>
+#include <QLabel>
 #include <QLocale>
 #include <QSettings>
 #include <QTemporaryDir>
@@ -48,6 +49,7 @@ class TestFileDialog : public QObject
 private slots:
     void looksAtNamesOnly();
     void beginsWhereTheLastFileWasSaved();
+    void replacesNothingOfAnotherKind();
     void tellsDatesAndSizesInTheProgramsLanguage();
 };
 
@@ -100,6 +102,36 @@ void TestFileDialog::beginsWhereTheLastFileWasSaved()
     second->reject();
     QVERIFY(QDir(stick.path()).removeRecursively());  // pulled out meanwhile
     QCOMPARE(ask()->selectedFiles(), QStringList{documents.filePath("Time Decay 36.csv")});
+}
+
+/// Nor through a link; and a new file, or one of the kind that is saved, is taken.
+void TestFileDialog::replacesNothingOfAnotherKind()
+{
+    const QTemporaryDir settings, folder;
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
+    for (const char* name : {"school.sqlite", "old.csv"}) {
+        QFile made(folder.filePath(name));
+        QVERIFY(made.open(QIODevice::WriteOnly));
+    }
+    QVERIFY(QFile::link(folder.filePath("school.sqlite"), folder.filePath("link.csv")));
+    const auto isTaken = [&](const QString& name) {
+        ui::shell::FileDialog dialog(nullptr, "Save", folder.path(), "Tables (*.csv)");
+        dialog.setAttribute(Qt::WA_DeleteOnClose, false);
+        dialog.setOption(QFileDialog::DontConfirmOverwrite);
+        QStringList chosen;
+        connect(&dialog, &QFileDialog::fileSelected, this, [&chosen](const QString& path) { chosen << path; });
+        dialog.askWhere("table", "csv");
+        dialog.selectFile(folder.filePath(name));
+        static_cast<QDialog*>(&dialog)->accept();
+        const auto* refusal = dialog.findChild<QLabel*>("refusal");
+        if (chosen.isEmpty() && (!dialog.isVisible() || !refusal->isVisible() || !refusal->text().contains("sqlite")))
+            QTest::qFail("it does not say why", __FILE__, __LINE__);
+        return !chosen.isEmpty();
+    };
+    QVERIFY(!isTaken("school.sqlite"));
+    QVERIFY(!isTaken("link.csv"));
+    QVERIFY(isTaken("old.csv"));
+    QVERIFY(isTaken("new.csv"));
 }
 
 void TestFileDialog::tellsDatesAndSizesInTheProgramsLanguage()

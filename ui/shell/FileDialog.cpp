@@ -5,13 +5,17 @@
 #include <QFileIconProvider>
 #include <QFileInfo>
 #include <QFileSystemModel>
+#include <QGridLayout>
 #include <QHeaderView>
 #include <QIdentityProxyModel>
+#include <QLabel>
+#include <QLineEdit>
 #include <QLocale>
 #include <QMimeDatabase>
 #include <QRegularExpression>
 #include <QTreeView>
 
+#include "ui/shell/Announce.h"
 #include "ui/shell/Memory.h"
 
 namespace ui::shell {
@@ -19,6 +23,16 @@ namespace {
 
 constexpr int kSize = 1;  ///< columns of QFileSystemModel
 constexpr int kModified = 3;
+
+/// "*.png", "*.PNG" of "Pictures (*.png *.PNG)".
+QStringList patternsOf(const QStringList& nameFilters)
+{
+    static const QRegularExpression kWithin(QStringLiteral(R"(\(([^()]*)\)\s*$)"));
+    QStringList patterns;
+    for (const QString& filter : nameFilters)
+        patterns << kWithin.match(filter).captured(1).split(u' ', Qt::SkipEmptyParts);
+    return patterns;
+}
 
 /// Never opens a file.
 class ByName final : public QFileIconProvider
@@ -59,7 +73,7 @@ public:
 
 // It begins to look around at once: where there is no school's file, until it has learned how to look.
 FileDialog::FileDialog(QWidget* parent, const QString& title, const QString& folder, const QString& filter)
-    : QFileDialog(parent, title, QDir::rootPath(), filter)
+    : QFileDialog(parent, title, QDir::rootPath(), filter), m_refusal(new QLabel(this))
 {
     static ByName byName;
     setAttribute(Qt::WA_DeleteOnClose);
@@ -67,6 +81,13 @@ FileDialog::FileDialog(QWidget* parent, const QString& title, const QString& fol
     setIconProvider(&byName);
     setProxyModel(new InProgramsLanguage(this));
     setDirectory(folder);
+    m_refusal->setObjectName(QStringLiteral("refusal"));
+    m_refusal->setWordWrap(true);
+    m_refusal->hide();
+    if (auto* rows = qobject_cast<QGridLayout*>(layout()))
+        rows->addWidget(m_refusal, rows->rowCount(), 0, 1, rows->columnCount());
+    if (auto* name = findChild<QLineEdit*>(QStringLiteral("fileNameEdit")))
+        connect(name, &QLineEdit::textChanged, m_refusal, &QWidget::hide);
     // Qt makes room for a date as it is written in English.
     if (auto* list = findChild<QTreeView*>(QStringLiteral("treeView")))
         list->header()->setSectionResizeMode(kModified, QHeaderView::ResizeToContents);
@@ -89,6 +110,22 @@ void FileDialog::askWhere(const QString& name, const QString& ending)
     connect(this, &QFileDialog::fileSelected, this,
             [key](const QString& path) { memory().setValue(key, QFileInfo(path).absolutePath()); });
     open();
+}
+
+void FileDialog::accept()
+{
+    if (acceptMode() == AcceptSave)
+        for (const QString& file : selectedFiles()) {
+            const QFileInfo there(QFileInfo(file).canonicalFilePath());  // where a link leads
+            if (there.isFile() && !QDir::match(patternsOf(nameFilters()), there.fileName())) {
+                m_refusal->setText(
+                    tr("%1 is a file of another kind and stays as it is. Choose another name.").arg(there.fileName()));
+                m_refusal->show();
+                announce(*m_refusal);
+                return;
+            }
+        }
+    QFileDialog::accept();
 }
 
 }  // namespace ui::shell

@@ -4,6 +4,8 @@
 #include <QFileDialog>
 #include <QString>
 
+class QLabel;
+
 namespace ui::shell {
 
 /// Asks for a file, in Qt's own dialog, and goes when it is closed. It looks at the names of files only: whoever opens
@@ -22,6 +24,14 @@ public:
     /// @param name    what the file may be called: words, made fit for a file's name
     /// @param ending  "pdf"
     void askWhere(const QString& name, const QString& ending);
+
+protected:
+    /// Where something is saved: a file that is there is replaced by one of its own kind only, as its name tells. A
+    /// school's file never becomes a table by a slip.
+    void accept() override;
+
+private:
+    QLabel* m_refusal;
 };
 
 }  // namespace ui::shell
