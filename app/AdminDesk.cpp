@@ -286,6 +286,14 @@ void AdminDesk::connectPeople()
                 std::find_if(m_people.begin(), m_people.end(), [&](const Person& one) { return one.id == person.id; });
             if (before == m_people.end())
                 return;
+            QSet<qint64> present;
+            for (const ClassId id : before->classes)
+                present.insert(id.value);
+            if (person.givenName == before->givenName && person.familyName == before->familyName &&
+                person.role == before->role && person.disabled == before->disabled && classes == present) {
+                part.confirm(person.id, [] { return tr("There is nothing to save: everything is as it was."); });
+                return;
+            }
             m_desk.ask(
                 this,
                 [who = m_who(), person, classes, asItWas = *before](const School& school) -> core::Result<Person> {
@@ -378,8 +386,8 @@ void AdminDesk::import(bool isDryRun)
     });
     m_desk.ask(
         this,
-        [who = m_who(), csv = m_roster.toStdString(), isDryRun](const School& school) {
-            return database::sql::importRoster(school, who, csv, isDryRun);
+        [who = m_who(), csv = m_roster.toStdString(), isDryRun, seen = m_rosterSeen](const School& school) {
+            return database::sql::importRoster(school, who, csv, isDryRun, &seen);
         },
         [this, isDryRun, isOver, who = m_who()](const core::Result<database::RosterOutcome>& outcome) {
             *isOver = true;
@@ -389,10 +397,18 @@ void AdminDesk::import(bool isDryRun)
                     part.keepFor(uidOf(who), *outcome, m_rosterFile);
                 return;
             }
-            if (outcome)
+            const bool isOther = !outcome && outcome.error().code == core::ErrorCode::ChangedSince;
+            if (outcome) {
                 part.showOutcome(*outcome, m_rosterFile, !isDryRun);
-            else if (const QString fault = classListFault(outcome.error().code, QFileInfo(m_rosterFile).fileName());
-                     !fault.isEmpty())
+                if (isDryRun && std::exchange(m_isRosterOther, false))
+                    part.say(tr("Nothing was entered: somebody else has entered or changed people meanwhile. This is "
+                                "what the list would do now."));
+                m_rosterSeen = isDryRun ? *outcome : database::RosterOutcome();
+            } else if (isOther) {
+                m_isRosterOther = true;
+                import(true);
+            } else if (const QString fault = classListFault(outcome.error().code, QFileInfo(m_rosterFile).fileName());
+                       !fault.isEmpty())
                 part.refuseFile(m_rosterFile, fault, QString::fromStdString(outcome.error().detail));
             else
                 part.refuse(why(outcome.error()));

@@ -75,6 +75,8 @@ private:
     QList<database::Person> m_people;
     QByteArray m_roster;
     QString m_rosterFile;
+    database::RosterOutcome m_rosterSeen;    ///< what the list would do, as it was shown last
+    bool m_isRosterOther = false;            ///< it was to be entered, and would do something else by now
     std::vector<database::Finding> m_found;  ///< by the last check
     std::shared_ptr<std::atomic<bool>> m_isStopped;
 };

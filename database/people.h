@@ -95,6 +95,7 @@ struct RosterPerson
     std::string code;        ///< of a new one: it lets him in once, and is kept nowhere else
     std::string nameBefore;  ///< of who is known under another name so far; empty: it stays
     bool isShort = false;    ///< his line ends before all fields that the head names
+    bool operator==(const RosterPerson&) const = default;
 };
 struct RosterOutcome
 {

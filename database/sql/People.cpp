@@ -254,6 +254,9 @@ core::Result<Person> changePerson(const School& school, const Session& session, 
         keepOthers(&Person::disabled);
         if (isOverruled)
             return core::unexpected(core::ErrorCode::ChangedSince, "the person has been changed by somebody else");
+        if (person.givenName == before->givenName && person.familyName == before->familyName &&
+            person.role == before->role && person.disabled == before->disabled)
+            return person;
         if (before->role == Role::Admin && (person.disabled || person.role != Role::Admin))
             if (auto left = expectAnotherAdmin(school, person.id); !left)
                 return tl::unexpected(left.error());

@@ -339,7 +339,7 @@ core::Result<std::string> take(const School& school, AuditBatch& audit, const Se
 
 /// Inside a transaction: enters all, unless there are faults, and notes it in the audit at one go.
 core::Status enterAll(const School& school, const Session& session, const std::vector<Line>& lines,
-                      RosterOutcome& outcome)
+                      RosterOutcome& outcome, const RosterOutcome* asSeen)
 {
     auto present = presentAt(school);
     if (!present)
@@ -347,6 +347,9 @@ core::Status enterAll(const School& school, const Session& session, const std::v
     const std::vector<Line> wanted = plan(lines, *present, outcome);
     if (!outcome.faults.empty())
         return {};
+    if (asSeen != nullptr && (outcome.people != asSeen->people || outcome.newClasses != asSeen->newClasses))
+        return core::unexpected(ErrorCode::ChangedSince, "somebody else has entered or changed people since the class "
+                                                         "list was looked at");
     AuditBatch audit(school);
     for (std::size_t k = 0; k < wanted.size(); ++k) {
         auto code = take(school, audit, session, wanted[k], *present);
@@ -362,7 +365,7 @@ core::Status enterAll(const School& school, const Session& session, const std::v
 }  // namespace
 
 core::Result<RosterOutcome> importRoster(const School& school, const Session& session, std::string_view csv,
-                                         bool dryRun)
+                                         bool dryRun, const RosterOutcome* asSeen)
 {
     for (const Operation operation : {Operation::AddPerson, Operation::ChangePerson, Operation::ChangeClasses})
         if (auto who = admit(school, session, operation); !who)
@@ -396,7 +399,7 @@ core::Result<RosterOutcome> importRoster(const School& school, const Session& se
         if (!present)
             return tl::unexpected(present.error());
         static_cast<void>(plan(lines, *present, outcome));
-    } else if (auto done = inTurn(school, kDoing, [&] { return enterAll(school, session, lines, outcome); });
+    } else if (auto done = inTurn(school, kDoing, [&] { return enterAll(school, session, lines, outcome, asSeen); });
                !done && outcome.faults.empty()) {
         return tl::unexpected(done.error());
     }

@@ -16,7 +16,10 @@ constexpr std::size_t kMostRosterLines = 20'000;
 /// order; role may be left out (student), and several classes are parted by "|".
 /// Enters who is new, changes the names of who is known, and puts all into their classes, all or nothing. Admins.
 /// @param dryRun  says what it would do, codes left out, and does nothing
+/// @param asSeen  what that said: where it would do anything else by now it does nothing (ChangedSince); null: nobody
+/// has looked
 [[nodiscard]] core::Result<RosterOutcome> importRoster(const School& school, const Session& session,
-                                                       std::string_view csv, bool dryRun);
+                                                       std::string_view csv, bool dryRun,
+                                                       const RosterOutcome* asSeen = nullptr);
 
 }  // namespace database::sql

@@ -508,9 +508,28 @@ void TestSchoolOffice::aClassListIsSeenBeforeItIsEntered()
     QTRY_VERIFY2_WITH_TIMEOUT(said().contains("1 person known already. 1 new person would be entered."),
                               qPrintable(said()), kPatienceMs);
     QCOMPARE(count("people"), 4);
+    // Meanwhile somebody else enters one of them, under another name, which the list would change.
+    {
+        const OtherStation elsewhere(file());
+        const auto admin = elsewhere.logIn("admin");
+        QVERIFY(sql::addPerson(elsewhere.school, admin, {"new1", "Otto", "Other", Role::Student}));
+    }
+    click("enterRoster");
+    QTRY_VERIFY2_WITH_TIMEOUT(said().contains("Nothing was entered"), qPrintable(said()), kPatienceMs);
+    {
+        const OtherStation elsewhere(file());
+        const auto admin = elsewhere.logIn("admin");
+        QCOMPARE(sql::findPerson(elsewhere.school, admin, "new1")->givenName, std::string("Otto"));
+    }
+    const QString state = child<QTableView>("roster")->model()->index(1, 4).data().toString();
+    QVERIFY2(state.contains("Otto Other"), qPrintable(state));
+    // What it would do now has been seen.
+    write("username,given_name,family_name,role,class\nsam,Sam,One,student,DEN101-A\nnew2,N,Ew,student,DEN103\n");
+    emit part->fileChosen(path);
+    QTRY_VERIFY2_WITH_TIMEOUT(said().contains("1 new person would be entered."), qPrintable(said()), kPatienceMs);
     click("enterRoster");
     QTRY_VERIFY2_WITH_TIMEOUT(said().contains("was entered"), qPrintable(said()), kPatienceMs);
-    QCOMPARE(count("people"), 5);
+    QCOMPARE(count("people"), 6);
     QVERIFY2(child<QPushButton>("saveCodes")->isVisible(), qPrintable(said()));
     write(QByteArray("\xff\xfe\x00 noise", 10));
     emit part->fileChosen(path);
