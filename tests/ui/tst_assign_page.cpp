@@ -57,6 +57,7 @@ private slots:
     void severalLessonsAreGivenAtOnce();
     void whereALessonOfOnesOwnIsFoundIsToldBeforeItIsGiven();
     void aLessonIsTickedByKeyAndByAClickAnywhere();
+    void keysGoToALessonThatIsSeen();
     void whatIsGivenCannotBeGivenAgain();
     void theSearchLooksAtTitlesTeethAndGroups();
     void theTableTellsWhenAndHowFar();
@@ -198,6 +199,21 @@ void TestAssignPage::aLessonIsTickedByKeyAndByAClickAnywhere()
     QCOMPARE(offer("Class I").data(Qt::CheckStateRole).toInt(), int(Qt::Checked));
     click("Class I");
     QCOMPARE(offer("Class I").data(Qt::CheckStateRole).toInt(), int(Qt::Unchecked));
+}
+
+/// What the search has put away is not ticked unseen.
+void TestAssignPage::keysGoToALessonThatIsSeen()
+{
+    auto* list = get<QListView>("offers");
+    list->setCurrentIndex(offer("Class I"));
+    get<QLineEdit>("offerSearch")->setText("cross");
+    list->setFocus();
+    QTest::keyClick(list, Qt::Key_Space);
+    QCOMPARE(offer("Class I").data(Qt::CheckStateRole).toInt(), int(Qt::Unchecked));
+    QCOMPARE(offer("Cross").data(Qt::CheckStateRole).toInt(), int(Qt::Checked));
+    get<QLineEdit>("offerSearch")->setText("no such lesson");
+    QTest::keyClick(list, Qt::Key_Space);
+    QCOMPARE(get<QPushButton>("assignTicked")->text(), QString("Assign 1 lesson(s)"));
 }
 
 void TestAssignPage::whatIsGivenCannotBeGivenAgain()

@@ -489,6 +489,20 @@ void AssignPage::search()
         else if (isShown && heading >= 0)
             m_list->setRowHidden(heading, false);
     }
+    keepCurrentInSight();
+}
+
+/// Keys go to the current row: one that the search has put away would be ticked unseen.
+void AssignPage::keepCurrentInSight()
+{
+    const QModelIndex current = m_list->currentIndex();
+    if (current.isValid() && !m_list->isRowHidden(current.row()))
+        return;
+    QModelIndex first;
+    for (int row = 0; row < m_offers->rowCount() && !first.isValid(); ++row)
+        if (!m_list->isRowHidden(row) && m_offers->item(row)->isEnabled())
+            first = m_offers->index(row, 0);
+    m_list->setCurrentIndex(first);
 }
 
 void AssignPage::fillGiven()
@@ -647,6 +661,8 @@ void AssignPage::tellChosen()
     m_change->setEnabled(hasChosen && !m_isAsking);
     m_takeBack->setEnabled(hasChosen && !m_isAsking);
     m_terms->setEnabled(hasChosen);
+    if (!hasChosen)
+        m_terms->reset();  // to what nobody was given
     m_undo->setEnabled(!m_isAsking);
 }
 

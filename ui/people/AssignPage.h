@@ -83,6 +83,7 @@ private:
     void beginAfresh();
     void fillOffers();
     void search();
+    void keepCurrentInSight();
     void fillGiven();
     void tellChosen();
     void tellWhere();
