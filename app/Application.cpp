@@ -1968,7 +1968,7 @@ void Application::tellUnfinished()
         [read, anatomy = recording.anatomy()] {
             return read.lesson ? ui::study::said(read.lesson->title) : ui::text::toothTitle(*anatomy);
         },
-        QDateTime::fromMSecsSinceEpoch(m_unfinished->begunUtcMs));
+        QDateTime::fromMSecsSinceEpoch(m_unfinished->begunUtcMs), read.lesson && read.lesson->exam);
 }
 
 void Application::resumeUnfinished()

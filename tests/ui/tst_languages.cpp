@@ -349,7 +349,7 @@ void TestLanguages::pages_data()
     page("unfinished", [this] {
         m_window->setLessons(catalog(), {});
         actions().lessons->trigger();
-        m_window->offerUnfinished([] { return QString("[···]"); }, QDateTime({2026, 5, 4}, {10, 20}, Qt::UTC));
+        m_window->offerUnfinished([] { return QString("[···]"); }, QDateTime({2026, 5, 4}, {10, 20}, Qt::UTC), false);
     });
     page("no lesson", [this] {
         m_window->setLessons(catalog(), {});
@@ -561,7 +561,7 @@ void TestLanguages::messagesThatStayFollowTheLanguage()
     });
     m_window->showError(core::Error{core::ErrorCode::FileUnreadable, "exact"}, ui::text::Failed::OpeningScan, "a.stl");
     m_window->offerUnfinished([] { return QCoreApplication::translate("Tooth", "enamel"); },
-                              QDateTime({2026, 5, 4}, {10, 20}, Qt::UTC));
+                              QDateTime({2026, 5, 4}, {10, 20}, Qt::UTC), false);
     auto* bar = child<ui::shell::MessageBar>();
     const QString english = bar->sentence();
     QVERIFY2(english.contains("was not finished"), qPrintable(english));

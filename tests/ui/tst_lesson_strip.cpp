@@ -127,11 +127,11 @@ void TestLessonStrip::anExamThatIsOverSaysSo()
     QVERIFY(!hint().isVisible() && !arrow("The next step").isVisible());
     m_strip->setTime(70.0);
     QCOMPARE(time->text(), QString("0:00"));
-    // Where there is no other attempt, none is spoken of.
-    QVERIFY(words().contains("another attempt"));
-    m_strip->setUsedUp(true);
-    QVERIFY(words().contains("The exam is over") && !words().contains("another attempt"));
-    m_strip->setUsedUp(false);
+    // Another attempt is spoken of once there is a grade, and one is left.
+    QVERIFY(!words().contains("another attempt"));
+    m_strip->setMayBeginAgain(true);
+    QVERIFY(words().contains("The exam is over") && words().contains("another attempt"));
+    m_strip->setMayBeginAgain(false);
     // Another attempt begins as the first did.
     m_strip->setLesson(exam);
     QCOMPARE(words(), QString("First"));

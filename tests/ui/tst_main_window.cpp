@@ -236,6 +236,7 @@ private slots:
     void anErrorGoesWithTheNextGoodTooth();
     void theMessageButtonDoesWhatItSays();
     void anUnfinishedAttemptIsOffered();
+    void anExamIsNotDiscardedUnasked();
     void takingItUpAsksAboutTheWorkOnTheTable();
     void notesOfTheImporterAreShown();
     void anotherUnitCanBeChosenBesideTheNote();
@@ -2413,14 +2414,14 @@ void TestMainWindow::anUnfinishedAttemptIsOffered()
     auto* resume = child<MessageBar>()->findChild<QPushButton*>();
     auto* discard = child<MessageBar>()->findChild<QPushButton*>("decline");
     const QDateTime now = QDateTime::currentDateTime();
-    m_window->offerUnfinished([] { return QString("Tooth 36"); }, now);
+    m_window->offerUnfinished([] { return QString("Tooth 36"); }, now, false);
     const QString time = QLocale().toString(now.time(), QLocale::ShortFormat);
     QCOMPARE(message(), QString("Tooth 36: an attempt of %1 was not finished.").arg(time));
     QVERIFY(resume->isVisible() && discard->isVisible());
     QTest::mouseClick(resume, Qt::LeftButton);
     QCOMPARE(resumed.size(), 1);
     QVERIFY(message().isEmpty());
-    m_window->offerUnfinished([] { return QString("Tooth 36"); }, QDateTime(QDate(2011, 5, 3), QTime(12, 31)));
+    m_window->offerUnfinished([] { return QString("Tooth 36"); }, QDateTime(QDate(2011, 5, 3), QTime(12, 31)), false);
     QVERIFY2(message().contains("2011") || message().contains("/11"), qPrintable(message()));
     // News does not push it out.
     m_window->showMessage("News.");
@@ -2431,28 +2432,52 @@ void TestMainWindow::anUnfinishedAttemptIsOffered()
     QCOMPARE(discarded.size(), 1);
     QCOMPARE(resumed.size(), 1);
     // Discarded at another door, it is no longer offered here.
-    m_window->offerUnfinished([] { return QString("Tooth 36"); }, now);
+    m_window->offerUnfinished([] { return QString("Tooth 36"); }, now, false);
     QVERIFY(!message().isEmpty());
     emit child<ui::study::LessonsPage>()->discardWanted();
     QVERIFY(message().isEmpty());
     QCOMPARE(discarded.takeLast().size(), 0);
     // The page of lessons has a card for it, and needs no second offer.
-    m_window->offerUnfinished([] { return QString("Tooth 36"); }, now);
+    m_window->offerUnfinished([] { return QString("Tooth 36"); }, now, false);
     actions().lessons->trigger();
     QVERIFY(message().isEmpty() && child<QFrame>("continueCard")->isVisible());
     actions().back->trigger();
     // Closed: neither, and it is offered again another time.
-    m_window->offerUnfinished([] { return QString("Tooth 36"); }, now);
+    m_window->offerUnfinished([] { return QString("Tooth 36"); }, now, false);
     press(Qt::Key_Escape);
     QVERIFY(message().isEmpty());
     QCOMPARE(discarded.size() + resumed.size(), 2);
+}
+
+/// It costs an attempt, as to leave one does.
+void TestMainWindow::anExamIsNotDiscardedUnasked()
+{
+    QSignalSpy resumed(m_window.get(), &MainWindow::resumeRequested);
+    QSignalSpy discarded(m_window.get(), &MainWindow::discardRequested);
+    m_window->offerUnfinished([] { return QString("The exam"); }, QDateTime::currentDateTime(), true);
+    actions().lessons->trigger();
+    const auto answer = [this](const char* button) {
+        QTest::mouseClick(child<QPushButton>("discardUnfinished"), Qt::LeftButton);
+        QVERIFY(child<QuestionCard>("unfinishedQuestion") != nullptr);
+        QVERIFY(child<QLabel>("questionDetail")->text().contains("counts as an attempt"));
+        QTest::mouseClick(child<QPushButton>(button), Qt::LeftButton);
+    };
+    answer("questionStay");
+    QVERIFY(discarded.isEmpty() && child<QFrame>("continueCard")->isVisible());
+    answer("questionDiscard");
+    QCOMPARE(discarded.size(), 1);
+    QVERIFY(!child<QFrame>("continueCard")->isVisible());
+    m_window->offerUnfinished([] { return QString("The exam"); }, QDateTime::currentDateTime(), true);
+    answer("questionSave");
+    QCOMPARE(resumed.size(), 1);
+    QCOMPARE(discarded.size(), 1);
 }
 
 void TestMainWindow::takingItUpAsksAboutTheWorkOnTheTable()
 {
     QSignalSpy resumed(m_window.get(), &MainWindow::resumeRequested);
     cutSomething(0.5);
-    m_window->offerUnfinished([] { return QString("Tooth 36"); }, QDateTime::currentDateTime());
+    m_window->offerUnfinished([] { return QString("Tooth 36"); }, QDateTime::currentDateTime(), false);
     QTest::mouseClick(child<MessageBar>()->findChild<QPushButton*>(), Qt::LeftButton);
     QCOMPARE(resumed.size(), 0);
     auto* question = child<QuestionCard>("workQuestion");
@@ -4097,7 +4122,8 @@ void TestMainWindow::usedUpAttemptsAreToldBeforeTheStart()
         QCOMPARE(child<QPushButton>("startLesson")->isEnabled(), left > 0);
         QCOMPARE(child<QLabel>("whyNotStart")->isVisible(), left == 0);
         const QModelIndex card = child<QListView>("lessonList")->currentIndex();
-        QCOMPARE(card.data(ui::study::CardDue).toString(), QString(left == 0 ? "no attempts left · Year 1" : "Year 1"));
+        QCOMPARE(card.data(ui::study::CardDue).toString(), QString("Year 1"));
+        QCOMPARE(card.data(ui::study::CardIsUsedUp).toBool(), left == 0);
     }
     page->findChild<QLineEdit*>()->setFocus();
     press(Qt::Key_Return);
@@ -4207,7 +4233,7 @@ void TestMainWindow::theScoreAddsUp()
     QCOMPARE(child<QLabel>("verdict")->text(), QString("Not passed yet"));
     QCOMPARE(child<QLabel>("sum")->text(), QString("100.0 − 60.0 − 40.0 − 0.0 = 0.0"));
     QCOMPARE(child<ScorePage>()->findChildren<TabularLabel*>("lost_caries_left").size(), 1);
-    QVERIFY(child<QLabel>("historyRemark")->text().contains("not being kept"));
+    QVERIFY(child<QLabel>("historyRemark")->text().contains("will not be here next time"));
     m_window->showScore(s, {now});
     QVERIFY(child<QLabel>("historyRemark")->text().contains("first grade"));
     m_window->showScore(s, {now, before});

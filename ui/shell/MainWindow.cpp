@@ -228,6 +228,12 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
     connect(&m_room->lesson(), &study::LessonStrip::timeOver, this, [this] {
         if (isExam()) {
             endExam();
+            m_messages->say({MessageBar::Kind::News,
+                             tr("The time of this exam is over: nothing more can be cut."),
+                             {},
+                             {},
+                             {},
+                             MessageBar::Topic::Lesson});
             emit gradeRequested();
         } else
             m_messages->say({MessageBar::Kind::News,
@@ -411,7 +417,7 @@ void MainWindow::startAgain()
     const bool isLesson = m_assignment && m_assignment->lesson;
     if (m_examIsOver && !m_isGraded) {
         goTo(m_room);
-        showMessage(tr("This exam is over, but has no grade yet. Press G for it; then another attempt can begin."));
+        showMessage(tr("This exam is over, but has no grade yet. Press G for it."));
     } else if (m_exerciseCard->isVisibleTo(m_room) || isExam()) {
         emit attemptAgainWanted();
     } else if (isLesson && m_isGraded) {
@@ -439,7 +445,6 @@ void MainWindow::setUsedUp(bool usedUp)
 {
     m_isUsedUp = usedUp;
     Actions::setAllowed(m_actions->reload, !usedUp, study::usedUpWords());
-    m_room->lesson().setUsedUp(usedUp);
     enableActions();
 }
 
@@ -1766,6 +1771,7 @@ void MainWindow::enableActions()
     m_actions->readAgain->setEnabled(ofTheSchool.contains(m_pages->currentWidget()));
     m_actions->saveReference->setEnabled(inRoom && mine && !isExamRunning());
     m_actions->reload->setEnabled((mayGoBack || (mine && m_examIsOver)) && !m_isUsedUp);
+    m_room->lesson().setMayBeginAgain(m_isGraded && !m_isUsedUp);
     const bool isTrial = !m_replaying && m_trialCard->isVisibleTo(m_room);
     m_actions->grade->setEnabled(inRoom && m_tooth != nullptr && !m_busy->isWorking() && !isTrial);
     m_actions->lessons->setEnabled(!m_busy->isWorking());
@@ -2010,8 +2016,9 @@ void MainWindow::showUndoable(const QString& sentence, const std::function<void(
     m_messages->say({MessageBar::Kind::News, sentence, {}, tr("Undo"), undo});
 }
 
-void MainWindow::offerUnfinished(const std::function<QString()>& tooth, const QDateTime& begun)
+void MainWindow::offerUnfinished(const std::function<QString()>& tooth, const QDateTime& begun, bool isExam)
 {
+    m_isUnfinishedExam = isExam;
     m_messages->withdraw(MessageBar::Topic::Unfinished);
     // The page of lessons has a card for it.
     if (m_pages->currentWidget() != m_lessonsPage)
@@ -2040,8 +2047,17 @@ void MainWindow::resumeUnfinished()
 
 void MainWindow::discardUnfinished()
 {
-    forgetUnfinished();
-    emit discardRequested();
+    const auto discard = [this] {
+        forgetUnfinished();
+        emit discardRequested();
+    };
+    if (m_isUnfinishedExam)
+        ask("unfinishedQuestion",
+            {tr("The exam would be broken off without a score."),
+             tr("It counts as an attempt all the same. What you have cut cannot be graded later."),
+             tr("&Go on with it"), [this] { resumeUnfinished(); }, discard});
+    else
+        discard();
 }
 
 void MainWindow::forgetUnfinished()

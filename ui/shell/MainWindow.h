@@ -165,7 +165,7 @@ public slots:
     /// An attempt was not finished: says so, with a button that takes it up and one that discards it. It stays until
     /// one of them is pressed, or it is closed.
     /// @param tooth  its title
-    void offerUnfinished(const std::function<QString()>& tooth, const QDateTime& begun);
+    void offerUnfinished(const std::function<QString()>& tooth, const QDateTime& begun, bool isExam);
     /// It is offered no longer.
     void forgetUnfinished();
     /// It was discarded; a button takes that back.
@@ -597,6 +597,7 @@ private:
     bool m_isGraded = false;               ///< the student's work has been, as it stood
     bool m_examIsOver = false;             ///< nothing can be cut any more
     bool m_isUsedUp = false;               ///< no other attempt can begin
+    bool m_isUnfinishedExam = false;       ///< that offerUnfinished() has offered
     double m_recordedAtS = 0.0;            ///< of the attempt, when its clock was looked at last
     double m_clockRestedS = 0.0;           ///< of it, in which the clock did not run
     bool m_burRests = false;               ///< while another page is read

@@ -106,9 +106,11 @@ void LessonCards::paintCard(QPainter& painter, const QStyleOptionViewItem& optio
     }
     painter.restore();
     painter.setFont(typeface(kSmall, QFont::DemiBold));
-    const auto pill = [&](const QString& words, bool left) {
+    constexpr double kPillPx = 20.0;
+    const auto pill = [&](const QString& words, bool left, bool below = false) {
         const double wide = painter.fontMetrics().horizontalAdvance(words) + 12.0;
-        const QRectF place(left ? picture.left() + 6.0 : picture.right() - 6.0 - wide, picture.top() + 6.0, wide, 20.0);
+        const QRectF place(left ? picture.left() + 6.0 : picture.right() - 6.0 - wide,
+                           below ? picture.bottom() - 6.0 - kPillPx : picture.top() + 6.0, wide, kPillPx);
         QPainterPath path;
         path.addRoundedRect(place, 10.0, 10.0);
         painter.fillPath(path, QColor(0x15, 0x18, 0x1A, 0xD0));
@@ -121,6 +123,10 @@ void LessonCards::paintCard(QPainter& painter, const QStyleOptionViewItem& optio
     if (index.data(CardMarked).toBool())
         //: On the card of the lesson that is being worked on
         pill(QCoreApplication::translate("Lesson", "on the table"), false);
+
+    if (index.data(CardIsUsedUp).toBool())
+        //: On the card of a lesson
+        pill(QCoreApplication::translate("Lesson", "no attempts left"), true, true);
 
     const QRectF words = card.adjusted(kPadPx, kPicturePx + 6.0, -kPadPx, -8.0);
     painter.setFont(typeface(kBody, QFont::Medium));

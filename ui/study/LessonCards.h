@@ -16,7 +16,8 @@ class LessonThumbs;
 enum CardRole {
     CardEntry = Qt::UserRole + 1,  ///< int: which lesson
     CardTooth,                     ///< second line
-    CardDue,                       ///< that it is used up, when it is due, who gave it; empty: not given
+    CardDue,                       ///< when it is due, who gave it; empty: not given
+    CardIsUsedUp,
     CardIsLate,
     CardScore,  ///< best so far; empty: not tried yet
     CardPassed,

@@ -120,9 +120,9 @@ void LessonStrip::showStep()
     const bool hasHint = count > 0 && !m_lesson.steps[m_step].hint.empty();
     m_hint->setVisible(hasHint);
     const bool showsHint = hasHint && m_hint->isChecked();
-    const QString over = m_isUsedUp ? tr("The exam is over, and nothing more can be cut. G shows the score.")
-                                    : tr("The exam is over, and nothing more can be cut. G shows the score; R begins "
-                                         "another attempt.");
+    const QString over = m_mayBeginAgain ? tr("The exam is over, and nothing more can be cut. G shows the score; R "
+                                              "begins another attempt.")
+                                         : tr("The exam is over, and nothing more can be cut. G shows the score.");
     const QString step = m_isConcluded ? over : count == 0 ? said(m_lesson.goal) : said(m_lesson.steps[m_step].text);
     m_text->setText(showsHint ? said(m_lesson.steps[m_step].hint) : step);
     m_text->setToolTip(QStringLiteral("<p>%1</p>").arg(said(m_lesson.goal).toHtmlEscaped()));
@@ -131,10 +131,10 @@ void LessonStrip::showStep()
         control->setAccessibleDescription(m_text->text());
 }
 
-void LessonStrip::setUsedUp(bool usedUp)
+void LessonStrip::setMayBeginAgain(bool may)
 {
-    m_isUsedUp = usedUp;
-    showStep();
+    if (std::exchange(m_mayBeginAgain, may) != may)
+        showStep();
 }
 
 void LessonStrip::conclude()

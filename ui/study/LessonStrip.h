@@ -26,8 +26,8 @@ public:
     void setLesson(const ::lessons::Lesson& lesson);
     /// @param workedS  seconds of this attempt so far
     void setTime(double workedS);
-    /// No other attempt can begin.
-    void setUsedUp(bool usedUp);
+    /// This one has its grade, and there is another attempt left.
+    void setMayBeginAgain(bool may);
     /// The exam is over: the clock stops, and the strip says how to go on, until another lesson is set.
     void conclude();
 
@@ -44,7 +44,7 @@ private:
     double m_workedS = 0.0;
     bool m_overSaid = false;
     bool m_isConcluded = false;
-    bool m_isUsedUp = false;
+    bool m_mayBeginAgain = false;
     QLabel* m_number = nullptr;
     QLabel* m_text = nullptr;
     QPushButton* m_hint = nullptr;

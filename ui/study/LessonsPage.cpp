@@ -531,10 +531,10 @@ void LessonsPage::fillCard(QStandardItem& item, const CatalogEntry& entry) const
         QStringList due{given->className};
         if (given->due.isValid())
             due.prepend(isPassed ? dueDayWords(given->due, now) : dueWords(given->due, now));
-        if (isUsedUp(entry))
-            //: On the card of a lesson
-            due.prepend(QCoreApplication::translate("Lesson", "no attempts left"));
         item.setData(due.join(QStringLiteral(" · ")), CardDue);
+        item.setData(isUsedUp(entry), CardIsUsedUp);
+        if (isUsedUp(entry))
+            due.prepend(QCoreApplication::translate("Lesson", "no attempts left"));
         item.setData(given->due.isValid() && given->due < now && !isPassed, CardIsLate);
         notes << due;
         item.setToolTip(item.toolTip() + u'\n' + due.join(u'\n'));
@@ -686,7 +686,7 @@ void LessonsPage::describe()
             fact(tr("Not modelled"), said(lesson.notModelled));
         const auto standing = m_standings.find(lesson.id);
         fact(tr("Your best"), standing == m_standings.end()
-                                  ? tr("not tried yet")
+                                  ? tr("no score yet")
                                   : tr("%1 in %n attempt(s)", nullptr, standing->second.attempts)
                                         .arg(text::points(standing->second.bestTenths)));
     }

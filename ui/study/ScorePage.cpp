@@ -931,7 +931,7 @@ void ScorePage::tellKeeping()
     const auto words = [this]() -> QString {
         switch (m_keeping) {
         case Keeping::Nowhere:
-            return tr("Grades are not being kept; this one will not be here next time.");
+            return tr("This grade is not kept: it will not be here next time.");
         case Keeping::Refused:
             return tr("This grade is not kept yet. It is tried again every few seconds as long as Cusp runs: make room "
                       "on the disk.");
