@@ -202,10 +202,22 @@ bool Outbox::keepArrived(const QString& file) const
     return move(file, QDir(m_folder).filePath(kArrived));
 }
 
-void Outbox::sendAgain(const QString& folder)
+QStringList Outbox::sendAgain() const
 {
-    for (const QString& file : lettersIn(QDir(folder).filePath(kArrived)))
-        move(file, folder);
+    const auto schoolOf = [this](const QString& file) {
+        if (isExam(file)) {
+            const auto letter = readExam(file);
+            return letter ? letter->school : QString();
+        }
+        const auto letter = read(file);
+        return letter ? letter->school : QString();
+    };
+    QStringList sent;
+    for (const QString& file : arrived())
+        if (const QString school = schoolOf(file);
+            (m_school.isEmpty() || school.isEmpty() || school == m_school) && move(file, m_folder))
+            sent << QDir(m_folder).filePath(QFileInfo(file).fileName());
+    return sent;
 }
 
 bool Outbox::isExam(const QString& file)

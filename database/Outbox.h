@@ -70,9 +70,10 @@ public:
     bool keepArrived(const QString& file) const;
     /// Those that lie there; removed when they are in two backups.
     [[nodiscard]] QStringList arrived() const;
-    /// All of a folder's wait again: its database is put back to how it was before them. What is there all the same is
-    /// kept once.
-    static void sendAgain(const QString& folder);
+    /// Those wait again that arrived at this school, or where it cannot be read which it was: its database is put back
+    /// to how it was before them. What is there all the same is kept once.
+    /// @returns where they lie now, for keepArrived() if it comes to nothing
+    [[nodiscard]] QStringList sendAgain() const;
     /// Into the folder "damaged" beside it: nothing is thrown away.
     void setAside(const QString& file) const;
 

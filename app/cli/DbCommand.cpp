@@ -261,8 +261,14 @@ std::string shownSchool(const QString& backup)
 /// know.
 core::Status expectOneSchool(const QString& backup, const Address& address)
 {
-    const QStringList newest =
-        database::sql::newestOfEach(database::sql::backupsIn(database::sql::backupFolder(address.file)));
+    // Its own folder, and that in which the backup lies: several schools may share it.
+    QStringList all = database::sql::backupsIn(database::sql::backupFolder(address.file)) +
+                      database::sql::backupsIn(QFileInfo(backup).absolutePath());
+    all.removeDuplicates();
+    std::stable_sort(all.begin(), all.end(), [](const QString& one, const QString& other) {
+        return database::sql::madeAt(one) > database::sql::madeAt(other);
+    });
+    const QStringList newest = database::sql::newestOfEach(all);
     if (newest.size() < 2)
         return {};
     std::string schools;
@@ -271,7 +277,7 @@ core::Status expectOneSchool(const QString& backup, const Address& address)
             (schools.empty() ? "" : "; ") + QFileInfo(one).fileName().toStdString() + " (" + shownSchool(one) + ')';
     return core::unexpected(ErrorCode::WrongKind,
                             "database " + address.file.toStdString() +
-                                ": it does not say any more whose it was, and the folder of its backups has those of " +
+                                ": it does not say any more whose it was, and there are backups of " +
                                 std::to_string(newest.size()) + " schools, the newest of each " + schools + "; " +
                                 QFileInfo(backup).fileName().toStdString() + " is " + shownSchool(backup) +
                                 "; if that is the right school, say so with --any-school");
@@ -296,10 +302,21 @@ int restoreFile(const QCommandLineParser& parser, const Address& address)
                                                  "another backup"});
     // What came after the backup was made is delivered again when the window opens next. Before the file is put in its
     // place: whatever comes in between, it holds.
-    database::Outbox::sendAgain(QFileInfo(address.file).absoluteDir().filePath(QStringLiteral("outbox")));
+    const QDir folder = QFileInfo(address.file).absoluteDir();
+    const auto key = QFileInfo::exists(stationKeyOf(address))
+                         ? database::StationKey::readOrMake(stationKeyOf(address))
+                         : core::Result<database::StationKey>(database::StationKey::make());
+    if (!key)
+        return failed(key.error());
+    const database::Outbox letters(folder.filePath(QStringLiteral("outbox")), *key,
+                                   database::Outbox::schoolAt(address, folder.path()));
+    const QStringList sent = letters.sendAgain();
     const auto replaced = database::sql::restoreBackup(backup, address.file, QDateTime::currentDateTimeUtc(), goesOn);
-    if (!replaced)
+    if (!replaced) {
+        for (const QString& letter : sent)
+            letters.keepArrived(letter);
         return failed(replaced.error());
+    }
     const auto failedInPlace = [&](core::Error error) {
         error.detail += "; the backup is in its place";
         if (!replaced->isEmpty())

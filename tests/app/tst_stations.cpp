@@ -325,7 +325,8 @@ void TestStations::aLetterIsTakenOnceAndOnlyAsItWasWritten()
     SchoolRig rig(false);
     rig.populate();
     QTemporaryDir folder;
-    Outbox outbox(folder.filePath("outbox"), StationKey::make());
+    const StationKey key = StationKey::make();
+    Outbox outbox(folder.filePath("outbox"), key, "school.sqlite");
     std::set<QString> put;
     const auto keep = [&] {
         const AttemptRecord attempt = SchoolRig::attempt("class1-36", 500);
@@ -357,7 +358,10 @@ void TestStations::aLetterIsTakenOnceAndOnlyAsItWasWritten()
     outbox.keepArrived(arrived);
     QVERIFY(outbox.waiting().isEmpty());
     QCOMPARE(outbox.arrived().size(), 1);
-    Outbox::sendAgain(folder.filePath("outbox"));
+    // What another school in this folder has stays with it.
+    QVERIFY(Outbox(folder.filePath("outbox"), key, "other.sqlite").sendAgain().isEmpty());
+    QVERIFY(outbox.waiting().isEmpty());
+    QCOMPARE(outbox.sendAgain(), QStringList{arrived});
     QCOMPARE(outbox.waiting(), QStringList{arrived});
     QVERIFY(outbox.arrived().isEmpty());
     VERIFY_DONE(deliver());
