@@ -31,6 +31,7 @@ namespace {
 
 /// A draft is weighed in a tenth of a second; on a machine that has much else to do, in many.
 constexpr int kLoadedMs = 60000;
+constexpr int kWeighedMs = 400;
 
 }  // namespace
 
@@ -47,6 +48,8 @@ private slots:
     void whatIsWrongIsSaidBesideItsField();
     void whatIsWrongIsSaidInTheLanguageOfTheWindow();
     void aFaultyLessonIsToldOfInTheLanguageOfTheWindow();
+    void aNumberIsTypedKeyByKey();
+    void aNameTellsTheLimitThatIsSet();
     void changesInARowAreOneStepBack();
     void aShippedLessonIsSavedAsTheTeachersOwn();
     void saveRefusesNothingSilently();
@@ -275,6 +278,52 @@ void TestLessonEditor::aFaultyLessonIsToldOfInTheLanguageOfTheWindow()
     QTRY_VERIFY(labels().contains(read.faults.front().sentence()));
 }
 
+/// What each key comes to is weighed and shown, but not over what is being typed.
+void TestLessonEditor::aNumberIsTypedKeyByKey()
+{
+    open("class1-36");
+    for (const auto& [name, typed] : {std::pair("tolerance.depth", "0.45"), std::pair("depth_mm", "1.65")}) {
+        QDoubleSpinBox* input = spin(name);
+        input->setFocus();
+        input->selectAll();
+        for (const char* key = typed; *key != '\0'; ++key) {
+            QTest::keyClick(input, *key);
+            QTest::qWait(kWeighedMs);
+        }
+        QTest::keyClick(input, Qt::Key_Tab);
+        QCOMPARE(input->value(), QByteArray(typed).toDouble());
+        QTRY_VERIFY2_WITH_TIMEOUT(check().contains("100"), qPrintable(check()), kLoadedMs);
+        QCOMPARE(input->value(), QByteArray(typed).toDouble());
+    }
+}
+
+/// What fails an attempt is called by its limit, in each language with its own decimal sign.
+void TestLessonEditor::aNameTellsTheLimitThatIsSet()
+{
+    LessonDraft draft;
+    draft.begin(shipped("class1-36"), m_folder->path());
+    const QJsonArray criteria = draft.rubric().value("criteria").toArray();
+    for (int k = 0; k < criteria.size(); ++k)
+        if (criteria.at(k)["id"].toString() == "too_deep") {
+            for (const double limit : {2.0, 0.0, 1.5})
+                draft.setCriterion(k, "tolerance", limit);
+            const QJsonValue title = draft.rubric().value("criteria").toArray().at(k)["title"];
+            QCOMPARE(title["en"].toString(), QString("Floor more than 1.5 mm too deep"));
+            QCOMPARE(title["de"].toString(), QString("Boden mehr als 1,5 mm zu tief"));
+            // And is read there.
+            open("class1-36");
+            spin("tolerance.too_deep")->setValue(2.0);
+            const auto isRead = [this] {
+                const auto labels = m_editor->findChildren<QLabel*>();
+                return std::any_of(labels.begin(), labels.end(),
+                                   [](const QLabel* one) { return one->text() == "Floor more than 2 mm too deep"; });
+            };
+            QTRY_VERIFY_WITH_TIMEOUT(isRead(), kLoadedMs);
+            return;
+        }
+    QFAIL("there is no such criterion");
+}
+
 void TestLessonEditor::changesInARowAreOneStepBack()
 {
     open("class1-36");
@@ -464,10 +513,18 @@ void TestLessonEditor::aTitleIsShownHoweverItIsWritten()
     QJsonObject object{{"format", 1}, {"id", "mine"}, {"based_on", "ideal-1-class1-1-36.lesson.json"}};
     LessonDraft inherited = draftOf(object);
     QCOMPARE(inherited.title(), QString("Class I on 36"));
-    inherited.setTitle("Klausur", "de");
-    const QJsonObject texts = inherited.object().value("title").toObject();
-    QCOMPARE(texts.value("de").toString(), QString("Klausur"));
-    QCOMPARE(texts.value("en").toString(), QString("Class I on 36"));
+    // Key by key: what nobody has typed in another language says the same.
+    for (const char* typed : {"K", "Kl", "Klausur"})
+        inherited.setTitle(typed, "de");
+    const auto in = [&inherited](const char* language) {
+        return inherited.object().value("title").toObject().value(QLatin1String(language)).toString();
+    };
+    for (const char* language : {"en", "de", "es", "ja"})
+        QCOMPARE(in(language), QString("Klausur"));
+    inherited.setTitle("Midterm", "en");
+    inherited.setTitle("Die Klausur", "de");
+    QCOMPARE(in("en"), QString("Midterm"));
+    QCOMPARE(in("de"), QString("Die Klausur"));
 
     object.insert("title", "Mine");
     LessonDraft plain = draftOf(object);

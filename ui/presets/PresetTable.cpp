@@ -110,7 +110,7 @@ void PresetTable::setPreset(const core::settings::FeelPreset& preset)
     m_isQuiet = true;
     const auto fields = core::settings::feelFields();
     for (std::size_t k = 0; k < fields.size(); ++k)
-        m_inputs[k]->setValue(preset.*fields[k].value);
+        study::showNumber(*m_inputs[k], preset.*fields[k].value);
     m_isQuiet = false;
 }
 

@@ -160,7 +160,7 @@ private:
                                : Words::tr("Only %1 to %2 can be entered here.").arg(low, high);
     }
 
-    /// Over what is below, for a while: forms have no room for it.
+    /// Beside it for a while, or over what is below: forms have no room for it.
     void note(const QString& words)
     {
         if (!m_note) {
@@ -176,10 +176,14 @@ private:
         showFault(m_note, words);
         m_note->adjustSize();
         const QWidget& whole = *window();
+        const QPoint beside = mapTo(&whole, QPoint(width() + kSpace1, 0));
         const QPoint below = mapTo(&whole, QPoint(0, height() + kSpace1));
         const bool hasRoom = below.y() + m_note->height() <= whole.height();
-        m_note->move(std::clamp(below.x(), 0, std::max(0, whole.width() - m_note->width())),
-                     hasRoom ? below.y() : below.y() - height() - 2 * kSpace1 - m_note->height());
+        if (beside.x() + m_note->width() <= whole.width() && beside.y() + m_note->height() <= whole.height())
+            m_note->move(beside);
+        else
+            m_note->move(std::clamp(below.x(), 0, std::max(0, whole.width() - m_note->width())),
+                         hasRoom ? below.y() : below.y() - height() - 2 * kSpace1 - m_note->height());
         m_note->raise();
         announce(*m_note);
         QTimer::singleShot(kNoteMs, m_note, [shown = m_note, words] {
@@ -248,6 +252,12 @@ public:
 };
 
 }  // namespace
+
+void showNumber(QDoubleSpinBox& input, double number)
+{
+    if (std::abs(input.value() - number) >= 0.5 * std::pow(10.0, -input.decimals()))
+        input.setValue(number);
+}
 
 QLabel* formWords(const QString& text, int size, QFont::Weight weight, QPalette::ColorRole role, QWidget* parent)
 {

@@ -32,6 +32,8 @@ void bindToForm(QWidget* input);
 /// @param name  for who hears it
 [[nodiscard]] QDoubleSpinBox* numberInput(double low, double high, int decimals, const QString& unit,
                                           const QString& name, QWidget* parent);
+/// Has it show a number. Where that is the one it has, it is left alone: somebody may be about to type its decimals.
+void showNumber(QDoubleSpinBox& input, double number);
 /// A whole number. One that is beyond the range can be typed, and is not taken: what was there before comes back.
 [[nodiscard]] QSpinBox* countInput(int low, int high, QWidget* parent);
 [[nodiscard]] QComboBox* choiceInput(const QString& name, QWidget* parent);

@@ -154,7 +154,7 @@ void IdealForm::showValues(const std::vector<IdealField>& fields)
         if (auto* choice = qobject_cast<QComboBox*>(found->second))
             choice->setCurrentIndex(field.value > 0.5 ? 1 : 0);
         else if (auto* number = qobject_cast<QDoubleSpinBox*>(found->second))
-            number->setValue(field.value);
+            showNumber(*number, field.value);
     }
 }
 

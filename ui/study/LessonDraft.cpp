@@ -2,6 +2,7 @@
 #include "ui/study/LessonDraft.h"
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 #include <QDir>
@@ -9,6 +10,8 @@
 #include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
+#include <QLocale>
+#include <QRegularExpression>
 
 #include "core/preparation/BlockPreparation.h"
 #include "core/preparation/ToothPreparation.h"
@@ -149,6 +152,23 @@ core::Result<Assignment> assignmentFor(const Lesson& lesson, const Kept& kept, c
         if (what.contains(u'(' + QString::fromStdString(id) + u')'))
             key = QStringLiteral("ideal.sizes.") + QString::fromStdString(id);
     return {file, key, core::wordsOf(error), true};
+}
+
+/// Names in several languages, in each of which a number stands in the place of another that it has once.
+QJsonObject withLimit(QJsonObject names, double before, double now)
+{
+    for (const QString& language : names.keys()) {
+        const QLocale locale(language);
+        const auto shown = [&locale](double number) {
+            return locale.toString(number, 'f', QLocale::FloatingPointShortest);
+        };
+        const QRegularExpression limit(
+            QStringLiteral(R"((?<![\d.,])%1(?!\d|[.,]\d))").arg(QRegularExpression::escape(shown(before))));
+        const QString name = names.value(language).toString();
+        if (name.count(limit) == 1)
+            names.insert(language, QString(name).replace(limit, shown(now)));
+    }
+    return names;
 }
 
 }  // namespace
@@ -333,7 +353,14 @@ void LessonDraft::setTitle(const QString& title, const QString& language)
         next.insert(QStringLiteral("title"), title);
     } else {
         QJsonObject texts = titles();
-        texts.insert(texts.contains(language) ? language : QStringLiteral("en"), title);
+        const QString typedIn = texts.contains(language) ? language : QStringLiteral("en");
+        // Nobody has typed those that were made up for a lesson of one's own, or taken over: they say what this says.
+        const bool isMadeUp = !m_exists || !next.value(QStringLiteral("title")).isObject();
+        const QJsonValue before = texts.value(typedIn);
+        for (const QString& other : texts.keys())
+            if (texts.value(other) == before || (isMadeUp && texts.value(other) == m_wholeTitle.value(other)))
+                texts.insert(other, title);
+        texts.insert(typedIn, title);
         next.insert(QStringLiteral("title"), texts);
     }
     change(QStringLiteral("title"), next);
@@ -402,6 +429,11 @@ void LessonDraft::setCriterion(int index, const char* key, double value)
     if (index < 0 || index >= criteria.size())
         return;
     QJsonObject criterion = criteria[index].toObject();
+    // What fails an attempt is often called by its limit: "Floor more than 1 mm too deep".
+    if (key == std::string_view("tolerance") && criterion.value(QStringLiteral("critical")).toBool())
+        criterion.insert(QStringLiteral("title"),
+                         withLimit(criterion.value(QStringLiteral("title")).toObject(),
+                                   criterion.value(QStringLiteral("tolerance")).toDouble(), value));
     criterion.insert(QLatin1String(key), value);
     criteria[index] = criterion;
     changed.insert(QStringLiteral("criteria"), criteria);

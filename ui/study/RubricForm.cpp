@@ -97,8 +97,11 @@ void RubricForm::forgetWords()
 
 void RubricForm::offerCriteria(const std::vector<::lessons::CriterionRule>& criteria)
 {
-    if (offers(criteria))
+    if (offers(criteria)) {
+        for (std::size_t k = 0; k < criteria.size(); ++k)
+            m_criteria[k].name->setText(titleOf(criteria[k]));  // which may tell its limit
         return;
+    }
     delete m_inputs;
     m_criteria.clear();
     m_inputs = new QWidget(this);
@@ -116,7 +119,8 @@ void RubricForm::offerCriteria(const std::vector<::lessons::CriterionRule>& crit
     for (const ::lessons::CriterionRule& rule : criteria) {
         const int index = static_cast<int>(m_criteria.size());
         const QString name = titleOf(rule);
-        grid->addWidget(formWords(name, kBody, QFont::Normal, QPalette::WindowText, m_inputs), row, 0);
+        auto* label = formWords(name, kBody, QFont::Normal, QPalette::WindowText, m_inputs);
+        grid->addWidget(label, row, 0);
         const auto add = [&](QDoubleSpinBox* input, const char* key, int column) {
             grid->addWidget(input, row, column);
             connectInput(input, index, key);
@@ -124,6 +128,7 @@ void RubricForm::offerCriteria(const std::vector<::lessons::CriterionRule>& crit
         };
         Criterion inputs;
         inputs.id = rule.id;
+        inputs.name = label;
         inputs.tolerance = add(numberInput(0.0, 1000.0, decimalsOf(rule.unit), text::unitName(rule.unit),
                                            //: %1: a criterion
                                            tr("Tolerance of: %1").arg(name), m_inputs),
@@ -198,14 +203,14 @@ void RubricForm::showValues(const QJsonObject& rubric)
     const QJsonArray criteria = rubric.value(QStringLiteral("criteria")).toArray();
     for (std::size_t k = 0; k < m_criteria.size(); ++k) {
         const QJsonObject criterion = criteria.at(static_cast<qsizetype>(k)).toObject();
-        m_criteria[k].tolerance->setValue(criterion.value(QStringLiteral("tolerance")).toDouble());
+        showNumber(*m_criteria[k].tolerance, criterion.value(QStringLiteral("tolerance")).toDouble());
         if (m_criteria[k].weight != nullptr)
-            m_criteria[k].weight->setValue(criterion.value(QStringLiteral("weight")).toDouble());
-        m_criteria[k].target->setValue(criterion.value(QStringLiteral("target")).toDouble());
+            showNumber(*m_criteria[k].weight, criterion.value(QStringLiteral("weight")).toDouble());
+        showNumber(*m_criteria[k].target, criterion.value(QStringLiteral("target")).toDouble());
         if (m_criteria[k].span != nullptr)
-            m_criteria[k].span->setValue(criterion.value(QStringLiteral("span")).toDouble());
+            showNumber(*m_criteria[k].span, criterion.value(QStringLiteral("span")).toDouble());
     }
-    m_passMark->setValue(rubric.value(QStringLiteral("pass_mark")).toDouble());
+    showNumber(*m_passMark, rubric.value(QStringLiteral("pass_mark")).toDouble());
 }
 
 std::vector<::lessons::Fault> RubricForm::takeFaults(const std::vector<::lessons::Fault>& faults)

@@ -45,6 +45,7 @@ private:
     struct Criterion
     {
         std::string id;
+        QLabel* name = nullptr;
         QDoubleSpinBox* tolerance = nullptr;
         QDoubleSpinBox* weight = nullptr;  ///< null for a critical one
         QDoubleSpinBox* target = nullptr;
