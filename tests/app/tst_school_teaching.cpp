@@ -99,7 +99,7 @@ void TestSchoolTeaching::nobodySeesTheClassOfWhoLeft()
     const auto* const matrix = child<QTableView>("matrix")->model();
     const auto* const attempts = child<QTableView>("attempts")->model();
     QTRY_COMPARE_WITH_TIMEOUT(matrix->rowCount(), 1, kPatienceMs);
-    emit child<QTableView>("matrix")->verticalHeader()->sectionDoubleClicked(0);
+    emit child<QTableView>("matrix")->verticalHeader()->sectionClicked(0);
     QTRY_VERIFY_WITH_TIMEOUT(child<ui::people::HistoryPage>()->isVisible() && attempts->rowCount() == 1, kPatienceMs);
     actions().lock->trigger();
     click("otherLogin");
@@ -169,7 +169,7 @@ void TestSchoolTeaching::theCardOfAnotherKeepsItsNameInAnotherLanguage()
     leaveFor("ines");
     actions().classes->trigger();
     QTRY_COMPARE_WITH_TIMEOUT(child<QTableView>("matrix")->model()->rowCount(), 1, kPatienceMs);
-    emit child<QTableView>("matrix")->verticalHeader()->sectionDoubleClicked(0);
+    emit child<QTableView>("matrix")->verticalHeader()->sectionClicked(0);
     openNewest();
     const auto* const page = child<ui::study::ScorePage>();
     const QString english = page->card().lesson;
@@ -188,7 +188,7 @@ void TestSchoolTeaching::anotherScoreIsNotOverruledUnseen()
     leaveFor("ines");
     actions().classes->trigger();
     QTRY_COMPARE_WITH_TIMEOUT(child<QTableView>("matrix")->model()->rowCount(), 1, kPatienceMs);
-    emit child<QTableView>("matrix")->verticalHeader()->sectionDoubleClicked(0);
+    emit child<QTableView>("matrix")->verticalHeader()->sectionClicked(0);
     openNewest();
     auto* const talk = child<ui::people::TalkPanel>();
     QTRY_VERIFY_WITH_TIMEOUT(talk->findChild<QLineEdit*>("reason")->isVisible(), kPatienceMs);
@@ -225,7 +225,7 @@ void TestSchoolTeaching::theListFollowsWhatOthersSay()
     grade("first grade");
     leaveFor("ines");
     QTRY_COMPARE_WITH_TIMEOUT(child<QTableView>("matrix")->model()->rowCount(), 1, kPatienceMs);
-    emit child<QTableView>("matrix")->verticalHeader()->sectionDoubleClicked(0);
+    emit child<QTableView>("matrix")->verticalHeader()->sectionClicked(0);
     QTRY_VERIFY_WITH_TIMEOUT(child<ui::people::HistoryPage>()->isVisible(), kPatienceMs);
     const auto listed = [this] {
         const auto* model = child<QTableView>("attempts")->model();
@@ -382,7 +382,7 @@ void TestSchoolTeaching::whoIsTakenOutOfAClassSeesItNoLonger()
     leaveFor("ines");
     const auto* const matrix = child<QTableView>("matrix")->model();
     QTRY_COMPARE_WITH_TIMEOUT(matrix->rowCount(), 1, kPatienceMs);
-    emit child<QTableView>("matrix")->verticalHeader()->sectionDoubleClicked(0);
+    emit child<QTableView>("matrix")->verticalHeader()->sectionClicked(0);
     openNewest();
     auto* const words = child<QPlainTextEdit>("commentWords");
     QTRY_VERIFY_WITH_TIMEOUT(words->isVisible(), kPatienceMs);
@@ -430,7 +430,7 @@ void TestSchoolTeaching::whatIsTypedWaitsForItsWriter()
     leaveFor("ines");
     const auto* const matrix = child<QTableView>("matrix")->model();
     const auto openAttemptOf = [&](int row) {
-        emit child<QTableView>("matrix")->verticalHeader()->sectionDoubleClicked(row);
+        emit child<QTableView>("matrix")->verticalHeader()->sectionClicked(row);
         openNewest();
     };
     auto* const words = child<QPlainTextEdit>("commentWords");
@@ -544,7 +544,7 @@ void TestSchoolTeaching::commentsArePinnedToMomentsAndPlaces()
     leaveFor("ines");
     actions().classes->trigger();
     QTRY_VERIFY_WITH_TIMEOUT(child<QTableView>("matrix")->model()->rowCount() == 1, kPatienceMs);
-    emit child<QTableView>("matrix")->verticalHeader()->sectionDoubleClicked(0);
+    emit child<QTableView>("matrix")->verticalHeader()->sectionClicked(0);
     openNewest();
     QTRY_COMPARE_WITH_TIMEOUT(moments(), 1, kPatienceMs);
     auto* heat = child<ui::study::HeatMap>();
@@ -623,7 +623,7 @@ void TestSchoolTeaching::commentsArePinnedToMomentsAndPlaces()
     leaveFor("ines");
     actions().classes->trigger();
     QTRY_VERIFY_WITH_TIMEOUT(child<QTableView>("matrix")->model()->rowCount() == 1, kPatienceMs);
-    emit child<QTableView>("matrix")->verticalHeader()->sectionDoubleClicked(0);
+    emit child<QTableView>("matrix")->verticalHeader()->sectionClicked(0);
     openNewest();
     QTRY_COMPARE_WITH_TIMEOUT(pins().size(), 2, kPatienceMs);
     QTest::mouseClick(child<ui::people::TalkPanel>()->findChild<QPushButton*>("takeBack"), Qt::LeftButton);
@@ -659,7 +659,7 @@ void TestSchoolTeaching::withoutItsRecordingAnAttemptIsOpenedAndOverruled()
         QVERIFY(sql::execute(sql::Database::open(file()).value()->handle(), lost, "lose"));
     leaveFor("ines");
     QTRY_COMPARE_WITH_TIMEOUT(child<QTableView>("matrix")->model()->rowCount(), 1, kPatienceMs);
-    emit child<QTableView>("matrix")->verticalHeader()->sectionDoubleClicked(0);
+    emit child<QTableView>("matrix")->verticalHeader()->sectionClicked(0);
     openNewest();
     QCOMPARE(page->person(), QString("sam Student"));
     const lessons::ScoreSheet shown = page->card().sheet;

@@ -86,8 +86,12 @@ QString shortened(const QString& head, const QFontMetrics& metrics, int widthPx)
         return metrics.elidedText(head, Qt::ElideRight, widthPx);
     const QString need = head.mid(sign);
     const int namePx = std::max(widthPx / 2, widthPx - metrics.horizontalAdvance(need));
-    return metrics.elidedText(metrics.elidedText(head.left(sign), Qt::ElideRight, namePx) + need, Qt::ElideRight,
-                              widthPx);
+    // What tells two of one name apart is kept.
+    const qsizetype bracket = head.left(sign).lastIndexOf(QStringLiteral(" ("));
+    const QString apart = bracket > 0 && head.at(sign - 1) == u')' ? head.mid(bracket, sign - bracket) : QString();
+    const QString name = metrics.elidedText(head.left(sign - apart.size()), Qt::ElideRight,
+                                            std::max(0, namePx - metrics.horizontalAdvance(apart)));
+    return metrics.elidedText(name + apart + need, Qt::ElideRight, widthPx);
 }
 
 NameHeads::NameHeads(QTableView* table) : QHeaderView(Qt::Vertical, table)
@@ -429,7 +433,8 @@ void ScoreCell::paint(QPainter* painter, const QStyleOptionViewItem& option, con
         return QStyledItemDelegate::paint(painter, option, index);
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing);
-    const QPalette& p = option.palette;
+    const QPalette p = option.widget != nullptr ? option.widget->window()->palette()  // the table's own has no ground
+                                                : option.palette;
     const QRectF box = QRectF(option.rect).adjusted(1.5, 1.5, -1.5, -1.5);
     painter->fillRect(option.rect, p.color(QPalette::Base));  // what is chosen has a ring, so that it keeps its shade
     if (one->attempts > 0) {

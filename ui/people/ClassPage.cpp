@@ -178,7 +178,7 @@ QWidget* ClassPage::makeMatrix()
     lessons->setFixedHeight(kHeadPx);
     lessons->setSortIndicatorClearable(true);
     lessons->setSortIndicator(-1, Qt::AscendingOrder);
-    connect(names, &QHeaderView::sectionDoubleClicked, this, [this](int row) {
+    connect(names, &QHeaderView::sectionClicked, this, [this](int row) {
         const QModelIndex source = m_filter->mapToSource(m_filter->index(row, 0));
         emit studentWanted(m_model->overview().students[static_cast<std::size_t>(source.row())].id.value);
     });
@@ -462,10 +462,12 @@ void ClassPage::fillLessons()
         // So that the hard ones are seen before any chart is opened.
         const ClassModel::Passed of = m_model->passed(k);
         const QString title = lessonTitle(m_titles, lessons[k]);
-        m_lesson->addItem(of.tried == 0 ? title
-                                        //: %1: a lesson; %2 of the %3 who tried it
-                                        : tr("%1 (%2 of %3 passed)").arg(title).arg(of.passed).arg(of.tried),
-                          QString::fromStdString(lessons[k]));
+        m_lesson->addItem(
+            of.tried == 0
+                ? title
+                //: %1: a lesson; %2 of the %3 who tried it
+                : tr("%1 (%2 of %3 passed)").arg(title, QString::number(of.passed), QString::number(of.tried)),
+            QString::fromStdString(lessons[k]));
         if (m_lesson->itemData(m_lesson->count() - 1).toString() == kept)
             m_lesson->setCurrentIndex(m_lesson->count() - 1);
     }

@@ -308,7 +308,7 @@ void HistoryPage::fillLessons()
     m_lessons->addItem(tr("All lessons"));
     for (const auto& [title, id] : titles) {
         //: %1: a lesson; %2: how many attempts
-        m_lessons->addItem(tr("%1 (%2)").arg(title).arg(tried[id]), QString::fromStdString(id));
+        m_lessons->addItem(tr("%1 (%2)").arg(title, QString::number(tried[id])), QString::fromStdString(id));
         if (kept && *kept == id)
             m_lessons->setCurrentIndex(m_lessons->count() - 1);
     }

@@ -102,7 +102,8 @@ QString rangeWords(const core::NumberField<core::settings::FeelPreset>& field)
 QString presetWords(const lessons::PresetUsed& used)
 {
     //: %1 is the name of a hardness preset, %2 its version
-    QString words = used.version > 0 ? Words::tr("%1, version %2").arg(used.name).arg(used.version) : used.name;
+    QString words =
+        used.version > 0 ? Words::tr("%1, version %2").arg(used.name, QString::number(used.version)) : used.name;
     if (!used.hash.isEmpty())
         words += QStringLiteral(" (%1)").arg(used.hash.left(kHashShown));
     //: After the name of a hardness preset whose numbers were changed during the attempt

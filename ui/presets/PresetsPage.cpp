@@ -463,7 +463,7 @@ void PresetsPage::fill()
             m_list->setCurrentItem(item);
         if (read.isRetired)
             continue;
-        m_other->addItem(QStringLiteral("%1 v%2").arg(nameOf(*read.preset)).arg(read.preset->version),
+        m_other->addItem(QStringLiteral("%1 v%2").arg(nameOf(*read.preset), QString::number(read.preset->version)),
                          static_cast<int>(k));
     }
     m_other->setCurrentIndex(m_other->findText(other));

@@ -43,7 +43,7 @@ void paintNeeds(Sheet& sheet, const people::ClassModel& model)
                 names << people::nameOf(model.overview().students[static_cast<std::size_t>(row)]);
         if (!names.isEmpty())
             //: %1: what they need; %2: names
-            sheet.say(Words::tr("%1: %2").arg(what, names.join(QStringLiteral(", "))), kTextPt);
+            sheet.say(Words::tr("%1: %2").arg(what, names.join(QStringLiteral("; "))), kTextPt);
     };
     list(Need::NoneLeft, Words::tr("No attempts left at a lesson that is not passed"));
     list(Need::Stuck, Words::tr("Stuck (three attempts in a row, not passed, not better by five points)"));
@@ -172,9 +172,9 @@ int paint(QPainter& painter, const QSizeF& pagePt, const NextPage& next, const C
         if (!report.rubricHash.empty())
             sheet.say(Words::tr("Rubric: %1, version %2, content %3")
                           .arg(QString::fromStdString(
-                              lessons::inLanguage(report.rubricTitle, QLocale().name().toStdString())))
-                          .arg(report.rubricVersion)
-                          .arg(QString::fromStdString(report.rubricHash).left(kShownHash)),
+                                   lessons::inLanguage(report.rubricTitle, QLocale().name().toStdString())),
+                               QString::number(report.rubricVersion),
+                               QString::fromStdString(report.rubricHash).left(kShownHash)),
                       kTextPt);
     }
 

@@ -26,7 +26,8 @@ struct Words
     Q_DECLARE_TR_FUNCTIONS(ui::report::ScoreCard)
 };
 
-constexpr QSize kPicturePx{520, 460};
+constexpr QSize kPicturePx{340, 301};  ///< as laid out: its letters are as large as those beside it
+constexpr double kPictureRatio = 3.0;  ///< drawn with so many dots for each
 constexpr double kPicturePt = 210.0;
 constexpr double kLeastPicturePt = 120.0;
 constexpr double kPictureStepPt = 10.0;
@@ -75,7 +76,8 @@ QImage pictureOf(const study::ScoredWork& work, std::optional<std::size_t> node,
     widget.setWork(work);
     if (node)
         widget.setMark(node, study::planeThrough(work, *node));
-    QImage image(kPicturePx, QImage::Format_RGB32);
+    QImage image(kPicturePx * kPictureRatio, QImage::Format_RGB32);
+    image.setDevicePixelRatio(kPictureRatio);
     image.fill(Qt::white);
     QPainter painter(&image);
     widget.render(&painter, {}, {}, QWidget::DrawChildren);  // without the ground of the theme
@@ -300,12 +302,11 @@ void paintCircumstances(Sheet& sheet, const ScoreCard& card)
     const QString rubric =
         QString::fromStdString(lessons::inLanguage(card.sheet.rubricTitle, QLocale().name().toStdString()));
     const QString content = shown(card.sheet.rubricHash.empty() ? attempt.rubricHash : card.sheet.rubricHash);
-    sheet.say(card.sheet.rubricVersion > 0 ? Words::tr("Rubric: %1, version %2, content %3")
-                                                 .arg(rubric.isEmpty() ? noted({}) : rubric)
-                                                 .arg(card.sheet.rubricVersion)
-                                                 .arg(content)
-                                           // its sheet was not kept with the attempt
-                                           : Words::tr("Rubric: content %1").arg(content),
+    sheet.say(card.sheet.rubricVersion > 0
+                  ? Words::tr("Rubric: %1, version %2, content %3")
+                        .arg(rubric.isEmpty() ? noted({}) : rubric, QString::number(card.sheet.rubricVersion), content)
+                  // its sheet was not kept with the attempt
+                  : Words::tr("Rubric: content %1").arg(content),
               kTextPt);
     sheet.say(Words::tr("Hardness: %1, content %2").arg(noted(attempt.preset), shown(attempt.presetHash)), kTextPt);
     sheet.say(Words::tr("Device: %1; contact: %2; grid: %3 columns a side; view: %4; seed: %5")

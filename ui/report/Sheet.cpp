@@ -53,10 +53,11 @@ void Sheet::foot()
         Words::tr("Cusp %1, printed %2")
             .arg(m_proof.program, QLocale().toString(m_proof.printed.toLocalTime(), QLocale::ShortFormat)),
         kSmallPt, QFont::Normal, Qt::AlignLeft | Qt::AlignTop);
-    const QString page = m_proof.pages > 0
-                             //: %1: a report; %2 of %3 pages
-                             ? Words::tr("%1, page %2 of %3").arg(m_title).arg(m_pages).arg(m_proof.pages)
-                             : Words::tr("%1, page %2").arg(m_title).arg(m_pages);
+    const QString page =
+        m_proof.pages > 0
+            //: %1: a report; %2 of %3 pages
+            ? Words::tr("%1, page %2 of %3").arg(m_title, QString::number(m_pages), QString::number(m_proof.pages))
+            : Words::tr("%1, page %2").arg(m_title, QString::number(m_pages));
     put(lines, page, kSmallPt, QFont::Normal, Qt::AlignRight | Qt::AlignTop);
     const QRectF second = lines.adjusted(0.0, kSmallPt + 3.0, 0.0, 0.0);
     if (m_proof.auditCode.isEmpty()) {

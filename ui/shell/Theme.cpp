@@ -149,9 +149,9 @@ void dress(QWidget& widget, const QPalette& palette)
 
 bool isDark(const QPalette& palette)
 {
-    // A style sheet makes the ground of what lies on a page a transparent black.
-    const QColor ground = palette.color(QPalette::Window);
-    return ground.alpha() > 0 ? ground.lightnessF() < 0.5F : palette.color(QPalette::WindowText).lightnessF() > 0.5F;
+    // The ground of what lies on a page is none of its own: a style sheet makes it a transparent black, or leaves it as
+    // that of another page.
+    return palette.color(QPalette::WindowText).lightnessF() > 0.5F;
 }
 
 Tones tones(const QPalette& palette)
