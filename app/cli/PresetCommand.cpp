@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <QDir>
 #include <QFileInfo>
@@ -19,6 +20,12 @@ namespace app::cli {
 namespace {
 
 using core::settings::FeelPreset;
+
+/// N/mm, as it is shown with two decimals: what is held, not a little more.
+double shownBound(const core::settings::FeelPreset& preset)
+{
+    return std::floor(100.0 * core::settings::stabilityBound(preset).stiffnessNPerMm) / 100.0;
+}
 
 QJsonObject withBound(const FeelPreset& preset)
 {
@@ -180,7 +187,7 @@ int checkPresets(const QStringList& arguments)
             text += QStringLiteral("%1 is sound: %2; held up to %3 N/mm\n")
                         .arg(QFileInfo(file).fileName(),
                              printable(QString::fromStdString(core::settings::labelOf(*read.preset))))
-                        .arg(core::settings::stabilityBound(*read.preset).stiffnessNPerMm, 0, 'f', 2);
+                        .arg(shownBound(*read.preset), 0, 'f', 2);
         }
         list.append(object);
     }
@@ -218,9 +225,7 @@ int showPreset(const QStringList& arguments)
                     .arg(QLatin1String(field.id), -28)
                     .arg((*preset).*field.value, 8, 'g', 6)
                     .arg(QString::fromUtf8(field.unit));
-    text += QStringLiteral("  %1 %2 N/mm\n")
-                .arg(QStringLiteral("held up to"), -28)
-                .arg(core::settings::stabilityBound(*preset).stiffnessNPerMm, 8, 'f', 2);
+    text += QStringLiteral("  %1 %2 N/mm\n").arg(QStringLiteral("held up to"), -28).arg(shownBound(*preset), 8, 'f', 2);
     printText(text);
     return kDone;
 }

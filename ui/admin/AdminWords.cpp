@@ -66,6 +66,14 @@ constexpr std::array kKinds{
     std::pair{"person:", QT_TRANSLATE_NOOP("Admin", "person %1")},
     std::pair{"setting:", QT_TRANSLATE_NOOP("Admin", "setting %1")},
     std::pair{"station:", QT_TRANSLATE_NOOP("Admin", "computer with the key %1")},
+    // Parts of a database, as the check of its schema calls them.
+    std::pair{"table ", QT_TRANSLATE_NOOP("Admin", "table %1")},
+    std::pair{"column ", QT_TRANSLATE_NOOP("Admin", "column %1")},
+    std::pair{"index ", QT_TRANSLATE_NOOP("Admin", "index %1")},
+    std::pair{"trigger ", QT_TRANSLATE_NOOP("Admin", "trigger %1")},
+    std::pair{"constraint ", QT_TRANSLATE_NOOP("Admin", "constraint %1")},
+    std::pair{"view ", QT_TRANSLATE_NOOP("Admin", "view %1")},
+    std::pair{"rule ", QT_TRANSLATE_NOOP("Admin", "rule %1")},
 };
 
 constexpr std::array kWholes{
@@ -118,7 +126,8 @@ QString named(const QString& what, const NamesByUid& names)
     for (const auto& [kind, words] : kKinds)
         if (what.startsWith(QLatin1String(kind)))
             return QCoreApplication::translate("Admin", words)
-                .arg(what.startsWith(QStringLiteral("station:")) ? id.left(kShownOfKey) : id);
+                .arg(what.startsWith(QStringLiteral("station:")) ? id.left(kShownOfKey)
+                                                                 : what.mid(QLatin1String(kind).size()));
     return what;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/presets/SimplePanel.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -91,7 +92,9 @@ void SimplePanel::setPreset(const std::vector<core::settings::FeelPreset>& bases
     m_base = preset;
     for (const core::settings::FeelPreset& base : bases)
         if (dials = dialsFor(base, preset); dials) {
-            m_base = base;
+            // One that is the same under another name is its own middle.
+            if (std::any_of(dials->begin(), dials->end(), [](double dial) { return std::abs(dial) > 1e-9; }))
+                m_base = base;
             break;
         }
     m_isTyped = !dials;
