@@ -954,6 +954,8 @@ void Application::showLessons()
                     here.className += (here.className.isEmpty() ? QString() : QStringLiteral(", ")) +
                                       QString::fromStdString(ofClass->name);
                 const QDateTime due = QDateTime::fromString(QString::fromStdString(one.dueUtc), Qt::ISODate);
+                if (ofClass != classes->end())
+                    here.classes.emplace_back(QString::fromStdString(ofClass->name), due);
                 if (due.isValid() && (!here.due.isValid() || due < here.due))
                     here.due = due;
                 const auto left = database::sql::attemptsLeft(school, who, one.lessonId);
@@ -1238,7 +1240,7 @@ void Application::noteExam(const core::session::Findings& findings)
             return;
         m_begunExam.isAllowed = may;
         if (!may)
-            refuseExam();
+            m_window->refuseExam();
     });
 }
 
@@ -1250,15 +1252,6 @@ void Application::tellExam(const database::Session& who, const database::ExamSta
         if (!kept)
             QTimer::singleShot(kExamRetryMs, this, [this, who, start] { tellExam(who, start); });
     });
-}
-
-/// It was begun, too, where the student's last attempt at it was begun meanwhile.
-void Application::refuseExam()
-{
-    m_window->endExam();
-    m_window->setUsedUp(true);
-    m_window->showMessage(
-        tr("Your last attempt at this exam was begun in another window. What was cut here does not count."));
 }
 
 /// Within the outline of what is to be cut, or nowhere.
@@ -1521,8 +1514,10 @@ bool Application::isAsGraded() const
 void Application::endJournal(const Letter& letter)
 {
     if (letter.generation == m_ownGeneration) {
-        if (isAsGraded())
+        if (isAsGraded()) {
             noteGraded();
+            m_window->forgetAttemptNotKept();  // all of it is
+        }
         if (m_isTakenUp && !m_unfinished)
             offerUnfinished();  // others may be waiting
     } else if (!letter.journal.empty()) {
@@ -1905,7 +1900,7 @@ void Application::stopJournal(bool putAway)
 void Application::watchJournal()
 {
     if (const auto failure = m_journal->failure())
-        m_window->showError(*failure, Failed::KeepingAttempt);
+        m_window->showError(*failure, m_window->isExamRunning() ? Failed::KeepingExam : Failed::KeepingAttempt);
     else if (m_journal->isWell())
         m_window->forgetAttemptNotKept();
 }

@@ -117,7 +117,6 @@ private:
     void watchAttempt();
     void noteExam(const core::session::Findings& findings);
     void tellExam(const database::Session& who, const database::ExamStart& start);
-    void refuseExam();
     [[nodiscard]] bool isHiddenByExam();
     void holdHand(bool wanted);
     void takeBack(std::uint64_t tick);

@@ -2931,10 +2931,6 @@
         <translation>Ihre Rolle wurde geändert, und Sie wurden abgemeldet. Melden Sie sich neu an.</translation>
     </message>
     <message>
-        <source>Your last attempt at this exam was begun in another window. What was cut here does not count.</source>
-        <translation>Ihr letzter Versuch an dieser Prüfung wurde in einem anderen Fenster begonnen. Was hier geschnitten wurde, zählt nicht.</translation>
-    </message>
-    <message>
         <source>You are in an exam: earlier attempts are opened when it is over. Press G for the grade, or take another lesson.</source>
         <translation>Sie sind in einer Prüfung: Frühere Versuche werden geöffnet, wenn sie zu Ende ist. Drücken Sie G für die Note, oder nehmen Sie eine andere Lektion.</translation>
     </message>
@@ -4208,7 +4204,7 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     </message>
     <message>
         <source>%1 of %2 have passed, %3 have tried</source>
-        <translation>%1 von %2 haben bestanden, %3 haben es versucht</translation>
+        <translation>%1 von %2 bestanden, %3 haben es versucht</translation>
     </message>
     <message>
         <source>That was undone.</source>
@@ -4450,11 +4446,11 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     </message>
     <message>
         <source>%1 of %2 passed; first attempts: %3 points</source>
-        <translation>%1 von %2 haben bestanden; erste Versuche: %3 Punkte</translation>
+        <translation>%1 von %2 bestanden; erste Versuche: %3 Punkte</translation>
     </message>
     <message>
         <source>%1 of %2 passed, after %3 attempts on the average; first attempts: %4 points</source>
-        <translation>%1 von %2 haben bestanden, im Mittel nach %3 Versuchen; erste Versuche: %4 Punkte</translation>
+        <translation>%1 von %2 bestanden, im Mittel nach %3 Versuchen; erste Versuche: %4 Punkte</translation>
     </message>
 </context>
 <context>
@@ -4573,7 +4569,7 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     </message>
     <message>
         <source>%1 of %2 passed</source>
-        <translation>%1 von %2 haben bestanden</translation>
+        <translation>%1 von %2 bestanden</translation>
     </message>
     <message>
         <source>out of tries</source>
@@ -4700,7 +4696,7 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>%1 (%2 of %3 passed)</source>
         <extracomment>%1: a lesson; %2 of the %3 who tried it</extracomment>
-        <translation>%1 (%2 von %3 haben bestanden)</translation>
+        <translation>%1 (%2 von %3 bestanden)</translation>
     </message>
     <message>
         <source>There is no class yet. Make one, and enter its teachers and students: then you see here who needs help, and how everybody does at every lesson.</source>
@@ -7331,6 +7327,10 @@ ungesichert</translation>
 </context>
 <context>
     <name>ui::shell::MainWindow</name>
+    <message>
+        <source>Your last attempt at this exam was begun in another window. What was cut here does not count.</source>
+        <translation>Ihr letzter Versuch an dieser Prüfung wurde in einem anderen Fenster begonnen. Was hier geschnitten wurde, zählt nicht.</translation>
+    </message>
     <message>
         <source>Cusp</source>
         <translation>Cusp</translation>

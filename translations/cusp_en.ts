@@ -2931,10 +2931,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Your last attempt at this exam was begun in another window. What was cut here does not count.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>You are in an exam: earlier attempts are opened when it is over. Press G for the grade, or take another lesson.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7321,6 +7317,10 @@ unsaved</source>
 </context>
 <context>
     <name>ui::shell::MainWindow</name>
+    <message>
+        <source>Your last attempt at this exam was begun in another window. What was cut here does not count.</source>
+        <translation type="unfinished"></translation>
+    </message>
     <message>
         <source>Cusp</source>
         <translation type="unfinished"></translation>

@@ -2931,10 +2931,6 @@
         <translation>Se ha cambiado su papel y se ha cerrado su sesión. Inicie sesión de nuevo.</translation>
     </message>
     <message>
-        <source>Your last attempt at this exam was begun in another window. What was cut here does not count.</source>
-        <translation>Su último intento en este examen se empezó en otra ventana. Lo que se cortó aquí no cuenta.</translation>
-    </message>
-    <message>
         <source>You are in an exam: earlier attempts are opened when it is over. Press G for the grade, or take another lesson.</source>
         <translation>Está en un examen: los intentos anteriores se abren cuando termine. Pulse G para la calificación o tome otra lección.</translation>
     </message>
@@ -7331,6 +7327,10 @@ sin guardar</translation>
 </context>
 <context>
     <name>ui::shell::MainWindow</name>
+    <message>
+        <source>Your last attempt at this exam was begun in another window. What was cut here does not count.</source>
+        <translation>Su último intento en este examen se empezó en otra ventana. Lo que se cortó aquí no cuenta.</translation>
+    </message>
     <message>
         <source>Cusp</source>
         <translation>Cusp</translation>

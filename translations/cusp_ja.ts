@@ -2917,10 +2917,6 @@
         <translation>役割が変更され、ログアウトしました。もう一度ログインしてください。</translation>
     </message>
     <message>
-        <source>Your last attempt at this exam was begun in another window. What was cut here does not count.</source>
-        <translation>この試験の最後の試行は、別のウィンドウで始められました。ここで削ったものは数えられません。</translation>
-    </message>
-    <message>
         <source>You are in an exam: earlier attempts are opened when it is over. Press G for the grade, or take another lesson.</source>
         <translation>試験中です。以前の試行は試験が終わってから開けます。G キーで採点するか、別の課題を選んでください。</translation>
     </message>
@@ -7283,6 +7279,10 @@ unsaved</source>
 </context>
 <context>
     <name>ui::shell::MainWindow</name>
+    <message>
+        <source>Your last attempt at this exam was begun in another window. What was cut here does not count.</source>
+        <translation>この試験の最後の試行は、別のウィンドウで始められました。ここで削ったものは数えられません。</translation>
+    </message>
     <message>
         <source>The time of this lesson is over. Go on as long as you like, or press G.</source>
         <translation>この課題の時間が終わりました。好きなだけ続けるか、Gを押してください。</translation>

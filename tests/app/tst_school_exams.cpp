@@ -325,11 +325,12 @@ void TestSchoolExams::anExamIsBegunInOneWindow()
     const QPoint at = press(-2.0);  // it stops at once, with less gone than the figures show
     QTRY_VERIFY2_WITH_TIMEOUT(message().contains("begun in another window"), qPrintable(message()), kPatienceMs);
     QTest::mouseRelease(&m_application->window().view(), Qt::LeftButton, {}, at);
-    QVERIFY(!actions().drill->isEnabled() && !actions().reload->isEnabled());
-    actions().grade->trigger();
-    QTRY_VERIFY2_WITH_TIMEOUT(message().contains("used up your attempts"), qPrintable(message()), kPatienceMs);
-    QVERIFY(!child<ui::study::Forecast>()->isVisible());
+    for (const QAction* action : {actions().drill, actions().reload, actions().grade})
+        QVERIFY2(!action->isEnabled(), qPrintable(action->text()));
     QCOMPARE(count("exam_starts"), 1);
+    // Nothing is lost by leaving it, so nothing is asked.
+    m_application->window().close();
+    QVERIFY(child<QWidget>("workQuestion") == nullptr);
 }
 
 /// The school is told when it could not be told before the program was killed, and never twice.

@@ -186,9 +186,9 @@ lessons::Criterion criterion(const std::string& id, std::optional<double> measur
 void TestTexts::everyErrorCodeHasASentenceOfItsOwn()
 {
     using ui::text::Failed;
-    for (const Failed failed :
-         {Failed::OpeningScan, Failed::MakingTooth, Failed::OpeningRecording, Failed::SavingRecording,
-          Failed::KeepingGrades, Failed::KeepingGrade, Failed::KeepingAttempt, Failed::ResumingAttempt}) {
+    for (const Failed failed : {Failed::OpeningScan, Failed::MakingTooth, Failed::OpeningRecording,
+                                Failed::SavingRecording, Failed::KeepingGrades, Failed::KeepingGrade,
+                                Failed::KeepingAttempt, Failed::KeepingExam, Failed::ResumingAttempt}) {
         QSet<QString> seen;
         for (const ErrorCode code : kAllCodes) {
             const QString text = ui::text::errorText({code, "molar.stl: the exact detail."}, failed);

@@ -217,9 +217,10 @@ void LoginPage::arrange()
         caption->setVisible(input->isVisibleTo(m_card));
 }
 
-void LoginPage::setLockedBy(const QString& username)
+void LoginPage::setLockedBy(const QString& username, bool inExam)
 {
     m_lockedBy = username;
+    m_isLockedInExam = inExam;
     speak();
 }
 
@@ -260,7 +261,9 @@ void LoginPage::speak()
     case Door::Locked:
         //: %1: the name a user logs in with
         m_title->setText(tr("Locked by %1").arg(m_lockedBy));
-        m_words->setText(tr("The work on the table is as it was left."));
+        m_words->setText(m_isLockedInExam
+                             ? tr("The work on the table is as it was left, but the time of the exam goes on.")
+                             : tr("The work on the table is as it was left."));
         m_go->setText(tr("Go on"));
         break;
     }

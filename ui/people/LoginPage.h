@@ -33,7 +33,8 @@ public:
     void ask(Door door, bool isIn = false);
     [[nodiscard]] Door door() const { return m_door; }
     /// Who has left his place, for Door::Locked.
-    void setLockedBy(const QString& username);
+    /// @param inExam  whose time goes on
+    void setLockedBy(const QString& username, bool inExam);
     /// The database cannot be used: why. Practice without a login still works. Empty: it can.
     void setUnreachable(const QString& sentence);
     /// How something ended that everybody was logged out for; it stands until somebody is asked anew.
@@ -85,6 +86,7 @@ private:
     bool m_isIn = false;
     bool m_isBusy = false;
     QString m_lockedBy;
+    bool m_isLockedInExam = false;
     QFrame* m_card;
     QVBoxLayout* m_column;
     QLabel* m_title;

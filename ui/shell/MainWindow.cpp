@@ -619,7 +619,7 @@ void MainWindow::askWho(people::Door door)
     if (!isAtDoor())
         m_behindDoor = m_pages->currentWidget();
     m_mayLeaveDoor = false;
-    m_login->setLockedBy(QString::fromStdString(m_who.username()));
+    m_login->setLockedBy(QString::fromStdString(m_who.username()), isExamRunning() && !m_examIsOver);
     m_login->offerToKeep({});
     m_login->ask(door);
     goTo(m_login);
@@ -1773,7 +1773,7 @@ void MainWindow::enableActions()
     m_actions->reload->setEnabled((mayGoBack || (mine && m_examIsOver)) && !m_isUsedUp);
     m_room->lesson().setMayBeginAgain(m_isGraded && !m_isUsedUp);
     const bool isTrial = !m_replaying && m_trialCard->isVisibleTo(m_room);
-    m_actions->grade->setEnabled(inRoom && m_tooth != nullptr && !m_busy->isWorking() && !isTrial);
+    m_actions->grade->setEnabled(inRoom && m_tooth != nullptr && !m_busy->isWorking() && !isTrial && !m_examIsRefused);
     m_actions->lessons->setEnabled(!m_busy->isWorking());
     m_actions->console->setEnabled(inRoom);
     m_actions->settings->setEnabled(!m_busy->isWorking());
@@ -1920,8 +1920,9 @@ void MainWindow::showError(const core::Error& error, text::Failed failed, const 
     const bool ofTooth = failed == text::Failed::OpeningScan || failed == text::Failed::MakingTooth ||
                          failed == text::Failed::OpeningRecording;
     tellError(error, failed, file,
-              ofTooth                                         ? MessageBar::Topic::Tooth
-              : failed == text::Failed::KeepingAttempt        ? MessageBar::Topic::Journal
+              ofTooth ? MessageBar::Topic::Tooth
+              : failed == text::Failed::KeepingAttempt || failed == text::Failed::KeepingExam
+                  ? MessageBar::Topic::Journal
               : failed != text::Failed::ReadingSchool         ? MessageBar::Topic::General
               : error.code == core::ErrorCode::ConnectionLost ? MessageBar::Topic::School
                                                               : MessageBar::Topic::Page);
@@ -2171,6 +2172,7 @@ void MainWindow::setAssignment(const lessons::Assignment& assignment)
     m_trialCard->hide();
     m_isGraded = false;
     m_examIsOver = false;
+    m_examIsRefused = false;
     m_recordedAtS = 0.0;
     m_clockRestedS = 0.0;
     m_messages->withdraw(MessageBar::Topic::Lesson);
@@ -2298,11 +2300,19 @@ void MainWindow::endExam()
     if (!isExam())
         return;
     m_examIsOver = true;
-    m_room->lesson().conclude();
+    m_room->lesson().conclude(!m_examIsRefused);
     m_drillWasOn = m_drillWasOn || m_burRests || m_actions->drill->isChecked();
     m_burRests = false;
     wishDrill(false);
     enableActions();
+}
+
+void MainWindow::refuseExam()
+{
+    m_examIsRefused = true;
+    endExam();
+    setUsedUp(true);
+    showMessage(tr("Your last attempt at this exam was begun in another window. What was cut here does not count."));
 }
 
 void MainWindow::showReplayPaused(bool paused)
@@ -2338,7 +2348,7 @@ core::terrain::PerMaterial MainWindow::ownWork() const
 bool MainWindow::wouldLoseWork() const
 {
     // A block on which a preset is tried is nobody's work.
-    if (!m_replaying && m_trialCard->isVisibleTo(m_room))
+    if (!m_replaying && (m_examIsRefused || m_trialCard->isVisibleTo(m_room)))
         return false;
     const core::terrain::PerMaterial work = ownWork();
     return work != core::terrain::PerMaterial{} && work != m_savedWork;

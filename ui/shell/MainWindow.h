@@ -194,6 +194,8 @@ public slots:
     [[nodiscard]] bool isExamRunning() const;
     /// Nothing is cut any more in the exam on the table; in practice nothing.
     void endExam();
+    /// It counts as nothing: the student's last attempt at it was begun elsewhere.
+    void refuseExam();
     /// The handpieces of the attempt that is shown next, in the order of its settings.
     void setHandpieces(const std::vector<core::settings::Handpiece>& atHand);
     /// Bur and handpiece (an index, as of SetHandpiece) that an attempt was left with.
@@ -596,6 +598,7 @@ private:
     std::uint64_t m_infractionTick = 0;    ///< of the one that is told
     bool m_isGraded = false;               ///< the student's work has been, as it stood
     bool m_examIsOver = false;             ///< nothing can be cut any more
+    bool m_examIsRefused = false;          ///< and what was cut counts as nothing
     bool m_isUsedUp = false;               ///< no other attempt can begin
     bool m_isUnfinishedExam = false;       ///< that offerUnfinished() has offered
     double m_recordedAtS = 0.0;            ///< of the attempt, when its clock was looked at last

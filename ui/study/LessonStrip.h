@@ -29,7 +29,8 @@ public:
     /// This one has its grade, and there is another attempt left.
     void setMayBeginAgain(bool may);
     /// The exam is over: the clock stops, and the strip says how to go on, until another lesson is set.
-    void conclude();
+    /// @param isGiven  there is a score to see
+    void conclude(bool isGiven = true);
 
 signals:
     /// The lesson's time is over; said once.
@@ -44,6 +45,7 @@ private:
     double m_workedS = 0.0;
     bool m_overSaid = false;
     bool m_isConcluded = false;
+    bool m_hasScore = true;
     bool m_mayBeginAgain = false;
     QLabel* m_number = nullptr;
     QLabel* m_text = nullptr;

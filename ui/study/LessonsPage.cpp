@@ -646,8 +646,12 @@ void LessonsPage::describe()
     m_picture->setLesson(isSound ? entry->read.lesson : std::nullopt);
     m_edit->setVisible(isSound && m_mayEdit);
     const bool isSearched = !m_search->text().trimmed().isEmpty();
-    m_title->setText(entry == nullptr ? tr("No lesson fits") : nameOf(*entry));
-    m_goal->setText(isSound      ? said(entry->read.lesson->goal)
+    const bool isEmpty = m_entries.empty();  // some are shipped: they are not read yet
+    m_title->setText(isEmpty            ? tr("The lessons are being read …")
+                     : entry == nullptr ? tr("No lesson fits")
+                                        : nameOf(*entry));
+    m_goal->setText(isEmpty      ? QString()
+                    : isSound    ? said(entry->read.lesson->goal)
                     : entry      ? tr("This file cannot be given as a lesson. The others work.")
                     : isSearched ? tr("Search for another word, or show all lessons.")
                                  : tr("There is none of these now. Show all lessons."));
@@ -661,15 +665,28 @@ void LessonsPage::describe()
     if (isSound) {
         const ::lessons::Lesson& lesson = *entry->read.lesson;
         if (const Given* const given = givenOf(*entry)) {
-            QStringList what{given->className};
             const QDateTime now = QDateTime::currentDateTime();
             const Standing* const done = standingOf(*entry);
             const bool isPassed = done != nullptr && done->passed;
-            if (given->due.isValid())
-                what << (isPassed ? dueDayWords(given->due, now) : dueWords(given->due, now));
-            if (given->attemptsLeft)
-                what << tr("%n attempt(s) left", nullptr, *given->attemptsLeft);
-            fact(tr("Given to"), what.join(QStringLiteral(", ")));
+            const auto whatOf = [&](const QString& className, const QDateTime& due) {
+                QStringList what{className};
+                if (due.isValid())
+                    what << (isPassed ? dueDayWords(due, now) : dueWords(due, now));
+                return what.join(QStringLiteral(", "));
+            };
+            const QString left =
+                given->attemptsLeft ? tr("%n attempt(s) left", nullptr, *given->attemptsLeft) : QString();
+            QStringList what;
+            if (given->classes.size() > 1) {  // each has its day
+                for (const auto& [className, due] : given->classes)
+                    what << whatOf(className, due);
+                what << left;
+            } else {
+                what << whatOf(given->className, given->due) +
+                            (left.isEmpty() ? QString() : QStringLiteral(", ") + left);
+            }
+            what.removeAll({});
+            fact(tr("Given to"), what.join(u'\n'));
         }
         fact(tr("Tooth"), toothWords(lesson));
         fact(tr("Kind"), lesson.exam

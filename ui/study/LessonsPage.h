@@ -45,6 +45,8 @@ struct Given
     QString className;
     QDateTime due;  ///< invalid: none
     std::optional<int> attemptsLeft;
+    /// Each that gave it, with its day, where there are several.
+    std::vector<std::pair<QString, QDateTime>> classes = {};
 };
 
 /// A student's home: all lessons as cards, what is due first, with a search, filters and an arch to pick a tooth by;

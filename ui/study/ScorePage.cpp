@@ -182,9 +182,8 @@ QString rubricWords(const ::lessons::ScoreSheet& sheet)
     //: %1 is the name of a rubric, %2 its version, %3 the beginning of its hash
     return ScorePage::tr("Marked by \"%1\", version %2, content %3. Undercuts and walls past 90° are not measured: the "
                          "model is a height field.")
-        .arg(name)
-        .arg(sheet.rubricVersion)
-        .arg(QString::fromStdString(sheet.rubricHash.substr(0, kShownHash)));
+        .arg(name, QString::number(sheet.rubricVersion),
+             QString::fromStdString(sheet.rubricHash.substr(0, kShownHash)));
 }
 
 }  // namespace

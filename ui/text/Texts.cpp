@@ -80,6 +80,7 @@ QString remedy(Failed failed)
     case Failed::SavingReference:
     case Failed::Marking:
     case Failed::KeepingAttempt:
+    case Failed::KeepingExam:
     case Failed::SendingAttempt:
         return QCoreApplication::translate("Error", "Try again.");
     }
@@ -106,6 +107,7 @@ QString wrongKind(Failed failed)
     case Failed::SavingReference:
     case Failed::Marking:
     case Failed::KeepingAttempt:
+    case Failed::KeepingExam:
     case Failed::SendingAttempt:
         return QCoreApplication::translate("Error", "The file is not what its name says. Scans are OBJ, STL or PLY.");
     }
@@ -243,6 +245,10 @@ QString errorText(const core::Error& error, Failed failed)
             "Error",
             "An attempt on its way to the school is damaged and was put aside, in the folder “outbox/damaged”. "
             "All else is kept as ever.");
+    case Failed::KeepingExam:
+        return QCoreApplication::translate(
+            "Error", "This attempt is not kept on the disk while you work: if the computer fails, it is lost. Go on, "
+                     "and have room made on the disk.");
     case Failed::KeepingAttempt:
         if (error.code == core::ErrorCode::FileUnwritable)
             return QCoreApplication::translate(

@@ -31,6 +31,7 @@ enum class Failed {
     ChangingSchool,  ///< the same; nothing was changed
     SendingAttempt,  ///< to the school; it is damaged
     KeepingAttempt,  ///< on the disk, while it goes on
+    KeepingExam,     ///< the same, of what cannot be saved by hand
     ResumingAttempt  ///< that was not finished
 };
 
