@@ -300,6 +300,34 @@
         <source>which presets are retired</source>
         <translation>welche Voreinstellungen ausgemustert sind</translation>
     </message>
+    <message>
+        <source>table %1</source>
+        <translation>Tabelle %1</translation>
+    </message>
+    <message>
+        <source>column %1</source>
+        <translation>Spalte %1</translation>
+    </message>
+    <message>
+        <source>index %1</source>
+        <translation>Index %1</translation>
+    </message>
+    <message>
+        <source>trigger %1</source>
+        <translation>Trigger %1</translation>
+    </message>
+    <message>
+        <source>constraint %1</source>
+        <translation>Bedingung %1</translation>
+    </message>
+    <message>
+        <source>view %1</source>
+        <translation>Sicht %1</translation>
+    </message>
+    <message>
+        <source>rule %1</source>
+        <translation>Regel %1</translation>
+    </message>
 </context>
 <context>
     <name>Block</name>
@@ -850,6 +878,14 @@
     <message>
         <source>The folder “outbox”, where grades wait for the school, cannot be written. Make room on the disk, or make that folder writable.</source>
         <translation>In den Ordner „outbox“, in dem Noten auf die Schule warten, kann nicht geschrieben werden. Schaffen Sie Platz auf dem Datenträger oder erlauben Sie das Schreiben in diesen Ordner.</translation>
+    </message>
+    <message>
+        <source>This attempt is not kept on the disk while you work: if the computer fails, it is lost. Go on, and have room made on the disk.</source>
+        <translation>Dieser Versuch wird während der Arbeit nicht auf dem Datenträger aufbewahrt: Fällt der Computer aus, ist er verloren. Arbeiten Sie weiter und lassen Sie Platz schaffen.</translation>
+    </message>
+    <message>
+        <source>The school&apos;s data lie on a network drive, and another Cusp, here or at another computer, has them open. Only one at a time can: close that one. For several computers an admin keeps them on a PostgreSQL server.</source>
+        <translation>Die Daten der Schule liegen auf einem Netzlaufwerk, und ein anderes Cusp, hier oder an einem anderen Computer, hat sie geöffnet. Nur eines kann das zur gleichen Zeit: Schließen Sie jenes. Für mehrere Computer legt ein Admin sie auf einen PostgreSQL-Server.</translation>
     </message>
 </context>
 <context>
@@ -2240,6 +2276,10 @@
         <extracomment>On the card of a lesson</extracomment>
         <translation>keine Versuche mehr</translation>
     </message>
+    <message>
+        <source>Your last attempt at this exam was begun in another window. What was cut here does not count.</source>
+        <translation>Ihr letzter Versuch an dieser Prüfung wurde in einem anderen Fenster begonnen. Was hier geschnitten wurde, zählt nicht.</translation>
+    </message>
 </context>
 <context>
     <name>Login</name>
@@ -2764,6 +2804,14 @@
     <message>
         <source>It is no backup of this school.</source>
         <translation>Sie ist keine Sicherung dieser Schule.</translation>
+    </message>
+    <message>
+        <source>There is nothing to save: everything is as it was.</source>
+        <translation>Es gibt nichts zu speichern: Alles ist, wie es war.</translation>
+    </message>
+    <message>
+        <source>Nothing was entered: somebody else has entered or changed people meanwhile. This is what the list would do now.</source>
+        <translation>Es wurde niemand eingetragen: Jemand anderes hat inzwischen Personen eingetragen oder geändert. Dies würde die Liste jetzt bewirken.</translation>
     </message>
 </context>
 <context>
@@ -5307,6 +5355,10 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <extracomment>%1: a lesson or a tooth</extracomment>
         <translation>%1: Er wird zum Versuch der Person, die sich anmeldet. Ohne Haken wird er nicht behalten.</translation>
     </message>
+    <message>
+        <source>The work on the table is as it was left, but the time of the exam goes on.</source>
+        <translation>Die Arbeit auf dem Tisch ist, wie sie verlassen wurde, aber die Zeit der Prüfung läuft weiter.</translation>
+    </message>
 </context>
 <context>
     <name>ui::people::TalkPanel</name>
@@ -7138,6 +7190,13 @@ ungesichert</translation>
     </message>
 </context>
 <context>
+    <name>ui::shell::FileDialog</name>
+    <message>
+        <source>%1 is a file of another kind and stays as it is. Choose another name.</source>
+        <translation>%1 ist eine Datei anderer Art und bleibt, wie sie ist. Wählen Sie einen anderen Namen.</translation>
+    </message>
+</context>
+<context>
     <name>ui::shell::ForceBar</name>
     <message>
         <source>Force against the force that is set</source>
@@ -7328,10 +7387,6 @@ ungesichert</translation>
 <context>
     <name>ui::shell::MainWindow</name>
     <message>
-        <source>Your last attempt at this exam was begun in another window. What was cut here does not count.</source>
-        <translation>Ihr letzter Versuch an dieser Prüfung wurde in einem anderen Fenster begonnen. Was hier geschnitten wurde, zählt nicht.</translation>
-    </message>
-    <message>
         <source>Cusp</source>
         <translation>Cusp</translation>
     </message>
@@ -7521,10 +7576,6 @@ ungesichert</translation>
         <translation>Ein weiterer Versuch der Prüfung beginnt.</translation>
     </message>
     <message>
-        <source>This exam is over, but has no grade yet. Press G for it; then another attempt can begin.</source>
-        <translation>Diese Prüfung ist vorbei, aber noch nicht bewertet. Drücken Sie G für die Note; danach kann ein neuer Versuch beginnen.</translation>
-    </message>
-    <message>
         <source>The attempt was discarded; it is kept for seven days.</source>
         <translation>Der Versuch wurde verworfen; er bleibt sieben Tage aufgehoben.</translation>
     </message>
@@ -7678,6 +7729,30 @@ ungesichert</translation>
     <message>
         <source>They are kept nowhere else. Whoever has not logged in with one by then gets another from an admin, under School.</source>
         <translation>Sie sind sonst nirgends gespeichert. Wer sich bis dahin nicht damit angemeldet hat, bekommt von der Verwaltung unter „Schule“ einen anderen.</translation>
+    </message>
+    <message>
+        <source>The time of this exam is over: nothing more can be cut.</source>
+        <translation>Die Zeit dieser Prüfung ist um: Es wird nichts mehr abgetragen.</translation>
+    </message>
+    <message>
+        <source>This exam is over, but has no grade yet. Press G for it.</source>
+        <translation>Diese Prüfung ist vorbei, aber noch nicht bewertet. Drücken Sie G für die Note.</translation>
+    </message>
+    <message>
+        <source>&amp;Go on with it</source>
+        <translation>&amp;Damit weitermachen</translation>
+    </message>
+    <message>
+        <source>Another attempt begins.</source>
+        <translation>Ein neuer Versuch beginnt.</translation>
+    </message>
+    <message>
+        <source>This exam would be put away without a score.</source>
+        <translation>Diese Prüfung würde ohne Punktzahl weggelegt.</translation>
+    </message>
+    <message>
+        <source>It counts as an attempt all the same. Right afterwards you can still bring it back.</source>
+        <translation>Sie zählt trotzdem als Versuch. Gleich danach können Sie sie noch zurückholen.</translation>
     </message>
 </context>
 <context>
@@ -8890,10 +8965,6 @@ ungesichert</translation>
         <source>Your best</source>
         <translation>Ihr Bestes</translation>
     </message>
-    <message>
-        <source>not tried yet</source>
-        <translation>noch nicht versucht</translation>
-    </message>
     <message numerus="yes">
         <source>%1 in %n attempt(s)</source>
         <translation>
@@ -9015,6 +9086,14 @@ ungesichert</translation>
         <source>There is none of these now. Show all lessons.</source>
         <translation>Davon gibt es jetzt keine. Zeigen Sie alle Lektionen an.</translation>
     </message>
+    <message>
+        <source>The lessons are being read …</source>
+        <translation>Die Lektionen werden gelesen …</translation>
+    </message>
+    <message>
+        <source>no score yet</source>
+        <translation>noch keine Punktzahl</translation>
+    </message>
 </context>
 <context>
     <name>ui::study::RubricForm</name>
@@ -9073,7 +9152,7 @@ ungesichert</translation>
     </message>
     <message>
         <source>Target</source>
-        <extracomment>What a measure ought to be; %1: a criterion</extracomment>
+        <extracomment>What a measure ought to be</extracomment>
         <translation>Ziel</translation>
     </message>
     <message>
@@ -9082,7 +9161,7 @@ ungesichert</translation>
     </message>
     <message>
         <source>all lost over</source>
-        <extracomment>How far beyond the tolerance all points of a criterion are lost; %1: a criterion</extracomment>
+        <extracomment>How far beyond the tolerance all points of a criterion are lost</extracomment>
         <translation>alles verloren über</translation>
     </message>
     <message>
@@ -9206,10 +9285,6 @@ ungesichert</translation>
         <source>other rubric</source>
         <extracomment>Beside an earlier grade that cannot be compared with this one</extracomment>
         <translation>andere Regel</translation>
-    </message>
-    <message>
-        <source>Grades are not being kept; this one will not be here next time.</source>
-        <translation>Bewertungen werden zurzeit nicht aufbewahrt, auch diese nicht.</translation>
     </message>
     <message>
         <source>This is the first grade here.</source>
@@ -9343,6 +9418,10 @@ ungesichert</translation>
     <message>
         <source>This grade is not kept yet. It is tried again every few seconds as long as Cusp runs: make room on the disk.</source>
         <translation>Diese Bewertung ist noch nicht gespeichert. Solange Cusp läuft, wird es alle paar Sekunden wieder versucht: Schaffen Sie Platz auf der Festplatte.</translation>
+    </message>
+    <message>
+        <source>This grade is not kept: it will not be here next time.</source>
+        <translation>Diese Bewertung wird nicht aufbewahrt: Beim nächsten Mal ist sie nicht mehr da.</translation>
     </message>
 </context>
 <context>

@@ -300,6 +300,34 @@
         <source>which presets are retired</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>table %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>column %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>index %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>trigger %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>constraint %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>view %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rule %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Block</name>
@@ -849,6 +877,14 @@
     </message>
     <message>
         <source>The folder “outbox”, where grades wait for the school, cannot be written. Make room on the disk, or make that folder writable.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This attempt is not kept on the disk while you work: if the computer fails, it is lost. Go on, and have room made on the disk.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The school&apos;s data lie on a network drive, and another Cusp, here or at another computer, has them open. Only one at a time can: close that one. For several computers an admin keeps them on a PostgreSQL server.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2240,6 +2276,10 @@
         <extracomment>On the card of a lesson</extracomment>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Your last attempt at this exam was begun in another window. What was cut here does not count.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Login</name>
@@ -2763,6 +2803,14 @@
     </message>
     <message>
         <source>It is no backup of this school.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is nothing to save: everything is as it was.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was entered: somebody else has entered or changed people meanwhile. This is what the list would do now.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5298,6 +5346,10 @@ load NAME        feels a hardness preset that is kept</source>
         <extracomment>%1: a lesson or a tooth</extracomment>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The work on the table is as it was left, but the time of the exam goes on.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::people::TalkPanel</name>
@@ -7128,6 +7180,13 @@ unsaved</source>
     </message>
 </context>
 <context>
+    <name>ui::shell::FileDialog</name>
+    <message>
+        <source>%1 is a file of another kind and stays as it is. Choose another name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>ui::shell::ForceBar</name>
     <message>
         <source>Force against the force that is set</source>
@@ -7318,10 +7377,6 @@ unsaved</source>
 <context>
     <name>ui::shell::MainWindow</name>
     <message>
-        <source>Your last attempt at this exam was begun in another window. What was cut here does not count.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Cusp</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7511,10 +7566,6 @@ unsaved</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>This exam is over, but has no grade yet. Press G for it; then another attempt can begin.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The attempt was discarded; it is kept for seven days.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7667,6 +7718,30 @@ unsaved</source>
     </message>
     <message>
         <source>They are kept nowhere else. Whoever has not logged in with one by then gets another from an admin, under School.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The time of this exam is over: nothing more can be cut.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This exam is over, but has no grade yet. Press G for it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Go on with it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another attempt begins.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This exam would be put away without a score.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It counts as an attempt all the same. Right afterwards you can still bring it back.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8880,10 +8955,6 @@ unsaved</source>
         <source>Your best</source>
         <translation type="unfinished"></translation>
     </message>
-    <message>
-        <source>not tried yet</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message numerus="yes">
         <source>%1 in %n attempt(s)</source>
         <translation>
@@ -9005,6 +9076,14 @@ unsaved</source>
         <source>There is none of these now. Show all lessons.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The lessons are being read …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no score yet</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::study::RubricForm</name>
@@ -9063,7 +9142,7 @@ unsaved</source>
     </message>
     <message>
         <source>Target</source>
-        <extracomment>What a measure ought to be; %1: a criterion</extracomment>
+        <extracomment>What a measure ought to be</extracomment>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9072,7 +9151,7 @@ unsaved</source>
     </message>
     <message>
         <source>all lost over</source>
-        <extracomment>How far beyond the tolerance all points of a criterion are lost; %1: a criterion</extracomment>
+        <extracomment>How far beyond the tolerance all points of a criterion are lost</extracomment>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9195,10 +9274,6 @@ unsaved</source>
     <message>
         <source>other rubric</source>
         <extracomment>Beside an earlier grade that cannot be compared with this one</extracomment>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Grades are not being kept; this one will not be here next time.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9332,6 +9407,10 @@ unsaved</source>
     </message>
     <message>
         <source>This grade is not kept yet. It is tried again every few seconds as long as Cusp runs: make room on the disk.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This grade is not kept: it will not be here next time.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

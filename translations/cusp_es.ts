@@ -300,6 +300,34 @@
         <source>which presets are retired</source>
         <translation>qué ajustes de dureza están retirados</translation>
     </message>
+    <message>
+        <source>table %1</source>
+        <translation>tabla %1</translation>
+    </message>
+    <message>
+        <source>column %1</source>
+        <translation>columna %1</translation>
+    </message>
+    <message>
+        <source>index %1</source>
+        <translation>índice %1</translation>
+    </message>
+    <message>
+        <source>trigger %1</source>
+        <translation>disparador %1</translation>
+    </message>
+    <message>
+        <source>constraint %1</source>
+        <translation>restricción %1</translation>
+    </message>
+    <message>
+        <source>view %1</source>
+        <translation>vista %1</translation>
+    </message>
+    <message>
+        <source>rule %1</source>
+        <translation>regla %1</translation>
+    </message>
 </context>
 <context>
     <name>Block</name>
@@ -850,6 +878,14 @@
     <message>
         <source>The folder “outbox”, where grades wait for the school, cannot be written. Make room on the disk, or make that folder writable.</source>
         <translation>No se puede escribir en la carpeta «outbox», donde las notas esperan a la escuela. Libere espacio en el disco o permita escribir en esa carpeta.</translation>
+    </message>
+    <message>
+        <source>This attempt is not kept on the disk while you work: if the computer fails, it is lost. Go on, and have room made on the disk.</source>
+        <translation>Este intento no se guarda en el disco mientras trabaja: si el ordenador falla, se pierde. Siga trabajando y pida que liberen espacio.</translation>
+    </message>
+    <message>
+        <source>The school&apos;s data lie on a network drive, and another Cusp, here or at another computer, has them open. Only one at a time can: close that one. For several computers an admin keeps them on a PostgreSQL server.</source>
+        <translation>Los datos de la escuela están en una unidad de red, y otro Cusp, aquí o en otro ordenador, los tiene abiertos. Solo uno puede a la vez: cierre ese. Para varios ordenadores, un administrador los pone en un servidor PostgreSQL.</translation>
     </message>
 </context>
 <context>
@@ -2240,6 +2276,10 @@
         <extracomment>On the card of a lesson</extracomment>
         <translation>sin más intentos</translation>
     </message>
+    <message>
+        <source>Your last attempt at this exam was begun in another window. What was cut here does not count.</source>
+        <translation>Su último intento en este examen se empezó en otra ventana. Lo que se cortó aquí no cuenta.</translation>
+    </message>
 </context>
 <context>
     <name>Login</name>
@@ -2764,6 +2804,14 @@
     <message>
         <source>It is no backup of this school.</source>
         <translation>No es una copia de seguridad de esta escuela.</translation>
+    </message>
+    <message>
+        <source>There is nothing to save: everything is as it was.</source>
+        <translation>No hay nada que guardar: todo está como estaba.</translation>
+    </message>
+    <message>
+        <source>Nothing was entered: somebody else has entered or changed people meanwhile. This is what the list would do now.</source>
+        <translation>No se registró a nadie: otra persona ha registrado o modificado a alguien entretanto. Esto es lo que haría la lista ahora.</translation>
     </message>
 </context>
 <context>
@@ -5307,6 +5355,10 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <extracomment>%1: a lesson or a tooth</extracomment>
         <translation>%1: pasa a ser el intento de quien inicia sesión. Sin la marca no se guarda.</translation>
     </message>
+    <message>
+        <source>The work on the table is as it was left, but the time of the exam goes on.</source>
+        <translation>El trabajo en la mesa está como se dejó, pero el tiempo del examen sigue corriendo.</translation>
+    </message>
 </context>
 <context>
     <name>ui::people::TalkPanel</name>
@@ -7138,6 +7190,13 @@ sin guardar</translation>
     </message>
 </context>
 <context>
+    <name>ui::shell::FileDialog</name>
+    <message>
+        <source>%1 is a file of another kind and stays as it is. Choose another name.</source>
+        <translation>%1 es un archivo de otro tipo y se queda como está. Elija otro nombre.</translation>
+    </message>
+</context>
+<context>
     <name>ui::shell::ForceBar</name>
     <message>
         <source>Force against the force that is set</source>
@@ -7328,10 +7387,6 @@ sin guardar</translation>
 <context>
     <name>ui::shell::MainWindow</name>
     <message>
-        <source>Your last attempt at this exam was begun in another window. What was cut here does not count.</source>
-        <translation>Su último intento en este examen se empezó en otra ventana. Lo que se cortó aquí no cuenta.</translation>
-    </message>
-    <message>
         <source>Cusp</source>
         <translation>Cusp</translation>
     </message>
@@ -7521,10 +7576,6 @@ sin guardar</translation>
         <translation>Empieza otro intento del examen.</translation>
     </message>
     <message>
-        <source>This exam is over, but has no grade yet. Press G for it; then another attempt can begin.</source>
-        <translation>Este examen ha terminado, pero aún no tiene calificación. Pulse G para obtenerla; después puede empezar otro intento.</translation>
-    </message>
-    <message>
         <source>The attempt was discarded; it is kept for seven days.</source>
         <translation>El intento se descartó; se conserva siete días.</translation>
     </message>
@@ -7678,6 +7729,30 @@ sin guardar</translation>
     <message>
         <source>They are kept nowhere else. Whoever has not logged in with one by then gets another from an admin, under School.</source>
         <translation>No están guardados en ningún otro sitio. Quien no haya iniciado sesión con el suyo recibe otro de un administrador, en «Escuela».</translation>
+    </message>
+    <message>
+        <source>The time of this exam is over: nothing more can be cut.</source>
+        <translation>El tiempo de este examen ha terminado: no se puede tallar más.</translation>
+    </message>
+    <message>
+        <source>This exam is over, but has no grade yet. Press G for it.</source>
+        <translation>Este examen ha terminado, pero aún no tiene calificación. Pulse G para obtenerla.</translation>
+    </message>
+    <message>
+        <source>&amp;Go on with it</source>
+        <translation>&amp;Seguir con él</translation>
+    </message>
+    <message>
+        <source>Another attempt begins.</source>
+        <translation>Empieza otro intento.</translation>
+    </message>
+    <message>
+        <source>This exam would be put away without a score.</source>
+        <translation>Este examen se descartaría sin puntuación.</translation>
+    </message>
+    <message>
+        <source>It counts as an attempt all the same. Right afterwards you can still bring it back.</source>
+        <translation>Cuenta como intento de todos modos. Justo después aún puede recuperarlo.</translation>
     </message>
 </context>
 <context>
@@ -8890,10 +8965,6 @@ sin guardar</translation>
         <source>Your best</source>
         <translation>Su mejor resultado</translation>
     </message>
-    <message>
-        <source>not tried yet</source>
-        <translation>aún sin intentar</translation>
-    </message>
     <message numerus="yes">
         <source>%1 in %n attempt(s)</source>
         <translation>
@@ -9015,6 +9086,14 @@ sin guardar</translation>
         <source>There is none of these now. Show all lessons.</source>
         <translation>Ahora no hay ninguna de estas. Muestre todas las lecciones.</translation>
     </message>
+    <message>
+        <source>The lessons are being read …</source>
+        <translation>Se están leyendo las lecciones …</translation>
+    </message>
+    <message>
+        <source>no score yet</source>
+        <translation>aún sin puntuación</translation>
+    </message>
 </context>
 <context>
     <name>ui::study::RubricForm</name>
@@ -9073,7 +9152,7 @@ sin guardar</translation>
     </message>
     <message>
         <source>Target</source>
-        <extracomment>What a measure ought to be; %1: a criterion</extracomment>
+        <extracomment>What a measure ought to be</extracomment>
         <translation>Objetivo</translation>
     </message>
     <message>
@@ -9082,7 +9161,7 @@ sin guardar</translation>
     </message>
     <message>
         <source>all lost over</source>
-        <extracomment>How far beyond the tolerance all points of a criterion are lost; %1: a criterion</extracomment>
+        <extracomment>How far beyond the tolerance all points of a criterion are lost</extracomment>
         <translation>todo perdido en</translation>
     </message>
     <message>
@@ -9206,10 +9285,6 @@ sin guardar</translation>
         <source>other rubric</source>
         <extracomment>Beside an earlier grade that cannot be compared with this one</extracomment>
         <translation>otra rúbrica</translation>
-    </message>
-    <message>
-        <source>Grades are not being kept; this one will not be here next time.</source>
-        <translation>Las calificaciones no se conservan; esta no estará aquí la próxima vez.</translation>
     </message>
     <message>
         <source>This is the first grade here.</source>
@@ -9343,6 +9418,10 @@ sin guardar</translation>
     <message>
         <source>This grade is not kept yet. It is tried again every few seconds as long as Cusp runs: make room on the disk.</source>
         <translation>Esta calificación aún no está guardada. Mientras Cusp esté abierto se vuelve a intentar cada pocos segundos: haga sitio en el disco.</translation>
+    </message>
+    <message>
+        <source>This grade is not kept: it will not be here next time.</source>
+        <translation>Esta calificación no se conserva: no estará aquí la próxima vez.</translation>
     </message>
 </context>
 <context>

@@ -299,6 +299,34 @@
         <source>which presets are retired</source>
         <translation>使わないプリセット</translation>
     </message>
+    <message>
+        <source>table %1</source>
+        <translation>テーブル %1</translation>
+    </message>
+    <message>
+        <source>column %1</source>
+        <translation>列 %1</translation>
+    </message>
+    <message>
+        <source>index %1</source>
+        <translation>インデックス %1</translation>
+    </message>
+    <message>
+        <source>trigger %1</source>
+        <translation>トリガー %1</translation>
+    </message>
+    <message>
+        <source>constraint %1</source>
+        <translation>制約 %1</translation>
+    </message>
+    <message>
+        <source>view %1</source>
+        <translation>ビュー %1</translation>
+    </message>
+    <message>
+        <source>rule %1</source>
+        <translation>ルール %1</translation>
+    </message>
 </context>
 <context>
     <name>Block</name>
@@ -848,6 +876,14 @@
     <message>
         <source>The folder “outbox”, where grades wait for the school, cannot be written. Make room on the disk, or make that folder writable.</source>
         <translation>成績が学校へ送られるのを待つフォルダー「outbox」に書き込めません。ディスクの空きを作るか、そのフォルダーを書き込み可能にしてください。</translation>
+    </message>
+    <message>
+        <source>This attempt is not kept on the disk while you work: if the computer fails, it is lost. Go on, and have room made on the disk.</source>
+        <translation>この試行は作業中にディスクに保存されていません。コンピューターが止まると失われます。作業を続け、ディスクの空きを作ってもらってください。</translation>
+    </message>
+    <message>
+        <source>The school&apos;s data lie on a network drive, and another Cusp, here or at another computer, has them open. Only one at a time can: close that one. For several computers an admin keeps them on a PostgreSQL server.</source>
+        <translation>学校のデータはネットワークドライブにあり、このコンピューターまたは別のコンピューターの別のCuspが開いています。同時に使えるのは1つだけです。そちらを閉じてください。複数のコンピューターで使うには、管理者がPostgreSQLサーバーに置きます。</translation>
     </message>
 </context>
 <context>
@@ -2237,6 +2273,10 @@
         <extracomment>On the card of a lesson</extracomment>
         <translation>試行回数の残りなし</translation>
     </message>
+    <message>
+        <source>Your last attempt at this exam was begun in another window. What was cut here does not count.</source>
+        <translation>この試験の最後の試行は、別のウィンドウで始められました。ここで削ったものは数えられません。</translation>
+    </message>
 </context>
 <context>
     <name>Login</name>
@@ -2753,6 +2793,14 @@
     <message>
         <source>It is no backup of this school.</source>
         <translation>この学校のバックアップではありません。</translation>
+    </message>
+    <message>
+        <source>There is nothing to save: everything is as it was.</source>
+        <translation>保存するものはありません。すべて元のままです。</translation>
+    </message>
+    <message>
+        <source>Nothing was entered: somebody else has entered or changed people meanwhile. This is what the list would do now.</source>
+        <translation>何も登録していません。その間に別の人が登録または変更しました。これが現在のリストの内容です。</translation>
     </message>
 </context>
 <context>
@@ -5267,6 +5315,10 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <extracomment>%1: a lesson or a tooth</extracomment>
         <translation>%1：ログインした人の試行になります。チェックを外すと保存されません。</translation>
     </message>
+    <message>
+        <source>The work on the table is as it was left, but the time of the exam goes on.</source>
+        <translation>机の上の作業は中断したときのままですが、試験の時間は進んでいます。</translation>
+    </message>
 </context>
 <context>
     <name>ui::people::TalkPanel</name>
@@ -7090,6 +7142,13 @@ unsaved</source>
     </message>
 </context>
 <context>
+    <name>ui::shell::FileDialog</name>
+    <message>
+        <source>%1 is a file of another kind and stays as it is. Choose another name.</source>
+        <translation>%1 は別の種類のファイルなので、そのまま残します。別の名前を選んでください。</translation>
+    </message>
+</context>
+<context>
     <name>ui::shell::ForceBar</name>
     <message>
         <source>Force against the force that is set</source>
@@ -7280,10 +7339,6 @@ unsaved</source>
 <context>
     <name>ui::shell::MainWindow</name>
     <message>
-        <source>Your last attempt at this exam was begun in another window. What was cut here does not count.</source>
-        <translation>この試験の最後の試行は、別のウィンドウで始められました。ここで削ったものは数えられません。</translation>
-    </message>
-    <message>
         <source>The time of this lesson is over. Go on as long as you like, or press G.</source>
         <translation>この課題の時間が終わりました。好きなだけ続けるか、Gを押してください。</translation>
     </message>
@@ -7294,10 +7349,6 @@ unsaved</source>
     <message>
         <source>Cusp</source>
         <translation>Cusp</translation>
-    </message>
-    <message>
-        <source>This exam is over, but has no grade yet. Press G for it; then another attempt can begin.</source>
-        <translation>この試験は終わりましたが、まだ採点されていません。Gで採点すると、新しい試行を始められます。</translation>
     </message>
     <message>
         <source>Another attempt at the exam begins.</source>
@@ -7625,6 +7676,30 @@ unsaved</source>
     <message>
         <source>They are kept nowhere else. Whoever has not logged in with one by then gets another from an admin, under School.</source>
         <translation>ほかのどこにも保存されていません。まだそれでログインしていない人には、管理者が「学校」で新しいコードを渡せます。</translation>
+    </message>
+    <message>
+        <source>The time of this exam is over: nothing more can be cut.</source>
+        <translation>この試験の時間は終わりました。これ以上切削できません。</translation>
+    </message>
+    <message>
+        <source>This exam is over, but has no grade yet. Press G for it.</source>
+        <translation>この試験は終わりましたが、まだ採点されていません。Gで採点します。</translation>
+    </message>
+    <message>
+        <source>&amp;Go on with it</source>
+        <translation>続ける(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Another attempt begins.</source>
+        <translation>新しい試行を始めます。</translation>
+    </message>
+    <message>
+        <source>This exam would be put away without a score.</source>
+        <translation>この試験は得点なしで片付けられます。</translation>
+    </message>
+    <message>
+        <source>It counts as an attempt all the same. Right afterwards you can still bring it back.</source>
+        <translation>それでも1回の試行として数えられます。直後であればまだ元に戻せます。</translation>
     </message>
 </context>
 <context>
@@ -8848,10 +8923,6 @@ unsaved</source>
         <source>Your best</source>
         <translation>最高点</translation>
     </message>
-    <message>
-        <source>not tried yet</source>
-        <translation>未実施</translation>
-    </message>
     <message numerus="yes">
         <source>%1 in %n attempt(s)</source>
         <translation>
@@ -8953,6 +9024,14 @@ unsaved</source>
         <source>There is none of these now. Show all lessons.</source>
         <translation>該当する課題は今はありません。すべての課題を表示してください。</translation>
     </message>
+    <message>
+        <source>The lessons are being read …</source>
+        <translation>課題を読み込んでいます …</translation>
+    </message>
+    <message>
+        <source>no score yet</source>
+        <translation>まだ得点なし</translation>
+    </message>
 </context>
 <context>
     <name>ui::study::RubricForm</name>
@@ -9003,7 +9082,7 @@ unsaved</source>
     </message>
     <message>
         <source>Target</source>
-        <extracomment>What a measure ought to be; %1: a criterion</extracomment>
+        <extracomment>What a measure ought to be</extracomment>
         <translation>目標値</translation>
     </message>
     <message>
@@ -9012,7 +9091,7 @@ unsaved</source>
     </message>
     <message>
         <source>all lost over</source>
-        <extracomment>How far beyond the tolerance all points of a criterion are lost; %1: a criterion</extracomment>
+        <extracomment>How far beyond the tolerance all points of a criterion are lost</extracomment>
         <translation>全失点までの幅</translation>
     </message>
     <message>
@@ -9208,10 +9287,6 @@ unsaved</source>
         <translation>別の評価基準</translation>
     </message>
     <message>
-        <source>Grades are not being kept; this one will not be here next time.</source>
-        <translation>成績は保存されません。次回はここに表示されません。</translation>
-    </message>
-    <message>
         <source>You are not logged in, so this grade is not kept.</source>
         <translation>ログインしていないため、この成績は保存されません。</translation>
     </message>
@@ -9279,6 +9354,10 @@ unsaved</source>
     <message>
         <source>This grade is not kept yet. It is tried again every few seconds as long as Cusp runs: make room on the disk.</source>
         <translation>この評価はまだ保存されていません。Cuspの起動中は数秒ごとにもう一度試みます。ディスクの空きを増やしてください。</translation>
+    </message>
+    <message>
+        <source>This grade is not kept: it will not be here next time.</source>
+        <translation>この成績は保存されません。次回はここに表示されません。</translation>
     </message>
 </context>
 <context>

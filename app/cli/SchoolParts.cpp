@@ -182,6 +182,8 @@ core::Result<OpenSchool> openSchool(const database::Address& address, Opening ho
     if (!key)
         return tl::unexpected(key.error());
     open.database = std::move(*database);
+    if (!open.database->notice().empty())
+        warn({open.database->notice()});
     const QSqlDatabase db = open.database->handle();
     open.school = std::make_unique<database::sql::School>(database::sql::School{db, *key, database::sql::clockOf(db)});
     return open;

@@ -28,6 +28,7 @@ enum class ErrorCode {
     OutOfRange,      ///< a value outside what is allowed
     OtherTooth,      ///< sound, but made on another tooth than the one at hand
     Busy,            ///< another program holds it; the same may work in a moment
+    OpenElsewhere,   ///< what one program at a time can use, until the other ends
     ConnectionLost,  ///< a server that does not answer, or not any more
     NotAllowed,      ///< by the role of who asked
     Disabled,        ///< the account of who asked, since he logged in

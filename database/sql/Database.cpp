@@ -87,6 +87,10 @@ core::Status configure(const QSqlDatabase& db, FileSystem fileSystem)
         "PRAGMA synchronous = FULL", "PRAGMA secure_delete = ON"};
     if (auto done = set(db, settings); !done)
         return done;
+    // Of two that share it for reading, neither would ever get to write: one has it, or none.
+    if (fileSystem == FileSystem::Network)
+        if (auto alone = set(db, {"BEGIN EXCLUSIVE", "COMMIT"}); !alone)
+            return alone;
     if (auto done = configureToLook(db); !done)
         return done;
     // To set it writes, and who only reads need not wait for a program that is writing.
@@ -231,6 +235,26 @@ core::Status Database::stillThere() const
 
 core::Status Database::prepareFile(const Options& options)
 {
+    const FileSystem fileSystem = options.fileSystemOf(m_address.file);
+    m_allowsOthers = fileSystem == FileSystem::Local;
+    if (m_allowsOthers)
+        return prepareFileOn(fileSystem);
+    m_notice = head(m_address.file) +
+               "it lies on a network drive, where only one station at a time can use it and speed is that of the "
+               "network; for several stations keep the data on a PostgreSQL server";
+    core::Status ready = prepareFileOn(fileSystem);
+    if (!ready && ready.error().code == ErrorCode::Busy)
+        return core::unexpected(
+            ErrorCode::OpenElsewhere,
+            head(m_address.file) +
+                "it lies on a network drive, where only one program at a time can use it, and another "
+                "has it open, here or at another station; close that one, and for several stations "
+                "keep the data on a PostgreSQL server");
+    return ready;
+}
+
+core::Status Database::prepareFileOn(FileSystem fileSystem)
+{
     const QSqlDatabase db = handle();
     if (auto fit = examine(db); !fit)
         return fit;
@@ -243,12 +267,6 @@ core::Status Database::prepareFile(const Options& options)
     // A file from the future is refused before its settings are touched.
     if (*version > static_cast<int>(steps->size()))
         return {};
-    const FileSystem fileSystem = options.fileSystemOf(m_address.file);
-    m_allowsOthers = fileSystem == FileSystem::Local;
-    if (!m_allowsOthers)
-        m_notice = head(m_address.file) +
-                   "it lies on a network drive, where only one station at a time can use it and speed is that of the "
-                   "network; for several stations keep the data on a PostgreSQL server";
     return configure(db, fileSystem);
 }
 

@@ -90,6 +90,7 @@ private:
     {}
     [[nodiscard]] core::Status connect();
     [[nodiscard]] core::Status prepareFile(const Options& options);
+    [[nodiscard]] core::Status prepareFileOn(FileSystem fileSystem);
     [[nodiscard]] core::Status prepareToLook();
     [[nodiscard]] core::Status prepareServer();
     [[nodiscard]] core::Status bringToNewest(const Options& options);

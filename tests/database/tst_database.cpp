@@ -164,7 +164,8 @@ void TestDatabase::aNetworkDriveIsForOneAtATime()
         QVERIFY(!QFile::exists(at("drive.db-wal")));
         const auto second = Database::open(there, options);
         QVERIFY(!second.has_value());
-        QVERIFY2(second.error().code == ErrorCode::Busy, second.error().detail.c_str());
+        QVERIFY2(second.error().code == ErrorCode::OpenElsewhere, second.error().detail.c_str());
+        QVERIFY2(second.error().detail.find("network drive") != std::string::npos, second.error().detail.c_str());
     }
     const auto next = Database::open(at("drive.db"));
     QVERIFY(next.has_value());

@@ -85,7 +85,8 @@ constexpr std::array kAllCodes{
     ErrorCode::OlderVersion,   ErrorCode::BadNumber,      ErrorCode::BadStructure,   ErrorCode::NoTriangles,
     ErrorCode::UnknownName,    ErrorCode::OutOfRange,     ErrorCode::OtherTooth,     ErrorCode::Busy,
     ErrorCode::ConnectionLost, ErrorCode::NotAllowed,     ErrorCode::WrongLogin,     ErrorCode::TooSoon,
-    ErrorCode::NewPassword,    ErrorCode::NobodyLeft,     ErrorCode::ChangedSince,   ErrorCode::Disabled};
+    ErrorCode::NewPassword,    ErrorCode::NobodyLeft,     ErrorCode::ChangedSince,   ErrorCode::Disabled,
+    ErrorCode::OpenElsewhere};
 static_assert(kAllCodes.size() == static_cast<std::size_t>(ErrorCode::ChangedSince) + 1, "a new code needs a sentence");
 
 struct Entry

@@ -164,6 +164,12 @@ QString reason(core::ErrorCode code, Failed failed)
                                                     "lesson's. Ask who made the lesson.");
     case core::ErrorCode::Busy:
         return QCoreApplication::translate("Error", "Another program is writing to it. Try again in a moment.");
+    case core::ErrorCode::OpenElsewhere:
+        return QCoreApplication::translate(
+            "Error",
+            "The school's data lie on a network drive, and another Cusp, here or at another computer, has them "
+            "open. Only one at a time can: close that one. For several computers an admin keeps them on a "
+            "PostgreSQL server.");
     case core::ErrorCode::ConnectionLost:
         if (failed == Failed::ChangingSchool)  // which nobody sends again but whoever wanted it
             return QCoreApplication::translate(
@@ -245,11 +251,12 @@ QString errorText(const core::Error& error, Failed failed)
             "Error",
             "An attempt on its way to the school is damaged and was put aside, in the folder “outbox/damaged”. "
             "All else is kept as ever.");
-    case Failed::KeepingExam:
-        return QCoreApplication::translate(
-            "Error", "This attempt is not kept on the disk while you work: if the computer fails, it is lost. Go on, "
-                     "and have room made on the disk.");
     case Failed::KeepingAttempt:
+    case Failed::KeepingExam:
+        if (error.code == core::ErrorCode::FileUnwritable && failed == Failed::KeepingExam)
+            return QCoreApplication::translate(
+                "Error", "This attempt is not kept on the disk while you work: if the computer fails, it is lost. Go "
+                         "on, and have room made on the disk.");
         if (error.code == core::ErrorCode::FileUnwritable)
             return QCoreApplication::translate(
                 "Error", "This attempt is not kept on the disk while you work: if the computer fails, it is lost. "
