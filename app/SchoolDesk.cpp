@@ -216,13 +216,10 @@ void SchoolDesk::restore(QObject* owner, const database::Session& session, const
         m_undeliverable.clear();
         m_forOthers.clear();
         // Before it: whatever comes in between, they are sent at the next start.
-        if (auto key = m_key ? core::Result<database::StationKey>(*m_key) : keyOf(m_folder); key)
-            m_key = std::move(*key);
-        const QStringList sent = m_key ? outbox().sendAgain() : QStringList();
+        database::Outbox(outboxFolder(), m_key.value_or(database::StationKey::make()),
+                         database::Outbox::schoolAt(m_address, m_folder))
+            .sendAgain();
         const auto replaced = database::sql::restoreBackup(backup, m_address.file, QDateTime::currentDateTimeUtc());
-        if (!replaced)
-            for (const QString& letter : sent)
-                outbox().keepArrived(letter);
         Opening opening = tryToOpen();
         opening.replaced = replaced.value_or(QString());
         if (!replaced)

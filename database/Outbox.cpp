@@ -202,7 +202,7 @@ bool Outbox::keepArrived(const QString& file) const
     return move(file, QDir(m_folder).filePath(kArrived));
 }
 
-QStringList Outbox::sendAgain() const
+void Outbox::sendAgain() const
 {
     const auto schoolOf = [this](const QString& file) {
         if (isExam(file)) {
@@ -212,12 +212,13 @@ QStringList Outbox::sendAgain() const
         const auto letter = read(file);
         return letter ? letter->school : QString();
     };
-    QStringList sent;
-    for (const QString& file : arrived())
-        if (const QString school = schoolOf(file);
-            (m_school.isEmpty() || school.isEmpty() || school == m_school) && move(file, m_folder))
-            sent << QDir(m_folder).filePath(QFileInfo(file).fileName());
-    return sent;
+    const QDir home = QFileInfo(m_folder).dir();
+    for (const QString& file : arrived()) {
+        const QString school = schoolOf(file);  // empty: nobody can tell
+        const bool isAnothers = !m_school.isEmpty() && !school.isEmpty() && school != m_school;
+        if (!isAnothers || !QFileInfo::exists(home.filePath(school)))  // it may be this one, under an earlier name
+            move(file, m_folder);
+    }
 }
 
 bool Outbox::isExam(const QString& file)

@@ -70,10 +70,9 @@ public:
     bool keepArrived(const QString& file) const;
     /// Those that lie there; removed when they are in two backups.
     [[nodiscard]] QStringList arrived() const;
-    /// Those wait again that arrived at this school, or where it cannot be read which it was: its database is put back
-    /// to how it was before them. What is there all the same is kept once.
-    /// @returns where they lie now, for keepArrived() if it comes to nothing
-    [[nodiscard]] QStringList sendAgain() const;
+    /// Those that arrived wait again: the school's database is put back to how it was before them. What is there all
+    /// the same is kept once. What another school in the folder has stays there, as long as its file does.
+    void sendAgain() const;
     /// Into the folder "damaged" beside it: nothing is thrown away.
     void setAside(const QString& file) const;
 

@@ -135,8 +135,6 @@ int initDatabase(const QCommandLineParser& parser, const Address& address)
     if (!open)
         return failedWithBackups(open.error(), address);
     tellEarlier(earlier, address);
-    if (!open->database->notice().empty())
-        warn({open->database->notice()});
     if (hasAdmin) {
         const auto session = database::sql::Logins::createFirstAdmin(
             *open->school, {admin.toStdString(), "", "", database::Role::Admin}, password, database::timedCost());
@@ -303,20 +301,16 @@ int restoreFile(const QCommandLineParser& parser, const Address& address)
     // What came after the backup was made is delivered again when the window opens next. Before the file is put in its
     // place: whatever comes in between, it holds.
     const QDir folder = QFileInfo(address.file).absoluteDir();
-    const auto key = QFileInfo::exists(stationKeyOf(address))
-                         ? database::StationKey::readOrMake(stationKeyOf(address))
-                         : core::Result<database::StationKey>(database::StationKey::make());
-    if (!key)
-        return failed(key.error());
-    const database::Outbox letters(folder.filePath(QStringLiteral("outbox")), *key,
+    // Without its key nothing is known of a letter, and the restore goes on all the same.
+    auto key = database::StationKey::make();
+    if (QFileInfo::exists(stationKeyOf(address)))
+        key = database::StationKey::readOrMake(stationKeyOf(address)).value_or(key);
+    const database::Outbox letters(folder.filePath(QStringLiteral("outbox")), key,
                                    database::Outbox::schoolAt(address, folder.path()));
-    const QStringList sent = letters.sendAgain();
+    letters.sendAgain();
     const auto replaced = database::sql::restoreBackup(backup, address.file, QDateTime::currentDateTimeUtc(), goesOn);
-    if (!replaced) {
-        for (const QString& letter : sent)
-            letters.keepArrived(letter);
+    if (!replaced)
         return failed(replaced.error());
-    }
     const auto failedInPlace = [&](core::Error error) {
         error.detail += "; the backup is in its place";
         if (!replaced->isEmpty())

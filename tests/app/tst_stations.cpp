@@ -358,10 +358,17 @@ void TestStations::aLetterIsTakenOnceAndOnlyAsItWasWritten()
     outbox.keepArrived(arrived);
     QVERIFY(outbox.waiting().isEmpty());
     QCOMPARE(outbox.arrived().size(), 1);
-    // What another school in this folder has stays with it.
-    QVERIFY(Outbox(folder.filePath("outbox"), key, "other.sqlite").sendAgain().isEmpty());
+    // What another school in this folder has stays with it, as long as that is there.
+    const Outbox ofOther(folder.filePath("outbox"), key, "other.sqlite");
+    QFile school(folder.filePath("school.sqlite"));
+    QVERIFY(school.open(QIODevice::WriteOnly));
+    ofOther.sendAgain();
     QVERIFY(outbox.waiting().isEmpty());
-    QCOMPARE(outbox.sendAgain(), QStringList{arrived});
+    outbox.sendAgain();
+    QCOMPARE(outbox.waiting(), QStringList{arrived});
+    outbox.keepArrived(arrived);
+    QVERIFY(school.remove());
+    ofOther.sendAgain();
     QCOMPARE(outbox.waiting(), QStringList{arrived});
     QVERIFY(outbox.arrived().isEmpty());
     VERIFY_DONE(deliver());
