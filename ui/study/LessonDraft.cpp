@@ -154,21 +154,27 @@ core::Result<Assignment> assignmentFor(const Lesson& lesson, const Kept& kept, c
     return {file, key, core::wordsOf(error), true};
 }
 
-/// Names in several languages, in each of which a number stands in the place of another that it has once.
-QJsonObject withLimit(QJsonObject names, double before, double now)
+/// A name, in which a limit in mm stands in the place of another.
+QString withLimit(const QString& name, const QString& language, double before, double now)
 {
-    for (const QString& language : names.keys()) {
-        const QLocale locale(language);
-        const auto shown = [&locale](double number) {
-            return locale.toString(number, 'f', QLocale::FloatingPointShortest);
-        };
-        const QRegularExpression limit(
-            QStringLiteral(R"((?<![\d.,])%1(?!\d|[.,]\d))").arg(QRegularExpression::escape(shown(before))));
-        const QString name = names.value(language).toString();
-        if (name.count(limit) == 1)
-            names.insert(language, QString(name).replace(limit, shown(now)));
-    }
-    return names;
+    const QLocale locale(language);
+    const auto shown = [&locale](double number) {
+        return locale.toString(number, 'f', QLocale::FloatingPointShortest);
+    };
+    const QRegularExpression limit(
+        QStringLiteral(R"((?<![\d.,])%1(?=\s?mm))").arg(QRegularExpression::escape(shown(before))));
+    return QString(name).replace(limit, shown(now));
+}
+
+/// A name in one language, or in several.
+QJsonValue withLimit(const QJsonValue& names, double before, double now)
+{
+    if (names.isString())
+        return withLimit(names.toString(), QStringLiteral("en"), before, now);
+    QJsonObject all = names.toObject();
+    for (const QString& language : all.keys())
+        all.insert(language, withLimit(all.value(language).toString(), language, before, now));
+    return all;
 }
 
 }  // namespace
@@ -248,6 +254,9 @@ void LessonDraft::begin(const ::lessons::ReadLesson& lesson, const QString& teac
     m_lastChange.clear();
     m_saved = object;
     takeWhole(*lesson.lesson);
+    m_firstTitles = titles();
+    m_areTitlesMadeUp = !m_exists || !object.value(QStringLiteral("title")).isObject();
+    m_typedTitles.clear();
 }
 
 void LessonDraft::takeWhole(const ::lessons::Lesson& lesson)
@@ -354,11 +363,11 @@ void LessonDraft::setTitle(const QString& title, const QString& language)
     } else {
         QJsonObject texts = titles();
         const QString typedIn = texts.contains(language) ? language : QStringLiteral("en");
+        m_typedTitles.insert(typedIn);
         // Nobody has typed those that were made up for a lesson of one's own, or taken over: they say what this says.
-        const bool isMadeUp = !m_exists || !next.value(QStringLiteral("title")).isObject();
-        const QJsonValue before = texts.value(typedIn);
         for (const QString& other : texts.keys())
-            if (texts.value(other) == before || (isMadeUp && texts.value(other) == m_wholeTitle.value(other)))
+            if (!m_typedTitles.contains(other) &&
+                (m_areTitlesMadeUp || m_firstTitles.value(other) == m_firstTitles.value(typedIn)))
                 texts.insert(other, title);
         texts.insert(typedIn, title);
         next.insert(QStringLiteral("title"), texts);
@@ -430,9 +439,10 @@ void LessonDraft::setCriterion(int index, const char* key, double value)
         return;
     QJsonObject criterion = criteria[index].toObject();
     // What fails an attempt is often called by its limit: "Floor more than 1 mm too deep".
-    if (key == std::string_view("tolerance") && criterion.value(QStringLiteral("critical")).toBool())
+    if (key == std::string_view("tolerance") && criterion.value(QStringLiteral("critical")).toBool() &&
+        criterion.contains(QStringLiteral("title")))
         criterion.insert(QStringLiteral("title"),
-                         withLimit(criterion.value(QStringLiteral("title")).toObject(),
+                         withLimit(criterion.value(QStringLiteral("title")),
                                    criterion.value(QStringLiteral("tolerance")).toDouble(), value));
     criterion.insert(QLatin1String(key), value);
     criteria[index] = criterion;

@@ -8,6 +8,7 @@
 #include <QByteArray>
 #include <QJsonObject>
 #include <QList>
+#include <QSet>
 #include <QString>
 
 #include "core/preparation/CapturedIdeal.h"
@@ -108,6 +109,9 @@ private:
     QJsonObject m_saved;
     QJsonObject m_wholeRubric;  ///< what the rubric is before it has been changed, as an object of the lesson's own
     QJsonObject m_wholeTitle;   ///< by language, as it was when the draft was begun
+    QJsonObject m_firstTitles;  ///< the same, with what the file itself says
+    bool m_areTitlesMadeUp = false;
+    QSet<QString> m_typedTitles;  ///< languages in which somebody has typed one since
     QString m_file;
     bool m_exists = false;
     bool m_isBlock = false;

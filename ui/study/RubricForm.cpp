@@ -99,7 +99,7 @@ void RubricForm::offerCriteria(const std::vector<::lessons::CriterionRule>& crit
 {
     if (offers(criteria)) {
         for (std::size_t k = 0; k < criteria.size(); ++k)
-            m_criteria[k].name->setText(titleOf(criteria[k]));  // which may tell its limit
+            m_criteria[k].call(titleOf(criteria[k]));  // which may tell its limit
         return;
     }
     delete m_inputs;
@@ -118,8 +118,7 @@ void RubricForm::offerCriteria(const std::vector<::lessons::CriterionRule>& crit
     int row = 1;
     for (const ::lessons::CriterionRule& rule : criteria) {
         const int index = static_cast<int>(m_criteria.size());
-        const QString name = titleOf(rule);
-        auto* label = formWords(name, kBody, QFont::Normal, QPalette::WindowText, m_inputs);
+        auto* label = formWords({}, kBody, QFont::Normal, QPalette::WindowText, m_inputs);
         grid->addWidget(label, row, 0);
         const auto add = [&](QDoubleSpinBox* input, const char* key, int column) {
             grid->addWidget(input, row, column);
@@ -129,9 +128,7 @@ void RubricForm::offerCriteria(const std::vector<::lessons::CriterionRule>& crit
         Criterion inputs;
         inputs.id = rule.id;
         inputs.name = label;
-        inputs.tolerance = add(numberInput(0.0, 1000.0, decimalsOf(rule.unit), text::unitName(rule.unit),
-                                           //: %1: a criterion
-                                           tr("Tolerance of: %1").arg(name), m_inputs),
+        inputs.tolerance = add(numberInput(0.0, 1000.0, decimalsOf(rule.unit), text::unitName(rule.unit), {}, m_inputs),
                                "tolerance", 1);
         inputs.tolerance->setSingleStep(stepOf(rule.unit));
         inputs.tolerance->setObjectName(QStringLiteral("tolerance.") + QString::fromStdString(rule.id));
@@ -139,7 +136,7 @@ void RubricForm::offerCriteria(const std::vector<::lessons::CriterionRule>& crit
         if (rule.critical) {
             grid->addWidget(quiet(tr("fails"), kBody), row, 2);
         } else {
-            inputs.weight = add(numberInput(0.1, 100.0, 1, {}, tr("Weight of: %1").arg(name), m_inputs), "weight", 2);
+            inputs.weight = add(numberInput(0.1, 100.0, 1, {}, {}, m_inputs), "weight", 2);
             inputs.weight->setFixedWidth(kInputPx - kSpace6);
         }
         inputs.more = makeMore(rule, inputs);
@@ -149,11 +146,25 @@ void RubricForm::offerCriteria(const std::vector<::lessons::CriterionRule>& crit
         grid->addWidget(inputs.more, ++row, 0, 1, 3);
         inputs.fault = faultLabel(m_inputs);
         grid->addWidget(inputs.fault, ++row, 0, 1, 3);
+        inputs.call(titleOf(rule));
         m_criteria.push_back(inputs);
         ++row;
     }
     m_slot->addWidget(m_inputs);
     showMore();
+}
+
+/// For who sees the form, and for who hears it.
+void RubricForm::Criterion::call(const QString& title) const
+{
+    name->setText(title);
+    //: %1: a criterion
+    tolerance->setAccessibleName(tr("Tolerance of: %1").arg(title));
+    if (weight != nullptr)
+        weight->setAccessibleName(tr("Weight of: %1").arg(title));
+    target->setAccessibleName(tr("Target of: %1").arg(title));
+    if (span != nullptr)
+        span->setAccessibleName(tr("Span of: %1").arg(title));
 }
 
 void RubricForm::connectInput(QDoubleSpinBox* input, int index, const char* key)
@@ -171,22 +182,20 @@ QWidget* RubricForm::makeMore(const ::lessons::CriterionRule& rule, Criterion& i
     auto* row = new QHBoxLayout(more);
     row->setContentsMargins(kSpace4, 0, 0, kSpace2);
     row->setSpacing(kSpace2);
-    const QString name = titleOf(rule);
-    const auto add = [&](const QString& label, double low, const QString& heard, const char* key) {
+    const auto add = [&](const QString& label, double low, const char* key) {
         row->addWidget(formWords(label, kSmall, QFont::Normal, QPalette::PlaceholderText, more));
-        auto* input =
-            numberInput(low, 10000.0, decimalsOf(rule.unit), text::unitName(rule.unit), heard.arg(name), more);
+        auto* input = numberInput(low, 10000.0, decimalsOf(rule.unit), text::unitName(rule.unit), {}, more);
         input->setSingleStep(stepOf(rule.unit));
         input->setFixedWidth(kInputPx - kSpace2);
         input->setObjectName(QLatin1String(key) + u'.' + QString::fromStdString(rule.id));
         row->addWidget(input);
         return input;
     };
-    //: What a measure ought to be; %1: a criterion
-    inputs.target = add(tr("Target"), -10000.0, tr("Target of: %1"), "target");
+    //: What a measure ought to be
+    inputs.target = add(tr("Target"), -10000.0, "target");
     if (!rule.critical)
-        //: How far beyond the tolerance all points of a criterion are lost; %1: a criterion
-        inputs.span = add(tr("all lost over"), 0.0, tr("Span of: %1"), "span");
+        //: How far beyond the tolerance all points of a criterion are lost
+        inputs.span = add(tr("all lost over"), 0.0, "span");
     row->addStretch(1);
     return more;
 }

@@ -52,6 +52,8 @@ private:
         QDoubleSpinBox* span = nullptr;  ///< null for a critical one
         QWidget* more = nullptr;         ///< the row of target and span
         QLabel* fault = nullptr;
+
+        void call(const QString& title) const;
     };
 
     [[nodiscard]] bool offers(const std::vector<::lessons::CriterionRule>& criteria) const;
