@@ -289,11 +289,9 @@ void AdminDesk::connectPeople()
             QSet<qint64> present;
             for (const ClassId id : before->classes)
                 present.insert(id.value);
-            if (person.givenName == before->givenName && person.familyName == before->familyName &&
-                person.role == before->role && person.disabled == before->disabled && classes == present) {
-                part.confirm(person.id, [] { return tr("There is nothing to save: everything is as it was."); });
-                return;
-            }
+            const bool isAnything = person.givenName != before->givenName || person.familyName != before->familyName ||
+                                    person.role != before->role || person.disabled != before->disabled ||
+                                    classes != present;
             m_desk.ask(
                 this,
                 [who = m_who(), person, classes, asItWas = *before](const School& school) -> core::Result<Person> {
@@ -304,11 +302,14 @@ void AdminDesk::connectPeople()
                         return tl::unexpected(put.error());
                     return changed;
                 },
-                [this, name, who = m_who(), &part](const core::Result<Person>& changed) {
+                [this, name, isAnything, who = m_who(), &part](const core::Result<Person>& changed) {
                     if (m_who() != who)  // nothing of it is for who works here now
                         return;
                     if (changed)
-                        part.confirm(changed->id, [said = name(*changed)] { return tr("%1 was changed.").arg(said); });
+                        part.confirm(changed->id, [isAnything, said = name(*changed)] {
+                            return isAnything ? tr("%1 was changed.").arg(said)
+                                              : tr("There is nothing to save: everything is as it was.");
+                        });
                     else
                         part.refuse([error = changed.error()] { return why(error); });
                     tellPeople();
@@ -376,7 +377,7 @@ void AdminDesk::connectRoster()
     connect(&part, &RosterPart::enterWanted, this, [this] { import(false); });
 }
 
-void AdminDesk::import(bool isDryRun)
+void AdminDesk::import(bool isDryRun, bool isOther)
 {
     const auto isOver = std::make_shared<bool>(false);
     QTimer::singleShot(kProgressMs, this, [this, isOver, isDryRun, who = m_who()] {
@@ -389,7 +390,7 @@ void AdminDesk::import(bool isDryRun)
         [who = m_who(), csv = m_roster.toStdString(), isDryRun, seen = m_rosterSeen](const School& school) {
             return database::sql::importRoster(school, who, csv, isDryRun, &seen);
         },
-        [this, isDryRun, isOver, who = m_who()](const core::Result<database::RosterOutcome>& outcome) {
+        [this, isDryRun, isOther, isOver, who = m_who()](const core::Result<database::RosterOutcome>& outcome) {
             *isOver = true;
             ui::admin::RosterPart& part = m_window.adminPage().roster();
             if (m_who() != who) {
@@ -397,16 +398,14 @@ void AdminDesk::import(bool isDryRun)
                     part.keepFor(uidOf(who), *outcome, m_rosterFile);
                 return;
             }
-            const bool isOther = !outcome && outcome.error().code == core::ErrorCode::ChangedSince;
             if (outcome) {
                 part.showOutcome(*outcome, m_rosterFile, !isDryRun);
-                if (isDryRun && std::exchange(m_isRosterOther, false))
+                if (isOther)
                     part.say(tr("Nothing was entered: somebody else has entered or changed people meanwhile. This is "
                                 "what the list would do now."));
                 m_rosterSeen = isDryRun ? *outcome : database::RosterOutcome();
-            } else if (isOther) {
-                m_isRosterOther = true;
-                import(true);
+            } else if (outcome.error().code == core::ErrorCode::ChangedSince) {
+                import(true, true);
             } else if (const QString fault = classListFault(outcome.error().code, QFileInfo(m_rosterFile).fileName());
                        !fault.isEmpty())
                 part.refuseFile(m_rosterFile, fault, QString::fromStdString(outcome.error().detail));

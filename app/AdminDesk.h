@@ -51,7 +51,8 @@ private:
     void connectPeople();
     void tellPeople(const std::function<void()>& then = {});
     void connectRoster();
-    void import(bool isDryRun);
+    /// @param isOther  it was to be entered, and would do something else by now than was seen
+    void import(bool isDryRun, bool isOther = false);
     void connectBackups();
     void tellBackups();
     void restoreAlone(const QString& backup);
@@ -76,7 +77,6 @@ private:
     QByteArray m_roster;
     QString m_rosterFile;
     database::RosterOutcome m_rosterSeen;    ///< what the list would do, as it was shown last
-    bool m_isRosterOther = false;            ///< it was to be entered, and would do something else by now
     std::vector<database::Finding> m_found;  ///< by the last check
     std::shared_ptr<std::atomic<bool>> m_isStopped;
 };

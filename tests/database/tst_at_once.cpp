@@ -301,7 +301,14 @@ void TestAtOnce::aClassListIsTriedWhileOthersWrite()
     QCOMPARE(tried->people.size(), std::size_t{3});
     QCOMPARE(tried->newClasses, (std::vector<std::string>{"A", "B"}));
     VERIFY_DONE(execute(writer.db, "ROLLBACK", "end it"));
-    const auto entered = importRoster(rig.school(), rig.admin, list, false);
+    // Somebody else has entered one of them since it was looked at, under another name.
+    VERIFY_DONE(addPerson(rig.school(), rig.admin, {"new1", "Otto", "Other", Role::Student}));
+    VERIFY_REFUSED(importRoster(rig.school(), rig.admin, list, false, &*tried), core::ErrorCode::ChangedSince);
+    QCOMPARE(findPerson(rig.school(), rig.admin, "new1")->givenName, std::string("Otto"));
+    VERIFY_REFUSED(findPerson(rig.school(), rig.admin, "new2"), core::ErrorCode::UnknownName);
+    const auto triedNow = importRoster(rig.school(), rig.admin, list, true);
+    VERIFY_DONE(triedNow);
+    const auto entered = importRoster(rig.school(), rig.admin, list, false, &*triedNow);
     VERIFY_DONE(entered);
     QCOMPARE(entered->newClasses, tried->newClasses);
     // The same once more changes nothing, and the audit is as whole as before.
