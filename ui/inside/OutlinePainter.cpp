@@ -196,9 +196,15 @@ void paintOutline(QPainter& painter, const QRectF& area, const OutlineScene& sce
     const QRectF words = area.adjusted(8.0, 4.0, -8.0, -kMarginPx);
     const auto side = [&](double angleRad) { return text::directionName(*scene.anatomy, angleRad); };
     using std::numbers::pi;
-    painter.drawText(words, Qt::AlignTop | Qt::AlignHCenter, QChar(0x2191) + QStringLiteral(" ") + side(0.5 * pi));
-    painter.drawText(words, Qt::AlignTop | Qt::AlignLeft, QChar(0x2190) + QStringLiteral(" ") + side(pi));
-    painter.drawText(words, Qt::AlignTop | Qt::AlignRight, side(0.0) + QStringLiteral(" ") + QChar(0x2192));
+    const QString up = QChar(0x2191) + QStringLiteral(" ") + side(0.5 * pi);
+    const QString left = QChar(0x2190) + QStringLiteral(" ") + side(pi);
+    const QString right = side(0.0) + QStringLiteral(" ") + QChar(0x2192);
+    painter.drawText(words, Qt::AlignTop | Qt::AlignLeft, left);
+    painter.drawText(words, Qt::AlignTop | Qt::AlignRight, right);
+    const QFontMetricsF metrics = painter.fontMetrics();
+    const double beside = std::max(metrics.horizontalAdvance(left), metrics.horizontalAdvance(right));
+    if (0.5 * metrics.horizontalAdvance(up) + beside + 4.0 < 0.5 * words.width())  // the others tell which way it lies
+        painter.drawText(words, Qt::AlignTop | Qt::AlignHCenter, up);
     key.paint(painter, QRectF(area.left() + 8.0, keyTop, wide, 0.0), QColor(kWords));
     painter.restore();
 }

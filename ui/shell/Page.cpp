@@ -4,6 +4,7 @@
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QPainter>
 #include <QPushButton>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -13,9 +14,27 @@
 #include "ui/shell/Theme.h"
 
 namespace ui::shell {
+namespace {
 
-Page::Page(const Actions& actions, QWidget* parent)
-    : QWidget(parent), m_title(new QLabel(this)), m_body(new QVBoxLayout)
+/// One line, with an ellipsis where it has no room.
+class Title final : public QLabel
+{
+public:
+    using QLabel::QLabel;
+
+protected:
+    void paintEvent(QPaintEvent*) override
+    {
+        const QString shown = fontMetrics().elidedText(text(), Qt::ElideRight, contentsRect().width());
+        QPainter painter(this);
+        painter.drawText(contentsRect(), Qt::AlignLeft | Qt::AlignVCenter, shown);
+        setToolTip(shown == text() ? QString() : text());
+    }
+};
+
+}  // namespace
+
+Page::Page(const Actions& actions, QWidget* parent) : QWidget(parent), m_title(new Title(this)), m_body(new QVBoxLayout)
 {
     setAutoFillBackground(true);
     auto* back = new QToolButton(this);
@@ -31,6 +50,7 @@ Page::Page(const Actions& actions, QWidget* parent)
     back->installEventFilter(this);
     m_title->setFont(typeface(kTitle, QFont::DemiBold));
     m_title->setTextFormat(Qt::PlainText);
+    m_title->setMinimumWidth(1);
 
     auto* head = new QHBoxLayout;
     head->setSpacing(kSpace2);

@@ -394,7 +394,7 @@ void HeatMap::paintMark(QPainter& painter, const Frame& frame) const
     const QPointF way(along.x, -along.y);
     const double reach = width() + height();
     painter.save();
-    painter.setClipRect(frame.plot.adjusted(-6.0, -6.0, 6.0, 6.0));
+    painter.setClipRect(frame.plot);  // not through the words beside it
     painter.setBrush(Qt::NoBrush);
     for (const auto& [colour, wide] : {std::pair(kDark, 3.0), std::pair(kBright, 1.2)}) {
         QPen pen(QColor(colour), wide);

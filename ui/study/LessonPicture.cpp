@@ -99,7 +99,8 @@ void LessonPicture::paintEvent(QPaintEvent*)
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     const bool hasSection = m_scene && m_scene->ideal && m_lesson && m_lesson->aids.section;
-    const double wide = std::min(kWidthToHeight * height(), 0.5 * (width() - kGapPx));
+    // Beside the section, where there is one.
+    const double wide = std::min(kWidthToHeight * height(), hasSection ? 0.5 * (width() - kGapPx) : 1.0 * width());
     const QRectF left(0.0, 0.0, wide, height());
     if (!m_scene) {
         painter.fillRect(left, QColor(kPictureGround));
