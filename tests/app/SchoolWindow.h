@@ -6,8 +6,10 @@
 
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QLabel>
 #include <QPushButton>
+#include <QStringList>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -32,7 +34,8 @@ public:
     {
         QDir().mkpath(QFileInfo(m_file).absolutePath());
         QFile lesson(m_file);
-        lesson.open(QIODevice::WriteOnly);
+        if (!lesson.open(QIODevice::WriteOnly))
+            qFatal("the exam cannot be written");
         lesson.write(R"({"format": 1, "based_on": "decay-36-1-small.lesson.json", "id": "exam-36", "exam": true,
                          "title": {"en": "The exam"}})");
     }
@@ -55,7 +58,7 @@ struct OtherStation
     database::sql::School school;
 };
 
-/// The whole program with a school of its own, played with by hand: what the tests of a school are made of.
+/// The whole program with a school of its own, and what is done in it: what the tests of a school are made of.
 class SchoolWindow : public QObject
 {
 protected:
