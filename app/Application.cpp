@@ -114,9 +114,9 @@ core::Result<lessons::Assignment> playedFor(const std::shared_ptr<const core::te
 bool isAway(core::ErrorCode code)
 {
     using core::ErrorCode;
-    return code == ErrorCode::ConnectionLost || code == ErrorCode::Busy || code == ErrorCode::FileMissing ||
-           code == ErrorCode::FileUnreadable || code == ErrorCode::FileUnwritable || code == ErrorCode::BadStructure ||
-           code == ErrorCode::WrongKind;
+    return code == ErrorCode::ConnectionLost || code == ErrorCode::Busy || code == ErrorCode::OpenElsewhere ||
+           code == ErrorCode::FileMissing || code == ErrorCode::FileUnreadable || code == ErrorCode::FileUnwritable ||
+           code == ErrorCode::BadStructure || code == ErrorCode::WrongKind;
 }
 
 /// What had been expected of an old attempt; what was to cost most is not kept.
@@ -404,7 +404,8 @@ void Application::takeOpening(const SchoolDesk::Opening& opening)
         if (!m_options.asksWho && !m_openWatch.isActive())
             m_window->showError(error, Failed::KeepingGrades, m_options.database);
         // A server may come back; a file that cannot be used does not by itself.
-        if (error.code == core::ErrorCode::ConnectionLost || error.code == core::ErrorCode::Busy)
+        if (error.code == core::ErrorCode::ConnectionLost || error.code == core::ErrorCode::Busy ||
+            error.code == core::ErrorCode::OpenElsewhere)
             m_openWatch.start();
         return;
     }
@@ -652,7 +653,7 @@ void Application::enter(const database::Session& who)
     if (who.role() == database::Role::Admin && m_desk)
         raisePasswordCost();
     if (m_isOnNetworkDrive && who.role() == database::Role::Admin)
-        m_window->showMessage(tr("The school's data lie on a network drive: only one computer at a time can use them. "
+        m_window->showWarning(tr("The school's data lie on a network drive: only one computer at a time can use them. "
                                  "For several, keep them on a PostgreSQL server."));
 }
 
@@ -1132,6 +1133,7 @@ void Application::lay(const lessons::Assignment& assignment, const core::session
     m_takenUpAtTick = 0;
     m_isTakenUp = false;
     m_seenBefore.reset();
+    m_examsEnd.reset();
     m_infractionsTold = 0;
     m_follower.watch(m_ownGeneration, lessons::examinationOf(m_assignment));
     m_demoHand.reset();
@@ -1329,7 +1331,14 @@ void Application::gradeNow()
         m_window->showMessage(tr("Nothing has been cut yet, so there is nothing to grade."));
         return;
     }
-    m_toMark = m_follower.conclude();  // to think about one's work takes no time from it
+    // To think about one's work takes no time from it; nor does what comes after the end of an exam.
+    if (m_examsEnd && m_examsEnd->findings.generation == m_ownGeneration) {
+        m_toMark = m_examsEnd;
+    } else {
+        m_toMark = m_follower.conclude();
+        if (m_window->isExamOver())
+            m_examsEnd = m_toMark;
+    }
     // That an exam was begun has been counted. What is cut on and graded again is one more attempt.
     const bool isAnother = m_graded && m_graded->generation == m_ownGeneration;
     const bool isCounted = m_begunExam.generation == m_ownGeneration && m_begunExam.isAllowed;
@@ -1514,10 +1523,8 @@ bool Application::isAsGraded() const
 void Application::endJournal(const Letter& letter)
 {
     if (letter.generation == m_ownGeneration) {
-        if (isAsGraded()) {
+        if (isAsGraded())
             noteGraded();
-            m_window->forgetAttemptNotKept();  // all of it is
-        }
         if (m_isTakenUp && !m_unfinished)
             offerUnfinished();  // others may be waiting
     } else if (!letter.journal.empty()) {

@@ -257,9 +257,10 @@ private:
         std::map<std::string, ui::study::Given> given;
         std::vector<database::Feedback> feedback;
     };
-    LessonsRead m_lessonsRead;                         ///< of who works here, as the database said last
-    bool m_isSettling = false;                         ///< a grade is wanted, and the bur not yet out of the tooth
-    std::optional<core::session::Concluded> m_toMark;  ///< while what is expected of it is asked
+    LessonsRead m_lessonsRead;                           ///< of who works here, as the database said last
+    bool m_isSettling = false;                           ///< a grade is wanted, and the bur not yet out of the tooth
+    std::optional<core::session::Concluded> m_toMark;    ///< while what is expected of it is asked
+    std::optional<core::session::Concluded> m_examsEnd;  ///< as its time ran out
     std::optional<Graded> m_graded;
     std::string m_scoreToShow;                           ///< uid of the exam whose score is shown when it is kept
     std::optional<core::recording::Recording> m_opened;  ///< of the score card that is shown, where it is an old one

@@ -33,8 +33,9 @@ struct FoundUnfinished
     std::optional<GradedMark> seen = {};  ///< of an exam whose score was seen, and is nowhere
     std::optional<core::Error> failure = {};
 };
-/// The newest attempt in a folder of journals that was not finished. What cannot be read is put aside, what is kept
-/// already is discarded, and one that could not be gone on with waits until it can be. It may take seconds; any thread.
+/// The newest attempt in a folder of journals that was not finished. What cannot be read is put aside, unless a later
+/// program wrote it, what is kept already is discarded, and one that could not be gone on with waits until it can be.
+/// It may take seconds; any thread.
 /// @param outbox  of this computer, where attempts wait that the school does not have yet
 /// @param toBeKept  journals of what is graded and on its way there: of these it would make two attempts
 [[nodiscard]] FoundUnfinished findUnfinished(const std::filesystem::path& folder, const QString& outbox,

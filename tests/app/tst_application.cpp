@@ -219,6 +219,8 @@ void TestApplication::anUnfinishedAttemptIsOfferedAndTakenUp()
 
 void TestApplication::discardedAttemptsMakeWayForOlderOnes()
 {
+    const int kTwoClicksMs =
+        3 * QApplication::doubleClickInterval();  // the second of one click is not meant for another
     leaveUnfinished({-2.0, 1.0, -1.0}, "1-1.cuspjournal");
     const QString newest = m_folder->filePath("unfinished/2-1.cuspjournal");
     QVERIFY(QFile::copy(m_folder->filePath("unfinished/1-1.cuspjournal"), newest));
@@ -232,6 +234,7 @@ void TestApplication::discardedAttemptsMakeWayForOlderOnes()
     QTest::mouseClick(messageButton("decline"), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(journals("discarded").size() == 2, 30000);
     QTRY_VERIFY_WITH_TIMEOUT(message().contains("Tooth 36: an attempt of"), 30000);
+    QTest::qWait(kTwoClicksMs);
     QTest::mouseClick(messageButton("decline"), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(journals("discarded").size() == 3, 30000);
     QVERIFY(journals().isEmpty());
@@ -240,6 +243,7 @@ void TestApplication::discardedAttemptsMakeWayForOlderOnes()
     QTest::mouseClick(messageButton(), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(message().contains("Tooth 36: an attempt of"), 30000);
     QCOMPARE(journals().size(), 1);
+    QTest::qWait(kTwoClicksMs);
     QTest::mouseClick(messageButton("decline"), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(journals("discarded").size() == 3 && journals().isEmpty(), 30000);
     while (!message().isEmpty() && !message().contains("cannot be taken up again"))

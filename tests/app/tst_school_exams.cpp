@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The whole program and what is given: due dates, how often one may try, and exams.
 #include <QDir>
+#include <QElapsedTimer>
 #include <QFile>
 #include <QLabel>
 #include <QListView>
@@ -42,6 +43,7 @@ private slots:
     void aPresetGivesNoAttemptBack();
     void anUnfinishedAttemptIsNotTakenUpWhenTheAttemptsAreUsedUp();
     void anExamThatIsBrokenOffIsToldOf();
+    void whatComesAfterAnExamTakesNoTime();
     void anExamIsBegunInOneWindow();
     void anExamThatIsTakenUpWasBegunOnce();
     void anExamHidesEarlierAttempts();
@@ -305,6 +307,33 @@ void TestSchoolExams::anExamThatIsBrokenOffIsToldOf()
     QTRY_VERIFY_WITH_TIMEOUT(child<ui::people::HistoryPage>()->isVisible(), kPatienceMs);
     const QString told = child<QLabel>("examsWithoutScore")->text();
     QVERIFY2(child<QLabel>("examsWithoutScore")->isVisible() && told.count("The exam, begun") == 2, qPrintable(told));
+}
+
+/// Its time has run out; before he says what he expects its student looks at the tooth once more.
+void TestSchoolExams::whatComesAfterAnExamTakesNoTime()
+{
+    constexpr int kLookingMs = 4000;
+    const Exam exam;
+    give("exam-36", 1);
+    start();
+    logIn("sam");
+    QTRY_VERIFY_WITH_TIMEOUT(child<ui::study::LessonsPage>()->isVisible(), kPatienceMs);
+    QElapsedTimer clock;
+    clock.start();
+    beginLesson("exam-36");
+    drill(-2.0);
+    m_application->window().endExam();
+    emit m_application->window().gradeRequested();
+    QTRY_VERIFY_WITH_TIMEOUT(child<ui::study::Forecast>()->isVisible(), kPatienceMs);
+    const qint64 endMs = clock.elapsed();
+    actions().back->trigger();
+    QVERIFY(m_application->window().view().isVisible());
+    QTest::qWait(kLookingMs);
+    gradeLesson();
+    QTRY_COMPARE_WITH_TIMEOUT(attemptsKept(), 1, kPatienceMs);
+    const OtherStation elsewhere(file());
+    const auto durationMs = sql::ask(elsewhere.school.db, "SELECT duration_ms FROM attempts", "read")->toLongLong();
+    QVERIFY2(durationMs > 0 && durationMs <= endMs, qPrintable(QString::number(durationMs)));
 }
 
 /// It was opened in two of them, with one attempt left.

@@ -122,7 +122,7 @@ void TestLessonStrip::anExamThatIsOverSaysSo()
     const auto* time = m_strip->findChild<ui::shell::TabularLabel*>("lessonTime");
     m_strip->setTime(60.5);
     QCOMPARE(time->text(), QString("0:00"));
-    m_strip->conclude();
+    m_strip->conclude(LessonStrip::Ending::WithScore);
     QVERIFY(words().contains("The exam is over"));
     QVERIFY(!hint().isVisible() && !arrow("The next step").isVisible());
     m_strip->setTime(70.0);

@@ -2431,6 +2431,12 @@ void TestMainWindow::anUnfinishedAttemptIsOffered()
     QTest::mouseClick(discard, Qt::LeftButton);
     QCOMPARE(discarded.size(), 1);
     QCOMPARE(resumed.size(), 1);
+    // Another that was waiting takes its place: a double click is not meant for it.
+    m_window->offerUnfinished([] { return QString("Tooth 36"); }, now, false);
+    QTest::mouseClick(discard, Qt::LeftButton);
+    QCOMPARE(discarded.size(), 1);
+    QVERIFY(message().contains("was not finished") && discard->isVisible());
+    QTest::qWait(3 * QApplication::doubleClickInterval());
     // Discarded at another door, it is no longer offered here.
     m_window->offerUnfinished([] { return QString("Tooth 36"); }, now, false);
     QVERIFY(!message().isEmpty());
@@ -2467,6 +2473,7 @@ void TestMainWindow::anExamIsNotDiscardedUnasked()
     answer("questionDiscard");
     QCOMPARE(discarded.size(), 1);
     QVERIFY(!child<QFrame>("continueCard")->isVisible());
+    QTest::qWait(3 * QApplication::doubleClickInterval());
     m_window->offerUnfinished([] { return QString("The exam"); }, QDateTime::currentDateTime(), true);
     answer("questionSave");
     QCOMPARE(resumed.size(), 1);
@@ -2911,9 +2918,10 @@ void TestMainWindow::anExamEndsOnce()
         m_window->setAssignment(exam);
         m_window->showTooth(exam.anatomy, ++generation, {});
     };
-    const auto work = [&](double seconds) {
+    const auto work = [&](double seconds, double enamelMm3 = 0.5) {
         SessionState session;
         session.toothGeneration = generation;
+        session.removedMm3[1] = enamelMm3;
         session.undoSteps = 3;
         session.redoSteps = 1;
         session.recordedS = seconds;
@@ -2962,6 +2970,12 @@ void TestMainWindow::anExamEndsOnce()
                 turns = drill->on;
         QVERIFY(turns);
     }
+    // Who has cut nothing until his time was over has nothing to be graded, and begins anew.
+    begin();
+    work(60.0 * exam.lesson->minutes + 1.0, 0.0);
+    QVERIFY2(message().contains("time of this exam is over"), qPrintable(message()));
+    actions().reload->trigger();
+    QCOMPARE(again.count(), 3);
     exam.lesson->exam = false;
     begin();
     work(30.0);

@@ -662,7 +662,7 @@ void AssignPage::tellChosen()
     m_takeBack->setEnabled(hasChosen && !m_isAsking);
     m_terms->setEnabled(hasChosen);
     if (!hasChosen)
-        m_terms->reset();  // to what nobody was given
+        m_terms->reset();  // else it goes on showing those of what was chosen last
     m_undo->setEnabled(!m_isAsking);
 }
 

@@ -228,12 +228,15 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
     connect(&m_room->lesson(), &study::LessonStrip::timeOver, this, [this] {
         if (isExam()) {
             endExam();
-            m_messages->say({MessageBar::Kind::News,
-                             tr("The time of this exam is over: nothing more can be cut."),
-                             {},
-                             {},
-                             {},
-                             MessageBar::Topic::Lesson});
+            // On whichever page he is next, and until he has seen it.
+            m_messages->say([] {
+                return MessageBar::Message{MessageBar::Kind::Warning,
+                                           tr("The time of this exam is over: nothing more can be cut."),
+                                           {},
+                                           {},
+                                           {},
+                                           MessageBar::Topic::Tooth};
+            });
             emit gradeRequested();
         } else
             m_messages->say({MessageBar::Kind::News,
@@ -414,17 +417,16 @@ void MainWindow::connectActions()
 /// can be brought back.
 void MainWindow::startAgain()
 {
-    const bool isLesson = m_assignment && m_assignment->lesson;
-    if (m_examIsOver && !m_isGraded) {
+    const bool hasWork = m_exerciseCard->isVisibleTo(m_room) || ownWork() != core::terrain::PerMaterial{};
+    if (m_examIsOver && !m_isGraded && hasWork) {
         goTo(m_room);
         showMessage(tr("This exam is over, but has no grade yet. Press G for it."));
     } else if (m_exerciseCard->isVisibleTo(m_room) || isExam()) {
         emit attemptAgainWanted();
-    } else if (isLesson && m_isGraded) {
+    } else if (m_isGraded) {
         leaveWork([this] { emit attemptAgainWanted(); });
     } else {
         goTo(m_room);
-        m_isGraded = false;
         if (!send(core::session::Reload{}))
             return;
         m_messages->say({MessageBar::Kind::News, tr("The tooth is whole again."), {}, tr("Bring my work back"), [this] {
@@ -438,6 +440,7 @@ void MainWindow::showBegunAnew()
     goTo(m_room);
     showMessage(isExam()                              ? tr("Another attempt at the exam begins.")
                 : m_exerciseCard->isVisibleTo(m_room) ? tr("The exercise begins anew.")
+                : lessonShown() == nullptr            ? tr("Another attempt begins.")
                                                       : tr("Another attempt at the lesson begins."));
 }
 
@@ -1946,6 +1949,8 @@ void MainWindow::forgetNotKept()
 
 void MainWindow::showUnanswered()
 {
+    if (isAtDoor())
+        return;  // which tells of it itself
     m_messages->withdraw(MessageBar::Topic::School);
     m_messages->say([] {
         MessageBar::Message message{MessageBar::Kind::Warning,
@@ -2020,21 +2025,27 @@ void MainWindow::showUndoable(const QString& sentence, const std::function<void(
 void MainWindow::offerUnfinished(const std::function<QString()>& tooth, const QDateTime& begun, bool isExam)
 {
     m_isUnfinishedExam = isExam;
-    m_messages->withdraw(MessageBar::Topic::Unfinished);
-    // The page of lessons has a card for it.
-    if (m_pages->currentWidget() != m_lessonsPage)
-        m_messages->say([this, tooth, begun] {
-            MessageBar::Message offer;
-            offer.kind = MessageBar::Kind::Warning;
-            offer.topic = MessageBar::Topic::Unfinished;
-            //: %1: "Tooth 36", "Practice block: line"; %2: a time of today, or a day and a time
-            offer.sentence = tr("%1: an attempt of %2 was not finished.").arg(tooth(), text::shortWhen(begun));
-            offer.actionText = tr("Resume");
-            offer.action = [this] { resumeUnfinished(); };
-            offer.declining = {tr("Discard"), [this] { discardUnfinished(); }};
-            return offer;
-        });
     m_lessonsPage->setUnfinished(tooth, begun);
+    m_offerUnfinished = [this, tooth, begun] {
+        MessageBar::Message offer;
+        offer.kind = MessageBar::Kind::Warning;
+        offer.topic = MessageBar::Topic::Unfinished;
+        //: %1: "Tooth 36", "Practice block: line"; %2: a time of today, or a day and a time
+        offer.sentence = tr("%1: an attempt of %2 was not finished.").arg(tooth(), text::shortWhen(begun));
+        offer.actionText = tr("Resume");
+        offer.action = [this] { resumeUnfinished(); };
+        offer.declining = {tr("Discard"), [this] { discardUnfinished(); }};
+        return offer;
+    };
+    tellUnfinished();
+}
+
+/// The page of lessons has a card for it.
+void MainWindow::tellUnfinished()
+{
+    m_messages->withdraw(MessageBar::Topic::Unfinished);
+    if (m_pages->currentWidget() != m_lessonsPage)
+        m_messages->say(m_offerUnfinished);
 }
 
 void MainWindow::resumeUnfinished()
@@ -2048,17 +2059,25 @@ void MainWindow::resumeUnfinished()
 
 void MainWindow::discardUnfinished()
 {
+    // A double click is meant for one: where another was waiting, it has its place by then.
+    if (m_sinceDiscard.isValid() && !m_sinceDiscard.hasExpired(2 * QApplication::doubleClickInterval())) {
+        tellUnfinished();
+        return;
+    }
     const auto discard = [this] {
+        m_sinceDiscard.start();
         forgetUnfinished();
         emit discardRequested();
     };
-    if (m_isUnfinishedExam)
-        ask("unfinishedQuestion",
-            {tr("The exam would be broken off without a score."),
-             tr("It counts as an attempt all the same. What you have cut cannot be graded later."),
-             tr("&Go on with it"), [this] { resumeUnfinished(); }, discard});
-    else
+    if (!m_isUnfinishedExam) {
         discard();
+        return;
+    }
+    tellUnfinished();  // who thinks better of it finds it there
+    ask("unfinishedQuestion",
+        {tr("This exam would be put away without a score."),
+         tr("It counts as an attempt all the same. Right afterwards you can still bring it back."),
+         tr("&Go on with it"), [this] { resumeUnfinished(); }, discard});
 }
 
 void MainWindow::forgetUnfinished()
@@ -2069,11 +2088,14 @@ void MainWindow::forgetUnfinished()
 
 void MainWindow::offerToBringBack(const std::function<void()>& bringBack)
 {
-    m_messages->say({MessageBar::Kind::News,
-                     tr("The attempt was discarded; it is kept for seven days."),
-                     {},
-                     tr("Bring it back"),
-                     bringBack});
+    m_messages->say([bringBack] {
+        // It stays until it is closed.
+        return MessageBar::Message{MessageBar::Kind::Warning,
+                                   tr("The attempt was discarded; it is kept for seven days."),
+                                   {},
+                                   tr("Bring it back"),
+                                   bringBack};
+    });
 }
 
 void MainWindow::showScore(const lessons::ScoreSheet& sheet, const QList<database::AttemptRecord>& history,
@@ -2290,7 +2312,7 @@ bool MainWindow::isExam() const
 
 bool MainWindow::isExamRunning() const
 {
-    return isExam() && !m_isGraded;
+    return isExam() && !m_isGraded && !m_examIsRefused;
 }
 
 /// Its time is over, or its score has been seen: what was cut stays as it is, and another attempt begins with a
@@ -2300,7 +2322,9 @@ void MainWindow::endExam()
     if (!isExam())
         return;
     m_examIsOver = true;
-    m_room->lesson().conclude(!m_examIsRefused);
+    m_room->lesson().conclude(m_examIsRefused ? study::LessonStrip::Ending::Refused
+                                              : study::LessonStrip::Ending::WithScore);
+    m_room->setHintVisible(false);
     m_drillWasOn = m_drillWasOn || m_burRests || m_actions->drill->isChecked();
     m_burRests = false;
     wishDrill(false);
@@ -2312,7 +2336,7 @@ void MainWindow::refuseExam()
     m_examIsRefused = true;
     endExam();
     setUsedUp(true);
-    showMessage(tr("Your last attempt at this exam was begun in another window. What was cut here does not count."));
+    showMessage(study::begunElsewhereWords());
 }
 
 void MainWindow::showReplayPaused(bool paused)
@@ -2348,7 +2372,9 @@ core::terrain::PerMaterial MainWindow::ownWork() const
 bool MainWindow::wouldLoseWork() const
 {
     // A block on which a preset is tried is nobody's work.
-    if (!m_replaying && (m_examIsRefused || m_trialCard->isVisibleTo(m_room)))
+    if (!m_replaying && m_trialCard->isVisibleTo(m_room))
+        return false;
+    if (m_examIsRefused)
         return false;
     const core::terrain::PerMaterial work = ownWork();
     return work != core::terrain::PerMaterial{} && work != m_savedWork;

@@ -194,6 +194,7 @@ public slots:
     [[nodiscard]] bool isExamRunning() const;
     /// Nothing is cut any more in the exam on the table; in practice nothing.
     void endExam();
+    [[nodiscard]] bool isExamOver() const { return m_examIsOver; }
     /// It counts as nothing: the student's last attempt at it was begun elsewhere.
     void refuseExam();
     /// The handpieces of the attempt that is shown next, in the order of its settings.
@@ -476,6 +477,7 @@ private:
     void tellUnreachable();
     void resumeUnfinished();
     void discardUnfinished();
+    void tellUnfinished();
     void lockIfIdle();
     void closeAllOver();
     /// Whether something is saved or discarded; cancelled, nothing happens.
@@ -593,14 +595,16 @@ private:
     QElapsedTimer m_sinceGuide;
     std::uint64_t m_exerciseGeneration = 0;  ///< of the tooth that m_exerciseCard is about
     std::optional<core::grading::Touched> m_touched;
-    bool m_drillWasOn = false;             ///< before what it rests for: an exercise, an exam that is over
-    bool m_infractionStopped = false;      ///< the bur turned when it was told
-    std::uint64_t m_infractionTick = 0;    ///< of the one that is told
-    bool m_isGraded = false;               ///< the student's work has been, as it stood
-    bool m_examIsOver = false;             ///< nothing can be cut any more
-    bool m_examIsRefused = false;          ///< and what was cut counts as nothing
-    bool m_isUsedUp = false;               ///< no other attempt can begin
-    bool m_isUnfinishedExam = false;       ///< that offerUnfinished() has offered
+    bool m_drillWasOn = false;           ///< before what it rests for: an exercise, an exam that is over
+    bool m_infractionStopped = false;    ///< the bur turned when it was told
+    std::uint64_t m_infractionTick = 0;  ///< of the one that is told
+    bool m_isGraded = false;             ///< the student's work has been, as it stood
+    bool m_examIsOver = false;           ///< nothing can be cut any more
+    bool m_examIsRefused = false;        ///< and what was cut counts as nothing
+    bool m_isUsedUp = false;             ///< no other attempt can begin
+    QElapsedTimer m_sinceDiscard;        ///< of an unfinished attempt
+    bool m_isUnfinishedExam = false;     ///< that offerUnfinished() has offered
+    std::function<MessageBar::Message()> m_offerUnfinished;
     double m_recordedAtS = 0.0;            ///< of the attempt, when its clock was looked at last
     double m_clockRestedS = 0.0;           ///< of it, in which the clock did not run
     bool m_burRests = false;               ///< while another page is read

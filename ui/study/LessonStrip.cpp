@@ -120,12 +120,10 @@ void LessonStrip::showStep()
     const bool hasHint = count > 0 && !m_lesson.steps[m_step].hint.empty();
     m_hint->setVisible(hasHint);
     const bool showsHint = hasHint && m_hint->isChecked();
-    const QString over =
-        !m_hasScore
-            ? tr("Your last attempt at this exam was begun in another window. What was cut here does not count.")
-        : m_mayBeginAgain ? tr("The exam is over, and nothing more can be cut. G shows the score; R "
-                               "begins another attempt.")
-                          : tr("The exam is over, and nothing more can be cut. G shows the score.");
+    const QString over = m_ending == Ending::Refused ? begunElsewhereWords()
+                         : m_mayBeginAgain ? tr("The exam is over, and nothing more can be cut. G shows the score; R "
+                                                "begins another attempt.")
+                                           : tr("The exam is over, and nothing more can be cut. G shows the score.");
     const QString step = m_isConcluded ? over : count == 0 ? said(m_lesson.goal) : said(m_lesson.steps[m_step].text);
     m_text->setText(showsHint ? said(m_lesson.steps[m_step].hint) : step);
     m_text->setToolTip(QStringLiteral("<p>%1</p>").arg(said(m_lesson.goal).toHtmlEscaped()));
@@ -140,10 +138,10 @@ void LessonStrip::setMayBeginAgain(bool may)
         showStep();
 }
 
-void LessonStrip::conclude(bool isGiven)
+void LessonStrip::conclude(Ending ending)
 {
     m_isConcluded = true;
-    m_hasScore = isGiven;
+    m_ending = ending;
     showStep();
 }
 

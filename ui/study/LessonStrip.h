@@ -29,8 +29,11 @@ public:
     /// This one has its grade, and there is another attempt left.
     void setMayBeginAgain(bool may);
     /// The exam is over: the clock stops, and the strip says how to go on, until another lesson is set.
-    /// @param isGiven  there is a score to see
-    void conclude(bool isGiven = true);
+    enum class Ending {
+        WithScore,
+        Refused  ///< it counts as nothing
+    };
+    void conclude(Ending ending);
 
 signals:
     /// The lesson's time is over; said once.
@@ -45,7 +48,7 @@ private:
     double m_workedS = 0.0;
     bool m_overSaid = false;
     bool m_isConcluded = false;
-    bool m_hasScore = true;
+    Ending m_ending = Ending::WithScore;
     bool m_mayBeginAgain = false;
     QLabel* m_number = nullptr;
     QLabel* m_text = nullptr;

@@ -69,6 +69,12 @@ QString said(const ::lessons::LocalText& text)
     return QString::fromStdString(::lessons::inLanguage(text, QLocale().name().toStdString()));
 }
 
+QString begunElsewhereWords()
+{
+    return QCoreApplication::translate(
+        "Lesson", "Your last attempt at this exam was begun in another window. What was cut here does not count.");
+}
+
 QString usedUpWords()
 {
     return QCoreApplication::translate(

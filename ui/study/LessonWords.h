@@ -29,6 +29,8 @@ namespace ui::study {
 [[nodiscard]] QString timeWords(const ::lessons::Lesson& lesson);
 /// That no attempt is left to who has been given it.
 [[nodiscard]] QString usedUpWords();
+/// Why an exam counts as nothing.
+[[nodiscard]] QString begunElsewhereWords();
 /// When it is due, as one says it: "due today 17:00", "due Friday", "due 12/12/2026", "17 Nov, 3 days late". Local
 /// time.
 [[nodiscard]] QString dueWords(const QDateTime& due, const QDateTime& now);

@@ -45,7 +45,7 @@ struct Given
     QString className;
     QDateTime due;  ///< invalid: none
     std::optional<int> attemptsLeft;
-    /// Each that gave it, with its day, where there are several.
+    /// Each that gave it, with its day.
     std::vector<std::pair<QString, QDateTime>> classes = {};
 };
 
