@@ -16,6 +16,7 @@ namespace {
 constexpr int kMostFiles = 8;
 const QString kBasedOn = QStringLiteral("based_on");
 const QString kFormat = QStringLiteral("format");
+const QString kTitle = QStringLiteral("title");
 constexpr const char* kTooLarge = QT_TRANSLATE_NOOP("Fault", "has %1; a lesson has at most %2");
 
 /// Puts one object over another: what is null goes, objects are merged, everything else is replaced (RFC 7386).
@@ -240,6 +241,9 @@ std::optional<Gathered> JsonFiles::underlaid(const QJsonObject& object, const QS
     under->whole.remove(kFormat);  // each file says its own
     for (auto& [name, part] : under->parts)
         part.remove(kFormat);
+    // In a language that a name leaves out it is not called as what it is based on.
+    if (object.value(kTitle).isObject())
+        under->whole.remove(kTitle);
     under->whole = merged(under->whole, object);
     under->whole.remove(kBasedOn);
     under->parts.insert(under->parts.begin(), {file, object});

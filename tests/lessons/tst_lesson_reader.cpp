@@ -31,6 +31,7 @@ private slots:
     void tellsAllFaultsAtOnce();
     void unknownKeysAreNotedWithTheNearest();
     void whatIsBasedOnAnotherTakesItsKeys();
+    void aNameIsTakenAsAWhole();
     void nullTakesAKeyBack();
     void namesTheFileThatIsWrong();
     void refusesACircleOfFiles();
@@ -336,6 +337,22 @@ void TestLessonReader::whatIsBasedOnAnotherTakesItsKeys()
     QCOMPARE(read.lesson->id, std::string("deep-36"));
     QCOMPARE(std::get<MadeTooth>(read.lesson->tooth), (MadeTooth{36, 9}));
     QCOMPARE(read.lesson->minutes, 20.0);
+}
+
+/// In no language is it called as what it is based on.
+void TestLessonReader::aNameIsTakenAsAWhole()
+{
+    QJsonObject base = lesson();
+    base["title"] = QJsonObject{{"en", "Base"}, {"ja", "基"}};
+    write("base.json", base);
+    const ReadLesson read =
+        readLesson(write("own.lesson.json", QJsonObject{{"format", 1},
+                                                        {"based_on", "base.json"},
+                                                        {"id", "own"},
+                                                        {"title", QJsonObject{{"en", "Own"}, {"de", "Eigen"}}}}));
+    QVERIFY2(read.lesson, qPrintable(sentences(read)));
+    QCOMPARE(read.lesson->title, (LocalText{{"en", "Own"}, {"de", "Eigen"}}));
+    QCOMPARE(inLanguage(read.lesson->title, "ja"), std::string("Own"));
 }
 
 void TestLessonReader::nullTakesAKeyBack()
