@@ -400,7 +400,7 @@ void ToothView::paintMarks(QPainter& painter)
         if (m_settings.look.depthColours == render::DepthColours::Off)
             continue;
         paintDepthScale(painter, size, m_settings.look, how);
-        if (const auto under = m_surface->meetTooth(rayAt(m_pointer)))
+        if (const auto under = m_pointerHasLeft ? std::nullopt : m_surface->meetTooth(rayAt(m_pointer)))
             paintPlate(painter, presented(m_pointer) + QPointF(m_leftHanded ? -22.0 : 22.0, 18.0),
                        depthWords(*m_surface, *under, m_settings.look.depthColours), m_leftHanded);
     }
@@ -724,8 +724,18 @@ void ToothView::mousePressEvent(QMouseEvent* event)
 void ToothView::pointAt(QPointF position)
 {
     m_pointer = position;
+    m_pointerHasLeft = false;
     if (m_settings.look.depthColours != render::DepthColours::Off)
         redraw();
+}
+
+/// What is read under it is read nowhere else.
+void ToothView::leaveEvent(QEvent* event)
+{
+    m_pointerHasLeft = true;
+    if (m_settings.look.depthColours != render::DepthColours::Off)
+        redraw();
+    SceneWidget::leaveEvent(event);
 }
 
 void ToothView::mouseMoveEvent(QMouseEvent* event)

@@ -120,6 +120,7 @@ protected:
     void paintMarks(QPainter& painter) override;
     void resizeEvent(QResizeEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
+    void leaveEvent(QEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;
@@ -172,6 +173,7 @@ private:
     bool m_mirrorHeld = false;
     bool m_mirrorIsPlaced = false;  ///< by a person
     QPointF m_pointer;              ///< where the mouse was last
+    bool m_pointerHasLeft = false;
     PatchInbox m_inbox;
     Camera m_camera;
     PointerControl m_control;
