@@ -22,6 +22,7 @@ namespace ui::shell {
 namespace {
 
 constexpr int kSize = 1;  ///< columns of QFileSystemModel
+constexpr int kKind = 2;
 constexpr int kModified = 3;
 
 /// "*.png", "*.PNG" of "Pictures (*.png *.PNG)".
@@ -88,9 +89,10 @@ FileDialog::FileDialog(QWidget* parent, const QString& title, const QString& fol
         rows->addWidget(m_refusal, rows->rowCount(), 0, 1, rows->columnCount());
     if (auto* name = findChild<QLineEdit*>(QStringLiteral("fileNameEdit")))
         connect(name, &QLineEdit::textChanged, m_refusal, &QWidget::hide);
-    // Qt makes room for a date as it is written in English.
+    // Qt makes room for a date as it is written in English, and little for the others.
     if (auto* list = findChild<QTreeView*>(QStringLiteral("treeView")))
-        list->header()->setSectionResizeMode(kModified, QHeaderView::ResizeToContents);
+        for (const int column : {kSize, kKind, kModified})
+            list->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
     // Without a window manager nobody else gives the keys back.
     if (parent != nullptr)
         connect(this, &QDialog::finished, parent->window(), [window = parent->window()] { window->activateWindow(); });
