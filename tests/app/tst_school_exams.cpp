@@ -48,7 +48,19 @@ private slots:
     void anExamThatIsTakenUpWasBegunOnce();
     void anExamHidesEarlierAttempts();
     void aGuestsExamIsNobodys();
+
+private:
+    /// Sam, whom one attempt at the exam is left.
+    void comeForOneAttempt();
 };
+
+void TestSchoolExams::comeForOneAttempt()
+{
+    give("exam-36", 1);
+    start();
+    logIn("sam");
+    QTRY_VERIFY_WITH_TIMEOUT(child<ui::study::LessonsPage>()->isVisible(), kPatienceMs);
+}
 
 /// As it stands: its score was seen.
 void TestSchoolExams::anExamThatWasNotKeptIsGradedAgain()
@@ -314,10 +326,7 @@ void TestSchoolExams::whatComesAfterAnExamTakesNoTime()
 {
     constexpr int kLookingMs = 4000;
     const Exam exam;
-    give("exam-36", 1);
-    start();
-    logIn("sam");
-    QTRY_VERIFY_WITH_TIMEOUT(child<ui::study::LessonsPage>()->isVisible(), kPatienceMs);
+    comeForOneAttempt();
     QElapsedTimer clock;
     clock.start();
     beginLesson("exam-36");
@@ -340,10 +349,7 @@ void TestSchoolExams::whatComesAfterAnExamTakesNoTime()
 void TestSchoolExams::anExamIsBegunInOneWindow()
 {
     const Exam exam;
-    give("exam-36", 1);
-    start();
-    logIn("sam");
-    QTRY_VERIFY_WITH_TIMEOUT(child<ui::study::LessonsPage>()->isVisible(), kPatienceMs);
+    comeForOneAttempt();
     beginLesson("exam-36");
     {
         const OtherStation elsewhere(file());
@@ -366,10 +372,7 @@ void TestSchoolExams::anExamIsBegunInOneWindow()
 void TestSchoolExams::anExamThatIsTakenUpWasBegunOnce()
 {
     const Exam exam;
-    give("exam-36", 1);
-    start();
-    logIn("sam");
-    QTRY_VERIFY_WITH_TIMEOUT(child<ui::study::LessonsPage>()->isVisible(), kPatienceMs);
+    comeForOneAttempt();
     beginLesson("exam-36");
     QVERIFY(QDir(m_folder->path()).mkpath("outbox"));
     QFile inTheWay(m_folder->filePath("outbox"));
