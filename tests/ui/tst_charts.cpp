@@ -111,6 +111,9 @@ private slots:
     void theKeyIsSeenWhole();
     void aFileThatIsSavedMovesNothing();
     void thatAFileWasSavedGoesByItself();
+    void whatChangesOftenIsDrawnOnce();
+    void whatIsHiddenIsDrawnWhenItIsShown();
+    void theSameOnceMoreLeavesWhatIsTold();
 
 private:
     /// The names of bars as they are drawn, each inside the chart and before its axis; empty: one is not.
@@ -551,6 +554,53 @@ void TestCharts::thatAFileWasSavedGoesByItself()
     QVERIFY(!m_panel->save("/nowhere/at/all/chart.png"));
     QTest::qWait(7000);
     QVERIFY(said->isVisible());
+}
+
+void TestCharts::whatChangesOftenIsDrawnOnce()
+{
+    const auto* view = m_panel->findChild<QChartView*>();
+    QCoreApplication::sendPostedEvents();
+    const QChart* const before = view->chart();
+    m_panel->setChart(bars());
+    m_panel->setChart(histogram());
+    m_panel->setChart(bars());
+    QCOMPARE(view->chart(), before);
+    QCoreApplication::sendPostedEvents();
+    QVERIFY(view->chart() != before);
+    const QChart* const drawn = view->chart();
+    QCOMPARE(namesDrawn().size(), stopsOf(bars()).size());
+    QCoreApplication::processEvents();
+    QCOMPARE(view->chart(), drawn);
+    // Who is quicker than the drawing meets what there is to be.
+    m_panel->setChart(curve());
+    QTest::keyClick(m_panel.get(), Qt::Key_Home);
+    QCOMPARE(m_panel->said(), QString("Attempt 1: 48.5 points"));
+    QVERIFY(view->chart() != drawn);
+}
+
+void TestCharts::whatIsHiddenIsDrawnWhenItIsShown()
+{
+    const auto* view = m_panel->findChild<QChartView*>();
+    QCoreApplication::processEvents();
+    m_panel->hide();
+    const QChart* const before = view->chart();
+    m_panel->setChart(bars());
+    QCoreApplication::processEvents();
+    QCOMPARE(view->chart(), before);
+    m_panel->show();
+    QTRY_COMPARE(namesDrawn().size(), stopsOf(bars()).size());
+}
+
+void TestCharts::theSameOnceMoreLeavesWhatIsTold()
+{
+    const auto* view = m_panel->findChild<QChartView*>();
+    QTest::keyClick(m_panel.get(), Qt::Key_End);
+    QCoreApplication::processEvents();
+    const QChart* const drawn = view->chart();
+    m_panel->setChart(curve());
+    QCoreApplication::processEvents();
+    QCOMPARE(view->chart(), drawn);
+    QCOMPARE(m_panel->said(), QString("Attempt 6: 91 points"));
 }
 
 QTEST_MAIN(TestCharts)

@@ -98,31 +98,65 @@ ChartPanel::ChartPanel(QWidget* parent)
     column->addLayout(head);
     column->addWidget(m_view, 1);
     column->addWidget(m_empty, 1);
-    setChart({});
+    redraw();
+    showWords();
 }
 
 void ChartPanel::setChart(const Chart& chart)
 {
+    if (chart == m_chart)
+        return;
     m_chart = chart;
     m_stops = stopsOf(chart);
     m_stop.reset();
-    m_title->setText(chart.title);
-    m_note->setText(chart.note);
-    m_note->setVisible(!chart.note.isEmpty());
-    m_empty->setText(chart.emptyWords);
+    showWords();
+    redrawSoon();
+    tell();
+}
+
+void ChartPanel::showWords()
+{
+    m_title->setText(m_chart.title);
+    m_note->setText(m_chart.note);
+    m_note->setVisible(!m_chart.note.isEmpty());
+    m_empty->setText(m_chart.emptyWords);
     m_empty->setVisible(m_stops.isEmpty());
     m_view->setVisible(!m_stops.isEmpty());
     m_save->setVisible(!m_stops.isEmpty());
     m_save->nameIt();
     m_saved->hide();
-    setAccessibleName(chart.title);
-    m_view->setAccessibleName(chart.title);
-    m_view->viewport()->setAccessibleName(chart.title);
-    redraw();
+    setAccessibleName(m_chart.title);
+    m_view->setAccessibleName(m_chart.title);
+    m_view->viewport()->setAccessibleName(m_chart.title);
+}
+
+void ChartPanel::redrawSoon()
+{
+    if (!m_isStale)
+        redrawWhenSeen();
+    m_isStale = true;
+}
+
+void ChartPanel::redrawWhenSeen()
+{
+    QMetaObject::invokeMethod(
+        this,
+        [this] {
+            if (isVisible())
+                redrawIfStale();
+        },
+        Qt::QueuedConnection);
+}
+
+void ChartPanel::redrawIfStale()
+{
+    if (m_isStale)
+        redraw();
 }
 
 void ChartPanel::redraw()
 {
+    m_isStale = false;
     QChart* const old = m_view->chart();
     m_shown = fitted(m_chart, rowsFor(m_chart, m_view->size()));
     m_stops = stopsOf(m_shown);
@@ -176,6 +210,7 @@ std::optional<qsizetype> ChartPanel::nearest(const QPointF& at) const
 
 void ChartPanel::setStop(std::optional<qsizetype> stop)
 {
+    redrawIfStale();
     if (stop && (*stop < 0 || *stop >= m_stops.size()))
         stop.reset();
     if (stop == m_stop)
@@ -248,6 +283,7 @@ bool ChartPanel::event(QEvent* event)
 
 void ChartPanel::keyPressEvent(QKeyEvent* event)
 {
+    redrawIfStale();
     const qsizetype last = m_stops.size() - 1;
     if (last < 0)
         return QWidget::keyPressEvent(event);
@@ -275,7 +311,9 @@ bool ChartPanel::eventFilter(QObject* watched, QEvent* event)
 {
     // Names and the key have a share of the room; the view gets it after the panel, or when it is shown first.
     if (event->type() == QEvent::Resize)
-        redraw();
+        redrawSoon();
+    if (event->type() == QEvent::MouseMove || event->type() == QEvent::MouseButtonPress)
+        redrawIfStale();
     if (event->type() == QEvent::MouseMove) {
         setStop(nearest(static_cast<QMouseEvent*>(event)->position()));
     } else if (event->type() == QEvent::MouseButtonPress) {
@@ -317,8 +355,14 @@ void ChartPanel::focusOutEvent(QFocusEvent* event)
 void ChartPanel::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange)
-        redraw();
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::LanguageChange)
+        redrawSoon();
+}
+
+void ChartPanel::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    redrawWhenSeen();
 }
 
 void ChartPanel::resizeEvent(QResizeEvent* event)

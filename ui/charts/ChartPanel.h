@@ -52,10 +52,17 @@ protected:
     void focusInEvent(QFocusEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
     void changeEvent(QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    void showWords();
+    /// Once before it is painted next, however often it is asked for, and where it is hidden not before it is shown:
+    /// drawing takes milliseconds.
+    void redrawSoon();
+    void redrawWhenSeen();
+    void redrawIfStale();
     void redraw();
     void placeSaved();
     void tell();
@@ -69,6 +76,7 @@ private:
     Chart m_shown;  ///< what of it there is room for
     QList<Dot> m_stops;
     std::optional<qsizetype> m_stop;
+    bool m_isStale = false;  ///< what is drawn is not what is to be
     QLabel* m_title;
     QLabel* m_note;
     SaveButton* m_save;
