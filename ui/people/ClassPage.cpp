@@ -607,13 +607,12 @@ void ClassPage::fitColumns()
     const int room = m_table->width() - kNamesPx - last - kSpace6;
     const int each = std::clamp(room / lessons, kLessonPx, 2 * kLessonPx);
     // A title is broken between words, and the longest of them is not cut off.
+    static const QRegularExpression gaps(QStringLiteral("\\s+"));
     const QFontMetrics letters(typeface(kBody, QFont::DemiBold));
     for (int k = 0; k < lessons; ++k) {
         const int column = ClassModel::kFirstLesson + k;
         int widest = each;
-        for (const QString& word : m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole)
-                                       .toString()
-                                       .split(QRegularExpression(QStringLiteral("\\s+"))))
+        for (const QString& word : m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString().split(gaps))
             widest = std::max(widest, letters.horizontalAdvance(word) + kSpace6 + kSpace2);
         columns->resizeSection(column, std::min(widest, 2 * kLessonPx));
     }

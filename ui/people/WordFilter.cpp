@@ -13,6 +13,8 @@ void WordFilter::setWords(const QString& words)
 
 bool WordFilter::filterAcceptsRow(int row, const QModelIndex& parent) const
 {
+    if (m_words.isEmpty())
+        return true;
     for (int column = 0; column < sourceModel()->columnCount(parent); ++column)
         if (text::plain(sourceModel()->index(row, column, parent).data().toString()).contains(m_words))
             return true;
