@@ -18,12 +18,12 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QSignalBlocker>
-#include <QStandardItemModel>
 #include <QStyleHints>
 #include <QTimer>
 #include <QVBoxLayout>
 
 #include "ui/admin/AdminWords.h"
+#include "ui/admin/PeopleModel.h"
 #include "ui/admin/SecondThought.h"
 #include "ui/people/ListTable.h"
 #include "ui/people/PeopleWords.h"
@@ -40,9 +40,7 @@ using namespace ui::shell;
 using database::Person;
 using database::Role;
 
-enum Column { kName, kUsername, kRole, kClasses, kLastLogin, kState, kColumns };
-enum DataRole { kId = Qt::UserRole + 1, kSortBy };
-
+constexpr int kId = Qt::UserRole + 1;  ///< of a class in the list of the form
 constexpr int kFormPx = 340;
 constexpr int kClassListPx = 110;
 constexpr int kTickPx = 28;
@@ -135,11 +133,10 @@ QWidget* PeoplePart::makeList()
     head->addWidget(m_count);
     head->addWidget(m_new);
     column->addLayout(head);
-    m_rows = new QStandardItemModel(0, kColumns, side);
-    m_rows->setSortRole(kSortBy);
+    m_rows = new PeopleModel(side);
     m_shown = new people::WordFilter(side);
     m_shown->setSourceModel(m_rows);
-    m_shown->setSortRole(kSortBy);
+    m_shown->setSortRole(PeopleModel::SortBy);
     m_shown->setSortLocaleAware(true);
     m_table = new people::ListTable(side);
     m_table->setObjectName(QStringLiteral("people"));
@@ -149,7 +146,7 @@ QWidget* PeoplePart::makeList()
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
     m_table->verticalHeader()->hide();
     m_table->horizontalHeader()->setStretchLastSection(true);
-    m_table->sortByColumn(kName, Qt::AscendingOrder);
+    m_table->sortByColumn(PeopleModel::Name, Qt::AscendingOrder);
     m_table->viewport()->installEventFilter(this);
     column->addWidget(m_table, 1);
     connect(m_search, &QLineEdit::textChanged, this, &PeoplePart::filter);
@@ -159,8 +156,8 @@ QWidget* PeoplePart::makeList()
     });
     // A row that becomes the current one when the table gets the focus was chosen by nobody.
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
-        if (const QModelIndexList rows = m_table->selectionModel()->selectedRows(kName); !rows.isEmpty())
-            choose(rows.front().data(kId).toLongLong());
+        if (const QModelIndexList rows = m_table->selectionModel()->selectedRows(PeopleModel::Name); !rows.isEmpty())
+            choose(rows.front().data(PeopleModel::Id).toLongLong());
     });
     connect(m_table, &QAbstractItemView::activated, this,
             [this](const QModelIndex& index) { m_table->selectRow(index.row()); });
@@ -350,8 +347,7 @@ void PeoplePart::speak()
     m_roleWord->setText(tr("Role"));
     name(m_className, tr("Name of a class"));
     m_table->setAccessibleName(tr("People"));
-    m_rows->setHorizontalHeaderLabels(
-        {tr("Name"), tr("Login"), tr("Role"), tr("Classes"), tr("Last login"), tr("State")});
+    m_rows->setHeads({tr("Name"), tr("Login"), tr("Role"), tr("Classes"), tr("Last login"), tr("State")});
     m_new->setText(tr("New person"));
     m_classesWord->setText(tr("Classes"));
     m_classList->setAccessibleName(tr("Classes"));
@@ -377,7 +373,7 @@ void PeoplePart::speak()
     showForm();
 }
 
-QString PeoplePart::stateOf(const Person& person) const
+QString PeoplePart::stateOf(const Person& person, const std::string& nowUtc) const
 {
     if (person.disabled)
         return tr("disabled");
@@ -385,65 +381,42 @@ QString PeoplePart::stateOf(const Person& person) const
         return tr("can log in");
     if (m_codes.contains(person.id.value))
         return tr("has a one-time code, shown here");
-    return person.codeUntilUtc >= QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString()
-               ? tr("has a one-time code")
-               : tr("needs a one-time code");
+    return person.codeUntilUtc >= nowUtc ? tr("has a one-time code") : tr("needs a one-time code");
 }
 
 void PeoplePart::fill()
 {
     const QSignalBlocker quiet(m_table->selectionModel());
-    m_rows->setRowCount(0);
-    int select = -1;
+    const std::string now = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
+    QList<PeopleModel::Row> rows;
+    rows.reserve(m_people.size());
     for (const Person& person : m_people) {
         QStringList classes;
         for (const database::SchoolClass& one : m_classes)
             if (std::find(person.classes.begin(), person.classes.end(), one.id) != person.classes.end())
                 classes << QString::fromStdString(one.name);
-        const QString family = QString::fromStdString(person.familyName);
-        const QStringList words{
-            QString::fromStdString(person.fullName()), QString::fromStdString(person.username), roleWord(person.role),
-            classes.join(QStringLiteral(", ")),        people::when(person.lastLoginUtc),       stateOf(person)};
-        QList<QStandardItem*> row;
-        for (const QString& one : words) {
-            row << new QStandardItem(one);
-            row.back()->setData(one, kSortBy);
-            row.back()->setToolTip(brokenIntoLines(one));
-        }
-        row[kName]->setData(QVariant::fromValue<qint64>(person.id.value), kId);
-        row[kName]->setData(family + u' ' + words[kName], kSortBy);
-        row[kLastLogin]->setData(QString::fromStdString(person.lastLoginUtc), kSortBy);
-        m_rows->appendRow(row);
-        if (person.id.value == m_chosen)
-            select = m_rows->rowCount() - 1;
+        rows << PeopleModel::Row{person.id.value,
+                                 {QString::fromStdString(person.fullName()), QString::fromStdString(person.username),
+                                  roleWord(person.role), classes.join(QStringLiteral(", ")),
+                                  people::when(person.lastLoginUtc), stateOf(person, now)},
+                                 QString::fromStdString(person.familyName),
+                                 QString::fromStdString(person.lastLoginUtc)};
     }
+    m_rows->setRows(rows);
     fitColumns();
-    if (select >= 0)
-        m_table->setCurrentIndex(m_shown->mapFromSource(m_rows->index(select, kName)));
     filter();
 }
 
-/// The table measures its first rows alone: of thousands none of them may be an instructor. The one of most letters is
-/// measured in every column, of all persons, whoever is searched for.
+/// Of all persons, whoever is searched for.
 void PeoplePart::fitColumns()
 {
     m_shown->setWords({});
-    m_table->resizeColumnsToContents();
     m_widths.clear();
-    for (int column = 0; column < m_rows->columnCount(); ++column) {
-        int longest = -1;
-        qsizetype letters = 0;
-        for (int row = 0; row < m_rows->rowCount(); ++row)
-            if (const qsizetype here = m_rows->item(row, column)->text().size(); here > letters) {
-                letters = here;
-                longest = row;
-            }
-        m_widths << m_table->columnWidth(column);
-        if (longest < 0)
-            continue;
-        const QModelIndex index = m_shown->mapFromSource(m_rows->index(longest, column));
-        const int wanted = std::min(m_table->sizeHintForIndex(index).width() + 1, kMostFittedPx);
-        m_widths.back() = std::max(m_widths.back(), wanted);
+    for (int column = 0; column < PeopleModel::Columns; ++column) {
+        int widest = 0;
+        for (const QModelIndex& one : m_rows->longest(column))
+            widest = std::max(widest, m_table->sizeHintForIndex(m_shown->mapFromSource(one)).width() + 1);
+        m_widths << std::max(m_table->horizontalHeader()->sectionSizeHint(column), std::min(widest, kMostFittedPx));
     }
     shareWidth();
 }
@@ -452,15 +425,16 @@ void PeoplePart::fitColumns()
 /// where the pointer is.
 void PeoplePart::shareWidth()
 {
-    constexpr std::array kGiving{kName, kUsername, kClasses};
-    if (m_widths.size() != kColumns)
+    constexpr std::array kGiving{PeopleModel::Name, PeopleModel::Username, PeopleModel::Classes};
+    if (m_widths.size() != PeopleModel::Columns)
         return;
     int room = m_table->viewport()->width();
-    for (int column = 0; column < kColumns; ++column)
+    for (int column = 0; column < PeopleModel::Columns; ++column)
         if (std::find(kGiving.begin(), kGiving.end(), column) == kGiving.end())
             room -= m_widths[column];
     std::array<int, kGiving.size()> wanted{};
-    std::transform(kGiving.begin(), kGiving.end(), wanted.begin(), [this](Column one) { return m_widths[one]; });
+    std::transform(kGiving.begin(), kGiving.end(), wanted.begin(),
+                   [this](PeopleModel::Column one) { return m_widths[one]; });
     std::sort(wanted.begin(), wanted.end());
     int most = wanted.back();
     for (std::size_t k = 0; k < wanted.size(); ++k) {
@@ -471,7 +445,7 @@ void PeoplePart::shareWidth()
         }
         room -= wanted.at(k);
     }
-    for (int column = 0; column < kColumns; ++column)
+    for (int column = 0; column < PeopleModel::Columns; ++column)
         m_table->setColumnWidth(column, std::find(kGiving.begin(), kGiving.end(), column) == kGiving.end()
                                             ? m_widths[column]
                                             : std::min(m_widths[column], most));
@@ -493,7 +467,8 @@ void PeoplePart::filter()
     m_count->setText(tr("%Ln person(s)", nullptr, m_shown->rowCount()));
     m_table->clearSelection();
     for (int row = 0; row < m_shown->rowCount() && m_chosen != 0; ++row)
-        if (const QModelIndex index = m_shown->index(row, kName); index.data(kId).toLongLong() == m_chosen) {
+        if (const QModelIndex index = m_shown->index(row, PeopleModel::Name);
+            index.data(PeopleModel::Id).toLongLong() == m_chosen) {
             m_table->selectRow(row);
             // When the table knows how many rows it has by now.
             QTimer::singleShot(0, this, [this, at = QPersistentModelIndex(index)] { m_table->scrollTo(at); });
@@ -550,8 +525,8 @@ void PeoplePart::choose(qint64 person)
 void PeoplePart::select(qint64 person)
 {
     for (int row = 0; row < m_shown->rowCount(); ++row)
-        if (m_shown->index(row, kName).data(kId).toLongLong() == person) {
-            m_table->setCurrentIndex(m_shown->index(row, kName));
+        if (m_shown->index(row, PeopleModel::Name).data(PeopleModel::Id).toLongLong() == person) {
+            m_table->setCurrentIndex(m_shown->index(row, PeopleModel::Name));
             return;
         }
     m_table->clearSelection();
@@ -880,6 +855,8 @@ bool PeoplePart::isSecondClick() const
 
 void PeoplePart::forgetCodes()
 {
+    if (m_codes.isEmpty())
+        return;
     m_codes.clear();
     fill();
     showForm();

@@ -22,7 +22,6 @@ class QLabel;
 class QLineEdit;
 class QListWidget;
 class QPushButton;
-class QStandardItemModel;
 
 namespace ui::shell {
 class ScrollPane;
@@ -34,6 +33,7 @@ class WordFilter;
 
 namespace ui::admin {
 
+class PeopleModel;
 class SecondThought;
 
 /// Everybody of the school, and beside them a form for one: entering, changing, classes, a one-time code for who has
@@ -156,7 +156,7 @@ private:
     [[nodiscard]] static QString asideWords(const Typed& aside);
     [[nodiscard]] bool isOwn(const database::Person* person) const;
     [[nodiscard]] bool isSecondClick() const;
-    [[nodiscard]] QString stateOf(const database::Person& person) const;
+    [[nodiscard]] QString stateOf(const database::Person& person, const std::string& nowUtc) const;
 
     QList<database::Person> m_people;
     QList<database::SchoolClass> m_classes;
@@ -169,7 +169,7 @@ private:
     QElapsedTimer m_sinceSubmitted;
     QList<Typed> m_aside;         ///< when another row was chosen; the latest last
     QHash<qint64, Code> m_codes;  ///< by whom they let in
-    QStandardItemModel* m_rows = nullptr;
+    PeopleModel* m_rows = nullptr;
     people::WordFilter* m_shown = nullptr;
     QList<int> m_widths;  ///< of the columns, where there is room
     QLineEdit* m_search = nullptr;
