@@ -503,6 +503,7 @@ void TestDatabase::stepsThatWereShippedAreNeverEdited()
         "237cdca8e5b5c491635d71741fe7cbf37306ee5bb1de98a30c449cf746208f74",  // 0005_presets_and_audit.sql
         "cc63a51f32da2d503c5a188886edbc6077ea45deafb36afcbe63332e5c449b8a",  // 0006_exam_starts.sql
         "a2214c4df6915b12d232e0cfda9250b36b40d1bed498daab1d4b7a13256f8a29",  // 0007_withdrawn_comments.sql
+        "50e780a091ed98cac13d30c67bb3ff1eb14ad38fa7a208d719821b2c61c0dde4",  // 0008_class_pages.sql
         // the next one
     };
     const auto steps = shippedMigrations();
