@@ -67,7 +67,7 @@ constexpr int kSpareTooth = 36;  ///< FDI number
 constexpr int kAttemptWatchMs = 50;
 constexpr int kJournalWatchMs = 500;
 constexpr int kOpenWatchMs = 10'000;
-constexpr int kDoorPatienceMs = 12'000;  ///< for an answer at the door; longer than a file is waited for
+constexpr int kDoorPatienceMs = 12'000;  ///< for an answer at the door
 constexpr int kBackupWatchMs = 3'600'000;
 constexpr int kExamRetryMs = 10'000;
 constexpr int kSettleMs = 20;
@@ -379,6 +379,7 @@ void Application::openDatabase()
     connect(m_people.get(), &PeopleDesk::scoreWanted, this, &Application::showAttempt);
     connect(m_people.get(), &PeopleDesk::sheetWanted, this, &Application::showSheet);
     const auto open = [this] {
+        m_window->setOpening(true);
         m_desk->open(this, [this](const SchoolDesk::Opening& opening) { takeOpening(opening); });
     };
     m_backupWatch.setObjectName(QStringLiteral("backupWatch"));
@@ -396,6 +397,7 @@ void Application::openDatabase()
 
 void Application::takeOpening(const SchoolDesk::Opening& opening)
 {
+    m_window->setOpening(false);
     m_backup = opening.soundBackup;
     const QDateTime backupMade = database::sql::madeAt(m_backup);
     if (!opening.status) {
@@ -570,9 +572,13 @@ void Application::askAtDoor(const std::function<core::Result<database::Session>(
         return;
     }
     m_desk->ask(this, work, answer);
-    // A server that hangs says nothing at all.
-    QTimer::singleShot(kDoorPatienceMs, this,
-                       [answer] { answer(core::unexpected(core::ErrorCode::ConnectionLost, "there was no answer")); });
+    // A server that hangs says nothing at all. A file answers sooner or later: it may be large, and its disk have much
+    // to do. But who has work behind the door is let to it without.
+    if (m_address->isServer() || !m_who.isGuest())
+        QTimer::singleShot(kDoorPatienceMs, this, [answer, isServer = m_address->isServer()] {
+            answer(core::unexpected(isServer ? core::ErrorCode::ConnectionLost : core::ErrorCode::Busy,
+                                    "there was no answer"));
+        });
 }
 
 void Application::readOwnHash()

@@ -185,6 +185,7 @@ private slots:
     void escapeClosesAnOpenListOnly();
     void theChartsShareASmallerWindowAsBefore();
     void aRefusedPasswordIsTypedAnew();
+    void whatIsWaitedForAtTheDoorIsTold();
     void whoWasLateToCreateTheSchoolLogsIn();
     void whoTypesACommandGoesOnTyping();
     void whatARuleStoppedTurnsAgainInTheNextLesson();
@@ -1594,6 +1595,37 @@ void TestMainWindow::aRefusedPasswordIsTypedAnew()
     QCOMPARE(QApplication::focusWidget(), child<QLineEdit>("password"));
     for (const char* name : {"password", "passwordAgain"})
         QVERIFY(child<QLineEdit>(name)->text().isEmpty());
+}
+
+/// Of a large file, or one whose disk has much to do; what takes a moment is not.
+void TestMainWindow::whatIsWaitedForAtTheDoorIsTold()
+{
+    m_window->askLogin();
+    auto* waiting = child<QLabel>("waiting");
+    m_window->setOpening(true);
+    QVERIFY(!waiting->isVisible());
+    QTRY_VERIFY(waiting->isVisible());
+    QVERIFY2(waiting->text().contains("being opened"), qPrintable(waiting->text()));
+    m_window->setOpening(false);
+    QVERIFY(!waiting->isVisible());
+
+    child<QLineEdit>("username")->setText("ann");
+    child<QLineEdit>("password")->setText("something");
+    QTest::keyClick(child<QLineEdit>("password"), Qt::Key_Return);
+    QVERIFY(!waiting->isVisible());
+    QTRY_VERIFY(waiting->isVisible());
+    QVERIFY2(waiting->text().contains("Waiting"), qPrintable(waiting->text()));
+    QVERIFY(child<QPushButton>("practiseAsGuest")->isEnabled());
+    m_window->refuseLogin({core::ErrorCode::WrongLogin, "wrong"});
+    QVERIFY(!waiting->isVisible());
+
+    // Why it cannot be opened, and that it is tried again, stands there already.
+    m_window->setUnreachable(core::Error{core::ErrorCode::ConnectionLost, "gone"}, "server", {});
+    m_window->setOpening(true);
+    QTest::qWait(800);
+    QVERIFY(!waiting->isVisible());
+    m_window->setOpening(false);
+    m_window->setUnreachable({}, {}, {});
 }
 
 void TestMainWindow::whoWasLateToCreateTheSchoolLogsIn()

@@ -10,10 +10,12 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 #include "database/Usernames.h"
+#include "ui/shell/Announce.h"
 #include "ui/shell/LanguageMenu.h"
 #include "ui/shell/ScrollPane.h"
 #include "ui/shell/Theme.h"
@@ -29,6 +31,7 @@ using namespace ui::shell;
 constexpr int kCardPx = 400;
 constexpr int kLongestInput = 300;
 constexpr int kLongestName = 200;
+constexpr int kSoonMs = 600;  ///< what takes longer is told; to look at a password takes half of it
 
 }  // namespace
 
@@ -37,8 +40,10 @@ LoginPage::LoginPage(QWidget* parent)
       m_words(study::formWords({}, kBody, QFont::Normal, QPalette::PlaceholderText, m_card)),
       m_name(field("username", false)), m_given(field("givenName", false)), m_family(field("familyName", false)),
       m_old(field("oldPassword", true)), m_password(field("password", true)), m_again(field("passwordAgain", true)),
-      m_keep(new QCheckBox(m_card)), m_fault(study::faultLabel(m_card)), m_go(new QPushButton(m_card)),
-      m_other(new QPushButton(m_card)), m_guest(new QPushButton(m_card)), m_change(new QPushButton(m_card)),
+      m_keep(new QCheckBox(m_card)), m_fault(study::faultLabel(m_card)),
+      m_waiting(study::formWords({}, kBody, QFont::Normal, QPalette::PlaceholderText, m_card)),
+      m_untilTold(new QTimer(this)), m_go(new QPushButton(m_card)), m_other(new QPushButton(m_card)),
+      m_guest(new QPushButton(m_card)), m_change(new QPushButton(m_card)),
       m_said(study::formWords({}, kBody, QFont::Normal, QPalette::WindowText, m_card)),
       m_unreachable(study::formWords({}, kBody, QFont::Normal, QPalette::WindowText, m_card)),
       m_tryAgain(new QPushButton(m_card)), m_restore(new QPushButton(m_card)), m_language(new QToolButton(m_card))
@@ -66,6 +71,15 @@ LoginPage::LoginPage(QWidget* parent)
     m_keep->setObjectName(QStringLiteral("keepOnLogin"));
     m_column->addWidget(m_keep);
     m_column->addWidget(m_fault);
+    m_waiting->setObjectName(QStringLiteral("waiting"));
+    m_waiting->hide();
+    m_untilTold->setSingleShot(true);
+    m_untilTold->setInterval(kSoonMs);
+    connect(m_untilTold, &QTimer::timeout, this, [this] {
+        m_waiting->show();
+        announce(*m_waiting);
+    });
+    m_column->addWidget(m_waiting);
     m_column->addSpacing(kSpace2);
     m_go->setProperty("kind", "filled");
     m_go->setObjectName(QStringLiteral("logIn"));
@@ -293,6 +307,8 @@ void LoginPage::speak()
                                              "beside it.")));
     for (QPushButton* button : {m_go, m_other, m_guest, m_tryAgain, m_restore})
         button->setAccessibleName(button->text());
+    m_waiting->setText(m_isOpening ? tr("The school's data are being opened …")
+                                   : tr("Waiting for the school's data …"));
     m_keep->setText(tr("The attempt just graded is mine; keep it"));
     m_keep->setAccessibleName(m_keep->text());
     //: %1: a lesson or a tooth
@@ -313,6 +329,25 @@ void LoginPage::tellFault(std::function<QString()> sentence)
 {
     m_faultWords = std::move(sentence);
     study::showFault(m_fault, m_faultWords ? m_faultWords() : QString());
+}
+
+void LoginPage::setOpening(bool isOpening)
+{
+    m_isOpening = isOpening;
+    speak();
+    tellWaiting();
+}
+
+void LoginPage::tellWaiting()
+{
+    // Of what cannot be opened stands there why, and that it is tried again.
+    const bool isWaiting = m_isBusy || (m_isOpening && m_unreachable->isHidden());
+    if (!isWaiting) {
+        m_untilTold->stop();
+        m_waiting->hide();
+    } else if (m_waiting->isHidden() && !m_untilTold->isActive()) {
+        m_untilTold->start();
+    }
 }
 
 void LoginPage::setUnreachable(const QString& sentence)
@@ -357,6 +392,7 @@ void LoginPage::setBusy(bool busy)
           static_cast<QWidget*>(m_again), static_cast<QWidget*>(m_go), static_cast<QWidget*>(m_other),
           static_cast<QWidget*>(m_tryAgain), static_cast<QWidget*>(m_restore)})
         input->setEnabled(!busy);
+    tellWaiting();
     if (!busy && window()->focusWidget() == this)
         firstInput()->setFocus();
 }

@@ -16,6 +16,7 @@ class QFrame;
 class QLabel;
 class QLineEdit;
 class QPushButton;
+class QTimer;
 class QToolButton;
 class QVBoxLayout;
 
@@ -37,6 +38,8 @@ public:
     void setLockedBy(const QString& username, bool inExam);
     /// The database cannot be used: why. Practice without a login still works. Empty: it can.
     void setUnreachable(const QString& sentence);
+    /// The school's data are being opened; of a large file that takes seconds, in which nobody can be let in.
+    void setOpening(bool isOpening);
     /// How something ended that everybody was logged out for; it stands until somebody is asked anew.
     /// @param sentence  in the language of the moment; empty: nothing is said
     void say(std::function<QString()> sentence);
@@ -79,12 +82,14 @@ private:
     void speak();
     void submit();
     void tellFault(std::function<QString()> sentence);
+    void tellWaiting();
     /// Of a new school's admin; else says what is wrong.
     [[nodiscard]] bool areNamesFit();
 
     Door m_door = Door::Login;
     bool m_isIn = false;
     bool m_isBusy = false;
+    bool m_isOpening = false;
     QString m_lockedBy;
     bool m_isLockedInExam = false;
     QFrame* m_card;
@@ -102,6 +107,8 @@ private:
     std::function<QString()> m_kept;
     QLabel* m_fault;
     std::function<QString()> m_faultWords;  ///< empty: nothing is wrong
+    QLabel* m_waiting;                      ///< for what, where it takes longer
+    QTimer* m_untilTold;
     QPushButton* m_go;
     QPushButton* m_other;
     QPushButton* m_guest;

@@ -750,6 +750,11 @@ void MainWindow::refuseLogin(const core::Error& error)
         m_login->refuse([error] { return text::loginFault(error); });
 }
 
+void MainWindow::setOpening(bool isOpening)
+{
+    m_login->setOpening(isOpening);
+}
+
 void MainWindow::setUnreachable(const std::optional<core::Error>& error, const QString& where,
                                 const QDateTime& backupMade)
 {

@@ -301,6 +301,8 @@ public slots:
     [[nodiscard]] bool isAtDoor() const;
     /// What was typed at the door is wrong.
     void refuseLogin(const core::Error& error);
+    /// The database is being opened: nobody can be let in meanwhile.
+    void setOpening(bool isOpening);
     /// The database cannot be used, and why; nothing: it can.
     /// @param where       its file, or its server
     /// @param backupMade  when the backup was that can be put in its place; invalid: there is none
