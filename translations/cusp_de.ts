@@ -4374,6 +4374,10 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
             <numerusform>%n eigene Lektionen: %1. Studierende finden sie nur an Computern, die ihre Dateien auch haben: Legen Sie dort eine Kopie von %2 in den Ordner, den „Eigene Lektionen“ auf der Seite der Lektionen öffnet.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>No lesson fits. Search for another word.</source>
+        <translation>Keine Lektion passt. Suchen Sie ein anderes Wort.</translation>
+    </message>
 </context>
 <context>
     <name>ui::people::AssignTerms</name>
@@ -5358,6 +5362,14 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>The work on the table is as it was left, but the time of the exam goes on.</source>
         <translation>Die Arbeit auf dem Tisch ist, wie sie verlassen wurde, aber die Zeit der Prüfung läuft weiter.</translation>
+    </message>
+    <message>
+        <source>Waiting for the school&apos;s data …</source>
+        <translation>Die Daten der Schule werden erwartet …</translation>
+    </message>
+    <message>
+        <source>The school&apos;s data are being opened …</source>
+        <translation>Die Daten der Schule werden geöffnet …</translation>
     </message>
 </context>
 <context>

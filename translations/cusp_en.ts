@@ -4365,6 +4365,10 @@ load NAME        feels a hardness preset that is kept</source>
             <numerusform>%n lessons of your own: %1. Students find them only at computers that have their files, too: put a copy of %2 there into the folder that &quot;Your own lessons&quot; opens on the page of lessons.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>No lesson fits. Search for another word.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ui::people::AssignTerms</name>
@@ -5348,6 +5352,14 @@ load NAME        feels a hardness preset that is kept</source>
     </message>
     <message>
         <source>The work on the table is as it was left, but the time of the exam goes on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Waiting for the school&apos;s data …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The school&apos;s data are being opened …</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -4374,6 +4374,10 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
             <numerusform>%n lecciones propias: %1. Los estudiantes las encuentran solo en los ordenadores que también tienen sus archivos: ponga allí una copia de %2 en la carpeta que abre «Sus propias lecciones» en la página de lecciones.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>No lesson fits. Search for another word.</source>
+        <translation>Ninguna lección coincide. Busque otra palabra.</translation>
+    </message>
 </context>
 <context>
     <name>ui::people::AssignTerms</name>
@@ -5358,6 +5362,14 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>The work on the table is as it was left, but the time of the exam goes on.</source>
         <translation>El trabajo en la mesa está como se dejó, pero el tiempo del examen sigue corriendo.</translation>
+    </message>
+    <message>
+        <source>Waiting for the school&apos;s data …</source>
+        <translation>Esperando los datos de la escuela …</translation>
+    </message>
+    <message>
+        <source>The school&apos;s data are being opened …</source>
+        <translation>Se están abriendo los datos de la escuela …</translation>
     </message>
 </context>
 <context>

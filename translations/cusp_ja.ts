@@ -4345,6 +4345,10 @@ load 名前        保存済みの硬さのプリセットを使います</trans
             <numerusform>自作の課題%n件：%1。学生がこれを使えるのは、そのファイルもあるコンピューターだけです。課題のページの「あなたの課題」で開くフォルダーに %2 をコピーしてください。</numerusform>
         </translation>
     </message>
+    <message>
+        <source>No lesson fits. Search for another word.</source>
+        <translation>該当する課題がありません。別の言葉で検索してください。</translation>
+    </message>
 </context>
 <context>
     <name>ui::people::AssignTerms</name>
@@ -5318,6 +5322,14 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>The work on the table is as it was left, but the time of the exam goes on.</source>
         <translation>机の上の作業は中断したときのままですが、試験の時間は進んでいます。</translation>
+    </message>
+    <message>
+        <source>Waiting for the school&apos;s data …</source>
+        <translation>学校のデータを待っています…</translation>
+    </message>
+    <message>
+        <source>The school&apos;s data are being opened …</source>
+        <translation>学校のデータを開いています…</translation>
     </message>
 </context>
 <context>

@@ -211,7 +211,9 @@ void TestAssignPage::keysGoToALessonThatIsSeen()
     QTest::keyClick(list, Qt::Key_Space);
     QCOMPARE(offer("Class I").data(Qt::CheckStateRole).toInt(), int(Qt::Unchecked));
     QCOMPARE(offer("Cross").data(Qt::CheckStateRole).toInt(), int(Qt::Checked));
+    QVERIFY(!get<QLabel>("noneFits")->isVisibleTo(m_page));
     get<QLineEdit>("offerSearch")->setText("no such lesson");
+    QVERIFY(get<QLabel>("noneFits")->isVisibleTo(m_page));
     QTest::keyClick(list, Qt::Key_Space);
     QCOMPARE(get<QPushButton>("assignTicked")->text(), QString("Assign 1 lesson(s)"));
 }

@@ -223,6 +223,14 @@ QWidget* AssignPage::makeOffers()
     m_list->setProperty("kind", "plain");
     connect(m_offers, &QStandardItemModel::itemChanged, this, &AssignPage::tellChosen);
     column->addWidget(m_list, 1);
+    m_noneFits = new QLabel(part);
+    m_noneFits->setObjectName(QStringLiteral("noneFits"));
+    m_noneFits->setTextFormat(Qt::PlainText);
+    m_noneFits->setForegroundRole(QPalette::PlaceholderText);
+    m_noneFits->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    m_noneFits->setWordWrap(true);
+    m_noneFits->hide();
+    column->addWidget(m_noneFits, 1);
     column->addWidget(line(part));
     m_newTerms = new AssignTerms(part);
     column->addWidget(m_newTerms);
@@ -472,6 +480,7 @@ void AssignPage::fillOffers()
 void AssignPage::search()
 {
     int heading = -1;
+    bool isAny = m_offers->rowCount() == 0;
     const auto matches = [&](const QStandardItem& item) {
         const QString id = item.data(kId).toString();
         const auto lesson = std::find_if(m_lessons.begin(), m_lessons.end(),
@@ -484,11 +493,14 @@ void AssignPage::search()
         const bool isHeading = !item->data(kId).isValid();
         const bool isShown = !isHeading && matches(*item);
         m_list->setRowHidden(row, !isShown);
+        isAny = isAny || isShown;
         if (isHeading)
             heading = row;
         else if (isShown && heading >= 0)
             m_list->setRowHidden(heading, false);
     }
+    m_list->setVisible(isAny);
+    m_noneFits->setVisible(!isAny);
     keepCurrentInSight();
 }
 
@@ -691,6 +703,7 @@ void AssignPage::retell()
 {
     setTitle(tr("Assign lessons"));
     m_offersTitle->setText(tr("Lessons"));
+    m_noneFits->setText(tr("No lesson fits. Search for another word."));
     m_search->setPlaceholderText(tr("Search: a word, or the number of a tooth"));
     m_search->setToolTip(m_search->placeholderText());
     m_search->setAccessibleName(tr("Search the lessons"));

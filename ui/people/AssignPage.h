@@ -106,6 +106,7 @@ private:
     QLineEdit* m_search = nullptr;
     QStandardItemModel* m_offers = nullptr;
     QListView* m_list = nullptr;
+    QLabel* m_noneFits = nullptr;  ///< in its place
     AssignTerms* m_newTerms = nullptr;
     QLabel* m_where = nullptr;  ///< lessons are that are not shipped
     QPushButton* m_assign = nullptr;
