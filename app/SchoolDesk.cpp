@@ -105,6 +105,7 @@ core::Status SchoolDesk::openDatabase()
     options.mayMigrate = !m_address.isServer();
     auto opened = database::sql::Database::open(m_address, options);
     m_isDamaged = !opened && isDamage(opened.error().code);
+    m_isReadOnly = !m_address.isServer() && database::sql::isReadOnly(m_address.file);
     if (!opened)
         return tl::unexpected(opened.error());
     m_database = std::move(*opened);
@@ -114,11 +115,16 @@ core::Status SchoolDesk::openDatabase()
     return {};
 }
 
-/// With a database that was away: tries again.
+/// With a database that was away, or that could not be written: tries again.
 core::Status SchoolDesk::connect()
 {
     if (!m_database)
         return openDatabase();
+    if (m_isReadOnly && !database::sql::isReadOnly(m_address.file)) {
+        m_school.reset();
+        m_database.reset();
+        return openDatabase();
+    }
     if (auto there = m_database->stillThere(); !there) {
         if (there.error().code == ErrorCode::FileMissing)
             return there;

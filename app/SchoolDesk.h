@@ -198,7 +198,8 @@ private:
     QHash<QString, int> m_hasFailed;  ///< what could not be delivered yet, and may be soon: as which failure of all
     int m_failures = 0;
     bool m_isLost = false;
-    bool m_isDamaged = false;  ///< the file, when it was opened last
+    bool m_isDamaged = false;   ///< the file, when it was opened last
+    bool m_isReadOnly = false;  ///< then
 };
 
 }  // namespace app

@@ -7,8 +7,10 @@
 #include <QFileInfo>
 #include <QSqlDriver>
 #include <QVariant>
+#include <fcntl.h>
 #include <sqlite3.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "database/sql/Backups.h"
 #include "database/sql/Dialect.h"
@@ -64,6 +66,17 @@ core::Status examine(const QSqlDatabase& db)
     return {};
 }
 
+/// What SQLite has put beside a file that could not be written stays as the file was then, and would keep it from being
+/// written for ever.
+void freeBesides(const QString& path)
+{
+    if (isReadOnly(path))
+        return;
+    for (const char* end : kBeside)
+        if (const QString beside = path + QLatin1String(end); !QFileInfo(beside).isSymLink() && isReadOnly(beside))
+            QFile::setPermissions(beside, QFile::permissions(path));
+}
+
 core::Status set(const QSqlDatabase& db, const QStringList& settings)
 {
     for (const QString& setting : settings)
@@ -103,6 +116,11 @@ core::Status configure(const QSqlDatabase& db, FileSystem fileSystem)
 }
 
 }  // namespace
+
+bool isReadOnly(const QString& file)
+{
+    return QFileInfo(file).isFile() && faccessat(AT_FDCWD, QFile::encodeName(file).constData(), W_OK, AT_EACCESS) != 0;
+}
 
 QStringList wholeOf(const QString& file)
 {
@@ -163,9 +181,11 @@ core::Result<std::unique_ptr<Database>> Database::open(const QString& where, std
 
 core::Result<std::unique_ptr<Database>> Database::open(const Address& address, const Options& options)
 {
-    if (!address.isServer())
+    if (!address.isServer()) {
         if (auto fit = checkPlace(address.file); !fit)
             return tl::unexpected(fit.error());
+        freeBesides(address.file);
+    }
     // Names and marks of people are for who runs the place. SQLite would let everybody read them; what it puts beside
     // the file it makes as the file is. From the first moment: who has it open reads on. Where it cannot be made SQLite
     // says why.

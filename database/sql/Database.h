@@ -26,6 +26,9 @@ inline constexpr std::array kBeside{"-journal", "-wal", "-shm"};
 /// folder, a pipe, a device, a file of several names; see removeLeftNames(). The file itself is not opened.
 [[nodiscard]] core::Status checkPlace(const QString& path);
 
+/// Whether the file is there and who runs the program may not write it.
+[[nodiscard]] bool isReadOnly(const QString& file);
+
 /// One open SQLite file or PostgreSQL database, brought to the newest schema. Belongs to the thread that opened it;
 /// close it before the QCoreApplication ends.
 class Database

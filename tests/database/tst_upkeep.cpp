@@ -163,6 +163,7 @@ private slots:
     void aBackupThatCannotBeUsedReplacesNothing();
     void aFullDiskIsLookedAtAndBackedUp();
     void whatCannotBeWrittenIsLookedAtAndBackedUp();
+    void whatCouldNotBeWrittenOnceCanBeLater();
     void aLogIsNeverThrownAway();
     void backupsAndMigrationsAtOnceLeaveEachOtherAlone();
     void aCrashedFileIsKnownByItsLog();
@@ -477,6 +478,39 @@ void TestUpkeep::whatCannotBeWrittenIsLookedAtAndBackedUp()
     // What was read while its owner wrote is told of nobody.
     QVERIFY(runOn(file, "UPDATE people SET given_name = 'Eve'"));
     VERIFY_REFUSED((*looked)->stayedAsItWas(), ErrorCode::Busy);
+}
+
+/// What SQLite puts beside a file that may not be written may not be written either, and stays there.
+void TestUpkeep::whatCouldNotBeWrittenOnceCanBeLater()
+{
+    QTemporaryDir folder;
+    SchoolRig rig(false);
+    rig.populate();
+    const QString file = folder.filePath("school.sqlite");
+    {
+        QTemporaryDir elsewhere;
+        QVERIFY(QFile::copy(backUp(rig.school().db, elsewhere.path(), rig.nowUtc).value(), file));
+        QVERIFY(runOn(file, "PRAGMA journal_mode = WAL"));
+    }
+    // To root no file is closed.
+    constexpr uid_t kNobody = 65534;
+    const uid_t me = geteuid();
+    QCOMPARE(chmod(qPrintable(folder.path()), 0777), 0);
+    QCOMPARE(chmod(qPrintable(file), 0444), 0);
+    QCOMPARE(me == 0 ? chown(qPrintable(file), kNobody, kNobody) : 0, 0);
+    QCOMPARE(me == 0 ? seteuid(kNobody) : 0, 0);
+    const auto back = qScopeGuard([me] { QCOMPARE(seteuid(me), 0); });
+    QVERIFY(isReadOnly(file));
+    const QString change = "UPDATE people SET given_name = 'Eve'";
+    const auto closed = Database::open(file);
+    QVERIFY(!closed || !execute((*closed)->handle(), change, "write"));
+    QVERIFY(isReadOnly(file + "-shm"));
+
+    QCOMPARE(chmod(qPrintable(file), 0644), 0);
+    QVERIFY(!isReadOnly(file));
+    const auto open = Database::open(file);
+    VERIFY_DONE(open);
+    VERIFY_DONE(execute((*open)->handle(), change, "write"));
 }
 
 /// A damaged file keeps its log beside it; one without its file is kept, too. Nothing of it, nor of what was shared
