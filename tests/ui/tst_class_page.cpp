@@ -518,6 +518,10 @@ void TestClassPage::aLessonIsChosen()
     m_page->findChild<QComboBox*>("classChooser")->setCurrentIndex(1);
     QCOMPARE(classes.count(), 1);
     QCOMPARE(classes[0][0].toLongLong(), 8);
+    ClassOverview other = overview(4, 6);
+    other.id = {8};
+    m_page->setOverview(other, kNow);  // to be compared
+    QCOMPARE(m_page->chosenLesson(), QString("lesson-11"));
 }
 
 void TestClassPage::allClassesAreSeenInTheListThatOpens()

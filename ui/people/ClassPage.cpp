@@ -454,7 +454,10 @@ QString ClassPage::chosenLesson() const
 
 void ClassPage::fillLessons()
 {
-    const QString kept = chosenLesson();
+    // Of one class after the other one wants to see the same.
+    if (!chosenLesson().isEmpty())
+        m_lastLesson = chosenLesson();
+    const QString kept = m_lastLesson;
     const QSignalBlocker quiet(m_lesson);
     m_lesson->clear();
     const std::vector<std::string>& lessons = m_model->overview().lessons;
@@ -503,6 +506,7 @@ void ClassPage::forget()
 {
     m_isListed = false;
     listClasses({});
+    m_lastLesson.clear();
 }
 
 void ClassPage::tellNeeds()

@@ -156,6 +156,7 @@ private:
     QWidget* m_charts = nullptr;
     QLabel* m_lessonWord = nullptr;
     QComboBox* m_lesson = nullptr;
+    QString m_lastLesson;  ///< that was chosen, also while there is none
     QLabel* m_said = nullptr;
     std::function<QString()> m_saying;
     charts::ChartPanel* m_distribution = nullptr;
