@@ -200,6 +200,8 @@ private slots:
     void aHalfFilledFormIsPutAside();
     void peoplesColumnsShareTheWidth();
     void whoWasEnteredIsSeenInTheList();
+    void whoIsChosenIsInSightAfterASearch();
+    void theWidestOfAColumnIsMeasured();
     void aClassListIsChosenWhereTheLastOneLay();
     void presetsAreFoundFromTheSchoolAndFromOnesPlace();
     void theChosenPartOfTheSchoolIsReadWhole();
@@ -1740,6 +1742,49 @@ void TestMainWindow::whoWasEnteredIsSeenInTheList()
     QCOMPARE(rows.size(), 1);
     QVERIFY(rows.front().row() > 100);
     QTRY_VERIFY(table->viewport()->rect().contains(table->visualRect(rows.front()).center()));
+}
+
+/// What is searched for is found again when the search ends; what is only read once more moves nothing.
+void TestMainWindow::whoIsChosenIsInSightAfterASearch()
+{
+    ui::admin::PeoplePart& people = openPeople();
+    QList<database::Person> all;
+    for (int k = 1001; k <= 3000; ++k)
+        all << someone(k, "Ada", true);
+    people.setPeople(all, {});
+    const auto* table = child<QTableView>("people");
+    const auto isSeen = [table] {
+        const QModelIndexList rows = table->selectionModel()->selectedRows();
+        return rows.size() == 1 && table->viewport()->rect().contains(table->visualRect(rows.front()).center());
+    };
+    auto* search = people.findChild<QLineEdit*>("peopleSearch");
+    search->setText("s2500");
+    choosePerson(0);
+    search->clear();
+    QVERIFY(isSeen());
+    QScrollBar* bar = table->verticalScrollBar();
+    QVERIFY(bar->value() > 100);
+
+    bar->setValue(bar->value() / 2);
+    const int scrolled = bar->value();
+    QVERIFY(!isSeen());
+    people.setPeople(all, {});
+    QCOMPARE(bar->value(), scrolled);
+    QCOMPARE(table->selectionModel()->selectedRows().size(), 1);
+}
+
+/// Of many that have as many letters.
+void TestMainWindow::theWidestOfAColumnIsMeasured()
+{
+    ui::admin::PeoplePart& people = openPeople();
+    QList<database::Person> all;
+    for (int k = 1; k <= 60; ++k)
+        all << someone(k, k < 50 ? "Williwilli Illitilli" : "Wammwamma Mammawammw", true);
+    people.setPeople(all, {});
+    const auto* table = child<QTableView>("people");
+    for (int row = 0; row < table->model()->rowCount(); ++row)
+        QVERIFY2(table->columnWidth(0) >= table->sizeHintForIndex(table->model()->index(row, 0)).width(),
+                 qPrintable(table->model()->index(row, 0).data().toString()));
 }
 
 void TestMainWindow::aClassListIsChosenWhereTheLastOneLay()

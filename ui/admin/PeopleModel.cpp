@@ -4,19 +4,14 @@
 #include <algorithm>
 #include <numeric>
 
+#include <QHash>
+
 #include "ui/shell/Theme.h"
 
 namespace ui::admin {
 namespace {
 
 constexpr qsizetype kMeasured = 16;
-constexpr char16_t kFirstWide = 0x1100;  ///< from here on letters are about as wide as high
-
-qsizetype lettersOf(const QString& words)
-{
-    return words.size() +
-           std::count_if(words.begin(), words.end(), [](QChar one) { return one.unicode() >= kFirstWide; });
-}
 
 }  // namespace
 
@@ -33,16 +28,26 @@ void PeopleModel::setRows(const QList<Row>& rows)
     endResetModel();
 }
 
-QList<QModelIndex> PeopleModel::longest(int column) const
+QList<QModelIndex> PeopleModel::widest(int column, const QFontMetricsF& letters) const
 {
-    const auto place = static_cast<std::size_t>(column);
-    QList<qsizetype> letters;
-    for (const Row& row : m_rows)
-        letters << lettersOf(row.words.at(place));
+    // To measure a word takes some hundred times as long as to look up its letters.
+    QHash<QChar, double> known;
+    const auto widthOf = [&](QChar letter) {
+        auto found = known.constFind(letter);
+        if (found == known.constEnd())
+            found = known.insert(letter, letters.horizontalAdvance(letter));
+        return *found;
+    };
+    QList<double> widthPx;
+    for (const Row& row : m_rows) {
+        const QString& words = row.words.at(static_cast<std::size_t>(column));
+        widthPx << std::accumulate(words.begin(), words.end(), 0.0,
+                                   [&](double sum, QChar letter) { return sum + widthOf(letter); });
+    }
     QList<int> rows(m_rows.size());
     std::iota(rows.begin(), rows.end(), 0);
     const auto last = rows.begin() + std::min(kMeasured, rows.size());
-    std::partial_sort(rows.begin(), last, rows.end(), [&](int a, int b) { return letters[a] > letters[b]; });
+    std::partial_sort(rows.begin(), last, rows.end(), [&](int a, int b) { return widthPx[a] > widthPx[b]; });
     QList<QModelIndex> found;
     std::transform(rows.begin(), last, std::back_inserter(found), [&](int row) { return index(row, column); });
     return found;
@@ -72,7 +77,7 @@ QVariant PeopleModel::data(const QModelIndex& index, int role) const
     case Id:
         return row.id;
     case SortBy:
-        return index.column() == Name        ? row.familyName + u' ' + words
+        return index.column() == Name        ? row.familyName + u' ' + words + u' ' + row.words[Username]
                : index.column() == LastLogin ? row.lastLoginUtc
                                              : words;
     default:

@@ -4,6 +4,7 @@
 #include <array>
 
 #include <QAbstractTableModel>
+#include <QFontMetricsF>
 #include <QList>
 #include <QStringList>
 
@@ -30,8 +31,8 @@ public:
 
     void setHeads(const QStringList& heads);
     void setRows(const QList<Row>& rows);
-    /// Those of most letters in a column; one of them is the widest.
-    [[nodiscard]] QList<QModelIndex> longest(int column) const;
+    /// The widest of a column, as far as the widths of single letters tell: one of them is it.
+    [[nodiscard]] QList<QModelIndex> widest(int column, const QFontMetricsF& letters) const;
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;

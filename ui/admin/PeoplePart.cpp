@@ -17,6 +17,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QSignalBlocker>
 #include <QStyleHints>
 #include <QTimer>
@@ -387,6 +388,10 @@ QString PeoplePart::stateOf(const Person& person, const std::string& nowUtc) con
 void PeoplePart::fill()
 {
     const QSignalBlocker quiet(m_table->selectionModel());
+    // What is read once more stays where it was, and who is chosen in sight, unless he was out of it.
+    const int scrolled = m_table->verticalScrollBar()->value();
+    const QModelIndex before = rowOfChosen();
+    const bool wasSeen = !before.isValid() || m_table->viewport()->rect().intersects(m_table->visualRect(before));
     const std::string now = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
     QList<PeopleModel::Row> rows;
     rows.reserve(m_people.size());
@@ -404,7 +409,21 @@ void PeoplePart::fill()
     }
     m_rows->setRows(rows);
     fitColumns();
-    filter();
+    showFound();
+    m_table->doItemsLayout();
+    m_table->verticalScrollBar()->setValue(scrolled);
+    if (const QModelIndex chosen = rowOfChosen(); wasSeen && chosen.isValid())
+        m_table->scrollTo(chosen);
+}
+
+/// Among those that are shown.
+QModelIndex PeoplePart::rowOfChosen() const
+{
+    for (int row = 0; row < m_shown->rowCount() && m_chosen != 0; ++row)
+        if (const QModelIndex index = m_shown->index(row, PeopleModel::Name);
+            index.data(PeopleModel::Id).toLongLong() == m_chosen)
+            return index;
+    return {};
 }
 
 /// Of all persons, whoever is searched for.
@@ -412,9 +431,10 @@ void PeoplePart::fitColumns()
 {
     m_shown->setWords({});
     m_widths.clear();
+    const QFontMetricsF letters(m_table->font());
     for (int column = 0; column < PeopleModel::Columns; ++column) {
         int widest = 0;
-        for (const QModelIndex& one : m_rows->longest(column))
+        for (const QModelIndex& one : m_rows->widest(column, letters))
             widest = std::max(widest, m_table->sizeHintForIndex(m_shown->mapFromSource(one)).width() + 1);
         m_widths << std::max(m_table->horizontalHeader()->sectionSizeHint(column), std::min(widest, kMostFittedPx));
     }
@@ -460,19 +480,22 @@ bool PeoplePart::eventFilter(QObject* watched, QEvent* event)
 
 void PeoplePart::filter()
 {
+    showFound();
+    m_table->doItemsLayout();  // else it does not know yet where he lies
+    if (const QModelIndex chosen = rowOfChosen(); chosen.isValid())
+        m_table->scrollTo(chosen);
+}
+
+void PeoplePart::showFound()
+{
     // Whom the form shows stays there: of a row that is hidden the table chooses the neighbour. When the search no
     // longer hides him he is marked again.
     const QSignalBlocker quiet(m_table->selectionModel());
     m_shown->setWords(m_search->text());
     m_count->setText(tr("%Ln person(s)", nullptr, m_shown->rowCount()));
     m_table->clearSelection();
-    for (int row = 0; row < m_shown->rowCount() && m_chosen != 0; ++row)
-        if (const QModelIndex index = m_shown->index(row, PeopleModel::Name);
-            index.data(PeopleModel::Id).toLongLong() == m_chosen) {
-            m_table->selectRow(row);
-            // When the table knows how many rows it has by now.
-            QTimer::singleShot(0, this, [this, at = QPersistentModelIndex(index)] { m_table->scrollTo(at); });
-        }
+    if (const QModelIndex chosen = rowOfChosen(); chosen.isValid())
+        m_table->selectRow(chosen.row());
     m_table->viewport()->update();
 }
 

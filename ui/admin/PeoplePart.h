@@ -10,6 +10,7 @@
 #include <QJsonArray>
 #include <QJsonObject>
 #include <QList>
+#include <QModelIndex>
 #include <QSet>
 #include <QString>
 #include <QWidget>
@@ -127,6 +128,8 @@ private:
     void fitColumns();
     void shareWidth();
     void filter();
+    void showFound();
+    [[nodiscard]] QModelIndex rowOfChosen() const;
     void choose(qint64 person);
     void select(qint64 person);
     void putAside();
