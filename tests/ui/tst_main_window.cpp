@@ -1686,6 +1686,7 @@ void TestMainWindow::peoplesColumnsAreMeasuredByAllOfThem()
     for (int k = 0; k < 1200; ++k)
         all << someone(k + 1, "Ada", true);
     all.back().role = database::Role::Instructor;
+    all.back().familyName = "Zuse";  // and so the last
     const auto* table = child<QTableView>("people");
     const auto fits = [table] {
         const QModelIndex last = table->model()->index(table->model()->rowCount() - 1, 2);
