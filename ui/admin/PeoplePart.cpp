@@ -390,7 +390,7 @@ void PeoplePart::fill()
     const QSignalBlocker quiet(m_table->selectionModel());
     // What is read once more stays where it was, and who is chosen in sight, unless he was out of it.
     const int scrolled = m_table->verticalScrollBar()->value();
-    const QModelIndex before = rowOfChosen();
+    const QModelIndex before = rowOf(m_chosen);
     const bool wasSeen = !before.isValid() || m_table->viewport()->rect().intersects(m_table->visualRect(before));
     const std::string now = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
     QList<PeopleModel::Row> rows;
@@ -412,16 +412,16 @@ void PeoplePart::fill()
     showFound();
     m_table->doItemsLayout();
     m_table->verticalScrollBar()->setValue(scrolled);
-    if (const QModelIndex chosen = rowOfChosen(); wasSeen && chosen.isValid())
+    if (const QModelIndex chosen = rowOf(m_chosen); wasSeen && chosen.isValid())
         m_table->scrollTo(chosen);
 }
 
 /// Among those that are shown.
-QModelIndex PeoplePart::rowOfChosen() const
+QModelIndex PeoplePart::rowOf(qint64 person) const
 {
-    for (int row = 0; row < m_shown->rowCount() && m_chosen != 0; ++row)
+    for (int row = 0; row < m_shown->rowCount() && person != 0; ++row)
         if (const QModelIndex index = m_shown->index(row, PeopleModel::Name);
-            index.data(PeopleModel::Id).toLongLong() == m_chosen)
+            index.data(PeopleModel::Id).toLongLong() == person)
             return index;
     return {};
 }
@@ -482,7 +482,7 @@ void PeoplePart::filter()
 {
     showFound();
     m_table->doItemsLayout();  // else it does not know yet where he lies
-    if (const QModelIndex chosen = rowOfChosen(); chosen.isValid())
+    if (const QModelIndex chosen = rowOf(m_chosen); chosen.isValid())
         m_table->scrollTo(chosen);
 }
 
@@ -494,7 +494,7 @@ void PeoplePart::showFound()
     m_shown->setWords(m_search->text());
     m_count->setText(tr("%Ln person(s)", nullptr, m_shown->rowCount()));
     m_table->clearSelection();
-    if (const QModelIndex chosen = rowOfChosen(); chosen.isValid())
+    if (const QModelIndex chosen = rowOf(m_chosen); chosen.isValid())
         m_table->selectRow(chosen.row());
     m_table->viewport()->update();
 }
@@ -547,11 +547,10 @@ void PeoplePart::choose(qint64 person)
 
 void PeoplePart::select(qint64 person)
 {
-    for (int row = 0; row < m_shown->rowCount(); ++row)
-        if (m_shown->index(row, PeopleModel::Name).data(PeopleModel::Id).toLongLong() == person) {
-            m_table->setCurrentIndex(m_shown->index(row, PeopleModel::Name));
-            return;
-        }
+    if (const QModelIndex row = rowOf(person); row.isValid()) {
+        m_table->setCurrentIndex(row);
+        return;
+    }
     m_table->clearSelection();
     m_table->setCurrentIndex({});
     choose(person);

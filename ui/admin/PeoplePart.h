@@ -129,7 +129,7 @@ private:
     void shareWidth();
     void filter();
     void showFound();
-    [[nodiscard]] QModelIndex rowOfChosen() const;
+    [[nodiscard]] QModelIndex rowOf(qint64 person) const;
     void choose(qint64 person);
     void select(qint64 person);
     void putAside();
