@@ -453,14 +453,16 @@ void Application::restore(const database::Session& who)
 void Application::backUpToday()
 {
     const QDateTime now = QDateTime::currentDateTimeUtc();
-    if (m_window->isNewSchool() || !isBackupDue(*m_address, now))
+    if (m_isBackingUp || m_window->isNewSchool() || !isBackupDue(*m_address, now))
         return;
+    m_isBackingUp = true;
     m_desk->askBeside(
         this,
         [address = *m_address, folder = m_stationFolder, now, isStopped = m_backupIsStopped](const School& school) {
             return makeBackup(school, address, folder, now, [isStopped](int, int) { return !*isStopped; });
         },
         [this](const core::Result<MadeBackup>& made) {
+            m_isBackingUp = false;
             if (m_who.role() != database::Role::Admin)
                 return;
             if (!made)

@@ -213,6 +213,7 @@ private:
     QString m_backup;            ///< that can be put in the place of the database; empty: none
     QTimer m_openWatch;          ///< tries again what a server or another program has held up
     QTimer m_backupWatch{this};  ///< a window may stay open for weeks
+    bool m_isBackingUp = false;  ///< today's backup, which a slow disk may take long for
     int m_doorTurn = 0;          ///< grows when nobody waits for an answer at the door any more
     bool m_isOnNetworkDrive = false;
     std::string m_ownHash;  ///< of the password of who works here: unlocks his place where the database is away
