@@ -115,11 +115,30 @@ core::Status configure(const QSqlDatabase& db, FileSystem fileSystem)
     return execute(db, QStringLiteral("PRAGMA application_id = %1").arg(dialect::kApplicationId), "set it up");
 }
 
+/// Whether this process may write it, whoever started it.
+bool mayWrite(const QString& path)
+{
+    return faccessat(AT_FDCWD, QFile::encodeName(path).constData(), W_OK, AT_EACCESS) == 0;
+}
+
+/// Why nothing can be put into a folder that is not there.
+core::Error noFolder(const QString& path)
+{
+    QString above = QFileInfo(path).absolutePath();
+    while (!QFileInfo::exists(above))
+        above = QFileInfo(above).absolutePath();
+    if (mayWrite(above))
+        return {ErrorCode::FileMissing, head(path) + "the folder does not exist; create it or choose another place"};
+    return {ErrorCode::FileUnwritable, head(path) + "the folder does not exist, and none can be created in " +
+                                           above.toStdString() +
+                                           "; choose another place, or see that this folder can be written"};
+}
+
 }  // namespace
 
 bool isReadOnly(const QString& file)
 {
-    return QFileInfo(file).isFile() && faccessat(AT_FDCWD, QFile::encodeName(file).constData(), W_OK, AT_EACCESS) != 0;
+    return QFileInfo(file).isFile() && !mayWrite(file);
 }
 
 QStringList wholeOf(const QString& file)
@@ -140,8 +159,7 @@ core::Status checkPlace(const QString& path)
         return core::unexpected(ErrorCode::FileUnreadable, head(path) + "this is a folder; name a file inside it");
     if (!info.exists()) {
         if (!QFileInfo(info.absolutePath()).isDir())
-            return core::unexpected(ErrorCode::FileMissing,
-                                    head(path) + "the folder does not exist; create it or choose another place");
+            return tl::unexpected(noFolder(path));
         return {};
     }
     if (!info.isFile())

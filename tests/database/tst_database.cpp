@@ -2,12 +2,14 @@
 #include <QCryptographicHash>
 #include <QFile>
 #include <QFileInfo>
+#include <QScopeGuard>
 #include <QSqlQuery>
 #include <QStorageInfo>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QUrl>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "database/FileSystem.h"
 #include "database/sql/Database.h"
@@ -224,14 +226,17 @@ void TestDatabase::refusesAPlaceThatCannotBeWritten()
     if (QFileInfo(QStringLiteral("/proc")).isDir())
         REFUSED(proc, ErrorCode::FileUnwritable, "choose a folder that exists and is writable");
 
-    const QString path = at("locked-folder.db");
-    QVERIFY(QFile::setPermissions(m_folder->path(), QFile::ReadOwner | QFile::ExeOwner));
-    const bool rootWritesAnyway = QFile(path).open(QIODevice::WriteOnly);
-    if (!rootWritesAnyway)
-        REFUSED(path, ErrorCode::FileUnwritable, "writable");
-    QVERIFY(QFile::setPermissions(m_folder->path(), QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner));
-    if (rootWritesAnyway)
-        QSKIP("this user may write into a read-only folder; only /proc was tried");
+    QVERIFY(chmod(qPrintable(m_folder->path()), 0555) == 0);
+    // To root no folder is closed.
+    constexpr uid_t kNobody = 65534;
+    const uid_t me = geteuid();
+    QCOMPARE(me == 0 ? seteuid(kNobody) : 0, 0);
+    const auto back = qScopeGuard([this, me] {
+        QCOMPARE(seteuid(me), 0);
+        QCOMPARE(chmod(qPrintable(m_folder->path()), 0700), 0);
+    });
+    REFUSED(at("locked-folder.db"), ErrorCode::FileUnwritable, "choose a folder that exists and is writable");
+    REFUSED(at("missing/deep/new.db"), ErrorCode::FileUnwritable, "none can be created in " + m_folder->path());
 }
 
 void TestDatabase::refusesWhatIsNotADatabase()
