@@ -602,9 +602,12 @@ int makeUpSchool(const QCommandLineParser& parser, const Address& address)
 /// Of some times, ms: the first, for which nothing was at hand yet; the median; and what 99 in a hundred are within.
 QJsonObject timesOf(std::vector<double> ms)
 {
+    const auto rounded = [](double time) { return std::round(time * 100.0) / 100.0; };
     const double first = ms.front();
     std::sort(ms.begin(), ms.end());
-    return {{"first_ms", first}, {"p50_ms", ms[ms.size() / 2]}, {"p99_ms", ms[(ms.size() * 99 + 99) / 100 - 1]}};
+    return {{"first_ms", rounded(first)},
+            {"p50_ms", rounded(ms[ms.size() / 2])},
+            {"p99_ms", rounded(ms[(ms.size() * 99 + 99) / 100 - 1])}};
 }
 
 /// How long the pages take that a student and a teacher open most, and an export, of what is there.
