@@ -809,8 +809,8 @@
         <translation>Die Referenz wurde nicht gespeichert. %1</translation>
     </message>
     <message>
-        <source>Another program is writing to it. Try again in a moment.</source>
-        <translation>Ein anderes Programm schreibt gerade hinein. Versuchen Sie es gleich noch einmal.</translation>
+        <source>Another program is writing to the school&apos;s data. Try again in a moment.</source>
+        <translation>Ein anderes Programm schreibt gerade in die Daten der Schule. Versuchen Sie es gleich noch einmal.</translation>
     </message>
     <message>
         <source>The school&apos;s server does not answer. Cusp tries again by itself.</source>

@@ -809,7 +809,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Another program is writing to it. Try again in a moment.</source>
+        <source>Another program is writing to the school&apos;s data. Try again in a moment.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -809,8 +809,8 @@
         <translation>La referencia no se guardó. %1</translation>
     </message>
     <message>
-        <source>Another program is writing to it. Try again in a moment.</source>
-        <translation>Otro programa está escribiendo en él. Inténtelo de nuevo en un momento.</translation>
+        <source>Another program is writing to the school&apos;s data. Try again in a moment.</source>
+        <translation>Otro programa está escribiendo en los datos de la escuela. Inténtelo de nuevo en un momento.</translation>
     </message>
     <message>
         <source>The school&apos;s server does not answer. Cusp tries again by itself.</source>

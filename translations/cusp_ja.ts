@@ -749,8 +749,8 @@
         <translation>この課題とは別の歯、または別のう蝕で作られています。課題の作成者に問い合わせてください。</translation>
     </message>
     <message>
-        <source>Another program is writing to it. Try again in a moment.</source>
-        <translation>別のプログラムが書き込み中です。少し待ってからもう一度お試しください。</translation>
+        <source>Another program is writing to the school&apos;s data. Try again in a moment.</source>
+        <translation>別のプログラムが学校のデータに書き込み中です。少し待ってからもう一度お試しください。</translation>
     </message>
     <message>
         <source>The school&apos;s server does not answer. Cusp tries again by itself.</source>

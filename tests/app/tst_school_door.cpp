@@ -166,7 +166,7 @@ void TestSchoolDoor::aLockedDatabaseIsTriedAgain()
     start();
     QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("tryAgain")->isVisible(), kPatienceMs);
     QVERIFY(!child<QPushButton>("restoreBackup")->isVisible());
-    QVERIFY2(saidAtDoor().contains("Another program is writing to it"), qPrintable(saidAtDoor()));
+    QVERIFY2(saidAtDoor().contains("Another program is writing to the school's data"), qPrintable(saidAtDoor()));
     other.reset();
     click("tryAgain");
     QTRY_VERIFY_WITH_TIMEOUT(!child<QPushButton>("tryAgain")->isVisible(), kPatienceMs);

@@ -163,7 +163,8 @@ QString reason(core::ErrorCode code, Failed failed)
         return QCoreApplication::translate("Error", "It was made on another tooth, or with another decay, than this "
                                                     "lesson's. Ask who made the lesson.");
     case core::ErrorCode::Busy:
-        return QCoreApplication::translate("Error", "Another program is writing to it. Try again in a moment.");
+        return QCoreApplication::translate("Error",
+                                           "Another program is writing to the school's data. Try again in a moment.");
     case core::ErrorCode::OpenElsewhere:
         return QCoreApplication::translate(
             "Error",
