@@ -92,9 +92,8 @@ core::Status SchoolDesk::openDatabase()
 {
     // A drive that is not there, or a slip of the pen, does not begin a second school.
     if (!m_address.isServer() && !QFileInfo(m_folder).isDir())
-        return core::unexpected(ErrorCode::FileMissing, "database " + m_address.file.toStdString() +
-                                                            ": the folder does not exist; create it or choose another "
-                                                            "place");
+        if (auto there = database::sql::checkPlace(m_address.file); !there)
+            return there;
     if (!m_key) {
         auto key = keyOf(m_folder);
         if (!key)
