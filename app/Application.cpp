@@ -307,8 +307,12 @@ void Application::openDatabase()
     }
     m_where = address->isServer() ? address->shown() : QDir::toNativeSeparators(address->file);
     m_stationFolder = address->isServer() ? dataFolder() : QFileInfo(address->file).absolutePath();
-    if (m_options.database.isEmpty() || address->isServer())
-        QDir().mkpath(m_stationFolder);
+    // Whoever names a file has its folder.
+    const auto makeFolder = [this, isOurs = m_options.database.isEmpty() || address->isServer()] {
+        if (isOurs)
+            QDir().mkpath(m_stationFolder);
+    };
+    makeFolder();
     m_window->setPutByFolder(QDir(m_stationFolder).filePath(QStringLiteral("put-by")),
                              database::Outbox::schoolAt(*address, m_stationFolder));
     m_desk = std::make_unique<SchoolDesk>(*address, m_stationFolder, m_options.opening);
@@ -378,7 +382,8 @@ void Application::openDatabase()
         [this](const core::recording::Recording& recording, const QString& name) { putBeside(recording, name, {}); });
     connect(m_people.get(), &PeopleDesk::scoreWanted, this, &Application::showAttempt);
     connect(m_people.get(), &PeopleDesk::sheetWanted, this, &Application::showSheet);
-    const auto open = [this] {
+    const auto open = [this, makeFolder] {
+        makeFolder();  // the disk may be writable by now
         m_window->setOpening(true);
         m_desk->open(this, [this](const SchoolDesk::Opening& opening) { takeOpening(opening); });
     };
