@@ -234,6 +234,7 @@ private slots:
     void whyNothingIsDrilledFromBelowIsToldOnce();
     void troubleStaysOutOfTheWayUntilItIsThere();
 
+    void aMessageHasRoomForItsWords();
     void errorsStayAndComeBackAfterNews();
     void whatStaysCoversNoWayToAnotherPage();
     void anErrorGoesWithTheNextGoodTooth();
@@ -2418,6 +2419,27 @@ void TestMainWindow::whatStaysCoversNoWayToAnotherPage()
     QTRY_VERIFY(top() > bar->geometry().bottom());
     child<MessageBar>()->dismiss();
     QTRY_COMPARE(top(), 0);
+}
+
+/// On whatever page: of a word that takes the place of another, too.
+void TestMainWindow::aMessageHasRoomForItsWords()
+{
+    const auto expectRoom = [this] {
+        QTest::qWait(50);
+        for (const QLabel* words : child<MessageBar>()->findChildren<QLabel*>())
+            if (words->isVisible() && words->hasHeightForWidth())
+                QVERIFY2(words->height() >= words->heightForWidth(words->width()), qPrintable(words->text()));
+    };
+    m_window->showMessage("A word.");
+    expectRoom();
+    m_window->showMessage(QString("This sentence is long, and takes the place of one that was short. ").repeated(4));
+    expectRoom();
+    m_window->showError({core::ErrorCode::FileUnwritable, {}}, Failed::KeepingExam);
+    expectRoom();
+    m_window->openHistory();
+    expectRoom();
+    m_window->showNotKept({core::ErrorCode::FileUnwritable, {}});
+    expectRoom();
 }
 
 void TestMainWindow::errorsStayAndComeBackAfterNews()

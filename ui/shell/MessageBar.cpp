@@ -186,6 +186,8 @@ void MessageBar::placeIn(const QRect& area, Place place)
     if (width <= 0)
         return;
     layout()->invalidate();
+    for (QLayout* inner : layout()->findChildren<QLayout*>())
+        inner->invalidate();  // else the height is that of the words before
     const int height = layout()->hasHeightForWidth() ? layout()->totalHeightForWidth(width) : sizeHint().height();
     if (place == Place::OverTheView)
         setGeometry(area.center().x() - width / 2, area.top() + kSpace4, width, height);
