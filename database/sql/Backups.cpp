@@ -441,13 +441,22 @@ bool copyBytes(const QString& backup, const QString& copy, QFile::Permissions mo
     return from.error() == QFile::NoError && to.flush();
 }
 
+/// Whether the file is, or was before it was damaged, a school's: its head says so.
+bool isSchools(const QString& file)
+{
+    if (!QFileInfo(file).isFile())
+        return false;
+    const Reader reader(file);
+    const auto application = ask(reader.handle(), "PRAGMA application_id", "see whose it is");
+    return application && application->toInt() == dialect::kApplicationId;
+}
+
 /// Copies a backup and brings the copy to this program's schema: what cannot be used replaces nothing.
 core::Status makeReady(const QString& backup, const QString& copy, const QString& databaseFile,
                        const std::function<bool()>& goesOn)
 {
-    // As the file was whose place it takes: a backup may be read-only.
-    const QFileInfo target(databaseFile);
-    const QFile::Permissions mode = target.exists() ? target.permissions() | kOwners : kOwners;
+    // As the school was whose place it takes: a backup may be read-only, and nobody has chosen the mode of noise.
+    const QFile::Permissions mode = isSchools(databaseFile) ? QFile::permissions(databaseFile) | kOwners : kOwners;
     const core::Error noRoom = refusedThere(
         databaseFile, "it could not be copied there; make room on the disk, and check who may write there");
     if (!copyBytes(backup, copy, mode, goesOn))

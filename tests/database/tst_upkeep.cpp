@@ -637,6 +637,13 @@ void TestUpkeep::onlyTheOwnerReadsWhatIsKept()
     QVERIFY(QFile::setPermissions(restored, QFile::ReadOwner | QFile::WriteOwner | QFile::ReadGroup));
     VERIFY_DONE(restoreBackup(*backup, restored, rig.nowUtc));
     QVERIFY(QFile::permissions(restored) & QFile::ReadGroup);
+    // Nobody has said so of noise.
+    QFile noise(restored);
+    QVERIFY(noise.open(QIODevice::WriteOnly | QIODevice::Truncate) && noise.write(QByteArray(5000, 'n')) == 5000);
+    noise.close();
+    QVERIFY(noise.setPermissions(QFile::permissions(restored) | others));
+    VERIFY_DONE(restoreBackup(*backup, restored, rig.nowUtc));
+    QVERIFY(!(QFile::permissions(restored) & others));
     // For root every folder can be written: that nothing is made beside it is seen all the same.
     QCOMPARE(QDir(elsewhere.path()).entryList({"backup-*"}, QDir::Files).size(), 1);
 }
