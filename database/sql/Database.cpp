@@ -121,6 +121,13 @@ bool mayWrite(const QString& path)
     return faccessat(AT_FDCWD, QFile::encodeName(path).constData(), W_OK, AT_EACCESS) == 0;
 }
 
+/// There is a file, but it may not be written, or its folder may not: SQLite would only say that it "cannot open" it.
+bool isWhereNothingIsKept(const QString& path)
+{
+    const QFileInfo file(path);
+    return file.isFile() && !(mayWrite(path) && mayWrite(file.absolutePath()));
+}
+
 /// Why nothing can be put into a folder that is not there.
 core::Error noFolder(const QString& path)
 {
@@ -222,6 +229,12 @@ core::Result<std::unique_ptr<Database>> Database::open(const Address& address, c
         ready = {};
     if (ready)
         ready = database->bringToNewest(options);
+    if (!ready && !address.isServer() && ready.error().code == ErrorCode::FileUnwritable &&
+        isWhereNothingIsKept(address.file))
+        return core::unexpected(ErrorCode::FileUnwritable,
+                                head(address.file) +
+                                    "the file or its folder is read-only; make it writable, or copy it, with what lies "
+                                    "beside it, to another place and choose it there");
     if (!ready)
         return tl::unexpected(ready.error());
     return database;

@@ -460,7 +460,9 @@ void TestUpkeep::whatCannotBeWrittenIsLookedAtAndBackedUp()
         const uid_t me = geteuid();
         QCOMPARE(me == 0 ? seteuid(kNobody) : 0, 0);
         const auto back = qScopeGuard([me] { QCOMPARE(seteuid(me), 0); });
-        VERIFY_REFUSED(Database::open(file), ErrorCode::FileUnwritable);
+        const auto refused = Database::open(file);
+        VERIFY_REFUSED(refused, ErrorCode::FileUnwritable);
+        QVERIFY2(refused.error().detail.find("read-only") != std::string::npos, refused.error().detail.c_str());
         looked = Database::open(address, options);
         VERIFY_DONE(looked);
         QVERIFY(checkDatabase((*looked)->handle(), {})->findings.empty());
