@@ -120,6 +120,7 @@ void AuditPart::tell()
     m_code->setText(tr("Audit code now: %1. Every report shows the code of its day. Type one beside \"Check "
                        "everything\" (Backups) to see whether what was noted before it is still as it was.")
                         .arg(m_head));
+    m_code->setVisible(!m_head.isEmpty());  // of what could not be read there is none
     m_count->setText(m_isAsked ? QString() : countWords());
     m_older->setEnabled(m_hasOlder && !m_isAsked);
 }
