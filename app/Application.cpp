@@ -110,13 +110,20 @@ core::Result<lessons::Assignment> playedFor(const std::shared_ptr<const core::te
     return assignment;
 }
 
+/// Something is the matter with the school's file itself.
+bool isOfTheFile(core::ErrorCode code)
+{
+    using core::ErrorCode;
+    return code == ErrorCode::FileMissing || code == ErrorCode::FileUnreadable || code == ErrorCode::FileUnwritable ||
+           code == ErrorCode::BadStructure || code == ErrorCode::WrongKind;
+}
+
 /// The database was not asked at all: it says nothing of who may come in.
 bool isAway(core::ErrorCode code)
 {
     using core::ErrorCode;
-    return code == ErrorCode::ConnectionLost || code == ErrorCode::Busy || code == ErrorCode::OpenElsewhere ||
-           code == ErrorCode::FileMissing || code == ErrorCode::FileUnreadable || code == ErrorCode::FileUnwritable ||
-           code == ErrorCode::BadStructure || code == ErrorCode::WrongKind;
+    return code == ErrorCode::ConnectionLost || code == ErrorCode::ServerRefuses || code == ErrorCode::Busy ||
+           code == ErrorCode::OpenElsewhere || isOfTheFile(code);
 }
 
 /// What had been expected of an old attempt; what was to cost most is not kept.
@@ -307,12 +314,8 @@ void Application::openDatabase()
     }
     m_where = address->isServer() ? address->shown() : QDir::toNativeSeparators(address->file);
     m_stationFolder = address->isServer() ? dataFolder() : QFileInfo(address->file).absolutePath();
-    // Whoever names a file has its folder.
-    const auto makeFolder = [this, isOurs = m_options.database.isEmpty() || address->isServer()] {
-        if (isOurs)
-            QDir().mkpath(m_stationFolder);
-    };
-    makeFolder();
+    m_address = *address;
+    makeStationFolder();
     m_window->setPutByFolder(QDir(m_stationFolder).filePath(QStringLiteral("put-by")),
                              database::Outbox::schoolAt(*address, m_stationFolder));
     m_desk = std::make_unique<SchoolDesk>(*address, m_stationFolder, m_options.opening);
@@ -355,7 +358,17 @@ void Application::openDatabase()
         m_window->sayAtDoor([] { return tr("This account was disabled, and you were logged out. Ask an admin."); });
     });
     connect(m_desk.get(), &SchoolDesk::refused, this, &Application::leaveWithAnotherRole);
-    m_address = *address;
+    connect(m_desk.get(), &SchoolDesk::otherSchool, this, [this] {
+        m_window->adminPage().forgetCodes();
+        const bool wasIn = !m_who.isGuest();
+        if (wasIn)
+            leave();
+        m_desk->takeOtherSchool();
+        openSchool();
+        if (wasIn)
+            m_window->sayAtDoor(
+                [] { return tr("Another school is now where yours was, and you were logged out. Log in again."); });
+    });
     m_admin = std::make_unique<AdminDesk>(*m_window, *m_desk,
                                           AdminDesk::Place{*address, m_stationFolder, m_options.simulatedDevice,
                                                            1.0 / std::chrono::duration<double>(kServoPeriod).count()},
@@ -382,22 +395,46 @@ void Application::openDatabase()
         [this](const core::recording::Recording& recording, const QString& name) { putBeside(recording, name, {}); });
     connect(m_people.get(), &PeopleDesk::scoreWanted, this, &Application::showAttempt);
     connect(m_people.get(), &PeopleDesk::sheetWanted, this, &Application::showSheet);
-    const auto open = [this, makeFolder] {
-        makeFolder();  // the disk may be writable by now
-        m_window->setOpening(true);
-        m_desk->open(this, [this](const SchoolDesk::Opening& opening) { takeOpening(opening); });
-    };
     m_backupWatch.setObjectName(QStringLiteral("backupWatch"));
     m_backupWatch.setInterval(kBackupWatchMs);
     connect(&m_backupWatch, &QTimer::timeout, this, &Application::backUpToday);
     m_openWatch.setInterval(kOpenWatchMs);
-    connect(&m_openWatch, &QTimer::timeout, this, open);
-    connect(m_window.get(), &ui::shell::MainWindow::openAgainWanted, this, open);
+    connect(&m_openWatch, &QTimer::timeout, this, &Application::openSchool);
+    connect(m_window.get(), &ui::shell::MainWindow::openAgainWanted, this, &Application::openSchool);
     connect(m_window.get(), &ui::shell::MainWindow::restoreWanted, this, [this] { restore(m_who); });
     tellMayEdit();  // nobody is known yet
-    open();
+    openSchool();
     if (m_options.asksWho)
         m_window->askLogin();
+}
+
+/// Whoever names a file has its folder.
+void Application::makeStationFolder() const
+{
+    if (m_options.database.isEmpty() || m_address->isServer())
+        QDir().mkpath(m_stationFolder);
+}
+
+void Application::openSchool()
+{
+    makeStationFolder();  // the disk may be writable by now
+    m_window->setOpening(true);
+    m_desk->open(this, [this](const SchoolDesk::Opening& opening) { takeOpening(opening); });
+}
+
+/// Where the file is not what it was, the door tells what there is to go back to.
+void Application::refuseAtDoor(const core::Error& why)
+{
+    if (!m_desk || m_address->isServer() || !isOfTheFile(why.code)) {
+        m_window->refuseLogin(why);
+        return;
+    }
+    m_desk->open(this, [this, why](const SchoolDesk::Opening& opening) {
+        if (opening.status)
+            m_window->refuseLogin(why);
+        else
+            takeOpening(opening);
+    });
 }
 
 void Application::takeOpening(const SchoolDesk::Opening& opening)
@@ -411,8 +448,8 @@ void Application::takeOpening(const SchoolDesk::Opening& opening)
         if (!m_options.asksWho && !m_openWatch.isActive())
             m_window->showError(error, Failed::KeepingGrades, m_options.database);
         // A server may come back; a file that cannot be used does not by itself.
-        if (error.code == core::ErrorCode::ConnectionLost || error.code == core::ErrorCode::Busy ||
-            error.code == core::ErrorCode::OpenElsewhere)
+        if (error.code == core::ErrorCode::ConnectionLost || error.code == core::ErrorCode::ServerRefuses ||
+            error.code == core::ErrorCode::Busy || error.code == core::ErrorCode::OpenElsewhere)
             m_openWatch.start();
         return;
     }
@@ -522,7 +559,7 @@ void Application::connectDoor()
                       if (isOwner && isAway(why.code))
                           unlockAlone(password, why);
                       else
-                          m_window->refuseLogin(why);
+                          refuseAtDoor(why);
                   });
     });
     connect(m_window.get(), &MainWindow::codeWanted, this,
@@ -572,7 +609,7 @@ void Application::askAtDoor(const std::function<core::Result<database::Session>(
         else if (refuse)
             refuse(who.error());
         else
-            m_window->refuseLogin(who.error());
+            refuseAtDoor(who.error());
     };
     if (!m_desk) {
         answer(tl::unexpected(m_whyNoDesk));
@@ -604,7 +641,7 @@ void Application::readOwnHash()
 void Application::unlockAlone(const QString& password, const core::Error& why)
 {
     if (m_ownHash.empty()) {
-        m_window->refuseLogin(why);
+        refuseAtDoor(why);
         return;
     }
     const auto now = std::chrono::steady_clock::now();

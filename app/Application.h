@@ -76,6 +76,9 @@ private:
     Application(const WindowOptions& options, std::unique_ptr<core::session::ServoTick> tick);
 
     void openDatabase();
+    void makeStationFolder() const;
+    void openSchool();
+    void refuseAtDoor(const core::Error& why);
     void takeOpening(const SchoolDesk::Opening& opening);
     /// @param who  wants it; a guest, where there is nobody to ask
     void restore(const database::Session& who);

@@ -107,11 +107,37 @@ core::Status SchoolDesk::openDatabase()
     m_isReadOnly = !m_address.isServer() && database::sql::isReadOnly(m_address.file);
     if (!opened)
         return tl::unexpected(opened.error());
+    if (auto same = expectSameSchool((*opened)->handle()); !same)
+        return same;
     m_database = std::move(*opened);
     m_allowsOthers = m_database->allowsOthers();
     const QSqlDatabase db = m_database->handle();
     m_school = std::make_unique<database::sql::School>(database::sql::School{db, *m_key, database::sql::clockOf(db)});
     return {};
+}
+
+/// Who logged in to one school is nobody in another whose file has been put into its place, a copy of it included.
+core::Status SchoolDesk::expectSameSchool(const QSqlDatabase& db)
+{
+    if (m_address.isServer())
+        return {};
+    const std::string school = database::sql::schoolOf(db).value_or(std::string());
+    if (m_known.empty())
+        m_known = school;
+    if (m_known == school)
+        return {};
+    QMetaObject::invokeMethod(
+        this, [this] { emit otherSchool(); }, Qt::QueuedConnection);
+    return core::unexpected(ErrorCode::OtherSchool, "database " + m_address.file.toStdString() +
+                                                        ": another school's file has taken its place; log in again");
+}
+
+void SchoolDesk::takeOtherSchool()
+{
+    post([this] {
+        if (!m_database)
+            m_known.clear();
+    });
 }
 
 /// With a database that was away, or that could not be written: tries again.
@@ -224,6 +250,7 @@ void SchoolDesk::restore(QObject* owner, const database::Session& session, const
         database::Outbox(outboxFolder(), m_key.value_or(database::StationKey::make()),
                          database::Outbox::schoolAt(m_address, m_folder))
             .sendAgain();
+        m_known.clear();  // a backup may be of the school that this one was copied from
         const auto replaced = database::sql::restoreBackup(backup, m_address.file, QDateTime::currentDateTimeUtc());
         Opening opening = tryToOpen();
         opening.replaced = replaced.value_or(QString());

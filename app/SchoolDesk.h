@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include <QHash>
 #include <QObject>
@@ -136,6 +137,9 @@ public:
     /// Tries to deliver what waits.
     void deliver();
 
+    /// After otherSchool(), when nobody is logged in any more: what is there now may be opened.
+    void takeOtherSchool();
+
 signals:
     /// The database has this attempt now.
     void delivered(const QString& uid);
@@ -145,6 +149,8 @@ signals:
     void disabled();
     /// Something is not allowed to who asked, whose role may have been changed since he logged in.
     void refused();
+    /// The file of another school has been put into the place of this one's; it is not opened.
+    void otherSchool();
     /// So many on their way cannot be delivered to this school, or with this station's key: they wait.
     void waitOn(int count);
     /// So many on their way were put there for other schools: they wait for them.
@@ -167,6 +173,7 @@ private:
     // What follows runs on the desk's thread.
     [[nodiscard]] core::Status connect();
     [[nodiscard]] core::Status openDatabase();
+    [[nodiscard]] core::Status expectSameSchool(const QSqlDatabase& db);
     [[nodiscard]] core::Status mayRestore(const database::Session& session);
     [[nodiscard]] Opening tryToOpen();
     [[nodiscard]] QString outboxFolder() const;
@@ -189,6 +196,7 @@ private:
 
     std::unique_ptr<database::sql::Database> m_database;
     std::unique_ptr<database::sql::School> m_school;
+    std::string m_known;  ///< which school it is, as schoolOf() calls it; empty: none yet
     std::optional<database::StationKey> m_key;
     QSet<QString> m_forOthers;  ///< what waits for another school, and which
     QSet<QString> m_otherSchools;

@@ -887,6 +887,14 @@
         <source>The school&apos;s data lie on a network drive, and another Cusp, here or at another computer, has them open. Only one at a time can: close that one. For several computers an admin keeps them on a PostgreSQL server.</source>
         <translation>Die Daten der Schule liegen auf einem Netzlaufwerk, und ein anderes Cusp, hier oder an einem anderen Computer, hat sie geöffnet. Nur eines kann das zur gleichen Zeit: Schließen Sie jenes. Für mehrere Computer legt ein Admin sie auf einen PostgreSQL-Server.</translation>
     </message>
+    <message>
+        <source>The school&apos;s server says no. Ask whoever looks after it: its log, or “cusp db check”, says why.</source>
+        <translation>Der Server der Schule lehnt es ab. Fragen Sie bei seiner Betreuung nach: Sein Protokoll oder „cusp db check“ nennt den Grund.</translation>
+    </message>
+    <message>
+        <source>Another school is now where yours was. Log in again.</source>
+        <translation>Wo Ihre Schule war, ist jetzt eine andere. Melden Sie sich neu an.</translation>
+    </message>
 </context>
 <context>
     <name>ExerciseMarks</name>
@@ -2982,6 +2990,10 @@
         <source>You are in an exam: earlier attempts are opened when it is over. Press G for the grade, or take another lesson.</source>
         <translation>Sie sind in einer Prüfung: Frühere Versuche werden geöffnet, wenn sie zu Ende ist. Drücken Sie G für die Note, oder nehmen Sie eine andere Lektion.</translation>
     </message>
+    <message>
+        <source>Another school is now where yours was, and you were logged out. Log in again.</source>
+        <translation>Wo Ihre Schule war, ist jetzt eine andere, und Sie wurden abgemeldet. Melden Sie sich neu an.</translation>
+    </message>
 </context>
 <context>
     <name>app::CardDesk</name>
@@ -3125,6 +3137,10 @@
     <message>
         <source>%1 is offered again.</source>
         <translation>%1 wird wieder angeboten.</translation>
+    </message>
+    <message>
+        <source>The next tooth of everybody here feels like this. An admin had retired it; it is offered again.</source>
+        <translation>Der nächste Zahn fühlt sich hier bei allen so an. Die Verwaltung hatte diese Voreinstellung ausgemustert; sie wird wieder angeboten.</translation>
     </message>
 </context>
 <context>
@@ -7765,6 +7781,10 @@ ungesichert</translation>
     <message>
         <source>It counts as an attempt all the same. Right afterwards you can still bring it back.</source>
         <translation>Sie zählt trotzdem als Versuch. Gleich danach können Sie sie noch zurückholen.</translation>
+    </message>
+    <message>
+        <source>The one-time code does not hold any more. Ask an admin for another.</source>
+        <translation>Der Einmalcode gilt nicht mehr. Bitten Sie die Verwaltung um einen neuen.</translation>
     </message>
 </context>
 <context>

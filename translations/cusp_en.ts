@@ -887,6 +887,14 @@
         <source>The school&apos;s data lie on a network drive, and another Cusp, here or at another computer, has them open. Only one at a time can: close that one. For several computers an admin keeps them on a PostgreSQL server.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The school&apos;s server says no. Ask whoever looks after it: its log, or “cusp db check”, says why.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another school is now where yours was. Log in again.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ExerciseMarks</name>
@@ -2982,6 +2990,10 @@
         <source>You are in an exam: earlier attempts are opened when it is over. Press G for the grade, or take another lesson.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Another school is now where yours was, and you were logged out. Log in again.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>app::CardDesk</name>
@@ -3124,6 +3136,10 @@
     </message>
     <message>
         <source>%1 is offered again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The next tooth of everybody here feels like this. An admin had retired it; it is offered again.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7754,6 +7770,10 @@ unsaved</source>
     </message>
     <message>
         <source>It counts as an attempt all the same. Right afterwards you can still bring it back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The one-time code does not hold any more. Ask an admin for another.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

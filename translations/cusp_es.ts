@@ -887,6 +887,14 @@
         <source>The school&apos;s data lie on a network drive, and another Cusp, here or at another computer, has them open. Only one at a time can: close that one. For several computers an admin keeps them on a PostgreSQL server.</source>
         <translation>Los datos de la escuela están en una unidad de red, y otro Cusp, aquí o en otro ordenador, los tiene abiertos. Solo uno puede a la vez: cierre ese. Para varios ordenadores, un administrador los pone en un servidor PostgreSQL.</translation>
     </message>
+    <message>
+        <source>The school&apos;s server says no. Ask whoever looks after it: its log, or “cusp db check”, says why.</source>
+        <translation>El servidor de la escuela lo rechaza. Pregunte a quien lo administra: su registro, o «cusp db check», dice por qué.</translation>
+    </message>
+    <message>
+        <source>Another school is now where yours was. Log in again.</source>
+        <translation>Donde estaba su escuela hay ahora otra. Inicie sesión de nuevo.</translation>
+    </message>
 </context>
 <context>
     <name>ExerciseMarks</name>
@@ -2982,6 +2990,10 @@
         <source>You are in an exam: earlier attempts are opened when it is over. Press G for the grade, or take another lesson.</source>
         <translation>Está en un examen: los intentos anteriores se abren cuando termine. Pulse G para la calificación o tome otra lección.</translation>
     </message>
+    <message>
+        <source>Another school is now where yours was, and you were logged out. Log in again.</source>
+        <translation>Donde estaba su escuela hay ahora otra y se ha cerrado su sesión. Inicie sesión de nuevo.</translation>
+    </message>
 </context>
 <context>
     <name>app::CardDesk</name>
@@ -3125,6 +3137,10 @@
     <message>
         <source>%1 is offered again.</source>
         <translation>%1 se ofrece de nuevo.</translation>
+    </message>
+    <message>
+        <source>The next tooth of everybody here feels like this. An admin had retired it; it is offered again.</source>
+        <translation>El próximo diente se sentirá así para todos aquí. Un administrador lo había retirado; se ofrece de nuevo.</translation>
     </message>
 </context>
 <context>
@@ -7765,6 +7781,10 @@ sin guardar</translation>
     <message>
         <source>It counts as an attempt all the same. Right afterwards you can still bring it back.</source>
         <translation>Cuenta como intento de todos modos. Justo después aún puede recuperarlo.</translation>
+    </message>
+    <message>
+        <source>The one-time code does not hold any more. Ask an admin for another.</source>
+        <translation>El código de un solo uso ya no es válido. Pida otro a un administrador.</translation>
     </message>
 </context>
 <context>

@@ -885,6 +885,14 @@
         <source>The school&apos;s data lie on a network drive, and another Cusp, here or at another computer, has them open. Only one at a time can: close that one. For several computers an admin keeps them on a PostgreSQL server.</source>
         <translation>学校のデータはネットワークドライブにあり、このコンピューターまたは別のコンピューターの別のCuspが開いています。同時に使えるのは1つだけです。そちらを閉じてください。複数のコンピューターで使うには、管理者がPostgreSQLサーバーに置きます。</translation>
     </message>
+    <message>
+        <source>The school&apos;s server says no. Ask whoever looks after it: its log, or “cusp db check”, says why.</source>
+        <translation>学校のサーバーに拒否されました。サーバーの担当者に問い合わせてください。理由はサーバーのログか、cusp の「db check」でわかります。</translation>
+    </message>
+    <message>
+        <source>Another school is now where yours was. Log in again.</source>
+        <translation>この学校のあった場所に、別の学校があります。もう一度ログインしてください。</translation>
+    </message>
 </context>
 <context>
     <name>ExerciseMarks</name>
@@ -2968,6 +2976,10 @@
         <source>You are in an exam: earlier attempts are opened when it is over. Press G for the grade, or take another lesson.</source>
         <translation>試験中です。以前の試行は試験が終わってから開けます。G キーで採点するか、別の課題を選んでください。</translation>
     </message>
+    <message>
+        <source>Another school is now where yours was, and you were logged out. Log in again.</source>
+        <translation>この学校のあった場所に別の学校があるため、ログアウトしました。もう一度ログインしてください。</translation>
+    </message>
 </context>
 <context>
     <name>app::CardDesk</name>
@@ -3111,6 +3123,10 @@
     <message>
         <source>%1 is offered again.</source>
         <translation>%1 はまた選べます。</translation>
+    </message>
+    <message>
+        <source>The next tooth of everybody here feels like this. An admin had retired it; it is offered again.</source>
+        <translation>ここでは全員、次の歯からこの感触になります。管理者が使用終了にしていましたが、再び使えるようになりました。</translation>
     </message>
 </context>
 <context>
@@ -7712,6 +7728,10 @@ unsaved</source>
     <message>
         <source>It counts as an attempt all the same. Right afterwards you can still bring it back.</source>
         <translation>それでも1回の試行として数えられます。直後であればまだ元に戻せます。</translation>
+    </message>
+    <message>
+        <source>The one-time code does not hold any more. Ask an admin for another.</source>
+        <translation>ワンタイムコードは無効になりました。新しいコードを管理者に依頼してください。</translation>
     </message>
 </context>
 <context>

@@ -82,26 +82,26 @@ core::Error postgresError(const std::string& head, const QSqlError& error, bool 
     const bool isConnecting = error.type() == QSqlError::ConnectionError;
     const auto is = [&code](const char* begin) { return code.startsWith(QLatin1String(begin)); };
     if (said.find("role \"") != std::string::npos && said.find("does not exist") != std::string::npos)
-        return {ErrorCode::NotAllowed,
+        return {ErrorCode::ServerRefuses,
                 head + "the server knows no such user; create it with createuser, or correct the name"};
     if (is("57P03") || said.find("starting up") != std::string::npos ||
         said.find("shutting down") != std::string::npos || said.find("recovery mode") != std::string::npos)
         return {ErrorCode::ConnectionLost, head + "the server is starting or stopping; try again in a moment"};
     if (is("28") || said.find("password authentication failed") != std::string::npos ||
         said.find("no password supplied") != std::string::npos)
-        return {ErrorCode::NotAllowed,
+        return {ErrorCode::ServerRefuses,
                 head + "the server does not let this user in (" + said + "); check the user and ~/.pgpass"};
     if (is("3D") || (said.find("database \"") != std::string::npos && said.find("does not exist") != std::string::npos))
-        return {ErrorCode::FileMissing,
+        return {ErrorCode::ServerRefuses,
                 head + "the server has no such database; create it with createdb, or correct the name"};
     if (isConnecting &&
         (said.find("too many c") != std::string::npos || said.find("connection slots") != std::string::npos))
-        return {ErrorCode::Busy, head + "the server has no connection left (" + said +
-                                     "); try again in a moment, or let its administrator allow more"};
+        return {ErrorCode::ServerRefuses, head + "the server has no connection left (" + said +
+                                              "); try again in a moment, or let its administrator allow more"};
     // It answered, and said no. To who is connected already it says only that it stops.
     if (isConnecting && said.find("FATAL") != std::string::npos &&
         said.find("terminating connection") == std::string::npos)
-        return {ErrorCode::NotAllowed,
+        return {ErrorCode::ServerRefuses,
                 head + "the server refuses the connection (" + said + "); let its administrator allow it"};
     // Without a code it is libpq that speaks, not the server: the connection is gone or never was. 25P03: this station
     // paused too long in a transaction.
@@ -112,10 +112,10 @@ core::Error postgresError(const std::string& head, const QSqlError& error, bool 
     if (is("23") || is("22") || is("54"))
         return {ErrorCode::OutOfRange, head + "a value is not allowed (" + said + "); correct it"};
     if (is("42501") || is("25006"))
-        return {ErrorCode::FileUnwritable, head + "this user of the server may not do that there (" + said +
-                                               "); let the server's administrator grant it"};
+        return {ErrorCode::ServerRefuses, head + "this user of the server may not do that there (" + said +
+                                              "); let the server's administrator grant it"};
     if (is("53"))
-        return {ErrorCode::FileUnwritable,
+        return {ErrorCode::ServerRefuses,
                 head + "the server has no room left (" + said + "); free some disk there and try again"};
     // By a limit of its administrator's, or by his hand.
     if (is("57014"))

@@ -265,7 +265,7 @@ core::Status checkSchema(const QSqlDatabase& db, const std::function<void(const 
                 return looked;
     auto expected = expectedSchema(db);
     const bool areNamesAll =
-        dialect::isPostgres(db) && !expected && expected.error().code == core::ErrorCode::FileUnwritable;
+        dialect::isPostgres(db) && !expected && expected.error().code == core::ErrorCode::ServerRefuses;
     if (areNamesAll) {
         note({QT_TRANSLATE_NOOP("Finding",
                                 "of tables, indexes and triggers the names alone could be compared: this user "

@@ -40,6 +40,8 @@ private slots:
 
     void aDatabaseIsRestoredFromTheDoor_data();
     void aDatabaseIsRestoredFromTheDoor();
+    void aFileThatBecameNoiseIsRestoredFromTheDoor();
+    void anotherSchoolInItsPlaceLetsNobodyStay();
     void aSchoolWithoutPeopleIsNotBackedUp();
     void aLockedDatabaseIsTriedAgain();
     void aFileThatIsMovedAwayIsMissed();
@@ -57,6 +59,14 @@ private slots:
     void onesOwnPasswordIsChanged();
     void everybodyIsShownRoundOnce();
     void aTeachersTourBeginsWithHisClasses();
+
+private:
+    /// The school's file, and what lies beside it, under the window.
+    void moveAway() const
+    {
+        for (const char* end : {"", "-wal", "-shm"})
+            QFile::rename(file() + end, m_folder->filePath(QStringLiteral("away.sqlite")) + end);
+    }
 };
 
 void TestSchoolDoor::aDatabaseIsRestoredFromTheDoor_data()
@@ -127,6 +137,48 @@ void TestSchoolDoor::aDatabaseIsRestoredFromTheDoor()
     QCOMPARE(noted.size(), 1);
     // What was moved aside is later than the backup.
     QCOMPARE(noted.front().startsWith("backup:replaced-"), isMovedAside);
+}
+
+/// While the window stood open.
+void TestSchoolDoor::aFileThatBecameNoiseIsRestoredFromTheDoor()
+{
+    start();
+    QTRY_COMPARE_WITH_TIMEOUT(sql::backupsIn(sql::backupFolder(file())).size(), 1, kPatienceMs);
+    moveAway();
+    QFile noise(file());
+    QVERIFY(noise.open(QIODevice::WriteOnly) && noise.write(QByteArray(100'000, 'n')) == 100'000);
+    noise.close();
+    child<QLineEdit>("username")->setText("sam");
+    child<QLineEdit>("password")->setText(QString::fromStdString(kPassword));
+    click("logIn");
+    QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("restoreBackup")->isVisible(), kPatienceMs);
+    QVERIFY(child<QPushButton>("tryAgain")->isVisible());
+    QCOMPARE(saidAtDoor().count("no database of Cusp"), 1);
+    click("restoreBackup");
+    QTRY_VERIFY2_WITH_TIMEOUT(saidAtDoor().contains("is in place"), qPrintable(saidAtDoor()), kPatienceMs);
+    logIn("sam");
+}
+
+/// Who has logged in to one is nobody in another.
+void TestSchoolDoor::anotherSchoolInItsPlaceLetsNobodyStay()
+{
+    const QString other = m_folder->filePath("other.sqlite");
+    {
+        const OtherStation elsewhere(other);
+        QVERIFY(sql::Logins::createFirstAdmin(elsewhere.school, {"admin", "", "", database::Role::Admin}, kPassword,
+                                              {1, 8192}));
+    }
+    start();
+    logIn("ines");
+    moveAway();
+    QVERIFY(QFile::rename(other, file()));
+    actions().classes->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(m_application->window().isAtDoor() && door() == Door::Login, kPatienceMs);
+    QTRY_VERIFY2_WITH_TIMEOUT(saidAtDoor().contains("Another school is now where yours was"), qPrintable(saidAtDoor()),
+                              kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(!child<QPushButton>("tryAgain")->isVisible(), kPatienceMs);
+    logIn("admin");
+    QCOMPARE(count("people"), 1);
 }
 
 /// Its backup would be offered for restoring, and put an empty school in the place of a full one.

@@ -370,7 +370,7 @@ void TestAtOnce::whoMayOnlyReadHoldsNobodyUp()
     VERIFY_DONE(execute(db, "BEGIN", "read"));
     VERIFY_DONE(execute(db, "SELECT count(*) FROM audit_seal", "read"));
     VERIFY_REFUSED(execute(db, "LOCK TABLE audit_seal IN SHARE UPDATE EXCLUSIVE MODE", "lock"),
-                   ErrorCode::FileUnwritable);
+                   ErrorCode::ServerRefuses);
     VERIFY_DONE(execute(db, "ROLLBACK", "end reading"));
     VERIFY_DONE(addAttempt(rig.school(), rig.student, SchoolRig::attempt("class1-36", 500), {}));
     // Of two that write one waits, and is told by whom it may be held up.

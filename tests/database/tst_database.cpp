@@ -401,13 +401,13 @@ void TestDatabase::whomAServerDoesNotLetInIsTold()
     support::SchoolRig rig(true);
     QVERIFY(rig.isOpen());
     const QString name = rig.database().address().name;
-    VERIFY_REFUSED(Database::open(QString(rig.address()).replace("school@", "nobody@")), ErrorCode::NotAllowed);
-    VERIFY_REFUSED(Database::open(rig.address() + "0"), ErrorCode::FileMissing);
+    VERIFY_REFUSED(Database::open(QString(rig.address()).replace("school@", "nobody@")), ErrorCode::ServerRefuses);
+    VERIFY_REFUSED(Database::open(rig.address() + "0"), ErrorCode::ServerRefuses);
     const QString role = "closed_" + name;
     VERIFY_DONE(execute(rig.school().db, "CREATE ROLE " + role, "make it"));
     const auto refused = Database::open(QString(rig.address()).replace("school@", role + '@'));
     VERIFY_DONE(execute(rig.school().db, "DROP ROLE " + role, "drop it"));
-    VERIFY_REFUSED(refused, ErrorCode::NotAllowed);
+    VERIFY_REFUSED(refused, ErrorCode::ServerRefuses);
     QVERIFY2(refused.error().detail.find("not permitted to log in") != std::string::npos,
              refused.error().detail.c_str());
 }

@@ -744,6 +744,8 @@ void MainWindow::refuseLogin(const core::Error& error)
 {
     if (error.code == core::ErrorCode::NewPassword)
         m_login->ask(people::Door::NewPassword);
+    else if (error.code == core::ErrorCode::WrongLogin && m_login->door() == people::Door::NewPassword)
+        m_login->refuse([] { return tr("The one-time code does not hold any more. Ask an admin for another."); });
     else if (error.code == core::ErrorCode::OutOfRange)
         m_login->refuseNewPassword([error] { return text::loginFault(error); });
     else

@@ -176,6 +176,11 @@ QString reason(core::ErrorCode code, Failed failed)
             return QCoreApplication::translate(
                 "Error", "The school's server does not answer. Try it again when the server answers.");
         return QCoreApplication::translate("Error", "The school's server does not answer. Cusp tries again by itself.");
+    case core::ErrorCode::ServerRefuses:
+        return QCoreApplication::translate("Error", "The school's server says no. Ask whoever looks after it: its log, "
+                                                    "or “cusp db check”, says why.");
+    case core::ErrorCode::OtherSchool:
+        return QCoreApplication::translate("Error", "Another school is now where yours was. Log in again.");
     case core::ErrorCode::NotAllowed:
         return QCoreApplication::translate("Error", "Your role does not allow it.");
     case core::ErrorCode::Disabled:
