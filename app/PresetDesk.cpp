@@ -257,35 +257,48 @@ void PresetDesk::use(const QString& name, const std::optional<QString>& insteadO
     }
     if (!m_school)
         return;
+    struct Used
+    {
+        database::sql::ReplacedSetting replaced;
+        bool wasRetired = false;
+    };
     m_school->ask(
         this,
-        [who, name, insteadOf](const School& school) -> core::Result<database::sql::ReplacedSetting> {
-            auto replaced =
+        [who, name, insteadOf](const School& school) -> core::Result<Used> {
+            auto settings = database::sql::readSettings(school, who);
+            if (!settings)
+                return tl::unexpected(settings.error());
+            const QString preset = lessons::presetUsed(name.toStdString(), false).name;
+            const auto replaced =
                 database::sql::replaceSetting(school, who, kSchoolsInUse, name.toStdString(),
                                               insteadOf ? std::optional(insteadOf->toStdString()) : std::nullopt);
+            if (!replaced)
+                return tl::unexpected(replaced.error());
             // What is in use is not retired, though another admin may just have retired it.
-            if (replaced && replaced->isDone)
-                if (const auto up =
-                        retireInSchool(school, who, lessons::presetUsed(name.toStdString(), false).name, false);
-                    !up)
+            if (replaced->isDone)
+                if (const auto up = retireInSchool(school, who, preset, false); !up)
                     return tl::unexpected(up.error());
-            return replaced;
+            return Used{*replaced, retiredIn((*settings)[kSchoolsRetired]).contains(preset)};
         },
-        [this, name](const core::Result<database::sql::ReplacedSetting>& replaced) {
-            if (!replaced) {
-                m_window.showPresetFault(ui::text::errorText(replaced.error(), ui::text::Failed::ChangingSchool));
+        [this, name](const core::Result<Used>& used) {
+            if (!used) {
+                m_window.showPresetFault(ui::text::errorText(used.error(), ui::text::Failed::ChangingSchool));
                 return;
             }
+            const database::sql::ReplacedSetting& replaced = used->replaced;
             const QString before = QString::fromStdString(
-                replaced->before.empty() ? nameOf(lessons::shippedPresets().front()) : replaced->before);
-            if (replaced->isDone) {
-                tellUsed(name, before, tr("The next tooth of everybody here feels like this."));
+                replaced.before.empty() ? nameOf(lessons::shippedPresets().front()) : replaced.before);
+            if (replaced.isDone) {
+                tellUsed(name, before,
+                         used->wasRetired ? tr("The next tooth of everybody here feels like this. An admin had retired "
+                                               "it; it is offered again.")
+                                          : tr("The next tooth of everybody here feels like this."));
                 return;
             }
             refresh();
             //: %1 is a hardness preset
             m_window.showMessage(tr("Somebody else has chosen %1 for everybody here meanwhile. That stays.")
-                                     .arg(ui::presets::presetWords(lessons::presetUsed(replaced->before, false))));
+                                     .arg(ui::presets::presetWords(lessons::presetUsed(replaced.before, false))));
         });
 }
 
@@ -366,6 +379,8 @@ void PresetDesk::tellKept(const core::Result<FeelPreset>& kept, const QString& n
     }
     m_window.setPresets(m_all, m_inUse);
     m_window.showPresetKept(*kept, note);
+    if (m_school != nullptr)
+        readAgain();  // another admin may have retired it, or chosen another
 }
 
 void PresetDesk::import(const QString& path)

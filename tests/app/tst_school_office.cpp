@@ -404,6 +404,22 @@ void TestSchoolOffice::aPresetIsRetiredAndTakenUpAgain()
     click("presetUse");
     QTRY_COMPARE_WITH_TIMEOUT(count("settings WHERE name = 'preset.in_use' AND value = 'hard v1'"), 1, kPatienceMs);
     QTRY_COMPARE_WITH_TIMEOUT(count("settings WHERE name = 'preset.retired' AND value = ''"), 1, kPatienceMs);
+    QTRY_VERIFY2_WITH_TIMEOUT(message().contains("had retired it"), qPrintable(message()), kPatienceMs);
+    // What is done elsewhere is seen by who reads again, and by who keeps a new version.
+    chooseElsewhere("junk");
+    QVERIFY(list->item(rowOf("hard"))->text().contains("in use"));
+    actions().readAgain->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(list->item(rowOf("junk"))->text().contains("in use"), kPatienceMs);
+    chooseElsewhere("hard");
+    const auto all = child<ui::presets::PresetsPage>()->all();
+    const auto junk = std::find_if(all.begin(), all.end(), [](const lessons::ReadPreset& one) {
+        return one.preset && one.preset->name == "junk";
+    });
+    core::settings::FeelPreset next = *junk->preset;
+    next.version = 0;
+    next.notes = "another";
+    emit m_application->window().presetSaveWanted(next);
+    QTRY_VERIFY_WITH_TIMEOUT(list->item(rowOf("hard"))->text().contains("in use"), kPatienceMs);
 }
 
 void TestSchoolOffice::anAdminEntersAndChangesPeople()

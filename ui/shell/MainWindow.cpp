@@ -407,6 +407,8 @@ void MainWindow::connectActions()
             m_admin->readAgain();
         else if (m_pages->currentWidget() == m_history)
             m_history->readAgain();
+        else if (m_pages->currentWidget() == m_presets)
+            emit presetsWanted();
         else
             m_classes->readAgain();
     });
@@ -1777,7 +1779,7 @@ void MainWindow::enableActions()
     m_actions->undo->setEnabled(inEditor ? m_editor->canUndo() : inRoom && mayGoBack && m_session.undoSteps > 0);
     m_actions->redo->setEnabled(inEditor ? m_editor->canRedo() : inRoom && mayGoBack && m_session.redoSteps > 0);
     m_actions->editLesson->setEnabled(m_mayEdit && m_pages->currentWidget() == m_lessonsPage);
-    const QList<const QWidget*> ofTheSchool{m_classes, m_history, m_admin};
+    const QList<const QWidget*> ofTheSchool{m_classes, m_history, m_admin, m_presets};
     m_actions->readAgain->setEnabled(ofTheSchool.contains(m_pages->currentWidget()));
     m_actions->saveReference->setEnabled(inRoom && mine && !isExamRunning());
     m_actions->reload->setEnabled((mayGoBack || (mine && m_examIsOver)) && !m_isUsedUp);
