@@ -121,10 +121,10 @@ core::Status SchoolDesk::expectSameSchool(const QSqlDatabase& db)
 {
     if (m_address.isServer())
         return {};
-    const std::string school = database::sql::schoolOf(db).value_or(std::string());
-    if (m_known.empty())
-        m_known = school;
-    if (m_known == school)
+    const auto school = database::sql::schoolOf(db);
+    if (school && m_known.empty())
+        m_known = *school;
+    if (!school || m_known == *school)  // what is damaged says so where it is read
         return {};
     QMetaObject::invokeMethod(
         this, [this] { emit otherSchool(); }, Qt::QueuedConnection);
