@@ -390,10 +390,8 @@ void TestSchoolOffice::aPresetIsRetiredAndTakenUpAgain()
     retire->click();
     QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("presetFault")->text().contains("not retired"), kPatienceMs);
     QCOMPARE(count("settings WHERE name = 'preset.retired' AND value = ''"), 1);
-    // Retired at another station meanwhile, it is taken up again by being put in use.
-    actions().back->trigger();
-    actions().presets->trigger();
     QTRY_VERIFY_WITH_TIMEOUT(list->item(rowOf("junk"))->text().contains("in use"), kPatienceMs);
+    // Retired at another station meanwhile, it is taken up again by being put in use.
     {
         const OtherStation elsewhere(file());
         const sql::School& school = elsewhere.school;
@@ -406,6 +404,7 @@ void TestSchoolOffice::aPresetIsRetiredAndTakenUpAgain()
     QTRY_COMPARE_WITH_TIMEOUT(count("settings WHERE name = 'preset.retired' AND value = ''"), 1, kPatienceMs);
     QTRY_VERIFY2_WITH_TIMEOUT(message().contains("had retired it"), qPrintable(message()), kPatienceMs);
     // What is done elsewhere is seen by who reads again, and by who keeps a new version.
+    QTRY_VERIFY_WITH_TIMEOUT(list->item(rowOf("hard"))->text().contains("in use"), kPatienceMs);
     chooseElsewhere("junk");
     QVERIFY(list->item(rowOf("hard"))->text().contains("in use"));
     actions().readAgain->trigger();
