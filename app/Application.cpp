@@ -1963,7 +1963,7 @@ void Application::watchJournal()
 }
 
 /// Where a student has no attempt left it could not be gone on with, and what the school has already is finished.
-/// Nobody waits for a server that does not answer.
+/// Nobody waits for a server that does not answer; what only its answer decides is looked for when that comes.
 void Application::offerUnfinished()
 {
     if (!m_desk || m_who.isGuest()) {
@@ -1974,7 +1974,8 @@ void Application::offerUnfinished()
     m_desk->ask(
         this, [who = m_who](const School& school) { return knownAttempts(school, who); },
         [this, isDecided, who = m_who](const core::Result<KnownAttempts>& known) {
-            if (!std::exchange(*isDecided, true) && m_who == who)
+            const bool isLate = std::exchange(*isDecided, true);
+            if (m_who == who && (!isLate || (known && !m_unfinished)))
                 lookForUnfinished(known.value_or(KnownAttempts()));
         });
     QTimer::singleShot(kLongestLookMs, this, [this, isDecided, who = m_who] {
@@ -1997,6 +1998,8 @@ void Application::lookForUnfinished(const KnownAttempts& known)
                 return;
             if (found.failure)
                 m_window->showError(*found.failure, Failed::ResumingAttempt);
+            if (!found.attempt && m_unfinished)  // another search found it, and holds it
+                return;
             m_unfinished = std::move(found.attempt);
             m_seenOfUnfinished = found.seen;
             tellUnfinished();

@@ -31,9 +31,18 @@ using ui::people::Door;
 
 namespace support {
 
-OtherStation::OtherStation(const QString& file)
-    : database(sql::Database::open(file).value()),
-      school{database->handle(), StationKey::readOrMake(QFileInfo(file).dir().filePath("station.key")).value()}
+namespace {
+
+StationKey keyBeside(const QString& place)
+{
+    return place.contains("://") ? StationKey::make()
+                                 : StationKey::readOrMake(QFileInfo(place).dir().filePath("station.key")).value();
+}
+
+}  // namespace
+
+OtherStation::OtherStation(const QString& place)
+    : database(sql::Database::open(place).value()), school{database->handle(), keyBeside(place)}
 {}
 
 Session OtherStation::logIn(const std::string& name) const
@@ -42,11 +51,12 @@ Session OtherStation::logIn(const std::string& name) const
 }
 
 /// A school with an admin and two students.
-void SchoolWindow::makeSchool()
+void SchoolWindow::makeSchool(const QString& server)
 {
     ui::text::Language::choose("en_GB");
     m_folder = std::make_unique<QTemporaryDir>();
-    const OtherStation elsewhere(file());
+    m_server = server;
+    const OtherStation elsewhere(place());
     const sql::School& school = elsewhere.school;
     const auto admin =
         sql::Logins::createFirstAdmin(school, {"admin", "Ada", "Admin", Role::Admin}, kPassword, {1, 8192}).value();
@@ -68,7 +78,7 @@ void SchoolWindow::start(bool showsRound, const sql::Database::Options& opening)
     app::WindowOptions options;
     options.opening = opening;
     options.source = {36};
-    options.database = file();
+    options.database = place();
     options.asksWho = true;
     options.showsRound = showsRound;
     m_application = app::Application::make(options).value();
@@ -138,7 +148,7 @@ void SchoolWindow::beginLesson(const std::string& id) const
 
 void SchoolWindow::give(const std::string& lesson, int attempts) const
 {
-    const OtherStation elsewhere(file());
+    const OtherStation elsewhere(place());
     const sql::School& school = elsewhere.school;
     const auto admin = elsewhere.logIn("admin");
     const ClassId ofClass = sql::listClasses(school, admin).value().front().id;
@@ -157,7 +167,7 @@ void SchoolWindow::gradeLesson() const
 
 int SchoolWindow::count(const char* rows) const
 {
-    const auto database = sql::Database::open(file());
+    const auto database = sql::Database::open(place());
     return database ? sql::ask((*database)->handle(),
                                QStringLiteral("SELECT count(*) FROM %1").arg(QLatin1String(rows)), "count")
                           .value()

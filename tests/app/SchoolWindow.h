@@ -48,10 +48,11 @@ private:
     QString m_file = QDir(lessons::teachersFolder()).filePath("exam-36.lesson.json");
 };
 
-/// A school's file as another station has it open.
+/// A school as another station has it open.
 struct OtherStation
 {
-    explicit OtherStation(const QString& file);
+    /// @param place  a file with its key beside it, or the address of a server
+    explicit OtherStation(const QString& place);
     [[nodiscard]] database::Session logIn(const std::string& name) const;
 
     std::unique_ptr<database::sql::Database> database;
@@ -63,7 +64,8 @@ class SchoolWindow : public QObject
 {
 protected:
     /// A school with an admin, a teacher, two students, and a class of the teacher and Sam.
-    void makeSchool();
+    /// @param server  the address of its empty database; empty: it is a file
+    void makeSchool(const QString& server = {});
     template <class T>
     T* child(const char* name = "") const
     {
@@ -81,6 +83,7 @@ protected:
     }
     [[nodiscard]] ui::people::Door door() const { return child<ui::people::LoginPage>()->door(); }
     [[nodiscard]] QString file() const { return m_folder->filePath("school.sqlite"); }
+    [[nodiscard]] QString place() const { return m_server.isEmpty() ? file() : m_server; }
     /// The program as a student starts it: at the door.
     void start(bool showsRound = false, const database::sql::Database::Options& opening = {});
     void click(const char* button) const { QTest::mouseClick(child<QPushButton>(button), Qt::LeftButton); }
@@ -114,6 +117,7 @@ protected:
     void saveCard(const QString& path) const;
 
     std::unique_ptr<QTemporaryDir> m_folder;
+    QString m_server;
     std::unique_ptr<app::Application> m_application;
 };
 
