@@ -74,6 +74,7 @@ constexpr int kSettleMs = 20;
 constexpr int kMostTakeUpLooks = 250;
 constexpr int kSettledLooks = 3;  ///< in a row that find the bur out of the tooth
 constexpr int kMostSettleLooks = 25;
+constexpr int kLookAgainMs = 10'000;  ///< for what the school could not say yet
 constexpr int kLongestLookMs = 1500;  ///< for how often a lesson may be tried
 constexpr int kDemoBeatMs = 16;
 constexpr int kPictureDelayMs = 200;  ///< between two looks whether the picture is ready
@@ -234,6 +235,12 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ses
     connectDoor();
     m_journalWatch.setInterval(kJournalWatchMs);
     connect(&m_journalWatch, &QTimer::timeout, this, &Application::watchJournal);
+    m_lookAgain.setInterval(kLookAgainMs);
+    m_lookAgain.setSingleShot(true);
+    connect(&m_lookAgain, &QTimer::timeout, this, [this] {
+        if (!m_unfinished)
+            offerUnfinished();
+    });
     m_attemptWatch.setInterval(kAttemptWatchMs);
     connect(&m_attemptWatch, &QTimer::timeout, this, &Application::watchAttempt);
     m_attemptWatch.start();
@@ -1945,6 +1952,7 @@ void Application::keepJournal()
 void Application::stopJournal(bool putAway)
 {
     m_journalWatch.stop();
+    m_lookAgain.stop();
     m_syncThread.reset();
     m_journalThread.reset();
     if (m_journal && putAway)
@@ -1963,7 +1971,7 @@ void Application::watchJournal()
 }
 
 /// Where a student has no attempt left it could not be gone on with, and what the school has already is finished.
-/// Nobody waits for a server that does not answer; what only its answer decides is looked for when that comes.
+/// Nobody waits for a server that does not answer; what only its answer decides is looked for again.
 void Application::offerUnfinished()
 {
     if (!m_desk || m_who.isGuest()) {
@@ -1974,8 +1982,7 @@ void Application::offerUnfinished()
     m_desk->ask(
         this, [who = m_who](const School& school) { return knownAttempts(school, who); },
         [this, isDecided, who = m_who](const core::Result<KnownAttempts>& known) {
-            const bool isLate = std::exchange(*isDecided, true);
-            if (m_who == who && (!isLate || (known && !m_unfinished)))
+            if (!std::exchange(*isDecided, true) && m_who == who)
                 lookForUnfinished(known.value_or(KnownAttempts()));
         });
     QTimer::singleShot(kLongestLookMs, this, [this, isDecided, who = m_who] {
@@ -2001,6 +2008,8 @@ void Application::lookForUnfinished(const KnownAttempts& known)
             if (!found.attempt && m_unfinished)  // another search found it, and holds it
                 return;
             m_unfinished = std::move(found.attempt);
+            if (found.isUndecided && !m_unfinished)
+                m_lookAgain.start();
             m_seenOfUnfinished = found.seen;
             tellUnfinished();
         });

@@ -274,6 +274,7 @@ private:
     Explainer m_explainer;        ///< of m_graded
     Explainer m_openedExplainer;  ///< of m_opened
     QTimer m_journalWatch;
+    QTimer m_lookAgain;  ///< for unfinished attempts of which the school could not say whether they are kept
     std::unique_ptr<core::session::JournalLoop> m_journal;      ///< null: nothing is kept
     std::optional<core::recording::FoundAttempt> m_unfinished;  ///< the one that is offered
     /// It is an exam whose score was seen, and is kept nowhere.

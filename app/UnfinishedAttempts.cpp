@@ -87,8 +87,10 @@ bool look(const std::filesystem::path& journal, const QString& outbox, const Kno
     const core::recording::Recording& recording = (*found)->recording;
     const auto mark = gradedMark(journal);
     const auto isKept = mark ? isThere(mark->uid, outbox, known.kept) : std::nullopt;
-    if (mark && !isKept)  // nobody knows: it may become two attempts
+    if (mark && !isKept) {  // nobody knows: it may become two attempts
+        taken.isUndecided = true;
         return true;
+    }
     const bool isOver = isDone(recording);
     if (mark ? *isKept && (isOver || !isCutOn(recording, mark->events)) : isOver) {
         core::recording::discardJournal(journal);

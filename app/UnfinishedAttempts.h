@@ -32,6 +32,7 @@ struct FoundUnfinished
     std::optional<core::recording::FoundAttempt> attempt = {};
     std::optional<GradedMark> seen = {};  ///< of an exam whose score was seen, and is nowhere
     std::optional<core::Error> failure = {};
+    bool isUndecided = false;  ///< of one that was graded the school has to say first whether it is kept
 };
 /// The newest attempt in a folder of journals that was not finished. What cannot be read is put aside, unless a later
 /// program wrote it, what is kept already is discarded, and one that could not be gone on with waits until it can be.
