@@ -116,11 +116,9 @@ core::Status SchoolDesk::openDatabase()
     return {};
 }
 
-/// Who logged in to one school is nobody in another whose file has been put into its place, a copy of it included.
+/// Who logged in to one school is nobody in another that has been put into its place, a copy of it included.
 core::Status SchoolDesk::expectSameSchool(const QSqlDatabase& db)
 {
-    if (m_address.isServer())
-        return {};
     const auto school = database::sql::schoolOf(db);
     if (school && m_known.empty())
         m_known = *school;
@@ -128,8 +126,8 @@ core::Status SchoolDesk::expectSameSchool(const QSqlDatabase& db)
         return {};
     QMetaObject::invokeMethod(
         this, [this] { emit otherSchool(); }, Qt::QueuedConnection);
-    return core::unexpected(ErrorCode::OtherSchool, "database " + m_address.file.toStdString() +
-                                                        ": another school's file has taken its place; log in again");
+    return core::unexpected(ErrorCode::OtherSchool, "database " + m_address.shown().toStdString() +
+                                                        ": another school has taken its place; log in again");
 }
 
 void SchoolDesk::takeOtherSchool()
@@ -163,6 +161,11 @@ core::Status SchoolDesk::connect()
         if (auto again = m_database->reconnect(); !again) {
             m_isLost = true;
             return again;
+        }
+        if (auto same = expectSameSchool(m_database->handle()); !same) {
+            m_school.reset();
+            m_database.reset();
+            return same;
         }
         m_school->nowUtc = database::sql::clockOf(m_database->handle());
     }

@@ -7,14 +7,17 @@
 #include <QTest>
 
 #include "app/Application.h"
+#include "database/sql/Logins.h"
 #include "database/sql/Statement.h"
 #include "tests/app/SchoolWindow.h"
 #include "tests/support/OpenGlMain.h"
 #include "tests/support/PostgresServer.h"
+#include "ui/people/ClassPage.h"
 
 using namespace database;
 using support::kPatienceMs;
 using support::OtherStation;
+using ui::people::Door;
 
 class TestSchoolServer : public support::SchoolWindow
 {
@@ -26,6 +29,7 @@ private slots:
 
     void workGoesOnWithoutTheServer();
     void whatALateAnswerDecidesIsOffered();
+    void anotherSchoolInItsPlaceLetsNobodyStay();
 
 private:
     [[nodiscard]] QString offered() const { return child<QLabel>("continueWords")->text(); }
@@ -92,6 +96,33 @@ void TestSchoolServer::whatALateAnswerDecidesIsOffered()
     QVERIFY2(!offered().contains("Continue where I stopped"), qPrintable(offered()));
     QVERIFY(sql::execute(elsewhere.school.db, "ROLLBACK", "lock"));
     QTRY_VERIFY2_WITH_TIMEOUT(offered().contains("Continue where I stopped"), qPrintable(offered()), kPatienceMs);
+}
+
+/// As an admin does who drops the database, makes it anew and copies a school into it.
+void TestSchoolServer::anotherSchoolInItsPlaceLetsNobodyStay()
+{
+    const QString other = m_postgres.newDatabase();
+    {
+        const OtherStation elsewhere(other);
+        QVERIFY(sql::Logins::createFirstAdmin(elsewhere.school, {"admin", "", "", Role::Admin}, support::kPassword,
+                                              {1, 8192}));
+    }
+    start();
+    logIn("ines");
+    QTRY_VERIFY_WITH_TIMEOUT(child<ui::people::ClassPage>()->isVisible(), kPatienceMs);
+    {
+        const auto beside = sql::Database::open(m_postgres.newDatabase()).value();
+        const QString name = place().section('/', -1);
+        for (const QString& step : {"DROP DATABASE " + name + " WITH (FORCE)",
+                                    "ALTER DATABASE " + other.section('/', -1) + " RENAME TO " + name})
+            QVERIFY(sql::execute(beside->handle(), step, "put another in its place"));
+    }
+    actions().classes->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(m_application->window().isAtDoor() && door() == Door::Login, kPatienceMs);
+    QTRY_VERIFY2_WITH_TIMEOUT(saidAtDoor().contains("Another school is now where yours was"), qPrintable(saidAtDoor()),
+                              kPatienceMs);
+    logIn("admin");
+    QCOMPARE(count("people"), 1);
 }
 
 int main(int argc, char** argv)
