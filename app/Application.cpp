@@ -41,11 +41,13 @@
 #include "lessons/LessonReader.h"
 #include "lessons/ScoreSheetJson.h"
 #include "ui/admin/AdminPage.h"
+#include "ui/render/WholeSurface.h"
 #include "ui/shell/Memory.h"
 #include "ui/study/LessonWords.h"
 #include "ui/study/ScorePage.h"
 #include "ui/text/FaultWords.h"
 #include "ui/tooth/ToothView.h"
+#include "ui/tooth/Viewpoint.h"
 
 namespace app {
 namespace {
@@ -392,10 +394,21 @@ void Application::openDatabase()
     connect(m_people.get(), &PeopleDesk::replayWanted, this,
             [this](const core::recording::Recording& recording, const database::AttemptRecord& attempt,
                    const QString& whose) {
-                if (isHiddenByExam() || !play(recording, {}, whose))
+                if (isHiddenByExam())
                     return;
-                m_playedFrom = PlayedFrom::Attempts;
-                m_people->followReplay(attempt);
+                const int load = ++m_loading;
+                inBackground(
+                    this,
+                    [anatomy = recording.anatomy(), workOut = surfaceWorker()] {
+                        workOut(anatomy);
+                        return anatomy;
+                    },
+                    [this, load, recording, attempt, whose](const auto&) {
+                        if (load != m_loading || !play(recording, {}, whose))
+                            return;
+                        m_playedFrom = PlayedFrom::Attempts;
+                        m_people->followReplay(attempt);
+                    });
             });
     connect(
         m_people.get(), &PeopleDesk::besideWanted, this,
@@ -917,7 +930,13 @@ void Application::openTooth(const core::teeth::ToothSource& source, const std::o
         build.placement.unit = unit;
     m_presets.readAgain();
     inBackground(
-        this, [source, build] { return core::teeth::buildTooth(source, build); },
+        this,
+        [source, build, workOut = surfaceWorker()] {
+            auto built = core::teeth::buildTooth(source, build);
+            if (built)
+                workOut(built->anatomy);
+            return built;
+        },
         [this, load, source, file, tried](const core::Result<core::teeth::BuiltTooth>& built) {
             m_presets.whenRead([this, load, source, file, tried, built] {
                 if (load != m_loading)
@@ -944,7 +963,13 @@ void Application::openLesson(const lessons::Lesson& lesson)
     m_presets.readAgain();
     whereAllowed(lesson.id, [this, load, lesson] {
         inBackground(
-            this, [lesson, drawn = QRandomGenerator::global()->generate64()] { return lessons::assign(lesson, drawn); },
+            this,
+            [lesson, drawn = QRandomGenerator::global()->generate64(), workOut = surfaceWorker()] {
+                auto assigned = lessons::assign(lesson, drawn);
+                if (assigned)
+                    workOut(assigned->assignment.anatomy);
+                return assigned;
+            },
             [this, load, id = lesson.id](const core::Result<lessons::Assigned>& assigned) {
                 m_presets.whenRead([this, load, id, assigned] {
                     if (load != m_loading)
@@ -1164,6 +1189,15 @@ void Application::begin(const lessons::Assignment& assignment, const std::functi
         static_cast<void>(lesson.release());
         static_cast<void>(servo->release());
     }
+}
+
+/// For what makes or reads a tooth beside the window: how it is drawn is worked out there too, and not while the window
+/// waits.
+std::function<void(const AnatomyPointer&)> Application::surfaceWorker() const
+{
+    return [light = ui::tooth::operatingLight(m_window->view().isLeftHanded())](const AnatomyPointer& anatomy) {
+        ui::render::workOutSurface(anatomy, light);
+    };
 }
 
 /// Lays another tooth on the table. The session is still to be told.
@@ -1722,7 +1756,11 @@ void Application::showAttempt(const database::AttemptRecord& attempt, const core
     const int load = ++m_loading;
     m_window->showBusy(tr("Working out the score card …"));
     inBackground(
-        this, [recording] { return lessons::markAgain(recording); },
+        this,
+        [recording, workOut = surfaceWorker()] {
+            workOut(recording.anatomy());  // it may be played next
+            return lessons::markAgain(recording);
+        },
         [this, load, attempt, recording](const core::Result<lessons::Remarked>& marked) {
             if (load != m_loading)
                 return;
@@ -1880,8 +1918,9 @@ void Application::openDemonstration(const lessons::Assignment& assignment)
     m_window->showBusy(tr("A simulated hand does the lesson …"));
     inBackground(
         this,
-        [assignment]() -> std::optional<core::recording::Recording> {
+        [assignment, workOut = surfaceWorker()]() -> std::optional<core::recording::Recording> {
             const auto outcome = demonstrate(assignment, false);
+            workOut(assignment.anatomy);
             const auto marked = outcome ? lessons::markAgain(*outcome->recording)
                                         : core::Result<lessons::Remarked>(tl::unexpected(outcome.error()));
             return marked && marked->mark.sheet.passed() ? outcome->recording : std::nullopt;
@@ -1918,14 +1957,22 @@ void Application::readRecording(const QString& path, const UseRecording& use, co
 {
     const int load = ++m_loading;
     m_window->showBusy(tr("Reading %1 …").arg(QFileInfo(path).fileName()));
-    inBackground(this, read, [this, load, path, use](const core::Result<core::recording::Recording>& recording) {
-        if (load != m_loading)
-            return;
-        if (recording)
-            use(*recording);
-        else
-            refuse(recording.error(), Failed::OpeningRecording, path);
-    });
+    inBackground(
+        this,
+        [read, workOut = surfaceWorker()] {
+            auto recording = read();
+            if (recording)
+                workOut(recording->anatomy());
+            return recording;
+        },
+        [this, load, path, use](const core::Result<core::recording::Recording>& recording) {
+            if (load != m_loading)
+                return;
+            if (recording)
+                use(*recording);
+            else
+                refuse(recording.error(), Failed::OpeningRecording, path);
+        });
 }
 
 /// From now on the attempt of who works here reaches the disk while it goes on; and what he did not finish last time is
@@ -2060,7 +2107,11 @@ void Application::rebuildUnfinished(int load)
     if (!m_unfinished)
         return;
     inBackground(
-        this, [recording = m_unfinished->recording] { return core::session::rebuild(recording); },
+        this,
+        [recording = m_unfinished->recording, workOut = surfaceWorker()] {
+            workOut(recording.anatomy());
+            return core::session::rebuild(recording);
+        },
         [this, load, path = m_unfinished->path](core::Result<std::unique_ptr<core::session::Unfinished>>& attempt) {
             if (load != m_loading || !m_unfinished || m_unfinished->path != path)  // another is offered by now
                 return;

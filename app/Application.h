@@ -55,6 +55,8 @@ struct WindowOptions
     bool simulatedDevice = false;
 };
 
+using AnatomyPointer = std::shared_ptr<const core::terrain::ToothAnatomy>;
+
 /// Builds the program behind the window and wires it: the loops and their threads, teeth, recordings, grades.
 /// It holds no rule of its own: it chooses, constructs, connects, starts, stops. Ui thread.
 class Application final : public QObject
@@ -115,6 +117,7 @@ private:
     void refuse(const core::Error& error, ui::text::Failed failed, const QString& file);
     void takeTooth(const core::teeth::BuiltTooth& built);
     void begin(const lessons::Assignment& assignment, const std::function<QStringList()>& notes, bool unitInDoubt);
+    [[nodiscard]] std::function<void(const AnatomyPointer&)> surfaceWorker() const;
     void lay(const lessons::Assignment& assignment, const core::session::ServoSettings& settings,
              const std::function<QStringList()>& notes, bool unitInDoubt);
     void watchAttempt();

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <thread>
 
 #include <glm/geometric.hpp>
 
@@ -12,6 +13,7 @@
 #include "tests/ui/Pictures.h"
 #include "ui/render/SolidMesh.h"
 #include "ui/render/ToothSurface.h"
+#include "ui/render/WholeSurface.h"
 
 using core::session::kTileSide;
 using core::session::TilePatch;
@@ -33,6 +35,7 @@ private slots:
     void cutChangesOnlyItsSurroundings();
     void refreshedPartsEqualAWholeNewSurface();
     void aSweepBringsAllLightUpToDate();
+    void whatWasWorkedOutBeforehandIsTheSame();
     void perforationOpensASewnHole();
     void emptyToothIsEmpty();
     void rayMeetsTheTopOrTheRestingPlane();
@@ -201,6 +204,32 @@ void TestToothSurface::aSweepBringsAllLightUpToDate()
     for (std::size_t k = 0; k < swept.light().size(); ++k)
         for (std::size_t c = 0; c < 4; ++c)
             QVERIFY(std::abs(swept.light()[k][c] - atOnce.light()[k][c]) <= 1);
+}
+
+/// By another thread, for another light, and after what is shown was cut.
+void TestToothSurface::whatWasWorkedOutBeforehandIsTheSame()
+{
+    const auto tooth = support::syntheticMolar(150);
+    const glm::vec3 otherLight(-kLight.x, kLight.y, kLight.z);
+    std::thread([&] { ui::render::workOutSurface(tooth, otherLight); }).join();
+    const ToothSurface whole(tooth, kLight);
+    const auto isWhole = [&](const ToothSurface& shown) {
+        return shown.anatomyPointer() == tooth && shown.tops() == whole.tops() && shown.bottoms() == whole.bottoms() &&
+               shown.places() == whole.places() && shown.topNormals() == whole.topNormals() &&
+               shown.bottomNormals() == whole.bottomNormals() && shown.light() == whole.light() &&
+               shown.upperLayers() == whole.upperLayers() && shown.lowerLayers() == whole.lowerLayers() &&
+               shown.indices() == whole.indices() && !shown.isBehind();
+    };
+    const auto shown = ui::render::wholeSurface(tooth, kLight);
+    QVERIFY(isWhole(*shown));
+    shown->write(cutTile(*tooth, {0.0, 0.5}, -4.0F));
+    shown->refresh();
+    QVERIFY(shown->tops() != whole.tops());
+    // Shown again, it is whole; also after others have pushed it from the shelf.
+    QVERIFY(isWhole(*ui::render::wholeSurface(tooth, kLight)));
+    for (const int side : {100, 110, 120})
+        ui::render::workOutSurface(support::syntheticMolar(side), kLight);
+    QVERIFY(isWhole(*ui::render::wholeSurface(tooth, kLight)));
 }
 
 void TestToothSurface::perforationOpensASewnHole()

@@ -1133,15 +1133,16 @@ void MainWindow::setHistorySource(replay::HistorySource source)
     m_room->history().setSource(std::move(source));
 }
 
-void MainWindow::showBeside(core::session::UiLinks& links, std::shared_ptr<const core::terrain::ToothAnatomy> tooth,
-                            std::uint64_t generation, const core::grading::IdealTop& ideal, const QString& name)
+void MainWindow::showBeside(core::session::UiLinks& links,
+                            const std::shared_ptr<const core::terrain::ToothAnatomy>& tooth, std::uint64_t generation,
+                            const core::grading::IdealTop& ideal, const QString& name)
 {
     m_busy->done();
     hideBeside();
     m_beside = new tooth::ToothView(links, m_room);
     m_beside->setAccessibleName(name);
     m_beside->setSettings(m_view->settings());
-    m_beside->setTooth(std::move(tooth), generation);
+    m_beside->setTooth(tooth, generation);
     m_beside->setIdeal(ideal);
     markExercise();
     m_room->setBeside(m_beside, name);

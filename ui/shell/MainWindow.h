@@ -248,7 +248,7 @@ public slots:
     void setRemarks(std::vector<replay::Remark> remarks);
     /// Another attempt is shown beside the one that is played, from the same side: the tooth of `links`.
     /// @param links  must outlive it: until hideBeside()
-    void showBeside(core::session::UiLinks& links, std::shared_ptr<const core::terrain::ToothAnatomy> tooth,
+    void showBeside(core::session::UiLinks& links, const std::shared_ptr<const core::terrain::ToothAnatomy>& tooth,
                     std::uint64_t generation, const core::grading::IdealTop& ideal, const QString& name);
     /// Answers besidesWanted(): attempts to choose from, beside a file; none: a file is asked for at once.
     void offerBeside(const QList<MessageBar::Choice>& attempts);

@@ -22,6 +22,7 @@
 #include "core/drilling/Bur.h"
 #include "core/teeth/ToothBuilder.h"
 #include "ui/render/SharedArch.h"
+#include "ui/render/WholeSurface.h"
 #include "ui/text/EveryLanguage.h"
 #include "ui/tooth/ViewMarks.h"
 #include "ui/tooth/Viewpoint.h"
@@ -94,13 +95,13 @@ ToothView::~ToothView()
     leave();
 }
 
-void ToothView::setTooth(std::shared_ptr<const core::terrain::ToothAnatomy> anatomy, std::uint64_t generation)
+void ToothView::setTooth(const std::shared_ptr<const core::terrain::ToothAnatomy>& anatomy, std::uint64_t generation)
 {
     m_servo = m_links.servo.latest();
     m_control.setSurface(nullptr);
     m_tooth.emplace(anatomy);
     ++m_toothRevision;
-    m_surface = std::make_unique<render::ToothSurface>(std::move(anatomy), operatingLight(m_leftHanded));
+    m_surface = render::wholeSurface(anatomy, operatingLight(m_leftHanded));
     m_surfaceIsNew = true;
     m_gizmoTurn.reset();
     m_changes = {};

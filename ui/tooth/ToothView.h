@@ -51,7 +51,7 @@ public:
     ~ToothView() override;
 
     /// Shows the uncut tooth; patches of `generation` are then applied to it, those of an older one ignored.
-    void setTooth(std::shared_ptr<const core::terrain::ToothAnatomy> anatomy, std::uint64_t generation);
+    void setTooth(const std::shared_ptr<const core::terrain::ToothAnatomy>& anatomy, std::uint64_t generation);
     /// What the lesson asks for, over the grid of the tooth that is shown; null: nothing. A new tooth has none.
     void setIdeal(const core::grading::IdealTop& ideal);
     /// The tooth shown as it has been cut so far: its whole top map.
@@ -68,6 +68,7 @@ public:
     /// The other hand: the handpiece comes from the left and the light from the right. The tooth stays as it is seen:
     /// turned round, an incisor would hide its lesion.
     void setLeftHanded(bool leftHanded);
+    [[nodiscard]] bool isLeftHanded() const { return m_leftHanded; }
     /// Half a circle, as it is for who sits on the other side of the patient.
     void turnRound();
     /// The mirror is put beside the tooth when it is shown; then it is moved by dragging its glass, tilted so with
