@@ -358,6 +358,13 @@ private:
                 last = aids->aids;
         return last;
     }
+    /// Until the window has drawn some frames, however long a busy computer takes for them.
+    void look(int frames = 10) const
+    {
+        QSignalSpy drawn(&m_window->view(), &ui::tooth::ToothView::frameAdvanced);
+        QTest::qWait(16 * frames);
+        static_cast<void>(QTest::qWaitFor([&] { return drawn.count() >= frames; }, 20'000));
+    }
     void publish(const ServoState& servo, const SessionState& session) const
     {
         m_links->servo.publish(servo);
@@ -1101,10 +1108,10 @@ void TestMainWindow::anExamTellsNothingByAReplay()
         SessionState session;
         session.toothGeneration = generation;
         publish({}, session);
-        QTest::qWait(150);
+        look();
         session.removedMm3[static_cast<std::size_t>(Material::Pulp)] = 0.5;
         publish({}, session);
-        QTest::qWait(150);
+        look();
         QStringList told;
         for (const int y : {12, 12 + 32})
             told << line->saidAt({qRound(line->xOf(20.5)), y});
@@ -1153,7 +1160,7 @@ void TestMainWindow::aLessonsTimeEndsWithTheLesson()
         session.toothGeneration = generation;
         session.recordedS = seconds;
         publish({}, session);
-        QTest::qWait(150);
+        look();
     };
     workFor(2, 30.0);
     // A tooth that is practised on freely has all the time there is.
@@ -1312,44 +1319,44 @@ void TestMainWindow::aBreachWaitsForWhoReadsAnotherPage()
 
 void TestMainWindow::theAidsInUseAreNoted()
 {
-    QTest::qWait(250);
+    look(16);
     const auto first = aidsNoted();
     QVERIFY(first.has_value());
     QVERIFY((*first & kDepthGaugeAid) != 0 && (*first & kSectionAid) == 0);
     press(Qt::Key_X);
-    QTest::qWait(250);
+    look(16);
     QVERIFY((aidsNoted().value_or(0) & kSectionAid) != 0);
     press(Qt::Key_F);
-    QTest::qWait(250);
+    look(16);
     QVERIFY((aidsNoted().value_or(0) & kRadiographAid) != 0);
     press(Qt::Key_Escape);
-    QTest::qWait(250);
+    look(16);
     QVERIFY((aidsNoted().value_or(kRadiographAid) & kRadiographAid) == 0);
-    QTest::qWait(250);
+    look(16);
     QVERIFY2(!aidsNoted().has_value(), "said once");
     // What was out before, and is not seen where the lesson does not allow it, is not in use there.
     actions().mirror->setChecked(true);
-    QTest::qWait(250);
+    look(16);
     QVERIFY((aidsNoted().value_or(0) & kMirrorAid) != 0);
     lessons::Aids noMirror;
     noMirror.mirror = false;
     m_window->setAids(noMirror);
-    QTest::qWait(250);
+    look(16);
     QVERIFY((aidsNoted().value_or(kMirrorAid) & kMirrorAid) == 0);
     m_window->setAids({});
     actions().mirror->setChecked(false);
-    QTest::qWait(250);
+    look(16);
     static_cast<void>(aidsNoted());
     // The console tells no more than the lesson allows, and of what it tells that is noted, too.
     auto* console = child<ui::console::Console>();
     press(Qt::Key_F9);
-    QTest::qWait(250);
+    look(16);
     QVERIFY((aidsNoted().value_or(kDepthGaugeAid) & kDepthGaugeAid) == 0);
     console->execute(QStringLiteral("watch live.depth"));
-    QTest::qWait(250);
+    look(16);
     QVERIFY((aidsNoted().value_or(0) & kDepthGaugeAid) != 0);
     m_window->setAids(lessons::Aids::none());
-    QTest::qWait(250);
+    look(16);
     QVERIFY((aidsNoted().value_or(kDepthGaugeAid) & kDepthGaugeAid) == 0);
     console->execute(QStringLiteral("get live.depth"));
     QVERIFY(child<QPlainTextEdit>("consoleOutput")->toPlainText().endsWith("This lesson does not allow it."));
@@ -1365,7 +1372,7 @@ void TestMainWindow::theBurTellsHowNearItIs()
     const auto whenAt = [&](double z) {
         servo.anchorMm.z = z;
         publish(servo, {});
-        QTest::qWait(250);
+        look(16);
         return shown();
     };
     const QString nothing = whenAt(20.0);
@@ -3029,7 +3036,7 @@ void TestMainWindow::anExamEndsOnce()
         servo.tick = 1;
         servo.drillOn = true;
         publish(servo, session);
-        QTest::qWait(150);
+        look();
     };
     const auto mayCut = [&] { return actions().drill->isEnabled() && actions().burs[0]->isEnabled(); };
     for (const bool byTime : {true, false}) {
