@@ -336,11 +336,18 @@ void Application::openDatabase()
             m_graded->keeping = Keeping::Kept;
             tellHistory();
         }
+        m_window->readAttemptsAgain();
     });
     connect(m_desk.get(), &SchoolDesk::damaged, this,
             [this](const core::Error& error) { m_window->showError(error, Failed::SendingAttempt); });
     connect(m_desk.get(), &SchoolDesk::unanswered, m_window.get(), &ui::shell::MainWindow::showUnanswered);
     connect(m_desk.get(), &SchoolDesk::answered, m_window.get(), &ui::shell::MainWindow::forgetUnanswered);
+    connect(m_desk.get(), &SchoolDesk::isBack, this, [this] {
+        if (m_who.isGuest())
+            return;
+        m_presets.refresh();
+        m_window->readAgain();
+    });
     connect(m_desk.get(), &SchoolDesk::waitOn, this, [this](int count) {
         m_window->showMessage(
             tr("%n attempt(s) on this computer cannot be given to this school: it does not know whose "

@@ -140,8 +140,7 @@ void CardDesk::withCard(const std::function<void(const ScoreCard&)>& use)
         [who = about->by, attempt = about->attempt](const School& school) { return readCard(school, who, attempt); },
         [&page, card, use](const core::Result<Known>& known) mutable {
             if (!known) {
-                page.say(
-                    [error = known.error()] { return ui::text::errorText(error, ui::text::Failed::ReadingSchool); });
+                page.say([error = known.error()] { return ui::text::errorText(error, ui::text::Failed::Reporting); });
                 return;
             }
             card.attempt = known->attempt;

@@ -652,8 +652,8 @@ void PeopleDesk::withReport(const std::function<void(const ui::report::ClassRepo
         },
         [this, use, report = report()](const core::Result<database::sql::AuditHead>& head) mutable {
             if (!head) {
-                m_window.classPage().say({});
-                refuse(head.error());
+                m_window.classPage().say(
+                    [error = head.error()] { return text::errorText(error, text::Failed::Reporting); });
                 return;
             }
             report.proof = {QString::fromStdString(head->code()), QStringLiteral(CUSP_VERSION),
@@ -729,6 +729,7 @@ void PeopleDesk::openHistory(database::PersonId person, const QString& fullName,
         HistoryPage& page = m_window.historyPage();
         page.setPerson(fullName);
         showAttempts(page, *found);
+        tellWaiting();
         page.setLesson(lesson);
         if (lesson)
             tellClassAt(QString::fromStdString(*lesson));
@@ -750,7 +751,19 @@ void PeopleDesk::tellAttempts()
                   refuse(found.error());
               else if (person == m_person)
                   showAttempts(m_window.historyPage(), *found);
+              tellWaiting();
           });
+}
+
+/// One's own: of others' this computer tells nobody.
+void PeopleDesk::tellWaiting()
+{
+    m_window.historyPage().setWaiting(0);
+    if (m_person == m_who().person())
+        m_desk.countWaiting(this, m_who(), [this, who = m_who()](int count) {
+            if (m_who() == who && m_person == who.person())
+                m_window.historyPage().setWaiting(count);
+        });
 }
 
 /// How the class of the person whose attempts are shown did at a lesson.

@@ -109,6 +109,7 @@ private:
     [[nodiscard]] QString makerOf(const database::AttemptRecord& attempt) const;
     void tellTalk();
     void tellAttempts();
+    void tellWaiting();
     void tellBefore();
     void noteSeen(const database::AttemptRecord& attempt);
     template <class Work>

@@ -218,12 +218,16 @@ void PresetDesk::read(bool tellsFault)
         },
         [this, who, takeWith, tellsFault](const core::Result<Found>& found) {
             if (who.person() == m_who().person()) {
-                if (found)
+                if (found) {
+                    if (std::exchange(m_isUnread, false))
+                        m_window.showPresetFault({});
                     takeWith(found->all, found->inUse, found->retired);
-                else if (m_all.empty())
+                } else if (m_all.empty()) {
                     takeWith({}, {});
-                else if (tellsFault)  // what was in use is so still: nobody is to drill otherwise than his class
+                } else if (tellsFault) {  // what was in use is so still: nobody is to drill otherwise than his class
+                    m_isUnread = true;
                     m_window.showPresetFault(ui::text::errorText(found.error(), ui::text::Failed::ReadingSchool));
+                }
             }
             if (--m_asked == 0)
                 emit isRead();

@@ -63,7 +63,8 @@ private:
     lessons::PresetFolder m_folder;
     std::vector<lessons::ReadPreset> m_all;  ///< as shelved()
     core::settings::FeelPreset m_inUse;
-    int m_asked = 0;  ///< how often the school was asked what there is, and has not answered yet
+    bool m_isUnread = false;  ///< as was told last
+    int m_asked = 0;          ///< how often the school was asked what there is, and has not answered yet
 };
 
 }  // namespace app

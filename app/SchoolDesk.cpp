@@ -21,6 +21,13 @@ using core::ErrorCode;
 constexpr int kRetryMs = 10'000;
 constexpr int kPatienceMs = 5000;  ///< until it is told that there is no answer
 
+/// Of what is no fault of the question: the same may be answered in a while.
+bool mayComeBack(ErrorCode code)
+{
+    return code == ErrorCode::ConnectionLost || code == ErrorCode::OutcomeUnknown || code == ErrorCode::ServerRefuses ||
+           code == ErrorCode::Busy || code == ErrorCode::FileMissing;
+}
+
 /// Of a file, which is no better the next time.
 bool isDamage(ErrorCode code)
 {
@@ -59,7 +66,7 @@ SchoolDesk::SchoolDesk(database::Address address, QString folder, database::sql:
     m_thread.setObjectName(QStringLiteral("school"));
     m_thread.start();
     m_retry.setInterval(kRetryMs);
-    QObject::connect(&m_retry, &QTimer::timeout, this, &SchoolDesk::deliver);
+    QObject::connect(&m_retry, &QTimer::timeout, this, &SchoolDesk::tryAgain);
     m_retry.start();
     m_patience.setInterval(kPatienceMs);
     m_patience.setSingleShot(true);
@@ -111,6 +118,7 @@ core::Status SchoolDesk::openDatabase()
         return same;
     m_database = std::move(*opened);
     m_allowsOthers = m_database->allowsOthers();
+    m_undeliverable.clear();
     const QSqlDatabase db = m_database->handle();
     m_school = std::make_unique<database::sql::School>(database::sql::School{db, *m_key, database::sql::clockOf(db)});
     return {};
@@ -167,6 +175,7 @@ core::Status SchoolDesk::connect()
             m_database.reset();
             return same;
         }
+        m_undeliverable.clear();  // it may know by now whose they are
         m_school->nowUtc = database::sql::clockOf(m_database->handle());
     }
     return {};
@@ -178,6 +187,12 @@ void SchoolDesk::notice(const core::Error& error)
     if (error.code == ErrorCode::Disabled)
         QMetaObject::invokeMethod(
             this, [this] { emit disabled(); }, Qt::QueuedConnection);
+    if (error.code == ErrorCode::OtherSchool && m_database) {  // it was made in the place that had become empty
+        m_school.reset();
+        m_database.reset();
+        QMetaObject::invokeMethod(
+            this, [this] { emit otherSchool(); }, Qt::QueuedConnection);
+    }
     if (error.code == ErrorCode::NotAllowed)
         QMetaObject::invokeMethod(
             this, [this] { emit refused(); }, Qt::QueuedConnection);
@@ -334,14 +349,49 @@ void SchoolDesk::answerKept(const QPointer<QObject>& owner, const core::Status& 
         Qt::QueuedConnection);
 }
 
-void SchoolDesk::takeAnswer(bool isOne)
+void SchoolDesk::takeAnswer(const std::optional<core::ErrorCode>& fault)
 {
     if (--m_asked == 0)
         m_patience.stop();
     else
         m_patience.start();
-    if (isOne)
+    m_wasAway = fault && mayComeBack(*fault);
+    if (!fault)
         emit answered();
+}
+
+/// What waits, and whoever could not be answered.
+void SchoolDesk::tryAgain()
+{
+    deliver();
+    if (m_wasAway)
+        ask(
+            this, [](const database::sql::School&) -> core::Result<bool> { return true; },
+            [this](const core::Result<bool>& there) {
+                if (there)
+                    emit isBack();
+            });
+}
+
+void SchoolDesk::countWaiting(QObject* owner, const database::Session& session, const std::function<void(int)>& done)
+{
+    post([this, guard = QPointer<QObject>(owner), uid = session.uid(), done] {
+        int count = 0;
+        if (m_key) {
+            const database::Outbox letters = outbox();
+            for (const QString& file : letters.waiting())
+                if (!database::Outbox::isExam(file))
+                    if (const auto letter = letters.read(file); letter && letter->attempt.personUid == uid)
+                        ++count;
+        }
+        QMetaObject::invokeMethod(
+            this,
+            [guard, done, count] {
+                if (guard)
+                    done(count);
+            },
+            Qt::QueuedConnection);
+    });
 }
 
 void SchoolDesk::deliver()

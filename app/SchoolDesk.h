@@ -88,7 +88,7 @@ public:
             QMetaObject::invokeMethod(
                 this,
                 [this, guard, answer, done = std::move(done)]() mutable {
-                    takeAnswer(answer->has_value());
+                    takeAnswer(*answer ? std::nullopt : std::optional(answer->error().code));
                     if (guard)
                         done(*answer);
                 },
@@ -134,6 +134,9 @@ public:
     void keep(QObject* owner, const database::Session& session, const database::ExamStart& start,
               const std::function<void(const core::Status&)>& kept);
 
+    /// How many attempts of the session's person wait here.
+    void countWaiting(QObject* owner, const database::Session& session, const std::function<void(int)>& done);
+
     /// Tries to deliver what waits.
     void deliver();
 
@@ -160,10 +163,13 @@ signals:
     void unanswered();
     /// What was asked was answered.
     void answered();
+    /// After what was asked could not be answered, the school can be asked again.
+    void isBack();
 
 private:
     /// On the ui thread.
-    void takeAnswer(bool isOne);
+    void takeAnswer(const std::optional<core::ErrorCode>& fault);
+    void tryAgain();
     /// Any thread.
     [[nodiscard]] static core::Result<database::StationKey> keyOf(const QString& folder);
     void post(std::function<void()> job);
@@ -202,7 +208,8 @@ private:
     QSet<QString> m_otherSchools;
     QTimer m_patience{this};
     int m_asked = 0;                  ///< what was asked and is not answered yet
-    QSet<QString> m_undeliverable;    ///< what cannot be delivered while this program runs
+    bool m_wasAway = false;           ///< when it was asked last
+    QSet<QString> m_undeliverable;    ///< what cannot be delivered on this connection
     QHash<QString, int> m_hasFailed;  ///< what could not be delivered yet, and may be soon: as which failure of all
     int m_failures = 0;
     bool m_isLost = false;

@@ -895,6 +895,15 @@
         <source>Another school is now where yours was. Log in again.</source>
         <translation>Wo Ihre Schule war, ist jetzt eine andere. Melden Sie sich neu an.</translation>
     </message>
+    <message>
+        <source>The school&apos;s server went away while this was being done, and nobody can say whether it was. Look when it answers again, before you do it again.</source>
+        <translation>Der Server der Schule war weg, während das ausgeführt wurde, und niemand kann sagen, ob es geschah. Sehen Sie nach, wenn er wieder antwortet, bevor Sie es noch einmal tun.</translation>
+    </message>
+    <message>
+        <source>Nothing was written: what stands on it is read anew for it. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation>Nichts wurde geschrieben: Was darauf steht, wird dafür neu gelesen. %1</translation>
+    </message>
 </context>
 <context>
     <name>ExerciseMarks</name>
@@ -5187,6 +5196,13 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>See what cost points</source>
         <translation>Sehen, was Punkte gekostet hat</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s) wait on this computer, and stand here when the school has them.</source>
+        <translation>
+            <numerusform>%n Versuch wartet auf diesem Computer und steht hier, sobald die Schule ihn hat.</numerusform>
+            <numerusform>%n Versuche warten auf diesem Computer und stehen hier, sobald die Schule sie hat.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

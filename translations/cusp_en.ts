@@ -895,6 +895,15 @@
         <source>Another school is now where yours was. Log in again.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The school&apos;s server went away while this was being done, and nobody can say whether it was. Look when it answers again, before you do it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was written: what stands on it is read anew for it. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ExerciseMarks</name>
@@ -5178,6 +5187,13 @@ load NAME        feels a hardness preset that is kept</source>
     <message>
         <source>See what cost points</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s) wait on this computer, and stand here when the school has them.</source>
+        <translation>
+            <numerusform>%n attempt waits on this computer, and stands here when the school has it.</numerusform>
+            <numerusform>%n attempts wait on this computer, and stand here when the school has them.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

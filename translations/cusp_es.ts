@@ -895,6 +895,15 @@
         <source>Another school is now where yours was. Log in again.</source>
         <translation>Donde estaba su escuela hay ahora otra. Inicie sesión de nuevo.</translation>
     </message>
+    <message>
+        <source>The school&apos;s server went away while this was being done, and nobody can say whether it was. Look when it answers again, before you do it again.</source>
+        <translation>El servidor de la escuela se fue mientras esto se hacía, y nadie puede decir si se hizo. Mírelo cuando vuelva a responder, antes de hacerlo otra vez.</translation>
+    </message>
+    <message>
+        <source>Nothing was written: what stands on it is read anew for it. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation>No se escribió nada: para ello se vuelve a leer lo que contiene. %1</translation>
+    </message>
 </context>
 <context>
     <name>ExerciseMarks</name>
@@ -5187,6 +5196,13 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>See what cost points</source>
         <translation>Ver qué costó puntos</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s) wait on this computer, and stand here when the school has them.</source>
+        <translation>
+            <numerusform>%n intento espera en este ordenador y aparecerá aquí cuando la escuela lo tenga.</numerusform>
+            <numerusform>%n intentos esperan en este ordenador y aparecerán aquí cuando la escuela los tenga.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

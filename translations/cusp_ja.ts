@@ -893,6 +893,15 @@
         <source>Another school is now where yours was. Log in again.</source>
         <translation>この学校のあった場所に、別の学校があります。もう一度ログインしてください。</translation>
     </message>
+    <message>
+        <source>The school&apos;s server went away while this was being done, and nobody can say whether it was. Look when it answers again, before you do it again.</source>
+        <translation>この処理の途中で学校のサーバーとの接続が切れました。実行されたかどうかは分かりません。もう一度行う前に、サーバーが応答するようになったら確認してください。</translation>
+    </message>
+    <message>
+        <source>Nothing was written: what stands on it is read anew for it. %1</source>
+        <extracomment>%1: why, and what to do</extracomment>
+        <translation>何も書き出されませんでした。書き出す内容はそのつど読み直されます。%1</translation>
+    </message>
 </context>
 <context>
     <name>ExerciseMarks</name>
@@ -5147,6 +5156,12 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>See what cost points</source>
         <translation>何が減点になったかを見る</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s) wait on this computer, and stand here when the school has them.</source>
+        <translation>
+            <numerusform>%n 件の試行がこのコンピューターで待機しています。学校に届くとここに表示されます。</numerusform>
+        </translation>
     </message>
 </context>
 <context>

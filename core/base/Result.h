@@ -30,6 +30,7 @@ enum class ErrorCode {
     Busy,            ///< another program holds it; the same may work in a moment
     OpenElsewhere,   ///< what one program at a time can use, until the other ends
     ConnectionLost,  ///< a server that does not answer, or not any more
+    OutcomeUnknown,  ///< a server that went away while it was confirming: it may be done or not
     ServerRefuses,   ///< a server that answers, and says no: whoever looks after it decides
     OtherSchool,     ///< another school is where the one was that was worked in
     NotAllowed,      ///< by the role of who asked

@@ -125,8 +125,8 @@ core::Error postgresError(const std::string& head, const QSqlError& error, bool 
         return {ErrorCode::Busy, head + "another station is writing to it; try again in a moment, and if it stays so, "
                                         "let the server's administrator see who has locked it (pg_locks)"};
     if (is("XX"))
-        return {ErrorCode::BadStructure, head + "the server found damage (" + said + "); restore a backup of it"};
-    return {ErrorCode::BadStructure,
+        return {ErrorCode::ServerRefuses, head + "the server found damage (" + said + "); restore a backup of it"};
+    return {ErrorCode::ServerRefuses,
             head + "the server answered: " + said + "; let the server's administrator look at it"};
 }
 

@@ -88,7 +88,10 @@ core::Result<Who> admit(const School& school, const Session& session, Operation 
                 {QVariant::fromValue<qlonglong>(session.person().value), text(session.uid())});
         if (!row)
             return tl::unexpected(row.error());
-        if (!row->next() || row->value(1).toInt() != 0)
+        // Nobody is ever taken out of a school: it is another in the same place.
+        if (!row->next())
+            return core::unexpected(core::ErrorCode::OtherSchool, "this school does not know who asks; log in again");
+        if (row->value(1).toInt() != 0)
             return core::unexpected(core::ErrorCode::Disabled, "this account has been disabled; ask an admin");
         who.role = roleOf(textOf(*row, 0)).value_or(Role::Guest);
     }

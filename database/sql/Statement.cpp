@@ -1,10 +1,42 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "database/sql/Statement.h"
 
+#include <optional>
+
+#include <QDeadlineTimer>
 #include <QSqlError>
 #include <QSqlRecord>
+#include <QThread>
 
 namespace database::sql {
+namespace {
+
+constexpr int kOutcomePatienceMs = 10'000;
+constexpr unsigned long kOutcomeRestMs = 200;
+
+/// How a transaction ended whose end was not answered (PostgreSQL's manual, "Transaction ID and Snapshot Information
+/// Functions"). Nothing: nobody says.
+std::optional<bool> wasKept(const QSqlDatabase& lost, const QVariant& transaction)
+{
+    const QString name = lost.connectionName() + QStringLiteral(", how it ended");
+    std::optional<bool> kept;
+    for (QDeadlineTimer patience(kOutcomePatienceMs); !kept && !patience.hasExpired();) {
+        {
+            QSqlDatabase db = QSqlDatabase::cloneDatabase(lost, name);
+            const auto said = db.open() ? ask(db, QStringLiteral("SELECT txid_status(?)"), "ask", {transaction})
+                                        : core::Result<QVariant>(QVariant());
+            const QString how = said ? said->toString() : QString();
+            if (how == u"committed" || how == u"aborted")  // else it is still at it
+                kept = how == u"committed";
+        }
+        QSqlDatabase::removeDatabase(name);
+        if (!kept)
+            QThread::msleep(kOutcomeRestMs);
+    }
+    return kept;
+}
+
+}  // namespace
 
 core::Result<QSqlQuery> run(const QSqlDatabase& db, const QString& sql, const std::string& doing,
                             const QVariantList& values)
@@ -32,6 +64,25 @@ core::Status execute(const QSqlDatabase& db, const QString& sql, const std::stri
 {
     const auto done = run(db, sql, doing, values);
     return done ? core::Status() : core::Status(tl::unexpected(done.error()));
+}
+
+core::Status commit(const QSqlDatabase& db, const std::string& doing)
+{
+    const QString end = QStringLiteral("COMMIT");
+    if (!dialect::isPostgres(db))
+        return execute(db, end, doing);
+    const auto transaction = ask(db, QStringLiteral("SELECT txid_current_if_assigned()"), doing);
+    if (!transaction)
+        return tl::unexpected(transaction.error());
+    core::Status done = execute(db, end, doing);
+    if (done || done.error().code != core::ErrorCode::ConnectionLost || transaction->isNull())
+        return done;
+    const auto kept = wasKept(db, *transaction);
+    if (!kept)
+        return core::unexpected(core::ErrorCode::OutcomeUnknown,
+                                done.error().detail + "; whether it was done nobody can say: look when the server "
+                                                      "answers again, before you do it again");
+    return *kept ? core::Status() : done;
 }
 
 core::Result<QVariant> ask(const QSqlDatabase& db, const QString& sql, const std::string& doing,

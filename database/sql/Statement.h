@@ -38,6 +38,11 @@ namespace database::sql {
 /// From one column to the last.
 [[nodiscard]] QVariantList valuesOf(const QSqlQuery& row, int first);
 
+/// Ends a transaction so that it is kept. A server that goes away before it has answered is asked how it ended, as soon
+/// as it is back: for some seconds, after which nobody knows (OutcomeUnknown). Where it was undone, ConnectionLost.
+/// Afterwards the connection is lost in either case.
+[[nodiscard]] core::Status commit(const QSqlDatabase& db, const std::string& doing);
+
 /// Runs `work` inside a transaction that writes, which ends with it: kept if it succeeds, undone if not.
 /// @param work  returns a core::Result or core::Status
 template <class Work>
@@ -47,7 +52,7 @@ auto inTransaction(const QSqlDatabase& db, const std::string& doing, Work work) 
         return tl::unexpected(begun.error());
     auto done = work();
     if (done) {
-        if (auto kept = execute(db, QStringLiteral("COMMIT"), doing); !kept)
+        if (auto kept = commit(db, doing); !kept)
             done = tl::unexpected(kept.error());
     }
     // The first failure is the one to tell; a failed rollback ends with the connection anyway.

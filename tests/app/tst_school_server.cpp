@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The whole program at a school of many stations: a real PostgreSQL server, which goes, comes back and takes its time.
 #include <QFile>
+#include <QFileDialog>
 #include <QLabel>
 #include <QListView>
 #include <QStandardPaths>
+#include <QTableView>
 #include <QTest>
 
 #include "app/Application.h"
+#include "database/sql/Classes.h"
 #include "database/sql/Logins.h"
 #include "database/sql/Statement.h"
 #include "tests/app/SchoolWindow.h"
@@ -28,7 +31,10 @@ private slots:
     void cleanup() { m_application.reset(); }
 
     void workGoesOnWithoutTheServer();
+    void whatCouldNotBeReadIsReadWhenItCanBe();
+    void whatWaitsIsNamedAmongTheAttempts();
     void whatALateAnswerDecidesIsOffered();
+    void anotherSchoolInItsPlaceLetsNobodyStay_data();
     void anotherSchoolInItsPlaceLetsNobodyStay();
 
 private:
@@ -72,6 +78,58 @@ void TestSchoolServer::workGoesOnWithoutTheServer()
     QCOMPARE(attemptsKept(), 1);
 }
 
+/// By itself, on the page that is open; and what was said against it goes.
+void TestSchoolServer::whatCouldNotBeReadIsReadWhenItCanBe()
+{
+    start();
+    logIn("ines");
+    const auto* const matrix = child<QTableView>("matrix")->model();
+    QTRY_COMPARE_WITH_TIMEOUT(matrix->rowCount(), 1, kPatienceMs);
+    m_postgres.stop();
+    actions().readAgain->trigger();
+    QTRY_VERIFY2_WITH_TIMEOUT(message().contains("does not answer"), qPrintable(message()), kPatienceMs);
+    // What is wanted of it for a paper is told of where it was asked for.
+    emit child<ui::people::ClassPage>()->pdfWanted();
+    auto* const dialog = child<QFileDialog>("QFileDialog");
+    QVERIFY(dialog != nullptr);
+    emit dialog->fileSelected(m_folder->filePath("class.pdf"));
+    dialog->reject();
+    const auto* const said = child<ui::people::ClassPage>()->findChild<QLabel*>("said");
+    QTRY_VERIFY2_WITH_TIMEOUT(said->text().contains("Nothing was written"), qPrintable(said->text()), kPatienceMs);
+    QVERIFY(m_postgres.start());
+    {
+        const OtherStation elsewhere(place());
+        const auto admin = elsewhere.logIn("admin");
+        const ClassId ofClass = sql::listClasses(elsewhere.school, admin).value().front().id;
+        const auto sue = sql::ask(elsewhere.school.db, "SELECT id FROM people WHERE username = 'sue'", "read").value();
+        QVERIFY(sql::enrol(elsewhere.school, admin, ofClass, {sue.toLongLong()}, true));
+    }
+    QTRY_COMPARE_WITH_TIMEOUT(matrix->rowCount(), 2, kPatienceMs);
+    QTRY_VERIFY2_WITH_TIMEOUT(message().isEmpty(), qPrintable(message()), kPatienceMs);
+}
+
+/// Another station holds what is written to; it can be read.
+void TestSchoolServer::whatWaitsIsNamedAmongTheAttempts()
+{
+    start();
+    logIn("sam");
+    toTheTooth();
+    drill(-2.0);
+    const OtherStation elsewhere(place());
+    QVERIFY(sql::execute(elsewhere.school.db, "BEGIN", "lock"));
+    QVERIFY(sql::execute(elsewhere.school.db, "LOCK TABLE attempts IN SHARE MODE", "lock"));
+    grade("kept on this computer");
+    actions().attempts->trigger();
+    const auto* const waiting = child<QLabel>("attemptsWaiting");
+    const auto* const attempts = child<QTableView>("attempts")->model();
+    QTRY_VERIFY_WITH_TIMEOUT(waiting->isVisible(), kPatienceMs);
+    QVERIFY2(waiting->text().startsWith("1 attempt waits"), qPrintable(waiting->text()));
+    QCOMPARE(attempts->rowCount(), 0);
+    QVERIFY(sql::execute(elsewhere.school.db, "ROLLBACK", "lock"));
+    QTRY_COMPARE_WITH_TIMEOUT(attempts->rowCount(), 1, kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(!waiting->isVisible(), kPatienceMs);
+}
+
 /// Whether an attempt that was graded is kept, only the school knows; until it says so nobody waits, nor is it
 /// forgotten.
 void TestSchoolServer::whatALateAnswerDecidesIsOffered()
@@ -98,26 +156,41 @@ void TestSchoolServer::whatALateAnswerDecidesIsOffered()
     QTRY_VERIFY2_WITH_TIMEOUT(offered().contains("Continue where I stopped"), qPrintable(offered()), kPatienceMs);
 }
 
+void TestSchoolServer::anotherSchoolInItsPlaceLetsNobodyStay_data()
+{
+    QTest::addColumn<bool>("isEmptyFirst");
+    QTest::newRow("at once") << false;
+    QTest::newRow("it is made where an empty one was seen") << true;
+}
+
 /// As an admin does who drops the database, makes it anew and copies a school into it.
 void TestSchoolServer::anotherSchoolInItsPlaceLetsNobodyStay()
 {
-    const QString other = m_postgres.newDatabase();
-    {
-        const OtherStation elsewhere(other);
+    QFETCH(bool, isEmptyFirst);
+    const auto makeIn = [](const QString& at) {
+        const OtherStation elsewhere(at);
         QVERIFY(sql::Logins::createFirstAdmin(elsewhere.school, {"admin", "", "", Role::Admin}, support::kPassword,
                                               {1, 8192}));
-    }
+    };
     start();
     logIn("ines");
     QTRY_VERIFY_WITH_TIMEOUT(child<ui::people::ClassPage>()->isVisible(), kPatienceMs);
-    {
-        const auto beside = sql::Database::open(m_postgres.newDatabase()).value();
-        const QString name = place().section('/', -1);
-        for (const QString& step : {"DROP DATABASE " + name + " WITH (FORCE)",
-                                    "ALTER DATABASE " + other.section('/', -1) + " RENAME TO " + name})
-            QVERIFY(sql::execute(beside->handle(), step, "put another in its place"));
+    const QString name = place().section('/', -1);
+    const auto beside = sql::Database::open(m_postgres.newDatabase()).value();
+    QVERIFY(sql::execute(beside->handle(), "DROP DATABASE " + name + " WITH (FORCE)", "drop it"));
+    if (isEmptyFirst) {
+        QVERIFY(sql::execute(beside->handle(), "CREATE DATABASE " + name, "make it"));
+        actions().classes->trigger();
+        QTRY_VERIFY2_WITH_TIMEOUT(message().contains("says no"), qPrintable(message()), kPatienceMs);
+        makeIn(place());
+        actions().readAgain->trigger();
+    } else {
+        const QString other = m_postgres.newDatabase();
+        makeIn(other);
+        QVERIFY(sql::execute(beside->handle(), "ALTER DATABASE " + other.section('/', -1) + " RENAME TO " + name,
+                             "rename it"));
+        actions().classes->trigger();
     }
-    actions().classes->trigger();
     QTRY_VERIFY_WITH_TIMEOUT(m_application->window().isAtDoor() && door() == Door::Login, kPatienceMs);
     QTRY_VERIFY2_WITH_TIMEOUT(saidAtDoor().contains("Another school is now where yours was"), qPrintable(saidAtDoor()),
                               kPatienceMs);

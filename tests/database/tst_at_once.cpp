@@ -114,6 +114,8 @@ private slots:
     void whatIsTooLongForTheServerIsAValueThatIsNotAllowed();
     void aClassListIsTriedWhileOthersWrite_data() { support::addEngines(); }
     void aClassListIsTriedWhileOthersWrite();
+    void howItEndedIsAskedForWhereNobodyAnswered_data();
+    void howItEndedIsAskedForWhereNobodyAnswered();
     void whoMayOnlyReadHoldsNobodyUp();
 };
 
@@ -352,6 +354,62 @@ void TestAtOnce::whatAnotherHasGivenIsNotOverwritten()
 }
 
 /// He can lock any number there is: what a station waits for is none.
+void TestAtOnce::howItEndedIsAskedForWhereNobodyAnswered_data()
+{
+    QTest::addColumn<bool>("isStopped");
+    QTest::addColumn<bool>("comesBack");
+    QTest::newRow("the connection is lost") << false << true;
+    QTest::newRow("the server stops, and comes back") << true << true;
+    QTest::newRow("the server stays away") << true << false;
+}
+
+/// Somebody is entered, and the server goes after it has kept that and before it has said so: it waits for a second
+/// server, which there is not.
+void TestAtOnce::howItEndedIsAskedForWhereNobodyAnswered()
+{
+    QFETCH(bool, isStopped);
+    QFETCH(bool, comesBack);
+    support::PostgresServer& server = support::sharedServer();
+    if (!server.fault().isEmpty())
+        QSKIP(qPrintable(server.fault()));
+    SchoolRig rig(true);
+    rig.populate();
+    const auto twoServers = [](const QSqlDatabase& db, const char* change) {
+        VERIFY_DONE(
+            execute(db, QStringLiteral("ALTER SYSTEM %1").arg(QLatin1String(change)), "change how it confirms"));
+        VERIFY_DONE(ask(db, "SELECT pg_reload_conf()", "change how it confirms"));
+    };
+    twoServers(rig.school().db, "SET synchronous_standby_names = 'nobody'");
+    core::Result<Entered> entered = tl::unexpected(core::Error{});
+    std::thread other([&] {
+        const Station station(rig.address());
+        entered = addPerson(station.school(), rig.admin, {"s3001", "Late", "Comer", Role::Student});
+    });
+    const auto waiting = [&] {
+        return ask(rig.school().db, "SELECT pid FROM pg_stat_activity WHERE wait_event = 'SyncRep'", "look").value();
+    };
+    const bool waits = QTest::qWaitFor([&] { return !waiting().isNull(); }, 30'000);
+    if (!isStopped)
+        static_cast<void>(ask(rig.school().db, "SELECT pg_terminate_backend(?)", "end it", {waiting()}));
+    else
+        server.kill();
+    if (isStopped && comesBack)
+        QVERIFY(server.start());
+    other.join();
+    if (isStopped && !comesBack)
+        QVERIFY(server.start());
+    rig.reopen();
+    twoServers(rig.school().db, "RESET synchronous_standby_names");
+    QVERIFY(waits);
+    QCOMPARE(ask(rig.school().db, "SELECT count(*) FROM people WHERE username = 's3001'", "count").value().toInt(), 1);
+    if (comesBack) {
+        VERIFY_DONE(entered);
+        VERIFY_DONE(Logins::redeem(rig.school(), "s3001", entered->code, SchoolRig::kPassword));
+    } else {
+        VERIFY_REFUSED(entered, ErrorCode::OutcomeUnknown);
+    }
+}
+
 void TestAtOnce::whoMayOnlyReadHoldsNobodyUp()
 {
     if (!support::sharedServer().fault().isEmpty())

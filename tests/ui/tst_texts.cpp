@@ -86,7 +86,7 @@ constexpr std::array kAllCodes{
     ErrorCode::UnknownName,    ErrorCode::OutOfRange,     ErrorCode::OtherTooth,     ErrorCode::Busy,
     ErrorCode::ConnectionLost, ErrorCode::NotAllowed,     ErrorCode::WrongLogin,     ErrorCode::TooSoon,
     ErrorCode::NewPassword,    ErrorCode::NobodyLeft,     ErrorCode::ChangedSince,   ErrorCode::Disabled,
-    ErrorCode::OpenElsewhere,  ErrorCode::ServerRefuses,  ErrorCode::OtherSchool};
+    ErrorCode::OpenElsewhere,  ErrorCode::ServerRefuses,  ErrorCode::OtherSchool,    ErrorCode::OutcomeUnknown};
 static_assert(kAllCodes.size() == static_cast<std::size_t>(ErrorCode::ChangedSince) + 1, "a new code needs a sentence");
 
 struct Entry

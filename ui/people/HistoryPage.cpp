@@ -74,13 +74,17 @@ QWidget* HistoryPage::makeList()
     head->addWidget(m_lessons);
     head->addWidget(m_count, 1);
     column->addLayout(head);
+    m_waitingWords = new QLabel(part);
+    m_waitingWords->setObjectName(QStringLiteral("attemptsWaiting"));
     m_withoutScore = new QLabel(part);
     m_withoutScore->setObjectName(QStringLiteral("examsWithoutScore"));
-    m_withoutScore->setTextFormat(Qt::PlainText);
-    m_withoutScore->setWordWrap(true);
-    m_withoutScore->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-    m_withoutScore->hide();
-    column->addWidget(m_withoutScore);
+    for (QLabel* words : {m_waitingWords, m_withoutScore}) {
+        words->setTextFormat(Qt::PlainText);
+        words->setWordWrap(true);
+        words->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+        words->hide();
+        column->addWidget(words);
+    }
 
     m_table = new ListTable(part);
     m_table->setObjectName(QStringLiteral("attempts"));
@@ -202,6 +206,7 @@ void HistoryPage::forget()
 {
     setLesson({});
     setExamsWithoutScore({});
+    setWaiting(0);
     setHistory({});
     setFeedback({});
     setPerson({});
@@ -231,7 +236,7 @@ void HistoryPage::setExamsWithoutScore(const QList<database::ExamStart>& newestF
     tellWithoutScore();
 }
 
-/// Of the lesson that is shown; and whether there is anything to show at all.
+/// Of the lesson that is shown.
 void HistoryPage::tellWithoutScore()
 {
     const auto shown = lesson();
@@ -246,7 +251,22 @@ void HistoryPage::tellWithoutScore()
     m_withoutScore->setText(tr("Exams that have no score: %1").arg(words.join(QStringLiteral("; "))));
     m_withoutScore->setToolTip(starts.size() > kMostStarts ? starts.join(u'\n') : QString());
     m_withoutScore->setVisible(!starts.isEmpty());
-    m_stack->setCurrentIndex(m_history.isEmpty() && m_startsWithoutScore.isEmpty() ? 1 : 0);
+    tellWaiting();
+}
+
+void HistoryPage::setWaiting(int count)
+{
+    m_waiting = count;
+    tellWaiting();
+}
+
+/// And whether there is anything to show at all.
+void HistoryPage::tellWaiting()
+{
+    m_waitingWords->setText(
+        tr("%n attempt(s) wait on this computer, and stand here when the school has them.", nullptr, m_waiting));
+    m_waitingWords->setVisible(m_waiting > 0);
+    m_stack->setCurrentIndex(m_history.isEmpty() && m_startsWithoutScore.isEmpty() && m_waiting == 0 ? 1 : 0);
 }
 
 void HistoryPage::setLessonTitles(const LessonTitles& titles)

@@ -47,6 +47,8 @@ public:
     void setFeedback(const std::vector<database::Feedback>& feedback);
     /// Exams of that person that were begun, and have no score.
     void setExamsWithoutScore(const QList<database::ExamStart>& newestFirst);
+    /// Attempts of that person that wait on this computer until the school can take them.
+    void setWaiting(int count);
     void setLessonTitles(const LessonTitles& titles);
     /// What criteria are called, by their ids; of the lessons that are known.
     /// @param names  of the criteria of each lesson, by its id
@@ -89,10 +91,12 @@ private:
     void drawCharts();
     void tellChosen();
     void tellWithoutScore();
+    void tellWaiting();
 
     QString m_person;
     QList<database::AttemptRecord> m_history;
     QList<database::ExamStart> m_startsWithoutScore;
+    int m_waiting = 0;
     ChartedAttempts m_charted;  ///< those of the lesson
     HistoryModel* m_model;
     HistoryFilter* m_filter;
@@ -100,6 +104,7 @@ private:
     QComboBox* m_lessons = nullptr;
     QLabel* m_count = nullptr;
     QLabel* m_withoutScore = nullptr;
+    QLabel* m_waitingWords = nullptr;
     ListTable* m_table = nullptr;
     std::map<int, int> m_columnPx;  ///< what each needs
     QLabel* m_missing = nullptr;    ///< why the chosen one cannot be opened

@@ -401,17 +401,7 @@ void MainWindow::connectActions()
     connect(m_login, &people::LoginPage::leaveWanted, this, &MainWindow::goBack);
     on(m_actions->attempts, [this] { emit attemptsWanted(); });
     on(m_actions->classes, [this] { emit classesWanted(); });
-    on(m_actions->readAgain, [this] {
-        m_messages->withdraw(MessageBar::Topic::Page);
-        if (m_pages->currentWidget() == m_admin)
-            m_admin->readAgain();
-        else if (m_pages->currentWidget() == m_history)
-            m_history->readAgain();
-        else if (m_pages->currentWidget() == m_presets)
-            emit presetsWanted();
-        else
-            m_classes->readAgain();
-    });
+    on(m_actions->readAgain, [this] { readAgain(); });
     on(m_actions->quit, [this] { close(); });
 }
 
@@ -1977,6 +1967,28 @@ void MainWindow::showUnanswered()
 void MainWindow::forgetUnanswered()
 {
     m_messages->withdraw(MessageBar::Topic::School);
+}
+
+void MainWindow::readAgain()
+{
+    m_messages->withdraw(MessageBar::Topic::Page);
+    const QWidget* const page = m_pages->currentWidget();
+    if (page == m_admin)
+        m_admin->readAgain();
+    else if (page == m_history)
+        m_history->readAgain();
+    else if (page == m_presets)
+        emit presetsWanted();
+    else if (page == m_classes)
+        m_classes->readAgain();
+    else if (page == m_lessonsPage)
+        emit lessonsWanted();
+}
+
+void MainWindow::readAttemptsAgain()
+{
+    if (m_pages->currentWidget() == m_lessonsPage || m_pages->currentWidget() == m_history)
+        readAgain();
 }
 
 void MainWindow::forgetUnread()

@@ -147,6 +147,10 @@ public slots:
     void showUnanswered();
     /// It answers again: what was said of its silence, and of what could not be read, is over.
     void forgetUnanswered();
+    /// What the page that is open shows of the school is asked for once more, and what was said against it forgotten.
+    void readAgain();
+    /// The same where it shows attempts.
+    void readAttemptsAgain();
     /// What could not be read for the page that is shown is there now.
     void forgetUnread();
     /// An attempt is kept on the disk again while it is made, or is over.

@@ -69,6 +69,7 @@ QString remedy(Failed failed)
     case Failed::KeepingGrade:
     case Failed::ReadingSchool:
     case Failed::ChangingSchool:
+    case Failed::Reporting:
         return QCoreApplication::translate("Error", "Put a copy of it back, or move it away: Cusp then begins a new "
                                                     "one.");
     case Failed::ResumingAttempt:
@@ -97,6 +98,7 @@ QString wrongKind(Failed failed)
     case Failed::KeepingGrade:
     case Failed::ReadingSchool:
     case Failed::ChangingSchool:
+    case Failed::Reporting:
         return QCoreApplication::translate("Error", "The file is no database of Cusp.");
     case Failed::ResumingAttempt:
         return QCoreApplication::translate("Error", "This Cusp did not write the file, or an older one did.");
@@ -128,7 +130,8 @@ QString reason(core::ErrorCode code, Failed failed)
             return QCoreApplication::translate("Error", "The folder “outbox”, where grades wait for the school, "
                                                         "cannot be written. Make room on the disk, or make that "
                                                         "folder writable.");
-        if (failed == Failed::KeepingGrades || failed == Failed::ReadingSchool || failed == Failed::ChangingSchool)
+        if (failed == Failed::KeepingGrades || failed == Failed::ReadingSchool || failed == Failed::ChangingSchool ||
+            failed == Failed::Reporting)
             return QCoreApplication::translate("Error", "The school's file cannot be written. Make room on the disk, "
                                                         "or make its folder writable.");
         return QCoreApplication::translate("Error", "The file cannot be written. Choose another folder, or make room "
@@ -172,10 +175,15 @@ QString reason(core::ErrorCode code, Failed failed)
             "open. Only one at a time can: close that one. For several computers an admin keeps them on a "
             "PostgreSQL server.");
     case core::ErrorCode::ConnectionLost:
-        if (failed == Failed::ChangingSchool)  // which nobody sends again but whoever wanted it
+        if (failed == Failed::ChangingSchool || failed == Failed::Reporting)  // nobody does it again but who wanted it
             return QCoreApplication::translate(
                 "Error", "The school's server does not answer. Try it again when the server answers.");
         return QCoreApplication::translate("Error", "The school's server does not answer. Cusp tries again by itself.");
+    case core::ErrorCode::OutcomeUnknown:
+        return QCoreApplication::translate("Error",
+                                           "The school's server went away while this was being done, and nobody "
+                                           "can say whether it was. Look when it answers again, before you do "
+                                           "it again.");
     case core::ErrorCode::ServerRefuses:
         return QCoreApplication::translate("Error", "The school's server says no. Ask whoever looks after it: its log, "
                                                     "or “cusp db check”, says why.");
@@ -206,6 +214,8 @@ QString reason(core::ErrorCode code, Failed failed)
 
 QString errorText(const core::Error& error, Failed failed)
 {
+    if (error.code == core::ErrorCode::OutcomeUnknown)  // nor does anybody know what has failed
+        return reason(error.code, failed);
     switch (failed) {
     case Failed::OpeningScan:
         //: %1: why, and what to do
@@ -251,6 +261,10 @@ QString errorText(const core::Error& error, Failed failed)
     case Failed::ChangingSchool:
         //: %1: why, and what to do
         return QCoreApplication::translate("Error", "That was not done, and nothing was changed. %1")
+            .arg(reason(error.code, failed));
+    case Failed::Reporting:
+        //: %1: why, and what to do
+        return QCoreApplication::translate("Error", "Nothing was written: what stands on it is read anew for it. %1")
             .arg(reason(error.code, failed));
     case Failed::SendingAttempt:
         return QCoreApplication::translate(

@@ -29,6 +29,7 @@ enum class Failed {
     KeepingGrade,    ///< on the disk; it is tried again
     ReadingSchool,   ///< what is known of people, classes and attempts
     ChangingSchool,  ///< the same; nothing was changed
+    Reporting,       ///< on paper or in a file, what of it is read for that
     SendingAttempt,  ///< to the school; it is damaged
     KeepingAttempt,  ///< on the disk, while it goes on
     KeepingExam,     ///< the same, of what cannot be saved by hand
