@@ -174,7 +174,7 @@ void TestSchoolServer::anotherSchoolInItsPlaceLetsNobodyStay()
     };
     start();
     logIn("ines");
-    QTRY_VERIFY_WITH_TIMEOUT(child<ui::people::ClassPage>()->isVisible(), kPatienceMs);
+    QTRY_COMPARE_WITH_TIMEOUT(child<QTableView>("matrix")->model()->rowCount(), 1, kPatienceMs);
     const QString name = place().section('/', -1);
     const auto beside = sql::Database::open(m_postgres.newDatabase()).value();
     QVERIFY(sql::execute(beside->handle(), "DROP DATABASE " + name + " WITH (FORCE)", "drop it"));
