@@ -217,17 +217,6 @@ SchoolDesk::Opening SchoolDesk::tryToOpen()
     return opening;
 }
 
-void SchoolDesk::answer(const QPointer<QObject>& owner, const Opened& done, const Opening& opening)
-{
-    QMetaObject::invokeMethod(
-        this,
-        [owner, opening, done] {
-            if (owner)
-                done(opening);
-        },
-        Qt::QueuedConnection);
-}
-
 void SchoolDesk::open(QObject* owner, const Opened& done)
 {
     post([this, guard = QPointer<QObject>(owner), done] {
@@ -294,7 +283,7 @@ void SchoolDesk::expectAlone(QObject* owner, const database::Session& session,
             alone = database::sql::expectClosed(m_address.file);
             static_cast<void>(connect());
         }
-        answerKept(guard, alone, done);
+        answer(guard, done, alone);
     });
 }
 
@@ -323,7 +312,7 @@ void SchoolDesk::keep(QObject* owner, const database::Session& session, const da
         const core::Status status = putInto([&](database::Outbox letters) {
             return letters.put(session, attempt, QByteArray::fromStdString(recording.toBytes()));
         });
-        answerKept(guard, status, kept);
+        answer(guard, kept, status);
         deliverAll();
     });
 }
@@ -332,21 +321,9 @@ void SchoolDesk::keep(QObject* owner, const database::Session& session, const da
                       const std::function<void(const core::Status&)>& kept)
 {
     post([this, guard = QPointer<QObject>(owner), session, start, kept] {
-        answerKept(guard, putInto([&](database::Outbox letters) { return letters.put(session, start); }), kept);
+        answer(guard, kept, putInto([&](database::Outbox letters) { return letters.put(session, start); }));
         deliverAll();
     });
-}
-
-void SchoolDesk::answerKept(const QPointer<QObject>& owner, const core::Status& status,
-                            const std::function<void(const core::Status&)>& kept)
-{
-    QMetaObject::invokeMethod(
-        this,
-        [owner, status, kept] {
-            if (owner)
-                kept(status);
-        },
-        Qt::QueuedConnection);
 }
 
 void SchoolDesk::takeAnswer(const std::optional<core::ErrorCode>& fault)
@@ -384,13 +361,7 @@ void SchoolDesk::countWaiting(QObject* owner, const database::Session& session, 
                     if (const auto letter = letters.read(file); letter && letter->attempt.personUid == uid)
                         ++count;
         }
-        QMetaObject::invokeMethod(
-            this,
-            [guard, done, count] {
-                if (guard)
-                    done(count);
-            },
-            Qt::QueuedConnection);
+        answer(guard, done, count);
     });
 }
 

@@ -173,9 +173,18 @@ private:
     /// Any thread.
     [[nodiscard]] static core::Result<database::StationKey> keyOf(const QString& folder);
     void post(std::function<void()> job);
-    void answer(const QPointer<QObject>& owner, const Opened& done, const Opening& opening);
-    void answerKept(const QPointer<QObject>& owner, const core::Status& status,
-                    const std::function<void(const core::Status&)>& kept);
+    /// Gives a result to `done` on the ui thread, unless `owner` has gone meanwhile.
+    template <class Done, class Value>
+    void answer(const QPointer<QObject>& owner, const Done& done, const Value& value)
+    {
+        QMetaObject::invokeMethod(
+            this,
+            [owner, done, value] {
+                if (owner)
+                    done(value);
+            },
+            Qt::QueuedConnection);
+    }
     // What follows runs on the desk's thread.
     [[nodiscard]] core::Status connect();
     [[nodiscard]] core::Status openDatabase();
