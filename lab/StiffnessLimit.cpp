@@ -18,7 +18,7 @@ constexpr double kHeightMm = 2.0;
 constexpr double kThrowMmPerS = 50.0;
 constexpr double kPushN = 2.0;
 constexpr double kTrialS = 2.0;
-constexpr double kWatchedS = 0.5;
+constexpr double kProbedS = 0.5;
 constexpr double kRestMm = 0.15;
 
 /// A Falcon that does not measure its delay.
@@ -52,7 +52,7 @@ bool comesToRest(const core::terrain::Tooth& flat, const ClosedLoop& loop)
     glm::dvec3 low(1.0e9);
     glm::dvec3 high(-1.0e9);
     const auto ticks = static_cast<int>(kTrialS * loop.rateHz);
-    const auto unwatched = static_cast<int>((kTrialS - kWatchedS) * loop.rateHz);
+    const auto unwatched = static_cast<int>((kTrialS - kProbedS) * loop.rateHz);
     for (int tick = 0; tick < ticks; ++tick) {
         servo->tick();
         if (tick >= unwatched) {

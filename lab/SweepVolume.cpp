@@ -18,8 +18,8 @@ using namespace core;
 
 constexpr double kTrenchMm = 3.0;
 constexpr double kArcRadiusMm = 1.2;
-constexpr double kStepMm = 0.01;  ///< from one cut to the next: half of what a bur does in a tick at 20 mm/s
-constexpr int kAlongEvery = 4;    ///< of so many lies one runs along the lattice, where whole rows count or do not
+constexpr double kCutStepMm = 0.01;  ///< from one cut to the next: half of what a bur does in a tick at 20 mm/s
+constexpr int kAlongEvery = 4;       ///< of so many lies one runs along the lattice, where whole rows count or do not
 
 /// Half a cross-section of what stands above the underside at `depthMm`: its area, mm2, and its moment about the bur's
 /// axis, mm3.
@@ -120,10 +120,10 @@ Trial sweepOnce(const Way& way, int side, std::size_t bur, double depthMm, glm::
             trial.removedMm3 += volume;
         tip = next;
     };
-    const int down = static_cast<int>(std::ceil(depthMm / kStepMm));
+    const int down = static_cast<int>(std::ceil(depthMm / kCutStepMm));
     for (int k = 1; k <= down; ++k)
         cutTo({way.at(0.0), -depthMm * k / down});
-    const int along = static_cast<int>(std::ceil(way.lengthMm() / kStepMm));
+    const int along = static_cast<int>(std::ceil(way.lengthMm() / kCutStepMm));
     for (int k = 1; k <= along; ++k)
         cutTo({way.at(way.lengthMm() * k / along), -depthMm});
 

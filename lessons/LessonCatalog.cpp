@@ -16,13 +16,13 @@ namespace lessons {
 namespace {
 
 const QString kPattern = QStringLiteral("*.lesson.json");
-constexpr qsizetype kMostFiles = 2000;
+constexpr qsizetype kMostLessons = 2000;
 
 void addFolder(const QDir& folder, bool isShipped, std::vector<CatalogEntry>& entries)
 {
     QStringList names = folder.entryList({kPattern}, QDir::Files, QDir::Name);
-    if (names.size() > kMostFiles)
-        names.resize(kMostFiles);
+    if (names.size() > kMostLessons)
+        names.resize(kMostLessons);
     for (const QString& name : names)
         entries.push_back({readLesson(folder.filePath(name)), isShipped, {}});
 }
@@ -41,8 +41,8 @@ bool isUnpacked(const ReadLesson& packed, const QDir& folder, const std::vector<
 void addPacks(const QDir& folder, std::vector<CatalogEntry>& entries)
 {
     QStringList names = folder.entryList({QStringLiteral("*.") + QLatin1String(kPackSuffix)}, QDir::Files, QDir::Name);
-    if (names.size() > kMostFiles)
-        names.resize(kMostFiles);
+    if (names.size() > kMostLessons)
+        names.resize(kMostLessons);
     for (const QString& name : names) {
         const QString file = folder.filePath(name);
         const auto opened = openPack(file);

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/contact/HalfSpaces.h"
+#include "core/contact/Lengths.h"
 #include "core/contact/PatternSearch.h"
 
 namespace core::contact {
@@ -41,12 +42,6 @@ constexpr double kCornerMm = 0.002;     ///< what stands behind a side by less s
 constexpr double kTouchedMm = 0.02;     ///< ground that came up by no more was touched, not entered
 constexpr double kMostSettledMm = 0.3;  ///< most that a bur in a notch is lifted or lowered to fit
 constexpr int kMaxFreeSamples = 128;    ///< points looked at along a move through the air
-
-double distance2(const glm::dvec3& a, const glm::dvec3& b)
-{
-    const glm::dvec3 apart = a - b;
-    return glm::dot(apart, apart);
-}
 
 HalfSpace through(const glm::dvec3& point, const glm::dvec3& upwards)
 {

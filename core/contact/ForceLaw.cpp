@@ -15,7 +15,7 @@ constexpr double kTouchMm = 1.0e-6;  ///< a nanometre is rounding, not touch
 /// Fastest that the held end of the spring goes of itself; and what it may go in addition, per mm that the hand moves.
 /// The nearest point of a convex hump moves at most 2.5 / 1.5 times as fast as a hand 1 mm inside it.
 constexpr double kSlipMmPerS = 100.0;
-constexpr double kSlipShare = 2.0;
+constexpr double kSlideShare = 2.0;
 constexpr double kGoneS =
     0.006;  ///< and from far away it comes as by a first-order lag: no hand is dragged through air
 constexpr double kBrakeNSPerMm = 0.03;
@@ -65,7 +65,7 @@ void ForceLaw::follow(const glm::dvec3& anchor, double movedMm, double seconds) 
 {
     const glm::dvec3 way = anchor - m_held;
     const double length = lengthOf(way);
-    const double most = std::max(kSlipMmPerS * seconds + kSlipShare * movedMm, length * seconds / kGoneS);
+    const double most = std::max(kSlipMmPerS * seconds + kSlideShare * movedMm, length * seconds / kGoneS);
     m_held = m_begins || length <= most ? anchor : m_held + way * (most / length);
 }
 

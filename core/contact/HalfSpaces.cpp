@@ -6,16 +6,13 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/contact/Lengths.h"
+
 namespace core::contact {
 namespace {
 
 constexpr double kRoundingMm = 1.0e-9;
 constexpr double kParallel = 1.0e-10;  ///< squared sine below which two planes count as one direction
-
-double distance2(const glm::dvec3& a, const glm::dvec3& b)
-{
-    return glm::dot(a - b, a - b);
-}
 
 }  // namespace
 

@@ -10,21 +10,21 @@
 namespace core::contact {
 namespace {
 
-constexpr double kRounding = 1.0e-5;  ///< mm: heights are floats
+constexpr double kHeightRoundingMm = 1.0e-5;  ///< mm: heights are floats
 
 /// The bur collides where its underside is below the top and its upper side above the bottom.
 /// @param fromAbove  the anchor is above everything: no neighbour of it is in a notch
 bool isFree(LiveTooth& tooth, const glm::dvec3& place, bool fromAbove) noexcept
 {
     const glm::dvec2 at(place);
-    if (place.z >= tooth.clearanceAt(at, place.z + kRounding) - kRounding)
+    if (place.z >= tooth.clearanceAt(at, place.z + kHeightRoundingMm) - kHeightRoundingMm)
         return true;
-    if (place.z <= tooth.undersideAt(at, place.z - kRounding) + kRounding)
+    if (place.z <= tooth.undersideAt(at, place.z - kHeightRoundingMm) + kHeightRoundingMm)
         return true;
     if (fromAbove)
         return false;
     const Room room = tooth.roomAt(at, place.z);  // a notch: some columns beneath the bur, others above
-    return place.z >= room.floorMm - kRounding && place.z <= room.roofMm + kRounding;
+    return place.z >= room.floorMm - kHeightRoundingMm && place.z <= room.roofMm + kHeightRoundingMm;
 }
 
 /// The nearest to `device` of the neighbours that `isAllowed(place)`; the anchor itself if there is none.
@@ -73,7 +73,7 @@ glm::dvec3 LatticeContact::update(LiveTooth& tooth, const glm::dvec3& device) no
     }
     for (int step = 0; step < m_steps; ++step) {
         const bool fromAbove =
-            m_anchor.z >= tooth.clearanceAt(glm::dvec2(m_anchor), m_anchor.z + kRounding) - kRounding;
+            m_anchor.z >= tooth.clearanceAt(glm::dvec2(m_anchor), m_anchor.z + kHeightRoundingMm) - kHeightRoundingMm;
         const glm::dvec3 next = nearestNeighbour(
             m_anchor, m_cellMm, device, [&](const glm::dvec3& place) { return isFree(tooth, place, fromAbove); });
         if (next == m_anchor)
@@ -81,7 +81,7 @@ glm::dvec3 LatticeContact::update(LiveTooth& tooth, const glm::dvec3& device) no
         m_anchor = next;
     }
     const glm::dvec3 apart = glm::abs(device - m_anchor);
-    if (std::max({apart.x, apart.y, apart.z}) <= 0.5 * m_cellMm + kRounding && isFree(tooth, device, false))
+    if (std::max({apart.x, apart.y, apart.z}) <= 0.5 * m_cellMm + kHeightRoundingMm && isFree(tooth, device, false))
         return device;
     return m_anchor;
 }

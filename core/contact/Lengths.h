@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 namespace core::contact {
@@ -11,6 +12,18 @@ namespace core::contact {
 [[nodiscard]] inline double lengthOf(const glm::dvec3& v) noexcept
 {
     return std::sqrt(glm::dot(v, v));
+}
+
+[[nodiscard]] inline double lengthOf(glm::dvec2 v) noexcept
+{
+    return std::sqrt(v.x * v.x + v.y * v.y);
+}
+
+/// The square of the distance between two points.
+[[nodiscard]] inline double distance2(const glm::dvec3& a, const glm::dvec3& b) noexcept
+{
+    const glm::dvec3 apart = a - b;
+    return glm::dot(apart, apart);
 }
 
 /// The same direction, no longer than `longest`.

@@ -9,12 +9,13 @@
 #include <glm/geometric.hpp>
 
 #include "core/contact/Head.h"
+#include "core/contact/Lengths.h"
 #include "core/drilling/Reach.h"
 
 namespace core::contact {
 namespace {
 
-constexpr double kRounding = 1.0e-9;
+constexpr double kRimRoundingMm = 1.0e-9;
 constexpr double kFloatMm = 1.0e-6;  ///< heights are floats
 /// Of a cell, by which columns under a bur stand lower than the ground between them at most, where it is not steep.
 constexpr float kSpikeShare = 0.35F;
@@ -73,11 +74,6 @@ glm::dvec2 stepToFoot(const drilling::BurMask& mask, glm::dvec2 p, glm::dvec2 at
 int nearestTo(double place)
 {
     return static_cast<int>(place + 1.5) - 1;
-}
-
-double lengthOf(glm::dvec2 v)
-{
-    return std::sqrt(v.x * v.x + v.y * v.y);
 }
 
 }  // namespace
@@ -280,7 +276,7 @@ Touch LiveTooth::touchOnFacets(const Peak& peak, glm::dvec2 pointMm) const noexc
             const glm::dvec2 foot = glm::clamp(wanted, glm::min(node, next), glm::max(node, next));
             const double ground = top + slope.x * (foot.x - node.x) + slope.y * (foot.y - node.y);
             const double r = lengthOf(foot - pointMm);
-            if (r > static_cast<double>(mask().radiusMm) + kRounding)
+            if (r > static_cast<double>(mask().radiusMm) + kRimRoundingMm)
                 continue;
             const double height = ground - mask().heightAt(r);
             if (height > best.heightMm)

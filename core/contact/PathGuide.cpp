@@ -12,14 +12,14 @@ namespace core::contact {
 namespace {
 
 /// Dry friction of 0.25 N keeps a hand that lets itself be led within 0.6 mm.
-constexpr double kSpringNPerMm = 0.4;
+constexpr double kGuideNPerMm = 0.4;
 /// With 0.3 kg of grip and light hand half of critical; the hand has some of its own.
-constexpr double kDamperNSPerMm = 0.012;
-constexpr double kNearMm = 2.0;     ///< an anchor no farther from the aim has come to it
-constexpr double kStrideS = 0.005;  ///< of the damper's low-pass: no count is felt through it
+constexpr double kGuideNSPerMm = 0.012;
+constexpr double kArrivedMm = 2.0;       ///< an anchor no farther from the aim has come to it
+constexpr double kGuideStrideS = 0.005;  ///< of the damper's low-pass: no count is felt through it
 /// A hand that gains on the anchor by more than this goes along.
 constexpr double kGoesAlongMmPerS = 3.0;
-constexpr double kSlewNPerS = 150.0;  ///< fastest change of its force
+constexpr double kGuideSlewNPerS = 150.0;  ///< fastest change of its force
 
 }  // namespace
 
@@ -36,16 +36,16 @@ void PathGuide::drop() noexcept
 void PathGuide::walk(const glm::dvec3& deviceMm, const glm::dvec3& aimMm, double seconds) noexcept
 {
     const glm::dvec3 way = aimMm - m_anchor;
-    const double with = lengthOf(way) < kNearMm ? lengthOf(aimMm - m_aim) : 0.0;
+    const double with = lengthOf(way) < kArrivedMm ? lengthOf(aimMm - m_aim) : 0.0;
     m_anchor += shortened(way, std::min(kWalkMmPerS * seconds + with, kFastestMmPerS * seconds));
-    m_anchor = deviceMm + shortened(m_anchor - deviceMm, kMostN / kSpringNPerMm);
+    m_anchor = deviceMm + shortened(m_anchor - deviceMm, kMostN / kGuideNPerMm);
 }
 
 /// Lets go of a hand that holds against the lead.
 void PathGuide::watchPush(const glm::dvec3& lead, double seconds) noexcept
 {
     const double ahead = lengthOf(lead);
-    const bool isPulled = ahead * kSpringNPerMm >= kPushN;
+    const bool isPulled = ahead * kGuideNPerMm >= kPushN;
     const bool goesAlong = isPulled && glm::dot(m_pace.mmPerS(), lead) / ahead > kGoesAlongMmPerS;
     m_pushedS = isPulled && !goesAlong ? m_pushedS + seconds : 0.0;
     if (m_pushedS > kPushedS) {
@@ -81,15 +81,16 @@ glm::dvec3 PathGuide::update(const glm::dvec3& deviceMm, const glm::dvec3& aimMm
     }
     m_aim = aimMm;
     if (seconds > 0.0)
-        m_gaining += ((m_anchor - before) / seconds - m_pace.mmPerS() - m_gaining) * std::min(1.0, seconds / kStrideS);
+        m_gaining +=
+            ((m_anchor - before) / seconds - m_pace.mmPerS() - m_gaining) * std::min(1.0, seconds / kGuideStrideS);
     m_strength =
         m_leading ? std::min(1.0, m_strength + seconds / kRiseS) : std::max(0.0, m_strength - seconds / kFadeS);
     glm::dvec3 force(0.0);
     if (m_strength > 0.0) {
-        const glm::dvec3 pull = (m_anchor - deviceMm) * kSpringNPerMm + m_gaining * kDamperNSPerMm;
+        const glm::dvec3 pull = (m_anchor - deviceMm) * kGuideNPerMm + m_gaining * kGuideNSPerMm;
         force = shortened(pull, kMostN) * m_strength;
     }
-    m_forceN += shortened(force - m_forceN, kSlewNPerS * seconds);
+    m_forceN += shortened(force - m_forceN, kGuideSlewNPerS * seconds);
     return m_forceN;
 }
 

@@ -7,6 +7,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/contact/Lengths.h"
+
 namespace core::contact {
 namespace {
 
@@ -26,12 +28,6 @@ constexpr std::array<glm::dvec2, 8> kDirections{{{1.0, 0.0},
                                                  {-kDiagonal, kDiagonal},
                                                  {-kDiagonal, -kDiagonal},
                                                  {kDiagonal, -kDiagonal}}};
-
-double distance2(const glm::dvec3& a, const glm::dvec3& b)
-{
-    const glm::dvec3 apart = a - b;
-    return glm::dot(apart, apart);
-}
 
 /// Where a step comes from and what it may do.
 struct Step

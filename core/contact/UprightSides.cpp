@@ -23,7 +23,7 @@ constexpr double kTopSlope = 2.0;
 /// Farther from the axis, in radii, is no node that counts: a radius, half a cell and a chord.
 constexpr double kReachShare = 2.0;
 
-constexpr double kRounding = 1.0e-9;
+constexpr double kLengthRounding = 1.0e-9;
 
 /// Longest chord: this many cells, and this share of a bur's radius. Farther apart are the two sides of a corner that a
 /// bur is in.
@@ -232,7 +232,7 @@ bool UprightSides::footBetween(glm::dvec2 pointMm, const Node& one, const Node& 
 {
     const glm::dvec2 chord = other.place - one.place;
     const double length2 = glm::dot(chord, chord);
-    if (!(length2 > kRounding) || length2 > longest * longest)
+    if (!(length2 > kLengthRounding) || length2 > longest * longest)
         return false;
     const double share = glm::dot(chord, pointMm - one.place) / length2;
     const double rise = other.top - one.top;

@@ -108,7 +108,7 @@ std::vector<Tile> tilesWith(const terrain::Grid& grid, double sign, HeightOf hei
     return tiles;
 }
 
-struct Nearest
+struct NearestPulp
 {
     double mm = kFarMm;
     std::optional<std::size_t> node;  ///< the cut column
@@ -116,7 +116,7 @@ struct Nearest
 
 /// Shortest distance from any cut surface to any pulp, at most kFarMm. Pairs of tiles that cannot hold a shorter one
 /// than is known are left out, the rest is compared column by column.
-Nearest remainingOverPulp(const Tooth& tooth)
+NearestPulp remainingOverPulp(const Tooth& tooth)
 {
     const ToothAnatomy& anatomy = *tooth.anatomy;
     const terrain::Grid& grid = tooth.grid();
@@ -137,7 +137,7 @@ Nearest remainingOverPulp(const Tooth& tooth)
         const int dj = std::max(0, std::abs(pulp.j - cut.j) - (kTileSide - 1));
         return apart(di, dj, std::max(0.0, cut.heightMm - pulp.heightMm));
     };
-    Nearest nearest;
+    NearestPulp nearest;
     const auto compare = [&](const Tile& pulp, const Tile& cut) {
         for (int j = pulp.j; j < std::min(grid.side, pulp.j + kTileSide); ++j) {
             for (int i = pulp.i; i < std::min(grid.side, pulp.i + kTileSide); ++i) {
@@ -256,7 +256,7 @@ Measures measure(const Tooth& tooth, const IdealTop& ideal)
     }
     result.hasRemainingOverPulp = anyCut && anyPulp;
     if (result.hasRemainingOverPulp && !result.pulpNode) {
-        const Nearest nearest = remainingOverPulp(tooth);
+        const NearestPulp nearest = remainingOverPulp(tooth);
         result.remainingOverPulpMm = nearest.mm;
         result.pulpNode = nearest.node;
     }

@@ -23,12 +23,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kMagic{"CUSPJRN\n", 8};
+constexpr std::string_view kJournalMagic{"CUSPJRN\n", 8};
 constexpr std::string_view kSuffix = ".cuspjournal";
 constexpr std::string_view kPart = ".part";
 constexpr std::string_view kDiscarded = "discarded";
 constexpr std::chrono::hours kKeptDiscarded{7 * 24};
-constexpr std::size_t kMaxFileBytes = std::size_t{256} * 1024 * 1024;
+constexpr std::size_t kMaxJournalBytes = std::size_t{256} * 1024 * 1024;
 
 struct Frame
 {
@@ -67,7 +67,7 @@ std::optional<Frame> takeFrame(ByteReader& in)
 std::string headBytes(const Recording& recording, std::int64_t begunUtcMs)
 {
     ByteWriter out;
-    out.putAll(std::span(kMagic.data(), kMagic.size()));
+    out.putAll(std::span(kJournalMagic.data(), kJournalMagic.size()));
     out.put(kFormatVersion);
     ByteWriter begun;
     begun.put(begunUtcMs);
@@ -247,7 +247,7 @@ std::vector<fs::path> journalsIn(const fs::path& folder)
 Result<FoundAttempt> attemptFrom(std::string_view bytes, const fs::path& path, JournalLock lock)
 {
     ByteReader in(bytes);
-    if (in.takeBytes(kMagic.size()) != kMagic)
+    if (in.takeBytes(kJournalMagic.size()) != kJournalMagic)
         return nothingIn(ErrorCode::WrongKind, "its file is not a journal of Cusp");
     const auto version = in.take<std::uint32_t>();
     if (in.ok() && (version < kOldestVersion || version > kFormatVersion))
@@ -337,7 +337,7 @@ LockedBytes readLocked(const fs::path& path)
         if (took < 0)
             break;  // what could be read may do
         read.bytes->append(block.data(), static_cast<std::size_t>(took));
-        if (read.bytes->size() > kMaxFileBytes) {
+        if (read.bytes->size() > kMaxJournalBytes) {
             read.bytes = nothingIn(ErrorCode::FileTooLarge, "its file is larger than any journal");
             break;
         }

@@ -12,8 +12,8 @@
 namespace core::recording {
 namespace {
 
-constexpr std::string_view kMagic{"CUSPREC\n", 8};
-constexpr std::uintmax_t kMaxFileBytes = std::uintmax_t{1024} * 1024 * 1024;
+constexpr std::string_view kRecordingMagic{"CUSPREC\n", 8};
+constexpr std::uintmax_t kMaxRecordingBytes = std::uintmax_t{1024} * 1024 * 1024;
 
 void putSection(ByteWriter& out, Section kind, std::string_view payload)
 {
@@ -104,7 +104,7 @@ void Recording::forEach(const std::function<void(const ServoEvent&)>& visit) con
 std::string Recording::toBytes() const
 {
     ByteWriter out;
-    out.putAll(std::span(kMagic.data(), kMagic.size()));
+    out.putAll(std::span(kRecordingMagic.data(), kRecordingMagic.size()));
     out.put(m_isRetuned ? kFormatVersion : kOldestVersion);
     putSection(out, Section::Settings, pack(settingsBytes(m_settings)));
     if (!m_lesson.empty())
@@ -138,7 +138,7 @@ Result<Recording> Recording::fromBytes(std::string_view bytes)
     if (bytes.empty())
         return unexpected(ErrorCode::FileEmpty, "The recording is empty; choose another file.");
     ByteReader in(bytes);
-    if (in.takeBytes(kMagic.size()) != kMagic)
+    if (in.takeBytes(kRecordingMagic.size()) != kRecordingMagic)
         return unexpected(ErrorCode::WrongKind, "This is not a Cusp recording; choose a file that Cusp has saved.");
     const auto version = in.take<std::uint32_t>();
     if (in.ok() && version == 0)
@@ -254,7 +254,7 @@ Result<Recording> readRecording(const std::filesystem::path& path)
     std::array<char, 65536> block{};
     while (file.read(block.data(), block.size()), file.gcount() > 0) {
         bytes.append(block.data(), static_cast<std::size_t>(file.gcount()));
-        if (bytes.size() > kMaxFileBytes)
+        if (bytes.size() > kMaxRecordingBytes)
             return unexpected(ErrorCode::FileTooLarge,
                               path.string() + " is larger than any recording; choose another file.");
     }

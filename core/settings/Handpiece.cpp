@@ -4,16 +4,9 @@
 #include <algorithm>
 #include <array>
 
+#include "core/settings/Within.h"
+
 namespace core::settings {
-namespace {
-
-bool within(double value, double low, double high)
-{
-    return value >= low && value <= high;  // false for NaN
-}
-
-}  // namespace
-
 double Handpiece::rpmUnder(double torqueNmm) const noexcept
 {
     return freeRpm * std::max(0.0, 1.0 - torqueNmm / stallTorqueNmm);

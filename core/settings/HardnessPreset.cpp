@@ -3,16 +3,9 @@
 
 #include <string_view>
 
+#include "core/settings/Within.h"
+
 namespace core::settings {
-namespace {
-
-bool within(double value, double low, double high)
-{
-    return value >= low && value <= high;  // false for NaN
-}
-
-}  // namespace
-
 Result<HardnessPreset> findHardnessPreset(std::string_view name)
 {
     if (name == "natural")

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kStationMm = 0.55;  ///< between two sections across the arch
 constexpr double kMapCellMm = 0.25;
-constexpr double kMarginMm = 1.0;       ///< the margin above the CEJ
+constexpr double kGumMarginMm = 1.0;    ///< the margin above the CEJ
 constexpr double kBehindMm = 7.0;       ///< gum behind the last tooth
 constexpr double kBridgeMm = 3.0;       ///< radius of the curve with which the gum spans from tooth to tooth,
 constexpr double kDeepBridgeMm = 16.0;  ///< and, near its foot, from root to root
@@ -38,7 +38,7 @@ constexpr std::array kLingualDepthsMm{0.0, 0.05, 0.13, 0.26, 0.45, 0.75, 1.15, 1
 constexpr int kFootColumns = 3;   ///< from there down to the foot
 constexpr int kCrestColumns = 3;  ///< between the two margins
 
-double smoothStep(double from, double to, double x)
+double eased(double from, double to, double x)
 {
     const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
     return t * t * (3.0 - 2.0 * t);
@@ -96,7 +96,7 @@ private:
     {
         const int wide = static_cast<int>(7.0 / kMapCellMm);
         for (int row = 0; row < m_reach.rows; ++row) {
-            const double deep = smoothStep(kNecksMm, kGumFootMm, m_reach.nodeMm(0, row).y);
+            const double deep = eased(kNecksMm, kGumFootMm, m_reach.nodeMm(0, row).y);
             const double bridge = kBridgeMm + (kDeepBridgeMm - kBridgeMm) * deep;
             for (int column = 0; column < m_reach.columns; ++column) {
                 double most = kNothingMm;
@@ -150,7 +150,7 @@ Gums makeGums(Jaw jaw, const ArchCurve& curve, std::span<const GumTooth> teeth, 
                 continue;
             const double half = 0.5 * (tooth.toMm - tooth.fromMm);
             const double t = (along - tooth.fromMm - half) / half;
-            const double neck = (isFacial ? tooth.facialNeckMm : tooth.lingualNeckMm) + kMarginMm;
+            const double neck = (isFacial ? tooth.facialNeckMm : tooth.lingualNeckMm) + kGumMarginMm;
             const double tip = t > 0.0 ? tooth.papillaMm : k == 0 ? firstPapillaMm : teeth[k - 1].papillaMm;
             return neck + (tip - neck) * std::pow(std::min(std::abs(t), 1.0), kScallop);
         }
@@ -166,7 +166,7 @@ Gums makeGums(Jaw jaw, const ArchCurve& curve, std::span<const GumTooth> teeth, 
     };
     // How thick it lies over teeth and roots, by the depth below the margin.
     const auto thicknessMm = [&](double depth, bool isFacial) {
-        const double even = 0.30 + 0.55 * smoothStep(0.0, 2.2, depth);
+        const double even = 0.30 + 0.55 * eased(0.0, 2.2, depth);
         if (isFacial)
             return even + 0.10 * std::max(depth - 5.0, 0.0);
         return even + (jaw == Jaw::Upper ? 0.55 : 0.12) * std::max(depth - 1.2, 0.0);
@@ -244,9 +244,9 @@ Gums makeGums(Jaw jaw, const ArchCurve& curve, std::span<const GumTooth> teeth, 
             const glm::dvec2 from = front.points.front();
             const glm::dvec2 to{-back.points.front().x, back.points.front().y};
             const glm::dvec2 p = from + t * (to - from);
-            const double dome =
-                along > lastMm ? 0.15 * (from.x - to.x) * 4.0 * t * (1.0 - t) * smoothStep(lastMm, lastMm + 2.0, along)
-                               : 0.0;
+            const double dome = along > lastMm
+                                    ? 0.15 * (from.x - to.x) * 4.0 * t * (1.0 - t) * eased(lastMm, lastMm + 2.0, along)
+                                    : 0.0;
             add(p.x, p.y + dome, Tissue::Gum);
         }
         for (const glm::dvec2& p : back.points)
@@ -269,7 +269,7 @@ Gums makeGums(Jaw jaw, const ArchCurve& curve, std::span<const GumTooth> teeth, 
         const glm::vec3 own = ends[static_cast<std::size_t>(s)];
         for (int k = 1; k <= kBaseColumns; ++k) {
             const double t = static_cast<double>(k) / kBaseColumns;
-            const glm::vec3 from = glm::mix(own, even, static_cast<float>(smoothStep(0.0, 0.4, t)));
+            const glm::vec3 from = glm::mix(own, even, static_cast<float>(eased(0.0, 0.4, t)));
             const double vault = (jaw == Jaw::Upper ? -0.42 : 0.30) * from.x;
             const double arc = 1.0 - (1.0 - t) * (1.0 - t);
             all.vertices[static_cast<std::size_t>(s * columns + gumColumns - 1 + k)].positionMm =

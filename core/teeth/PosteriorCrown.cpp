@@ -13,7 +13,7 @@ namespace core::teeth {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kTau = 2.0 * kPi;
+constexpr double kFullTurn = 2.0 * kPi;
 
 /// Coefficients of the wave a + b cos + c sin + d cos 2 that passes through the four sides.
 FourSides waveThrough(const FourSides& sides)
@@ -59,7 +59,7 @@ PosteriorCrown::PosteriorCrown(PosteriorDesign design, std::vector<OcclusalField
 
 double PosteriorCrown::outlineMm(double angle) const
 {
-    const double turns = angle / kTau;
+    const double turns = angle / kFullTurn;
     const double place = (turns - std::floor(turns)) * 16.0;
     const auto first = static_cast<std::size_t>(place);
     const double t = place - static_cast<double>(first);
@@ -78,7 +78,8 @@ PosteriorCrown::Top PosteriorCrown::top(glm::dvec2 point) const
     const double angle = std::atan2(sine, cosine);
     double rho = std::min(radius / outlineMm(angle), 1.0);
     for (const SideGroove& groove : m_design.sideGrooves) {
-        const double degrees = std::remainder(angle - groove.angleDeg / 360.0 * kTau, kTau) * 360.0 / kTau;
+        const double degrees =
+            std::remainder(angle - groove.angleDeg / 360.0 * kFullTurn, kFullTurn) * 360.0 / kFullTurn;
         const double near = std::exp(-degrees * degrees / (groove.widthDeg * groove.widthDeg));
         rho = std::min(rho + groove.depthMm / 5.0 * near * smoothStep(0.3, 0.7, rho) * smoothStep(1.0, 0.7, rho), 1.0);
     }
@@ -89,7 +90,8 @@ PosteriorCrown::Top PosteriorCrown::top(glm::dvec2 point) const
                   onWave(m_rise, cosine * apart, sine * apart) * std::sqrt(std::max(1.0 - std::pow(rho, power), 0.0));
 
     for (const SideFurrow& furrow : m_design.sideFurrows) {
-        const double degrees = std::remainder(angle - furrow.angleDeg / 360.0 * kTau, kTau) * 360.0 / kTau;
+        const double degrees =
+            std::remainder(angle - furrow.angleDeg / 360.0 * kFullTurn, kFullTurn) * 360.0 / kFullTurn;
         // The furrow bends round the tubercle below it.
         const double bend = degrees / furrow.widthDeg;
         const double off = (rho - furrow.place - 0.06 * bend * bend) / 0.04;
@@ -286,7 +288,7 @@ std::vector<glm::dvec3> PosteriorCrown::cej(std::size_t count, double facialZ, c
 {
     std::vector<glm::dvec3> line;
     for (std::size_t k = 0; k < count; ++k) {
-        const double angle = kTau * static_cast<double>(k) / static_cast<double>(count);
+        const double angle = kFullTurn * static_cast<double>(k) / static_cast<double>(count);
         const double c = std::cos(angle);
         const double s = std::sin(angle);
         const double p = m_design.cervixPower;

@@ -11,7 +11,7 @@
 namespace core::teeth {
 namespace {
 
-constexpr double kTau = 2.0 * std::numbers::pi;
+constexpr double kTurn = 2.0 * std::numbers::pi;
 /// Dentin steps back under the edge of the enamel: what a probe feels as the CEJ.
 constexpr double kCejStepMm = 0.1;
 constexpr double kCejDropMm = 0.03;
@@ -93,13 +93,13 @@ void addRoots(MeshBuilder& builder, const MeshBuilder::Ring& cervix, const RootD
         const double t = single ? 0.0 : static_cast<double>(r - 1) / (detail.trunkRings - 1);
         MeshBuilder::Ring ring;
         for (std::size_t k = 0; k < n; ++k) {
-            const double angle = kTau * static_cast<double>(k) / static_cast<double>(n);
+            const double angle = kTurn * static_cast<double>(k) / static_cast<double>(n);
             const glm::dvec3 from = builder.point(cervix[k]);
             const glm::dvec2 arm{from.x - centre.x, from.y - centre.y};
             const double radius = std::sqrt(glm::dot(arm, arm));
             double hollow = 0.0;
             for (const double parting : design.partingDeg) {
-                const double apart = std::remainder(angle - parting / 360.0 * kTau, kTau);
+                const double apart = std::remainder(angle - parting / 360.0 * kTurn, kTurn);
                 hollow += std::exp(-apart * apart / 0.10);
             }
             const double shrink = 1.0 - kCejStepMm / radius - 0.10 * t - 0.16 * hollow * smoothStep(t);

@@ -25,7 +25,7 @@ const std::string kAdd = "add the attempt";
 const std::string kRead = "read the attempts";
 constexpr double kUmPerMm = 1000.0;
 
-const QString kColumns =
+const QString kAttemptColumns =
     QStringLiteral("a.id, a.uid, a.person_id, a.finished_utc, a.tooth, a.lesson_id, a.lesson_hash, a.rubric_hash, "
                    "a.score_tenths, a.passed, a.given_tenths, a.expected_tenths, a.duration_ms, a.criteria_json, "
                    "a.state_hash, a.recording_hash, a.device, a.method, a.grid, a.view_mode, a.seed, a.preset, "
@@ -268,7 +268,7 @@ core::Status forEachAttempt(const QSqlDatabase& db,
                             const std::function<void(const AttemptRecord& attempt, const std::string& noted)>& take)
 {
     return forEach(db,
-                   "SELECT " + kColumns +
+                   "SELECT " + kAttemptColumns +
                        ", COALESCE(s.json, ''), p.uid, COALESCE(u.detail, '') FROM attempts a JOIN people p ON p.id = "
                        "a.person_id LEFT JOIN score_sheets s ON s.attempt_id = a.id LEFT JOIN audit u ON u.object = "
                        "'attempt:' || a.uid AND u.action = 'attempt.add' ORDER BY a.id",
@@ -343,7 +343,7 @@ core::Result<std::vector<AttemptRecord>> history(const School& school, const Ses
     values += query.limit > 0 ? query.limit : std::numeric_limits<int>::max();
     std::vector<AttemptRecord> found;
     if (auto read = forEach(school.db,
-                            "SELECT " + kColumns + " FROM attempts a" + where +
+                            "SELECT " + kAttemptColumns + " FROM attempts a" + where +
                                 " ORDER BY a.finished_utc DESC, a.id DESC LIMIT ?",
                             kRead, values, [&](const QSqlQuery& row) { found.push_back(recordOf(row)); });
         !read)
@@ -375,7 +375,7 @@ core::Result<AttemptRecord> openAttempt(const School& school, const Session& ses
         return tl::unexpected(who.error());
     AttemptRecord record;
     if (auto read = forEach(school.db,
-                            "SELECT " + kColumns +
+                            "SELECT " + kAttemptColumns +
                                 ", s.json, COALESCE(p.uid, '') FROM attempts a JOIN score_sheets s ON s.attempt_id = "
                                 "a.id LEFT JOIN people p ON p.id = a.person_id WHERE a.id = ?",
                             kRead, {number(id.value)},

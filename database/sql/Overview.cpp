@@ -17,7 +17,7 @@
 namespace database::sql {
 namespace {
 
-const std::string kDoing = "read the class";
+const std::string kReadingOverview = "read the class";
 constexpr int kRecent = 20;
 constexpr std::size_t kRecentShown = 5;
 constexpr double kUmPerMm = 1000.0;
@@ -31,7 +31,7 @@ core::Status readStudents(const School& school, ClassOverview& overview, std::ma
     return forEach(school.db,
                    "SELECT p.id, p.username, p.given_name, p.family_name, p.last_login_utc, p.disabled FROM " +
                        kStudents + " ORDER BY p.family_name, p.given_name, p.username",
-                   kDoing, {number(overview.id.value)}, [&](const QSqlQuery& row) {
+                   kReadingOverview, {number(overview.id.value)}, [&](const QSqlQuery& row) {
                        MatrixStudent student;
                        student.id = {row.value(0).toLongLong()};
                        student.username = textOf(row, 1);
@@ -48,7 +48,7 @@ core::Status readStudents(const School& school, ClassOverview& overview, std::ma
 core::Status readCells(const School& school, ClassOverview& overview, const std::map<std::int64_t, std::size_t>& rowOf)
 {
     if (auto read = forEach(school.db, "SELECT lesson_id FROM assignments WHERE class_id = ? ORDER BY lesson_id",
-                            kDoing, {number(overview.id.value)},
+                            kReadingOverview, {number(overview.id.value)},
                             [&](const QSqlQuery& row) { overview.lessons.push_back(textOf(row, 0)); });
         !read)
         return read;
@@ -62,7 +62,7 @@ core::Status readCells(const School& school, ClassOverview& overview, const std:
     if (auto read = forEach(school.db,
                             "SELECT s.person_id, s.lesson_id, s.attempts, s.best_tenths, s.passed, s.last_utc FROM "
                             "standings s JOIN enrolments e ON e.person_id = s.person_id WHERE e.class_id = ?",
-                            kDoing, {number(overview.id.value)},
+                            kReadingOverview, {number(overview.id.value)},
                             [&](const QSqlQuery& row) {
                                 const auto place = rowOf.find(row.value(0).toLongLong());
                                 if (place == rowOf.end())
@@ -120,7 +120,7 @@ core::Status readLimits(const School& school, ClassOverview& overview, const std
         "MAX(a.attempt_limit) END FROM enrolments here JOIN enrolments e ON e.person_id = here.person_id AND "
         "e.class_id <> here.class_id JOIN assignments a ON a.class_id = e.class_id WHERE here.class_id = ? "
         "GROUP BY e.person_id, a.lesson_id",
-        kDoing, {number(overview.id.value)}, [&](const QSqlQuery& row) {
+        kReadingOverview, {number(overview.id.value)}, [&](const QSqlQuery& row) {
             if (MatrixCell* cell = cellOf(row.value(0).toLongLong(), textOf(row, 1)))
                 cell->limitElsewhere = row.value(2).toInt();
         });
@@ -136,7 +136,7 @@ core::Status readRecent(const School& school, ClassOverview& overview, const std
         "a.pass_mark_tenths THEN 1 ELSE 0 END AS passed, ROW_NUMBER() OVER (PARTITION BY a.person_id ORDER BY "
         "a.finished_utc DESC, a.id DESC) AS place FROM attempts a JOIN enrolments e ON e.person_id = a.person_id WHERE "
         "e.class_id = ? AND a.lesson_id <> '') recent WHERE place <= ? ORDER BY person_id, place",
-        kDoing, {number(overview.id.value), kRecent}, [&](const QSqlQuery& row) {
+        kReadingOverview, {number(overview.id.value), kRecent}, [&](const QSqlQuery& row) {
             const auto place = rowOf.find(row.value(0).toLongLong());
             if (place == rowOf.end())
                 return;
@@ -232,7 +232,7 @@ core::Result<ClassOverview> classOverview(const School& school, const Session& s
         return tl::unexpected(who.error());
     ClassOverview overview;
     overview.id = ofClass;
-    const auto name = ask(school.db, "SELECT name FROM classes WHERE id = ?", kDoing, {number(ofClass.value)});
+    const auto name = ask(school.db, "SELECT name FROM classes WHERE id = ?", kReadingOverview, {number(ofClass.value)});
     if (!name)
         return tl::unexpected(name.error());
     if (name->isNull())
@@ -267,7 +267,7 @@ core::Result<LessonResults> lessonResults(const School& school, const Session& s
             "JOIN "
             "enrolments e ON e.person_id = a.person_id JOIN people p ON p.id = a.person_id WHERE e.class_id = ? AND "
             "p.role = 'student' AND p.disabled = 0 AND a.lesson_id = ? ORDER BY a.person_id, a.finished_utc, a.id",
-            kDoing, {number(ofClass.value), text(lessonId)},
+            kReadingOverview, {number(ofClass.value), text(lessonId)},
             [&](const QSqlQuery& row) {
                 auto& attempts = byPerson[row.value(0).toLongLong()];
                 attempts.emplace_back(row.value(1).toInt(), row.value(2).toInt() != 0);
@@ -306,7 +306,7 @@ core::Result<std::vector<BandPoint>> classBand(const School& school, const Sessi
                     "SELECT a.person_id, COALESCE(a.given_tenths, a.score_tenths) FROM attempts a JOIN people p ON "
                     "p.id = a.person_id WHERE a.lesson_id = ?" +
                         amongThem(*who) + " ORDER BY a.person_id, a.finished_utc, a.id",
-                    kDoing, valuesOf(*who, session, person, lessonId),
+                    kReadingOverview, valuesOf(*who, session, person, lessonId),
                     [&](const QSqlQuery& row) {
                         scoresOfNth[++count[row.value(0).toLongLong()]].push_back(row.value(1).toInt());
                     });
@@ -328,7 +328,7 @@ core::Result<std::optional<LessonMedians>> classMedians(const School& school, co
                             "SELECT a.person_id, COALESCE(a.given_tenths, a.score_tenths), a.duration_ms FROM attempts "
                             "a JOIN people p ON p.id = a.person_id WHERE a.lesson_id = ?" +
                                 amongThem(*who),
-                            kDoing, valuesOf(*who, session, person, lessonId),
+                            kReadingOverview, valuesOf(*who, session, person, lessonId),
                             [&](const QSqlQuery& row) {
                                 people.insert(row.value(0).toLongLong());
                                 scores.push_back(row.value(1).toInt());
@@ -348,7 +348,7 @@ core::Result<AttemptTalk> readTalk(const School& school, const Session& session,
 {
     if (auto who = admit(school, session, Operation::OpenAttempt); !who)
         return tl::unexpected(who.error());
-    const auto owner = ask(school.db, "SELECT person_id FROM attempts WHERE id = ?", kDoing, {number(id.value)});
+    const auto owner = ask(school.db, "SELECT person_id FROM attempts WHERE id = ?", kReadingOverview, {number(id.value)});
     if (!owner)
         return tl::unexpected(owner.error());
     if (auto who = admitTo(school, session, Operation::OpenAttempt, {owner->toLongLong()}); !who)
@@ -360,7 +360,7 @@ core::Result<AttemptTalk> readTalk(const School& school, const Session& session,
                                 ", c.written_utc, c.words, c.x_um, c.y_um, c.z_um, c.moment_ms, c.author_id FROM "
                                 "comments c JOIN people p ON p.id = c.author_id WHERE c.attempt_id = ? AND "
                                 "c.withdrawn_utc IS NULL ORDER BY c.id",
-                            kDoing, {number(id.value)},
+                            kReadingOverview, {number(id.value)},
                             [&](const QSqlQuery& row) {
                                 AttemptComment comment{
                                     row.value(0).toLongLong(), textOf(row, 1), textOf(row, 2), textOf(row, 3), {}, {}};
@@ -378,7 +378,7 @@ core::Result<AttemptTalk> readTalk(const School& school, const Session& session,
                             "SELECT " + author +
                                 ", o.given_utc, o.given_tenths, o.reason FROM overrides o JOIN people p ON p.id = "
                                 "o.author_id WHERE o.attempt_id = ? ORDER BY o.id",
-                            kDoing, {number(id.value)},
+                            kReadingOverview, {number(id.value)},
                             [&](const QSqlQuery& row) {
                                 AttemptOverride given{textOf(row, 0), textOf(row, 1), {}, textOf(row, 3)};
                                 if (!row.isNull(2))

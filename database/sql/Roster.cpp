@@ -26,8 +26,8 @@ using core::ErrorCode;
 
 using Kind = RosterFault::Kind;
 
-const std::string kDoing = "import the class list";
-constexpr std::array<const char*, 5> kColumns{"username", "given_name", "family_name", "role", "class"};
+const std::string kImporting = "import the class list";
+constexpr std::array<const char*, 5> kRosterColumns{"username", "given_name", "family_name", "role", "class"};
 
 /// What spreadsheets in the languages of the window call the columns, beside English names that people think of first.
 constexpr std::array kMeant{
@@ -102,7 +102,7 @@ std::string nearestColumn(const std::string& name)
     for (const auto& [word, column] : kMeant)
         if (words == word)
             return column;
-    const char* const nearest = *std::min_element(kColumns.begin(), kColumns.end(), [&](const char* a, const char* b) {
+    const char* const nearest = *std::min_element(kRosterColumns.begin(), kRosterColumns.end(), [&](const char* a, const char* b) {
         return distance(name, a) < distance(name, b);
     });
     return 2 * distance(name, nearest) < name.size() ? nearest : std::string();
@@ -116,7 +116,7 @@ Places placesOf(const CsvRow& head, std::vector<RosterFault>& faults)
         const std::string name = QString::fromStdString(trimmed(head.fields[at])).toLower().toStdString();
         if (name.empty())
             continue;
-        if (std::find(kColumns.begin(), kColumns.end(), name) == kColumns.end()) {
+        if (std::find(kRosterColumns.begin(), kRosterColumns.end(), name) == kRosterColumns.end()) {
             const std::string nearest = nearestColumn(name);
             faults.push_back({head.line, name,
                               "is no column of a class list" +
@@ -226,7 +226,7 @@ core::Result<Present> presentAt(const School& school)
 {
     Present present;
     if (auto read =
-            forEach(school.db, "SELECT id, uid, username, given_name, family_name, role FROM people", kDoing, {},
+            forEach(school.db, "SELECT id, uid, username, given_name, family_name, role FROM people", kImporting, {},
                     [&](const QSqlQuery& row) {
                         Person person;
                         person.id = {row.value(0).toLongLong()};
@@ -240,7 +240,7 @@ core::Result<Present> presentAt(const School& school)
         !read)
         return tl::unexpected(read.error());
     if (auto read = forEach(
-            school.db, "SELECT name, id FROM classes", kDoing, {},
+            school.db, "SELECT name, id FROM classes", kImporting, {},
             [&](const QSqlQuery& row) { present.classes.emplace(textOf(row, 0), ClassId{row.value(1).toLongLong()}); });
         !read)
         return tl::unexpected(read.error());
@@ -298,7 +298,7 @@ core::Status rename(const School& school, AuditBatch& audit, const Session& sess
     Person renamed = before;
     renamed.givenName = who.givenName;
     renamed.familyName = who.familyName;
-    if (auto done = execute(school.db, "UPDATE people SET given_name = ?, family_name = ? WHERE id = ?", kDoing,
+    if (auto done = execute(school.db, "UPDATE people SET given_name = ?, family_name = ? WHERE id = ?", kImporting,
                             {text(who.givenName), text(who.familyName), number(before.id.value)});
         !done)
         return done;
@@ -399,7 +399,7 @@ core::Result<RosterOutcome> importRoster(const School& school, const Session& se
         if (!present)
             return tl::unexpected(present.error());
         static_cast<void>(plan(lines, *present, outcome));
-    } else if (auto done = inTurn(school, kDoing, [&] { return enterAll(school, session, lines, outcome, asSeen); });
+    } else if (auto done = inTurn(school, kImporting, [&] { return enterAll(school, session, lines, outcome, asSeen); });
                !done && outcome.faults.empty()) {
         return tl::unexpected(done.error());
     }

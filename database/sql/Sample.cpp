@@ -19,7 +19,7 @@
 namespace database::sql {
 namespace {
 
-const std::string kDoing = "make up a school";
+const std::string kDoingSample = "make up a school";
 constexpr std::int64_t kAttemptsAtOnce = 5000;
 constexpr int kDays = 180;
 constexpr std::array kGiven{"Ada", "Ben", "Chloe", "Dan", "Emi", "Finn", "Grace", "Hugo", "Ines", "Jun", "Kim", "Lea"};
@@ -45,17 +45,17 @@ public:
 
     core::Status make(const std::function<void(std::int64_t)>& progress)
     {
-        auto entered = inTransaction(m_school.db, kDoing, [this] { return enterPeople(); });
+        auto entered = inTransaction(m_school.db, kDoingSample, [this] { return enterPeople(); });
         for (std::int64_t done = 0; entered && done < m_size.attempts;) {
             const std::int64_t next = std::min(m_size.attempts, done + kAttemptsAtOnce);
-            entered = inTransaction(m_school.db, kDoing, [&] { return addAttempts(done, next); });
+            entered = inTransaction(m_school.db, kDoingSample, [&] { return addAttempts(done, next); });
             done = next;
             if (entered && progress)
                 progress(done);
         }
         if (!entered)
             return entered;
-        return inTransaction(m_school.db, kDoing, [this] { return countStandings(); });
+        return inTransaction(m_school.db, kDoingSample, [this] { return countStandings(); });
     }
 
 private:
@@ -156,7 +156,7 @@ private:
             "INSERT INTO standings (person_id, lesson_id, attempts, best_tenths, passed, last_utc) SELECT "
             "person_id, lesson_id, COUNT(*), MAX(score_tenths), MAX(passed), MAX(finished_utc) FROM attempts "
             "GROUP BY person_id, lesson_id",
-            kDoing);
+            kDoingSample);
     }
 
     const School& m_school;
@@ -175,7 +175,7 @@ core::Status makeSample(const School& school, const Session& admin, const Sample
     for (const Operation operation : {Operation::AddPerson, Operation::ChangeClasses})
         if (auto who = admit(school, admin, operation); !who)
             return tl::unexpected(who.error());
-    const auto somebody = ask(school.db, "SELECT 1 FROM people WHERE role <> 'admin' LIMIT 1", kDoing);
+    const auto somebody = ask(school.db, "SELECT 1 FROM people WHERE role <> 'admin' LIMIT 1", kDoingSample);
     if (!somebody)
         return tl::unexpected(somebody.error());
     if (!somebody->isNull() || lessons.empty() || size.students < 1 || size.classSize < 1)

@@ -14,7 +14,7 @@
 namespace database::sql {
 namespace {
 
-const std::string kDoing = "check it";
+const std::string kDoingSchemaCheck = "check it";
 const QString kFresh = QStringLiteral("cusp-fresh-schema-%1");
 
 struct Made
@@ -111,7 +111,7 @@ core::Result<Schema> schemaOf(const QSqlDatabase& db)
     const bool onServer = dialect::isPostgres(db);
     const QString question = onServer ? questionToServer() : questionToFile();
     Schema schema;
-    if (auto read = forEach(db, question, kDoing, {},
+    if (auto read = forEach(db, question, kDoingSchemaCheck, {},
                             [&](const QSqlQuery& row) {
                                 QString made = row.value(3).toString();
                                 // A server says where each thing lies.
@@ -135,7 +135,7 @@ core::Result<Schema> freshSchema()
     QSqlDatabase db = QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), name);
     db.setDatabaseName(QStringLiteral(":memory:"));
     if (!db.open())
-        return tl::unexpected(dialect::error(db, db.lastError(), kDoing));
+        return tl::unexpected(dialect::error(db, db.lastError(), kDoingSchemaCheck));
     const auto steps = shippedMigrations();
     if (!steps)
         return tl::unexpected(steps.error());
@@ -150,12 +150,12 @@ core::Result<Schema> freshSchemaOnServer(const QSqlDatabase& db)
     const auto steps = shippedMigrations();
     if (!steps)
         return tl::unexpected(steps.error());
-    if (auto begun = execute(db, "BEGIN", kDoing); !begun)
+    if (auto begun = execute(db, "BEGIN", kDoingSchemaCheck); !begun)
         return tl::unexpected(begun.error());
-    const auto ended = qScopeGuard([&db] { static_cast<void>(execute(db, "ROLLBACK", kDoing)); });
+    const auto ended = qScopeGuard([&db] { static_cast<void>(execute(db, "ROLLBACK", kDoingSchemaCheck)); });
     const QString name = "cusp_check_" + QString::fromStdString(newUid());
     for (const char* sql : {"CREATE SCHEMA %1", "SET LOCAL search_path = %1"})
-        if (auto done = execute(db, QString::fromLatin1(sql).arg(name), kDoing); !done)
+        if (auto done = execute(db, QString::fromLatin1(sql).arg(name), kDoingSchemaCheck); !done)
             return tl::unexpected(done.error());
     if (auto made = applyAll(db, *steps); !made)
         return tl::unexpected(made.error());
@@ -185,7 +185,7 @@ Schema asOnServer(const Schema& schema)
 /// A server's administrator may let all triggers rest: they stand there, and guard nothing.
 core::Status checkGuardsAct(const QSqlDatabase& db, const std::function<void(const Finding&)>& say)
 {
-    const auto role = ask(db, "SELECT current_setting('session_replication_role')", kDoing);
+    const auto role = ask(db, "SELECT current_setting('session_replication_role')", kDoingSchemaCheck);
     if (!role)
         return tl::unexpected(role.error());
     if (role->toString() != u"origin")
@@ -201,13 +201,13 @@ core::Status checkGuardsAct(const QSqlDatabase& db, const std::function<void(con
 /// administrator's.
 core::Status checkNames(const QSqlDatabase& db, const std::function<void(const Finding&)>& say)
 {
-    const auto home = ask(db, "SELECT pg_catalog.current_schema()", kDoing);
+    const auto home = ask(db, "SELECT pg_catalog.current_schema()", kDoingSchemaCheck);
     if (!home)
         return tl::unexpected(home.error());
-    if (auto begun = execute(db, "BEGIN", kDoing); !begun)
+    if (auto begun = execute(db, "BEGIN", kDoingSchemaCheck); !begun)
         return begun;
-    const auto ended = qScopeGuard([&db] { static_cast<void>(execute(db, "ROLLBACK", kDoing)); });
-    if (auto alone = execute(db, "SET LOCAL search_path = pg_catalog, pg_temp", kDoing); !alone)
+    const auto ended = qScopeGuard([&db] { static_cast<void>(execute(db, "ROLLBACK", kDoingSchemaCheck)); });
+    if (auto alone = execute(db, "SET LOCAL search_path = pg_catalog, pg_temp", kDoingSchemaCheck); !alone)
         return alone;
     return forEach(db, QStringLiteral(R"(
 WITH beside AS (SELECT 'function ' || p.oid::regprocedure::text AS named, 'pg_proc'::regclass AS kind, p.oid
@@ -218,7 +218,7 @@ WITH beside AS (SELECT 'function ' || p.oid::regprocedure::text AS named, 'pg_pr
                 FROM pg_operator o WHERE o.oprnamespace = (SELECT oid FROM pg_namespace WHERE nspname = ?))
 SELECT named FROM beside b
 WHERE NOT EXISTS (SELECT 1 FROM pg_depend d WHERE d.classid = b.kind AND d.objid = b.oid AND d.deptype = 'e'))"),
-                   kDoing, {*home, *home}, [&say](const QSqlQuery& row) {
+                   kDoingSchemaCheck, {*home, *home}, [&say](const QSqlQuery& row) {
                        say({QT_TRANSLATE_NOOP("Finding", "%1 is not from this program: it may change what is read"),
                             {textOf(row, 0)}});
                    });

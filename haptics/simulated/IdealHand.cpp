@@ -17,7 +17,7 @@ using core::terrain::kEmptyTop;
 
 constexpr double kPushN = 1.2;
 constexpr float kLeftMm = 0.03F;  ///< what is left so thin is let be
-constexpr float kThroughMm = 0.1F;
+constexpr float kBelowToothMm = 0.1F;
 constexpr std::size_t kFewShare = 10;  ///< of the columns to be cut: fewer that do not yield are let be
 constexpr double kReachedMm = 0.01;
 constexpr double kClearMm = 0.3;     ///< over what stands in the way
@@ -42,7 +42,7 @@ IdealHand::IdealHand(const core::terrain::ToothAnatomy& anatomy, std::span<const
     std::vector<float> wantedTop(idealTop.begin(), idealTop.end());
     for (std::size_t k = 0; k < m_grid.count(); ++k)
         if (anatomy.top[k] > anatomy.bottom[k])
-            wantedTop[k] = std::max(wantedTop[k], anatomy.bottom[k] - kThroughMm);
+            wantedTop[k] = std::max(wantedTop[k], anatomy.bottom[k] - kBelowToothMm);
     findLowest(wantedTop, head);
     const auto lowestTip = static_cast<float>(core::drilling::lowestTipMm(anatomy));
     for (float& lowest : m_lowestMm)

@@ -19,7 +19,7 @@ namespace {
 using namespace ui::shell;
 
 /// Translated with the rest of what a panel says.
-struct Words
+struct SaveWords
 {
     Q_DECLARE_TR_FUNCTIONS(ui::charts::ChartPanel)
 };
@@ -35,9 +35,9 @@ SaveButton::SaveButton(std::function<Chart()> chart, QWidget* parent) : QToolBut
         text::inEveryLanguage(this, [action, say] { action->setText(say()); });
         connect(action, &QAction::triggered, this, [this, kind = QString::fromLatin1(ending)] { askForFile(kind); });
     };
-    offer("png", [] { return Words::tr("Save as picture (PNG) …"); });
-    offer("svg", [] { return Words::tr("Save as drawing (SVG) …"); });
-    offer("csv", [] { return Words::tr("Save as table (CSV) …"); });
+    offer("png", [] { return SaveWords::tr("Save as picture (PNG) …"); });
+    offer("svg", [] { return SaveWords::tr("Save as drawing (SVG) …"); });
+    offer("csv", [] { return SaveWords::tr("Save as table (CSV) …"); });
     setMenu(menu);
     setPopupMode(QToolButton::InstantPopup);
     setObjectName(QStringLiteral("saveChart"));
@@ -45,14 +45,14 @@ SaveButton::SaveButton(std::function<Chart()> chart, QWidget* parent) : QToolBut
     setIconSize({18, 18});
     setIcon(lineIcon(QStringLiteral("save"), palette()));
     text::inEveryLanguage(this, [this] {
-        setToolTip(Words::tr("Save this chart"));
+        setToolTip(SaveWords::tr("Save this chart"));
         nameIt();
     });
 }
 
 void SaveButton::nameIt()
 {
-    setAccessibleName(Words::tr("Save the chart \"%1\"").arg(m_chart().title));
+    setAccessibleName(SaveWords::tr("Save the chart \"%1\"").arg(m_chart().title));
 }
 
 void SaveButton::beSmall()
@@ -71,7 +71,7 @@ void SaveButton::changeEvent(QEvent* event)
 void SaveButton::askForFile(const QString& ending)
 {
     const Chart chart = m_chart();
-    auto* dialog = new FileDialog(parentWidget(), Words::tr("Save the chart"), documentsFolder(),
+    auto* dialog = new FileDialog(parentWidget(), SaveWords::tr("Save the chart"), documentsFolder(),
                                   QStringLiteral("%1 (*.%2)").arg(ending.toUpper(), ending));
     connect(dialog, &QFileDialog::fileSelected, this, &SaveButton::save);
     dialog->askWhere(chart.of.isEmpty() ? chart.title : QStringLiteral("%1, %2").arg(chart.title, chart.of), ending);

@@ -10,7 +10,7 @@
 namespace ui::charts {
 namespace {
 
-struct Words
+struct TableWords
 {
     Q_DECLARE_TR_FUNCTIONS(ui::charts::Table)
 };
@@ -53,7 +53,7 @@ Cell place(const Axis& axis, double x)
 
 Table table(const Curve& curve)
 {
-    Table made{{Words::tr("series"), curve.x.title, curve.y.title}, {}};
+    Table made{{TableWords::tr("series"), curve.x.title, curve.y.title}, {}};
     for (const Line& line : curve.lines) {
         // Without a name it needs none in the key: it is the middle of the band, told below, or the only one.
         const bool isBand = line.name.isEmpty() && !curve.band.slices.isEmpty();
@@ -64,9 +64,9 @@ Table table(const Curve& curve)
                                      dot.of};
     }
     for (const Slice& slice : curve.band.slices) {
-        made.rows << QList<Cell>{Words::tr("class, lower quartile"), place(curve.x, slice.x), slice.low};
-        made.rows << QList<Cell>{Words::tr("class, median"), place(curve.x, slice.x), slice.middle};
-        made.rows << QList<Cell>{Words::tr("class, upper quartile"), place(curve.x, slice.x), slice.high};
+        made.rows << QList<Cell>{TableWords::tr("class, lower quartile"), place(curve.x, slice.x), slice.low};
+        made.rows << QList<Cell>{TableWords::tr("class, median"), place(curve.x, slice.x), slice.middle};
+        made.rows << QList<Cell>{TableWords::tr("class, upper quartile"), place(curve.x, slice.x), slice.high};
     }
     for (const Limit& limit : curve.limits)
         made.rows << (limit.isUpright ? QList<Cell>{limit.name, place(curve.x, limit.at), QString()}
@@ -88,7 +88,7 @@ Table table(const Bars& bars)
 
 Table table(const Histogram& histogram)
 {
-    Table made{{Words::tr("from"), Words::tr("to"), histogram.count.title}, {}};
+    Table made{{TableWords::tr("from"), TableWords::tr("to"), histogram.count.title}, {}};
     for (const Histogram::Bin& bin : histogram.bins)
         made.rows << QList<Cell>{bin.from, bin.to, static_cast<std::int64_t>(bin.count)};
     return made;

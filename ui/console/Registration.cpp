@@ -25,7 +25,7 @@ using core::settings::FeelPreset;
 using core::settings::Parameter;
 using core::settings::Parameters;
 
-struct Words
+struct RegistrationWords
 {
     Q_DECLARE_TR_FUNCTIONS(ui::console::Words)
 };
@@ -118,7 +118,7 @@ void registerSwitch(Parameters& parameters, const char* name, QAction* action, b
         if (action->isChecked() == (on != 0.0))
             return {};
         if (!action->isEnabled())
-            return Words::tr("This cannot be changed here and now.").toStdString();
+            return RegistrationWords::tr("This cannot be changed here and now.").toStdString();
         action->trigger();
         return {};
     };
@@ -137,8 +137,8 @@ void registerPush(Parameters& parameters, std::function<double()> read, std::fun
              write(newtons);
              return std::string();
          },
-         [] { return Words::tr("Push").toStdString(); },
-         [] { return Words::tr("How hard the mouse button presses the bur against the tooth.").toStdString(); }});
+         [] { return RegistrationWords::tr("Push").toStdString(); },
+         [] { return RegistrationWords::tr("How hard the mouse button presses the bur against the tooth.").toStdString(); }});
 }
 
 void registerLive(Parameters& parameters, const std::function<core::session::ServoState()>& servo,
@@ -165,14 +165,14 @@ void registerLive(Parameters& parameters, const std::function<core::session::Ser
     };
     add(
         "live.force", "N", [servo] { return glm::length(servo().forceN); },
-        [] { return Words::tr("Force that the hand is given."); });
+        [] { return RegistrationWords::tr("Force that the hand is given."); });
     add(
         "live.depth", "mm",
         [servo] {
             const core::session::ServoState state = servo();
             return state.hasDepth ? state.depthMm : std::numeric_limits<double>::quiet_NaN();
         },
-        [] { return Words::tr("Depth of the bur's tip below the uncut surface."); }, &Told::depth);
+        [] { return RegistrationWords::tr("Depth of the bur's tip below the uncut surface."); }, &Told::depth);
     add(
         "live.removed", "mm³",
         [servo] {
@@ -181,19 +181,19 @@ void registerLive(Parameters& parameters, const std::function<core::session::Ser
                 sum += volume;
             return sum;
         },
-        [] { return Words::tr("Volume removed since the tooth was taken, undone or not."); }, &Told::removed);
+        [] { return RegistrationWords::tr("Volume removed since the tooth was taken, undone or not."); }, &Told::removed);
     add(
         "live.rpm", "rpm", [servo] { return servo().burRpm; },
-        [] { return Words::tr("Turns of the bur under its load."); });
+        [] { return RegistrationWords::tr("Turns of the bur under its load."); });
     add(
         "live.missed", "", [servo] { return static_cast<double>(servo().missedPeriods); },
-        [] { return Words::tr("Periods of the servo that were missed since the start."); });
+        [] { return RegistrationWords::tr("Periods of the servo that were missed since the start."); });
     add(
         "live.period_p50", "µs", [&meter] { return meter.percentileUs(0.5); },
-        [] { return Words::tr("Time between two ticks of the servo: half of the last second's were shorter."); });
+        [] { return RegistrationWords::tr("Time between two ticks of the servo: half of the last second's were shorter."); });
     add(
         "live.period_p99", "µs", [&meter] { return meter.percentileUs(0.99); },
-        [] { return Words::tr("Time between two ticks of the servo: 99 in 100 of the last second's were shorter."); });
+        [] { return RegistrationWords::tr("Time between two ticks of the servo: 99 in 100 of the last second's were shorter."); });
 }
 
 }  // namespace ui::console

@@ -37,10 +37,10 @@ constexpr Ground kScreen{0xFF15181A, 0xFF2C3134, 0xFFB6BDBF};
 constexpr Ground kPaper{0xFFFFFFFF, 0xFFDADDDF, 0xFF2A2F31};
 constexpr QRgb kOverTissue = 0x30000000;  ///< grid lines over the tooth
 constexpr QRgb kSurface = 0xFF56C7C9;     ///< the surface as it was
-constexpr QRgb kIdeal = 0xFFFFD23F;       ///< and as it ought to become
-constexpr QRgb kUnderIdeal = 0xB0101214;
-constexpr QRgb kBand = 0x9056C7C9;  ///< between the limits of a tolerance
-constexpr QRgb kBandEdge = 0xFF0B4F51;
+constexpr QRgb kIdealLine = 0xFFFFD23F;       ///< and as it ought to become
+constexpr QRgb kIdealShade = 0xB0101214;
+constexpr QRgb kToleranceFill = 0x9056C7C9;  ///< between the limits of a tolerance
+constexpr QRgb kToleranceHatch = 0xFF0B4F51;
 constexpr QRgb kSteel = 0xE6AEB8BC;
 constexpr QRgb kBorder = 0xFF000000;
 constexpr double kInkShare = 0.55;  ///< of a pattern and of a border over what lies under it
@@ -240,7 +240,7 @@ QPen surfacePen()
 
 QPen idealPen()
 {
-    QPen pen(QColor(kIdeal), 2.0);
+    QPen pen(QColor(kIdealLine), 2.0);
     pen.setDashPattern({3.0, 2.0});
     return pen;
 }
@@ -266,8 +266,8 @@ void paintBand(QPainter& painter, const Frame& frame, const SectionScene& scene,
     }
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing, false);
-    painter.fillPath(band, QColor::fromRgba(kBand));
-    painter.fillPath(band, QBrush(QColor(kBandEdge), Qt::BDiagPattern));
+    painter.fillPath(band, QColor::fromRgba(kToleranceFill));
+    painter.fillPath(band, QBrush(QColor(kToleranceHatch), Qt::BDiagPattern));
     painter.restore();
 }
 
@@ -373,8 +373,8 @@ PictureKey keyOf(const SectionScene& scene)
         //: In the key of a picture: what may be cut or left without losing points
         key.add(QCoreApplication::translate("Section", "within tolerance"), PictureKey::kSignPx,
                 [](QPainter& painter, const QRectF& box) {
-                    painter.fillRect(box, QColor::fromRgba(kBand));
-                    painter.fillRect(box, QBrush(QColor(kBandEdge), Qt::BDiagPattern));
+                    painter.fillRect(box, QColor::fromRgba(kToleranceFill));
+                    painter.fillRect(box, QBrush(QColor(kToleranceHatch), Qt::BDiagPattern));
                 });
     return key;
 }
@@ -412,7 +412,7 @@ void paintSection(QPainter& painter, const QRectF& area, const SectionScene& sce
     if (scene.ideal) {
         // Dark beneath, so that it is seen on every tissue.
         QPen under = idealPen();
-        under.setColor(QColor::fromRgba(kUnderIdeal));
+        under.setColor(QColor::fromRgba(kIdealShade));
         under.setStyle(Qt::SolidLine);
         under.setWidthF(4.0);
         paintHeights(painter, section, frame, &SectionSample::idealTopMm, under);

@@ -48,7 +48,7 @@ constexpr int kSavedScale = 2;
 constexpr QRgb kFilmGround = 0xFF0B0C0D;
 constexpr QRgb kFilmWords = 0xFFB6BDBF;
 
-double radians(int degrees)
+double beamRadians(int degrees)
 {
     return degrees * std::numbers::pi / 180.0;
 }
@@ -304,8 +304,8 @@ void XrayPage::setTooth(const core::terrain::Tooth& tooth)
 XrayPage::Wish XrayPage::wish() const
 {
     Wish now;
-    now.beam.angleRad += radians(m_angle->value());
-    now.beam.tiltRad = -radians(m_tilt->value());  // from above, the beam falls
+    now.beam.angleRad += beamRadians(m_angle->value());
+    now.beam.tiltRad = -beamRadians(m_tilt->value());  // from above, the beam falls
     now.exposure = std::exp2(static_cast<double>(m_exposure->value()) / kStepsToDouble);
     now.bitewing = m_bitewing->isChecked();
     const QRectF room = m_now->ground();

@@ -23,7 +23,7 @@ struct Words
 constexpr int kBins = 10;
 constexpr int kBinTenths = 100;
 constexpr double kPointsEnd = 103.0;
-constexpr double kFullPoints = 100.0;
+constexpr double kWholeScore = 100.0;
 
 QString tooFew()
 {
@@ -37,7 +37,7 @@ Chart distributionChart(const database::LessonResults& results, int passMarkTent
 {
     Histogram histogram;
     const auto people = static_cast<int>(results.bestTenths.size());
-    histogram.x = {Words::tr("Best score"), 0.0, kFullPoints, false, false};
+    histogram.x = {Words::tr("Best score"), 0.0, kWholeScore, false, false};
     if (people >= ::lessons::kFewestPeople) {
         int most = 0;
         for (int bin = 0; bin < kBins; ++bin) {
@@ -99,15 +99,15 @@ QString difficultyWords(const database::LessonDifficulty& difficulty)
 Chart difficultyChart(const database::LessonResults& results, const std::map<std::string, QString>& names)
 {
     Bars bars;
-    bars.value = {Words::tr("Lost, % of what it counts"), 0.0, kFullPoints, false, false};
+    bars.value = {Words::tr("Lost, % of what it counts"), 0.0, kWholeScore, false, false};
     bars.nameTitle = Words::tr("Criterion");
     const bool isShown = results.difficulty.people >= ::lessons::kFewestPeople;
     if (isShown)
         for (const database::LessonDifficulty::Item& item : results.difficulty.items) {
             const QString name = criterionName(names, item.criterion);
-            bars.bars << Bars::Bar{name, kFullPoints * item.share,
+            bars.bars << Bars::Bar{name, kWholeScore * item.share,
                                    Words::tr("%1: the class loses %2 % of its points")
-                                       .arg(name, text::number(kFullPoints * item.share, 0))};
+                                       .arg(name, text::number(kWholeScore * item.share, 0))};
         }
     return {Words::tr("Difficulty"), isShown ? difficultyWords(results.difficulty) : QString(), tooFew(), bars};
 }

@@ -16,14 +16,14 @@ namespace {
 using database::AttemptRecord;
 using namespace ui::charts;
 
-struct Words
+struct HistoryWords
 {
     Q_DECLARE_TR_FUNCTIONS(ui::people::HistoryCharts)
 };
 
 constexpr qsizetype kCriteriaOver = 10;  ///< attempts
 constexpr double kMsPerMinute = 60'000.0;
-constexpr double kPointsEnd = 103.0;  ///< so that a mark at 100 is whole
+constexpr double kChartEnd = 103.0;  ///< so that a mark at 100 is whole
 constexpr double kDayMs = 86'400'000.0;
 
 double points(int tenths)
@@ -50,7 +50,7 @@ void each(const ChartedAttempts& attempts, const Take& take)
         //: %1: a count; %2: date and time
         const QString which =
             attempts.isOneLesson
-                ? Words::tr("Attempt %1, %2").arg(place, 0, 'f', 0).arg(when(record.finishedUtc))
+                ? HistoryWords::tr("Attempt %1, %2").arg(place, 0, 'f', 0).arg(when(record.finishedUtc))
                 : QStringLiteral("%1, %2").arg(lessonTitle(attempts.titles, record.lessonId), when(record.finishedUtc));
         take(record, place, which);
     }
@@ -70,34 +70,34 @@ Axis xAxis(const ChartedAttempts& attempts)
     const double first = placeOf(attempts, shown - 1);
     const double last = placeOf(attempts, 0);
     if (attempts.isOneLesson)
-        return {Words::tr("Attempt"), first - 0.5, std::max(last + 0.5, first + 4.5), false, true};
+        return {HistoryWords::tr("Attempt"), first - 0.5, std::max(last + 0.5, first + 4.5), false, true};
     const double air = std::max(0.5 * kDayMs, 0.03 * (last - first));
-    return {Words::tr("Date"), first - air, last + air, true, false};
+    return {HistoryWords::tr("Date"), first - air, last + air, true, false};
 }
 
 QString noteOf(const ChartedAttempts& attempts)
 {
     const qsizetype all = attempts.newestFirst.size();
     if (all > kMostCharted)
-        return Words::tr("The newest %1 of %2 attempts").arg(kMostCharted).arg(QLocale().toString(all));
-    return Words::tr("%n attempt(s)", nullptr, static_cast<int>(all));
+        return HistoryWords::tr("The newest %1 of %2 attempts").arg(kMostCharted).arg(QLocale().toString(all));
+    return HistoryWords::tr("%n attempt(s)", nullptr, static_cast<int>(all));
 }
 
 /// "82.4 points, passed"; with what the machine had given, where an instructor decided otherwise.
 QString scoreWords(const AttemptRecord& record)
 {
     const QString given = text::points(record.countingTenths());
-    QString words = record.countsAsPassed() ? Words::tr("%1 points, passed").arg(given)
-                                            : Words::tr("%1 points, not passed").arg(given);
+    QString words = record.countsAsPassed() ? HistoryWords::tr("%1 points, passed").arg(given)
+                                            : HistoryWords::tr("%1 points, not passed").arg(given);
     if (record.givenTenths)
-        words += u' ' + Words::tr("(machine: %1)").arg(text::points(record.scoreTenths));
+        words += u' ' + HistoryWords::tr("(machine: %1)").arg(text::points(record.scoreTenths));
     return words;
 }
 
 QString joined(const QString& which, const QString& value)
 {
     //: %1: which attempt; %2: what it came to
-    return Words::tr("%1: %2").arg(which, value);
+    return HistoryWords::tr("%1: %2").arg(which, value);
 }
 
 double end(const QList<Line>& lines)
@@ -113,14 +113,14 @@ double end(const QList<Line>& lines)
 
 Band bandOf(const std::vector<database::BandPoint>& bandPoints)
 {
-    Band band{Words::tr("Middle half"), Words::tr("Class median"), {}};
+    Band band{HistoryWords::tr("Middle half"), HistoryWords::tr("Class median"), {}};
     for (const database::BandPoint& point : bandPoints) {
         if (point.people < ::lessons::kFewestPeople)
             continue;
         band.slices << Slice{static_cast<double>(point.attempt), points(point.lowerQuartileTenths),
                              points(point.medianTenths), points(point.upperQuartileTenths),
                              //: Of a class; %1: a count of attempts, %2: of people, %3 to %5: points
-                             Words::tr("Attempt %1: median %3, middle half %4 to %5, %2 people")
+                             HistoryWords::tr("Attempt %1: median %3, middle half %4 to %5, %2 people")
                                  .arg(point.attempt)
                                  .arg(point.people)
                                  .arg(text::points(point.medianTenths), text::points(point.lowerQuartileTenths),
@@ -132,12 +132,12 @@ Band bandOf(const std::vector<database::BandPoint>& bandPoints)
 Chart scoreChart(const ChartedAttempts& attempts)
 {
     Curve curve;
-    curve.ofTitle = attempts.isOneLesson ? QString() : Words::tr("Lesson");
+    curve.ofTitle = attempts.isOneLesson ? QString() : HistoryWords::tr("Lesson");
     curve.x = xAxis(attempts);
-    curve.y = {Words::tr("Points"), 0.0, kPointsEnd, false, false};
-    Line way{Words::tr("Score"), {}, Mark::None, true};
-    Line passed{Words::tr("Passed"), {}, Mark::Circle, false};
-    Line failed{Words::tr("Not passed"), {}, Mark::HollowDiamond, false};
+    curve.y = {HistoryWords::tr("Points"), 0.0, kChartEnd, false, false};
+    Line way{HistoryWords::tr("Score"), {}, Mark::None, true};
+    Line passed{HistoryWords::tr("Passed"), {}, Mark::Circle, false};
+    Line failed{HistoryWords::tr("Not passed"), {}, Mark::HollowDiamond, false};
     each(attempts, [&](const AttemptRecord& record, double place, const QString& which) {
         const Dot dot{place, points(record.countingTenths()), joined(which, scoreWords(record)), record.id,
                       lessonOf(attempts, record)};
@@ -151,13 +151,13 @@ Chart scoreChart(const ChartedAttempts& attempts)
         const auto beyond = [&](const Slice& slice) { return slice.x < curve.x.low || slice.x > curve.x.high; };
         curve.band.slices.removeIf(beyond);
         if (!attempts.newestFirst.isEmpty())
-            curve.limits << Limit{points(attempts.newestFirst.front().passMarkTenths), false, Words::tr("Pass mark")};
+            curve.limits << Limit{points(attempts.newestFirst.front().passMarkTenths), false, HistoryWords::tr("Pass mark")};
     }
     for (const Line& line : {passed, failed})
         if (!line.dots.isEmpty())
             curve.lines << line;
-    return {Words::tr("Score"), noteOf(attempts),
-            Words::tr("After the first graded attempt its score is here, and then how it goes on."), curve};
+    return {HistoryWords::tr("Score"), noteOf(attempts),
+            HistoryWords::tr("After the first graded attempt its score is here, and then how it goes on."), curve};
 }
 
 Chart criteriaChart(const ChartedAttempts& attempts)
@@ -187,7 +187,7 @@ Chart criteriaChart(const ChartedAttempts& attempts)
         }
     }
     Bars bars;
-    bars.nameTitle = Words::tr("Criterion");
+    bars.nameTitle = HistoryWords::tr("Criterion");
     double most = 0.0;
     for (const auto& [name, sum] : sums) {
         if (sum.weightTenths == 0 && sum.lostTenths == 0)  // a limit that was kept
@@ -195,87 +195,87 @@ Chart criteriaChart(const ChartedAttempts& attempts)
         const double lost = 0.1 * sum.lostTenths / sum.attempts;
         most = std::max(most, lost);
         //: %1: a criterion; %2: a number
-        bars.bars << Bars::Bar{name, lost, Words::tr("%1: %2 points lost").arg(name, text::number(lost, 1))};
+        bars.bars << Bars::Bar{name, lost, HistoryWords::tr("%1: %2 points lost").arg(name, text::number(lost, 1))};
     }
-    bars.value = {Words::tr("Points lost"), 0.0, roundEnd(std::max(1.0, most)), false, false};
+    bars.value = {HistoryWords::tr("Points lost"), 0.0, roundEnd(std::max(1.0, most)), false, false};
     std::stable_sort(bars.bars.begin(), bars.bars.end(),
                      [](const Bars::Bar& a, const Bars::Bar& b) { return a.value > b.value; });
-    return {Words::tr("What costs points"),
-            attempts.isOneLesson ? Words::tr("Average of the last %n attempt(s)", nullptr, static_cast<int>(over))
-                                 : Words::tr("Of the last %n attempt(s), each in those where it counts", nullptr,
+    return {HistoryWords::tr("What costs points"),
+            attempts.isOneLesson ? HistoryWords::tr("Average of the last %n attempt(s)", nullptr, static_cast<int>(over))
+                                 : HistoryWords::tr("Of the last %n attempt(s), each in those where it counts", nullptr,
                                              static_cast<int>(over)),
-            Words::tr("After the first graded attempt you see here which criterion costs most."), bars};
+            HistoryWords::tr("After the first graded attempt you see here which criterion costs most."), bars};
 }
 
 Chart timeChart(const ChartedAttempts& attempts)
 {
     Curve curve;
-    curve.ofTitle = attempts.isOneLesson ? QString() : Words::tr("Lesson");
+    curve.ofTitle = attempts.isOneLesson ? QString() : HistoryWords::tr("Lesson");
     curve.x = xAxis(attempts);
-    Line minutes{Words::tr("Minutes"), {}, Mark::Circle, attempts.isOneLesson};
+    Line minutes{HistoryWords::tr("Minutes"), {}, Mark::Circle, attempts.isOneLesson};
     each(attempts, [&](const AttemptRecord& record, double place, const QString& which) {
         minutes.dots << Dot{place, static_cast<double>(record.durationMs) / kMsPerMinute,
                             //: %1: "12:07"
-                            joined(which, Words::tr("%1 min").arg(clock(record.durationMs))), record.id,
+                            joined(which, HistoryWords::tr("%1 min").arg(clock(record.durationMs))), record.id,
                             lessonOf(attempts, record)};
     });
-    curve.y = {Words::tr("Minutes"), 0.0, end({minutes}), false, false};
+    curve.y = {HistoryWords::tr("Minutes"), 0.0, end({minutes}), false, false};
     minutes.name.clear();
     curve.lines << minutes;
-    return {Words::tr("Time"), noteOf(attempts),
-            Words::tr("After the first graded attempt you see here how long it took."), curve};
+    return {HistoryWords::tr("Time"), noteOf(attempts),
+            HistoryWords::tr("After the first graded attempt you see here how long it took."), curve};
 }
 
 Chart forceChart(const ChartedAttempts& attempts)
 {
     Curve curve;
-    curve.ofTitle = attempts.isOneLesson ? QString() : Words::tr("Lesson");
+    curve.ofTitle = attempts.isOneLesson ? QString() : HistoryWords::tr("Lesson");
     curve.x = xAxis(attempts);
-    Line mean{Words::tr("Mean"), {}, Mark::Circle, attempts.isOneLesson};
-    Line peak{Words::tr("Highest"), {}, Mark::Square, attempts.isOneLesson};
+    Line mean{HistoryWords::tr("Mean"), {}, Mark::Circle, attempts.isOneLesson};
+    Line peak{HistoryWords::tr("Highest"), {}, Mark::Square, attempts.isOneLesson};
     each(attempts, [&](const AttemptRecord& record, double place, const QString& which) {
         const double meanN = 0.001 * record.meanForceMn;
         const double peakN = 0.001 * record.peakForceMn;
         const QString words = joined(
             which,
-            Words::tr("mean %1 N, highest %2 N while cutting").arg(text::number(meanN, 2), text::number(peakN, 2)));
+            HistoryWords::tr("mean %1 N, highest %2 N while cutting").arg(text::number(meanN, 2), text::number(peakN, 2)));
         mean.dots << Dot{place, meanN, words, record.id, lessonOf(attempts, record)};
         peak.dots << Dot{place, peakN, words, record.id, lessonOf(attempts, record)};
     });
-    curve.y = {Words::tr("Newtons"), 0.0, end({mean, peak}), false, false};
+    curve.y = {HistoryWords::tr("Newtons"), 0.0, end({mean, peak}), false, false};
     curve.lines << mean << peak;
-    return {Words::tr("Force while cutting"), noteOf(attempts),
-            Words::tr("After the first graded attempt you see here how hard the bur was pressed."), curve};
+    return {HistoryWords::tr("Force while cutting"), noteOf(attempts),
+            HistoryWords::tr("After the first graded attempt you see here how hard the bur was pressed."), curve};
 }
 
 Chart speedChart(const ChartedAttempts& attempts)
 {
     Curve curve;
-    curve.ofTitle = attempts.isOneLesson ? QString() : Words::tr("Lesson");
-    Line passed{Words::tr("Passed"), {}, Mark::Circle, false};
-    Line failed{Words::tr("Not passed"), {}, Mark::HollowDiamond, false};
+    curve.ofTitle = attempts.isOneLesson ? QString() : HistoryWords::tr("Lesson");
+    Line passed{HistoryWords::tr("Passed"), {}, Mark::Circle, false};
+    Line failed{HistoryWords::tr("Not passed"), {}, Mark::HollowDiamond, false};
     double longest = 0.0;
     each(attempts, [&](const AttemptRecord& record, double, const QString& which) {
         const double minutes = static_cast<double>(record.durationMs) / kMsPerMinute;
         longest = std::max(longest, minutes);
         (record.countsAsPassed() ? passed : failed).dots
             << Dot{minutes, points(record.countingTenths()),
-                   joined(which, Words::tr("%1 in %2 min").arg(scoreWords(record), clock(record.durationMs))),
+                   joined(which, HistoryWords::tr("%1 in %2 min").arg(scoreWords(record), clock(record.durationMs))),
                    record.id, lessonOf(attempts, record)};
     });
     if (attempts.medians && attempts.medians->people >= ::lessons::kFewestPeople) {
         const double minutes = static_cast<double>(attempts.medians->durationMs) / kMsPerMinute;
         longest = std::max(longest, minutes);
-        curve.limits << Limit{minutes, true, Words::tr("Class median, time")}
-                     << Limit{points(attempts.medians->tenths), false, Words::tr("Class median, points")};
+        curve.limits << Limit{minutes, true, HistoryWords::tr("Class median, time")}
+                     << Limit{points(attempts.medians->tenths), false, HistoryWords::tr("Class median, points")};
     }
-    curve.x = {Words::tr("Minutes"), 0.0, roundEnd(1.02 * longest), false, false};
-    curve.y = {Words::tr("Points"), 0.0, kPointsEnd, false, false};
+    curve.x = {HistoryWords::tr("Minutes"), 0.0, roundEnd(1.02 * longest), false, false};
+    curve.y = {HistoryWords::tr("Points"), 0.0, kChartEnd, false, false};
     for (const Line& line : {passed, failed})
         if (!line.dots.isEmpty())
             curve.lines << line;
-    return {Words::tr("Speed and accuracy"), Words::tr("Good and quick is at the top left"),
-            Words::tr("After the first graded attempt you see here time against points."), curve};
+    return {HistoryWords::tr("Speed and accuracy"), HistoryWords::tr("Good and quick is at the top left"),
+            HistoryWords::tr("After the first graded attempt you see here time against points."), curve};
 }
 
 }  // namespace ui::people

@@ -14,7 +14,7 @@
 namespace ui::people {
 namespace {
 
-constexpr int kRowPx = 34;
+constexpr int kListRowPx = 34;
 
 /// The arrow of the sorting is one of the words of its heading, before those that are aligned to the right: Qt's own
 /// lies at the right, over their last letters.
@@ -51,7 +51,7 @@ ListTable::ListTable(QWidget* parent) : QTableView(parent)
     setCornerButtonEnabled(false);
     setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
     verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    verticalHeader()->setDefaultSectionSize(kRowPx);
+    verticalHeader()->setDefaultSectionSize(kListRowPx);
     horizontalHeader()->setHighlightSections(false);
     horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);  // over the words beneath
     verticalHeader()->setHighlightSections(false);

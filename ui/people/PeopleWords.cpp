@@ -9,7 +9,7 @@
 namespace ui::people {
 namespace {
 
-struct Words
+struct PersonWords
 {
     Q_DECLARE_TR_FUNCTIONS(ui::people::Words)
 };
@@ -22,7 +22,7 @@ constexpr qint64 kMonthsFromDays = 300;  ///< so long ago, the month is enough
 QString lessonTitle(const LessonTitles& titles, const std::string& lessonId)
 {
     if (lessonId.empty())
-        return Words::tr("Free practice");
+        return PersonWords::tr("Free practice");
     const QString id = QString::fromStdString(lessonId);
     return titles.value(id, id);
 }
@@ -56,22 +56,22 @@ QString whenShort(const std::string& utc, const QDateTime& now)
     const QDate day = at.toLocalTime().date();
     const qint64 ago = day.daysTo(now.toLocalTime().date());
     if (ago == 0)
-        return Words::tr("today");
+        return PersonWords::tr("today");
     if (ago == 1)
-        return Words::tr("yesterday");
+        return PersonWords::tr("yesterday");
     if (ago > 1 && ago < kWeekDays)
         return QLocale().dayName(day.dayOfWeek(), QLocale::ShortFormat);
     if (ago >= kMonthsFromDays)
         //: A month, as QLocale::toString() takes it: "Nov 2024"
-        return QLocale().toString(day, Words::tr("MMM yyyy"));
+        return QLocale().toString(day, PersonWords::tr("MMM yyyy"));
     //: A day without its year, as QLocale::toString() takes it: "27 Nov". German "d. MMM", Japanese "M月d日"
-    return QLocale().toString(day, text::dayFormat(Words::tr("d MMM")));
+    return QLocale().toString(day, text::dayFormat(PersonWords::tr("d MMM")));
 }
 
 QString dueShort(const std::string& dueUtc, const QDateTime& now)
 {
     const QDate day = dueDay(dueUtc);
-    return day.year() == now.toLocalTime().date().year() ? QLocale().toString(day, text::dayFormat(Words::tr("d MMM")))
+    return day.year() == now.toLocalTime().date().year() ? QLocale().toString(day, text::dayFormat(PersonWords::tr("d MMM")))
                                                          : QLocale().toString(day, QLocale::ShortFormat);
 }
 

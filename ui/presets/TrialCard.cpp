@@ -28,7 +28,7 @@ using Answer = BlindTrial::Answer;
 
 constexpr int kCardPx = 412;
 constexpr int kHighestChartPx = 460;
-constexpr int kLowestChartPx = 200;
+constexpr int kLowestTrialPx = 200;
 constexpr double kHardlyChance = 0.05;
 
 /// So that every row of a preset can be felt that teeth are cut by: enamel, dentin and soft decay lie in the block side
@@ -49,7 +49,7 @@ QString chanceWords(double p)
                                nullptr, times);
 }
 
-QPushButton* button(const char* kind, const char* name, QWidget* parent)
+QPushButton* trialButton(const char* kind, const char* name, QWidget* parent)
 {
     auto* made = new QPushButton(parent);
     made->setProperty("kind", kind);
@@ -63,10 +63,10 @@ QPushButton* button(const char* kind, const char* name, QWidget* parent)
 TrialCard::TrialCard(QWidget* parent)
     : QFrame(parent), m_title(new QLabel(this)), m_words(new QLabel(this)), m_tuning(new QWidget(this)),
       m_dials(new SimplePanel(m_tuning)), m_blockChoice(new QWidget(this)), m_block(new QComboBox(m_blockChoice)),
-      m_chart(new FeedChart(m_tuning)), m_reset(button("quiet", "trialReset", this)), m_letters(new QWidget(this)),
-      m_a(button("segment", "trialA", m_letters)), m_b(button("segment", "trialB", m_letters)),
-      m_answers(new QWidget(this)), m_csv(button("", "trialCsv", this)), m_end(button("", "trialEnd", this)),
-      m_back(button("filled", "trialBack", this))
+      m_chart(new FeedChart(m_tuning)), m_reset(trialButton("quiet", "trialReset", this)), m_letters(new QWidget(this)),
+      m_a(trialButton("segment", "trialA", m_letters)), m_b(trialButton("segment", "trialB", m_letters)),
+      m_answers(new QWidget(this)), m_csv(trialButton("", "trialCsv", this)), m_end(trialButton("", "trialEnd", this)),
+      m_back(trialButton("filled", "trialBack", this))
 {
     setProperty("kind", "bar");
     setFixedWidth(kCardPx);
@@ -87,9 +87,9 @@ TrialCard::TrialCard(QWidget* parent)
     connect(m_b, &QPushButton::clicked, this, [this] { hold(Answer::B); });
     auto* answers = new QHBoxLayout(m_answers);
     answers->setContentsMargins(0, 0, 0, 0);
-    auto* saysA = button("", "trialSaysA", m_answers);
-    auto* saysNone = button("quiet", "trialSaysNone", m_answers);
-    auto* saysB = button("", "trialSaysB", m_answers);
+    auto* saysA = trialButton("", "trialSaysA", m_answers);
+    auto* saysNone = trialButton("quiet", "trialSaysNone", m_answers);
+    auto* saysB = trialButton("", "trialSaysB", m_answers);
     answers->addWidget(saysA);
     answers->addWidget(saysNone, 1);
     answers->addWidget(saysB);
@@ -108,7 +108,7 @@ TrialCard::TrialCard(QWidget* parent)
     });
     connect(m_dials, &SimplePanel::changed, this, &TrialCard::turn);
     makeBlockChoice();
-    m_chart->setMinimumHeight(kLowestChartPx);
+    m_chart->setMinimumHeight(kLowestTrialPx);
     m_chart->setMaximumHeight(kHighestChartPx);
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(m_reset);

@@ -18,7 +18,7 @@ using core::terrain::kEmptyTop;
 using core::terrain::NodeRect;
 
 constexpr float kSteepFrom = 0.6F;   ///< mm a mm, of the blurred heights: 30 degrees
-constexpr float kSteepFull = 1.4F;   ///< 55 degrees
+constexpr float kSteepestSlope = 1.4F;   ///< 55 degrees
 constexpr float kSharpFrom = 0.12F;  ///< cells that the blur takes off a crest, or fills into a slit
 constexpr float kSharpFull = 0.4F;
 /// Of the blur, along one axis, from the middle outwards: a Gaussian of 1.15 cells.
@@ -106,7 +106,7 @@ void SteepGround::draw(const std::vector<float>& tops, const NodeRect& rect, std
                                 (2.0F * cell);
         const float steep2 = glm::dot(slope, slope);
         const float off = std::abs(tops[k] - m_blurred[k]) / cell;
-        const float share = m_whole[k] * std::max(smooth(kSteepFrom * kSteepFrom, kSteepFull * kSteepFull, steep2),
+        const float share = m_whole[k] * std::max(smooth(kSteepFrom * kSteepFrom, kSteepestSlope * kSteepestSlope, steep2),
                                                   smooth(kSharpFrom, kSharpFull, off));
         if (share == 0.0F)
             return;

@@ -27,7 +27,7 @@ using namespace ui::shell;
 
 constexpr int kMarksPx = 16;
 constexpr int kStrokesPx = 14;
-constexpr int kLanePx = kMarksPx + kStrokesPx + 2;
+constexpr int kStrokeLanePx = kMarksPx + kStrokesPx + 2;
 constexpr int kScalePx = 16;
 constexpr int kSidePx = 16;           ///< left free at both ends, for the knob
 constexpr double kNarrowestPx = 2.0;  ///< of a stroke
@@ -201,7 +201,7 @@ TimeLine::TimeLine(QWidget* parent) : QWidget(parent)
 
 QSize TimeLine::sizeHint() const
 {
-    return {200, static_cast<int>(lanes().size()) * kLanePx + kScalePx + kSpace1};
+    return {200, static_cast<int>(lanes().size()) * kStrokeLanePx + kScalePx + kSpace1};
 }
 
 void TimeLine::setCourse(const Course& course)
@@ -233,7 +233,7 @@ QList<TimeLine::Lane> TimeLine::lanes() const
 {
     QList<Lane> all{{m_course, kSpace1}};
     if (m_beside.lengthS > 0.0)
-        all << Lane{m_beside, kSpace1 + kLanePx};
+        all << Lane{m_beside, kSpace1 + kStrokeLanePx};
     return all;
 }
 
@@ -257,7 +257,7 @@ QStringList TimeLine::saidAt(const QPoint& place) const
 {
     QStringList said;
     for (const Lane& lane : lanes()) {
-        if (place.y() < lane.top || place.y() >= lane.top + kLanePx)
+        if (place.y() < lane.top || place.y() >= lane.top + kStrokeLanePx)
             continue;
         const auto isHere = [&](double seconds) { return std::abs(xIn(lane.course, seconds) - place.x()) <= kHitPx; };
         const auto at = [](double seconds, const QString& what) {

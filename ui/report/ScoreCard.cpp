@@ -21,7 +21,7 @@
 namespace ui::report {
 namespace {
 
-struct Words
+struct CardWords
 {
     Q_DECLARE_TR_FUNCTIONS(ui::report::ScoreCard)
 };
@@ -31,13 +31,13 @@ constexpr double kPictureRatio = 3.0;  ///< drawn with so many dots for each
 constexpr double kPicturePt = 210.0;
 constexpr double kLeastPicturePt = 120.0;
 constexpr double kPictureStepPt = 10.0;
-constexpr double kChartPt = 158.0;
+constexpr double kScoreChartPt = 158.0;
 constexpr int kNumberPx = 14;     ///< of a number on a picture, and radius of its disc
 constexpr double kStemPx = 34.0;  ///< from there to its place
 constexpr double kTipPx = 4.0;
 constexpr double kColumnGapPt = 10.0;  ///< before the column of points
 constexpr std::size_t kMomentsTold = 3;
-constexpr std::size_t kShownHash = 16;
+constexpr std::size_t kHashShown = 16;
 
 /// The places that comments are about, in the order of the comments, which have the same numbers.
 void paintNumbers(QPainter& painter, const study::HeatMap& map, const std::vector<database::AttemptComment>& comments)
@@ -104,33 +104,33 @@ void paintConduct(Sheet& sheet, const ScoreCard& card)
 void paintResult(Sheet& sheet, const ScoreCard& card)
 {
     const database::AttemptRecord& attempt = card.attempt;
-    sheet.say(Words::tr("Score card: %1").arg(card.lesson), kTitlePt, QFont::DemiBold);
+    sheet.say(CardWords::tr("Score card: %1").arg(card.lesson), kTitlePt, QFont::DemiBold);
     //: %1: a person; %2: date and time
-    sheet.say(Words::tr("%1, %2").arg(card.person, people::when(attempt.finishedUtc)), kHeadPt);
+    sheet.say(CardWords::tr("%1, %2").arg(card.person, people::when(attempt.finishedUtc)), kHeadPt);
     sheet.skip(4.0);
     //: %1 and %2: points; %3: "Passed", "Not passed: harm done"
-    sheet.say(Words::tr("%1 of 100 points, pass mark %2. %3")
+    sheet.say(CardWords::tr("%1 of 100 points, pass mark %2. %3")
                   .arg(text::points(attempt.countingTenths()), text::points(attempt.passMarkTenths),
                        study::ScorePage::verdictWords(card.sheet, attempt.givenTenths)),
               kTitlePt, QFont::DemiBold);
     if (attempt.givenTenths) {
         sheet.say(
-            Words::tr("Given by an instructor. The machine's score: %1 points.").arg(text::points(attempt.scoreTenths)),
+            CardWords::tr("Given by an instructor. The machine's score: %1 points.").arg(text::points(attempt.scoreTenths)),
             kTextPt, QFont::DemiBold);
         if (!card.talk.overrides.empty()) {
             const database::AttemptOverride& given = card.talk.overrides.back();
             //: %1: a person; %2: date and time; %3: why
-            sheet.say(Words::tr("%1, %2: %3")
+            sheet.say(CardWords::tr("%1, %2: %3")
                           .arg(QString::fromStdString(given.author), people::when(given.givenUtc),
                                QString::fromStdString(given.reason)),
                       kTextPt);
         }
     }
     if (attempt.expectedTenths)
-        sheet.say(Words::tr("Expected before the score was seen: %1 points").arg(text::points(*attempt.expectedTenths)),
+        sheet.say(CardWords::tr("Expected before the score was seen: %1 points").arg(text::points(*attempt.expectedTenths)),
                   kTextPt);
     //: "12:07"
-    sheet.say(Words::tr("Time %1 min; force while cutting %2 N on the average, %3 N at most")
+    sheet.say(CardWords::tr("Time %1 min; force while cutting %2 N on the average, %3 N at most")
                   .arg(people::clock(attempt.durationMs), text::number(0.001 * attempt.meanForceMn, 2),
                        text::number(0.001 * attempt.peakForceMn, 2)),
               kTextPt);
@@ -146,22 +146,22 @@ QString momentsOf(const ScoreCard& card, std::size_t k)
     for (std::size_t m = 0; m < std::min(kMomentsTold, read.size()); ++m)
         told << study::momentWords(read[m], card.sheet.criteria[k]);
     if (read.size() > kMomentsTold)
-        told << Words::tr("and %n more", nullptr, static_cast<int>(read.size() - kMomentsTold));
+        told << CardWords::tr("and %n more", nullptr, static_cast<int>(read.size() - kMomentsTold));
     return told.join(QStringLiteral("; "));
 }
 
 QString lostWords(const lessons::Criterion& criterion)
 {
     if (criterion.weightTenths == 0)  // a limit: it costs no points, it decides
-        return criterion.share > 0.0 ? Words::tr("not kept") : Words::tr("kept");
+        return criterion.share > 0.0 ? CardWords::tr("not kept") : CardWords::tr("kept");
     //: Lost of a weight, both points: "−4.4 of 30.0"
-    return Words::tr("%1 of %2")
+    return CardWords::tr("%1 of %2")
         .arg(text::number(-0.1 * criterion.lostTenths, 1), text::points(criterion.weightTenths));
 }
 
 void paintCriteria(Sheet& sheet, const ScoreCard& card)
 {
-    sheet.head(Words::tr("Where the points went"), 40.0);
+    sheet.head(CardWords::tr("Where the points went"), 40.0);
     double lostWide = 0.0;
     for (const lessons::Criterion& criterion : card.sheet.criteria)
         lostWide = std::max(lostWide, sheet.widthOf(lostWords(criterion), kTextPt, QFont::DemiBold) + kColumnGapPt);
@@ -207,7 +207,7 @@ void paintPictures(Sheet& sheet, const QList<QImage>& pictures, double mostHigh)
     const double wide = 0.5 * (sheet.width() - 10.0);
     const double high = std::min(mostHigh, wide * kPicturePx.height() / kPicturePx.width());
     const double drawn = high * kPicturePx.width() / kPicturePx.height();
-    sheet.head(Words::tr("On the tooth, and in a section through the place that is farthest off"), high);
+    sheet.head(CardWords::tr("On the tooth, and in a section through the place that is farthest off"), high);
     double left = 0.0;
     for (qsizetype k = 0; k < pictures.size() && !sheet.isCounting(); ++k) {
         const QRectF box(left, sheet.top(), drawn, high);
@@ -227,8 +227,8 @@ void paintTalk(Sheet& sheet, const ScoreCard& card)
         return;
     const auto isNumbered = [&](const database::AttemptComment& comment) { return card.work && comment.placeMm; };
     const bool hasNumbers = std::any_of(card.talk.comments.begin(), card.talk.comments.end(), isNumbered);
-    sheet.head(hasNumbers ? Words::tr("Comments, with the numbers of their places in the picture of the tooth")
-                          : Words::tr("Comments"),
+    sheet.head(hasNumbers ? CardWords::tr("Comments, with the numbers of their places in the picture of the tooth")
+                          : CardWords::tr("Comments"),
                20.0);
     int number = 0;
     for (const database::AttemptComment& comment : card.talk.comments) {
@@ -236,8 +236,8 @@ void paintTalk(Sheet& sheet, const ScoreCard& card)
         const QString at = people::when(comment.writtenUtc);
         const QString who =
             comment.momentMs
-                ? Words::tr("%1, %2, at %3 of the replay").arg(author, at, people::clock(*comment.momentMs))
-                : Words::tr("%1, %2").arg(author, at);
+                ? CardWords::tr("%1, %2, at %3 of the replay").arg(author, at, people::clock(*comment.momentMs))
+                : CardWords::tr("%1, %2").arg(author, at);
         const QString place =
             isNumbered(comment) ? QStringLiteral("(%1) ").arg(QLocale().toString(++number)) : QString();
         sheet.say(place + who + QStringLiteral(": ") + QString::fromStdString(comment.words), kTextPt);
@@ -253,9 +253,9 @@ QString noted(const std::string& words)
 QString deviceWords(const std::string& device)
 {
     if (device == "pointer")
-        return Words::tr("mouse, pen or gamepad");
+        return CardWords::tr("mouse, pen or gamepad");
     if (device == "simulated")
-        return Words::tr("simulated handpiece");
+        return CardWords::tr("simulated handpiece");
     return noted(device);
 }
 
@@ -264,16 +264,16 @@ QString methodWords(const std::string& method)
 {
     if (method == "continuous")
         //: How the point of contact is found: anywhere, not only on a lattice
-        return Words::tr("continuous");
+        return CardWords::tr("continuous");
     if (method == "lattice")
         //: How the point of contact is found
-        return Words::tr("on a lattice");
+        return CardWords::tr("on a lattice");
     if (method == "lattice16")
         //: How the point of contact is found
-        return Words::tr("on a lattice, 16 steps a tick");
+        return CardWords::tr("on a lattice, 16 steps a tick");
     if (method == "penalty")
         //: How force is found: the deeper inside, the harder it is pushed out
-        return Words::tr("by depth");
+        return CardWords::tr("by depth");
     return noted(method);
 }
 
@@ -281,15 +281,15 @@ QString viewWords(const std::string& view)
 {
     if (view == "flat")
         //: A picture that is no stereo picture
-        return Words::tr("flat");
+        return CardWords::tr("flat");
     if (view == "red-cyan")
-        return Words::tr("red and cyan glasses, in colour");
+        return CardWords::tr("red and cyan glasses, in colour");
     if (view == "red-cyan-grey")
-        return Words::tr("red and cyan glasses, in grey");
+        return CardWords::tr("red and cyan glasses, in grey");
     if (view == "side-by-side")
-        return Words::tr("stereo, halves side by side");
+        return CardWords::tr("stereo, halves side by side");
     if (view == "top-bottom")
-        return Words::tr("stereo, halves one above the other");
+        return CardWords::tr("stereo, halves one above the other");
     return noted(view);
 }
 
@@ -297,27 +297,27 @@ QString viewWords(const std::string& view)
 void paintCircumstances(Sheet& sheet, const ScoreCard& card)
 {
     const database::AttemptRecord& attempt = card.attempt;
-    const auto shown = [](const std::string& hash) { return noted(hash.substr(0, kShownHash)); };
-    sheet.head(Words::tr("How it was marked and made"), 40.0);
+    const auto shown = [](const std::string& hash) { return noted(hash.substr(0, kHashShown)); };
+    sheet.head(CardWords::tr("How it was marked and made"), 40.0);
     const QString rubric =
         QString::fromStdString(lessons::inLanguage(card.sheet.rubricTitle, QLocale().name().toStdString()));
     const QString content = shown(card.sheet.rubricHash.empty() ? attempt.rubricHash : card.sheet.rubricHash);
     sheet.say(card.sheet.rubricVersion > 0
-                  ? Words::tr("Rubric: %1, version %2, content %3")
+                  ? CardWords::tr("Rubric: %1, version %2, content %3")
                         .arg(rubric.isEmpty() ? noted({}) : rubric, QString::number(card.sheet.rubricVersion), content)
                   // its sheet was not kept with the attempt
-                  : Words::tr("Rubric: content %1").arg(content),
+                  : CardWords::tr("Rubric: content %1").arg(content),
               kTextPt);
-    sheet.say(Words::tr("Hardness: %1, content %2").arg(noted(attempt.preset), shown(attempt.presetHash)), kTextPt);
-    sheet.say(Words::tr("Device: %1; contact: %2; grid: %3 columns a side; view: %4; seed: %5")
+    sheet.say(CardWords::tr("Hardness: %1, content %2").arg(noted(attempt.preset), shown(attempt.presetHash)), kTextPt);
+    sheet.say(CardWords::tr("Device: %1; contact: %2; grid: %3 columns a side; view: %4; seed: %5")
                   .arg(deviceWords(attempt.device), methodWords(attempt.method))
                   .arg(attempt.grid)
                   .arg(viewWords(attempt.viewMode), noted(attempt.seed)),
               kTextPt);
-    sheet.say(Words::tr("Made with Cusp %1; recording %2; attempt %3")
+    sheet.say(CardWords::tr("Made with Cusp %1; recording %2; attempt %3")
                   .arg(noted(attempt.program), shown(attempt.recordingHash), QString::fromStdString(attempt.uid)),
               kTextPt);
-    sheet.say(Words::tr("Not measured: undercuts and walls past 90°, because the model is a height field."), kTextPt);
+    sheet.say(CardWords::tr("Not measured: undercuts and walls past 90°, because the model is a height field."), kTextPt);
 }
 
 int paintAll(QPainter& painter, const QSizeF& pagePt, const NextPage& next, const ScoreCard& card,
@@ -332,7 +332,7 @@ int paintAll(QPainter& painter, const QSizeF& pagePt, const NextPage& next, cons
     charted.isOneLesson = true;
     charted.band = card.band;
     if (!card.history.isEmpty())
-        sheet.chartRow({people::scoreChart(charted), people::speedChart(charted)}, kChartPt);
+        sheet.chartRow({people::scoreChart(charted), people::speedChart(charted)}, kScoreChartPt);
     paintTalk(sheet, card);
     paintCircumstances(sheet, card);
     return sheet.pages();

@@ -12,7 +12,7 @@
 namespace ui::report {
 namespace {
 
-struct Words
+struct SheetWords
 {
     Q_DECLARE_TR_FUNCTIONS(ui::report::Sheet)
 };
@@ -50,22 +50,22 @@ void Sheet::foot()
     m_painter.drawLine(box.topLeft(), box.topRight());
     const QRectF lines = box.adjusted(0.0, 3.0, 0.0, 0.0);
     put(lines,
-        Words::tr("Cusp %1, printed %2")
+        SheetWords::tr("Cusp %1, printed %2")
             .arg(m_proof.program, QLocale().toString(m_proof.printed.toLocalTime(), QLocale::ShortFormat)),
         kSmallPt, QFont::Normal, Qt::AlignLeft | Qt::AlignTop);
     const QString page =
         m_proof.pages > 0
             //: %1: a report; %2 of %3 pages
-            ? Words::tr("%1, page %2 of %3").arg(m_title, QString::number(m_pages), QString::number(m_proof.pages))
-            : Words::tr("%1, page %2").arg(m_title, QString::number(m_pages));
+            ? SheetWords::tr("%1, page %2 of %3").arg(m_title, QString::number(m_pages), QString::number(m_proof.pages))
+            : SheetWords::tr("%1, page %2").arg(m_title, QString::number(m_pages));
     put(lines, page, kSmallPt, QFont::Normal, Qt::AlignRight | Qt::AlignTop);
     const QRectF second = lines.adjusted(0.0, kSmallPt + 3.0, 0.0, 0.0);
     if (m_proof.auditCode.isEmpty()) {
-        put(second, Words::tr("Not kept in a school's database: there is no audit code"), kSmallPt, QFont::Medium,
+        put(second, SheetWords::tr("Not kept in a school's database: there is no audit code"), kSmallPt, QFont::Medium,
             Qt::AlignLeft | Qt::AlignTop);
         return;
     }
-    put(second, Words::tr("Audit code: %1").arg(m_proof.auditCode), kSmallPt, QFont::Medium,
+    put(second, SheetWords::tr("Audit code: %1").arg(m_proof.auditCode), kSmallPt, QFont::Medium,
         Qt::AlignLeft | Qt::AlignTop);
 }
 

@@ -13,7 +13,7 @@
 namespace ui::shell {
 namespace {
 
-constexpr int kWidthPx = 360;
+constexpr int kBusyWidthPx = 360;
 
 }  // namespace
 
@@ -62,7 +62,7 @@ void BusyCard::done()
 void BusyCard::placeIn(const QRect& area)
 {
     m_area = area;
-    const QSize size(std::min(kWidthPx, area.width()), sizeHint().height());
+    const QSize size(std::min(kBusyWidthPx, area.width()), sizeHint().height());
     QRect place(QPoint(0, 0), size);
     place.moveCenter(area.center());
     setGeometry(place);

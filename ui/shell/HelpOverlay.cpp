@@ -22,7 +22,7 @@ namespace ui::shell {
 namespace {
 
 constexpr int kMostColumns = 3;
-constexpr int kGapPx = 32;
+constexpr int kColumnGapPx = 32;
 constexpr int kColumnPx = 330;  ///< at least
 constexpr int kWidestColumnPx = 400;
 constexpr int kScrollBarPx = 16;
@@ -194,10 +194,10 @@ void HelpOverlay::arrange()
     const QMargins around = m_card->layout()->contentsMargins();
     const QSize room = size() - QSize(2 * kSpace6, 2 * kSpace6);
     const int chromePx = around.left() + around.right() + kScrollBarPx;
-    const int columns = std::clamp((room.width() - chromePx + kGapPx) / (kColumnPx + kGapPx), 1, kMostColumns);
+    const int columns = std::clamp((room.width() - chromePx + kColumnGapPx) / (kColumnPx + kColumnGapPx), 1, kMostColumns);
     if (columns != std::exchange(m_columns, columns))
         fill(columns);
-    const int widest = columns * kWidestColumnPx + (columns - 1) * kGapPx + chromePx;
+    const int widest = columns * kWidestColumnPx + (columns - 1) * kColumnGapPx + chromePx;
     const int width = std::min(room.width(), widest);
     const int rest = m_card->sizeHint().height() - m_scroll->sizeHint().height();
     const int wanted = rest + m_content->layout()->totalHeightForWidth(width - chromePx);
@@ -210,7 +210,7 @@ void HelpOverlay::fill(int columns)
     delete m_content->layout();
     auto* row = new QHBoxLayout(m_content);
     row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(kGapPx);
+    row->setSpacing(kColumnGapPx);
     int left = 0;
     QList<QWidget*> groups;
     for (QWidget* group : m_groups)

@@ -14,7 +14,7 @@ namespace ui::shell {
 namespace {
 
 constexpr double kWidestPx = 44.0;
-constexpr double kGapPx = 8.0;
+constexpr double kBarGapPx = 8.0;
 constexpr double kNumberGapPx = 4.0;
 
 }  // namespace
@@ -53,13 +53,13 @@ int HistoryChart::wholePoints(int tenths) const
 
 double HistoryChart::marginPx() const
 {
-    return QFontMetricsF(typeface(kSmall)).horizontalAdvance(passMarkWords()) + 2.0 * kGapPx;
+    return QFontMetricsF(typeface(kSmall)).horizontalAdvance(passMarkWords()) + 2.0 * kBarGapPx;
 }
 
 double HistoryChart::stepPx() const
 {
     const double room = (width() - marginPx()) / static_cast<double>(std::max<qsizetype>(1, m_scores.size()));
-    return std::clamp(room, 1.0, kWidestPx + kGapPx);
+    return std::clamp(room, 1.0, kWidestPx + kBarGapPx);
 }
 
 bool HistoryChart::event(QEvent* event)
@@ -102,7 +102,7 @@ void HistoryChart::paintEvent(QPaintEvent*)
         return;
 
     const double step = stepPx();
-    const double column = std::max(3.0, step - kGapPx);
+    const double column = std::max(3.0, step - kBarGapPx);
     painter.setFont(typeface(kSmall, QFont::DemiBold));
     for (qsizetype k = 0; k < m_scores.size(); ++k) {
         const bool newest = k + 1 == m_scores.size();

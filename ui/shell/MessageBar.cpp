@@ -19,7 +19,7 @@
 namespace ui::shell {
 namespace {
 
-constexpr int kWidthPx = 720;
+constexpr int kBarWidthPx = 720;
 constexpr int kIconPx = 22;
 
 MessageBar::Message inPresentLanguage(const MessageBar::Message& message)
@@ -182,7 +182,7 @@ void MessageBar::placeIn(const QRect& area, Place place)
 {
     m_area = area;
     m_place = place;
-    const int width = std::min(kWidthPx, area.width() - 2 * kSpace4);
+    const int width = std::min(kBarWidthPx, area.width() - 2 * kSpace4);
     if (width <= 0)
         return;
     layout()->invalidate();

@@ -20,7 +20,7 @@
 namespace ui::shell {
 namespace {
 
-constexpr int kWidthPx = 520;
+constexpr int kQuestionWidthPx = 520;
 constexpr int kIconPx = 32;
 constexpr QColor kVeil{0, 0, 0, 110};
 
@@ -176,7 +176,7 @@ void QuestionCard::resizeEvent(QResizeEvent* event)
 
 void QuestionCard::place()
 {
-    const int across = std::min(kWidthPx, width() - 2 * kSpace4);
+    const int across = std::min(kQuestionWidthPx, width() - 2 * kSpace4);
     m_card->setFixedWidth(across);
     m_card->resize(across, m_card->layout()->totalHeightForWidth(across));
     QRect at = m_card->rect();

@@ -28,7 +28,7 @@ namespace ui::shell {
 namespace {
 
 constexpr int kCardPx = 360;
-constexpr int kGapPx = 14;    ///< between the card and what it is about
+constexpr int kTourGapPx = 14;    ///< between the card and what it is about
 constexpr int kAroundPx = 4;  ///< that is lit around it
 constexpr int kLiftPx = 72;   ///< of a card that lies on what it is about, over the line at its foot
 
@@ -265,11 +265,11 @@ void Tour::place()
         return;
     m_lit = QRect(lit->mapTo(window(), QPoint()) - mapTo(window(), QPoint()), lit->size()).intersected(rect());
     m_card->layout()->activate();
-    const int wide = std::min(std::max(kCardPx, m_card->minimumSizeHint().width()), width() - 2 * kGapPx);
+    const int wide = std::min(std::max(kCardPx, m_card->minimumSizeHint().width()), width() - 2 * kTourGapPx);
     const int high = std::max(m_card->layout()->hasHeightForWidth() ? m_card->layout()->totalHeightForWidth(wide) : 0,
                               m_card->sizeHint().height());
     const QSize size(wide, high);
-    const QRect room = rect().adjusted(kGapPx, kGapPx, -kGapPx, -kGapPx);
+    const QRect room = rect().adjusted(kTourGapPx, kTourGapPx, -kTourGapPx, -kTourGapPx);
     const auto within = [&](QPoint corner) {
         corner.setX(std::clamp(corner.x(), room.left(), std::max(room.left(), room.right() - size.width())));
         corner.setY(std::clamp(corner.y(), room.top(), std::max(room.top(), room.bottom() - size.height())));
@@ -279,8 +279,8 @@ void Tour::place()
     const int besideX = middle.x() - size.width() / 2;
     const int besideY = middle.y() - size.height() / 2;
     const std::array places{
-        within({besideX, m_lit.bottom() + kGapPx}), within({besideX, m_lit.top() - kGapPx - size.height()}),
-        within({m_lit.left() - kGapPx - size.width(), besideY}), within({m_lit.right() + kGapPx, besideY})};
+        within({besideX, m_lit.bottom() + kTourGapPx}), within({besideX, m_lit.top() - kTourGapPx - size.height()}),
+        within({m_lit.left() - kTourGapPx - size.width(), besideY}), within({m_lit.right() + kTourGapPx, besideY})};
     const auto free =
         std::find_if(places.begin(), places.end(), [this](const QRect& one) { return !one.intersects(m_lit); });
     m_card->setGeometry(free == places.end() ? within({besideX, m_lit.bottom() - kLiftPx - size.height()}) : *free);

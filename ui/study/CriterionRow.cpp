@@ -24,7 +24,7 @@ constexpr int kAbovePx = 3;        ///< and below: twelve criteria are seen at a
 constexpr int kAboveNoughtPx = 1;  ///< where nothing was lost
 constexpr double kTogetherS = 10.0;
 constexpr std::size_t kShownMoments = 3;
-constexpr int kChipsARow = 3;
+constexpr int kMostChips = 3;
 
 QString signedPoints(int lostTenths)
 {
@@ -172,7 +172,7 @@ void CriterionRow::fillMoments(bool all)
     auto* grid = new QGridLayout(m_chips);
     grid->setContentsMargins(0, 0, 0, 2);
     grid->setSpacing(kSpace1);
-    grid->setColumnStretch(kChipsARow, 1);
+    grid->setColumnStretch(kMostChips, 1);
     int place = 0;
     const auto add = [&](const QString& text, const QString& tip) {
         auto* chip = new QPushButton(text, m_chips);
@@ -183,7 +183,7 @@ void CriterionRow::fillMoments(bool all)
         chip->setAccessibleName(text);
         chip->setAccessibleDescription(tip);
         chip->setAutoDefault(true);
-        grid->addWidget(chip, place / kChipsARow, place % kChipsARow);
+        grid->addWidget(chip, place / kMostChips, place % kMostChips);
         ++place;
         return chip;
     };

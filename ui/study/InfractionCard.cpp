@@ -22,7 +22,7 @@ using namespace ui::shell;
 using core::grading::Breach;
 
 constexpr int kWidthPx = 460;
-constexpr int kIconPx = 32;
+constexpr int kWarningIconPx = 32;
 
 }  // namespace
 
@@ -97,7 +97,7 @@ InfractionCard::InfractionCard(QWidget* parent) : QFrame(parent)
     row->setContentsMargins(kSpace4, kSpace4, kSpace4, kSpace4);
     row->setSpacing(kSpace4);
     auto* icon = new QLabel(this);
-    icon->setPixmap(linePixmap(QStringLiteral("warning"), tones(roomPalette()).harmText, kIconPx, devicePixelRatioF()));
+    icon->setPixmap(linePixmap(QStringLiteral("warning"), tones(roomPalette()).harmText, kWarningIconPx, devicePixelRatioF()));
     row->addWidget(icon, 0, Qt::AlignTop);
     auto* column = new QVBoxLayout;
     column->setSpacing(kSpace2);
@@ -176,7 +176,7 @@ void InfractionCard::placeIn(const QRect& area)
 {
     const int width = std::min(kWidthPx, area.width() - 2 * kSpace2);
     // One below the other where they do not stand side by side.
-    const int beside = m_takeBack->sizeHint().width() + m_goOnButton->sizeHint().width() + kIconPx + 4 * kSpace4;
+    const int beside = m_takeBack->sizeHint().width() + m_goOnButton->sizeHint().width() + kWarningIconPx + 4 * kSpace4;
     m_buttons->setDirection(beside <= width ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
     layout()->activate();  // words that have just changed may take another line
     resize(width, layout()->totalHeightForWidth(width));

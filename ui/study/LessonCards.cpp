@@ -22,9 +22,9 @@ using namespace ui::shell;
 constexpr int kCardPx = 208;
 constexpr int kPicturePx = 104;
 constexpr int kCardHighPx = kPicturePx + 100;
-constexpr int kHeadPx = 36;
+constexpr int kCardHeadPx = 36;
 constexpr int kPadPx = 10;
-constexpr int kIconPx = 40;
+constexpr int kCardIconPx = 40;
 constexpr int kTitleLines = 2;
 constexpr QRgb kOnPicture = 0xFFE8EDED;
 
@@ -62,7 +62,7 @@ QSize LessonCards::sizeHint(const QStyleOptionViewItem&, const QModelIndex& inde
 {
     if (index.data(CardEntry).isValid())
         return {kCardPx, kCardHighPx};
-    return {m_view->viewport()->width() - 2 * m_view->spacing() - 1, kHeadPx};
+    return {m_view->viewport()->width() - 2 * m_view->spacing() - 1, kCardHeadPx};
 }
 
 void LessonCards::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const
@@ -101,8 +101,8 @@ void LessonCards::paintCard(QPainter& painter, const QStyleOptionViewItem& optio
             painter.drawPixmap(picture.topLeft(), made);
     } else {
         const QPixmap icon = linePixmap(lesson == nullptr ? QStringLiteral("warning") : QStringLiteral("hand"),
-                                        QColor(kOnPicture), kIconPx, ratio);
-        painter.drawPixmap(QPointF(picture.center().x() - 0.5 * kIconPx, picture.center().y() - 0.5 * kIconPx), icon);
+                                        QColor(kOnPicture), kCardIconPx, ratio);
+        painter.drawPixmap(QPointF(picture.center().x() - 0.5 * kCardIconPx, picture.center().y() - 0.5 * kCardIconPx), icon);
     }
     painter.restore();
     painter.setFont(typeface(kSmall, QFont::DemiBold));

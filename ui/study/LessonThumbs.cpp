@@ -11,7 +11,7 @@
 namespace ui::study {
 namespace {
 
-constexpr double kGapPx = 4.0;
+constexpr double kThumbGapPx = 4.0;
 
 }  // namespace
 
@@ -61,7 +61,7 @@ void LessonThumbs::makeNext()
             image.fill(kPictureGround);
             QPainter painter(&image);
             painter.setRenderHint(QPainter::Antialiasing);
-            const QRectF picture = QRectF({}, QSizeF(wanted.size)).marginsRemoved(QMarginsF(0.0, kGapPx, 0.0, kGapPx));
+            const QRectF picture = QRectF({}, QSizeF(wanted.size)).marginsRemoved(QMarginsF(0.0, kThumbGapPx, 0.0, kThumbGapPx));
             paintFromAbove(painter, inside::areaAround(picture), *scene, false);
         }
         QMetaObject::invokeMethod(

@@ -67,7 +67,7 @@ QFrame* cardIn(QWidget* parent)
     return frame;
 }
 
-QLabel* label(const QString& words, int size, QFont::Weight weight, QPalette::ColorRole role, QWidget* parent)
+QLabel* scoreLabel(const QString& words, int size, QFont::Weight weight, QPalette::ColorRole role, QWidget* parent)
 {
     auto* made = new QLabel(words, parent);
     made->setTextFormat(Qt::PlainText);
@@ -227,7 +227,7 @@ ScorePage::ScorePage(const Actions& actions, QWidget* parent) : Page(actions, pa
 
     m_buttons = new QHBoxLayout;
     m_buttons->setSpacing(kSpace2);
-    m_said = label({}, kSmall, QFont::Normal, QPalette::PlaceholderText, this);
+    m_said = scoreLabel({}, kSmall, QFont::Normal, QPalette::PlaceholderText, this);
     m_said->setObjectName(QStringLiteral("scoreSaid"));
     fold(m_said);
     m_said->setContentsMargins(kSpace4, 0, 0, 0);
@@ -340,7 +340,7 @@ QWidget* ScorePage::makeResult()
     auto* verdict = new QHBoxLayout;
     verdict->setSpacing(kSpace2);
     m_verdictIcon = new QLabel(frame);
-    m_verdict = label({}, kTitle, QFont::DemiBold, QPalette::WindowText, frame);
+    m_verdict = scoreLabel({}, kTitle, QFont::DemiBold, QPalette::WindowText, frame);
     m_verdict->setObjectName(QStringLiteral("verdict"));
     verdict->addWidget(m_verdictIcon);
     verdict->addWidget(m_verdict, 1);
@@ -353,10 +353,10 @@ QWidget* ScorePage::makeResult()
 
     auto* words = new QVBoxLayout;
     words->setSpacing(kSpace1);
-    m_expected = label({}, kBody, QFont::Normal, QPalette::WindowText, frame);
+    m_expected = scoreLabel({}, kBody, QFont::Normal, QPalette::WindowText, frame);
     fold(m_expected);
     m_expected->setObjectName(QStringLiteral("expectation"));
-    m_noise = label({}, kBody, QFont::Normal, QPalette::WindowText, frame);
+    m_noise = scoreLabel({}, kBody, QFont::Normal, QPalette::WindowText, frame);
     fold(m_noise);
     m_noise->setObjectName(QStringLiteral("noise"));
     text::inEveryLanguage(m_noise, [this] {
@@ -368,7 +368,7 @@ QWidget* ScorePage::makeResult()
     words->addStretch(1);
     words->addWidget(m_expected);
     words->addWidget(m_noise);
-    m_unrecorded = label({}, kBody, QFont::Normal, QPalette::WindowText, frame);
+    m_unrecorded = scoreLabel({}, kBody, QFont::Normal, QPalette::WindowText, frame);
     fold(m_unrecorded);
     m_unrecorded->setObjectName(QStringLiteral("unrecorded"));
     m_unrecorded->hide();
@@ -384,7 +384,7 @@ QWidget* ScorePage::makeCriteria()
     auto* column = new QVBoxLayout(frame);
     column->setContentsMargins(kSpace4, kSpace4, kSpace4, kSpace4);
     column->setSpacing(kSpace2);
-    QLabel* title = label({}, kBody, QFont::DemiBold, QPalette::WindowText, frame);
+    QLabel* title = scoreLabel({}, kBody, QFont::DemiBold, QPalette::WindowText, frame);
     text::inEveryLanguage(title, [title] { title->setText(tr("Where the points went")); });
     title->setContentsMargins(kSpace2, 0, 0, 0);
     column->addWidget(title);
@@ -395,7 +395,7 @@ QWidget* ScorePage::makeCriteria()
     auto* looking = new QVBoxLayout(m_looking);
     looking->setContentsMargins(kSpace2, 0, kSpace2, 0);
     looking->setSpacing(kSpace1);
-    QLabel* finding = label({}, kSmall, QFont::Normal, QPalette::PlaceholderText, m_looking);
+    QLabel* finding = scoreLabel({}, kSmall, QFont::Normal, QPalette::PlaceholderText, m_looking);
     looking->addWidget(finding);
     m_progress = new QProgressBar(m_looking);
     m_progress->setTextVisible(false);
@@ -409,13 +409,13 @@ QWidget* ScorePage::makeCriteria()
 
     column->addStretch(1);
     column->addWidget(line(frame));
-    m_sum = label({}, kSmall, QFont::DemiBold, QPalette::WindowText, frame);
+    m_sum = scoreLabel({}, kSmall, QFont::DemiBold, QPalette::WindowText, frame);
     fold(m_sum);
     m_sum->setAlignment(Qt::AlignRight);
     m_sum->setContentsMargins(kSpace2, 0, kSpace2, 0);
     m_sum->setObjectName(QStringLiteral("sum"));
     column->addWidget(m_sum);
-    m_rubric = label({}, kSmall, QFont::Normal, QPalette::PlaceholderText, frame);
+    m_rubric = scoreLabel({}, kSmall, QFont::Normal, QPalette::PlaceholderText, frame);
     fold(m_rubric);
     m_rubric->setContentsMargins(kSpace2, 0, kSpace2, 0);
     m_rubric->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -430,7 +430,7 @@ QWidget* ScorePage::makePlace()
     auto* column = new QVBoxLayout(frame);
     column->setContentsMargins(kSpace4, kSpace4, kSpace4, kSpace4);
     column->setSpacing(kSpace2);
-    m_place = label({}, kBody, QFont::DemiBold, QPalette::WindowText, frame);
+    m_place = scoreLabel({}, kBody, QFont::DemiBold, QPalette::WindowText, frame);
     fold(m_place);
     m_place->setObjectName(QStringLiteral("place"));
     column->addWidget(m_place);
@@ -453,10 +453,10 @@ QWidget* ScorePage::makeHistory()
     auto* column = new QVBoxLayout(frame);
     column->setContentsMargins(kSpace4, kSpace4, kSpace4, kSpace4);
     column->setSpacing(kSpace2);
-    QLabel* title = label({}, kBody, QFont::DemiBold, QPalette::WindowText, frame);
+    QLabel* title = scoreLabel({}, kBody, QFont::DemiBold, QPalette::WindowText, frame);
     text::inEveryLanguage(title, [title] { title->setText(tr("Attempts")); });
     column->addWidget(title);
-    m_remark = label({}, kBody, QFont::Normal, QPalette::PlaceholderText, frame);
+    m_remark = scoreLabel({}, kBody, QFont::Normal, QPalette::PlaceholderText, frame);
     m_remark->setObjectName(QStringLiteral("historyRemark"));
     fold(m_remark);
     column->addWidget(m_remark);
@@ -485,7 +485,7 @@ QWidget* ScorePage::makeHistory()
     row->addLayout(m_listSlot, 2);
     row->setAlignment(m_listSlot, Qt::AlignTop);
     column->addLayout(row, 1);
-    m_class = label({}, kSmall, QFont::Normal, QPalette::PlaceholderText, frame);
+    m_class = scoreLabel({}, kSmall, QFont::Normal, QPalette::PlaceholderText, frame);
     m_class->setObjectName(QStringLiteral("class"));
     fold(m_class);
     column->addWidget(m_class);
@@ -865,11 +865,11 @@ void ScorePage::tellHistory()
         score->setText(text::points(attempt.countingTenths()));
         const int row = static_cast<int>(k);
         grid->addWidget(
-            label(date, kBody, QFont::Normal, k == 0 ? QPalette::WindowText : QPalette::PlaceholderText, m_list), row,
+            scoreLabel(date, kBody, QFont::Normal, k == 0 ? QPalette::WindowText : QPalette::PlaceholderText, m_list), row,
             0);
         if (!isComparable(attempt))
             //: Beside an earlier grade that cannot be compared with this one
-            grid->addWidget(label(tr("other rubric"), kSmall, QFont::Normal, QPalette::PlaceholderText, m_list), row,
+            grid->addWidget(scoreLabel(tr("other rubric"), kSmall, QFont::Normal, QPalette::PlaceholderText, m_list), row,
                             1);
         grid->addWidget(score, row, 2);
     }

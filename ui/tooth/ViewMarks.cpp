@@ -15,7 +15,7 @@ namespace ui::tooth {
 namespace {
 
 const QColor kPlate(20, 22, 24, 190);
-const QColor kWords(240, 240, 238);
+const QColor kMarkInk(240, 240, 238);
 constexpr int kWordsPx = 14;
 constexpr double kArrowInPx = 26.0;  ///< from the edge of the view
 constexpr double kShaftPx = 9.0;
@@ -23,7 +23,7 @@ constexpr double kHeadPx = 26.0;
 constexpr double kScaleWide = 14.0;
 constexpr double kScaleHigh = 150.0;
 constexpr double kMargin = 20.0;
-constexpr double kSameMm = 0.05;  ///< nearer to the ideal than this is on it
+constexpr double kOnIdealMm = 0.05;  ///< nearer to the ideal than this is on it
 
 QFont wordsFont(const QPainter& painter)
 {
@@ -86,7 +86,7 @@ QString depthWords(const render::ToothSurface& surface, const glm::dvec3& pointM
     if (colours == render::DepthColours::BelowOriginal)
         return millimetres(std::max(0.0, surface.belowUncutMm(pointMm)));
     const double below = surface.belowIdealMm(pointMm);
-    if (std::abs(below) < kSameMm)
+    if (std::abs(below) < kOnIdealMm)
         return QCoreApplication::translate("ViewMarks", "as it should be");
     //: %1 is a length: the tooth is cut deeper than it should be
     return below > 0.0 ? QCoreApplication::translate("ViewMarks", "%1 too deep").arg(millimetres(below))
@@ -124,7 +124,7 @@ void paintDepthScale(QPainter& painter, QSizeF view, const render::Look& look, c
     colours.setColorAt(1.0, render::seenAs(QColor(216, 104, 52), how.stereo));
     painter.setBrush(colours);
     painter.drawRoundedRect(bar, 3.0, 3.0);
-    painter.setPen(kWords);
+    painter.setPen(kMarkInk);
     painter.drawText(QPointF(bar.left(), bar.top() - 14.0), title);
     const int steps = aboutIdeal ? 4 : 3;
     for (int k = 0; k <= steps; ++k) {
@@ -145,7 +145,7 @@ void paintPlate(QPainter& painter, QPointF beside, const QString& text, bool onT
     painter.setPen(Qt::NoPen);
     painter.setBrush(kPlate);
     painter.drawRoundedRect(plate, 6.0, 6.0);
-    painter.setPen(kWords);
+    painter.setPen(kMarkInk);
     painter.drawText(plate, Qt::AlignCenter, text);
 }
 
