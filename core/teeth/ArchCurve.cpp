@@ -29,14 +29,14 @@ ArchCurve::ArchCurve(Jaw jaw)
     const double a = (kCanineDepthMm[k] * m * m - kMolarDepthMm[k] * c * c) / determinant;
     const double b = (c * kMolarDepthMm[k] - m * kCanineDepthMm[k]) / determinant;
     // Steps so fine that their chords are as long as the curve.
-    constexpr int kFine = 50;
+    constexpr int kChordsAStep = 50;
     glm::dvec2 here(0.0);
     m_points.push_back(here);
-    for (int step = 1; step * kStepMm < kLengthMm * kFine; ++step) {
+    for (int step = 1; step * kStepMm < kLengthMm * kChordsAStep; ++step) {
         const double slope = 2.0 * a * here.x + 4.0 * b * here.x * here.x * here.x;
-        const double x = here.x + kStepMm / kFine / std::sqrt(1.0 + slope * slope);
+        const double x = here.x + kStepMm / kChordsAStep / std::sqrt(1.0 + slope * slope);
         here = {x, a * x * x + b * x * x * x * x};
-        if (step % kFine == 0)
+        if (step % kChordsAStep == 0)
             m_points.push_back(here);
     }
 }
