@@ -6,8 +6,8 @@
 
 #include "core/teeth/Caries.h"
 #include "core/teeth/Layers.h"
-#include "tests/support/Sanitized.h"
 #include "tests/support/ToothMaps.h"
+#include "tests/support/Trials.h"
 
 using namespace core;
 using namespace core::terrain;

@@ -11,9 +11,9 @@
 #include "core/contact/Head.h"
 #include "core/contact/Kernels.h"
 #include "core/teeth/ToothBuilder.h"
-#include "tests/support/Sanitized.h"
 #include "tests/support/SyntheticMolar.h"
 #include "tests/support/SyntheticTooth.h"
+#include "tests/support/Trials.h"
 
 using namespace core;
 
@@ -100,7 +100,7 @@ void TestContact::cutsAsColumnByColumn()
             thin.bottom[k] = thin.top[k] - 0.2F;
     const double cell = anatomy->grid.cellMm;
     const int side = anatomy->grid.side;
-    for (int n = 0; n < (support::kSanitized ? 50 : 400); ++n) {
+    for (int n = 0; n < support::trials(50, 400); ++n) {
         contact::LiveTooth tooth(thin);
         tooth.selectBur(static_cast<std::size_t>(n) % drilling::burs().size());
         const drilling::BurMask& mask = tooth.mask();

@@ -16,8 +16,8 @@
 #include "core/grading/Deviation.h"
 #include "core/grading/IdealCavity.h"
 #include "core/teeth/ToothBuilder.h"
-#include "tests/support/Sanitized.h"
 #include "tests/support/SyntheticTooth.h"
+#include "tests/support/Trials.h"
 
 using namespace core;
 using grading::Deviation;
@@ -267,7 +267,7 @@ void TestDeviation::volumesOfSolids()
     QFETCH(double, mm3);
     for (const auto& [side, percent] : {std::pair(64, 2.0), std::pair(150, 0.5), std::pair(300, 0.15)}) {
         double worst = 0.0;
-        for (const glm::dvec2 shift : lies(12)) {
+        for (const glm::dvec2 shift : lies(support::trials(3, 12))) {
             const auto anatomy = block(side, shift);
             const Deviation d = measured(cut(anatomy, surface), ideal(*anatomy, surface));
             worst = std::max(worst, 100.0 * std::abs(d.removedMm3 / mm3 - 1.0));
@@ -549,7 +549,7 @@ void TestDeviation::wallAngles()
     QFETCH(Surface, surface);
     QFETCH(double, degrees);
     QFETCH(double, tolerance);
-    for (const auto& [side, count] : {std::pair(150, 10), std::pair(300, 2)})
+    for (const auto& [side, count] : {std::pair(150, support::trials(2, 10)), std::pair(300, support::trials(1, 2))})
         for (const glm::dvec2 shift : lies(count)) {
             const auto anatomy = block(side, shift);
             const Deviation d = measured(cut(anatomy, surface), ideal(*anatomy, surface));

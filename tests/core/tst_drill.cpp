@@ -10,6 +10,7 @@
 #include "core/session/ServoTick.h"
 #include "core/teeth/ToothBuilder.h"
 #include "tests/support/SyntheticTooth.h"
+#include "tests/support/Trials.h"
 
 using namespace core;
 
@@ -387,6 +388,8 @@ void TestDrill::cutsInFromTheSideWithoutAJump()
     const auto built = teeth::buildTooth({fdi}, {});
     QVERIFY(built);
     for (int approach = 0; approach < 24; ++approach) {
+        if (!support::isTried(approach + fdi))
+            continue;
         const double angle = approach * 30.0 * kDegree;
         const double z = approach < 12 ? -5.0 : -6.0;
         contact::LiveTooth tooth{terrain::Tooth(built->anatomy)};

@@ -18,7 +18,7 @@
 
 #include "core/teeth/ToothGenerator.h"
 #include "core/teeth/ToothTable.h"
-#include "tests/support/Sanitized.h"
+#include "tests/support/Trials.h"
 
 namespace {
 

@@ -9,6 +9,7 @@
 #include "core/drilling/Bur.h"
 #include "lab/Block.h"
 #include "lab/CuttingTrials.h"
+#include "tests/support/Trials.h"
 
 using core::terrain::Material;
 
@@ -159,7 +160,7 @@ void TestCutting::paceIsIndependentOfTheHeading()
     for (const int side : {100, 150})
         for (const double down : {0.0, 45.0}) {
             Range range;
-            for (int heading = 0; heading < 360; heading += 15) {
+            for (int heading = 0; heading < 360; heading += support::trials(75, 15)) {
                 lab::PaceTrial trial;
                 trial.bur = static_cast<std::size_t>(bur);
                 trial.side = side;
@@ -188,11 +189,14 @@ void TestCutting::sidewaysIsEasierByTheSetting()
 void TestCutting::rippleIsNotFelt()
 {
     QFETCH(int, bur);
+    int n = bur;
     for (const int side : {100, 150})
         for (const Material material : {Material::Enamel, Material::Dentin})
             for (const double heading : {0.0, 30.0})
                 for (const double down : {0.0, 90.0})
                     for (const lab::Feeder feeder : {lab::Feeder::Speed, lab::Feeder::Force}) {
+                        if (!support::isTried(n++))
+                            continue;
                         lab::PaceTrial trial;
                         trial.bur = static_cast<std::size_t>(bur);
                         trial.side = side;

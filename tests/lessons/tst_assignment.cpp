@@ -15,7 +15,7 @@
 #include "core/teeth/Block.h"
 #include "lessons/Assignment.h"
 #include "lessons/LessonCatalog.h"
-#include "tests/support/Sanitized.h"
+#include "tests/support/Trials.h"
 
 using namespace lessons;
 

@@ -6,8 +6,8 @@
 
 #include "lessons/GridNoise.h"
 #include "lessons/LessonCatalog.h"
-#include "tests/support/Sanitized.h"
 #include "tests/support/SyntheticTooth.h"
+#include "tests/support/Trials.h"
 
 using namespace lessons;
 

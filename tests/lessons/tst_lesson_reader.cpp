@@ -12,7 +12,7 @@
 #include "lessons/Assignment.h"
 #include "lessons/LessonCatalog.h"
 #include "lessons/RubricReader.h"
-#include "tests/support/Sanitized.h"
+#include "tests/support/Trials.h"
 
 using namespace lessons;
 

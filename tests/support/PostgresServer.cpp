@@ -5,7 +5,6 @@
 
 #include <QDir>
 #include <QElapsedTimer>
-#include <QThread>
 #include <QUrl>
 #include <unistd.h>
 
@@ -80,12 +79,11 @@ bool PostgresServer::start()
     QElapsedTimer since;
     since.start();
     while (since.elapsed() < kLongMs && m_server.state() != QProcess::NotRunning) {
-        m_server.waitForReadyRead(1);
         if (run(binaries() + "psql", {"-h", m_folder.path(), "-U", "school", "-d", "postgres", "-c", "SELECT 1"})) {
             m_fault.clear();  // of the looks for it while it started
             return true;
         }
-        QThread::msleep(50);
+        m_server.waitForFinished(50);  // unless it ends, it is asked again
     }
     return false;
 }

@@ -39,7 +39,8 @@ struct NamedMaps
     ToothMaps maps;
 };
 
-/// The analytic molar, a generated tooth of each kind and those scans that are there; one of each under sanitizers.
+/// The analytic molar, a generated tooth of each kind and those scans that are there. The quick run has the molar of
+/// formulas, a generated molar and a generated incisor.
 [[nodiscard]] std::vector<NamedMaps> everyTooth(int side);
 
 }  // namespace support
