@@ -14,6 +14,7 @@
 
 #include "core/teeth/Arch.h"
 #include "core/teeth/ToothTable.h"
+#include "tests/support/Tables.h"
 
 using namespace core::teeth;
 
@@ -131,8 +132,7 @@ private:
 
 void TestArch::neighboursTouchAndDoNotOverlap_data()
 {
-    QTest::addColumn<int>("mesial");
-    QTest::addColumn<int>("distal");
+    support::columns<int, int>("mesial", "distal");
     for (const int quadrant : {20, 30})
         for (int position = 1; position < 8; ++position)
             QTest::addRow("%d %d", quadrant + position, quadrant + position + 1)

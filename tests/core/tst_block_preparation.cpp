@@ -10,6 +10,7 @@
 #include "core/preparation/AxisRegion.h"
 #include "core/preparation/BlockPreparation.h"
 #include "core/teeth/ToothBuilder.h"
+#include "tests/support/Tables.h"
 
 using namespace core;
 using namespace core::preparation;
@@ -155,8 +156,7 @@ void TestBlockPreparation::blockIsASlabOfTwoLayers()
 
 void TestBlockPreparation::shapeHoldsWhatItsFiguresSay_data()
 {
-    QTest::addColumn<int>("shape");
-    QTest::addColumn<int>("side");
+    support::columns<int, int>("shape", "side");
     for (int k = 0; k <= static_cast<int>(BlockShape::Tee); ++k)
         if (static_cast<BlockShape>(k) != BlockShape::Staircase)
             for (const int side : {150, 400, 1024}) {
@@ -330,8 +330,7 @@ void TestBlockPreparation::distancesAgreeWithBruteForce()
 
 void TestBlockPreparation::impossibleDesignsAreRefused_data()
 {
-    QTest::addColumn<QString>("names");
-    QTest::addColumn<BlockDesign>("design");
+    support::columns<QString, BlockDesign>("names", "design");
     const auto row = [](const char* names, BlockShape shape, double BlockDesign::*value, double figure) {
         BlockDesign design = designOf(shape);
         design.*value = figure;

@@ -9,6 +9,7 @@
 #include "core/session/ServoTick.h"
 #include "tests/support/Rig.h"
 #include "tests/support/SyntheticTooth.h"
+#include "tests/support/Tables.h"
 
 using namespace core;
 
@@ -91,9 +92,7 @@ private slots:
 
 void TestBreakOff::thinFinBreaksAndThickOneStays_data()
 {
-    QTest::addColumn<int>("side");
-    QTest::addColumn<double>("finMm");
-    QTest::addColumn<bool>("breaks");
+    support::columns<int, double, bool>("side", "finMm", "breaks");
     for (const int side : {100, 150, 300}) {
         QTest::addRow("thin, grid %d", side) << side << 0.08 << true;
         QTest::addRow("thick, grid %d", side) << side << 0.4 << false;
@@ -194,13 +193,9 @@ void TestBreakOff::replaysToTheSameBits()
     settings.handpieces = {settings::findHandpiece("electric").value()};
     settings.breakOff = {true, 5.0};
     support::Rig rig(settings);
-    rig.open(support::makeBlock({}));
-    rig.send(session::SetDrill{true});
+    rig.drill(support::makeBlock({}));
     support::RestlessHand hand(3);
-    for (int n = 0; n < 6000; ++n) {
-        rig.device.tipMm = hand.next();
-        rig.run(1);
-    }
+    rig.follow(hand, 6000);
     rig.lift();
     const auto stored = recording::Recording::fromBytes(rig.session->recordingSoFar().value().toBytes());
     QVERIFY(stored);

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QDir>
 #include <QTemporaryDir>
 #include <QTest>
 
 #include <cmath>
 #include <cstring>
-#include <fstream>
 
 #include "core/base/Rng.h"
 #include "core/preparation/BlockPreparation.h"
@@ -14,6 +12,8 @@
 #include "core/preparation/ToothPreparation.h"
 #include "core/teeth/ToothBuilder.h"
 #include "tests/fuzz/ExerciseIdeal.h"
+#include "tests/support/Checks.h"
+#include "tests/support/Files.h"
 
 using namespace core;
 using namespace core::preparation;
@@ -72,12 +72,12 @@ void TestCapturedIdeal::theFileIsTheIdeal()
     const auto anatomy = molar(3);
     const terrain::Tooth tooth = classOne(anatomy);
     const auto ideal = captured(tooth, {0.2, 0.35, 4.0, 0.15});
-    QVERIFY2(ideal, ideal ? "" : ideal.error().detail.c_str());
+    QVERIFY(support::succeeds(ideal));
     QTemporaryDir folder;
     const std::filesystem::path path = folder.filePath("a.cuspideal").toStdString();
     QVERIFY(writeCaptured(path, *ideal));
     const auto again = readCaptured(path);
-    QVERIFY2(again, again ? "" : again.error().detail.c_str());
+    QVERIFY(support::succeeds(again));
     QCOMPARE(again->tooth, std::string("36"));
     QCOMPARE(again->seed, std::uint64_t{3});
     QVERIFY(again->grid == anatomy->grid);
@@ -113,7 +113,7 @@ void TestCapturedIdeal::aClassOneKnowsItsIsthmus()
             if (const std::size_t k = grid.index(i, j); pit.isSolid(k))
                 pit.top[k] -= 0.5F;
     const auto none = captured(pit);
-    QVERIFY2(none, none ? "" : none.error().detail.c_str());
+    QVERIFY(support::succeeds(none));
     QVERIFY(!none->isthmus);
 }
 
@@ -122,10 +122,7 @@ void TestCapturedIdeal::fitsItsToothAlone()
     const auto ideal = captured(classOne(molar()));
     QVERIFY(preparationOf(*ideal, *molar()));
     for (const auto& other : {molar(1), molar(0, 100), teeth::buildTooth({26}, {})->anatomy}) {
-        const auto refused = preparationOf(*ideal, *other);
-        QVERIFY(!refused);
-        QVERIFY2(refused.error().detail.find("was captured on the tooth '36' (seed 0, grid 150)") != std::string::npos,
-                 refused.error().detail.c_str());
+        QVERIFY(support::isRefused(preparationOf(*ideal, *other), "was captured on the tooth '36' (seed 0, grid 150)"));
     }
 }
 
@@ -194,7 +191,7 @@ void TestCapturedIdeal::noiseIsRefused()
     QVERIFY(!capturedFrom(noise));
     QTemporaryDir folder;
     const std::filesystem::path path = folder.filePath("noise.cuspideal").toStdString();
-    std::ofstream(path, std::ios::binary) << noise;
+    support::write(path, noise);
     const auto refused = readCaptured(path);
     QVERIFY(!refused && refused.error().code == ErrorCode::FileTooLarge);
 }
@@ -205,10 +202,8 @@ void TestCapturedIdeal::everySentenceNamesTheFile()
     const std::string whole = toBytes(*captured(classOne(molar(0, 64))));
     const std::filesystem::path path = folder.filePath("mine.cuspideal").toStdString();
     for (const std::string& bytes : {std::string(), std::string("hello"), whole.substr(0, 100), whole + "x"}) {
-        std::ofstream(path, std::ios::binary | std::ios::trunc) << bytes;
-        const auto refused = readCaptured(path);
-        QVERIFY(!refused);
-        QVERIFY2(refused.error().detail.find("mine.cuspideal") != std::string::npos, refused.error().detail.c_str());
+        support::write(path, bytes);
+        QVERIFY(support::isRefused(readCaptured(path), "mine.cuspideal"));
     }
     QVERIFY(readCaptured(folder.path().toStdString()).error().code == ErrorCode::FileUnreadable);
     QVERIFY(readCaptured(folder.filePath("none").toStdString()).error().code == ErrorCode::FileMissing);
@@ -280,27 +275,16 @@ void TestCapturedIdeal::theBandHoldsTheIdeal()
 /// CUSP_REWRITE_CORPUS=1 makes the seeds of the fuzzer anew: as saved, and with what is packed taken apart.
 void TestCapturedIdeal::corpusOfTheFuzzerIsHarmless()
 {
-    const QDir corpus(QStringLiteral(CUSP_SOURCE_DIR "/tests/fuzz/corpus/ideal"));
-    if (!qEnvironmentVariableIsEmpty("CUSP_REWRITE_CORPUS")) {
-        QVERIFY(corpus.mkpath("."));
+    if (support::rewritesSeeds()) {
         const std::string bytes = toBytes(captured(classOne(molar(0, 64))).value());
-        for (const auto& [name, content] :
-             {std::pair("saved", bytes), std::pair("unpacked", fuzz::unpackedIdeal(bytes))}) {
-            QFile file(corpus.filePath(name));
-            QVERIFY(file.open(QIODevice::WriteOnly));
-            QCOMPARE(file.write(content.data(), qint64(content.size())), qint64(content.size()));
-        }
+        support::writeSeed("ideal", "saved", bytes);
+        support::writeSeed("ideal", "unpacked", fuzz::unpackedIdeal(bytes));
     }
-    const QStringList names = corpus.entryList(QDir::Files);
-    QVERIFY(!names.isEmpty());
-    for (const QString& name : names) {
-        QFile file(corpus.filePath(name));
-        QVERIFY(file.open(QIODevice::ReadOnly));
-        const std::string bytes = file.readAll().toStdString();
+    QVERIFY(support::forEachSeed("ideal", [](const std::string& bytes) {
         fuzz::exerciseIdeal(bytes);
         fuzz::exerciseIdeal(fuzz::idealWithChecksum(bytes));
         fuzz::exerciseIdeal(fuzz::packedIdeal(bytes));
-    }
+    }));
 }
 
 QTEST_GUILESS_MAIN(TestCapturedIdeal)

@@ -6,6 +6,7 @@
 
 #include "core/teeth/Caries.h"
 #include "core/teeth/Layers.h"
+#include "tests/support/Tables.h"
 #include "tests/support/ToothMaps.h"
 #include "tests/support/Trials.h"
 
@@ -86,7 +87,7 @@ class TestCaries : public QObject
 
 private slots:
     void extentZeroIsNone();
-    void invariantsHoldOnEveryTooth_data();
+    void invariantsHoldOnEveryTooth_data() { support::rows<int>("side", {64, 150, 512}); }
     void invariantsHoldOnEveryTooth();
     void largerExtentsContainSmallerOnes();
     void volumeGrowsStrictly();
@@ -105,13 +106,6 @@ void TestCaries::extentZeroIsNone()
         for (const double extent : {0.0, -1.0, std::nan("")})
             QCOMPARE(volume(maps, decay(maps, 36, rule, extent)), 0.0);
     QVERIFY(decay(maps, 36, CariesRule::FissureWalk, 7.0) == decay(maps, 36, CariesRule::FissureWalk, 1.0));
-}
-
-void TestCaries::invariantsHoldOnEveryTooth_data()
-{
-    QTest::addColumn<int>("side");
-    for (const int side : {64, 150, 512})
-        QTest::addRow("%d", side) << side;
 }
 
 void TestCaries::invariantsHoldOnEveryTooth()

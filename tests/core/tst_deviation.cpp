@@ -16,7 +16,9 @@
 #include "core/grading/Deviation.h"
 #include "core/grading/IdealCavity.h"
 #include "core/teeth/ToothBuilder.h"
+#include "tests/support/Checks.h"
 #include "tests/support/SyntheticTooth.h"
+#include "tests/support/Tables.h"
 #include "tests/support/Trials.h"
 
 using namespace core;
@@ -25,6 +27,7 @@ using grading::Part;
 using grading::Placed;
 using grading::Preparation;
 using grading::Side;
+using support::near;
 
 namespace {
 
@@ -172,14 +175,6 @@ glm::dvec2 placeOf(const terrain::Grid& grid, std::size_t node)
     return grid.nodeMm(static_cast<int>(node % side), static_cast<int>(node / side));
 }
 
-bool near(double actual, double expected, double tolerance)
-{
-    if (std::abs(actual - expected) <= tolerance)
-        return true;
-    qWarning("%.6g is not %.6g", actual, expected);
-    return false;
-}
-
 /// Heights after a bur that nothing resists has gone along a way.
 terrain::Tooth drilled(const std::shared_ptr<const terrain::ToothAnatomy>& anatomy, const char* bur,
                        const std::vector<glm::dvec3>& way)
@@ -245,8 +240,7 @@ private slots:
 
 void TestDeviation::volumesOfSolids_data()
 {
-    QTest::addColumn<Surface>("surface");
-    QTest::addColumn<double>("mm3");
+    support::columns<Surface, double>("surface", "mm3");
     const auto add = [](const char* name, const Surface& surface, double mm3) {
         QTest::newRow(name) << surface << mm3;
     };
@@ -522,9 +516,7 @@ void TestDeviation::aScratchIsNoOutline()
 
 void TestDeviation::wallAngles_data()
 {
-    QTest::addColumn<Surface>("surface");
-    QTest::addColumn<double>("degrees");
-    QTest::addColumn<double>("tolerance");
+    support::columns<Surface, double, double>("surface", "degrees", "tolerance");
     const auto add = [](const QString& name, const Surface& surface, double degrees, double tolerance = 1.0) {
         QTest::newRow(qPrintable(name)) << surface << degrees << tolerance;
     };

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QDir>
-#include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
 #include <cmath>
 
 #include "core/recording/DevicePath.h"
 #include "tests/fuzz/ExercisePath.h"
+#include "tests/support/Checks.h"
+#include "tests/support/Files.h"
+#include "tests/support/Tables.h"
 
 using namespace core;
 using recording::parseDevicePath;
@@ -45,7 +46,7 @@ private slots:
     void readsAFile();
     void blocksOfAFileMayEndAnywhere();
     void dayIsTheLimit();
-    void interpolatesAtAnyRate_data();
+    void interpolatesAtAnyRate_data() { support::rows<double>("rateHz", {250.0, 333.0, 1000.0, 1024.0, 4000.0}); }
     void interpolatesAtAnyRate();
     void endsAreHeld();
     void drillHoldsUntilTheNextPoint();
@@ -89,7 +90,7 @@ void TestDevicePath::readsOtherWritings()
 {
     QFETCH(QByteArray, text);
     const auto path = parseDevicePath(text.toStdString(), true);
-    QVERIFY2(path, path ? "" : path.error().detail.c_str());
+    QVERIFY(support::succeeds(path));
     QCOMPARE(path->points.size(), 2U);
     QCOMPARE(path->points[0].tipMm, glm::dvec3(1.0, 2.0, 3.0));
     QCOMPARE(path->points[1].timeS, 1.0);
@@ -100,8 +101,7 @@ void TestDevicePath::readsOtherWritings()
 
 void TestDevicePath::refuses_data()
 {
-    QTest::addColumn<QByteArray>("text");
-    QTest::addColumn<ErrorCode>("code");
+    support::columns<QByteArray, ErrorCode>("text", "code");
     const QByteArray header = QByteArray::fromStdString(kHeader);
     QTest::newRow("empty") << QByteArray("") << ErrorCode::FileEmpty;
     QTest::newRow("only a byte order mark") << QByteArray("\xEF\xBB\xBF") << ErrorCode::FileEmpty;
@@ -193,17 +193,12 @@ void TestDevicePath::refusesWhatIsNoFile()
 {
     const QTemporaryDir folder;
     const auto missing = recording::readDevicePath(folder.filePath("none.csv").toStdString(), true);
-    QVERIFY(!missing);
-    QCOMPARE(missing.error().code, ErrorCode::FileMissing);
+    QVERIFY(support::isRefused(missing, ErrorCode::FileMissing));
     const auto directory = recording::readDevicePath(folder.path().toStdString(), true);
-    QVERIFY(!directory);
-    QCOMPARE(directory.error().code, ErrorCode::FileUnreadable);
-    QFile empty(folder.filePath("empty.csv"));
-    QVERIFY(empty.open(QIODevice::WriteOnly));
-    empty.close();
-    const auto nothing = recording::readDevicePath(empty.fileName().toStdString(), true);
-    QVERIFY(!nothing);
-    QCOMPARE(nothing.error().code, ErrorCode::FileEmpty);
+    QVERIFY(support::isRefused(directory, ErrorCode::FileUnreadable));
+    support::write(folder.filePath("empty.csv"), {});
+    const auto nothing = recording::readDevicePath(folder.filePath("empty.csv").toStdString(), true);
+    QVERIFY(support::isRefused(nothing, ErrorCode::FileEmpty));
     for (const auto& error : {missing.error(), directory.error(), nothing.error()})
         QVERIFY2(isASentence(error.detail), error.detail.c_str());
 }
@@ -211,13 +206,12 @@ void TestDevicePath::refusesWhatIsNoFile()
 void TestDevicePath::readsAFile()
 {
     const QTemporaryDir folder;
-    QFile file(folder.filePath("a path with blanks.csv"));
-    QVERIFY(file.open(QIODevice::WriteOnly));
-    file.write(QByteArray::fromStdString(kHeader));
+    const QString name = folder.filePath("a path with blanks.csv");
+    std::string text = kHeader;
     for (int n = 0; n < 20000; ++n)
-        file.write(QByteArray::number(n * 0.001, 'f', 3) + ",1,2,3,0\n");
-    file.close();
-    const auto path = recording::readDevicePath(file.fileName().toStdString(), true);
+        text += QByteArray::number(n * 0.001, 'f', 3).toStdString() + ",1,2,3,0\n";
+    support::write(name, text);
+    const auto path = recording::readDevicePath(name.toStdString(), true);
     QVERIFY(path);
     QCOMPARE(path->points.size(), 20000U);
     QCOMPARE(path->ticks(1000.0), 20000U);
@@ -233,14 +227,9 @@ void TestDevicePath::blocksOfAFileMayEndAnywhere()
             for (int n = 0; n < 6000; ++n)
                 text += "," + QByteArray::number(n * 0.001, 'f', 3) + ",1,2,3,0\n";
             text += "last,bad,1,2,3,0\n";
-            QFile file(folder.filePath("path.csv"));
-            QVERIFY(file.open(QIODevice::WriteOnly));
-            file.write(text.replace("\n", lineEnd));
-            file.close();
-            const auto path = recording::readDevicePath(file.fileName().toStdString(), true);
-            QVERIFY(!path);
-            QVERIFY2(path.error().detail.find("Line 6003 of the device path: 'bad' in column t_s") != std::string::npos,
-                     path.error().detail.c_str());
+            support::write(folder.filePath("path.csv"), text.replace("\n", lineEnd).toStdString());
+            QVERIFY(support::isRefused(recording::readDevicePath(folder.filePath("path.csv").toStdString(), true),
+                                       "Line 6003 of the device path: 'bad' in column t_s"));
         }
     }
 }
@@ -252,13 +241,6 @@ void TestDevicePath::dayIsTheLimit()
     QCOMPARE(day->ticks(1000.0), 86400001U);
     recording::PathCursor cursor(*day);
     QCOMPARE(cursor.at(86400.0).tipMm, glm::dvec3(1.0, 2.0, 3.0));
-}
-
-void TestDevicePath::interpolatesAtAnyRate_data()
-{
-    QTest::addColumn<double>("rateHz");
-    for (const double rate : {250.0, 333.0, 1000.0, 1024.0, 4000.0})
-        QTest::addRow("%g Hz", rate) << rate;
 }
 
 void TestDevicePath::interpolatesAtAnyRate()
@@ -315,9 +297,7 @@ void TestDevicePath::drillHoldsUntilTheNextPoint()
 
 void TestDevicePath::ticksCountBothEnds_data()
 {
-    QTest::addColumn<double>("seconds");
-    QTest::addColumn<double>("rateHz");
-    QTest::addColumn<quint64>("ticks");
+    support::columns<double, double, quint64>("seconds", "rateHz", "ticks");
     QTest::newRow("a second") << 1.0 << 1000.0 << quint64{1001};
     QTest::newRow("a tenth, whose times round") << 0.1 << 1000.0 << quint64{101};
     QTest::newRow("0.3") << 0.3 << 1000.0 << quint64{301};
@@ -340,14 +320,7 @@ void TestDevicePath::ticksCountBothEnds()
 
 void TestDevicePath::corpusOfTheFuzzerIsHarmless()
 {
-    const QDir corpus(QStringLiteral(CUSP_SOURCE_DIR "/tests/fuzz/corpus/path"));
-    const QStringList names = corpus.entryList(QDir::Files);
-    QVERIFY(!names.isEmpty());
-    for (const QString& name : names) {
-        QFile file(corpus.filePath(name));
-        QVERIFY(file.open(QIODevice::ReadOnly));
-        fuzz::exercisePath(file.readAll().toStdString());
-    }
+    QVERIFY(support::forEachSeed("path", fuzz::exercisePath));
 }
 
 QTEST_APPLESS_MAIN(TestDevicePath)

@@ -9,7 +9,9 @@
 #include "core/drilling/Feed.h"
 #include "core/session/ServoTick.h"
 #include "core/teeth/ToothBuilder.h"
+#include "tests/support/Checks.h"
 #include "tests/support/SyntheticTooth.h"
+#include "tests/support/Tables.h"
 #include "tests/support/Trials.h"
 
 using namespace core;
@@ -64,24 +66,24 @@ class TestDrill : public QObject
     Q_OBJECT
 private slots:
     void volumeIsWhatTheMapsLost();
-    void brushLeavesNoMark_data();
+    void brushLeavesNoMark_data() { support::rows<QString>("bur", {"2", "330", "245", "57"}); }
     void brushLeavesNoMark();
     void rateIsLinearInForce();
     void loadSlowsTheBurToAStall();
     void handpiecesCutAsFastAsTheyTurn();
     void ratesAreThoseOfTheTissues();
     void dentinGivesWayFaster();
-    void tenLightStrokesMakeATrenchThatHolds_data();
+    void tenLightStrokesMakeATrenchThatHolds_data() { support::rows<QString>("bur", {"2", "330"}); }
     void tenLightStrokesMakeATrenchThatHolds();
     void perforatedColumnIsGoneFromBothMaps();
     void pressedBurNeverStalls_data();
     void pressedBurNeverStalls();
     void handpieceStopsTheBur();
-    void cutsInFromTheSideWithoutAJump_data();
+    void cutsInFromTheSideWithoutAJump_data() { support::rows<int>("fdi", {24, 26, 36}); }
     void cutsInFromTheSideWithoutAJump();
     void drillOffRemovesNothing();
     void heightsOnlyGoDown();
-    void feedIsThatOfAFlatBur_data();
+    void feedIsThatOfAFlatBur_data() { support::rows<double>("newtons", {0.3, 0.6, 1.0, 1.5}); }
     void feedIsThatOfAFlatBur();
     void badPresetIsRefused();
 };
@@ -101,13 +103,6 @@ void TestDrill::volumeIsWhatTheMapsLost()
     QVERIFY(counted[kEnamel] > 0.1);
     for (std::size_t m = 0; m < counted.size(); ++m)
         QVERIFY(std::abs(counted[m] - lost[m]) < 1.0e-4);
-}
-
-void TestDrill::brushLeavesNoMark_data()
-{
-    QTest::addColumn<QString>("bur");
-    for (const char* bur : {"2", "330", "245", "57"})
-        QTest::addRow("%s", bur) << QString(bur);
 }
 
 void TestDrill::brushLeavesNoMark()
@@ -239,13 +234,6 @@ void TestDrill::dentinGivesWayFaster()
     QVERIFY2(ratio > 3.0 && ratio < 6.0, qPrintable(QString::number(ratio)));  // teeth.md 4: 3 to 6
 }
 
-void TestDrill::tenLightStrokesMakeATrenchThatHolds_data()
-{
-    QTest::addColumn<QString>("bur");
-    for (const char* bur : {"2", "330"})
-        QTest::addRow("%s", bur) << QString(bur);
-}
-
 void TestDrill::tenLightStrokesMakeATrenchThatHolds()
 {
     // Dentists, 2011: ten strokes of 5 mm with 0.5 N, 20 mm/s.
@@ -300,9 +288,7 @@ void TestDrill::perforatedColumnIsGoneFromBothMaps()
 
 void TestDrill::pressedBurNeverStalls_data()
 {
-    QTest::addColumn<QString>("method");
-    QTest::addColumn<int>("side");
-    QTest::addColumn<int>("bur");
+    support::columns<QString, int, int>("method", "side", "bur");
     for (const QString& method : {QString("continuous"), QString("lattice")})
         for (const int side : {80, 150, 300})
             for (int bur = 0; bur < 4; ++bur)
@@ -373,13 +359,6 @@ void TestDrill::handpieceStopsTheBur()
     QVERIFY(deepest >= -drilling::kChuckMm);
 }
 
-void TestDrill::cutsInFromTheSideWithoutAJump_data()
-{
-    QTest::addColumn<int>("fdi");
-    for (const int fdi : {24, 26, 36})
-        QTest::addRow("%d", fdi) << fdi;
-}
-
 void TestDrill::cutsInFromTheSideWithoutAJump()
 {
     // In beneath the bulge the bur soon has floor under one side and overhang above the other. Whatever it cuts, a
@@ -444,13 +423,6 @@ void TestDrill::heightsOnlyGoDown()
     QVERIFY(bench.servo->state().removedMm3[kDentin] > 0.0);
 }
 
-void TestDrill::feedIsThatOfAFlatBur_data()
-{
-    QTest::addColumn<double>("newtons");
-    for (const double newtons : {0.3, 0.6, 1.0, 1.5})
-        QTest::addRow("%g N", newtons) << newtons;
-}
-
 /// What the page of presets draws is what the drill does: a straight fissure bur sinks into enamel.
 void TestDrill::feedIsThatOfAFlatBur()
 {
@@ -470,8 +442,7 @@ void TestDrill::badPresetIsRefused()
     session::ServoSettings settings;
     settings.hardness.material[kEnamel].rateMm3PerNs = std::nan("");
     const auto servo = session::makeServoTick(settings);
-    QVERIFY(!servo);
-    QCOMPARE(servo.error().code, ErrorCode::OutOfRange);
+    QVERIFY(support::isRefused(servo, ErrorCode::OutOfRange));
     QVERIFY(servo.error().detail.find("enamel") != std::string::npos);
 }
 

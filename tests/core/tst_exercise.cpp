@@ -11,6 +11,7 @@
 #include "haptics/pointer/PointerDevice.h"
 #include "tests/support/Rig.h"
 #include "tests/support/SyntheticTooth.h"
+#include "tests/support/Tables.h"
 
 using namespace core;
 using namespace core::grading;
@@ -108,10 +109,7 @@ void TestExercise::pointsCountInAnyOrderWithTheirTime()
 
 void TestExercise::noTouchCounts_data()
 {
-    QTest::addColumn<double>("newtons");
-    QTest::addColumn<bool>("drill");
-    QTest::addColumn<bool>("touching");
-    QTest::addColumn<bool>("lost");
+    support::columns<double, bool, bool, bool>("newtons", "drill", "touching", "lost");
     QTest::newRow("in the air above it") << 0.0 << false << false << false;
     QTest::newRow("a graze") << 0.09 << false << true << false;
     QTest::newRow("with the drill on") << 1.0 << true << true << false;
@@ -346,8 +344,7 @@ void TestExercise::theThreeLayersGiveWayDifferently()
     for (std::size_t pad = 0; pad < kPads; ++pad) {
         support::Rig rig;
         rig.open(built->anatomy);
-        rig.send(session::SetBur{0});
-        rig.run(20);
+        rig.give(session::SetBur{0});
         rig.lean(teeth::kPadX[pad], 0.0, 0.6, 500);
         const double before = rig.servo->state().anchorMm.z;
         rig.send(session::SetDrill{true});

@@ -11,6 +11,7 @@
 #include "core/contact/WorkArea.h"
 #include "core/session/ServoTick.h"
 #include "tests/support/SyntheticTooth.h"
+#include "tests/support/Tables.h"
 
 using namespace core;
 using namespace std::chrono_literals;
@@ -91,10 +92,7 @@ private slots:
 
 void TestForce::settingsHaveLimits_data()
 {
-    QTest::addColumn<double>("fastDamping");
-    QTest::addColumn<double>("workArea");
-    QTest::addColumn<double>("vibration");
-    QTest::addColumn<bool>("sound");
+    support::columns<double, double, double, bool>("fastDamping", "workArea", "vibration", "sound");
     const double nan = std::numeric_limits<double>::quiet_NaN();
     QTest::newRow("as shipped") << 30.0 << 0.0 << 0.0 << true;
     QTest::newRow("Falcon") << 30.0 << 40.0 << 0.05 << true;

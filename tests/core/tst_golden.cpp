@@ -8,6 +8,7 @@
 
 #include "core/contact/Kernels.h"
 #include "core/recording/Replay.h"
+#include "tests/support/Checks.h"
 #include "tests/support/Rig.h"
 #include "tests/support/SyntheticMolar.h"
 
@@ -29,8 +30,7 @@ recording::Recording makeAttempt()
     session::ServoSettings settings;
     settings.handpieces.push_back(settings::findHandpiece("low-speed").value());
     support::Rig rig(settings);
-    rig.open(support::syntheticMolar(80));
-    rig.send(session::SetDrill{true});
+    rig.drill(support::syntheticMolar(80));
     // Through the lesion into dentin and pulp.
     rig.send(session::SetBur{1});
     rig.lean(support::kLesionX, support::kLesionY, 3.0, 3500);
@@ -96,7 +96,7 @@ void TestGolden::replaysToTheSameBits()
     if (std::getenv("CUSP_PLAIN_KERNELS") != nullptr)
         QCOMPARE(contact::kernels().name, contact::kPlainKernels.name);
     const auto golden = recording::readRecording(kGolden.toStdString());
-    QVERIFY2(golden, golden ? "" : golden.error().detail.c_str());
+    QVERIFY(support::succeeds(golden));
     const auto outcome = recording::replay(*golden);
     QVERIFY(outcome);
     qInfo("state hash %016llx after %llu ticks", static_cast<unsigned long long>(outcome->stateHash),

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QDir>
-#include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -8,9 +6,12 @@
 #include "core/recording/Replay.h"
 #include "core/session/JournalLoop.h"
 #include "tests/fuzz/ExerciseJournal.h"
+#include "tests/support/Checks.h"
+#include "tests/support/Files.h"
 #include "tests/support/FullDisk.h"
 #include "tests/support/Rig.h"
 #include "tests/support/SyntheticTooth.h"
+#include "tests/support/Tables.h"
 #include "tests/support/Trials.h"
 
 using namespace core;
@@ -22,14 +23,6 @@ using recording::Recording;
 namespace {
 
 namespace fs = std::filesystem;
-
-std::shared_ptr<const terrain::ToothAnatomy> block()
-{
-    support::Block made;
-    made.side = 64;
-    made.cellMm = 0.12;
-    return support::makeBlock(made);
-}
 
 /// Of both its threads.
 void beat(JournalLoop& journal)
@@ -55,12 +48,6 @@ std::vector<ServoEvent> eventsOf(const Recording& recording)
 bool isPrefix(const std::vector<ServoEvent>& part, const std::vector<ServoEvent>& whole)
 {
     return part.size() <= whole.size() && std::equal(part.begin(), part.end(), whole.begin());
-}
-
-std::string bytesOf(const fs::path& path)
-{
-    QFile file(QString::fromStdString(path.string()));
-    return file.open(QIODevice::ReadOnly) ? file.readAll().toStdString() : std::string();
 }
 
 }  // namespace
@@ -120,8 +107,7 @@ std::string TestJournal::shortJournal() const
 {
     support::Rig rig;
     JournalLoop journal(*rig.session, m_path);
-    rig.open(block(), 1, "lesson");
-    rig.send(SetDrill{true});
+    rig.drill(support::smallBlock(), 1, "lesson");
     cut(rig, journal, 130);
     rig.lift();
     rig.send(Undo{});
@@ -129,7 +115,7 @@ std::string TestJournal::shortJournal() const
     cut(rig, journal, 130, 1.0);
     rig.settle();
     journal.end();
-    std::string bytes = bytesOf(files().front());
+    std::string bytes = support::bytesOf(files().front());
     journal.putAway();
     return bytes;
 }
@@ -139,8 +125,7 @@ void TestJournal::whatIsLeftOutIsNotWritten()
     support::Rig rig;
     JournalLoop journal(*rig.session, m_path);
     journal.leaveOut(1);
-    rig.open(block(), 1);
-    rig.send(SetDrill{true});
+    rig.drill(support::smallBlock(), 1);
     cut(rig, journal, 130);
     rig.settle();
     journal.tick(JournalLoop::kPeriod);
@@ -148,8 +133,7 @@ void TestJournal::whatIsLeftOutIsNotWritten()
     QVERIFY(files().empty());
     // The next is again.
     rig.lift();
-    rig.open(block(), 2);
-    rig.send(SetDrill{true});
+    rig.drill(support::smallBlock(), 2);
     cut(rig, journal, 130);
     rig.settle();
     journal.tick(JournalLoop::kPeriod);
@@ -161,8 +145,7 @@ void TestJournal::holdsAllThatHappened()
 {
     support::Rig rig;
     auto journal = std::make_unique<JournalLoop>(*rig.session, m_path);
-    rig.open(block(), 1, "a lesson");
-    rig.send(SetDrill{true});
+    rig.drill(support::smallBlock(), 1, "a lesson");
     rig.send(SetAids{kHeatMapAid});
     const auto before = std::chrono::system_clock::now();
     cut(rig, *journal, 5000);
@@ -179,7 +162,7 @@ void TestJournal::holdsAllThatHappened()
     QVERIFY(eventsOf(read) == eventsOf(rig.session->recordingSoFar().value()));
     QCOMPARE(read.lesson(), std::string("a lesson"));
     QVERIFY(read.settings() == rig.settings);
-    QCOMPARE(read.anatomy()->layers, block()->layers);
+    QCOMPARE(read.anatomy()->layers, support::smallBlock()->layers);
     QCOMPARE(recording::replay(read)->stateHash, rig.liveHash());
     const auto begun = std::chrono::system_clock::time_point(std::chrono::milliseconds((*found)->begunUtcMs));
     QVERIFY(begun >= before - 1s && begun <= std::chrono::system_clock::now());
@@ -190,7 +173,7 @@ void TestJournal::anUntouchedToothLeavesNoFile()
     support::Rig rig;
     JournalLoop journal(*rig.session, m_path);
     beat(journal);
-    rig.open(block());
+    rig.open(support::smallBlock());
     rig.run(500);
     beat(journal);
     QVERIFY(files().empty());
@@ -206,13 +189,12 @@ void TestJournal::anotherToothPutsItAway()
 {
     support::Rig rig;
     JournalLoop journal(*rig.session, m_path);
-    rig.open(block());
-    rig.send(SetDrill{true});
+    rig.drill(support::smallBlock());
     cut(rig, journal, 200);
     rig.lift();
     const auto first = files();
     QCOMPARE(first.size(), 1U);
-    rig.open(block(), 2);
+    rig.open(support::smallBlock(), 2);
     beat(journal);
     QVERIFY(files().empty());
     cut(rig, journal, 200);
@@ -230,8 +212,7 @@ void TestJournal::comesBackAndGoesOn()
     {
         support::Rig rig;
         JournalLoop journal(*rig.session, m_path);
-        rig.open(block(), 1, "lesson");
-        rig.send(SetDrill{true});
+        rig.drill(support::smallBlock(), 1, "lesson");
         cut(rig, journal, 400);
         rig.settle();
         beat(journal);
@@ -246,7 +227,7 @@ void TestJournal::comesBackAndGoesOn()
         begun = found.begunUtcMs;
         support::Rig rig;
         JournalLoop journal(*rig.session, m_path);
-        rig.open(block());  // the tooth that lies there to begin with
+        rig.open(support::smallBlock());  // the tooth that lies there to begin with
         beat(journal);
         const Recording before = found.recording;
         journal.takeUp(2, std::move(found));
@@ -269,8 +250,7 @@ void TestJournal::nobodyElseFindsAnAttemptAtWork()
 {
     support::Rig rig;
     auto journal = std::make_unique<JournalLoop>(*rig.session, m_path);
-    rig.open(block());
-    rig.send(SetDrill{true});
+    rig.drill(support::smallBlock());
     cut(rig, *journal, 200);
     const fs::path path = files().front();
     const auto atWork = recording::findAttempt(path);
@@ -292,8 +272,7 @@ void TestJournal::whoeverLooksTakesNothingThatIsBeingMade()
 {
     support::Rig rig;
     JournalLoop idle(*rig.session, m_path);
-    rig.open(block());
-    rig.send(SetDrill{true});
+    rig.drill(support::smallBlock());
     cut(rig, idle, 200);
     idle.putAway();
     const recording::Recording soFar = *rig.session->recordingSoFar();
@@ -370,8 +349,7 @@ void TestJournal::flippedBitsAreNeverBelieved()
 
 void TestJournal::strangersAreRefused_data()
 {
-    QTest::addColumn<QByteArray>("bytes");
-    QTest::addColumn<int>("code");
+    support::columns<QByteArray, int>("bytes", "code");
     const auto code = [](ErrorCode c) { return static_cast<int>(c); };
     m_folder = std::make_unique<QTemporaryDir>();
     m_path = m_folder->filePath("unfinished").toStdString();
@@ -382,7 +360,7 @@ void TestJournal::strangersAreRefused_data()
     older[8] = static_cast<char>(recording::kOldestVersion - 1);
     QTest::newRow("empty") << QByteArray() << code(ErrorCode::WrongKind);
     QTest::newRow("text") << QByteArray("Once upon a time there was a tooth.") << code(ErrorCode::WrongKind);
-    QTest::newRow("a recording") << QByteArray::fromStdString(Recording({}, block()).toBytes())
+    QTest::newRow("a recording") << QByteArray::fromStdString(Recording({}, support::smallBlock()).toBytes())
                                  << code(ErrorCode::WrongKind);
     QTest::newRow("magic alone") << good.left(8) << code(ErrorCode::FileTruncated);
     QTest::newRow("a newer version") << newer << code(ErrorCode::NewerVersion);
@@ -400,23 +378,16 @@ void TestJournal::strangersAreRefused()
     QVERIFY(!read);
     QVERIFY2(static_cast<int>(read.error().code) == code, read.error().detail.c_str());
     // And a file of it names itself.
-    QVERIFY(QDir().mkpath(QString::fromStdString(m_path.string())));
     const fs::path path = m_path / "1-1.cuspjournal";
-    QFile file(QString::fromStdString(path.string()));
-    QVERIFY(file.open(QIODevice::WriteOnly));
-    file.write(bytes);
-    file.close();
-    const auto found = recording::findAttempt(path);
-    QVERIFY(!found);
-    QVERIFY(found.error().detail.find("1-1.cuspjournal") != std::string::npos);
+    support::write(path, bytes.toStdString());
+    QVERIFY(support::isRefused(recording::findAttempt(path), "1-1.cuspjournal"));
 }
 
 void TestJournal::aFullDiskIsToldOnceAndCaughtUpWith()
 {
     support::Rig rig;
     JournalLoop journal(*rig.session, m_path);
-    rig.open(block());
-    rig.send(SetDrill{true});
+    rig.drill(support::smallBlock());
     cut(rig, journal, 400);
     const std::uint64_t before = journal.eventsWritten();
     QVERIFY(before > 300 && !journal.failure());
@@ -438,11 +409,11 @@ void TestJournal::aFullDiskIsToldOnceAndCaughtUpWith()
     QVERIFY(!journal.failure());
     QVERIFY(journal.isWell());
     QCOMPARE(journal.eventsWritten(), rig.session->recordingSoFar()->events());
-    const auto read = recording::attemptFrom(bytesOf(files().front()));
+    const auto read = recording::attemptFrom(support::bytesOf(files().front()));
     QVERIFY(eventsOf(read->recording) == eventsOf(rig.session->recordingSoFar().value()));
     // Taken up where there is no room, the old file is all there is, and stays.
     journal.end();
-    const std::string old = bytesOf(files().front());
+    const std::string old = support::bytesOf(files().front());
     const fs::path path = m_path / "taken up" / "1-1.cuspjournal";
     fs::create_directories(path.parent_path());
     fs::copy_file(files().front(), path);
@@ -458,12 +429,11 @@ void TestJournal::aFullDiskIsToldOnceAndCaughtUpWith()
         QVERIFY(second.failure());
     }
     QCOMPARE(recording::journalsIn(path.parent_path()), std::vector<fs::path>{path});
-    QVERIFY(bytesOf(path) == old);
+    QVERIFY(support::bytesOf(path) == old);
     // From the beginning on there was no room.
     support::Rig other;
     JournalLoop nowhere(*other.session, m_path / "other");
-    other.open(block());
-    other.send(SetDrill{true});
+    other.drill(support::smallBlock());
     {
         const support::FullDisk full(500);
         cut(other, nowhere, 400);
@@ -478,13 +448,10 @@ void TestJournal::aFullDiskIsToldOnceAndCaughtUpWith()
 
 void TestJournal::aFolderThatCannotBeIsTold()
 {
-    QFile file(QString::fromStdString(m_path.string()));  // where the folder would be
-    QVERIFY(file.open(QIODevice::WriteOnly));
-    file.close();
+    support::write(m_path, {});  // where the folder would be
     support::Rig rig;
     JournalLoop journal(*rig.session, m_path);
-    rig.open(block());
-    rig.send(SetDrill{true});
+    rig.drill(support::smallBlock());
     cut(rig, journal, 400);
     const auto told = journal.failure();
     QVERIFY(told);
@@ -499,8 +466,7 @@ void TestJournal::whatIsLateIsCaughtUpWith()
 {
     support::Rig rig;
     JournalLoop journal(*rig.session, m_path);
-    rig.open(block());
-    rig.send(SetDrill{true});
+    rig.drill(support::smallBlock());
     cut(rig, journal, 200);
     for (int n = 0; n < 20; ++n) {  // the disk sleeps for twenty seconds
         rig.lean(0.1 * n, 0.0, 2.0, 700);
@@ -511,21 +477,17 @@ void TestJournal::whatIsLateIsCaughtUpWith()
     beat(journal);
     QCOMPARE(journal.eventsWritten(), rig.session->recordingSoFar()->events());
     QVERIFY(journal.eventsWritten() > 20000);
-    const auto read = recording::attemptFrom(bytesOf(files().front()));
+    const auto read = recording::attemptFrom(support::bytesOf(files().front()));
     QVERIFY(eventsOf(read->recording) == eventsOf(rig.session->recordingSoFar().value()));
 }
 
 void TestJournal::discardedOnesAreKeptForAWeek()
 {
     const std::string bytes = shortJournal();
-    const auto put = [&](const QString& name) {
-        QFile file(QString::fromStdString(m_path.string()) + '/' + name);
-        if (!file.open(QIODevice::WriteOnly) || file.write(bytes.data(), qint64(bytes.size())) < 0)
-            qFatal("cannot write");
-        return fs::path(file.fileName().toStdString());
-    };
-    const fs::path first = put("1-1.cuspjournal");
-    const fs::path second = put("2-1.cuspjournal");
+    const fs::path first = m_path / "1-1.cuspjournal";
+    const fs::path second = m_path / "2-1.cuspjournal";
+    support::write(first, bytes);
+    support::write(second, bytes);
     fs::last_write_time(first, fs::file_time_type::clock::now() - std::chrono::hours(24 * 30));
     QCOMPARE(files(), (std::vector<fs::path>{second, first}));  // newest first
     recording::discardJournal(first);
@@ -546,8 +508,7 @@ void TestJournal::beforeTheDiskHasItThereAreTwo()
 {
     support::Rig rig;
     auto journal = std::make_unique<JournalLoop>(*rig.session, m_path);
-    rig.open(block());
-    rig.send(SetDrill{true});
+    rig.drill(support::smallBlock());
     const auto cutUnsynced = [&](int ticks) {
         rig.lean(0.0, 0.0, 2.0, ticks);
         rig.settle();
@@ -559,53 +520,43 @@ void TestJournal::beforeTheDiskHasItThereAreTwo()
     const fs::path part = path.string() + ".part";
     QVERIFY(fs::exists(part) && !fs::exists(path));
     QVERIFY(!recording::findAttempt(path)->has_value());  // its program is at work on it
-    const std::string young = bytesOf(part);
+    const std::string young = support::bytesOf(part);
     journal->syncing().tick(40ms);
     QVERIFY(!fs::exists(part) && fs::exists(path));
     cutUnsynced(200);
     journal->syncing().tick(40ms);
-    const std::string old = bytesOf(path);
+    const std::string old = support::bytesOf(path);
     journal.reset();
-    const auto put = [](const fs::path& where, const std::string& bytes) {
-        QFile file(QString::fromStdString(where.string()));
-        if (!file.open(QIODevice::WriteOnly) || file.write(bytes.data(), qint64(bytes.size())) < 0)
-            qFatal("cannot write");
-    };
     const auto events = [](const std::string& bytes) { return recording::attemptFrom(bytes)->recording.events(); };
     // Taken up and killed: the new file holds less than the old one, as much, or more.
     for (const auto& [first, second] : {std::pair(old, young), std::pair(old, old), std::pair(young, old)}) {
-        put(path, first);
-        put(part, second);
+        support::write(path, first);
+        support::write(part, second);
         QCOMPARE(files(), std::vector<fs::path>{path});
         const auto found = recording::findAttempt(path);
         QVERIFY(found && *found);
         QCOMPARE((*found)->recording.events(), events(old));
         QVERIFY(!fs::exists(part));
-        QCOMPARE(recording::attemptFrom(bytesOf(path))->recording.events(), events(old));
+        QCOMPARE(recording::attemptFrom(support::bytesOf(path))->recording.events(), events(old));
         QVERIFY(!recording::findAttempt(path)->has_value());  // locked, wherever it came from
     }
     // The first file of all, never synced: as good as any.
     fs::remove(path);
-    put(part, young);
+    support::write(part, young);
     QCOMPARE((*recording::findAttempt(path))->recording.events(), events(young));
     QVERIFY(fs::exists(path));
     // A good new one beside a spoilt old one, and the other way round.
-    put(path, "rubbish");
-    put(part, young);
+    support::write(path, "rubbish");
+    support::write(part, young);
     QCOMPARE((*recording::findAttempt(path))->recording.events(), events(young));
-    put(path, young);
-    put(part, "rubbish");
+    support::write(path, young);
+    support::write(part, "rubbish");
     QCOMPARE((*recording::findAttempt(path))->recording.events(), events(young));
 }
 
 void TestJournal::whatAnInterruptedStartLeftIsCleared()
 {
-    QVERIFY(QDir().mkpath(QString::fromStdString(m_path.string())));
-    const fs::path part = m_path / "1-1.cuspjournal.part";
-    QFile file(QString::fromStdString(part.string()));
-    QVERIFY(file.open(QIODevice::WriteOnly));
-    file.write("CUSPJRN");
-    file.close();
+    support::write(m_path / "1-1.cuspjournal.part", "CUSPJRN");
     QCOMPARE(files().size(), 1U);
     const auto found = recording::findAttempt(files().front());
     QVERIFY(found && !*found);  // it held no moment: nothing to be told
@@ -618,8 +569,7 @@ void TestJournal::aMinuteIsUnderAMegabyte()
     // The hand of TestRecording::minuteIsUnderAMegabyte, written as it goes.
     support::Rig rig;
     JournalLoop journal(*rig.session, m_path);
-    rig.open(block());
-    rig.send(SetDrill{true});
+    rig.drill(support::smallBlock());
     cut(rig, journal, 100);
     rig.settle();
     beat(journal);
@@ -644,21 +594,12 @@ void TestJournal::aMinuteIsUnderAMegabyte()
 /// CUSP_REWRITE_CORPUS=1 makes the fuzzer's seed anew.
 void TestJournal::corpusOfTheFuzzerIsHarmless()
 {
-    const QDir corpus(QStringLiteral(CUSP_SOURCE_DIR "/tests/fuzz/corpus/journal"));
-    if (!qEnvironmentVariableIsEmpty("CUSP_REWRITE_CORPUS")) {
-        QVERIFY(corpus.mkpath("."));
-        const std::string bytes = shortJournal();
-        QFile file(corpus.filePath("short"));
-        QVERIFY(file.open(QIODevice::WriteOnly));
-        QCOMPARE(file.write(bytes.data(), qint64(bytes.size())), qint64(bytes.size()));
-    }
-    const QStringList names = corpus.entryList(QDir::Files);
-    QVERIFY(!names.isEmpty());
-    for (const QString& name : names) {
-        const std::string bytes = bytesOf(corpus.filePath(name).toStdString());
+    if (support::rewritesSeeds())
+        support::writeSeed("journal", "short", shortJournal());
+    QVERIFY(support::forEachSeed("journal", [](const std::string& bytes) {
         fuzz::exerciseJournal(bytes);
         fuzz::exerciseJournal(fuzz::journalWithChecksums(bytes));
-    }
+    }));
 }
 
 QTEST_APPLESS_MAIN(TestJournal)

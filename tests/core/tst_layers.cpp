@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/teeth/Layers.h"
+#include "tests/support/Tables.h"
 #include "tests/support/ToothMaps.h"
 
 using namespace core;
@@ -148,12 +149,15 @@ class TestLayers : public QObject
 private slots:
     void enamelOfAMolarIsAsTheTableSays();
     void enamelEndsAtTheCervix();
-    void neckHasOneLineBetweenEnamelAndRoot_data();
+    void neckHasOneLineBetweenEnamelAndRoot_data() { support::rows<int>("fdi", {34, 35, 36, 37, 38}); }
     void neckHasOneLineBetweenEnamelAndRoot();
-    void noColumnIsAllEnamelBetweenDentin_data();
+    void noColumnIsAllEnamelBetweenDentin_data()
+    {
+        support::rows<int>("fdi", {24, 25, 26, 27, 28, 34, 35, 36, 37, 38});
+    }
     void noColumnIsAllEnamelBetweenDentin();
     void fissureKeepsItsEnamelAndTheJunctionIgnoresItsBase();
-    void invariantsHoldOnEveryTooth_data();
+    void invariantsHoldOnEveryTooth_data() { support::rows<int>("side", {64, 150, 512}); }
     void invariantsHoldOnEveryTooth();
     void pulpKeepsItsDentin_data();
     void pulpKeepsItsDentin();
@@ -226,13 +230,6 @@ void TestLayers::enamelEndsAtTheCervix()
             QVERIFY2(layers[k].dej >= -7.51F, "enamel on the root");
 }
 
-void TestLayers::neckHasOneLineBetweenEnamelAndRoot_data()
-{
-    QTest::addColumn<int>("fdi");
-    for (const int fdi : {34, 35, 36, 37, 38})
-        QTest::addRow("%d", fdi) << fdi;
-}
-
 void TestLayers::neckHasOneLineBetweenEnamelAndRoot()
 {
     // The lingual flank (+y) seen from below, from its outline inwards: enamel, then dentin, and no more of enamel. A
@@ -260,13 +257,6 @@ void TestLayers::neckHasOneLineBetweenEnamelAndRoot()
     }
     QVERIFY(flanks > 30);
     QVERIFY2(broken == 0, qPrintable(QStringLiteral("%1 of %2 sections").arg(broken).arg(flanks)));
-}
-
-void TestLayers::noColumnIsAllEnamelBetweenDentin_data()
-{
-    QTest::addColumn<int>("fdi");
-    for (const int fdi : {24, 25, 26, 27, 28, 34, 35, 36, 37, 38})
-        QTest::addRow("%d", fdi) << fdi;
 }
 
 /// Where the root begins the underside falls by millimetres: that is no steep flank with much enamel in it, and a
@@ -313,13 +303,6 @@ void TestLayers::fissureKeepsItsEnamelAndTheJunctionIgnoresItsBase()
             static_cast<double>(layers[base].dej) - static_cast<double>(layers[nodeAt(maps, 0.5, y)].dej);
         QVERIFY2(rise > -0.1 && rise < 0.5, qPrintable(QString::number(rise)));
     }
-}
-
-void TestLayers::invariantsHoldOnEveryTooth_data()
-{
-    QTest::addColumn<int>("side");
-    for (const int side : {64, 150, 512})
-        QTest::addRow("%d", side) << side;
 }
 
 void TestLayers::invariantsHoldOnEveryTooth()
@@ -403,8 +386,7 @@ void TestLayers::incisorPulpLiesWhereItIsMeasured()
 
 void TestLayers::pulpGoesOnToWhereAScanIsCutOff_data()
 {
-    QTest::addColumn<int>("fdi");
-    QTest::addColumn<double>("cutMm");
+    support::columns<int, double>("fdi", "cutMm");
     for (const int fdi : {21, 24, 31, 36, 26}) {
         const double cervix = fdi == 21 ? -10.5 : fdi == 24 ? -8.5 : fdi == 31 ? -9.0 : -7.5;
         for (const double below : {-0.5, 0.5, 1.5, 3.0, 5.0})
@@ -586,9 +568,7 @@ void TestLayers::oddMapsAreSurvived()
 
 void TestLayers::scansHaveTheTablesThickness_data()
 {
-    QTest::addColumn<int>("fdi");
-    QTest::addColumn<double>("cuspLow");
-    QTest::addColumn<double>("cuspHigh");
+    support::columns<int, double, double>("fdi", "cuspLow", "cuspHigh");
     QTest::addColumn<double>("enamelLow");  // mm3
     QTest::addColumn<double>("enamelHigh");
     QTest::newRow("molar") << 36 << 2.2 << 2.8 << 200.0 << 330.0;

@@ -15,6 +15,7 @@
 #include "core/mesh/Placement.h"
 #include "core/mesh/Weld.h"
 #include "tests/support/Solids.h"
+#include "tests/support/Tables.h"
 #include "tests/support/ToothMaps.h"
 #include "tests/support/Trials.h"
 
@@ -242,9 +243,7 @@ void TestMeshAnalysis::agreesWithTheIndependentReader()
 
 void TestMeshAnalysis::unitIsGuessedFromTheSize_data()
 {
-    QTest::addColumn<float>("scale");
-    QTest::addColumn<QString>("unit");
-    QTest::addColumn<bool>("warns");
+    support::columns<float, QString, bool>("scale", "unit", "warns");
     QTest::newRow("millimetres") << 1.0F << QStringLiteral("mm") << false;
     QTest::newRow("centimetres") << 0.1F << QStringLiteral("cm") << true;
     QTest::newRow("metres") << 0.001F << QStringLiteral("m") << true;
@@ -273,8 +272,7 @@ void TestMeshAnalysis::unitIsGuessedFromTheSize()
 
 void TestMeshAnalysis::crownIsFoundWhateverTheAxes_data()
 {
-    QTest::addColumn<int>("axis");
-    QTest::addColumn<bool>("crownUp");
+    support::columns<int, bool>("axis", "crownUp");
     for (int axis = 0; axis < 3; ++axis)
         for (const bool up : {true, false})
             QTest::addRow("%c%c", up ? '+' : '-', 'x' + axis) << axis << up;

@@ -4,7 +4,6 @@
 #include <fstream>
 #include <numbers>
 
-#include <QDir>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -14,7 +13,10 @@
 #include "core/base/Rng.h"
 #include "core/mesh/MeshReader.h"
 #include "tests/fuzz/ExerciseMesh.h"
+#include "tests/support/Checks.h"
+#include "tests/support/Files.h"
 #include "tests/support/Solids.h"
+#include "tests/support/Tables.h"
 
 using core::ErrorCode;
 using core::mesh::MeshFile;
@@ -131,7 +133,7 @@ void TestMeshReader::everyFormatGivesTheSameTriangles()
          {MeshFormat::Ply, support::asBinaryPly(mesh, true)}}};
     for (const auto& [format, bytes] : files) {
         const auto file = readMesh(bytes, format, "cap");
-        QVERIFY2(file, file ? "" : file.error().detail.c_str());
+        QVERIFY(support::succeeds(file));
         QVERIFY(corners(file->mesh) == corners(mesh));
         QVERIFY(file->warnings.empty());
         QCOMPARE(file->format, format);
@@ -140,8 +142,7 @@ void TestMeshReader::everyFormatGivesTheSameTriangles()
 
 void TestMeshReader::objSpellings_data()
 {
-    QTest::addColumn<QByteArray>("text");
-    QTest::addColumn<int>("triangles");
+    support::columns<QByteArray, int>("text", "triangles");
     const QByteArray square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
     QTest::newRow("triangle") << square + "f 1 2 3\n" << 1;
     QTest::newRow("quad") << square + "f 1 2 3 4\n" << 2;
@@ -172,7 +173,7 @@ void TestMeshReader::objSpellings()
     QFETCH(QByteArray, text);
     QFETCH(int, triangles);
     const auto file = readMesh(text.toStdString(), MeshFormat::Obj, "test.obj");
-    QVERIFY2(file, file ? "" : file.error().detail.c_str());
+    QVERIFY(support::succeeds(file));
     QCOMPARE(file->mesh.triangles.size(), static_cast<std::size_t>(triangles));
     const auto list = corners(file->mesh);
     QVERIFY(list[0] == glm::vec3(0, 0, 0));
@@ -189,7 +190,7 @@ void TestMeshReader::plyWithOtherElementsAndPolygons()
                              "1 0 0 0\r\n1 0 0 1\r\n1 0 1 1\r\n1 0 1 0\r\n1 0 0.5 -1\r\n"
                              "5 0 1 2 3 4 7\r\n3 0 1 2 7\r\n";
     const auto file = readMesh(text, MeshFormat::Ply, "test.ply");
-    QVERIFY2(file, file ? "" : file.error().detail.c_str());
+    QVERIFY(support::succeeds(file));
     QCOMPARE(file->mesh.triangles.size(), std::size_t(4));
     QVERIFY(file->mesh.vertices[1] == glm::vec3(1, 0, 0));
 }
@@ -227,7 +228,7 @@ void TestMeshReader::polygonsAreCoveredOnce()
             std::reverse(outline.begin(), outline.end());
         for (int axis = 0; axis < 3; ++axis) {
             const auto file = readMesh(asObj(outline, axis), MeshFormat::Obj, "polygon.obj");
-            QVERIFY2(file, file ? "" : file.error().detail.c_str());
+            QVERIFY(support::succeeds(file));
             QVERIFY2(file->warnings.empty(), file->warnings.empty() ? "" : file->warnings[0].c_str());
             QCOMPARE(file->mesh.triangles.size(), outline.size() - 2);
             glm::dvec2 low = outline[0];
@@ -267,7 +268,7 @@ void TestMeshReader::polygonsOfManyCorners()
     };
     for (const auto& [count, wave] : {std::pair(2000, 0.0), {2000, 0.01}, {20'000, 0.001}}) {
         const auto file = readMesh(asObj(wavy(count, wave)), MeshFormat::Obj, "base.obj");
-        QVERIFY2(file, file ? "" : file.error().detail.c_str());
+        QVERIFY(support::succeeds(file));
         QCOMPARE(file->mesh.triangles.size(), static_cast<std::size_t>(count - 2));
         double boxes = 0.0;  // what the rasteriser will have to look at; a fan: half the outline for every corner
         for (const auto& t : file->mesh.triangles) {
@@ -280,8 +281,7 @@ void TestMeshReader::polygonsOfManyCorners()
         QVERIFY2(boxes < 50.0 * 200.0 * 200.0, qPrintable(QString::number(boxes)));
     }
     const auto refused = readMesh(asObj(wavy(200'000, 0.0002)), MeshFormat::Obj, "base.obj");
-    QVERIFY(!refused);
-    QVERIFY2(refused.error().detail.find("200000 corners") != std::string::npos, refused.error().detail.c_str());
+    QVERIFY(support::isRefused(refused, "200000 corners"));
     QVERIFY2(refused.error().detail.find("triangles only") != std::string::npos, refused.error().detail.c_str());
 }
 
@@ -312,7 +312,7 @@ void TestMeshReader::aByteOrderMarkIsPassedOver()
          {MeshFormat::Ply, support::asBinaryPly(mesh, true)}}};
     for (const auto& [format, bytes] : files) {
         const auto file = readMesh(std::string("\xEF\xBB\xBF").append(bytes), format, "marked");
-        QVERIFY2(file, file ? "" : file.error().detail.c_str());
+        QVERIFY(support::succeeds(file));
         QVERIFY(corners(file->mesh) == corners(mesh));
         QVERIFY(file->warnings.empty());
     }
@@ -348,10 +348,7 @@ void TestMeshReader::oddButUsableFilesWarn()
 
 void TestMeshReader::badBytes_data()
 {
-    QTest::addColumn<MeshFormat>("format");
-    QTest::addColumn<QByteArray>("bytes");
-    QTest::addColumn<ErrorCode>("code");
-    QTest::addColumn<QString>("says");
+    support::columns<MeshFormat, QByteArray, ErrorCode, QString>("format", "bytes", "code", "says");
     const auto add = [](const char* name, MeshFormat format, const std::string& bytes, ErrorCode code,
                         const char* says) {
         QTest::newRow(name) << format << QByteArray::fromStdString(bytes) << code << QString::fromLatin1(says);
@@ -485,14 +482,12 @@ void TestMeshReader::extensionDecidesInAnyCase()
 
 void TestMeshReader::corpusOfTheFuzzerIsHarmless()
 {
-    const QDir corpus(QStringLiteral(CUSP_SOURCE_DIR "/tests/fuzz/corpus/mesh"));
-    const QStringList names = corpus.entryList(QDir::Files);
-    QVERIFY(names.size() > 20);
-    for (const QString& name : names) {
-        QFile file(corpus.filePath(name));
-        QVERIFY(file.open(QIODevice::ReadOnly));
-        fuzz::exerciseMesh(file.readAll().toStdString());
-    }
+    int seeds = 0;
+    QVERIFY(support::forEachSeed("mesh", [&](const std::string& bytes) {
+        fuzz::exerciseMesh(bytes);
+        ++seeds;
+    }));
+    QVERIFY(seeds > 20);
 }
 
 QTEST_APPLESS_MAIN(TestMeshReader)

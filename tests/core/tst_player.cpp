@@ -17,14 +17,6 @@ using session::ServoEvent;
 
 namespace {
 
-std::shared_ptr<const terrain::ToothAnatomy> block()
-{
-    support::Block made;
-    made.side = 64;
-    made.cellMm = 0.12;
-    return support::makeBlock(made);
-}
-
 /// Restless work with undo, redo, other burs and missed beats, notes, ended and taken up again.
 Recording attempt(int ticks)
 {
@@ -36,8 +28,7 @@ Recording attempt(int ticks)
         if (left)
             rig.resume(*left);
         else
-            rig.open(block());
-        rig.send(session::SetDrill{true});
+            rig.drill(support::smallBlock());
         for (int n = 0; n < ticks / 2; ++n) {
             rig.device.tipMm = hand.next();
             rig.run(1, std::chrono::milliseconds(rng.below(50) == 0 ? 3 : 1));
@@ -150,14 +141,12 @@ void TestPlayer::everyMomentIsAsItWas()
 void TestPlayer::strokesAndMarksAreTold()
 {
     support::Rig rig;
-    rig.open(block());
-    rig.send(session::SetDrill{true});
+    rig.drill(support::smallBlock());
     for (int n = 0; n < 4; ++n) {
         rig.lean(0.8 * n - 1.2, 0.0, 2.0, 100);
         rig.lift();
         if (n == 2)
-            rig.send(session::Undo{});
-        rig.run(20);
+            rig.give(session::Undo{});
     }
     rig.lean(0.0, 1.0, 2.0, 60);  // cut short by an undo
     rig.send(session::Undo{});
@@ -223,10 +212,10 @@ void TestPlayer::canBeLookedAtWhileItIsMade()
 
 void TestPlayer::anEmptyAttempt()
 {
-    const auto player = Player::make(Recording({}, block())).value();
+    const auto player = Player::make(Recording({}, support::smallBlock())).value();
     QVERIFY(!player->advance(10));
     QCOMPARE(player->readyTicks(), 0U);
-    QCOMPARE(player->heightsAt(0), block()->top);
+    QCOMPARE(player->heightsAt(0), support::smallBlock()->top);
     QCOMPARE(player->stateAt(5).tick, 0U);
     QCOMPARE(player->secondsAt(5), 0.0);
     QCOMPARE(player->tickAt(5.0), 0U);

@@ -10,13 +10,16 @@
 #include "core/recording/Replay.h"
 #include "core/session/Examiner.h"
 #include "tests/support/Allocations.h"
+#include "tests/support/Checks.h"
 #include "tests/support/Rig.h"
 #include "tests/support/SyntheticTooth.h"
+#include "tests/support/Tables.h"
 
 using namespace core;
 using grading::Process;
 using grading::ProcessMeter;
 using session::ServoState;
+using support::near;
 using namespace std::chrono_literals;
 
 namespace {
@@ -51,14 +54,6 @@ void give(ProcessMeter& meter, const ServoState& state, int ticks, std::chrono::
 {
     for (int n = 0; n < ticks; ++n)
         meter.take(state, dt);
-}
-
-bool near(double actual, double expected, double tolerance = 1.0e-9)
-{
-    if (std::abs(actual - expected) <= tolerance)
-        return true;
-    qWarning("%.9g is not %.9g", actual, expected);
-    return false;
 }
 
 }  // namespace
@@ -149,8 +144,7 @@ void TestProcess::strokesEndWithAPause()
 void TestProcess::strokesAreThoseOfUndo()
 {
     support::Rig rig;
-    rig.open(support::makeBlock({}));
-    rig.send(session::SetDrill{true});
+    rig.drill(support::makeBlock({}));
     ProcessMeter meter(2.0);
     Rng rng(5);
     rig.device.tipMm = {0.0F, 0.0F, 2.0F};
@@ -241,8 +235,7 @@ void TestProcess::pathInStrokes()
 
 void TestProcess::forceOverTime_data()
 {
-    QTest::addColumn<double>("limitN");
-    QTest::addColumn<double>("overS");
+    support::columns<double, double>("limitN", "overS");
     QTest::newRow("low limit") << 0.5 << 9.0;
     QTest::newRow("limit between") << 1.5 << 4.0;
     QTest::newRow("limit above all") << 9.0 << 0.0;
@@ -279,9 +272,7 @@ void TestProcess::forcesBeyondTheHistogram()
 
 void TestProcess::jerkOfASwing_data()
 {
-    QTest::addColumn<double>("hertz");
-    QTest::addColumn<double>("countMm");
-    QTest::addColumn<double>("share");
+    support::columns<double, double, double>("hertz", "countMm", "share");
     QTest::newRow("1 Hz") << 1.0 << 0.0 << 0.03;
     QTest::newRow("2 Hz") << 2.0 << 0.0 << 0.1;
     QTest::newRow("1 Hz, read in counts") << 1.0 << 0.05 << 0.06;
@@ -358,8 +349,7 @@ void TestProcess::takesNoMemory()
 void TestProcess::aReplayGivesTheSameBits()
 {
     support::Rig rig;
-    rig.open(support::makeBlock({}));
-    rig.send(session::SetDrill{true});
+    rig.drill(support::makeBlock({}));
     ProcessMeter live(1.0);
     live.take(rig.servo->state(), 1ms);  // open() has left one tick on the recording
     support::RestlessHand hand(11);

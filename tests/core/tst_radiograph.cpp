@@ -11,11 +11,14 @@
 #include "core/imaging/Bitewing.h"
 #include "core/imaging/Radiograph.h"
 #include "core/teeth/ToothBuilder.h"
+#include "tests/support/Checks.h"
 #include "tests/support/SyntheticTooth.h"
+#include "tests/support/Tables.h"
 
 using namespace core;
 using namespace core::terrain;
 using namespace core::imaging;
+using support::near;
 
 namespace {
 
@@ -25,14 +28,6 @@ constexpr double kQuarter = std::numbers::pi / 2.0;
 std::shared_ptr<ToothAnatomy> block()
 {
     return support::slab(-10.0F);
-}
-
-bool near(double actual, double expected, double tolerance)
-{
-    if (std::abs(actual - expected) <= tolerance)
-        return true;
-    qWarning("%.9g is not %.9g", actual, expected);
-    return false;
 }
 
 /// Half a cell to the pixel, and pixels that begin where a cell begins: beside the edges of the columns nothing changes
@@ -109,11 +104,7 @@ private slots:
 
 void TestRadiograph::aKnownThicknessGivesAKnownTransmission_data()
 {
-    QTest::addColumn<double>("angleRad");
-    QTest::addColumn<double>("tiltRad");
-    QTest::addColumn<double>("u");
-    QTest::addColumn<double>("v");
-    QTest::addColumn<double>("throughMm");
+    support::columns<double, double, double, double, double>("angleRad", "tiltRad", "u", "v", "throughMm");
     QTest::newRow("along x") << 0.0 << 0.0 << 0.33 << -5.0 << 6.4;
     QTest::newRow("along y") << kQuarter << 0.0 << -1.27 << -9.9 << 6.4;
     QTest::newRow("along -x") << 2 * kQuarter << 0.0 << 0.33 << -5.0 << 6.4;
@@ -147,10 +138,7 @@ void TestRadiograph::aKnownThicknessGivesAKnownTransmission()
 
 void TestRadiograph::integralsAddUpToTheVolumes_data()
 {
-    QTest::addColumn<int>("fdi");
-    QTest::addColumn<double>("angleRad");
-    QTest::addColumn<double>("tiltRad");
-    QTest::addColumn<bool>("aligned");
+    support::columns<int, double, double, bool>("fdi", "angleRad", "tiltRad", "aligned");
     for (const int fdi : {36, 21}) {
         const auto row = [&](const char* name, double angle, double tilt, bool aligned) {
             QTest::newRow(qPrintable(QString("%1 %2").arg(fdi).arg(QLatin1String(name))))
@@ -348,8 +336,7 @@ void TestRadiograph::aMirroredToothThrowsAMirroredShadow()
 
 void TestRadiograph::neighboursTouch_data()
 {
-    QTest::addColumn<int>("fdi");
-    QTest::addColumn<int>("count");
+    support::columns<int, int>("fdi", "count");
     QTest::newRow("molar") << 36 << 2;
     QTest::newRow("central incisor") << 21 << 2;
     QTest::newRow("third molar") << 38 << 1;

@@ -8,6 +8,7 @@
 #include "core/terrain/Rasteriser.h"
 #include "core/terrain/Tooth.h"
 #include "tests/support/Solids.h"
+#include "tests/support/Tables.h"
 
 using namespace core::terrain;
 using core::mesh::TriangleMesh;
@@ -82,8 +83,7 @@ private slots:
 
 void TestRasteriser::volumeWithinHalfAPercent_data()
 {
-    QTest::addColumn<TriangleMesh>("mesh");
-    QTest::addColumn<double>("volume");
+    support::columns<TriangleMesh, double>("mesh", "volume");
     const double pi = kPi;
     // Off-grid: sides and places that share no factor with the cell.
     for (const double angle : {0.0, 0.1, 0.5, pi / 4}) {

@@ -367,15 +367,9 @@ void TestReferee::followsThroughAStormOfUndos()
 {
     support::Rig rig;
     session::Follower follower(*rig.session);
-    rig.open(m_anatomy);
-    rig.send(session::SetDrill{true});
+    rig.drill(m_anatomy);
     support::RestlessHand hand(12);
-    const auto drill = [&](int ticks) {
-        for (int n = 0; n < ticks; ++n) {
-            rig.device.tipMm = hand.next();
-            rig.run(1);
-        }
-    };
+    const auto drill = [&](int ticks) { rig.follow(hand, ticks); };
     drill(2000);
     // More steps than are kept for who falls behind.
     for (int n = 0; n < 600; ++n) {

@@ -3,9 +3,11 @@
 
 #include "core/recording/Replay.h"
 #include "core/session/ServoNumbers.h"
+#include "tests/support/Checks.h"
 #include "tests/support/Rig.h"
 #include "tests/support/SyntheticMolar.h"
 #include "tests/support/SyntheticTooth.h"
+#include "tests/support/Tables.h"
 
 using namespace core;
 using recording::Recording;
@@ -45,7 +47,7 @@ void compareWithLive(support::Rig& rig)
     QVERIFY(soFar.has_value());
     QVERIFY(soFar->witness().has_value());
     const auto read = Recording::fromBytes(soFar->toBytes());
-    QVERIFY2(read, read ? "" : read.error().detail.c_str());
+    QVERIFY(support::succeeds(read));
     const auto outcome = recording::replay(*read);
     QVERIFY(outcome);
     QVERIFY(outcome->agreesWithWitness);
@@ -98,8 +100,7 @@ private slots:
 
 void TestReplay::plainDrilling_data()
 {
-    QTest::addColumn<QString>("method");
-    QTest::addColumn<int>("side");
+    support::columns<QString, int>("method", "side");
     for (const char* method : {"continuous", "lattice", "penalty"})
         for (const int side : {64, 150, 256})
             QTest::newRow(qPrintable(QString("%1 at %2").arg(method).arg(side))) << method << side;
@@ -112,13 +113,9 @@ void TestReplay::plainDrilling()
     session::ServoSettings settings;
     settings.method = method.toStdString();
     support::Rig rig(settings);
-    rig.open(layeredTooth(side));
-    rig.send(session::SetDrill{true});
+    rig.drill(layeredTooth(side));
     support::RestlessHand hand(static_cast<std::uint64_t>(side));
-    for (int n = 0; n < 3000; ++n) {
-        rig.device.tipMm = hand.next();
-        rig.run(1);
-    }
+    rig.follow(hand, 3000);
     QVERIFY2(removedMm3(rig) > 0.2, qPrintable(QString::number(removedMm3(rig))));
     compareWithLive(rig);
 }
@@ -127,8 +124,7 @@ void TestReplay::plainDrilling()
 void TestReplay::changesOfFeel()
 {
     support::Rig rig;
-    rig.open(layeredTooth(64));
-    rig.send(session::SetDrill{true});
+    rig.drill(layeredTooth(64));
     rig.lean(0.0, 0.0, 1.0, 100);
     const double before = removedMm3(rig);
     const session::ServoNumbers was = session::numbersOf({});
@@ -151,8 +147,7 @@ void TestReplay::changesOfFeel()
 void TestReplay::everythingElseThatHappens()
 {
     support::Rig rig(withHandpieces());
-    rig.open(layeredTooth(100));
-    rig.send(session::SetDrill{true});
+    rig.drill(layeredTooth(100));
     for (std::uint8_t bur = 0; bur < 4; ++bur) {
         rig.send(session::SetBur{bur});
         rig.lean(0.8 * bur - 1.2, 0.3, 1.5, 200);
@@ -179,8 +174,7 @@ void TestReplay::everythingElseThatHappens()
 void TestReplay::undoAtOnceAfterTheLastTick()
 {
     support::Rig rig;
-    rig.open(layeredTooth(64));
-    rig.send(session::SetDrill{true});
+    rig.drill(layeredTooth(64));
     rig.lean(0.0, 0.0, 2.0, 100);
     rig.lift();
     const std::uint64_t cut = rig.liveHash();
@@ -204,8 +198,7 @@ void TestReplay::undoAtOnceAfterTheLastTick()
 void TestReplay::missedPeriods()
 {
     support::Rig rig;
-    rig.open(layeredTooth(100));
-    rig.send(session::SetDrill{true});
+    rig.drill(layeredTooth(100));
     support::RestlessHand hand(9);
     Rng rng(10);
     for (int n = 0; n < 1500; ++n) {
@@ -219,9 +212,7 @@ void TestReplay::missedPeriods()
 
 void TestReplay::stormOfCommands_data()
 {
-    QTest::addColumn<QString>("method");
-    QTest::addColumn<int>("side");
-    QTest::addColumn<int>("seed");
+    support::columns<QString, int, int>("method", "side", "seed");
     for (const int seed : {1, 2, 3}) {
         QTest::addRow("64, seed %d", seed) << "continuous" << 64 << seed;
         QTest::addRow("150, seed %d", seed) << "continuous" << 150 << 10 + seed;
@@ -240,8 +231,7 @@ void TestReplay::stormOfCommands()
     settings.method = method.toStdString();
     support::Rig rig(settings);
     const auto anatomy = layeredTooth(side);
-    rig.open(anatomy);
-    rig.send(session::SetDrill{true});
+    rig.drill(anatomy);
     Rng rng(static_cast<std::uint64_t>(seed));
     support::RestlessHand hand(static_cast<std::uint64_t>(seed) + 100);
     std::uint64_t generation = 1;
@@ -309,8 +299,7 @@ void TestReplay::stormOfCommands()
 
 void TestReplay::resumedAgainAndAgain_data()
 {
-    QTest::addColumn<QString>("method");
-    QTest::addColumn<int>("side");
+    support::columns<QString, int>("method", "side");
     QTest::newRow("64") << "continuous" << 64;
     QTest::newRow("150") << "continuous" << 150;
     QTest::newRow("lattice") << "lattice" << 64;
@@ -330,12 +319,8 @@ void TestReplay::resumedAgainAndAgain()
     for (int life = 0; life < 6; ++life) {
         support::Rig rig(settings);
         if (life % 2 == 1) {  // which has done something else before
-            rig.open(layeredTooth(side));
-            rig.send(session::SetDrill{true});
-            for (int n = 0; n < 300; ++n) {
-                rig.device.tipMm = hand.next();
-                rig.run(1);
-            }
+            rig.drill(layeredTooth(side));
+            rig.follow(hand, 300);
         }
         if (left)
             rig.resume(*left, 2);
@@ -359,8 +344,7 @@ void TestReplay::resumedAgainAndAgain()
 void TestReplay::secondToothHasItsOwnRecording()
 {
     support::Rig rig;
-    rig.open(layeredTooth(64));
-    rig.send(session::SetDrill{true});
+    rig.drill(layeredTooth(64));
     rig.send(session::SetBur{2});
     rig.lean(0.0, 0.0, 2.0, 200);
     // In the middle of a cut; bur and drill stay as they were.
@@ -378,8 +362,7 @@ void TestReplay::sameToothAgainHasItsOwnRecording()
 {
     support::Rig rig;
     const auto anatomy = layeredTooth(64);
-    rig.open(anatomy);
-    rig.send(session::SetDrill{true});
+    rig.drill(anatomy);
     rig.lean(0.0, 0.0, 2.0, 200);
     rig.settle();
     const std::uint64_t before = rig.session->recordingSoFar()->ticks();
@@ -398,8 +381,7 @@ void TestReplay::sameToothAgainHasItsOwnRecording()
 void TestReplay::recordingEndsWhereTicksAreMissing()
 {
     support::Rig rig;
-    rig.open(layeredTooth(64));
-    rig.send(session::SetDrill{true});
+    rig.drill(layeredTooth(64));
     rig.lean(0.0, 0.0, 1.0, 100);
     rig.lift();
     const std::uint64_t kept = rig.liveHash();
@@ -411,10 +393,8 @@ void TestReplay::recordingEndsWhereTicksAreMissing()
     QVERIFY((rig.uiLinks->servo.latest().health & session::kRecordGap) != 0);
     // It wakes; the student goes on, takes back and cuts again.
     rig.lift();
-    rig.send(session::Undo{});
-    rig.run(20);
-    rig.send(session::Undo{});
-    rig.run(20);
+    rig.give(session::Undo{});
+    rig.give(session::Undo{});
     QVERIFY(rig.liveHash() == kept || rig.session->toothSoFar().has_value());
     rig.lean(-0.5, 0.5, 2.0, 100);
     rig.lift();
@@ -422,7 +402,7 @@ void TestReplay::recordingEndsWhereTicksAreMissing()
     const Recording soFar = rig.session->recordingSoFar().value();
     QVERIFY(soFar.ticks() < rig.servo->state().tick);
     const auto read = Recording::fromBytes(soFar.toBytes());
-    QVERIFY2(read, read ? "" : read.error().detail.c_str());
+    QVERIFY(support::succeeds(read));
     QVERIFY(recording::replay(*read)->agreesWithWitness);
     // A new tooth is recorded again.
     rig.open(layeredTooth(64), 2);
@@ -434,8 +414,7 @@ void TestReplay::recordingEndsWhereTicksAreMissing()
 void TestReplay::wrongWitnessIsNoticed()
 {
     support::Rig rig;
-    rig.open(layeredTooth(64));
-    rig.send(session::SetDrill{true});
+    rig.drill(layeredTooth(64));
     rig.lean(0.0, 0.0, 2.0, 100);
     rig.lift();
     Recording soFar = rig.session->recordingSoFar().value();

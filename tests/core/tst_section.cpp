@@ -10,6 +10,7 @@
 #include "core/imaging/Section.h"
 #include "core/teeth/ToothBuilder.h"
 #include "tests/support/SyntheticTooth.h"
+#include "tests/support/Tables.h"
 
 using namespace core;
 using namespace core::terrain;
@@ -169,10 +170,7 @@ void TestSection::betweenNodesHeightsAreLinear()
 
 void TestSection::aPlaneRunsWhereItsAngleSays_data()
 {
-    QTest::addColumn<double>("angleRad");
-    QTest::addColumn<double>("x");
-    QTest::addColumn<double>("y");
-    QTest::addColumn<double>("along");
+    support::columns<double, double, double, double>("angleRad", "x", "y", "along");
     QTest::newRow("mesio-distal") << 0.0 << 1.5 << -0.7 << 1.5;
     QTest::newRow("bucco-lingual") << kQuarter << 0.4 << 2.5 << 2.5;
     QTest::newRow("half way") << kQuarter / 2 << 0.9 << 0.1 << 1.0 / std::numbers::sqrt2;
@@ -265,10 +263,7 @@ void TestSection::whereItIsCutThroughNothingIsLeft()
 
 void TestSection::nearestPulpIsFoundInEveryDirection_data()
 {
-    QTest::addColumn<double>("x");
-    QTest::addColumn<double>("y");
-    QTest::addColumn<double>("z");
-    QTest::addColumn<double>("distance");
+    support::columns<double, double, double, double>("x", "y", "z", "distance");
     QTest::newRow("above") << 0.3 << -0.8 << -1.5 << 3.5;
     QTest::newRow("below") << 0.0 << 0.0 << -9.0 << 2.0;
     QTest::newRow("beside") << 2.2 << 0.5 << -6.0 << 1.0;

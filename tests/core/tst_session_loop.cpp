@@ -17,14 +17,6 @@ using namespace core::session;
 
 namespace {
 
-std::shared_ptr<const terrain::ToothAnatomy> block()
-{
-    support::Block made;
-    made.side = 64;
-    made.cellMm = 0.12;
-    return support::makeBlock(made);
-}
-
 /// One stroke at (x, 0).
 void stroke(support::Rig& rig, double x)
 {
@@ -70,8 +62,7 @@ private slots:
 void TestSessionLoop::undoAndRedoGoStrokeByStroke()
 {
     support::Rig rig;
-    rig.open(block());
-    rig.send(SetDrill{true});
+    rig.drill(support::smallBlock());
     std::vector<std::uint64_t> hashes{rig.liveHash()};
     for (int n = 0; n < 4; ++n) {
         stroke(rig, n - 2.0);
@@ -80,8 +71,7 @@ void TestSessionLoop::undoAndRedoGoStrokeByStroke()
         QCOMPARE(state(rig).strokes, n + 1);
     }
     for (std::size_t n = 4; n-- > 0;) {
-        rig.send(Undo{});
-        rig.run(20);
+        rig.give(Undo{});
         QCOMPARE(rig.liveHash(), hashes[n]);
         QCOMPARE(rig.mirrorHash(), hashes[n]);
         QCOMPARE(state(rig).undoSteps, static_cast<int>(n));
@@ -92,8 +82,7 @@ void TestSessionLoop::undoAndRedoGoStrokeByStroke()
     QCOMPARE(rig.liveHash(), hashes[0]);
     QCOMPARE(state(rig).removedMm3[1], 0.0);
     for (std::size_t n = 1; n <= 4; ++n) {
-        rig.send(Redo{});
-        rig.run(20);
+        rig.give(Redo{});
         QCOMPARE(rig.liveHash(), hashes[n]);
     }
     QVERIFY(state(rig).removedMm3[1] > 0.01);
@@ -102,8 +91,7 @@ void TestSessionLoop::undoAndRedoGoStrokeByStroke()
 void TestSessionLoop::undoInMidStrokeTakesBackWhatIsCutSoFar()
 {
     support::Rig rig;
-    rig.open(block());
-    rig.send(SetDrill{true});
+    rig.drill(support::smallBlock());
     stroke(rig, -1.0);
     const std::uint64_t before = rig.liveHash();
     rig.lean(1.0, 0.0, 2.0, 64);
@@ -125,23 +113,19 @@ void TestSessionLoop::undoInMidStrokeTakesBackWhatIsCutSoFar()
 void TestSessionLoop::cuttingAfterUndoBeginsABranch()
 {
     support::Rig rig;
-    rig.open(block());
-    rig.send(SetDrill{true});
+    rig.drill(support::smallBlock());
     stroke(rig, -1.0);
     stroke(rig, 0.0);
     const std::uint64_t first = rig.liveHash();
     const MomentId ofFirst = rig.session->historySoFar().back().id;
-    rig.send(Undo{});
-    rig.run(20);
+    rig.give(Undo{});
     QCOMPARE(state(rig).redoSteps, 1);
     stroke(rig, 1.0);
     QCOMPARE(state(rig).redoSteps, 0);
     const std::uint64_t now = rig.liveHash();
-    rig.send(Redo{});
-    rig.run(20);
+    rig.give(Redo{});
     QCOMPARE(rig.liveHash(), now);
-    rig.send(GoTo{ofFirst});
-    rig.run(20);
+    rig.give(GoTo{ofFirst});
     QCOMPARE(rig.liveHash(), first);
     QCOMPARE(rig.mirrorHash(), first);
     QVERIFY(recording::replay(rig.session->recordingSoFar().value())->agreesWithWitness);
@@ -150,16 +134,14 @@ void TestSessionLoop::cuttingAfterUndoBeginsABranch()
 void TestSessionLoop::anyMomentIsAJumpAway()
 {
     support::Rig rig;
-    rig.open(block());
-    rig.send(SetDrill{true});
+    rig.drill(support::smallBlock());
     Rng rng(4);
     std::map<MomentId, std::uint64_t> hashes{{rig.session->historySoFar().front().id, rig.liveHash()}};
     for (int n = 0; n < 60; ++n) {
         if (n % 3 == 2) {
             const auto all = rig.session->historySoFar();
             const MomentId id = all[static_cast<std::size_t>(rng.below(static_cast<int>(all.size())))].id;
-            rig.send(GoTo{id});
-            rig.run(20);
+            rig.give(GoTo{id});
             QCOMPARE(rig.liveHash(), hashes.at(id));
         } else {
             stroke(rig, rng.uniform(-3.0, 3.0));
@@ -184,8 +166,7 @@ void TestSessionLoop::historyTellsWhatWasRemoved()
 {
     support::Rig rig;
     QVERIFY(rig.session->historySoFar().empty());
-    rig.open(block());
-    rig.send(SetDrill{true});
+    rig.drill(support::smallBlock());
     const std::uint64_t version = state(rig).historyVersion;
     rig.run(100);
     QCOMPARE(state(rig).historyVersion, version);
@@ -200,8 +181,7 @@ void TestSessionLoop::historyTellsWhatWasRemoved()
     // The moment is told when the pause after the stroke has made it one.
     const double ticksS = 0.001 * static_cast<double>(rig.servo->state().tick);
     QVERIFY2(after[1].seconds > 0.15 && after[1].seconds <= ticksS, qPrintable(QString::number(after[1].seconds)));
-    rig.send(Reload{});
-    rig.run(20);
+    rig.give(Reload{});
     const auto whole = rig.session->historySoFar();
     QCOMPARE(whole.size(), 3U);
     QCOMPARE(whole[2].parent, whole[1].id);
@@ -212,28 +192,25 @@ void TestSessionLoop::historyTellsWhatWasRemoved()
 void TestSessionLoop::reloadCanBeUndone()
 {
     support::Rig rig;
-    rig.open(block());
+    rig.open(support::smallBlock());
     const std::uint64_t uncut = rig.liveHash();
     rig.send(SetDrill{true});
     stroke(rig, 0.0);
     const std::uint64_t cut = rig.liveHash();
-    rig.send(Reload{});
-    rig.run(20);
+    rig.give(Reload{});
     QCOMPARE(rig.liveHash(), uncut);
     QCOMPARE(rig.mirrorHash(), uncut);
     rig.send(Reload{});  // nothing to do: no step
     rig.run(20);
     QCOMPARE(state(rig).undoSteps, 2);
-    rig.send(Undo{});
-    rig.run(20);
+    rig.give(Undo{});
     QCOMPARE(rig.liveHash(), cut);
 }
 
 void TestSessionLoop::patchesOfAnOlderToothAreIgnored()
 {
     support::Rig rig;
-    rig.open(block());
-    rig.send(SetDrill{true});
+    rig.drill(support::smallBlock());
     stroke(rig, 0.0);
     // The servo goes on cutting while the session has already handed over the restored tooth.
     rig.send(Undo{});
@@ -252,15 +229,14 @@ void TestSessionLoop::patchesOfAnOlderToothAreIgnored()
 void TestSessionLoop::newToothWhileTheOldOneIsCut()
 {
     support::Rig rig;
-    rig.open(block());
-    rig.send(SetDrill{true});
+    rig.drill(support::smallBlock());
     rig.lean(0.0, 0.0, 2.0, 30);
-    rig.send(ReplaceTooth{new terrain::Tooth(block()), 7});
+    rig.send(ReplaceTooth{new terrain::Tooth(support::smallBlock()), 7});
     // The bur is inside it, pressed and turning: it does nothing before it has been out.
     rig.lean(0.0, 0.0, 2.0, 100);
     QVERIFY((rig.uiLinks->servo.latest().health & kBegunInside) != 0);
     QCOMPARE(rig.uiLinks->servo.latest().forceN, glm::dvec3(0.0));
-    QCOMPARE(rig.liveHash(), terrain::stateHash(terrain::Tooth(block())));
+    QCOMPARE(rig.liveHash(), terrain::stateHash(terrain::Tooth(support::smallBlock())));
     rig.lift();
     QCOMPARE(rig.uiLinks->servo.latest().health & kBegunInside, 0U);
     rig.lean(0.0, 0.0, 2.0, 100);
@@ -269,9 +245,8 @@ void TestSessionLoop::newToothWhileTheOldOneIsCut()
     QCOMPARE(rig.uiLinks->servo.latest().toothGeneration, 7U);
     QCOMPARE(rig.mirrorHash(), rig.liveHash());
     QCOMPARE(state(rig).strokes, 1);
-    rig.send(Undo{});
-    rig.run(20);
-    QCOMPARE(rig.liveHash(), terrain::stateHash(terrain::Tooth(block())));
+    rig.give(Undo{});
+    QCOMPARE(rig.liveHash(), terrain::stateHash(terrain::Tooth(support::smallBlock())));
 }
 
 void TestSessionLoop::aHoleIsToldUntilItIsTakenBack()
@@ -279,14 +254,12 @@ void TestSessionLoop::aHoleIsToldUntilItIsTakenBack()
     support::Block thin;
     thin.bottomMm = -0.4;
     support::Rig rig;
-    rig.open(support::makeBlock(thin));
-    rig.send(SetDrill{true});
+    rig.drill(support::makeBlock(thin));
     QVERIFY(!state(rig).perforated);
     rig.lean(0.0, 0.0, 2.0, 1500);
     rig.lift();
     QVERIFY(state(rig).perforated);
-    rig.send(Undo{});
-    rig.run(20);
+    rig.give(Undo{});
     QVERIFY(!state(rig).perforated);
 }
 
@@ -321,8 +294,7 @@ void TestSessionLoop::depthIsToldOverTheToothOnly()
         return r < 2.0 ? 0.0 : r < 2.7 ? -5.67 * (r - 2.0) : std::nan("");
     };
     support::Rig rig;
-    rig.open(support::makeBlock(crown));
-    rig.send(SetDrill{true});
+    rig.drill(support::makeBlock(crown));
     rig.lean(0.0, 0.0, 2.0, 400);
     const ServoState inside = rig.uiLinks->servo.latest();
     QVERIFY(inside.hasDepth);
@@ -350,15 +322,14 @@ void TestSessionLoop::commandsWithoutAToothDoNothing()
     rig.run(30);
     QVERIFY(!rig.session->toothSoFar().has_value());
     QVERIFY(!rig.session->recordingSoFar().has_value());
-    rig.send(ReplaceTooth{new terrain::Tooth(block()), 1});  // and one that nobody takes is freed
+    rig.send(ReplaceTooth{new terrain::Tooth(support::smallBlock()), 1});  // and one that nobody takes is freed
 }
 
 void TestSessionLoop::viewHearsOfEveryChange()
 {
     support::Rig rig;
-    const auto anatomy = block();
-    rig.open(anatomy);
-    rig.send(SetDrill{true});
+    const auto anatomy = support::smallBlock();
+    rig.drill(anatomy);
     history::TiledHeights view(anatomy->grid, anatomy->top);
     std::vector<TilePatch> group;
     const auto look = [&] {
@@ -392,8 +363,7 @@ void TestSessionLoop::viewHearsOfEveryChange()
 void TestSessionLoop::attemptSoFarFromAnotherThread()
 {
     support::Rig rig;
-    rig.open(block());
-    rig.send(SetDrill{true});
+    rig.drill(support::smallBlock());
     std::atomic<bool> stop{false};
     std::atomic<int> disagreements{0};
     std::atomic<int> looks{0};
@@ -420,8 +390,7 @@ void TestSessionLoop::attemptSoFarFromAnotherThread()
 void TestSessionLoop::nothingIsRememberedWhereNobodyAsks()
 {
     support::Rig rig({}, std::chrono::milliseconds(1), {false, 0});
-    rig.open(block());
-    rig.send(SetDrill{true});
+    rig.drill(support::smallBlock());
     for (int n = 0; n < 6; ++n)
         stroke(rig, 0.5 * n - 2.0);
     QVERIFY(!rig.session->recordingSoFar());
@@ -431,8 +400,7 @@ void TestSessionLoop::nothingIsRememberedWhereNobodyAsks()
     QCOMPARE(rig.mirrorHash(), rig.liveHash());
     // The same work, remembered, comes to the same tooth.
     support::Rig other;
-    other.open(block());
-    other.send(SetDrill{true});
+    other.drill(support::smallBlock());
     for (int n = 0; n < 6; ++n)
         stroke(other, 0.5 * n - 2.0);
     QCOMPARE(other.liveHash(), rig.liveHash());
@@ -443,10 +411,10 @@ void TestSessionLoop::nothingIsRememberedWhereNobodyAsks()
 void TestSessionLoop::lessonAidsAndNotesGoOnTheRecording()
 {
     support::Rig rig;
-    rig.open(block());
+    rig.open(support::smallBlock());
     rig.run(30);
     // Sent together with the next attempt, they belong to it, though its servo has not begun yet.
-    rig.send(ReplaceTooth{new terrain::Tooth(block()), 2, new std::string("lesson é")});
+    rig.send(ReplaceTooth{new terrain::Tooth(support::smallBlock()), 2, new std::string("lesson é")});
     rig.send(SetAids{kRadiographAid | kMirrorAid});
     rig.send(AddNote{1});
     rig.run(30);
@@ -470,7 +438,7 @@ void TestSessionLoop::lessonAidsAndNotesGoOnTheRecording()
              qPrintable(QString::number(told[2].first)));
     // What an older attempt was told stays with that one.
     rig.send(AddNote{5});
-    rig.send(ReplaceTooth{new terrain::Tooth(block()), 3});
+    rig.send(ReplaceTooth{new terrain::Tooth(support::smallBlock()), 3});
     rig.run(30);
     rig.session->recordingSoFar()->forEach(
         [](const ServoEvent& event) { QVERIFY(event.kind != ServoEvent::Kind::Note); });
@@ -485,7 +453,7 @@ void TestSessionLoop::anotherToothMayBringAnotherServo()
         return rig.servo->state().removedMm3;
     };
     support::Rig rig;
-    rig.open(block());
+    rig.open(support::smallBlock());
     rig.send(SetBur{2});
     rig.send(SetDrill{true});
     const terrain::PerMaterial usual = removedMm3(rig);
@@ -493,8 +461,8 @@ void TestSessionLoop::anotherToothMayBringAnotherServo()
     ServoSettings softer;
     softer.hardness = settings::findHardnessPreset("typodont").value();
     softer.handpieces.push_back(settings::findHandpiece("low-speed").value());
-    rig.send(ReplaceTooth{new terrain::Tooth(block()), 2, nullptr, makeServoTick(softer).value().release()});
-    rig.run(20);
+    rig.give(
+        ReplaceTooth{new terrain::Tooth(support::smallBlock()), 2, nullptr, makeServoTick(softer).value().release()});
     // Bur and drill stay as they were in the hand.
     QCOMPARE(int{rig.servo->state().burIndex}, 2);
     QVERIFY(rig.servo->state().drillOn);
@@ -503,9 +471,8 @@ void TestSessionLoop::anotherToothMayBringAnotherServo()
     QVERIFY(rig.session->recordingSoFar()->settings() == softer);
 
     // The slow one cuts less, and a tooth that brings no servo is cut as the one before.
-    rig.send(ReplaceTooth{new terrain::Tooth(block()), 3});
-    rig.send(SetHandpiece{1});
-    rig.run(20);
+    rig.send(ReplaceTooth{new terrain::Tooth(support::smallBlock()), 3});
+    rig.give(SetHandpiece{1});
     QCOMPARE(int{rig.servo->state().handpieceIndex}, 1);
     const terrain::PerMaterial slow = removedMm3(rig);
     QVERIFY2(slow[1] < 0.3 * soft[1] && slow[1] > 0.0, qPrintable(QString("%1, %2").arg(slow[1]).arg(soft[1])));
@@ -518,21 +485,19 @@ void TestSessionLoop::anotherToothMayBringAnotherServo()
 
     // An attempt that was begun with another servo goes on with that one.
     support::Rig usualRig;
-    usualRig.open(block());
-    usualRig.send(SetDrill{true});
+    usualRig.drill(support::smallBlock());
     usualRig.resume(made, 2);
     QVERIFY(usualRig.session->recordingSoFar()->settings() == softer);
     static_cast<void>(removedMm3(usualRig));
     QVERIFY(recording::replay(usualRig.session->recordingSoFar().value())->agreesWithWitness);
     // And one that nobody takes is freed.
-    rig.send(ReplaceTooth{new terrain::Tooth(block()), 4, nullptr, makeServoTick({}).value().release()});
+    rig.send(ReplaceTooth{new terrain::Tooth(support::smallBlock()), 4, nullptr, makeServoTick({}).value().release()});
 }
 
 void TestSessionLoop::anAttemptIsTakenUpAgain()
 {
     support::Rig first;
-    first.open(block(), 1, "lesson");
-    first.send(SetDrill{true});
+    first.drill(support::smallBlock(), 1, "lesson");
     first.send(SetBur{2});
     stroke(first, -1.0);
     first.lean(0.5, 0.0, 2.0, 77);  // ends in the middle of a stroke
@@ -542,8 +507,7 @@ void TestSessionLoop::anAttemptIsTakenUpAgain()
 
     // Another program, which has drilled another tooth meanwhile, and stands with its bur in the tooth.
     support::Rig second;
-    second.open(block());
-    second.send(SetDrill{true});
+    second.drill(support::smallBlock());
     second.lean(0.5, 0.0, 2.0, 40);
     second.resume(left, 2);
     QCOMPARE(second.servo->state().tick, left.ticks() + 1);
@@ -558,12 +522,9 @@ void TestSessionLoop::anAttemptIsTakenUpAgain()
     QVERIFY(now != leftHash);
     // Back to before the program ended, and forth again.
     second.send(Undo{});
-    second.send(Undo{});
-    second.run(20);
-    second.send(Redo{});
-    second.run(20);
-    second.send(Redo{});
-    second.run(20);
+    second.give(Undo{});
+    second.give(Redo{});
+    second.give(Redo{});
     QCOMPARE(second.liveHash(), now);
     stroke(second, 2.5);
     const recording::Recording made = second.session->recordingSoFar().value();
@@ -591,18 +552,16 @@ void TestSessionLoop::anAttemptIsTakenUpAgain()
 void TestSessionLoop::anAttemptThatEndedWithUndoIsTakenUpAgain()
 {
     support::Rig first;
-    first.open(block());
-    first.send(SetDrill{true});
+    first.drill(support::smallBlock());
     stroke(first, -1.0);
     const std::uint64_t once = first.liveHash();
     stroke(first, 1.0);
     const std::uint64_t twice = first.liveHash();
     const recording::Recording before = first.session->recordingSoFar().value();
-    first.send(Undo{});
-    first.run(20);
+    first.give(Undo{});
     QCOMPARE(first.liveHash(), once);
     // It ends with the undo, before another tick.
-    recording::Recording left({}, block());
+    recording::Recording left({}, support::smallBlock());
     const std::uint64_t events = first.session->recordingSoFar()->events();
     std::uint64_t n = 0;
     first.session->recordingSoFar()->forEach([&](const ServoEvent& event) {
@@ -618,34 +577,28 @@ void TestSessionLoop::anAttemptThatEndedWithUndoIsTakenUpAgain()
     QCOMPARE(made.witness()->stateHash, twice);
     QVERIFY(recording::replay(made)->agreesWithWitness);
     QCOMPARE(recording::replay(made)->stateHash, once);
-    second.send(Redo{});
-    second.run(20);
+    second.give(Redo{});
     QCOMPARE(second.liveHash(), twice);
 }
 
 void TestSessionLoop::theMomentsOfAnAttemptComeBack()
 {
     support::Rig rig;
-    rig.open(block());
-    rig.send(SetDrill{true});
+    rig.drill(support::smallBlock());
     Rng rng(8);
     for (int n = 0; n < 40; ++n) {
         switch (n % 5) {
         case 2:
-            rig.send(Undo{});
-            rig.run(20);
+            rig.give(Undo{});
             break;
         case 3:
-            rig.send(Redo{});
-            rig.run(20);
+            rig.give(Redo{});
             if (n == 33)
-                rig.send(Reload{});
-            rig.run(20);
+                rig.give(Reload{});
             break;
         case 4:  // taken back in mid-stroke, and brought back
             rig.lean(rng.uniform(-3.0, 3.0), 1.0, 2.0, 40);
-            rig.send(Undo{});
-            rig.run(20);
+            rig.give(Undo{});
             rig.send(Redo{});
             rig.lift();
             break;
@@ -656,16 +609,19 @@ void TestSessionLoop::theMomentsOfAnAttemptComeBack()
     const auto heights = [](const history::UndoTree& tree) {
         std::multiset<std::uint64_t> hashes;
         for (const history::MomentInfo& moment : tree.list())
-            hashes.insert(terrain::stateHash(terrain::restored(block(), tree.find(moment.id)->top.flat())));
+            hashes.insert(
+                terrain::stateHash(terrain::restored(support::smallBlock(), tree.find(moment.id)->top.flat())));
         return hashes;
     };
     std::multiset<std::uint64_t> known;
     const auto live = rig.session->historySoFar();
     for (const history::MomentInfo& moment : live)
-        known.insert(terrain::stateHash(terrain::restored(block(), rig.session->momentHeights(moment.id))));
+        known.insert(
+            terrain::stateHash(terrain::restored(support::smallBlock(), rig.session->momentHeights(moment.id))));
     const auto again = rebuild(rig.session->recordingSoFar().value()).value();
     QCOMPARE(again->strokes, state(rig).strokes);
-    QCOMPARE(terrain::stateHash(terrain::restored(block(), again->history.current().top.flat())), rig.liveHash());
+    QCOMPARE(terrain::stateHash(terrain::restored(support::smallBlock(), again->history.current().top.flat())),
+             rig.liveHash());
     QVERIFY(heights(again->history) == known);
     const auto list = again->history.list();
     QCOMPARE(list.size(), live.size());
@@ -681,7 +637,7 @@ void TestSessionLoop::theMomentsOfAnAttemptComeBack()
 void TestSessionLoop::timeElsewhereIsKnownAgain()
 {
     support::Rig rig;
-    rig.open(block());
+    rig.open(support::smallBlock());
     rig.run(100);
     rig.send(AddNote{kRestNote});
     rig.run(700);
@@ -696,9 +652,8 @@ void TestSessionLoop::timeElsewhereIsKnownAgain()
 void TestSessionLoop::theViewIsShownWhatWasCutBefore()
 {
     support::Rig first;
-    const auto anatomy = block();
-    first.open(anatomy);
-    first.send(SetDrill{true});
+    const auto anatomy = support::smallBlock();
+    first.drill(anatomy);
     stroke(first, -1.0);
     stroke(first, 1.0);
     support::Rig second;

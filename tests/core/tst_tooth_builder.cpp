@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
-#include <fstream>
 #include <numeric>
 
 #include <QTemporaryDir>
@@ -10,7 +9,10 @@
 
 #include "core/teeth/ToothBuilder.h"
 #include "core/teeth/ToothGenerator.h"
+#include "tests/support/Checks.h"
+#include "tests/support/Files.h"
 #include "tests/support/Solids.h"
+#include "tests/support/Tables.h"
 #include "tests/support/ToothMaps.h"
 #include "tests/support/Trials.h"
 
@@ -30,7 +32,10 @@ private slots:
     void scanAgreesWithAnIndependentRasteriser_data();
     void scanAgreesWithAnIndependentRasteriser();
     void openScanIsClosedBelow();
-    void openScanHoldsAsMuchAsTheClampedOne_data();
+    void openScanHoldsAsMuchAsTheClampedOne_data()
+    {
+        support::rows<float>("cutMm", {-6.0F, -7.0F, -9.0F, -10.0F, -12.0F, -15.0F});
+    }
     void openScanHoldsAsMuchAsTheClampedOne();
     void scanWithoutItsPulpIsToldApart_data();
     void scanWithoutItsPulpIsToldApart();
@@ -49,7 +54,7 @@ private:
     std::filesystem::path write(const TriangleMesh& mesh)
     {
         const std::filesystem::path path(m_folder.filePath(QStringLiteral("mesh.stl")).toStdString());
-        std::ofstream(path, std::ios::binary) << support::asBinaryStl(mesh);
+        support::write(path, support::asBinaryStl(mesh));
         return path;
     }
     core::Result<BuiltTooth> buildFileFrame(const TriangleMesh& mesh)
@@ -154,8 +159,7 @@ void TestToothBuilder::lesionIsTheSameOnEveryGrid()
 
 void TestToothBuilder::scanAgreesWithAnIndependentRasteriser_data()
 {
-    QTest::addColumn<int>("fdi");
-    QTest::addColumn<QString>("up");
+    support::columns<int, QString>("fdi", "up");
     QTest::newRow("36") << 36 << QStringLiteral("+y");
     QTest::newRow("24") << 24 << QStringLiteral("-y");
     QTest::newRow("21") << 21 << QStringLiteral("-y");
@@ -205,13 +209,6 @@ void TestToothBuilder::openScanIsClosedBelow()
              qPrintable(warnings));
 }
 
-void TestToothBuilder::openScanHoldsAsMuchAsTheClampedOne_data()
-{
-    QTest::addColumn<float>("cutMm");
-    for (const float cut : {-6.0F, -7.0F, -9.0F, -10.0F, -12.0F, -15.0F})
-        QTest::addRow("%g", static_cast<double>(cut)) << cut;
-}
-
 void TestToothBuilder::openScanHoldsAsMuchAsTheClampedOne()
 {
     QFETCH(float, cutMm);
@@ -241,8 +238,7 @@ void TestToothBuilder::openScanHoldsAsMuchAsTheClampedOne()
 
 void TestToothBuilder::scanWithoutItsPulpIsToldApart_data()
 {
-    QTest::addColumn<float>("cutMm");
-    QTest::addColumn<bool>("hasPulp");
+    support::columns<float, bool>("cutMm", "hasPulp");
     QTest::newRow("above the chamber") << -4.0F << false;
     QTest::newRow("through the chamber") << -7.0F << true;
     QTest::newRow("whole") << -100.0F << true;
@@ -267,9 +263,7 @@ void TestToothBuilder::scanOpenAboveIsRefused()
 {
     TriangleMesh mesh = support::box(8.0F, 8.0F, 8.0F);
     mesh.triangles.erase(mesh.triangles.begin() + 2, mesh.triangles.begin() + 4);  // the lid
-    const auto tooth = buildFileFrame(mesh);
-    QVERIFY(!tooth);
-    QCOMPARE(tooth.error().code, ErrorCode::BadStructure);
+    QVERIFY(support::isRefused(buildFileFrame(mesh), ErrorCode::BadStructure));
     // Left to guess, the opening is below.
     QVERIFY(buildTooth({write(mesh)}, {}));
 }
@@ -311,7 +305,7 @@ void TestToothBuilder::undercutOfSeveralShells()
     QFETCH(TriangleMesh, mesh);
     QFETCH(double, undercut);
     const auto tooth = buildFileFrame(mesh);
-    QVERIFY2(tooth, tooth ? "" : tooth.error().detail.c_str());
+    QVERIFY(support::succeeds(tooth));
     QCOMPARE(tooth->report.undercutMm3.has_value(), undercut >= 0.0);
     if (undercut >= 0.0)
         QVERIFY2(std::abs(*tooth->report.undercutMm3 - undercut) < 0.005 * tooth->report.modelVolumeMm3,
@@ -323,8 +317,7 @@ void TestToothBuilder::undercutOfSeveralShells()
 
 void TestToothBuilder::usableMeshesWarn_data()
 {
-    QTest::addColumn<TriangleMesh>("mesh");
-    QTest::addColumn<QString>("says");
+    support::columns<TriangleMesh, QString>("mesh", "says");
     const TriangleMesh box = support::box(8.0F, 8.0F, 8.0F);
     QTest::newRow("inside out") << support::insideOut(box) << QStringLiteral("inside out");
     const TriangleMesh one = support::joined(box, support::moved(support::box(1.0F, 1.0F, 1.0F), {3.0F, 3.0F, 3.0F}));
@@ -361,7 +354,7 @@ void TestToothBuilder::usableMeshesWarn()
     QFETCH(TriangleMesh, mesh);
     QFETCH(QString, says);
     const auto tooth = buildFileFrame(mesh);
-    QVERIFY2(tooth, tooth ? "" : tooth.error().detail.c_str());
+    QVERIFY(support::succeeds(tooth));
     const QString warnings = QString::fromStdString(
         std::accumulate(tooth->report.warnings.begin(), tooth->report.warnings.end(), std::string()));
     QVERIFY2(warnings.contains(says), qPrintable(warnings));

@@ -18,6 +18,7 @@
 
 #include "core/teeth/ToothGenerator.h"
 #include "core/teeth/ToothTable.h"
+#include "tests/support/Tables.h"
 #include "tests/support/Trials.h"
 
 namespace {
@@ -408,8 +409,7 @@ private slots:
 
     void hasItsCusps_data()
     {
-        QTest::addColumn<int>("fdi");
-        QTest::addColumn<int>("count");
+        support::columns<int, int>("fdi", "count");
         for (const auto& [fdi, count] : {std::pair{23, 1},
                                          {24, 2},
                                          {25, 2},
@@ -520,11 +520,7 @@ private slots:
 
     void agreesWithTheScan_data()
     {
-        QTest::addColumn<int>("fdi");
-        QTest::addColumn<double>("turnDeg");
-        QTest::addColumn<double>("pitchDeg");
-        QTest::addColumn<double>("rollDeg");
-        QTest::addColumn<double>("downToMm");
+        support::columns<int, double, double, double, double>("fdi", "turnDeg", "pitchDeg", "rollDeg", "downToMm");
         // How the scan stands in its arch, roughly: the alignment goes on from there.
         QTest::newRow("36") << 36 << 20.0 << 0.0 << 6.0 << -5.0;
         QTest::newRow("24") << 24 << -5.0 << 0.0 << 0.0 << -5.0;

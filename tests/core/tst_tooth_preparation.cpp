@@ -14,6 +14,8 @@
 #include "core/preparation/ToothPreparation.h"
 #include "core/teeth/ToothBuilder.h"
 #include "core/teeth/ToothGenerator.h"
+#include "tests/support/Checks.h"
+#include "tests/support/Tables.h"
 #include "tests/support/Trials.h"
 
 using namespace core;
@@ -203,8 +205,7 @@ private:
 
 void TestToothPreparation::classOneIsWhatTheBooksAskFor_data()
 {
-    QTest::addColumn<int>("fdi");
-    QTest::addColumn<int>("seed");
+    support::columns<int, int>("fdi", "seed");
     for (const int fdi : kTeeth)
         for (const int seed : {0, 1, 2, 3, 4, 5})
             if (support::isTried(fdi + seed))
@@ -219,9 +220,9 @@ void TestToothPreparation::classOneIsWhatTheBooksAskFor()
     const auto number = static_cast<std::uint64_t>(seed);
     const auto anatomy = anatomyOf(fdi, number);
     const auto design = fittedDesign(Kind::ClassOne, *anatomy);
-    QVERIFY2(design, design ? "" : design.error().detail.c_str());
+    QVERIFY(support::succeeds(design));
     const auto ideal = makePreparation(Kind::ClassOne, *design, *anatomy);
-    QVERIFY2(ideal, ideal ? "" : ideal.error().detail.c_str());
+    QVERIFY(support::succeeds(ideal));
     const auto form = teeth::posteriorForm(fdi, number);
     const Findings found = find(*ideal, *anatomy, &*form);
     const bool isTwo = fdi == 26 || fdi == 27 || fdi == 34;
@@ -256,7 +257,7 @@ void TestToothPreparation::obliqueRidgeIsNeverCrossed()
         for (const std::uint64_t seed : {0U, 1U, 2U, 3U, 7U, 11U, 42U}) {
             const auto anatomy = anatomyOf(fdi, seed);
             const auto ideal = usual(Kind::ClassOne, fdi, seed);
-            QVERIFY2(ideal, ideal ? "" : ideal.error().detail.c_str());
+            QVERIFY(support::succeeds(ideal));
             const std::vector<glm::dvec2> crest = obliqueCrest(fdi, *teeth::posteriorForm(fdi, seed));
             QVERIFY(crest.size() > 50);
             double nearest = 1.0e9;
@@ -413,8 +414,7 @@ void TestToothPreparation::floorCanFollowTheJunction()
 
 void TestToothPreparation::boxOpensOutOfTheTooth_data()
 {
-    QTest::addColumn<int>("fdi");
-    QTest::addColumn<bool>("isMesial");
+    support::columns<int, bool>("fdi", "isMesial");
     for (const int fdi : kTeeth)
         for (const bool isMesial : {true, false})
             QTest::addRow("%d %s", fdi, isMesial ? "mesial" : "distal") << fdi << isMesial;
@@ -428,7 +428,7 @@ void TestToothPreparation::boxOpensOutOfTheTooth()
     const auto anatomy = anatomyOf(fdi);
     const auto design = fittedDesign(kind, *anatomy);
     const auto ideal = usual(kind, fdi);
-    QVERIFY2(ideal, ideal ? "" : ideal.error().detail.c_str());
+    QVERIFY(support::succeeds(ideal));
     const auto form = teeth::posteriorForm(fdi, 0);
     const Findings found = find(*ideal, *anatomy, &*form);
     say(fdi, 0, kind, found, ideal->isthmus ? isthmusOf(*ideal, anatomy->grid) : 0.0);
@@ -471,7 +471,7 @@ void TestToothPreparation::accessTakesTheWholeRoofAndNoFloor()
         for (const int side : {100, 150, 300}) {
             const auto anatomy = anatomyOf(36, seed, side);
             const auto ideal = usual(Kind::Access, 36, seed, side);
-            QVERIFY2(ideal, ideal ? "" : ideal.error().detail.c_str());
+            QVERIFY(support::succeeds(ideal));
             double highest = -1.0e9;
             for (std::size_t k = 0; k < ideal->parts.size(); ++k)
                 if (terrain::hasPulp(*anatomy, k))
@@ -507,7 +507,7 @@ void TestToothPreparation::accessOfAnIncisorSparesItsEdge()
     for (const std::uint64_t seed : {0U, 1U, 2U, 3U}) {
         const auto anatomy = anatomyOf(21, seed);
         const auto ideal = usual(Kind::Access, 21, seed);
-        QVERIFY2(ideal, ideal ? "" : ideal.error().detail.c_str());
+        QVERIFY(support::succeeds(ideal));
         double opened = 0.0;
         for (std::size_t k = 0; k < ideal->parts.size(); ++k) {
             if (ideal->parts[k] == Part::Keep)

@@ -6,6 +6,7 @@
 
 #include "core/base/Rng.h"
 #include "core/history/UndoTree.h"
+#include "tests/support/Tables.h"
 
 using namespace core;
 using history::Tile;
@@ -61,7 +62,7 @@ class TestUndoTree : public QObject
 {
     Q_OBJECT
 private slots:
-    void tilesGiveBackWhatWentIn_data();
+    void tilesGiveBackWhatWentIn_data() { support::rows<int>("side", {64, 65, 79, 80, 100, 150, 256}); }
     void tilesGiveBackWhatWentIn();
     void copiesShareTiles();
     void updateTouchesOnlyWhatDiffers();
@@ -77,13 +78,6 @@ private slots:
     void memoryStaysTrueInAStorm();
     void restartForgetsEverything();
 };
-
-void TestUndoTree::tilesGiveBackWhatWentIn_data()
-{
-    QTest::addColumn<int>("side");
-    for (const int side : {64, 65, 79, 80, 100, 150, 256})
-        QTest::addRow("%d", side) << side;
-}
 
 void TestUndoTree::tilesGiveBackWhatWentIn()
 {

@@ -10,6 +10,7 @@
 #include "core/drilling/Bur.h"
 #include "core/teeth/ToothBuilder.h"
 #include "lab/Block.h"
+#include "tests/support/Tables.h"
 
 using core::contact::Edges;
 using core::contact::LiveTooth;
@@ -46,7 +47,7 @@ class TestUprightSides : public QObject
     Q_OBJECT
 private slots:
     void aSideStandsHalfACellBeforeItsNodes();
-    void aSideAcrossTheLatticeIsSmooth_data();
+    void aSideAcrossTheLatticeIsSmooth_data() { support::rows<double>("degrees", {7.0, 15.0, 26.0, 33.0, 45.0, 71.0}); }
     void aSideAcrossTheLatticeIsSmooth();
     void everyBurIsStoppedAtItsRadius();
     void thePocketOfABurHoldsTheBur();
@@ -62,13 +63,6 @@ void TestUprightSides::aSideStandsHalfACellBeforeItsNodes()
     LiveTooth tooth = wallAcross({1.0, 0.0});
     QVERIFY(std::abs(stopsAt(tooth, {1.0, 0.0}, 0.0, Edges::Sides) + 0.5) < 1.0e-5);
     QVERIFY(std::abs(stopsAt(tooth, {1.0, 0.0}, 0.0, Edges::Columns) + 0.5 - 0.035) < 2.0e-3);
-}
-
-void TestUprightSides::aSideAcrossTheLatticeIsSmooth_data()
-{
-    QTest::addColumn<double>("degrees");
-    for (const double degrees : {7.0, 15.0, 26.0, 33.0, 45.0, 71.0})
-        QTest::addRow("%g degrees", degrees) << degrees;
 }
 
 void TestUprightSides::aSideAcrossTheLatticeIsSmooth()
@@ -168,8 +162,7 @@ void TestUprightSides::beneathTheRimOfAToothTheWayIsFree()
 
 void TestUprightSides::aBurGoesRoundATooth_data()
 {
-    QTest::addColumn<int>("fdi");
-    QTest::addColumn<int>("side");
+    support::columns<int, int>("fdi", "side");
     for (const int fdi : {36, 21})
         for (const int side : {100, 150, 300})
             QTest::addRow("tooth %d, grid %d", fdi, side) << fdi << side;

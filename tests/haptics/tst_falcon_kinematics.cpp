@@ -6,6 +6,7 @@
 
 #include "core/base/Rng.h"
 #include "haptics/falcon/Kinematics.h"
+#include "tests/support/Tables.h"
 
 using namespace haptics::falcon;
 
@@ -25,13 +26,8 @@ private slots:
 /// From libnifalcon's geometry in double precision, by an implementation of its own.
 void TestFalconKinematics::anglesAreThoseOfTheMechanism_data()
 {
-    QTest::addColumn<double>("x");
-    QTest::addColumn<double>("y");
-    QTest::addColumn<double>("z");
-    QTest::addColumn<double>("first");
-    QTest::addColumn<double>("second");
-    QTest::addColumn<double>("third");
-    QTest::addColumn<double>("countedX");
+    support::columns<double, double, double, double, double, double, double>("x", "y", "z", "first", "second", "third",
+                                                                             "countedX");
     QTest::newRow("low") << 28.062 << -20.044 << 96.115 << 0.545611576362 << -0.287981649495 << 0.269044826920
                          << 28.036850514;
     QTest::newRow("left") << -22.490 << -28.551 << 131.838 << 0.874930068739 << 0.832449640743 << 0.272494060020

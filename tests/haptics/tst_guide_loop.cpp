@@ -11,6 +11,7 @@
 #include "haptics/simulated/SimulatedFalcon.h"
 #include "tests/support/Allocations.h"
 #include "tests/support/Rig.h"
+#include "tests/support/Tables.h"
 
 using namespace std::chrono_literals;
 using core::contact::PathGuide;
@@ -117,8 +118,7 @@ private:
 
 void TestGuideLoop::handsAndDelays()
 {
-    QTest::addColumn<int>("hand");
-    QTest::addColumn<double>("delayMs");
+    support::columns<int, double>("hand", "delayMs");
     for (int hand = 0; hand < static_cast<int>(haptics::kHands.size()); ++hand)
         for (const double delayMs : {0.0, 1.0, 2.0, 4.0})
             QTest::addRow("hand %d, %g ms", hand, delayMs) << hand << delayMs;

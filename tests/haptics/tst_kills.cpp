@@ -19,6 +19,7 @@
 
 #include "core/recording/Replay.h"
 #include "core/session/JournalLoop.h"
+#include "tests/support/Checks.h"
 #include "tests/support/Rig.h"
 #include "tests/support/SyntheticTooth.h"
 #include "tests/support/Trials.h"
@@ -99,10 +100,7 @@ void say(const char* line)
         journal.takeUp(1, std::move(*found));
         send(ResumeAttempt{attempt.release(), 1});
     } else {
-        support::Block block;
-        block.side = 64;
-        block.cellMm = 0.12;
-        send(ReplaceTooth{new terrain::Tooth(support::makeBlock(block)), 1, new std::string("lesson")});
+        send(ReplaceTooth{new terrain::Tooth(support::smallBlock()), 1, new std::string("lesson")});
     }
     send(SetDrill{true});
 
@@ -298,7 +296,7 @@ void TestKills::nothingWrittenIsEverLost()
         resumed += before > 0 && said.atUs > 0 ? 1 : 0;
 
         const auto attempt = attemptIn(folder->path().toStdString());
-        QVERIFY2(attempt, attempt ? "" : attempt.error().detail.c_str());
+        QVERIFY(support::succeeds(attempt));
         // None, or none that got as far as its first moment: then there was nothing before. The dead lock nobody out.
         if (!*attempt) {
             QCOMPARE(before, 0U);

@@ -8,6 +8,7 @@
 #include "core/session/ServoTick.h"
 #include "haptics/pointer/PointerDevice.h"
 #include "tests/support/SyntheticTooth.h"
+#include "tests/support/Tables.h"
 
 using namespace core;
 using namespace std::chrono_literals;
@@ -64,8 +65,7 @@ private slots:
 
 void TestPointerDevice::forceBuildsUpAndHolds_data()
 {
-    QTest::addColumn<double>("newtons");
-    QTest::addColumn<bool>("drill");
+    support::columns<double, bool>("newtons", "drill");
     for (const double newtons : {0.5, 1.0, 2.0, 4.0}) {
         QTest::addRow("%g N, resting", newtons) << newtons << false;
         QTest::addRow("%g N, drilling", newtons) << newtons << true;

@@ -14,6 +14,7 @@
 #include "tests/support/Locks.h"
 #include "tests/support/Rig.h"
 #include "tests/support/SyntheticTooth.h"
+#include "tests/support/Tables.h"
 
 using namespace core;
 using namespace core::session;
@@ -262,8 +263,7 @@ void TestServoLoop::anotherSpringUnderTheHandComesSoftly()
 
 void TestServoLoop::lostDeviceMeansNoForceWithinTenMs_data()
 {
-    QTest::addColumn<bool>("present");
-    QTest::addColumn<float>("x");
+    support::columns<bool, float>("present", "x");
     QTest::newRow("no reading") << false << 0.0F;
     QTest::newRow("NaN") << true << std::nanf("");
     QTest::newRow("infinite") << true << INFINITY;
@@ -771,8 +771,7 @@ void TestServoLoop::whatIsHandedOverCostsTheTickNoAllocation()
 /// shakes a light hand to and fro by 7 mm at 4 ms, once it has been knocked.
 void TestServoLoop::aLateLoopHoldsTheHandSteadilyToo_data()
 {
-    QTest::addColumn<int>("hand");
-    QTest::addColumn<double>("delayMs");
+    support::columns<int, double>("hand", "delayMs");
     for (int hand = 0; hand < static_cast<int>(haptics::kHands.size()); ++hand)
         for (const double delayMs : {1.0, 2.0, 4.0, 8.0})
             QTest::addRow("%s, %g ms", haptics::kHands.at(static_cast<std::size_t>(hand)).name.data(), delayMs)

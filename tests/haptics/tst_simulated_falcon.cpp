@@ -12,6 +12,7 @@
 #include "haptics/simulated/SimulatedFalcon.h"
 #include "tests/support/Allocations.h"
 #include "tests/support/Locks.h"
+#include "tests/support/Tables.h"
 
 using haptics::FalconFigures;
 using haptics::HandFigures;
@@ -90,7 +91,7 @@ private slots:
     void dryFrictionBrakesEvenlyAndHolds();
     void handGivesWayByItsStiffness_data();
     void handGivesWayByItsStiffness();
-    void forceComesAfterTheDelay_data();
+    void forceComesAfterTheDelay_data() { support::rows<double>("delayMs", {0.0, 0.5, 1.0, 2.2, 4.0, 20.0}); }
     void forceComesAfterTheDelay();
     void jitterStaysWithinItsBounds();
     void motorsLag();
@@ -152,8 +153,7 @@ void TestSimulatedFalcon::dryFrictionBrakesEvenlyAndHolds()
 
 void TestSimulatedFalcon::handGivesWayByItsStiffness_data()
 {
-    QTest::addColumn<int>("hand");
-    QTest::addColumn<double>("rateHz");
+    support::columns<int, double>("hand", "rateHz");
     for (int hand = 0; hand < 3; ++hand)
         for (const double rateHz : {250.0, 1000.0, 4000.0})
             QTest::addRow("%s, %g Hz", haptics::kHands[static_cast<std::size_t>(hand)].name.data(), rateHz)
@@ -172,13 +172,6 @@ void TestSimulatedFalcon::handGivesWayByItsStiffness()
     const glm::dvec3 given = glm::dvec3(0.6, 0.0, -0.8) * 1000.0 / figures.stiffnessNPerM;
     QVERIFY2(glm::length(falcon.tipMm() - given) < 1.0e-4 * glm::length(given),
              qPrintable(QString::number(falcon.tipMm().z)));
-}
-
-void TestSimulatedFalcon::forceComesAfterTheDelay_data()
-{
-    QTest::addColumn<double>("delayMs");
-    for (const double delayMs : {0.0, 0.5, 1.0, 2.2, 4.0, 20.0})
-        QTest::addRow("%g ms", delayMs) << delayMs;
 }
 
 /// From then on the way is 1/2 F / m t^2, which tells when it began.
@@ -336,11 +329,7 @@ void TestSimulatedFalcon::exchangeNeitherAllocatesNorLocks()
 /// lies within 15 % of them.
 void TestSimulatedFalcon::stiffestWallsAreThoseOfTheTable_data()
 {
-    QTest::addColumn<double>("coulombN");
-    QTest::addColumn<int>("hand");
-    QTest::addColumn<double>("dampingNSPerM");
-    QTest::addColumn<double>("delayMs");
-    QTest::addColumn<double>("nPerMm");
+    support::columns<double, int, double, double, double>("coulombN", "hand", "dampingNSPerM", "delayMs", "nPerMm");
     const auto row = [](double coulombN, int hand, double damping, const std::array<double, 4>& limits) {
         const std::array<double, 4> delays{0.0, 1.0, 2.0, 4.0};
         for (std::size_t n = 0; n < delays.size(); ++n)

@@ -34,10 +34,7 @@ private slots:
 
 void TestThreads::theThreadsAgreeAfterwards()
 {
-    support::Block made;
-    made.side = 64;
-    made.cellMm = 0.12;
-    const auto anatomy = support::makeBlock(made);
+    const auto anatomy = support::smallBlock();
     support::Rig rig;
     const QTemporaryDir folder;
     JournalLoop journal(*rig.session, folder.path().toStdString());

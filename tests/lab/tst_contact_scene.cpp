@@ -7,6 +7,7 @@
 
 #include "core/drilling/Bur.h"
 #include "lab/ContactScene.h"
+#include "tests/support/Tables.h"
 
 namespace {
 
@@ -39,8 +40,7 @@ private slots:
 
 void TestContactScene::continuousStandsWhereGeometrySays_data()
 {
-    QTest::addColumn<QString>("bur");
-    QTest::addColumn<QString>("name");
+    support::columns<QString, QString>("bur", "name");
     for (const QString& bur : {QString("2"), QString("330")})
         for (const char* name : {"plane 0", "plane 10", "plane 20", "plane 27", "plane 45", "plane 60", "plane 75",
                                  "fossa", "cusp", "groove 30", "groove 30 anywhere", "groove 45", "groove 45 anywhere"})

@@ -9,6 +9,7 @@
 #include "core/drilling/Bur.h"
 #include "lab/Block.h"
 #include "lab/CuttingTrials.h"
+#include "tests/support/Tables.h"
 #include "tests/support/Trials.h"
 
 using core::terrain::Material;
@@ -94,8 +95,7 @@ void TestCutting::burs()
 
 void TestCutting::paceIsThatOfTheLaw_data()
 {
-    QTest::addColumn<int>("material");
-    QTest::addColumn<double>("newtons");
+    support::columns<int, double>("material", "newtons");
     for (const int material : {0, 1, 2})
         for (const double newtons : {0.5, 1.0, 1.5})
             QTest::addRow("material %d, %g N", material, newtons) << material << newtons;

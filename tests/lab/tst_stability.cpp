@@ -2,6 +2,7 @@
 #include <QTest>
 
 #include "lab/Stability.h"
+#include "tests/support/Tables.h"
 #include "tests/support/Trials.h"
 
 using lab::Outcome;
@@ -98,8 +99,7 @@ void TestStability::everySceneOfTheTableIsThere()
 
 void TestStability::whatWeShipHolds_data()
 {
-    QTest::addColumn<QString>("scene");
-    QTest::addColumn<int>("first");
+    support::columns<QString, int>("scene", "first");
     for (int first = 0; const std::string_view name : lab::stabilityScenes())
         if (latin(name) != kNoFriction)
             QTest::addRow("%s", qPrintable(latin(name))) << latin(name) << first++;
@@ -175,12 +175,8 @@ void TestStability::withoutDryFrictionEveryLoopTrembles()
 /// them: 36 a second. And the lattice with sixteen steps jumps no ridge: each step goes from where the last ended.
 void TestStability::failuresAreSeen_data()
 {
-    QTest::addColumn<QString>("method");
-    QTest::addColumn<QString>("scene");
-    QTest::addColumn<std::size_t>("hand");
-    QTest::addColumn<double>("delayMs");
-    QTest::addColumn<int>("outcome");
-    QTest::addColumn<QString>("missed");
+    support::columns<QString, QString, std::size_t, double, int, QString>("method", "scene", "hand", "delayMs",
+                                                                          "outcome", "missed");
     const auto add = [](const char* method, const char* scene, std::size_t hand, double delayMs, int outcome,
                         const char* missed = "") {
         QTest::addRow("%s, %s", method, scene)

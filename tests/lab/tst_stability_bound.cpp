@@ -4,6 +4,7 @@
 #include "core/settings/StabilityBound.h"
 #include "lab/Stability.h"
 #include "lab/StiffnessLimit.h"
+#include "tests/support/Tables.h"
 #include "tests/support/Trials.h"
 
 using namespace core;
@@ -57,8 +58,7 @@ void TestStabilityBound::figuresAreTheSimulatedDevices()
 
 void TestStabilityBound::whatIsInsideHoldsAndTwiceAsMuchDoesNot_data()
 {
-    QTest::addColumn<double>("damping");
-    QTest::addColumn<double>("fast");
+    support::columns<double, double>("damping", "fast");
     for (int n = 0; const double damping : {0.0, 3.0, 10.0, 20.0})
         for (const double fast : {0.0, 10.0, 30.0, 60.0})
             if (support::isTried(n++))

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "lab/StiffnessLimit.h"
+#include "tests/support/Tables.h"
 #include "tests/support/Trials.h"
 
 namespace {
@@ -43,9 +44,7 @@ private slots:
 /// haptics.md 2.2 has one axis and motors that answer at once; our whole servo over three axes agrees.
 void TestStiffnessLimit::flatToothIsTheOneAxisWall_data()
 {
-    QTest::addColumn<std::size_t>("hand");
-    QTest::addColumn<double>("delayMs");
-    QTest::addColumn<double>("nPerMm");
+    support::columns<std::size_t, double, double>("hand", "delayMs", "nPerMm");
     QTest::newRow("light, 1 ms") << std::size_t{0} << 1.0 << 2.986;
     QTest::newRow("light, 4 ms") << std::size_t{0} << 4.0 << 0.684;
     QTest::newRow("medium, 2 ms") << std::size_t{1} << 2.0 << 3.306;
@@ -76,8 +75,7 @@ void TestStiffnessLimit::delayAndLagCostStiffness()
 
 void TestStiffnessLimit::whatWeShipHoldsEveryHand_data()
 {
-    QTest::addColumn<std::size_t>("hand");
-    QTest::addColumn<double>("delayMs");
+    support::columns<std::size_t, double>("hand", "delayMs");
     for (std::size_t hand = 0; hand < haptics::kHands.size(); ++hand)
         for (const double delayMs : {0.0, 1.0, 2.0})
             QTest::addRow("%zu, %g ms", hand, delayMs) << hand << delayMs;
@@ -106,8 +104,7 @@ void TestStiffnessLimit::aSlowLoopSoftensItsSpring()
 /// cell of the table.
 void TestStiffnessLimit::oursIsTwiceAsStiffAsThePipelineOf2011_data()
 {
-    QTest::addColumn<std::size_t>("hand");
-    QTest::addColumn<double>("delayMs");
+    support::columns<std::size_t, double>("hand", "delayMs");
     int n = 0;
     for (std::size_t hand = 0; hand < haptics::kHands.size(); ++hand)
         for (const double delayMs : {0.0, 1.0, 2.0, 4.0})
@@ -130,8 +127,7 @@ void TestStiffnessLimit::oursIsTwiceAsStiffAsThePipelineOf2011()
 
 void TestStiffnessLimit::everyMethodAndRateHasALimit_data()
 {
-    QTest::addColumn<QString>("method");
-    QTest::addColumn<double>("rateHz");
+    support::columns<QString, double>("method", "rateHz");
     for (const char* method : {"continuous", "lattice", "penalty"})
         for (const double rateHz : {250.0, 2000.0})
             QTest::addRow("%s, %g Hz", method, rateHz) << QString(method) << rateHz;

@@ -7,6 +7,7 @@
 
 #include "core/drilling/Bur.h"
 #include "lab/SweepVolume.h"
+#include "tests/support/Tables.h"
 #include "tests/support/Trials.h"
 
 namespace {
@@ -60,9 +61,7 @@ void TestSweepVolume::closedFormIsTheIntegralOfTheUnderside()
 
 void TestSweepVolume::volumeIsWithinOnePercent_data()
 {
-    QTest::addColumn<int>("sweep");
-    QTest::addColumn<int>("bur");
-    QTest::addColumn<double>("depthMm");
+    support::columns<int, int, double>("sweep", "bur", "depthMm");
     for (int n = 0, sweep = 0; sweep < 3; ++sweep)
         for (int bur = 0; bur < 4; ++bur)
             for (const double depth : {0.1, 0.4, 1.2})

@@ -15,6 +15,9 @@
 #include "core/teeth/Block.h"
 #include "lessons/Assignment.h"
 #include "lessons/LessonCatalog.h"
+#include "tests/support/Checks.h"
+#include "tests/support/Files.h"
+#include "tests/support/Tables.h"
 #include "tests/support/Trials.h"
 
 using namespace lessons;
@@ -130,7 +133,7 @@ void TestAssignment::everyIdealEarnsFullPoints()
         if (QString::fromStdString(lesson.id) != id)
             continue;
         const auto assigned = assign(lesson);
-        QVERIFY2(assigned.has_value(), assigned ? "" : assigned.error().detail.c_str());
+        QVERIFY(support::succeeds(assigned));
         const Assignment& assignment = assigned->assignment;
         QVERIFY(assignment.ideal.has_value());
         const auto perfect = mark(assignment, cutAsFarAsCanBe(assignment, *assignment.ideal->top));
@@ -200,8 +203,7 @@ void TestAssignment::everyClassOneIsThereAndNothingDonePassesNone()
 
 void TestAssignment::whatNoInstructorPassesFails_data()
 {
-    QTest::addColumn<QString>("id");
-    QTest::addColumn<int>("slip");
+    support::columns<QString, int>("id", "slip");
     const auto row = [](const char* id, const char* what, Slip slip) {
         QTest::addRow("%s, %s", id, what) << QString::fromLatin1(id) << static_cast<int>(slip);
     };
@@ -225,7 +227,7 @@ void TestAssignment::whatNoInstructorPassesFails()
     QFETCH(QString, id);
     QFETCH(int, slip);
     const auto assigned = assign(shipped(id.toStdString()));
-    QVERIFY2(assigned.has_value(), assigned ? "" : assigned.error().detail.c_str());
+    QVERIFY(support::succeeds(assigned));
     const Assignment& assignment = assigned->assignment;
     const auto marked = mark(assignment, cutTo(assignment, spoiled(assignment, static_cast<Slip>(slip))));
     QVERIFY(marked.has_value());
@@ -290,7 +292,7 @@ void TestAssignment::aRecordingIsMarkedForItsLesson()
         QVERIFY(assigned.has_value());
         const core::recording::Recording recording({}, assigned->assignment.anatomy, lesson.json);
         const auto remarked = markAgain(recording);
-        QVERIFY2(remarked.has_value(), remarked ? "" : remarked.error().detail.c_str());
+        QVERIFY(support::succeeds(remarked));
         QCOMPARE(remarked->mark.sheet.rubricHash, lesson.rubric.hash);
         QVERIFY(remarked->mark.measured.deviation->zones.has_value());
     }
@@ -309,7 +311,7 @@ void TestAssignment::everyExerciseDoneEarnsFullPointsAndNothingDonePassesNone()
             continue;
         found << QString::fromStdString(lesson.id);
         const auto assigned = assign(lesson);
-        QVERIFY2(assigned.has_value(), assigned ? "" : assigned.error().detail.c_str());
+        QVERIFY(support::succeeds(assigned));
         const Assignment& assignment = assigned->assignment;
         QVERIFY(assignment.exercise.has_value());
         QVERIFY(assignment.shownIdeal() == nullptr);
@@ -363,7 +365,7 @@ void TestAssignment::layersComeInAnotherOrderAndEveryReplayKnowsIt()
         QVERIFY(read.has_value());
         QVERIFY(assignmentOf(read->anatomy(), read->lesson()).value().exercise == asked.exercise);
         const auto marked = markAgain(*read);
-        QVERIFY2(marked, marked ? "" : marked.error().detail.c_str());
+        QVERIFY(support::succeeds(marked));
         QCOMPARE(std::get<Named>(*marked->conduct.practised).right, 2);
     }
     QCOMPARE(orders.size(), std::size_t{6});
@@ -429,6 +431,12 @@ void TestAssignment::aPointBesideTheToothIsNamed()
 
 namespace {
 
+QJsonObject lessonSchema()
+{
+    const std::string text = support::bytesOf(CUSP_SOURCE_DIR "/lessons/schema/lesson.schema.json");
+    return QJsonDocument::fromJson(QByteArray::fromStdString(text)).object();
+}
+
 /// Every key of an object and of those in it, with the names of texts and sizes left out.
 void keysOf(const QJsonObject& object, const QString& before, QSet<QString>& keys)
 {
@@ -468,9 +476,7 @@ void schemaKeysOf(const QJsonObject& schema, const QJsonObject& definitions, con
 /// Each key of a shipped file stands in the schema, and each of the schema's is one that the reader knows.
 void TestAssignment::theSchemaKnowsTheKeysThatAreRead()
 {
-    QFile file(QStringLiteral(CUSP_SOURCE_DIR "/lessons/schema/lesson.schema.json"));
-    QVERIFY(file.open(QIODevice::ReadOnly));
-    const QJsonObject schema = QJsonDocument::fromJson(file.readAll()).object();
+    const QJsonObject schema = lessonSchema();
     QVERIFY(!schema.isEmpty());
     QSet<QString> inSchema;
     schemaKeysOf(schema, schema["$defs"].toObject(), {}, inSchema);
@@ -517,9 +523,7 @@ void TestAssignment::theSchemaKnowsTheKeysThatAreRead()
 /// The numbers and names that editors offer are those that are read.
 void TestAssignment::theSchemaOffersWhatThereIs()
 {
-    QFile file(QStringLiteral(CUSP_SOURCE_DIR "/lessons/schema/lesson.schema.json"));
-    QVERIFY(file.open(QIODevice::ReadOnly));
-    const QJsonObject schema = QJsonDocument::fromJson(file.readAll()).object();
+    const QJsonObject schema = lessonSchema();
     const QJsonObject keys = schema["properties"].toObject();
     const auto part = [](const QJsonObject& of, const char* key) {
         return of["properties"].toObject()[key].toObject();

@@ -16,6 +16,9 @@
 #include "lessons/LessonCatalog.h"
 #include "lessons/LessonPack.h"
 #include "tests/fuzz/ExerciseLesson.h"
+#include "tests/support/Checks.h"
+#include "tests/support/Files.h"
+#include "tests/support/Tables.h"
 
 using namespace lessons;
 
@@ -45,7 +48,12 @@ private slots:
     void theCacheIsNotTrusted();
     void unpackingOverwritesNothing();
     void whatCannotBeUnpackedWholeLeavesNothing();
-    void refusesNamesThatLeadElsewhere_data();
+    void refusesNamesThatLeadElsewhere_data()
+    {
+        support::rows<QString>("name", {"../a.json", "/etc/a.json", "a/../../b.json", "C:\\a.json", ":/lessons/a.json",
+                                        "", ".bashrc.json", "a/.hidden/b.json", "a//b.json", "run.sh", "a.json/",
+                                        "C:a.json", "tab\t.json", "a.desktop", "turned\u202Enosj.json"});
+    }
     void refusesNamesThatLeadElsewhere();
     void refusesAWrongHash();
     void refusesABomb();
@@ -58,10 +66,7 @@ private:
     QString write(const QString& name, const QByteArray& content) const
     {
         const QString path = m_folder->filePath(name);
-        QDir().mkpath(QFileInfo(path).path());
-        QFile file(path);
-        if (!file.open(QIODevice::WriteOnly) || file.write(content) != content.size())
-            qFatal("the scratch folder cannot be written");
+        support::write(path, content.toStdString());
         return path;
     }
     QString write(const QString& name, const QJsonObject& object) const
@@ -135,7 +140,7 @@ void TestLessonPack::aCapturedIdealEarnsFullPointsOnItself()
     QVERIFY2(read.lesson, qPrintable(sentences(read)));
     QVERIFY2(read.faults.empty(), qPrintable(sentences(read)));
     const auto assigned = assign(*read.lesson);
-    QVERIFY2(assigned, assigned ? "" : assigned.error().detail.c_str());
+    QVERIFY(support::succeeds(assigned));
     const Assignment& assignment = assigned->assignment;
     const auto marked = mark(assignment, core::terrain::restored(assignment.anatomy, *assignment.ideal->top));
     QVERIFY(marked);
@@ -155,7 +160,7 @@ void TestLessonPack::aRecordingTakesTheCapturedIdealAlong()
     QFile::remove(ideal);
     const auto again = core::recording::Recording::fromBytes(recording.toBytes());
     const auto marked = markAgain(*again);
-    QVERIFY2(marked, marked ? "" : marked.error().detail.c_str());
+    QVERIFY(support::succeeds(marked));
     QVERIFY(marked->mark.measured.deviation->idealMm3 > 5.0);
     const auto text = readLessonText(QByteArray::fromStdString(read.lesson->json), QStringLiteral("text"));
     QVERIFY2(text.lesson, qPrintable(sentences(text)));
@@ -243,9 +248,9 @@ void TestLessonPack::aPackHoldsAllThatItsLessonsNeed()
 {
     const QString file = writeLesson();
     const auto bytes = packLessons({file, file});
-    QVERIFY2(bytes, bytes ? "" : bytes.error().detail.c_str());
+    QVERIFY(support::succeeds(bytes));
     const auto files = unpackLessons(*bytes);
-    QVERIFY2(files, files ? "" : files.error().detail.c_str());
+    QVERIFY(support::succeeds(files));
     QStringList names;
     for (const PackedFile& packedFile : *files)
         names << packedFile.name;
@@ -265,7 +270,7 @@ void TestLessonPack::anExpertsRecordingGoesAlong()
     object["expert"] = QJsonObject{{"recording", "expert.cusprec"}};
     write("expert.cusprec", QByteArray("an attempt"));
     const auto bytes = packLessons({write("own.lesson.json", object)});
-    QVERIFY2(bytes, bytes ? "" : bytes.error().detail.c_str());
+    QVERIFY(support::succeeds(bytes));
     QTemporaryDir elsewhere;
     QVERIFY(putInto(elsewhere.path(), unpackLessons(*bytes).value()));
     const ReadLesson there = readLesson(elsewhere.filePath("own.lesson.json"));
@@ -282,7 +287,7 @@ void TestLessonPack::aHardnessPresetGoesAlong()
     writeCaptured("own.cuspideal");
     object["hardness"] = "second-year.cusppreset";
     const auto bytes = packLessons({write("own.lesson.json", object)});
-    QVERIFY2(bytes, bytes ? "" : bytes.error().detail.c_str());
+    QVERIFY(support::succeeds(bytes));
     QTemporaryDir elsewhere;
     QVERIFY(putInto(elsewhere.path(), unpackLessons(*bytes).value()));
     const ReadLesson there = readLesson(elsewhere.filePath("own.lesson.json"));
@@ -293,49 +298,29 @@ void TestLessonPack::aHardnessPresetGoesAlong()
 /// CUSP_REWRITE_CORPUS=1 makes the seeds of the fuzzer anew.
 void TestLessonPack::corpusOfTheFuzzerIsHarmless()
 {
-    const QDir packs(QStringLiteral(CUSP_SOURCE_DIR "/tests/fuzz/corpus/pack"));
-    const QDir texts(QStringLiteral(CUSP_SOURCE_DIR "/tests/fuzz/corpus/lesson"));
-    const auto contentOf = [](const QString& path) {
-        QFile file(path);
-        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-    };
-    if (!qEnvironmentVariableIsEmpty("CUSP_REWRITE_CORPUS")) {
-        QVERIFY(packs.mkpath(".") && texts.mkpath("."));
-        const auto seed = [](const QDir& folder, const QString& name, const std::string& content) {
-            QFile file(folder.filePath(name));
-            QVERIFY(file.open(QIODevice::WriteOnly));
-            QCOMPARE(file.write(content.data(), qint64(content.size())), qint64(content.size()));
-        };
+    if (support::rewritesSeeds()) {
         for (const char* name : {"0-orientation-1-touch", "0-orientation-2-hold", "0-orientation-3-layers",
                                  "decay-36-1-small", "block-3-cross", "ideal-1-class1-1-36"})
-            seed(texts, name, readLesson(QStringLiteral(":/lessons/%1.lesson.json").arg(name)).lesson->json);
+            support::writeSeed("lesson", name,
+                               readLesson(QStringLiteral(":/lessons/%1.lesson.json").arg(name)).lesson->json);
         write("small.lesson.json", QJsonObject{{"format", 1}, {"based_on", "ideal-1-class1-1-36.lesson.json"}});
         const QByteArray small = packLessons({m_folder->filePath("small.lesson.json")}).value();
-        seed(packs, "small", small.toStdString());
-        seed(packs, "unpacked", core::recording::unpack(small.toStdString(), kLargestPackBytes).value());
+        support::writeSeed("pack", "small", small.toStdString());
+        support::writeSeed("pack", "unpacked", core::recording::unpack(small.toStdString(), kLargestPackBytes).value());
     }
-    const QStringList texted = texts.entryList(QDir::Files);
-    const QStringList packed = packs.entryList(QDir::Files);
-    QVERIFY(!texted.isEmpty() && !packed.isEmpty());
-    for (const QString& name : texted)
-        fuzz::exerciseLesson(contentOf(texts.filePath(name)).toStdString());
-    for (const QString& name : packed) {
-        const std::string bytes = contentOf(packs.filePath(name)).toStdString();
+    QVERIFY(support::forEachSeed("lesson", fuzz::exerciseLesson));
+    QVERIFY(support::forEachSeed("pack", [](const std::string& bytes) {
         fuzz::exercisePack(bytes);
         fuzz::exercisePack(core::recording::pack(bytes));
-    }
+    }));
 }
 
 void TestLessonPack::aPackInTheFolderIsOffered()
 {
     const auto bytes = packLessons({writeLesson()});
     QTemporaryDir teachers;
-    const auto put = [&](const QString& name, const QByteArray& content) {
-        QFile file(teachers.filePath(name));
-        QVERIFY(file.open(QIODevice::WriteOnly) && file.write(content) == content.size());
-    };
-    put("course.cusplessons", *bytes);
-    put("damaged.cusplessons", bytes->left(bytes->size() / 2));
+    support::write(teachers.filePath("course.cusplessons"), bytes->toStdString());
+    support::write(teachers.filePath("damaged.cusplessons"), bytes->left(bytes->size() / 2).toStdString());
     const auto shipped = readCatalog({}).size();
     auto entries = readCatalog(teachers.path());
     QCOMPARE(entries.size(), shipped + 2);
@@ -353,17 +338,15 @@ void TestLessonPack::whatWasUnpackedStandsForThePack()
 {
     const auto bytes = packLessons({writeLesson()});
     QTemporaryDir teachers;
-    QFile pack(teachers.filePath("course.cusplessons"));
-    QVERIFY(pack.open(QIODevice::WriteOnly) && pack.write(*bytes) == bytes->size());
-    pack.close();
-    QCOMPARE(readCatalog(teachers.path()).back().pack, pack.fileName());
+    const QString pack = teachers.filePath("course.cusplessons");
+    support::write(pack, bytes->toStdString());
+    QCOMPARE(readCatalog(teachers.path()).back().pack, pack);
     QVERIFY(putInto(teachers.path(), *unpackLessons(*bytes)));
-    QFile own(teachers.filePath("own.lesson.json"));
-    QVERIFY(own.open(QIODevice::ReadWrite));
-    QJsonObject changed = QJsonDocument::fromJson(own.readAll()).object();
+    const QString own = teachers.filePath("own.lesson.json");
+    const std::string unpacked = support::bytesOf(own.toStdString());
+    QJsonObject changed = QJsonDocument::fromJson(QByteArray::fromStdString(unpacked)).object();
     changed["minutes"] = 3;
-    QVERIFY(own.resize(0) && own.seek(0) && own.write(QJsonDocument(changed).toJson()) > 0);
-    own.close();
+    support::write(own, QJsonDocument(changed).toJson().toStdString());
     const auto entries = readCatalog(teachers.path());
     QCOMPARE(entries.size(), readCatalog({}).size() + 1);
     QVERIFY2(entries.back().read.lesson && entries.back().pack.isEmpty(), qPrintable(sentences(entries.back().read)));
@@ -373,10 +356,8 @@ void TestLessonPack::whatWasUnpackedStandsForThePack()
 void TestLessonPack::aFaultNamesThePack()
 {
     QTemporaryDir teachers;
-    QFile file(teachers.filePath("course.cusplessons"));
     const QByteArray bytes = packed(pack({entry("odd.lesson.json", "{\"format\": 1}")}));
-    QVERIFY(file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size());
-    file.close();
+    support::write(teachers.filePath("course.cusplessons"), bytes.toStdString());
     const QString said = sentences(readCatalog(teachers.path()).back().read);
     QVERIFY2(said.contains("odd.lesson.json, ") && said.contains("(in the pack course.cusplessons)"), qPrintable(said));
 }
@@ -384,20 +365,17 @@ void TestLessonPack::aFaultNamesThePack()
 void TestLessonPack::theCacheIsNotTrusted()
 {
     const auto bytes = packLessons({writeLesson()});
-    QFile file(m_folder->filePath("course.cusplessons"));
-    QVERIFY(file.open(QIODevice::WriteOnly) && file.write(*bytes) == bytes->size());
-    file.close();
-    const auto folder = openPack(file.fileName());
+    const QString pack = write("course.cusplessons", *bytes);
+    const auto folder = openPack(pack);
     QVERIFY(folder);
     const QString ideal = QDir(*folder).filePath("own.cuspideal");
     QVERIFY(QFile::remove(ideal));
-    QCOMPARE(*openPack(file.fileName()), *folder);
+    QCOMPARE(*openPack(pack), *folder);
     QVERIFY(QFile::exists(ideal));
-    QFile changed(QDir(*folder).filePath("own.lesson.json"));
-    QVERIFY(changed.open(QIODevice::WriteOnly) && changed.write("{}") == 2);
-    changed.close();
-    QVERIFY(openPack(file.fileName()));
-    QVERIFY(readLesson(changed.fileName()).lesson);
+    const QString changed = QDir(*folder).filePath("own.lesson.json");
+    support::write(changed, "{}");
+    QVERIFY(openPack(pack));
+    QVERIFY(readLesson(changed).lesson);
 }
 
 void TestLessonPack::unpackingOverwritesNothing()
@@ -406,9 +384,7 @@ void TestLessonPack::unpackingOverwritesNothing()
     QVERIFY(putInto(m_folder->path(), files));  // all is there as it is in the pack
     write("own.base.json", QByteArray("mine"));
     QFile::remove(m_folder->filePath("own.cuspideal"));
-    const auto refused = putInto(m_folder->path(), files);
-    QVERIFY(!refused);
-    QVERIFY2(refused.error().detail.find("own.base.json") != std::string::npos, refused.error().detail.c_str());
+    QVERIFY(support::isRefused(putInto(m_folder->path(), files), "own.base.json"));
     QVERIFY(!QFileInfo::exists(m_folder->filePath("own.cuspideal")));  // nothing was written
 }
 
@@ -421,22 +397,11 @@ void TestLessonPack::whatCannotBeUnpackedWholeLeavesNothing()
     QVERIFY(putInto(m_folder->path(), {{"first.json", "{}"}, {"second.json", "{}"}}));
 }
 
-void TestLessonPack::refusesNamesThatLeadElsewhere_data()
-{
-    QTest::addColumn<QString>("name");
-    for (const QString name : {"../a.json", "/etc/a.json", "a/../../b.json", "C:\\a.json", ":/lessons/a.json", "",
-                               ".bashrc.json", "a/.hidden/b.json", "a//b.json", "run.sh", "a.json/", "C:a.json",
-                               "tab\t.json", "a.desktop", "turned\u202Enosj.json"})
-        QTest::addRow("%s", qPrintable(name)) << name;
-}
-
 void TestLessonPack::refusesNamesThatLeadElsewhere()
 {
     QFETCH(QString, name);
     const auto refused = unpackLessons(packed(pack({entry("good.json", "{}"), entry(name, "x")})));
-    QVERIFY(!refused);
-    QVERIFY2(refused.error().detail.find("leads out of its folder") != std::string::npos,
-             refused.error().detail.c_str());
+    QVERIFY(support::isRefused(refused, "leads out of its folder"));
     for (const QChar letter : QString::fromStdString(refused.error().detail))
         QVERIFY(letter.isPrint());
 }
@@ -530,9 +495,7 @@ void TestLessonPack::aFaultyLessonIsNotPacked()
     scanned["task"] = "remove_decay";
     scanned["lesion"] = QJsonObject{{"extent", 0.5}};
     scanned["rubric"] = "decay_removal";
-    const auto noMesh = packLessons({write("scanned.lesson.json", scanned)});
-    QVERIFY(!noMesh);
-    QVERIFY2(noMesh.error().detail.find("noise.stl") != std::string::npos, noMesh.error().detail.c_str());
+    QVERIFY(support::isRefused(packLessons({write("scanned.lesson.json", scanned)}), "noise.stl"));
 }
 
 QTEST_GUILESS_MAIN(TestLessonPack)

@@ -12,6 +12,9 @@
 #include "lessons/Assignment.h"
 #include "lessons/LessonCatalog.h"
 #include "lessons/RubricReader.h"
+#include "tests/support/Checks.h"
+#include "tests/support/Files.h"
+#include "tests/support/Tables.h"
 #include "tests/support/Trials.h"
 
 using namespace lessons;
@@ -51,10 +54,8 @@ private slots:
 private:
     QString write(const QString& name, const QByteArray& content) const
     {
-        QFile file(m_folder->filePath(name));
-        if (!file.open(QIODevice::WriteOnly) || file.write(content) != content.size())
-            qFatal("the scratch folder cannot be written");
-        return file.fileName();
+        support::write(m_folder->filePath(name), content.toStdString());
+        return m_folder->filePath(name);
     }
     QString write(const QString& name, const QJsonObject& object) const
     {
@@ -163,7 +164,7 @@ void TestLessonReader::everyShippedLessonIsSoundAndHasItsDecay()
         Lesson coarse = shipped;
         coarse.gridSide = 100;
         const auto assigned = assign(coarse);
-        QVERIFY2(assigned.has_value(), assigned ? "" : assigned.error().detail.c_str());
+        QVERIFY(support::succeeds(assigned));
         const double decayMm3 = assigned->report.layersMm3[0];
         QVERIFY2(decayMm3 > 0.1, qPrintable(QStringLiteral("%1: %2 mm3").arg(shipped.id.c_str()).arg(decayMm3)));
     }
@@ -172,9 +173,7 @@ void TestLessonReader::everyShippedLessonIsSoundAndHasItsDecay()
 
 void TestLessonReader::tellsEachFaultByFileAndKey_data()
 {
-    QTest::addColumn<QString>("key");
-    QTest::addColumn<QByteArray>("value");
-    QTest::addColumn<QString>("says");
+    support::columns<QString, QByteArray, QString>("key", "value", "says");
     const auto row = [](const char* name, const char* key, const char* value, const char* says) {
         QTest::newRow(name) << QString(key) << QByteArray(value) << QString(says);
     };

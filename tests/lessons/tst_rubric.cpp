@@ -12,6 +12,7 @@
 #include "lessons/Rubric.h"
 #include "lessons/RubricReader.h"
 #include "lessons/ScoreSheetJson.h"
+#include "tests/support/Tables.h"
 
 using namespace lessons;
 
@@ -91,9 +92,7 @@ void TestRubric::theExampleOfTheDocumentIsRight()
 
 void TestRubric::eachSideCountsItsOwnErrors_data()
 {
-    QTest::addColumn<int>("side");
-    QTest::addColumn<double>("value");
-    QTest::addColumn<double>("error");
+    support::columns<int, double, double>("side", "value", "error");
     QTest::newRow("over, above") << 0 << 2.0 << 0.25;
     QTest::newRow("over, below") << 0 << 0.5 << 0.0;
     QTest::newRow("under, above") << 1 << 2.0 << 0.0;
@@ -296,8 +295,7 @@ void TestRubric::aClassIsComparedFromFivePeopleOn()
 
 void TestRubric::refusesWhatCannotMark_data()
 {
-    QTest::addColumn<int>("what");
-    QTest::addColumn<QString>("says");
+    support::columns<int, QString>("what", "says");
     QTest::newRow("weights over 100") << 0 << "make 110.0 points";
     QTest::newRow("weights under 100") << 1 << "make 90.0 points";
     QTest::newRow("twice the same id") << 2 << "twice";

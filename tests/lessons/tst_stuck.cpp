@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "lessons/Stuck.h"
+#include "tests/support/Tables.h"
 
 using lessons::isStuck;
 using lessons::Try;
@@ -32,8 +33,7 @@ std::vector<Try> failed(const QList<int>& newestFirst)
 
 void TestStuck::lastAttempts_data()
 {
-    QTest::addColumn<QList<int>>("newestFirst");
-    QTest::addColumn<bool>("stuck");
+    support::columns<QList<int>, bool>("newestFirst", "stuck");
     QTest::newRow("none") << QList<int>{} << false;
     QTest::newRow("two are too few") << QList<int>{400, 400} << false;
     QTest::newRow("three alike") << QList<int>{400, 400, 400} << true;

@@ -50,6 +50,19 @@ void Rig::resume(const core::recording::Recording& recording, std::uint64_t gene
     begin(*this);
 }
 
+void Rig::drill(const std::shared_ptr<const core::terrain::ToothAnatomy>& anatomy, std::uint64_t generation,
+                const std::string& lesson)
+{
+    open(anatomy, generation, lesson);
+    send(SetDrill{true});
+}
+
+void Rig::give(const SessionCommand& command)
+{
+    send(command);
+    run(20);
+}
+
 void Rig::run(int ticks, std::chrono::microseconds dt)
 {
     for (int k = 0; k < ticks; ++k) {
@@ -64,6 +77,14 @@ void Rig::lean(double x, double y, double newtons, int ticks)
     const double stretch = newtons / settings.force.stiffnessNPerMm;
     for (int k = 0; k < ticks; ++k) {
         device.tipMm = glm::vec3(glm::dvec3(x, y, servo->state().anchorMm.z - stretch));
+        run(1);
+    }
+}
+
+void Rig::follow(RestlessHand& hand, int ticks)
+{
+    for (int n = 0; n < ticks; ++n) {
+        device.tipMm = hand.next();
         run(1);
     }
 }

@@ -35,13 +35,20 @@ struct Rig
     /// Hands a new tooth to the session and lets both loops begin with it. Leaves one tick on the recording.
     void open(const std::shared_ptr<const core::terrain::ToothAnatomy>& anatomy, std::uint64_t generation = 1,
               const std::string& lesson = {});
+    /// The same, and the drill is on.
+    void drill(const std::shared_ptr<const core::terrain::ToothAnatomy>& anatomy, std::uint64_t generation = 1,
+               const std::string& lesson = {});
     /// Goes on with an attempt made elsewhere; as open() otherwise.
     void resume(const core::recording::Recording& recording, std::uint64_t generation = 1);
     void send(const core::session::SessionCommand& command);
+    /// Sends it and beats until both loops have done it.
+    void give(const core::session::SessionCommand& command);
     /// Beats the servo, and the session after every tenth beat, as in the program.
     void run(int ticks, std::chrono::microseconds dt = std::chrono::milliseconds(1));
     /// Leans straight down at (x, y) with about so many newtons against the spring for some ticks.
     void lean(double x, double y, double newtons, int ticks);
+    /// Goes where a hand goes, for some ticks.
+    void follow(class RestlessHand& hand, int ticks);
     /// Lifts off and waits until the stroke has ended and everything has been told.
     void lift();
     /// Beats the session until no event and no patch is left.

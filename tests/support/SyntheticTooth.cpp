@@ -38,6 +38,14 @@ std::shared_ptr<const core::terrain::ToothAnatomy> makeBlock(const Block& block)
     return tooth;
 }
 
+std::shared_ptr<const core::terrain::ToothAnatomy> smallBlock(double cellMm)
+{
+    Block block;
+    block.side = 64;
+    block.cellMm = cellMm;
+    return makeBlock(block);
+}
+
 std::shared_ptr<const core::terrain::ToothAnatomy> wavyDisc(int side, double cellMm)
 {
     Block block;

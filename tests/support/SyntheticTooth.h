@@ -24,6 +24,18 @@ struct Block
 /// Block centred on the origin of the tooth frame.
 [[nodiscard]] std::shared_ptr<const core::terrain::ToothAnatomy> makeBlock(const Block& block);
 
+/// One of enamel, 64 cells a side: quick to work on.
+[[nodiscard]] std::shared_ptr<const core::terrain::ToothAnatomy> smallBlock(double cellMm = 0.12);
+
+/// Calls `use` with the number and the place of each node of a grid.
+template <class Use>
+void eachNode(const core::terrain::Grid& grid, Use&& use)
+{
+    for (int j = 0; j < grid.side; ++j)
+        for (int i = 0; i < grid.side; ++i)
+            use(grid.index(i, j), grid.nodeMm(i, j));
+}
+
 /// A disc of 4 mm radius under a top that waves along x by 0.3 mm, enamel above -1: no lattice cuts its rim evenly.
 [[nodiscard]] std::shared_ptr<const core::terrain::ToothAnatomy> wavyDisc(int side, double cellMm);
 

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+#include <string_view>
+
+#include <QtGlobal>
+
+#include "core/base/Result.h"
+
+/// Checks that print what they found where it is not what they look for.
+namespace support {
+
+[[nodiscard]] inline bool near(double actual, double expected, double tolerance = 1.0e-9)
+{
+    const bool isNear = std::abs(actual - expected) <= tolerance;
+    if (!isNear)
+        qWarning("%.9g is not %.9g", actual, expected);
+    return isNear;
+}
+
+/// Whether something came of it; else what went wrong.
+template <class T>
+[[nodiscard]] bool succeeds(const core::Result<T>& result)
+{
+    if (!result)
+        qWarning("%s", result.error().detail.c_str());
+    return result.has_value();
+}
+
+/// Refused, with that code.
+template <class T>
+[[nodiscard]] bool isRefused(const core::Result<T>& result, core::ErrorCode code)
+{
+    const bool is = !result && result.error().code == code;
+    if (!is)
+        qWarning("%s", result ? "it was not refused" : result.error().detail.c_str());
+    return is;
+}
+
+/// Refused, in a sentence that holds these words.
+template <class T>
+[[nodiscard]] bool isRefused(const core::Result<T>& result, std::string_view words)
+{
+    const bool is = !result && result.error().detail.find(words) != std::string::npos;
+    if (!is)
+        qWarning("%s", result ? "it was not refused" : result.error().detail.c_str());
+    return is;
+}
+
+}  // namespace support
