@@ -11,7 +11,7 @@
 #include "core/preparation/ToleranceBand.h"
 #include "core/preparation/ToothPreparation.h"
 #include "core/teeth/ToothBuilder.h"
-#include "tests/fuzz/ExerciseIdeal.h"
+#include "tests/fuzz/Exercises.h"
 #include "tests/support/Checks.h"
 #include "tests/support/Files.h"
 
@@ -280,11 +280,7 @@ void TestCapturedIdeal::corpusOfTheFuzzerIsHarmless()
         support::writeSeed("ideal", "saved", bytes);
         support::writeSeed("ideal", "unpacked", fuzz::unpackedIdeal(bytes));
     }
-    QVERIFY(support::forEachSeed("ideal", [](const std::string& bytes) {
-        fuzz::exerciseIdeal(bytes);
-        fuzz::exerciseIdeal(fuzz::idealWithChecksum(bytes));
-        fuzz::exerciseIdeal(fuzz::packedIdeal(bytes));
-    }));
+    QVERIFY(support::forEachSeed("ideal", fuzz::exerciseIdeal));
 }
 
 QTEST_GUILESS_MAIN(TestCapturedIdeal)

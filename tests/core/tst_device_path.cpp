@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/recording/DevicePath.h"
-#include "tests/fuzz/ExercisePath.h"
+#include "tests/fuzz/Exercises.h"
 #include "tests/support/Checks.h"
 #include "tests/support/Files.h"
 #include "tests/support/Tables.h"

@@ -5,7 +5,7 @@
 #include "core/recording/Format.h"
 #include "core/recording/Replay.h"
 #include "core/session/JournalLoop.h"
-#include "tests/fuzz/ExerciseJournal.h"
+#include "tests/fuzz/Exercises.h"
 #include "tests/support/Checks.h"
 #include "tests/support/Files.h"
 #include "tests/support/FullDisk.h"
@@ -596,10 +596,7 @@ void TestJournal::corpusOfTheFuzzerIsHarmless()
 {
     if (support::rewritesSeeds())
         support::writeSeed("journal", "short", shortJournal());
-    QVERIFY(support::forEachSeed("journal", [](const std::string& bytes) {
-        fuzz::exerciseJournal(bytes);
-        fuzz::exerciseJournal(fuzz::journalWithChecksums(bytes));
-    }));
+    QVERIFY(support::forEachSeed("journal", fuzz::exerciseJournal));
 }
 
 QTEST_APPLESS_MAIN(TestJournal)

@@ -12,7 +12,7 @@
 
 #include "core/base/Rng.h"
 #include "core/mesh/MeshReader.h"
-#include "tests/fuzz/ExerciseMesh.h"
+#include "tests/fuzz/Exercises.h"
 #include "tests/support/Checks.h"
 #include "tests/support/Files.h"
 #include "tests/support/Solids.h"

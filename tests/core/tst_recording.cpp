@@ -16,7 +16,7 @@
 #include "core/recording/Format.h"
 #include "core/recording/Replay.h"
 #include "core/session/ServoNumbers.h"
-#include "tests/fuzz/ExerciseRecording.h"
+#include "tests/fuzz/Exercises.h"
 #include "tests/support/Checks.h"
 #include "tests/support/Files.h"
 #include "tests/support/FullDisk.h"
@@ -551,11 +551,7 @@ void TestRecording::minuteIsUnderAMegabyte()
 
 void TestRecording::corpusOfTheFuzzerIsHarmless()
 {
-    QVERIFY(support::forEachSeed("recording", [](const std::string& bytes) {
-        fuzz::exerciseRecording(bytes);
-        fuzz::exerciseRecording(fuzz::withChecksums(bytes));
-        fuzz::exerciseRecording(fuzz::packed(bytes));
-    }));
+    QVERIFY(support::forEachSeed("recording", fuzz::exerciseRecording));
 }
 
 QTEST_APPLESS_MAIN(TestRecording)

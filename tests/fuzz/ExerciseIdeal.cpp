@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/fuzz/ExerciseIdeal.h"
+#include "tests/fuzz/Exercises.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <memory>
 #include <span>
 
@@ -25,12 +24,6 @@ using preparation::CapturedIdeal;
 constexpr std::size_t kHeader = 28;
 constexpr std::size_t kMagicAndVersion = 12;
 constexpr int kLargestGrid = 100;  // a larger one takes too long for a fuzzer
-
-void promise(bool kept)
-{
-    if (!kept)
-        std::abort();
-}
 
 std::string withPayload(std::string_view bytes, std::string_view payload)
 {
@@ -87,9 +80,7 @@ void markBy(CapturedIdeal ideal)
     }
 }
 
-}  // namespace
-
-void exerciseIdeal(std::string_view bytes)
+void readIdeal(std::string_view bytes)
 {
     const auto ideal = preparation::capturedFrom(bytes);
     if (!ideal) {
@@ -103,14 +94,15 @@ void exerciseIdeal(std::string_view bytes)
         markBy(*ideal);
 }
 
-std::string idealWithChecksum(std::string_view bytes)
-{
-    return bytes.size() < kHeader ? std::string(bytes) : withPayload(bytes, bytes.substr(kHeader));
-}
+}  // namespace
 
-std::string packedIdeal(std::string_view bytes)
+void exerciseIdeal(std::string_view bytes)
 {
-    return bytes.size() < kHeader ? std::string(bytes) : withPayload(bytes, recording::pack(bytes.substr(kHeader)));
+    readIdeal(bytes);
+    if (bytes.size() < kHeader)
+        return;
+    readIdeal(withPayload(bytes, bytes.substr(kHeader)));
+    readIdeal(withPayload(bytes, recording::pack(bytes.substr(kHeader))));
 }
 
 std::string unpackedIdeal(std::string_view bytes)

@@ -1,23 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/fuzz/ExerciseLesson.h"
+#include "tests/fuzz/Exercises.h"
 
-#include <cstdlib>
-
+#include "core/recording/Format.h"
 #include "lessons/JsonFiles.h"
 #include "lessons/LessonPack.h"
 #include "lessons/LessonReader.h"
 
 namespace fuzz {
-namespace {
-
-void promise(bool kept)
-{
-    if (!kept)
-        std::abort();
-}
-
-}  // namespace
-
 void exerciseLesson(std::string_view bytes)
 {
     const QString name = QStringLiteral("fuzzed.lesson.json");
@@ -35,7 +24,9 @@ void exerciseLesson(std::string_view bytes)
     promise(again.lesson && *again.lesson == *read.lesson);
 }
 
-void exercisePack(std::string_view bytes)
+namespace {
+
+void readPack(std::string_view bytes)
 {
     const auto files = lessons::unpackLessons(QByteArray(bytes.data(), static_cast<qsizetype>(bytes.size())));
     if (!files) {
@@ -51,6 +42,14 @@ void exercisePack(std::string_view bytes)
             exerciseLesson({file.content.constData(), static_cast<std::size_t>(file.content.size())});
     }
     promise(sum <= lessons::kLargestPackBytes);
+}
+
+}  // namespace
+
+void exercisePack(std::string_view bytes)
+{
+    readPack(bytes);
+    readPack(core::recording::pack(bytes));
 }
 
 }  // namespace fuzz

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/fuzz/ExerciseMesh.h"
+#include "tests/fuzz/Exercises.h"
 
 #include <algorithm>
 #include <cmath>

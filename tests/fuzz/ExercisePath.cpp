@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/fuzz/ExercisePath.h"
+#include "tests/fuzz/Exercises.h"
 
 #include <cmath>
-#include <cstdlib>
 
 #include "core/recording/DevicePath.h"
 
@@ -10,12 +9,6 @@ namespace fuzz {
 namespace {
 
 using namespace core::recording;
-
-void promise(bool kept)
-{
-    if (!kept)
-        std::abort();
-}
 
 bool isNear(const glm::dvec3& tip)
 {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/fuzz/ExerciseRecording.h"
+#include "tests/fuzz/Exercises.h"
 
 #include <cmath>
-#include <cstdlib>
 #include <functional>
 #include <span>
 
@@ -23,12 +22,6 @@ constexpr int kMostRestores = 20;
 constexpr std::uint32_t kEndSection = 4;
 constexpr unsigned long long kLargestSection = 64ULL * 1024 * 1024;
 constexpr int kLargestGrid = 160;  // a larger one takes too long for a fuzzer
-
-void promise(bool kept)
-{
-    if (!kept)
-        std::abort();
-}
 
 /// The bytes with the payload of each whole section put through `change` and its size and checksum set to match.
 std::string forEachSection(std::string_view bytes,
@@ -60,11 +53,6 @@ std::string forEachSection(std::string_view bytes,
 
 }  // namespace
 
-std::string withChecksums(std::string_view bytes)
-{
-    return forEachSection(bytes, [](std::uint32_t, std::string_view payload) { return std::string(payload); });
-}
-
 std::string unpacked(std::string_view bytes)
 {
     return forEachSection(bytes, [](std::uint32_t kind, std::string_view payload) {
@@ -77,18 +65,20 @@ std::string unpacked(std::string_view bytes)
     });
 }
 
-std::string packed(std::string_view bytes)
+void exerciseRecording(std::string_view bytes)
 {
-    return forEachSection(bytes, [](std::uint32_t kind, std::string_view payload) {
+    playRecording(bytes);
+    playRecording(forEachSection(bytes, [](std::uint32_t, std::string_view payload) { return std::string(payload); }));
+    playRecording(forEachSection(bytes, [](std::uint32_t kind, std::string_view payload) {
         if (kind == kEndSection)
             return std::string(payload);
         std::string out(ZSTD_compressBound(payload.size()), '\0');
         out.resize(ZSTD_compress(out.data(), out.size(), payload.data(), payload.size(), 1));
         return out;
-    });
+    }));
 }
 
-void exerciseRecording(std::string_view bytes)
+void playRecording(std::string_view bytes)
 {
     const auto recording = Recording::fromBytes(bytes);
     if (!recording) {

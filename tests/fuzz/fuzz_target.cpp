@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Every fuzz target: CMake tells it which exercise it is.
 #include <cstddef>
 #include <cstdint>
 
-#include "tests/fuzz/ExerciseLesson.h"
+#include "tests/fuzz/Exercises.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
-    fuzz::exerciseLesson({reinterpret_cast<const char*>(data), size});
+    fuzz::CUSP_EXERCISE({reinterpret_cast<const char*>(data), size});
     return 0;
 }
