@@ -35,9 +35,9 @@ double length(const glm::dvec3& v)
     return std::sqrt(glm::dot(v, v));
 }
 
-/// A servo without a session: the test reads the queues itself.
 constexpr float kPromptS = 0.0005F;  ///< a delay that any spring holds
 
+/// A servo without a session: the test reads the queues itself.
 struct Bare
 {
     explicit Bare(const ServoSettings& which = {}) : settings(which) {}
@@ -51,30 +51,67 @@ struct Bare
     void give(const std::shared_ptr<const terrain::ToothAnatomy>& anatomy, std::uint64_t serial, bool anew = true)
     {
         auto* tooth = new contact::LiveTooth(terrain::Tooth(anatomy));
-        QVERIFY(links->commands.tryPush(SwapTooth{tooth, 1, serial, anew, 0}));
+        send(SwapTooth{tooth, 1, serial, anew, 0});
     }
-    /// One tick, leaning down at (x, y).
-    void lean(double x, double y, double stretchMm = 0.8)
+    void send(const ServoCommand& command) const { QVERIFY(links->commands.tryPush(command)); }
+    void tick(int ticks = 1)
     {
-        device.tipMm = glm::vec3(glm::dvec3(x, y, servo.state().anchorMm.z - stretchMm));
-        servo.tick(1ms);
+        for (int n = 0; n < ticks; ++n)
+            servo.tick(1ms);
     }
-    [[nodiscard]] const std::vector<float>& top() const { return servo.tooth()->tooth().top; }
-    void drainEvents() const
+    /// Leans down at (x, y).
+    void lean(double x, double y, double stretchMm = 0.8, int ticks = 1)
     {
-        for (ServoEvent event; links->events.tryPop(event);) {
-            // not looked at
+        for (int n = 0; n < ticks; ++n) {
+            device.tipMm = glm::vec3(glm::dvec3(x, y, servo.state().anchorMm.z - stretchMm));
+            tick();
         }
     }
+    [[nodiscard]] double forceN() const { return length(servo.state().forceN); }
+    [[nodiscard]] const std::vector<float>& top() const { return servo.tooth()->tooth().top; }
+    /// All events of a kind so far, and the others are passed over.
+    std::vector<ServoEvent> drainEvents(ServoEvent::Kind kind = ServoEvent::Kind::Tick) const
+    {
+        std::vector<ServoEvent> events;
+        for (ServoEvent event; links->events.tryPop(event);)
+            if (event.kind == kind)
+                events.push_back(event);
+        return events;
+    }
+    /// The teeth that were handed back.
+    int freeRetired() const
+    {
+        int freed = 0;
+        for (contact::LiveTooth* old = nullptr; links->retired.tryPop(old); ++freed)
+            delete old;
+        return freed;
+    }
+    template <class Take>
+    void takePatches(Take&& take) const
+    {
+        for (TilePatch patch; links->patches.tryPop(patch);)
+            take(patch);
+    }
 };
+
+/// With a round hole in its middle.
+contact::LiveTooth* holed(const std::shared_ptr<const terrain::ToothAnatomy>& anatomy, double radiusMm, double deepMm)
+{
+    std::vector<float> top = anatomy->top;
+    support::eachNode(anatomy->grid, [&](std::size_t k, const glm::dvec2& at) {
+        top[k] -= glm::length(at) < radiusMm ? static_cast<float>(deepMm) : 0.0F;
+    });
+    return new contact::LiveTooth(terrain::restored(anatomy, std::move(top)));
+}
 
 /// A reader that keeps to the rule: it applies a group when it has all of it.
 struct Reader
 {
+    explicit Reader(const terrain::ToothAnatomy& anatomy) : map(anatomy.grid, anatomy.top) {}
+
     history::TiledHeights map;
     std::vector<TilePatch> group;
     std::uint64_t tick = 0;
-    int groups = 0;
     int strokes = 0;
 
     /// Takes one patch; true if a group became whole.
@@ -87,7 +124,6 @@ struct Reader
             map.setTile(one.tileX, one.tileY, one.top);
         tick = patch.tick;
         strokes += patch.strokeEnded ? 1 : 0;
-        ++groups;
         group.clear();
         return true;
     }
@@ -200,19 +236,16 @@ void TestServoLoop::tickNeitherAllocatesNorLocks()
         locks += support::locksOnThisThread() - locksBefore;
         cuts += bare.servo.state().cutting ? 1U : 0U;
     };
-    QVERIFY(bare.links->commands.tryPush(SetDrill{true}));
+    bare.send(SetDrill{true});
     std::uint64_t serial = 1;
     for (int n = 0; n < 6000; ++n) {
         if (n % 500 == 100)
-            QVERIFY(bare.links->commands.tryPush(SetBur{static_cast<std::uint8_t>(n / 500 % 4)}));
+            bare.send(SetBur{static_cast<std::uint8_t>(n / 500 % 4)});
         if (n % 40 == 7)
-            QVERIFY(bare.links->commands.tryPush(
-                SetNumber{static_cast<std::uint8_t>(n / 40 % 16), 0.001F * static_cast<float>(n % 700)}));
+            bare.send(SetNumber{static_cast<std::uint8_t>(n / 40 % 16), 0.001F * static_cast<float>(n % 700)});
         if (n % 1000 == 300) {
             bare.give(anatomy, ++serial, n % 2000 == 300);  // outside the measured tick
-            contact::LiveTooth* old = nullptr;
-            while (bare.links->retired.tryPop(old))
-                delete old;
+            bare.freeRetired();
         }
         bare.device.tipMm = hand.next();
         bare.device.present = n % 97 != 0;
@@ -227,8 +260,7 @@ void TestServoLoop::tickNeitherAllocatesNorLocks()
     QVERIFY((bare.state.latest().health & kRecordGap) != 0);
     QCOMPARE(allocations, 0L);
     QCOMPARE(locks, 0L);
-    for (contact::LiveTooth* old = nullptr; bare.links->retired.tryPop(old);)
-        delete old;
+    bare.freeRetired();
 }
 
 /// The console turns the stiffness while the hand leans on the tooth.
@@ -236,28 +268,24 @@ void TestServoLoop::anotherSpringUnderTheHandComesSoftly()
 {
     Bare bare;
     bare.give(block(), 1);
-    for (int n = 0; n < 300; ++n)
-        bare.lean(0.0, 0.0, 1.0);
+    bare.lean(0.0, 0.0, 1.0, 300);
     const glm::dvec3 device = bare.servo.state().deviceMm;
     const double mostPerTick = 1.1 * contact::ForceSettings{}.slewNPerS * 0.001;
     for (const float nPerMm : {4.0F, 0.5F, 2.0F}) {
         bare.drainEvents();
-        const double before = length(bare.servo.state().forceN);
-        QVERIFY(bare.links->commands.tryPush(SetNumber{9, nPerMm}));
+        const double before = bare.forceN();
+        bare.send(SetNumber{9, nPerMm});
         double last = before;
         for (int n = 0; n < 300; ++n) {
             bare.device.tipMm = glm::vec3(device);
-            bare.servo.tick(1ms);
-            const double now = length(bare.servo.state().forceN);
+            bare.tick();
+            const double now = bare.forceN();
             QVERIFY2(std::abs(now - last) <= mostPerTick, qPrintable(QString("%1 N in a tick").arg(now - last)));
             last = now;
         }
         QVERIFY2(nPerMm > 3.0F ? last > 1.5 * before : std::abs(last - before) > 0.1,
                  qPrintable(QString::number(last)));
-        int told = 0;
-        for (ServoEvent event; bare.links->events.tryPop(event);)
-            told += event.kind == ServoEvent::Kind::Number ? 1 : 0;
-        QCOMPARE(told, 1);
+        QCOMPARE(bare.drainEvents(ServoEvent::Kind::Number).size(), 1U);
     }
 }
 
@@ -276,31 +304,30 @@ void TestServoLoop::lostDeviceMeansNoForceWithinTenMs()
     QFETCH(float, x);
     Bare bare;
     bare.give(block(), 1);
-    for (int n = 0; n < 200; ++n)
-        bare.lean(0.0, 0.0, 2.0);
-    QVERIFY(length(bare.servo.state().forceN) > 3.0);
+    bare.lean(0.0, 0.0, 2.0, 200);
+    QVERIFY(bare.forceN() > 3.0);
     const glm::dvec3 anchor = bare.servo.state().anchorMm;
     bare.device.present = present;
     if (present)
         bare.device.tipMm.x = x;
     for (int n = 1; n < 10; ++n) {  // perhaps but a spoilt packet: who lets go for it throws the hand into the tooth
-        bare.servo.tick(1ms);
-        QVERIFY(length(bare.servo.state().forceN) > 3.0);
+        bare.tick();
+        QVERIFY(bare.forceN() > 3.0);
         QVERIFY((bare.state.latest().health & kDeviceLost) == 0);
     }
     for (int n = 0; n < 10; ++n) {
-        bare.servo.tick(1ms);
+        bare.tick();
         QCOMPARE(bare.servo.state().forceN, glm::dvec3(0.0));
         QVERIFY((bare.state.latest().health & kDeviceLost) != 0);
         QCOMPARE(bare.servo.state().touching, false);
         QCOMPARE(bare.servo.state().anchorMm, anchor);
     }
-    bare.servo.tick(1ms);
+    bare.tick();
     QCOMPARE(bare.device.forceN, glm::dvec3(0.0));  // and so told to the hand
     // Back again.
     bare.device.present = true;
     bare.device.tipMm = glm::vec3(0.0F, 0.0F, 3.0F);
-    bare.servo.tick(1ms);
+    bare.tick();
     QVERIFY((bare.state.latest().health & kDeviceLost) == 0);
 }
 
@@ -314,17 +341,17 @@ void TestServoLoop::aReadingThatLeapsIsPassedOver()
             Bare bare(falcon);
             bare.give(block(), 1);
             bare.device.tipMm = {0.0F, 0.0F, 3.0F};
-            bare.servo.tick(1ms);
+            bare.tick();
             for (int n = 0; n < 300; ++n) {
                 if (deep > 0.0)
                     bare.lean(0.0, 0.0, deep);
                 else
-                    bare.servo.tick(1ms);
+                    bare.tick();
             }
             const glm::dvec3 before = bare.servo.state().forceN;
             for (int n = 0; n < 100; ++n) {
                 bare.device.tipMm.x = n == 0 || n == 5 ? aside : 0.0F;
-                bare.servo.tick(1ms);
+                bare.tick();
                 const glm::dvec3 change = bare.servo.state().forceN - before;
                 QVERIFY2(length(change) < 0.05, qPrintable(QString("%1 mm, %6 deep, tick %2: %3 N, before %4 now %5")
                                                                .arg(aside)
@@ -343,13 +370,12 @@ void TestServoLoop::readingsThatStayElsewhereAreADeviceThatWasLost()
 {
     Bare bare;
     bare.give(block(), 1);
-    bare.servo.tick(1ms);
-    for (int n = 0; n < 200; ++n)
-        bare.lean(0.0, 0.0, 0.5);
+    bare.tick();
+    bare.lean(0.0, 0.0, 0.5, 200);
     bare.device.tipMm.x += 15.0F;
     bool wasLost = false;
     for (int n = 0; n < 20; ++n) {
-        bare.servo.tick(1ms);
+        bare.tick();
         wasLost = wasLost || (bare.servo.state().health & kDeviceLost) != 0;
     }
     QVERIFY(wasLost);
@@ -361,18 +387,16 @@ void TestServoLoop::forceComesBackWithoutAJump()
 {
     Bare bare;
     bare.give(block(), 1);
-    for (int n = 0; n < 200; ++n)
-        bare.lean(0.0, 0.0, 0.9);
+    bare.lean(0.0, 0.0, 0.9, 200);
     bare.device.present = false;
-    for (int n = 0; n < 10; ++n)
-        bare.servo.tick(1ms);
+    bare.tick(10);
     bare.device.present = true;
     const double slew = contact::ForceSettings{}.slewNPerS;
     // Not within the ticks that the slew limit asks for: over a fifth of a second.
     double before = 0.0;
     for (int n = 0; n < 250; ++n) {
         bare.lean(0.0, 0.0, 0.9);
-        const double now = length(bare.servo.state().forceN);
+        const double now = bare.forceN();
         QVERIFY(now - before <= slew * 0.001 + 1.0e-9);
         if (n < 50)
             QVERIFY2(now < 0.8, qPrintable(QString::number(now)));
@@ -385,39 +409,34 @@ void TestServoLoop::aHandThatSankInWhileTheDeviceWasLostIsNotThrownOut()
 {
     Bare bare;
     bare.give(block(), 1);
-    bare.servo.tick(1ms);
-    for (int n = 0; n < 200; ++n)
-        bare.lean(0.0, 0.0, 0.5);
-    QVERIFY(length(bare.servo.state().forceN) > 0.9);
+    bare.tick();
+    bare.lean(0.0, 0.0, 0.5, 200);
+    QVERIFY(bare.forceN() > 0.9);
     bare.device.present = false;
-    for (int n = 0; n < 100; ++n)
-        bare.servo.tick(1ms);
+    bare.tick(100);
     bare.device.present = true;
     bare.device.tipMm = {0.0F, 0.0F, -3.0F};
     for (int n = 0; n < 500; ++n) {
-        bare.servo.tick(1ms);
+        bare.tick();
         QCOMPARE(bare.servo.state().forceN, glm::dvec3(0.0));
         QVERIFY((bare.servo.state().health & kBegunInside) != 0);
     }
     bare.device.tipMm = {0.0F, 0.0F, 1.0F};
-    bare.servo.tick(1ms);
-    for (int n = 0; n < 20; ++n)
-        bare.lean(0.0, 0.0, 0.5);
-    QVERIFY(length(bare.servo.state().forceN) < 0.2);  // it still comes back by and by
-    for (int n = 0; n < 200; ++n)
-        bare.lean(0.0, 0.0, 0.5);
-    QVERIFY(length(bare.servo.state().forceN) > 0.9);
+    bare.tick();
+    bare.lean(0.0, 0.0, 0.5, 20);
+    QVERIFY(bare.forceN() < 0.2);  // it still comes back by and by
+    bare.lean(0.0, 0.0, 0.5, 200);
+    QVERIFY(bare.forceN() > 0.9);
 }
 
 void TestServoLoop::aLateDeviceSoftensTheSpring()
 {
     Bare bare;
     bare.give(block(), 1);
-    bare.servo.tick(1ms);
+    bare.tick();
     const auto restForce = [&] {
-        for (int n = 0; n < 400; ++n)
-            bare.lean(0.0, 0.0, 0.5);
-        return length(bare.servo.state().forceN);
+        bare.lean(0.0, 0.0, 0.5, 400);
+        return bare.forceN();
     };
     const double prompt = restForce();
     QVERIFY((bare.state.latest().health & kLoopIsSlow) == 0);
@@ -426,11 +445,8 @@ void TestServoLoop::aLateDeviceSoftensTheSpring()
     const double late = restForce();
     QVERIFY2(std::abs(late / prompt - 0.5) < 0.01, qPrintable(QString::number(late / prompt)));
     QVERIFY((bare.state.latest().health & kLoopIsSlow) != 0);
-    std::vector<std::uint64_t> springs;
-    for (ServoEvent event; bare.links->events.tryPop(event);)
-        if (event.kind == ServoEvent::Kind::Spring)
-            springs.push_back(event.value);
-    QCOMPARE(springs, std::vector<std::uint64_t>{50});  // a replay must know
+    const auto springs = bare.drainEvents(ServoEvent::Kind::Spring);
+    QVERIFY(springs.size() == 1 && springs[0].value == 50);  // a replay must know
     // Ticks without a measurement, or without a reading, are no prompt answers.
     for (int n = 0; n < 2000; ++n) {
         bare.drainEvents();
@@ -458,23 +474,21 @@ void TestServoLoop::oneLateAnswerSoftensNothing()
     Bare bare;
     bare.give(block(), 1);
     bare.device.delayS = kPromptS;
-    bare.servo.tick(1ms);
-    for (int n = 0; n < 400; ++n)
-        bare.lean(0.0, 0.0, 0.5);
-    const double prompt = length(bare.servo.state().forceN);
+    bare.tick();
+    bare.lean(0.0, 0.0, 0.5, 400);
+    const double prompt = bare.forceN();
     for (const float delayS : {0.003F, 0.02F, 0.1F, INFINITY, std::nanf("")}) {
         bare.device.delayS = delayS;
         bare.lean(0.0, 0.0, 0.5);
         bare.device.delayS = kPromptS;
         for (int n = 0; n < 10; ++n) {
             bare.lean(0.0, 0.0, 0.5);
-            QVERIFY(std::abs(length(bare.servo.state().forceN) / prompt - 1.0) < 0.01);
+            QVERIFY(std::abs(bare.forceN() / prompt - 1.0) < 0.01);
         }
     }
     // Ten in a row are a loop that has stalled. Two seconds later that is over.
     bare.device.delayS = 0.1F;
-    for (int n = 0; n < 10; ++n)
-        bare.lean(0.0, 0.0, 0.5);
+    bare.lean(0.0, 0.0, 0.5, 10);
     QVERIFY((bare.state.latest().health & kLoopIsSlow) != 0);
     bare.device.delayS = kPromptS;
     for (int n = 0; n < 3000; ++n) {
@@ -496,35 +510,25 @@ void TestServoLoop::groundThatComesBackUnderABurComesSoftly()
     QFETCH(double, deepMm);
     Bare bare;
     const auto anatomy = block();
-    contact::LiveTooth* hole = new contact::LiveTooth(terrain::Tooth(anatomy));
-    for (int j = 0; j < anatomy->grid.side; ++j)
-        for (int i = 0; i < anatomy->grid.side; ++i)
-            if (glm::length(anatomy->grid.nodeMm(i, j)) < 1.0)
-                hole->lower(i, j, anatomy->top[anatomy->grid.index(i, j)] - static_cast<float>(deepMm));
+    bare.send(SwapTooth{holed(anatomy, 1.0, deepMm), 1, 1, true, 0});
     const double top = contact::LiveTooth(terrain::Tooth(anatomy)).clearanceAt({0.0, 0.0});
-    QVERIFY(bare.links->commands.tryPush(SwapTooth{hole, 1, 1, true, 0}));
     bare.device.tipMm = {0.0F, 0.0F, static_cast<float>(top) + 1.0F};
-    bare.servo.tick(1ms);
+    bare.tick();
     bare.device.tipMm.z = static_cast<float>(top - deepMm + 0.05);
-    for (int n = 0; n < 300; ++n)
-        bare.servo.tick(1ms);
+    bare.tick(300);
     QCOMPARE(bare.servo.state().forceN, glm::dvec3(0.0));
-    QVERIFY(bare.links->commands.tryPush(
-        SwapTooth{new contact::LiveTooth(terrain::Tooth(anatomy)), 1, 2, false, 0}));  // as Undo does
+    bare.send(SwapTooth{new contact::LiveTooth(terrain::Tooth(anatomy)), 1, 2, false, 0});  // as Undo does
     for (int n = 0; n < 20; ++n) {
-        bare.servo.tick(1ms);
-        QVERIFY2(length(bare.servo.state().forceN) < 0.2,
-                 qPrintable(QString("tick %1: %2 N").arg(n).arg(length(bare.servo.state().forceN))));
+        bare.tick();
+        QVERIFY2(bare.forceN() < 0.2, qPrintable(QString("tick %1: %2 N").arg(n).arg(bare.forceN())));
     }
-    for (int n = 0; n < 300; ++n)
-        bare.servo.tick(1ms);
-    for (contact::LiveTooth* old = nullptr; bare.links->retired.tryPop(old);)
-        delete old;
+    bare.tick(300);
+    bare.freeRetired();
     if (deepMm > 1.0) {
         QCOMPARE(bare.servo.state().forceN, glm::dvec3(0.0));
         QVERIFY((bare.servo.state().health & kBegunInside) != 0);
     } else {
-        QVERIFY(length(bare.servo.state().forceN) > 0.8);
+        QVERIFY(bare.forceN() > 0.8);
     }
 }
 
@@ -534,35 +538,28 @@ void TestServoLoop::aWiderBurInANarrowHoleThrowsNobody()
     constexpr std::size_t kPear = 1;
     Bare bare;
     const auto anatomy = block();
-    contact::LiveTooth* hole = new contact::LiveTooth(terrain::Tooth(anatomy));
-    for (int j = 0; j < anatomy->grid.side; ++j)
-        for (int i = 0; i < anatomy->grid.side; ++i)
-            if (glm::length(anatomy->grid.nodeMm(i, j)) < 0.45)
-                hole->lower(i, j, anatomy->top[anatomy->grid.index(i, j)] - static_cast<float>(kDeepMm));
+    bare.send(SwapTooth{holed(anatomy, 0.45, kDeepMm), 1, 1, true, 0});
     const double top = contact::LiveTooth(terrain::Tooth(anatomy)).clearanceAt({0.0, 0.0});
-    QVERIFY(bare.links->commands.tryPush(SwapTooth{hole, 1, 1, true, 0}));
-    QVERIFY(bare.links->commands.tryPush(SetBur{kPear}));
+    bare.send(SetBur{kPear});
     bare.device.tipMm = {0.0F, 0.0F, static_cast<float>(top) + 1.0F};
-    bare.servo.tick(1ms);
+    bare.tick();
     bare.device.tipMm.z = static_cast<float>(top - kDeepMm - 0.3);
-    for (int n = 0; n < 300; ++n)
-        bare.servo.tick(1ms);
-    const double leaning = length(bare.servo.state().forceN);
+    bare.tick(300);
+    const double leaning = bare.forceN();
     QVERIFY2(leaning > 0.5 && leaning < 0.7, qPrintable(QString::number(leaning)));
-    QVERIFY(bare.links->commands.tryPush(SetBur{3}));
+    bare.send(SetBur{3});
     for (int n = 0; n < 300; ++n) {
-        bare.servo.tick(1ms);
+        bare.tick();
         QCOMPARE(bare.servo.state().forceN, glm::dvec3(0.0));
         QVERIFY((bare.servo.state().health & kBegunInside) != 0);
     }
     // The bur that fits again is felt again, by and by.
-    QVERIFY(bare.links->commands.tryPush(SetBur{kPear}));
+    bare.send(SetBur{kPear});
     bare.device.tipMm.z = static_cast<float>(top - kDeepMm + 0.1);
-    bare.servo.tick(1ms);
+    bare.tick();
     bare.device.tipMm.z = static_cast<float>(top - kDeepMm - 0.3);
-    for (int n = 0; n < 300; ++n)
-        bare.servo.tick(1ms);
-    QVERIFY(length(bare.servo.state().forceN) > 0.5);
+    bare.tick(300);
+    QVERIFY(bare.forceN() > 0.5);
 }
 
 void TestServoLoop::nothingIsCutByAForceThatIsNotFelt()
@@ -570,13 +567,11 @@ void TestServoLoop::nothingIsCutByAForceThatIsNotFelt()
     // A device that was lost and is back: in its first 30 ms less is felt than enamel asks for.
     Bare bare;
     bare.give(block(), 1);
-    bare.servo.tick(1ms);
-    for (int n = 0; n < 300; ++n)
-        bare.lean(0.0, 0.0, 0.3);
+    bare.tick();
+    bare.lean(0.0, 0.0, 0.3, 300);
     bare.device.present = false;
-    for (int n = 0; n < 20; ++n)
-        bare.servo.tick(1ms);
-    QVERIFY(bare.links->commands.tryPush(SetDrill{true}));
+    bare.tick(20);
+    bare.send(SetDrill{true});
     bare.device.present = true;
     const auto removedMm3 = [&] {
         double sum = 0.0;
@@ -585,13 +580,11 @@ void TestServoLoop::nothingIsCutByAForceThatIsNotFelt()
         return sum;
     };
     for (int n = 0; n < 30; ++n) {
-        bare.servo.tick(1ms);
-        QVERIFY2(length(bare.servo.state().forceN) < 0.12,
-                 qPrintable(QStringLiteral("%1: %2 N").arg(n).arg(length(bare.servo.state().forceN))));
+        bare.tick();
+        QVERIFY2(bare.forceN() < 0.12, qPrintable(QStringLiteral("%1: %2 N").arg(n).arg(bare.forceN())));
     }
     QCOMPARE(removedMm3(), 0.0);
-    for (int n = 0; n < 300; ++n)
-        bare.servo.tick(1ms);
+    bare.tick(300);
     QVERIFY(removedMm3() > 0.0);
 }
 
@@ -604,23 +597,18 @@ void TestServoLoop::handIsLedHomeOnRequest()
         Bare bare(settings);
         bare.give(block(), 1);
         bare.device.tipMm = {20.0F, 0.0F, 5.0F};
-        bare.servo.tick(1ms);
+        bare.tick();
         bare.drainEvents();
-        QVERIFY(bare.links->commands.tryPush(BringHome{}));
-        for (int n = 0; n < 100; ++n)
-            bare.servo.tick(1ms);
-        int told = 0;
-        for (ServoEvent event; bare.links->events.tryPop(event);)
-            told += event.kind == ServoEvent::Kind::Home ? 1 : 0;
-        QCOMPARE(told, 1);  // a replay must know
+        bare.send(BringHome{});
+        bare.tick(100);
+        QCOMPARE(bare.drainEvents(ServoEvent::Kind::Home).size(), 1U);  // a replay must know
         if (settings.force.workAreaMm > 0.0) {
             QVERIFY(bare.servo.state().forceN.x < -0.1);
             QVERIFY((bare.state.latest().health & kLedHome) != 0);
             bare.device.present = false;
-            for (int n = 0; n < 10; ++n)
-                bare.servo.tick(1ms);
+            bare.tick(10);
             bare.device.present = true;
-            bare.servo.tick(1ms);
+            bare.tick();
         }
         QCOMPARE(bare.servo.state().forceN, glm::dvec3(0.0));  // a mouse is not led, a device that was lost no longer
     }
@@ -632,10 +620,8 @@ namespace {
 const core::guidance::Fixture* grooveFixture(const terrain::ToothAnatomy& anatomy)
 {
     std::vector<float> ideal = anatomy.top;
-    for (int j = 0; j < anatomy.grid.side; ++j)
-        for (int i = 0; i < anatomy.grid.side; ++i)
-            if (std::abs(anatomy.grid.nodeMm(i, j).x) < 1.0)
-                ideal[anatomy.grid.index(i, j)] -= 1.0F;
+    support::eachNode(anatomy.grid,
+                      [&](std::size_t k, const glm::dvec2& at) { ideal[k] -= std::abs(at.x) < 1.0 ? 1.0F : 0.0F; });
     return new core::guidance::Fixture(anatomy, ideal);
 }
 
@@ -647,17 +633,13 @@ void TestServoLoop::fixtureHoldsTheHandAndNothingElse()
     const auto anatomy = block();
     bare.give(anatomy, 1);
     bare.device.tipMm = {1.2F, 0.0F, 0.05F};  // over the block, beside the groove
-    const auto run = [&](int ticks) {
-        for (int n = 0; n < ticks; ++n)
-            bare.servo.tick(1ms);
-    };
-    run(20);
+    bare.tick(20);
     QCOMPARE(bare.device.forceN, glm::dvec3(0.0));
     bare.drainEvents();
-    QVERIFY(bare.links->commands.tryPush(SetFixture{grooveFixture(*anatomy)}));
-    run(2);
+    bare.send(SetFixture{grooveFixture(*anatomy)});
+    bare.tick(2);
     QVERIFY(length(bare.device.forceN) < 0.02);  // it comes softly
-    run(500);
+    bare.tick(500);
     QVERIFY2(bare.device.forceN.x < -0.2 && bare.device.forceN.x > -1.0,
              qPrintable(QString::number(bare.device.forceN.x)));
     QVERIFY((bare.state.latest().health & kHeldInside) != 0);
@@ -668,25 +650,25 @@ void TestServoLoop::fixtureHoldsTheHandAndNothingElse()
         QVERIFY(event.kind == ServoEvent::Kind::Tick);
     // A lost device is held by nothing, and one that comes back is held softly.
     bare.device.present = false;
-    run(20);
+    bare.tick(20);
     QCOMPARE(bare.device.forceN, glm::dvec3(0.0));
     bare.device.present = true;
-    run(3);
+    bare.tick(3);
     QVERIFY(length(bare.device.forceN) < 0.05);
-    run(500);
+    bare.tick(500);
     QVERIFY(bare.device.forceN.x < -0.2);
     // Put away, and another and another: what was there is handed back to be freed.
-    QVERIFY(bare.links->commands.tryPush(SetFixture{}));
-    run(3);
+    bare.send(SetFixture{});
+    bare.tick(3);
     QCOMPARE(bare.device.forceN, glm::dvec3(0.0));
-    QVERIFY(bare.links->commands.tryPush(SetFixture{grooveFixture(*anatomy)}));
-    QVERIFY(bare.links->commands.tryPush(SetFixture{grooveFixture(*anatomy)}));
-    run(1);
+    bare.send(SetFixture{grooveFixture(*anatomy)});
+    bare.send(SetFixture{grooveFixture(*anatomy)});
+    bare.tick(1);
     int freed = 0;
     for (const core::guidance::Fixture* old = nullptr; bare.links->retiredFixtures.tryPop(old); ++freed)
         delete old;
     QCOMPARE(freed, 2);
-    QVERIFY(bare.links->commands.tryPush(SetFixture{grooveFixture(*anatomy)}));  // and one that comes too late
+    bare.send(SetFixture{grooveFixture(*anatomy)});  // and one that comes too late
 }
 
 /// A hand that leans out of the groove through a simulated device comes to rest: no cycle, no buzz (haptics.md 2.2).
@@ -729,7 +711,7 @@ void TestServoLoop::whatIsHandedOverCostsTheTickNoAllocation()
     Bare bare(settings);
     const auto anatomy = block();
     bare.give(anatomy, 1);
-    QVERIFY(bare.links->commands.tryPush(SetDrill{true}));
+    bare.send(SetDrill{true});
     support::RestlessHand hand(5);
     long allocations = 0;
     long locks = 0;
@@ -737,9 +719,9 @@ void TestServoLoop::whatIsHandedOverCostsTheTickNoAllocation()
     int fixtures = 0;
     for (int n = 0; n < 800; ++n) {
         if (n % 40 == 0)
-            QVERIFY(bare.links->commands.tryPush(SetFixture{n % 80 == 0 ? grooveFixture(*anatomy) : nullptr}));
+            bare.send(SetFixture{n % 80 == 0 ? grooveFixture(*anatomy) : nullptr});
         if (n % 40 == 10)
-            QVERIFY(bare.links->commands.tryPush(SetHandpiece{static_cast<std::uint8_t>(n / 40 % 2)}));
+            bare.send(SetHandpiece{static_cast<std::uint8_t>(n / 40 % 2)});
         if (n % 40 == 20) {
             auto* tooth = new contact::LiveTooth(terrain::Tooth(anatomy));
             QVERIFY(bare.links->commands.tryPush(SwapTooth{tooth, 1, static_cast<std::uint64_t>(n), true, 0, false,
@@ -748,11 +730,10 @@ void TestServoLoop::whatIsHandedOverCostsTheTickNoAllocation()
         bare.device.tipMm = hand.next();
         const long allocationsBefore = support::allocationsOnThisThread();
         const long locksBefore = support::locksOnThisThread();
-        bare.servo.tick(1ms);
+        bare.tick();
         allocations += support::allocationsOnThisThread() - allocationsBefore;
         locks += support::locksOnThisThread() - locksBefore;
-        for (contact::LiveTooth* old = nullptr; bare.links->retired.tryPop(old);)
-            delete old;
+        bare.freeRetired();
         for (ServoTick* old = nullptr; bare.links->retiredServos.tryPop(old); ++servos)
             delete old;
         for (const core::guidance::Fixture* old = nullptr; bare.links->retiredFixtures.tryPop(old); ++fixtures)
@@ -831,8 +812,8 @@ void TestServoLoop::forceNeverPassesTheClamp()
     bool clamped = false;
     for (int n = 0; n < 5000; ++n) {
         bare.device.tipMm = hand.next() * 3.0F;
-        bare.servo.tick(1ms);
-        QVERIFY(length(bare.servo.state().forceN) <= contact::ForceSettings{}.clampN * (1.0 + 1.0e-12));
+        bare.tick();
+        QVERIFY(bare.forceN() <= contact::ForceSettings{}.clampN * (1.0 + 1.0e-12));
         clamped = clamped || (bare.servo.state().health & kForceClamped) != 0;
     }
     QVERIFY(clamped);
@@ -863,9 +844,9 @@ void TestServoLoop::groupsAreMomentsOfTheTooth()
     Bare bare;
     const auto anatomy = block(150);
     bare.give(anatomy, 1);
-    QVERIFY(bare.links->commands.tryPush(SetDrill{true}));
+    bare.send(SetDrill{true});
     std::map<std::uint64_t, std::uint64_t> hashOfTick;
-    Reader reader{history::TiledHeights(anatomy->grid, anatomy->top), {}, 0, 0, 0};
+    Reader reader(*anatomy);
     Rng rng(4);
     int compared = 0;
     for (int n = 0; n < 1500; ++n) {
@@ -890,8 +871,8 @@ void TestServoLoop::fullQueueLosesNothing()
     Bare bare;
     const auto anatomy = block(150);
     bare.give(anatomy, 1);
-    QVERIFY(bare.links->commands.tryPush(SetDrill{true}));
-    Reader reader{history::TiledHeights(anatomy->grid, anatomy->top), {}, 0, 0, 0};
+    bare.send(SetDrill{true});
+    Reader reader(*anatomy);
     bool full = false;
     for (int n = 0; n < 40000 && !full; ++n) {  // a bur that is pulled too hard stalls
         bare.lean(3.0 * std::sin(0.02 * n), 3.0 * std::cos(0.017 * n));
@@ -901,9 +882,8 @@ void TestServoLoop::fullQueueLosesNothing()
     QVERIFY(full);
     bare.device.tipMm.z = 5.0F;
     for (int n = 0; n < 400; ++n) {
-        for (TilePatch patch; bare.links->patches.tryPop(patch);)
-            reader.take(patch);
-        bare.servo.tick(1ms);
+        bare.takePatches([&](const TilePatch& patch) { reader.take(patch); });
+        bare.tick();
     }
     QVERIFY((bare.state.latest().health & kPatchQueueFull) == 0);
     QCOMPARE(reader.map.flat(), bare.top());
@@ -919,7 +899,7 @@ void TestServoLoop::groupLargerThanAnyBurstStillGoes()
     const auto anatomy = support::makeBlock(made);
     Bare bare;
     bare.give(anatomy, 1);
-    QVERIFY(bare.links->commands.tryPush(SetDrill{true}));
+    bare.send(SetDrill{true});
     TilePatch filler;
     filler.toothGeneration = 99;
     while (bare.links->patches.tryPush(filler)) {
@@ -931,12 +911,12 @@ void TestServoLoop::groupLargerThanAnyBurstStillGoes()
         const glm::dvec2 at(0.9 * (place % 8) - 3.2, 1.2 * row - 2.4);
         if (n % 25 < 5) {
             bare.device.tipMm = glm::vec3(glm::dvec3(at, 1.0));
-            bare.servo.tick(1ms);
+            bare.tick();
         } else {
             bare.lean(at.x, at.y, 2.0);
         }
     }
-    Reader reader{history::TiledHeights(anatomy->grid, anatomy->top), {}, 0, 0, 0};
+    Reader reader(*anatomy);
     bare.device.tipMm.z = 5.0F;
     std::size_t largest = 0;
     for (int n = 0; n < 400; ++n) {
@@ -946,7 +926,7 @@ void TestServoLoop::groupLargerThanAnyBurstStillGoes()
             reader.take(patch);
             largest = std::max(largest, reader.group.size());
         }
-        bare.servo.tick(1ms);
+        bare.tick();
     }
     QVERIFY2(largest > 256, qPrintable(QString::number(largest)));
     QCOMPARE(reader.map.flat(), bare.top());
@@ -957,22 +937,19 @@ void TestServoLoop::strokesAreTold()
     Bare bare;
     const auto anatomy = block();
     bare.give(anatomy, 1);
-    QVERIFY(bare.links->commands.tryPush(SetDrill{true}));
-    Reader reader{history::TiledHeights(anatomy->grid, anatomy->top), {}, 0, 0, 0};
+    bare.send(SetDrill{true});
+    Reader reader(*anatomy);
     for (int stroke = 0; stroke < 5; ++stroke) {
         for (int n = 0; n < 100; ++n)
             bare.lean(stroke - 2.0, 0.0);
         bare.device.tipMm.z = 3.0F;
         // A pause shorter than 150 ms does not end a stroke.
-        for (int n = 0; n < 100; ++n)
-            bare.servo.tick(1ms);
+        bare.tick(100);
         for (int n = 0; n < 100; ++n)
             bare.lean(stroke - 2.0, 0.2);
         bare.device.tipMm.z = 3.0F;
-        for (int n = 0; n < 300; ++n)
-            bare.servo.tick(1ms);
-        for (TilePatch patch; bare.links->patches.tryPop(patch);)
-            reader.take(patch);
+        bare.tick(300);
+        bare.takePatches([&](const TilePatch& patch) { reader.take(patch); });
         QCOMPARE(reader.strokes, stroke + 1);
         QCOMPARE(reader.map.flat(), bare.top());
     }
@@ -983,12 +960,10 @@ void TestServoLoop::strokeThatEndsWhileTheQueueIsFullIsToldLater()
     Bare bare;
     const auto anatomy = block();
     bare.give(anatomy, 1);
-    QVERIFY(bare.links->commands.tryPush(SetDrill{true}));
-    for (int n = 0; n < 100; ++n)
-        bare.lean(0.0, 0.0);
+    bare.send(SetDrill{true});
+    bare.lean(0.0, 0.0, 0.8, 100);
     bare.device.tipMm.z = 3.0F;
-    for (int n = 0; n < 20; ++n)
-        bare.servo.tick(1ms);  // the last tiles go
+    bare.tick(20);  // the last tiles go
     // Now somebody fills the queue; the stroke ends meanwhile.
     TilePatch filler;
     filler.toothGeneration = 99;
@@ -996,18 +971,17 @@ void TestServoLoop::strokeThatEndsWhileTheQueueIsFullIsToldLater()
     int fillers = 0;
     while (bare.links->patches.tryPush(filler))
         ++fillers;
-    for (int n = 0; n < 300; ++n)
-        bare.servo.tick(1ms);
+    bare.tick(300);
     // Then tile 0 itself is cut: it must not be listed twice.
     for (int n = 0; n < 50; ++n)
         bare.lean(-4.8, -4.8);
-    Reader reader{history::TiledHeights(anatomy->grid, anatomy->top), {}, 0, 0, 0};
+    Reader reader(*anatomy);
     bare.device.tipMm.z = 3.0F;
     for (int n = 0; n < 400; ++n) {
         for (TilePatch patch; bare.links->patches.tryPop(patch);)
             if (patch.toothGeneration != 99)
                 reader.take(patch);
-        bare.servo.tick(1ms);
+        bare.tick();
     }
     QVERIFY(fillers > 100);
     QCOMPARE(reader.map.flat(), bare.top());
@@ -1018,23 +992,21 @@ void TestServoLoop::missedPeriodsAreCountedAndTheStepHeldBack()
 {
     Bare bare;
     bare.give(block(), 1);
-    bare.servo.tick(1ms);
+    bare.tick();
     QCOMPARE(bare.state.latest().missedPeriods, 0U);
     bare.servo.tick(3ms);
     QCOMPARE(bare.state.latest().missedPeriods, 2U);
     bare.servo.tick(500ms);
     QCOMPARE(bare.state.latest().missedPeriods, 501U);
-    bare.servo.tick(1ms);
+    bare.tick();
     QCOMPARE(bare.state.latest().missedPeriods, 501U);
     std::vector<int> steps;
-    for (ServoEvent event; bare.links->events.tryPop(event);)
-        if (event.kind == ServoEvent::Kind::Tick)
-            steps.push_back(event.dtUs);
+    for (const ServoEvent& event : bare.drainEvents())
+        steps.push_back(event.dtUs);
     QCOMPARE(steps, (std::vector<int>{1000, 3000, 4000, 1000}));
     // After a freeze of ten seconds the bur takes no more than in four milliseconds.
-    QVERIFY(bare.links->commands.tryPush(SetDrill{true}));
-    for (int n = 0; n < 300; ++n)
-        bare.lean(0.0, 0.0, 1.0);
+    bare.send(SetDrill{true});
+    bare.lean(0.0, 0.0, 1.0, 300);
     const double before = bare.servo.state().removedMm3[1];
     bare.lean(0.0, 0.0, 1.0);
     const double perTick = bare.servo.state().removedMm3[1] - before;
@@ -1070,7 +1042,7 @@ void TestServoLoop::retiredTeethAreHandedBack()
     std::vector<const contact::LiveTooth*> given;
     for (std::uint64_t n = 1; n <= 10; ++n) {
         bare.give(anatomy, n, n % 3 == 1);
-        bare.servo.tick(1ms);
+        bare.tick();
         given.push_back(bare.servo.tooth());
     }
     contact::LiveTooth* old = nullptr;
@@ -1088,19 +1060,18 @@ void TestServoLoop::fullRetiredQueueHoldsCommandsBack()
     Bare bare;
     const auto anatomy = block(64);
     bare.give(anatomy, 1);
-    bare.servo.tick(1ms);
+    bare.tick();
     std::uint64_t serial = 1;
     for (int n = 0; n < 80; ++n) {
         bare.give(anatomy, ++serial);
-        bare.servo.tick(1ms);
+        bare.tick();
     }
     QCOMPARE(bare.links->retired.space(), 0U);
     QCOMPARE(bare.links->commands.space(), 64U - 16U);  // 64 were taken, 16 wait
     int freed = 0;
     for (int n = 0; n < 100; ++n) {
-        for (contact::LiveTooth* old = nullptr; bare.links->retired.tryPop(old); ++freed)
-            delete old;
-        bare.servo.tick(1ms);
+        freed += bare.freeRetired();
+        bare.tick();
     }
     QCOMPARE(freed, 80);
     QCOMPARE(bare.links->commands.space(), 64U);
@@ -1110,12 +1081,11 @@ void TestServoLoop::commandsWaitForRoomOnTheRecording()
 {
     Bare bare;
     bare.give(block(64), 1);
-    for (int n = 0; n < 20000; ++n)
-        bare.servo.tick(1ms);
+    bare.tick(20000);
     QVERIFY((bare.state.latest().health & kRecordGap) != 0);
-    QVERIFY(bare.links->commands.tryPush(SetBur{3}));
+    bare.send(SetBur{3});
     bare.give(block(64), 2);
-    bare.servo.tick(1ms);
+    bare.tick();
     QCOMPARE(bare.servo.state().burIndex, 0);
     // Every event before the gap is there, in order, and then the new tooth begins.
     bool begun = false;
@@ -1123,29 +1093,27 @@ void TestServoLoop::commandsWaitForRoomOnTheRecording()
     for (ServoEvent event; bare.links->events.tryPop(event);)
         ticks += event.kind == ServoEvent::Kind::Tick ? 1U : 0U;
     QCOMPARE(ticks, 16384U - 3U);
-    bare.servo.tick(1ms);
+    bare.tick();
     for (ServoEvent event; bare.links->events.tryPop(event);)
         begun = begun || event.kind == ServoEvent::Kind::Begin;
     QVERIFY(begun);
     QCOMPARE(bare.servo.state().burIndex, 3);
     QVERIFY((bare.state.latest().health & kRecordGap) == 0);
-    for (contact::LiveTooth* old = nullptr; bare.links->retired.tryPop(old);)
-        delete old;
+    bare.freeRetired();
 }
 
 void TestServoLoop::worksWithoutATooth()
 {
     Bare bare;
-    QVERIFY(bare.links->commands.tryPush(SetDrill{true}));
-    QVERIFY(bare.links->commands.tryPush(SetBur{2}));
-    for (int n = 0; n < 10; ++n)
-        bare.servo.tick(1ms);
+    bare.send(SetDrill{true});
+    bare.send(SetBur{2});
+    bare.tick(10);
     QCOMPARE(bare.device.forceN, glm::dvec3(0.0));
     QVERIFY(bare.servo.tooth() == nullptr);
     bare.drainEvents();
     // What was chosen before the tooth came holds, and is on its recording.
     bare.give(block(64), 1);
-    bare.servo.tick(1ms);
+    bare.tick();
     QCOMPARE(bare.servo.state().burIndex, 2);
     QVERIFY(bare.servo.state().drillOn);
     std::vector<ServoEvent> events;
@@ -1162,9 +1130,9 @@ void TestServoLoop::unknownBurIsIgnored()
 {
     Bare bare;
     bare.give(block(64), 1);
-    QVERIFY(bare.links->commands.tryPush(SetBur{4}));
-    QVERIFY(bare.links->commands.tryPush(SetBur{255}));
-    bare.servo.tick(1ms);
+    bare.send(SetBur{4});
+    bare.send(SetBur{255});
+    bare.tick();
     QCOMPARE(bare.servo.state().burIndex, 0);
 }
 
