@@ -2,10 +2,8 @@
 #include "database/sql/Audit.h"
 
 #include <algorithm>
-#include <deque>
 #include <limits>
 #include <set>
-#include <utility>
 
 #include <QJsonDocument>
 #include <QRegularExpression>
@@ -19,15 +17,10 @@ namespace database::sql {
 namespace {
 
 const std::string kNote = "note it in the audit";
+const std::string kRead = "read the audit";
 constexpr std::size_t kCodeDigits = 12;
-/// A row is not believed whose number is over this, or so much over that of the signed one: the program's own never get
-/// there, and one that was slipped in does not lead them to where numbers end.
+/// No school has as many rows: numbers beyond this were put there by somebody, and the next row needs one, too.
 constexpr std::int64_t kHighest = std::numeric_limits<std::int64_t>::max() / 4;
-constexpr std::int64_t kFarthest = 1'000'000'000;
-constexpr std::size_t kLongestRun = 1000;  ///< of rows that were slipped in or taken out together
-/// Of rows that tell of a break no school has more. Each is compared with every row before it; of many that somebody
-/// has made up each only with the longest run, so that they hold nobody up who looks.
-constexpr std::size_t kUsualBreaks = 8;
 const QString kColumns = QStringLiteral("seq, at_utc, actor, action, object, detail, hash");
 const QString kNoAttempt = QStringLiteral("AND action NOT IN ('attempt.add', 'exam.begin')");
 
@@ -44,7 +37,7 @@ AuditRow rowOf(const QSqlQuery& query)
 
 /// Noted where the chain was found to end otherwise than was signed.
 const std::string kBroken = "audit.broken";
-/// Noted before the first row that a station signs, with its key. Chains from before that was noted do not begin so.
+/// Noted before the first row that a station signs, with its key. Each chain begins so.
 const std::string kJoin = "station.join";
 
 std::string stationOf(const std::string& key)
@@ -64,478 +57,83 @@ QRegularExpressionMatch matchCode(const std::string& typed)
     return kCode.match(QString::fromStdString(typed).trimmed().toLower());
 }
 
-/// Reads the chain row by row and says where it does not hold.
-class ChainReader
+Finding about(const AuditRow& row, const char* words)
 {
-public:
-    /// @param signedSeq  of the row that was signed as the newest
-    /// @param lastSeq    of the last row there is
-    /// @param broken     rows that tell that the chain ended otherwise than was signed, the newest first
-    ChainReader(const std::vector<std::string>& witnesses, std::int64_t signedSeq, std::int64_t lastSeq,
-                std::vector<AuditRow> broken)
-        : m_signedSeq(std::min(signedSeq, kHighest)), m_lastSeq(lastSeq), m_broken(std::move(broken))
-    {
-        for (const std::string& witness : witnesses) {
-            const auto found = matchCode(witness);
-            if (!found.hasMatch())
-                say(QT_TRANSLATE_NOOP("Finding",
-                                      "\"%1\" is no audit code; a report shows one such as 412-9f3ac07be1d2"),
-                    {witness});
-            else
-                m_witnesses.push_back({found.captured(1).toLongLong(), found.captured(2).toStdString()});
-        }
-        lookAhead(0, {});
-    }
+    return {words, {std::to_string(row.seq), row.atUtc, row.action, row.object}};
+}
 
-    void take(const AuditRow& row)
-    {
-        ++m_rows;
-        witness(row);
-        const bool isBelieved = row.seq > 0 && row.seq <= kHighest;
-        if (!isBelieved || row.seq < m_goesOnAt) {
-            takeUnsigned(row);
-            if (isBelieved) {  // it may be the program's own, and the head have been set back, to it or to one before
-                               // it
-                lookAhead(row.seq, row.hash);
-                if (row.action == kJoin)
-                    m_stations.insert(row.object);
-            }
-            return;
-        }
-        const std::string before = row.seq == m_goesOnAt ? m_goesOnFrom : m_last.hash;
-        const bool isNext = row.seq == m_last.seq + 1 || row.seq == m_goesOnAt;
-        const bool isRenumbered = !isNext && isAs(row, m_last.seq + 1 + m_shift, before);
-        if (isRenumbered)
-            tellRenumbered(row);
-        if (!isSigned(row.seq)) {
-            takeUnsigned(row);
-            // What goes on from the signed row is looked at like all else: it may be the signed number that was
-            // changed.
-            if (!m_goesOnUnsigned)
-                m_goesOnUnsigned = (isNext || isRenumbered) && isAs(row, row.seq + m_shift, before);
-            if (!*m_goesOnUnsigned)
-                return;
-        } else if (!isNext && !isRenumbered) {  // what stood before this row is not known
-            takeGap({m_last.seq + 1 + m_shift, row.seq - 1 - m_last.seq, m_last.hash, {}});
-        }
-        if (row.action == kJoin)
-            m_stations.insert(row.object);
-        if (row.seq == 1)
-            m_areStationsNoted = row.action == kJoin;
-        if (row.action == kBroken)
-            sayLacking(
-                QT_TRANSLATE_NOOP(
-                    "Finding",
-                    "audit row %1 (%2, %3, %4) tells that the rows before it did not end as they had been signed"),
-                named(row));
-        // One that tells of a break may, behind the signed row, go on from any before that.
-        if (isNext && !isAs(row, row.seq + m_shift, before) && !explain(row) &&
-            (isSigned(row.seq) || row.action != kBroken))
-            suspect(row, before);
-        m_beforeLast = before;
-        m_recent.push_back({row, before});
-        if (m_recent.size() > kLongestRun + 1)
-            m_recent.pop_front();
-        m_last = row;
-        if (!m_continueWith.empty())
-            m_last.hash = std::exchange(m_continueWith, {});
-        if (row.seq + m_shift == m_signedSeq)
-            m_signed = m_last;
-        lookAhead(row.seq, m_last.hash);
-    }
+/// What is wrong with a row that does not follow from the one before it.
+std::optional<Finding> faultOf(const AuditRow& row, const AuditRow& before)
+{
+    if (row.seq > before.seq + 1)
+        return Finding{QT_TRANSLATE_NOOP("Finding", "audit row %1 was removed"), {std::to_string(before.seq + 1)}};
+    if (row.action == kBroken)
+        return about(row, QT_TRANSLATE_NOOP(
+                              "Finding",
+                              "audit row %1 (%2, %3, %4) tells that the rows before it did not end as they had been "
+                              "signed"));
+    if (row.seq != before.seq + 1 || hashOf(row, before.hash) != row.hash)
+        return about(row, QT_TRANSLATE_NOOP("Finding", "audit row %1 (%2, %3, %4) does not follow from the row before "
+                                                       "it: one of the two was changed, inserted or moved"));
+    return {};
+}
 
-    [[nodiscard]] ChainReport conclude(const QSqlQuery& seal)
-    {
-        const AuditHead head{seal.value(0).toLongLong(), textOf(seal, 1)};
-        const std::string key = textOf(seal, 3);
-        const bool isSealed = head.seq == 0 || StationKey::isSigned(wordsOf(head), textOf(seal, 2), key);
-        const std::int64_t newest = m_last.seq + m_shift;
-        if (head.seq > newest)
-            takeGap({newest + 1, head.seq - newest, m_last.hash, {}});
-        settle();
-        if (head.seq <= newest && isSealed && m_signed && head.hash != m_signed->hash)
-            sayLacking(QT_TRANSLATE_NOOP("Finding",
-                                         "audit row %1 (%2, %3, %4) is not the one that was signed: it was changed, "
-                                         "or the signature was put there from elsewhere"),
-                       named(*m_signed));
-        for (const auto& [first, last] : m_unsigned)
-            tellUnsigned(first, last);
-        if (!isSealed)
-            say(QT_TRANSLATE_NOOP(
-                "Finding",
-                "the signature of the newest row of the audit was not made by the station whose key stands beside it"));
-        if (head.seq > 0 && m_areStationsNoted && m_stations.count(stationOf(key)) == 0)
-            say(QT_TRANSLATE_NOOP("Finding", "the newest row of the audit was signed with the key %1, and the audit "
-                                             "knows no station that has it"),
-                {key.substr(0, kCodeDigits)});
-        for (const Witness& witness : m_witnesses)
-            if (!witness.isSeen && witness.seq > m_last.seq)
-                sayLacking(QT_TRANSLATE_NOOP(
-                               "Finding",
-                               "audit row %1, which a report names, is not there: it was removed, or the code is "
-                               "not typed as it stands there"),
-                           {std::to_string(witness.seq)});
-        return {std::move(m_findings), m_rows, m_lacksRows};
-    }
+/// The same of a row and the signed head.
+std::optional<Finding> faultBySeal(const AuditRow& row, const AuditHead& head)
+{
+    if (row.seq > head.seq)
+        return Finding{QT_TRANSLATE_NOOP("Finding", "no signature covers audit row %1: it was inserted, or the signed "
+                                                    "head was set back, or the row behind it was changed"),
+                       {std::to_string(row.seq)}};
+    if (row.seq == head.seq && row.hash != head.hash)
+        return about(row,
+                     QT_TRANSLATE_NOOP("Finding", "audit row %1 (%2, %3, %4) is not the one that was signed: it was "
+                                                  "changed, or the signature was put there from elsewhere"));
+    return {};
+}
 
-private:
-    struct Witness
-    {
-        std::int64_t seq = 0;
-        std::string hash;
-        bool isSeen = false;
-    };
+/// The same of a row and the codes that reports show.
+/// @param witnesses  row and beginning of its hash
+std::optional<Finding> faultByWitness(const AuditRow& row, const std::vector<AuditHead>& witnesses)
+{
+    for (const AuditHead& witness : witnesses)
+        if (witness.seq == row.seq && row.hash.rfind(witness.hash, 0) != 0)
+            return about(row, QT_TRANSLATE_NOOP("Finding", "audit row %1 (%2, %3, %4) is not the one that a report "
+                                                           "names: it or one before it was changed, or the code is "
+                                                           "not typed as it stands there"));
+    return {};
+}
 
-    /// Where rows are missing.
-    struct Gap
-    {
-        std::int64_t first = 0;  ///< number of the first, as it was written
-        std::int64_t count = 0;
-        std::string hashBefore;          ///< of the row that stands before them
-        std::optional<AuditRow> behind;  ///< the next one, where the numbers were made to go on
-    };
-    /// Rows that stand together, and elsewhere than they were written.
-    struct Moved
-    {
-        AuditRow first;
-        std::int64_t last = 0;       ///< number
-        std::int64_t writtenAs = 0;  ///< the first
-    };
+/// Of a chain that holds from its first row to its last: what is wrong with its end.
+std::optional<Finding> faultOfEnd(const AuditRow& last, const AuditHead& head, const std::vector<AuditHead>& witnesses)
+{
+    if (head.seq > last.seq)
+        return Finding{QT_TRANSLATE_NOOP("Finding", "audit row %1 was removed"), {std::to_string(last.seq + 1)}};
+    for (const AuditHead& witness : witnesses)
+        if (witness.seq > last.seq)
+            return Finding{QT_TRANSLATE_NOOP("Finding", "audit row %1, which a report names, is not there: it was "
+                                                        "removed, or the code is not typed as it stands there"),
+                           {std::to_string(witness.seq)}};
+    return {};
+}
 
-    static std::vector<std::string> named(const AuditRow& row)
-    {
-        return {std::to_string(row.seq), row.atUtc, row.action, row.object};
-    }
-    static std::vector<std::string> with(std::vector<std::string> values, const std::vector<std::string>& others)
-    {
-        values.insert(values.end(), others.begin(), others.end());
-        return values;
-    }
-    void say(const char* words, const std::vector<std::string>& values = {})
-    {
-        if (m_findings.size() < kMostFindings)
-            m_findings.push_back({words, values});
-    }
-    /// Of what may have taken a note with it.
-    void sayLacking(const char* words, const std::vector<std::string>& values = {})
-    {
-        m_lacksRows = true;
-        say(words, values);
-    }
-    /// Of a number as it is now.
-    [[nodiscard]] bool isSigned(std::int64_t seq) const { return seq + m_shift <= m_signedSeq; }
-    /// Adds to what no signature covers.
-    void takeUnsigned(const AuditRow& row)
-    {
-        // One that was taken from before the signed row belongs there.
-        if (const auto gap = std::find_if(m_gaps.begin(), m_gaps.end(),
-                                          [&row](const Gap& one) { return isAs(row, one.first, one.hashBefore); });
-            gap != m_gaps.end()) {
-            fill(*gap, {row});
-            return;
-        }
-        if (!m_unsigned.empty() && m_unsigned.back().second >= row.seq - 1)
-            m_unsigned.back().second = row.seq;
-        else if (m_unsigned.size() < kMostFindings)
-            m_unsigned.emplace_back(row.seq, row.seq);
-    }
-    /// Looks whether a row behind goes on from this one, as the program writes where rows stand behind the signed one:
-    /// those between them, however many, are not of the chain. Of several it is the last: what was signed then follows
-    /// from that.
-    void lookAhead(std::int64_t seq, const std::string& hash)
-    {
-        while (!m_broken.empty() && m_broken.back().seq <= seq)
-            m_broken.pop_back();
-        const auto goesOn = std::find_if(m_broken.begin(), m_broken.end(), [&](const AuditRow& row) {
-            if (m_areManyBroken && row.seq - seq > static_cast<std::int64_t>(kLongestRun) + 1)
-                return false;
-            // One that nobody has signed says nothing of those that were.
-            return (isSigned(row.seq) || !isSigned(seq + 1)) && isAs(row, row.seq + m_shift, hash);
-        });
-        if (goesOn == m_broken.end() || goesOn->seq <= m_goesOnAt)
-            return;
-        m_goesOnAt = goesOn->seq;
-        m_goesOnFrom = hash;
-    }
-    void takeGap(const Gap& gap)
-    {
-        if (m_gaps.size() < kMostFindings)
-            m_gaps.push_back(gap);
-        else
-            m_lacksRows = true;
-    }
-    /// Rows that were taken out and rows that were slipped in elsewhere are the same ones where the chain goes on with
-    /// them from what stands before the gap: then they were moved. Returns whether they are.
-    bool fill(Gap& gap, const std::vector<AuditRow>& rows)
-    {
-        if (static_cast<std::int64_t>(rows.size()) > gap.count)
-            return false;
-        std::string before = gap.hashBefore;
-        for (std::size_t k = 0; k < rows.size(); ++k) {
-            if (!isAs(rows[k], gap.first + static_cast<std::int64_t>(k), before))
-                return false;
-            before = rows[k].hash;
-        }
-        for (const AuditRow& row : rows)
-            takeMoved(row, gap.first++);
-        gap.count -= static_cast<std::int64_t>(rows.size());
-        gap.hashBefore = before;
-        return true;
-    }
-    void takeMoved(const AuditRow& row, std::int64_t writtenAs)
-    {
-        if (!m_moved.empty() && m_moved.back().last + 1 == row.seq &&
-            m_moved.back().writtenAs - m_moved.back().first.seq == writtenAs - row.seq)
-            m_moved.back().last = row.seq;
-        else if (m_moved.size() < kMostFindings)
-            m_moved.push_back({row, row.seq, writtenAs});
-    }
-    /// It follows from the one before it, but for its number: nothing that stood between them was taken out.
-    void tellRenumbered(const AuditRow& row)
-    {
-        say(QT_TRANSLATE_NOOP("Finding", "audit row %1 (%2, %3, %4) and those behind it were renumbered"), named(row));
-        m_shift -= row.seq - m_last.seq - 1;
-    }
-    /// Which of these it is the chain does not say: whoever has the file in his hands can chain rows as the program
-    /// does.
-    void tellUnsigned(std::int64_t first, std::int64_t last)
-    {
-        if (first == last)
-            say(QT_TRANSLATE_NOOP("Finding",
-                                  "no signature covers audit row %1: it was inserted, or the signed head was "
-                                  "set back, or the row behind it was changed"),
-                {std::to_string(first)});
-        else
-            say(QT_TRANSLATE_NOOP("Finding",
-                                  "no signature covers audit rows %1 to %2: they were inserted, or the signed "
-                                  "head was set back, or the row behind them was changed"),
-                {std::to_string(first), std::to_string(last)});
-    }
-    [[nodiscard]] static bool isAs(const AuditRow& row, std::int64_t seq, const std::string& hashBefore)
-    {
-        if (row.seq == seq)
-            return hashOf(row, hashBefore) == row.hash;
-        AuditRow as = row;
-        as.seq = seq;
-        return hashOf(as, hashBefore) == row.hash;
-    }
-    /// Rows from this one on are explained.
-    void forgive(std::int64_t first)
-    {
-        m_suspects.erase(
-            std::remove_if(m_suspects.begin(), m_suspects.end(), [&](const Suspect& s) { return s.row.seq >= first; }),
-            m_suspects.end());
-    }
-    /// Of a row that does not follow from the one before: whether it tells what was done to that one.
-    bool explain(const AuditRow& row)
-    {
-        const std::int64_t seq = row.seq + m_shift;
-        if (isAs(row, seq - 1, m_beforeLast)) {
-            m_suspects.erase(std::remove_if(m_suspects.begin(), m_suspects.end(),
-                                            [&](const Suspect& s) { return s.row.seq == m_last.seq; }),
-                             m_suspects.end());
-            if (isAs(m_last, seq, row.hash)) {
-                say(QT_TRANSLATE_NOOP("Finding", "audit row %1 (%2, %3, %4) and row %5 (%6, %7, %8) were exchanged"),
-                    with(named(m_last), named(row)));
-                m_continueWith = m_last.hash;
-            } else {
-                takeInserted({m_last});
-            }
-            return true;
-        }
-        return m_suspects.size() < kMostFindings && (explainInserted(row) || explainRemoved(row));
-    }
-    /// Whether several rows before the last one were slipped in, and it and those behind it renumbered. One row alone
-    /// that fits in somewhere before may also have been moved: the next one has to fit behind it.
-    bool explainInserted(const AuditRow& row)
-    {
-        if (const auto run = std::exchange(m_run, {}); run && isAs(row, row.seq + m_shift - run->count, m_last.hash)) {
-            forgive(run->first);
-            std::vector<AuditRow> rows;
-            for (const Recent& recent : m_recent)
-                if (recent.row.seq >= run->first && static_cast<std::int64_t>(rows.size()) < run->count)
-                    rows.push_back(recent.row);
-            takeInserted(std::move(rows));
-            return true;
-        }
-        for (std::size_t count = 2; count <= std::min(m_recent.size(), kLongestRun) && !m_run; ++count)
-            if (const Recent& first = m_recent[m_recent.size() - count];
-                isAs(row, row.seq + m_shift - static_cast<std::int64_t>(count), first.before))
-                m_run = Run{first.row.seq, static_cast<std::int64_t>(count)};
-        return false;
-    }
-    /// Whether rows were taken out before the last one, and it and those behind it renumbered. That one itself follows
-    /// from what is not there any more.
-    bool explainRemoved(const AuditRow& row)
-    {
-        const auto fits = [&](std::int64_t count) { return isAs(row, row.seq + m_shift + count, m_last.hash); };
-        std::int64_t count = 1;
-        while (count <= static_cast<std::int64_t>(kLongestRun) && !fits(count))
-            ++count;
-        if (count > static_cast<std::int64_t>(kLongestRun)) {
-            // However many it were, if nothing else was done: what the last number lacks.
-            count = m_signedSeq - m_lastSeq - m_shift;
-            if (count < 1 || !fits(count))
-                return false;
-        }
-        if (!m_suspects.empty() && m_suspects.back().row.seq == m_last.seq)
-            m_suspects.pop_back();
-        takeGap({m_last.seq + m_shift, count, m_beforeLast, m_last});
-        m_shift += count;
-        return true;
-    }
-    /// Of rows that stand together up to the last one.
-    void takeInserted(std::vector<AuditRow> rows)
-    {
-        m_shift -= static_cast<std::int64_t>(rows.size());
-        if (m_inserted.size() < kMostFindings)
-            m_inserted.push_back(std::move(rows));
-    }
-    void tellMissing(const Gap& gap)
-    {
-        const std::string first = std::to_string(gap.first);
-        if (gap.behind && gap.count == 1)
-            sayLacking(
-                QT_TRANSLATE_NOOP(
-                    "Finding", "before audit row %1 (%2, %3, %4) a row was removed, and those behind were renumbered"),
-                named(*gap.behind));
-        else if (gap.behind)
-            sayLacking(QT_TRANSLATE_NOOP(
-                           "Finding",
-                           "before audit row %1 (%2, %3, %4) %5 rows were removed, and those behind were renumbered"),
-                       with(named(*gap.behind), {std::to_string(gap.count)}));
-        else if (gap.count == 1)
-            sayLacking(QT_TRANSLATE_NOOP("Finding", "audit row %1 was removed"), {first});
-        else
-            sayLacking(QT_TRANSLATE_NOOP("Finding", "audit rows %1 to %2 were removed"),
-                       {first, std::to_string(gap.first + gap.count - 1)});
-    }
-    void tellInserted(const std::vector<AuditRow>& rows)
-    {
-        if (rows.size() == 1)
-            say(QT_TRANSLATE_NOOP("Finding",
-                                  "audit row %1 (%2, %3, %4) was inserted, and those behind it were renumbered"),
-                named(rows.front()));
-        else
-            say(QT_TRANSLATE_NOOP("Finding",
-                                  "audit rows %1 to %2 were inserted, and those behind them were renumbered"),
-                {std::to_string(rows.front().seq), std::to_string(rows.back().seq)});
-    }
-    void tellMoved(const Moved& moved)
-    {
-        const std::int64_t behind = moved.last - moved.first.seq;
-        if (behind == 0)
-            say(QT_TRANSLATE_NOOP("Finding", "audit row %1 (%2, %3, %4) was moved: it was written as row %5"),
-                with(named(moved.first), {std::to_string(moved.writtenAs)}));
-        else
-            say(QT_TRANSLATE_NOOP("Finding", "audit rows %1 to %2 were moved: they were written as rows %3 to %4"),
-                {std::to_string(moved.first.seq), std::to_string(moved.last), std::to_string(moved.writtenAs),
-                 std::to_string(moved.writtenAs + behind)});
-    }
-    /// What was taken out and what was slipped in, as far as that is not the same.
-    void settleNumbers()
-    {
-        const auto fillOne = [this] {
-            for (Gap& gap : m_gaps)
-                for (auto rows = m_inserted.begin(); rows != m_inserted.end(); ++rows)
-                    if (fill(gap, *rows)) {
-                        m_inserted.erase(rows);
-                        return true;
-                    }
-            return false;
-        };
-        while (fillOne()) {
-        }
-        for (const Moved& moved : m_moved)
-            tellMoved(moved);
-        for (const Gap& gap : m_gaps)
-            if (gap.count > 0)
-                tellMissing(gap);
-        for (const auto& rows : m_inserted)
-            tellInserted(rows);
-    }
-    void suspect(const AuditRow& row, const std::string& before)
-    {
-        if (m_suspects.size() < kMostFindings)
-            m_suspects.push_back({row, before});
-    }
-    /// Those that fit into each other's place were moved there. One that follows from a row that was moved is sound.
-    void settle()
-    {
-        settleNumbers();
-        for (const Suspect& suspect : m_suspects) {
-            const auto fits = [&](const Suspect& place) {
-                return place.row.seq != suspect.row.seq && isAs(suspect.row, place.row.seq, place.before);
-            };
-            const auto leads = [&](const Suspect& other) { return isAs(suspect.row, suspect.row.seq, other.row.hash); };
-            const auto place = std::find_if(m_suspects.begin(), m_suspects.end(), fits);
-            if (place != m_suspects.end())
-                say(QT_TRANSLATE_NOOP("Finding", "audit row %1 (%2, %3, %4) was moved: it was written as row %5"),
-                    with(named(suspect.row), {std::to_string(place->row.seq)}));
-            else if (std::none_of(m_suspects.begin(), m_suspects.end(), leads))
-                sayLacking(QT_TRANSLATE_NOOP(
-                               "Finding",
-                               "audit row %1 (%2, %3, %4) was changed, or the one before it was and its hash with it"),
-                           named(suspect.row));
-        }
-    }
-    void witness(const AuditRow& row)
-    {
-        for (Witness& witness : m_witnesses) {
-            if (witness.seq != row.seq)
-                continue;
-            witness.isSeen = true;
-            if (row.hash.rfind(witness.hash, 0) != 0)
-                say(QT_TRANSLATE_NOOP("Finding", "audit row %1 (%2, %3, %4) is not the one that a report names: it or "
-                                                 "one before it was changed, or the code is not typed as it "
-                                                 "stands there"),
-                    named(row));
-        }
-    }
-
-    struct Recent
-    {
-        AuditRow row;
-        std::string before;  ///< hash of the row that stands before it
-    };
-    /// Of rows that may have been slipped in.
-    struct Run
-    {
-        std::int64_t first = 0;
-        std::int64_t count = 0;
-    };
-    struct Suspect
-    {
-        AuditRow row;
-        std::string before;  ///< hash of the row that stands before it
-    };
-
-    std::int64_t m_signedSeq;
-    std::int64_t m_lastSeq;
-    std::vector<AuditRow> m_broken;  ///< those still to come, the newest first
-    const bool m_areManyBroken = m_broken.size() > kUsualBreaks;
-    std::int64_t m_goesOnAt = 0;  ///< where the chain goes on; what stands before that is passed over
-    std::string m_goesOnFrom;     ///< hash of the row that it follows from
-    std::vector<std::pair<std::int64_t, std::int64_t>> m_unsigned;  ///< first and last of rows that stand together
-    std::optional<bool> m_goesOnUnsigned;                           ///< the first behind the signed one follows from it
-    std::optional<AuditRow> m_signed;                               ///< what stands where the signed one should
-    std::vector<Witness> m_witnesses;
-    std::vector<Finding> m_findings;
-    AuditRow m_last;
-    std::string m_beforeLast;  ///< hash of the row before m_last
-    std::deque<Recent> m_recent;
-    std::optional<Run> m_run;
-    std::string m_continueWith;  ///< what the next row follows from, where that is not the last one read
-    std::int64_t m_shift = 0;    ///< what a row's number was when it was written, less what it is
-    std::vector<Suspect> m_suspects;
-    std::vector<Gap> m_gaps;
-    std::vector<std::vector<AuditRow>> m_inserted;  ///< each those that stand together, where numbers go on behind them
-    std::vector<Moved> m_moved;
-    std::int64_t m_rows = 0;  ///< so far
-    bool m_lacksRows = false;
-    std::set<std::string> m_stations;  ///< that have joined
-    bool m_areStationsNoted = false;
-};
+/// What is wrong with who signed the head.
+/// @param stations  keys of those that have joined, as they are noted
+std::optional<Finding> faultOfSigner(const AuditHead& head, const std::string& signature, const std::string& key,
+                                     const std::set<std::string>& stations)
+{
+    if (head.seq == 0)
+        return {};
+    if (!StationKey::isSigned(wordsOf(head), signature, key))
+        return Finding{QT_TRANSLATE_NOOP("Finding", "the signature of the newest row of the audit was not made by the "
+                                                    "station whose key stands beside it"),
+                       {}};
+    if (stations.count(stationOf(key)) == 0)
+        return Finding{QT_TRANSLATE_NOOP("Finding", "the newest row of the audit was signed with the key %1, and the "
+                                                    "audit knows no station that has it"),
+                       {key.substr(0, kCodeDigits)}};
+    return {};
+}
 
 }  // namespace
 
@@ -562,52 +160,39 @@ std::string AuditHead::code() const
 core::Status AuditBatch::begin()
 {
     bool isThere = false;
-    bool isSigned = false;
     bool isSound = false;
-    std::int64_t last = 0;
     bool mustJoin = false;
-    bool isFirst = false;
+    std::int64_t last = 0;
     const QString joined = QStringLiteral("EXISTS (SELECT 1 FROM audit j WHERE j.action = '%1' AND j.object = %2)")
                                .arg(QString::fromStdString(kJoin));
     if (auto read = forEach(
             m_school.db,
             "SELECT s.seq, s.hash, s.signature, s.station_key, COALESCE(a.hash, ''), (SELECT COALESCE(MAX(seq), 0) "
-            "FROM audit WHERE seq <= CASE WHEN s.seq BETWEEN 0 AND ? THEN s.seq ELSE 0 END + ?), COALESCE((SELECT "
-            "b.action FROM audit b WHERE b.seq = 1), ''), CASE WHEN " +
+            "FROM audit), CASE WHEN " +
                 joined.arg("'station:' || s.station_key") + " THEN 1 ELSE 0 END, CASE WHEN " + joined.arg("?") +
                 " THEN 1 ELSE 0 END FROM audit_seal s LEFT JOIN audit a ON a.seq = s.seq WHERE s.id = 1" +
                 QString(dialect::isPostgres(m_school.db) ? " FOR UPDATE OF s" : ""),
-            kNote,
-            {static_cast<qlonglong>(kHighest), static_cast<qlonglong>(kFarthest),
-             text(stationOf(m_school.key.publicHex()))},
+            kNote, {text(stationOf(m_school.key.publicHex()))},
             [&](const QSqlQuery& row) {
+                isThere = true;
                 m_seq = row.value(0).toLongLong();
                 m_hash = textOf(row, 1);
-                isThere = true;
-                isFirst = m_seq == 0;
-                const bool areStationsNoted = isFirst || textOf(row, 6) == kJoin;
-                isSigned = isFirst || (StationKey::isSigned(wordsOf({m_seq, m_hash}), textOf(row, 2), textOf(row, 3)) &&
-                                       (!areStationsNoted || row.value(7).toInt() == 1));
                 last = row.value(5).toLongLong();
+                const bool isSigned =
+                    m_seq == 0 || (StationKey::isSigned(wordsOf({m_seq, m_hash}), textOf(row, 2), textOf(row, 3)) &&
+                                   row.value(6).toInt() == 1);
                 isSound = isSigned && m_seq == last && m_hash == textOf(row, 4);
-                mustJoin = areStationsNoted && row.value(8).toInt() == 0;
+                mustJoin = row.value(7).toInt() == 0;
             });
         !read)
         return read;
-    if (!isThere)
-        return core::unexpected(core::ErrorCode::BadStructure, "database " + dialect::nameOf(m_school.db) +
-                                                                   ": the head of its audit is missing; restore a "
-                                                                   "backup of it");
-    // Numbers have to be left for what is noted from now on: one that nobody has signed must not come near their end.
-    if (m_seq > (isSigned ? kHighest : kHighest / 2)) {
-        const auto found = ask(m_school.db, "SELECT COALESCE(MAX(seq), 0) FROM audit WHERE seq <= ?", kNote,
-                               {static_cast<qlonglong>(kFarthest)});
-        if (!found)
-            return tl::unexpected(found.error());
-        m_seq = found->toLongLong();
-    } else {
-        m_seq = std::max(m_seq, last);
-    }
+    const bool isFirst = m_seq == 0;
+    m_seq = std::max(m_seq, last);
+    if (!isThere || m_seq > kHighest)
+        return core::unexpected(core::ErrorCode::BadStructure,
+                                "database " + dialect::nameOf(m_school.db) +
+                                    ": the head of its audit is missing or damaged; restore "
+                                    "a backup of it");
     m_insert.emplace(m_school.db);
     if (!m_insert->prepare(QStringLiteral("INSERT INTO audit (%1) VALUES (?, ?, ?, ?, ?, ?, ?)").arg(kColumns)))
         return tl::unexpected(dialect::error(m_school.db, m_insert->lastError(), kNote));
@@ -675,7 +260,7 @@ core::Status note(const School& school, const std::string& actor, const std::str
 core::Result<AuditHead> auditHead(const QSqlDatabase& db)
 {
     AuditHead head;
-    if (auto read = forEach(db, "SELECT seq, hash FROM audit_seal WHERE id = 1", "read the audit", {},
+    if (auto read = forEach(db, "SELECT seq, hash FROM audit_seal WHERE id = 1", kRead, {},
                             [&](const QSqlQuery& row) {
                                 head = {row.value(0).toLongLong(), textOf(row, 1)};
                             });
@@ -695,66 +280,56 @@ core::Result<std::vector<AuditRow>> readAudit(const School& school, const Sessio
     if (auto read = forEach(
             school.db,
             QStringLiteral("SELECT %1 FROM audit WHERE seq < ? %2 ORDER BY seq DESC LIMIT ?").arg(kColumns, others),
-            "read the audit", {before, std::max(0, limit)}, [&](const QSqlQuery& row) { rows.push_back(rowOf(row)); });
+            kRead, {before, std::max(0, limit)}, [&](const QSqlQuery& row) { rows.push_back(rowOf(row)); });
         !read)
         return tl::unexpected(read.error());
     return rows;
 }
 
-core::Result<ChainReport> readChain(const QSqlDatabase& db, const std::vector<std::string>& witnesses,
-                                    const std::function<bool(std::int64_t rows)>& progress)
+core::Result<std::vector<Finding>> checkAudit(const QSqlDatabase& db, const std::vector<std::string>& codes,
+                                              const std::function<bool(std::int64_t rows)>& progress)
 {
-    std::vector<AuditRow> broken;
-    if (auto read = forEach(db,
-                            QStringLiteral("SELECT %1 FROM audit WHERE object = 'audit' AND action = '%2' AND seq <= ? "
-                                           "ORDER BY seq DESC LIMIT ?")
-                                .arg(kColumns, QString::fromStdString(kBroken)),
-                            "read the audit", {static_cast<qlonglong>(kHighest), static_cast<qlonglong>(kMostFindings)},
-                            [&](const QSqlQuery& query) { broken.push_back(rowOf(query)); });
-        !read)
-        return tl::unexpected(read.error());
-    std::int64_t signedSeq = std::numeric_limits<std::int64_t>::max();
-    std::int64_t lastSeq = 0;
-    if (auto read = forEach(db,
-                            "SELECT (SELECT seq FROM audit_seal WHERE id = 1), (SELECT MAX(seq) FROM audit WHERE seq "
-                            "<= ?)",
-                            "read the audit", {static_cast<qlonglong>(kHighest)},
-                            [&](const QSqlQuery& row) {
-                                if (!row.isNull(0))
-                                    signedSeq = row.value(0).toLongLong();
-                                lastSeq = row.value(1).toLongLong();
-                            });
-        !read)
-        return tl::unexpected(read.error());
-    ChainReader reader(witnesses, signedSeq, lastSeq, std::move(broken));
-    bool goesOn = true;
-    std::int64_t rows = 0;
-    if (auto read = forEach(db, QStringLiteral("SELECT %1 FROM audit ORDER BY seq").arg(kColumns), "read the audit", {},
-                            [&](const QSqlQuery& query) {
-                                if (!goesOn)
-                                    return;
-                                reader.take(rowOf(query));
-                                ++rows;
-                                if (progress)
-                                    goesOn = progress(rows);
-                            });
-        !read)
-        return tl::unexpected(read.error());
-    if (!goesOn)
-        return ChainReport{{}, rows, false};
-    auto seal = run(db, "SELECT seq, hash, signature, station_key FROM audit_seal WHERE id = 1", "read the audit");
+    std::vector<AuditHead> witnesses;
+    for (const std::string& code : codes) {
+        const auto found = matchCode(code);
+        if (!found.hasMatch())
+            return std::vector{Finding{
+                QT_TRANSLATE_NOOP("Finding", "\"%1\" is no audit code; a report shows one such as 412-9f3ac07be1d2"),
+                {code}}};
+        witnesses.push_back({found.captured(1).toLongLong(), found.captured(2).toStdString()});
+    }
+    auto seal = run(db, "SELECT seq, hash, signature, station_key FROM audit_seal WHERE id = 1", kRead);
     if (!seal)
         return tl::unexpected(seal.error());
     if (!seal->next())
-        return ChainReport{
-            {{QT_TRANSLATE_NOOP("Finding", "the signed head of the audit was removed"), {}}}, rows, false};
-    return reader.conclude(*seal);
-}
-
-core::Result<std::vector<Finding>> checkAudit(const QSqlDatabase& db, const std::vector<std::string>& witnesses,
-                                              const std::function<bool(std::int64_t rows)>& progress)
-{
-    return readChain(db, witnesses, progress).map([](ChainReport report) { return std::move(report.findings); });
+        return std::vector{Finding{QT_TRANSLATE_NOOP("Finding", "the signed head of the audit was removed"), {}}};
+    const AuditHead head{seal->value(0).toLongLong(), textOf(*seal, 1)};
+    auto rows = run(db, QStringLiteral("SELECT %1 FROM audit ORDER BY seq").arg(kColumns), kRead);
+    if (!rows)
+        return tl::unexpected(rows.error());
+    AuditRow before;
+    std::set<std::string> stations;
+    std::optional<Finding> fault;
+    while (!fault && rows->next()) {
+        const AuditRow row = rowOf(*rows);
+        fault = faultOf(row, before);
+        if (!fault)
+            fault = faultBySeal(row, head);
+        if (!fault)
+            fault = faultByWitness(row, witnesses);
+        if (row.action == kJoin)
+            stations.insert(row.object);
+        before = row;
+        if (progress && !progress(row.seq))
+            return std::vector<Finding>();
+    }
+    if (rows->lastError().isValid())
+        return tl::unexpected(dialect::error(db, rows->lastError(), kRead));
+    if (!fault)
+        fault = faultOfEnd(before, head, witnesses);
+    if (!fault)
+        fault = faultOfSigner(head, textOf(*seal, 2), textOf(*seal, 3), stations);
+    return fault ? std::vector{*fault} : std::vector<Finding>();
 }
 
 }  // namespace database::sql

@@ -16,10 +16,10 @@
 #include "database/sql/School.h"
 #include "database/sql/Statement.h"
 
-/// What was done here, by whom, in rows of which each holds the hash of the one before; the newest is signed by the
-/// station that wrote it. Who changes, removes, inserts or reorders rows breaks the chain where he did it; who cuts its
-/// end off breaks the signed head, and whoever holds a printed report has an older head to compare with. The audit
-/// knows the stations that may sign it: each is noted before the first row that it signs.
+/// What was done here and by whom. Each row holds the hash of the row before it; the newest row is signed by the
+/// station that wrote it. Changing, removing, inserting or moving rows breaks the chain there; cutting off its end
+/// breaks the signed head, and a printed report shows an older head to compare with. Each station is noted before the
+/// first row that it signs.
 namespace database::sql {
 
 /// BLAKE2b-256 over the hash of the row before and all of this row but its hash, each part with its length.
@@ -94,21 +94,10 @@ enum class AuditRows { All, WithoutAttempts };
                                                             std::int64_t beforeSeq = 0,
                                                             AuditRows rows = AuditRows::All);
 
-inline constexpr std::size_t kMostFindings = 100;
-
-/// What a look at the whole chain has found.
-struct ChainReport
-{
-    /// One for each row that was changed, removed, inserted or moved, and for rows that stand together and no signature
-    /// covers: genuine ones may be among them. At most `kMostFindings`.
-    std::vector<Finding> findings;
-    std::int64_t rows = 0;   ///< that there are, whatever their numbers
-    bool lacksRows = false;  ///< some were removed, or do not say any more what was noted
-};
-/// @param progress  rows so far; false stops it, and nothing was found then
-[[nodiscard]] core::Result<ChainReport> readChain(const QSqlDatabase& db, const std::vector<std::string>& witnesses,
-                                                  const std::function<bool(std::int64_t rows)>& progress = {});
-/// What is wrong with the chain, see readChain(). Empty: nothing, or `progress` returned false.
+/// Follows the chain from its first row to its signed head and stops at the first row that does not hold: one finding.
+/// Empty: the chain is sound, or `progress` returned false. Where others write meanwhile, call it in a transaction.
+/// @param witnesses  audit codes of printed reports
+/// @param progress  number of the row that was looked at
 [[nodiscard]] core::Result<std::vector<Finding>>
 checkAudit(const QSqlDatabase& db, const std::vector<std::string>& witnesses,
            const std::function<bool(std::int64_t rows)>& progress = {});

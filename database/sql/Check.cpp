@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "database/sql/Check.h"
 
-#include <array>
+#include <set>
 
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QRegularExpression>
 #include <QScopeGuard>
 
 #include "database/sql/Attempts.h"
 #include "database/sql/Audit.h"
+#include "database/sql/Migrations.h"
 #include "database/sql/Noted.h"
 #include "database/sql/Recordings.h"
-#include "database/sql/SchemaCheck.h"
 #include "database/sql/Statement.h"
 
 namespace database::sql {
@@ -26,6 +27,38 @@ void say(CheckReport& report, const Finding& finding)
 {
     if (report.findings.size() < report.mostFindings)
         report.findings.push_back(finding);
+}
+
+/// Whether the tables are there that the migrations make, and the triggers that keep rows from being changed.
+core::Status checkSchema(const QSqlDatabase& db, CheckReport& report)
+{
+    const auto steps = shippedMigrations();
+    if (!steps)
+        return tl::unexpected(steps.error());
+    std::set<QString> there;
+    // A trigger of a server that is switched off, or fires only for copies of another server, is as good as none.
+    const QString names =
+        dialect::isPostgres(db)
+            ? QStringLiteral(
+                  "SELECT 'table ' || relname FROM pg_class WHERE relkind = 'r' AND pg_table_is_visible(oid) "
+                  "UNION ALL SELECT 'trigger ' || tgname FROM pg_trigger WHERE tgenabled IN ('O', 'A') AND "
+                  "pg_table_is_visible(tgrelid)")
+            : QStringLiteral("SELECT type || ' ' || name FROM sqlite_master");
+    if (auto read =
+            forEach(db, names, kDoing, {}, [&there](const QSqlQuery& row) { there.insert(row.value(0).toString()); });
+        !read)
+        return read;
+    static const QRegularExpression kMade(QStringLiteral(R"(CREATE (TABLE|TRIGGER) (\w+))"));
+    for (const Migration& step : *steps)
+        for (auto found = kMade.globalMatch(dialect::expand(db, step.sql)); found.hasNext();) {
+            const auto made = found.next();
+            const QString named = made.captured(1).toLower() + ' ' + made.captured(2);
+            if (there.count(named) == 0)
+                say(report,
+                    {QT_TRANSLATE_NOOP("Finding", "%1 is no longer there: what it guarded is not guarded any more"),
+                     {named.toStdString()}});
+        }
+    return {};
 }
 
 core::Status checkPages(const QSqlDatabase& db, CheckReport& report)
@@ -48,11 +81,6 @@ core::Status checkPages(const QSqlDatabase& db, CheckReport& report)
 
 core::Status checkAttempts(const QSqlDatabase& db, CheckReport& report, const Progress& progress)
 {
-    const char* const notNoted =
-        report.lacksNotes
-            ? QT_TRANSLATE_NOOP("Finding", "%1 (%2, %3) is not noted in the audit: it was inserted, or the note of it "
-                                           "is among the rows of the audit that were removed or changed")
-            : QT_TRANSLATE_NOOP("Finding", "%1 (%2, %3) was inserted: the audit knows nothing of it");
     // Those without an owner were made before there were people, and before there was an audit.
     const auto early = ask(db, "SELECT COUNT(*) FROM attempts WHERE person_id IS NULL", kDoing);
     if (!early)
@@ -70,7 +98,10 @@ core::Status checkAttempts(const QSqlDatabase& db, CheckReport& report, const Pr
                                                .toString()
                                                .toStdString();
                 if (noted.empty())
-                    say(report, {notNoted, named});
+                    say(report, {QT_TRANSLATE_NOOP("Finding", "%1 (%2, %3) is not noted in the audit: it was inserted, "
+                                                              "or the note of it is among the rows of the audit that "
+                                                              "were removed or changed"),
+                                 named});
                 else if (digest != digestOfAttempt(attempt))
                     say(report,
                         {QT_TRANSLATE_NOOP("Finding", "%1 (%2, %3) was changed after it had been kept"), named});
@@ -91,51 +122,27 @@ core::Status checkAttempts(const QSqlDatabase& db, CheckReport& report, const Pr
 core::Status checkChain(const QSqlDatabase& db, const std::vector<std::string>& witnesses, CheckReport& report,
                         const Progress& progress)
 {
-    const auto chain = readChain(db, witnesses, [&](std::int64_t rows) {
+    const auto found = checkAudit(db, witnesses, [&](std::int64_t rows) {
         if (progress && rows % 1000 == 0)
             report.isStopped = !progress("audit", rows);
         return !report.isStopped;
     });
-    if (!chain)
-        return tl::unexpected(chain.error());
-    report.auditRows = chain->rows;
-    report.lacksNotes = chain->lacksRows;
-    for (const Finding& finding : chain->findings)
+    if (!found)
+        return tl::unexpected(found.error());
+    for (const Finding& finding : *found)
         say(report, finding);
+    if (!found->empty())
+        report.notes.push_back(
+            {QT_TRANSLATE_NOOP("Finding", "the audit itself was changed: rows that differ from it may be right all "
+                                          "the same"),
+             {}});
+    const auto rows = ask(db, "SELECT COUNT(*) FROM audit", kDoing);
     const auto head = auditHead(db);
-    if (!head)
-        return tl::unexpected(head.error());
+    if (!rows || !head)
+        return tl::unexpected(rows ? head.error() : rows.error());
+    report.auditRows = rows->toLongLong();
     report.auditCode = head->code();
     return {};
-}
-
-/// Both ways: a start that was taken away would give back an attempt.
-core::Status checkExamStarts(const QSqlDatabase& db, CheckReport& report)
-{
-    if (auto read = forEach(
-            db,
-            "SELECT u.object, u.seq FROM audit u WHERE u.action = 'exam.begin' AND NOT EXISTS (SELECT "
-            "1 FROM exam_starts s JOIN people p ON p.id = s.person_id WHERE s.uid = substr(u.object, "
-            "6) AND p.uid = u.actor)",
-            kDoing, {},
-            [&](const QSqlQuery& row) {
-                say(report, {QT_TRANSLATE_NOOP("Finding", "%1 was removed or changed; row %2 of the audit tells of it"),
-                             {textOf(row, 0), textOf(row, 1)}});
-            });
-        !read)
-        return read;
-    return forEach(db,
-                   "SELECT s.uid, s.lesson_id, s.begun_utc, COALESCE(u.detail, '') FROM exam_starts s LEFT JOIN audit "
-                   "u ON u.object = 'exam:' || s.uid AND u.action = 'exam.begin'",
-                   kDoing, {}, [&](const QSqlQuery& row) {
-                       const QJsonObject noted = QJsonDocument::fromJson(row.value(3).toByteArray()).object();
-                       if (noted.isEmpty())
-                           say(report, {wordsOfUnnoted(report.lacksNotes), {"exam:" + textOf(row, 0)}});
-                       else if (noted.value(QStringLiteral("lesson")).toString() != row.value(1).toString() ||
-                                noted.value(QStringLiteral("begun")).toString() != row.value(2).toString())
-                           say(report, {QT_TRANSLATE_NOOP("Finding", "%1 was changed after it had been noted"),
-                                        {"exam:" + textOf(row, 0)}});
-                   });
 }
 
 core::Status checkSums(const QSqlDatabase& db, CheckReport& report)
@@ -230,91 +237,42 @@ core::Status checkSigner(const QSqlDatabase& db, const std::string& stationKey, 
     return {};
 }
 
-struct Look
-{
-    std::function<core::Status()> at;
-    const char* wordsIfNot;
-};
-
-/// An error only where the database is away: then there is nothing more to look at.
-core::Status lookAt(const Look& look, CheckReport& report)
-{
-    // Much of one kind hides nothing of another.
-    report.mostFindings = report.findings.size() + kMostFindings;
-    core::Status done = look.at();
-    // A table that is gone hides nothing that stands in the others; without the server there are none.
-    if (!done && (done.error().code == core::ErrorCode::ConnectionLost || done.error().code == core::ErrorCode::Busy))
-        return done;
-    if (!done) {
-        report.isWhole = false;
-        report.findings.push_back({look.wordsIfNot, {done.error().detail}});
-    }
-    return {};
-}
-
 }  // namespace
 
 core::Result<CheckReport> checkDatabase(const QSqlDatabase& db, const std::vector<std::string>& witnesses,
                                         const Progress& progress, const std::string& stationKey)
 {
     CheckReport report;
-    const bool onServer = dialect::isPostgres(db);
-    const auto tell = [&report](const Finding& finding) { say(report, finding); };
-    const auto note = [&report](const Finding& finding) { report.notes.push_back(finding); };
-    // It makes a schema to compare with, and so it cannot stand in a transaction that only reads.
-    if (auto done = lookAt({[&] { return checkSchema(db, tell, note); },
-                            QT_TRANSLATE_NOOP("Finding", "tables, indexes and triggers could not be looked at (%1)")},
-                           report);
-        !done)
-        return tl::unexpected(done.error());
     // All as it was at one moment: whoever works meanwhile has written here and not yet there.
     if (auto begun = execute(db, dialect::beginRead(db), kDoing); !begun)
         return tl::unexpected(begun.error());
     const auto ended = qScopeGuard([&db] { static_cast<void>(execute(db, "ROLLBACK", kDoing)); });
-    std::size_t ofChain = 0;  // findings, and of what is looked at before it
-    const std::array looks{
-        Look{[&] { return checkPages(db, report); },
-             QT_TRANSLATE_NOOP("Finding", "the pages of the file could not be looked at (%1)")},
-        Look{[&] {
-                 auto done = checkChain(db, witnesses, report, progress);
-                 ofChain = report.findings.size();
-                 return done;
-             },
-             QT_TRANSLATE_NOOP("Finding", "the audit could not be looked at (%1)")},
-        Look{[&] { return checkAttempts(db, report, progress); },
-             QT_TRANSLATE_NOOP("Finding", "the attempts could not be looked at (%1)")},
-        Look{[&] { return checkExamStarts(db, report); },
-             QT_TRANSLATE_NOOP("Finding", "the exams that were begun could not be looked at (%1)")},
-        Look{[&] { return checkSums(db, report); },
-             QT_TRANSLATE_NOOP("Finding", "score sheets and standings could not be looked at (%1)")},
-        Look{[&] { return checkNumbers(db, report); },
-             QT_TRANSLATE_NOOP("Finding", "the numbers of new rows could not be looked at (%1)")},
-        Look{[&] { return compareWithAudit(db, report.lacksNotes, tell); },
-             QT_TRANSLATE_NOOP("Finding", "people, classes, comments, presets and settings could not be compared with "
-                                          "the audit (%1)")},
-        Look{[&] { return checkRecordings(db, report, progress); },
-             QT_TRANSLATE_NOOP("Finding", "the recordings could not be looked at (%1)")},
-        Look{[&] { return checkSigner(db, stationKey, report); },
-             QT_TRANSLATE_NOOP("Finding", "who signed the head of the audit could not be looked at (%1)")},
+    const std::function<core::Status()> looks[]{
+        [&] { return checkSchema(db, report); },
+        [&] { return checkPages(db, report); },
+        [&] { return checkChain(db, witnesses, report, progress); },
+        [&] { return checkSigner(db, stationKey, report); },
+        [&] { return checkAttempts(db, report, progress); },
+        [&] { return compareWithAudit(db, [&report](const Finding& finding) { say(report, finding); }); },
+        [&] { return checkSums(db, report); },
+        [&] { return checkNumbers(db, report); },
+        [&] { return checkRecordings(db, report, progress); },
     };
-    for (const Look& look : looks) {
-        // A server answers nothing more in a transaction in which something has failed.
-        if (onServer)
-            if (auto kept = execute(db, "SAVEPOINT look", kDoing); !kept)
-                return tl::unexpected(kept.error());
-        if (auto done = lookAt(look, report); !done)
+    for (const auto& look : looks) {
+        // Much of one kind hides nothing of another.
+        report.mostFindings = report.findings.size() + kMostFindings;
+        const core::Status done = look();
+        if (!done &&
+            (done.error().code == core::ErrorCode::ConnectionLost || done.error().code == core::ErrorCode::Busy))
             return tl::unexpected(done.error());
-        if (onServer)
-            if (auto back = execute(db, "ROLLBACK TO look", kDoing); !back)
-                return tl::unexpected(back.error());
-        if (report.isStopped)
-            return report;
+        if (!done) {
+            report.isWhole = false;
+            report.findings.push_back(
+                {QT_TRANSLATE_NOOP("Finding", "the check could not go on: %1"), {done.error().detail}});
+        }
+        if (!done || report.isStopped)
+            break;
     }
-    if (report.lacksNotes && report.findings.size() > ofChain)
-        note({QT_TRANSLATE_NOOP("Finding", "rows of the audit were removed or changed: what is said not to be as it "
-                                           "was noted, or not to be noted, may be sound, and the note of it among "
-                                           "them"),
-              {}});
     return report;
 }
 

@@ -10,30 +10,28 @@
 
 #include "core/base/Result.h"
 #include "database/Finding.h"
-#include "database/sql/Audit.h"
 
 namespace database::sql {
+
+inline constexpr std::size_t kMostFindings = 100;
 
 /// What a thorough look at a database finds.
 struct CheckReport
 {
     std::vector<Finding> findings;  ///< empty: it is sound
-    std::vector<Finding> notes;     ///< what could not be compared, and is no fault of the school's
+    std::vector<Finding> notes;     ///< how to read them
     std::int64_t attempts = 0;
     std::int64_t auditRows = 0;
     std::string auditCode;                     ///< of the newest row, as reports show it
     std::string signedBy;                      ///< key of the station that wrote that row, 64 hex digits
-    bool lacksNotes = false;                   ///< the audit has lost rows: what it says nothing of may be sound
     bool isStopped = false;                    ///< not all was looked at
-    bool isWhole = true;                       ///< false: something could not be looked at, as a finding says
+    bool isWhole = true;                       ///< false: not all could be looked at, as the last finding says
     std::size_t mostFindings = kMostFindings;  ///< further ones are not told
 };
 
-/// Looks at everything: pages and keys (SQLite), the audit's chain and signed head, whether each attempt is as the
-/// audit says it was when it was kept, whether one was removed or inserted, what else the audit notes (see
-/// compareWithAudit()), exams that were begun, score sheets and standings, recordings, whether new rows get numbers,
-/// tables, indexes and triggers. What cannot be looked at is a finding, and the rest is looked at all the same. Does
-/// not write.
+/// Looks at everything: tables and triggers, pages and keys (SQLite), the audit's chain and signed head up to the first
+/// row that does not hold, whether each attempt is as the audit says it was when it was kept, what else the audit notes
+/// (see compareWithAudit()), score sheets and standings, whether new rows get numbers, recordings. Does not write.
 /// @param witnesses  audit codes of printed reports
 /// @param stationKey  of the only computer that may have written it, 64 hex digits; empty: there are several
 /// @param progress  what is looked at, and how many rows of it so far; false stops it

@@ -198,7 +198,6 @@ private slots:
     void aCheckNamesTheAttemptThatWasChanged_data() { support::addEngines(); }
     void aCheckNamesTheAttemptThatWasChanged();
     void newRowsAreNumberedAgain_data() { support::addEngines(); }
-    void manyRowsOfTheAuditThatAreGoneAreToldOnce();
     void itIsCheckedWhileOthersWrite_data() { support::addEngines(); }
     void itIsCheckedWhileOthersWrite();
     void newRowsAreNumberedAgain();
@@ -1451,25 +1450,6 @@ void TestUpkeep::aCheckNamesTheAttemptThatWasChanged()
     QVERIFY2(all.contains(QString::fromStdString(attempts[2].uid) + " was removed"), qPrintable(all));
     QVERIFY2(all.contains("do not add up"), qPrintable(all));
     QCOMPARE(report->findings.size(), std::size_t{3});
-}
-
-/// However many they were, what stands behind them is not called changed.
-void TestUpkeep::manyRowsOfTheAuditThatAreGoneAreToldOnce()
-{
-    SchoolRig rig(false);
-    const auto admin =
-        Logins::createFirstAdmin(rig.school(), {"admin", "", "", Role::Admin}, SchoolRig::kPassword, SchoolRig::kCheap);
-    VERIFY_DONE(admin);
-    VERIFY_DONE(makeSample(rig.school(), *admin, {40, 1200, 20, 7}, madeLessons({"class1-36"})));
-    QSqlQuery query(rig.school().db);
-    for (const char* deed :
-         {"DROP TRIGGER audit_no_update", "DROP TRIGGER audit_no_delete",
-          "DELETE FROM audit WHERE seq BETWEEN 101 AND 1150", "UPDATE audit SET seq = seq - 1050 WHERE seq > 1150"})
-        QVERIFY2(query.exec(QLatin1String(deed)), qPrintable(query.lastError().text()));
-    const auto found = checkAudit(rig.school().db, {});
-    VERIFY_DONE(found);
-    QCOMPARE(found->size(), std::size_t{1});
-    QVERIFY2(support::wordsOf(*found).contains("1050 rows were removed"), qPrintable(support::wordsOf(*found)));
 }
 
 /// What they write between two looks is none of the check's.

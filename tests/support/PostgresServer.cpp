@@ -106,10 +106,11 @@ void PostgresServer::stop()
     end(SIGINT);
 }
 
-QString PostgresServer::newDatabase()
+QString PostgresServer::newDatabase(const QString& like)
 {
     const QString name = QStringLiteral("school%1").arg(++m_databases);
-    if (!run(binaries() + "createdb", {"-h", m_folder.path(), "-U", "school", name}))
+    const QString model = like.isEmpty() ? QStringLiteral("template1") : like.section(u'/', -1);
+    if (!run(binaries() + "createdb", {"-h", m_folder.path(), "-U", "school", "-T", model, name}))
         return {};
     return QStringLiteral("postgresql://school@%1/%2")
         .arg(QString::fromLatin1(QUrl::toPercentEncoding(m_folder.path())), name);

@@ -22,8 +22,9 @@ public:
     /// Empty: it runs. Else what went wrong, or that PostgreSQL is not installed.
     [[nodiscard]] const QString& fault() const { return m_fault; }
 
-    /// Creates an empty database and returns its address for cusp.
-    [[nodiscard]] QString newDatabase();
+    /// Creates a database and returns its address for cusp.
+    /// @param like  address of one to copy, to which nobody is connected; empty: an empty one
+    [[nodiscard]] QString newDatabase(const QString& like = {});
 
     /// As a cable that is pulled, and plugged in again: the server stops at once, and starts anew.
     void kill();

@@ -410,24 +410,24 @@ void TestTexts::whatAnAuditRowIsAboutIsToldInWords()
 void TestTexts::whatACheckFoundIsToldInWords()
 {
     const ui::admin::NamesByUid names{{"1f", "Sam %2 (s1001)"}, {"class:5", "DEN101-A"}};
-    const database::Finding enrolled{"%1 was put into %2, and it was not noted", {"person:1f", "class:5"}};
-    QCOMPARE(enrolled.english(), QString("person:1f was put into class:5, and it was not noted"));
-    QCOMPARE(ui::admin::findingWords(enrolled, names, {}),
-             QString("Sam %2 (s1001) was put into DEN101-A, and it was not noted"));
-    const database::Finding role{"%1 has the role %2, the audit says %3", {"person:1f", "admin", "student"}};
-    const QString at = ui::people::when("2026-11-20T10:15:00Z");
-    const database::Finding row{"audit row %1 (%2, %3, %4) was changed, or the one before it was and its hash with it",
+    const database::Finding differs{"%1 differs from the audit: the row of %2 was changed, added or removed",
+                                    {"table enrolments", "person:1f"}};
+    QCOMPARE(differs.english(),
+             QString("table enrolments differs from the audit: the row of person:1f was changed, added or removed"));
+    QCOMPARE(
+        ui::admin::findingWords(differs, names, {}),
+        QString("table enrolments differs from the audit: the row of Sam %2 (s1001) was changed, added or removed"));
+    const database::Finding row{"audit row %1 (%2, %3, %4) is not the one that was signed",
                                 {"9", "2026-11-20T10:15:00Z", "login", "person:1f"}};
     QCOMPARE(ui::admin::findingWords(row, names, {}),
-             QString("audit row 9 (%1, logged in, Sam %2 (s1001)) was changed, or the one before it was and its hash "
-                     "with it")
-                 .replace("%1", at));
+             QString("audit row 9 (%1, logged in, Sam %2 (s1001)) is not the one that was signed")
+                 .replace("%1", ui::people::when("2026-11-20T10:15:00Z")));
     // A lesson by its title, as long as somebody knows it.
-    const database::Finding given{"that %1 was given the lesson %2 was removed", {"class:5", "class1-36"}};
-    QCOMPARE(ui::admin::findingWords(given, names, {{"class1-36", "Class I, 36"}}),
-             QString("that DEN101-A was given the lesson Class I, 36 was removed"));
-    QCOMPARE(ui::admin::findingWords(given, names, {}),
-             QString("that DEN101-A was given the lesson class1-36 was removed"));
+    const database::Finding standing{"%1 has attempts in %2 and no standing", {"person:1f", "class1-36"}};
+    QCOMPARE(ui::admin::findingWords(standing, names, {{"class1-36", "Class I, 36"}}),
+             QString("Sam %2 (s1001) has attempts in Class I, 36 and no standing"));
+    QCOMPARE(ui::admin::findingWords(standing, names, {}),
+             QString("Sam %2 (s1001) has attempts in class1-36 and no standing"));
     database::AuditRow assigned;
     assigned.action = "lesson.assign";
     assigned.detail = R"({"lesson": "class1-36"})";
@@ -435,8 +435,8 @@ void TestTexts::whatACheckFoundIsToldInWords()
     QTranslator german;
     QVERIFY(german.load(QStringLiteral(":/i18n/cusp_de.qm")));
     QCoreApplication::installTranslator(&german);
-    QCOMPARE(ui::admin::findingWords(role, names, {}),
-             QStringLiteral("Rolle: Sam %2 (s1001) – Admin; das Protokoll sagt Student/in"));
+    QCOMPARE(ui::admin::findingWords(standing, names, {}),
+             QStringLiteral("Sam %2 (s1001) hat in class1-36 Versuche, aber keinen Stand"));
 }
 
 void TestTexts::faultsAreToldInEveryLanguage_data()

@@ -66,14 +66,8 @@ constexpr std::array kKinds{
     std::pair{"person:", QT_TRANSLATE_NOOP("Admin", "person %1")},
     std::pair{"setting:", QT_TRANSLATE_NOOP("Admin", "setting %1")},
     std::pair{"station:", QT_TRANSLATE_NOOP("Admin", "computer with the key %1")},
-    // Parts of a database, as the check of its schema calls them.
     std::pair{"table ", QT_TRANSLATE_NOOP("Admin", "table %1")},
-    std::pair{"column ", QT_TRANSLATE_NOOP("Admin", "column %1")},
-    std::pair{"index ", QT_TRANSLATE_NOOP("Admin", "index %1")},
     std::pair{"trigger ", QT_TRANSLATE_NOOP("Admin", "trigger %1")},
-    std::pair{"constraint ", QT_TRANSLATE_NOOP("Admin", "constraint %1")},
-    std::pair{"view ", QT_TRANSLATE_NOOP("Admin", "view %1")},
-    std::pair{"rule ", QT_TRANSLATE_NOOP("Admin", "rule %1")},
 };
 
 constexpr std::array kWholes{
@@ -131,15 +125,13 @@ QString named(const QString& what, const NamesByUid& names)
     return what;
 }
 
-/// Of a finding: a moment, an action, a role, a lesson, or what something was done to.
+/// Of a finding: a moment, an action, a lesson, or what something was done to.
 QString noted(const QString& value, const NamesByUid& names, const people::LessonTitles& titles)
 {
     if (const auto title = titles.find(value); title != titles.end())
         return *title;
     if (QDateTime::fromString(value, Qt::ISODate).isValid())
         return people::when(value.toStdString());
-    if (const auto role = database::roleOf(value.toStdString()))
-        return roleWord(*role);
     const QString action = actionWords(value.toStdString());
     return action == value ? named(value, names) : action;
 }
