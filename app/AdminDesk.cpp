@@ -66,11 +66,6 @@ struct Newcomer
     core::Status put;
 };
 
-QString uidOf(const Session& who)
-{
-    return QString::fromStdString(who.uid());
-}
-
 /// For people: the file with its whole path, however it was named, or the URL.
 QString placeOf(const database::Address& address)
 {
@@ -251,35 +246,32 @@ void AdminDesk::connectPeople()
     const auto name = [](const Person& person) {
         return QString::fromStdString(person.fullName().empty() ? person.username : person.fullName());
     };
-    connect(&part, &PeoplePart::addWanted, this,
-            [this, name, &part](const database::NewPerson& person, const QSet<qint64>& classes) {
-                m_desk.ask(
-                    this,
-                    [who = m_who(), person, classes](const School& school) -> core::Result<Newcomer> {
-                        auto entered = database::sql::addPerson(school, who, person);
-                        if (!entered)
-                            return tl::unexpected(entered.error());
-                        core::Status put = belong(school, who, entered->person.id, classes, {});
-                        return Newcomer{std::move(*entered), std::move(put)};
-                    },
-                    [this, name, who = m_who(), &part](const core::Result<Newcomer>& newcomer) {
-                        const bool isHere = m_who() == who;
-                        if (newcomer) {
-                            const Person& entered = newcomer->entered.person;
-                            if (isHere)
-                                part.confirm(entered.id,
-                                             [said = name(entered)] { return tr("%1 was entered.").arg(said); });
-                            part.showCode(uidOf(who), entered, QString::fromStdString(newcomer->entered.code));
-                        }
-                        if (!isHere)
-                            return;
-                        if (const core::Status done = newcomer ? newcomer->put : tl::unexpected(newcomer.error());
-                            !done)
-                            part.refuse([error = done.error()] { return why(error); });
-                        if (newcomer)
-                            tellPeople();
-                    });
-            });
+    connect(
+        &part, &PeoplePart::addWanted, this,
+        [this, name, &part](const database::NewPerson& person, const QSet<qint64>& classes) {
+            m_desk.ask(
+                this,
+                [who = m_who(), person, classes](const School& school) -> core::Result<Newcomer> {
+                    auto entered = database::sql::addPerson(school, who, person);
+                    if (!entered)
+                        return tl::unexpected(entered.error());
+                    core::Status put = belong(school, who, entered->person.id, classes, {});
+                    return Newcomer{std::move(*entered), std::move(put)};
+                },
+                [this, name, who = m_who(), &part](const core::Result<Newcomer>& newcomer) {
+                    if (m_who() != who)
+                        return;
+                    if (newcomer) {
+                        const Person& entered = newcomer->entered.person;
+                        part.confirm(entered.id, [said = name(entered)] { return tr("%1 was entered.").arg(said); });
+                        part.showCode(entered, QString::fromStdString(newcomer->entered.code));
+                    }
+                    if (const core::Status done = newcomer ? newcomer->put : tl::unexpected(newcomer.error()); !done)
+                        part.refuse([error = done.error()] { return why(error); });
+                    if (newcomer)
+                        tellPeople();
+                });
+        });
     connect(
         &part, &PeoplePart::changeWanted, this, [this, name, &part](const Person& person, const QSet<qint64>& classes) {
             const auto before =
@@ -319,11 +311,11 @@ void AdminDesk::connectPeople()
         m_desk.ask(
             this, [who = m_who(), id](const School& school) { return database::sql::resetPassword(school, who, {id}); },
             [this, who = m_who(), &part](const core::Result<database::sql::Entered>& reset) {
-                if (reset)
-                    part.showCode(uidOf(who), reset->person, QString::fromStdString(reset->code));
                 if (m_who() != who)
                     return;
-                if (!reset)
+                if (reset)
+                    part.showCode(reset->person, QString::fromStdString(reset->code));
+                else
                     part.refuse([error = reset.error()] { return why(error); });
                 tellPeople();
             });
@@ -393,11 +385,8 @@ void AdminDesk::import(bool isDryRun, bool isOther)
         [this, isDryRun, isOther, isOver, who = m_who()](const core::Result<database::RosterOutcome>& outcome) {
             *isOver = true;
             ui::admin::RosterPart& part = m_window.adminPage().roster();
-            if (m_who() != who) {
-                if (outcome && !isDryRun)
-                    part.keepFor(uidOf(who), *outcome, m_rosterFile);
+            if (m_who() != who)
                 return;
-            }
             if (outcome) {
                 part.showOutcome(*outcome, m_rosterFile, !isDryRun);
                 if (isOther)

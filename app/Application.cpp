@@ -325,8 +325,7 @@ void Application::openDatabase()
     m_stationFolder = address->isServer() ? dataFolder() : QFileInfo(address->file).absolutePath();
     m_address = *address;
     makeStationFolder();
-    m_window->setPutByFolder(QDir(m_stationFolder).filePath(QStringLiteral("put-by")),
-                             database::Outbox::schoolAt(*address, m_stationFolder));
+    m_window->setRecoveryFile(QDir(m_stationFolder).filePath(QStringLiteral("unsaved-lessons.json")));
     m_desk = std::make_unique<SchoolDesk>(*address, m_stationFolder, m_options.opening);
     m_letters = std::make_unique<Letters>(*m_desk);
     connect(m_letters.get(), &Letters::kept, this, &Application::takeKept);
@@ -369,13 +368,11 @@ void Application::openDatabase()
     connect(m_desk.get(), &SchoolDesk::disabled, this, [this] {
         if (m_who.isGuest())  // has been shown out already
             return;
-        m_window->adminPage().forgetCodes();  // he does not come back for them
         leave();
         m_window->sayAtDoor([] { return tr("This account was disabled, and you were logged out. Ask an admin."); });
     });
     connect(m_desk.get(), &SchoolDesk::refused, this, &Application::leaveWithAnotherRole);
     connect(m_desk.get(), &SchoolDesk::otherSchool, this, [this] {
-        m_window->adminPage().forgetCodes();
         const bool wasIn = !m_who.isGuest();
         if (wasIn)
             leave();
@@ -811,7 +808,6 @@ void Application::leaveWithAnotherRole()
         [this, who = m_who](const core::Result<database::sql::Who>& now) {
             if (!now || m_who != who || now->role == who.role())
                 return;
-            m_window->adminPage().forgetCodes();
             leave();
             m_window->sayAtDoor([] { return tr("Your role was changed, and you were logged out. Log in again."); });
         });

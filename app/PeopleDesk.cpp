@@ -209,7 +209,6 @@ PeopleDesk::PeopleDesk(MainWindow& window, SchoolDesk& desk, std::function<datab
             id, [this](const auto& attempt, const auto& recording) { emit scoreWanted(attempt, recording); },
             [this](const auto& attempt) { openSheet(attempt); });
     });
-    connect(&m_window, &MainWindow::draftWanted, this, &PeopleDesk::openDraft);
     connectTalk();
     connectReport();
     ClassPage& classes = m_window.classPage();
@@ -425,7 +424,7 @@ void PeopleDesk::talkAbout(const std::optional<database::AttemptRecord>& attempt
     m_talkedAbout = attempt;
     ui::study::ScorePage& page = m_window.scorePage();
     page.setTalkVisible(attempt.has_value());
-    page.talk().setAttempt(attempt ? attempt->id : 0, attempt ? QString::fromStdString(attempt->uid) : QString());
+    page.talk().setAttempt(attempt ? attempt->id : 0);
     if (!attempt)
         return;
     page.talk().setScore(attempt->scoreTenths, attempt->passMarkTenths, attempt->passed);
@@ -444,25 +443,6 @@ QString PeopleDesk::makerOf(const database::AttemptRecord& attempt) const
         return QString::fromStdString(m_who().fullName());
     const auto known = m_names.find(attempt.person.value);
     return known != m_names.end() ? known->second : QString();
-}
-
-/// Before the list that it belongs to, and where it was being written.
-void PeopleDesk::openDraft(qint64 id)
-{
-    const auto afterList = [this](const database::AttemptRecord& attempt, const std::function<void()>& show) {
-        const bool isOwn = attempt.person == m_who().person();
-        openHistory(attempt.person, isOwn ? QString() : makerOf(attempt), {}, [this, id = attempt.id, show] {
-            m_reads = database::AttemptId{id};
-            show();
-        });
-    };
-    fetch(
-        id,
-        [this, afterList](const auto& attempt, const auto& recording) {
-            afterList(attempt, [this, attempt, recording] { emit scoreWanted(attempt, recording); });
-        },
-        [this, afterList](const auto& attempt) { afterList(attempt, [this, attempt] { openSheet(attempt); }); },
-        [this, id] { m_window.tellDraftOfNothing(id); });
 }
 
 /// What a lesson is called is in its file.
@@ -713,11 +693,11 @@ void PeopleDesk::refuse(const core::Error& error)
 }
 
 void PeopleDesk::openHistory(database::PersonId person, const QString& fullName,
-                             const std::optional<std::string>& lesson, const std::function<void()>& then)
+                             const std::optional<std::string>& lesson)
 {
     m_asked = person;
     m_names[person.value] = fullName;
-    const auto show = [this, person, fullName, lesson, then,
+    const auto show = [this, person, fullName, lesson,
                        isStillThere = isStillThere()](const core::Result<AttemptsNow>& found) {
         if (!found) {
             refuse(found.error());
@@ -734,8 +714,6 @@ void PeopleDesk::openHistory(database::PersonId person, const QString& fullName,
         if (lesson)
             tellClassAt(QString::fromStdString(*lesson));
         m_window.openHistory();
-        if (then)
-            then();
     };
     readLessons([this, person, show] {
         askAs([who = m_who(), person](const School& school) { return readAttempts(school, who, person); }, show);
@@ -939,8 +917,7 @@ void PeopleDesk::tellResults(const QString& lesson)
           });
 }
 
-void PeopleDesk::fetch(qint64 attempt, const UseAttempt& use, const UseRecord& orElse,
-                       const std::function<void()>& isGone)
+void PeopleDesk::fetch(qint64 attempt, const UseAttempt& use, const UseRecord& orElse)
 {
     struct Found
     {
@@ -960,12 +937,9 @@ void PeopleDesk::fetch(qint64 attempt, const UseAttempt& use, const UseRecord& o
             return Found{std::move(*record), core::recording::Recording::fromBytes(
                                                  {bytes->constData(), static_cast<std::size_t>(bytes->size())})};
         },
-        [this, use, orElse, isGone, isStillThere = isStillThere()](const core::Result<Found>& found) {
+        [this, use, orElse, isStillThere = isStillThere()](const core::Result<Found>& found) {
             if (!found) {
-                if (found.error().code == core::ErrorCode::UnknownName && isGone)
-                    isGone();
-                else
-                    refuse(found.error());
+                refuse(found.error());
                 return;
             }
             if (!isStillThere()) {

@@ -78,10 +78,7 @@ private:
     void readLessons(const std::function<void()>& then);
     void tellLessons();
     [[nodiscard]] const lessons::Lesson* lesson(const std::string& id) const;
-    /// @param then  once they are shown
-    void openHistory(database::PersonId person, const QString& fullName, const std::optional<std::string>& lesson,
-                     const std::function<void()>& then = {});
-    void openDraft(qint64 attempt);
+    void openHistory(database::PersonId person, const QString& fullName, const std::optional<std::string>& lesson);
     void tellClassAt(const QString& lesson);
     void openClasses();
     /// @param then  once they are shown
@@ -95,9 +92,7 @@ private:
     using UseAttempt = std::function<void(const database::AttemptRecord&, const core::recording::Recording&)>;
     using UseRecord = std::function<void(const database::AttemptRecord&)>;
     /// @param orElse  where there is no recording that can be read; nothing: that is said
-    /// @param isGone  in place of saying so, where the attempt is there no more; may be empty
-    void fetch(qint64 attempt, const UseAttempt& use, const UseRecord& orElse = {},
-               const std::function<void()>& isGone = {});
+    void fetch(qint64 attempt, const UseAttempt& use, const UseRecord& orElse = {});
     [[nodiscard]] QString workOf(const database::AttemptRecord& attempt) const;
     [[nodiscard]] bool playsTalkedAbout() const;
     void offerBeside(const std::string& lesson, const std::string& tooth);

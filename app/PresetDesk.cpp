@@ -357,12 +357,10 @@ void PresetDesk::keep(const FeelPreset& preset, const QString& note)
     m_school->ask(
         this, [who, preset](const School& school) { return keepInSchool(school, who, preset); },
         [this, note, who](const core::Result<FeelPreset>& kept) {
-            if (who.person() == m_who().person()) {
+            if (who.person() == m_who().person())
                 tellKept(kept, note);
-            } else if (kept) {  // somebody else works here by now
-                m_window.forgetPresetDraft(who, *kept);
+            else if (kept)  // another user has logged in meanwhile
                 refresh();
-            }
         });
 }
 

@@ -69,18 +69,6 @@ void AdminPage::setLessonTitles(const people::LessonTitles& titles)
     m_audit->setLessonTitles(titles);
 }
 
-void AdminPage::setWriter(const QString& person)
-{
-    m_people->setWriter(person);
-    m_roster->setWriter(person);
-}
-
-void AdminPage::forgetCodes()
-{
-    m_people->forgetCodes();
-    m_roster->showOutcome({}, {}, false);
-}
-
 void AdminPage::show(Part part)
 {
     m_choice->button(part)->setChecked(true);

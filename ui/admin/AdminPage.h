@@ -28,13 +28,6 @@ public:
     /// Asks for what the part that is shown is about once more: others work at it, too.
     void readAgain() { emit partOpened(part()); }
 
-    /// Which admin works here now, by his uid, empty: none. What others have typed, and codes that they have made, wait
-    /// for them.
-    void setWriter(const QString& person);
-
-    /// He does not come back for those he has made.
-    void forgetCodes();
-
     [[nodiscard]] PeoplePart& people() { return *m_people; }
     [[nodiscard]] RosterPart& roster() { return *m_roster; }
     [[nodiscard]] BackupPart& backups() { return *m_backups; }

@@ -31,6 +31,7 @@
 #include "ui/people/WordFilter.h"
 #include "ui/shell/ScrollPane.h"
 #include "ui/shell/Theme.h"
+#include "ui/shell/UnsavedChanges.h"
 #include "ui/study/FormInputs.h"
 #include "ui/text/EveryLanguage.h"
 
@@ -49,25 +50,10 @@ constexpr int kMostFittedPx = 320;  ///< of a column, for the sake of one who is
 constexpr int kLeastFittedPx = 80;  ///< of one that gives room to others
 constexpr int kSoonMs = 100;        ///< what takes longer is told
 constexpr std::array kRoles{Role::Student, Role::Instructor, Role::Admin};
-const QString kPerson = QStringLiteral("person");
-const QString kForms = QStringLiteral("forms");
 
 QString nameOf(const Person& person)
 {
     return QString::fromStdString(person.fullName().empty() ? person.username : person.fullName());
-}
-
-QString roleText(int index)
-{
-    return QString::fromUtf8(database::roleName(kRoles.at(static_cast<std::size_t>(std::max(0, index)))).data());
-}
-
-/// Of what a file says; a student, where it says nothing.
-int roleAt(const QJsonValue& text)
-{
-    const auto role = database::roleOf(text.toString().toStdString()).value_or(Role::Student);
-    const auto found = std::find(kRoles.begin(), kRoles.end(), role);
-    return found == kRoles.end() ? 0 : static_cast<int>(found - kRoles.begin());
 }
 
 /// As high as the fields leave it room for, and at least three lines.
@@ -153,7 +139,8 @@ QWidget* PeoplePart::makeList()
     connect(m_search, &QLineEdit::textChanged, this, &PeoplePart::filter);
     connect(m_new, &QPushButton::clicked, this, [this] {
         select(0);
-        m_username->setFocus();
+        if (!isHalfFilled())  // else a question is asked
+            m_username->setFocus();
     });
     // A row that becomes the current one when the table gets the focus was chosen by nobody.
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
@@ -237,7 +224,6 @@ QWidget* PeoplePart::makeForm()
     m_said = study::formWords({}, kBody, QFont::Normal, QPalette::WindowText, whole);
     m_said->setObjectName(QStringLiteral("personSaid"));
     m_said->setTextFormat(Qt::PlainText);
-    stack->addWidget(makeAside(whole));
     stack->addWidget(m_fault);
     stack->addWidget(m_said);
     m_save = button("filled", "savePerson", whole);
@@ -309,26 +295,6 @@ QWidget* PeoplePart::makeForm()
     connect(m_classList, &QListWidget::currentRowChanged, this, tellRename);
     tellRename();
     return whole;
-}
-
-/// What stood half filled in when another row was chosen.
-QWidget* PeoplePart::makeAside(QWidget* parent)
-{
-    m_asideRow = new QWidget(parent);
-    auto* column = new QVBoxLayout(m_asideRow);
-    column->setContentsMargins(0, 0, 0, 0);
-    m_asideWords = study::formWords({}, kSmall, QFont::Normal, QPalette::WindowText, m_asideRow);
-    m_asideWords->setObjectName(QStringLiteral("personAside"));
-    m_asideWords->setTextFormat(Qt::PlainText);
-    auto* back = button("", "personAsideBack", m_asideRow);
-    column->addWidget(m_asideWords);
-    column->addWidget(back, 0, Qt::AlignLeft);
-    connect(back, &QPushButton::clicked, this, &PeoplePart::bringBack);
-    text::inEveryLanguage(back, [back] {
-        back->setText(tr("Bring the changes back"));
-        back->setAccessibleName(back->text());
-    });
-    return m_asideRow;
 }
 
 void PeoplePart::speak()
@@ -508,11 +474,6 @@ void PeoplePart::setPeople(const QList<Person>& people, const QList<database::Sc
         const Person* const whose = find(one.first);
         return whose == nullptr || whose->hasPassword || whose->codeUntilUtc != one.second.untilUtc;
     });
-    // A backup was put in the place of the school, in which somebody else has the number.
-    m_aside.removeIf([this](const Typed& one) {
-        const Person* const whose = find(one.person());
-        return one.person() != 0 && (whose == nullptr || whose->uid != one.asItWas.uid);
-    });
     fill();
     showForm();
 }
@@ -528,7 +489,14 @@ void PeoplePart::choose(qint64 person)
 {
     if (m_chosen == person && person != 0)
         return;
-    putAside();
+    if (isHalfFilled()) {
+        showFound();  // marks the row again that the form shows
+        UnsavedChanges::ask(window(), formWords(), [this, person] {
+            m_isTouched = false;
+            select(person);
+        });
+        return;
+    }
     m_chosen = person;
     m_isTouched = false;
     m_classAdded.clear();
@@ -649,65 +617,20 @@ bool PeoplePart::isHalfFilled() const
            now.classes != before.classes;
 }
 
-void PeoplePart::putAside()
+QString PeoplePart::formWords() const
 {
     if (!isHalfFilled())
-        return;
-    dropAside(typed());
-    m_aside << typed();
-    tellAside();
+        return {};
+    return m_inForm.id.value == 0 ? tr("What you have typed for a new person is not entered.")
+                                  //: %1 is a person
+                                  : tr("What you have changed of %1 is not saved.").arg(m_title->text());
 }
 
-/// Of somebody new there may be several, told apart by the name to log in with.
-void PeoplePart::dropAside(const Typed& what)
-{
-    m_aside.removeIf([&what](const Typed& one) {
-        return one.person() == what.person() &&
-               (one.person() != 0 || (!one.username.isEmpty() && one.username == what.username));
-    });
-    tellAside();
-}
-
-QString PeoplePart::asideWords(const Typed& aside)
-{
-    if (aside.person() == 0)
-        return tr("What you had typed for a new person is put aside.");
-    //: %1 is a person
-    return tr("What you had changed of %1 is put aside.").arg(nameOf(aside.asItWas));
-}
-
-void PeoplePart::tellAside()
-{
-    m_asideRow->setVisible(!m_aside.isEmpty());
-    if (!m_aside.isEmpty())
-        m_asideWords->setText(asideWords(m_aside.back()));
-}
-
-void PeoplePart::bringBack()
-{
-    const Typed back = m_aside.takeLast();
-    putAside();  // what has been typed since, of the same person as well
-    m_isTouched = false;
-    select(back.person());
-    showForm();
-    const Person* const person = chosen();
-    if (person == nullptr)
-        write(back);
-    else
-        rebase(*person, back);
-    m_isTouched = true;
-    tellAside();
-}
-
-QString PeoplePart::unkept() const
+QString PeoplePart::unsavedChanges() const
 {
     QStringList sentences;
     if (isHalfFilled())
-        sentences << (m_inForm.id.value == 0 ? tr("What you have typed for a new person is not entered.")
-                                             //: %1 is a person
-                                             : tr("What you have changed of %1 is not saved.").arg(m_title->text()));
-    else if (!m_aside.isEmpty())
-        sentences << asideWords(m_aside.back());
+        sentences << formWords();
     if (!m_codes.isEmpty()) {
         QStringList names;
         for (const Code& one : m_codes)
@@ -721,111 +644,15 @@ QString PeoplePart::unkept() const
     return sentences.join(u'\n');
 }
 
-void PeoplePart::setWriter(const QString& person)
+void PeoplePart::discardChanges()
 {
-    if (person == m_writer)
-        return;
-    select(0);  // puts aside what is half filled in
+    m_isTouched = false;
+    m_submitted.reset();
+    m_codes.clear();
     m_search->clear();
     m_className->clear();
-    m_submitted.reset();
-    if (!m_aside.isEmpty() || !m_codes.isEmpty())
-        m_waiting[m_writer] = {std::move(m_aside), std::move(m_codes)};
-    m_waiting.erase(QString());  // nobody comes back for it
-    m_writer = person;
-    m_aside.clear();
-    m_codes.clear();
-    if (const auto own = m_waiting.find(person); own != m_waiting.end()) {
-        m_aside = std::move(own->second.forms);
-        m_codes = std::move(own->second.codes);
-        m_waiting.erase(own);
-    }
+    select(0);
     fill();
-    showForm();
-}
-
-QStringList PeoplePart::whoHasCodes(bool withOwn) const
-{
-    QStringList admins;
-    if (withOwn && !m_codes.isEmpty())
-        admins << m_writer;
-    for (const auto& [person, waits] : m_waiting)
-        if (!waits.codes.isEmpty())
-            admins << person;
-    return admins;
-}
-
-QJsonArray PeoplePart::waiting(bool withOwn) const
-{
-    QJsonArray all;
-    const auto add = [&all](const QString& person, const QList<Typed>& forms) {
-        QJsonArray typed;
-        for (const Typed& one : forms)
-            typed.append(toJson(one));
-        if (!typed.isEmpty())
-            all.append(QJsonObject{{kPerson, person}, {kForms, typed}});
-    };
-    for (const auto& [person, waits] : m_waiting)
-        add(person, waits.forms);
-    if (withOwn && !m_writer.isEmpty())
-        add(m_writer, isHalfFilled() ? m_aside + QList{this->typed()} : m_aside);
-    return all;
-}
-
-bool PeoplePart::goOnWith(const QJsonObject& typed)
-{
-    const QString person = typed[kPerson].toString();
-    const QJsonArray forms = typed[kForms].toArray();
-    if (person.isEmpty() || forms.isEmpty())
-        return false;
-    QList<Typed>& there = person == m_writer ? m_aside : m_waiting[person].forms;
-    QJsonArray known;
-    for (const Typed& one : std::as_const(there))
-        known.append(toJson(one));
-    for (const QJsonValue one : forms)
-        if (!known.contains(one))
-            there << fromJson(one.toObject());
-    tellAside();
-    return true;
-}
-
-QJsonObject PeoplePart::toJson(const Typed& typed)
-{
-    const auto form = [](const Typed& one) {
-        QJsonArray classes;
-        for (const qint64 id : one.classes)
-            classes.append(id);
-        return QJsonObject{
-            {"given", one.given}, {"family", one.family}, {"role", roleText(one.role)}, {"classes", classes}};
-    };
-    QJsonObject json = form(typed);
-    json["username"] = typed.username;
-    if (typed.person() != 0) {
-        json["was"] = form(asEntered(typed.asItWas));
-        json["id"] = typed.person();
-        json["uid"] = QString::fromStdString(typed.asItWas.uid);
-    }
-    return json;
-}
-
-PeoplePart::Typed PeoplePart::fromJson(const QJsonObject& typed)
-{
-    Typed form{
-        {}, typed["username"].toString(), typed["given"].toString(), typed["family"].toString(), roleAt(typed["role"]),
-        {}};
-    for (const QJsonValue one : typed["classes"].toArray())
-        form.classes.insert(one.toInteger());
-    const QJsonObject was = typed["was"].toObject();
-    Person& before = form.asItWas;
-    before.id = {typed["id"].toInteger()};
-    before.uid = typed["uid"].toString().toStdString();
-    before.username = form.username.toStdString();
-    before.givenName = was["given"].toString().toStdString();
-    before.familyName = was["family"].toString().toStdString();
-    before.role = kRoles.at(static_cast<std::size_t>(roleAt(was["role"])));
-    for (const QJsonValue one : was["classes"].toArray())
-        before.classes.push_back({one.toInteger()});
-    return form;
 }
 
 /// The question is about what was on the screen when it was asked.
@@ -865,7 +692,7 @@ void PeoplePart::say(const Words& sentence, const Words& fault)
 
 bool PeoplePart::isOwn(const Person* person) const
 {
-    return person != nullptr && person->uid == m_writer.toStdString();
+    return person != nullptr && person->uid == m_admin.toStdString();
 }
 
 /// Of a double click whose first has changed what the buttons are.
@@ -921,7 +748,6 @@ void PeoplePart::showForm()
     m_codeWords->setText(tr("One-time code of %1. Tell it now: it is kept nowhere. It is shown here, whenever %1 is "
                             "chosen, until School is left.")
                              .arg(code.fullName));
-    tellAside();
 }
 
 void PeoplePart::showButtons(const Person* person)
@@ -1069,14 +895,9 @@ void PeoplePart::toggleDisabled()
     emit changeWanted(changed, classes);
 }
 
-void PeoplePart::showCode(const QString& writer, const Person& person, const QString& code)
+void PeoplePart::showCode(const Person& person, const QString& code)
 {
-    const Code made{nameOf(person), code, person.codeUntilUtc};
-    if (writer != m_writer) {
-        m_waiting[writer].codes.insert(person.id.value, made);
-        return;
-    }
-    m_codes.insert(person.id.value, made);
+    m_codes.insert(person.id.value, {nameOf(person), code, person.codeUntilUtc});
     fill();
     showForm();
     m_pane->ensureVisible(0, 0);
@@ -1084,17 +905,13 @@ void PeoplePart::showCode(const QString& writer, const Person& person, const QSt
 
 void PeoplePart::confirm(database::PersonId person, const Words& sentence)
 {
-    // What was not sent with this stays as it was typed, or is put aside.
     const std::optional<Typed> submitted = std::exchange(m_submitted, std::nullopt);
-    if (submitted) {
-        dropAside(*submitted);
+    if (submitted)
         m_isTouched = m_isTouched && m_inForm.id.value != submitted->person();
-    }
-    if (m_inForm.id.value != person.value)
-        putAside();
     if (submitted && submitted->person() == 0)  // the buttons of somebody who is there come under the pointer
         m_sinceSubmitted.start();
-    m_chosen = person.value;
+    if (!isHalfFilled())  // else the user has gone on with somebody else
+        m_chosen = person.value;
     m_className->clear();
     say(sentence);
 }

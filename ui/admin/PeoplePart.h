@@ -2,13 +2,10 @@
 #pragma once
 
 #include <functional>
-#include <map>
 #include <optional>
 
 #include <QElapsedTimer>
 #include <QHash>
-#include <QJsonArray>
-#include <QJsonObject>
 #include <QList>
 #include <QModelIndex>
 #include <QSet>
@@ -50,11 +47,10 @@ public:
 
     /// Who is chosen stays chosen.
     void setPeople(const QList<database::Person>& people, const QList<database::SchoolClass>& classes);
-    /// Lets a person in once; it is kept nowhere else, so his form shows it until it is used, another is made, or the
+    /// Lets a person in once; it is kept nowhere else, so their form shows it until it is used, another is made, or the
     /// page is left.
-    /// @param writer  who has made it: nobody else is shown it
-    void showCode(const QString& writer, const database::Person& person, const QString& code);
-    /// The page is left by who made them.
+    void showCode(const database::Person& person, const QString& code);
+    /// The user leaves the page.
     void forgetCodes();
     /// Whether the page may be left by Esc, perhaps one key too many: codes would be gone. No, the first time, and says
     /// so.
@@ -67,19 +63,11 @@ public:
     /// The name that was typed stays, to be corrected.
     void refuseClass(const Words& sentence);
 
-    /// Which admin works here now, by his uid, empty: none. What another has typed, and one-time codes that he has
-    /// made, wait until he is back, and are shown to nobody else.
-    void setWriter(const QString& person);
-    /// That somebody's form is half filled in, or codes are shown, in sentences. Empty: neither.
-    [[nodiscard]] QString unkept() const;
-    /// The others whose codes wait, by their uids.
-    /// @param withOwn  and the writer, if codes of his are shown
-    [[nodiscard]] QStringList whoHasCodes(bool withOwn) const;
-    /// What others have typed, each person's as an object; codes are not among it: they open accounts.
-    /// @param withOwn  and what the writer has typed
-    [[nodiscard]] QJsonArray waiting(bool withOwn) const;
-    /// One of those waits again, for who has typed it, beside what else he has. False: it is none.
-    [[nodiscard]] bool goOnWith(const QJsonObject& typed);
+    /// The admin who is logged in, by uid; empty: none.
+    void setAdmin(const QString& uid) { m_admin = uid; }
+    /// Describes a form that is not saved, and one-time codes that are shown. Empty: neither.
+    [[nodiscard]] QString unsavedChanges() const;
+    void discardChanges();
 
 signals:
     /// @param classes  to belong to
@@ -113,16 +101,9 @@ private:
     };
     /// What is asked before it is done.
     enum class Question { Password, OwnRole, OwnAccount };
-    /// What waits for somebody.
-    struct Waiting
-    {
-        QList<Typed> forms;
-        QHash<qint64, Code> codes;
-    };
 
     QWidget* makeList();
     QWidget* makeForm();
-    QWidget* makeAside(QWidget* parent);
     void speak();
     void fill();
     void fitColumns();
@@ -132,10 +113,6 @@ private:
     [[nodiscard]] QModelIndex rowOf(qint64 person) const;
     void choose(qint64 person);
     void select(qint64 person);
-    void putAside();
-    void dropAside(const Typed& what);
-    void tellAside();
-    void bringBack();
     void fillClasses(const QSet<qint64>& wanted);
     void endThought();
     [[nodiscard]] bool isAnswered(Question question);
@@ -151,26 +128,22 @@ private:
     [[nodiscard]] static Typed asEntered(const database::Person& person);
     [[nodiscard]] static Typed onto(const database::Person& now, const Typed& typed);
     void rebase(const database::Person& now, const Typed& typed);
-    [[nodiscard]] static QJsonObject toJson(const Typed& typed);
-    [[nodiscard]] static Typed fromJson(const QJsonObject& typed);
     void write(const Typed& typed);
     [[nodiscard]] Typed typed() const;
     [[nodiscard]] bool isHalfFilled() const;
-    [[nodiscard]] static QString asideWords(const Typed& aside);
+    [[nodiscard]] QString formWords() const;
     [[nodiscard]] bool isOwn(const database::Person* person) const;
     [[nodiscard]] bool isSecondClick() const;
     [[nodiscard]] QString stateOf(const database::Person& person, const std::string& nowUtc) const;
 
     QList<database::Person> m_people;
     QList<database::SchoolClass> m_classes;
-    QString m_writer;
-    std::map<QString, Waiting> m_waiting;  ///< for who does not work here now
-    qint64 m_chosen = 0;                   ///< 0: somebody new
-    database::Person m_inForm;             ///< whom the form shows, as he was then; without an id: somebody new
-    bool m_isTouched = false;  ///< something in it was changed by hand, and outlives news of what others have entered
+    QString m_admin;
+    qint64 m_chosen = 0;        ///< 0: somebody new
+    database::Person m_inForm;  ///< whom the form shows, as he was then; without an id: somebody new
+    bool m_isTouched = false;   ///< something in it was changed by hand, and outlives news of what others have entered
     std::optional<Typed> m_submitted;  ///< what is on its way
     QElapsedTimer m_sinceSubmitted;
-    QList<Typed> m_aside;         ///< when another row was chosen; the latest last
     QHash<qint64, Code> m_codes;  ///< by whom they let in
     PeopleModel* m_rows = nullptr;
     people::WordFilter* m_shown = nullptr;
@@ -200,8 +173,6 @@ private:
     QPushButton* m_disable = nullptr;
     SecondThought* m_thought = nullptr;
     Question m_question = Question::Password;
-    QWidget* m_asideRow = nullptr;
-    QLabel* m_asideWords = nullptr;
     QLabel* m_said = nullptr;
     QLabel* m_fault = nullptr;
     Words m_sentence;

@@ -52,12 +52,6 @@ void remember(const QString& file)
     memory().setValue(kFolder, QFileInfo(file).absolutePath());
 }
 
-int newcomersOf(const database::RosterOutcome& outcome)
-{
-    return static_cast<int>(std::count_if(outcome.people.begin(), outcome.people.end(),
-                                          [](const database::RosterPerson& person) { return person.isNew; }));
-}
-
 }  // namespace
 
 RosterPart::RosterPart(QWidget* parent)
@@ -111,7 +105,10 @@ RosterPart::RosterPart(QWidget* parent)
         tell();
     });
     connect(m_choose, &QPushButton::clicked, this, &RosterPart::chooseFile);
-    connect(m_enter, &QPushButton::clicked, this, &RosterPart::enterWanted);
+    connect(m_enter, &QPushButton::clicked, this, [this] {
+        m_isEntering = true;
+        emit enterWanted();
+    });
     connect(m_save, &QPushButton::clicked, this, &RosterPart::saveCodes);
     text::inEveryLanguage(this, [this] { speak(); });
 }
@@ -143,7 +140,7 @@ void RosterPart::tell()
     m_choose->setAccessibleName(m_choose->text());
     const bool isAnybody = !m_outcome.people.empty();
     const bool isWrong = !m_thought->isAsked() && (m_what.isEmpty() ? !m_file.isEmpty() && !isAnybody : m_isWrong);
-    const QString words = m_thought->isAsked() ? unkept() : m_what.isEmpty() ? outcomeWords() : m_what;
+    const QString words = m_thought->isAsked() ? unsavedChanges() : m_what.isEmpty() ? outcomeWords() : m_what;
     study::showFault(m_fault, isWrong ? words : QString());
     m_said->setText(isWrong ? QString() : words);
     m_said->setVisible(!isWrong);
@@ -172,48 +169,19 @@ QString RosterPart::outcomeWords() const
         .arg(tr("%1: %Ln person(s) known already.", nullptr, known).arg(m_file));
 }
 
-QString RosterPart::unkept() const
+QString RosterPart::unsavedChanges() const
 {
+    if (m_isEntering)  // the codes are still to come
+        return tr("These people are being entered …");
     return !m_isDone || m_isSaved || newcomers() == 0
                ? QString()
                : tr("The one-time codes of %1 are not saved, and they are kept nowhere else.").arg(m_file);
 }
 
-void RosterPart::setWriter(const QString& person)
-{
-    if (person == m_writer)
-        return;
-    m_thought->end();
-    if (!unkept().isEmpty())
-        keepFor(m_writer, m_outcome, m_file);
-    m_writer = person;
-    Waiting own;
-    if (const auto found = m_waiting.find(person); found != m_waiting.end()) {
-        own = std::move(found->second);
-        m_waiting.erase(found);
-    }
-    showOutcome(own.outcome, own.file, !own.file.isEmpty());
-}
-
-void RosterPart::keepFor(const QString& writer, const database::RosterOutcome& outcome, const QString& file)
-{
-    if (!writer.isEmpty() && newcomersOf(outcome) > 0)
-        m_waiting[writer] = {outcome, file};
-}
-
-QStringList RosterPart::whoHasCodes(bool withOwn) const
-{
-    QStringList admins;
-    if (withOwn && !unkept().isEmpty())
-        admins << m_writer;
-    for (const auto& one : m_waiting)
-        admins << one.first;
-    return admins;
-}
-
 int RosterPart::newcomers() const
 {
-    return newcomersOf(m_outcome);
+    return static_cast<int>(std::count_if(m_outcome.people.begin(), m_outcome.people.end(),
+                                          [](const database::RosterPerson& person) { return person.isNew; }));
 }
 
 void RosterPart::fill()
@@ -268,6 +236,7 @@ void RosterPart::showOutcome(const database::RosterOutcome& outcome, const QStri
 {
     m_outcome = outcome;
     m_file = QFileInfo(file).fileName();
+    m_isEntering = false;
     m_isDone = isDone;
     m_isSaved = false;
     m_what.clear();
@@ -287,6 +256,7 @@ void RosterPart::refuse(const QString& sentence)
 {
     m_what = sentence;
     m_isWrong = true;
+    m_isEntering = false;
     tell();
 }
 
@@ -300,7 +270,7 @@ void RosterPart::refuseFile(const QString& file, const QString& sentence, const 
 /// Codes that nobody has saved would each have to be given anew.
 bool RosterPart::mayForgetCodes()
 {
-    if (unkept().isEmpty())
+    if (unsavedChanges().isEmpty())
         return true;
     if (m_thought->isAsked() && !m_thought->mayBeAnswered())
         return false;

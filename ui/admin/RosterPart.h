@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <map>
-
 #include <QString>
 #include <QWidget>
 
@@ -28,15 +26,6 @@ class RosterPart final : public QWidget
 public:
     explicit RosterPart(QWidget* parent);
 
-    /// Which admin works here now, by his uid, empty: none. One-time codes that another has not saved wait until he is
-    /// back, and are shown to nobody else.
-    void setWriter(const QString& person);
-    /// The others whose codes wait that they have not saved, by their uids.
-    /// @param withOwn  or the writer
-    [[nodiscard]] QStringList whoHasCodes(bool withOwn) const;
-    /// What the writer has had entered, while another worked here already.
-    void keepFor(const QString& writer, const database::RosterOutcome& outcome, const QString& file);
-
     /// @param isDone  entered; else only looked at
     void showOutcome(const database::RosterOutcome& outcome, const QString& file, bool isDone);
     /// What goes on.
@@ -45,8 +34,9 @@ public:
     void refuse(const QString& sentence);
     /// A file is no class list, or cannot be read; what was known of the one before is forgotten.
     void refuseFile(const QString& file, const QString& sentence, const QString& technical);
-    /// That codes are not saved, in a sentence. Empty: there are none.
-    [[nodiscard]] QString unkept() const;
+    /// Describes one-time codes that are not saved. Empty: there are none.
+    [[nodiscard]] QString unsavedChanges() const;
+    void discardChanges() { showOutcome({}, {}, false); }
 
 signals:
     void fileChosen(const QString& path);
@@ -68,17 +58,9 @@ private:
     void saveCodes();
     void writeCodes(const QString& path);
 
-    /// What was entered, whose codes are not saved.
-    struct Waiting
-    {
-        database::RosterOutcome outcome;
-        QString file;
-    };
-
-    QString m_writer;
-    std::map<QString, Waiting> m_waiting;  ///< for who does not work here now
     database::RosterOutcome m_outcome;
     QString m_file;
+    bool m_isEntering = false;
     bool m_isDone = false;
     bool m_isSaved = false;    ///< the codes are
     SecondThought* m_thought;  ///< whether codes that are not saved may go

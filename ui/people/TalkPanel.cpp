@@ -44,19 +44,11 @@ QLabel* label(int size, QFont::Weight weight, QPalette::ColorRole role, QWidget*
     return made;
 }
 
-const QString kPerson = QStringLiteral("person");
-const QString kAttempt = QStringLiteral("attempt");
-const QString kUid = QStringLiteral("uid");
-
-QString below(const QString& draft, const QString& words)
-{
-    return draft.trimmed().isEmpty() ? words : draft + QStringLiteral("\n\n") + words;
-}
-
-/// The words of a comment that was taken back, under a draft.
+/// The words of a comment that was taken back, below what is typed already.
 QString below(const QString& draft, const database::AttemptComment& comment)
 {
-    return below(draft, QString::fromStdString(comment.words));
+    const QString words = QString::fromStdString(comment.words);
+    return draft.trimmed().isEmpty() ? words : draft + QStringLiteral("\n\n") + words;
 }
 
 }  // namespace
@@ -197,106 +189,14 @@ void TalkPanel::makeOverride(QVBoxLayout& column)
     connect(m_again, &QPushButton::clicked, this, [ask] { ask(std::nullopt); });
 }
 
-void TalkPanel::setAttempt(qint64 attempt, const QString& uid)
+void TalkPanel::setAttempt(qint64 attempt)
 {
-    if (attempt == m_attempt && uid == m_uid)
+    if (attempt == m_attempt)
         return;
     m_drafts[m_attempt] = draft();
-    findDrafts(attempt, uid);
     m_attempt = attempt;
-    m_uid = uid;
     say({});
     take(m_drafts[m_attempt]);
-}
-
-/// Of no attempt.
-qint64 TalkPanel::freeRow(const std::map<qint64, Draft>& drafts)
-{
-    return std::min<qint64>(drafts.empty() ? 0 : drafts.begin()->first, 0) - 1;
-}
-
-/// Where it belongs: by the attempt, as far as that is known.
-qint64 TalkPanel::rowOf(const std::map<qint64, Draft>& drafts, const QJsonObject& typed)
-{
-    const qint64 row = typed[kAttempt].toInteger();
-    const QString uid = typed[kUid].toString();
-    for (const auto& [other, draft] : drafts)
-        if (!uid.isEmpty() && draft.uid == uid)
-            return other;
-    const auto there = drafts.find(row);
-    const bool isAnothers = there != drafts.end() && !uid.isEmpty() && !there->second.uid.isEmpty();
-    return isAnothers ? freeRow(drafts) : row;
-}
-
-std::map<qint64, TalkPanel::Draft>& TalkPanel::draftsOf(const QString& person)
-{
-    if (person != m_writer)
-        return m_waiting[person];
-    m_drafts[m_attempt] = draft();
-    return m_drafts;
-}
-
-/// What was typed on an attempt of another row by this one's uid, or on another attempt that had this row.
-void TalkPanel::findDrafts(qint64 attempt, const QString& uid)
-{
-    if (uid.isEmpty())
-        return;
-    if (const auto there = m_drafts.find(attempt);
-        there != m_drafts.end() && !there->second.uid.isEmpty() && there->second.uid != uid) {
-        m_drafts[freeRow(m_drafts)] = std::move(there->second);
-        m_drafts.erase(attempt);
-    }
-    const auto own = std::find_if(m_drafts.begin(), m_drafts.end(),
-                                  [&](const auto& one) { return one.first != attempt && one.second.uid == uid; });
-    if (own == m_drafts.end())
-        return;
-    if (const Draft& there = m_drafts[attempt]; !hasComment(there) && !hasScore(there))
-        m_drafts[attempt] = std::move(own->second);
-    m_drafts.erase(own);
-}
-
-void TalkPanel::setWriter(const QString& person)
-{
-    if (person == m_writer)
-        return;
-    setAttempt(0);
-    take({});
-    m_waiting[m_writer] = std::move(m_drafts);
-    m_drafts = std::move(m_waiting[person]);
-    m_waiting.erase(person);
-    for (const auto& [attempt, sent] : m_sent)
-        m_unheard.insert({{m_writer, attempt}, sent});
-    m_writer = person;
-    m_sent.clear();
-    m_withdrawn.clear();
-}
-
-QJsonObject TalkPanel::toJson(const QString& person, qint64 attempt, const Draft& draft)
-{
-    QJsonObject typed{{kPerson, person}, {kAttempt, attempt}, {"comment", draft.words}, {"reason", draft.reason}};
-    if (draft.momentMs)
-        typed["momentMs"] = qint64{*draft.momentMs};
-    if (draft.placeMm)
-        typed["placeMm"] = QJsonArray{(*draft.placeMm)[0], (*draft.placeMm)[1], (*draft.placeMm)[2]};
-    if (hasScore(draft))
-        typed["points"] = draft.points;
-    typed["arePointsTyped"] = draft.hasPoints;
-    if (!draft.uid.isEmpty())
-        typed[kUid] = draft.uid;
-    return typed;
-}
-
-TalkPanel::Draft TalkPanel::fromJson(const QJsonObject& typed)
-{
-    Draft draft{typed["comment"].toString(), {}, {}, typed["reason"].toString()};
-    if (const QJsonValue moment = typed["momentMs"]; moment.isDouble())
-        draft.momentMs = moment.toInteger();
-    if (const QJsonArray place = typed["placeMm"].toArray(); place.size() == 3)
-        draft.placeMm = {place[0].toDouble(), place[1].toDouble(), place[2].toDouble()};
-    draft.hasPoints = typed["arePointsTyped"].toBool();
-    draft.points = std::clamp(typed["points"].toDouble(), -kMostTyped, kMostTyped);
-    draft.uid = typed[kUid].toString();
-    return draft;
 }
 
 TalkPanel::Draft TalkPanel::draft() const
@@ -308,8 +208,7 @@ TalkPanel::Draft TalkPanel::draft() const
             m_points->value(),
             m_arePointsTyped,
             m_fault->isVisibleTo(this) ? m_fault->text() : QString(),
-            m_asked == m_override,
-            m_uid};
+            m_asked == m_override};
 }
 
 void TalkPanel::take(const Draft& draft)
@@ -327,8 +226,6 @@ void TalkPanel::take(const Draft& draft)
     tellRoom();
     m_asked = draft.isScoreRefused ? m_override : m_composer;
     refuse(draft.fault);
-    if (draft.isJoined)
-        say([] { return tr("What you had typed on this attempt in another window stands below it."); });
     m_hasPlayed = false;
 }
 
@@ -349,14 +246,29 @@ void TalkPanel::offerPoints(int tenths)
         m_points->setValue(m_offered);
 }
 
-QList<qint64> TalkPanel::unkeptComments() const
+QString TalkPanel::unsavedChanges() const
 {
-    return unkept(&TalkPanel::hasComment);
+    auto all = m_drafts;
+    all[m_attempt] = draft();
+    const auto count = [&all](bool (*has)(const Draft&)) {
+        return static_cast<int>(
+            std::count_if(all.begin(), all.end(), [has](const auto& one) { return has(one.second); }));
+    };
+    QStringList sentences;
+    if (const int comments = count(&TalkPanel::hasComment); comments > 0)
+        sentences << tr("%n comment(s) were typed and are not added yet.", nullptr, comments);
+    if (const int scores = count(&TalkPanel::hasScore); scores > 0)
+        sentences << tr("%n score(s) were typed and are not given yet.", nullptr, scores);
+    return sentences.join(u'\n');
 }
 
-QList<qint64> TalkPanel::unkeptScores() const
+void TalkPanel::discardChanges()
 {
-    return unkept(&TalkPanel::hasScore);
+    m_drafts.clear();
+    m_sent.clear();
+    m_withdrawn.clear();
+    say({});
+    take({});
 }
 
 bool TalkPanel::hasComment(const Draft& draft)
@@ -369,119 +281,11 @@ bool TalkPanel::hasScore(const Draft& draft)
     return draft.hasPoints || !draft.reason.trimmed().isEmpty();
 }
 
-QJsonArray TalkPanel::waiting(bool withOwn) const
-{
-    auto all = m_waiting;
-    if (withOwn) {
-        all[m_writer] = m_drafts;
-        all[m_writer][m_attempt] = draft();
-    }
-    all.erase(QString());  // a guest does not come back for it
-    QJsonArray typed;
-    for (const auto& [person, drafts] : all)
-        for (const auto& [attempt, draft] : drafts)
-            if (hasComment(draft) || hasScore(draft))
-                typed.append(toJson(person, attempt, draft));
-    return typed;
-}
-
-bool TalkPanel::goOnWith(const QJsonObject& typed)
-{
-    const QString person = typed[kPerson].toString();
-    const qint64 attempt = typed[kAttempt].toInteger();
-    if (person.isEmpty() || attempt == 0)
-        return false;
-    const Draft draft = fromJson(typed);
-    auto& drafts = draftsOf(person);
-    const qint64 row = rowOf(drafts, typed);
-    Draft& waits = drafts[row];
-    const bool isSameScore = waits.reason.trimmed() == draft.reason.trimmed() && waits.points == draft.points;
-    if (hasScore(waits) && hasScore(draft) && !isSameScore)
-        return false;
-    join(waits, draft);
-    if (person == m_writer && row == m_attempt)
-        take(waits);
-    // It may have been sent, and the program killed before that was noted.
-    if (hasComment(draft))
-        m_unheard.insert({{person, row}, {false, draft.words.trimmed()}});
-    if (hasScore(draft))
-        m_unheard.insert(
-            {{person, row}, {true, draft.reason.trimmed(), static_cast<int>(std::lround(10.0 * draft.points))}});
-    return true;
-}
-
-/// What was typed elsewhere to what is typed here.
-void TalkPanel::join(Draft& waits, const Draft& more)
-{
-    if (!hasComment(waits) && !hasScore(waits)) {
-        waits = more;
-        return;
-    }
-    if (hasScore(more)) {
-        waits.reason = more.reason;
-        waits.points = more.points;
-        waits.hasPoints = more.hasPoints;
-    }
-    if (!hasComment(more) || waits.words.contains(more.words.trimmed()))
-        return;
-    waits.isJoined = hasComment(waits);
-    waits.words = below(waits.words, more.words);
-    waits.momentMs = waits.momentMs ? waits.momentMs : more.momentMs;
-    waits.placeMm = waits.placeMm ? waits.placeMm : more.placeMm;
-}
-
-QJsonObject TalkPanel::trade(const QJsonObject& typed)
-{
-    const QString person = typed[kPerson].toString();
-    auto& drafts = draftsOf(person);
-    const qint64 row = rowOf(drafts, typed);
-    QJsonObject before = toJson(person, row, drafts[row]);
-    drafts[row] = fromJson(typed);
-    if (person == m_writer && row == m_attempt)
-        take(drafts[row]);
-    return before;
-}
-
-QString TalkPanel::words(const QJsonObject& typed)
-{
-    if (!typed.contains(kAttempt))
-        return {};
-    const Draft draft = fromJson(typed);
-    //: %1: a number; %2: why
-    return tr("You were giving another score to an attempt in another window, and that waits, too: %1 points. %2")
-        .arg(text::points(static_cast<int>(std::lround(10.0 * draft.points))), draft.reason.trimmed());
-}
-
-QString TalkPanel::typedOn(qint64 attempt) const
-{
-    const auto found = m_drafts.find(attempt);
-    return found == m_drafts.end() ? QString() : (found->second.words + u'\n' + found->second.reason).trimmed();
-}
-
-void TalkPanel::forget(qint64 attempt)
-{
-    m_drafts.erase(attempt);
-    if (attempt == m_attempt)
-        take({});
-}
-
-QList<qint64> TalkPanel::unkept(const std::function<bool(const Draft&)>& has) const
-{
-    QList<qint64> attempts;
-    if (has(draft()))
-        attempts << m_attempt;
-    for (const auto& [attempt, draft] : m_drafts)
-        if (attempt != m_attempt && has(draft))
-            attempts << attempt;
-    return attempts;
-}
-
 void TalkPanel::setTalk(const database::AttemptTalk& talk)
 {
     QWidget* form = formInUse();
     const int countedTenths = given().value_or(m_machineTenths);
     m_talk = talk;
-    settleUnheard();
     if (const int countsTenths = given().value_or(m_machineTenths); countsTenths != countedTenths)
         offerPoints(countsTenths);
     fill();
@@ -490,33 +294,27 @@ void TalkPanel::setTalk(const database::AttemptTalk& talk)
         emit formUsed(form);  // what was said has moved it
 }
 
-/// What is there by now need not be written again.
-void TalkPanel::settleUnheard()
-{
-    const auto isThere = [this](const Sent& sent) {
-        if (sent.isScore)
-            return !m_talk.overrides.empty() && given() == sent.tenths &&
-                   QString::fromStdString(m_talk.overrides.back().reason) == sent.words;
-        return std::any_of(m_talk.comments.begin(), m_talk.comments.end(), [&sent](const auto& comment) {
-            return comment.isMine && QString::fromStdString(comment.words) == sent.words;
-        });
-    };
-    std::erase_if(m_unheard, [this, isThere](const auto& unheard) {
-        const auto& [where, sent] = unheard;
-        const bool isSettled = where == std::pair(m_writer, m_attempt) && isThere(sent);
-        if (isSettled)
-            clearSent(sent);
-        return isSettled;
-    });
-}
-
 /// The score that was sent, and not another that was typed while it was on its way; the machine's is none of these.
 bool TalkPanel::isOf(const Sent& sent, double points)
 {
     return !sent.tenths || *sent.tenths == std::lround(10.0 * points);
 }
 
-/// From its field, where that has nothing else by now.
+/// Clears what was sent, unless the user has typed something else meanwhile.
+void TalkPanel::clear(Draft& draft, const Sent& sent)
+{
+    if (sent.isScore && draft.reason.trimmed() == sent.words && isOf(sent, draft.points)) {
+        draft.reason.clear();
+        draft.hasPoints = false;
+    }
+    if (!sent.isScore && draft.words.trimmed() == sent.words) {
+        draft.words.clear();
+        draft.momentMs.reset();
+        draft.placeMm.reset();
+    }
+}
+
+/// The same of what stands in the fields.
 void TalkPanel::clearSent(const Sent& sent)
 {
     if (sent.isScore && m_reason->text().trimmed() == sent.words && isOf(sent, m_points->value())) {
@@ -586,7 +384,7 @@ void TalkPanel::withdraw(qint64 comment, bool earlier)
                                     [comment](const auto& one) { return one.id == comment; });
     if (found == m_talk.comments.end()) {
         if (!earlier)
-            putBy(comment);
+            keepWords(comment);
         m_withdrawn.erase(comment);
         return;
     }
@@ -628,8 +426,8 @@ void TalkPanel::writeAgain(const database::AttemptComment& comment)
     }
 }
 
-/// By the time its comment is gone another attempt is shown: the words wait with their own, or it was pressed twice.
-void TalkPanel::putBy(qint64 comment)
+/// Another attempt is shown by the time the comment is gone: its words go to what was typed about its own attempt.
+void TalkPanel::keepWords(qint64 comment)
 {
     const auto found = m_withdrawn.find(comment);
     if (found == m_withdrawn.end() || found->second.attempt == m_attempt)
@@ -687,32 +485,23 @@ void TalkPanel::keepComment(qint64 comment, qint64 attempt, const QString& fault
 void TalkPanel::answer(qint64 attempt, const QString& fault)
 {
     const auto found = m_sent.find(attempt);
-    const std::optional<Sent> sent = found != m_sent.end() ? std::optional(found->second) : std::nullopt;
-    m_sent.erase(attempt);
-    const bool isShown = attempt == m_attempt;
-    const bool isKept = sent && fault.isEmpty();
-    if (isShown && isKept)
-        clearSent(*sent);
-    Draft after = isShown ? draft() : m_drafts[attempt];
-    after.fault = fault;
-    after.isScoreRefused = sent && sent->isScore;
-    if (!isShown) {
-        if (isKept && !sent->isScore && after.words.trimmed() == sent->words) {
-            after.words.clear();
-            after.momentMs.reset();
-            after.placeMm.reset();
-        }
-        if (isKept && sent->isScore && after.reason.trimmed() == sent->words && isOf(*sent, after.points)) {
-            after.reason.clear();
-            after.hasPoints = false;
-        }
-        m_drafts[attempt] = after;
+    if (found == m_sent.end())  // the user who sent it has left
+        return;
+    const Sent sent = found->second;
+    m_sent.erase(found);
+    if (attempt != m_attempt) {
+        Draft& draft = m_drafts[attempt];
+        draft.fault = fault;
+        draft.isScoreRefused = sent.isScore;
+        if (fault.isEmpty())
+            clear(draft, sent);
         return;
     }
+    if (fault.isEmpty())
+        clearSent(sent);
     tellReady();
     tellRoom();
-    fill();
-    m_asked = after.isScoreRefused ? m_override : m_composer;
+    m_asked = sent.isScore ? m_override : m_composer;
     refuse(fault);
 }
 

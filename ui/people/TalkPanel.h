@@ -7,9 +7,6 @@
 #include <map>
 #include <optional>
 
-#include <QJsonArray>
-#include <QJsonObject>
-#include <QList>
 #include <QString>
 #include <QWidget>
 
@@ -34,32 +31,14 @@ class TalkPanel final : public QWidget
 public:
     explicit TalkPanel(QWidget* parent);
 
-    /// It is about this attempt from now on, 0: none that is kept. What was being written on the one before, with its
-    /// pins, and the score that was being given there wait until that comes again.
-    /// @param uid  of the attempt: after a backup was put back its row may be another's. Empty: not known
-    void setAttempt(qint64 attempt, const QString& uid = {});
+    /// Shows the talk about this attempt, 0: none that is saved. What the user has typed about the attempt before stays
+    /// in memory until that is shown again.
+    void setAttempt(qint64 attempt);
     [[nodiscard]] qint64 attempt() const { return m_attempt; }
-    /// This person writes from now on, by his uid, empty: a guest. What the one before was writing waits until he is
-    /// back; it is shown to nobody else.
-    void setWriter(const QString& person);
-    /// The attempts with a comment that is typed and kept nowhere yet, the one that is shown first.
-    [[nodiscard]] QList<qint64> unkeptComments() const;
-    /// The same of scores that are being given, or reasons for one.
-    [[nodiscard]] QList<qint64> unkeptScores() const;
-    /// What others were writing, each attempt's as an object.
-    /// @param withOwn  and what who writes now has typed
-    [[nodiscard]] QJsonArray waiting(bool withOwn) const;
-    /// One of those waits again, for who was writing it; a comment below what he has typed there otherwise. False: it
-    /// is none, or he was giving another score there.
-    [[nodiscard]] bool goOnWith(const QJsonObject& typed);
-    /// One that was refused, in place of what is there. Answers that, which waits in its stead.
-    [[nodiscard]] QJsonObject trade(const QJsonObject& typed);
-    /// What was refused, in a sentence for who has typed it; empty: it is none.
-    [[nodiscard]] static QString words(const QJsonObject& typed);
-    /// What the writer has typed on another attempt than is shown, in his words.
-    [[nodiscard]] QString typedOn(qint64 attempt) const;
-    /// The writer throws away what he has typed on this attempt.
-    void forget(qint64 attempt);
+    /// Describes the comments and scores that the user has typed and not sent, about any attempt. Empty: there are
+    /// none.
+    [[nodiscard]] QString unsavedChanges() const;
+    void discardChanges();
     /// @param machineTenths  what the machine gave
     void setScore(int machineTenths, int passMarkTenths, bool passedByMachine);
     void setTalk(const database::AttemptTalk& talk);
@@ -73,8 +52,8 @@ public:
     /// @param forComment  it was marked by who writes, so that what he writes is about it
     void setPlace(const std::optional<std::array<double, 3>>& placeMm, bool forComment = false);
     [[nodiscard]] const std::optional<std::array<double, 3>>& place() const { return m_place; }
-    /// A comment of one's own goes. Its words come back into the field, below what is being written there, and its
-    /// pins where that has none; when another attempt is shown by now, into what waits with its own.
+    /// Removes one's own comment. Its words and pins return to the field, or to what was typed about its attempt if
+    /// another attempt is shown by now.
     /// @param earlier  somebody had done it already, and may have written it anew
     void withdraw(qint64 comment, bool earlier);
     /// Says why what was written could not be kept. It stays where it was typed.
@@ -106,7 +85,7 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    /// What is typed on an attempt, and kept nowhere yet.
+    /// What the user has typed about an attempt and not sent.
     struct Draft
     {
         QString words;
@@ -117,8 +96,6 @@ private:
         bool hasPoints = false;  ///< that somebody has typed
         QString fault = {};      ///< why it could not be kept
         bool isScoreRefused = false;
-        QString uid = {};       ///< of the attempt; empty: not known
-        bool isJoined = false;  ///< what was typed in another window stands below it
     };
 
     /// What somebody has asked to be kept.
@@ -131,17 +108,9 @@ private:
 
     [[nodiscard]] Draft draft() const;
     void take(const Draft& draft);
-    void findDrafts(qint64 attempt, const QString& uid);
-    [[nodiscard]] std::map<qint64, Draft>& draftsOf(const QString& person);
-    [[nodiscard]] static qint64 freeRow(const std::map<qint64, Draft>& drafts);
-    static void join(Draft& waits, const Draft& more);
-    [[nodiscard]] static qint64 rowOf(const std::map<qint64, Draft>& drafts, const QJsonObject& typed);
-    [[nodiscard]] static QJsonObject toJson(const QString& person, qint64 attempt, const Draft& draft);
-    [[nodiscard]] static Draft fromJson(const QJsonObject& typed);
     [[nodiscard]] static bool hasComment(const Draft& draft);
     [[nodiscard]] static bool hasScore(const Draft& draft);
-    [[nodiscard]] QList<qint64> unkept(const std::function<bool(const Draft&)>& has) const;
-    void settleUnheard();
+    static void clear(Draft& draft, const Sent& sent);
     void clearSent(const Sent& sent);
     [[nodiscard]] static bool isOf(const Sent& sent, double points);
     void makeComposer(QVBoxLayout& column);
@@ -158,7 +127,7 @@ private:
     void tellReady();
     void send(const Sent& sent);
     void writeAgain(const database::AttemptComment& comment);
-    void putBy(qint64 comment);
+    void keepWords(qint64 comment);
     void say(std::function<QString()> sentence);
     [[nodiscard]] QPushButton* takeBackButton(const database::AttemptComment& comment);
     [[nodiscard]] QWidget* formInUse() const;
@@ -170,16 +139,10 @@ private:
         database::AttemptComment comment;
     };
 
-    std::map<qint64, Draft> m_drafts;  ///< on the other attempts; below 0: whose row is another's now
-    QString m_writer;                  ///< whose they are
-    std::map<QString, std::map<qint64, Draft>> m_waiting;  ///< of others, by the person
-    std::map<qint64, Sent> m_sent;                         ///< by attempt, until it is answered
-    /// What may have been kept while its writer was gone, by him and the attempt: whether it is there is seen when he
-    /// opens that again.
-    std::multimap<std::pair<QString, qint64>, Sent> m_unheard;
+    std::map<qint64, Draft> m_drafts;         ///< about the other attempts
+    std::map<qint64, Sent> m_sent;            ///< by attempt, until it is answered
     std::map<qint64, Withdrawn> m_withdrawn;  ///< by comment, until that is done
     qint64 m_attempt = 0;
-    QString m_uid;
     database::AttemptTalk m_talk;
     int m_machineTenths = 0;
     int m_passMarkTenths = 0;

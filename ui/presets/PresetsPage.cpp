@@ -8,7 +8,6 @@
 #include <QComboBox>
 #include <QFileInfo>
 #include <QHBoxLayout>
-#include <QJsonDocument>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -25,6 +24,7 @@
 #include "ui/presets/SimplePanel.h"
 #include "ui/shell/ScrollPane.h"
 #include "ui/shell/Theme.h"
+#include "ui/shell/UnsavedChanges.h"
 #include "ui/study/FormInputs.h"
 #include "ui/text/EveryLanguage.h"
 #include "ui/text/Texts.h"
@@ -66,30 +66,6 @@ bool isSameFeel(FeelPreset a, const FeelPreset& b)
     a.version = b.version;
     a.hash = b.hash;
     return a == b;
-}
-
-const QString kPerson = QStringLiteral("person");
-
-QJsonObject toJson(const std::pair<FeelPreset, FeelPreset>& changed)
-{
-    FeelPreset draft = changed.second;
-    if (draft.name.empty())  // it is being typed, and none without could be read
-        draft.name = changed.first.name;
-    return {{"from", lessons::toJson(changed.first)}, {"to", lessons::toJson(draft)}};
-}
-
-/// Also one that is beyond the bound: it was being turned.
-std::optional<FeelPreset> presetIn(const QJsonValue& value)
-{
-    const lessons::ReadPreset read = lessons::readPresetText(QJsonDocument(value.toObject()).toJson(), {});
-    return read.preset ? read.preset : read.beyondBound;
-}
-
-std::optional<std::pair<FeelPreset, FeelPreset>> fromJson(const QJsonValue& changed)
-{
-    const auto base = presetIn(changed["from"]);
-    const auto draft = presetIn(changed["to"]);
-    return base && draft ? std::optional(std::pair(*base, *draft)) : std::nullopt;
 }
 
 /// A button at rest gives the keys to the list: to the button beside it a second Space would say what nobody meant.
@@ -141,7 +117,7 @@ QWidget* PresetsPage::makeList()
     m_list->setSpacing(2);
     connect(m_list, &QListWidget::currentRowChanged, this, [this](int at) {
         if (at >= 0 && m_all[static_cast<std::size_t>(at)].preset)
-            show(*m_all[static_cast<std::size_t>(at)].preset);
+            choose(*m_all[static_cast<std::size_t>(at)].preset);
     });
     column->addWidget(m_list, 1);
     m_import = button("", "presetImport", side);
@@ -187,7 +163,6 @@ QWidget* PresetsPage::makeDetails()
     m_faultDetail->setObjectName(QStringLiteral("presetFaultDetail"));
     m_faultDetail->setTextFormat(Qt::PlainText);
     column->addWidget(m_faultDetail);
-    column->addWidget(makeAside(side));
     m_try = button("filled", "presetTry", side);
     m_save = button("", "presetSave", side);
     auto* copy = button("", "presetCopy", side);
@@ -329,45 +304,6 @@ QWidget* PresetsPage::makePreset(QWidget* parent)
     return new ScrollPane(side, QPalette::Window, parent);
 }
 
-/// What was changed and not kept when another version was looked at.
-QWidget* PresetsPage::makeAside(QWidget* parent)
-{
-    m_aside = new QWidget(parent);
-    auto* row = new QHBoxLayout(m_aside);
-    row->setContentsMargins(0, 0, 0, 0);
-    m_asideWords = study::formWords({}, kSmall, QFont::Normal, QPalette::WindowText, m_aside);
-    m_asideWords->setObjectName(QStringLiteral("presetAside"));
-    m_asideWords->setTextFormat(Qt::PlainText);
-    auto* back = button("", "presetAsideBack", m_aside);
-    row->addWidget(m_asideWords, 1);
-    row->addWidget(back);
-    connect(back, &QPushButton::clicked, this, [this] {
-        const auto [base, draft] = *std::exchange(m_putAside, {});
-        select(base);
-        setDraft(draft);
-    });
-    text::inEveryLanguage(m_aside, [this, back] {
-        back->setText(tr("Bring the changes back"));
-        back->setAccessibleName(back->text());
-        tellAside();
-    });
-    return m_aside;
-}
-
-void PresetsPage::putAside()
-{
-    if (isChanged())
-        m_putAside.emplace(m_base, m_draft);
-}
-
-void PresetsPage::tellAside()
-{
-    m_aside->setVisible(m_putAside.has_value());
-    if (m_putAside)
-        //: %1 is a hardness preset
-        m_asideWords->setText(tr("What you had changed of %1 is put aside.").arg(presetWords(m_putAside->first)));
-}
-
 QWidget* PresetsPage::makeCompare(QWidget* parent)
 {
     auto* whole = new QWidget(parent);
@@ -491,22 +427,45 @@ void PresetsPage::offerOther()
 
 void PresetsPage::select(const FeelPreset& preset)
 {
+    const bool isJustKept = m_draft.name == preset.name && isSameFeel(m_draft, preset);
+    if (!isChanged() || isJustKept)
+        show(preset);
+}
+
+/// The user chooses another version in the list.
+void PresetsPage::choose(const FeelPreset& preset)
+{
+    if (isSameVersion(preset, m_base))
+        return;
+    if (!isChanged()) {
+        show(preset);
+        return;
+    }
+    // The list has not selected the row yet that was clicked.
+    QMetaObject::invokeMethod(
+        this,
+        [this, preset] {
+            markShown();
+            UnsavedChanges::ask(window(), changedWords(), [this, preset] { show(preset); });
+        },
+        Qt::QueuedConnection);
+}
+
+/// In the list.
+void PresetsPage::markShown()
+{
+    const QSignalBlocker quiet(m_list);
     for (std::size_t k = 0; k < m_all.size(); ++k)
-        if (m_all[k].preset && isSameVersion(*m_all[k].preset, preset)) {
+        if (m_all[k].preset && isSameVersion(*m_all[k].preset, m_base))
             m_list->setCurrentRow(static_cast<int>(k));
-            show(*m_all[k].preset);
-            return;
-        }
-    show(preset);
 }
 
 void PresetsPage::show(const FeelPreset& preset)
 {
     setFault({});
-    if (m_draft.name != preset.name || !isSameFeel(m_draft, preset))  // else it has just been kept
-        putAside();
     m_base = preset;
     m_otherIsChosen = false;
+    markShown();
     write(preset);
 }
 
@@ -517,20 +476,15 @@ void PresetsPage::write(const FeelPreset& draft)
     m_notes->setText(QString::fromStdString(draft.notes));
     m_simple->setPreset(origins(), draft);
     m_table->setPreset(draft);
-    tellAside();
     tell();
 }
 
 void PresetsPage::setDraft(const FeelPreset& preset)
 {
-    if (!isSameVersion(preset, m_draft))
-        for (std::size_t k = 0; k < m_all.size(); ++k)
-            if (m_all[k].preset && isSameVersion(*m_all[k].preset, preset)) {
-                const QSignalBlocker quiet(m_list);
-                m_list->setCurrentRow(static_cast<int>(k));
-                putAside();
-                m_base = *m_all[k].preset;
-            }
+    for (const lessons::ReadPreset& read : m_all)
+        if (read.preset && isSameVersion(*read.preset, preset))
+            m_base = *read.preset;
+    markShown();
     write(preset);
 }
 
@@ -545,125 +499,20 @@ void PresetsPage::take(const FeelPreset& preset)
     tell();
 }
 
-PresetsPage::Waiting PresetsPage::own() const
+QString PresetsPage::changedWords() const
 {
-    return {isChanged() ? std::optional(Changed(m_base, m_draft)) : std::nullopt, m_putAside, m_mayKeep};
-}
-
-void PresetsPage::setWriter(const QString& person)
-{
-    if (person == m_writer)
-        return;
-    setFault({});
-    // A guest is nobody who could come back for it.
-    if (Waiting left = own(); (left.shown || left.aside) && !m_writer.isEmpty())
-        m_waiting[m_writer] = std::move(left);
-    m_writer = person;
-    Waiting own;
-    if (const auto found = m_waiting.find(person); found != m_waiting.end()) {
-        own = found->second;
-        m_waiting.erase(found);
-    }
-    takeOver(own);
-}
-
-/// In place of what the writer has changed.
-void PresetsPage::takeOver(const Waiting& own)
-{
-    m_draft = m_base;
-    m_putAside.reset();
-    select(own.shown ? own.shown->first : m_inUse);
-    m_putAside = own.aside;
-    write(own.shown ? own.shown->second : m_draft);
-}
-
-QJsonArray PresetsPage::waiting(bool withOwn) const
-{
-    auto all = m_waiting;
-    if (withOwn && !m_writer.isEmpty())
-        all[m_writer] = own();
-    QJsonArray changed;
-    for (const auto& [person, waits] : all) {
-        if (!waits.couldKeep || (!waits.shown && !waits.aside))
-            continue;
-        changed.append(toJson(person, waits));
-    }
-    return changed;
-}
-
-QJsonObject PresetsPage::toJson(const QString& person, const Waiting& waits)
-{
-    QJsonObject one{{kPerson, person}};
-    if (waits.shown)
-        one["preset"] = presets::toJson(*waits.shown);
-    if (waits.aside)
-        one["aside"] = presets::toJson(*waits.aside);
-    return one;
-}
-
-PresetsPage::Waiting PresetsPage::fromJson(const QJsonObject& changed)
-{
-    return {presets::fromJson(changed["preset"]), presets::fromJson(changed["aside"]), true};
-}
-
-bool PresetsPage::goOnWith(const QJsonObject& changed)
-{
-    const QString person = changed[kPerson].toString();
-    const Waiting waits = fromJson(changed);
-    if (person.isEmpty() || (!waits.shown && !waits.aside) || m_waiting.count(person) > 0)
-        return false;
-    if (person != m_writer)
-        m_waiting[person] = waits;
-    else if (const Waiting there = own(); !there.shown && !there.aside)
-        takeOver(waits);
-    else
-        return false;
-    return true;
-}
-
-QJsonObject PresetsPage::trade(const QJsonObject& changed)
-{
-    const QString person = changed[kPerson].toString();
-    Waiting before;
-    if (person == m_writer) {
-        before = own();
-        takeOver(fromJson(changed));
-    } else {
-        before = std::exchange(m_waiting[person], fromJson(changed));
-    }
-    return toJson(person, before);
-}
-
-QString PresetsPage::words(const QJsonObject& changed)
-{
-    const Waiting waits = fromJson(changed);
-    if (!waits.shown && !waits.aside)
-        return {};
     //: %1 is a hardness preset
-    return tr("What you changed of the hardness preset %1 in another window waits, too.")
-        .arg(presetWords(waits.shown ? waits.shown->first : waits.aside->first));
+    return tr("What you have changed of the hardness preset %1 is not saved.").arg(presetWords(m_base));
 }
 
-void PresetsPage::forget(const QString& person, const FeelPreset& kept)
+QString PresetsPage::unsavedChanges() const
 {
-    const auto found = m_waiting.find(person);
-    if (found == m_waiting.end())
-        return;
-    Waiting& waits = found->second;
-    for (std::optional<Changed>* one : {&waits.shown, &waits.aside})
-        if (*one && (*one)->second.name == kept.name && isSameFeel((*one)->second, kept))
-            one->reset();
-    if (!waits.shown && !waits.aside)
-        m_waiting.erase(found);
+    return m_mayKeep && isChanged() ? changedWords() : QString();
 }
 
-QString PresetsPage::unkept() const
+void PresetsPage::discardChanges()
 {
-    if (!m_mayKeep || (!isChanged() && !m_putAside))
-        return {};
-    //: %1 is a hardness preset
-    return tr("What you have changed of the hardness preset %1 is not saved.")
-        .arg(presetWords(isChanged() ? m_base : m_putAside->first));
+    show(m_inUse);
 }
 
 bool PresetsPage::isChanged() const

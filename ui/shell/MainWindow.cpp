@@ -56,7 +56,6 @@
 #include "ui/shell/AccountMenu.h"
 #include "ui/shell/Actions.h"
 #include "ui/shell/BusyCard.h"
-#include "ui/shell/Drafts.h"
 #include "ui/shell/FileDialog.h"
 #include "ui/shell/Folders.h"
 #include "ui/shell/HelpOverlay.h"
@@ -188,7 +187,11 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
     connectDoor();
     connectTour();
     connectPresets();
-    connectDrafts();
+    m_unsaved.add(m_admin->people());
+    m_unsaved.add(m_admin->roster());
+    m_unsaved.add(*m_presets);
+    m_unsaved.add(m_scorePage->talk());
+    m_unsaved.add(*m_editor);
     connect(m_chooser, &ToothChooser::toothChosen, this, [this](int fdi) {
         goTo(m_room);
         leaveWork([this, fdi] { emit toothChosen(fdi); });
@@ -202,10 +205,7 @@ MainWindow::MainWindow(core::session::UiLinks& links, QWidget* parent)
     connect(m_lessonsPage, &study::LessonsPage::discardWanted, this, &MainWindow::discardUnfinished);
     connect(m_lessonsPage, &study::LessonsPage::folderWanted, this, &MainWindow::lessonFolderWanted);
     connect(m_editor, &study::LessonEditor::stepsChanged, this, &MainWindow::enableActions);
-    connect(m_editor, &study::LessonEditor::lessonSaved, this, [this] {
-        m_drafts->putBy();  // what is saved comes back as a draft no more
-        emit lessonsWanted();
-    });
+    connect(m_editor, &study::LessonEditor::lessonSaved, this, &MainWindow::lessonsWanted);
     const auto workOn = [this] {
         m_room->section().setHeld({});
         if (std::exchange(m_infractionStopped, false))
@@ -483,8 +483,8 @@ void MainWindow::connectDoor()
     connect(m_login, &LoginPage::againWanted, this, &MainWindow::openAgainWanted);
     connect(m_login, &LoginPage::restoreWanted, this, &MainWindow::restoreWanted);
     connect(m_scorePage, &study::ScorePage::keepWanted, this, &MainWindow::keepWanted);
-    // His attempt is on the disk, and offered to him when he is back.
-    connect(m_login, &LoginPage::otherWanted, this, &MainWindow::logoutWanted);
+    // The user's attempt is on the disk, and offered to them when they log in again.
+    connect(m_login, &LoginPage::otherWanted, this, [this] { leaveUnsaved([this] { emit logoutWanted(); }); });
 }
 
 void MainWindow::connectTour()
@@ -575,9 +575,11 @@ void MainWindow::changeAccount()
     else if (m_who.isGuest())
         // Who logs in begins with a clean table.
         leaveWork([this] {
-            askLogin();
-            m_mayLeaveDoor = true;
-            enableActions();
+            leaveUnsaved([this] {
+                askLogin();
+                m_mayLeaveDoor = true;
+                enableActions();
+            });
         });
     else
         askWho(people::Door::Locked);
@@ -596,9 +598,10 @@ void MainWindow::changePassword()
 void MainWindow::closeAllOver()
 {
     m_afterSaving = {};
-    if (m_question) {
-        m_question->hide();
-        m_question->deleteLater();  // it may be its answer that led here
+    for (QuestionCard* question : findChildren<QuestionCard*>(QString(), Qt::FindDirectChildrenOnly)) {
+        question->hide();
+        question->setObjectName({});
+        question->deleteLater();  // it may be its answer that led here
     }
     for (QWidget* one : findChildren<QWidget*>())
         if (one->isWindow() && one->isVisible())
@@ -608,9 +611,6 @@ void MainWindow::closeAllOver()
 void MainWindow::askWho(people::Door door)
 {
     closeAllOver();
-    m_drafts->putBy();  // the computer may be switched off before he is back
-    m_messages->withdraw(MessageBar::Topic::Drafts);
-    m_drafts->forgetTold();
     if (!isAtDoor())
         m_behindDoor = m_pages->currentWidget();
     m_mayLeaveDoor = false;
@@ -633,12 +633,10 @@ bool MainWindow::keepsOnLogin() const
 
 void MainWindow::setWho(const database::Session& who)
 {
-    const bool isBack = who == m_who;
+    if (who.person() != m_who.person())
+        m_unsaved.discard();
     m_who = who;
-    m_names[QString::fromStdString(who.uid())] = QString::fromStdString(who.fullName());
-    m_scorePage->talk().setWriter(QString::fromStdString(who.uid()));
-    m_admin->setWriter(who.role() == database::Role::Admin ? QString::fromStdString(who.uid()) : QString());
-    m_drafts->putBy();  // the program may be killed before who has gone is back
+    m_admin->people().setAdmin(who.role() == database::Role::Admin ? QString::fromStdString(who.uid()) : QString());
     m_actions->showAccount(QString::fromStdString(who.username()));
     m_actions->attempts->setVisible(!who.isGuest());
     m_actions->school->setVisible(who.role() == database::Role::Admin);
@@ -649,8 +647,6 @@ void MainWindow::setWho(const database::Session& who)
         m_mayLeaveDoor = true;
         goTo(m_behindDoor != nullptr ? m_behindDoor : m_room);
     }
-    if (isBack)  // what another may do is told next
-        m_drafts->tell();
 }
 
 void MainWindow::setMayEdit(bool may)
@@ -658,9 +654,10 @@ void MainWindow::setMayEdit(bool may)
     m_mayEdit = may;
     m_actions->editLesson->setVisible(may);
     m_lessonsPage->setMayEdit(may);
+    if (may)
+        m_editor->recover(lessons::teachersFolder());
     m_lessonsPage->setUnsaved(may ? m_editor->unsavedFiles() : QSet<QString>());
     enableActions();
-    m_drafts->tell();
 }
 
 const QWidget* MainWindow::page() const
@@ -727,9 +724,8 @@ void MainWindow::leaveAll()
     m_view->setPushForce(tooth::PointerControl::kFirstN);
     for (const auto topic : {MessageBar::Topic::Tooth, MessageBar::Topic::Unfinished, MessageBar::Topic::General,
                              MessageBar::Topic::Keeping, MessageBar::Topic::Journal, MessageBar::Topic::Preset,
-                             MessageBar::Topic::School, MessageBar::Topic::Page, MessageBar::Topic::Drafts})
+                             MessageBar::Topic::School, MessageBar::Topic::Page})
         m_messages->withdraw(topic);
-    m_drafts->forgetTold();
 }
 
 void MainWindow::refuseLogin(const core::Error& error)
@@ -959,11 +955,6 @@ void MainWindow::showPresetKept(const core::settings::FeelPreset& preset, const 
         m_messages->say({MessageBar::Kind::News, said, {}, {}, {}, MessageBar::Topic::Preset});
 }
 
-void MainWindow::forgetPresetDraft(const database::Session& who, const core::settings::FeelPreset& kept)
-{
-    m_presets->forget(QString::fromStdString(who.uid()), kept);
-}
-
 void MainWindow::showPresetFault(const QString& sentence)
 {
     m_messages->withdraw(MessageBar::Topic::Preset);
@@ -974,7 +965,6 @@ void MainWindow::showPresetFault(const QString& sentence)
 
 void MainWindow::setMayKeepPresets(const database::Session& who, bool may)
 {
-    m_presets->setWriter(QString::fromStdString(who.uid()));
     m_presets->setMayKeep(may);
     m_presets->setMayRetire(may && !who.isGuest());
 }
@@ -1042,25 +1032,9 @@ void MainWindow::editLesson(const lessons::ReadLesson& lesson)
     goTo(m_editor);
 }
 
-void MainWindow::connectDrafts()
+void MainWindow::setRecoveryFile(const QString& file)
 {
-    m_drafts = new Drafts(
-        {*m_editor, m_scorePage->talk(), *m_presets, m_admin->people()}, *m_messages,
-        {[this](const QString& person) { return person == QString::fromStdString(m_who.uid()) && !isAtLockedDoor(); },
-         [this] { return mayDecideOnDrafts(); }, [this] { return isAtLockedDoor(); }},
-        this);
-    connect(m_drafts, &Drafts::attemptWanted, this, &MainWindow::showDraft);
-    connect(m_drafts, &Drafts::presetsWanted, this, [this] { goTo(m_presets); });
-}
-
-void MainWindow::setPutByFolder(const QString& folder, const QString& school)
-{
-    m_drafts->setFolder(folder, school);
-}
-
-void MainWindow::tellDraftOfNothing(qint64 attempt)
-{
-    m_drafts->tellOfNothing(attempt);
+    m_editor->setRecoveryFile(file);
 }
 
 void MainWindow::setKnownAttempts(std::vector<study::MeasuredAttempt> attempts)
@@ -2428,74 +2402,26 @@ void MainWindow::leaveWork(const std::function<void()>& what)
          tr("&Save the recording …"), save, what});
 }
 
-/// Of what somebody else has left unsaved: wherever one is.
-void MainWindow::sayWaits(const std::function<QString()>& sentence)
-{
-    showMessage(sentence());
-    sayAtDoor(sentence);
-}
-
 bool MainWindow::isAtLockedDoor() const
 {
     return isAtDoor() && !m_mayLeaveDoor && !m_who.isGuest();
 }
 
-/// Who may not change lessons, or stands at the door that another has locked, neither hears of drafts nor decides on
-/// them.
-bool MainWindow::mayDecideOnDrafts() const
+void MainWindow::leaveUnsaved(const std::function<void()>& what)
 {
-    return m_mayEdit && !isAtLockedDoor();
-}
-
-void MainWindow::leaveDrafts(const std::function<void()>& what)
-{
-    const QStringList titles = m_editor->unsaved();
-    if (titles.isEmpty() || !mayDecideOnDrafts()) {
+    const QString unsaved = m_unsaved.what();
+    if (unsaved.isEmpty()) {
         what();
         return;
     }
-    const auto save = [this, what] {
-        if (m_editor->saveAll())
-            what();
-        else
-            goTo(m_editor);
-    };
-    ask("draftQuestion",
-        {tr("What you have changed in %n lesson(s) would be lost.", nullptr, static_cast<int>(titles.size())),
-         titles.join(u'\n'), tr("&Save"), save, what});
-}
-
-std::vector<MainWindow::Unkept> MainWindow::unkept()
-{
-    const auto toSchool = [this](admin::AdminPage::Part part) {
-        return [this, part] {
-            goTo(m_admin);
-            m_admin->show(part);
-        };
-    };
-    std::vector<Unkept> all{{m_admin->people().unkept(), toSchool(admin::AdminPage::People)},
-                            {m_admin->roster().unkept(), toSchool(admin::AdminPage::Roster)},
-                            {m_presets->unkept(), [this] { goTo(m_presets); }}};
-    const auto& talk = m_scorePage->talk();
-    if (const QList<qint64> comments = talk.unkeptComments(); !comments.isEmpty())
-        all.push_back(
-            {tr("%n comment(s) were typed and are not added yet.", nullptr, static_cast<int>(comments.size())),
-             [this, attempt = comments.front()] { showDraft(attempt); }});
-    if (const QList<qint64> scores = talk.unkeptScores(); !scores.isEmpty())
-        all.push_back({tr("%n score(s) were typed and are not given yet.", nullptr, static_cast<int>(scores.size())),
-                       [this, attempt = scores.front()] { showDraft(attempt); }});
-    all.erase(std::remove_if(all.begin(), all.end(), [](const Unkept& one) { return one.what.isEmpty(); }), all.end());
-    return all;
-}
-
-void MainWindow::showDraft(qint64 attempt)
-{
-    if (m_scorePage->talk().attempt() != attempt) {
-        emit draftWanted(attempt);
-        return;
-    }
-    goTo(m_scorePage);
-    m_scorePage->showTalk();
+    // Somebody else may be at the locked door: they do not learn what the changes are about.
+    const bool isLocked = isAtLockedDoor();
+    ask("unsavedQuestion",
+        UnsavedChanges::question(isLocked ? QString() : unsaved,
+                                 isLocked ? QString::fromStdString(m_who.fullName()) : QString(), [this, what] {
+                                     m_unsaved.discard();
+                                     what();
+                                 }));
 }
 
 /// What the disk has refused so far, whoever made it: with the program goes who tries it again.
@@ -2511,50 +2437,6 @@ void MainWindow::leaveGrades(const std::function<void()>& what)
                           {},
                           {},
                           what});
-}
-
-/// Another admin's, which nobody here may see.
-void MainWindow::leaveCodes(const std::function<void()>& what)
-{
-    const QStringList admins = othersWithCodes();
-    if (admins.isEmpty()) {
-        what();
-        return;
-    }
-    ask("codeQuestion",
-        //: %1: an admin, or several
-        {tr("One-time codes that %1 made would be lost.").arg(admins.join(QStringLiteral(", "))),
-         tr("They are kept nowhere else. Whoever has not logged in with one by then gets another from an admin, under "
-            "School."),
-         {},
-         {},
-         what});
-}
-
-/// At a place that an admin has locked, him as well.
-QStringList MainWindow::othersWithCodes() const
-{
-    QStringList names;
-    for (const QStringList& admins :
-         {m_admin->people().whoHasCodes(isAtLockedDoor()), m_admin->roster().whoHasCodes(isAtLockedDoor())})
-        for (const QString& admin : admins)
-            names << m_names.value(admin);
-    names.removeDuplicates();
-    return names;
-}
-
-void MainWindow::leaveUnkept(const std::function<void()>& what)
-{
-    const std::vector<Unkept> all = unkept();
-    if (all.empty() || isAtLockedDoor()) {
-        what();
-        return;
-    }
-    QStringList sentences;
-    for (const Unkept& one : all)
-        sentences << one.what;
-    ask("unkeptQuestion", {tr("Not everything has been saved, and it would be lost."), sentences.join(u'\n'),
-                           tr("&Show it"), all.front().show, what});
 }
 
 void MainWindow::ask(const char* name, const QuestionCard::Question& question)
@@ -2577,32 +2459,17 @@ void MainWindow::askToSave()
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
-    const bool isPutBy = m_drafts->putOthersBy();
-    // One-time codes are put by nowhere: they open accounts.
-    const bool asksOfOthers = m_unkeptGrades > 0 || !othersWithCodes().isEmpty();
-    const bool asksOfDrafts = mayDecideOnDrafts() && !m_editor->unsaved().isEmpty();
-    const bool asksOfTyped = !isAtLockedDoor() && !unkept().empty();
-    if (isPutBy && (m_mayClose || (!asksOfOthers && !wouldLoseWork() && !asksOfDrafts && !asksOfTyped))) {
+    if (m_mayClose || (m_unkeptGrades == 0 && !wouldLoseWork() && m_unsaved.what().isEmpty())) {
         memory().setValue(kGeometry, saveGeometry());
-        m_drafts->stop();  // what is left was decided on
         return;
     }
     event->ignore();
-    if (!isPutBy) {
-        sayWaits([] {
-            return tr("Cusp stays open: what somebody else has typed or changed is not kept yet, and it cannot be put "
-                      "by on this computer. Make room on the disk, or let that person log in here.");
-        });
-        return;
-    }
     const auto leave = [this] {
         m_mayClose = true;
         close();
         m_mayClose = false;  // it may not have been closed after all
     };
-    leaveGrades([this, leave] {
-        leaveCodes([this, leave] { leaveWork([this, leave] { leaveDrafts([this, leave] { leaveUnkept(leave); }); }); });
-    });
+    leaveGrades([this, leave] { leaveWork([this, leave] { leaveUnsaved(leave); }); });
 }
 
 void MainWindow::askForFile(const QString& title, FileKind kind, const std::function<void(const QString&)>& chosen,

@@ -34,6 +34,7 @@
 #include "ui/shell/MessageBar.h"
 #include "ui/shell/QuestionCard.h"
 #include "ui/shell/Tour.h"
+#include "ui/shell/UnsavedChanges.h"
 #include "ui/study/Expectation.h"
 #include "ui/study/LessonsPage.h"
 #include "ui/study/ScoredWork.h"
@@ -88,7 +89,6 @@ namespace ui::shell {
 
 class Actions;
 class BusyCard;
-class Drafts;
 class HelpOverlay;
 class PracticeRoom;
 class StereoCard;
@@ -221,8 +221,6 @@ public slots:
     /// presetSaveWanted(), or a file that was imported, has become this version: shown on the page, and said.
     /// @param note  what deserves a look all the same; may be empty
     void showPresetKept(const core::settings::FeelPreset& preset, const QString& note = {});
-    /// What this person had changed was kept as this, when somebody else worked here already.
-    void forgetPresetDraft(const database::Session& who, const core::settings::FeelPreset& kept);
     /// What could not be done, on the page of presets.
     void showPresetFault(const QString& sentence);
     /// The block that presetTrialWanted() asked for is on the table.
@@ -231,12 +229,8 @@ public slots:
     void showFeel(const core::settings::FeelPreset& now, const core::settings::FeelPreset& usual);
     /// Opens the editor on a sound lesson.
     void editLesson(const lessons::ReadLesson& lesson);
-    /// Where it is put by what nobody here may decide on when the window is closed: drafts of lessons, and what
-    /// somebody who is not here has typed. What lies there waits again for who it belongs to.
-    /// @param school  see PutBy
-    void setPutByFolder(const QString& folder, const QString& school);
-    /// What is typed of this attempt can be thrown away: the attempt is there no more.
-    void tellDraftOfNothing(qint64 attempt);
+    /// Where unsaved lessons survive a crash.
+    void setRecoveryFile(const QString& file);
     /// What was measured of attempts at the lesson that is edited, as it is.
     void setKnownAttempts(std::vector<study::MeasuredAttempt> attempts);
     /// A recording of this length drives the bur: the student's own controls rest, the student's own work waits. Call
@@ -342,9 +336,7 @@ signals:
     void keepWanted();
     /// What was said of this attempt is to be read; 0: there are several.
     void feedbackWanted(qint64 attempt);
-    /// What is typed of this attempt and kept nowhere yet is to be seen.
-    void draftWanted(qint64 attempt);
-    /// Who works here leaves for somebody else; his work has been asked about, or is kept to be gone on with.
+    /// The user leaves for somebody else; they have been asked about what would be lost.
     void logoutWanted();
     void toothChosen(int fdi);
     void lessonChosen(const lessons::Lesson& lesson);
@@ -456,24 +448,10 @@ private:
     [[nodiscard]] bool wouldLoseWork() const;
     /// Does `what`, which puts the student's work away for good. If that is not saved as it stands, asks first.
     void leaveWork(const std::function<void()>& what);
-    /// The same of lessons that were changed in the editor, whose drafts live as long as the window.
-    void leaveDrafts(const std::function<void()>& what);
-    [[nodiscard]] bool mayDecideOnDrafts() const;
-    [[nodiscard]] bool isAtLockedDoor() const;
-    void sayWaits(const std::function<QString()>& sentence);
-    /// What a page would lose with the window, in a sentence, and the way to where it can be kept.
-    struct Unkept
-    {
-        QString what;
-        std::function<void()> show;
-    };
-    [[nodiscard]] std::vector<Unkept> unkept();
-    void showDraft(qint64 attempt);
     void leaveGrades(const std::function<void()>& what);
-    void leaveCodes(const std::function<void()>& what);
-    [[nodiscard]] QStringList othersWithCodes() const;
-    /// The same of what other pages have that is kept nowhere yet.
-    void leaveUnkept(const std::function<void()>& what);
+    /// Asks whether to discard unsaved changes before `what` is done, if there are any.
+    void leaveUnsaved(const std::function<void()>& what);
+    [[nodiscard]] bool isAtLockedDoor() const;
     void connectDoor();
     void connectTour();
     [[nodiscard]] QWidget* tourPage(Tour::Where where) const;
@@ -515,7 +493,6 @@ private:
     void showXray();
     void connectPresets();
     void connectConsole();
-    void connectDrafts();
     void registerParameters();
     [[nodiscard]] std::string feelByHand(const core::settings::FeelPreset& wanted);
     void savePicture(const QString& path, const QImage& picture);
@@ -545,7 +522,6 @@ private:
     people::AssignPage* m_assign;
     admin::AdminPage* m_admin;
     database::Session m_who;
-    QHash<QString, QString> m_names;           ///< of who has worked here, by uid
     std::optional<core::Error> m_unreachable;  ///< why the database cannot be used
     QString m_where;                           ///< the database
     study::LessonEditor* m_editor;
@@ -563,7 +539,7 @@ private:
     inside::XrayPage* m_xray;
     MessageBar* m_messages;
     BusyCard* m_busy;
-    Drafts* m_drafts = nullptr;
+    UnsavedChanges m_unsaved;
     HelpOverlay* m_help;
     Tour* m_tour;
     QWidget* m_beforeTour = nullptr;  ///< the page where it began

@@ -29,7 +29,7 @@ public:
     /// is. What cannot be read of the school is over once something can, and that a preset was kept when another is
     /// refused. What is said of a lesson's course stays in the practice room, and what could not be read for a page is
     /// over when another is opened, or it is read again. What somebody has typed is for nobody else.
-    enum class Topic { General, Tooth, Unfinished, Lesson, Keeping, Journal, Preset, School, Page, Drafts };
+    enum class Topic { General, Tooth, Unfinished, Lesson, Keeping, Journal, Preset, School, Page };
     struct Choice
     {
         QString text;

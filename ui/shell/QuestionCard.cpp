@@ -68,7 +68,8 @@ QuestionCard::QuestionCard(const Question& question, QWidget* parent)
     };
     offer(tr("&Discard"), "questionDiscard", "quiet", question.discard);
     const bool isLost = question.saveText.isEmpty();
-    offer(isLost ? tr("&Stay") : tr("&Cancel"), "questionStay", isLost ? "filled" : "", [] {});
+    const QString stay = !isLost ? tr("&Cancel") : question.stayText.isEmpty() ? tr("&Stay") : question.stayText;
+    offer(stay, "questionStay", isLost ? "filled" : "", [] {});
     if (!isLost)
         offer(question.saveText, "questionSave", "filled", question.save);
     auto* column = new QVBoxLayout(m_card);

@@ -26,6 +26,7 @@ public:
         QString saveText;  ///< of the answer that loses nothing; empty: there is none but to stay
         std::function<void()> save;
         std::function<void()> discard;
+        QString stayText = {};  ///< of the answer that changes nothing, if there is no saveText; empty: the usual one
     };
 
     QuestionCard(const Question& question, QWidget* parent);

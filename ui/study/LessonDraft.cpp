@@ -275,6 +275,13 @@ void LessonDraft::goOnWith(const QJsonObject& object, const QJsonObject& saved)
     change(QStringLiteral("gone on with"), object);
 }
 
+void LessonDraft::revert()
+{
+    m_states = {m_saved};
+    m_at = 0;
+    m_lastChange.clear();
+}
+
 void LessonDraft::openAnew(const ::lessons::ReadLesson& lesson)
 {
     m_saved = ::lessons::ownVersion(lesson);

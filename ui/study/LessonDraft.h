@@ -66,6 +66,8 @@ public:
     /// What it had become, as object() gave it; one step further than it begins.
     /// @param saved  what stood in its file then, as saved() gave it; empty: as it stands there now
     void goOnWith(const QJsonObject& object, const QJsonObject& saved);
+    /// Discards all changes since it was saved, and the steps to them.
+    void revert();
     /// What stands in its file now becomes one step further; a step back leads to what was changed here.
     void openAnew(const ::lessons::ReadLesson& lesson);
 

@@ -1,19 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/study/LessonEditor.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include <QButtonGroup>
 #include <QDir>
+#include <QFile>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QJsonDocument>
+#include <QJsonObject>
 #include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QSaveFile>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
@@ -22,6 +26,7 @@
 #include "ui/shell/Actions.h"
 #include "ui/shell/FileDialog.h"
 #include "ui/shell/Folders.h"
+#include "ui/shell/SavedFile.h"
 #include "ui/shell/ScrollPane.h"
 #include "ui/shell/Theme.h"
 #include "ui/study/DraftWeigher.h"
@@ -42,6 +47,8 @@ using namespace ui::shell;
 
 constexpr int kFormWidthPx = 430;
 constexpr int kNarrowFormPx = 360;
+constexpr int kKeepMs = 5000;  ///< a crash loses the changes of so long
+constexpr qint64 kLargestRecovery = qint64{16} << 20;
 constexpr const char* kRecordings = "*.cusprec";
 constexpr const char* kIdeals = "*.cuspideal";
 
@@ -97,6 +104,7 @@ LessonEditor::LessonEditor(const Actions& actions, QWidget* parent)
     removeGuestSign();
     m_capturing.setMaxThreadCount(1);
     connect(m_weigher, &DraftWeigher::weighed, this, &LessonEditor::take);
+    connect(&m_keeping, &QTimer::timeout, this, &LessonEditor::keepDrafts);
     auto* row = new QHBoxLayout;
     row->setSpacing(kSpace4);
     auto* form = new ScrollPane(makeForm(), QPalette::Window, this);
@@ -136,6 +144,7 @@ void LessonEditor::speak()
 
 LessonEditor::~LessonEditor()
 {
+    keepDrafts();
     m_capturing.waitForDone();
 }
 
@@ -577,6 +586,7 @@ void LessonEditor::save()
     }
     changed();
     say([file = QDir::toNativeSeparators(draft().file())] { return tr("Saved as %1.").arg(file); }, false);
+    keepDrafts();
     emit lessonSaved(draft().file());
 }
 
@@ -608,13 +618,23 @@ void LessonEditor::openAnew()
     m_title->setFocus();
 }
 
-QStringList LessonEditor::unsaved() const
+QString LessonEditor::unsavedChanges() const
 {
-    QStringList titles;
-    for (const auto& [from, opened] : m_opened)
-        if (opened.draft.isChanged())
-            titles << opened.draft.title();
-    return titles;
+    const auto count = static_cast<int>(
+        std::count_if(m_opened.begin(), m_opened.end(), [](const auto& one) { return one.second.draft.isChanged(); }));
+    return count == 0 ? QString() : tr("What you have changed in %n lesson(s) would be lost.", nullptr, count);
+}
+
+void LessonEditor::discardChanges()
+{
+    for (auto& [from, opened] : m_opened) {
+        if (!opened.draft.isChanged())
+            continue;
+        opened.draft.revert();
+        if (from == m_present)
+            turnTo(from);
+    }
+    keepDrafts();
 }
 
 QSet<QString> LessonEditor::unsavedFiles() const
@@ -626,96 +646,52 @@ QSet<QString> LessonEditor::unsavedFiles() const
     return files;
 }
 
-bool LessonEditor::saveAll()
+void LessonEditor::recover(const QString& folder)
 {
-    for (auto& [from, opened] : m_opened) {
-        if (!opened.draft.isChanged())
+    if (m_recoveryFile.isEmpty() || m_recoveryLock)
+        return;
+    QDir().mkpath(QFileInfo(m_recoveryFile).absolutePath());
+    core::FileLock lock((m_recoveryFile + QStringLiteral(".lock")).toStdU16String());
+    if (!lock.isHeld())
+        return;
+    m_recoveryLock = std::move(lock);
+    QFile in(m_recoveryFile);
+    if (in.open(QIODevice::ReadOnly))
+        m_kept = QJsonDocument::fromJson(in.read(kLargestRecovery)).array();
+    for (const QJsonValue one : std::as_const(m_kept)) {
+        const QString from = one["from"].toString();
+        const ::lessons::ReadLesson read = ::lessons::readLesson(from);
+        const QJsonObject object = one["lesson"].toObject();
+        if (!read.lesson || object.isEmpty() || m_opened.contains(from))
             continue;
-        const auto weighed = weigh(opened.draft.object(), opened.draft.file(), nullptr);
-        if (const QString whyNot = write(opened.draft, *weighed); !whyNot.isEmpty()) {
-            if (from != m_present)
-                turnTo(from);
-            refuseToSave(whyNot);
-            return false;
-        }
-        emit lessonSaved(opened.draft.file());
+        Opened& opened = m_opened[from];
+        opened.lesson = *read.lesson;
+        opened.draft.begin(read, folder);
+        opened.draft.goOnWith(object, one["saved"].toObject());
     }
-    return true;
+    m_keeping.start(kKeepMs);
 }
 
-QJsonArray LessonEditor::unsavedDrafts() const
+/// Writes the recovery file, if it must change; without unsaved drafts there is none.
+void LessonEditor::keepDrafts()
 {
     QJsonArray all;
     for (const auto& [from, opened] : m_opened)
         if (opened.draft.isChanged())
-            all.append(toJson(from, opened));
-    return all;
-}
-
-QJsonObject LessonEditor::toJson(const QString& from, const Opened& opened)
-{
-    return {{"from", opened.draft.isSavedOnce() ? opened.draft.file() : from},
-            {"lesson", opened.draft.object()},
-            {"saved", opened.draft.saved()}};
-}
-
-/// By what its lesson is opened here, if it is.
-QString LessonEditor::keyOf(const QJsonObject& unsaved) const
-{
-    QString file = unsaved["from"].toString();
-    for (const auto& [from, opened] : m_opened)
-        if (opened.draft.isSavedOnce() && opened.draft.file() == file)
-            return from;
-    return file;
-}
-
-bool LessonEditor::isTaken(const QJsonObject& unsaved) const
-{
-    const auto found = m_opened.find(keyOf(unsaved));
-    return found != m_opened.end() && found->second.draft.isChanged();
-}
-
-bool LessonEditor::goOnWith(const QJsonObject& unsaved, const QString& folder)
-{
-    const QJsonObject object = unsaved["lesson"].toObject();
-    if (object.isEmpty() || isTaken(unsaved))
-        return false;
-    const ::lessons::ReadLesson read = ::lessons::readLesson(unsaved["from"].toString());
-    if (!read.lesson)
-        return false;
-    const QString from = keyOf(unsaved);
-    Opened& opened = m_opened[from];
-    opened.lesson = *read.lesson;
-    opened.draft.begin(read, folder);
-    opened.draft.goOnWith(object, unsaved["saved"].toObject());
-    if (from == m_present)
-        turnTo(from);
-    return true;
-}
-
-QJsonObject LessonEditor::trade(const QJsonObject& unsaved)
-{
-    const QString from = keyOf(unsaved);
-    const auto there = m_opened.find(from);
-    if (there == m_opened.end())
-        return unsaved;
-    QJsonObject before = toJson(from, there->second);
-    there->second.draft.goOnWith(unsaved["lesson"].toObject(), unsaved["saved"].toObject());
-    if (from == m_present)
-        turnTo(from);
-    return before;
-}
-
-QString LessonEditor::words(const QJsonObject& unsaved)
-{
-    if (unsaved["lesson"].toObject().isEmpty())
-        return {};
-    const QString file = unsaved["from"].toString();
-    const ::lessons::ReadLesson read = ::lessons::readLesson(file);
-    if (read.lesson)
-        return tr("What was changed of the lesson \"%1\" in another window waits, too.").arg(said(read.lesson->title));
-    return tr("What was changed of a lesson waits, but its file is there no more, or is no lesson: %1.")
-        .arg(QDir::toNativeSeparators(file));
+            all.append(QJsonObject{{"from", opened.draft.isSavedOnce() ? opened.draft.file() : from},
+                                   {"lesson", opened.draft.object()},
+                                   {"saved", opened.draft.saved()}});
+    if (!m_recoveryLock || all == m_kept)
+        return;
+    if (all.isEmpty()) {
+        QFile::remove(m_recoveryFile);
+        m_kept = all;
+        return;
+    }
+    QSaveFile out(m_recoveryFile);
+    const QByteArray bytes = QJsonDocument(all).toJson();
+    if (shell::openForOwner(out) && out.write(bytes) == bytes.size() && out.commit())
+        m_kept = all;
 }
 
 void LessonEditor::say(std::function<QString()> sentence, bool isWrong)

@@ -4,12 +4,14 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 
 #include <QJsonArray>
-#include <QJsonObject>
 #include <QSet>
 #include <QThreadPool>
+#include <QTimer>
 
+#include "core/base/FileLock.h"
 #include "ui/shell/Page.h"
 #include "ui/study/LessonDraft.h"
 #include "ui/study/ToleranceSweep.h"
@@ -32,7 +34,7 @@ class ToleranceView;
 /// become lessons of the teacher's own.
 ///
 /// All that is slow happens on threads of its own; the newest wish is answered. A draft stays as it was left while the
-/// program runs, whatever is looked at meanwhile; unsaved() tells what would be lost at its end.
+/// user is logged in, whatever is looked at meanwhile, and survives a crash of the program: see setRecoveryFile().
 class LessonEditor final : public shell::Page
 {
     Q_OBJECT
@@ -50,27 +52,18 @@ public:
     /// Writes the lesson, or says beside the button why not.
     void save();
 
-    /// The titles of the lessons whose drafts have changed since they were saved.
-    [[nodiscard]] QStringList unsaved() const;
+    /// Counts the lessons that are changed and not saved, in a sentence. Empty: there are none.
+    [[nodiscard]] QString unsavedChanges() const;
+    void discardChanges();
     /// The files that those drafts began from.
     [[nodiscard]] QSet<QString> unsavedFiles() const;
-    /// Writes all of those; each takes some tenths of a second. False when one cannot be written: then that one is on
-    /// the page, with what is wrong.
-    [[nodiscard]] bool saveAll();
 
-    /// The changed drafts, each as an object with its "lesson", the file "from" which it began, and what was "saved"
-    /// there.
-    [[nodiscard]] QJsonArray unsavedDrafts() const;
-    /// One of those is a draft again. False: it is none, its lesson cannot be read now, or another draft of that is
-    /// here.
+    /// The file into which recover() will write unsaved drafts.
+    void setRecoveryFile(const QString& file) { m_recoveryFile = file; }
+    /// Brings the drafts back that a program left in the recovery file when it crashed, and keeps unsaved drafts there
+    /// from now on. Another window that uses the file already goes on using it.
     /// @param folder  the teacher's
-    [[nodiscard]] bool goOnWith(const QJsonObject& unsaved, const QString& folder);
-    /// One that was refused, in place of what is there. Answers that, which waits in its stead.
-    [[nodiscard]] QJsonObject trade(const QJsonObject& unsaved);
-    /// What was refused, in a sentence; empty: it is none.
-    [[nodiscard]] static QString words(const QJsonObject& unsaved);
-    /// Another draft of that lesson is here.
-    [[nodiscard]] bool isTaken(const QJsonObject& unsaved) const;
+    void recover(const QString& folder);
 
     /// What was measured of attempts at the lesson that is edited, as it was when it was opened: they count in the
     /// sweep until its ideal is changed.
@@ -100,8 +93,7 @@ private:
     QWidget* makeFoot(const shell::Actions& actions);
     [[nodiscard]] LessonDraft& draft();
     [[nodiscard]] const LessonDraft& draft() const;
-    [[nodiscard]] static QJsonObject toJson(const QString& from, const Opened& opened);
-    [[nodiscard]] QString keyOf(const QJsonObject& unsaved) const;
+    void keepDrafts();
     void turnTo(const QString& present);
     void showTitle();
     void changed();
@@ -124,6 +116,10 @@ private:
     QString m_present;
     std::shared_ptr<const Weighed> m_now;   ///< the newest of the present draft
     std::shared_ptr<const Weighed> m_good;  ///< the newest of it that is a lesson
+    QString m_recoveryFile;
+    std::optional<core::FileLock> m_recoveryLock;  ///< from recover() on, if no other window has it
+    QJsonArray m_kept;                             ///< what is in the recovery file
+    QTimer m_keeping;
     DraftWeigher* m_weigher;
     bool m_isSaveWanted = false;
     std::function<QString()> m_saying;
