@@ -246,7 +246,7 @@ void TestLanguages::openSchool(ui::admin::AdminPage::Part part)
         {1}, "a", "[···]", "[··]", "[···]", database::Role::Admin, false, true, "", "2026-05-04T10:20:30Z", {{1}}};
     school.people().setPeople({person}, {{{1}, "[···]", 1, 1}});
     school.people().confirm({1}, [] { return QString("[···]"); });
-    school.people().showCode({}, person, "[···]");
+    school.people().showCode(person, "[···]");
     school.roster().showOutcome({{},
                                  {{"[···]", "[···]", database::Role::Student, {"[···]"}, true, "[···]", {}},
                                   {"[···]", "[···]", database::Role::Student, {"[···]"}, false, {}, "[···]"}},
