@@ -3,7 +3,6 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QDateEdit>
-#include <QFocusEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
@@ -55,23 +54,15 @@ private slots:
     void initTestCase();
     void init();
     void severalLessonsAreGivenAtOnce();
-    void whereALessonOfOnesOwnIsFoundIsToldBeforeItIsGiven();
-    void aLessonIsTickedByKeyAndByAClickAnywhere();
     void keysGoToALessonThatIsSeen();
     void whatIsGivenCannotBeGivenAgain();
     void theSearchLooksAtTitlesTeethAndGroups();
-    void theTableTellsWhenAndHowFar();
     void theEndOfTheDayHereIsMeant();
-    void chosenOnesAreChangedAndOnlyThoseThatDiffer();
     void whatIsNotChangedStaysEachLessonsOwn();
-    void aDayThatIsOverIsTold();
-    void aDayIsTypedAsItIsWritten();
     void takenBackIsUndone();
-    void theKeyboardStaysWhereItWorks();
     void whoHasNoAttemptsLeftIsTold();
-    void whatIsRefusedIsSaid();
-    void anotherClassBeginsAfresh();
-    void anotherTeacherBeginsAfresh();
+    void theNextBeginsAfresh_data();
+    void theNextBeginsAfresh();
     void everyControlHasAName();
 
 private:
@@ -161,7 +152,7 @@ void TestAssignPage::severalLessonsAreGivenAtOnce()
     QVERIFY(!assign->isEnabled());
     click("Class I");
     click("Cross");
-    QCOMPARE(assign->text(), QString("Assign 2 lesson(s)"));
+    QVERIFY(get<QLabel>("whereLessonsAre")->isVisible());  // "Cross" is a teacher's own
     const QDate day(2026, 12, 4);
     first<QDateEdit>("dueDay")->setDate(day);
     first<QSpinBox>("attemptLimit")->setValue(5);
@@ -171,34 +162,12 @@ void TestAssignPage::severalLessonsAreGivenAtOnce()
                                            {{}, ClassAssignment{0, kClass, "d", due, 5}}};
     QCOMPARE(wanted(spy), expected);
     QVERIFY(!assign->isEnabled());  // until it has been done
+    m_page->refuse("The database is locked.");
+    QVERIFY(get<QLabel>("assignSaid")->text().contains("locked"));
+    QVERIFY(assign->isEnabled() && !get<QPushButton>("undoAssign")->isVisible());
+    assign->click();
     m_page->confirm(expected);
-    QCOMPARE(get<QLabel>("assignSaid")->text(), QString("2 lesson(s) assigned."));
     QVERIFY(get<QPushButton>("undoAssign")->isVisible());
-}
-
-void TestAssignPage::whereALessonOfOnesOwnIsFoundIsToldBeforeItIsGiven()
-{
-    const auto* where = get<QLabel>("whereLessonsAre");
-    click("Class I");  // shipped
-    QVERIFY(!where->isVisible());
-    click("Cross");
-    QVERIFY(where->isVisible());
-    QVERIFY2(where->text().startsWith("1 lesson(s) of your own: Cross.") &&
-                 where->text().contains("/lessons of ines/cross.lesson.json"),
-             qPrintable(where->text()));
-    click("Cross");
-    QVERIFY(!where->isVisible());
-}
-
-void TestAssignPage::aLessonIsTickedByKeyAndByAClickAnywhere()
-{
-    auto* list = get<QListView>("offers");
-    list->setFocus();
-    list->setCurrentIndex(offer("Class I"));
-    QTest::keyClick(list, Qt::Key_Space);
-    QCOMPARE(offer("Class I").data(Qt::CheckStateRole).toInt(), int(Qt::Checked));
-    click("Class I");
-    QCOMPARE(offer("Class I").data(Qt::CheckStateRole).toInt(), int(Qt::Unchecked));
 }
 
 /// What the search has put away is not ticked unseen.
@@ -220,6 +189,10 @@ void TestAssignPage::keysGoToALessonThatIsSeen()
 
 void TestAssignPage::whatIsGivenCannotBeGivenAgain()
 {
+    const QStringList small{"Decay, small", row(0)[1], "3", "2 of 4"};
+    QCOMPARE(row(0), small);
+    QVERIFY2(row(0)[1].endsWith("over"), qPrintable(row(0)[1]));
+    QCOMPARE(row(1), QStringList({"Decay, deep", "–", "no limit", "0 of 4"}));
     click("Decay, small");
     QVERIFY(!get<QPushButton>("assignTicked")->isEnabled());
     // What is ticked stays when the class is told again, unless it has been given meanwhile.
@@ -247,16 +220,6 @@ void TestAssignPage::theSearchLooksAtTitlesTeethAndGroups()
     QCOMPARE(get<QPushButton>("assignTicked")->text(), QString("Assign 1 lesson(s)"));
 }
 
-void TestAssignPage::theTableTellsWhenAndHowFar()
-{
-    QCOMPARE(get<QTableView>("given")->model()->rowCount(), 2);
-    QVERIFY2(row(0)[1].endsWith("over"), qPrintable(row(0)[1]));
-    QCOMPARE(row(0)[0], QString("Decay, small"));
-    QCOMPARE(row(0)[2], QString("3"));
-    QCOMPARE(row(0)[3], QString("2 of 4"));
-    QCOMPARE(row(1), QStringList({"Decay, deep", "–", "no limit", "0 of 4"}));
-}
-
 void TestAssignPage::theEndOfTheDayHereIsMeant()
 {
     const QByteArray before = qgetenv("TZ");
@@ -271,78 +234,33 @@ void TestAssignPage::theEndOfTheDayHereIsMeant()
     QVERIFY(!ui::people::dueDay("").isValid());
 }
 
-void TestAssignPage::chosenOnesAreChangedAndOnlyThoseThatDiffer()
-{
-    QSignalSpy spy(m_page, &AssignPage::changeWanted);
-    auto* table = get<QTableView>("given");
-    QVERIFY(!get<QPushButton>("changeGiven")->isEnabled());
-    table->selectAll();
-    QCOMPARE(last<QSpinBox>("attemptLimit")->value(), 3);  // of the first of them
-    last<QCheckBox>("isDue")->setChecked(false);
-    last<QSpinBox>("attemptLimit")->setValue(0);
-    get<QPushButton>("changeGiven")->click();
-    const QList<AssignmentChange> expected{
-        {ClassAssignment{1, kClass, "a", "2026-11-15T23:59:59Z", 3}, ClassAssignment{1, kClass, "a", "", 0}}};
-    QCOMPARE(wanted(spy), expected);
-    m_page->confirm(expected);
-    QCOMPARE(get<QLabel>("assignSaid")->text(), QString("1 lesson(s) changed."));
-}
-
 void TestAssignPage::whatIsNotChangedStaysEachLessonsOwn()
 {
-    QSignalSpy spy(m_page, &AssignPage::changeWanted);
-    get<QTableView>("given")->selectAll();
-    QVERIFY(last<QLabel>("termsNote")->text().contains("Each lesson keeps"));
-    last<QSpinBox>("attemptLimit")->setValue(5);
-    get<QPushButton>("changeGiven")->click();
     const ClassAssignment a{1, kClass, "a", "2026-11-15T23:59:59Z", 3};
     const ClassAssignment b{3, kClass, "b", "", 0};
-    const QList<AssignmentChange> limits{{a, ClassAssignment{1, kClass, "a", a.dueUtc, 5}},
-                                         {b, ClassAssignment{3, kClass, "b", "", 5}}};
-    QCOMPARE(wanted(spy), limits);
-    m_page->refuse("Not now.");
-    // And the other way round.
-    get<QTableView>("given")->clearSelection();
-    get<QTableView>("given")->selectAll();
     const QDate day(2100, 12, 4);
-    last<QDateEdit>("dueDay")->setDate(day);
-    get<QPushButton>("changeGiven")->click();
     const std::string due = ui::people::endOfDay(day);
-    const QList<AssignmentChange> days{{a, ClassAssignment{1, kClass, "a", due, 3}},
-                                       {b, ClassAssignment{3, kClass, "b", due, 0}}};
-    QCOMPARE(wanted(spy), days);
-}
-
-void TestAssignPage::aDayThatIsOverIsTold()
-{
-    const auto* note = first<QLabel>("termsNote");
-    QVERIFY(!note->isVisible());
-    first<QDateEdit>("dueDay")->setDate(QDate::currentDate().addDays(-1));
-    QVERIFY(note->isVisible());
-    QVERIFY2(note->text().contains("over"), qPrintable(note->text()));
-    first<QCheckBox>("isDue")->setChecked(false);
-    QVERIFY(!note->isVisible());
-    first<QCheckBox>("isDue")->setChecked(true);
-    first<QDateEdit>("dueDay")->setDate(QDate::currentDate());
-    QVERIFY(!note->isVisible());
-}
-
-/// Whatever of it was pointed at.
-void TestAssignPage::aDayIsTypedAsItIsWritten()
-{
-    auto* day = first<QDateEdit>("dueDay");
-    day->setDate(QDate(2026, 12, 2));
-    const QString typed = QLocale().toString(QDate(2027, 2, 15), day->displayFormat());
-    QTest::keyClick(day, Qt::Key_A, Qt::ControlModifier);
-    QTest::keyClicks(day, typed);
-    QCOMPARE(day->date(), QDate(2027, 2, 15));
-    day->setDate(QDate(2026, 12, 2));
-    day->setCurrentSectionIndex(2);
-    QFocusEvent come(QEvent::FocusIn, Qt::MouseFocusReason);  // without a window manager none comes of itself
-    QApplication::sendEvent(day, &come);
-    QTRY_COMPARE(day->currentSectionIndex(), 0);
-    QTest::keyClicks(day, typed);
-    QCOMPARE(day->date(), QDate(2027, 2, 15));
+    const auto change = [&](const std::function<void()>& turn) {
+        QSignalSpy spy(m_page, &AssignPage::changeWanted);
+        get<QTableView>("given")->clearSelection();
+        get<QTableView>("given")->selectAll();
+        turn();
+        get<QPushButton>("changeGiven")->click();
+        m_page->refuse("Not now.");
+        return wanted(spy);
+    };
+    QCOMPARE(change([&] { last<QSpinBox>("attemptLimit")->setValue(5); }),
+             (QList<AssignmentChange>{{a, ClassAssignment{1, kClass, "a", a.dueUtc, 5}},
+                                      {b, ClassAssignment{3, kClass, "b", "", 5}}}));
+    QCOMPARE(change([&] { last<QDateEdit>("dueDay")->setDate(day); }),
+             (QList<AssignmentChange>{{a, ClassAssignment{1, kClass, "a", due, 3}},
+                                      {b, ClassAssignment{3, kClass, "b", due, 0}}}));
+    // Only those that differ are changed.
+    QCOMPARE(change([&] {
+                 last<QCheckBox>("isDue")->setChecked(false);
+                 last<QSpinBox>("attemptLimit")->setValue(0);
+             }),
+             (QList<AssignmentChange>{{a, ClassAssignment{1, kClass, "a", "", 0}}}));
 }
 
 void TestAssignPage::takenBackIsUndone()
@@ -353,53 +271,22 @@ void TestAssignPage::takenBackIsUndone()
     const ClassAssignment given{3, kClass, "b", "", 0};
     QCOMPARE(wanted(spy), (QList<AssignmentChange>{{given, {}}}));
     m_page->confirm(wanted(spy));
-    QCOMPARE(get<QLabel>("assignSaid")->text(), QString("1 lesson(s) taken back; attempts stay."));
     get<QPushButton>("undoAssign")->click();
     QCOMPARE(wanted(spy), (QList<AssignmentChange>{{{}, given}}));
     m_page->confirm(wanted(spy));
-    QCOMPARE(get<QLabel>("assignSaid")->text(), QString("That was undone."));
     QVERIFY(!get<QPushButton>("undoAssign")->isVisible());
-}
-
-void TestAssignPage::theKeyboardStaysWhereItWorks()
-{
-    m_window->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
-    QSignalSpy spy(m_page, &AssignPage::changeWanted);
-    get<QTableView>("given")->selectRow(0);
-    last<QSpinBox>("attemptLimit")->setValue(9);
-    get<QPushButton>("changeGiven")->setFocus();
-    QTest::keyClick(get<QPushButton>("changeGiven"), Qt::Key_Return);
-    QCOMPARE(QApplication::focusWidget(), get<QTableView>("given"));
-    m_page->confirm(wanted(spy));
-    QCOMPARE(QApplication::focusWidget(), get<QPushButton>("undoAssign"));
-    // Into an empty list.
-    m_page->setAssignments(overview(), {}, kNow);
-    click("Cross");
-    get<QPushButton>("assignTicked")->setFocus();
-    QTest::keyClick(get<QPushButton>("assignTicked"), Qt::Key_Return);
-    QCOMPARE(QApplication::focusWidget(), get<QListView>("offers"));
-    const QList<AssignmentChange> given = wanted(spy);
-    m_page->confirm(given);
-    m_page->setAssignments(overview(), {*given.front().after}, kNow);
-    QCOMPARE(QApplication::focusWidget(), get<QPushButton>("undoAssign"));
-    // And undone, so that it is empty again.
-    QTest::keyClick(get<QPushButton>("undoAssign"), Qt::Key_Return);
-    m_page->confirm(wanted(spy));
-    m_page->setAssignments(overview(), {}, kNow);
-    QCOMPARE(QApplication::focusWidget(), get<QListView>("offers"));
 }
 
 void TestAssignPage::whoHasNoAttemptsLeftIsTold()
 {
     const ClassAssignment given{1, kClass, "a", "", 0};
     const ClassAssignment once{1, kClass, "a", "", 1};
+    const auto said = [this] { return get<QLabel>("assignSaid")->text(); };
     m_page->confirm({{given, once}});
     // Two have passed, one has tried, one has not.
-    QVERIFY2(get<QLabel>("assignSaid")->text().contains("1 student(s) who have not passed have no attempts left"),
-             qPrintable(get<QLabel>("assignSaid")->text()));
+    QVERIFY2(said().contains("1 student(s) who have not passed"), qPrintable(said()));
     m_page->confirm({{once, ClassAssignment{1, kClass, "a", "", 2}}});
-    QCOMPARE(get<QLabel>("assignSaid")->text(), QString("1 lesson(s) changed."));
+    QVERIFY2(!said().contains("student(s)"), qPrintable(said()));
     // Of two lessons everybody is counted once: another is stuck at each, and one at both.
     database::ClassOverview two = overview();
     two.lessons = {"a", "b"};
@@ -408,51 +295,36 @@ void TestAssignPage::whoHasNoAttemptsLeftIsTold()
         two.cells[static_cast<std::size_t>(student)][static_cast<std::size_t>(lesson)].attempts = 1;
     m_page->setAssignments(two, {given}, kNow);
     m_page->confirm({{given, once}, {{}, ClassAssignment{2, kClass, "b", "", 1}}});
-    QVERIFY2(get<QLabel>("assignSaid")->text().contains("3 student(s) who have not passed have no attempts left"),
-             qPrintable(get<QLabel>("assignSaid")->text()));
+    QVERIFY2(said().contains("3 student(s) who have not passed"), qPrintable(said()));
 }
 
-void TestAssignPage::whatIsRefusedIsSaid()
+void TestAssignPage::theNextBeginsAfresh_data()
 {
-    click("Cross");
-    get<QPushButton>("assignTicked")->click();
-    m_page->refuse("The database is locked.");
-    QVERIFY(get<QLabel>("assignSaid")->text().contains("locked"));
-    QVERIFY(get<QPushButton>("assignTicked")->isEnabled());  // to be tried again
-    QVERIFY(!get<QPushButton>("undoAssign")->isVisible());
+    QTest::addColumn<bool>("isTeacher");
+    QTest::newRow("class") << false;
+    QTest::newRow("teacher") << true;
 }
 
-void TestAssignPage::anotherClassBeginsAfresh()
+/// Nothing of the one before is there to be given, or undone, under the name of the next.
+void TestAssignPage::theNextBeginsAfresh()
 {
-    click("Cross");
-    m_page->confirm({{{}, ClassAssignment{0, kClass, "d", "", 0}}});
-    database::ClassOverview other = overview();
-    other.id = {8};
-    other.name = "DEN101-B";
-    m_page->setAssignments(other, {{2, {8}, "c", "", 0}}, kNow);
-    QVERIFY(get<QLabel>("givenTitle")->text().contains("DEN101-B"));
-    QVERIFY(get<QLabel>("assignSaid")->text().isEmpty());
-    QVERIFY(!get<QPushButton>("undoAssign")->isVisible());
-    QCOMPARE(get<QPushButton>("assignTicked")->text(), QString("Assign"));
-    m_page->setAssignments(other, {}, kNow);
-    QVERIFY(get<QLabel>("nothingGiven")->isVisible());
-}
-
-/// Nothing of the one before is there to be given, or undone, under another's name.
-void TestAssignPage::anotherTeacherBeginsAfresh()
-{
+    QFETCH(bool, isTeacher);
     auto* due = first<QCheckBox>("isDue");
     const bool wasDue = due->isChecked();
     click("Cross");
-    QCOMPARE(get<QPushButton>("assignTicked")->text(), QString("Assign 1 lesson(s)"));
-    due->setChecked(!wasDue);
-    first<QSpinBox>("attemptLimit")->setValue(3);
     m_page->confirm({{{}, ClassAssignment{0, kClass, "c", "", 0}}});
-    m_page->forget();
-    m_page->setAssignments(overview(), {}, kNow);
-    QVERIFY(get<QLabel>("assignSaid")->text().isEmpty());
-    QVERIFY(!get<QPushButton>("undoAssign")->isVisible());
-    QCOMPARE(get<QPushButton>("assignTicked")->text(), QString("Assign"));
+    if (isTeacher) {
+        due->setChecked(!wasDue);
+        first<QSpinBox>("attemptLimit")->setValue(3);
+        m_page->forget();
+    }
+    database::ClassOverview other = overview();
+    other.id = {8};
+    other.name = "DEN101-B";
+    m_page->setAssignments(other, {}, kNow);
+    QVERIFY(get<QLabel>("givenTitle")->text().contains("DEN101-B"));
+    QVERIFY(get<QLabel>("nothingGiven")->isVisible() && get<QLabel>("assignSaid")->text().isEmpty());
+    QVERIFY(!get<QPushButton>("undoAssign")->isVisible() && !get<QPushButton>("assignTicked")->isEnabled());
     QCOMPARE(due->isChecked(), wasDue);
     QCOMPARE(first<QSpinBox>("attemptLimit")->value(), 0);
 }

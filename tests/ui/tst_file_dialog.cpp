@@ -4,7 +4,6 @@
 #include <QDir>
 #include <QFile>
 #include <QFileSystemModel>
-#include <QHeaderView>
 #include <QLabel>
 #include <QLocale>
 #include <QSettings>
@@ -77,7 +76,12 @@ void TestFileDialog::looksAtNamesOnly()
     QVERIFY(model != nullptr);
     QTRY_COMPARE(model->rowCount(model->index(folder.path())), 2);
     QTRY_VERIFY(!model->index(path).siblingAtColumn(2).data().toString().isEmpty());
-    QTest::qWait(300);
+    // The dialog has looked at all it will look at when it has told of a file that came later.
+    QFile later(folder.filePath("later.sqlite"));
+    QVERIFY(later.open(QIODevice::WriteOnly) && later.write("SQLite format 3") > 0);
+    later.close();
+    QTRY_COMPARE(model->rowCount(model->index(folder.path())), 3);
+    QTRY_VERIFY(!model->index(later.fileName()).siblingAtColumn(2).data().toString().isEmpty());
     QVERIFY(isLockedForOthers(path));
     close(file);
     QVERIFY(!isLockedForOthers(path));
@@ -157,10 +161,6 @@ void TestFileDialog::tellsDatesAndSizesInTheProgramsLanguage()
         QTRY_COMPARE(cell(1, 0), QString("a.csv"));
         QTRY_COMPARE(cell(1, 1), QString(size));
         QCOMPARE(cell(1, 3), QString(date));
-        // As a whole.
-        const QModelIndex modified = view->model()->index(1, 3, view->rootIndex());
-        QTRY_VERIFY(view->columnWidth(3) >= view->sizeHintForIndex(modified).width());
-        QVERIFY(view->columnWidth(3) >= view->header()->sectionSizeHint(3));
         QCOMPARE(cell(0, 1), QString());  // a folder's
     }
     QLocale::setDefault(before);
