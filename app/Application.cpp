@@ -839,8 +839,11 @@ void Application::clearTable()
     m_opened.reset();
     m_openedExplainer.forget();
     m_tried.reset();
-    if (!m_assignment.anatomy)  // it is still being made
+    if (!m_assignment.anatomy) {  // the first tooth was still being made, and leave() has dropped it
+        if (!m_replay)
+            openTooth(m_options.source);
         return;
+    }
     // The tooth of a lesson may have no decay to be taken out.
     if (const auto practice = lessons::practiceOn(m_practised ? m_practised : m_assignment.anatomy))
         begin(*practice, {}, false);
