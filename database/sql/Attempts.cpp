@@ -22,7 +22,7 @@ namespace {
 using core::ErrorCode;
 
 const std::string kAdd = "add the attempt";
-const std::string kRead = "read the attempts";
+const std::string kReadAttempts = "read the attempts";
 constexpr double kUmPerMm = 1000.0;
 
 const QString kAttemptColumns =
@@ -193,7 +193,7 @@ core::Status checkUid(const AttemptRecord& attempt)
 /// Whose an attempt is.
 core::Result<PersonId> ownerOf(const School& school, AttemptId id)
 {
-    auto row = run(school.db, "SELECT person_id FROM attempts WHERE id = ?", kRead, {number(id.value)});
+    auto row = run(school.db, "SELECT person_id FROM attempts WHERE id = ?", kReadAttempts, {number(id.value)});
     if (!row)
         return tl::unexpected(row.error());
     if (!row->next())
@@ -214,7 +214,7 @@ core::Result<Who> admitToAttempt(const School& school, const Session& session, O
 
 core::Result<std::string> uidOf(const School& school, AttemptId id)
 {
-    const auto uid = ask(school.db, "SELECT uid FROM attempts WHERE id = ?", kRead, {number(id.value)});
+    const auto uid = ask(school.db, "SELECT uid FROM attempts WHERE id = ?", kReadAttempts, {number(id.value)});
     if (!uid)
         return tl::unexpected(uid.error());
     return uid->toString().toStdString();
@@ -272,7 +272,7 @@ core::Status forEachAttempt(const QSqlDatabase& db,
                        ", COALESCE(s.json, ''), p.uid, COALESCE(u.detail, '') FROM attempts a JOIN people p ON p.id = "
                        "a.person_id LEFT JOIN score_sheets s ON s.attempt_id = a.id LEFT JOIN audit u ON u.object = "
                        "'attempt:' || a.uid AND u.action = 'attempt.add' ORDER BY a.id",
-                   kRead, {}, [&](const QSqlQuery& row) {
+                   kReadAttempts, {}, [&](const QSqlQuery& row) {
                        AttemptRecord record = recordOf(row);
                        record.scoreSheetJson = textOf(row, 27);
                        record.personUid = textOf(row, 28);
@@ -345,7 +345,7 @@ core::Result<std::vector<AttemptRecord>> history(const School& school, const Ses
     if (auto read = forEach(school.db,
                             "SELECT " + kAttemptColumns + " FROM attempts a" + where +
                                 " ORDER BY a.finished_utc DESC, a.id DESC LIMIT ?",
-                            kRead, values, [&](const QSqlQuery& row) { found.push_back(recordOf(row)); });
+                            kReadAttempts, values, [&](const QSqlQuery& row) { found.push_back(recordOf(row)); });
         !read)
         return tl::unexpected(read.error());
     return found;
@@ -359,7 +359,7 @@ core::Result<std::vector<LessonStanding>> standingsOf(const School& school, cons
     if (auto read = forEach(school.db,
                             "SELECT lesson_id, attempts, best_tenths, passed, last_utc FROM standings WHERE "
                             "person_id = ? AND lesson_id <> '' ORDER BY lesson_id",
-                            kRead, {number(person.value)},
+                            kReadAttempts, {number(person.value)},
                             [&](const QSqlQuery& row) {
                                 found.push_back({textOf(row, 0), row.value(1).toInt(), row.value(2).toInt(),
                                                  row.value(3).toInt() != 0, textOf(row, 4)});
@@ -378,7 +378,7 @@ core::Result<AttemptRecord> openAttempt(const School& school, const Session& ses
                             "SELECT " + kAttemptColumns +
                                 ", s.json, COALESCE(p.uid, '') FROM attempts a JOIN score_sheets s ON s.attempt_id = "
                                 "a.id LEFT JOIN people p ON p.id = a.person_id WHERE a.id = ?",
-                            kRead, {number(id.value)},
+                            kReadAttempts, {number(id.value)},
                             [&](const QSqlQuery& row) {
                                 record = recordOf(row);
                                 record.scoreSheetJson = textOf(row, 27);
@@ -393,7 +393,8 @@ core::Result<QByteArray> openRecording(const School& school, const Session& sess
 {
     if (auto who = admitToAttempt(school, session, Operation::OpenAttempt, id); !who)
         return tl::unexpected(who.error());
-    const auto hash = ask(school.db, "SELECT recording_hash FROM attempts WHERE id = ?", kRead, {number(id.value)});
+    const auto hash =
+        ask(school.db, "SELECT recording_hash FROM attempts WHERE id = ?", kReadAttempts, {number(id.value)});
     if (!hash)
         return tl::unexpected(hash.error());
     if (hash->toString().isEmpty())
@@ -425,7 +426,7 @@ core::Result<std::vector<KeptSheet>> sheetsOfLesson(const School& school, const 
                             "SELECT a.finished_utc, s.json FROM attempts a JOIN score_sheets s ON s.attempt_id = a.id "
                             "WHERE a.lesson_id = ? AND a.lesson_hash = ?" +
                                 whose + " ORDER BY a.finished_utc DESC, a.id DESC LIMIT ?",
-                            kRead, values,
+                            kReadAttempts, values,
                             [&](const QSqlQuery& row) {
                                 sheets.push_back({textOf(row, 0), textOf(row, 1)});
                             });
