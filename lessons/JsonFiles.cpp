@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kMostFiles = 8;
 const QString kBasedOn = QStringLiteral("based_on");
-const QString kFormat = QStringLiteral("format");
+const QString kFormatKey = QStringLiteral("format");
 const QString kTitle = QStringLiteral("title");
 constexpr const char* kTooLarge = QT_TRANSLATE_NOOP("Fault", "has %1; a lesson has at most %2");
 
@@ -238,9 +238,9 @@ std::optional<Gathered> JsonFiles::underlaid(const QJsonObject& object, const QS
     auto under = gather(baseFile, file, way);
     if (!under)
         return std::nullopt;
-    under->whole.remove(kFormat);  // each file says its own
+    under->whole.remove(kFormatKey);  // each file says its own
     for (auto& [name, part] : under->parts)
-        part.remove(kFormat);
+        part.remove(kFormatKey);
     // In a language that a name leaves out it is not called as what it is based on.
     if (object.value(kTitle).isObject())
         under->whole.remove(kTitle);
@@ -269,8 +269,8 @@ std::optional<QJsonObject> JsonFiles::read(const QString& name, std::vector<Faul
     if (file.size() > kLargestLessonBytes)
         return complain({kTooLarge, {sizeWords(file.size()), sizeWords(kLargestLessonBytes)}});
     auto object = parseObject(file.read(kLargestLessonBytes + 1), name, faults);
-    if (object && object->value(kFormat).toDouble() > kLessonFormat) {
-        faults.push_back({name, kFormat, newerFormat(object->value(kFormat).toDouble()), true});
+    if (object && object->value(kFormatKey).toDouble() > kLessonFormat) {
+        faults.push_back({name, kFormatKey, newerFormat(object->value(kFormatKey).toDouble()), true});
         return std::nullopt;
     }
     return object;

@@ -32,7 +32,7 @@ constexpr int kMostSteps = 40;
 constexpr int kMostPointsToTouch = 40;
 constexpr double kFarthestPointMm = 30.0;
 constexpr qint64 kLargestSeed = qint64{1} << 53;
-constexpr int kNewestVersion = 1'000'000;
+constexpr int kNewestFormat = 1'000'000;
 const QStringList kTasks{QStringLiteral("remove_decay"), QStringLiteral("cut_ideal"),  QStringLiteral("trace_shape"),
                          QStringLiteral("touch_points"), QStringLiteral("hold_force"), QStringLiteral("tell_layers")};
 
@@ -42,7 +42,7 @@ bool checkFormat(JsonKeys& keys)
         keys.fault("format", {QT_TRANSLATE_NOOP("Fault", "is missing; write \"format\": %1"), {noted(kLessonFormat)}});
         return false;
     }
-    const qint64 format = keys.whole("format", 1, kNewestVersion, 0);
+    const qint64 format = keys.whole("format", 1, kNewestFormat, 0);
     if (format > kLessonFormat)
         keys.fault("format", newerFormat(static_cast<double>(format)));
     return format == kLessonFormat;
@@ -84,7 +84,7 @@ public:
         if (!checkFormat(m_keys))
             return lesson;
         lesson.id = takeId(m_keys);
-        lesson.version = static_cast<int>(m_keys.whole("version", 1, kNewestVersion, 1));
+        lesson.version = static_cast<int>(m_keys.whole("version", 1, kNewestFormat, 1));
         lesson.title = m_keys.local("title", true);
         lesson.goal = m_keys.local("goal", true);
         lesson.notModelled = m_keys.local("not_modelled", false);

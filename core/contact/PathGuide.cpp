@@ -15,7 +15,7 @@ namespace {
 constexpr double kGuideNPerMm = 0.4;
 /// With 0.3 kg of grip and light hand half of critical; the hand has some of its own.
 constexpr double kGuideNSPerMm = 0.012;
-constexpr double kArrivedMm = 2.0;       ///< an anchor no farther from the aim has come to it
+constexpr double kGuideArrivedMm = 2.0;  ///< an anchor no farther from the aim has come to it
 constexpr double kGuideStrideS = 0.005;  ///< of the damper's low-pass: no count is felt through it
 /// A hand that gains on the anchor by more than this goes along.
 constexpr double kGoesAlongMmPerS = 3.0;
@@ -36,7 +36,7 @@ void PathGuide::drop() noexcept
 void PathGuide::walk(const glm::dvec3& deviceMm, const glm::dvec3& aimMm, double seconds) noexcept
 {
     const glm::dvec3 way = aimMm - m_anchor;
-    const double with = lengthOf(way) < kArrivedMm ? lengthOf(aimMm - m_aim) : 0.0;
+    const double with = lengthOf(way) < kGuideArrivedMm ? lengthOf(aimMm - m_aim) : 0.0;
     m_anchor += shortened(way, std::min(kWalkMmPerS * seconds + with, kFastestMmPerS * seconds));
     m_anchor = deviceMm + shortened(m_anchor - deviceMm, kMostN / kGuideNPerMm);
 }

@@ -45,7 +45,7 @@ double on(const std::array<double, 3>& three, double t)
     return three[0] * (1.0 - t) * (1.0 - 2.0 * t) + three[1] * 4.0 * t * (1.0 - t) + three[2] * t * (2.0 * t - 1.0);
 }
 
-double smoothStep(double from, double to, double x)
+double easing(double from, double to, double x)
 {
     const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
     return t * t * (3.0 - 2.0 * t);
@@ -66,7 +66,7 @@ double lingualRelief(const AnteriorDesign& d, double xi, double t)
     const double half = d.fossaHalf * (1.25 - 0.75 * down);
     const double across = std::max(1.0 - (xi / half) * (xi / half), 0.0);
     const double fossa = d.fossaMm * length * across * across;
-    const double ridge = d.lingualRidgeMm * bell(xi, -0.05, 0.3) * smoothStep(0.0, 0.3, t) * smoothStep(0.9, 0.5, t);
+    const double ridge = d.lingualRidgeMm * bell(xi, -0.05, 0.3) * easing(0.0, 0.3, t) * easing(0.9, 0.5, t);
     const double pit = d.pitMm * bell(xi, 0.0, 0.12) * bell(t, d.fossaTo - 0.06, 0.045);
     return fossa - ridge + pit;
 }
@@ -74,8 +74,8 @@ double lingualRelief(const AnteriorDesign& d, double xi, double t)
 double labialRelief(const AnteriorDesign& d, double xi, double t)
 {
     const double grooves =
-        (bell(xi, -0.36, 0.22) + 0.8 * bell(xi, 0.33, 0.22)) * smoothStep(0.75, 0.1, t) * smoothStep(-0.03, 0.08, t);
-    const double ridge = bell(xi, -0.1, 0.34) * smoothStep(1.0, 0.7, t);
+        (bell(xi, -0.36, 0.22) + 0.8 * bell(xi, 0.33, 0.22)) * easing(0.75, 0.1, t) * easing(-0.03, 0.08, t);
+    const double ridge = bell(xi, -0.1, 0.34) * easing(1.0, 0.7, t);
     return d.labialRidgeMm * ridge - d.labialGrooveMm * grooves;
 }
 
@@ -107,7 +107,7 @@ std::vector<glm::dvec3> section(const AnteriorDesign& d, const ToothSizes& sizes
         else
             y = middle + (lingual - middle + lingualRelief(d, xi, t) * std::min(out * 2.0, 1.0)) * out * thickness;
         // The lingual side is narrower than the labial one, most of all at the cingulum.
-        const double taper = front ? 0.0 : d.lingualTaper * smoothStep(0.1, 0.8, t) * out * out;
+        const double taper = front ? 0.0 : d.lingualTaper * easing(0.1, 0.8, t) * out * out;
         const double shift = front ? 0.0 : d.cingulumX * t * out * out;
         const double x = 0.5 * (mesial + distal) + 0.5 * (distal - mesial) * xi * (1.0 - taper) + shift;
         const double upper = 1.0 - t;

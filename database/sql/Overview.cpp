@@ -20,7 +20,7 @@ namespace {
 const std::string kReadingOverview = "read the class";
 constexpr int kRecent = 20;
 constexpr std::size_t kRecentShown = 5;
-constexpr double kUmPerMm = 1000.0;
+constexpr double kMicronsPerMm = 1000.0;
 
 /// The students of a class, as people p.
 const QString kStudents = QStringLiteral("people p JOIN enrolments e ON e.person_id = p.id WHERE e.class_id = ? AND "
@@ -232,7 +232,8 @@ core::Result<ClassOverview> classOverview(const School& school, const Session& s
         return tl::unexpected(who.error());
     ClassOverview overview;
     overview.id = ofClass;
-    const auto name = ask(school.db, "SELECT name FROM classes WHERE id = ?", kReadingOverview, {number(ofClass.value)});
+    const auto name =
+        ask(school.db, "SELECT name FROM classes WHERE id = ?", kReadingOverview, {number(ofClass.value)});
     if (!name)
         return tl::unexpected(name.error());
     if (name->isNull())
@@ -348,7 +349,8 @@ core::Result<AttemptTalk> readTalk(const School& school, const Session& session,
 {
     if (auto who = admit(school, session, Operation::OpenAttempt); !who)
         return tl::unexpected(who.error());
-    const auto owner = ask(school.db, "SELECT person_id FROM attempts WHERE id = ?", kReadingOverview, {number(id.value)});
+    const auto owner =
+        ask(school.db, "SELECT person_id FROM attempts WHERE id = ?", kReadingOverview, {number(id.value)});
     if (!owner)
         return tl::unexpected(owner.error());
     if (auto who = admitTo(school, session, Operation::OpenAttempt, {owner->toLongLong()}); !who)
@@ -365,8 +367,9 @@ core::Result<AttemptTalk> readTalk(const School& school, const Session& session,
                                 AttemptComment comment{
                                     row.value(0).toLongLong(), textOf(row, 1), textOf(row, 2), textOf(row, 3), {}, {}};
                                 if (!row.isNull(4))
-                                    comment.placeMm = {row.value(4).toInt() / kUmPerMm, row.value(5).toInt() / kUmPerMm,
-                                                       row.value(6).toInt() / kUmPerMm};
+                                    comment.placeMm = {row.value(4).toInt() / kMicronsPerMm,
+                                                       row.value(5).toInt() / kMicronsPerMm,
+                                                       row.value(6).toInt() / kMicronsPerMm};
                                 if (!row.isNull(7))
                                     comment.momentMs = row.value(7).toLongLong();
                                 comment.isMine = row.value(8).toLongLong() == session.person().value;

@@ -15,9 +15,9 @@ namespace {
 
 using core::ErrorCode;
 
-constexpr qsizetype kLongestName = 200;
+constexpr qsizetype kLongestPersonName = 200;
 
-const QString kColumns =
+const QString kPersonColumns =
     QStringLiteral("p.id, p.uid, p.username, p.given_name, p.family_name, p.role, p.disabled, "
                    "p.password_hash <> '', p.last_login_utc, p.reset_hash <> '', p.reset_until_utc");
 
@@ -77,8 +77,9 @@ KeptLogin codeAsKept(const School& school, const std::string& uid, const std::st
 core::Result<Person> personBy(const School& school, const QString& column, const QVariant& value)
 {
     std::optional<Person> found;
-    if (auto read = forEach(school.db, QStringLiteral("SELECT %1 FROM people p WHERE p.%2 = ?").arg(kColumns, column),
-                            "find the person", {value}, [&](const QSqlQuery& row) { found = personOf(row); });
+    if (auto read =
+            forEach(school.db, QStringLiteral("SELECT %1 FROM people p WHERE p.%2 = ?").arg(kPersonColumns, column),
+                    "find the person", {value}, [&](const QSqlQuery& row) { found = personOf(row); });
         !read)
         return tl::unexpected(read.error());
     if (!found)
@@ -92,9 +93,9 @@ core::Result<Person> personBy(const School& school, const QString& column, const
 
 core::Status checkPersonName(const std::string& name)
 {
-    if (QString::fromStdString(name).toUcs4().size() > kLongestName)
+    if (QString::fromStdString(name).toUcs4().size() > kLongestPersonName)
         return core::unexpected(ErrorCode::OutOfRange,
-                                "a name has at most " + std::to_string(kLongestName) + " characters; shorten it");
+                                "a name has at most " + std::to_string(kLongestPersonName) + " characters; shorten it");
     if (!canBeSeen(name))
         return core::unexpected(ErrorCode::OutOfRange, "a name holds characters that cannot be seen; type it again");
     return {};
@@ -114,7 +115,7 @@ core::Result<std::vector<Person>> listPeople(const School& school, const Session
     std::vector<Person> people;
     std::map<std::int64_t, std::size_t> placeOf;
     if (auto read = forEach(school.db,
-                            "SELECT " + kColumns + " FROM people p" + where +
+                            "SELECT " + kPersonColumns + " FROM people p" + where +
                                 " ORDER BY p.family_name, p.given_name, p.username",
                             "list the people", values,
                             [&](const QSqlQuery& row) {

@@ -19,7 +19,7 @@ namespace {
 constexpr double kLampAsideMm = 3.0;  ///< of the handpiece's light, from the bur's axis
 constexpr float kLampReachMm = 9.0F;  ///< about the bur
 /// Half the width of a shadow's edge a millimetre of height: the operating light is 20 cm wide and 70 cm away.
-constexpr double kPenumbra = 0.14;
+constexpr double kSpotPenumbra = 0.14;
 constexpr double kSoftestMm = 0.08;  ///< an edge is never less: the lattice has a node for it
 constexpr double kThickFor = 3.0;  ///< times a box is half as large as: a rod that no corner of it is in, leaves it lit
 constexpr float kTold = 0.85F;     ///< strength of the shadow of bur and shank, which a shadow is to tell about
@@ -59,7 +59,7 @@ double clearanceMm(const glm::dvec3& from, const Rod& rod, const glm::dvec3& tow
     const double f = glm::dot(way, away);
     const double on = std::clamp((b * std::max((b * f - c * e) / std::max(e - b * b, 1.0e-4), 0.0) + f) / e, 0.0, 1.0);
     const double along = std::max(b * on - c, 0.0);
-    return glm::length(away + towardsLight * along - way * on) - rod.radiusMm - kPenumbra * along - kSoftestMm;
+    return glm::length(away + towardsLight * along - way * on) - rod.radiusMm - kSpotPenumbra * along - kSoftestMm;
 }
 
 /// Whether a rod may keep light from something in a box.
@@ -68,7 +68,7 @@ bool isShadowed(const Box& box, const Rod& rod, const glm::dvec3& towardsLight)
     const glm::dvec3 low(box.low);
     const glm::dvec3 high(box.high);
     const double radius = 0.5 * glm::length(high - low);
-    if (clearanceMm(0.5 * (low + high), rod, towardsLight) > (1.0 + kPenumbra) * radius)
+    if (clearanceMm(0.5 * (low + high), rod, towardsLight) > (1.0 + kSpotPenumbra) * radius)
         return false;
     // Beside a rod that is thick for the box, the nearest corner tells.
     const auto isClear = [&](int corner) {
@@ -142,7 +142,7 @@ void BurLight::find(ToothMaps& maps, const Pose& pose)
     const double headMm = core::drilling::kChuckMm + pose.liftMm;
     const glm::dvec3 lampMm = glm::dvec3(toothFromPart * glm::dvec4(kLampAsideMm, 0.0, headMm, 1.0));
     setVector(m_program, "burLampMm", glm::vec3(lampMm));
-    m_program.setUniformValue("penumbra", static_cast<float>(kPenumbra));
+    m_program.setUniformValue("penumbra", static_cast<float>(kSpotPenumbra));
     m_program.setUniformValue("softestMm", static_cast<float>(kSoftestMm));
     m_program.setUniformValue("lampReachMm", kLampReachMm);
     m_program.setUniformValue("burLamp", pose.lamp ? 1.0F : 0.0F);

@@ -17,9 +17,9 @@ using core::terrain::grown;
 using core::terrain::kEmptyTop;
 using core::terrain::NodeRect;
 
-constexpr float kSteepFrom = 0.6F;   ///< mm a mm, of the blurred heights: 30 degrees
-constexpr float kSteepestSlope = 1.4F;   ///< 55 degrees
-constexpr float kSharpFrom = 0.12F;  ///< cells that the blur takes off a crest, or fills into a slit
+constexpr float kSteepFrom = 0.6F;      ///< mm a mm, of the blurred heights: 30 degrees
+constexpr float kSteepestSlope = 1.4F;  ///< 55 degrees
+constexpr float kSharpFrom = 0.12F;     ///< cells that the blur takes off a crest, or fills into a slit
 constexpr float kSharpFull = 0.4F;
 /// Of the blur, along one axis, from the middle outwards: a Gaussian of 1.15 cells.
 constexpr std::array<float, 4> kBlur{1.0F, 0.685F, 0.220F, 0.033F};
@@ -106,8 +106,9 @@ void SteepGround::draw(const std::vector<float>& tops, const NodeRect& rect, std
                                 (2.0F * cell);
         const float steep2 = glm::dot(slope, slope);
         const float off = std::abs(tops[k] - m_blurred[k]) / cell;
-        const float share = m_whole[k] * std::max(smooth(kSteepFrom * kSteepFrom, kSteepestSlope * kSteepestSlope, steep2),
-                                                  smooth(kSharpFrom, kSharpFull, off));
+        const float share =
+            m_whole[k] * std::max(smooth(kSteepFrom * kSteepFrom, kSteepestSlope * kSteepestSlope, steep2),
+                                  smooth(kSharpFrom, kSharpFull, off));
         if (share == 0.0F)
             return;
         drawn[k] = glm::mix(tops[k], m_blurred[k], share);

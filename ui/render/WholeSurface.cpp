@@ -12,22 +12,22 @@ using AnatomyPointer = std::shared_ptr<const core::terrain::ToothAnatomy>;
 using SurfacePointer = std::shared_ptr<const ToothSurface>;
 
 /// The last teeth, newest first. One's own, and one that is looked at meanwhile.
-struct Shelf
+struct LastSurfaces
 {
     std::mutex mutex;
     std::array<SurfacePointer, 2> surfaces;
 };
 
-Shelf& shelf()
+LastSurfaces& lastSurfaces()
 {
-    static Shelf only;
+    static LastSurfaces only;
     return only;
 }
 
 SurfacePointer found(const AnatomyPointer& anatomy)
 {
-    const std::lock_guard lock(shelf().mutex);
-    for (const SurfacePointer& one : shelf().surfaces)
+    const std::lock_guard lock(lastSurfaces().mutex);
+    for (const SurfacePointer& one : lastSurfaces().surfaces)
         if (one && one->anatomyPointer() == anatomy)
             return one;
     return nullptr;
@@ -38,8 +38,8 @@ SurfacePointer workedOut(const AnatomyPointer& anatomy, glm::vec3 towardsLight)
     if (SurfacePointer before = found(anatomy))
         return before;
     auto made = std::make_shared<const ToothSurface>(anatomy, towardsLight);
-    const std::lock_guard lock(shelf().mutex);
-    shelf().surfaces[1] = std::exchange(shelf().surfaces[0], made);
+    const std::lock_guard lock(lastSurfaces().mutex);
+    lastSurfaces().surfaces[1] = std::exchange(lastSurfaces().surfaces[0], made);
     return made;
 }
 

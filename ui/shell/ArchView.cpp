@@ -39,7 +39,7 @@ bool isUpper(int fdi)
     return fdi / 10 == 1 || fdi / 10 == 2;
 }
 
-bool isChoosable(int fdi)
+bool isOnChoosableSide(int fdi)
 {
     return fdi / 10 == 2 || fdi / 10 == 3;
 }
@@ -64,7 +64,7 @@ ArchView::ArchView(QWidget* parent) : QWidget(parent)
         for (int position = 1; position <= 8; ++position) {
             Tooth tooth;
             tooth.fdi = 10 * quadrant + position;
-            if (isChoosable(tooth.fdi)) {
+            if (isOnChoosableSide(tooth.fdi)) {
                 tooth.button = new ArchTooth(tooth.fdi, this);
                 tooth.button->installEventFilter(this);
                 connect(tooth.button, &QAbstractButton::clicked, this, [this, fdi = tooth.fdi] { select(fdi); });
@@ -101,7 +101,7 @@ void ArchView::layOut()
     const QPointF middle(width() / 2.0, height() / 2.0);
     for (Tooth& tooth : m_teeth) {
         const bool upper = isUpper(tooth.fdi);
-        const double side = isChoosable(tooth.fdi) ? 1.0 : -1.0;
+        const double side = isOnChoosableSide(tooth.fdi) ? 1.0 : -1.0;
         const int position = tooth.fdi % 10;
         const CrownPicture crown = crownPicture(upper, position);
         const ArchPlace place = archPlace(upper, position);
@@ -152,7 +152,7 @@ void ArchView::paintEvent(QPaintEvent*)
         QPolygonF ridge;
         for (const Tooth& tooth : m_teeth)
             if (isUpper(tooth.fdi) == upper)
-                isChoosable(tooth.fdi) ? ridge.append(tooth.centre) : ridge.prepend(tooth.centre);
+                isOnChoosableSide(tooth.fdi) ? ridge.append(tooth.centre) : ridge.prepend(tooth.centre);
         painter.setBrush(Qt::NoBrush);
         painter.setPen(QPen(QColor(isDark(p) ? kGumOnDark : kGumOnLight), kRidgeMm * m_pxPerMm, Qt::SolidLine,
                             Qt::RoundCap, Qt::RoundJoin));

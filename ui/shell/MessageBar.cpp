@@ -20,7 +20,7 @@ namespace ui::shell {
 namespace {
 
 constexpr int kBarWidthPx = 720;
-constexpr int kIconPx = 22;
+constexpr int kBarIconPx = 22;
 
 MessageBar::Message inPresentLanguage(const MessageBar::Message& message)
 {
@@ -144,7 +144,7 @@ void MessageBar::present(const Message& message)
     };
     const std::array<Look, 3> looks{{{"info", tone.accent}, {"warning", tone.attention}, {"error", tone.harm}}};
     const Look& look = looks.at(static_cast<std::size_t>(message.kind));
-    m_icon->setPixmap(linePixmap(QString::fromLatin1(look.drawing), look.colour, kIconPx, devicePixelRatioF()));
+    m_icon->setPixmap(linePixmap(QString::fromLatin1(look.drawing), look.colour, kBarIconPx, devicePixelRatioF()));
     m_sentence->setText(message.sentence);
     m_detail->setText(message.detail);
     m_detail->setVisible(!message.detail.isEmpty());

@@ -27,10 +27,10 @@
 namespace ui::shell {
 namespace {
 
-constexpr int kCardPx = 360;
-constexpr int kTourGapPx = 14;    ///< between the card and what it is about
-constexpr int kAroundPx = 4;  ///< that is lit around it
-constexpr int kLiftPx = 72;   ///< of a card that lies on what it is about, over the line at its foot
+constexpr int kTourCardPx = 360;
+constexpr int kTourGapPx = 14;  ///< between the card and what it is about
+constexpr int kAroundPx = 4;    ///< that is lit around it
+constexpr int kLiftPx = 72;     ///< of a card that lies on what it is about, over the line at its foot
 
 /// What is pressed for an action on this page; null where it is not there.
 QWidget* buttonOf(const QWidget& page, const QAction* action)
@@ -265,7 +265,7 @@ void Tour::place()
         return;
     m_lit = QRect(lit->mapTo(window(), QPoint()) - mapTo(window(), QPoint()), lit->size()).intersected(rect());
     m_card->layout()->activate();
-    const int wide = std::min(std::max(kCardPx, m_card->minimumSizeHint().width()), width() - 2 * kTourGapPx);
+    const int wide = std::min(std::max(kTourCardPx, m_card->minimumSizeHint().width()), width() - 2 * kTourGapPx);
     const int high = std::max(m_card->layout()->hasHeightForWidth() ? m_card->layout()->totalHeightForWidth(wide) : 0,
                               m_card->sizeHint().height());
     const QSize size(wide, high);

@@ -28,7 +28,7 @@ using namespace ui::shell;
 using namespace core::grading;
 using core::terrain::Material;
 
-constexpr int kWidestPx = 760;
+constexpr int kWidestCardPx = 760;
 constexpr int kNarrowWordsPx = 150;
 constexpr std::array kTissues{Material::Enamel, Material::Dentin, Material::Caries};
 
@@ -52,7 +52,7 @@ ExerciseCard::ExerciseCard(QAction* grade, QWidget* parent) : QFrame(parent)
     setProperty("kind", "bar");
     setObjectName(QStringLiteral("exerciseCard"));
     auto* block = new QWidget(this);
-    block->setMaximumWidth(kWidestPx);
+    block->setMaximumWidth(kWidestCardPx);
     auto* outer = new QHBoxLayout(this);
     outer->setContentsMargins(kSpace4, kSpace2, kSpace4, kSpace2);
     outer->addWidget(block, 1000);

@@ -15,7 +15,7 @@
 namespace ui::study {
 namespace {
 
-constexpr double kGapPx = 4.0;
+constexpr double kRowGapPx = 4.0;
 constexpr double kTurnDeg = 15.0;
 constexpr double kStepMm = 0.2;
 
@@ -53,16 +53,17 @@ void ToleranceView::show(std::shared_ptr<const Weighed> weighed)
 QRectF ToleranceView::aboveArea() const
 {
     const QRectF all(rect());
-    return width() >= height() ? QRectF(all.left(), all.top(), 0.5 * all.width() - kGapPx, all.height())
-                               : QRectF(all.left(), all.top(), all.width(), 0.5 * all.height() - kGapPx);
+    return width() >= height() ? QRectF(all.left(), all.top(), 0.5 * all.width() - kRowGapPx, all.height())
+                               : QRectF(all.left(), all.top(), all.width(), 0.5 * all.height() - kRowGapPx);
 }
 
 QRectF ToleranceView::sectionArea() const
 {
     const QRectF all(rect());
-    return width() >= height()
-               ? QRectF(all.left() + 0.5 * all.width() + kGapPx, all.top(), 0.5 * all.width() - kGapPx, all.height())
-               : QRectF(all.left(), all.top() + 0.5 * all.height() + kGapPx, all.width(), 0.5 * all.height() - kGapPx);
+    return width() >= height() ? QRectF(all.left() + 0.5 * all.width() + kRowGapPx, all.top(),
+                                        0.5 * all.width() - kRowGapPx, all.height())
+                               : QRectF(all.left(), all.top() + 0.5 * all.height() + kRowGapPx, all.width(),
+                                        0.5 * all.height() - kRowGapPx);
 }
 
 void ToleranceView::paintEvent(QPaintEvent*)
