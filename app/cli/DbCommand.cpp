@@ -31,9 +31,7 @@
 #include "database/sql/Logins.h"
 #include "database/sql/Overview.h"
 #include "database/sql/People.h"
-#include "database/sql/Sample.h"
 #include "database/sql/Statement.h"
-#include "lessons/LessonCatalog.h"
 
 namespace app::cli {
 namespace {
@@ -41,9 +39,6 @@ namespace {
 using core::ErrorCode;
 using database::Address;
 using database::sql::Database;
-
-constexpr qint64 kMostAttempts = 100'000'000;
-constexpr qint64 kMostStudents = 1'000'000;
 
 /// One part of `cusp db`: its options are parsed and the address is known.
 struct Part
@@ -547,58 +542,6 @@ int tellStats(const QCommandLineParser& parser, const Address& address)
     return kDone;
 }
 
-int makeUpSchool(const QCommandLineParser& parser, const Address& address)
-{
-    database::sql::SampleSize size;
-    const auto students = wholeNumber(parser, QStringLiteral("students"), 1, kMostStudents);
-    const auto attempts = wholeNumber(parser, QStringLiteral("attempts"), 0, kMostAttempts);
-    const auto seed = wholeNumber(parser, QStringLiteral("seed"), 0, std::numeric_limits<qint64>::max());
-    for (const auto* number : {&students, &attempts, &seed})
-        if (!*number)
-            return wrongUsage(QString::fromStdString(number->error().detail));
-    size.students = static_cast<int>(*students);
-    size.attempts = *attempts;
-    size.seed = static_cast<std::uint64_t>(*seed);
-    const QString earlier = earlierAt(address);
-    const auto open = openSchool(address, Opening::Create);
-    if (!open)
-        return failedWithBackups(open.error(), address);
-    tellEarlier(earlier, address);
-    const std::string password = database::newCode() + "x";
-    const auto admin = database::sql::Logins::createFirstAdmin(*open->school, {"admin", "", "", database::Role::Admin},
-                                                               password, database::PasswordCost{});
-    if (!admin)
-        return failed(admin.error());
-    // Who stops it half-way has a school, too.
-    printText(QStringLiteral("The password of admin: %1\n").arg(QString::fromStdString(password)), stderr);
-    std::vector<lessons::Lesson> lessons;
-    for (const lessons::CatalogEntry& entry : lessons::readCatalog({}))
-        if (entry.read.lesson)
-            lessons.push_back(*entry.read.lesson);
-    const bool tells = isatty(STDERR_FILENO) != 0;
-    const auto made = database::sql::makeSample(*open->school, *admin, size, lessons, [tells](std::int64_t done) {
-        if (tells)
-            tellProgress(QStringLiteral("attempts"), done);
-    });
-    if (tells)
-        printText(QStringLiteral("\n"), stderr);
-    if (!made)
-        return failed(made.error());
-    return answer(
-        parser,
-        QStringLiteral("A school of %1 students with %2 attempts was made up in %3. Log in as \"admin\"; "
-                       "the students and teachers have no passwords yet (\"cusp user reset NAME --as admin\" gives one "
-                       "a code). The password of admin: %4")
-            .arg(size.students)
-            .arg(size.attempts)
-            .arg(address.shown(), QString::fromStdString(password)),
-        {{"database", address.shown()},
-         {"students", size.students},
-         {"attempts", static_cast<qint64>(size.attempts)},
-         {"admin", "admin"},
-         {"password", QString::fromStdString(password)}});
-}
-
 /// Of some times, ms: the first, for which nothing was at hand yet; the median; and what 99 in a hundred are within.
 QJsonObject timesOf(std::vector<double> ms)
 {
@@ -664,7 +607,7 @@ int measureSchool(const QCommandLineParser& parser, const Address& address)
             return failed(done.error());
     }
     if (history.empty() || matrix.empty())
-        return failed({ErrorCode::FileEmpty, "nobody is there to measure; \"cusp db sample\" makes up a school"});
+        return failed({ErrorCode::FileEmpty, "nobody is there to measure; enter students and classes first"});
     // Not the peak: a login takes more for a moment than an export that grows.
     const double beforeMiB = bench::residentMiB();
     double largestMiB = beforeMiB;
@@ -728,16 +671,6 @@ void addTarget(QCommandLineParser& parser)
                       QStringLiteral("FILE|URL")});
 }
 
-void addSize(QCommandLineParser& parser)
-{
-    parser.addOption({QStringLiteral("students"), QStringLiteral("How many; 200 if not given."), QStringLiteral("N"),
-                      QStringLiteral("200")});
-    parser.addOption({QStringLiteral("attempts"), QStringLiteral("How many in all; 10000 if not given."),
-                      QStringLiteral("N"), QStringLiteral("10000")});
-    parser.addOption({QStringLiteral("seed"), QStringLiteral("Another seed makes another school."), QStringLiteral("N"),
-                      QStringLiteral("1")});
-}
-
 constexpr std::array kParts{
     Part{"init", "cusp db init [--db FILE|URL] [--admin NAME]", "creates the database, and its first admin", addAdmin,
          initDatabase},
@@ -758,8 +691,6 @@ constexpr std::array kParts{
     Part{"stats", "cusp db stats [--db FILE|URL] [--json]", "counts what is there", nothing, tellStats},
     Part{"measure", "cusp db measure --as ADMIN [--db FILE|URL]",
          "times the history page, the class matrix and an export", addPersonOption, measureSchool},
-    Part{"sample", "cusp db sample [--db FILE|URL] [--students N] [--attempts N]",
-         "makes up a school, to see and measure a large one", addSize, makeUpSchool},
 };
 
 }  // namespace

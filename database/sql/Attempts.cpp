@@ -7,7 +7,6 @@
 
 #include <QJsonArray>
 #include <QJsonDocument>
-#include <QSqlError>
 
 #include "core/base/Bytes.h"
 #include "database/Passwords.h"
@@ -278,36 +277,6 @@ core::Status forEachAttempt(const QSqlDatabase& db,
                        record.personUid = textOf(row, 28);
                        take(record, textOf(row, 29));
                    });
-}
-
-core::Status AttemptWriter::add(const AttemptRecord& record)
-{
-    const auto prepare = [this](std::optional<QSqlQuery>& query, const QString& sql) {
-        if (query)
-            return true;
-        query.emplace(m_school.db);
-        query->setForwardOnly(true);
-        return query->prepare(sql);
-    };
-    const auto failed = [this](const std::optional<QSqlQuery>& query) {
-        return tl::unexpected(dialect::error(m_school.db, query->lastError(), kAdd));
-    };
-    if (!prepare(m_attempt, kInsert))
-        return failed(m_attempt);
-    if (!prepare(m_sheet, kInsertSheet))
-        return failed(m_sheet);
-    const QVariantList values = valuesOf(record, record.person);
-    for (qsizetype k = 0; k < values.size(); ++k)
-        m_attempt->bindValue(static_cast<int>(k), values[k]);
-    if (!m_attempt->exec() || !m_attempt->next())
-        return failed(m_attempt);
-    m_sheet->bindValue(0, m_attempt->value(0));
-    m_sheet->bindValue(1, text(record.scoreSheetJson));
-    m_attempt->finish();
-    if (!m_sheet->exec())
-        return failed(m_sheet);
-    return m_audit.note(record.personUid, "attempt.add", "attempt:" + record.uid,
-                        {{"digest", QString::fromStdString(digestOfAttempt(record))}});
 }
 
 core::Result<AttemptId> deliverAttempt(const School& school, const AttemptRecord& attempt, const QByteArray& recording)

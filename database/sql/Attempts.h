@@ -10,7 +10,6 @@
 #include <QByteArray>
 
 #include "database/records.h"
-#include "database/sql/Audit.h"
 #include "database/sql/School.h"
 #include "lessons/ClassStanding.h"
 
@@ -21,23 +20,6 @@ namespace database::sql {
 /// is (record.personUid): he may have logged out, or been disabled, meanwhile.
 [[nodiscard]] core::Result<AttemptId> deliverAttempt(const School& school, const AttemptRecord& attempt,
                                                      const QByteArray& recording);
-
-/// Keeps many attempts of people inside one transaction, without counting standings: for a school that is made up.
-class AttemptWriter
-{
-public:
-    /// @param school  outlives the writer
-    explicit AttemptWriter(const School& school) : m_audit(school), m_school(school) {}
-    /// Of record.person, whose uid is record.personUid.
-    [[nodiscard]] core::Status add(const AttemptRecord& record);
-    [[nodiscard]] core::Status seal() { return m_audit.seal(); }
-
-private:
-    AuditBatch m_audit;
-    const School& m_school;
-    std::optional<QSqlQuery> m_attempt;
-    std::optional<QSqlQuery> m_sheet;
-};
 
 /// The last attempts of a person, newest first, without their score sheets. `attempts` 0: as many as there are.
 struct HistoryQuery

@@ -20,7 +20,6 @@
 #include "database/sql/Overview.h"
 #include "database/sql/Presets.h"
 #include "database/sql/Roster.h"
-#include "database/sql/Sample.h"
 #include "tests/database/SchoolRig.h"
 
 using namespace database;
@@ -91,7 +90,6 @@ private slots:
     void everyOperationAsEveryRole_data() { support::addEngines(); }
     void everyOperationAsEveryRole();
     void everyFunctionOfASessionIsAmongThem();
-    void aSchoolIsMadeUpByItsAdminOnly();
     void scoresAreGivenToStudentsOnly();
     void listsHoldOnlyWhatOneMaySee_data() { support::addEngines(); }
     void listsHoldOnlyWhatOneMaySee();
@@ -328,7 +326,6 @@ void TestPermissions::everyFunctionOfASessionIsAmongThem()
         "admit",        "admitTo", "admitToClass",  // which do the refusing
         "logout",                                   // anybody may leave
         "attemptsLeft",                             // of one's own; a guest's are not counted
-        "makeSample",                               // see below
         "noteRestored"                              // after mayRestore(), by whom the restored school may not know
     };
     static const QRegularExpression kTakesSession(R"(\b(\w+)\(\s*const School& \w+,\s*const Session& \w+)");
@@ -360,16 +357,6 @@ void TestPermissions::scoresAreGivenToStudentsOnly()
     VERIFY_DONE(addComment(rig.school(), rig.otherInstructor, own, {"neat", {}, {}}));
     const AttemptId his = addAttempt(rig.school(), rig.student, SchoolRig::attempt("class1-36", 500), {}).value();
     VERIFY_DONE(overrideScore(rig.school(), rig.otherInstructor, his, 600, "neat"));
-}
-
-void TestPermissions::aSchoolIsMadeUpByItsAdminOnly()
-{
-    SchoolRig rig(false);
-    rig.populate();
-    for (const Session* who : {&rig.guest, &rig.student, &rig.instructor})
-        VERIFY_REFUSED(makeSample(rig.school(), *who, {1, 1, 1, 7}, {}), core::ErrorCode::NotAllowed);
-    // Who may is told that there is a school already.
-    VERIFY_REFUSED(makeSample(rig.school(), rig.admin, {1, 1, 1, 7}, {}), core::ErrorCode::OutOfRange);
 }
 
 void TestPermissions::listsHoldOnlyWhatOneMaySee()

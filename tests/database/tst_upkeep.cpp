@@ -33,8 +33,8 @@
 #include "database/sql/Recordings.h"
 #include "database/sql/Roster.h"
 #include "database/sql/RowSum.h"
-#include "database/sql/Sample.h"
 #include "database/sql/Statement.h"
+#include "tests/database/Sample.h"
 #include "tests/database/SchoolRig.h"
 #include "tests/support/FullDisk.h"
 
@@ -42,6 +42,7 @@ using namespace database;
 using namespace database::sql;
 using core::ErrorCode;
 using support::addAttempt;
+using support::makeSample;
 using support::SchoolRig;
 
 namespace {
@@ -1707,8 +1708,6 @@ void TestUpkeep::aMadeUpSchoolIsSound()
     VERIFY_DONE(results);
     QVERIFY(!results->curve.empty() && results->curve.front().people >= 5);
     QVERIFY(results->curve.front().lowerQuartileTenths <= results->curve.front().medianTenths);
-    // He who made it up again has people there already.
-    VERIFY_REFUSED(makeSample(rig.school(), *admin, {}, madeLessons({"class1-36"})), ErrorCode::OutOfRange);
 }
 
 void TestUpkeep::flippedBytesAreReportedOrHarmless()

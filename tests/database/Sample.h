@@ -6,10 +6,12 @@
 #include <string>
 #include <vector>
 
+#include <QString>
+
 #include "database/sql/School.h"
 #include "lessons/Lesson.h"
 
-namespace database::sql {
+namespace support {
 
 /// A school that was made up, to see and to measure what a large one is like.
 struct SampleSize
@@ -21,11 +23,14 @@ struct SampleSize
 };
 
 /// Fills a school that has its first admin and nothing else: students "s0001" ... in classes with a teacher each
-/// ("teacher1" ...), assignments, and attempts at these lessons in which students get better, faster and more sure,
-/// each in his own measure. The same seed gives the same school but for uids.
+/// ("teacher1" ...), and attempts at these lessons in which students get better, faster and more sure, each in their
+/// own measure. The same seed gives the same school but for uids.
 /// @param lessons  by whose rubrics the points are lost
-[[nodiscard]] core::Status makeSample(const School& school, const Session& admin, const SampleSize& size,
-                                      const std::vector<lessons::Lesson>& lessons,
+[[nodiscard]] core::Status makeSample(const database::sql::School& school, const database::Session& admin,
+                                      const SampleSize& size, const std::vector<lessons::Lesson>& lessons,
                                       const std::function<void(std::int64_t attempts)>& progress = {});
 
-}  // namespace database::sql
+/// The same in a new file or an empty database, with the shipped lessons. Returns the password of "admin".
+[[nodiscard]] core::Result<std::string> makeSchool(const QString& where, const SampleSize& size);
+
+}  // namespace support

@@ -1,26 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "database/sql/Sample.h"
+#include "tests/database/Sample.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-
-#include <QSqlError>
-#include <QSqlQuery>
 
 #include "core/base/Rng.h"
 #include "database/Passwords.h"
 #include "database/sql/Attempts.h"
 #include "database/sql/Audit.h"
 #include "database/sql/Classes.h"
+#include "database/sql/Database.h"
+#include "database/sql/Logins.h"
 #include "database/sql/People.h"
 #include "database/sql/Statement.h"
+#include "lessons/LessonCatalog.h"
 
-namespace database::sql {
+namespace support {
 namespace {
 
-const std::string kDoingSample = "make up a school";
-constexpr std::int64_t kAttemptsAtOnce = 5000;
+using namespace database;
+using namespace database::sql;
+
+const std::string kDoing = "make up a school";
+constexpr std::int64_t kToldEvery = 5000;
 constexpr int kDays = 180;
 constexpr std::array kGiven{"Ada", "Ben", "Chloe", "Dan", "Emi", "Finn", "Grace", "Hugo", "Ines", "Jun", "Kim", "Lea"};
 constexpr std::array kFamily{"Abe",  "Bauer", "Costa",  "Diaz", "Endo",  "Fischer", "Garcia",
@@ -30,8 +33,8 @@ struct Student
 {
     PersonId id;
     std::string uid;
-    double talent = 0.0;    ///< of his first attempt, 0 .. 1
-    double learning = 0.0;  ///< how soon he gets better
+    double talent = 0.0;    ///< of the first attempt, 0 .. 1
+    double learning = 0.0;  ///< how soon they get better
     std::vector<int> done;  ///< attempts at each lesson
 };
 
@@ -45,17 +48,15 @@ public:
 
     core::Status make(const std::function<void(std::int64_t)>& progress)
     {
-        auto entered = inTransaction(m_school.db, kDoingSample, [this] { return enterPeople(); });
-        for (std::int64_t done = 0; entered && done < m_size.attempts;) {
-            const std::int64_t next = std::min(m_size.attempts, done + kAttemptsAtOnce);
-            entered = inTransaction(m_school.db, kDoingSample, [&] { return addAttempts(done, next); });
-            done = next;
-            if (entered && progress)
-                progress(done);
+        auto done = inTransaction(m_school.db, kDoing, [this] { return enterPeople(); });
+        for (std::int64_t k = 0; done && k < m_size.attempts; ++k) {
+            Student& student = m_students[pick(m_students.size())];
+            if (auto kept = deliverAttempt(m_school, attemptOf(student, pick(m_lessons.size()), k), {}); !kept)
+                done = tl::unexpected(kept.error());
+            if (progress && (k + 1) % kToldEvery == 0)
+                progress(k + 1);
         }
-        if (!entered)
-            return entered;
-        return inTransaction(m_school.db, kDoingSample, [this] { return countStandings(); });
+        return done;
     }
 
 private:
@@ -138,27 +139,6 @@ private:
         return record;
     }
 
-    core::Status addAttempts(std::int64_t from, std::int64_t to)
-    {
-        AttemptWriter writer(m_school);
-        for (std::int64_t k = from; k < to; ++k) {
-            Student& student = m_students[pick(m_students.size())];
-            if (auto added = writer.add(attemptOf(student, pick(m_lessons.size()), k)); !added)
-                return added;
-        }
-        return writer.seal();
-    }
-
-    core::Status countStandings()
-    {
-        return execute(
-            m_school.db,
-            "INSERT INTO standings (person_id, lesson_id, attempts, best_tenths, passed, last_utc) SELECT "
-            "person_id, lesson_id, COUNT(*), MAX(score_tenths), MAX(passed), MAX(finished_utc) FROM attempts "
-            "GROUP BY person_id, lesson_id",
-            kDoingSample);
-    }
-
     const School& m_school;
     const Session& m_admin;
     const SampleSize& m_size;
@@ -172,16 +152,31 @@ private:
 core::Status makeSample(const School& school, const Session& admin, const SampleSize& size,
                         const std::vector<lessons::Lesson>& lessons, const std::function<void(std::int64_t)>& progress)
 {
-    for (const Operation operation : {Operation::AddPerson, Operation::ChangeClasses})
-        if (auto who = admit(school, admin, operation); !who)
-            return tl::unexpected(who.error());
-    const auto somebody = ask(school.db, "SELECT 1 FROM people WHERE role <> 'admin' LIMIT 1", kDoingSample);
-    if (!somebody)
-        return tl::unexpected(somebody.error());
-    if (!somebody->isNull() || lessons.empty() || size.students < 1 || size.classSize < 1)
-        return core::unexpected(core::ErrorCode::OutOfRange,
-                                "a school is made up only where nobody but the admin is; name a new database");
+    // A disk that fails meanwhile costs a school that can be made up again.
+    const char* const hurry =
+        dialect::isPostgres(school.db) ? "SET synchronous_commit = off" : "PRAGMA synchronous = OFF";
+    if (auto set = execute(school.db, hurry, kDoing); !set)
+        return set;
     return SampleMaker(school, admin, size, lessons).make(progress);
 }
 
-}  // namespace database::sql
+core::Result<std::string> makeSchool(const QString& where, const SampleSize& size)
+{
+    const auto opened = Database::open(where);
+    if (!opened)
+        return tl::unexpected(opened.error());
+    const School school{(*opened)->handle(), StationKey::make()};
+    const std::string password = newCode() + "x";
+    const auto admin = Logins::createFirstAdmin(school, {"admin", "", "", Role::Admin}, password, PasswordCost{});
+    if (!admin)
+        return tl::unexpected(admin.error());
+    std::vector<lessons::Lesson> lessons;
+    for (const lessons::CatalogEntry& entry : lessons::readCatalog({}))
+        if (entry.read.lesson)
+            lessons.push_back(*entry.read.lesson);
+    if (auto made = makeSample(school, *admin, size, lessons); !made)
+        return tl::unexpected(made.error());
+    return password;
+}
+
+}  // namespace support
