@@ -76,8 +76,8 @@ QString why(const core::Error& error)
 {
     switch (error.code) {
     case core::ErrorCode::OutOfRange:
-        return AdminDesk::tr("That cannot be: the name is empty or taken, or has other signs than letters, digits and "
-                             ". _ - @, or letters of several scripts in one word.");
+        return AdminDesk::tr("That cannot be: the username is empty or taken, or has other characters than the "
+                             "letters a to z, digits and . _ - @.");
     default:
         return errorText(error, Failed::ChangingSchool);
     }

@@ -12,7 +12,7 @@ namespace database {
 /// What is said of a person when he is entered.
 struct NewPerson
 {
-    std::string username;  ///< letters, digits, dot, hyphen, underline, at; capitals do not count
+    std::string username;  ///< letters a to z, digits, dot, hyphen, underline, at; capitals do not count
     std::string givenName;
     std::string familyName;
     Role role = Role::Student;

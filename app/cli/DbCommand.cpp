@@ -116,7 +116,7 @@ int initDatabase(const QCommandLineParser& parser, const Address& address)
     std::string password;
     if (hasAdmin) {
         // Before there is a file without anybody in it.
-        if (auto fit = database::newUsername(admin.toStdString()); !fit)
+        if (auto fit = database::normalUsername(admin.toStdString()); !fit)
             return failed(fit.error());
         const auto typed = askSecret("Password of the new admin: ");
         if (!typed)

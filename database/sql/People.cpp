@@ -168,7 +168,7 @@ core::Status noteLogin(const School& school, const std::string& actor, const std
 core::Result<Person> enter(const School& school, AuditBatch& audit, const std::string& actor, const NewPerson& who,
                            const FirstLogin& login)
 {
-    const auto username = newUsername(who.username);
+    const auto username = normalUsername(who.username);
     if (!username)
         return tl::unexpected(username.error());
     if (auto fit = checkNames(who); !fit)

@@ -163,7 +163,7 @@ public:
         if (row.fields.size() > widest())
             fault(row, "", "has more fields than the first line names", Kind::Fields);
         line.who = {at(row, "username"), at(row, "given_name"), at(row, "family_name"), Role::Student};
-        if (const auto name = newUsername(line.who.username); !name)
+        if (const auto name = normalUsername(line.who.username); !name)
             fault(row, "username", name.error().detail, Kind::Username);
         else if (!m_seen.emplace(*name, row.line).second)
             fault(row, "username", "stands in line " + std::to_string(m_seen[*name]) + " already", Kind::Twice,

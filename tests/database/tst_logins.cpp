@@ -104,8 +104,6 @@ private slots:
     void whoIsDisabledIsStoppedAtOnce_data() { support::addEngines(); }
     void whoIsDisabledIsStoppedAtOnce();
     void namesAreComparedAsPeopleTypeThem();
-    void whoHasANameFromBeforeLogsInByIt_data() { support::addEngines(); }
-    void whoHasANameFromBeforeLogsInByIt();
     void theDearestCostIsNotUnderTheMinimum();
     void theCostIsTimedOnThisComputer();
 };
@@ -524,46 +522,27 @@ void TestLogins::namesAreComparedAsPeopleTypeThem()
 {
     SchoolRig rig(false);
     rig.populate();
-    VERIFY_DONE(addPerson(rig.school(), rig.admin, {"Jürgen.Groß", "Jürgen", "Groß", Role::Student}));
-    VERIFY_REFUSED(addPerson(rig.school(), rig.admin, {"JÜRGEN.GROß", "", "", Role::Student}), ErrorCode::OutOfRange);
-    for (const char* name : {"", "   ", "two words", "semi;colon", "new\nline", "<b>", "../x"})
+    VERIFY_DONE(addPerson(rig.school(), rig.admin, {" Juergen.Gross ", "Jürgen", "Groß", Role::Student}));
+    VERIFY_REFUSED(addPerson(rig.school(), rig.admin, {"JUERGEN.GROSS", "", "", Role::Student}), ErrorCode::OutOfRange);
+    QCOMPARE(findPerson(rig.school(), rig.admin, "ＪＵＥＲＧＥＮ.Gross").value().givenName, std::string("Jürgen"));
+    for (const char* name : {"", "   ", "two words", "semi;colon", "new\nline", "<b>", "../x", "jürgen", "İlhan",
+                             "ılhan", "аdmin", "山田", "admin\u3164", "admin\u034F"})
         VERIFY_REFUSED(addPerson(rig.school(), rig.admin, {name, "", "", Role::Student}), ErrorCode::OutOfRange);
     VERIFY_REFUSED(addPerson(rig.school(), rig.admin, {std::string(65, 'x'), "", "", Role::Student}),
                    ErrorCode::OutOfRange);
-    // Persian and Hindi are written with joiners; between other letters they make two names that look alike.
+    VERIFY_DONE(addPerson(rig.school(), rig.admin, {std::string(64, 'x'), "", "", Role::Student}));
+    // Persian and Hindi are written with joiners.
     VERIFY_DONE(
         addPerson(rig.school(), rig.admin,
                   {"joined", "\u0639\u0644\u06CC\u200C\u0631\u0636\u0627", "\u0936\u094D\u200D\u0930", Role::Student}));
-    VERIFY_REFUSED(addPerson(rig.school(), rig.admin, {"alike", "An\u200Cna", "", Role::Student}),
-                   ErrorCode::OutOfRange);
-    VERIFY_REFUSED(addPerson(rig.school(), rig.admin, {"end", "\u0639\u0644\u06CC\u200C", "", Role::Student}),
-                   ErrorCode::OutOfRange);
-    VERIFY_REFUSED(addPerson(rig.school(), rig.admin, {"hidden", "A\u202Eb", "", Role::Student}),
-                   ErrorCode::OutOfRange);
-    // Blank letters, a mark that stands on nothing, one that is not seen.
-    for (const char* unseen :
-         {"\u3164", "\u115F", "\u1160", "\uFFA0", "\u0301", "admin\u3164", "admin\u034F", "admin\uFE0F", "\u2800"})
-        VERIFY_REFUSED(addPerson(rig.school(), rig.admin, {unseen, "", "", Role::Student}), ErrorCode::OutOfRange);
-    for (const char* unseen : {"\u3164", "\u115F", "\u1160", "\uFFA0", "\u0301", "Ann \u0301", "\u2800"})
-        VERIFY_REFUSED(addPerson(rig.school(), rig.admin, {"seen", "Ann", unseen, Role::Student}),
+    for (const char* unseen : {"A\u202Eb", "A\nb", "A\u200Bb", "\u0007"})
+        VERIFY_REFUSED(addPerson(rig.school(), rig.admin, {"hidden", unseen, "", Role::Student}),
                        ErrorCode::OutOfRange);
-    // A rare form of a kanji, and a letter with two marks.
-    VERIFY_DONE(addPerson(rig.school(), rig.admin, {"e\u0301\u0323", "\u845B\U000E0100", "", Role::Student}));
+    // A rare form of a kanji.
+    VERIFY_DONE(addPerson(rig.school(), rig.admin, {"rare", "\u845B\U000E0100", "", Role::Student}));
     const char* nasty = "Robert'); DROP TABLE people; --";
     VERIFY_DONE(addPerson(rig.school(), rig.admin, {"bobby", nasty, "Tables", Role::Student}));
     QCOMPARE(findPerson(rig.school(), rig.admin, "bobby").value().givenName, std::string(nasty));
-}
-
-/// An earlier program took it.
-void TestLogins::whoHasANameFromBeforeLogsInByIt()
-{
-    SCHOOL_RIG(rig);
-    rig.populate();
-    const std::string name = "\u845B\U000E0100";
-    VERIFY_DONE(
-        execute(rig.school().db, "UPDATE people SET username = ? WHERE username = 's1001'", "name him", {text(name)}));
-    VERIFY_DONE(Logins::login(rig.school(), name, SchoolRig::kPassword));
-    QCOMPARE(findPerson(rig.school(), rig.admin, name).value().username, name);
 }
 
 void TestLogins::theDearestCostIsNotUnderTheMinimum()

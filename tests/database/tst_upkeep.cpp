@@ -22,7 +22,6 @@
 
 #include "core/base/Rng.h"
 #include "database/Csv.h"
-#include "database/Usernames.h"
 #include "database/sql/Backups.h"
 #include "database/sql/Check.h"
 #include "database/sql/Copy.h"
@@ -205,7 +204,6 @@ private slots:
     void numbersThatCannotBeSeenAreToldOf();
     void whatASpreadsheetWouldRunIsQuoted();
     void lettersAreCountedAndNotTheirHalves();
-    void aNewNameHasItsWordsInOneScript();
     void nobodySetsForHimselfWhatTheSchoolSets_data() { support::addEngines(); }
     void nobodySetsForHimselfWhatTheSchoolSets();
     void aClockWithoutAYearIsSaidToBeWrong_data() { support::addEngines(); }
@@ -1188,18 +1186,6 @@ void TestUpkeep::lettersAreCountedAndNotTheirHalves()
     VERIFY_REFUSED(addClass(rig.school(), rig.admin, of(101)), ErrorCode::OutOfRange);
     VERIFY_DONE(checkPersonName(of(200)));
     VERIFY_REFUSED(checkPersonName(of(201)), ErrorCode::OutOfRange);
-    VERIFY_DONE(normalUsername(of(64)));
-    VERIFY_REFUSED(normalUsername(of(65)), ErrorCode::OutOfRange);
-}
-
-/// "admin" with a letter of Cyrillic is read as another's name.
-void TestUpkeep::aNewNameHasItsWordsInOneScript()
-{
-    for (const char* name : {"аdmin", "аdmin2", "ana.bаrros", "αnna", "s1001а"})
-        VERIFY_REFUSED(newUsername(name), ErrorCode::OutOfRange);
-    for (const char* name : {"анна.berg", "анна", "ανα@school", "山田taro", "たなかﾀﾅｶ", "김a", "müller-2", "3年a組"})
-        VERIFY_DONE(newUsername(name));
-    VERIFY_DONE(normalUsername("аdmin"));  // who has it logs in
 }
 
 /// Whatever he keeps for himself.

@@ -233,8 +233,8 @@ QString rosterFaultWords(const database::RosterFault& fault)
         return QCoreApplication::translate("Admin", "It has more fields than the first line names.");
     case Kind::Username:
         return QCoreApplication::translate(
-            "Admin", "It is empty, longer than 64 characters, has other signs than letters, digits and . _ - @, or "
-                     "letters of several scripts in one word.");
+            "Admin", "It is empty, longer than 64 characters, or has other characters than the letters a to z, digits "
+                     "and . _ - @.");
     case Kind::Twice:
         return QCoreApplication::translate("Admin", "It stands in line %1 already.").arg(value);
     case Kind::Name:

@@ -423,7 +423,7 @@ bool LoginPage::areNamesFit()
     std::function<QString()> why;
     if (!database::normalUsername(m_name->text().toStdString())) {
         wrong = m_name;
-        why = [] { return tr("A name to log in with has 1 to 64 letters, digits and . _ - @, and no spaces."); };
+        why = [] { return tr("A username has 1 to 64 characters: the letters a to z, digits and . _ - @."); };
     }
     for (QLineEdit* one : {m_family, m_given})
         if (wrong == nullptr && !database::canBeSeen(one->text().trimmed().toStdString())) {
