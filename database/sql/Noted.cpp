@@ -20,7 +20,7 @@ namespace {
 
 using Say = std::function<void(const Finding&)>;
 
-const std::string kDoing = "check it";
+const std::string kComparing = "check it";
 
 /// What stands in a table, by what its rows are about ("person:1f..."): several rows may be about the same.
 using Rows = std::map<std::string, std::multiset<std::string>>;
@@ -200,7 +200,7 @@ Finding differs(const char* table, const std::string& about)
 core::Status compare(const QSqlDatabase& db, const Table& table, Rows noted, const Say& say)
 {
     Rows found;
-    if (auto read = forEach(db, QLatin1String(table.sql), kDoing, {},
+    if (auto read = forEach(db, QLatin1String(table.sql), kComparing, {},
                             [&](const QSqlQuery& row) { found[textOf(row, 0)].insert(table.valueOf(row)); });
         !read)
         return read;
@@ -222,7 +222,7 @@ core::Status compareOwners(const QSqlDatabase& db, const Say& say)
                    "audit u WHERE u.object = 'attempt:' || a.uid AND u.action = 'attempt.add') OR NOT (a.uid = "
                    "'legacy-' || a.id AND a.id > 0 AND a.id < COALESCE((SELECT MIN(b.id) FROM attempts b WHERE "
                    "b.person_id IS NOT NULL), a.id + 1)))",
-                   kDoing, {}, [&](const QSqlQuery& row) { say(differs("attempts", textOf(row, 0))); });
+                   kComparing, {}, [&](const QSqlQuery& row) { say(differs("attempts", textOf(row, 0))); });
 }
 
 }  // namespace
@@ -237,7 +237,7 @@ core::Status compareWithAudit(const QSqlDatabase& db, const Say& say)
                     "'person.change', 'password.code', 'password.change', 'password.reset', 'password.rehash', "
                     "'class.add', 'class.rename', 'class.enrol', 'class.leave', 'preset.add', 'setting.change', "
                     "'exam.begin') ORDER BY seq",
-                    kDoing, {},
+                    kComparing, {},
                     [&](const QSqlQuery& row) {
                         noted.take(textOf(row, 0), textOf(row, 1), textOf(row, 2),
                                    QJsonDocument::fromJson(row.value(3).toByteArray()).object());
