@@ -114,8 +114,6 @@ void TestMouth::withLessMotionAZoomIsThereAtOnce()
     QTest::keyClick(m_mouth.get(), Qt::Key_Plus);
     const double after = m_mouth->camera().distanceMm();
     QVERIFY(after < 0.95 * before);
-    QTest::qWait(200);
-    QCOMPARE(m_mouth->camera().distanceMm(), after);
     // Otherwise it takes its time to come to the same place.
     QTest::keyClick(m_mouth.get(), Qt::Key_Home);
     m_mouth->setMovesLittle(false);

@@ -1,22 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QAction>
 #include <QLabel>
 #include <QPushButton>
-#include <QSignalSpy>
-#include <QTest>
 
-#include <memory>
-
-#include "lessons/LessonCatalog.h"
-#include "tests/support/OpenGlMain.h"
-#include "tests/support/SyntheticMolar.h"
+#include "tests/ui/WindowTest.h"
 #include "ui/people/Door.h"
-#include "ui/shell/Actions.h"
 #include "ui/shell/HelpOverlay.h"
-#include "ui/shell/MainWindow.h"
-#include "ui/shell/Theme.h"
 #include "ui/shell/Tour.h"
-#include "ui/tooth/ToothView.h"
 
 using database::Role;
 using ui::shell::MainWindow;
@@ -24,13 +13,21 @@ using ui::shell::Tour;
 
 Q_DECLARE_METATYPE(database::Role)
 
-class TestTour : public QObject
+class TestTour : public support::WindowTest
 {
     Q_OBJECT
 private slots:
-    void initTestCase() { ui::shell::applyTheme(*qApp, ui::shell::ThemeChoice::Light); }
-    void init();
-    void cleanup() { m_window.reset(); }
+    void initTestCase() { prepare(); }
+    void init()
+    {
+        begin();
+        m_window->setLessons(support::catalog(), {});
+    }
+    void cleanup()
+    {
+        spoil();
+        end();
+    }
     void everyStepLightsAControlAndLeavesItInSight_data();
     void everyStepLightsAControlAndLeavesItInSight();
     void keysLeadThroughIt();
@@ -41,33 +38,14 @@ private slots:
     void theDoorBreaksItOff();
 
 private:
-    template <class T>
-    T* child(const char* name = nullptr) const
-    {
-        return m_window->findChild<T*>(name == nullptr ? QString() : QString::fromLatin1(name));
-    }
-    ui::shell::Actions& actions() const { return *child<ui::shell::Actions>(); }
     Tour& tour() const { return *child<Tour>(); }
     void press(Qt::Key key, Qt::KeyboardModifiers with = {}) const
     {
         QTest::keyClick(m_window->windowHandle(), key, with);
     }
-
-    std::unique_ptr<core::session::UiLinks> m_links;
-    std::unique_ptr<MainWindow> m_window;
+    /// Whether the control of this step can be seen beside the card, and the card has room for its words.
+    [[nodiscard]] bool isInOrder() const;
 };
-
-void TestTour::init()
-{
-    QLocale::setDefault(QLocale("en_GB"));
-    m_links = std::make_unique<core::session::UiLinks>();
-    m_window = std::make_unique<MainWindow>(*m_links);
-    m_window->show();
-    m_window->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
-    m_window->setLessons(lessons::readCatalog({}), {});
-    m_window->showTooth(support::syntheticMolar(), 1, {});
-}
 
 void TestTour::everyStepLightsAControlAndLeavesItInSight_data()
 {
@@ -81,6 +59,20 @@ void TestTour::everyStepLightsAControlAndLeavesItInSight_data()
             QTest::addRow("%s, %d", name, size.width()) << role << size;
 }
 
+bool TestTour::isInOrder() const
+{
+    const QWidget* lit = tour().target();
+    const auto* card = child<QLabel>("tourTitle")->parentWidget();
+    const auto* words = child<QLabel>("tourWords");
+    if (lit == nullptr || !lit->isVisible() || !tour().rect().contains(card->geometry()) ||
+        words->height() < words->heightForWidth(words->width()))
+        return false;
+    const QRect there(lit->mapTo(m_window.get(), QPoint()), lit->size());
+    const QRect own(card->mapTo(m_window.get(), QPoint()), card->size());
+    const bool isLarge = there.width() * there.height() > m_window->width() * m_window->height() / 4;
+    return isLarge || !there.intersects(own);
+}
+
 void TestTour::everyStepLightsAControlAndLeavesItInSight()
 {
     QFETCH(Role, role);
@@ -89,32 +81,14 @@ void TestTour::everyStepLightsAControlAndLeavesItInSight()
     actions().attempts->setVisible(role != Role::Guest);
     actions().classes->setVisible(role == Role::Instructor || role == Role::Admin);
     actions().school->setVisible(role == Role::Admin);
-    QTest::qWait(50);
+    QTRY_COMPARE(m_window->size(), size);
     tour().begin(role);
     QVERIFY2(tour().steps() >= 4 && tour().steps() <= 7, qPrintable(QString::number(tour().steps())));
-    const auto* card = child<QLabel>("tourTitle")->parentWidget();
     QStringList titles;
     for (int k = 0; k < tour().steps(); ++k) {
-        QTest::qWait(50);
         QCOMPARE(tour().step(), k);
-        const QWidget* lit = tour().target();
-        QVERIFY(lit != nullptr);
-        QVERIFY2(lit->isVisible(), qPrintable(child<QLabel>("tourTitle")->text()));
         titles << child<QLabel>("tourTitle")->text();
-        QVERIFY(tour().rect().contains(card->geometry()));
-        const QRect there(lit->mapTo(m_window.get(), QPoint()), lit->size());
-        const QRect own(card->mapTo(m_window.get(), QPoint()), card->size());
-        const bool isLarge = there.width() * there.height() > m_window->width() * m_window->height() / 4;
-        QVERIFY2(isLarge || !there.intersects(own), qPrintable(titles.back()));
-        // All its words have room.
-        const auto* words = child<QLabel>("tourWords");
-        QVERIFY(words->height() >= words->heightForWidth(words->width()));
-        if (const QString folder = qEnvironmentVariable("CUSP_PICTURES"); !folder.isEmpty())
-            m_window->grab().save(QString("%1/tour-%2-%3.png")
-                                      .arg(folder, QTest::currentDataTag())
-                                      .arg(k)
-                                      .remove(u',')
-                                      .replace(u' ', u'-'));
+        QTRY_VERIFY2(isInOrder(), qPrintable(titles.back()));
         tour().next();
     }
     QVERIFY(!tour().isVisible());
@@ -202,9 +176,5 @@ void TestTour::theDoorBreaksItOff()
     QVERIFY(!tour().isVisible());
 }
 
-int main(int argc, char* argv[])
-{
-    return support::openGlMain<TestTour>(argc, argv);
-}
-
+QTEST_MAIN(TestTour)
 #include "tst_tour.moc"

@@ -1,0 +1,341 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <QApplication>
+#include <QDropEvent>
+#include <QFileDialog>
+#include <QMenu>
+#include <QMimeData>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "lessons/LessonCatalog.h"
+#include "lessons/Rubric.h"
+#include "tests/database/SchoolRig.h"
+#include "tests/support/SyntheticMolar.h"
+#include "ui/replay/Course.h"
+#include "ui/shell/Actions.h"
+#include "ui/shell/MainWindow.h"
+#include "ui/shell/MessageBar.h"
+#include "ui/shell/PracticeRoom.h"
+#include "ui/shell/QuestionCard.h"
+#include "ui/shell/TabularLabel.h"
+#include "ui/shell/Theme.h"
+#include "ui/tooth/ToothView.h"
+
+namespace support {
+
+inline const std::vector<lessons::CatalogEntry>& catalog()
+{
+    static const std::vector<lessons::CatalogEntry> all = lessons::readCatalog({});
+    return all;
+}
+
+template <class Fits>
+const lessons::ReadLesson& shippedWhere(const Fits& fits)
+{
+    for (const lessons::CatalogEntry& entry : catalog())
+        if (entry.read.lesson && fits(*entry.read.lesson))
+            return entry.read;
+    qFatal("no such lesson");
+    return catalog().front().read;
+}
+
+inline const lessons::ReadLesson& shipped(const std::string& id)
+{
+    return shippedWhere([&](const lessons::Lesson& lesson) { return lesson.id == id; });
+}
+
+inline lessons::Assignment assigned(const std::string& id)
+{
+    return lessons::assign(*shipped(id).lesson).value().assignment;
+}
+
+inline lessons::Assignment assigned(lessons::Task task)
+{
+    return lessons::assign(*shippedWhere([&](const lessons::Lesson& lesson) { return lesson.task == task; }).lesson)
+        .value()
+        .assignment;
+}
+
+inline lessons::ScoreSheet sheet(double cariesPercent, double soundMm3, double pulpMm2)
+{
+    lessons::Rubric rubric;
+    rubric.title = {{"en", "Trial"}};
+    rubric.version = 2;
+    rubric.hash = std::string(64, 'a');
+    const auto add = [&](const std::string& id, const std::string& unit, double tolerance, double span, int weight) {
+        lessons::CriterionRule rule;
+        rule.id = rule.measure = id;
+        rule.unit = unit;
+        rule.tolerance = tolerance;
+        rule.span = span;
+        rule.weightTenths = weight;
+        rule.critical = weight == 0;
+        rubric.criteria.push_back(rule);
+    };
+    add("caries_left", "percent", 1, 30, 600);
+    add("sound_tissue", "mm3", 4, 20, 400);
+    add("pulp_exposure", "mm2", 0, 0, 0);
+    return lessons::grade(rubric,
+                          {{"caries_left", cariesPercent}, {"sound_tissue", soundMm3}, {"pulp_exposure", pulpMm2}});
+}
+
+/// Two strokes with different burs, an undo, and a breach.
+inline ui::replay::Course course()
+{
+    ui::replay::Course course;
+    course.lengthS = course.readyS = 60.0;
+    course.strokes = {{5.0, 9.0, 9.01, 0}, {20.0, 21.0, 21.01, 3}};
+    using ui::replay::Mark;
+    course.marks = {{Mark::Kind::Bur, 15.0, 3},
+                    {Mark::Kind::Handpiece, 26.0, 1, "electric"},
+                    {Mark::Kind::Undo, 40.0, 9000},
+                    {Mark::Kind::Note, 50.0, core::grading::answerNote(1, core::terrain::Material::Dentin)}};
+    core::grading::Infraction breach;
+    breach.breach = core::grading::Breach::PulpExposed;
+    breach.seconds = 20.5;
+    course.infractions = {breach};
+    return course;
+}
+
+/// Tests of the main window. The test plays the threads: it publishes what they would say, and reads the commands.
+///
+/// The cases of a program share one window. begin() of each case brings it back to a whole tooth in the practice room.
+/// A case that closes the window, or changes what cannot be changed back, calls spoil(): the next case has a new
+/// window.
+class WindowTest : public QObject
+{
+protected:
+    static void prepare()
+    {
+        QLocale::setDefault(QLocale("en_GB"));
+        QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+        static const QTemporaryDir settings;
+        QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
+        ui::shell::applyTheme(*qApp, ui::shell::ThemeChoice::Light);
+    }
+
+    void begin()
+    {
+        if (m_window == nullptr || m_isSpoilt) {
+            QSettings(QStringLiteral("cusp"), QStringLiteral("cusp")).clear();
+            openWindow();
+        } else {
+            reset();
+        }
+        core::session::SessionState session;
+        session.toothGeneration = m_generation;
+        session.undoSteps = 3;
+        session.redoSteps = 1;
+        take({}, session);
+        QVERIFY(actions().undo->isEnabled());
+        static_cast<void>(sent());
+    }
+    void end()
+    {
+        m_isSpoilt = m_isSpoilt || QTest::currentTestFailed();
+        if (m_isSpoilt)
+            m_window.reset();
+    }
+    void spoil() { m_isSpoilt = true; }
+
+    /// Another window, which remembers what the one before has left in the settings.
+    void openWindow()
+    {
+        m_isSpoilt = false;
+        m_window.reset();
+        m_links = std::make_unique<core::session::UiLinks>();
+        m_window = std::make_unique<ui::shell::MainWindow>(*m_links);
+        m_window->show();
+        m_window->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+        m_generation = 0;
+        takeUsualHandpieces();
+        show();
+    }
+
+    template <class T>
+    T* child(const char* name = nullptr) const
+    {
+        return m_window->findChild<T*>(name == nullptr ? QString() : QString::fromLatin1(name));
+    }
+    [[nodiscard]] QString figure(const char* name) const { return child<ui::shell::TabularLabel>(name)->text(); }
+    [[nodiscard]] QString message() const { return child<ui::shell::MessageBar>()->sentence(); }
+    [[nodiscard]] ui::shell::Actions& actions() const { return *child<ui::shell::Actions>(); }
+    [[nodiscard]] bool isInRoom() const { return child<ui::shell::PracticeRoom>()->isVisible(); }
+    [[nodiscard]] ui::shell::QuestionCard* question(const char* name = "workQuestion") const
+    {
+        return child<ui::shell::QuestionCard>(name);
+    }
+    /// Presses a button of a question or a card.
+    void click(const char* name) const
+    {
+        auto* button = child<QPushButton>(name);
+        QVERIFY2(button != nullptr && button->isVisible(), name);
+        button->click();
+    }
+    /// Presses keys as a person does: the window's shortcuts hear them.
+    void press(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) const
+    {
+        QTest::keyClick(QApplication::focusWidget() != nullptr ? QApplication::focusWidget() : m_window.get(), key,
+                        modifiers);
+    }
+    /// Accepts the open file dialog with this path.
+    void accept(const QString& path) const
+    {
+        auto* dialog = child<QFileDialog>();
+        QVERIFY(dialog != nullptr);
+        dialog->setDirectory(QFileInfo(path).path());
+        dialog->selectFile(path);
+        QMetaObject::invokeMethod(dialog, "accept");
+    }
+
+    /// Drops a file, or whatever it is, on the window. False: the window does not take it.
+    [[nodiscard]] bool drop(const QMimeData& data) const
+    {
+        QDragEnterEvent enter(QPoint(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(m_window.get(), &enter);
+        if (!enter.isAccepted())
+            return false;
+        QDropEvent event(QPointF(10, 10), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(m_window.get(), &event);
+        return true;
+    }
+    [[nodiscard]] bool dropFile(const QString& path) const
+    {
+        QMimeData data;
+        data.setUrls({QUrl::fromLocalFile(path)});
+        return drop(data);
+    }
+
+    /// Puts another tooth on the table.
+    void show(const std::shared_ptr<const core::terrain::ToothAnatomy>& tooth = support::syntheticMolar())
+    {
+        m_window->showTooth(tooth, ++m_generation, {});
+    }
+    void beginLesson(const lessons::Assignment& assignment)
+    {
+        m_window->setAssignment(assignment);
+        show(assignment.anatomy);
+    }
+    /// The threads say this, and the window has taken it when the call returns.
+    void take(const core::session::ServoState& servo, const core::session::SessionState& session) const
+    {
+        m_links->servo.publish(servo);
+        m_links->session.publish(session);
+        frame();
+    }
+    void frame() const
+    {
+        QSignalSpy drawn(&m_window->view(), &ui::tooth::ToothView::frameAdvanced);
+        QVERIFY(drawn.wait(20'000));
+    }
+    /// The session says that so much enamel of the tooth shown is gone.
+    void cutSomething(double enamelMm3) const
+    {
+        core::session::SessionState session;
+        session.toothGeneration = m_generation;
+        session.removedMm3[1] = enamelMm3;
+        session.undoSteps = static_cast<int>(enamelMm3 * 100.0);
+        take({}, session);
+        QTRY_COMPARE(figure("enamelRemoved"), QString::number(enamelMm3, 'f', 2));
+    }
+
+    /// All commands since the last call.
+    [[nodiscard]] QList<core::session::SessionCommand> allSent() const
+    {
+        QList<core::session::SessionCommand> all;
+        for (core::session::SessionCommand c; m_links->commands.tryPop(c);)
+            all << c;
+        return all;
+    }
+    /// Those that the user asked for: the window notes aids and rests by itself.
+    [[nodiscard]] QList<core::session::SessionCommand> sent() const
+    {
+        QList<core::session::SessionCommand> all = allSent();
+        all.removeIf([](const core::session::SessionCommand& c) {
+            return std::holds_alternative<core::session::SetAids>(c) || isRest(c);
+        });
+        return all;
+    }
+    [[nodiscard]] static bool isRest(const core::session::SessionCommand& command)
+    {
+        const auto* note = std::get_if<core::session::AddNote>(&command);
+        return note != nullptr && (note->code == core::session::kRestNote || note->code == core::session::kWorkNote);
+    }
+    /// What was asked of the drill since the last call.
+    [[nodiscard]] QList<bool> drillSent() const
+    {
+        QList<bool> all;
+        for (const core::session::SessionCommand& command : allSent())
+            if (const auto* drill = std::get_if<core::session::SetDrill>(&command))
+                all << drill->on;
+        return all;
+    }
+
+    /// A school with people of every role. It is made once: nothing is changed in it.
+    static const support::SchoolRig& school()
+    {
+        static const auto rig = [] {
+            auto made = std::make_unique<support::SchoolRig>(false);
+            made->populate();
+            return made;
+        }();
+        return *rig;
+    }
+
+    std::unique_ptr<core::session::UiLinks> m_links;
+    std::unique_ptr<ui::shell::MainWindow> m_window;
+    std::uint64_t m_generation = 0;  ///< of the tooth on the table
+
+private:
+    void takeUsualHandpieces()
+    {
+        const auto all = core::settings::handpieces();
+        m_window->setHandpieces({all.begin(), all.end()});
+    }
+    /// As the next case finds it.
+    void reset()
+    {
+        for (QFileDialog* dialog : m_window->findChildren<QFileDialog*>())
+            delete dialog;
+        for (ui::shell::QuestionCard* card : m_window->findChildren<ui::shell::QuestionCard*>())
+            delete card;
+        m_window->setWho({});
+        m_window->setMayEdit(true);
+        m_window->leaveAll();
+        m_window->stopBusy();
+        m_window->hideBeside();
+        m_window->setReplaying(false);
+        m_window->setUnkeptGrades(0);
+        takeUsualHandpieces();
+        beginLesson(lessons::practiceOn(support::syntheticMolar()).value());
+        for (int steps = 0; !isInRoom() && steps < 5; ++steps)
+            actions().back->trigger();
+        for (QAction* shown : {actions().section, actions().otherHand, actions().fullScreen, actions().history,
+                               actions().mirror, actions().wetLook, actions().drill})
+            if (shown->isChecked())
+                shown->trigger();
+        if (!actions().panel->isChecked())
+            actions().panel->trigger();
+        while (child<ui::shell::MessageBar>()->dismiss()) {
+        }
+        m_window->resize(ui::shell::MainWindow::firstSize(m_window->screen()->availableSize()));
+        m_window->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+        m_window->view().setFocus();
+        QVERIFY(isInRoom());
+    }
+
+    bool m_isSpoilt = false;
+};
+
+}  // namespace support
