@@ -113,282 +113,271 @@ class TestArch : public QObject
     Q_OBJECT
 
 private slots:
-    void neighboursTouchAndDoNotOverlap_data();
-    void neighboursTouchAndDoNotOverlap();
-    void teethFollowTheArchInOrder();
-    void widthsAreThoseOfAdults();
-    void distalSidesFollowTheArch();
-    void rightIsTheMirrorImageOfLeft();
-    void jawsFaceEachOther();
-    void meshesAreCoarseAndSound();
-    void crownsStandOutOfTheGum_data();
-    void crownsStandOutOfTheGum();
-    void neighboursStandBesideTheTooth();
-    void sameEveryTime();
+    void neighboursTouchAndDoNotOverlap_data()
+    {
+        support::columns<int, int>("mesial", "distal");
+        for (const int quadrant : {20, 30})
+            for (int position = 1; position < 8; ++position)
+                QTest::addRow("%d %d", quadrant + position, quadrant + position + 1)
+                    << quadrant + position << quadrant + position + 1;
+    }
+
+    void neighboursTouchAndDoNotOverlap()
+    {
+        QFETCH(int, mesial);
+        QFETCH(int, distal);
+        // By another road than they were placed: signed distances in space, not along the arch.
+        const Crown a(m_arch, mesial);
+        const Crown b(m_arch, distal);
+        const auto contact =
+            std::find_if(m_arch.contacts().begin(), m_arch.contacts().end(),
+                         [&](const ArchContact& c) { return c.mesialFdi == mesial && c.distalFdi == distal; });
+        QVERIFY(contact != m_arch.contacts().end());
+        double least = kFar;
+        for (const auto* pair : {&a, &b}) {
+            const Crown& other = pair == &a ? b : a;
+            for (const glm::dvec3& p : pair->points)
+                if (glm::distance(p, contact->middleMm) < 2.5)
+                    least = std::min(least, signedDistance(other, p));
+        }
+        qInfo("%d-%d: %.3f mm apart", mesial, distal, least);
+        QVERIFY2(least > -0.1, qPrintable(QString::number(least)));
+        QVERIFY2(least < 0.1, qPrintable(QString::number(least)));
+        // Above the gum, in the crown's upper two thirds.
+        QVERIFY(contact->middleMm.z < -0.5 && contact->middleMm.z > -6.0);
+    }
+
+    void teethFollowTheArchInOrder()
+    {
+        for (const Jaw jaw : {Jaw::Upper, Jaw::Lower}) {
+            const ArchCurve curve(jaw);
+            double before = 0.0;
+            double reachMm = 0.0;
+            for (int position = 1; position <= 8; ++position) {
+                const int fdi = (jaw == Jaw::Upper ? 20 : 30) + position;
+                const glm::dvec3 middle(m_arch.jawFromTooth(fdi)[3]);
+                QVERIFY(middle.x > 0.0);
+                const double along = curve.placeOf(glm::dvec2(middle)).alongMm;
+                const double halfMm = 0.5 * findToothSizes(fdi)->crownWidthMm;
+                QVERIFY2(along > before + 0.85 * (reachMm + halfMm), qPrintable(QString::number(fdi)));
+                before = along;
+                reachMm = halfMm;
+            }
+        }
+        // The left central incisor touches the midsagittal plane, and nothing of it lies beyond.
+        for (const int fdi : {21, 31}) {
+            double nearest = kFar;
+            for (const glm::dvec3& p : Crown(m_arch, fdi).points)
+                nearest = std::min(nearest, p.x);
+            QVERIFY2(std::abs(nearest) < 0.02, qPrintable(QString::number(nearest)));
+        }
+    }
+
+    void widthsAreThoseOfAdults()
+    {
+        // Standard deviations between people are about 2 mm; a mean arch should be nearer than one.
+        for (const Jaw jaw : {Jaw::Upper, Jaw::Lower}) {
+            const int first = jaw == Jaw::Upper ? 20 : 30;
+            const double canines = 2.0 * facialTip(m_arch, first + 3).x;
+            const double molars = 2.0 * facialTip(m_arch, first + 6).x;
+            qInfo("canines %.1f of %.1f, molars %.1f of %.1f mm", canines, ArchCurve::intercanineMm(jaw), molars,
+                  ArchCurve::intermolarMm(jaw));
+            QVERIFY(std::abs(canines - ArchCurve::intercanineMm(jaw)) < 2.0);
+            QVERIFY(std::abs(molars - ArchCurve::intermolarMm(jaw)) < 2.0);
+        }
+    }
+
+    void distalSidesFollowTheArch()
+    {
+        for (const ToothSizes& sizes : toothSizes()) {
+            const glm::dmat4 stand = m_arch.jawFromTooth(sizes.fdi);
+            const glm::dvec3 distal(stand[0]);
+            const glm::dvec3 occlusal(stand[2]);
+            const glm::dvec3 buccal = buccalSign(sizes.fdi) * glm::dvec3(stand[1]);
+            const ArchCurve curve(jawOf(sizes.fdi));
+            const ArchPlace place = curve.placeOf(glm::dvec2(stand[3]));
+            QVERIFY(glm::dot(glm::dvec2(distal), curve.tangent(place.alongMm)) > 0.97);
+            QVERIFY(glm::dot(glm::dvec2(buccal), curve.outward(place.alongMm)) > 0.8);
+            QVERIFY(occlusal.z > 0.85);
+            // The upper jaw frame is left-handed, see Arch.h; a tooth in it is never deformed.
+            const double volume = glm::determinant(glm::dmat3(stand));
+            QVERIFY(std::abs(volume - (sizes.fdi < 30 ? -1.0 : 1.0)) < 1.0e-9);
+        }
+    }
+
+    void rightIsTheMirrorImageOfLeft()
+    {
+        const std::vector<ArchPiece> mouth = m_arch.mouth(0.4);
+        std::map<int, const ArchPiece*> teeth;
+        for (const ArchPiece& piece : mouth)
+            if (piece.tooth)
+                teeth[piece.fdi] = &piece;
+        QCOMPARE(teeth.size(), std::size_t{32});
+        std::set<const LookMesh*> meshes;
+        for (const auto& [fdi, piece] : teeth) {
+            meshes.insert(piece->mesh.get());
+            const ArchPiece& left = *teeth.at(leftFellow(fdi));
+            QCOMPARE(left.mesh.get(), piece->mesh.get());
+            if (!isRight(fdi))
+                continue;
+            for (const LookVertex& v : left.mesh->vertices) {
+                const glm::dvec4 there = left.place * glm::dvec4(v.positionMm, 1.0);
+                const glm::dvec4 here = piece->place * glm::dvec4(v.positionMm, 1.0);
+                QVERIFY(here.x <= 0.02);
+                QVERIFY(glm::distance(glm::dvec3(here), glm::dvec3(-there.x, there.y, there.z)) < 1.0e-9);
+            }
+        }
+        QCOMPARE(meshes.size(), std::size_t{16});
+    }
+
+    void jawsFaceEachOther()
+    {
+        for (const double openRad : {0.0, 0.3}) {
+            std::map<int, glm::dvec3> tips;
+            for (const ArchPiece& piece : m_arch.mouth(openRad))
+                if (piece.tooth)
+                    tips[piece.fdi] = glm::dvec3(piece.place * glm::dvec4(0.0, 0.0, 0.0, 1.0));
+            for (int position = 1; position <= 8; ++position)
+                QVERIFY(tips[20 + position].z > tips[30 + position].z + (openRad > 0.0 ? 3.0 : -3.0));
+            const double opening = glm::distance(tips[21], tips[31]);
+            qInfo("%.1f rad: incisors %.1f mm apart", openRad, opening);
+            QVERIFY(openRad > 0.0 ? opening > 20.0 && opening < 40.0 : opening < 6.0);
+            // The hinge is behind: molars open less than incisors.
+            if (openRad > 0.0)
+                QVERIFY(glm::distance(tips[27], tips[37]) < opening);
+        }
+    }
+
+    void meshesAreCoarseAndSound()
+    {
+        std::size_t most = 0;
+        for (const ArchPiece& piece : m_arch.mouth(0.0)) {
+            if (piece.tooth)
+                most = std::max(most, piece.mesh->indices.size() / 3);
+            for (const std::uint32_t k : piece.mesh->indices)
+                QVERIFY(k < piece.mesh->vertices.size());
+            for (const LookVertex& v : piece.mesh->vertices) {
+                QVERIFY(std::abs(glm::length(v.normal) - 1.0F) < 1.0e-3F);
+                QVERIFY(v.open >= 0.0F && v.open <= 1.0F);
+                QVERIFY(glm::distance(v.positionMm, piece.mesh->middleMm) <= piece.mesh->radiusMm + 1.0e-3F);
+            }
+        }
+        qInfo("%zu triangles in all, at most %zu a tooth", m_arch.triangles(), most);
+        QVERIFY(most <= 4000);
+        QVERIFY(m_arch.triangles() <= 200000);
+    }
+
+    void crownsStandOutOfTheGum_data()
+    {
+        QTest::addColumn<int>("fdi");
+        for (const ToothSizes& sizes : toothSizes())
+            QTest::addRow("%d", sizes.fdi) << sizes.fdi;
+    }
+
+    /// Rays from outside on to the middle of the facial and the lingual side: crown above the margin, gum below it.
+    void crownsStandOutOfTheGum()
+    {
+        QFETCH(int, fdi);
+        const double crownMm = findToothSizes(fdi)->crownHeightMm;
+        const auto firstMet = [&](const glm::dvec3& from, const glm::dvec3& way) {
+            // In the tooth's own frame, where its neighbours and the gum stand as well.
+            double gum = kFar;
+            double crown = kFar;
+            const auto meet = [&](const std::vector<glm::dvec3>& points, auto corner, std::size_t count,
+                                  double& nearest) {
+                for (std::size_t k = 0; k < count; ++k) {
+                    const glm::dvec3 a = points[corner(k, 0)];
+                    const glm::dvec3 ab = points[corner(k, 1)] - a;
+                    const glm::dvec3 ac = points[corner(k, 2)] - a;
+                    const glm::dvec3 p = glm::cross(way, ac);
+                    const double d = glm::dot(ab, p);
+                    if (std::abs(d) < 1e-12)
+                        continue;
+                    const glm::dvec3 s = from - a;
+                    const glm::dvec3 q = glm::cross(s, ab);
+                    const double u = glm::dot(s, p) / d;
+                    const double v = glm::dot(way, q) / d;
+                    const double t = glm::dot(ac, q) / d;
+                    if (u >= 0 && v >= 0 && u + v <= 1 && t > 0)
+                        nearest = std::min(nearest, t);
+                }
+            };
+            std::vector<glm::dvec3> points(m_arch.tooth(fdi).mesh.vertices.begin(),
+                                           m_arch.tooth(fdi).mesh.vertices.end());
+            const auto& triangles = m_arch.tooth(fdi).mesh.triangles;
+            meet(
+                points, [&](std::size_t k, std::size_t c) { return triangles[k][c]; }, triangles.size(), crown);
+            for (const ArchPiece& piece : m_arch.neighbours(fdi)) {
+                if (piece.tooth)
+                    continue;
+                points.clear();
+                for (const LookVertex& v : piece.mesh->vertices)
+                    points.emplace_back(piece.place * glm::dvec4(v.positionMm, 1.0));
+                meet(
+                    points, [&](std::size_t k, std::size_t c) { return piece.mesh->indices[3 * k + c]; },
+                    piece.mesh->indices.size() / 3, gum);
+            }
+            return std::pair(crown, gum);
+        };
+        for (const double side : {1.0, -1.0}) {
+            const glm::dvec3 way(0.0, -side, 0.0);
+            // Half way up the crown no gum; two millimetres below the CEJ nothing but gum.
+            const auto high = firstMet({0.0, 20.0 * side, -0.45 * crownMm}, way);
+            QVERIFY2(high.first < high.second, qPrintable(QString("side %1").arg(side)));
+            const auto low = firstMet({0.0, 20.0 * side, -crownMm - 2.0}, way);
+            QVERIFY2(low.second < low.first,
+                     qPrintable(QString("side %1, gum at %2, tooth at %3").arg(side).arg(low.second).arg(low.first)));
+        }
+    }
+
+    void neighboursStandBesideTheTooth()
+    {
+        for (const ToothSizes& sizes : toothSizes()) {
+            std::set<int> teeth;
+            int gums = 0;
+            for (const ArchPiece& piece : m_arch.neighbours(sizes.fdi)) {
+                gums += piece.tooth ? 0 : 1;
+                if (!piece.tooth)
+                    continue;
+                teeth.insert(piece.fdi);
+                // Half a crown and half a crown away, on the proper side; +x is distal.
+                const glm::dvec3 at(piece.place[3]);
+                const double apart = 0.5 * (sizes.crownWidthMm + findToothSizes(leftFellow(piece.fdi))->crownWidthMm);
+                const bool distal = piece.fdi == sizes.fdi + 1;
+                QVERIFY2(std::abs(at.x) > 0.8 * apart && std::abs(at.x) < 1.1 * apart,
+                         qPrintable(QString("%1 beside %2 at %3").arg(piece.fdi).arg(sizes.fdi).arg(at.x)));
+                QCOMPARE(at.x > 0.0, distal);
+                QCOMPARE(glm::determinant(glm::dmat3(piece.place)) < 0.0, isRight(piece.fdi));
+            }
+            const int position = sizes.fdi % 10;
+            std::set<int> wanted;
+            wanted.insert(position == 1 ? (sizes.fdi == 21 ? 11 : 41) : sizes.fdi - 1);
+            if (position < 8)
+                wanted.insert(sizes.fdi + 1);
+            QCOMPARE(teeth, wanted);
+            QCOMPARE(gums, position < 8 ? 3 : 2);
+        }
+        QVERIFY(m_arch.neighbours(0).empty());
+        QVERIFY(m_arch.neighbours(46).empty());
+    }
+
+    void sameEveryTime()
+    {
+        const Arch again;
+        const auto one = m_arch.mouth(0.2);
+        const auto two = again.mouth(0.2);
+        QCOMPARE(one.size(), two.size());
+        for (std::size_t k = 0; k < one.size(); ++k) {
+            QVERIFY(one[k].place == two[k].place);
+            QCOMPARE(one[k].mesh->vertices.size(), two[k].mesh->vertices.size());
+            for (std::size_t v = 0; v < one[k].mesh->vertices.size(); ++v)
+                QVERIFY(one[k].mesh->vertices[v].positionMm == two[k].mesh->vertices[v].positionMm);
+        }
+    }
 
 private:
     const Arch m_arch;
 };
-
-void TestArch::neighboursTouchAndDoNotOverlap_data()
-{
-    support::columns<int, int>("mesial", "distal");
-    for (const int quadrant : {20, 30})
-        for (int position = 1; position < 8; ++position)
-            QTest::addRow("%d %d", quadrant + position, quadrant + position + 1)
-                << quadrant + position << quadrant + position + 1;
-}
-
-void TestArch::neighboursTouchAndDoNotOverlap()
-{
-    QFETCH(int, mesial);
-    QFETCH(int, distal);
-    // By another road than they were placed: signed distances in space, not along the arch.
-    const Crown a(m_arch, mesial);
-    const Crown b(m_arch, distal);
-    const auto contact = std::find_if(m_arch.contacts().begin(), m_arch.contacts().end(), [&](const ArchContact& c) {
-        return c.mesialFdi == mesial && c.distalFdi == distal;
-    });
-    QVERIFY(contact != m_arch.contacts().end());
-    double least = kFar;
-    for (const auto* pair : {&a, &b}) {
-        const Crown& other = pair == &a ? b : a;
-        for (const glm::dvec3& p : pair->points)
-            if (glm::distance(p, contact->middleMm) < 2.5)
-                least = std::min(least, signedDistance(other, p));
-    }
-    qInfo("%d-%d: %.3f mm apart", mesial, distal, least);
-    QVERIFY2(least > -0.1, qPrintable(QString::number(least)));
-    QVERIFY2(least < 0.1, qPrintable(QString::number(least)));
-    // Above the gum, in the crown's upper two thirds.
-    QVERIFY(contact->middleMm.z < -0.5 && contact->middleMm.z > -6.0);
-}
-
-void TestArch::teethFollowTheArchInOrder()
-{
-    for (const Jaw jaw : {Jaw::Upper, Jaw::Lower}) {
-        const ArchCurve curve(jaw);
-        double before = 0.0;
-        double reachMm = 0.0;
-        for (int position = 1; position <= 8; ++position) {
-            const int fdi = (jaw == Jaw::Upper ? 20 : 30) + position;
-            const glm::dvec3 middle(m_arch.jawFromTooth(fdi)[3]);
-            QVERIFY(middle.x > 0.0);
-            const double along = curve.placeOf(glm::dvec2(middle)).alongMm;
-            const double halfMm = 0.5 * findToothSizes(fdi)->crownWidthMm;
-            QVERIFY2(along > before + 0.85 * (reachMm + halfMm), qPrintable(QString::number(fdi)));
-            before = along;
-            reachMm = halfMm;
-        }
-    }
-    // The left central incisor touches the midsagittal plane, and nothing of it lies beyond.
-    for (const int fdi : {21, 31}) {
-        double nearest = kFar;
-        for (const glm::dvec3& p : Crown(m_arch, fdi).points)
-            nearest = std::min(nearest, p.x);
-        QVERIFY2(std::abs(nearest) < 0.02, qPrintable(QString::number(nearest)));
-    }
-}
-
-void TestArch::widthsAreThoseOfAdults()
-{
-    // Standard deviations between people are about 2 mm; a mean arch should be nearer than one.
-    for (const Jaw jaw : {Jaw::Upper, Jaw::Lower}) {
-        const int first = jaw == Jaw::Upper ? 20 : 30;
-        const double canines = 2.0 * facialTip(m_arch, first + 3).x;
-        const double molars = 2.0 * facialTip(m_arch, first + 6).x;
-        qInfo("canines %.1f of %.1f, molars %.1f of %.1f mm", canines, ArchCurve::intercanineMm(jaw), molars,
-              ArchCurve::intermolarMm(jaw));
-        QVERIFY(std::abs(canines - ArchCurve::intercanineMm(jaw)) < 2.0);
-        QVERIFY(std::abs(molars - ArchCurve::intermolarMm(jaw)) < 2.0);
-    }
-}
-
-void TestArch::distalSidesFollowTheArch()
-{
-    for (const ToothSizes& sizes : toothSizes()) {
-        const glm::dmat4 stand = m_arch.jawFromTooth(sizes.fdi);
-        const glm::dvec3 distal(stand[0]);
-        const glm::dvec3 occlusal(stand[2]);
-        const glm::dvec3 buccal = buccalSign(sizes.fdi) * glm::dvec3(stand[1]);
-        const ArchCurve curve(jawOf(sizes.fdi));
-        const ArchPlace place = curve.placeOf(glm::dvec2(stand[3]));
-        QVERIFY(glm::dot(glm::dvec2(distal), curve.tangent(place.alongMm)) > 0.97);
-        QVERIFY(glm::dot(glm::dvec2(buccal), curve.outward(place.alongMm)) > 0.8);
-        QVERIFY(occlusal.z > 0.85);
-        // The upper jaw frame is left-handed, see Arch.h; a tooth in it is never deformed.
-        const double volume = glm::determinant(glm::dmat3(stand));
-        QVERIFY(std::abs(volume - (sizes.fdi < 30 ? -1.0 : 1.0)) < 1.0e-9);
-    }
-}
-
-void TestArch::rightIsTheMirrorImageOfLeft()
-{
-    const std::vector<ArchPiece> mouth = m_arch.mouth(0.4);
-    std::map<int, const ArchPiece*> teeth;
-    for (const ArchPiece& piece : mouth)
-        if (piece.tooth)
-            teeth[piece.fdi] = &piece;
-    QCOMPARE(teeth.size(), std::size_t{32});
-    std::set<const LookMesh*> meshes;
-    for (const auto& [fdi, piece] : teeth) {
-        meshes.insert(piece->mesh.get());
-        const ArchPiece& left = *teeth.at(leftFellow(fdi));
-        QCOMPARE(left.mesh.get(), piece->mesh.get());
-        if (!isRight(fdi))
-            continue;
-        for (const LookVertex& v : left.mesh->vertices) {
-            const glm::dvec4 there = left.place * glm::dvec4(v.positionMm, 1.0);
-            const glm::dvec4 here = piece->place * glm::dvec4(v.positionMm, 1.0);
-            QVERIFY(here.x <= 0.02);
-            QVERIFY(glm::distance(glm::dvec3(here), glm::dvec3(-there.x, there.y, there.z)) < 1.0e-9);
-        }
-    }
-    QCOMPARE(meshes.size(), std::size_t{16});
-}
-
-void TestArch::jawsFaceEachOther()
-{
-    for (const double openRad : {0.0, 0.3}) {
-        std::map<int, glm::dvec3> tips;
-        for (const ArchPiece& piece : m_arch.mouth(openRad))
-            if (piece.tooth)
-                tips[piece.fdi] = glm::dvec3(piece.place * glm::dvec4(0.0, 0.0, 0.0, 1.0));
-        for (int position = 1; position <= 8; ++position)
-            QVERIFY(tips[20 + position].z > tips[30 + position].z + (openRad > 0.0 ? 3.0 : -3.0));
-        const double opening = glm::distance(tips[21], tips[31]);
-        qInfo("%.1f rad: incisors %.1f mm apart", openRad, opening);
-        QVERIFY(openRad > 0.0 ? opening > 20.0 && opening < 40.0 : opening < 6.0);
-        // The hinge is behind: molars open less than incisors.
-        if (openRad > 0.0)
-            QVERIFY(glm::distance(tips[27], tips[37]) < opening);
-    }
-}
-
-void TestArch::meshesAreCoarseAndSound()
-{
-    std::size_t most = 0;
-    for (const ArchPiece& piece : m_arch.mouth(0.0)) {
-        if (piece.tooth)
-            most = std::max(most, piece.mesh->indices.size() / 3);
-        for (const std::uint32_t k : piece.mesh->indices)
-            QVERIFY(k < piece.mesh->vertices.size());
-        for (const LookVertex& v : piece.mesh->vertices) {
-            QVERIFY(std::abs(glm::length(v.normal) - 1.0F) < 1.0e-3F);
-            QVERIFY(v.open >= 0.0F && v.open <= 1.0F);
-            QVERIFY(glm::distance(v.positionMm, piece.mesh->middleMm) <= piece.mesh->radiusMm + 1.0e-3F);
-        }
-    }
-    qInfo("%zu triangles in all, at most %zu a tooth", m_arch.triangles(), most);
-    QVERIFY(most <= 4000);
-    QVERIFY(m_arch.triangles() <= 200000);
-}
-
-void TestArch::crownsStandOutOfTheGum_data()
-{
-    QTest::addColumn<int>("fdi");
-    for (const ToothSizes& sizes : toothSizes())
-        QTest::addRow("%d", sizes.fdi) << sizes.fdi;
-}
-
-/// Rays from outside on to the middle of the facial and the lingual side: crown above the margin, gum below it.
-void TestArch::crownsStandOutOfTheGum()
-{
-    QFETCH(int, fdi);
-    const double crownMm = findToothSizes(fdi)->crownHeightMm;
-    const auto firstMet = [&](const glm::dvec3& from, const glm::dvec3& way) {
-        // In the tooth's own frame, where its neighbours and the gum stand as well.
-        double gum = kFar;
-        double crown = kFar;
-        const auto meet = [&](const std::vector<glm::dvec3>& points, auto corner, std::size_t count, double& nearest) {
-            for (std::size_t k = 0; k < count; ++k) {
-                const glm::dvec3 a = points[corner(k, 0)];
-                const glm::dvec3 ab = points[corner(k, 1)] - a;
-                const glm::dvec3 ac = points[corner(k, 2)] - a;
-                const glm::dvec3 p = glm::cross(way, ac);
-                const double d = glm::dot(ab, p);
-                if (std::abs(d) < 1e-12)
-                    continue;
-                const glm::dvec3 s = from - a;
-                const glm::dvec3 q = glm::cross(s, ab);
-                const double u = glm::dot(s, p) / d;
-                const double v = glm::dot(way, q) / d;
-                const double t = glm::dot(ac, q) / d;
-                if (u >= 0 && v >= 0 && u + v <= 1 && t > 0)
-                    nearest = std::min(nearest, t);
-            }
-        };
-        std::vector<glm::dvec3> points(m_arch.tooth(fdi).mesh.vertices.begin(), m_arch.tooth(fdi).mesh.vertices.end());
-        const auto& triangles = m_arch.tooth(fdi).mesh.triangles;
-        meet(
-            points, [&](std::size_t k, std::size_t c) { return triangles[k][c]; }, triangles.size(), crown);
-        for (const ArchPiece& piece : m_arch.neighbours(fdi)) {
-            if (piece.tooth)
-                continue;
-            points.clear();
-            for (const LookVertex& v : piece.mesh->vertices)
-                points.emplace_back(piece.place * glm::dvec4(v.positionMm, 1.0));
-            meet(
-                points, [&](std::size_t k, std::size_t c) { return piece.mesh->indices[3 * k + c]; },
-                piece.mesh->indices.size() / 3, gum);
-        }
-        return std::pair(crown, gum);
-    };
-    for (const double side : {1.0, -1.0}) {
-        const glm::dvec3 way(0.0, -side, 0.0);
-        // Half way up the crown no gum; two millimetres below the CEJ nothing but gum.
-        const auto high = firstMet({0.0, 20.0 * side, -0.45 * crownMm}, way);
-        QVERIFY2(high.first < high.second, qPrintable(QString("side %1").arg(side)));
-        const auto low = firstMet({0.0, 20.0 * side, -crownMm - 2.0}, way);
-        QVERIFY2(low.second < low.first,
-                 qPrintable(QString("side %1, gum at %2, tooth at %3").arg(side).arg(low.second).arg(low.first)));
-    }
-}
-
-void TestArch::neighboursStandBesideTheTooth()
-{
-    for (const ToothSizes& sizes : toothSizes()) {
-        std::set<int> teeth;
-        int gums = 0;
-        for (const ArchPiece& piece : m_arch.neighbours(sizes.fdi)) {
-            gums += piece.tooth ? 0 : 1;
-            if (!piece.tooth)
-                continue;
-            teeth.insert(piece.fdi);
-            // Half a crown and half a crown away, on the proper side; +x is distal.
-            const glm::dvec3 at(piece.place[3]);
-            const double apart = 0.5 * (sizes.crownWidthMm + findToothSizes(leftFellow(piece.fdi))->crownWidthMm);
-            const bool distal = piece.fdi == sizes.fdi + 1;
-            QVERIFY2(std::abs(at.x) > 0.8 * apart && std::abs(at.x) < 1.1 * apart,
-                     qPrintable(QString("%1 beside %2 at %3").arg(piece.fdi).arg(sizes.fdi).arg(at.x)));
-            QCOMPARE(at.x > 0.0, distal);
-            QCOMPARE(glm::determinant(glm::dmat3(piece.place)) < 0.0, isRight(piece.fdi));
-        }
-        const int position = sizes.fdi % 10;
-        std::set<int> wanted;
-        wanted.insert(position == 1 ? (sizes.fdi == 21 ? 11 : 41) : sizes.fdi - 1);
-        if (position < 8)
-            wanted.insert(sizes.fdi + 1);
-        QCOMPARE(teeth, wanted);
-        QCOMPARE(gums, position < 8 ? 3 : 2);
-    }
-    QVERIFY(m_arch.neighbours(0).empty());
-    QVERIFY(m_arch.neighbours(46).empty());
-}
-
-void TestArch::sameEveryTime()
-{
-    const Arch again;
-    const auto one = m_arch.mouth(0.2);
-    const auto two = again.mouth(0.2);
-    QCOMPARE(one.size(), two.size());
-    for (std::size_t k = 0; k < one.size(); ++k) {
-        QVERIFY(one[k].place == two[k].place);
-        QCOMPARE(one[k].mesh->vertices.size(), two[k].mesh->vertices.size());
-        for (std::size_t v = 0; v < one[k].mesh->vertices.size(); ++v)
-            QVERIFY(one[k].mesh->vertices[v].positionMm == two[k].mesh->vertices[v].positionMm);
-    }
-}
 
 QTEST_APPLESS_MAIN(TestArch)
 #include "tst_arch.moc"

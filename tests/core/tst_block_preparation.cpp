@@ -101,261 +101,248 @@ class TestBlockPreparation : public QObject
     Q_OBJECT
 
 private slots:
-    void namesAreKnown();
-    void blockIsASlabOfTwoLayers();
-    void shapeHoldsWhatItsFiguresSay_data();
-    void shapeHoldsWhatItsFiguresSay();
-    void staircaseHasItsSteps();
-    void floorAndWallsAreTold();
-    void everyColumnIsInReachOfTheBur_data();
-    void everyColumnIsInReachOfTheBur();
-    void shapeIsTheSameOnEveryGrid();
-    void padsAreOfThreeMaterials();
-    void distancesAgreeWithBruteForce();
-    void impossibleDesignsAreRefused_data();
-    void impossibleDesignsAreRefused();
-};
-
-void TestBlockPreparation::namesAreKnown()
-{
-    for (int k = 0; k <= static_cast<int>(BlockShape::Layers); ++k) {
-        const auto shape = static_cast<BlockShape>(k);
-        const std::string name = teeth::blockName(shape);
-        const teeth::ToothSource source = teeth::parseSource(name);
-        QVERIFY(std::holds_alternative<BlockDesign>(source.what));
-        const auto built = teeth::buildTooth(source, {});
-        QVERIFY(built);
-        QCOMPARE(built->anatomy->name, name);
-        QCOMPARE(built->anatomy->fdi, 0);
-        QVERIFY(!teeth::isGenerated(*built->anatomy));
-        QVERIFY(built->report.closed && built->report.warnings.empty());
+    void namesAreKnown()
+    {
+        for (int k = 0; k <= static_cast<int>(BlockShape::Layers); ++k) {
+            const auto shape = static_cast<BlockShape>(k);
+            const std::string name = teeth::blockName(shape);
+            const teeth::ToothSource source = teeth::parseSource(name);
+            QVERIFY(std::holds_alternative<BlockDesign>(source.what));
+            const auto built = teeth::buildTooth(source, {});
+            QVERIFY(built);
+            QCOMPARE(built->anatomy->name, name);
+            QCOMPARE(built->anatomy->fdi, 0);
+            QVERIFY(!teeth::isGenerated(*built->anatomy));
+            QVERIFY(built->report.closed && built->report.warnings.empty());
+        }
+        const auto odd = teeth::buildTooth(teeth::parseSource("block:spiral"), {});
+        QVERIFY(!odd && odd.error().code == ErrorCode::UnknownName);
+        QVERIFY(QString::fromStdString(odd.error().detail).contains("block:cross"));
+        // A shape asked of something else than its block is a mistake that must show.
+        const auto tooth = teeth::buildTooth({36}, {});
+        QVERIFY(!blockPreparation({}, *tooth->anatomy));
     }
-    const auto odd = teeth::buildTooth(teeth::parseSource("block:spiral"), {});
-    QVERIFY(!odd && odd.error().code == ErrorCode::UnknownName);
-    QVERIFY(QString::fromStdString(odd.error().detail).contains("block:cross"));
-    // A shape asked of something else than its block is a mistake that must show.
-    const auto tooth = teeth::buildTooth({36}, {});
-    QVERIFY(!blockPreparation({}, *tooth->anatomy));
-}
 
-void TestBlockPreparation::blockIsASlabOfTwoLayers()
-{
-    for (const int side : {64, 150, 1024}) {
-        const auto block = makeBlock({}, side);
-        QVERIFY(block);
-        const terrain::PerMaterial volumes = terrain::volumes(terrain::Tooth(block->anatomy));
-        QVERIFY(std::abs(volumes[1] - 14.0 * 14.0 * 1.0) < 1e-3);
-        QVERIFY(std::abs(volumes[2] - 14.0 * 14.0 * 7.0) < 1e-3);
-        QCOMPARE(volumes[0], 0.0);
-        QCOMPARE(volumes[3], 0.0);
-        for (std::size_t k = 0; k < block->anatomy->top.size(); ++k)
-            if (block->anatomy->top[k] > block->anatomy->bottom[k])
-                QVERIFY(block->anatomy->top[k] == 0.0F && block->anatomy->bottom[k] == -8.0F);
-    }
-}
-
-void TestBlockPreparation::shapeHoldsWhatItsFiguresSay_data()
-{
-    support::columns<int, int>("shape", "side");
-    for (int k = 0; k <= static_cast<int>(BlockShape::Tee); ++k)
-        if (static_cast<BlockShape>(k) != BlockShape::Staircase)
-            for (const int side : {150, 400, 1024}) {
-                const QString name = QString::fromStdString(teeth::blockName(static_cast<BlockShape>(k)));
-                QTest::addRow("%s at %d", qPrintable(name), side) << k << side;
-            }
-}
-
-/// Whole columns are cut or not, so that an edge that runs along the lattice may err by half a cell.
-void TestBlockPreparation::shapeHoldsWhatItsFiguresSay()
-{
-    QFETCH(int, shape);
-    QFETCH(int, side);
-    const BlockDesign design = designOf(static_cast<BlockShape>(shape));
-    const auto block = makeBlock(design, side);
-    QVERIFY(block);
-    const Sum sum = sumOf(*block);
-    const Expected expected = expectedOf(design);
-    const double slackMm2 = 0.5 * block->anatomy->grid.cellMm * expected.edgeMm;
-    QVERIFY2(std::abs(sum.areaMm2 - expected.areaMm2) <= slackMm2,
-             qPrintable(QString("%1 mm2, not %2 +- %3").arg(sum.areaMm2).arg(expected.areaMm2).arg(slackMm2)));
-    // The rounded edge between floor and wall keeps (1 - pi/4) c^2 of each mm, a little less where the wall bends.
-    const double c = design.lineAngleMm;
-    const double volume = expected.areaMm2 * design.depthMm - expected.edgeMm * (1.0 - kPi / 4.0) * c * c;
-    const double slackMm3 = slackMm2 * design.depthMm + 0.02 * c * c * expected.edgeMm;
-    QVERIFY2(std::abs(sum.volumeMm3 - volume) <= slackMm3,
-             qPrintable(QString("%1 mm3, not %2 +- %3").arg(sum.volumeMm3).arg(volume).arg(slackMm3)));
-}
-
-void TestBlockPreparation::staircaseHasItsSteps()
-{
-    BlockDesign design = designOf(BlockShape::Staircase);
-    design.depthMm = 2.0;
-    const auto block = makeBlock(design, 300);
-    QVERIFY(block);
-    const terrain::Grid& grid = block->anatomy->grid;
-    for (int step = 0; step < 4; ++step) {
-        // In the middle of each step, and just after the riser that leads down to it.
-        for (const double share : {0.5, 0.15}) {
-            const double x = -4.5 + (step + share) * 9.0 / 4.0;
-            const glm::dvec2 at = grid.latticeOf({x, 0.0});
-            const std::size_t k = grid.index(static_cast<int>(std::lround(at.x)), static_cast<int>(std::lround(at.y)));
-            QVERIFY(std::abs(static_cast<double>((*block->ideal.top)[k]) + 0.5 * (step + 1)) < 1e-6);
-            QVERIFY(block->ideal.parts[k] == Part::Floor);
+    void blockIsASlabOfTwoLayers()
+    {
+        for (const int side : {64, 150, 1024}) {
+            const auto block = makeBlock({}, side);
+            QVERIFY(block);
+            const terrain::PerMaterial volumes = terrain::volumes(terrain::Tooth(block->anatomy));
+            QVERIFY(std::abs(volumes[1] - 14.0 * 14.0 * 1.0) < 1e-3);
+            QVERIFY(std::abs(volumes[2] - 14.0 * 14.0 * 7.0) < 1e-3);
+            QCOMPARE(volumes[0], 0.0);
+            QCOMPARE(volumes[3], 0.0);
+            for (std::size_t k = 0; k < block->anatomy->top.size(); ++k)
+                if (block->anatomy->top[k] > block->anatomy->bottom[k])
+                    QVERIFY(block->anatomy->top[k] == 0.0F && block->anatomy->bottom[k] == -8.0F);
         }
     }
-}
 
-void TestBlockPreparation::floorAndWallsAreTold()
-{
-    const auto block = makeBlock(designOf(BlockShape::Cross), 300);
-    QVERIFY(block);
-    for (std::size_t k = 0; k < block->ideal.parts.size(); ++k) {
-        const float ideal = (*block->ideal.top)[k];
-        switch (block->ideal.parts[k]) {
-        case Part::Keep:
-            QCOMPARE(ideal, block->anatomy->top[k]);
-            break;
-        case Part::Floor:
-            QCOMPARE(ideal, -1.5F);
-            break;
-        case Part::Wall:
-            QVERIFY(ideal > -1.5F && ideal <= -1.3F);
-        }
+    void shapeHoldsWhatItsFiguresSay_data()
+    {
+        support::columns<int, int>("shape", "side");
+        for (int k = 0; k <= static_cast<int>(BlockShape::Tee); ++k)
+            if (static_cast<BlockShape>(k) != BlockShape::Staircase)
+                for (const int side : {150, 400, 1024}) {
+                    const QString name = QString::fromStdString(teeth::blockName(static_cast<BlockShape>(k)));
+                    QTest::addRow("%s at %d", qPrintable(name), side) << k << side;
+                }
     }
-    const auto line = makeBlock(designOf(BlockShape::Line));
-    QVERIFY(line && line->ideal.isthmus && line->ideal.isthmus->across == glm::dvec2(0.0, 1.0));
-    QVERIFY(!makeBlock(designOf(BlockShape::Circle))->ideal.isthmus);
-}
 
-void TestBlockPreparation::everyColumnIsInReachOfTheBur_data()
-{
-    QTest::addColumn<int>("shape");
-    for (int k = 0; k < static_cast<int>(BlockShape::Layers); ++k)
-        QTest::newRow(teeth::blockName(static_cast<BlockShape>(k)).c_str()) << k;
-}
-
-/// A disc of the bur's radius that holds the column lies within the shape. Discs are laid at nodes only, so that the
-/// right one may be missed by a node's width.
-void TestBlockPreparation::everyColumnIsInReachOfTheBur()
-{
-    QFETCH(int, shape);
-    const BlockDesign design = designOf(static_cast<BlockShape>(shape));
-    const auto block = makeBlock(design, 400);
-    QVERIFY(block);
-    const terrain::Grid& grid = block->anatomy->grid;
-    const int reach = static_cast<int>(design.cornerRadiusMm / grid.cellMm) + 1;
-    const auto isWithin = [&](int di, int dj, double cells) {
-        return std::hypot(di, dj) * grid.cellMm <= design.cornerRadiusMm + cells * grid.cellMm;
-    };
-    std::vector<std::uint8_t> reached(grid.count(), 0);
-    for (int j = reach; j < grid.side - reach; ++j)
-        for (int i = reach; i < grid.side - reach; ++i) {
-            bool fits = true;
-            for (int dj = -reach; fits && dj <= reach; ++dj)
-                for (int di = -reach; fits && di <= reach; ++di)
-                    fits = !isWithin(di, dj, -0.75) || block->ideal.parts[grid.index(i + di, j + dj)] != Part::Keep;
-            for (int dj = -reach; fits && dj <= reach; ++dj)
-                for (int di = -reach; di <= reach; ++di)
-                    if (isWithin(di, dj, 0.75))
-                        reached[grid.index(i + di, j + dj)] = 1;
-        }
-    for (std::size_t k = 0; k < reached.size(); ++k)
-        QVERIFY(block->ideal.parts[k] == Part::Keep || reached[k] != 0);
-}
-
-void TestBlockPreparation::shapeIsTheSameOnEveryGrid()
-{
-    for (int shape = 0; shape < static_cast<int>(BlockShape::Layers); ++shape) {
+    /// Whole columns are cut or not, so that an edge that runs along the lattice may err by half a cell.
+    void shapeHoldsWhatItsFiguresSay()
+    {
+        QFETCH(int, shape);
+        QFETCH(int, side);
         const BlockDesign design = designOf(static_cast<BlockShape>(shape));
-        const Sum fine = sumOf(*makeBlock(design, 1024));
-        const Sum coarse = sumOf(*makeBlock(design, 150));
-        QVERIFY(std::abs(coarse.areaMm2 / fine.areaMm2 - 1.0) < 0.05);
-    }
-}
-
-void TestBlockPreparation::padsAreOfThreeMaterials()
-{
-    std::set<std::array<terrain::Material, 3>> orders;
-    for (std::uint64_t seed = 0; seed < 40; ++seed)
-        orders.insert(teeth::padMaterials(seed));
-    QCOMPARE(orders.size(), std::size_t{6});
-    for (std::uint64_t seed = 0; seed < 4; ++seed) {
-        const auto block = makeBlock(designOf(BlockShape::Layers), 150, seed);
+        const auto block = makeBlock(design, side);
         QVERIFY(block);
-        const terrain::ToothAnatomy& anatomy = *block->anatomy;
-        for (std::size_t pad = 0; pad < 3; ++pad) {
-            const glm::dvec2 at = anatomy.grid.latticeOf({teeth::kPadX.at(pad), 0.0});
-            const std::size_t k =
-                anatomy.grid.index(static_cast<int>(std::lround(at.x)), static_cast<int>(std::lround(at.y)));
-            QCOMPARE(anatomy.top[k], 0.0F);
-            for (const float z : {0.0F, -1.0F, -2.5F})
-                QVERIFY(terrain::materialAt(anatomy.layers[k], z) == teeth::padMaterials(seed).at(pad));
-        }
-        QCOMPARE(sumOf(*block).volumeMm3, 0.0);
+        const Sum sum = sumOf(*block);
+        const Expected expected = expectedOf(design);
+        const double slackMm2 = 0.5 * block->anatomy->grid.cellMm * expected.edgeMm;
+        QVERIFY2(std::abs(sum.areaMm2 - expected.areaMm2) <= slackMm2,
+                 qPrintable(QString("%1 mm2, not %2 +- %3").arg(sum.areaMm2).arg(expected.areaMm2).arg(slackMm2)));
+        // The rounded edge between floor and wall keeps (1 - pi/4) c^2 of each mm, a little less where the wall bends.
+        const double c = design.lineAngleMm;
+        const double volume = expected.areaMm2 * design.depthMm - expected.edgeMm * (1.0 - kPi / 4.0) * c * c;
+        const double slackMm3 = slackMm2 * design.depthMm + 0.02 * c * c * expected.edgeMm;
+        QVERIFY2(std::abs(sum.volumeMm3 - volume) <= slackMm3,
+                 qPrintable(QString("%1 mm3, not %2 +- %3").arg(sum.volumeMm3).arg(volume).arg(slackMm3)));
     }
-}
 
-void TestBlockPreparation::distancesAgreeWithBruteForce()
-{
-    constexpr std::uint64_t kSeed = 11;
-    Rng rng(kSeed);
-    AxisRegion region;
-    region.addPolygon({{-1.0, -0.5}, {1.5, -1.0}, {1.0, 0.7}, {-0.8, 0.6}});
-    region.addRing({0.5, 0.5}, 2.0, 0.1);
-    region.addPolygon({{-3.0, 0.0}, {-2.0, 2.0}});
-    const auto isIn = [](glm::dvec2 p) {
-        const std::array<glm::dvec2, 4> c{{{-1.0, -0.5}, {1.5, -1.0}, {1.0, 0.7}, {-0.8, 0.6}}};
-        bool in = true;
-        for (std::size_t k = 0; k < 4; ++k) {
-            const glm::dvec2 along = c.at((k + 1) % 4) - c.at(k);
-            in = in && along.x * (p.y - c.at(k).y) - along.y * (p.x - c.at(k).x) >= 0.0;
-        }
-        return in || std::abs(std::hypot(p.x - 0.5, p.y - 0.5) - 2.0) <= 0.1;
-    };
-    for (int k = 0; k < 60; ++k) {
-        const glm::dvec2 p{rng.uniform(-4.0, 4.0), rng.uniform(-4.0, 4.0)};
-        double nearest = std::numeric_limits<double>::max();
-        for (int a = 0; a <= 400; ++a)
-            for (int b = 0; b <= 400; ++b) {
-                const glm::dvec2 q{-4.0 + 0.02 * a, -4.0 + 0.02 * b};
-                if (isIn(q))
-                    nearest = std::min(nearest, std::hypot(p.x - q.x, p.y - q.y));
+    void staircaseHasItsSteps()
+    {
+        BlockDesign design = designOf(BlockShape::Staircase);
+        design.depthMm = 2.0;
+        const auto block = makeBlock(design, 300);
+        QVERIFY(block);
+        const terrain::Grid& grid = block->anatomy->grid;
+        for (int step = 0; step < 4; ++step) {
+            // In the middle of each step, and just after the riser that leads down to it.
+            for (const double share : {0.5, 0.15}) {
+                const double x = -4.5 + (step + share) * 9.0 / 4.0;
+                const glm::dvec2 at = grid.latticeOf({x, 0.0});
+                const std::size_t k =
+                    grid.index(static_cast<int>(std::lround(at.x)), static_cast<int>(std::lround(at.y)));
+                QVERIFY(std::abs(static_cast<double>((*block->ideal.top)[k]) + 0.5 * (step + 1)) < 1e-6);
+                QVERIFY(block->ideal.parts[k] == Part::Floor);
             }
-        for (int a = 0; a <= 1000; ++a)
-            nearest = std::min(nearest, std::hypot(p.x + 3.0 - 0.001 * a, p.y - 0.002 * a));
-        // What is nearest may lie between the points that were tried: a diagonal of theirs further.
-        QVERIFY(std::abs(region.distance(p) - nearest) < 0.02 * std::numbers::sqrt2);
+        }
     }
-}
 
-void TestBlockPreparation::impossibleDesignsAreRefused_data()
-{
-    support::columns<QString, BlockDesign>("names", "design");
-    const auto row = [](const char* names, BlockShape shape, double BlockDesign::*value, double figure) {
-        BlockDesign design = designOf(shape);
-        design.*value = figure;
-        QTest::newRow(names) << QString(names) << design;
-    };
-    row("side_mm", BlockShape::Line, &BlockDesign::sideMm, 2.0);
-    row("enamel_mm", BlockShape::Line, &BlockDesign::enamelMm, 9.0);
-    row("depth_mm", BlockShape::Line, &BlockDesign::depthMm, std::nan(""));
-    row("length_mm", BlockShape::Line, &BlockDesign::lengthMm, 13.5);
-    row("flare_mm", BlockShape::Dovetail, &BlockDesign::flareMm, -1.0);
-    row("steps", BlockShape::Staircase, &BlockDesign::steps, 2.5);
-    row("corner_radius_mm", BlockShape::Cross, &BlockDesign::cornerRadiusMm, 0.8);
-    row("line_angle_mm", BlockShape::Cross, &BlockDesign::lineAngleMm, 0.5);
-    row("width_mm", BlockShape::Circle, &BlockDesign::widthMm, 4.9);
-    row("height_mm", BlockShape::Layers, &BlockDesign::heightMm, 2.5);
-}
+    void floorAndWallsAreTold()
+    {
+        const auto block = makeBlock(designOf(BlockShape::Cross), 300);
+        QVERIFY(block);
+        for (std::size_t k = 0; k < block->ideal.parts.size(); ++k) {
+            const float ideal = (*block->ideal.top)[k];
+            switch (block->ideal.parts[k]) {
+            case Part::Keep:
+                QCOMPARE(ideal, block->anatomy->top[k]);
+                break;
+            case Part::Floor:
+                QCOMPARE(ideal, -1.5F);
+                break;
+            case Part::Wall:
+                QVERIFY(ideal > -1.5F && ideal <= -1.3F);
+            }
+        }
+        const auto line = makeBlock(designOf(BlockShape::Line));
+        QVERIFY(line && line->ideal.isthmus && line->ideal.isthmus->across == glm::dvec2(0.0, 1.0));
+        QVERIFY(!makeBlock(designOf(BlockShape::Circle))->ideal.isthmus);
+    }
 
-void TestBlockPreparation::impossibleDesignsAreRefused()
-{
-    QFETCH(QString, names);
-    QFETCH(BlockDesign, design);
-    const auto block = makeBlock(design);
-    QVERIFY(!block);
-    QVERIFY2(QString::fromStdString(block.error().detail).contains(names), block.error().detail.c_str());
-}
+    void everyColumnIsInReachOfTheBur_data()
+    {
+        QTest::addColumn<int>("shape");
+        for (int k = 0; k < static_cast<int>(BlockShape::Layers); ++k)
+            QTest::newRow(teeth::blockName(static_cast<BlockShape>(k)).c_str()) << k;
+    }
+
+    /// A disc of the bur's radius that holds the column lies within the shape. Discs are laid at nodes only, so that
+    /// the right one may be missed by a node's width.
+    void everyColumnIsInReachOfTheBur()
+    {
+        QFETCH(int, shape);
+        const BlockDesign design = designOf(static_cast<BlockShape>(shape));
+        const auto block = makeBlock(design, 400);
+        QVERIFY(block);
+        const terrain::Grid& grid = block->anatomy->grid;
+        const int reach = static_cast<int>(design.cornerRadiusMm / grid.cellMm) + 1;
+        const auto isWithin = [&](int di, int dj, double cells) {
+            return std::hypot(di, dj) * grid.cellMm <= design.cornerRadiusMm + cells * grid.cellMm;
+        };
+        std::vector<std::uint8_t> reached(grid.count(), 0);
+        for (int j = reach; j < grid.side - reach; ++j)
+            for (int i = reach; i < grid.side - reach; ++i) {
+                bool fits = true;
+                for (int dj = -reach; fits && dj <= reach; ++dj)
+                    for (int di = -reach; fits && di <= reach; ++di)
+                        fits = !isWithin(di, dj, -0.75) || block->ideal.parts[grid.index(i + di, j + dj)] != Part::Keep;
+                for (int dj = -reach; fits && dj <= reach; ++dj)
+                    for (int di = -reach; di <= reach; ++di)
+                        if (isWithin(di, dj, 0.75))
+                            reached[grid.index(i + di, j + dj)] = 1;
+            }
+        for (std::size_t k = 0; k < reached.size(); ++k)
+            QVERIFY(block->ideal.parts[k] == Part::Keep || reached[k] != 0);
+    }
+
+    void shapeIsTheSameOnEveryGrid()
+    {
+        for (int shape = 0; shape < static_cast<int>(BlockShape::Layers); ++shape) {
+            const BlockDesign design = designOf(static_cast<BlockShape>(shape));
+            const Sum fine = sumOf(*makeBlock(design, 1024));
+            const Sum coarse = sumOf(*makeBlock(design, 150));
+            QVERIFY(std::abs(coarse.areaMm2 / fine.areaMm2 - 1.0) < 0.05);
+        }
+    }
+
+    void padsAreOfThreeMaterials()
+    {
+        std::set<std::array<terrain::Material, 3>> orders;
+        for (std::uint64_t seed = 0; seed < 40; ++seed)
+            orders.insert(teeth::padMaterials(seed));
+        QCOMPARE(orders.size(), std::size_t{6});
+        for (std::uint64_t seed = 0; seed < 4; ++seed) {
+            const auto block = makeBlock(designOf(BlockShape::Layers), 150, seed);
+            QVERIFY(block);
+            const terrain::ToothAnatomy& anatomy = *block->anatomy;
+            for (std::size_t pad = 0; pad < 3; ++pad) {
+                const glm::dvec2 at = anatomy.grid.latticeOf({teeth::kPadX.at(pad), 0.0});
+                const std::size_t k =
+                    anatomy.grid.index(static_cast<int>(std::lround(at.x)), static_cast<int>(std::lround(at.y)));
+                QCOMPARE(anatomy.top[k], 0.0F);
+                for (const float z : {0.0F, -1.0F, -2.5F})
+                    QVERIFY(terrain::materialAt(anatomy.layers[k], z) == teeth::padMaterials(seed).at(pad));
+            }
+            QCOMPARE(sumOf(*block).volumeMm3, 0.0);
+        }
+    }
+
+    void distancesAgreeWithBruteForce()
+    {
+        constexpr std::uint64_t kSeed = 11;
+        Rng rng(kSeed);
+        AxisRegion region;
+        region.addPolygon({{-1.0, -0.5}, {1.5, -1.0}, {1.0, 0.7}, {-0.8, 0.6}});
+        region.addRing({0.5, 0.5}, 2.0, 0.1);
+        region.addPolygon({{-3.0, 0.0}, {-2.0, 2.0}});
+        const auto isIn = [](glm::dvec2 p) {
+            const std::array<glm::dvec2, 4> c{{{-1.0, -0.5}, {1.5, -1.0}, {1.0, 0.7}, {-0.8, 0.6}}};
+            bool in = true;
+            for (std::size_t k = 0; k < 4; ++k) {
+                const glm::dvec2 along = c.at((k + 1) % 4) - c.at(k);
+                in = in && along.x * (p.y - c.at(k).y) - along.y * (p.x - c.at(k).x) >= 0.0;
+            }
+            return in || std::abs(std::hypot(p.x - 0.5, p.y - 0.5) - 2.0) <= 0.1;
+        };
+        for (int k = 0; k < 60; ++k) {
+            const glm::dvec2 p{rng.uniform(-4.0, 4.0), rng.uniform(-4.0, 4.0)};
+            double nearest = std::numeric_limits<double>::max();
+            for (int a = 0; a <= 400; ++a)
+                for (int b = 0; b <= 400; ++b) {
+                    const glm::dvec2 q{-4.0 + 0.02 * a, -4.0 + 0.02 * b};
+                    if (isIn(q))
+                        nearest = std::min(nearest, std::hypot(p.x - q.x, p.y - q.y));
+                }
+            for (int a = 0; a <= 1000; ++a)
+                nearest = std::min(nearest, std::hypot(p.x + 3.0 - 0.001 * a, p.y - 0.002 * a));
+            // What is nearest may lie between the points that were tried: a diagonal of theirs further.
+            QVERIFY(std::abs(region.distance(p) - nearest) < 0.02 * std::numbers::sqrt2);
+        }
+    }
+
+    void impossibleDesignsAreRefused_data()
+    {
+        support::columns<QString, BlockDesign>("names", "design");
+        const auto row = [](const char* names, BlockShape shape, double BlockDesign::*value, double figure) {
+            BlockDesign design = designOf(shape);
+            design.*value = figure;
+            QTest::newRow(names) << QString(names) << design;
+        };
+        row("side_mm", BlockShape::Line, &BlockDesign::sideMm, 2.0);
+        row("enamel_mm", BlockShape::Line, &BlockDesign::enamelMm, 9.0);
+        row("depth_mm", BlockShape::Line, &BlockDesign::depthMm, std::nan(""));
+        row("length_mm", BlockShape::Line, &BlockDesign::lengthMm, 13.5);
+        row("flare_mm", BlockShape::Dovetail, &BlockDesign::flareMm, -1.0);
+        row("steps", BlockShape::Staircase, &BlockDesign::steps, 2.5);
+        row("corner_radius_mm", BlockShape::Cross, &BlockDesign::cornerRadiusMm, 0.8);
+        row("line_angle_mm", BlockShape::Cross, &BlockDesign::lineAngleMm, 0.5);
+        row("width_mm", BlockShape::Circle, &BlockDesign::widthMm, 4.9);
+        row("height_mm", BlockShape::Layers, &BlockDesign::heightMm, 2.5);
+    }
+
+    void impossibleDesignsAreRefused()
+    {
+        QFETCH(QString, names);
+        QFETCH(BlockDesign, design);
+        const auto block = makeBlock(design);
+        QVERIFY(!block);
+        QVERIFY2(QString::fromStdString(block.error().detail).contains(names), block.error().detail.c_str());
+    }
+};
 
 QTEST_GUILESS_MAIN(TestBlockPreparation)
 #include "tst_block_preparation.moc"

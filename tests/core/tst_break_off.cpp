@@ -79,139 +79,129 @@ class TestBreakOff : public QObject
 {
     Q_OBJECT
 private slots:
-    void thinFinBreaksAndThickOneStays_data();
-    void thinFinBreaksAndThickOneStays();
-    void finAcrossTheLatticeBreaksToo();
-    void offNothingBreaks();
-    void whatBrokeIsCounted();
-    void cuspDoesNotBreak();
-    void uncutGroundStays();
-    void replaysToTheSameBits();
-    void badSlendernessIsRefused();
-};
-
-void TestBreakOff::thinFinBreaksAndThickOneStays_data()
-{
-    support::columns<int, double, bool>("side", "finMm", "breaks");
-    for (const int side : {100, 150, 300}) {
-        QTest::addRow("thin, grid %d", side) << side << 0.08 << true;
-        QTest::addRow("thick, grid %d", side) << side << 0.4 << false;
-    }
-}
-
-void TestBreakOff::thinFinBreaksAndThickOneStays()
-{
-    QFETCH(int, side);
-    QFETCH(double, finMm);
-    QFETCH(bool, breaks);
-    support::Block block;
-    block.side = side;
-    block.cellMm = 10.5 / side;
-    const TwoTrenches cut(block, finMm, yielding(true));
-    QCOMPARE(sum(cut.state.brokenMm3) > 0.0, breaks);
-    // What broke while the second trench was not yet down leaves a stump, which is not too high for its width.
-    if (breaks)
-        QVERIFY2(cut.finTopMm() < -0.5 * kDeepMm, qPrintable(QString::number(cut.finTopMm())));
-    else
-        QCOMPARE(cut.finTopMm(), 0.0);
-}
-
-void TestBreakOff::finAcrossTheLatticeBreaksToo()
-{
-    // Columns wide that a cut left at any angle: here every one whose middle lies in a strip.
-    for (const double degrees : {0.0, 20.0, 45.0, 70.0}) {
-        const glm::dvec2 across(-std::sin(degrees * 0.017453292519943), std::cos(degrees * 0.017453292519943));
-        contact::LiveTooth tooth{terrain::Tooth(support::makeBlock({}))};
-        const terrain::Grid& grid = tooth.grid();
-        drilling::CutRect changed{40, 40, 110, 110};
-        for (int j = changed.j0; j <= changed.j1; ++j)
-            for (int i = changed.i0; i <= changed.i1; ++i) {
-                const glm::dvec2 at = grid.nodeMm(i, j);
-                if (std::abs(at.x * across.x + at.y * across.y) > 0.05)
-                    tooth.lower(i, j, -1.2F);
-            }
-        const terrain::PerMaterial broken = drilling::breakOff(tooth, 6.0, changed);
-        int standing = 0;
-        for (int j = 45; j <= 105; ++j)
-            for (int i = 45; i <= 105; ++i)
-                standing += tooth.tooth().top[grid.index(i, j)] > -1.0F ? 1 : 0;
-        QVERIFY(sum(broken) > 0.3);
-        QCOMPARE(standing, 0);
-    }
-}
-
-void TestBreakOff::offNothingBreaks()
-{
-    const TwoTrenches cut({}, 0.08, yielding(false));
-    QCOMPARE(sum(cut.state.brokenMm3), 0.0);
-    QCOMPARE(cut.finTopMm(), 0.0);
-}
-
-void TestBreakOff::whatBrokeIsCounted()
-{
-    const TwoTrenches with({}, 0.08, yielding(true));
-    const TwoTrenches without({}, 0.08, yielding(false));
-    // What came off is what the maps lost, and what broke is in it.
-    const double lost = sum(terrain::removedVolumes(with.tooth.tooth()));
-    QVERIFY(std::abs(sum(with.state.removedMm3) - lost) < 1.0e-4);
-    const double more = lost - sum(terrain::removedVolumes(without.tooth.tooth()));
-    // The sliver before the bur's round front breaks as well: the bur would have cut it a little later.
-    QVERIFY(more > 0.15);
-    QVERIFY2(sum(with.state.brokenMm3) > 0.9 * more && sum(with.state.brokenMm3) < 2.0 * more,
-             qPrintable(QString("%1 broke, %2 is missing").arg(sum(with.state.brokenMm3)).arg(more)));
-}
-
-void TestBreakOff::cuspDoesNotBreak()
-{
-    // A cusp of 65 degrees between two trenches that cut its flanks away, 0.5 mm apart at its foot.
-    support::Block block;
-    block.topMm = [](double x, double y) { return std::max(-2.0, -2.1 * std::sqrt(x * x + y * y)); };
-    const TwoTrenches cut(block, 0.5, yielding(true));
-    QVERIFY(sum(cut.state.removedMm3) > 0.02);
-    QCOMPARE(sum(cut.state.brokenMm3), 0.0);
-    QVERIFY(cut.finTopMm() > -0.15);
-}
-
-void TestBreakOff::uncutGroundStays()
-{
-    // What the bur has left alone without the rule is left alone with it, but for the fin.
-    const TwoTrenches with({}, 0.08, yielding(true));
-    const TwoTrenches without({}, 0.08, yielding(false));
-    const terrain::Grid& grid = with.tooth.grid();
-    for (int j = 0; j < grid.side; ++j)
-        for (int i = 0; i < grid.side; ++i) {
-            const std::size_t k = grid.index(i, j);
-            if (std::abs(grid.nodeMm(i, j).y) > 0.1 && without.tooth.tooth().top[k] == 0.0F)
-                QCOMPARE(with.tooth.tooth().top[k], 0.0F);
+    void thinFinBreaksAndThickOneStays_data()
+    {
+        support::columns<int, double, bool>("side", "finMm", "breaks");
+        for (const int side : {100, 150, 300}) {
+            QTest::addRow("thin, grid %d", side) << side << 0.08 << true;
+            QTest::addRow("thick, grid %d", side) << side << 0.4 << false;
         }
-}
+    }
 
-void TestBreakOff::replaysToTheSameBits()
-{
-    session::ServoSettings settings;
-    settings.hardness.material.fill({30.0, 0.0});
-    settings.handpieces = {settings::findHandpiece("electric").value()};
-    settings.breakOff = {true, 5.0};
-    support::Rig rig(settings);
-    rig.drill(support::makeBlock({}));
-    support::RestlessHand hand(3);
-    rig.follow(hand, 6000);
-    rig.lift();
-    const auto stored = recording::Recording::fromBytes(rig.session->recordingSoFar().value().toBytes());
-    QVERIFY(stored);
-    QCOMPARE(stored->settings(), settings);
-    const auto replayed = recording::replay(*stored);
-    QVERIFY(replayed);
-    QCOMPARE(replayed->stateHash, rig.liveHash());
-    QVERIFY2(sum(replayed->state.brokenMm3) > 0.0, "nothing broke in this attempt");
-}
+    void thinFinBreaksAndThickOneStays()
+    {
+        QFETCH(int, side);
+        QFETCH(double, finMm);
+        QFETCH(bool, breaks);
+        support::Block block;
+        block.side = side;
+        block.cellMm = 10.5 / side;
+        const TwoTrenches cut(block, finMm, yielding(true));
+        QCOMPARE(sum(cut.state.brokenMm3) > 0.0, breaks);
+        // What broke while the second trench was not yet down leaves a stump, which is not too high for its width.
+        if (breaks)
+            QVERIFY2(cut.finTopMm() < -0.5 * kDeepMm, qPrintable(QString::number(cut.finTopMm())));
+        else
+            QCOMPARE(cut.finTopMm(), 0.0);
+    }
 
-void TestBreakOff::badSlendernessIsRefused()
-{
-    session::ServoSettings settings;
-    settings.breakOff.slenderness = 1.0;
-    QCOMPARE(session::makeServoTick(settings).error().code, ErrorCode::OutOfRange);
-}
+    void finAcrossTheLatticeBreaksToo()
+    {
+        // Columns wide that a cut left at any angle: here every one whose middle lies in a strip.
+        for (const double degrees : {0.0, 20.0, 45.0, 70.0}) {
+            const glm::dvec2 across(-std::sin(degrees * 0.017453292519943), std::cos(degrees * 0.017453292519943));
+            contact::LiveTooth tooth{terrain::Tooth(support::makeBlock({}))};
+            const terrain::Grid& grid = tooth.grid();
+            drilling::CutRect changed{40, 40, 110, 110};
+            for (int j = changed.j0; j <= changed.j1; ++j)
+                for (int i = changed.i0; i <= changed.i1; ++i) {
+                    const glm::dvec2 at = grid.nodeMm(i, j);
+                    if (std::abs(at.x * across.x + at.y * across.y) > 0.05)
+                        tooth.lower(i, j, -1.2F);
+                }
+            const terrain::PerMaterial broken = drilling::breakOff(tooth, 6.0, changed);
+            int standing = 0;
+            for (int j = 45; j <= 105; ++j)
+                for (int i = 45; i <= 105; ++i)
+                    standing += tooth.tooth().top[grid.index(i, j)] > -1.0F ? 1 : 0;
+            QVERIFY(sum(broken) > 0.3);
+            QCOMPARE(standing, 0);
+        }
+    }
+
+    void offNothingBreaks()
+    {
+        const TwoTrenches cut({}, 0.08, yielding(false));
+        QCOMPARE(sum(cut.state.brokenMm3), 0.0);
+        QCOMPARE(cut.finTopMm(), 0.0);
+    }
+
+    void whatBrokeIsCounted()
+    {
+        const TwoTrenches with({}, 0.08, yielding(true));
+        const TwoTrenches without({}, 0.08, yielding(false));
+        // What came off is what the maps lost, and what broke is in it.
+        const double lost = sum(terrain::removedVolumes(with.tooth.tooth()));
+        QVERIFY(std::abs(sum(with.state.removedMm3) - lost) < 1.0e-4);
+        const double more = lost - sum(terrain::removedVolumes(without.tooth.tooth()));
+        // The sliver before the bur's round front breaks as well: the bur would have cut it a little later.
+        QVERIFY(more > 0.15);
+        QVERIFY2(sum(with.state.brokenMm3) > 0.9 * more && sum(with.state.brokenMm3) < 2.0 * more,
+                 qPrintable(QString("%1 broke, %2 is missing").arg(sum(with.state.brokenMm3)).arg(more)));
+    }
+
+    void cuspDoesNotBreak()
+    {
+        // A cusp of 65 degrees between two trenches that cut its flanks away, 0.5 mm apart at its foot.
+        support::Block block;
+        block.topMm = [](double x, double y) { return std::max(-2.0, -2.1 * std::sqrt(x * x + y * y)); };
+        const TwoTrenches cut(block, 0.5, yielding(true));
+        QVERIFY(sum(cut.state.removedMm3) > 0.02);
+        QCOMPARE(sum(cut.state.brokenMm3), 0.0);
+        QVERIFY(cut.finTopMm() > -0.15);
+    }
+
+    void uncutGroundStays()
+    {
+        // What the bur has left alone without the rule is left alone with it, but for the fin.
+        const TwoTrenches with({}, 0.08, yielding(true));
+        const TwoTrenches without({}, 0.08, yielding(false));
+        const terrain::Grid& grid = with.tooth.grid();
+        for (int j = 0; j < grid.side; ++j)
+            for (int i = 0; i < grid.side; ++i) {
+                const std::size_t k = grid.index(i, j);
+                if (std::abs(grid.nodeMm(i, j).y) > 0.1 && without.tooth.tooth().top[k] == 0.0F)
+                    QCOMPARE(with.tooth.tooth().top[k], 0.0F);
+            }
+    }
+
+    void replaysToTheSameBits()
+    {
+        session::ServoSettings settings;
+        settings.hardness.material.fill({30.0, 0.0});
+        settings.handpieces = {settings::findHandpiece("electric").value()};
+        settings.breakOff = {true, 5.0};
+        support::Rig rig(settings);
+        rig.drill(support::makeBlock({}));
+        support::RestlessHand hand(3);
+        rig.follow(hand, 6000);
+        rig.lift();
+        const auto stored = recording::Recording::fromBytes(rig.session->recordingSoFar().value().toBytes());
+        QVERIFY(stored);
+        QCOMPARE(stored->settings(), settings);
+        const auto replayed = recording::replay(*stored);
+        QVERIFY(replayed);
+        QCOMPARE(replayed->stateHash, rig.liveHash());
+        QVERIFY2(sum(replayed->state.brokenMm3) > 0.0, "nothing broke in this attempt");
+    }
+
+    void badSlendernessIsRefused()
+    {
+        session::ServoSettings settings;
+        settings.breakOff.slenderness = 1.0;
+        QCOMPARE(session::makeServoTick(settings).error().code, ErrorCode::OutOfRange);
+    }
+};
 
 QTEST_APPLESS_MAIN(TestBreakOff)
 #include "tst_break_off.moc"

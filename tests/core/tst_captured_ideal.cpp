@@ -51,237 +51,224 @@ class TestCapturedIdeal : public QObject
     Q_OBJECT
 
 private slots:
-    void theFileIsTheIdeal();
-    void aClassOneKnowsItsIsthmus();
-    void fitsItsToothAlone();
-    void decayInTheToothDoesNotMatter();
-    void refusesOddTolerances();
-    void truncatedAtEveryByteIsRefused();
-    void everyFlippedBitIsRefused();
-    void aNewerVersionSaysSo();
-    void noiseIsRefused();
-    void everySentenceNamesTheFile();
-    void theOlderFileSurvives();
-    void corpusOfTheFuzzerIsHarmless();
-    void theBandOfATrenchIsAsWideAsItsTolerance();
-    void theBandHoldsTheIdeal();
+    void theFileIsTheIdeal()
+    {
+        const auto anatomy = molar(3);
+        const terrain::Tooth tooth = classOne(anatomy);
+        const auto ideal = captured(tooth, {0.2, 0.35, 4.0, 0.15});
+        QVERIFY(support::succeeds(ideal));
+        QTemporaryDir folder;
+        const std::filesystem::path path = folder.filePath("a.cuspideal").toStdString();
+        QVERIFY(writeCaptured(path, *ideal));
+        const auto again = readCaptured(path);
+        QVERIFY(support::succeeds(again));
+        QCOMPARE(again->tooth, std::string("36"));
+        QCOMPARE(again->seed, std::uint64_t{3});
+        QVERIFY(again->grid == anatomy->grid);
+        QVERIFY(again->tolerances == (Tolerances{0.2, 0.35, 4.0, 0.15}));
+        QCOMPARE(again->sources, std::vector<std::string>{"by hand.cusprec"});
+        const auto preparation = preparationOf(*again, *anatomy);
+        QVERIFY(preparation);
+        // Bit for bit what was cut, but for what is no deeper than a brush.
+        std::size_t cut = 0;
+        for (std::size_t k = 0; k < tooth.top.size(); ++k) {
+            const bool isCut = preparation->parts[k] != Part::Keep;
+            QVERIFY((*preparation->top)[k] == (isCut ? tooth.top[k] : anatomy->top[k]));
+            cut += isCut ? 1 : 0;
+        }
+        QVERIFY2(cut > 1000, qPrintable(QString::number(cut)));
+        const auto bytes = std::filesystem::file_size(path);
+        qInfo("a Class I on 36 takes %d bytes", static_cast<int>(bytes));
+        QVERIFY(bytes < 20'000);
+    }
+
+    void aClassOneKnowsItsIsthmus()
+    {
+        const auto anatomy = molar();
+        const auto ideal = captured(classOne(anatomy));
+        QVERIFY(ideal && ideal->isthmus);
+        const auto made = makePreparation(Kind::ClassOne, *fittedDesign(Kind::ClassOne, *anatomy), *anatomy);
+        QVERIFY(ideal->isthmus->atMm == made->isthmus->atMm);
+        // A pit elsewhere has none.
+        terrain::Tooth pit(anatomy);
+        const terrain::Grid& grid = anatomy->grid;
+        for (int j = 0; j < grid.side; ++j)
+            for (int i = 0; i < 2 * grid.side / 10; ++i)
+                if (const std::size_t k = grid.index(i, j); pit.isSolid(k))
+                    pit.top[k] -= 0.5F;
+        const auto none = captured(pit);
+        QVERIFY(support::succeeds(none));
+        QVERIFY(!none->isthmus);
+    }
+
+    void fitsItsToothAlone()
+    {
+        const auto ideal = captured(classOne(molar()));
+        QVERIFY(preparationOf(*ideal, *molar()));
+        for (const auto& other : {molar(1), molar(0, 100), teeth::buildTooth({26}, {})->anatomy}) {
+            QVERIFY(
+                support::isRefused(preparationOf(*ideal, *other), "was captured on the tooth '36' (seed 0, grid 150)"));
+        }
+    }
+
+    void decayInTheToothDoesNotMatter()
+    {
+        const auto ideal = captured(classOne(molar()));
+        QVERIFY(preparationOf(*ideal, *molar(0, 150, teeth::CariesRule::FissureWalk)));
+    }
+
+    void refusesOddTolerances()
+    {
+        const terrain::Tooth tooth = classOne(molar());
+        for (const Tolerances& odd : {Tolerances{-0.1, 0.2, 5, 0.1}, Tolerances{0.1, 6.0, 5, 0.1},
+                                      Tolerances{0.1, 0.2, 90, 0.1}, Tolerances{0.1, 0.2, 5, std::nan("")},
+                                      Tolerances{0.1, 0.2, 5, INFINITY}, Tolerances{0.1, 1.0e300, 5, 0.1}})
+            QVERIFY(!captured(tooth, odd));
+        const auto far = captured(tooth, {0.1, -1.0e300, 5, 0.1});
+        QVERIFY2(far.error().detail.ends_with("from 0 to 5 mm, not -1e+300"), far.error().detail.c_str());
+        QVERIFY(!capture({}, {}, {}));
+        QVERIFY(!captured(terrain::Tooth(tooth.anatomy)));  // nothing was cut
+    }
+
+    void truncatedAtEveryByteIsRefused()
+    {
+        const std::string whole = toBytes(*captured(classOne(molar(0, 64))));
+        QVERIFY(capturedFrom(whole));
+        for (std::size_t length = 0; length < whole.size(); ++length) {
+            const auto cut = capturedFrom(std::string_view(whole).substr(0, length));
+            QVERIFY(!cut);
+            QVERIFY(cut.error().code == (length == 0 ? ErrorCode::FileEmpty : ErrorCode::FileTruncated));
+        }
+        QVERIFY(!capturedFrom(whole + '\0'));
+    }
+
+    void everyFlippedBitIsRefused()
+    {
+        std::string bytes = toBytes(*captured(classOne(molar(0, 64))));
+        for (std::size_t k = 0; k < bytes.size(); ++k)
+            for (int bit = 0; bit < 8; ++bit) {
+                bytes[k] = static_cast<char>(bytes[k] ^ (1 << bit));
+                QVERIFY2(!capturedFrom(bytes), qPrintable(QStringLiteral("byte %1 bit %2").arg(k).arg(bit)));
+                bytes[k] = static_cast<char>(bytes[k] ^ (1 << bit));
+            }
+    }
+
+    void aNewerVersionSaysSo()
+    {
+        std::string bytes = toBytes(*captured(classOne(molar(0, 64))));
+        const std::uint32_t newer = kCapturedVersion + 1;
+        std::memcpy(bytes.data() + 8, &newer, sizeof newer);
+        const auto refused = capturedFrom(bytes);
+        QVERIFY(!refused && refused.error().code == ErrorCode::NewerVersion);
+        QVERIFY(refused.error().detail.find("newer Cusp") != std::string::npos);
+    }
+
+    void noiseIsRefused()
+    {
+        Rng rng(1);
+        std::string noise(10 * 1024 * 1024, '\0');
+        for (char& byte : noise)
+            byte = static_cast<char>(rng.next() & 0xFFU);
+        QVERIFY(capturedFrom(noise).error().code == ErrorCode::WrongKind);
+        // With a head that is right, the checksum tells; and with that right, too, what it holds.
+        const std::string good = toBytes(*captured(classOne(molar(0, 64))));
+        noise.replace(0, 12, good, 0, 12);
+        QVERIFY(!capturedFrom(noise));
+        QTemporaryDir folder;
+        const std::filesystem::path path = folder.filePath("noise.cuspideal").toStdString();
+        support::write(path, noise);
+        const auto refused = readCaptured(path);
+        QVERIFY(!refused && refused.error().code == ErrorCode::FileTooLarge);
+    }
+
+    void everySentenceNamesTheFile()
+    {
+        QTemporaryDir folder;
+        const std::string whole = toBytes(*captured(classOne(molar(0, 64))));
+        const std::filesystem::path path = folder.filePath("mine.cuspideal").toStdString();
+        for (const std::string& bytes : {std::string(), std::string("hello"), whole.substr(0, 100), whole + "x"}) {
+            support::write(path, bytes);
+            QVERIFY(support::isRefused(readCaptured(path), "mine.cuspideal"));
+        }
+        QVERIFY(readCaptured(folder.path().toStdString()).error().code == ErrorCode::FileUnreadable);
+        QVERIFY(readCaptured(folder.filePath("none").toStdString()).error().code == ErrorCode::FileMissing);
+    }
+
+    void theOlderFileSurvives()
+    {
+        QTemporaryDir folder;
+        const auto ideal = captured(classOne(molar(0, 64)));
+        const std::filesystem::path path = folder.filePath("a.cuspideal").toStdString();
+        QVERIFY(writeCaptured(path, *ideal));
+        QVERIFY(!writeCaptured(folder.path().toStdString(), *ideal));
+        QVERIFY(!writeCaptured(folder.filePath("none/a.cuspideal").toStdString(), *ideal));
+        QVERIFY(readCaptured(path));
+    }
+
+    /// CUSP_REWRITE_CORPUS=1 makes the seeds of the fuzzer anew: as saved, and with what is packed taken apart.
+    void corpusOfTheFuzzerIsHarmless()
+    {
+        if (support::rewritesSeeds()) {
+            const std::string bytes = toBytes(captured(classOne(molar(0, 64))).value());
+            support::writeSeed("ideal", "saved", bytes);
+            support::writeSeed("ideal", "unpacked", fuzz::unpackedIdeal(bytes));
+        }
+        QVERIFY(support::forEachSeed("ideal", fuzz::exerciseIdeal));
+    }
+
+    /// A straight trench with upright walls: what closed form says.
+    void theBandOfATrenchIsAsWideAsItsTolerance()
+    {
+        teeth::BlockDesign design;
+        design.shape = teeth::BlockShape::Line;
+        const Block block = *makeBlock(design);
+        const terrain::ToothAnatomy& anatomy = *block.anatomy;
+        const terrain::Grid& grid = anatomy.grid;
+        constexpr double kOutlineMm = 0.3;
+        constexpr double kDepthMm = 0.2;
+        const ToleranceBand band = toleranceBand(anatomy, block.ideal, kOutlineMm, kDepthMm);
+        // Across the middle of the trench: widths of what may be cut and what must be.
+        double idealMm = 0.0;
+        double mayMm = 0.0;
+        double mustMm = 0.0;
+        float floorMm = 0.0F;
+        float deepestMm = 0.0F;
+        float shallowestMm = 0.0F;
+        for (std::size_t k = 0; k < grid.count(); ++k)
+            if (block.ideal.parts[k] != Part::Keep) {
+                floorMm = std::min(floorMm, (*block.ideal.top)[k]);
+                deepestMm = std::min(deepestMm, band.deepestMm[k]);
+                shallowestMm = std::min(shallowestMm, band.shallowestMm[k]);
+            }
+        for (int j = 0; j < grid.side; ++j) {
+            const std::size_t k = grid.index(grid.side / 2, j);
+            idealMm += block.ideal.parts[k] != Part::Keep ? grid.cellMm : 0.0;
+            mayMm += band.deepestMm[k] < anatomy.top[k] ? grid.cellMm : 0.0;
+            mustMm += band.shallowestMm[k] < anatomy.top[k] ? grid.cellMm : 0.0;
+        }
+        QVERIFY(idealMm > 0.5);
+        QVERIFY2(std::abs(mayMm - idealMm - 2.0 * kOutlineMm) <= grid.cellMm,
+                 qPrintable(QString::number(mayMm - idealMm)));
+        QVERIFY2(std::abs(idealMm - mustMm - 2.0 * kOutlineMm) <= grid.cellMm,
+                 qPrintable(QString::number(idealMm - mustMm)));
+        QVERIFY(std::abs(deepestMm - (floorMm - 0.2F)) < 1e-5F);
+        QVERIFY(std::abs(shallowestMm - (floorMm + 0.2F)) < 1e-5F);
+    }
+
+    void theBandHoldsTheIdeal()
+    {
+        const auto anatomy = molar();
+        const auto ideal = makePreparation(Kind::ClassOne, *fittedDesign(Kind::ClassOne, *anatomy), *anatomy);
+        for (const double outlineMm : {0.0, 0.1, 0.5}) {
+            const ToleranceBand band = toleranceBand(*anatomy, *ideal, outlineMm, 0.1);
+            for (std::size_t k = 0; k < ideal->parts.size(); ++k) {
+                QVERIFY(band.deepestMm[k] <= (*ideal->top)[k]);
+                QVERIFY(band.shallowestMm[k] >= (*ideal->top)[k]);
+                QVERIFY(band.shallowestMm[k] <= anatomy->top[k]);
+            }
+        }
+    }
 };
-
-void TestCapturedIdeal::theFileIsTheIdeal()
-{
-    const auto anatomy = molar(3);
-    const terrain::Tooth tooth = classOne(anatomy);
-    const auto ideal = captured(tooth, {0.2, 0.35, 4.0, 0.15});
-    QVERIFY(support::succeeds(ideal));
-    QTemporaryDir folder;
-    const std::filesystem::path path = folder.filePath("a.cuspideal").toStdString();
-    QVERIFY(writeCaptured(path, *ideal));
-    const auto again = readCaptured(path);
-    QVERIFY(support::succeeds(again));
-    QCOMPARE(again->tooth, std::string("36"));
-    QCOMPARE(again->seed, std::uint64_t{3});
-    QVERIFY(again->grid == anatomy->grid);
-    QVERIFY(again->tolerances == (Tolerances{0.2, 0.35, 4.0, 0.15}));
-    QCOMPARE(again->sources, std::vector<std::string>{"by hand.cusprec"});
-    const auto preparation = preparationOf(*again, *anatomy);
-    QVERIFY(preparation);
-    // Bit for bit what was cut, but for what is no deeper than a brush.
-    std::size_t cut = 0;
-    for (std::size_t k = 0; k < tooth.top.size(); ++k) {
-        const bool isCut = preparation->parts[k] != Part::Keep;
-        QVERIFY((*preparation->top)[k] == (isCut ? tooth.top[k] : anatomy->top[k]));
-        cut += isCut ? 1 : 0;
-    }
-    QVERIFY2(cut > 1000, qPrintable(QString::number(cut)));
-    const auto bytes = std::filesystem::file_size(path);
-    qInfo("a Class I on 36 takes %d bytes", static_cast<int>(bytes));
-    QVERIFY(bytes < 20'000);
-}
-
-void TestCapturedIdeal::aClassOneKnowsItsIsthmus()
-{
-    const auto anatomy = molar();
-    const auto ideal = captured(classOne(anatomy));
-    QVERIFY(ideal && ideal->isthmus);
-    const auto made = makePreparation(Kind::ClassOne, *fittedDesign(Kind::ClassOne, *anatomy), *anatomy);
-    QVERIFY(ideal->isthmus->atMm == made->isthmus->atMm);
-    // A pit elsewhere has none.
-    terrain::Tooth pit(anatomy);
-    const terrain::Grid& grid = anatomy->grid;
-    for (int j = 0; j < grid.side; ++j)
-        for (int i = 0; i < 2 * grid.side / 10; ++i)
-            if (const std::size_t k = grid.index(i, j); pit.isSolid(k))
-                pit.top[k] -= 0.5F;
-    const auto none = captured(pit);
-    QVERIFY(support::succeeds(none));
-    QVERIFY(!none->isthmus);
-}
-
-void TestCapturedIdeal::fitsItsToothAlone()
-{
-    const auto ideal = captured(classOne(molar()));
-    QVERIFY(preparationOf(*ideal, *molar()));
-    for (const auto& other : {molar(1), molar(0, 100), teeth::buildTooth({26}, {})->anatomy}) {
-        QVERIFY(support::isRefused(preparationOf(*ideal, *other), "was captured on the tooth '36' (seed 0, grid 150)"));
-    }
-}
-
-void TestCapturedIdeal::decayInTheToothDoesNotMatter()
-{
-    const auto ideal = captured(classOne(molar()));
-    QVERIFY(preparationOf(*ideal, *molar(0, 150, teeth::CariesRule::FissureWalk)));
-}
-
-void TestCapturedIdeal::refusesOddTolerances()
-{
-    const terrain::Tooth tooth = classOne(molar());
-    for (const Tolerances& odd :
-         {Tolerances{-0.1, 0.2, 5, 0.1}, Tolerances{0.1, 6.0, 5, 0.1}, Tolerances{0.1, 0.2, 90, 0.1},
-          Tolerances{0.1, 0.2, 5, std::nan("")}, Tolerances{0.1, 0.2, 5, INFINITY}, Tolerances{0.1, 1.0e300, 5, 0.1}})
-        QVERIFY(!captured(tooth, odd));
-    const auto far = captured(tooth, {0.1, -1.0e300, 5, 0.1});
-    QVERIFY2(far.error().detail.ends_with("from 0 to 5 mm, not -1e+300"), far.error().detail.c_str());
-    QVERIFY(!capture({}, {}, {}));
-    QVERIFY(!captured(terrain::Tooth(tooth.anatomy)));  // nothing was cut
-}
-
-void TestCapturedIdeal::truncatedAtEveryByteIsRefused()
-{
-    const std::string whole = toBytes(*captured(classOne(molar(0, 64))));
-    QVERIFY(capturedFrom(whole));
-    for (std::size_t length = 0; length < whole.size(); ++length) {
-        const auto cut = capturedFrom(std::string_view(whole).substr(0, length));
-        QVERIFY(!cut);
-        QVERIFY(cut.error().code == (length == 0 ? ErrorCode::FileEmpty : ErrorCode::FileTruncated));
-    }
-    QVERIFY(!capturedFrom(whole + '\0'));
-}
-
-void TestCapturedIdeal::everyFlippedBitIsRefused()
-{
-    std::string bytes = toBytes(*captured(classOne(molar(0, 64))));
-    for (std::size_t k = 0; k < bytes.size(); ++k)
-        for (int bit = 0; bit < 8; ++bit) {
-            bytes[k] = static_cast<char>(bytes[k] ^ (1 << bit));
-            QVERIFY2(!capturedFrom(bytes), qPrintable(QStringLiteral("byte %1 bit %2").arg(k).arg(bit)));
-            bytes[k] = static_cast<char>(bytes[k] ^ (1 << bit));
-        }
-}
-
-void TestCapturedIdeal::aNewerVersionSaysSo()
-{
-    std::string bytes = toBytes(*captured(classOne(molar(0, 64))));
-    const std::uint32_t newer = kCapturedVersion + 1;
-    std::memcpy(bytes.data() + 8, &newer, sizeof newer);
-    const auto refused = capturedFrom(bytes);
-    QVERIFY(!refused && refused.error().code == ErrorCode::NewerVersion);
-    QVERIFY(refused.error().detail.find("newer Cusp") != std::string::npos);
-}
-
-void TestCapturedIdeal::noiseIsRefused()
-{
-    Rng rng(1);
-    std::string noise(10 * 1024 * 1024, '\0');
-    for (char& byte : noise)
-        byte = static_cast<char>(rng.next() & 0xFFU);
-    QVERIFY(capturedFrom(noise).error().code == ErrorCode::WrongKind);
-    // With a head that is right, the checksum tells; and with that right, too, what it holds.
-    const std::string good = toBytes(*captured(classOne(molar(0, 64))));
-    noise.replace(0, 12, good, 0, 12);
-    QVERIFY(!capturedFrom(noise));
-    QTemporaryDir folder;
-    const std::filesystem::path path = folder.filePath("noise.cuspideal").toStdString();
-    support::write(path, noise);
-    const auto refused = readCaptured(path);
-    QVERIFY(!refused && refused.error().code == ErrorCode::FileTooLarge);
-}
-
-void TestCapturedIdeal::everySentenceNamesTheFile()
-{
-    QTemporaryDir folder;
-    const std::string whole = toBytes(*captured(classOne(molar(0, 64))));
-    const std::filesystem::path path = folder.filePath("mine.cuspideal").toStdString();
-    for (const std::string& bytes : {std::string(), std::string("hello"), whole.substr(0, 100), whole + "x"}) {
-        support::write(path, bytes);
-        QVERIFY(support::isRefused(readCaptured(path), "mine.cuspideal"));
-    }
-    QVERIFY(readCaptured(folder.path().toStdString()).error().code == ErrorCode::FileUnreadable);
-    QVERIFY(readCaptured(folder.filePath("none").toStdString()).error().code == ErrorCode::FileMissing);
-}
-
-void TestCapturedIdeal::theOlderFileSurvives()
-{
-    QTemporaryDir folder;
-    const auto ideal = captured(classOne(molar(0, 64)));
-    const std::filesystem::path path = folder.filePath("a.cuspideal").toStdString();
-    QVERIFY(writeCaptured(path, *ideal));
-    QVERIFY(!writeCaptured(folder.path().toStdString(), *ideal));
-    QVERIFY(!writeCaptured(folder.filePath("none/a.cuspideal").toStdString(), *ideal));
-    QVERIFY(readCaptured(path));
-}
-
-/// A straight trench with upright walls: what closed form says.
-void TestCapturedIdeal::theBandOfATrenchIsAsWideAsItsTolerance()
-{
-    teeth::BlockDesign design;
-    design.shape = teeth::BlockShape::Line;
-    const Block block = *makeBlock(design);
-    const terrain::ToothAnatomy& anatomy = *block.anatomy;
-    const terrain::Grid& grid = anatomy.grid;
-    constexpr double kOutlineMm = 0.3;
-    constexpr double kDepthMm = 0.2;
-    const ToleranceBand band = toleranceBand(anatomy, block.ideal, kOutlineMm, kDepthMm);
-    // Across the middle of the trench: widths of what may be cut and what must be.
-    double idealMm = 0.0;
-    double mayMm = 0.0;
-    double mustMm = 0.0;
-    float floorMm = 0.0F;
-    float deepestMm = 0.0F;
-    float shallowestMm = 0.0F;
-    for (std::size_t k = 0; k < grid.count(); ++k)
-        if (block.ideal.parts[k] != Part::Keep) {
-            floorMm = std::min(floorMm, (*block.ideal.top)[k]);
-            deepestMm = std::min(deepestMm, band.deepestMm[k]);
-            shallowestMm = std::min(shallowestMm, band.shallowestMm[k]);
-        }
-    for (int j = 0; j < grid.side; ++j) {
-        const std::size_t k = grid.index(grid.side / 2, j);
-        idealMm += block.ideal.parts[k] != Part::Keep ? grid.cellMm : 0.0;
-        mayMm += band.deepestMm[k] < anatomy.top[k] ? grid.cellMm : 0.0;
-        mustMm += band.shallowestMm[k] < anatomy.top[k] ? grid.cellMm : 0.0;
-    }
-    QVERIFY(idealMm > 0.5);
-    QVERIFY2(std::abs(mayMm - idealMm - 2.0 * kOutlineMm) <= grid.cellMm, qPrintable(QString::number(mayMm - idealMm)));
-    QVERIFY2(std::abs(idealMm - mustMm - 2.0 * kOutlineMm) <= grid.cellMm,
-             qPrintable(QString::number(idealMm - mustMm)));
-    QVERIFY(std::abs(deepestMm - (floorMm - 0.2F)) < 1e-5F);
-    QVERIFY(std::abs(shallowestMm - (floorMm + 0.2F)) < 1e-5F);
-}
-
-void TestCapturedIdeal::theBandHoldsTheIdeal()
-{
-    const auto anatomy = molar();
-    const auto ideal = makePreparation(Kind::ClassOne, *fittedDesign(Kind::ClassOne, *anatomy), *anatomy);
-    for (const double outlineMm : {0.0, 0.1, 0.5}) {
-        const ToleranceBand band = toleranceBand(*anatomy, *ideal, outlineMm, 0.1);
-        for (std::size_t k = 0; k < ideal->parts.size(); ++k) {
-            QVERIFY(band.deepestMm[k] <= (*ideal->top)[k]);
-            QVERIFY(band.shallowestMm[k] >= (*ideal->top)[k]);
-            QVERIFY(band.shallowestMm[k] <= anatomy->top[k]);
-        }
-    }
-}
-
-/// CUSP_REWRITE_CORPUS=1 makes the seeds of the fuzzer anew: as saved, and with what is packed taken apart.
-void TestCapturedIdeal::corpusOfTheFuzzerIsHarmless()
-{
-    if (support::rewritesSeeds()) {
-        const std::string bytes = toBytes(captured(classOne(molar(0, 64))).value());
-        support::writeSeed("ideal", "saved", bytes);
-        support::writeSeed("ideal", "unpacked", fuzz::unpackedIdeal(bytes));
-    }
-    QVERIFY(support::forEachSeed("ideal", fuzz::exerciseIdeal));
-}
 
 QTEST_GUILESS_MAIN(TestCapturedIdeal)
 #include "tst_captured_ideal.moc"

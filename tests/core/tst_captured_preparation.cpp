@@ -47,174 +47,166 @@ class TestCapturedPreparation : public QObject
     Q_OBJECT
 
 private slots:
-    void oneAttemptIsItself();
-    void heightsAreTheMean();
-    void mostOfTheAttemptsDecide();
-    void ofTwoTheMeanOutlineDecides();
-    void floorIsToldFromWall();
-    void aToothPreparedByRuleIsFoundAgain();
-    void attemptsThatDoNotGoTogetherAreRefused();
-};
+    void oneAttemptIsItself()
+    {
+        const Block cross = block(teeth::BlockShape::Cross);
+        const auto ideal = average({attemptAt(cross, 0.0F)});
+        QVERIFY(ideal);
+        QVERIFY(*ideal->top == *cross.ideal.top);
+        for (std::size_t k = 0; k < ideal->parts.size(); ++k)
+            QCOMPARE(ideal->parts[k] == Part::Keep, cross.ideal.parts[k] == Part::Keep);
+    }
 
-void TestCapturedPreparation::oneAttemptIsItself()
-{
-    const Block cross = block(teeth::BlockShape::Cross);
-    const auto ideal = average({attemptAt(cross, 0.0F)});
-    QVERIFY(ideal);
-    QVERIFY(*ideal->top == *cross.ideal.top);
-    for (std::size_t k = 0; k < ideal->parts.size(); ++k)
-        QCOMPARE(ideal->parts[k] == Part::Keep, cross.ideal.parts[k] == Part::Keep);
-}
+    void heightsAreTheMean()
+    {
+        const Block line = block();
+        const auto ideal = average({attemptAt(line, 0.0F), attemptAt(line, 0.1F), attemptAt(line, 0.35F)});
+        QVERIFY(ideal);
+        for (std::size_t k = 0; k < ideal->parts.size(); ++k)
+            if (line.ideal.parts[k] != Part::Keep)
+                QVERIFY(std::abs((*ideal->top)[k] - ((*line.ideal.top)[k] - 0.15F)) < 1e-5F);
+            else
+                QVERIFY((*ideal->top)[k] == line.anatomy->top[k]);
+    }
 
-void TestCapturedPreparation::heightsAreTheMean()
-{
-    const Block line = block();
-    const auto ideal = average({attemptAt(line, 0.0F), attemptAt(line, 0.1F), attemptAt(line, 0.35F)});
-    QVERIFY(ideal);
-    for (std::size_t k = 0; k < ideal->parts.size(); ++k)
-        if (line.ideal.parts[k] != Part::Keep)
-            QVERIFY(std::abs((*ideal->top)[k] - ((*line.ideal.top)[k] - 0.15F)) < 1e-5F);
-        else
-            QVERIFY((*ideal->top)[k] == line.anatomy->top[k]);
-}
+    void mostOfTheAttemptsDecide()
+    {
+        const Block line = block();
+        terrain::Tooth slipped = attemptAt(line, 0.0F);
+        const terrain::Grid& grid = line.anatomy->grid;
+        const std::size_t aside = grid.index(grid.side / 2, grid.side / 4);
+        slipped.top[aside] = -0.7F;
+        // One of three slipped there, and each brushed another place.
+        std::vector<terrain::Tooth> attempts{slipped, attemptAt(line, 0.0F), attemptAt(line, 0.0F)};
+        const std::size_t brushed = grid.index(grid.side / 2, 3 * grid.side / 4);
+        for (terrain::Tooth& attempt : attempts)
+            attempt.top[brushed] = -0.01F;
+        const auto ideal = average(attempts);
+        QVERIFY(ideal);
+        QVERIFY(ideal->parts[aside] == Part::Keep && (*ideal->top)[aside] == 0.0F);
+        QVERIFY(ideal->parts[brushed] == Part::Keep && (*ideal->top)[brushed] == 0.0F);
+        // Two of three are most; one of two is not.
+        attempts[1].top[aside] = -0.9F;
+        QVERIFY(std::abs((*average(attempts)->top)[aside] + 0.8F) < 1e-6F);
+        attempts.pop_back();
+        attempts[1].top[aside] = 0.0F;
+        QVERIFY(average(attempts)->parts[aside] == Part::Keep);
+        // Most went right through.
+        for (terrain::Tooth& attempt : attempts)
+            attempt.top[aside] = terrain::kEmptyTop, attempt.bottom[aside] = terrain::kEmptyBottom;
+        QVERIFY((*average(attempts)->top)[aside] == terrain::kEmptyTop);
+    }
 
-void TestCapturedPreparation::mostOfTheAttemptsDecide()
-{
-    const Block line = block();
-    terrain::Tooth slipped = attemptAt(line, 0.0F);
-    const terrain::Grid& grid = line.anatomy->grid;
-    const std::size_t aside = grid.index(grid.side / 2, grid.side / 4);
-    slipped.top[aside] = -0.7F;
-    // One of three slipped there, and each brushed another place.
-    std::vector<terrain::Tooth> attempts{slipped, attemptAt(line, 0.0F), attemptAt(line, 0.0F)};
-    const std::size_t brushed = grid.index(grid.side / 2, 3 * grid.side / 4);
-    for (terrain::Tooth& attempt : attempts)
-        attempt.top[brushed] = -0.01F;
-    const auto ideal = average(attempts);
-    QVERIFY(ideal);
-    QVERIFY(ideal->parts[aside] == Part::Keep && (*ideal->top)[aside] == 0.0F);
-    QVERIFY(ideal->parts[brushed] == Part::Keep && (*ideal->top)[brushed] == 0.0F);
-    // Two of three are most; one of two is not.
-    attempts[1].top[aside] = -0.9F;
-    QVERIFY(std::abs((*average(attempts)->top)[aside] + 0.8F) < 1e-6F);
-    attempts.pop_back();
-    attempts[1].top[aside] = 0.0F;
-    QVERIFY(average(attempts)->parts[aside] == Part::Keep);
-    // Most went right through.
-    for (terrain::Tooth& attempt : attempts)
-        attempt.top[aside] = terrain::kEmptyTop, attempt.bottom[aside] = terrain::kEmptyBottom;
-    QVERIFY((*average(attempts)->top)[aside] == terrain::kEmptyTop);
-}
-
-void TestCapturedPreparation::ofTwoTheMeanOutlineDecides()
-{
-    // Round cuts, one wider than the other and beside it: theirs is the one between.
-    const Block plain = block();
-    const terrain::Grid& grid = plain.anatomy->grid;
-    const glm::dvec2 middle = grid.middleMm();
-    const auto round = [&](double radiusMm, double asideMm) {
-        terrain::Tooth tooth(plain.anatomy);
+    void ofTwoTheMeanOutlineDecides()
+    {
+        // Round cuts, one wider than the other and beside it: theirs is the one between.
+        const Block plain = block();
+        const terrain::Grid& grid = plain.anatomy->grid;
+        const glm::dvec2 middle = grid.middleMm();
+        const auto round = [&](double radiusMm, double asideMm) {
+            terrain::Tooth tooth(plain.anatomy);
+            for (int j = 0; j < grid.side; ++j)
+                for (int i = 0; i < grid.side; ++i)
+                    if (glm::distance(grid.nodeMm(i, j), middle + glm::dvec2(asideMm, 0.0)) < radiusMm)
+                        tooth.top[grid.index(i, j)] = -1.0F;
+            return tooth;
+        };
+        const auto ideal = average({round(1.4, 0.0), round(2.0, 0.3)});
+        QVERIFY(ideal);
+        std::size_t others = 0;
         for (int j = 0; j < grid.side; ++j)
-            for (int i = 0; i < grid.side; ++i)
-                if (glm::distance(grid.nodeMm(i, j), middle + glm::dvec2(asideMm, 0.0)) < radiusMm)
-                    tooth.top[grid.index(i, j)] = -1.0F;
-        return tooth;
-    };
-    const auto ideal = average({round(1.4, 0.0), round(2.0, 0.3)});
-    QVERIFY(ideal);
-    std::size_t others = 0;
-    for (int j = 0; j < grid.side; ++j)
-        for (int i = 0; i < grid.side; ++i) {
-            const double fromEdgeMm = glm::distance(grid.nodeMm(i, j), middle + glm::dvec2(0.15, 0.0)) - 1.7;
-            const bool isIn = ideal->parts[grid.index(i, j)] != Part::Keep;
-            others += isIn == (fromEdgeMm < 0.0) ? 0 : 1;
-            QVERIFY(isIn == (fromEdgeMm < 0.0) || std::abs(fromEdgeMm) < 1.5 * grid.cellMm);
-        }
-    QVERIFY2(others < 30, qPrintable(QString::number(others)));
-    // What one of the two did elsewhere, far from the other's work, is a slip.
-    terrain::Tooth slipped = round(1.7, 0.0);
-    const std::size_t aside = grid.index(grid.side / 2, grid.side / 8);
-    slipped.top[aside] = -1.0F;
-    QVERIFY(average({slipped, round(1.7, 0.0)})->parts[aside] == Part::Keep);
-}
+            for (int i = 0; i < grid.side; ++i) {
+                const double fromEdgeMm = glm::distance(grid.nodeMm(i, j), middle + glm::dvec2(0.15, 0.0)) - 1.7;
+                const bool isIn = ideal->parts[grid.index(i, j)] != Part::Keep;
+                others += isIn == (fromEdgeMm < 0.0) ? 0 : 1;
+                QVERIFY(isIn == (fromEdgeMm < 0.0) || std::abs(fromEdgeMm) < 1.5 * grid.cellMm);
+            }
+        QVERIFY2(others < 30, qPrintable(QString::number(others)));
+        // What one of the two did elsewhere, far from the other's work, is a slip.
+        terrain::Tooth slipped = round(1.7, 0.0);
+        const std::size_t aside = grid.index(grid.side / 2, grid.side / 8);
+        slipped.top[aside] = -1.0F;
+        QVERIFY(average({slipped, round(1.7, 0.0)})->parts[aside] == Part::Keep);
+    }
 
-void TestCapturedPreparation::floorIsToldFromWall()
-{
-    // A trench whose sides rise at 60 degrees and whose floor slopes at 10.
-    const Block line = block();
-    terrain::Tooth attempt(line.anatomy);
-    const terrain::Grid& grid = line.anatomy->grid;
-    const double steep = std::tan(60.0 * 3.14159265358979 / 180.0);
-    const double gentle = std::tan(10.0 * 3.14159265358979 / 180.0);
-    const auto floorAt = [&](glm::dvec2 at) { return -2.0 + gentle * at.x; };
-    for (int j = 0; j < grid.side; ++j)
-        for (int i = 0; i < grid.side; ++i) {
-            const glm::dvec2 at = grid.nodeMm(i, j);
-            const double wall = floorAt(at) + (std::abs(at.y) - 1.0) * steep;
-            if (std::abs(at.x) < 4.0 && attempt.isSolid(grid.index(i, j)))
-                attempt.top[grid.index(i, j)] = static_cast<float>(std::min(0.0, std::max(floorAt(at), wall)));
+    void floorIsToldFromWall()
+    {
+        // A trench whose sides rise at 60 degrees and whose floor slopes at 10.
+        const Block line = block();
+        terrain::Tooth attempt(line.anatomy);
+        const terrain::Grid& grid = line.anatomy->grid;
+        const double steep = std::tan(60.0 * 3.14159265358979 / 180.0);
+        const double gentle = std::tan(10.0 * 3.14159265358979 / 180.0);
+        const auto floorAt = [&](glm::dvec2 at) { return -2.0 + gentle * at.x; };
+        for (int j = 0; j < grid.side; ++j)
+            for (int i = 0; i < grid.side; ++i) {
+                const glm::dvec2 at = grid.nodeMm(i, j);
+                const double wall = floorAt(at) + (std::abs(at.y) - 1.0) * steep;
+                if (std::abs(at.x) < 4.0 && attempt.isSolid(grid.index(i, j)))
+                    attempt.top[grid.index(i, j)] = static_cast<float>(std::min(0.0, std::max(floorAt(at), wall)));
+            }
+        const auto ideal = average({attempt});
+        QVERIFY(ideal);
+        for (int j = 0; j < grid.side; ++j)
+            for (int i = 0; i < grid.side; ++i) {
+                const glm::dvec2 at = grid.nodeMm(i, j);
+                if (std::abs(at.x) > 3.7 || !attempt.isSolid(grid.index(i, j)))
+                    continue;
+                const Part part = ideal->parts[grid.index(i, j)];
+                if (std::abs(at.y) < 0.9)
+                    QVERIFY(part == Part::Floor);
+                const double wall = floorAt(at) + (std::abs(at.y) - 1.0) * steep;
+                if (wall > floorAt(at) + 0.4 && wall < -0.1)
+                    QVERIFY(part == Part::Wall);
+            }
+    }
+
+    void aToothPreparedByRuleIsFoundAgain()
+    {
+        const auto built = teeth::buildTooth({36}, {});
+        QVERIFY(built);
+        const auto rule = makePreparation(Kind::ClassOne, *usualDesign(Kind::ClassOne, 36), *built->anatomy);
+        QVERIFY(rule);
+        // Seven attempts, each wrong by its own amount everywhere, 0.05 mm one way or the other.
+        constexpr std::uint64_t kSeed = 5;
+        Rng rng(kSeed);
+        std::vector<terrain::Tooth> attempts;
+        for (int n = 0; n < 7; ++n) {
+            terrain::Tooth attempt(built->anatomy);
+            for (std::size_t k = 0; k < attempt.top.size(); ++k)
+                if (rule->parts[k] != Part::Keep)
+                    attempt.top[k] =
+                        std::min(attempt.top[k], (*rule->top)[k] + static_cast<float>(rng.uniform(-0.05, 0.05)));
+            attempts.push_back(std::move(attempt));
         }
-    const auto ideal = average({attempt});
-    QVERIFY(ideal);
-    for (int j = 0; j < grid.side; ++j)
-        for (int i = 0; i < grid.side; ++i) {
-            const glm::dvec2 at = grid.nodeMm(i, j);
-            if (std::abs(at.x) > 3.7 || !attempt.isSolid(grid.index(i, j)))
+        const auto ideal = average(attempts);
+        QVERIFY(ideal);
+        double floor = 0.0;
+        double same = 0.0;
+        for (std::size_t k = 0; k < ideal->parts.size(); ++k) {
+            if (rule->parts[k] != Part::Floor)
                 continue;
-            const Part part = ideal->parts[grid.index(i, j)];
-            if (std::abs(at.y) < 0.9)
-                QVERIFY(part == Part::Floor);
-            const double wall = floorAt(at) + (std::abs(at.y) - 1.0) * steep;
-            if (wall > floorAt(at) + 0.4 && wall < -0.1)
-                QVERIFY(part == Part::Wall);
+            floor += 1.0;
+            same += ideal->parts[k] == Part::Floor ? 1.0 : 0.0;
+            QVERIFY(std::abs((*ideal->top)[k] - (*rule->top)[k]) < 0.05F);
         }
-}
-
-void TestCapturedPreparation::aToothPreparedByRuleIsFoundAgain()
-{
-    const auto built = teeth::buildTooth({36}, {});
-    QVERIFY(built);
-    const auto rule = makePreparation(Kind::ClassOne, *usualDesign(Kind::ClassOne, 36), *built->anatomy);
-    QVERIFY(rule);
-    // Seven attempts, each wrong by its own amount everywhere, 0.05 mm one way or the other.
-    constexpr std::uint64_t kSeed = 5;
-    Rng rng(kSeed);
-    std::vector<terrain::Tooth> attempts;
-    for (int n = 0; n < 7; ++n) {
-        terrain::Tooth attempt(built->anatomy);
-        for (std::size_t k = 0; k < attempt.top.size(); ++k)
-            if (rule->parts[k] != Part::Keep)
-                attempt.top[k] =
-                    std::min(attempt.top[k], (*rule->top)[k] + static_cast<float>(rng.uniform(-0.05, 0.05)));
-        attempts.push_back(std::move(attempt));
+        QVERIFY(same > 0.95 * floor);
     }
-    const auto ideal = average(attempts);
-    QVERIFY(ideal);
-    double floor = 0.0;
-    double same = 0.0;
-    for (std::size_t k = 0; k < ideal->parts.size(); ++k) {
-        if (rule->parts[k] != Part::Floor)
-            continue;
-        floor += 1.0;
-        same += ideal->parts[k] == Part::Floor ? 1.0 : 0.0;
-        QVERIFY(std::abs((*ideal->top)[k] - (*rule->top)[k]) < 0.05F);
-    }
-    QVERIFY(same > 0.95 * floor);
-}
 
-void TestCapturedPreparation::attemptsThatDoNotGoTogetherAreRefused()
-{
-    const auto says = [](const Result<grading::Preparation>& result, const char* what) {
-        return !result && QString::fromStdString(result.error().detail).contains(what);
-    };
-    const Block line = block();
-    const Block cross = block(teeth::BlockShape::Layers);
-    QVERIFY(says(average({}), "none"));
-    QVERIFY(says(average({attemptAt(line, 0.0F), terrain::Tooth(cross.anatomy)}), "block:layers"));
-    QVERIFY(says(average({terrain::Tooth(line.anatomy)}), "no place"));
-    // The same tooth built a second time is the same tooth.
-    QVERIFY(average({attemptAt(line, 0.0F), attemptAt(block(), 0.2F)}));
-}
+    void attemptsThatDoNotGoTogetherAreRefused()
+    {
+        const auto says = [](const Result<grading::Preparation>& result, const char* what) {
+            return !result && QString::fromStdString(result.error().detail).contains(what);
+        };
+        const Block line = block();
+        const Block cross = block(teeth::BlockShape::Layers);
+        QVERIFY(says(average({}), "none"));
+        QVERIFY(says(average({attemptAt(line, 0.0F), terrain::Tooth(cross.anatomy)}), "block:layers"));
+        QVERIFY(says(average({terrain::Tooth(line.anatomy)}), "no place"));
+        // The same tooth built a second time is the same tooth.
+        QVERIFY(average({attemptAt(line, 0.0F), attemptAt(block(), 0.2F)}));
+    }
+};
 
 QTEST_GUILESS_MAIN(TestCapturedPreparation)
 #include "tst_captured_preparation.moc"

@@ -65,386 +65,376 @@ class TestDrill : public QObject
 {
     Q_OBJECT
 private slots:
-    void volumeIsWhatTheMapsLost();
-    void brushLeavesNoMark_data() { support::rows<QString>("bur", {"2", "330", "245", "57"}); }
-    void brushLeavesNoMark();
-    void rateIsLinearInForce();
-    void loadSlowsTheBurToAStall();
-    void handpiecesCutAsFastAsTheyTurn();
-    void ratesAreThoseOfTheTissues();
-    void dentinGivesWayFaster();
-    void tenLightStrokesMakeATrenchThatHolds_data() { support::rows<QString>("bur", {"2", "330"}); }
-    void tenLightStrokesMakeATrenchThatHolds();
-    void perforatedColumnIsGoneFromBothMaps();
-    void pressedBurNeverStalls_data();
-    void pressedBurNeverStalls();
-    void handpieceStopsTheBur();
-    void cutsInFromTheSideWithoutAJump_data() { support::rows<int>("fdi", {24, 26, 36}); }
-    void cutsInFromTheSideWithoutAJump();
-    void drillOffRemovesNothing();
-    void heightsOnlyGoDown();
-    void feedIsThatOfAFlatBur_data() { support::rows<double>("newtons", {0.3, 0.6, 1.0, 1.5}); }
-    void feedIsThatOfAFlatBur();
-    void badPresetIsRefused();
-};
-
-void TestDrill::volumeIsWhatTheMapsLost()
-{
-    support::Block block;
-    block.dejMm = -0.6;
-    const Bench bench(block, "330");
-    double z = 0.5;
-    for (int tick = 0; tick < 3000; ++tick) {
-        z -= (1.2 - glm::length(bench.servo->state().forceN)) * 0.003;
-        bench.step({1.2 * std::sin(tick * 0.004), 0.4 * std::cos(tick * 0.007), z});
-    }
-    const terrain::PerMaterial counted = bench.servo->state().removedMm3;
-    const terrain::PerMaterial lost = terrain::removedVolumes(bench.tooth->tooth());
-    QVERIFY(counted[kEnamel] > 0.1);
-    for (std::size_t m = 0; m < counted.size(); ++m)
-        QVERIFY(std::abs(counted[m] - lost[m]) < 1.0e-4);
-}
-
-void TestDrill::brushLeavesNoMark()
-{
-    // Dentists, 2011: an accidental brush leaves no mark. 0.1 N at 100 mm/s; 0.3 N for 20 ms, in passing and on the
-    // spot.
-    QFETCH(QString, bur);
-    struct Brush
+    void volumeIsWhatTheMapsLost()
     {
-        double newtons;
-        double mmPerS;
-        int ticks;
-    };
-    for (const double dej : {-100.0, 100.0})
-        for (const Brush& brush : {Brush{0.1, 100.0, 20}, Brush{0.3, 100.0, 20}, Brush{0.3, 0.0, 20}}) {
-            support::Block block;
-            block.dejMm = dej;
-            const Bench bench(block, qPrintable(bur));
-            bench.step({-1.0, 0.0, 0.5});
-            for (int tick = 0; tick < brush.ticks; ++tick) {
-                bench.step({-1.0 + 0.001 * brush.mmPerS * tick, 0.0, -brush.newtons / 2.0});
-                QVERIFY(bench.servo->state().touching);
-            }
-            bench.step({1.0, 0.0, 0.5});
-            const terrain::Tooth& tooth = bench.tooth->tooth();
-            double deepest = 0.0;
-            for (std::size_t k = 0; k < tooth.top.size(); ++k)
-                deepest =
-                    std::max(deepest, static_cast<double>(tooth.anatomy->top[k]) - static_cast<double>(tooth.top[k]));
-            QVERIFY2(deepest < 0.002, qPrintable(QString("%1 N: %2 um").arg(brush.newtons).arg(1000.0 * deepest)));
+        support::Block block;
+        block.dejMm = -0.6;
+        const Bench bench(block, "330");
+        double z = 0.5;
+        for (int tick = 0; tick < 3000; ++tick) {
+            z -= (1.2 - glm::length(bench.servo->state().forceN)) * 0.003;
+            bench.step({1.2 * std::sin(tick * 0.004), 0.4 * std::cos(tick * 0.007), z});
         }
-}
-
-void TestDrill::rateIsLinearInForce()
-{
-    // About 1 N: the torque of the load bends the line by less than one can feel (force, 7 to 10 %: haptics.md 7).
-    const std::vector<double> newtons{0.5, 0.75, 1.0, 1.25, 1.5};
-    std::vector<double> rates;
-    double meanRate = 0.0;
-    double slope = 0.0;
-    for (const double force : newtons) {
-        rates.push_back((plunge({}, "330", force, 1.5) - plunge({}, "330", force, 0.5)) / 1.0);
-        meanRate += rates.back() / 5.0;
-        slope += (force - 1.0) * rates.back() / 0.625;
+        const terrain::PerMaterial counted = bench.servo->state().removedMm3;
+        const terrain::PerMaterial lost = terrain::removedVolumes(bench.tooth->tooth());
+        QVERIFY(counted[kEnamel] > 0.1);
+        for (std::size_t m = 0; m < counted.size(); ++m)
+            QVERIFY(std::abs(counted[m] - lost[m]) < 1.0e-4);
     }
-    for (std::size_t k = 0; k < rates.size(); ++k) {
-        const double line = meanRate + slope * (newtons[k] - 1.0);
-        QVERIFY2(std::abs(rates[k] - line) < 0.03 * rates[2],
-                 qPrintable(QString("%1 N: %2 against %3 mm3/s").arg(newtons[k]).arg(rates[k]).arg(line)));
-    }
-    // S (F - F0), S less when pushing along the axis: 0.65 of 0.7 mm3/(N s) in enamel.
-    QVERIFY2(std::abs(rates[2] - 0.65 * 0.7 * 0.85) < 0.01, qPrintable(QString::number(rates[2])));
-}
 
-void TestDrill::loadSlowsTheBurToAStall()
-{
-    // omega = omega0 (1 - T / Tstall), T = 0.4 F r (teeth.md 5). A round bur in the turbine stalls at 1.1 / 0.2 N.
-    const auto rpmAt = [](double newtons) {
+    void brushLeavesNoMark_data() { support::rows<QString>("bur", {"2", "330", "245", "57"}); }
+
+    void brushLeavesNoMark()
+    {
+        // Dentists, 2011: an accidental brush leaves no mark. 0.1 N at 100 mm/s; 0.3 N for 20 ms, in passing and on the
+        // spot.
+        QFETCH(QString, bur);
+        struct Brush
+        {
+            double newtons;
+            double mmPerS;
+            int ticks;
+        };
+        for (const double dej : {-100.0, 100.0})
+            for (const Brush& brush : {Brush{0.1, 100.0, 20}, Brush{0.3, 100.0, 20}, Brush{0.3, 0.0, 20}}) {
+                support::Block block;
+                block.dejMm = dej;
+                const Bench bench(block, qPrintable(bur));
+                bench.step({-1.0, 0.0, 0.5});
+                for (int tick = 0; tick < brush.ticks; ++tick) {
+                    bench.step({-1.0 + 0.001 * brush.mmPerS * tick, 0.0, -brush.newtons / 2.0});
+                    QVERIFY(bench.servo->state().touching);
+                }
+                bench.step({1.0, 0.0, 0.5});
+                const terrain::Tooth& tooth = bench.tooth->tooth();
+                double deepest = 0.0;
+                for (std::size_t k = 0; k < tooth.top.size(); ++k)
+                    deepest = std::max(deepest,
+                                       static_cast<double>(tooth.anatomy->top[k]) - static_cast<double>(tooth.top[k]));
+                QVERIFY2(deepest < 0.002, qPrintable(QString("%1 N: %2 um").arg(brush.newtons).arg(1000.0 * deepest)));
+            }
+    }
+
+    void rateIsLinearInForce()
+    {
+        // About 1 N: the torque of the load bends the line by less than one can feel (force, 7 to 10 %: haptics.md 7).
+        const std::vector<double> newtons{0.5, 0.75, 1.0, 1.25, 1.5};
+        std::vector<double> rates;
+        double meanRate = 0.0;
+        double slope = 0.0;
+        for (const double force : newtons) {
+            rates.push_back((plunge({}, "330", force, 1.5) - plunge({}, "330", force, 0.5)) / 1.0);
+            meanRate += rates.back() / 5.0;
+            slope += (force - 1.0) * rates.back() / 0.625;
+        }
+        for (std::size_t k = 0; k < rates.size(); ++k) {
+            const double line = meanRate + slope * (newtons[k] - 1.0);
+            QVERIFY2(std::abs(rates[k] - line) < 0.03 * rates[2],
+                     qPrintable(QString("%1 N: %2 against %3 mm3/s").arg(newtons[k]).arg(rates[k]).arg(line)));
+        }
+        // S (F - F0), S less when pushing along the axis: 0.65 of 0.7 mm3/(N s) in enamel.
+        QVERIFY2(std::abs(rates[2] - 0.65 * 0.7 * 0.85) < 0.01, qPrintable(QString::number(rates[2])));
+    }
+
+    void loadSlowsTheBurToAStall()
+    {
+        // omega = omega0 (1 - T / Tstall), T = 0.4 F r (teeth.md 5). A round bur in the turbine stalls at 1.1 / 0.2 N.
+        const auto rpmAt = [](double newtons) {
+            const Bench bench({}, "2");
+            bench.step({0.0, 0.0, 1.0});
+            double rpm = bench.servo->state().burRpm;
+            for (int tick = 0; tick < 5; ++tick)
+                rpm =
+                    bench.step({0.0, 0.0, bench.servo->state().anchorMm.z - (tick == 0 ? 1.0 : newtons / 2.0)}).burRpm;
+            return rpm;
+        };
+        const double freeRpm = settings::Handpiece{}.freeRpm;
+        QVERIFY(std::abs(rpmAt(1.0) - freeRpm * (1.0 - 0.2 / 1.1)) < 0.01 * freeRpm);
+        QVERIFY(std::abs(rpmAt(2.0) - freeRpm * (1.0 - 0.4 / 1.1)) < 0.01 * freeRpm);
+        QCOMPARE(rpmAt(5.6), 0.0);
+        QVERIFY(plunge({}, "2", 2.5, 0.5) > plunge({}, "2", 1.0, 0.5));
+        QVERIFY(plunge({}, "2", 5.2, 0.5) < 0.5 * plunge({}, "2", 2.5, 0.5));
+
         const Bench bench({}, "2");
         bench.step({0.0, 0.0, 1.0});
-        double rpm = bench.servo->state().burRpm;
-        for (int tick = 0; tick < 5; ++tick)
-            rpm = bench.step({0.0, 0.0, bench.servo->state().anchorMm.z - (tick == 0 ? 1.0 : newtons / 2.0)}).burRpm;
-        return rpm;
-    };
-    const double freeRpm = settings::Handpiece{}.freeRpm;
-    QVERIFY(std::abs(rpmAt(1.0) - freeRpm * (1.0 - 0.2 / 1.1)) < 0.01 * freeRpm);
-    QVERIFY(std::abs(rpmAt(2.0) - freeRpm * (1.0 - 0.4 / 1.1)) < 0.01 * freeRpm);
-    QCOMPARE(rpmAt(5.6), 0.0);
-    QVERIFY(plunge({}, "2", 2.5, 0.5) > plunge({}, "2", 1.0, 0.5));
-    QVERIFY(plunge({}, "2", 5.2, 0.5) < 0.5 * plunge({}, "2", 2.5, 0.5));
+        QCOMPARE(bench.servo->state().burRpm, freeRpm);
+        bench.servo->setDrill(false);
+        bench.step({0.0, 0.0, 1.0});
+        QCOMPARE(bench.servo->state().burRpm, 0.0);
+    }
 
-    const Bench bench({}, "2");
-    bench.step({0.0, 0.0, 1.0});
-    QCOMPARE(bench.servo->state().burRpm, freeRpm);
-    bench.servo->setDrill(false);
-    bench.step({0.0, 0.0, 1.0});
-    QCOMPARE(bench.servo->state().burRpm, 0.0);
-}
-
-void TestDrill::handpiecesCutAsFastAsTheyTurn()
-{
-    support::Block caries;
-    caries.cariesFloorMm = -100.0;
-    const auto rate = [&](const settings::Handpiece& handpiece, double newtons) {
-        session::ServoSettings settings;
-        settings.handpieces = {handpiece};
-        return plunge(caries, "2", newtons, 0.5, 1000, {0.013, 0.021}, settings);
-    };
-    const double turbine = rate(settings::findHandpiece("turbine").value(), 1.0);
-    const double electric = rate(settings::findHandpiece("electric").value(), 1.0);
-    const double slow = rate(settings::findHandpiece("low-speed").value(), 1.0);
-    QVERIFY2(electric < turbine && slow < 0.12 * electric && slow > 0.0,
-             qPrintable(QString("%1, %2, %3 mm3").arg(turbine).arg(electric).arg(slow)));
-    // It holds its speed where the turbine loses it.
-    QVERIFY(rate(settings::findHandpiece("electric").value(), 4.0) > rate(settings::Handpiece{}, 4.0));
-    QVERIFY(!settings::findHandpiece("chisel"));
-
-    session::ServoSettings settings;
-    settings.handpieces.front().stallTorqueNmm = 0.0;
-    QCOMPARE(session::makeServoTick(settings).error().code, ErrorCode::OutOfRange);
-}
-
-void TestDrill::ratesAreThoseOfTheTissues()
-{
-    // teeth.md 5, occlusal work with a 330 at 1 N: mm3/s.
-    struct Tissue
+    void handpiecesCutAsFastAsTheyTurn()
     {
-        double least;
-        double most;
-        support::Block block;
-    };
-    support::Block enamel;
-    support::Block dentin;
-    dentin.dejMm = 10.0;
-    support::Block caries;
-    caries.cariesFloorMm = -100.0;
-    for (const Tissue& tissue : {Tissue{0.3, 0.6, enamel}, Tissue{1.0, 2.0, dentin}, Tissue{3.0, 6.0, caries}}) {
-        const double rate = plunge(tissue.block, "330", 1.0, 0.5) / 0.5;
-        QVERIFY2(rate > tissue.least && rate < tissue.most, qPrintable(QString("%1 mm3/s").arg(rate)));
-    }
-}
+        support::Block caries;
+        caries.cariesFloorMm = -100.0;
+        const auto rate = [&](const settings::Handpiece& handpiece, double newtons) {
+            session::ServoSettings settings;
+            settings.handpieces = {handpiece};
+            return plunge(caries, "2", newtons, 0.5, 1000, {0.013, 0.021}, settings);
+        };
+        const double turbine = rate(settings::findHandpiece("turbine").value(), 1.0);
+        const double electric = rate(settings::findHandpiece("electric").value(), 1.0);
+        const double slow = rate(settings::findHandpiece("low-speed").value(), 1.0);
+        QVERIFY2(electric < turbine && slow < 0.12 * electric && slow > 0.0,
+                 qPrintable(QString("%1, %2, %3 mm3").arg(turbine).arg(electric).arg(slow)));
+        // It holds its speed where the turbine loses it.
+        QVERIFY(rate(settings::findHandpiece("electric").value(), 4.0) > rate(settings::Handpiece{}, 4.0));
+        QVERIFY(!settings::findHandpiece("chisel"));
 
-void TestDrill::dentinGivesWayFaster()
-{
-    support::Block dentin;
-    dentin.dejMm = 10.0;
-    const double ratio = plunge(dentin, "330", 1.0, 0.5) / plunge({}, "330", 1.0, 0.5);
-    QVERIFY2(ratio > 3.0 && ratio < 6.0, qPrintable(QString::number(ratio)));  // teeth.md 4: 3 to 6
-}
-
-void TestDrill::tenLightStrokesMakeATrenchThatHolds()
-{
-    // Dentists, 2011: ten strokes of 5 mm with 0.5 N, 20 mm/s.
-    QFETCH(QString, bur);
-    const Bench bench({}, qPrintable(bur));
-    bench.step({-2.5, 0.0, 0.5});
-    glm::dvec3 anchor{};
-    for (int stroke = 0; stroke < 10; ++stroke) {
-        for (int tick = 0; tick <= 250; ++tick) {
-            const double x = (stroke % 2 == 0 ? -1.0 : 1.0) * (2.5 - 0.02 * tick);
-            anchor = bench.step({x, 0.0, bench.servo->state().anchorMm.z - 0.25}).anchorMm;
-        }
-    }
-    bench.servo->setDrill(false);
-    for (int tick = 0; tick < 200; ++tick)
-        anchor = bench.step({0.0, 0.0, anchor.z - 0.1}).anchorMm;
-    const double bottom = anchor.z;
-    QVERIFY2(bottom < -0.08, qPrintable(QString("%1 mm deep").arg(-bottom)));
-    // Pushed 0.3 N sideways while it is pressed 0.3 N down, then while the hand only keeps its height: the walls hold.
-    for (int tick = 0; tick < 400; ++tick)
-        anchor = bench.step({0.0, 0.15 * std::min(1.0, tick / 100.0), anchor.z - 0.15}).anchorMm;
-    QVERIFY2(anchor.y < 0.12, qPrintable(QString("%1 mm aside").arg(anchor.y)));
-    for (int tick = 0; tick < 400; ++tick)
-        anchor = bench.step({0.0, 0.15, bottom}).anchorMm;
-    QVERIFY2(anchor.y < 0.12 && anchor.z < -0.03, qPrintable(QString("aside %1, at %2").arg(anchor.y).arg(anchor.z)));
-}
-
-void TestDrill::perforatedColumnIsGoneFromBothMaps()
-{
-    support::Block block;
-    block.bottomMm = -0.4;
-    const Bench bench(block, "57");
-    double z = bench.step({0.0, 0.0, 0.5}).anchorMm.z;
-    for (int tick = 0; tick < 4000; ++tick) {
-        z = std::max(z - 0.002, bench.servo->state().anchorMm.z - 1.0);
-        bench.step({0.0, 0.0, std::max(z, -3.0)});
-    }
-    const terrain::Tooth& tooth = bench.tooth->tooth();
-    int gone = 0;
-    for (std::size_t k = 0; k < tooth.top.size(); ++k) {
-        const bool topGone = tooth.top[k] <= terrain::kEmptyTop;
-        QCOMPARE(tooth.bottom[k] >= terrain::kEmptyBottom, topGone);
-        gone += topGone ? 1 : 0;
-    }
-    // A hole as wide as the bur: pi * 0.5^2 mm2 in cells of 0.07 mm.
-    QVERIFY2(std::abs(gone * 0.0049 - 0.25 * std::numbers::pi) < 0.06, qPrintable(QString::number(gone)));
-    // The removed volume ends with the plate: nothing is counted below its bottom.
-    QVERIFY(std::abs(bench.servo->state().removedMm3[kEnamel] - gone * 0.0049 * 0.4) < 0.02);
-    // The bur went through.
-    QVERIFY(bench.servo->state().anchorMm.z < -2.0);
-}
-
-void TestDrill::pressedBurNeverStalls_data()
-{
-    support::columns<QString, int, int>("method", "side", "bur");
-    for (const QString& method : {QString("continuous"), QString("lattice")})
-        for (const int side : {80, 150, 300})
-            for (int bur = 0; bur < 4; ++bur)
-                QTest::addRow("%s, grid %d, bur %d", qPrintable(method), side, bur) << method << side << bur;
-}
-
-void TestDrill::pressedBurNeverStalls()
-{
-    // A bur that is pressed down with 3 N beside the bottom of a pit first slides there, then bores: it must not come
-    // to rest on ground that is felt between the nodes but has no column to cut.
-    QFETCH(QString, method);
-    QFETCH(int, side);
-    QFETCH(int, bur);
-    support::Block block;
-    block.side = side;
-    block.cellMm = 10.0 / side;
-    block.bottomMm = -8.0;
-    block.topMm = [](double x, double y) {
-        return 0.6 * std::sin(2.5 * x) * std::cos(2.0 * y) - 1.5 * std::exp(-4.0 * (x * x + y * y));
-    };
-    for (const glm::dvec2 at : {glm::dvec2(0.3, -0.1), glm::dvec2(1.4, 1.1)}) {
         session::ServoSettings settings;
-        settings.method = method.toStdString();
-        const Bench bench(block, "2", settings);
-        bench.servo->setBur(static_cast<std::size_t>(bur));
-        bench.step({at.x, at.y, 2.0});
-        int idle = 0;
-        for (int tick = 0; tick < 1200; ++tick) {
-            const auto& state = bench.step({at.x, at.y, bench.servo->state().anchorMm.z - 1.5});
-            idle = state.cutting || tick < 100 ? 0 : idle + 1;
-            QVERIFY2(idle < 100, qPrintable(QString("at %1 %2: nothing cut since tick %3, z %4, %5 %6 aside")
-                                                .arg(at.x)
-                                                .arg(at.y)
-                                                .arg(tick - 100)
-                                                .arg(state.anchorMm.z)
-                                                .arg(state.anchorMm.x - at.x)
-                                                .arg(state.anchorMm.y - at.y)));
+        settings.handpieces.front().stallTorqueNmm = 0.0;
+        QCOMPARE(session::makeServoTick(settings).error().code, ErrorCode::OutOfRange);
+    }
+
+    void ratesAreThoseOfTheTissues()
+    {
+        // teeth.md 5, occlusal work with a 330 at 1 N: mm3/s.
+        struct Tissue
+        {
+            double least;
+            double most;
+            support::Block block;
+        };
+        support::Block enamel;
+        support::Block dentin;
+        dentin.dejMm = 10.0;
+        support::Block caries;
+        caries.cariesFloorMm = -100.0;
+        for (const Tissue& tissue : {Tissue{0.3, 0.6, enamel}, Tissue{1.0, 2.0, dentin}, Tissue{3.0, 6.0, caries}}) {
+            const double rate = plunge(tissue.block, "330", 1.0, 0.5) / 0.5;
+            QVERIFY2(rate > tissue.least && rate < tissue.most, qPrintable(QString("%1 mm3/s").arg(rate)));
         }
     }
-}
 
-void TestDrill::handpieceStopsTheBur()
-{
-    // Through a plate and far below it, then about beneath it: the bur goes as deep as it sticks out of its chuck, the
-    // crown carries the rest, and a bur that is down does not come up through the plate by itself.
-    support::Block block;
-    block.bottomMm = -2.0;
-    const Bench bench(block, "330");
-    bench.step({0.0, 0.0, 0.5});
-    for (int tick = 0; tick < 6000; ++tick)
-        bench.step({0.0, 0.0, std::max(bench.servo->state().anchorMm.z - 1.0, -30.0)});
-    QCOMPARE(bench.servo->state().anchorMm.z, -drilling::kChuckMm);
-    QVERIFY(bench.servo->state().forceN.z > 1.0);
-
-    const terrain::PerMaterial before = bench.servo->state().removedMm3;
-    for (int tick = 0; tick < 500; ++tick)
-        bench.step({0.0, 0.0, -30.0});
-    QCOMPARE(bench.servo->state().removedMm3, before);
-
-    double deepest = 0.0;
-    for (int tick = 0; tick < 2000; ++tick) {
-        const double z = bench.servo->state().anchorMm.z;
-        const auto& state = bench.step({0.5 * std::sin(0.01 * tick), 0.5 * std::cos(0.01 * tick), -30.0});
-        QVERIFY2(std::abs(state.anchorMm.z - z) < 0.5,
-                 qPrintable(QString("from %1 to %2").arg(z).arg(state.anchorMm.z)));
-        deepest = std::min(deepest, state.anchorMm.z);
+    void dentinGivesWayFaster()
+    {
+        support::Block dentin;
+        dentin.dejMm = 10.0;
+        const double ratio = plunge(dentin, "330", 1.0, 0.5) / plunge({}, "330", 1.0, 0.5);
+        QVERIFY2(ratio > 3.0 && ratio < 6.0, qPrintable(QString::number(ratio)));  // teeth.md 4: 3 to 6
     }
-    QVERIFY(deepest >= -drilling::kChuckMm);
-}
 
-void TestDrill::cutsInFromTheSideWithoutAJump()
-{
-    // In beneath the bulge the bur soon has floor under one side and overhang above the other. Whatever it cuts, a
-    // point that is pulled does not go away from where it is pulled to.
-    QFETCH(int, fdi);
-    const auto built = teeth::buildTooth({fdi}, {});
-    QVERIFY(built);
-    for (int approach = 0; approach < 24; ++approach) {
-        if (!support::isTried(approach + fdi))
-            continue;
-        const double angle = approach * 30.0 * kDegree;
-        const double z = approach < 12 ? -5.0 : -6.0;
-        contact::LiveTooth tooth{terrain::Tooth(built->anatomy)};
-        const auto servo = session::makeServoTick({}).value();
-        servo->setBur(static_cast<std::size_t>(approach % 4));
-        servo->swapTooth(&tooth, true);
-        servo->setDrill(true);
-        double before = 1.0e9;
-        double radius = 9.0;
-        for (int tick = 0; tick < 5000; ++tick) {
-            radius = std::max(1.0, radius - 0.0016);
-            const glm::vec3 device(radius * std::cos(angle), radius * std::sin(angle), z);
-            servo->step(&device, std::chrono::microseconds(1000));
-            const double stretch = glm::length(servo->state().anchorMm - glm::dvec3(device));
-            QVERIFY2(
-                stretch < before + 0.1,
-                qPrintable(
-                    QString("approach %1, tick %2: %3 mm, then %4").arg(approach).arg(tick).arg(before).arg(stretch)));
-            before = stretch;
+    void tenLightStrokesMakeATrenchThatHolds_data() { support::rows<QString>("bur", {"2", "330"}); }
+
+    void tenLightStrokesMakeATrenchThatHolds()
+    {
+        // Dentists, 2011: ten strokes of 5 mm with 0.5 N, 20 mm/s.
+        QFETCH(QString, bur);
+        const Bench bench({}, qPrintable(bur));
+        bench.step({-2.5, 0.0, 0.5});
+        glm::dvec3 anchor{};
+        for (int stroke = 0; stroke < 10; ++stroke) {
+            for (int tick = 0; tick <= 250; ++tick) {
+                const double x = (stroke % 2 == 0 ? -1.0 : 1.0) * (2.5 - 0.02 * tick);
+                anchor = bench.step({x, 0.0, bench.servo->state().anchorMm.z - 0.25}).anchorMm;
+            }
         }
-        QVERIFY(servo->state().removedMm3[kEnamel] + servo->state().removedMm3[kDentin] > 0.5);
+        bench.servo->setDrill(false);
+        for (int tick = 0; tick < 200; ++tick)
+            anchor = bench.step({0.0, 0.0, anchor.z - 0.1}).anchorMm;
+        const double bottom = anchor.z;
+        QVERIFY2(bottom < -0.08, qPrintable(QString("%1 mm deep").arg(-bottom)));
+        // Pushed 0.3 N sideways while it is pressed 0.3 N down, then while the hand only keeps its height: the walls
+        // hold.
+        for (int tick = 0; tick < 400; ++tick)
+            anchor = bench.step({0.0, 0.15 * std::min(1.0, tick / 100.0), anchor.z - 0.15}).anchorMm;
+        QVERIFY2(anchor.y < 0.12, qPrintable(QString("%1 mm aside").arg(anchor.y)));
+        for (int tick = 0; tick < 400; ++tick)
+            anchor = bench.step({0.0, 0.15, bottom}).anchorMm;
+        QVERIFY2(anchor.y < 0.12 && anchor.z < -0.03,
+                 qPrintable(QString("aside %1, at %2").arg(anchor.y).arg(anchor.z)));
     }
-}
 
-void TestDrill::drillOffRemovesNothing()
-{
-    const Bench bench({}, "330");
-    bench.servo->setDrill(false);
-    const std::uint64_t before = terrain::stateHash(bench.tooth->tooth());
-    bench.step({-2.5, 0.0, 1.0});
-    for (int tick = 0; tick < 500; ++tick)
-        bench.step({0.01 * tick - 2.5, 0.0, -1.0});
-    QCOMPARE(terrain::stateHash(bench.tooth->tooth()), before);
-    QVERIFY(glm::length(bench.servo->state().forceN) > 1.5);
-}
+    void perforatedColumnIsGoneFromBothMaps()
+    {
+        support::Block block;
+        block.bottomMm = -0.4;
+        const Bench bench(block, "57");
+        double z = bench.step({0.0, 0.0, 0.5}).anchorMm.z;
+        for (int tick = 0; tick < 4000; ++tick) {
+            z = std::max(z - 0.002, bench.servo->state().anchorMm.z - 1.0);
+            bench.step({0.0, 0.0, std::max(z, -3.0)});
+        }
+        const terrain::Tooth& tooth = bench.tooth->tooth();
+        int gone = 0;
+        for (std::size_t k = 0; k < tooth.top.size(); ++k) {
+            const bool topGone = tooth.top[k] <= terrain::kEmptyTop;
+            QCOMPARE(tooth.bottom[k] >= terrain::kEmptyBottom, topGone);
+            gone += topGone ? 1 : 0;
+        }
+        // A hole as wide as the bur: pi * 0.5^2 mm2 in cells of 0.07 mm.
+        QVERIFY2(std::abs(gone * 0.0049 - 0.25 * std::numbers::pi) < 0.06, qPrintable(QString::number(gone)));
+        // The removed volume ends with the plate: nothing is counted below its bottom.
+        QVERIFY(std::abs(bench.servo->state().removedMm3[kEnamel] - gone * 0.0049 * 0.4) < 0.02);
+        // The bur went through.
+        QVERIFY(bench.servo->state().anchorMm.z < -2.0);
+    }
 
-void TestDrill::heightsOnlyGoDown()
-{
-    support::Block block;
-    block.dejMm = -0.5;
-    const Bench bench(block, "245");
-    std::vector<float> before = bench.tooth->tooth().top;
-    for (int tick = 0; tick < 2000; ++tick) {
-        bench.step({std::sin(tick * 0.01), std::cos(tick * 0.013), bench.servo->state().anchorMm.z - 0.6});
-        const std::vector<float>& now = bench.tooth->tooth().top;
-        if (tick % 50 == 0) {
-            for (std::size_t k = 0; k < now.size(); ++k)
-                QVERIFY(now[k] <= before[k]);
-            before = now;
+    void pressedBurNeverStalls_data()
+    {
+        support::columns<QString, int, int>("method", "side", "bur");
+        for (const QString& method : {QString("continuous"), QString("lattice")})
+            for (const int side : {80, 150, 300})
+                for (int bur = 0; bur < 4; ++bur)
+                    QTest::addRow("%s, grid %d, bur %d", qPrintable(method), side, bur) << method << side << bur;
+    }
+
+    void pressedBurNeverStalls()
+    {
+        // A bur that is pressed down with 3 N beside the bottom of a pit first slides there, then bores: it must not
+        // come to rest on ground that is felt between the nodes but has no column to cut.
+        QFETCH(QString, method);
+        QFETCH(int, side);
+        QFETCH(int, bur);
+        support::Block block;
+        block.side = side;
+        block.cellMm = 10.0 / side;
+        block.bottomMm = -8.0;
+        block.topMm = [](double x, double y) {
+            return 0.6 * std::sin(2.5 * x) * std::cos(2.0 * y) - 1.5 * std::exp(-4.0 * (x * x + y * y));
+        };
+        for (const glm::dvec2 at : {glm::dvec2(0.3, -0.1), glm::dvec2(1.4, 1.1)}) {
+            session::ServoSettings settings;
+            settings.method = method.toStdString();
+            const Bench bench(block, "2", settings);
+            bench.servo->setBur(static_cast<std::size_t>(bur));
+            bench.step({at.x, at.y, 2.0});
+            int idle = 0;
+            for (int tick = 0; tick < 1200; ++tick) {
+                const auto& state = bench.step({at.x, at.y, bench.servo->state().anchorMm.z - 1.5});
+                idle = state.cutting || tick < 100 ? 0 : idle + 1;
+                QVERIFY2(idle < 100, qPrintable(QString("at %1 %2: nothing cut since tick %3, z %4, %5 %6 aside")
+                                                    .arg(at.x)
+                                                    .arg(at.y)
+                                                    .arg(tick - 100)
+                                                    .arg(state.anchorMm.z)
+                                                    .arg(state.anchorMm.x - at.x)
+                                                    .arg(state.anchorMm.y - at.y)));
+            }
         }
     }
-    QVERIFY(bench.servo->state().removedMm3[kDentin] > 0.0);
-}
 
-/// What the page of presets draws is what the drill does: a straight fissure bur sinks into enamel.
-void TestDrill::feedIsThatOfAFlatBur()
-{
-    QFETCH(double, newtons);
-    const drilling::Bur& bur = drilling::burs()[drilling::findBur("57").value()];
-    const double seconds = 1.0;
-    const settings::HardnessPreset preset;
-    const double told =
-        drilling::feedMmPerS(preset.material[kEnamel], preset.axialShare, settings::Handpiece{}, bur, newtons);
-    const double sunk =
-        plunge({}, "57", newtons, seconds) / (std::numbers::pi * bur.headRadiusMm * bur.headRadiusMm) / seconds;
-    QVERIFY2(std::abs(sunk / told - 1.0) < 0.05, qPrintable(QString("%1 and %2 mm/s").arg(sunk).arg(told)));
-}
+    void handpieceStopsTheBur()
+    {
+        // Through a plate and far below it, then about beneath it: the bur goes as deep as it sticks out of its chuck,
+        // the crown carries the rest, and a bur that is down does not come up through the plate by itself.
+        support::Block block;
+        block.bottomMm = -2.0;
+        const Bench bench(block, "330");
+        bench.step({0.0, 0.0, 0.5});
+        for (int tick = 0; tick < 6000; ++tick)
+            bench.step({0.0, 0.0, std::max(bench.servo->state().anchorMm.z - 1.0, -30.0)});
+        QCOMPARE(bench.servo->state().anchorMm.z, -drilling::kChuckMm);
+        QVERIFY(bench.servo->state().forceN.z > 1.0);
 
-void TestDrill::badPresetIsRefused()
-{
-    session::ServoSettings settings;
-    settings.hardness.material[kEnamel].rateMm3PerNs = std::nan("");
-    const auto servo = session::makeServoTick(settings);
-    QVERIFY(support::isRefused(servo, ErrorCode::OutOfRange));
-    QVERIFY(servo.error().detail.find("enamel") != std::string::npos);
-}
+        const terrain::PerMaterial before = bench.servo->state().removedMm3;
+        for (int tick = 0; tick < 500; ++tick)
+            bench.step({0.0, 0.0, -30.0});
+        QCOMPARE(bench.servo->state().removedMm3, before);
+
+        double deepest = 0.0;
+        for (int tick = 0; tick < 2000; ++tick) {
+            const double z = bench.servo->state().anchorMm.z;
+            const auto& state = bench.step({0.5 * std::sin(0.01 * tick), 0.5 * std::cos(0.01 * tick), -30.0});
+            QVERIFY2(std::abs(state.anchorMm.z - z) < 0.5,
+                     qPrintable(QString("from %1 to %2").arg(z).arg(state.anchorMm.z)));
+            deepest = std::min(deepest, state.anchorMm.z);
+        }
+        QVERIFY(deepest >= -drilling::kChuckMm);
+    }
+
+    void cutsInFromTheSideWithoutAJump_data() { support::rows<int>("fdi", {24, 26, 36}); }
+
+    void cutsInFromTheSideWithoutAJump()
+    {
+        // In beneath the bulge the bur soon has floor under one side and overhang above the other. Whatever it cuts, a
+        // point that is pulled does not go away from where it is pulled to.
+        QFETCH(int, fdi);
+        const auto built = teeth::buildTooth({fdi}, {});
+        QVERIFY(built);
+        for (int approach = 0; approach < 24; ++approach) {
+            if (!support::isTried(approach + fdi))
+                continue;
+            const double angle = approach * 30.0 * kDegree;
+            const double z = approach < 12 ? -5.0 : -6.0;
+            contact::LiveTooth tooth{terrain::Tooth(built->anatomy)};
+            const auto servo = session::makeServoTick({}).value();
+            servo->setBur(static_cast<std::size_t>(approach % 4));
+            servo->swapTooth(&tooth, true);
+            servo->setDrill(true);
+            double before = 1.0e9;
+            double radius = 9.0;
+            for (int tick = 0; tick < 5000; ++tick) {
+                radius = std::max(1.0, radius - 0.0016);
+                const glm::vec3 device(radius * std::cos(angle), radius * std::sin(angle), z);
+                servo->step(&device, std::chrono::microseconds(1000));
+                const double stretch = glm::length(servo->state().anchorMm - glm::dvec3(device));
+                QVERIFY2(stretch < before + 0.1, qPrintable(QString("approach %1, tick %2: %3 mm, then %4")
+                                                                .arg(approach)
+                                                                .arg(tick)
+                                                                .arg(before)
+                                                                .arg(stretch)));
+                before = stretch;
+            }
+            QVERIFY(servo->state().removedMm3[kEnamel] + servo->state().removedMm3[kDentin] > 0.5);
+        }
+    }
+
+    void drillOffRemovesNothing()
+    {
+        const Bench bench({}, "330");
+        bench.servo->setDrill(false);
+        const std::uint64_t before = terrain::stateHash(bench.tooth->tooth());
+        bench.step({-2.5, 0.0, 1.0});
+        for (int tick = 0; tick < 500; ++tick)
+            bench.step({0.01 * tick - 2.5, 0.0, -1.0});
+        QCOMPARE(terrain::stateHash(bench.tooth->tooth()), before);
+        QVERIFY(glm::length(bench.servo->state().forceN) > 1.5);
+    }
+
+    void heightsOnlyGoDown()
+    {
+        support::Block block;
+        block.dejMm = -0.5;
+        const Bench bench(block, "245");
+        std::vector<float> before = bench.tooth->tooth().top;
+        for (int tick = 0; tick < 2000; ++tick) {
+            bench.step({std::sin(tick * 0.01), std::cos(tick * 0.013), bench.servo->state().anchorMm.z - 0.6});
+            const std::vector<float>& now = bench.tooth->tooth().top;
+            if (tick % 50 == 0) {
+                for (std::size_t k = 0; k < now.size(); ++k)
+                    QVERIFY(now[k] <= before[k]);
+                before = now;
+            }
+        }
+        QVERIFY(bench.servo->state().removedMm3[kDentin] > 0.0);
+    }
+
+    void feedIsThatOfAFlatBur_data() { support::rows<double>("newtons", {0.3, 0.6, 1.0, 1.5}); }
+
+    /// What the page of presets draws is what the drill does: a straight fissure bur sinks into enamel.
+    void feedIsThatOfAFlatBur()
+    {
+        QFETCH(double, newtons);
+        const drilling::Bur& bur = drilling::burs()[drilling::findBur("57").value()];
+        const double seconds = 1.0;
+        const settings::HardnessPreset preset;
+        const double told =
+            drilling::feedMmPerS(preset.material[kEnamel], preset.axialShare, settings::Handpiece{}, bur, newtons);
+        const double sunk =
+            plunge({}, "57", newtons, seconds) / (std::numbers::pi * bur.headRadiusMm * bur.headRadiusMm) / seconds;
+        QVERIFY2(std::abs(sunk / told - 1.0) < 0.05, qPrintable(QString("%1 and %2 mm/s").arg(sunk).arg(told)));
+    }
+
+    void badPresetIsRefused()
+    {
+        session::ServoSettings settings;
+        settings.hardness.material[kEnamel].rateMm3PerNs = std::nan("");
+        const auto servo = session::makeServoTick(settings);
+        QVERIFY(support::isRefused(servo, ErrorCode::OutOfRange));
+        QVERIFY(servo.error().detail.find("enamel") != std::string::npos);
+    }
+};
 
 QTEST_APPLESS_MAIN(TestDrill)
 #include "tst_drill.moc"

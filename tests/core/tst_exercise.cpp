@@ -66,329 +66,312 @@ class TestExercise : public QObject
     Q_OBJECT
 
 private slots:
-    void pointsCountInAnyOrderWithTheirTime();
-    void noTouchCounts_data();
-    void noTouchCounts();
-    void aReachEndsWhereItIsSaid();
-    void aForceIsHeldToTheTick();
-    void aTrembleDoesNotEndTheStretchAndALapseDoes();
-    void aLostDeviceEndsTheStretch();
-    void theMeanErrorIsThatOfTheContact();
-    void aTurningBurHoldsNothing();
-    void whatComesAfterItWasHeldChangesNothing();
-    void theLastAnswerCounts();
-    void notesThatAreNoAnswersAreNothing();
-    void ofAnotherExerciseNothingIsMeasured();
-    void liveAndReplayFindTheSame_data();
-    void liveAndReplayFindTheSame();
-    void theThreeLayersGiveWayDifferently();
-    void aMouseHoldsANewton();
-};
-
-void TestExercise::pointsCountInAnyOrderWithTheirTime()
-{
-    ExerciseMeter meter(threePoints());
-    QVERIFY(!isBegun(meter.practised()));
-    give(meter, inAir(), 1000);
-    give(meter, pressing(0.5, {0.1, 2.8}), 1);
-    give(meter, inAir(), 499);
-    give(meter, pressing(0.5, {0.3, 0.3}), 1000);
-    const auto& touched = std::get<Touched>(meter.practised());
-    QCOMPARE(touched.atS, (std::vector<std::optional<double>>{1.501, std::nullopt, 1.001}));
-    QCOMPARE(measured("points_touched_percent", meter.practised()), std::optional(100.0 * (2.0 / 3.0)));
-    QCOMPARE(measured("time_to_touch_all_s", meter.practised()), std::nullopt);
-    QVERIFY(isBegun(meter.practised()) && !isDone(meter.practised()));
-    give(meter, pressing(0.5, {2.0, -0.4}), 1);
-    QVERIFY(isDone(meter.practised()));
-    QCOMPARE(measured("points_touched_percent", meter.practised()), std::optional(100.0));
-    QCOMPARE(measured("time_to_touch_all_s", meter.practised()), std::optional(2.501));
-    // A second touch is no news.
-    give(meter, pressing(0.5, {0.0, 0.0}), 100);
-    QCOMPARE(measured("time_to_touch_all_s", meter.practised()), std::optional(2.501));
-}
-
-void TestExercise::noTouchCounts_data()
-{
-    support::columns<double, bool, bool, bool>("newtons", "drill", "touching", "lost");
-    QTest::newRow("in the air above it") << 0.0 << false << false << false;
-    QTest::newRow("a graze") << 0.09 << false << true << false;
-    QTest::newRow("with the drill on") << 1.0 << true << true << false;
-    QTest::newRow("the device is lost") << 1.0 << false << true << true;
-    QTest::newRow("a force that is no number") << std::numeric_limits<double>::quiet_NaN() << false << true << false;
-}
-
-void TestExercise::noTouchCounts()
-{
-    QFETCH(double, newtons);
-    QFETCH(bool, drill);
-    QFETCH(bool, touching);
-    QFETCH(bool, lost);
-    session::ServoState state = pressing(newtons, {0.0, 0.0}, drill);
-    state.touching = touching;
-    state.health = lost ? session::kDeviceLost : 0U;
-    ExerciseMeter meter(threePoints());
-    give(meter, state, 1000);
-    QCOMPARE(std::get<Touched>(meter.practised()).count(), std::size_t{0});
-    ExerciseMeter holding(ForceToHold{1.0, 1.0, 10.0});
-    give(holding, state, 1000);
-    // A graze is a force like any other where a force is to be held.
-    QCOMPARE(held(holding).heldS, std::isfinite(newtons) && touching && !drill && !lost ? 1.0 : 0.0);
-}
-
-void TestExercise::aReachEndsWhereItIsSaid()
-{
-    for (const double at : {0.499, 0.501}) {
-        ExerciseMeter meter(PointsToTouch{{{1.0, 1.0}}, 0.5});
-        give(meter, pressing(0.5, {1.0 - at, 1.0}), 1);
-        QCOMPARE(isDone(meter.practised()), at < 0.5);
+    void pointsCountInAnyOrderWithTheirTime()
+    {
+        ExerciseMeter meter(threePoints());
+        QVERIFY(!isBegun(meter.practised()));
+        give(meter, inAir(), 1000);
+        give(meter, pressing(0.5, {0.1, 2.8}), 1);
+        give(meter, inAir(), 499);
+        give(meter, pressing(0.5, {0.3, 0.3}), 1000);
+        const auto& touched = std::get<Touched>(meter.practised());
+        QCOMPARE(touched.atS, (std::vector<std::optional<double>>{1.501, std::nullopt, 1.001}));
+        QCOMPARE(measured("points_touched_percent", meter.practised()), std::optional(100.0 * (2.0 / 3.0)));
+        QCOMPARE(measured("time_to_touch_all_s", meter.practised()), std::nullopt);
+        QVERIFY(isBegun(meter.practised()) && !isDone(meter.practised()));
+        give(meter, pressing(0.5, {2.0, -0.4}), 1);
+        QVERIFY(isDone(meter.practised()));
+        QCOMPARE(measured("points_touched_percent", meter.practised()), std::optional(100.0));
+        QCOMPARE(measured("time_to_touch_all_s", meter.practised()), std::optional(2.501));
+        // A second touch is no news.
+        give(meter, pressing(0.5, {0.0, 0.0}), 100);
+        QCOMPARE(measured("time_to_touch_all_s", meter.practised()), std::optional(2.501));
     }
-}
 
-void TestExercise::aForceIsHeldToTheTick()
-{
-    ExerciseMeter meter(ForceToHold{1.0, 0.2, 10.0});
-    give(meter, pressing(0.7), 500);  // not yet in the band: no contact that counts
-    give(meter, pressing(1.1), 9999);
-    QVERIFY(!isDone(meter.practised()));
-    QCOMPARE(held(meter).longestS, 9.999);
-    QCOMPARE(held(meter).nowS, 9.999);
-    give(meter, pressing(1.1), 1);
-    QVERIFY(isDone(meter.practised()));
-    QCOMPARE(measured("hold_longest_s", meter.practised()), std::optional(10.0));
-    QCOMPARE(measured("hold_within_percent", meter.practised()), std::optional(100.0));
-    QVERIFY(std::abs(*measured("hold_error_n", meter.practised()) - 0.1) < 1.0e-9);
-}
-
-void TestExercise::aTrembleDoesNotEndTheStretchAndALapseDoes()
-{
-    ExerciseMeter meter(ForceToHold{1.0, 0.2, 10.0});
-    give(meter, pressing(1.0), 2000);
-    give(meter, pressing(1.5), 200);
-    give(meter, pressing(1.0), 1000);
-    QCOMPARE(held(meter).nowS, 3.0);  // what was off does not count
-    give(meter, inAir(), 201);
-    QCOMPARE(held(meter).nowS, 0.0);
-    give(meter, pressing(0.9), 500);
-    QCOMPARE(held(meter).nowS, 0.5);
-    QCOMPARE(held(meter).longestS, 3.0);
-    QCOMPARE(held(meter).heldS, 3.5);
-    QCOMPARE(held(meter).pressedS, 3.7);
-    QCOMPARE(measured("hold_within_percent", meter.practised()), std::optional(100.0 * (3.5 / 3.7)));
-}
-
-void TestExercise::aLostDeviceEndsTheStretch()
-{
-    session::ServoState lost = inAir();
-    lost.health = session::kDeviceLost;
-    ExerciseMeter meter(ForceToHold{1.0, 0.2, 10.0});
-    give(meter, pressing(1.0), 6000);
-    give(meter, lost, 200);
-    QCOMPARE(held(meter).nowS, 6.0);
-    give(meter, lost, 1);
-    QCOMPARE(held(meter).nowS, 0.0);
-    give(meter, pressing(1.0), 6000);
-    QVERIFY(!isDone(meter.practised()));
-    QCOMPARE(held(meter).longestS, 6.0);
-    QCOMPARE(measured("hold_within_percent", meter.practised()), std::optional(100.0));
-}
-
-void TestExercise::theMeanErrorIsThatOfTheContact()
-{
-    ExerciseMeter meter(ForceToHold{1.0, 0.2, 10.0});
-    QCOMPARE(measured("hold_error_n", meter.practised()), std::nullopt);
-    QCOMPARE(measured("hold_within_percent", meter.practised()), std::nullopt);
-    QCOMPARE(measured("hold_longest_s", meter.practised()), std::optional(0.0));
-    give(meter, pressing(1.0), 1000);
-    give(meter, pressing(2.0), 500);
-    give(meter, pressing(0.5), 500);
-    give(meter, inAir(), 5000);
-    QVERIFY(std::abs(*measured("hold_error_n", meter.practised()) - (0.5 + 0.25) / 2.0) < 1.0e-9);
-    QCOMPARE(measured("hold_within_percent", meter.practised()), std::optional(50.0));
-}
-
-void TestExercise::aTurningBurHoldsNothing()
-{
-    ExerciseMeter meter(ForceToHold{1.0, 0.2, 10.0});
-    give(meter, pressing(1.0, {0.0, 0.0}, true), 12000);
-    QVERIFY(!isBegun(meter.practised()));
-    QCOMPARE(held(meter).longestS, 0.0);
-}
-
-void TestExercise::whatComesAfterItWasHeldChangesNothing()
-{
-    ExerciseMeter meter(ForceToHold{1.0, 0.2, 2.0});
-    give(meter, pressing(1.05), 2000);
-    const Practised then = meter.practised();
-    QVERIFY(isDone(then));
-    give(meter, pressing(3.0), 5000);
-    QVERIFY(meter.practised() == then);
-}
-
-void TestExercise::theLastAnswerCounts()
-{
-    const PadsToName pads{teeth::padMaterials(3)};
-    ExerciseMeter meter(pads);
-    QCOMPARE(measured("layers_named_percent", meter.practised()), std::optional(0.0));
-    for (std::size_t pad = 0; pad < kPads; ++pad)
-        meter.noted(answerNote(pad, pads.madeOf[0]));
-    QVERIFY(isDone(meter.practised()));
-    QCOMPARE(measured("layers_named_percent", meter.practised()), std::optional(100.0 * (1.0 / 3.0)));
-    meter.noted(answerNote(2, pads.madeOf[2]));
-    QCOMPARE(std::get<Named>(meter.practised()).right, std::size_t{2});
-    meter.noted(answerNote(1, pads.madeOf[1]));
-    QCOMPARE(measured("layers_named_percent", meter.practised()), std::optional(100.0));
-    meter.noted(answerNote(0, pads.madeOf[2]));
-    QCOMPARE(std::get<Named>(meter.practised()).right, std::size_t{2});
-}
-
-void TestExercise::notesThatAreNoAnswersAreNothing()
-{
-    for (std::size_t pad = 0; pad < kPads; ++pad)
-        for (const Material said : {Material::Caries, Material::Enamel, Material::Dentin, Material::Pulp})
-            QCOMPARE(answerOf(answerNote(pad, said)), (std::optional(Answer{pad, said})));
-    ExerciseMeter meter(PadsToName{teeth::padMaterials(3)});
-    const std::uint64_t answer = answerNote(0, Material::Enamel);
-    Rng rng(5);
-    for (const std::uint64_t note : {std::uint64_t{0}, std::uint64_t{1}, ~std::uint64_t{0}, answer | 0x300U,
-                                     answer | 0x80U, answer | 0x10000U, answer ^ (std::uint64_t{1} << 63U)}) {
-        QVERIFY2(!answerOf(note), qPrintable(QString::number(note, 16)));
-        meter.noted(note);
+    void noTouchCounts_data()
+    {
+        support::columns<double, bool, bool, bool>("newtons", "drill", "touching", "lost");
+        QTest::newRow("in the air above it") << 0.0 << false << false << false;
+        QTest::newRow("a graze") << 0.09 << false << true << false;
+        QTest::newRow("with the drill on") << 1.0 << true << true << false;
+        QTest::newRow("the device is lost") << 1.0 << false << true << true;
+        QTest::newRow("a force that is no number")
+            << std::numeric_limits<double>::quiet_NaN() << false << true << false;
     }
-    for (int n = 0; n < 1000; ++n)
-        meter.noted(rng.next() >> 1U << 32U);
-    QVERIFY(!isBegun(meter.practised()));
-    // And where nothing is asked, an answer is nothing.
-    ExerciseMeter holding(ForceToHold{});
-    holding.noted(answer);
-    QVERIFY(holding.practised() == Practised(Held{}));
-}
 
-void TestExercise::ofAnotherExerciseNothingIsMeasured()
-{
-    const auto known = [](const Practised& practised) {
-        QStringList ids;
-        for (const char* id : {"points_touched_percent", "time_to_touch_all_s", "hold_longest_s", "hold_within_percent",
-                               "hold_error_n", "layers_named_percent"})
-            if (measured(id, practised))
-                ids << id;
-        return ids.join(' ');
-    };
-    QCOMPARE(known(Touched{{1.0, 2.0}}), QStringLiteral("points_touched_percent time_to_touch_all_s"));
-    QCOMPARE(known(Held{1.0, 0.0, 1.0, 2.0, 0.1, false}),
-             QStringLiteral("hold_longest_s hold_within_percent hold_error_n"));
-    QCOMPARE(known(Named{}), QStringLiteral("layers_named_percent"));
-}
-
-void TestExercise::liveAndReplayFindTheSame_data()
-{
-    QTest::addColumn<int>("which");
-    QTest::newRow("points") << 0;
-    QTest::newRow("force") << 1;
-    QTest::newRow("layers") << 2;
-}
-
-void TestExercise::liveAndReplayFindTheSame()
-{
-    QFETCH(int, which);
-    const auto block = support::makeBlock({});
-    session::Examination examination;
-    const Exercise all[] = {threePoints(), ForceToHold{1.0, 0.4, 60.0}, PadsToName{teeth::padMaterials(2)}};
-    examination.exercise = all[which];
-    support::Rig rig;
-    session::Follower follower(*rig.session);
-    rig.open(block);
-    follower.watch(1, examination);
-    Rng rng(7);
-    for (int n = 0; n < 60; ++n) {
-        rig.lean(rng.uniform(-3.0, 3.0), rng.uniform(-3.0, 3.0), rng.uniform(0.5, 1.5), 60);
-        rig.lean(2.0 * (n % 2), 0.0, 1.0, 60);
-        rig.send(
-            session::AddNote{answerNote(static_cast<std::size_t>(rng.below(3)), static_cast<Material>(rng.below(3)))});
-        if (n % 7 == 0)
-            rig.send(session::SetDrill{n % 2 == 0});
-        if (n % 10 == 0)
-            rig.send(session::Undo{});
-        if (n % 3 == 0)
-            follower.tick(50ms);
+    void noTouchCounts()
+    {
+        QFETCH(double, newtons);
+        QFETCH(bool, drill);
+        QFETCH(bool, touching);
+        QFETCH(bool, lost);
+        session::ServoState state = pressing(newtons, {0.0, 0.0}, drill);
+        state.touching = touching;
+        state.health = lost ? session::kDeviceLost : 0U;
+        ExerciseMeter meter(threePoints());
+        give(meter, state, 1000);
+        QCOMPARE(std::get<Touched>(meter.practised()).count(), std::size_t{0});
+        ExerciseMeter holding(ForceToHold{1.0, 1.0, 10.0});
+        give(holding, state, 1000);
+        // A graze is a force like any other where a force is to be held.
+        QCOMPARE(held(holding).heldS, std::isfinite(newtons) && touching && !drill && !lost ? 1.0 : 0.0);
     }
-    const auto concluded = follower.conclude();
-    QVERIFY(concluded.has_value());
-    QVERIFY(concluded->findings.practised.has_value());
-    QVERIFY(isBegun(*concluded->findings.practised));
-    session::Examiner examiner(examination, block);
-    const auto outcome =
-        recording::replay(concluded->recording, [&](const session::ServoEvent& event,
-                                                    const recording::Replayer& servo) { examiner.take(event, servo); });
-    QVERIFY(outcome.has_value());
-    QVERIFY(examiner.practised() == concluded->findings.practised);
-    // And once more from the file.
-    const auto read = recording::Recording::fromBytes(concluded->recording.toBytes());
-    QVERIFY(read.has_value());
-    session::Examiner later(examination, block);
-    QVERIFY(recording::replay(*read, [&](const session::ServoEvent& event, const recording::Replayer& servo) {
-                later.take(event, servo);
-            }).has_value());
-    QVERIFY(later.practised() == concluded->findings.practised);
-}
 
-/// One can tell them apart at all: under the same force for a second, decay gives way far faster than dentin, and
-/// dentin than enamel.
-void TestExercise::theThreeLayersGiveWayDifferently()
-{
-    constexpr std::uint64_t kSeed = 5;
-    teeth::BuildOptions options;
-    options.seed = kSeed;
-    const auto built = teeth::buildTooth({teeth::findBlock("block:layers").value().value()}, options);
-    QVERIFY(built.has_value());
-    std::map<Material, double> sunkMm;
-    for (std::size_t pad = 0; pad < kPads; ++pad) {
-        support::Rig rig;
-        rig.open(built->anatomy);
-        rig.give(session::SetBur{0});
-        rig.lean(teeth::kPadX[pad], 0.0, 0.6, 500);
-        const double before = rig.servo->state().anchorMm.z;
-        rig.send(session::SetDrill{true});
-        rig.lean(teeth::kPadX[pad], 0.0, 0.6, 1000);
-        sunkMm[teeth::padMaterials(kSeed)[pad]] = before - rig.servo->state().anchorMm.z;
-    }
-    qInfo("sunk in a second at 0.6 N: enamel %.2f, dentin %.2f, decay %.2f mm", sunkMm[Material::Enamel],
-          sunkMm[Material::Dentin], sunkMm[Material::Caries]);
-    QVERIFY(sunkMm[Material::Enamel] > 0.05);
-    QVERIFY(sunkMm[Material::Dentin] > 1.5 * sunkMm[Material::Enamel]);
-    QVERIFY(sunkMm[Material::Caries] > 1.5 * sunkMm[Material::Dentin]);
-}
-
-/// With a mouse that pushes with 1 N, on the tooth of the shipped exercise, in its pit.
-void TestExercise::aMouseHoldsANewton()
-{
-    const auto built = teeth::buildTooth({36}, {});
-    QVERIFY(built.has_value());
-    rt::TripleBuffer<session::PointerInput> wishes;
-    haptics::PointerDevice device(wishes, contact::ForceSettings{}.stiffnessNPerMm, 0.001);
-    auto servo = session::makeServoTick({}).value();
-    contact::LiveTooth tooth{terrain::Tooth(built->anatomy)};
-    static_cast<void>(servo->swapTooth(&tooth, true));
-    servo->setBur(0);
-    ExerciseMeter meter(ForceToHold{});
-    const auto run = [&](const session::PointerInput& wish, int ticks) {
-        for (int n = 0; n < ticks; ++n) {
-            wishes.publish(wish);
-            const auto sample = device.exchange(servo->state().forceN);
-            servo->step(&sample.tipInToothMm, 1ms);
-            meter.take(servo->state(), 1ms);
+    void aReachEndsWhereItIsSaid()
+    {
+        for (const double at : {0.499, 0.501}) {
+            ExerciseMeter meter(PointsToTouch{{{1.0, 1.0}}, 0.5});
+            give(meter, pressing(0.5, {1.0 - at, 1.0}), 1);
+            QCOMPARE(isDone(meter.practised()), at < 0.5);
         }
-    };
-    session::PointerInput wish;
-    wish.targetMm = {-0.27, 0.64};
-    wish.hoverMm = 1.0;
-    wish.pushForceN = 1.0;
-    run(wish, 500);
-    wish.pushing = true;
-    run(wish, 11500);
-    qInfo("held %.2f s of 11.5, off by %.3f N", held(meter).longestS, held(meter).meanErrorN);
-    QVERIFY(isDone(meter.practised()));
-    QVERIFY(held(meter).meanErrorN < 0.1);
-}
+    }
+
+    void aForceIsHeldToTheTick()
+    {
+        ExerciseMeter meter(ForceToHold{1.0, 0.2, 10.0});
+        give(meter, pressing(0.7), 500);  // not yet in the band: no contact that counts
+        give(meter, pressing(1.1), 9999);
+        QVERIFY(!isDone(meter.practised()));
+        QCOMPARE(held(meter).longestS, 9.999);
+        QCOMPARE(held(meter).nowS, 9.999);
+        give(meter, pressing(1.1), 1);
+        QVERIFY(isDone(meter.practised()));
+        QCOMPARE(measured("hold_longest_s", meter.practised()), std::optional(10.0));
+        QCOMPARE(measured("hold_within_percent", meter.practised()), std::optional(100.0));
+        QVERIFY(std::abs(*measured("hold_error_n", meter.practised()) - 0.1) < 1.0e-9);
+    }
+
+    void aTrembleDoesNotEndTheStretchAndALapseDoes()
+    {
+        ExerciseMeter meter(ForceToHold{1.0, 0.2, 10.0});
+        give(meter, pressing(1.0), 2000);
+        give(meter, pressing(1.5), 200);
+        give(meter, pressing(1.0), 1000);
+        QCOMPARE(held(meter).nowS, 3.0);  // what was off does not count
+        give(meter, inAir(), 201);
+        QCOMPARE(held(meter).nowS, 0.0);
+        give(meter, pressing(0.9), 500);
+        QCOMPARE(held(meter).nowS, 0.5);
+        QCOMPARE(held(meter).longestS, 3.0);
+        QCOMPARE(held(meter).heldS, 3.5);
+        QCOMPARE(held(meter).pressedS, 3.7);
+        QCOMPARE(measured("hold_within_percent", meter.practised()), std::optional(100.0 * (3.5 / 3.7)));
+    }
+
+    void aLostDeviceEndsTheStretch()
+    {
+        session::ServoState lost = inAir();
+        lost.health = session::kDeviceLost;
+        ExerciseMeter meter(ForceToHold{1.0, 0.2, 10.0});
+        give(meter, pressing(1.0), 6000);
+        give(meter, lost, 200);
+        QCOMPARE(held(meter).nowS, 6.0);
+        give(meter, lost, 1);
+        QCOMPARE(held(meter).nowS, 0.0);
+        give(meter, pressing(1.0), 6000);
+        QVERIFY(!isDone(meter.practised()));
+        QCOMPARE(held(meter).longestS, 6.0);
+        QCOMPARE(measured("hold_within_percent", meter.practised()), std::optional(100.0));
+    }
+
+    void theMeanErrorIsThatOfTheContact()
+    {
+        ExerciseMeter meter(ForceToHold{1.0, 0.2, 10.0});
+        QCOMPARE(measured("hold_error_n", meter.practised()), std::nullopt);
+        QCOMPARE(measured("hold_within_percent", meter.practised()), std::nullopt);
+        QCOMPARE(measured("hold_longest_s", meter.practised()), std::optional(0.0));
+        give(meter, pressing(1.0), 1000);
+        give(meter, pressing(2.0), 500);
+        give(meter, pressing(0.5), 500);
+        give(meter, inAir(), 5000);
+        QVERIFY(std::abs(*measured("hold_error_n", meter.practised()) - (0.5 + 0.25) / 2.0) < 1.0e-9);
+        QCOMPARE(measured("hold_within_percent", meter.practised()), std::optional(50.0));
+    }
+
+    void aTurningBurHoldsNothing()
+    {
+        ExerciseMeter meter(ForceToHold{1.0, 0.2, 10.0});
+        give(meter, pressing(1.0, {0.0, 0.0}, true), 12000);
+        QVERIFY(!isBegun(meter.practised()));
+        QCOMPARE(held(meter).longestS, 0.0);
+    }
+
+    void whatComesAfterItWasHeldChangesNothing()
+    {
+        ExerciseMeter meter(ForceToHold{1.0, 0.2, 2.0});
+        give(meter, pressing(1.05), 2000);
+        const Practised then = meter.practised();
+        QVERIFY(isDone(then));
+        give(meter, pressing(3.0), 5000);
+        QVERIFY(meter.practised() == then);
+    }
+
+    void theLastAnswerCounts()
+    {
+        const PadsToName pads{teeth::padMaterials(3)};
+        ExerciseMeter meter(pads);
+        QCOMPARE(measured("layers_named_percent", meter.practised()), std::optional(0.0));
+        for (std::size_t pad = 0; pad < kPads; ++pad)
+            meter.noted(answerNote(pad, pads.madeOf[0]));
+        QVERIFY(isDone(meter.practised()));
+        QCOMPARE(measured("layers_named_percent", meter.practised()), std::optional(100.0 * (1.0 / 3.0)));
+        meter.noted(answerNote(2, pads.madeOf[2]));
+        QCOMPARE(std::get<Named>(meter.practised()).right, std::size_t{2});
+        meter.noted(answerNote(1, pads.madeOf[1]));
+        QCOMPARE(measured("layers_named_percent", meter.practised()), std::optional(100.0));
+        meter.noted(answerNote(0, pads.madeOf[2]));
+        QCOMPARE(std::get<Named>(meter.practised()).right, std::size_t{2});
+    }
+
+    void notesThatAreNoAnswersAreNothing()
+    {
+        for (std::size_t pad = 0; pad < kPads; ++pad)
+            for (const Material said : {Material::Caries, Material::Enamel, Material::Dentin, Material::Pulp})
+                QCOMPARE(answerOf(answerNote(pad, said)), (std::optional(Answer{pad, said})));
+        ExerciseMeter meter(PadsToName{teeth::padMaterials(3)});
+        const std::uint64_t answer = answerNote(0, Material::Enamel);
+        Rng rng(5);
+        for (const std::uint64_t note : {std::uint64_t{0}, std::uint64_t{1}, ~std::uint64_t{0}, answer | 0x300U,
+                                         answer | 0x80U, answer | 0x10000U, answer ^ (std::uint64_t{1} << 63U)}) {
+            QVERIFY2(!answerOf(note), qPrintable(QString::number(note, 16)));
+            meter.noted(note);
+        }
+        for (int n = 0; n < 1000; ++n)
+            meter.noted(rng.next() >> 1U << 32U);
+        QVERIFY(!isBegun(meter.practised()));
+        // And where nothing is asked, an answer is nothing.
+        ExerciseMeter holding(ForceToHold{});
+        holding.noted(answer);
+        QVERIFY(holding.practised() == Practised(Held{}));
+    }
+
+    void ofAnotherExerciseNothingIsMeasured()
+    {
+        const auto known = [](const Practised& practised) {
+            QStringList ids;
+            for (const char* id : {"points_touched_percent", "time_to_touch_all_s", "hold_longest_s",
+                                   "hold_within_percent", "hold_error_n", "layers_named_percent"})
+                if (measured(id, practised))
+                    ids << id;
+            return ids.join(' ');
+        };
+        QCOMPARE(known(Touched{{1.0, 2.0}}), QStringLiteral("points_touched_percent time_to_touch_all_s"));
+        QCOMPARE(known(Held{1.0, 0.0, 1.0, 2.0, 0.1, false}),
+                 QStringLiteral("hold_longest_s hold_within_percent hold_error_n"));
+        QCOMPARE(known(Named{}), QStringLiteral("layers_named_percent"));
+    }
+
+    void liveAndReplayFindTheSame_data()
+    {
+        QTest::addColumn<int>("which");
+        QTest::newRow("points") << 0;
+        QTest::newRow("force") << 1;
+        QTest::newRow("layers") << 2;
+    }
+
+    void liveAndReplayFindTheSame()
+    {
+        QFETCH(int, which);
+        const auto block = support::makeBlock({});
+        session::Examination examination;
+        const Exercise all[] = {threePoints(), ForceToHold{1.0, 0.4, 60.0}, PadsToName{teeth::padMaterials(2)}};
+        examination.exercise = all[which];
+        support::Rig rig;
+        session::Follower follower(*rig.session);
+        rig.open(block);
+        follower.watch(1, examination);
+        Rng rng(7);
+        for (int n = 0; n < 60; ++n) {
+            rig.lean(rng.uniform(-3.0, 3.0), rng.uniform(-3.0, 3.0), rng.uniform(0.5, 1.5), 60);
+            rig.lean(2.0 * (n % 2), 0.0, 1.0, 60);
+            rig.send(session::AddNote{
+                answerNote(static_cast<std::size_t>(rng.below(3)), static_cast<Material>(rng.below(3)))});
+            if (n % 7 == 0)
+                rig.send(session::SetDrill{n % 2 == 0});
+            if (n % 10 == 0)
+                rig.send(session::Undo{});
+            if (n % 3 == 0)
+                follower.tick(50ms);
+        }
+        const auto concluded = follower.conclude();
+        QVERIFY(concluded.has_value());
+        QVERIFY(concluded->findings.practised.has_value());
+        QVERIFY(isBegun(*concluded->findings.practised));
+        session::Examiner examiner(examination, block);
+        const auto outcome = recording::replay(
+            concluded->recording,
+            [&](const session::ServoEvent& event, const recording::Replayer& servo) { examiner.take(event, servo); });
+        QVERIFY(outcome.has_value());
+        QVERIFY(examiner.practised() == concluded->findings.practised);
+        // And once more from the file.
+        const auto read = recording::Recording::fromBytes(concluded->recording.toBytes());
+        QVERIFY(read.has_value());
+        session::Examiner later(examination, block);
+        QVERIFY(recording::replay(*read, [&](const session::ServoEvent& event, const recording::Replayer& servo) {
+                    later.take(event, servo);
+                }).has_value());
+        QVERIFY(later.practised() == concluded->findings.practised);
+    }
+
+    /// One can tell them apart at all: under the same force for a second, decay gives way far faster than dentin, and
+    /// dentin than enamel.
+    void theThreeLayersGiveWayDifferently()
+    {
+        constexpr std::uint64_t kSeed = 5;
+        teeth::BuildOptions options;
+        options.seed = kSeed;
+        const auto built = teeth::buildTooth({teeth::findBlock("block:layers").value().value()}, options);
+        QVERIFY(built.has_value());
+        std::map<Material, double> sunkMm;
+        for (std::size_t pad = 0; pad < kPads; ++pad) {
+            support::Rig rig;
+            rig.open(built->anatomy);
+            rig.give(session::SetBur{0});
+            rig.lean(teeth::kPadX[pad], 0.0, 0.6, 500);
+            const double before = rig.servo->state().anchorMm.z;
+            rig.send(session::SetDrill{true});
+            rig.lean(teeth::kPadX[pad], 0.0, 0.6, 1000);
+            sunkMm[teeth::padMaterials(kSeed)[pad]] = before - rig.servo->state().anchorMm.z;
+        }
+        qInfo("sunk in a second at 0.6 N: enamel %.2f, dentin %.2f, decay %.2f mm", sunkMm[Material::Enamel],
+              sunkMm[Material::Dentin], sunkMm[Material::Caries]);
+        QVERIFY(sunkMm[Material::Enamel] > 0.05);
+        QVERIFY(sunkMm[Material::Dentin] > 1.5 * sunkMm[Material::Enamel]);
+        QVERIFY(sunkMm[Material::Caries] > 1.5 * sunkMm[Material::Dentin]);
+    }
+
+    /// With a mouse that pushes with 1 N, on the tooth of the shipped exercise, in its pit.
+    void aMouseHoldsANewton()
+    {
+        const auto built = teeth::buildTooth({36}, {});
+        QVERIFY(built.has_value());
+        rt::TripleBuffer<session::PointerInput> wishes;
+        haptics::PointerDevice device(wishes, contact::ForceSettings{}.stiffnessNPerMm, 0.001);
+        auto servo = session::makeServoTick({}).value();
+        contact::LiveTooth tooth{terrain::Tooth(built->anatomy)};
+        static_cast<void>(servo->swapTooth(&tooth, true));
+        servo->setBur(0);
+        ExerciseMeter meter(ForceToHold{});
+        const auto run = [&](const session::PointerInput& wish, int ticks) {
+            for (int n = 0; n < ticks; ++n) {
+                wishes.publish(wish);
+                const auto sample = device.exchange(servo->state().forceN);
+                servo->step(&sample.tipInToothMm, 1ms);
+                meter.take(servo->state(), 1ms);
+            }
+        };
+        session::PointerInput wish;
+        wish.targetMm = {-0.27, 0.64};
+        wish.hoverMm = 1.0;
+        wish.pushForceN = 1.0;
+        run(wish, 500);
+        wish.pushing = true;
+        run(wish, 11500);
+        qInfo("held %.2f s of 11.5, off by %.3f N", held(meter).longestS, held(meter).meanErrorN);
+        QVERIFY(isDone(meter.practised()));
+        QVERIFY(held(meter).meanErrorN < 0.1);
+    }
+};
 
 QTEST_GUILESS_MAIN(TestExercise)
 #include "tst_exercise.moc"

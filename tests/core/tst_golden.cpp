@@ -71,77 +71,74 @@ recording::Recording makeAttempt()
 }  // namespace
 
 /// The bits of a replay do not depend on the build. CTest runs this a second time with CUSP_PLAIN_KERNELS=1.
+
 class TestGolden : public QObject
 {
     Q_OBJECT
 private slots:
-    void initTestCase();
-    void replaysToTheSameBits();
-    void goesThroughEverything();
+    void initTestCase()
+    {
+        if (std::getenv("CUSP_REWRITE_GOLDEN") == nullptr)
+            return;
+        const recording::Recording made = makeAttempt();
+        QVERIFY(recording::writeRecording(kGolden.toStdString(), made));
+        qInfo("kStateHash = 0x%016llX, kTicks = %llu", static_cast<unsigned long long>(made.witness()->stateHash),
+              static_cast<unsigned long long>(made.ticks()));
+    }
+
+    void replaysToTheSameBits()
+    {
+        qInfo("kernels: %s", contact::kernels().name);
+        if (std::getenv("CUSP_PLAIN_KERNELS") != nullptr)
+            QCOMPARE(contact::kernels().name, contact::kPlainKernels.name);
+        const auto golden = recording::readRecording(kGolden.toStdString());
+        QVERIFY(support::succeeds(golden));
+        const auto outcome = recording::replay(*golden);
+        QVERIFY(outcome);
+        qInfo("state hash %016llx after %llu ticks", static_cast<unsigned long long>(outcome->stateHash),
+              static_cast<unsigned long long>(outcome->state.tick));
+        QCOMPARE(outcome->stateHash, kStateHash);
+        QCOMPARE(outcome->state.tick, kTicks);
+        QVERIFY(outcome->agreesWithWitness);
+    }
+
+    void goesThroughEverything()
+    {
+        QVERIFY(QFile(kGolden).size() < 300 * 1024);
+        const auto read = recording::readRecording(kGolden.toStdString());
+        QVERIFY(read);
+        const recording::Recording& golden = *read;
+        std::array<bool, 4> burs{};
+        int handpieces = 0;
+        bool lost = false;
+        bool late = false;
+        int restores = 0;
+        golden.forEach([&](const session::ServoEvent& event) {
+            if (event.kind == session::ServoEvent::Kind::Bur)
+                burs[event.value] = true;
+            handpieces += event.kind == session::ServoEvent::Kind::Handpiece ? 1 : 0;
+            lost = lost || event.kind == session::ServoEvent::Kind::NoDevice;
+            late = late || event.dtUs > 1000;
+            restores += event.kind == session::ServoEvent::Kind::Restore ? 1 : 0;
+        });
+        QCOMPARE(burs, (std::array{true, true, true, true}));
+        QCOMPARE(handpieces, 1);
+        QVERIFY(lost);
+        QVERIFY(late);
+        QCOMPARE(restores, 3);
+        const auto outcome = recording::replay(golden);
+        const terrain::PerMaterial& removed = outcome->state.removedMm3;
+        qInfo("removed: caries %.3f, enamel %.3f, dentin %.3f, pulp %.3f mm3", removed[0], removed[1], removed[2],
+              removed[3]);
+        for (const double part : removed)
+            QVERIFY(part > 0.01);
+        int bored = 0;
+        const terrain::Tooth& tooth = outcome->tooth;
+        for (std::size_t k = 0; k < tooth.top.size(); ++k)
+            bored += !tooth.isSolid(k) && tooth.anatomy->top[k] > tooth.anatomy->bottom[k] ? 1 : 0;
+        QVERIFY2(bored > 3, qPrintable(QString::number(bored)));
+    }
 };
-
-void TestGolden::initTestCase()
-{
-    if (std::getenv("CUSP_REWRITE_GOLDEN") == nullptr)
-        return;
-    const recording::Recording made = makeAttempt();
-    QVERIFY(recording::writeRecording(kGolden.toStdString(), made));
-    qInfo("kStateHash = 0x%016llX, kTicks = %llu", static_cast<unsigned long long>(made.witness()->stateHash),
-          static_cast<unsigned long long>(made.ticks()));
-}
-
-void TestGolden::replaysToTheSameBits()
-{
-    qInfo("kernels: %s", contact::kernels().name);
-    if (std::getenv("CUSP_PLAIN_KERNELS") != nullptr)
-        QCOMPARE(contact::kernels().name, contact::kPlainKernels.name);
-    const auto golden = recording::readRecording(kGolden.toStdString());
-    QVERIFY(support::succeeds(golden));
-    const auto outcome = recording::replay(*golden);
-    QVERIFY(outcome);
-    qInfo("state hash %016llx after %llu ticks", static_cast<unsigned long long>(outcome->stateHash),
-          static_cast<unsigned long long>(outcome->state.tick));
-    QCOMPARE(outcome->stateHash, kStateHash);
-    QCOMPARE(outcome->state.tick, kTicks);
-    QVERIFY(outcome->agreesWithWitness);
-}
-
-void TestGolden::goesThroughEverything()
-{
-    QVERIFY(QFile(kGolden).size() < 300 * 1024);
-    const auto read = recording::readRecording(kGolden.toStdString());
-    QVERIFY(read);
-    const recording::Recording& golden = *read;
-    std::array<bool, 4> burs{};
-    int handpieces = 0;
-    bool lost = false;
-    bool late = false;
-    int restores = 0;
-    golden.forEach([&](const session::ServoEvent& event) {
-        if (event.kind == session::ServoEvent::Kind::Bur)
-            burs[event.value] = true;
-        handpieces += event.kind == session::ServoEvent::Kind::Handpiece ? 1 : 0;
-        lost = lost || event.kind == session::ServoEvent::Kind::NoDevice;
-        late = late || event.dtUs > 1000;
-        restores += event.kind == session::ServoEvent::Kind::Restore ? 1 : 0;
-    });
-    QCOMPARE(burs, (std::array{true, true, true, true}));
-    QCOMPARE(handpieces, 1);
-    QVERIFY(lost);
-    QVERIFY(late);
-    QCOMPARE(restores, 3);
-    const auto outcome = recording::replay(golden);
-    const terrain::PerMaterial& removed = outcome->state.removedMm3;
-    qInfo("removed: caries %.3f, enamel %.3f, dentin %.3f, pulp %.3f mm3", removed[0], removed[1], removed[2],
-          removed[3]);
-    for (const double part : removed)
-        QVERIFY(part > 0.01);
-    int bored = 0;
-    const terrain::Tooth& tooth = outcome->tooth;
-    for (std::size_t k = 0; k < tooth.top.size(); ++k)
-        bored += !tooth.isSolid(k) && tooth.anatomy->top[k] > tooth.anatomy->bottom[k] ? 1 : 0;
-    QVERIFY2(bored > 3, qPrintable(QString::number(bored)));
-}
 
 QTEST_APPLESS_MAIN(TestGolden)
 #include "tst_golden.moc"

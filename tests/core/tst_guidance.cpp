@@ -44,120 +44,114 @@ class TestGuidance : public QObject
 {
     Q_OBJECT
 private slots:
-    void marginIsTheDistanceToWhatIsKept();
-    void progressAddsUp();
-    void fixtureHoldsSideways();
-    void fixtureComesFromAPotential();
-    void fixtureLeavesABurAloneThatDoesNotFit();
+    void marginIsTheDistanceToWhatIsKept()
+    {
+        const Trench trench;
+        const double cell = trench.anatomy->grid.cellMm;
+        const drilling::Bur& straight = burOf("57");
+        const double radius = straight.headRadiusMm;
+        const auto margin = [&](double x, double z) {
+            return marginMm(*trench.anatomy, trench.ideal, straight, {x, 0.0, z});
+        };
+        // Over the floor it is the way down.
+        QVERIFY(std::abs(margin(0.0, -kDepthMm + 0.3).value() - std::min(0.3, kHalfWidthMm - radius)) < 1.0e-6);
+        QVERIFY(std::abs(margin(0.0, -kDepthMm - 0.2).value() + 0.2) < 1.0e-6);
+        // In the middle of the depth the wall is what is near, known to half a cell.
+        for (const double toWall : {0.1, 0.3}) {
+            const double x = kHalfWidthMm - radius - toWall;
+            QVERIFY2(std::abs(margin(x, -0.7).value() - toWall) <= 0.5 * cell + 1.0e-6,
+                     qPrintable(QString::number(margin(x, -0.7).value())));
+        }
+        // Into the wall it is how far the bur reaches into it, not how deep it stands.
+        const double into = margin(kHalfWidthMm - radius + 0.2, -0.7).value();
+        QVERIFY2(std::abs(into + 0.2) <= cell, qPrintable(QString::number(into)));
+        // In the air nothing is near.
+        QVERIFY(!margin(0.0, guidance::kToldMm + 0.5).has_value());
+        QVERIFY(!marginMm(*trench.anatomy, trench.ideal, straight, {1.0e9, std::nan(""), 0.0}).has_value());
+    }
+
+    void progressAddsUp()
+    {
+        const Trench trench;
+        std::vector<float> top = trench.anatomy->top;
+        const guidance::Progress whole = guidance::progressOf(*trench.anatomy, trench.ideal, top);
+        QVERIFY(whole.askedMm3 > 1.0);
+        QCOMPARE(whole.leftMm3, whole.askedMm3);
+        QCOMPARE(whole.beyondMm3, 0.0);
+        // All of it, and a tenth of a millimetre below it.
+        double area = 0.0;
+        for (std::size_t k = 0; k < top.size(); ++k)
+            if (trench.ideal[k] < top[k]) {
+                top[k] = trench.ideal[k] - 0.1F;
+                area += static_cast<double>(trench.anatomy->areaMm2[k]);
+            }
+        const guidance::Progress done = guidance::progressOf(*trench.anatomy, trench.ideal, top);
+        QCOMPARE(done.leftMm3, 0.0);
+        QVERIFY(std::abs(done.beyondMm3 - 0.1 * area) < 1.0e-5 * area);
+    }
+
+    void fixtureHoldsSideways()
+    {
+        const Trench trench;
+        const Fixture fixture(*trench.anatomy, trench.ideal);
+        const std::size_t bur = drilling::findBur("330").value();
+        const double room = kHalfWidthMm - drilling::burs()[bur].headRadiusMm;
+        const auto at = [&](double x, double z) { return fixture.forceN({x, 0.0, z}, bur); };
+        for (const double x : {-room + 0.05, 0.0, room - 0.05})
+            QCOMPARE(at(x, -1.0), glm::dvec3(0.0));
+        // Half a millimetre outside it pulls back with half a newton; the outline is known to a cell.
+        for (const double side : {-1.0, 1.0}) {
+            const glm::dvec3 force = at(side * (room + 0.5), -1.0);
+            QVERIFY2(std::abs(-side * force.x - 0.5 * Fixture::kNPerMm) < 0.25 * Fixture::kNPerMm,
+                     qPrintable(QString::number(force.x)));
+            QVERIFY(std::abs(force.y) < 1.0e-6 && force.z == 0.0);
+        }
+        // It never pushes harder, and lets go in the end; and over the tooth the hand is free.
+        for (double x = 0.0; x < 4.0; x += 0.01)
+            QVERIFY(glm::length(at(x, -1.0)) <= Fixture::kMostN + 1.0e-9);
+        QCOMPARE(at(room + Fixture::kHoldsMm + 1.3, -1.0), glm::dvec3(0.0));
+        QCOMPARE(at(room + 0.5, 0.6), glm::dvec3(0.0));
+        QCOMPARE(fixture.forceN({std::nan(""), 0.0, 0.0}, bur), glm::dvec3(0.0));
+        QCOMPARE(fixture.forceN({1.0e12, 0.0, 0.0}, bur), glm::dvec3(0.0));
+        QCOMPARE(fixture.forceN({0.0, 0.0, 0.0}, 99), glm::dvec3(0.0));
+    }
+
+    /// Whoever goes round at one height comes back with what he left with: no energy is to be had from a fixture.
+    void fixtureComesFromAPotential()
+    {
+        const Trench trench;
+        const Fixture fixture(*trench.anatomy, trench.ideal);
+        double most = 0.0;
+        for (const glm::dvec2 middle : {glm::dvec2(0.8, 0.0), glm::dvec2(1.2, 0.7), glm::dvec2(-1.5, -0.3)}) {
+            double joule = 0.0;
+            double spent = 0.0;
+            constexpr int kSteps = 20'000;
+            for (int n = 0; n < kSteps; ++n) {
+                const double turn = 6.283185307179586 / kSteps;
+                const auto on = [&](int k) {
+                    return glm::dvec3(middle.x + 0.7 * std::cos(turn * k), middle.y + 0.7 * std::sin(turn * k), -1.0);
+                };
+                const double work = glm::dot(fixture.forceN(on(n), 1), on(n + 1) - on(n));
+                joule += work;
+                spent += std::abs(work);
+            }
+            QVERIFY(spent > 0.1);
+            most = std::max(most, std::abs(joule) / spent);
+        }
+        QVERIFY2(most < 0.02, qPrintable(QString::number(most)));
+    }
+
+    void fixtureLeavesABurAloneThatDoesNotFit()
+    {
+        const Trench narrow(0.34);
+        const Fixture fixture(*narrow.anatomy, narrow.ideal);
+        const std::size_t straight = drilling::findBur("57").value();
+        const std::size_t pear = drilling::findBur("330").value();
+        for (double x = -2.0; x < 2.0; x += 0.1)
+            QCOMPARE(fixture.forceN({x, 0.0, -1.0}, straight), glm::dvec3(0.0));
+        QVERIFY(glm::length(fixture.forceN({1.0, 0.0, -1.0}, pear)) > 0.3);
+    }
 };
-
-void TestGuidance::marginIsTheDistanceToWhatIsKept()
-{
-    const Trench trench;
-    const double cell = trench.anatomy->grid.cellMm;
-    const drilling::Bur& straight = burOf("57");
-    const double radius = straight.headRadiusMm;
-    const auto margin = [&](double x, double z) {
-        return marginMm(*trench.anatomy, trench.ideal, straight, {x, 0.0, z});
-    };
-    // Over the floor it is the way down.
-    QVERIFY(std::abs(margin(0.0, -kDepthMm + 0.3).value() - std::min(0.3, kHalfWidthMm - radius)) < 1.0e-6);
-    QVERIFY(std::abs(margin(0.0, -kDepthMm - 0.2).value() + 0.2) < 1.0e-6);
-    // In the middle of the depth the wall is what is near, known to half a cell.
-    for (const double toWall : {0.1, 0.3}) {
-        const double x = kHalfWidthMm - radius - toWall;
-        QVERIFY2(std::abs(margin(x, -0.7).value() - toWall) <= 0.5 * cell + 1.0e-6,
-                 qPrintable(QString::number(margin(x, -0.7).value())));
-    }
-    // Into the wall it is how far the bur reaches into it, not how deep it stands.
-    const double into = margin(kHalfWidthMm - radius + 0.2, -0.7).value();
-    QVERIFY2(std::abs(into + 0.2) <= cell, qPrintable(QString::number(into)));
-    // In the air nothing is near.
-    QVERIFY(!margin(0.0, guidance::kToldMm + 0.5).has_value());
-    QVERIFY(!marginMm(*trench.anatomy, trench.ideal, straight, {1.0e9, std::nan(""), 0.0}).has_value());
-}
-
-void TestGuidance::progressAddsUp()
-{
-    const Trench trench;
-    std::vector<float> top = trench.anatomy->top;
-    const guidance::Progress whole = guidance::progressOf(*trench.anatomy, trench.ideal, top);
-    QVERIFY(whole.askedMm3 > 1.0);
-    QCOMPARE(whole.leftMm3, whole.askedMm3);
-    QCOMPARE(whole.beyondMm3, 0.0);
-    // All of it, and a tenth of a millimetre below it.
-    double area = 0.0;
-    for (std::size_t k = 0; k < top.size(); ++k)
-        if (trench.ideal[k] < top[k]) {
-            top[k] = trench.ideal[k] - 0.1F;
-            area += static_cast<double>(trench.anatomy->areaMm2[k]);
-        }
-    const guidance::Progress done = guidance::progressOf(*trench.anatomy, trench.ideal, top);
-    QCOMPARE(done.leftMm3, 0.0);
-    QVERIFY(std::abs(done.beyondMm3 - 0.1 * area) < 1.0e-5 * area);
-}
-
-void TestGuidance::fixtureHoldsSideways()
-{
-    const Trench trench;
-    const Fixture fixture(*trench.anatomy, trench.ideal);
-    const std::size_t bur = drilling::findBur("330").value();
-    const double room = kHalfWidthMm - drilling::burs()[bur].headRadiusMm;
-    const auto at = [&](double x, double z) { return fixture.forceN({x, 0.0, z}, bur); };
-    for (const double x : {-room + 0.05, 0.0, room - 0.05})
-        QCOMPARE(at(x, -1.0), glm::dvec3(0.0));
-    // Half a millimetre outside it pulls back with half a newton; the outline is known to a cell.
-    for (const double side : {-1.0, 1.0}) {
-        const glm::dvec3 force = at(side * (room + 0.5), -1.0);
-        QVERIFY2(std::abs(-side * force.x - 0.5 * Fixture::kNPerMm) < 0.25 * Fixture::kNPerMm,
-                 qPrintable(QString::number(force.x)));
-        QVERIFY(std::abs(force.y) < 1.0e-6 && force.z == 0.0);
-    }
-    // It never pushes harder, and lets go in the end; and over the tooth the hand is free.
-    for (double x = 0.0; x < 4.0; x += 0.01)
-        QVERIFY(glm::length(at(x, -1.0)) <= Fixture::kMostN + 1.0e-9);
-    QCOMPARE(at(room + Fixture::kHoldsMm + 1.3, -1.0), glm::dvec3(0.0));
-    QCOMPARE(at(room + 0.5, 0.6), glm::dvec3(0.0));
-    QCOMPARE(fixture.forceN({std::nan(""), 0.0, 0.0}, bur), glm::dvec3(0.0));
-    QCOMPARE(fixture.forceN({1.0e12, 0.0, 0.0}, bur), glm::dvec3(0.0));
-    QCOMPARE(fixture.forceN({0.0, 0.0, 0.0}, 99), glm::dvec3(0.0));
-}
-
-/// Whoever goes round at one height comes back with what he left with: no energy is to be had from a fixture.
-void TestGuidance::fixtureComesFromAPotential()
-{
-    const Trench trench;
-    const Fixture fixture(*trench.anatomy, trench.ideal);
-    double most = 0.0;
-    for (const glm::dvec2 middle : {glm::dvec2(0.8, 0.0), glm::dvec2(1.2, 0.7), glm::dvec2(-1.5, -0.3)}) {
-        double joule = 0.0;
-        double spent = 0.0;
-        constexpr int kSteps = 20'000;
-        for (int n = 0; n < kSteps; ++n) {
-            const double turn = 6.283185307179586 / kSteps;
-            const auto on = [&](int k) {
-                return glm::dvec3(middle.x + 0.7 * std::cos(turn * k), middle.y + 0.7 * std::sin(turn * k), -1.0);
-            };
-            const double work = glm::dot(fixture.forceN(on(n), 1), on(n + 1) - on(n));
-            joule += work;
-            spent += std::abs(work);
-        }
-        QVERIFY(spent > 0.1);
-        most = std::max(most, std::abs(joule) / spent);
-    }
-    QVERIFY2(most < 0.02, qPrintable(QString::number(most)));
-}
-
-void TestGuidance::fixtureLeavesABurAloneThatDoesNotFit()
-{
-    const Trench narrow(0.34);
-    const Fixture fixture(*narrow.anatomy, narrow.ideal);
-    const std::size_t straight = drilling::findBur("57").value();
-    const std::size_t pear = drilling::findBur("330").value();
-    for (double x = -2.0; x < 2.0; x += 0.1)
-        QCOMPARE(fixture.forceN({x, 0.0, -1.0}, straight), glm::dvec3(0.0));
-    QVERIFY(glm::length(fixture.forceN({1.0, 0.0, -1.0}, pear)) > 0.3);
-}
 
 QTEST_APPLESS_MAIN(TestGuidance)
 #include "tst_guidance.moc"

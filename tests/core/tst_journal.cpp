@@ -56,548 +56,525 @@ class TestJournal : public QObject
 {
     Q_OBJECT
 private slots:
-    void init();
-    void holdsAllThatHappened();
-    void anUntouchedToothLeavesNoFile();
-    void anotherToothPutsItAway();
-    void comesBackAndGoesOn();
-    void nobodyElseFindsAnAttemptAtWork();
-    void whoeverLooksTakesNothingThatIsBeingMade();
-    void cutAnywhereGivesTheLongestWholePart();
-    void flippedBitsAreNeverBelieved();
-    void strangersAreRefused_data();
-    void strangersAreRefused();
-    void aFullDiskIsToldOnceAndCaughtUpWith();
-    void aFolderThatCannotBeIsTold();
-    void whatIsLateIsCaughtUpWith();
-    void discardedOnesAreKeptForAWeek();
-    void beforeTheDiskHasItThereAreTwo();
-    void whatAnInterruptedStartLeftIsCleared();
-    void whatIsLeftOutIsNotWritten();
-    void aMinuteIsUnderAMegabyte();
-    void corpusOfTheFuzzerIsHarmless();
+    void init()
+    {
+        m_folder = std::make_unique<QTemporaryDir>();
+        m_path = m_folder->filePath("unfinished").toStdString();
+    }
+
+    void holdsAllThatHappened()
+    {
+        support::Rig rig;
+        auto journal = std::make_unique<JournalLoop>(*rig.session, m_path);
+        rig.drill(support::smallBlock(), 1, "a lesson");
+        rig.send(SetAids{kHeatMapAid});
+        const auto before = std::chrono::system_clock::now();
+        cut(rig, *journal, 5000);
+        rig.send(Undo{});
+        cut(rig, *journal, 300, 1.0);
+        rig.settle();
+        beat(*journal);
+        QCOMPARE(journal->eventsWritten(), rig.session->recordingSoFar()->events());
+        QCOMPARE(files().size(), 1U);
+        journal.reset();  // as if the program ended here
+        const auto found = recording::findAttempt(files().front());
+        QVERIFY2(found && *found, found ? "" : found.error().detail.c_str());
+        const Recording& read = (*found)->recording;
+        QVERIFY(eventsOf(read) == eventsOf(rig.session->recordingSoFar().value()));
+        QCOMPARE(read.lesson(), std::string("a lesson"));
+        QVERIFY(read.settings() == rig.settings);
+        QCOMPARE(read.anatomy()->layers, support::smallBlock()->layers);
+        QCOMPARE(recording::replay(read)->stateHash, rig.liveHash());
+        const auto begun = std::chrono::system_clock::time_point(std::chrono::milliseconds((*found)->begunUtcMs));
+        QVERIFY(begun >= before - 1s && begun <= std::chrono::system_clock::now());
+    }
+
+    void anUntouchedToothLeavesNoFile()
+    {
+        support::Rig rig;
+        JournalLoop journal(*rig.session, m_path);
+        beat(journal);
+        rig.open(support::smallBlock());
+        rig.run(500);
+        beat(journal);
+        QVERIFY(files().empty());
+        QVERIFY(!fs::exists(m_path));
+        // With the first cut it is written from the beginning.
+        rig.send(SetDrill{true});
+        cut(rig, journal, 200);
+        QCOMPARE(files().size(), 1U);
+        QVERIFY(journal.eventsWritten() > 600);
+    }
+
+    void anotherToothPutsItAway()
+    {
+        support::Rig rig;
+        JournalLoop journal(*rig.session, m_path);
+        rig.drill(support::smallBlock());
+        cut(rig, journal, 200);
+        rig.lift();
+        const auto first = files();
+        QCOMPARE(first.size(), 1U);
+        rig.open(support::smallBlock(), 2);
+        beat(journal);
+        QVERIFY(files().empty());
+        cut(rig, journal, 200);
+        rig.lift();
+        QCOMPARE(files().size(), 1U);
+        journal.end();
+        QCOMPARE(files().size(), 1U);
+        journal.putAway();
+        QVERIFY(files().empty());
+    }
+
+    void comesBackAndGoesOn()
+    {
+        std::uint64_t left = 0;
+        {
+            support::Rig rig;
+            JournalLoop journal(*rig.session, m_path);
+            rig.drill(support::smallBlock(), 1, "lesson");
+            cut(rig, journal, 400);
+            rig.settle();
+            beat(journal);
+            left = rig.liveHash();
+        }
+        std::int64_t begun = 0;
+        for (int life = 0; life < 3; ++life) {
+            QCOMPARE(files().size(), 1U);
+            FoundAttempt found = std::move(recording::findAttempt(files().front()).value().value());
+            if (life > 0)
+                QCOMPARE(found.begunUtcMs, begun);
+            begun = found.begunUtcMs;
+            support::Rig rig;
+            JournalLoop journal(*rig.session, m_path);
+            rig.open(support::smallBlock());  // the tooth that lies there to begin with
+            beat(journal);
+            const Recording before = found.recording;
+            journal.takeUp(2, std::move(found));
+            rig.resume(before, 2);
+            QCOMPARE(rig.liveHash(), left);
+            beat(journal);
+            QCOMPARE(files().size(), 1U);  // the new one has taken the place of the old one
+            rig.send(SetDrill{true});
+            cut(rig, journal, 200, 0.7 * life);
+            rig.settle();
+            beat(journal);
+            left = rig.liveHash();
+            QVERIFY(isPrefix(eventsOf(before), eventsOf(rig.session->recordingSoFar().value())));
+        }
+        const auto last = recording::findAttempt(files().front());
+        QCOMPARE(recording::replay((*last)->recording)->stateHash, left);
+    }
+
+    void nobodyElseFindsAnAttemptAtWork()
+    {
+        support::Rig rig;
+        auto journal = std::make_unique<JournalLoop>(*rig.session, m_path);
+        rig.drill(support::smallBlock());
+        cut(rig, *journal, 200);
+        const fs::path path = files().front();
+        const auto atWork = recording::findAttempt(path);
+        QVERIFY(atWork && !*atWork);
+        journal.reset();
+        {
+            const auto first = recording::findAttempt(path);
+            QVERIFY(first && *first);
+            const auto second = recording::findAttempt(path);
+            QVERIFY(second && !*second);
+        }
+        QVERIFY(recording::findAttempt(path)->has_value());
+        const auto gone = recording::findAttempt(m_path / "none.cuspjournal");
+        QVERIFY(gone && !*gone);
+    }
+
+    /// As when somebody logs in with work on the table: the journal begins, and what was left unfinished is looked for.
+    void whoeverLooksTakesNothingThatIsBeingMade()
+    {
+        support::Rig rig;
+        JournalLoop idle(*rig.session, m_path);
+        rig.drill(support::smallBlock());
+        cut(rig, idle, 200);
+        idle.putAway();
+        const recording::Recording soFar = *rig.session->recordingSoFar();
+        std::atomic<bool> goOn = true;
+        std::thread looker([this, &goOn] {
+            while (goOn)
+                for (const fs::path& path : files())
+                    static_cast<void>(recording::findAttempt(path));
+        });
+        const int rounds = support::trials(60, 300);
+        int kept = 0;
+        for (int n = 0; n < rounds; ++n) {
+            const fs::path path = m_path / (std::to_string(n) + ".cuspjournal");
+            const auto made = recording::JournalFile::create(path, soFar, 1);
+            kept += made && (*made)->sync() && fs::exists(path) ? 1 : 0;
+            if (made)
+                (*made)->remove();
+        }
+        goOn = false;
+        looker.join();
+        QCOMPARE(kept, rounds);
+    }
+
+    void cutAnywhereGivesTheLongestWholePart()
+    {
+        const std::string whole = shortJournal();
+        const auto all = recording::attemptFrom(whole);
+        QVERIFY(all);
+        const std::vector<ServoEvent> events = eventsOf(all->recording);
+        std::size_t last = 0;
+        std::size_t lengths = 0;
+        for (std::size_t length = 0; length < whole.size(); ++length) {
+            const auto read = recording::attemptFrom(std::string_view(whole).substr(0, length));
+            if (!read) {
+                QCOMPARE(last, 0U);  // once there is something, more bytes never make it less
+                QVERIFY(read.error().detail.ends_with('.'));
+                continue;
+            }
+            const std::vector<ServoEvent> part = eventsOf(read->recording);
+            QVERIFY(isPrefix(part, events));
+            QVERIFY(part.size() >= last);
+            lengths += part.size() > last ? 1 : 0;
+            last = part.size();
+            QCOMPARE(read->recording.lesson(), std::string("lesson"));
+        }
+        QVERIFY2(lengths > 5 && events.size() - last < 100,
+                 qPrintable(QString("%1 lengths, %2 of %3 events").arg(lengths).arg(last).arg(events.size())));
+        // Anything behind it takes nothing away.
+        QCOMPARE(eventsOf(recording::attemptFrom(whole + std::string(1000, '\0'))->recording).size(), events.size());
+        QCOMPARE(eventsOf(recording::attemptFrom(whole + whole)->recording).size(), events.size());
+    }
+
+    void flippedBitsAreNeverBelieved()
+    {
+        std::string bytes = shortJournal();
+        const std::vector<ServoEvent> events = eventsOf(recording::attemptFrom(bytes)->recording);
+        std::size_t kept = 0;
+        for (std::size_t at = 0; at < bytes.size(); ++at) {
+            for (unsigned bit = 0; bit < 8; ++bit) {
+                const char before = bytes[at];
+                bytes[at] = static_cast<char>(static_cast<unsigned char>(before) ^ (1U << bit));
+                const auto read = recording::attemptFrom(bytes);
+                bytes[at] = before;
+                if (!read)
+                    continue;
+                const std::vector<ServoEvent> part = eventsOf(read->recording);
+                QVERIFY2(part.size() < events.size() && isPrefix(part, events),
+                         qPrintable(QString("byte %1, bit %2").arg(at).arg(bit)));
+                ++kept;
+            }
+        }
+        QVERIFY(kept > 1000);
+    }
+
+    void strangersAreRefused_data()
+    {
+        support::columns<QByteArray, int>("bytes", "code");
+        const auto code = [](ErrorCode c) { return static_cast<int>(c); };
+        m_folder = std::make_unique<QTemporaryDir>();
+        m_path = m_folder->filePath("unfinished").toStdString();
+        const QByteArray good = QByteArray::fromStdString(shortJournal());
+        QByteArray newer = good;
+        newer[8] = static_cast<char>(good[8] + 1);
+        QByteArray older = good;
+        older[8] = static_cast<char>(recording::kOldestVersion - 1);
+        QTest::newRow("empty") << QByteArray() << code(ErrorCode::WrongKind);
+        QTest::newRow("text") << QByteArray("Once upon a time there was a tooth.") << code(ErrorCode::WrongKind);
+        QTest::newRow("a recording") << QByteArray::fromStdString(Recording({}, support::smallBlock()).toBytes())
+                                     << code(ErrorCode::WrongKind);
+        QTest::newRow("magic alone") << good.left(8) << code(ErrorCode::FileTruncated);
+        QTest::newRow("a newer version") << newer << code(ErrorCode::NewerVersion);
+        QTest::newRow("an older version") << older << code(ErrorCode::WrongKind);
+        QTest::newRow("no tooth") << good.left(200) << code(ErrorCode::FileTruncated);
+        QTest::newRow("noughts") << good.left(12) + QByteArray(5000, '\0') << code(ErrorCode::FileTruncated);
+        QTest::newRow("a frame of 4 GiB") << good.left(16) + QByteArray(100, '\xFF') << code(ErrorCode::FileTruncated);
+    }
+
+    void strangersAreRefused()
+    {
+        QFETCH(QByteArray, bytes);
+        QFETCH(int, code);
+        const auto read = recording::attemptFrom(bytes.toStdString());
+        QVERIFY(!read);
+        QVERIFY2(static_cast<int>(read.error().code) == code, read.error().detail.c_str());
+        // And a file of it names itself.
+        const fs::path path = m_path / "1-1.cuspjournal";
+        support::write(path, bytes.toStdString());
+        QVERIFY(support::isRefused(recording::findAttempt(path), "1-1.cuspjournal"));
+    }
+
+    void aFullDiskIsToldOnceAndCaughtUpWith()
+    {
+        support::Rig rig;
+        JournalLoop journal(*rig.session, m_path);
+        rig.drill(support::smallBlock());
+        cut(rig, journal, 400);
+        const std::uint64_t before = journal.eventsWritten();
+        QVERIFY(before > 300 && !journal.failure());
+        {
+            const support::FullDisk full(fs::file_size(files().front()) + 100);
+            cut(rig, journal, 400);
+            pass(journal);
+            const auto told = journal.failure();
+            QVERIFY(told);
+            QCOMPARE(told->code, ErrorCode::FileUnwritable);
+            QVERIFY(!journal.failure());
+            QCOMPARE(journal.eventsWritten(), before);
+            QVERIFY(!journal.isWell());
+        }
+        pass(journal);
+        cut(rig, journal, 400);
+        rig.settle();
+        beat(journal);
+        QVERIFY(!journal.failure());
+        QVERIFY(journal.isWell());
+        QCOMPARE(journal.eventsWritten(), rig.session->recordingSoFar()->events());
+        const auto read = recording::attemptFrom(support::bytesOf(files().front()));
+        QVERIFY(eventsOf(read->recording) == eventsOf(rig.session->recordingSoFar().value()));
+        // Taken up where there is no room, the old file is all there is, and stays.
+        journal.end();
+        const std::string old = support::bytesOf(files().front());
+        const fs::path path = m_path / "taken up" / "1-1.cuspjournal";
+        fs::create_directories(path.parent_path());
+        fs::copy_file(files().front(), path);
+        {
+            FoundAttempt found = std::move(recording::findAttempt(path).value().value());
+            support::Rig again;
+            JournalLoop second(*again.session, path.parent_path());
+            const Recording leftOff = found.recording;
+            second.takeUp(2, std::move(found));
+            const support::FullDisk full(2000);
+            again.resume(leftOff, 2);
+            cut(again, second, 100);
+            QVERIFY(second.failure());
+        }
+        QCOMPARE(recording::journalsIn(path.parent_path()), std::vector<fs::path>{path});
+        QVERIFY(support::bytesOf(path) == old);
+        // From the beginning on there was no room.
+        support::Rig other;
+        JournalLoop nowhere(*other.session, m_path / "other");
+        other.drill(support::smallBlock());
+        {
+            const support::FullDisk full(500);
+            cut(other, nowhere, 400);
+            QVERIFY(nowhere.failure());
+            QVERIFY(fs::is_empty(m_path / "other"));
+        }
+        pass(nowhere);
+        cut(other, nowhere, 100);
+        QVERIFY(!nowhere.failure());
+        QCOMPARE(recording::journalsIn(m_path / "other").size(), 1U);
+    }
+
+    void aFolderThatCannotBeIsTold()
+    {
+        support::write(m_path, {});  // where the folder would be
+        support::Rig rig;
+        JournalLoop journal(*rig.session, m_path);
+        rig.drill(support::smallBlock());
+        cut(rig, journal, 400);
+        const auto told = journal.failure();
+        QVERIFY(told);
+        QVERIFY(told->detail.ends_with('.'));
+        QVERIFY(files().empty());
+        QVERIFY(rig.session->recordingSoFar()->ticks() > 390);  // work goes on
+        journal.end();
+        journal.putAway();
+    }
+
+    void whatIsLateIsCaughtUpWith()
+    {
+        support::Rig rig;
+        JournalLoop journal(*rig.session, m_path);
+        rig.drill(support::smallBlock());
+        cut(rig, journal, 200);
+        for (int n = 0; n < 20; ++n) {  // the disk sleeps for twenty seconds
+            rig.lean(0.1 * n, 0.0, 2.0, 700);
+            rig.lift();
+            rig.run(100);
+        }
+        rig.settle();
+        beat(journal);
+        QCOMPARE(journal.eventsWritten(), rig.session->recordingSoFar()->events());
+        QVERIFY(journal.eventsWritten() > 20000);
+        const auto read = recording::attemptFrom(support::bytesOf(files().front()));
+        QVERIFY(eventsOf(read->recording) == eventsOf(rig.session->recordingSoFar().value()));
+    }
+
+    void discardedOnesAreKeptForAWeek()
+    {
+        const std::string bytes = shortJournal();
+        const fs::path first = m_path / "1-1.cuspjournal";
+        const fs::path second = m_path / "2-1.cuspjournal";
+        support::write(first, bytes);
+        support::write(second, bytes);
+        fs::last_write_time(first, fs::file_time_type::clock::now() - std::chrono::hours(24 * 30));
+        QCOMPARE(files(), (std::vector<fs::path>{second, first}));  // newest first
+        recording::discardJournal(first);
+        recording::tidyJournals(m_path);
+        QCOMPARE(files(), std::vector<fs::path>{second});
+        const fs::path kept = m_path / "discarded" / first.filename();
+        QVERIFY(fs::exists(kept));
+        fs::last_write_time(kept, fs::file_time_type::clock::now() - std::chrono::hours(24 * 7 - 1));
+        recording::tidyJournals(m_path);
+        QVERIFY(fs::exists(kept));
+        fs::last_write_time(kept, fs::file_time_type::clock::now() - std::chrono::hours(24 * 7 + 1));
+        recording::tidyJournals(m_path);
+        QVERIFY(!fs::exists(kept));
+        QVERIFY(fs::exists(second));
+    }
+
+    void beforeTheDiskHasItThereAreTwo()
+    {
+        support::Rig rig;
+        auto journal = std::make_unique<JournalLoop>(*rig.session, m_path);
+        rig.drill(support::smallBlock());
+        const auto cutUnsynced = [&](int ticks) {
+            rig.lean(0.0, 0.0, 2.0, ticks);
+            rig.settle();
+            journal->tick(40ms);
+        };
+        cutUnsynced(200);
+        QCOMPARE(files().size(), 1U);
+        const fs::path path = files().front();
+        const fs::path part = path.string() + ".part";
+        QVERIFY(fs::exists(part) && !fs::exists(path));
+        QVERIFY(!recording::findAttempt(path)->has_value());  // its program is at work on it
+        const std::string young = support::bytesOf(part);
+        journal->syncing().tick(40ms);
+        QVERIFY(!fs::exists(part) && fs::exists(path));
+        cutUnsynced(200);
+        journal->syncing().tick(40ms);
+        const std::string old = support::bytesOf(path);
+        journal.reset();
+        const auto events = [](const std::string& bytes) { return recording::attemptFrom(bytes)->recording.events(); };
+        // Taken up and killed: the new file holds less than the old one, as much, or more.
+        for (const auto& [first, second] : {std::pair(old, young), std::pair(old, old), std::pair(young, old)}) {
+            support::write(path, first);
+            support::write(part, second);
+            QCOMPARE(files(), std::vector<fs::path>{path});
+            const auto found = recording::findAttempt(path);
+            QVERIFY(found && *found);
+            QCOMPARE((*found)->recording.events(), events(old));
+            QVERIFY(!fs::exists(part));
+            QCOMPARE(recording::attemptFrom(support::bytesOf(path))->recording.events(), events(old));
+            QVERIFY(!recording::findAttempt(path)->has_value());  // locked, wherever it came from
+        }
+        // The first file of all, never synced: as good as any.
+        fs::remove(path);
+        support::write(part, young);
+        QCOMPARE((*recording::findAttempt(path))->recording.events(), events(young));
+        QVERIFY(fs::exists(path));
+        // A good new one beside a spoilt old one, and the other way round.
+        support::write(path, "rubbish");
+        support::write(part, young);
+        QCOMPARE((*recording::findAttempt(path))->recording.events(), events(young));
+        support::write(path, young);
+        support::write(part, "rubbish");
+        QCOMPARE((*recording::findAttempt(path))->recording.events(), events(young));
+    }
+
+    void whatAnInterruptedStartLeftIsCleared()
+    {
+        support::write(m_path / "1-1.cuspjournal.part", "CUSPJRN");
+        QCOMPARE(files().size(), 1U);
+        const auto found = recording::findAttempt(files().front());
+        QVERIFY(found && !*found);  // it held no moment: nothing to be told
+        QVERIFY(files().empty());
+        recording::tidyJournals(m_path / "none");  // nothing there, nothing said
+    }
+
+    void whatIsLeftOutIsNotWritten()
+    {
+        support::Rig rig;
+        JournalLoop journal(*rig.session, m_path);
+        journal.leaveOut(1);
+        rig.drill(support::smallBlock(), 1);
+        cut(rig, journal, 130);
+        rig.settle();
+        journal.tick(JournalLoop::kPeriod);
+        QVERIFY(rig.session->recordedSince(1, 0).isWorthKeeping);
+        QVERIFY(files().empty());
+        // The next is again.
+        rig.lift();
+        rig.drill(support::smallBlock(), 2);
+        cut(rig, journal, 130);
+        rig.settle();
+        journal.tick(JournalLoop::kPeriod);
+        QCOMPARE(files().size(), std::size_t{1});
+        journal.putAway();
+    }
+
+    void aMinuteIsUnderAMegabyte()
+    {
+        // The hand of TestRecording::minuteIsUnderAMegabyte, written as it goes.
+        support::Rig rig;
+        JournalLoop journal(*rig.session, m_path);
+        rig.drill(support::smallBlock());
+        cut(rig, journal, 100);
+        rig.settle();
+        beat(journal);
+        const auto before = fs::file_size(files().front());
+        Rng rng(1);
+        for (int n = 0; n < 60000; ++n) {
+            const double t = n * 0.001;
+            const glm::dvec3 stroke(2.0 * std::sin(1.7 * t), 1.5 * std::sin(0.9 * t + 1.0),
+                                    1.0 + 0.6 * std::sin(2.3 * t));
+            const glm::dvec3 tremor = 0.01 * glm::dvec3(std::sin(57.0 * t), std::cos(63.0 * t), std::sin(71.0 * t));
+            const glm::dvec3 noise = 0.001 * glm::dvec3(rng.normal(), rng.normal(), rng.normal());
+            rig.device.tipMm = glm::vec3(stroke + tremor + noise);
+            rig.run(1);
+            if (n % 40 == 39)
+                beat(journal);
+        }
+        const auto bytes = fs::file_size(files().front()) - before;
+        qInfo("one minute at 1 kHz, 25 frames a second: %llu bytes (before it: %llu)",
+              static_cast<unsigned long long>(bytes), static_cast<unsigned long long>(before));
+        QVERIFY(bytes < 1024 * 1024);
+    }
+
+    /// CUSP_REWRITE_CORPUS=1 makes the fuzzer's seed anew.
+    void corpusOfTheFuzzerIsHarmless()
+    {
+        if (support::rewritesSeeds())
+            support::writeSeed("journal", "short", shortJournal());
+        QVERIFY(support::forEachSeed("journal", fuzz::exerciseJournal));
+    }
 
 private:
     /// Cuts for so many ticks, and lets the journal beat as in the program.
-    void cut(support::Rig& rig, JournalLoop& journal, int ticks, double x = 0.0) const;
+    void cut(support::Rig& rig, JournalLoop& journal, int ticks, double x = 0.0) const
+    {
+        for (int n = 0; n < ticks; ++n) {
+            rig.lean(x, 0.0, 2.0, 1);
+            if (rig.beats % 40 == 0)
+                beat(journal);
+        }
+    }
+
     [[nodiscard]] std::vector<fs::path> files() const { return recording::journalsIn(m_path); }
     /// A journal of a short attempt, as its bytes.
-    [[nodiscard]] std::string shortJournal() const;
-
-    std::unique_ptr<QTemporaryDir> m_folder;
-    fs::path m_path;
-};
-
-void TestJournal::init()
-{
-    m_folder = std::make_unique<QTemporaryDir>();
-    m_path = m_folder->filePath("unfinished").toStdString();
-}
-
-void TestJournal::cut(support::Rig& rig, JournalLoop& journal, int ticks, double x) const
-{
-    for (int n = 0; n < ticks; ++n) {
-        rig.lean(x, 0.0, 2.0, 1);
-        if (rig.beats % 40 == 0)
-            beat(journal);
-    }
-}
-
-std::string TestJournal::shortJournal() const
-{
-    support::Rig rig;
-    JournalLoop journal(*rig.session, m_path);
-    rig.drill(support::smallBlock(), 1, "lesson");
-    cut(rig, journal, 130);
-    rig.lift();
-    rig.send(Undo{});
-    rig.send(AddNote{3});
-    cut(rig, journal, 130, 1.0);
-    rig.settle();
-    journal.end();
-    std::string bytes = support::bytesOf(files().front());
-    journal.putAway();
-    return bytes;
-}
-
-void TestJournal::whatIsLeftOutIsNotWritten()
-{
-    support::Rig rig;
-    JournalLoop journal(*rig.session, m_path);
-    journal.leaveOut(1);
-    rig.drill(support::smallBlock(), 1);
-    cut(rig, journal, 130);
-    rig.settle();
-    journal.tick(JournalLoop::kPeriod);
-    QVERIFY(rig.session->recordedSince(1, 0).isWorthKeeping);
-    QVERIFY(files().empty());
-    // The next is again.
-    rig.lift();
-    rig.drill(support::smallBlock(), 2);
-    cut(rig, journal, 130);
-    rig.settle();
-    journal.tick(JournalLoop::kPeriod);
-    QCOMPARE(files().size(), std::size_t{1});
-    journal.putAway();
-}
-
-void TestJournal::holdsAllThatHappened()
-{
-    support::Rig rig;
-    auto journal = std::make_unique<JournalLoop>(*rig.session, m_path);
-    rig.drill(support::smallBlock(), 1, "a lesson");
-    rig.send(SetAids{kHeatMapAid});
-    const auto before = std::chrono::system_clock::now();
-    cut(rig, *journal, 5000);
-    rig.send(Undo{});
-    cut(rig, *journal, 300, 1.0);
-    rig.settle();
-    beat(*journal);
-    QCOMPARE(journal->eventsWritten(), rig.session->recordingSoFar()->events());
-    QCOMPARE(files().size(), 1U);
-    journal.reset();  // as if the program ended here
-    const auto found = recording::findAttempt(files().front());
-    QVERIFY2(found && *found, found ? "" : found.error().detail.c_str());
-    const Recording& read = (*found)->recording;
-    QVERIFY(eventsOf(read) == eventsOf(rig.session->recordingSoFar().value()));
-    QCOMPARE(read.lesson(), std::string("a lesson"));
-    QVERIFY(read.settings() == rig.settings);
-    QCOMPARE(read.anatomy()->layers, support::smallBlock()->layers);
-    QCOMPARE(recording::replay(read)->stateHash, rig.liveHash());
-    const auto begun = std::chrono::system_clock::time_point(std::chrono::milliseconds((*found)->begunUtcMs));
-    QVERIFY(begun >= before - 1s && begun <= std::chrono::system_clock::now());
-}
-
-void TestJournal::anUntouchedToothLeavesNoFile()
-{
-    support::Rig rig;
-    JournalLoop journal(*rig.session, m_path);
-    beat(journal);
-    rig.open(support::smallBlock());
-    rig.run(500);
-    beat(journal);
-    QVERIFY(files().empty());
-    QVERIFY(!fs::exists(m_path));
-    // With the first cut it is written from the beginning.
-    rig.send(SetDrill{true});
-    cut(rig, journal, 200);
-    QCOMPARE(files().size(), 1U);
-    QVERIFY(journal.eventsWritten() > 600);
-}
-
-void TestJournal::anotherToothPutsItAway()
-{
-    support::Rig rig;
-    JournalLoop journal(*rig.session, m_path);
-    rig.drill(support::smallBlock());
-    cut(rig, journal, 200);
-    rig.lift();
-    const auto first = files();
-    QCOMPARE(first.size(), 1U);
-    rig.open(support::smallBlock(), 2);
-    beat(journal);
-    QVERIFY(files().empty());
-    cut(rig, journal, 200);
-    rig.lift();
-    QCOMPARE(files().size(), 1U);
-    journal.end();
-    QCOMPARE(files().size(), 1U);
-    journal.putAway();
-    QVERIFY(files().empty());
-}
-
-void TestJournal::comesBackAndGoesOn()
-{
-    std::uint64_t left = 0;
+    [[nodiscard]] std::string shortJournal() const
     {
         support::Rig rig;
         JournalLoop journal(*rig.session, m_path);
         rig.drill(support::smallBlock(), 1, "lesson");
-        cut(rig, journal, 400);
-        rig.settle();
-        beat(journal);
-        left = rig.liveHash();
-    }
-    std::int64_t begun = 0;
-    for (int life = 0; life < 3; ++life) {
-        QCOMPARE(files().size(), 1U);
-        FoundAttempt found = std::move(recording::findAttempt(files().front()).value().value());
-        if (life > 0)
-            QCOMPARE(found.begunUtcMs, begun);
-        begun = found.begunUtcMs;
-        support::Rig rig;
-        JournalLoop journal(*rig.session, m_path);
-        rig.open(support::smallBlock());  // the tooth that lies there to begin with
-        beat(journal);
-        const Recording before = found.recording;
-        journal.takeUp(2, std::move(found));
-        rig.resume(before, 2);
-        QCOMPARE(rig.liveHash(), left);
-        beat(journal);
-        QCOMPARE(files().size(), 1U);  // the new one has taken the place of the old one
-        rig.send(SetDrill{true});
-        cut(rig, journal, 200, 0.7 * life);
-        rig.settle();
-        beat(journal);
-        left = rig.liveHash();
-        QVERIFY(isPrefix(eventsOf(before), eventsOf(rig.session->recordingSoFar().value())));
-    }
-    const auto last = recording::findAttempt(files().front());
-    QCOMPARE(recording::replay((*last)->recording)->stateHash, left);
-}
-
-void TestJournal::nobodyElseFindsAnAttemptAtWork()
-{
-    support::Rig rig;
-    auto journal = std::make_unique<JournalLoop>(*rig.session, m_path);
-    rig.drill(support::smallBlock());
-    cut(rig, *journal, 200);
-    const fs::path path = files().front();
-    const auto atWork = recording::findAttempt(path);
-    QVERIFY(atWork && !*atWork);
-    journal.reset();
-    {
-        const auto first = recording::findAttempt(path);
-        QVERIFY(first && *first);
-        const auto second = recording::findAttempt(path);
-        QVERIFY(second && !*second);
-    }
-    QVERIFY(recording::findAttempt(path)->has_value());
-    const auto gone = recording::findAttempt(m_path / "none.cuspjournal");
-    QVERIFY(gone && !*gone);
-}
-
-/// As when somebody logs in with work on the table: the journal begins, and what was left unfinished is looked for.
-void TestJournal::whoeverLooksTakesNothingThatIsBeingMade()
-{
-    support::Rig rig;
-    JournalLoop idle(*rig.session, m_path);
-    rig.drill(support::smallBlock());
-    cut(rig, idle, 200);
-    idle.putAway();
-    const recording::Recording soFar = *rig.session->recordingSoFar();
-    std::atomic<bool> goOn = true;
-    std::thread looker([this, &goOn] {
-        while (goOn)
-            for (const fs::path& path : files())
-                static_cast<void>(recording::findAttempt(path));
-    });
-    const int rounds = support::trials(60, 300);
-    int kept = 0;
-    for (int n = 0; n < rounds; ++n) {
-        const fs::path path = m_path / (std::to_string(n) + ".cuspjournal");
-        const auto made = recording::JournalFile::create(path, soFar, 1);
-        kept += made && (*made)->sync() && fs::exists(path) ? 1 : 0;
-        if (made)
-            (*made)->remove();
-    }
-    goOn = false;
-    looker.join();
-    QCOMPARE(kept, rounds);
-}
-
-void TestJournal::cutAnywhereGivesTheLongestWholePart()
-{
-    const std::string whole = shortJournal();
-    const auto all = recording::attemptFrom(whole);
-    QVERIFY(all);
-    const std::vector<ServoEvent> events = eventsOf(all->recording);
-    std::size_t last = 0;
-    std::size_t lengths = 0;
-    for (std::size_t length = 0; length < whole.size(); ++length) {
-        const auto read = recording::attemptFrom(std::string_view(whole).substr(0, length));
-        if (!read) {
-            QCOMPARE(last, 0U);  // once there is something, more bytes never make it less
-            QVERIFY(read.error().detail.ends_with('.'));
-            continue;
-        }
-        const std::vector<ServoEvent> part = eventsOf(read->recording);
-        QVERIFY(isPrefix(part, events));
-        QVERIFY(part.size() >= last);
-        lengths += part.size() > last ? 1 : 0;
-        last = part.size();
-        QCOMPARE(read->recording.lesson(), std::string("lesson"));
-    }
-    QVERIFY2(lengths > 5 && events.size() - last < 100,
-             qPrintable(QString("%1 lengths, %2 of %3 events").arg(lengths).arg(last).arg(events.size())));
-    // Anything behind it takes nothing away.
-    QCOMPARE(eventsOf(recording::attemptFrom(whole + std::string(1000, '\0'))->recording).size(), events.size());
-    QCOMPARE(eventsOf(recording::attemptFrom(whole + whole)->recording).size(), events.size());
-}
-
-void TestJournal::flippedBitsAreNeverBelieved()
-{
-    std::string bytes = shortJournal();
-    const std::vector<ServoEvent> events = eventsOf(recording::attemptFrom(bytes)->recording);
-    std::size_t kept = 0;
-    for (std::size_t at = 0; at < bytes.size(); ++at) {
-        for (unsigned bit = 0; bit < 8; ++bit) {
-            const char before = bytes[at];
-            bytes[at] = static_cast<char>(static_cast<unsigned char>(before) ^ (1U << bit));
-            const auto read = recording::attemptFrom(bytes);
-            bytes[at] = before;
-            if (!read)
-                continue;
-            const std::vector<ServoEvent> part = eventsOf(read->recording);
-            QVERIFY2(part.size() < events.size() && isPrefix(part, events),
-                     qPrintable(QString("byte %1, bit %2").arg(at).arg(bit)));
-            ++kept;
-        }
-    }
-    QVERIFY(kept > 1000);
-}
-
-void TestJournal::strangersAreRefused_data()
-{
-    support::columns<QByteArray, int>("bytes", "code");
-    const auto code = [](ErrorCode c) { return static_cast<int>(c); };
-    m_folder = std::make_unique<QTemporaryDir>();
-    m_path = m_folder->filePath("unfinished").toStdString();
-    const QByteArray good = QByteArray::fromStdString(shortJournal());
-    QByteArray newer = good;
-    newer[8] = static_cast<char>(good[8] + 1);
-    QByteArray older = good;
-    older[8] = static_cast<char>(recording::kOldestVersion - 1);
-    QTest::newRow("empty") << QByteArray() << code(ErrorCode::WrongKind);
-    QTest::newRow("text") << QByteArray("Once upon a time there was a tooth.") << code(ErrorCode::WrongKind);
-    QTest::newRow("a recording") << QByteArray::fromStdString(Recording({}, support::smallBlock()).toBytes())
-                                 << code(ErrorCode::WrongKind);
-    QTest::newRow("magic alone") << good.left(8) << code(ErrorCode::FileTruncated);
-    QTest::newRow("a newer version") << newer << code(ErrorCode::NewerVersion);
-    QTest::newRow("an older version") << older << code(ErrorCode::WrongKind);
-    QTest::newRow("no tooth") << good.left(200) << code(ErrorCode::FileTruncated);
-    QTest::newRow("noughts") << good.left(12) + QByteArray(5000, '\0') << code(ErrorCode::FileTruncated);
-    QTest::newRow("a frame of 4 GiB") << good.left(16) + QByteArray(100, '\xFF') << code(ErrorCode::FileTruncated);
-}
-
-void TestJournal::strangersAreRefused()
-{
-    QFETCH(QByteArray, bytes);
-    QFETCH(int, code);
-    const auto read = recording::attemptFrom(bytes.toStdString());
-    QVERIFY(!read);
-    QVERIFY2(static_cast<int>(read.error().code) == code, read.error().detail.c_str());
-    // And a file of it names itself.
-    const fs::path path = m_path / "1-1.cuspjournal";
-    support::write(path, bytes.toStdString());
-    QVERIFY(support::isRefused(recording::findAttempt(path), "1-1.cuspjournal"));
-}
-
-void TestJournal::aFullDiskIsToldOnceAndCaughtUpWith()
-{
-    support::Rig rig;
-    JournalLoop journal(*rig.session, m_path);
-    rig.drill(support::smallBlock());
-    cut(rig, journal, 400);
-    const std::uint64_t before = journal.eventsWritten();
-    QVERIFY(before > 300 && !journal.failure());
-    {
-        const support::FullDisk full(fs::file_size(files().front()) + 100);
-        cut(rig, journal, 400);
-        pass(journal);
-        const auto told = journal.failure();
-        QVERIFY(told);
-        QCOMPARE(told->code, ErrorCode::FileUnwritable);
-        QVERIFY(!journal.failure());
-        QCOMPARE(journal.eventsWritten(), before);
-        QVERIFY(!journal.isWell());
-    }
-    pass(journal);
-    cut(rig, journal, 400);
-    rig.settle();
-    beat(journal);
-    QVERIFY(!journal.failure());
-    QVERIFY(journal.isWell());
-    QCOMPARE(journal.eventsWritten(), rig.session->recordingSoFar()->events());
-    const auto read = recording::attemptFrom(support::bytesOf(files().front()));
-    QVERIFY(eventsOf(read->recording) == eventsOf(rig.session->recordingSoFar().value()));
-    // Taken up where there is no room, the old file is all there is, and stays.
-    journal.end();
-    const std::string old = support::bytesOf(files().front());
-    const fs::path path = m_path / "taken up" / "1-1.cuspjournal";
-    fs::create_directories(path.parent_path());
-    fs::copy_file(files().front(), path);
-    {
-        FoundAttempt found = std::move(recording::findAttempt(path).value().value());
-        support::Rig again;
-        JournalLoop second(*again.session, path.parent_path());
-        const Recording leftOff = found.recording;
-        second.takeUp(2, std::move(found));
-        const support::FullDisk full(2000);
-        again.resume(leftOff, 2);
-        cut(again, second, 100);
-        QVERIFY(second.failure());
-    }
-    QCOMPARE(recording::journalsIn(path.parent_path()), std::vector<fs::path>{path});
-    QVERIFY(support::bytesOf(path) == old);
-    // From the beginning on there was no room.
-    support::Rig other;
-    JournalLoop nowhere(*other.session, m_path / "other");
-    other.drill(support::smallBlock());
-    {
-        const support::FullDisk full(500);
-        cut(other, nowhere, 400);
-        QVERIFY(nowhere.failure());
-        QVERIFY(fs::is_empty(m_path / "other"));
-    }
-    pass(nowhere);
-    cut(other, nowhere, 100);
-    QVERIFY(!nowhere.failure());
-    QCOMPARE(recording::journalsIn(m_path / "other").size(), 1U);
-}
-
-void TestJournal::aFolderThatCannotBeIsTold()
-{
-    support::write(m_path, {});  // where the folder would be
-    support::Rig rig;
-    JournalLoop journal(*rig.session, m_path);
-    rig.drill(support::smallBlock());
-    cut(rig, journal, 400);
-    const auto told = journal.failure();
-    QVERIFY(told);
-    QVERIFY(told->detail.ends_with('.'));
-    QVERIFY(files().empty());
-    QVERIFY(rig.session->recordingSoFar()->ticks() > 390);  // work goes on
-    journal.end();
-    journal.putAway();
-}
-
-void TestJournal::whatIsLateIsCaughtUpWith()
-{
-    support::Rig rig;
-    JournalLoop journal(*rig.session, m_path);
-    rig.drill(support::smallBlock());
-    cut(rig, journal, 200);
-    for (int n = 0; n < 20; ++n) {  // the disk sleeps for twenty seconds
-        rig.lean(0.1 * n, 0.0, 2.0, 700);
+        cut(rig, journal, 130);
         rig.lift();
-        rig.run(100);
-    }
-    rig.settle();
-    beat(journal);
-    QCOMPARE(journal.eventsWritten(), rig.session->recordingSoFar()->events());
-    QVERIFY(journal.eventsWritten() > 20000);
-    const auto read = recording::attemptFrom(support::bytesOf(files().front()));
-    QVERIFY(eventsOf(read->recording) == eventsOf(rig.session->recordingSoFar().value()));
-}
-
-void TestJournal::discardedOnesAreKeptForAWeek()
-{
-    const std::string bytes = shortJournal();
-    const fs::path first = m_path / "1-1.cuspjournal";
-    const fs::path second = m_path / "2-1.cuspjournal";
-    support::write(first, bytes);
-    support::write(second, bytes);
-    fs::last_write_time(first, fs::file_time_type::clock::now() - std::chrono::hours(24 * 30));
-    QCOMPARE(files(), (std::vector<fs::path>{second, first}));  // newest first
-    recording::discardJournal(first);
-    recording::tidyJournals(m_path);
-    QCOMPARE(files(), std::vector<fs::path>{second});
-    const fs::path kept = m_path / "discarded" / first.filename();
-    QVERIFY(fs::exists(kept));
-    fs::last_write_time(kept, fs::file_time_type::clock::now() - std::chrono::hours(24 * 7 - 1));
-    recording::tidyJournals(m_path);
-    QVERIFY(fs::exists(kept));
-    fs::last_write_time(kept, fs::file_time_type::clock::now() - std::chrono::hours(24 * 7 + 1));
-    recording::tidyJournals(m_path);
-    QVERIFY(!fs::exists(kept));
-    QVERIFY(fs::exists(second));
-}
-
-void TestJournal::beforeTheDiskHasItThereAreTwo()
-{
-    support::Rig rig;
-    auto journal = std::make_unique<JournalLoop>(*rig.session, m_path);
-    rig.drill(support::smallBlock());
-    const auto cutUnsynced = [&](int ticks) {
-        rig.lean(0.0, 0.0, 2.0, ticks);
+        rig.send(Undo{});
+        rig.send(AddNote{3});
+        cut(rig, journal, 130, 1.0);
         rig.settle();
-        journal->tick(40ms);
-    };
-    cutUnsynced(200);
-    QCOMPARE(files().size(), 1U);
-    const fs::path path = files().front();
-    const fs::path part = path.string() + ".part";
-    QVERIFY(fs::exists(part) && !fs::exists(path));
-    QVERIFY(!recording::findAttempt(path)->has_value());  // its program is at work on it
-    const std::string young = support::bytesOf(part);
-    journal->syncing().tick(40ms);
-    QVERIFY(!fs::exists(part) && fs::exists(path));
-    cutUnsynced(200);
-    journal->syncing().tick(40ms);
-    const std::string old = support::bytesOf(path);
-    journal.reset();
-    const auto events = [](const std::string& bytes) { return recording::attemptFrom(bytes)->recording.events(); };
-    // Taken up and killed: the new file holds less than the old one, as much, or more.
-    for (const auto& [first, second] : {std::pair(old, young), std::pair(old, old), std::pair(young, old)}) {
-        support::write(path, first);
-        support::write(part, second);
-        QCOMPARE(files(), std::vector<fs::path>{path});
-        const auto found = recording::findAttempt(path);
-        QVERIFY(found && *found);
-        QCOMPARE((*found)->recording.events(), events(old));
-        QVERIFY(!fs::exists(part));
-        QCOMPARE(recording::attemptFrom(support::bytesOf(path))->recording.events(), events(old));
-        QVERIFY(!recording::findAttempt(path)->has_value());  // locked, wherever it came from
+        journal.end();
+        std::string bytes = support::bytesOf(files().front());
+        journal.putAway();
+        return bytes;
     }
-    // The first file of all, never synced: as good as any.
-    fs::remove(path);
-    support::write(part, young);
-    QCOMPARE((*recording::findAttempt(path))->recording.events(), events(young));
-    QVERIFY(fs::exists(path));
-    // A good new one beside a spoilt old one, and the other way round.
-    support::write(path, "rubbish");
-    support::write(part, young);
-    QCOMPARE((*recording::findAttempt(path))->recording.events(), events(young));
-    support::write(path, young);
-    support::write(part, "rubbish");
-    QCOMPARE((*recording::findAttempt(path))->recording.events(), events(young));
-}
 
-void TestJournal::whatAnInterruptedStartLeftIsCleared()
-{
-    support::write(m_path / "1-1.cuspjournal.part", "CUSPJRN");
-    QCOMPARE(files().size(), 1U);
-    const auto found = recording::findAttempt(files().front());
-    QVERIFY(found && !*found);  // it held no moment: nothing to be told
-    QVERIFY(files().empty());
-    recording::tidyJournals(m_path / "none");  // nothing there, nothing said
-}
-
-void TestJournal::aMinuteIsUnderAMegabyte()
-{
-    // The hand of TestRecording::minuteIsUnderAMegabyte, written as it goes.
-    support::Rig rig;
-    JournalLoop journal(*rig.session, m_path);
-    rig.drill(support::smallBlock());
-    cut(rig, journal, 100);
-    rig.settle();
-    beat(journal);
-    const auto before = fs::file_size(files().front());
-    Rng rng(1);
-    for (int n = 0; n < 60000; ++n) {
-        const double t = n * 0.001;
-        const glm::dvec3 stroke(2.0 * std::sin(1.7 * t), 1.5 * std::sin(0.9 * t + 1.0), 1.0 + 0.6 * std::sin(2.3 * t));
-        const glm::dvec3 tremor = 0.01 * glm::dvec3(std::sin(57.0 * t), std::cos(63.0 * t), std::sin(71.0 * t));
-        const glm::dvec3 noise = 0.001 * glm::dvec3(rng.normal(), rng.normal(), rng.normal());
-        rig.device.tipMm = glm::vec3(stroke + tremor + noise);
-        rig.run(1);
-        if (n % 40 == 39)
-            beat(journal);
-    }
-    const auto bytes = fs::file_size(files().front()) - before;
-    qInfo("one minute at 1 kHz, 25 frames a second: %llu bytes (before it: %llu)",
-          static_cast<unsigned long long>(bytes), static_cast<unsigned long long>(before));
-    QVERIFY(bytes < 1024 * 1024);
-}
-
-/// CUSP_REWRITE_CORPUS=1 makes the fuzzer's seed anew.
-void TestJournal::corpusOfTheFuzzerIsHarmless()
-{
-    if (support::rewritesSeeds())
-        support::writeSeed("journal", "short", shortJournal());
-    QVERIFY(support::forEachSeed("journal", fuzz::exerciseJournal));
-}
+    std::unique_ptr<QTemporaryDir> m_folder;
+    fs::path m_path;
+};
 
 QTEST_APPLESS_MAIN(TestJournal)
 #include "tst_journal.moc"

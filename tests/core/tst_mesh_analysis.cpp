@@ -51,362 +51,343 @@ class TestMeshAnalysis : public QObject
     Q_OBJECT
 
 private slots:
-    void closedSolids();
-    void weldingJoinsWhatStlTearsApart();
-    void openMeshHasItsHole();
-    void insideOutIsTurned();
-    void shellsAndShellsInside();
-    void nestedInsideOutIsTurnedAsOne();
-    void faultyFacesAreCounted();
-    void nonManifoldAndFlippedEdgesAreCounted();
-    void agreesWithTheIndependentReader_data();
-    void agreesWithTheIndependentReader();
-    void unitIsGuessedFromTheSize_data();
-    void unitIsGuessedFromTheSize();
-    void crownIsFoundWhateverTheAxes_data();
-    void crownIsFoundWhateverTheAxes();
-    void openingAndFlatBaseTellTheCrown();
-    void frameIsRightHandedAndPutsTheCrownAtTheOrigin();
-    void frameOfTheFileIsKept();
-    void refusesWhatCannotBeATooth();
-    void warnsOfASizeThatNoToothHas();
-    void unitsAndAxesAreParsed();
-};
-
-void TestMeshAnalysis::closedSolids()
-{
-    TriangleMesh mesh = support::box(2.0F, 3.0F, 4.0F);
-    const MeshFacts box = factsOf(mesh);
-    QVERIFY(box.closed && box.oriented);
-    QCOMPARE(box.triangles, std::size_t(12));
-    QCOMPARE(box.vertices, std::size_t(8));
-    QCOMPARE(box.shells.size(), std::size_t(1));
-    QVERIFY(close(box.volume, 24.0, 1e-12));
-    QVERIFY(close(box.area, 52.0, 1e-12));
-    QVERIFY(glm::length(box.areaVector) < 1e-12);
-    QVERIFY(box.low == glm::dvec3(0.0) && box.high == glm::dvec3(2.0, 3.0, 4.0));
-    mesh = support::moved(support::sphereCap(5.0F, 5.0F), {100.0F, -50.0F, 30.0F});
-    QVERIFY(close(factsOf(mesh).volume, 2.0 / 3.0 * kPi * 125.0, 1e-4));
-}
-
-void TestMeshAnalysis::weldingJoinsWhatStlTearsApart()
-{
-    auto file = readMesh(support::asBinaryStl(support::box(1.0F, 1.0F, 1.0F)), MeshFormat::Stl, "box");
-    QVERIFY(file);
-    QCOMPARE(file->mesh.vertices.size(), std::size_t(36));
-    file->mesh.vertices[0] = file->mesh.vertices[0] * -1.0F;  // -0 is 0
-    const MeshFacts facts = factsOf(file->mesh);
-    QCOMPARE(facts.vertices, std::size_t(8));
-    QVERIFY(facts.closed);
-}
-
-void TestMeshAnalysis::openMeshHasItsHole()
-{
-    TriangleMesh mesh = support::box(2.0F, 3.0F, 4.0F);
-    mesh.triangles.erase(mesh.triangles.begin(), mesh.triangles.begin() + 2);  // the bottom
-    MeshFacts facts = factsOf(mesh);
-    QVERIFY(!facts.closed && !facts.oriented);
-    QCOMPARE(facts.boundaryEdges, std::size_t(4));
-    QVERIFY(glm::length(facts.areaVector - glm::dvec3(0.0, 0.0, 6.0)) < 1e-9);  // away from the opening
-    const auto holes = findHoles(mesh, facts);
-    QCOMPARE(holes.size(), std::size_t(1));
-    QVERIFY(glm::length(holes[0].areaVector - glm::dvec3(0.0, 0.0, -6.0)) < 1e-9);
-    QVERIFY(glm::length(holes[0].centre - glm::dvec3(1.0, 1.5, 0.0)) < 1e-9);
-    patch(mesh, holes[0]);
-    facts = factsOf(mesh);
-    QVERIFY(facts.oriented);
-    QVERIFY(close(facts.volume, 24.0, 1e-9));
-}
-
-void TestMeshAnalysis::insideOutIsTurned()
-{
-    TriangleMesh mesh = support::insideOut(support::box(2.0F, 3.0F, 4.0F));
-    MeshFacts facts = factsOf(mesh);
-    QVERIFY(facts.oriented);
-    QVERIFY(close(facts.volume, -24.0, 1e-12));
-    QCOMPARE(turnOutwards(mesh, facts), std::size_t(1));
-    QVERIFY(close(facts.volume, 24.0, 1e-12));
-    QVERIFY(close(analyse(mesh).volume, 24.0, 1e-12));
-    QCOMPARE(turnOutwards(mesh, facts), std::size_t(0));
-}
-
-void TestMeshAnalysis::shellsAndShellsInside()
-{
-    const TriangleMesh outer = support::box(10.0F, 10.0F, 10.0F);
-    const TriangleMesh inner = support::moved(support::box(2.0F, 2.0F, 2.0F), {3.0F, 4.0F, 5.0F});
-    TriangleMesh nested = support::joined(outer, support::insideOut(inner));
-    MeshFacts facts = factsOf(nested);
-    QCOMPARE(facts.shells.size(), std::size_t(2));
-    QVERIFY(!facts.shells[0].inside && facts.shells[1].inside == std::size_t(0));
-    QVERIFY(close(facts.volume, 992.0, 1e-12));
-    QCOMPARE(turnOutwards(nested, facts), std::size_t(0));  // a cavity looks inwards rightly
-
-    TriangleMesh beside = support::joined(outer, support::insideOut(support::moved(inner, {20.0F, 0.0F, 0.0F})));
-    facts = factsOf(beside);
-    QVERIFY(!facts.shells[1].inside);
-    QCOMPARE(turnOutwards(beside, facts), std::size_t(1));
-    QVERIFY(close(facts.volume, 1008.0, 1e-12));
-}
-
-void TestMeshAnalysis::nestedInsideOutIsTurnedAsOne()
-{
-    const TriangleMesh inner = support::moved(support::box(2.0F, 2.0F, 2.0F), {3.0F, 4.0F, 5.0F});
-    TriangleMesh mesh = support::joined(inner, support::insideOut(support::box(10.0F, 10.0F, 10.0F)));
-    MeshFacts facts = factsOf(mesh);
-    QCOMPARE(turnOutwards(mesh, facts), std::size_t(1));
-    QVERIFY(close(facts.volume, 992.0, 1e-12));
-    QVERIFY(close(analyse(mesh).volume, 992.0, 1e-12));
-}
-
-void TestMeshAnalysis::faultyFacesAreCounted()
-{
-    TriangleMesh mesh = support::box(1.0F, 1.0F, 1.0F);
-    mesh.vertices.emplace_back(0.5F, 0.0F, 0.0F);
-    mesh.vertices.emplace_back(7.0F, 7.0F, 7.0F);  // used by none
-    mesh.triangles.push_back({0, 0, 1});           // collapsed
-    mesh.triangles.push_back({0, 8, 1});           // in a line
-    mesh.triangles.push_back({4, 5, 6});           // again
-    const MeshFacts facts = factsOf(mesh);
-    QCOMPARE(facts.collapsedFaces, std::size_t(1));
-    QCOMPARE(facts.zeroAreaFaces, std::size_t(2));
-    QCOMPARE(facts.duplicateFaces, std::size_t(1));
-    QVERIFY(!facts.closed);
-    QVERIFY(facts.high == glm::dvec3(1.0));
-
-    TriangleMesh none;
-    none.vertices = {{0, 0, 0}, {1, 0, 0}};
-    none.triangles = {{0, 0, 1}, {1, 1, 1}};
-    const MeshFacts nothing = factsOf(none);
-    QVERIFY(nothing.shells.empty() && !nothing.closed);
-    QCOMPARE(nothing.area, 0.0);
-}
-
-void TestMeshAnalysis::nonManifoldAndFlippedEdgesAreCounted()
-{
-    TriangleMesh fin = support::box(1.0F, 1.0F, 1.0F);
-    fin.vertices.emplace_back(0.5F, 0.5F, 2.0F);
-    fin.triangles.push_back({4, 5, 8});
-    const MeshFacts facts = factsOf(fin);
-    QCOMPARE(facts.nonManifoldEdges, std::size_t(1));
-    QCOMPARE(facts.boundaryEdges, std::size_t(2));
-
-    TriangleMesh flipped = support::box(1.0F, 1.0F, 1.0F);
-    std::swap(flipped.triangles[3][0], flipped.triangles[3][1]);
-    const MeshFacts disagreeing = factsOf(flipped);
-    QVERIFY(disagreeing.closed && !disagreeing.oriented);
-    QCOMPARE(disagreeing.flippedEdges, std::size_t(3));
-}
-
-void TestMeshAnalysis::agreesWithTheIndependentReader_data()
-{
-    QTest::addColumn<QString>("file");
-    for (int n = 0; const char* name : {"teeth/dundee_36.obj", "teeth/dundee_24.obj", "teeth/dundee_21.obj"})
-        if (support::isTried(n++))
-            QTest::newRow(name) << QString::fromLatin1(name);
-}
-
-void TestMeshAnalysis::agreesWithTheIndependentReader()
-{
-    QFETCH(QString, file);
-    const std::string path = support::sharedData(file.toStdString());
-    const std::string script = support::sharedData("../tools/meshinfo.py");
-    if (path.empty() || script.empty())
-        QSKIP("shared/data or shared/tools is absent");
-    QProcess python;
-    python.start(QStringLiteral("python3"),
-                 {QString::fromStdString(script), QStringLiteral("--json"), QString::fromStdString(path)});
-    if (!python.waitForFinished(120000))
-        QSKIP("python3 is absent");
-    const QJsonObject expected = QJsonDocument::fromJson(python.readAllStandardOutput()).array().at(0).toObject();
-
-    auto mesh = readMesh(std::filesystem::path(path));
-    QVERIFY(mesh);
-    const MeshFacts facts = factsOf(mesh->mesh);
-    const auto number = [&](const char* key) { return expected[QLatin1String(key)].toDouble(-1.0); };
-    QCOMPARE(static_cast<double>(facts.triangles), number("triangles"));
-    QCOMPARE(static_cast<double>(facts.vertices), number("vertices_used"));
-    QCOMPARE(static_cast<double>(facts.boundaryEdges), number("boundary_edges"));
-    QCOMPARE(static_cast<double>(facts.nonManifoldEdges), number("nonmanifold_edges"));
-    QCOMPARE(static_cast<double>(facts.flippedEdges), number("flipped_edges"));
-    QCOMPARE(static_cast<double>(facts.duplicateFaces), number("duplicate_triangles"));
-    QCOMPARE(static_cast<double>(facts.zeroAreaFaces), number("zero_area_triangles"));
-    QCOMPARE(static_cast<double>(facts.shells.size()), number("components"));
-    QCOMPARE(facts.closed, expected[QStringLiteral("watertight")].toBool());
-    QCOMPARE(facts.oriented, expected[QStringLiteral("oriented")].toBool());
-    QVERIFY(close(facts.volume, number("volume"), 5e-7));
-    QVERIFY(close(facts.area, number("area"), 5e-7));
-    for (int k = 0; k < 3; ++k) {
-        QVERIFY(close(facts.low[k], expected[QStringLiteral("bbox_min")].toArray().at(k).toDouble(), 1e-6));
-        QVERIFY(close(facts.high[k], expected[QStringLiteral("bbox_max")].toArray().at(k).toDouble(), 1e-6));
+    void closedSolids()
+    {
+        TriangleMesh mesh = support::box(2.0F, 3.0F, 4.0F);
+        const MeshFacts box = factsOf(mesh);
+        QVERIFY(box.closed && box.oriented);
+        QCOMPARE(box.triangles, std::size_t(12));
+        QCOMPARE(box.vertices, std::size_t(8));
+        QCOMPARE(box.shells.size(), std::size_t(1));
+        QVERIFY(close(box.volume, 24.0, 1e-12));
+        QVERIFY(close(box.area, 52.0, 1e-12));
+        QVERIFY(glm::length(box.areaVector) < 1e-12);
+        QVERIFY(box.low == glm::dvec3(0.0) && box.high == glm::dvec3(2.0, 3.0, 4.0));
+        mesh = support::moved(support::sphereCap(5.0F, 5.0F), {100.0F, -50.0F, 30.0F});
+        QVERIFY(close(factsOf(mesh).volume, 2.0 / 3.0 * kPi * 125.0, 1e-4));
     }
-}
 
-void TestMeshAnalysis::unitIsGuessedFromTheSize_data()
-{
-    support::columns<float, QString, bool>("scale", "unit", "warns");
-    QTest::newRow("millimetres") << 1.0F << QStringLiteral("mm") << false;
-    QTest::newRow("centimetres") << 0.1F << QStringLiteral("cm") << true;
-    QTest::newRow("metres") << 0.001F << QStringLiteral("m") << true;
-    QTest::newRow("no unit at all") << 37.0F << QStringLiteral("0.0302") << true;
-}
-
-void TestMeshAnalysis::unitIsGuessedFromTheSize()
-{
-    QFETCH(float, scale);
-    QFETCH(QString, unit);
-    QFETCH(bool, warns);
-    TriangleMesh mesh = support::scaled(plainTooth(), scale);
-    const MeshFacts facts = factsOf(mesh);
-    const auto placement = findPlacement(mesh, facts, {});
-    QVERIFY(placement);
-    QCOMPARE(QString::fromStdString(placement->unit.name), unit);
-    QCOMPARE(!placement->warnings.empty(), warns);
-    const double lengthMm = (facts.high.z - facts.low.z) * placement->unit.mmPerUnit;
-    QVERIFY(lengthMm > 15.0 && lengthMm < 22.0);
-
-    TriangleMesh jaw = support::box(60.0F, 45.0F, 20.0F);
-    const auto ofJaw = findPlacement(jaw, factsOf(jaw), {});
-    QVERIFY(ofJaw && ofJaw->unit.name == "mm" && !ofJaw->warnings.empty());
-    QVERIFY(ofJaw->unitDoubtful);
-}
-
-void TestMeshAnalysis::crownIsFoundWhateverTheAxes_data()
-{
-    support::columns<int, bool>("axis", "crownUp");
-    for (int axis = 0; axis < 3; ++axis)
-        for (const bool up : {true, false})
-            QTest::addRow("%c%c", up ? '+' : '-', 'x' + axis) << axis << up;
-}
-
-void TestMeshAnalysis::crownIsFoundWhateverTheAxes()
-{
-    QFETCH(int, axis);
-    QFETCH(bool, crownUp);
-    TriangleMesh mesh = plainTooth();
-    for (glm::vec3& v : mesh.vertices) {
-        v = axis == 0 ? glm::vec3(v.z, v.x, v.y) : axis == 1 ? glm::vec3(v.y, v.z, v.x) : v;
-        v = crownUp ? v : -v;  // mirrored too: no matter here
+    void weldingJoinsWhatStlTearsApart()
+    {
+        auto file = readMesh(support::asBinaryStl(support::box(1.0F, 1.0F, 1.0F)), MeshFormat::Stl, "box");
+        QVERIFY(file);
+        QCOMPARE(file->mesh.vertices.size(), std::size_t(36));
+        file->mesh.vertices[0] = file->mesh.vertices[0] * -1.0F;  // -0 is 0
+        const MeshFacts facts = factsOf(file->mesh);
+        QCOMPARE(facts.vertices, std::size_t(8));
+        QVERIFY(facts.closed);
     }
-    if (!crownUp)
-        mesh = support::insideOut(std::move(mesh));
-    const auto placement = findPlacement(mesh, factsOf(mesh), {});
-    QVERIFY(placement);
-    QCOMPARE(QString::fromStdString(std::string(nameOf(placement->up))), QString::fromLatin1(QTest::currentDataTag()));
-}
 
-void TestMeshAnalysis::openingAndFlatBaseTellTheCrown()
-{
-    TriangleMesh cap = support::sphereCap(6.0F, 5.0F, 60, 20);
-    auto placement = findPlacement(cap, factsOf(cap), {});
-    QVERIFY(placement && placement->up == Axis::PlusZ);
-    QVERIFY(placement->upReason.find("flat") != std::string::npos);
-
-    TriangleMesh bowl = cap;  // without its base
-    std::erase_if(bowl.triangles, [&](const auto& t) {
-        return bowl.vertices[t[0]].z == 0.0F && bowl.vertices[t[1]].z == 0.0F && bowl.vertices[t[2]].z == 0.0F;
-    });
-    for (glm::vec3& v : bowl.vertices)
-        v = {v.x, v.z, -v.y};
-    placement = findPlacement(bowl, factsOf(bowl), {});
-    QVERIFY(placement && placement->up == Axis::PlusY);
-    QVERIFY(placement->upReason.find("open") != std::string::npos);
-
-    TriangleMesh box = support::box(10.0F, 10.0F, 10.0F);
-    placement = findPlacement(box, factsOf(box), {});
-    QVERIFY(placement && placement->up == Axis::PlusZ);
-    QVERIFY(!placement->warnings.empty());  // nobody can tell
-    QVERIFY(placement->upDoubtful && !placement->unitDoubtful);
-}
-
-void TestMeshAnalysis::frameIsRightHandedAndPutsTheCrownAtTheOrigin()
-{
-    for (const Axis up : {Axis::PlusX, Axis::MinusX, Axis::PlusY, Axis::MinusY, Axis::PlusZ, Axis::MinusZ}) {
-        TriangleMesh mesh = support::moved(support::box(8.0F, 9.0F, 7.0F), {100.0F, -40.0F, 3.0F});
+    void openMeshHasItsHole()
+    {
+        TriangleMesh mesh = support::box(2.0F, 3.0F, 4.0F);
+        mesh.triangles.erase(mesh.triangles.begin(), mesh.triangles.begin() + 2);  // the bottom
         MeshFacts facts = factsOf(mesh);
-        const auto placement = findPlacement(mesh, facts, {LengthUnit{}, up, false});
-        QVERIFY(placement);
-        const auto directionFromFile = [&](const glm::dvec3& way) {
-            return (toothFromFile(*placement, way) - toothFromFile(*placement, {0, 0, 0})) / placement->unit.mmPerUnit;
-        };
-        const glm::dvec3 x = directionFromFile({1, 0, 0});
-        const glm::dvec3 y = directionFromFile({0, 1, 0});
-        const glm::dvec3 z = directionFromFile({0, 0, 1});
-        QCOMPARE(glm::dot(glm::cross(x, y), z), 1.0);
-        const int axis = static_cast<int>(up) / 2;
-        const double sign = static_cast<int>(up) % 2 == 0 ? 1.0 : -1.0;
-        const glm::dvec3 crown = axis == 0 ? x : axis == 1 ? y : z;
-        QVERIFY(crown * sign == glm::dvec3(0.0, 0.0, 1.0));
-        QVERIFY(axis == 0 ? y == glm::dvec3(0.0, 1.0, 0.0) : x == glm::dvec3(1.0, 0.0, 0.0));
-        moveToToothFrame(mesh, *placement);
+        QVERIFY(!facts.closed && !facts.oriented);
+        QCOMPARE(facts.boundaryEdges, std::size_t(4));
+        QVERIFY(glm::length(facts.areaVector - glm::dvec3(0.0, 0.0, 6.0)) < 1e-9);  // away from the opening
+        const auto holes = findHoles(mesh, facts);
+        QCOMPARE(holes.size(), std::size_t(1));
+        QVERIFY(glm::length(holes[0].areaVector - glm::dvec3(0.0, 0.0, -6.0)) < 1e-9);
+        QVERIFY(glm::length(holes[0].centre - glm::dvec3(1.0, 1.5, 0.0)) < 1e-9);
+        patch(mesh, holes[0]);
         facts = factsOf(mesh);
-        QVERIFY(close(facts.volume, 504.0, 1e-5));
-        QVERIFY(std::abs(facts.high.z) < 1e-5);
-        QVERIFY(std::abs(facts.high.x + facts.low.x) < 1e-4 && std::abs(facts.high.y + facts.low.y) < 1e-4);
+        QVERIFY(facts.oriented);
+        QVERIFY(close(facts.volume, 24.0, 1e-9));
     }
-}
 
-void TestMeshAnalysis::frameOfTheFileIsKept()
-{
-    TriangleMesh mesh = support::moved(support::box(8.0F, 9.0F, 7.0F), {100.0F, -40.0F, 3.0F});
-    const TriangleMesh before = mesh;
-    const auto placement = findPlacement(mesh, factsOf(mesh), {std::nullopt, std::nullopt, true});
-    QVERIFY(placement);
-    QCOMPARE(placement->unit.mmPerUnit, 1.0);
-    moveToToothFrame(mesh, *placement);
-    QVERIFY(mesh.vertices.size() == before.vertices.size());
-    const MeshFacts facts = factsOf(mesh);
-    QVERIFY(facts.low == glm::dvec3(100.0, -40.0, 3.0) && facts.high == glm::dvec3(108.0, -31.0, 10.0));
-}
+    void insideOutIsTurned()
+    {
+        TriangleMesh mesh = support::insideOut(support::box(2.0F, 3.0F, 4.0F));
+        MeshFacts facts = factsOf(mesh);
+        QVERIFY(facts.oriented);
+        QVERIFY(close(facts.volume, -24.0, 1e-12));
+        QCOMPARE(turnOutwards(mesh, facts), std::size_t(1));
+        QVERIFY(close(facts.volume, 24.0, 1e-12));
+        QVERIFY(close(analyse(mesh).volume, 24.0, 1e-12));
+        QCOMPARE(turnOutwards(mesh, facts), std::size_t(0));
+    }
 
-void TestMeshAnalysis::refusesWhatCannotBeATooth()
-{
-    TriangleMesh mesh = support::box(8.0F, 9.0F, 7.0F);
-    MeshFacts facts = factsOf(mesh);
-    QCOMPARE(findPlacement(mesh, facts, {LengthUnit{"m", 1000.0}, {}, false}).error().code,
-             core::ErrorCode::OutOfRange);
-    QCOMPARE(findPlacement(mesh, facts, {LengthUnit{"0.001", 0.001}, {}, false}).error().code,
-             core::ErrorCode::OutOfRange);
-    mesh = support::moved(mesh, {5.0e4F, 0.0F, 0.0F});
-    facts = factsOf(mesh);
-    QCOMPARE(findPlacement(mesh, facts, {{}, {}, true}).error().code, core::ErrorCode::OutOfRange);
-    QVERIFY(findPlacement(mesh, facts, {}));
-}
+    void shellsAndShellsInside()
+    {
+        const TriangleMesh outer = support::box(10.0F, 10.0F, 10.0F);
+        const TriangleMesh inner = support::moved(support::box(2.0F, 2.0F, 2.0F), {3.0F, 4.0F, 5.0F});
+        TriangleMesh nested = support::joined(outer, support::insideOut(inner));
+        MeshFacts facts = factsOf(nested);
+        QCOMPARE(facts.shells.size(), std::size_t(2));
+        QVERIFY(!facts.shells[0].inside && facts.shells[1].inside == std::size_t(0));
+        QVERIFY(close(facts.volume, 992.0, 1e-12));
+        QCOMPARE(turnOutwards(nested, facts), std::size_t(0));  // a cavity looks inwards rightly
 
-void TestMeshAnalysis::warnsOfASizeThatNoToothHas()
-{
-    // A scan in cm that someone calls mm, one in mm that he calls cm, and sizes that a tooth has.
-    for (const auto& [sizeUnits, mmPerUnit, says] :
-         {std::tuple(2.1F, 1.0, "less than"), {8.5F, 10.0, "more than"}, {21.0F, 1.0, ""}, {2.1F, 10.0, ""}})
-        for (const bool keepFrame : {false, true}) {
-            PlacementOptions options;
-            options.keepFrame = keepFrame;
-            if (!keepFrame)
-                options.unit = LengthUnit{"given", mmPerUnit};
-            else if (mmPerUnit != 1.0)
-                continue;
-            TriangleMesh mesh = support::box(sizeUnits, 0.9F * sizeUnits, 0.8F * sizeUnits);
-            options.up = keepFrame ? std::nullopt : std::optional(Axis::PlusZ);
-            const auto placement = findPlacement(mesh, factsOf(mesh), options);
-            QVERIFY(placement);
-            QCOMPARE(placement->warnings.size(), std::size_t(*says == '\0' ? 0 : 1));
-            if (*says != '\0') {
-                QVERIFY2(placement->warnings[0].find(says) != std::string::npos, placement->warnings[0].c_str());
-                QVERIFY(placement->warnings[0].find(keepFrame ? "--frame file" : "--unit") != std::string::npos);
-            }
+        TriangleMesh beside = support::joined(outer, support::insideOut(support::moved(inner, {20.0F, 0.0F, 0.0F})));
+        facts = factsOf(beside);
+        QVERIFY(!facts.shells[1].inside);
+        QCOMPARE(turnOutwards(beside, facts), std::size_t(1));
+        QVERIFY(close(facts.volume, 1008.0, 1e-12));
+    }
+
+    void nestedInsideOutIsTurnedAsOne()
+    {
+        const TriangleMesh inner = support::moved(support::box(2.0F, 2.0F, 2.0F), {3.0F, 4.0F, 5.0F});
+        TriangleMesh mesh = support::joined(inner, support::insideOut(support::box(10.0F, 10.0F, 10.0F)));
+        MeshFacts facts = factsOf(mesh);
+        QCOMPARE(turnOutwards(mesh, facts), std::size_t(1));
+        QVERIFY(close(facts.volume, 992.0, 1e-12));
+        QVERIFY(close(analyse(mesh).volume, 992.0, 1e-12));
+    }
+
+    void faultyFacesAreCounted()
+    {
+        TriangleMesh mesh = support::box(1.0F, 1.0F, 1.0F);
+        mesh.vertices.emplace_back(0.5F, 0.0F, 0.0F);
+        mesh.vertices.emplace_back(7.0F, 7.0F, 7.0F);  // used by none
+        mesh.triangles.push_back({0, 0, 1});           // collapsed
+        mesh.triangles.push_back({0, 8, 1});           // in a line
+        mesh.triangles.push_back({4, 5, 6});           // again
+        const MeshFacts facts = factsOf(mesh);
+        QCOMPARE(facts.collapsedFaces, std::size_t(1));
+        QCOMPARE(facts.zeroAreaFaces, std::size_t(2));
+        QCOMPARE(facts.duplicateFaces, std::size_t(1));
+        QVERIFY(!facts.closed);
+        QVERIFY(facts.high == glm::dvec3(1.0));
+
+        TriangleMesh none;
+        none.vertices = {{0, 0, 0}, {1, 0, 0}};
+        none.triangles = {{0, 0, 1}, {1, 1, 1}};
+        const MeshFacts nothing = factsOf(none);
+        QVERIFY(nothing.shells.empty() && !nothing.closed);
+        QCOMPARE(nothing.area, 0.0);
+    }
+
+    void nonManifoldAndFlippedEdgesAreCounted()
+    {
+        TriangleMesh fin = support::box(1.0F, 1.0F, 1.0F);
+        fin.vertices.emplace_back(0.5F, 0.5F, 2.0F);
+        fin.triangles.push_back({4, 5, 8});
+        const MeshFacts facts = factsOf(fin);
+        QCOMPARE(facts.nonManifoldEdges, std::size_t(1));
+        QCOMPARE(facts.boundaryEdges, std::size_t(2));
+
+        TriangleMesh flipped = support::box(1.0F, 1.0F, 1.0F);
+        std::swap(flipped.triangles[3][0], flipped.triangles[3][1]);
+        const MeshFacts disagreeing = factsOf(flipped);
+        QVERIFY(disagreeing.closed && !disagreeing.oriented);
+        QCOMPARE(disagreeing.flippedEdges, std::size_t(3));
+    }
+
+    void agreesWithTheIndependentReader_data()
+    {
+        QTest::addColumn<QString>("file");
+        for (int n = 0; const char* name : {"teeth/dundee_36.obj", "teeth/dundee_24.obj", "teeth/dundee_21.obj"})
+            if (support::isTried(n++))
+                QTest::newRow(name) << QString::fromLatin1(name);
+    }
+
+    void agreesWithTheIndependentReader()
+    {
+        QFETCH(QString, file);
+        const std::string path = support::sharedData(file.toStdString());
+        const std::string script = support::sharedData("../tools/meshinfo.py");
+        if (path.empty() || script.empty())
+            QSKIP("shared/data or shared/tools is absent");
+        QProcess python;
+        python.start(QStringLiteral("python3"),
+                     {QString::fromStdString(script), QStringLiteral("--json"), QString::fromStdString(path)});
+        if (!python.waitForFinished(120000))
+            QSKIP("python3 is absent");
+        const QJsonObject expected = QJsonDocument::fromJson(python.readAllStandardOutput()).array().at(0).toObject();
+
+        auto mesh = readMesh(std::filesystem::path(path));
+        QVERIFY(mesh);
+        const MeshFacts facts = factsOf(mesh->mesh);
+        const auto number = [&](const char* key) { return expected[QLatin1String(key)].toDouble(-1.0); };
+        QCOMPARE(static_cast<double>(facts.triangles), number("triangles"));
+        QCOMPARE(static_cast<double>(facts.vertices), number("vertices_used"));
+        QCOMPARE(static_cast<double>(facts.boundaryEdges), number("boundary_edges"));
+        QCOMPARE(static_cast<double>(facts.nonManifoldEdges), number("nonmanifold_edges"));
+        QCOMPARE(static_cast<double>(facts.flippedEdges), number("flipped_edges"));
+        QCOMPARE(static_cast<double>(facts.duplicateFaces), number("duplicate_triangles"));
+        QCOMPARE(static_cast<double>(facts.zeroAreaFaces), number("zero_area_triangles"));
+        QCOMPARE(static_cast<double>(facts.shells.size()), number("components"));
+        QCOMPARE(facts.closed, expected[QStringLiteral("watertight")].toBool());
+        QCOMPARE(facts.oriented, expected[QStringLiteral("oriented")].toBool());
+        QVERIFY(close(facts.volume, number("volume"), 5e-7));
+        QVERIFY(close(facts.area, number("area"), 5e-7));
+        for (int k = 0; k < 3; ++k) {
+            QVERIFY(close(facts.low[k], expected[QStringLiteral("bbox_min")].toArray().at(k).toDouble(), 1e-6));
+            QVERIFY(close(facts.high[k], expected[QStringLiteral("bbox_max")].toArray().at(k).toDouble(), 1e-6));
         }
-}
+    }
 
-void TestMeshAnalysis::unitsAndAxesAreParsed()
-{
-    QCOMPARE(parseUnit("cm")->mmPerUnit, 10.0);
-    QCOMPARE(parseUnit("10.5")->mmPerUnit, 10.5);
-    for (const char* bad : {"", "0", "-1", "nan", "inf", "mm ", "1,5", "inch"})
-        QVERIFY(!parseUnit(bad));
-    QVERIFY(*parseAxis("-y") == Axis::MinusY);
-    QVERIFY(*parseAxis("x") == Axis::PlusX);
-    for (const char* bad : {"", "+", "w", "+Y", "--z"})
-        QVERIFY(!parseAxis(bad));
-}
+    void unitIsGuessedFromTheSize_data()
+    {
+        support::columns<float, QString, bool>("scale", "unit", "warns");
+        QTest::newRow("millimetres") << 1.0F << QStringLiteral("mm") << false;
+        QTest::newRow("centimetres") << 0.1F << QStringLiteral("cm") << true;
+        QTest::newRow("metres") << 0.001F << QStringLiteral("m") << true;
+        QTest::newRow("no unit at all") << 37.0F << QStringLiteral("0.0302") << true;
+    }
+
+    void unitIsGuessedFromTheSize()
+    {
+        QFETCH(float, scale);
+        QFETCH(QString, unit);
+        QFETCH(bool, warns);
+        TriangleMesh mesh = support::scaled(plainTooth(), scale);
+        const MeshFacts facts = factsOf(mesh);
+        const auto placement = findPlacement(mesh, facts, {});
+        QVERIFY(placement);
+        QCOMPARE(QString::fromStdString(placement->unit.name), unit);
+        QCOMPARE(!placement->warnings.empty(), warns);
+        const double lengthMm = (facts.high.z - facts.low.z) * placement->unit.mmPerUnit;
+        QVERIFY(lengthMm > 15.0 && lengthMm < 22.0);
+
+        TriangleMesh jaw = support::box(60.0F, 45.0F, 20.0F);
+        const auto ofJaw = findPlacement(jaw, factsOf(jaw), {});
+        QVERIFY(ofJaw && ofJaw->unit.name == "mm" && !ofJaw->warnings.empty());
+        QVERIFY(ofJaw->unitDoubtful);
+    }
+
+    void crownIsFoundWhateverTheAxes_data()
+    {
+        support::columns<int, bool>("axis", "crownUp");
+        for (int axis = 0; axis < 3; ++axis)
+            for (const bool up : {true, false})
+                QTest::addRow("%c%c", up ? '+' : '-', 'x' + axis) << axis << up;
+    }
+
+    void crownIsFoundWhateverTheAxes()
+    {
+        QFETCH(int, axis);
+        QFETCH(bool, crownUp);
+        TriangleMesh mesh = plainTooth();
+        for (glm::vec3& v : mesh.vertices) {
+            v = axis == 0 ? glm::vec3(v.z, v.x, v.y) : axis == 1 ? glm::vec3(v.y, v.z, v.x) : v;
+            v = crownUp ? v : -v;  // mirrored too: no matter here
+        }
+        if (!crownUp)
+            mesh = support::insideOut(std::move(mesh));
+        const auto placement = findPlacement(mesh, factsOf(mesh), {});
+        QVERIFY(placement);
+        QCOMPARE(QString::fromStdString(std::string(nameOf(placement->up))),
+                 QString::fromLatin1(QTest::currentDataTag()));
+    }
+
+    void openingAndFlatBaseTellTheCrown()
+    {
+        TriangleMesh cap = support::sphereCap(6.0F, 5.0F, 60, 20);
+        auto placement = findPlacement(cap, factsOf(cap), {});
+        QVERIFY(placement && placement->up == Axis::PlusZ);
+        QVERIFY(placement->upReason.find("flat") != std::string::npos);
+
+        TriangleMesh bowl = cap;  // without its base
+        std::erase_if(bowl.triangles, [&](const auto& t) {
+            return bowl.vertices[t[0]].z == 0.0F && bowl.vertices[t[1]].z == 0.0F && bowl.vertices[t[2]].z == 0.0F;
+        });
+        for (glm::vec3& v : bowl.vertices)
+            v = {v.x, v.z, -v.y};
+        placement = findPlacement(bowl, factsOf(bowl), {});
+        QVERIFY(placement && placement->up == Axis::PlusY);
+        QVERIFY(placement->upReason.find("open") != std::string::npos);
+
+        TriangleMesh box = support::box(10.0F, 10.0F, 10.0F);
+        placement = findPlacement(box, factsOf(box), {});
+        QVERIFY(placement && placement->up == Axis::PlusZ);
+        QVERIFY(!placement->warnings.empty());  // nobody can tell
+        QVERIFY(placement->upDoubtful && !placement->unitDoubtful);
+    }
+
+    void frameIsRightHandedAndPutsTheCrownAtTheOrigin()
+    {
+        for (const Axis up : {Axis::PlusX, Axis::MinusX, Axis::PlusY, Axis::MinusY, Axis::PlusZ, Axis::MinusZ}) {
+            TriangleMesh mesh = support::moved(support::box(8.0F, 9.0F, 7.0F), {100.0F, -40.0F, 3.0F});
+            MeshFacts facts = factsOf(mesh);
+            const auto placement = findPlacement(mesh, facts, {LengthUnit{}, up, false});
+            QVERIFY(placement);
+            const auto directionFromFile = [&](const glm::dvec3& way) {
+                return (toothFromFile(*placement, way) - toothFromFile(*placement, {0, 0, 0})) /
+                       placement->unit.mmPerUnit;
+            };
+            const glm::dvec3 x = directionFromFile({1, 0, 0});
+            const glm::dvec3 y = directionFromFile({0, 1, 0});
+            const glm::dvec3 z = directionFromFile({0, 0, 1});
+            QCOMPARE(glm::dot(glm::cross(x, y), z), 1.0);
+            const int axis = static_cast<int>(up) / 2;
+            const double sign = static_cast<int>(up) % 2 == 0 ? 1.0 : -1.0;
+            const glm::dvec3 crown = axis == 0 ? x : axis == 1 ? y : z;
+            QVERIFY(crown * sign == glm::dvec3(0.0, 0.0, 1.0));
+            QVERIFY(axis == 0 ? y == glm::dvec3(0.0, 1.0, 0.0) : x == glm::dvec3(1.0, 0.0, 0.0));
+            moveToToothFrame(mesh, *placement);
+            facts = factsOf(mesh);
+            QVERIFY(close(facts.volume, 504.0, 1e-5));
+            QVERIFY(std::abs(facts.high.z) < 1e-5);
+            QVERIFY(std::abs(facts.high.x + facts.low.x) < 1e-4 && std::abs(facts.high.y + facts.low.y) < 1e-4);
+        }
+    }
+
+    void frameOfTheFileIsKept()
+    {
+        TriangleMesh mesh = support::moved(support::box(8.0F, 9.0F, 7.0F), {100.0F, -40.0F, 3.0F});
+        const TriangleMesh before = mesh;
+        const auto placement = findPlacement(mesh, factsOf(mesh), {std::nullopt, std::nullopt, true});
+        QVERIFY(placement);
+        QCOMPARE(placement->unit.mmPerUnit, 1.0);
+        moveToToothFrame(mesh, *placement);
+        QVERIFY(mesh.vertices.size() == before.vertices.size());
+        const MeshFacts facts = factsOf(mesh);
+        QVERIFY(facts.low == glm::dvec3(100.0, -40.0, 3.0) && facts.high == glm::dvec3(108.0, -31.0, 10.0));
+    }
+
+    void refusesWhatCannotBeATooth()
+    {
+        TriangleMesh mesh = support::box(8.0F, 9.0F, 7.0F);
+        MeshFacts facts = factsOf(mesh);
+        QCOMPARE(findPlacement(mesh, facts, {LengthUnit{"m", 1000.0}, {}, false}).error().code,
+                 core::ErrorCode::OutOfRange);
+        QCOMPARE(findPlacement(mesh, facts, {LengthUnit{"0.001", 0.001}, {}, false}).error().code,
+                 core::ErrorCode::OutOfRange);
+        mesh = support::moved(mesh, {5.0e4F, 0.0F, 0.0F});
+        facts = factsOf(mesh);
+        QCOMPARE(findPlacement(mesh, facts, {{}, {}, true}).error().code, core::ErrorCode::OutOfRange);
+        QVERIFY(findPlacement(mesh, facts, {}));
+    }
+
+    void warnsOfASizeThatNoToothHas()
+    {
+        // A scan in cm that someone calls mm, one in mm that he calls cm, and sizes that a tooth has.
+        for (const auto& [sizeUnits, mmPerUnit, says] :
+             {std::tuple(2.1F, 1.0, "less than"), {8.5F, 10.0, "more than"}, {21.0F, 1.0, ""}, {2.1F, 10.0, ""}})
+            for (const bool keepFrame : {false, true}) {
+                PlacementOptions options;
+                options.keepFrame = keepFrame;
+                if (!keepFrame)
+                    options.unit = LengthUnit{"given", mmPerUnit};
+                else if (mmPerUnit != 1.0)
+                    continue;
+                TriangleMesh mesh = support::box(sizeUnits, 0.9F * sizeUnits, 0.8F * sizeUnits);
+                options.up = keepFrame ? std::nullopt : std::optional(Axis::PlusZ);
+                const auto placement = findPlacement(mesh, factsOf(mesh), options);
+                QVERIFY(placement);
+                QCOMPARE(placement->warnings.size(), std::size_t(*says == '\0' ? 0 : 1));
+                if (*says != '\0') {
+                    QVERIFY2(placement->warnings[0].find(says) != std::string::npos, placement->warnings[0].c_str());
+                    QVERIFY(placement->warnings[0].find(keepFrame ? "--frame file" : "--unit") != std::string::npos);
+                }
+            }
+    }
+
+    void unitsAndAxesAreParsed()
+    {
+        QCOMPARE(parseUnit("cm")->mmPerUnit, 10.0);
+        QCOMPARE(parseUnit("10.5")->mmPerUnit, 10.5);
+        for (const char* bad : {"", "0", "-1", "nan", "inf", "mm ", "1,5", "inch"})
+            QVERIFY(!parseUnit(bad));
+        QVERIFY(*parseAxis("-y") == Axis::MinusY);
+        QVERIFY(*parseAxis("x") == Axis::PlusX);
+        for (const char* bad : {"", "+", "w", "+Y", "--z"})
+            QVERIFY(!parseAxis(bad));
+    }
+};
 
 QTEST_APPLESS_MAIN(TestMeshAnalysis)
 #include "tst_mesh_analysis.moc"

@@ -103,392 +103,379 @@ class TestMeshReader : public QObject
     Q_OBJECT
 
 private slots:
-    void everyFormatGivesTheSameTriangles();
-    void objSpellings_data();
-    void objSpellings();
-    void plyWithOtherElementsAndPolygons();
-    void polygonsAreCoveredOnce_data();
-    void polygonsAreCoveredOnce();
-    void polygonsOfManyCorners();
-    void polygonsThatCrossThemselvesWarn();
-    void aByteOrderMarkIsPassedOver();
-    void binaryStlThatBeginsWithSolid();
-    void oddButUsableFilesWarn();
-    void badBytes_data();
-    void badBytes();
-    void badFiles();
-    void extensionDecidesInAnyCase();
-    void corpusOfTheFuzzerIsHarmless();
-};
-
-void TestMeshReader::everyFormatGivesTheSameTriangles()
-{
-    const TriangleMesh mesh = support::sphereCap(3.3F, 2.1F, 17, 5);
-    const std::array<std::pair<MeshFormat, std::string>, 6> files{
-        {{MeshFormat::Obj, support::asObj(mesh)},
-         {MeshFormat::Stl, support::asAsciiStl(mesh)},
-         {MeshFormat::Stl, support::asBinaryStl(mesh)},
-         {MeshFormat::Ply, support::asAsciiPly(mesh)},
-         {MeshFormat::Ply, support::asBinaryPly(mesh, false)},
-         {MeshFormat::Ply, support::asBinaryPly(mesh, true)}}};
-    for (const auto& [format, bytes] : files) {
-        const auto file = readMesh(bytes, format, "cap");
-        QVERIFY(support::succeeds(file));
-        QVERIFY(corners(file->mesh) == corners(mesh));
-        QVERIFY(file->warnings.empty());
-        QCOMPARE(file->format, format);
-    }
-}
-
-void TestMeshReader::objSpellings_data()
-{
-    support::columns<QByteArray, int>("text", "triangles");
-    const QByteArray square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
-    QTest::newRow("triangle") << square + "f 1 2 3\n" << 1;
-    QTest::newRow("quad") << square + "f 1 2 3 4\n" << 2;
-    QTest::newRow("polygon") << square + "v -1 0.5 0\nf 1 2 3 4 5\n" << 3;
-    QTest::newRow("v/vt") << square + "vt 0 0\nf 1/1 2/1 3/1\n" << 1;
-    QTest::newRow("v//vn") << square + "vn 0 0 1\nf 1//1 2//1 3//1\n" << 1;
-    QTest::newRow("v/vt/vn") << square + "vt 0 0\nvn 0 0 1\nf 1/1/1 2/1/1 3/1/1 4/1/1\n" << 2;
-    QTest::newRow("vt that is not there") << square + "f 1/9 2/9 3/9\n" << 1;
-    QTest::newRow("negative") << square + "f -4 -3 -2 -1\n" << 2;
-    QTest::newRow("negative with vt") << square + "vt 0 0\nf -4/-1 -3/-1 -2/-1\n" << 1;
-    QTest::newRow("face before its vertices") << "f 1 2 3\n" + square << 1;
-    QTest::newRow("comments, groups, materials")
-        << "# made\nmtllib gone.mtl\no a\ng b c\nusemtl red\ns off\n" + square + "#MRGB ffffffff\nf 1 2 3 # the face\n"
-        << 1;
-    QTest::newRow("continued lines") << square + "f 1 2 \\\n3 \\\n4\n" << 2;
-    QTest::newRow("continued at the end of the file") << square + "f 1 2 3\\" << 1;
-    QTest::newRow("CR LF") << QByteArray(square + "f 1 2 3\n").replace("\n", "\r\n") << 1;
-    QTest::newRow("CR alone") << QByteArray(square + "f 1 2 3\n").replace("\n", "\r") << 1;
-    QTest::newRow("tabs and blanks") << QByteArray("\tv  0\t0 0\n v 1 0 0\nv 1 1 0  \nf\t1  2\t3\n") << 1;
-    QTest::newRow("w and colours") << QByteArray("v 0 0 0 1\nv 1 0 0 0.5 0.5 0.5\nv 1 1 0 1 0 0 1\nf 1 2 3\n") << 1;
-    QTest::newRow("exponents, signs") << QByteArray("v +0 0 1e-400\nv 1.0E0 -0.0 0\nv 1. .5 0\nf 1 2 3\n") << 1;
-    QTest::newRow("no last line end") << square + "f 1 2 3" << 1;
-    QTest::newRow("lines, points, curves") << square + "p 1\nl 1 2\ncurv 0 1 1 2\nf 1 2 3\n" << 1;
-}
-
-void TestMeshReader::objSpellings()
-{
-    QFETCH(QByteArray, text);
-    QFETCH(int, triangles);
-    const auto file = readMesh(text.toStdString(), MeshFormat::Obj, "test.obj");
-    QVERIFY(support::succeeds(file));
-    QCOMPARE(file->mesh.triangles.size(), static_cast<std::size_t>(triangles));
-    const auto list = corners(file->mesh);
-    QVERIFY(list[0] == glm::vec3(0, 0, 0));
-    QVERIFY(list[1] == glm::vec3(1, 0, 0));
-}
-
-void TestMeshReader::plyWithOtherElementsAndPolygons()
-{
-    const std::string text = "ply\r\nformat ascii 1.0\r\nobj_info none\r\nelement camera 1\r\nproperty float fov\r\n"
-                             "property list uchar float k\r\nelement nothing 4000000000\r\nelement vertex 5\r\n"
-                             "property uchar red\r\nproperty double z\r\nproperty double y\r\nproperty double x\r\n"
-                             "element face 2\r\nproperty list uint8 uint32 vertex_index\r\nproperty uchar flags\r\n"
-                             "end_header\r\n90 2 0.1 0.2\r\n"
-                             "1 0 0 0\r\n1 0 0 1\r\n1 0 1 1\r\n1 0 1 0\r\n1 0 0.5 -1\r\n"
-                             "5 0 1 2 3 4 7\r\n3 0 1 2 7\r\n";
-    const auto file = readMesh(text, MeshFormat::Ply, "test.ply");
-    QVERIFY(support::succeeds(file));
-    QCOMPARE(file->mesh.triangles.size(), std::size_t(4));
-    QVERIFY(file->mesh.vertices[1] == glm::vec3(1, 0, 0));
-}
-
-void TestMeshReader::polygonsAreCoveredOnce_data()
-{
-    QTest::addColumn<Outline>("outline");
-    QTest::newRow("dart") << Outline{{0, 0}, {4, 1}, {0, 2}, {1, 1}};
-    QTest::newRow("L") << Outline{{3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}, {0, 0}};
-    QTest::newRow("corners on straight lines")
-        << Outline{{0, 0}, {1, 0}, {2, 0}, {3, 0}, {3, 2}, {2, 2}, {1, 2}, {0, 2}};
-    QTest::newRow("notch with corners on straight lines")
-        << Outline{{0, 0}, {1, 0}, {2, 0}, {3, 0}, {3, 2}, {2, 2}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
-    QTest::newRow("a bridge to a hole") << Outline{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0},
-                                                   {1, 1}, {1, 3}, {3, 3}, {3, 1}, {1, 1}};
-    Outline comb;
-    for (int k = 0; k < 40; ++k)
-        comb.insert(comb.end(), {{k + 0.0, 5.0}, {k + 0.2, 1.0}, {k + 0.5, 1.0}, {k + 0.6, 5.0}});
-    comb.insert(comb.end(), {{39.6, 0.0}, {0.0, 0.0}});
-    QTest::newRow("comb") << comb;
-    QTest::newRow("spiral") << spiral(5);
-    Outline round;
-    for (int k = 0; k < 300; ++k)
-        round.emplace_back(5.0 * std::cos(2.0 * std::numbers::pi * k / 300.0),
-                           4.0 * std::sin(2.0 * std::numbers::pi * k / 300.0));
-    QTest::newRow("round") << round;
-}
-
-/// A fan covers some places of a concave polygon twice or leaves it; against the even-odd rule at random points.
-void TestMeshReader::polygonsAreCoveredOnce()
-{
-    QFETCH(Outline, outline);
-    for (const bool backwards : {false, true}) {
-        if (backwards)
-            std::reverse(outline.begin(), outline.end());
-        for (int axis = 0; axis < 3; ++axis) {
-            const auto file = readMesh(asObj(outline, axis), MeshFormat::Obj, "polygon.obj");
+    void everyFormatGivesTheSameTriangles()
+    {
+        const TriangleMesh mesh = support::sphereCap(3.3F, 2.1F, 17, 5);
+        const std::array<std::pair<MeshFormat, std::string>, 6> files{
+            {{MeshFormat::Obj, support::asObj(mesh)},
+             {MeshFormat::Stl, support::asAsciiStl(mesh)},
+             {MeshFormat::Stl, support::asBinaryStl(mesh)},
+             {MeshFormat::Ply, support::asAsciiPly(mesh)},
+             {MeshFormat::Ply, support::asBinaryPly(mesh, false)},
+             {MeshFormat::Ply, support::asBinaryPly(mesh, true)}}};
+        for (const auto& [format, bytes] : files) {
+            const auto file = readMesh(bytes, format, "cap");
             QVERIFY(support::succeeds(file));
-            QVERIFY2(file->warnings.empty(), file->warnings.empty() ? "" : file->warnings[0].c_str());
-            QCOMPARE(file->mesh.triangles.size(), outline.size() - 2);
-            glm::dvec2 low = outline[0];
-            glm::dvec2 high = outline[0];
-            for (const glm::dvec2& p : outline) {
-                low = glm::min(low, p);
-                high = glm::max(high, p);
-            }
-            core::Rng rng(1);
-            for (int sample = 0; sample < 1000; ++sample) {
-                const glm::dvec2 p(rng.uniform(low.x, high.x), rng.uniform(low.y, high.y));
-                int covers = 0;
-                for (const auto& t : file->mesh.triangles) {
-                    Outline corners;
-                    for (const std::uint32_t v : t)
-                        corners.emplace_back(file->mesh.vertices[v][(axis + 1) % 3],
-                                             file->mesh.vertices[v][(axis + 2) % 3]);
-                    covers += isInside(corners, p) ? 1 : 0;
+            QVERIFY(corners(file->mesh) == corners(mesh));
+            QVERIFY(file->warnings.empty());
+            QCOMPARE(file->format, format);
+        }
+    }
+
+    void objSpellings_data()
+    {
+        support::columns<QByteArray, int>("text", "triangles");
+        const QByteArray square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+        QTest::newRow("triangle") << square + "f 1 2 3\n" << 1;
+        QTest::newRow("quad") << square + "f 1 2 3 4\n" << 2;
+        QTest::newRow("polygon") << square + "v -1 0.5 0\nf 1 2 3 4 5\n" << 3;
+        QTest::newRow("v/vt") << square + "vt 0 0\nf 1/1 2/1 3/1\n" << 1;
+        QTest::newRow("v//vn") << square + "vn 0 0 1\nf 1//1 2//1 3//1\n" << 1;
+        QTest::newRow("v/vt/vn") << square + "vt 0 0\nvn 0 0 1\nf 1/1/1 2/1/1 3/1/1 4/1/1\n" << 2;
+        QTest::newRow("vt that is not there") << square + "f 1/9 2/9 3/9\n" << 1;
+        QTest::newRow("negative") << square + "f -4 -3 -2 -1\n" << 2;
+        QTest::newRow("negative with vt") << square + "vt 0 0\nf -4/-1 -3/-1 -2/-1\n" << 1;
+        QTest::newRow("face before its vertices") << "f 1 2 3\n" + square << 1;
+        QTest::newRow("comments, groups, materials") << "# made\nmtllib gone.mtl\no a\ng b c\nusemtl red\ns off\n" +
+                                                            square + "#MRGB ffffffff\nf 1 2 3 # the face\n"
+                                                     << 1;
+        QTest::newRow("continued lines") << square + "f 1 2 \\\n3 \\\n4\n" << 2;
+        QTest::newRow("continued at the end of the file") << square + "f 1 2 3\\" << 1;
+        QTest::newRow("CR LF") << QByteArray(square + "f 1 2 3\n").replace("\n", "\r\n") << 1;
+        QTest::newRow("CR alone") << QByteArray(square + "f 1 2 3\n").replace("\n", "\r") << 1;
+        QTest::newRow("tabs and blanks") << QByteArray("\tv  0\t0 0\n v 1 0 0\nv 1 1 0  \nf\t1  2\t3\n") << 1;
+        QTest::newRow("w and colours") << QByteArray("v 0 0 0 1\nv 1 0 0 0.5 0.5 0.5\nv 1 1 0 1 0 0 1\nf 1 2 3\n") << 1;
+        QTest::newRow("exponents, signs") << QByteArray("v +0 0 1e-400\nv 1.0E0 -0.0 0\nv 1. .5 0\nf 1 2 3\n") << 1;
+        QTest::newRow("no last line end") << square + "f 1 2 3" << 1;
+        QTest::newRow("lines, points, curves") << square + "p 1\nl 1 2\ncurv 0 1 1 2\nf 1 2 3\n" << 1;
+    }
+
+    void objSpellings()
+    {
+        QFETCH(QByteArray, text);
+        QFETCH(int, triangles);
+        const auto file = readMesh(text.toStdString(), MeshFormat::Obj, "test.obj");
+        QVERIFY(support::succeeds(file));
+        QCOMPARE(file->mesh.triangles.size(), static_cast<std::size_t>(triangles));
+        const auto list = corners(file->mesh);
+        QVERIFY(list[0] == glm::vec3(0, 0, 0));
+        QVERIFY(list[1] == glm::vec3(1, 0, 0));
+    }
+
+    void plyWithOtherElementsAndPolygons()
+    {
+        const std::string text =
+            "ply\r\nformat ascii 1.0\r\nobj_info none\r\nelement camera 1\r\nproperty float fov\r\n"
+            "property list uchar float k\r\nelement nothing 4000000000\r\nelement vertex 5\r\n"
+            "property uchar red\r\nproperty double z\r\nproperty double y\r\nproperty double x\r\n"
+            "element face 2\r\nproperty list uint8 uint32 vertex_index\r\nproperty uchar flags\r\n"
+            "end_header\r\n90 2 0.1 0.2\r\n"
+            "1 0 0 0\r\n1 0 0 1\r\n1 0 1 1\r\n1 0 1 0\r\n1 0 0.5 -1\r\n"
+            "5 0 1 2 3 4 7\r\n3 0 1 2 7\r\n";
+        const auto file = readMesh(text, MeshFormat::Ply, "test.ply");
+        QVERIFY(support::succeeds(file));
+        QCOMPARE(file->mesh.triangles.size(), std::size_t(4));
+        QVERIFY(file->mesh.vertices[1] == glm::vec3(1, 0, 0));
+    }
+
+    void polygonsAreCoveredOnce_data()
+    {
+        QTest::addColumn<Outline>("outline");
+        QTest::newRow("dart") << Outline{{0, 0}, {4, 1}, {0, 2}, {1, 1}};
+        QTest::newRow("L") << Outline{{3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}, {0, 0}};
+        QTest::newRow("corners on straight lines")
+            << Outline{{0, 0}, {1, 0}, {2, 0}, {3, 0}, {3, 2}, {2, 2}, {1, 2}, {0, 2}};
+        QTest::newRow("notch with corners on straight lines")
+            << Outline{{0, 0}, {1, 0}, {2, 0}, {3, 0}, {3, 2}, {2, 2}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
+        QTest::newRow("a bridge to a hole")
+            << Outline{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {1, 1}, {1, 3}, {3, 3}, {3, 1}, {1, 1}};
+        Outline comb;
+        for (int k = 0; k < 40; ++k)
+            comb.insert(comb.end(), {{k + 0.0, 5.0}, {k + 0.2, 1.0}, {k + 0.5, 1.0}, {k + 0.6, 5.0}});
+        comb.insert(comb.end(), {{39.6, 0.0}, {0.0, 0.0}});
+        QTest::newRow("comb") << comb;
+        QTest::newRow("spiral") << spiral(5);
+        Outline round;
+        for (int k = 0; k < 300; ++k)
+            round.emplace_back(5.0 * std::cos(2.0 * std::numbers::pi * k / 300.0),
+                               4.0 * std::sin(2.0 * std::numbers::pi * k / 300.0));
+        QTest::newRow("round") << round;
+    }
+
+    /// A fan covers some places of a concave polygon twice or leaves it; against the even-odd rule at random points.
+    void polygonsAreCoveredOnce()
+    {
+        QFETCH(Outline, outline);
+        for (const bool backwards : {false, true}) {
+            if (backwards)
+                std::reverse(outline.begin(), outline.end());
+            for (int axis = 0; axis < 3; ++axis) {
+                const auto file = readMesh(asObj(outline, axis), MeshFormat::Obj, "polygon.obj");
+                QVERIFY(support::succeeds(file));
+                QVERIFY2(file->warnings.empty(), file->warnings.empty() ? "" : file->warnings[0].c_str());
+                QCOMPARE(file->mesh.triangles.size(), outline.size() - 2);
+                glm::dvec2 low = outline[0];
+                glm::dvec2 high = outline[0];
+                for (const glm::dvec2& p : outline) {
+                    low = glm::min(low, p);
+                    high = glm::max(high, p);
                 }
-                QCOMPARE(covers, isInside(outline, p) ? 1 : 0);
+                core::Rng rng(1);
+                for (int sample = 0; sample < 1000; ++sample) {
+                    const glm::dvec2 p(rng.uniform(low.x, high.x), rng.uniform(low.y, high.y));
+                    int covers = 0;
+                    for (const auto& t : file->mesh.triangles) {
+                        Outline corners;
+                        for (const std::uint32_t v : t)
+                            corners.emplace_back(file->mesh.vertices[v][(axis + 1) % 3],
+                                                 file->mesh.vertices[v][(axis + 2) % 3]);
+                        covers += isInside(corners, p) ? 1 : 0;
+                    }
+                    QCOMPARE(covers, isInside(outline, p) ? 1 : 0);
+                }
             }
         }
     }
-}
 
-void TestMeshReader::polygonsOfManyCorners()
-{
-    // A wavy outline: half its corners are notches in one file, none in the other.
-    const auto wavy = [](int count, double wave) {
-        Outline outline;
-        for (int k = 0; k < count; ++k) {
-            const double angle = 2.0 * std::numbers::pi * k / count;
-            const double radius = 100.0 * (k % 2 == 0 ? 1.0 : 1.0 - wave);
-            outline.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+    void polygonsOfManyCorners()
+    {
+        // A wavy outline: half its corners are notches in one file, none in the other.
+        const auto wavy = [](int count, double wave) {
+            Outline outline;
+            for (int k = 0; k < count; ++k) {
+                const double angle = 2.0 * std::numbers::pi * k / count;
+                const double radius = 100.0 * (k % 2 == 0 ? 1.0 : 1.0 - wave);
+                outline.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+            }
+            return outline;
+        };
+        for (const auto& [count, wave] : {std::pair(2000, 0.0), {2000, 0.01}, {20'000, 0.001}}) {
+            const auto file = readMesh(asObj(wavy(count, wave)), MeshFormat::Obj, "base.obj");
+            QVERIFY(support::succeeds(file));
+            QCOMPARE(file->mesh.triangles.size(), static_cast<std::size_t>(count - 2));
+            double boxes = 0.0;  // what the rasteriser will have to look at; a fan: half the outline for every corner
+            for (const auto& t : file->mesh.triangles) {
+                const glm::vec2 a(file->mesh.vertices[t[0]]);
+                const glm::vec2 b(file->mesh.vertices[t[1]]);
+                const glm::vec2 c(file->mesh.vertices[t[2]]);
+                const glm::vec2 size = glm::max(a, glm::max(b, c)) - glm::min(a, glm::min(b, c));
+                boxes += static_cast<double>(size.x) * static_cast<double>(size.y);
+            }
+            QVERIFY2(boxes < 50.0 * 200.0 * 200.0, qPrintable(QString::number(boxes)));
         }
-        return outline;
-    };
-    for (const auto& [count, wave] : {std::pair(2000, 0.0), {2000, 0.01}, {20'000, 0.001}}) {
-        const auto file = readMesh(asObj(wavy(count, wave)), MeshFormat::Obj, "base.obj");
-        QVERIFY(support::succeeds(file));
-        QCOMPARE(file->mesh.triangles.size(), static_cast<std::size_t>(count - 2));
-        double boxes = 0.0;  // what the rasteriser will have to look at; a fan: half the outline for every corner
-        for (const auto& t : file->mesh.triangles) {
-            const glm::vec2 a(file->mesh.vertices[t[0]]);
-            const glm::vec2 b(file->mesh.vertices[t[1]]);
-            const glm::vec2 c(file->mesh.vertices[t[2]]);
-            const glm::vec2 size = glm::max(a, glm::max(b, c)) - glm::min(a, glm::min(b, c));
-            boxes += static_cast<double>(size.x) * static_cast<double>(size.y);
-        }
-        QVERIFY2(boxes < 50.0 * 200.0 * 200.0, qPrintable(QString::number(boxes)));
+        const auto refused = readMesh(asObj(wavy(200'000, 0.0002)), MeshFormat::Obj, "base.obj");
+        QVERIFY(support::isRefused(refused, "200000 corners"));
+        QVERIFY2(refused.error().detail.find("triangles only") != std::string::npos, refused.error().detail.c_str());
     }
-    const auto refused = readMesh(asObj(wavy(200'000, 0.0002)), MeshFormat::Obj, "base.obj");
-    QVERIFY(support::isRefused(refused, "200000 corners"));
-    QVERIFY2(refused.error().detail.find("triangles only") != std::string::npos, refused.error().detail.c_str());
-}
 
-void TestMeshReader::polygonsThatCrossThemselvesWarn()
-{
-    Outline star;
-    for (int k = 0; k < 5; ++k)
-        star.emplace_back(std::cos(0.8 * std::numbers::pi * k), std::sin(0.8 * std::numbers::pi * k));
-    const Outline bowTie{{0, 0}, {2, 2}, {2, 0}, {0, 2}};
-    const Outline eight{{0, 0}, {6, 6}, {6, 0}, {0, 5}};
-    const Outline line{{0, 0}, {1, 0}, {2, 0}, {3, 0}};
-    for (const Outline& outline : {star, bowTie, eight, line}) {
-        const auto file = readMesh(asObj(outline), MeshFormat::Obj, "polygon.obj");
+    void polygonsThatCrossThemselvesWarn()
+    {
+        Outline star;
+        for (int k = 0; k < 5; ++k)
+            star.emplace_back(std::cos(0.8 * std::numbers::pi * k), std::sin(0.8 * std::numbers::pi * k));
+        const Outline bowTie{{0, 0}, {2, 2}, {2, 0}, {0, 2}};
+        const Outline eight{{0, 0}, {6, 6}, {6, 0}, {0, 5}};
+        const Outline line{{0, 0}, {1, 0}, {2, 0}, {3, 0}};
+        for (const Outline& outline : {star, bowTie, eight, line}) {
+            const auto file = readMesh(asObj(outline), MeshFormat::Obj, "polygon.obj");
+            QVERIFY(file);
+            QCOMPARE(file->mesh.triangles.size(), outline.size() - 2);
+            QCOMPARE(file->warnings.size(), std::size_t(1));
+            QVERIFY2(file->warnings[0].starts_with("1 face crosses itself"), file->warnings[0].c_str());
+        }
+    }
+
+    void aByteOrderMarkIsPassedOver()
+    {
+        const TriangleMesh mesh = support::box(1, 2, 3);
+        const std::array<std::pair<MeshFormat, std::string>, 4> files{
+            {{MeshFormat::Obj, support::asObj(mesh)},
+             {MeshFormat::Stl, support::asAsciiStl(mesh)},
+             {MeshFormat::Ply, support::asAsciiPly(mesh)},
+             {MeshFormat::Ply, support::asBinaryPly(mesh, true)}}};
+        for (const auto& [format, bytes] : files) {
+            const auto file = readMesh(std::string("\xEF\xBB\xBF").append(bytes), format, "marked");
+            QVERIFY(support::succeeds(file));
+            QVERIFY(corners(file->mesh) == corners(mesh));
+            QVERIFY(file->warnings.empty());
+        }
+    }
+
+    void binaryStlThatBeginsWithSolid()
+    {
+        std::string bytes = support::asBinaryStl(support::box(1, 2, 3));
+        bytes.replace(0, 5, "solid");
+        const auto file = readMesh(bytes, MeshFormat::Stl, "test.stl");
         QVERIFY(file);
-        QCOMPARE(file->mesh.triangles.size(), outline.size() - 2);
-        QCOMPARE(file->warnings.size(), std::size_t(1));
-        QVERIFY2(file->warnings[0].starts_with("1 face crosses itself"), file->warnings[0].c_str());
+        QCOMPARE(file->mesh.triangles.size(), std::size_t(12));
     }
-}
 
-void TestMeshReader::aByteOrderMarkIsPassedOver()
-{
-    const TriangleMesh mesh = support::box(1, 2, 3);
-    const std::array<std::pair<MeshFormat, std::string>, 4> files{
-        {{MeshFormat::Obj, support::asObj(mesh)},
-         {MeshFormat::Stl, support::asAsciiStl(mesh)},
-         {MeshFormat::Ply, support::asAsciiPly(mesh)},
-         {MeshFormat::Ply, support::asBinaryPly(mesh, true)}}};
-    for (const auto& [format, bytes] : files) {
-        const auto file = readMesh(std::string("\xEF\xBB\xBF").append(bytes), format, "marked");
-        QVERIFY(support::succeeds(file));
-        QVERIFY(corners(file->mesh) == corners(mesh));
-        QVERIFY(file->warnings.empty());
+    void oddButUsableFilesWarn()
+    {
+        const auto thin = readMesh("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\nf 1 2 3\n", MeshFormat::Obj, "test.obj");
+        QVERIFY(thin);
+        QCOMPARE(thin->warnings.size(), std::size_t(1));
+        const auto longer =
+            readMesh(support::asBinaryStl(support::box(1, 1, 1)) + "trailing\x01", MeshFormat::Stl, "t.stl");
+        QVERIFY(longer);
+        QCOMPARE(longer->warnings, std::vector<std::string>{"9 bytes after the last triangle passed over"});
+        // Whole records beyond the count: the header is as likely to be wrong as they are.
+        const auto more = readMesh(binaryStlHeader(3) + support::asBinaryStl(support::box(1, 1, 1)).substr(84, 200),
+                                   MeshFormat::Stl, "t.stl");
+        QVERIFY(more);
+        QCOMPARE(more->mesh.triangles.size(), std::size_t(3));
+        QCOMPARE(more->warnings, std::vector<std::string>{
+                                     "the header states 3 triangles, but 4 are there; the rest was passed over, so the "
+                                     "mesh may not be whole"});
     }
-}
 
-void TestMeshReader::binaryStlThatBeginsWithSolid()
-{
-    std::string bytes = support::asBinaryStl(support::box(1, 2, 3));
-    bytes.replace(0, 5, "solid");
-    const auto file = readMesh(bytes, MeshFormat::Stl, "test.stl");
-    QVERIFY(file);
-    QCOMPARE(file->mesh.triangles.size(), std::size_t(12));
-}
+    void badBytes_data()
+    {
+        support::columns<MeshFormat, QByteArray, ErrorCode, QString>("format", "bytes", "code", "says");
+        const auto add = [](const char* name, MeshFormat format, const std::string& bytes, ErrorCode code,
+                            const char* says) {
+            QTest::newRow(name) << format << QByteArray::fromStdString(bytes) << code << QString::fromLatin1(says);
+        };
+        const std::string three = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+        add("obj: prose", MeshFormat::Obj, "Dear Sir,\nthis is a letter.\n", ErrorCode::WrongKind,
+            "does not look like");
+        add("obj: points only", MeshFormat::Obj, three, ErrorCode::NoTriangles, "no face");
+        add("obj: two numbers", MeshFormat::Obj, "v 1 2\n", ErrorCode::BadStructure, "line 1");
+        add("obj: nan", MeshFormat::Obj, "v 0 0 0\nv 1 nan 0\n", ErrorCode::BadNumber, "line 2");
+        add("obj: inf", MeshFormat::Obj, "v inf 0 0\n", ErrorCode::BadNumber, "\"inf\"");
+        add("obj: beyond float", MeshFormat::Obj, "v 1e39 0 0\n", ErrorCode::BadNumber, "1e39");
+        add("obj: beyond double", MeshFormat::Obj, "v 1e999 0 0\n", ErrorCode::BadNumber, "1e999");
+        add("obj: not a number", MeshFormat::Obj, "v 0 0 zero\n", ErrorCode::BadNumber, "\"zero\"");
+        add("obj: index 0", MeshFormat::Obj, three + "f 0 1 2\n", ErrorCode::BadStructure, "line 4");
+        add("obj: index too high", MeshFormat::Obj, three + "f 1 2 3\nf 1 2 4\n", ErrorCode::BadStructure, "line 5");
+        add("obj: index too low", MeshFormat::Obj, three + "f -1 -2 -4\n", ErrorCode::BadStructure, "\"-4\"");
+        add("obj: index of 20 digits", MeshFormat::Obj, three + "f 1 2 99999999999999999999\n", ErrorCode::BadStructure,
+            "names no vertex");
+        add("obj: index is a word", MeshFormat::Obj, three + "f 1 2 x\n", ErrorCode::BadStructure, "\"x\"");
 
-void TestMeshReader::oddButUsableFilesWarn()
-{
-    const auto thin = readMesh("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\nf 1 2 3\n", MeshFormat::Obj, "test.obj");
-    QVERIFY(thin);
-    QCOMPARE(thin->warnings.size(), std::size_t(1));
-    const auto longer =
-        readMesh(support::asBinaryStl(support::box(1, 1, 1)) + "trailing\x01", MeshFormat::Stl, "t.stl");
-    QVERIFY(longer);
-    QCOMPARE(longer->warnings, std::vector<std::string>{"9 bytes after the last triangle passed over"});
-    // Whole records beyond the count: the header is as likely to be wrong as they are.
-    const auto more = readMesh(binaryStlHeader(3) + support::asBinaryStl(support::box(1, 1, 1)).substr(84, 200),
-                               MeshFormat::Stl, "t.stl");
-    QVERIFY(more);
-    QCOMPARE(more->mesh.triangles.size(), std::size_t(3));
-    QCOMPARE(more->warnings, std::vector<std::string>{
-                                 "the header states 3 triangles, but 4 are there; the rest was passed over, so the "
-                                 "mesh may not be whole"});
-}
+        const std::string record = stlRecord(0.0F);
+        const float infinite = std::numeric_limits<float>::infinity();
+        add("stl: prose", MeshFormat::Stl, "Dear Sir,\nthis is a letter.\n", ErrorCode::WrongKind, "not an STL");
+        add("stl: binary, no header", MeshFormat::Stl, std::string(40, '\0'), ErrorCode::FileTruncated, "40 bytes");
+        add("stl: binary, cut short", MeshFormat::Stl, binaryStlHeader(3) + record + record.substr(0, 20),
+            ErrorCode::FileTruncated, "states 3 triangles, of which only 1");
+        add("stl: count of 4 billion", MeshFormat::Stl, binaryStlHeader(0xFFFFFFFFU) + record, ErrorCode::FileTruncated,
+            "states 4294967295 triangles");
+        add("stl: no triangles", MeshFormat::Stl, binaryStlHeader(0), ErrorCode::NoTriangles, "0 triangles");
+        add("stl: NaN", MeshFormat::Stl, binaryStlHeader(2) + record + stlRecord(std::nanf("")), ErrorCode::BadNumber,
+            "triangle 2");
+        add("stl: infinity", MeshFormat::Stl, binaryStlHeader(1) + stlRecord(infinite), ErrorCode::BadNumber,
+            "triangle 1");
+        add("stl: solid and binary, cut short", MeshFormat::Stl, "solid" + binaryStlHeader(9).substr(5) + record,
+            ErrorCode::FileTruncated, "states 9");
+        add("stl: ascii, cut in a facet", MeshFormat::Stl, support::asAsciiStl(support::box(1, 1, 1)).substr(0, 300),
+            ErrorCode::FileTruncated, "cut short");
+        add("stl: ascii, two corners", MeshFormat::Stl,
+            "solid\nfacet\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nendloop\nendfacet\nendsolid\n",
+            ErrorCode::BadStructure, "line 7");
+        add("stl: ascii, four corners", MeshFormat::Stl,
+            "solid\nfacet\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nvertex 0 1 0\nendfacet\nendsolid\n",
+            ErrorCode::BadStructure, "line 6");
+        add("stl: ascii, nan", MeshFormat::Stl, "solid\nfacet\nvertex 0 nan 0\n", ErrorCode::BadNumber, "line 3");
+        add("stl: only the word", MeshFormat::Stl, "solid as a rock\n", ErrorCode::WrongKind, "no whole facet");
 
-void TestMeshReader::badBytes_data()
-{
-    support::columns<MeshFormat, QByteArray, ErrorCode, QString>("format", "bytes", "code", "says");
-    const auto add = [](const char* name, MeshFormat format, const std::string& bytes, ErrorCode code,
-                        const char* says) {
-        QTest::newRow(name) << format << QByteArray::fromStdString(bytes) << code << QString::fromLatin1(says);
-    };
-    const std::string three = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-    add("obj: prose", MeshFormat::Obj, "Dear Sir,\nthis is a letter.\n", ErrorCode::WrongKind, "does not look like");
-    add("obj: points only", MeshFormat::Obj, three, ErrorCode::NoTriangles, "no face");
-    add("obj: two numbers", MeshFormat::Obj, "v 1 2\n", ErrorCode::BadStructure, "line 1");
-    add("obj: nan", MeshFormat::Obj, "v 0 0 0\nv 1 nan 0\n", ErrorCode::BadNumber, "line 2");
-    add("obj: inf", MeshFormat::Obj, "v inf 0 0\n", ErrorCode::BadNumber, "\"inf\"");
-    add("obj: beyond float", MeshFormat::Obj, "v 1e39 0 0\n", ErrorCode::BadNumber, "1e39");
-    add("obj: beyond double", MeshFormat::Obj, "v 1e999 0 0\n", ErrorCode::BadNumber, "1e999");
-    add("obj: not a number", MeshFormat::Obj, "v 0 0 zero\n", ErrorCode::BadNumber, "\"zero\"");
-    add("obj: index 0", MeshFormat::Obj, three + "f 0 1 2\n", ErrorCode::BadStructure, "line 4");
-    add("obj: index too high", MeshFormat::Obj, three + "f 1 2 3\nf 1 2 4\n", ErrorCode::BadStructure, "line 5");
-    add("obj: index too low", MeshFormat::Obj, three + "f -1 -2 -4\n", ErrorCode::BadStructure, "\"-4\"");
-    add("obj: index of 20 digits", MeshFormat::Obj, three + "f 1 2 99999999999999999999\n", ErrorCode::BadStructure,
-        "names no vertex");
-    add("obj: index is a word", MeshFormat::Obj, three + "f 1 2 x\n", ErrorCode::BadStructure, "\"x\"");
+        add("obj: edges only", MeshFormat::Obj, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\nf 2 3\n", ErrorCode::NoTriangles,
+            "fewer than three corners");
 
-    const std::string record = stlRecord(0.0F);
-    const float infinite = std::numeric_limits<float>::infinity();
-    add("stl: prose", MeshFormat::Stl, "Dear Sir,\nthis is a letter.\n", ErrorCode::WrongKind, "not an STL");
-    add("stl: binary, no header", MeshFormat::Stl, std::string(40, '\0'), ErrorCode::FileTruncated, "40 bytes");
-    add("stl: binary, cut short", MeshFormat::Stl, binaryStlHeader(3) + record + record.substr(0, 20),
-        ErrorCode::FileTruncated, "states 3 triangles, of which only 1");
-    add("stl: count of 4 billion", MeshFormat::Stl, binaryStlHeader(0xFFFFFFFFU) + record, ErrorCode::FileTruncated,
-        "states 4294967295 triangles");
-    add("stl: no triangles", MeshFormat::Stl, binaryStlHeader(0), ErrorCode::NoTriangles, "0 triangles");
-    add("stl: NaN", MeshFormat::Stl, binaryStlHeader(2) + record + stlRecord(std::nanf("")), ErrorCode::BadNumber,
-        "triangle 2");
-    add("stl: infinity", MeshFormat::Stl, binaryStlHeader(1) + stlRecord(infinite), ErrorCode::BadNumber, "triangle 1");
-    add("stl: solid and binary, cut short", MeshFormat::Stl, "solid" + binaryStlHeader(9).substr(5) + record,
-        ErrorCode::FileTruncated, "states 9");
-    add("stl: ascii, cut in a facet", MeshFormat::Stl, support::asAsciiStl(support::box(1, 1, 1)).substr(0, 300),
-        ErrorCode::FileTruncated, "cut short");
-    add("stl: ascii, two corners", MeshFormat::Stl,
-        "solid\nfacet\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nendloop\nendfacet\nendsolid\n", ErrorCode::BadStructure,
-        "line 7");
-    add("stl: ascii, four corners", MeshFormat::Stl,
-        "solid\nfacet\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nvertex 0 1 0\nendfacet\nendsolid\n",
-        ErrorCode::BadStructure, "line 6");
-    add("stl: ascii, nan", MeshFormat::Stl, "solid\nfacet\nvertex 0 nan 0\n", ErrorCode::BadNumber, "line 3");
-    add("stl: only the word", MeshFormat::Stl, "solid as a rock\n", ErrorCode::WrongKind, "no whole facet");
+        const std::string ply =
+            "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+            "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+        const std::string points = "0 0 0\n1 0 0\n0 1 0\n";
+        add("ply: prose", MeshFormat::Ply, "Dear Sir,\nthis is a letter.\n", ErrorCode::WrongKind, "does not begin");
+        add("ply: no end of header", MeshFormat::Ply, "ply\nformat ascii 1.0\n", ErrorCode::WrongKind, "no end");
+        add("ply: unknown encoding", MeshFormat::Ply, "ply\nformat morse 1.0\nend_header\n", ErrorCode::WrongKind,
+            "encoding");
+        add("ply: unknown type", MeshFormat::Ply,
+            "ply\nformat ascii 1.0\nelement vertex 1\nproperty apple x\nend_header\n", ErrorCode::WrongKind, "line 4");
+        add("ply: negative count", MeshFormat::Ply, "ply\nformat ascii 1.0\nelement vertex -1\nend_header\n",
+            ErrorCode::WrongKind, "line 3");
+        add("ply: points only", MeshFormat::Ply,
+            "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float "
+            "z\nend_header\n1 "
+            "2 3\n",
+            ErrorCode::NoTriangles, "1 point and");
+        add("ply: edges only", MeshFormat::Ply, ply + points + "2 0 1\n", ErrorCode::NoTriangles,
+            "fewer than three corners");
+        add("ply: no z", MeshFormat::Ply,
+            "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nend_header\n1 2\n",
+            ErrorCode::BadStructure, "no x, y and z");
+        add("ply: cut in the vertices", MeshFormat::Ply, ply + "0 0 0\n1 0", ErrorCode::FileTruncated, "vertex");
+        add("ply: cut in the faces", MeshFormat::Ply, ply + points + "3 0 1", ErrorCode::FileTruncated, "face 1");
+        add("ply: nan", MeshFormat::Ply, ply + "0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n", ErrorCode::BadNumber, "vertex 2");
+        add("ply: index too high", MeshFormat::Ply, ply + points + "3 0 1 3\n", ErrorCode::BadStructure, "vertex 3");
+        add("ply: negative index", MeshFormat::Ply, ply + points + "3 0 1 -1\n", ErrorCode::BadStructure, "cannot be");
+        add("ply: list of 4 billion", MeshFormat::Ply, ply + points + "4000000000 0 1 2\n", ErrorCode::FileTruncated,
+            "face 1");
+        add("ply: vertices of 4 billion", MeshFormat::Ply,
+            "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\nproperty float x\nend_header\nxxxx",
+            ErrorCode::FileTruncated, "states 4000000000 of \"vertex\", more than the 4 bytes left");
+        add("ply: faces cut in binary", MeshFormat::Ply,
+            support::asBinaryPly(support::box(1, 1, 1), true).substr(0, 320), ErrorCode::FileTruncated, "cut short");
+    }
 
-    add("obj: edges only", MeshFormat::Obj, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\nf 2 3\n", ErrorCode::NoTriangles,
-        "fewer than three corners");
+    void badBytes()
+    {
+        QFETCH(MeshFormat, format);
+        QFETCH(QByteArray, bytes);
+        QFETCH(ErrorCode, code);
+        QFETCH(QString, says);
+        const auto file = readMesh(bytes.toStdString(), format, "the file");
+        QVERIFY(!file);
+        const QString detail = QString::fromStdString(file.error().detail);
+        QVERIFY2(detail.contains(says), qPrintable(detail));
+        QVERIFY2(detail.startsWith(QStringLiteral("the file")), qPrintable(detail));
+        QVERIFY2(file.error().code == code, qPrintable(detail));
+    }
 
-    const std::string ply =
-        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
-        "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
-    const std::string points = "0 0 0\n1 0 0\n0 1 0\n";
-    add("ply: prose", MeshFormat::Ply, "Dear Sir,\nthis is a letter.\n", ErrorCode::WrongKind, "does not begin");
-    add("ply: no end of header", MeshFormat::Ply, "ply\nformat ascii 1.0\n", ErrorCode::WrongKind, "no end");
-    add("ply: unknown encoding", MeshFormat::Ply, "ply\nformat morse 1.0\nend_header\n", ErrorCode::WrongKind,
-        "encoding");
-    add("ply: unknown type", MeshFormat::Ply, "ply\nformat ascii 1.0\nelement vertex 1\nproperty apple x\nend_header\n",
-        ErrorCode::WrongKind, "line 4");
-    add("ply: negative count", MeshFormat::Ply, "ply\nformat ascii 1.0\nelement vertex -1\nend_header\n",
-        ErrorCode::WrongKind, "line 3");
-    add("ply: points only", MeshFormat::Ply,
-        "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n1 "
-        "2 3\n",
-        ErrorCode::NoTriangles, "1 point and");
-    add("ply: edges only", MeshFormat::Ply, ply + points + "2 0 1\n", ErrorCode::NoTriangles,
-        "fewer than three corners");
-    add("ply: no z", MeshFormat::Ply,
-        "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nend_header\n1 2\n",
-        ErrorCode::BadStructure, "no x, y and z");
-    add("ply: cut in the vertices", MeshFormat::Ply, ply + "0 0 0\n1 0", ErrorCode::FileTruncated, "vertex");
-    add("ply: cut in the faces", MeshFormat::Ply, ply + points + "3 0 1", ErrorCode::FileTruncated, "face 1");
-    add("ply: nan", MeshFormat::Ply, ply + "0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n", ErrorCode::BadNumber, "vertex 2");
-    add("ply: index too high", MeshFormat::Ply, ply + points + "3 0 1 3\n", ErrorCode::BadStructure, "vertex 3");
-    add("ply: negative index", MeshFormat::Ply, ply + points + "3 0 1 -1\n", ErrorCode::BadStructure, "cannot be");
-    add("ply: list of 4 billion", MeshFormat::Ply, ply + points + "4000000000 0 1 2\n", ErrorCode::FileTruncated,
-        "face 1");
-    add("ply: vertices of 4 billion", MeshFormat::Ply,
-        "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\nproperty float x\nend_header\nxxxx",
-        ErrorCode::FileTruncated, "states 4000000000 of \"vertex\", more than the 4 bytes left");
-    add("ply: faces cut in binary", MeshFormat::Ply, support::asBinaryPly(support::box(1, 1, 1), true).substr(0, 320),
-        ErrorCode::FileTruncated, "cut short");
-}
+    void badFiles()
+    {
+        const QTemporaryDir folder;
+        const auto path = [&](const char* name) {
+            return std::filesystem::path(folder.filePath(QString::fromLatin1(name)).toStdString());
+        };
+        const auto code = [](const std::filesystem::path& p) { return readMesh(p).error().code; };
+        QCOMPARE(code(path("absent.stl")), ErrorCode::FileMissing);
+        QCOMPARE(code(path("")), ErrorCode::FileUnreadable);
+        QCOMPARE(code("/dev/null"), ErrorCode::FileUnreadable);
+        std::ofstream(path("empty.obj")).close();
+        QCOMPARE(code(path("empty.obj")), ErrorCode::FileEmpty);
+        std::ofstream(path("mesh.xyz")) << "0 0 0\n";
+        QCOMPARE(code(path("mesh.xyz")), ErrorCode::WrongKind);
+        std::ofstream(path("huge.stl")) << "solid";
+        std::filesystem::resize_file(path("huge.stl"), core::mesh::kMaxFileBytes + 1);
+        QCOMPARE(code(path("huge.stl")), ErrorCode::FileTooLarge);
+    }
 
-void TestMeshReader::badBytes()
-{
-    QFETCH(MeshFormat, format);
-    QFETCH(QByteArray, bytes);
-    QFETCH(ErrorCode, code);
-    QFETCH(QString, says);
-    const auto file = readMesh(bytes.toStdString(), format, "the file");
-    QVERIFY(!file);
-    const QString detail = QString::fromStdString(file.error().detail);
-    QVERIFY2(detail.contains(says), qPrintable(detail));
-    QVERIFY2(detail.startsWith(QStringLiteral("the file")), qPrintable(detail));
-    QVERIFY2(file.error().code == code, qPrintable(detail));
-}
+    void extensionDecidesInAnyCase()
+    {
+        const QTemporaryDir folder;
+        const auto write = [&](const char* name, const std::string& bytes) {
+            const std::filesystem::path path(folder.filePath(QString::fromLatin1(name)).toStdString());
+            std::ofstream(path, std::ios::binary) << bytes;
+            return readMesh(path);
+        };
+        const TriangleMesh mesh = support::box(1, 2, 3);
+        QVERIFY(write("a.OBJ", support::asObj(mesh)));
+        QVERIFY(write("a.Stl", support::asBinaryStl(mesh)));
+        QVERIFY(write("a.ply", support::asBinaryPly(mesh, false)));
+        QVERIFY(!write("b.ply", support::asObj(mesh)));
+    }
 
-void TestMeshReader::badFiles()
-{
-    const QTemporaryDir folder;
-    const auto path = [&](const char* name) {
-        return std::filesystem::path(folder.filePath(QString::fromLatin1(name)).toStdString());
-    };
-    const auto code = [](const std::filesystem::path& p) { return readMesh(p).error().code; };
-    QCOMPARE(code(path("absent.stl")), ErrorCode::FileMissing);
-    QCOMPARE(code(path("")), ErrorCode::FileUnreadable);
-    QCOMPARE(code("/dev/null"), ErrorCode::FileUnreadable);
-    std::ofstream(path("empty.obj")).close();
-    QCOMPARE(code(path("empty.obj")), ErrorCode::FileEmpty);
-    std::ofstream(path("mesh.xyz")) << "0 0 0\n";
-    QCOMPARE(code(path("mesh.xyz")), ErrorCode::WrongKind);
-    std::ofstream(path("huge.stl")) << "solid";
-    std::filesystem::resize_file(path("huge.stl"), core::mesh::kMaxFileBytes + 1);
-    QCOMPARE(code(path("huge.stl")), ErrorCode::FileTooLarge);
-}
-
-void TestMeshReader::extensionDecidesInAnyCase()
-{
-    const QTemporaryDir folder;
-    const auto write = [&](const char* name, const std::string& bytes) {
-        const std::filesystem::path path(folder.filePath(QString::fromLatin1(name)).toStdString());
-        std::ofstream(path, std::ios::binary) << bytes;
-        return readMesh(path);
-    };
-    const TriangleMesh mesh = support::box(1, 2, 3);
-    QVERIFY(write("a.OBJ", support::asObj(mesh)));
-    QVERIFY(write("a.Stl", support::asBinaryStl(mesh)));
-    QVERIFY(write("a.ply", support::asBinaryPly(mesh, false)));
-    QVERIFY(!write("b.ply", support::asObj(mesh)));
-}
-
-void TestMeshReader::corpusOfTheFuzzerIsHarmless()
-{
-    int seeds = 0;
-    QVERIFY(support::forEachSeed("mesh", [&](const std::string& bytes) {
-        fuzz::exerciseMesh(bytes);
-        ++seeds;
-    }));
-    QVERIFY(seeds > 20);
-}
+    void corpusOfTheFuzzerIsHarmless()
+    {
+        int seeds = 0;
+        QVERIFY(support::forEachSeed("mesh", [&](const std::string& bytes) {
+            fuzz::exerciseMesh(bytes);
+            ++seeds;
+        }));
+        QVERIFY(seeds > 20);
+    }
+};
 
 QTEST_APPLESS_MAIN(TestMeshReader)
 #include "tst_mesh_reader.moc"

@@ -88,139 +88,134 @@ class TestPlayer : public QObject
 {
     Q_OBJECT
 private slots:
-    void everyMomentIsAsItWas();
-    void strokesAndMarksAreTold();
-    void canBeLookedAtWhileItIsMade();
-    void anEmptyAttempt();
-};
-
-void TestPlayer::everyMomentIsAsItWas()
-{
-    const Recording made = attempt(12000);
-    const Truth truth = truthOf(made);
-    const auto player = Player::make(made).value();
-    int steps = 0;
-    while (player->advance(997))
-        ++steps;
-    QCOMPARE(steps, static_cast<int>((made.ticks() - 1) / 997));
-    QVERIFY(!player->advance(1));
-    QCOMPARE(player->readyTicks(), made.ticks());
-    QCOMPARE(player->ticks(), made.ticks());
-    // In any order.
-    Rng rng(3);
-    int cut = 0;
-    for (int n = 0; n < 400; ++n) {
-        const std::uint64_t tick = static_cast<std::uint64_t>(rng.below(static_cast<int>(made.ticks()) + 1));
-        const auto known = truth.heights.upper_bound(tick);
-        const std::vector<float> heights = player->heightsAt(tick);
-        if (known != truth.heights.begin())
-            QVERIFY2(heights == std::prev(known)->second, qPrintable(QString::number(tick)));
-        cut += heights != made.anatomy()->top ? 1 : 0;
-        const session::ServoState state = player->stateAt(tick);
-        const session::ServoState& was = truth.states.at(tick / Player::kTicksAPose * Player::kTicksAPose);
-        QCOMPARE(state.tick, was.tick);
-        QCOMPARE(glm::vec3(state.anchorMm), glm::vec3(was.anchorMm));
-        QCOMPARE(glm::vec3(state.deviceMm), glm::vec3(was.deviceMm));
-        QCOMPARE(glm::vec3(state.forceN), glm::vec3(was.forceN));
-        QCOMPARE(state.burIndex, was.burIndex);
-        QCOMPARE(state.drillOn, was.drillOn);
-        QCOMPARE(state.cutting, was.cutting);
-        QCOMPARE(state.touching, was.touching);
-        QCOMPARE(state.health, was.health);
-        QCOMPARE(static_cast<float>(state.removedMm3[1]), static_cast<float>(was.removedMm3[1]));
-        QVERIFY(std::abs(player->secondsAt(tick) - truth.seconds.at(std::max<std::uint64_t>(tick, 1))) < 0.012);
-        QVERIFY(std::abs(static_cast<double>(player->tickAt(player->secondsAt(tick))) - static_cast<double>(tick)) <=
-                4.0);
-    }
-    QVERIFY(cut > 200);
-    QCOMPARE(player->heightsAt(0), made.anatomy()->top);
-    QCOMPARE(player->heightsAt(made.ticks() + 1000), recording::replay(made)->tooth.top);
-    QVERIFY(player->bytes() < 8'000'000);
-}
-
-void TestPlayer::strokesAndMarksAreTold()
-{
-    support::Rig rig;
-    rig.drill(support::smallBlock());
-    for (int n = 0; n < 4; ++n) {
-        rig.lean(0.8 * n - 1.2, 0.0, 2.0, 100);
-        rig.lift();
-        if (n == 2)
-            rig.give(session::Undo{});
-    }
-    rig.lean(0.0, 1.0, 2.0, 60);  // cut short by an undo
-    rig.send(session::Undo{});
-    rig.settle();
-    rig.device.tipMm.z = 5.0F;
-    rig.run(30);
-    const Recording made = rig.session->recordingSoFar().value();
-    const auto player = Player::make(made).value();
-    while (player->advance(1000)) {
-    }
-    const auto strokes = player->strokes();
-    QCOMPARE(strokes.size(), 5U);
-    for (std::size_t n = 0; n < strokes.size(); ++n) {
-        QVERIFY(strokes[n].from <= strokes[n].to);
-        QVERIFY2(strokes[n].to - strokes[n].from < 110,
-                 qPrintable(QString("%1 to %2").arg(strokes[n].from).arg(strokes[n].to)));
-        QVERIFY(player->stateAt(strokes[n].from + Player::kTicksAPose).cutting);
-        QVERIFY(!player->stateAt(strokes[n].to + Player::kTicksAPose).cutting);
-        QVERIFY(n == 0 || strokes[n].from > strokes[n - 1].to);
-        // Nothing but a stroke changes the tooth, and an undo.
-        QVERIFY(player->heightsAt(strokes[n].from - 1) != player->heightsAt(strokes[n].to - 1));
-    }
-    int undone = 0;
-    std::uint64_t last = 0;
-    for (const recording::MarkedEvent& mark : player->marks()) {
-        QVERIFY(!recording::isTick(mark.event.kind));
-        QVERIFY(mark.tick >= last && mark.tick <= made.ticks());
-        last = mark.tick;
-        undone += mark.event.kind == ServoEvent::Kind::Restore ? 1 : 0;
-    }
-    QCOMPARE(undone, 2);
-}
-
-void TestPlayer::canBeLookedAtWhileItIsMade()
-{
-    const Recording made = attempt(8000);
-    const Truth truth = truthOf(made);
-    const auto player = Player::make(made).value();
-    std::atomic<bool> done{false};
-    std::thread maker([&] {
-        while (player->advance(100)) {
+    void everyMomentIsAsItWas()
+    {
+        const Recording made = attempt(12000);
+        const Truth truth = truthOf(made);
+        const auto player = Player::make(made).value();
+        int steps = 0;
+        while (player->advance(997))
+            ++steps;
+        QCOMPARE(steps, static_cast<int>((made.ticks() - 1) / 997));
+        QVERIFY(!player->advance(1));
+        QCOMPARE(player->readyTicks(), made.ticks());
+        QCOMPARE(player->ticks(), made.ticks());
+        // In any order.
+        Rng rng(3);
+        int cut = 0;
+        for (int n = 0; n < 400; ++n) {
+            const std::uint64_t tick = static_cast<std::uint64_t>(rng.below(static_cast<int>(made.ticks()) + 1));
+            const auto known = truth.heights.upper_bound(tick);
+            const std::vector<float> heights = player->heightsAt(tick);
+            if (known != truth.heights.begin())
+                QVERIFY2(heights == std::prev(known)->second, qPrintable(QString::number(tick)));
+            cut += heights != made.anatomy()->top ? 1 : 0;
+            const session::ServoState state = player->stateAt(tick);
+            const session::ServoState& was = truth.states.at(tick / Player::kTicksAPose * Player::kTicksAPose);
+            QCOMPARE(state.tick, was.tick);
+            QCOMPARE(glm::vec3(state.anchorMm), glm::vec3(was.anchorMm));
+            QCOMPARE(glm::vec3(state.deviceMm), glm::vec3(was.deviceMm));
+            QCOMPARE(glm::vec3(state.forceN), glm::vec3(was.forceN));
+            QCOMPARE(state.burIndex, was.burIndex);
+            QCOMPARE(state.drillOn, was.drillOn);
+            QCOMPARE(state.cutting, was.cutting);
+            QCOMPARE(state.touching, was.touching);
+            QCOMPARE(state.health, was.health);
+            QCOMPARE(static_cast<float>(state.removedMm3[1]), static_cast<float>(was.removedMm3[1]));
+            QVERIFY(std::abs(player->secondsAt(tick) - truth.seconds.at(std::max<std::uint64_t>(tick, 1))) < 0.012);
+            QVERIFY(std::abs(static_cast<double>(player->tickAt(player->secondsAt(tick))) -
+                             static_cast<double>(tick)) <= 4.0);
         }
-        done = true;
-    });
-    Rng rng(6);
-    int looks = 0;
-    int wrong = 0;
-    while (!done || looks < 20) {
-        const std::uint64_t ready = player->readyTicks();
-        if (ready < 100)
-            continue;
-        // Of the last patch an undo may still have a word to say.
-        const auto tick = static_cast<std::uint64_t>(rng.below(static_cast<int>(ready) - 32));
-        const auto known = truth.heights.upper_bound(tick);
-        if (known != truth.heights.begin() && player->heightsAt(tick) != std::prev(known)->second)
-            ++wrong;
-        ++looks;
+        QVERIFY(cut > 200);
+        QCOMPARE(player->heightsAt(0), made.anatomy()->top);
+        QCOMPARE(player->heightsAt(made.ticks() + 1000), recording::replay(made)->tooth.top);
+        QVERIFY(player->bytes() < 8'000'000);
     }
-    maker.join();
-    QCOMPARE(wrong, 0);
-    QCOMPARE(player->readyTicks(), made.ticks());
-}
 
-void TestPlayer::anEmptyAttempt()
-{
-    const auto player = Player::make(Recording({}, support::smallBlock())).value();
-    QVERIFY(!player->advance(10));
-    QCOMPARE(player->readyTicks(), 0U);
-    QCOMPARE(player->heightsAt(0), support::smallBlock()->top);
-    QCOMPARE(player->stateAt(5).tick, 0U);
-    QCOMPARE(player->secondsAt(5), 0.0);
-    QCOMPARE(player->tickAt(5.0), 0U);
-    QVERIFY(player->strokes().empty());
-}
+    void strokesAndMarksAreTold()
+    {
+        support::Rig rig;
+        rig.drill(support::smallBlock());
+        for (int n = 0; n < 4; ++n) {
+            rig.lean(0.8 * n - 1.2, 0.0, 2.0, 100);
+            rig.lift();
+            if (n == 2)
+                rig.give(session::Undo{});
+        }
+        rig.lean(0.0, 1.0, 2.0, 60);  // cut short by an undo
+        rig.send(session::Undo{});
+        rig.settle();
+        rig.device.tipMm.z = 5.0F;
+        rig.run(30);
+        const Recording made = rig.session->recordingSoFar().value();
+        const auto player = Player::make(made).value();
+        while (player->advance(1000)) {
+        }
+        const auto strokes = player->strokes();
+        QCOMPARE(strokes.size(), 5U);
+        for (std::size_t n = 0; n < strokes.size(); ++n) {
+            QVERIFY(strokes[n].from <= strokes[n].to);
+            QVERIFY2(strokes[n].to - strokes[n].from < 110,
+                     qPrintable(QString("%1 to %2").arg(strokes[n].from).arg(strokes[n].to)));
+            QVERIFY(player->stateAt(strokes[n].from + Player::kTicksAPose).cutting);
+            QVERIFY(!player->stateAt(strokes[n].to + Player::kTicksAPose).cutting);
+            QVERIFY(n == 0 || strokes[n].from > strokes[n - 1].to);
+            // Nothing but a stroke changes the tooth, and an undo.
+            QVERIFY(player->heightsAt(strokes[n].from - 1) != player->heightsAt(strokes[n].to - 1));
+        }
+        int undone = 0;
+        std::uint64_t last = 0;
+        for (const recording::MarkedEvent& mark : player->marks()) {
+            QVERIFY(!recording::isTick(mark.event.kind));
+            QVERIFY(mark.tick >= last && mark.tick <= made.ticks());
+            last = mark.tick;
+            undone += mark.event.kind == ServoEvent::Kind::Restore ? 1 : 0;
+        }
+        QCOMPARE(undone, 2);
+    }
+
+    void canBeLookedAtWhileItIsMade()
+    {
+        const Recording made = attempt(8000);
+        const Truth truth = truthOf(made);
+        const auto player = Player::make(made).value();
+        std::atomic<bool> done{false};
+        std::thread maker([&] {
+            while (player->advance(100)) {
+            }
+            done = true;
+        });
+        Rng rng(6);
+        int looks = 0;
+        int wrong = 0;
+        while (!done || looks < 20) {
+            const std::uint64_t ready = player->readyTicks();
+            if (ready < 100)
+                continue;
+            // Of the last patch an undo may still have a word to say.
+            const auto tick = static_cast<std::uint64_t>(rng.below(static_cast<int>(ready) - 32));
+            const auto known = truth.heights.upper_bound(tick);
+            if (known != truth.heights.begin() && player->heightsAt(tick) != std::prev(known)->second)
+                ++wrong;
+            ++looks;
+        }
+        maker.join();
+        QCOMPARE(wrong, 0);
+        QCOMPARE(player->readyTicks(), made.ticks());
+    }
+
+    void anEmptyAttempt()
+    {
+        const auto player = Player::make(Recording({}, support::smallBlock())).value();
+        QVERIFY(!player->advance(10));
+        QCOMPARE(player->readyTicks(), 0U);
+        QCOMPARE(player->heightsAt(0), support::smallBlock()->top);
+        QCOMPARE(player->stateAt(5).tick, 0U);
+        QCOMPARE(player->secondsAt(5), 0.0);
+        QCOMPARE(player->tickAt(5.0), 0U);
+        QVERIFY(player->strokes().empty());
+    }
+};
 
 QTEST_APPLESS_MAIN(TestPlayer)
 #include "tst_player.moc"

@@ -63,343 +63,323 @@ class TestProcess : public QObject
     Q_OBJECT
 
 private slots:
-    void nothingHappened();
-    void timesAreSumsOfTicks();
-    void strokesEndWithAPause();
-    void strokesAreThoseOfUndo();
-    void onlyABurThatHasCutLiftsOff();
-    void pathOfACircle();
-    void aTremblingCountIsNoPath();
-    void pathInStrokes();
-    void forceOverTime_data();
-    void forceOverTime();
-    void forcesBeyondTheHistogram();
-    void jerkOfASwing_data();
-    void jerkOfASwing();
-    void evenMotionHasNoJerk();
-    void ticksWithoutADeviceAreTimeAlone();
-    void aStateThatIsNoNumberIsTimeAlone();
-    void takesNoMemory();
-    void aReplayGivesTheSameBits();
-    void timeAwayFromTheWorkIsNone();
-};
-
-void TestProcess::nothingHappened()
-{
-    const ProcessMeter empty(2.0);
-    QCOMPARE(empty.process(), Process{});
-    ProcessMeter meter(2.0);
-    give(meter, inAir(false), 1000);
-    const Process p = meter.process();
-    QVERIFY(near(p.totalS, 1.0));
-    QVERIFY(!p.firstCutS && !p.strokeMm && !p.strokeS && !p.force && !p.jerkMmPerS3);
-    QCOMPARE(p.strokes, 0);
-    QCOMPARE(p.liftOffs, 0);
-    QCOMPARE(p.drillInAirS, 0.0);
-}
-
-void TestProcess::timesAreSumsOfTicks()
-{
-    ProcessMeter meter(2.0);
-    give(meter, inAir(false), 1000);
-    give(meter, inAir(true), 500);
-    give(meter, touching(true), 20);
-    give(meter, cutting(), 300);
-    give(meter, touching(false), 40);
-    give(meter, inAir(true), 1000, 2ms);
-    give(meter, cutting(), 100);
-    give(meter, touching(true), 400);
-    give(meter, cutting(), 100);
-    const Process p = meter.process();
-    QVERIFY(near(p.totalS, 1.0 + 0.5 + 0.02 + 0.3 + 0.04 + 2.0 + 0.1 + 0.4 + 0.1));
-    QVERIFY(near(p.firstCutS.value(), 1.521));
-    QVERIFY(near(p.cuttingS, 0.5));
-    QCOMPARE(p.strokes, 3);
-    QVERIFY(near(p.strokeS.value(), 0.5 / 3.0));
-    QVERIFY(near(p.longestPauseS, 2.04));
-    QVERIFY(near(p.drillInAirS, 2.5));
-    QVERIFY(near(p.contactBurOffS, 0.04));
-}
-
-void TestProcess::strokesEndWithAPause()
-{
-    ProcessMeter meter(2.0);
-    for (int n = 0; n < 10; ++n) {
-        give(meter, cutting(), 100);
-        give(meter, touching(true), 149);
+    void nothingHappened()
+    {
+        const ProcessMeter empty(2.0);
+        QCOMPARE(empty.process(), Process{});
+        ProcessMeter meter(2.0);
+        give(meter, inAir(false), 1000);
+        const Process p = meter.process();
+        QVERIFY(near(p.totalS, 1.0));
+        QVERIFY(!p.firstCutS && !p.strokeMm && !p.strokeS && !p.force && !p.jerkMmPerS3);
+        QCOMPARE(p.strokes, 0);
+        QCOMPARE(p.liftOffs, 0);
+        QCOMPARE(p.drillInAirS, 0.0);
     }
-    QCOMPARE(meter.process().strokes, 1);
-    QVERIFY(near(meter.process().cuttingS, 10 * 0.1 + 9 * 0.149));
-    give(meter, touching(true), 1);
-    give(meter, cutting(), 1);
-    QCOMPARE(meter.process().strokes, 2);
-    QVERIFY(near(meter.process().longestPauseS, 0.15));
-    // What was undone in the middle of a stroke has ended it.
-    meter.undone();
-    give(meter, cutting(), 1);
-    QCOMPARE(meter.process().strokes, 3);
-    QCOMPARE(meter.process().undos, 1);
-}
 
-void TestProcess::strokesAreThoseOfUndo()
-{
-    support::Rig rig;
-    rig.drill(support::makeBlock({}));
-    ProcessMeter meter(2.0);
-    Rng rng(5);
-    rig.device.tipMm = {0.0F, 0.0F, 2.0F};
-    for (int touch = 0; touch < 12; ++touch) {
-        const int pressed = 30 + rng.below(200);
-        const int away = 20 + rng.below(300);
-        for (int n = 0; n < pressed + away; ++n) {
-            const glm::dvec3& anchor = rig.servo->state().anchorMm;
-            const double x = -2.0 + 0.3 * touch;
-            rig.device.tipMm = n < pressed ? glm::vec3(x, 0.0, anchor.z - 0.6) : glm::vec3(x, 0.0, 1.0);
-            if (n == 0)
-                rig.device.tipMm = glm::vec3(x, 0.0, 0.1);
+    void timesAreSumsOfTicks()
+    {
+        ProcessMeter meter(2.0);
+        give(meter, inAir(false), 1000);
+        give(meter, inAir(true), 500);
+        give(meter, touching(true), 20);
+        give(meter, cutting(), 300);
+        give(meter, touching(false), 40);
+        give(meter, inAir(true), 1000, 2ms);
+        give(meter, cutting(), 100);
+        give(meter, touching(true), 400);
+        give(meter, cutting(), 100);
+        const Process p = meter.process();
+        QVERIFY(near(p.totalS, 1.0 + 0.5 + 0.02 + 0.3 + 0.04 + 2.0 + 0.1 + 0.4 + 0.1));
+        QVERIFY(near(p.firstCutS.value(), 1.521));
+        QVERIFY(near(p.cuttingS, 0.5));
+        QCOMPARE(p.strokes, 3);
+        QVERIFY(near(p.strokeS.value(), 0.5 / 3.0));
+        QVERIFY(near(p.longestPauseS, 2.04));
+        QVERIFY(near(p.drillInAirS, 2.5));
+        QVERIFY(near(p.contactBurOffS, 0.04));
+    }
+
+    void strokesEndWithAPause()
+    {
+        ProcessMeter meter(2.0);
+        for (int n = 0; n < 10; ++n) {
+            give(meter, cutting(), 100);
+            give(meter, touching(true), 149);
+        }
+        QCOMPARE(meter.process().strokes, 1);
+        QVERIFY(near(meter.process().cuttingS, 10 * 0.1 + 9 * 0.149));
+        give(meter, touching(true), 1);
+        give(meter, cutting(), 1);
+        QCOMPARE(meter.process().strokes, 2);
+        QVERIFY(near(meter.process().longestPauseS, 0.15));
+        // What was undone in the middle of a stroke has ended it.
+        meter.undone();
+        give(meter, cutting(), 1);
+        QCOMPARE(meter.process().strokes, 3);
+        QCOMPARE(meter.process().undos, 1);
+    }
+
+    void strokesAreThoseOfUndo()
+    {
+        support::Rig rig;
+        rig.drill(support::makeBlock({}));
+        ProcessMeter meter(2.0);
+        Rng rng(5);
+        rig.device.tipMm = {0.0F, 0.0F, 2.0F};
+        for (int touch = 0; touch < 12; ++touch) {
+            const int pressed = 30 + rng.below(200);
+            const int away = 20 + rng.below(300);
+            for (int n = 0; n < pressed + away; ++n) {
+                const glm::dvec3& anchor = rig.servo->state().anchorMm;
+                const double x = -2.0 + 0.3 * touch;
+                rig.device.tipMm = n < pressed ? glm::vec3(x, 0.0, anchor.z - 0.6) : glm::vec3(x, 0.0, 1.0);
+                if (n == 0)
+                    rig.device.tipMm = glm::vec3(x, 0.0, 0.1);
+                rig.run(1);
+                meter.take(rig.servo->state(), 1ms);
+            }
+        }
+        for (int n = 0; n < 400; ++n) {
             rig.run(1);
             meter.take(rig.servo->state(), 1ms);
         }
+        rig.settle();
+        const int strokes = rig.uiLinks->session.latest().strokes;
+        QVERIFY(strokes > 3 && strokes < 12);
+        QCOMPARE(meter.process().strokes, strokes);
     }
-    for (int n = 0; n < 400; ++n) {
-        rig.run(1);
-        meter.take(rig.servo->state(), 1ms);
-    }
-    rig.settle();
-    const int strokes = rig.uiLinks->session.latest().strokes;
-    QVERIFY(strokes > 3 && strokes < 12);
-    QCOMPARE(meter.process().strokes, strokes);
-}
 
-void TestProcess::onlyABurThatHasCutLiftsOff()
-{
-    ProcessMeter meter(2.0);
-    give(meter, touching(true), 100);
-    give(meter, inAir(true), 100);
-    QCOMPARE(meter.process().liftOffs, 0);
-    for (int n = 0; n < 3; ++n) {
-        give(meter, cutting(), 20);
-        give(meter, inAir(true), 49);  // a hop
-        give(meter, cutting(), 20);
-        give(meter, inAir(true), 200);
-    }
-    QCOMPARE(meter.process().liftOffs, 3);
-    give(meter, touching(true), 50);
-    give(meter, inAir(true), 200);
-    QCOMPARE(meter.process().liftOffs, 3);
-}
-
-void TestProcess::pathOfACircle()
-{
-    ProcessMeter meter(2.0);
-    for (int n = 0; n <= 2000; ++n) {
-        const double turn = 2.0 * kPi * n / 2000;
-        meter.take(cutting({2.0 * std::cos(turn), 2.0 * std::sin(turn), 0.0}), 1ms);
-    }
-    // Chords of 0.1 mm on a radius of 2, and less than one of them left over.
-    QVERIFY(near(meter.process().pathMm, 4.0 * kPi, 0.11));
-    QVERIFY(near(meter.process().cuttingPathMm, meter.process().pathMm, 0.11));
-    QVERIFY(near(meter.process().strokeMm.value(), meter.process().cuttingPathMm));
-}
-
-void TestProcess::aTremblingCountIsNoPath()
-{
-    ProcessMeter meter(2.0);
-    Rng rng(1);
-    for (int n = 0; n < 10'000; ++n)
-        meter.take(cutting({0.05 * rng.below(2), 0.05 * rng.below(2), 0.0}), 1ms);
-    QCOMPARE(meter.process().pathMm, 0.0);
-}
-
-void TestProcess::pathInStrokes()
-{
-    // 3 mm cutting, 3 mm through the air, 2 mm cutting.
-    ProcessMeter meter(2.0);
-    const auto go = [&](double from, double to, bool cuts) {
-        for (int n = 0; n <= 1000; ++n) {
-            ServoState state = cutting({from + (to - from) * n / 1000, 0.0, 0.0});
-            state.cutting = state.touching = cuts;
-            meter.take(state, 1ms);
+    void onlyABurThatHasCutLiftsOff()
+    {
+        ProcessMeter meter(2.0);
+        give(meter, touching(true), 100);
+        give(meter, inAir(true), 100);
+        QCOMPARE(meter.process().liftOffs, 0);
+        for (int n = 0; n < 3; ++n) {
+            give(meter, cutting(), 20);
+            give(meter, inAir(true), 49);  // a hop
+            give(meter, cutting(), 20);
+            give(meter, inAir(true), 200);
         }
-    };
-    go(0.0, 3.0, true);
-    go(3.0, 6.0, false);
-    go(6.0, 8.0, true);
-    const Process p = meter.process();
-    QCOMPARE(p.strokes, 2);
-    QVERIFY(near(p.pathMm, 8.0, 0.1));
-    QVERIFY(near(p.cuttingPathMm, 5.0, 0.2));
-    QVERIFY(near(p.strokeMm.value(), 2.5, 0.1));
-    QVERIFY(near(p.longestPauseS, 1.001));
-}
-
-void TestProcess::forceOverTime_data()
-{
-    support::columns<double, double>("limitN", "overS");
-    QTest::newRow("low limit") << 0.5 << 9.0;
-    QTest::newRow("limit between") << 1.5 << 4.0;
-    QTest::newRow("limit above all") << 9.0 << 0.0;
-}
-
-void TestProcess::forceOverTime()
-{
-    // 1 N for 5 s, 2 N for 3.6 s, 4 N for 0.4 s: of what is over the time, not over the ticks.
-    QFETCH(double, limitN);
-    QFETCH(double, overS);
-    ProcessMeter meter(limitN);
-    give(meter, cutting({}, 1.0), 2500, 2ms);
-    give(meter, inAir(true), 777);
-    give(meter, touching(false, 2.0), 3600);
-    give(meter, cutting({}, 4.0), 400);
-    const Process p = meter.process();
-    const double mean = (5.0 + 7.2 + 1.6) / 9.0;
-    QVERIFY(near(p.force->meanN, mean));
-    QVERIFY(near(p.force->sdN, std::sqrt((5.0 + 14.4 + 6.4) / 9.0 - mean * mean)));
-    QVERIFY(near(p.force->largestN, 4.0));
-    QVERIFY(near(p.force->p95N, 2.0, 0.02));  // a bin
-    QVERIFY(near(p.overLimitS, overS));
-    give(meter, cutting({}, 4.0), 200);  // now more than 5 % of the time
-    QVERIFY(near(meter.process().force->p95N, 4.0, 0.02));
-}
-
-void TestProcess::forcesBeyondTheHistogram()
-{
-    ProcessMeter meter(2.0);
-    give(meter, cutting({}, 25.0), 100);
-    QVERIFY(near(meter.process().force->largestN, 25.0));
-    QVERIFY(near(meter.process().force->p95N, 25.0));
-}
-
-void TestProcess::jerkOfASwing_data()
-{
-    support::columns<double, double, double>("hertz", "countMm", "share");
-    QTest::newRow("1 Hz") << 1.0 << 0.0 << 0.03;
-    QTest::newRow("2 Hz") << 2.0 << 0.0 << 0.1;
-    QTest::newRow("1 Hz, read in counts") << 1.0 << 0.05 << 0.06;
-    QTest::newRow("2 Hz, read in counts") << 2.0 << 0.05 << 0.1;
-}
-
-void TestProcess::jerkOfASwing()
-{
-    // A swing of 1 mm: the jerk is omega^3 A cos, its root mean square omega^3 A / sqrt 2. A backward difference of
-    // counts of 0.05 mm at 1 kHz would say 10^7 mm/s3.
-    QFETCH(double, hertz);
-    QFETCH(double, countMm);
-    QFETCH(double, share);
-    ProcessMeter meter(2.0);
-    const double omega = 2.0 * kPi * hertz;
-    for (int n = 0; n < 20'000; ++n) {
-        double x = std::sin(omega * 0.001 * n);
-        if (countMm > 0.0)
-            x = countMm * std::round(x / countMm);
-        meter.take(cutting({x, 3.0, 0.0}), 1ms);
+        QCOMPARE(meter.process().liftOffs, 3);
+        give(meter, touching(true), 50);
+        give(meter, inAir(true), 200);
+        QCOMPARE(meter.process().liftOffs, 3);
     }
-    const double expected = omega * omega * omega / std::numbers::sqrt2;
-    QVERIFY(near(meter.process().jerkMmPerS3.value(), expected, share * expected));
-}
 
-void TestProcess::evenMotionHasNoJerk()
-{
-    ProcessMeter meter(2.0);
-    for (int n = 0; n < 5000; ++n)
-        meter.take(cutting({0.005 * n, -0.002 * n, 0.0}), 1ms);
-    QVERIFY(near(meter.process().jerkMmPerS3.value(), 0.0, 1.0e-4));
-    // Whatever the hand does while the drill is off is none of it.
-    ServoState away = inAir(false);
-    away.deviceMm = {90.0, 0.0, 0.0};
-    give(meter, away, 100);
-    give(meter, cutting(), 1000);
-    QVERIFY(near(meter.process().jerkMmPerS3.value(), 0.0, 1.0e-4));
-}
-
-void TestProcess::ticksWithoutADeviceAreTimeAlone()
-{
-    ProcessMeter meter(2.0);
-    give(meter, cutting(), 100);
-    ServoState lost = inAir(true);
-    lost.health = session::kDeviceLost;
-    give(meter, lost, 1000);
-    const Process p = meter.process();
-    QVERIFY(near(p.totalS, 1.1));
-    QCOMPARE(p.liftOffs, 0);
-    QCOMPARE(p.drillInAirS, 0.0);
-}
-
-void TestProcess::aStateThatIsNoNumberIsTimeAlone()
-{
-    ProcessMeter meter(2.0);
-    give(meter, cutting({}, std::nan("")), 100);
-    give(meter, cutting({std::numeric_limits<double>::infinity(), 0.0, 0.0}), 100);
-    const Process p = meter.process();
-    QVERIFY(near(p.totalS, 0.2));
-    QVERIFY(!p.force.has_value());
-    QCOMPARE(p.strokes, 0);
-}
-
-void TestProcess::takesNoMemory()
-{
-    ProcessMeter meter(2.0);
-    const long before = support::allocationsOnThisThread();
-    for (int n = 0; n < 1000; ++n)
-        meter.take(n % 400 < 200 ? cutting({0.01 * n, 0.0, 0.0}) : inAir(true), 1ms);
-    (void)meter.process();
-    QCOMPARE(support::allocationsOnThisThread() - before, 0L);
-}
-
-void TestProcess::aReplayGivesTheSameBits()
-{
-    support::Rig rig;
-    rig.drill(support::makeBlock({}));
-    ProcessMeter live(1.0);
-    live.take(rig.servo->state(), 1ms);  // open() has left one tick on the recording
-    support::RestlessHand hand(11);
-    for (int n = 0; n < 4000; ++n) {
-        rig.device.tipMm = hand.next();
-        rig.run(1);
-        live.take(rig.servo->state(), 1ms);
+    void pathOfACircle()
+    {
+        ProcessMeter meter(2.0);
+        for (int n = 0; n <= 2000; ++n) {
+            const double turn = 2.0 * kPi * n / 2000;
+            meter.take(cutting({2.0 * std::cos(turn), 2.0 * std::sin(turn), 0.0}), 1ms);
+        }
+        // Chords of 0.1 mm on a radius of 2, and less than one of them left over.
+        QVERIFY(near(meter.process().pathMm, 4.0 * kPi, 0.11));
+        QVERIFY(near(meter.process().cuttingPathMm, meter.process().pathMm, 0.11));
+        QVERIFY(near(meter.process().strokeMm.value(), meter.process().cuttingPathMm));
     }
-    rig.settle();
-    const auto recording = rig.session->recordingSoFar();
-    QVERIFY(recording.has_value());
-    ProcessMeter replayed(1.0);
-    const auto outcome =
-        recording::replay(*recording, [&](const session::ServoEvent& event, const recording::Replayer& servo) {
-            if (recording::isStep(event))
-                replayed.take(servo.state(), 1ms);
-        });
-    QVERIFY(outcome.has_value());
-    QVERIFY(live.process().strokes > 0);
-    QVERIFY(live.process().force.has_value());
-    QVERIFY(live.process() == replayed.process());
-}
 
-void TestProcess::timeAwayFromTheWorkIsNone()
-{
-    support::Rig rig;
-    const auto block = support::makeBlock({});
-    rig.open(block);
-    const auto wait = [&rig](std::uint64_t note, int ticks) {
+    void aTremblingCountIsNoPath()
+    {
+        ProcessMeter meter(2.0);
+        Rng rng(1);
+        for (int n = 0; n < 10'000; ++n)
+            meter.take(cutting({0.05 * rng.below(2), 0.05 * rng.below(2), 0.0}), 1ms);
+        QCOMPARE(meter.process().pathMm, 0.0);
+    }
+
+    void pathInStrokes()
+    {
+        // 3 mm cutting, 3 mm through the air, 2 mm cutting.
+        ProcessMeter meter(2.0);
+        const auto go = [&](double from, double to, bool cuts) {
+            for (int n = 0; n <= 1000; ++n) {
+                ServoState state = cutting({from + (to - from) * n / 1000, 0.0, 0.0});
+                state.cutting = state.touching = cuts;
+                meter.take(state, 1ms);
+            }
+        };
+        go(0.0, 3.0, true);
+        go(3.0, 6.0, false);
+        go(6.0, 8.0, true);
+        const Process p = meter.process();
+        QCOMPARE(p.strokes, 2);
+        QVERIFY(near(p.pathMm, 8.0, 0.1));
+        QVERIFY(near(p.cuttingPathMm, 5.0, 0.2));
+        QVERIFY(near(p.strokeMm.value(), 2.5, 0.1));
+        QVERIFY(near(p.longestPauseS, 1.001));
+    }
+
+    void forceOverTime_data()
+    {
+        support::columns<double, double>("limitN", "overS");
+        QTest::newRow("low limit") << 0.5 << 9.0;
+        QTest::newRow("limit between") << 1.5 << 4.0;
+        QTest::newRow("limit above all") << 9.0 << 0.0;
+    }
+
+    void forceOverTime()
+    {
+        // 1 N for 5 s, 2 N for 3.6 s, 4 N for 0.4 s: of what is over the time, not over the ticks.
+        QFETCH(double, limitN);
+        QFETCH(double, overS);
+        ProcessMeter meter(limitN);
+        give(meter, cutting({}, 1.0), 2500, 2ms);
+        give(meter, inAir(true), 777);
+        give(meter, touching(false, 2.0), 3600);
+        give(meter, cutting({}, 4.0), 400);
+        const Process p = meter.process();
+        const double mean = (5.0 + 7.2 + 1.6) / 9.0;
+        QVERIFY(near(p.force->meanN, mean));
+        QVERIFY(near(p.force->sdN, std::sqrt((5.0 + 14.4 + 6.4) / 9.0 - mean * mean)));
+        QVERIFY(near(p.force->largestN, 4.0));
+        QVERIFY(near(p.force->p95N, 2.0, 0.02));  // a bin
+        QVERIFY(near(p.overLimitS, overS));
+        give(meter, cutting({}, 4.0), 200);  // now more than 5 % of the time
+        QVERIFY(near(meter.process().force->p95N, 4.0, 0.02));
+    }
+
+    void forcesBeyondTheHistogram()
+    {
+        ProcessMeter meter(2.0);
+        give(meter, cutting({}, 25.0), 100);
+        QVERIFY(near(meter.process().force->largestN, 25.0));
+        QVERIFY(near(meter.process().force->p95N, 25.0));
+    }
+
+    void jerkOfASwing_data()
+    {
+        support::columns<double, double, double>("hertz", "countMm", "share");
+        QTest::newRow("1 Hz") << 1.0 << 0.0 << 0.03;
+        QTest::newRow("2 Hz") << 2.0 << 0.0 << 0.1;
+        QTest::newRow("1 Hz, read in counts") << 1.0 << 0.05 << 0.06;
+        QTest::newRow("2 Hz, read in counts") << 2.0 << 0.05 << 0.1;
+    }
+
+    void jerkOfASwing()
+    {
+        // A swing of 1 mm: the jerk is omega^3 A cos, its root mean square omega^3 A / sqrt 2. A backward difference of
+        // counts of 0.05 mm at 1 kHz would say 10^7 mm/s3.
+        QFETCH(double, hertz);
+        QFETCH(double, countMm);
+        QFETCH(double, share);
+        ProcessMeter meter(2.0);
+        const double omega = 2.0 * kPi * hertz;
+        for (int n = 0; n < 20'000; ++n) {
+            double x = std::sin(omega * 0.001 * n);
+            if (countMm > 0.0)
+                x = countMm * std::round(x / countMm);
+            meter.take(cutting({x, 3.0, 0.0}), 1ms);
+        }
+        const double expected = omega * omega * omega / std::numbers::sqrt2;
+        QVERIFY(near(meter.process().jerkMmPerS3.value(), expected, share * expected));
+    }
+
+    void evenMotionHasNoJerk()
+    {
+        ProcessMeter meter(2.0);
+        for (int n = 0; n < 5000; ++n)
+            meter.take(cutting({0.005 * n, -0.002 * n, 0.0}), 1ms);
+        QVERIFY(near(meter.process().jerkMmPerS3.value(), 0.0, 1.0e-4));
+        // Whatever the hand does while the drill is off is none of it.
+        ServoState away = inAir(false);
+        away.deviceMm = {90.0, 0.0, 0.0};
+        give(meter, away, 100);
+        give(meter, cutting(), 1000);
+        QVERIFY(near(meter.process().jerkMmPerS3.value(), 0.0, 1.0e-4));
+    }
+
+    void ticksWithoutADeviceAreTimeAlone()
+    {
+        ProcessMeter meter(2.0);
+        give(meter, cutting(), 100);
+        ServoState lost = inAir(true);
+        lost.health = session::kDeviceLost;
+        give(meter, lost, 1000);
+        const Process p = meter.process();
+        QVERIFY(near(p.totalS, 1.1));
+        QCOMPARE(p.liftOffs, 0);
+        QCOMPARE(p.drillInAirS, 0.0);
+    }
+
+    void aStateThatIsNoNumberIsTimeAlone()
+    {
+        ProcessMeter meter(2.0);
+        give(meter, cutting({}, std::nan("")), 100);
+        give(meter, cutting({std::numeric_limits<double>::infinity(), 0.0, 0.0}), 100);
+        const Process p = meter.process();
+        QVERIFY(near(p.totalS, 0.2));
+        QVERIFY(!p.force.has_value());
+        QCOMPARE(p.strokes, 0);
+    }
+
+    void takesNoMemory()
+    {
+        ProcessMeter meter(2.0);
+        const long before = support::allocationsOnThisThread();
+        for (int n = 0; n < 1000; ++n)
+            meter.take(n % 400 < 200 ? cutting({0.01 * n, 0.0, 0.0}) : inAir(true), 1ms);
+        (void)meter.process();
+        QCOMPARE(support::allocationsOnThisThread() - before, 0L);
+    }
+
+    void aReplayGivesTheSameBits()
+    {
+        support::Rig rig;
+        rig.drill(support::makeBlock({}));
+        ProcessMeter live(1.0);
+        live.take(rig.servo->state(), 1ms);  // open() has left one tick on the recording
+        support::RestlessHand hand(11);
+        for (int n = 0; n < 4000; ++n) {
+            rig.device.tipMm = hand.next();
+            rig.run(1);
+            live.take(rig.servo->state(), 1ms);
+        }
         rig.settle();
-        rig.send(session::AddNote{note});
-        rig.settle();
-        rig.device.tipMm = {5.0, 5.0, 5.0};
-        rig.run(ticks);
-        rig.settle();
-    };
-    wait(session::kWorkNote, 500);
-    const double before = std::chrono::duration<double>(rig.session->recordingSoFar()->duration()).count();
-    wait(session::kRestNote, 2000);
-    const double away = std::chrono::duration<double>(rig.session->recordingSoFar()->duration()).count() - before;
-    QVERIFY(away >= 2.0);
-    wait(session::kWorkNote, 300);
-    const auto recording = rig.session->recordingSoFar();
-    session::Examiner examiner({}, block);
-    QVERIFY(recording::replay(*recording, [&](const session::ServoEvent& event, const recording::Replayer& servo) {
-        examiner.take(event, servo);
-    }));
-    const double all = std::chrono::duration<double>(recording->duration()).count();
-    QVERIFY2(std::abs(examiner.process().totalS - (all - away)) < 0.1, qPrintable(QString::number(all)));
-}
+        const auto recording = rig.session->recordingSoFar();
+        QVERIFY(recording.has_value());
+        ProcessMeter replayed(1.0);
+        const auto outcome =
+            recording::replay(*recording, [&](const session::ServoEvent& event, const recording::Replayer& servo) {
+                if (recording::isStep(event))
+                    replayed.take(servo.state(), 1ms);
+            });
+        QVERIFY(outcome.has_value());
+        QVERIFY(live.process().strokes > 0);
+        QVERIFY(live.process().force.has_value());
+        QVERIFY(live.process() == replayed.process());
+    }
+
+    void timeAwayFromTheWorkIsNone()
+    {
+        support::Rig rig;
+        const auto block = support::makeBlock({});
+        rig.open(block);
+        const auto wait = [&rig](std::uint64_t note, int ticks) {
+            rig.settle();
+            rig.send(session::AddNote{note});
+            rig.settle();
+            rig.device.tipMm = {5.0, 5.0, 5.0};
+            rig.run(ticks);
+            rig.settle();
+        };
+        wait(session::kWorkNote, 500);
+        const double before = std::chrono::duration<double>(rig.session->recordingSoFar()->duration()).count();
+        wait(session::kRestNote, 2000);
+        const double away = std::chrono::duration<double>(rig.session->recordingSoFar()->duration()).count() - before;
+        QVERIFY(away >= 2.0);
+        wait(session::kWorkNote, 300);
+        const auto recording = rig.session->recordingSoFar();
+        session::Examiner examiner({}, block);
+        QVERIFY(recording::replay(*recording, [&](const session::ServoEvent& event, const recording::Replayer& servo) {
+            examiner.take(event, servo);
+        }));
+        const double all = std::chrono::duration<double>(recording->duration()).count();
+        QVERIFY2(std::abs(examiner.process().totalS - (all - away)) < 0.1, qPrintable(QString::number(all)));
+    }
+};
 
 QTEST_GUILESS_MAIN(TestProcess)
 #include "tst_process.moc"

@@ -85,310 +85,297 @@ class TestRadiograph : public QObject
     Q_OBJECT
 
 private slots:
-    void aKnownThicknessGivesAKnownTransmission_data();
-    void aKnownThicknessGivesAKnownTransmission();
-    void integralsAddUpToTheVolumes_data();
-    void integralsAddUpToTheVolumes();
-    void raysAgreeWithASlowWalk();
-    void mesialIsLeftAndUpIsUp();
-    void eachTissueHasItsTone();
-    void aCavityIsDarkerThanBefore();
-    void noiseGrowsWithTheSquareRoot();
-    void theSameSeedGivesTheSameFilm();
-    void moreExposureMakesADarkerFilm();
-    void aMirroredToothThrowsAMirroredShadow();
-    void neighboursTouch_data();
-    void neighboursTouch();
-    void aScanHasNoNeighbours();
-};
-
-void TestRadiograph::aKnownThicknessGivesAKnownTransmission_data()
-{
-    support::columns<double, double, double, double, double>("angleRad", "tiltRad", "u", "v", "throughMm");
-    QTest::newRow("along x") << 0.0 << 0.0 << 0.33 << -5.0 << 6.4;
-    QTest::newRow("along y") << kQuarter << 0.0 << -1.27 << -9.9 << 6.4;
-    QTest::newRow("along -x") << 2 * kQuarter << 0.0 << 0.33 << -5.0 << 6.4;
-    QTest::newRow("corner to corner") << kQuarter / 2 << 0.0 << 0.0 << -5.0 << 6.4 * std::numbers::sqrt2;
-    QTest::newRow("past a corner") << kQuarter / 2 << 0.0 << 1.0 << -5.0 << 6.4 * std::numbers::sqrt2 - 2.0;
-    QTest::newRow("rising by 30 degrees") << 0.0 << std::numbers::pi / 6 << 0.2 << -5.0 * std::cos(std::numbers::pi / 6)
-                                          << 6.4 / std::cos(std::numbers::pi / 6);
-    QTest::newRow("falling by 30 degrees")
-        << kQuarter << -std::numbers::pi / 6 << 0.2 << -5.0 * std::cos(std::numbers::pi / 6)
-        << 6.4 / std::cos(std::numbers::pi / 6);
-    QTest::newRow("straight up") << 0.0 << kQuarter << 0.2 << 0.1 << 10.0;
-    QTest::newRow("beside it") << kQuarter << 0.0 << 3.4 << -5.0 << 0.0;
-    QTest::newRow("above it") << kQuarter << 0.0 << 0.0 << 0.3 << 0.0;
-}
-
-void TestRadiograph::aKnownThicknessGivesAKnownTransmission()
-{
-    QFETCH(double, angleRad);
-    QFETCH(double, tiltRad);
-    QFETCH(double, u);
-    QFETCH(double, v);
-    QFETCH(double, throughMm);
-    const Tooth tooth(block());
-    // One pixel, so small that its middle is the ray wanted.
-    const std::array<XrayedTooth, 1> one{{{&tooth}}};
-    const Shadow shadow = castShadow(one, {angleRad, tiltRad}, {{u - 5e-4, v - 5e-4}, {u + 5e-4, v + 5e-4}}, 1.0e-3);
-    QVERIFY(near(static_cast<double>(shadow.at(0, 0)), 0.28 * throughMm, 1.0e-5));
-    const float quanta = quantaOn(shadow, {}).front();
-    QVERIFY(near(static_cast<double>(quanta) / (kQuantaPerMm2 * 1.0e-6), std::exp(-0.28 * throughMm), 1.0e-5));
-}
-
-void TestRadiograph::integralsAddUpToTheVolumes_data()
-{
-    support::columns<int, double, double, bool>("fdi", "angleRad", "tiltRad", "aligned");
-    for (const int fdi : {36, 21}) {
-        const auto row = [&](const char* name, double angle, double tilt, bool aligned) {
-            QTest::newRow(qPrintable(QString("%1 %2").arg(fdi).arg(QLatin1String(name))))
-                << fdi << angle << tilt << aligned;
-        };
-        row("along z", 0.0, kQuarter, true);
-        row("along x", 0.0, 0.0, true);
-        row("along y", kQuarter, 0.0, true);
-        row("oblique", 0.9, 0.3, false);
-        row("oblique from above", 4.0, -1.1, false);
+    void aKnownThicknessGivesAKnownTransmission_data()
+    {
+        support::columns<double, double, double, double, double>("angleRad", "tiltRad", "u", "v", "throughMm");
+        QTest::newRow("along x") << 0.0 << 0.0 << 0.33 << -5.0 << 6.4;
+        QTest::newRow("along y") << kQuarter << 0.0 << -1.27 << -9.9 << 6.4;
+        QTest::newRow("along -x") << 2 * kQuarter << 0.0 << 0.33 << -5.0 << 6.4;
+        QTest::newRow("corner to corner") << kQuarter / 2 << 0.0 << 0.0 << -5.0 << 6.4 * std::numbers::sqrt2;
+        QTest::newRow("past a corner") << kQuarter / 2 << 0.0 << 1.0 << -5.0 << 6.4 * std::numbers::sqrt2 - 2.0;
+        QTest::newRow("rising by 30 degrees")
+            << 0.0 << std::numbers::pi / 6 << 0.2 << -5.0 * std::cos(std::numbers::pi / 6)
+            << 6.4 / std::cos(std::numbers::pi / 6);
+        QTest::newRow("falling by 30 degrees")
+            << kQuarter << -std::numbers::pi / 6 << 0.2 << -5.0 * std::cos(std::numbers::pi / 6)
+            << 6.4 / std::cos(std::numbers::pi / 6);
+        QTest::newRow("straight up") << 0.0 << kQuarter << 0.2 << 0.1 << 10.0;
+        QTest::newRow("beside it") << kQuarter << 0.0 << 3.4 << -5.0 << 0.0;
+        QTest::newRow("above it") << kQuarter << 0.0 << 0.0 << 0.3 << 0.0;
     }
-}
 
-void TestRadiograph::integralsAddUpToTheVolumes()
-{
-    QFETCH(int, fdi);
-    QFETCH(double, angleRad);
-    QFETCH(double, tiltRad);
-    QFETCH(bool, aligned);
-    const auto built = teeth::buildTooth({fdi}, {});
-    QVERIFY(built.has_value());
-    Tooth tooth(built->anatomy);
-    for (int j = 65; j < 85; ++j)
-        for (int i = 60; i < 90; ++i)
-            if (float& top = tooth.top[tooth.grid().index(i, j)]; top > kEmptyTop)
-                top -= 1.5F;
-    const PerMaterial expected = volumes(tooth);
-    for (std::size_t m = 0; m < expected.size(); ++m) {
-        PerMaterial only{};
-        only.at(m) = 1.0;
-        const Beam beam{angleRad, tiltRad};
-        const double sum = total(aligned ? alignedShadowOf(tooth, beam, only) : shadowOf(tooth, beam, 0.05, only));
-        qInfo("material %zu: rays %.3f mm3, columns %.3f mm3", m, sum, expected[m]);
-        QVERIFY(near(sum, expected[m], 0.01 * expected[m]));
-    }
-}
-
-void TestRadiograph::raysAgreeWithASlowWalk()
-{
-    const auto built = teeth::buildTooth({36}, {});
-    QVERIFY(built.has_value());
-    Tooth tooth(built->anatomy);
-    const Grid& grid = tooth.grid();
-    Rng rng(17);
-    constexpr double kStepMm = 0.002;
-    for (int round = 0; round < 80; ++round) {
-        const Beam beam{rng.uniform(0.0, 4.0 * kQuarter), rng.uniform(-1.2, 1.2)};
-        const glm::dvec2 uv(rng.uniform(-4.0, 4.0), rng.uniform(-6.0, 0.0));
-        const glm::dvec3 along(std::cos(beam.tiltRad) * std::cos(beam.angleRad),
-                               std::cos(beam.tiltRad) * std::sin(beam.angleRad), std::sin(beam.tiltRad));
-        const glm::dvec3 across(std::sin(beam.angleRad), -std::cos(beam.angleRad), 0.0);
-        const glm::dvec3 up = glm::cross(across, along);
-        double slow = 0.0;
-        for (double q = -40.0; q < 40.0; q += kStepMm) {
-            const glm::dvec3 point = uv.x * across + uv.y * up + (q + 0.5 * kStepMm) * along;
-            const glm::dvec2 lattice = grid.latticeOf(glm::dvec2(point));
-            const int i = static_cast<int>(std::floor(lattice.x + 0.5));
-            const int j = static_cast<int>(std::floor(lattice.y + 0.5));
-            if (!grid.contains(i, j))
-                continue;
-            const std::size_t k = grid.index(i, j);
-            if (point.z <= static_cast<double>(tooth.bottom[k]) || point.z >= static_cast<double>(tooth.top[k]))
-                continue;
-            const auto material =
-                static_cast<std::size_t>(materialAt(built->anatomy->layers[k], static_cast<float>(point.z)));
-            slow += kStepMm * kAttenuationPerMm.at(material) * static_cast<double>(built->anatomy->areaMm2[k]) /
-                    (grid.cellMm * grid.cellMm);
-        }
+    void aKnownThicknessGivesAKnownTransmission()
+    {
+        QFETCH(double, angleRad);
+        QFETCH(double, tiltRad);
+        QFETCH(double, u);
+        QFETCH(double, v);
+        QFETCH(double, throughMm);
+        const Tooth tooth(block());
+        // One pixel, so small that its middle is the ray wanted.
         const std::array<XrayedTooth, 1> one{{{&tooth}}};
-        const Shadow shadow = castShadow(one, beam, {uv - 5e-4, uv + 5e-4}, 1.0e-3);
-        QVERIFY(near(static_cast<double>(shadow.at(0, 0)), slow, 0.01));
+        const Shadow shadow =
+            castShadow(one, {angleRad, tiltRad}, {{u - 5e-4, v - 5e-4}, {u + 5e-4, v + 5e-4}}, 1.0e-3);
+        QVERIFY(near(static_cast<double>(shadow.at(0, 0)), 0.28 * throughMm, 1.0e-5));
+        const float quanta = quantaOn(shadow, {}).front();
+        QVERIFY(near(static_cast<double>(quanta) / (kQuantaPerMm2 * 1.0e-6), std::exp(-0.28 * throughMm), 1.0e-5));
     }
-}
 
-void TestRadiograph::mesialIsLeftAndUpIsUp()
-{
-    const auto anatomy = block();
-    Tooth tooth(anatomy);
-    // Cut the distal half (x > 0) down to -4.
-    for (int j = 0; j < 64; ++j)
-        for (int i = 32; i < 64; ++i)
-            tooth.top[anatomy->grid.index(i, j)] = -4.0F;
-    const Shadow shadow = shadowOf(tooth, {}, 0.05);
-    QVERIFY(at(shadow, -1.0, -2.0) > 1.0F);
-    QCOMPARE(at(shadow, 1.0, -2.0), 0.0F);
-    QVERIFY(at(shadow, 1.0, -6.0) > 1.0F);
-    QCOMPARE(shadow.at(shadow.width / 2, 0), 0.0F);
-}
-
-void TestRadiograph::eachTissueHasItsTone()
-{
-    // Four quarters along x, each of one material all through.
-    auto anatomy = block();
-    for (int j = 0; j < 64; ++j)
-        for (int i = 0; i < 64; ++i) {
-            ColumnLayers& column = anatomy->layers[anatomy->grid.index(i, j)];
-            if (i >= 16)
-                column.dej = 10.0F;
-            if (i >= 32 && i < 48)
-                column = {1.0F, -11.0F, 10.0F, 0.0F, 0.0F};
-            if (i >= 48)
-                column = {0.0F, 0.0F, 10.0F, 1.0F, -11.0F};
+    void integralsAddUpToTheVolumes_data()
+    {
+        support::columns<int, double, double, bool>("fdi", "angleRad", "tiltRad", "aligned");
+        for (const int fdi : {36, 21}) {
+            const auto row = [&](const char* name, double angle, double tilt, bool aligned) {
+                QTest::newRow(qPrintable(QString("%1 %2").arg(fdi).arg(QLatin1String(name))))
+                    << fdi << angle << tilt << aligned;
+            };
+            row("along z", 0.0, kQuarter, true);
+            row("along x", 0.0, 0.0, true);
+            row("along y", kQuarter, 0.0, true);
+            row("oblique", 0.9, 0.3, false);
+            row("oblique from above", 4.0, -1.1, false);
         }
-    const Shadow shadow = shadowOf(Tooth(anatomy), {}, 0.05);
-    const double enamel = light(shadow, -2.4, -5.0);
-    const double dentin = light(shadow, -0.8, -5.0);
-    const double decay = light(shadow, 0.8, -5.0);
-    const double pulp = light(shadow, 2.4, -5.0);
-    const double air = light(shadow, 3.6, -5.0);
-    qInfo("light through enamel %.3f, dentin %.3f, decay %.3f, pulp %.3f, air %.3f", enamel, dentin, decay, pulp, air);
-    QVERIFY(enamel > dentin && dentin > decay && decay > pulp && pulp > air);
-}
+    }
 
-void TestRadiograph::aCavityIsDarkerThanBefore()
-{
-    const auto anatomy = block();
-    const Tooth before(anatomy);
-    Tooth now(anatomy);
-    for (int j = 20; j < 44; ++j)
-        for (int i = 25; i < 39; ++i)
-            now.top[anatomy->grid.index(i, j)] = -3.0F;
-    const Shadow whole = shadowOf(before, {}, 0.05);
-    const Shadow cut = shadowOf(now, {}, 0.05);
-    QVERIFY(light(cut, 0.0, -1.5) < light(whole, 0.0, -1.5));
-    // 24 of 64 cells of enamel are air there: 0.28 * 2.4 less.
-    QVERIFY(
-        near(static_cast<double>(at(whole, 0.0, -1.5)) - static_cast<double>(at(cut, 0.0, -1.5)), 0.28 * 2.4, 1e-5));
-    QCOMPARE(at(cut, 0.0, -4.0), at(whole, 0.0, -4.0));
-    QCOMPARE(at(cut, -2.0, -1.5), at(whole, -2.0, -1.5));
-}
-
-void TestRadiograph::noiseGrowsWithTheSquareRoot()
-{
-    const Tooth tooth(block());
-    const std::array<XrayedTooth, 1> one{{{&tooth}}};
-    // Inside the block every ray runs through 6.4 mm.
-    const Shadow shadow = castShadow(one, {}, {{-3.0, -9.0}, {3.0, -1.0}}, 0.02);
-    std::array<double, 2> deviation{};
-    for (std::size_t round = 0; round < 2; ++round) {
-        const double exposure = round == 0 ? 1.0 : 4.0;
-        const std::vector<float> quanta = quantaOn(shadow, {exposure, 99});
-        double sum = 0.0;
-        double squares = 0.0;
-        for (const float caught : quanta) {
-            sum += static_cast<double>(caught);
-            squares += static_cast<double>(caught) * static_cast<double>(caught);
+    void integralsAddUpToTheVolumes()
+    {
+        QFETCH(int, fdi);
+        QFETCH(double, angleRad);
+        QFETCH(double, tiltRad);
+        QFETCH(bool, aligned);
+        const auto built = teeth::buildTooth({fdi}, {});
+        QVERIFY(built.has_value());
+        Tooth tooth(built->anatomy);
+        for (int j = 65; j < 85; ++j)
+            for (int i = 60; i < 90; ++i)
+                if (float& top = tooth.top[tooth.grid().index(i, j)]; top > kEmptyTop)
+                    top -= 1.5F;
+        const PerMaterial expected = volumes(tooth);
+        for (std::size_t m = 0; m < expected.size(); ++m) {
+            PerMaterial only{};
+            only.at(m) = 1.0;
+            const Beam beam{angleRad, tiltRad};
+            const double sum = total(aligned ? alignedShadowOf(tooth, beam, only) : shadowOf(tooth, beam, 0.05, only));
+            qInfo("material %zu: rays %.3f mm3, columns %.3f mm3", m, sum, expected[m]);
+            QVERIFY(near(sum, expected[m], 0.01 * expected[m]));
         }
-        const double count = static_cast<double>(quanta.size());
-        const double mean = sum / count;
-        deviation.at(round) = std::sqrt(squares / count - mean * mean);
-        QVERIFY(near(mean, exposure * kQuantaPerMm2 * 4.0e-4 * std::exp(-0.28 * 6.4), 0.005 * mean));
-        QVERIFY(near(deviation.at(round), std::sqrt(mean), 0.02 * deviation.at(round)));
     }
-    qInfo("deviation %.3f quanta at exposure 1, %.3f at 4", deviation[0], deviation[1]);
-    QVERIFY(near(deviation[1] / deviation[0], 2.0, 0.04));
-}
 
-void TestRadiograph::theSameSeedGivesTheSameFilm()
-{
-    const Shadow shadow = shadowOf(Tooth(block()), {}, 0.1);
-    QVERIFY(quantaOn(shadow, {1.0, 5}) == quantaOn(shadow, {1.0, 5}));
-    QVERIFY(quantaOn(shadow, {1.0, 5}) != quantaOn(shadow, {1.0, 6}));
-    QVERIFY(quantaOn(shadow, {1.0, 5}) != quantaOn(shadow, {}));
-}
-
-void TestRadiograph::moreExposureMakesADarkerFilm()
-{
-    double before = opticalDensity(0.0, 0.05);
-    for (const double exposure : {0.25, 0.5, 1.0, 2.0, 4.0}) {
-        const double now = opticalDensity(exposure * kQuantaPerMm2 * 0.05 * 0.05, 0.05);
-        QVERIFY(now > before);
-        before = now;
+    void raysAgreeWithASlowWalk()
+    {
+        const auto built = teeth::buildTooth({36}, {});
+        QVERIFY(built.has_value());
+        Tooth tooth(built->anatomy);
+        const Grid& grid = tooth.grid();
+        Rng rng(17);
+        constexpr double kStepMm = 0.002;
+        for (int round = 0; round < 80; ++round) {
+            const Beam beam{rng.uniform(0.0, 4.0 * kQuarter), rng.uniform(-1.2, 1.2)};
+            const glm::dvec2 uv(rng.uniform(-4.0, 4.0), rng.uniform(-6.0, 0.0));
+            const glm::dvec3 along(std::cos(beam.tiltRad) * std::cos(beam.angleRad),
+                                   std::cos(beam.tiltRad) * std::sin(beam.angleRad), std::sin(beam.tiltRad));
+            const glm::dvec3 across(std::sin(beam.angleRad), -std::cos(beam.angleRad), 0.0);
+            const glm::dvec3 up = glm::cross(across, along);
+            double slow = 0.0;
+            for (double q = -40.0; q < 40.0; q += kStepMm) {
+                const glm::dvec3 point = uv.x * across + uv.y * up + (q + 0.5 * kStepMm) * along;
+                const glm::dvec2 lattice = grid.latticeOf(glm::dvec2(point));
+                const int i = static_cast<int>(std::floor(lattice.x + 0.5));
+                const int j = static_cast<int>(std::floor(lattice.y + 0.5));
+                if (!grid.contains(i, j))
+                    continue;
+                const std::size_t k = grid.index(i, j);
+                if (point.z <= static_cast<double>(tooth.bottom[k]) || point.z >= static_cast<double>(tooth.top[k]))
+                    continue;
+                const auto material =
+                    static_cast<std::size_t>(materialAt(built->anatomy->layers[k], static_cast<float>(point.z)));
+                slow += kStepMm * kAttenuationPerMm.at(material) * static_cast<double>(built->anatomy->areaMm2[k]) /
+                        (grid.cellMm * grid.cellMm);
+            }
+            const std::array<XrayedTooth, 1> one{{{&tooth}}};
+            const Shadow shadow = castShadow(one, beam, {uv - 5e-4, uv + 5e-4}, 1.0e-3);
+            QVERIFY(near(static_cast<double>(shadow.at(0, 0)), slow, 0.01));
+        }
     }
-    // Unexposed it is fogged, and no exposure makes it blacker than black.
-    QVERIFY(near(opticalDensity(0.0, 0.05), 0.2, 1e-9));
-    QVERIFY(near(opticalDensity(1.0e9, 0.05), 3.0, 1e-9));
-}
 
-void TestRadiograph::aMirroredToothThrowsAMirroredShadow()
-{
-    const auto built = teeth::buildTooth({36}, {});
-    QVERIFY(built.has_value());
-    const Tooth tooth(built->anatomy);
-    const std::array<XrayedTooth, 1> plain{{{&tooth, {0.5, 0.2, 0.1}, false}}};
-    const std::array<XrayedTooth, 1> mirrored{{{&tooth, {-0.5, 0.2, 0.1}, true}}};
-    const FilmArea area{{-8.0, -16.0}, {8.0, 2.0}};
-    const Shadow a = castShadow(plain, {1.1, 0.2}, area, 0.1);
-    const Shadow b = castShadow(mirrored, {std::numbers::pi - 1.1, 0.2}, area, 0.1);
-    QCOMPARE(a.width, b.width);
-    for (int row = 0; row < a.height; row += 7)
-        for (int column = 0; column < a.width; ++column)
-            QVERIFY(near(static_cast<double>(a.at(column, row)), static_cast<double>(b.at(a.width - 1 - column, row)),
-                         1.0e-4));
-}
-
-void TestRadiograph::neighboursTouch_data()
-{
-    support::columns<int, int>("fdi", "count");
-    QTest::newRow("molar") << 36 << 2;
-    QTest::newRow("central incisor") << 21 << 2;
-    QTest::newRow("third molar") << 38 << 1;
-}
-
-void TestRadiograph::neighboursTouch()
-{
-    QFETCH(int, fdi);
-    QFETCH(int, count);
-    const auto built = teeth::buildTooth({fdi}, {});
-    QVERIFY(built.has_value());
-    const auto neighbours = neighboursOf(*built->anatomy);
-    QVERIFY(neighbours.has_value());
-    QCOMPARE(static_cast<int>(neighbours->size()), count);
-    // Seen from above, the nearest columns of two teeth lie beside each other: neither apart nor one in the other.
-    const auto outline = [](const XrayedTooth& xrayed) {
-        std::vector<glm::dvec2> nodes;
-        const ToothAnatomy& anatomy = *xrayed.tooth->anatomy;
-        for (int j = 0; j < anatomy.grid.side; ++j)
-            for (int i = 0; i < anatomy.grid.side; ++i)
-                if (anatomy.top[anatomy.grid.index(i, j)] > anatomy.bottom[anatomy.grid.index(i, j)]) {
-                    const glm::dvec2 node = anatomy.grid.nodeMm(i, j);
-                    nodes.push_back(glm::dvec2(xrayed.mirrored ? -node.x : node.x, node.y) +
-                                    glm::dvec2(xrayed.placeMm));
-                }
-        return nodes;
-    };
-    const Tooth tooth(built->anatomy);
-    const std::vector<glm::dvec2> own = outline({&tooth});
-    for (const Neighbour& neighbour : *neighbours) {
-        QCOMPARE(neighbour.placeMm.x < 0.0, &neighbour == &neighbours->front());
-        double gap = 1.0e9;
-        for (const glm::dvec2& other : outline(neighbour.xrayed()))
-            for (const glm::dvec2& mine : own)
-                if (std::abs(other.y - mine.y) < 0.06)
-                    gap = std::min(gap, std::abs(other.x - mine.x));
-        qInfo("%d beside %d: %.3f mm between nodes", neighbour.tooth.anatomy->fdi, fdi, gap);
-        QVERIFY(gap > 0.03 && gap < 0.2);
-        QCOMPARE(neighbour.mirrored, neighbour.tooth.anatomy->fdi == fdi);
+    void mesialIsLeftAndUpIsUp()
+    {
+        const auto anatomy = block();
+        Tooth tooth(anatomy);
+        // Cut the distal half (x > 0) down to -4.
+        for (int j = 0; j < 64; ++j)
+            for (int i = 32; i < 64; ++i)
+                tooth.top[anatomy->grid.index(i, j)] = -4.0F;
+        const Shadow shadow = shadowOf(tooth, {}, 0.05);
+        QVERIFY(at(shadow, -1.0, -2.0) > 1.0F);
+        QCOMPARE(at(shadow, 1.0, -2.0), 0.0F);
+        QVERIFY(at(shadow, 1.0, -6.0) > 1.0F);
+        QCOMPARE(shadow.at(shadow.width / 2, 0), 0.0F);
     }
-}
 
-void TestRadiograph::aScanHasNoNeighbours()
-{
-    auto scan = block();
-    scan->fdi = 36;
-    scan->name = "lower molar.stl";
-    QVERIFY(!teeth::isGenerated(*scan));
-    const auto none = neighboursOf(*scan);
-    QVERIFY(!none.has_value());
-    QCOMPARE(none.error().code, ErrorCode::UnknownName);
-}
+    void eachTissueHasItsTone()
+    {
+        // Four quarters along x, each of one material all through.
+        auto anatomy = block();
+        for (int j = 0; j < 64; ++j)
+            for (int i = 0; i < 64; ++i) {
+                ColumnLayers& column = anatomy->layers[anatomy->grid.index(i, j)];
+                if (i >= 16)
+                    column.dej = 10.0F;
+                if (i >= 32 && i < 48)
+                    column = {1.0F, -11.0F, 10.0F, 0.0F, 0.0F};
+                if (i >= 48)
+                    column = {0.0F, 0.0F, 10.0F, 1.0F, -11.0F};
+            }
+        const Shadow shadow = shadowOf(Tooth(anatomy), {}, 0.05);
+        const double enamel = light(shadow, -2.4, -5.0);
+        const double dentin = light(shadow, -0.8, -5.0);
+        const double decay = light(shadow, 0.8, -5.0);
+        const double pulp = light(shadow, 2.4, -5.0);
+        const double air = light(shadow, 3.6, -5.0);
+        qInfo("light through enamel %.3f, dentin %.3f, decay %.3f, pulp %.3f, air %.3f", enamel, dentin, decay, pulp,
+              air);
+        QVERIFY(enamel > dentin && dentin > decay && decay > pulp && pulp > air);
+    }
+
+    void aCavityIsDarkerThanBefore()
+    {
+        const auto anatomy = block();
+        const Tooth before(anatomy);
+        Tooth now(anatomy);
+        for (int j = 20; j < 44; ++j)
+            for (int i = 25; i < 39; ++i)
+                now.top[anatomy->grid.index(i, j)] = -3.0F;
+        const Shadow whole = shadowOf(before, {}, 0.05);
+        const Shadow cut = shadowOf(now, {}, 0.05);
+        QVERIFY(light(cut, 0.0, -1.5) < light(whole, 0.0, -1.5));
+        // 24 of 64 cells of enamel are air there: 0.28 * 2.4 less.
+        QVERIFY(near(static_cast<double>(at(whole, 0.0, -1.5)) - static_cast<double>(at(cut, 0.0, -1.5)), 0.28 * 2.4,
+                     1e-5));
+        QCOMPARE(at(cut, 0.0, -4.0), at(whole, 0.0, -4.0));
+        QCOMPARE(at(cut, -2.0, -1.5), at(whole, -2.0, -1.5));
+    }
+
+    void noiseGrowsWithTheSquareRoot()
+    {
+        const Tooth tooth(block());
+        const std::array<XrayedTooth, 1> one{{{&tooth}}};
+        // Inside the block every ray runs through 6.4 mm.
+        const Shadow shadow = castShadow(one, {}, {{-3.0, -9.0}, {3.0, -1.0}}, 0.02);
+        std::array<double, 2> deviation{};
+        for (std::size_t round = 0; round < 2; ++round) {
+            const double exposure = round == 0 ? 1.0 : 4.0;
+            const std::vector<float> quanta = quantaOn(shadow, {exposure, 99});
+            double sum = 0.0;
+            double squares = 0.0;
+            for (const float caught : quanta) {
+                sum += static_cast<double>(caught);
+                squares += static_cast<double>(caught) * static_cast<double>(caught);
+            }
+            const double count = static_cast<double>(quanta.size());
+            const double mean = sum / count;
+            deviation.at(round) = std::sqrt(squares / count - mean * mean);
+            QVERIFY(near(mean, exposure * kQuantaPerMm2 * 4.0e-4 * std::exp(-0.28 * 6.4), 0.005 * mean));
+            QVERIFY(near(deviation.at(round), std::sqrt(mean), 0.02 * deviation.at(round)));
+        }
+        qInfo("deviation %.3f quanta at exposure 1, %.3f at 4", deviation[0], deviation[1]);
+        QVERIFY(near(deviation[1] / deviation[0], 2.0, 0.04));
+    }
+
+    void theSameSeedGivesTheSameFilm()
+    {
+        const Shadow shadow = shadowOf(Tooth(block()), {}, 0.1);
+        QVERIFY(quantaOn(shadow, {1.0, 5}) == quantaOn(shadow, {1.0, 5}));
+        QVERIFY(quantaOn(shadow, {1.0, 5}) != quantaOn(shadow, {1.0, 6}));
+        QVERIFY(quantaOn(shadow, {1.0, 5}) != quantaOn(shadow, {}));
+    }
+
+    void moreExposureMakesADarkerFilm()
+    {
+        double before = opticalDensity(0.0, 0.05);
+        for (const double exposure : {0.25, 0.5, 1.0, 2.0, 4.0}) {
+            const double now = opticalDensity(exposure * kQuantaPerMm2 * 0.05 * 0.05, 0.05);
+            QVERIFY(now > before);
+            before = now;
+        }
+        // Unexposed it is fogged, and no exposure makes it blacker than black.
+        QVERIFY(near(opticalDensity(0.0, 0.05), 0.2, 1e-9));
+        QVERIFY(near(opticalDensity(1.0e9, 0.05), 3.0, 1e-9));
+    }
+
+    void aMirroredToothThrowsAMirroredShadow()
+    {
+        const auto built = teeth::buildTooth({36}, {});
+        QVERIFY(built.has_value());
+        const Tooth tooth(built->anatomy);
+        const std::array<XrayedTooth, 1> plain{{{&tooth, {0.5, 0.2, 0.1}, false}}};
+        const std::array<XrayedTooth, 1> mirrored{{{&tooth, {-0.5, 0.2, 0.1}, true}}};
+        const FilmArea area{{-8.0, -16.0}, {8.0, 2.0}};
+        const Shadow a = castShadow(plain, {1.1, 0.2}, area, 0.1);
+        const Shadow b = castShadow(mirrored, {std::numbers::pi - 1.1, 0.2}, area, 0.1);
+        QCOMPARE(a.width, b.width);
+        for (int row = 0; row < a.height; row += 7)
+            for (int column = 0; column < a.width; ++column)
+                QVERIFY(near(static_cast<double>(a.at(column, row)),
+                             static_cast<double>(b.at(a.width - 1 - column, row)), 1.0e-4));
+    }
+
+    void neighboursTouch_data()
+    {
+        support::columns<int, int>("fdi", "count");
+        QTest::newRow("molar") << 36 << 2;
+        QTest::newRow("central incisor") << 21 << 2;
+        QTest::newRow("third molar") << 38 << 1;
+    }
+
+    void neighboursTouch()
+    {
+        QFETCH(int, fdi);
+        QFETCH(int, count);
+        const auto built = teeth::buildTooth({fdi}, {});
+        QVERIFY(built.has_value());
+        const auto neighbours = neighboursOf(*built->anatomy);
+        QVERIFY(neighbours.has_value());
+        QCOMPARE(static_cast<int>(neighbours->size()), count);
+        // Seen from above, the nearest columns of two teeth lie beside each other: neither apart nor one in the other.
+        const auto outline = [](const XrayedTooth& xrayed) {
+            std::vector<glm::dvec2> nodes;
+            const ToothAnatomy& anatomy = *xrayed.tooth->anatomy;
+            for (int j = 0; j < anatomy.grid.side; ++j)
+                for (int i = 0; i < anatomy.grid.side; ++i)
+                    if (anatomy.top[anatomy.grid.index(i, j)] > anatomy.bottom[anatomy.grid.index(i, j)]) {
+                        const glm::dvec2 node = anatomy.grid.nodeMm(i, j);
+                        nodes.push_back(glm::dvec2(xrayed.mirrored ? -node.x : node.x, node.y) +
+                                        glm::dvec2(xrayed.placeMm));
+                    }
+            return nodes;
+        };
+        const Tooth tooth(built->anatomy);
+        const std::vector<glm::dvec2> own = outline({&tooth});
+        for (const Neighbour& neighbour : *neighbours) {
+            QCOMPARE(neighbour.placeMm.x < 0.0, &neighbour == &neighbours->front());
+            double gap = 1.0e9;
+            for (const glm::dvec2& other : outline(neighbour.xrayed()))
+                for (const glm::dvec2& mine : own)
+                    if (std::abs(other.y - mine.y) < 0.06)
+                        gap = std::min(gap, std::abs(other.x - mine.x));
+            qInfo("%d beside %d: %.3f mm between nodes", neighbour.tooth.anatomy->fdi, fdi, gap);
+            QVERIFY(gap > 0.03 && gap < 0.2);
+            QCOMPARE(neighbour.mirrored, neighbour.tooth.anatomy->fdi == fdi);
+        }
+    }
+
+    void aScanHasNoNeighbours()
+    {
+        auto scan = block();
+        scan->fdi = 36;
+        scan->name = "lower molar.stl";
+        QVERIFY(!teeth::isGenerated(*scan));
+        const auto none = neighboursOf(*scan);
+        QVERIFY(!none.has_value());
+        QCOMPARE(none.error().code, ErrorCode::UnknownName);
+    }
+};
 
 QTEST_APPLESS_MAIN(TestRadiograph)
 #include "tst_radiograph.moc"

@@ -68,228 +68,216 @@ class TestRasteriser : public QObject
     Q_OBJECT
 
 private slots:
-    void volumeWithinHalfAPercent_data();
-    void volumeWithinHalfAPercent();
-    void gridHasItsMarginAndHoldsTheMesh();
-    void heightIsThePlaneOfTheCoveringTriangle();
-    void everyNodeOfAFineRandomMeshIsCovered();
-    void nodesOnSharedEdgesAndCornersAreNotMissed();
-    void areaIsTheSilhouette();
-    void verticalSheetAloneGivesNothing();
-    void openBowlIsClosedAtTheGivenHeight();
-    void overhangKeepsItsUndersideBesideAnOpening();
-    void outsideIsEmpty();
-};
-
-void TestRasteriser::volumeWithinHalfAPercent_data()
-{
-    support::columns<TriangleMesh, double>("mesh", "volume");
-    const double pi = kPi;
-    // Off-grid: sides and places that share no factor with the cell.
-    for (const double angle : {0.0, 0.1, 0.5, pi / 4}) {
-        const auto add = [&](const char* name, const TriangleMesh& mesh, double volume) {
-            QTest::addRow("%s turned by %.2f", name, angle)
-                << support::moved(support::turned(mesh, angle), {1.2345F, -0.777F, 0.3F}) << volume;
-        };
-        add("box", support::box(10.0F, 6.1F, 3.7F), 10.0 * 6.1 * 3.7);
-        add("cone", support::cone(4.3F, 5.1F), pi * 4.3 * 4.3 * 5.1 / 3.0);
-        add("hemisphere", support::sphereCap(4.7F, 4.7F), 2.0 / 3.0 * pi * 4.7 * 4.7 * 4.7);
-        add("flat cap", support::sphereCap(9.0F, 1.3F), pi * 1.3 * 1.3 * (9.0 - 1.3 / 3.0));
-        add("wedge", support::wedge(9.1F, 7.3F, 4.2F), 9.1 * 7.3 * 4.2 / 2.0);
-    }
-}
-
-void TestRasteriser::volumeWithinHalfAPercent()
-{
-    QFETCH(TriangleMesh, mesh);
-    QFETCH(double, volume);
-    const HeightMaps maps = rasterise(mesh, gridAround(mesh, 150));
-    const double percent = 100.0 * (volumeOf(maps) / volume - 1.0);
-    qInfo("%s: %+.3f %%", QTest::currentDataTag(), percent);
-    QVERIFY2(std::abs(percent) < 0.5, qPrintable(QString::number(percent)));
-}
-
-void TestRasteriser::gridHasItsMarginAndHoldsTheMesh()
-{
-    for (const int side : {64, 150, 1024}) {
-        const Grid grid = fitGrid({-3.0, 2.0}, {7.0, 5.0}, side);
-        QCOMPARE(grid.side, side);
-        const glm::dvec2 low = grid.latticeOf({-3.0, 2.0});
-        const glm::dvec2 high = grid.latticeOf({7.0, 5.0});
-        QVERIFY(std::abs(low.x - kGridMargin) < 1e-9);
-        QVERIFY(std::abs(high.x - (side - 1 - kGridMargin)) < 1e-9);
-        QVERIFY(low.y >= kGridMargin && high.y <= side - 1 - kGridMargin);
-        QVERIFY(std::abs(low.y + high.y - (side - 1)) < 1e-9);  // in the middle
-    }
-}
-
-void TestRasteriser::heightIsThePlaneOfTheCoveringTriangle()
-{
-    core::Rng rng(20261120);
-    for (int round = 0; round < 20; ++round) {
-        TriangleMesh mesh;
-        for (int k = 0; k < 60; ++k)
-            mesh.vertices.emplace_back(rng.uniform(0.0, 8.0), rng.uniform(0.0, 8.0), rng.uniform(-5.0, 5.0));
-        for (int k = 0; k < 40; ++k) {
-            const auto corner = [&] { return static_cast<std::uint32_t>(rng.below(60)); };
-            mesh.triangles.push_back({corner(), corner(), corner()});
+    void volumeWithinHalfAPercent_data()
+    {
+        support::columns<TriangleMesh, double>("mesh", "volume");
+        const double pi = kPi;
+        // Off-grid: sides and places that share no factor with the cell.
+        for (const double angle : {0.0, 0.1, 0.5, pi / 4}) {
+            const auto add = [&](const char* name, const TriangleMesh& mesh, double volume) {
+                QTest::addRow("%s turned by %.2f", name, angle)
+                    << support::moved(support::turned(mesh, angle), {1.2345F, -0.777F, 0.3F}) << volume;
+            };
+            add("box", support::box(10.0F, 6.1F, 3.7F), 10.0 * 6.1 * 3.7);
+            add("cone", support::cone(4.3F, 5.1F), pi * 4.3 * 4.3 * 5.1 / 3.0);
+            add("hemisphere", support::sphereCap(4.7F, 4.7F), 2.0 / 3.0 * pi * 4.7 * 4.7 * 4.7);
+            add("flat cap", support::sphereCap(9.0F, 1.3F), pi * 1.3 * 1.3 * (9.0 - 1.3 / 3.0));
+            add("wedge", support::wedge(9.1F, 7.3F, 4.2F), 9.1 * 7.3 * 4.2 / 2.0);
         }
-        const HeightMaps maps = rasterise(mesh, gridAround(mesh, 64));
+    }
+
+    void volumeWithinHalfAPercent()
+    {
+        QFETCH(TriangleMesh, mesh);
+        QFETCH(double, volume);
+        const HeightMaps maps = rasterise(mesh, gridAround(mesh, 150));
+        const double percent = 100.0 * (volumeOf(maps) / volume - 1.0);
+        qInfo("%s: %+.3f %%", QTest::currentDataTag(), percent);
+        QVERIFY2(std::abs(percent) < 0.5, qPrintable(QString::number(percent)));
+    }
+
+    void gridHasItsMarginAndHoldsTheMesh()
+    {
+        for (const int side : {64, 150, 1024}) {
+            const Grid grid = fitGrid({-3.0, 2.0}, {7.0, 5.0}, side);
+            QCOMPARE(grid.side, side);
+            const glm::dvec2 low = grid.latticeOf({-3.0, 2.0});
+            const glm::dvec2 high = grid.latticeOf({7.0, 5.0});
+            QVERIFY(std::abs(low.x - kGridMargin) < 1e-9);
+            QVERIFY(std::abs(high.x - (side - 1 - kGridMargin)) < 1e-9);
+            QVERIFY(low.y >= kGridMargin && high.y <= side - 1 - kGridMargin);
+            QVERIFY(std::abs(low.y + high.y - (side - 1)) < 1e-9);  // in the middle
+        }
+    }
+
+    void heightIsThePlaneOfTheCoveringTriangle()
+    {
+        core::Rng rng(20261120);
+        for (int round = 0; round < 20; ++round) {
+            TriangleMesh mesh;
+            for (int k = 0; k < 60; ++k)
+                mesh.vertices.emplace_back(rng.uniform(0.0, 8.0), rng.uniform(0.0, 8.0), rng.uniform(-5.0, 5.0));
+            for (int k = 0; k < 40; ++k) {
+                const auto corner = [&] { return static_cast<std::uint32_t>(rng.below(60)); };
+                mesh.triangles.push_back({corner(), corner(), corner()});
+            }
+            const HeightMaps maps = rasterise(mesh, gridAround(mesh, 64));
+            for (int j = 0; j < 64; ++j)
+                for (int i = 0; i < 64; ++i) {
+                    const auto expected = heightsAt(mesh, maps.grid.nodeMm(i, j));
+                    const std::size_t k = maps.grid.index(i, j);
+                    if (!expected || expected->first - expected->second < 1e-4)
+                        continue;  // a single sheet is empty
+                    QVERIFY(std::abs(static_cast<double>(maps.top[k]) - expected->first) < 2e-5);
+                    QVERIFY(std::abs(static_cast<double>(maps.bottom[k]) - expected->second) < 2e-5);
+                }
+        }
+    }
+
+    void everyNodeOfAFineRandomMeshIsCovered()
+    {
+        // A sheet of 300 x 300 jittered squares: many nodes fall next to edges and corners.
+        core::Rng rng(7);
+        constexpr int n = 300;
+        TriangleMesh mesh;
+        for (int j = 0; j <= n; ++j)
+            for (int i = 0; i <= n; ++i) {
+                const bool edge = i == 0 || j == 0 || i == n || j == n;
+                const double dx = edge ? 0.0 : rng.uniform(-0.012, 0.012);
+                const double dy = edge ? 0.0 : rng.uniform(-0.012, 0.012);
+                mesh.vertices.emplace_back(i * 0.03 + dx, j * 0.03 + dy, 1.0 + rng.uniform(0.0, 0.01));
+            }
+        const auto at = [](int i, int j) { return static_cast<std::uint32_t>(j * (n + 1) + i); };
+        for (int j = 0; j < n; ++j)
+            for (int i = 0; i < n; ++i) {
+                mesh.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+                mesh.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+            }
+        for (const int side : {64, 150, 500}) {
+            const HeightMaps maps = rasterise(mesh, gridAround(mesh, side), 0.0);
+            // Nodes on the sheet's own rim are left out: which of them belong to it is a matter of taste.
+            for (int j = kGridMargin + 1; j < side - kGridMargin - 1; ++j)
+                for (int i = kGridMargin + 1; i < side - kGridMargin - 1; ++i) {
+                    const std::size_t k = maps.grid.index(i, j);
+                    QVERIFY2(maps.top[k] > 0.99F && maps.bottom[k] == 0.0F,
+                             qPrintable(QStringLiteral("%1 %2").arg(i).arg(j)));
+                }
+        }
+    }
+
+    void nodesOnSharedEdgesAndCornersAreNotMissed()
+    {
+        // Sixty thin slices whose tip is a node and whose edges run through nodes.
+        const Grid grid{64, 0.125, {-4.0, -4.0}};
+        TriangleMesh mesh;
+        mesh.vertices.emplace_back(0.0F, 0.0F, 1.0F);
+        mesh.vertices.emplace_back(0.0F, 0.0F, 0.0F);
+        constexpr std::uint32_t n = 64;
+        for (std::uint32_t k = 0; k < n; ++k) {
+            const std::uint32_t side = k / 16;
+            const float along = -2.0F + 0.25F * static_cast<float>(k % 16);
+            const glm::vec2 p = side == 0   ? glm::vec2(along, -2.0F)
+                                : side == 1 ? glm::vec2(2.0F, along)
+                                : side == 2 ? glm::vec2(-along, 2.0F)
+                                            : glm::vec2(-2.0F, -along);
+            mesh.vertices.emplace_back(p.x, p.y, 1.0F);
+            mesh.vertices.emplace_back(p.x, p.y, 0.0F);
+        }
+        for (std::uint32_t k = 0; k < n; ++k) {
+            const std::uint32_t a = 2 + 2 * k;
+            const std::uint32_t b = 2 + 2 * ((k + 1) % n);
+            mesh.triangles.push_back({0, a, b});
+            mesh.triangles.push_back({1, b + 1, a + 1});
+        }
+        const HeightMaps maps = rasterise(mesh, grid);
         for (int j = 0; j < 64; ++j)
             for (int i = 0; i < 64; ++i) {
-                const auto expected = heightsAt(mesh, maps.grid.nodeMm(i, j));
-                const std::size_t k = maps.grid.index(i, j);
-                if (!expected || expected->first - expected->second < 1e-4)
-                    continue;  // a single sheet is empty
-                QVERIFY(std::abs(static_cast<double>(maps.top[k]) - expected->first) < 2e-5);
-                QVERIFY(std::abs(static_cast<double>(maps.bottom[k]) - expected->second) < 2e-5);
+                const glm::dvec2 p = grid.nodeMm(i, j);
+                const bool inside = std::abs(p.x) <= 2.0 && std::abs(p.y) <= 2.0;
+                QCOMPARE(maps.top[grid.index(i, j)], inside ? 1.0F : kEmptyTop);
+                QCOMPARE(maps.bottom[grid.index(i, j)], inside ? 0.0F : kEmptyBottom);
             }
     }
-}
 
-void TestRasteriser::everyNodeOfAFineRandomMeshIsCovered()
-{
-    // A sheet of 300 x 300 jittered squares: many nodes fall next to edges and corners.
-    core::Rng rng(7);
-    constexpr int n = 300;
-    TriangleMesh mesh;
-    for (int j = 0; j <= n; ++j)
-        for (int i = 0; i <= n; ++i) {
-            const bool edge = i == 0 || j == 0 || i == n || j == n;
-            const double dx = edge ? 0.0 : rng.uniform(-0.012, 0.012);
-            const double dy = edge ? 0.0 : rng.uniform(-0.012, 0.012);
-            mesh.vertices.emplace_back(i * 0.03 + dx, j * 0.03 + dy, 1.0 + rng.uniform(0.0, 0.01));
+    void areaIsTheSilhouette()
+    {
+        const double pi = kPi;
+        for (const double angle : {0.0, 0.3, 0.7}) {
+            const auto area = [&](const TriangleMesh& mesh, int side) {
+                const TriangleMesh t = support::turned(mesh, angle);
+                return silhouetteOf(rasterise(t, gridAround(t, side)));
+            };
+            QVERIFY(std::abs(area(support::box(8.3F, 5.9F, 2.0F), 150) / (8.3 * 5.9) - 1.0) < 0.002);
+            QVERIFY(std::abs(area(support::sphereCap(5.0F, 5.0F), 150) / (pi * 25.0) - 1.0) < 0.002);
+            QVERIFY(std::abs(area(support::sphereCap(5.0F, 5.0F), 64) / (pi * 25.0) - 1.0) < 0.005);
         }
-    const auto at = [](int i, int j) { return static_cast<std::uint32_t>(j * (n + 1) + i); };
-    for (int j = 0; j < n; ++j)
-        for (int i = 0; i < n; ++i) {
-            mesh.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
-            mesh.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+        const TriangleMesh cap = support::sphereCap(5.0F, 5.0F);
+        const HeightMaps maps = rasterise(cap, gridAround(cap, 150));
+        const auto cell = static_cast<float>(maps.grid.cellMm * maps.grid.cellMm);
+        for (std::size_t k = 0; k < maps.top.size(); ++k) {
+            QCOMPARE(maps.areaMm2[k] > 0.0F, maps.top[k] > maps.bottom[k]);
+            QVERIFY(maps.areaMm2[k] < 3.0F * cell);
         }
-    for (const int side : {64, 150, 500}) {
-        const HeightMaps maps = rasterise(mesh, gridAround(mesh, side), 0.0);
-        // Nodes on the sheet's own rim are left out: which of them belong to it is a matter of taste.
-        for (int j = kGridMargin + 1; j < side - kGridMargin - 1; ++j)
-            for (int i = kGridMargin + 1; i < side - kGridMargin - 1; ++i) {
+        QCOMPARE(maps.areaMm2[maps.grid.index(75, 75)], cell);
+    }
+
+    void verticalSheetAloneGivesNothing()
+    {
+        TriangleMesh mesh = support::box(4.0F, 4.0F, 1.0F);
+        mesh.triangles.erase(mesh.triangles.begin(), mesh.triangles.begin() + 4);  // the walls stay
+        const HeightMaps maps = rasterise(mesh, gridAround(mesh, 64));
+        QCOMPARE(volumeOf(maps), 0.0);
+        QCOMPARE(silhouetteOf(maps), 0.0);
+    }
+
+    void openBowlIsClosedAtTheGivenHeight()
+    {
+        TriangleMesh mesh = support::box(4.0F, 3.0F, 2.0F);
+        mesh.triangles.erase(mesh.triangles.begin(), mesh.triangles.begin() + 2);  // without its bottom
+        QCOMPARE(volumeOf(rasterise(mesh, gridAround(mesh, 100))), 0.0);
+        QVERIFY(std::abs(volumeOf(rasterise(mesh, gridAround(mesh, 100), 0.0)) - 24.0) < 0.1);
+        QVERIFY(std::abs(volumeOf(rasterise(mesh, gridAround(mesh, 100), 1.0)) - 12.0) < 0.05);
+    }
+
+    void overhangKeepsItsUndersideBesideAnOpening()
+    {
+        // The upper part of a ball, cut off open 1 below its equator.
+        TriangleMesh mesh = support::sphereCap(3.0F, 4.0F, 360, 100);
+        const float rim = mesh.vertices.front().z;
+        std::erase_if(mesh.triangles, [&](const auto& t) {
+            return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) { return mesh.vertices[v].z <= rim; });
+        });
+        const HeightMaps maps = rasterise(mesh, gridAround(mesh, 150), static_cast<double>(rim));
+        const double exact = 3.14159265358979 * 16.0 * (3.0 - 4.0 / 3.0);
+        QVERIFY2(std::abs(volumeOf(maps) / exact - 1.0) < 0.005, qPrintable(QString::number(volumeOf(maps))));
+        for (int j = 0; j < 150; ++j)
+            for (int i = 0; i < 150; ++i) {
                 const std::size_t k = maps.grid.index(i, j);
-                QVERIFY2(maps.top[k] > 0.99F && maps.bottom[k] == 0.0F,
-                         qPrintable(QStringLiteral("%1 %2").arg(i).arg(j)));
+                const glm::dvec2 at = maps.grid.nodeMm(i, j);
+                const double aside = std::hypot(at.x, at.y);
+                if (maps.top[k] == kEmptyTop || std::abs(aside - std::sqrt(8.0)) < 0.02 || aside > 2.97)
+                    continue;
+                const double middle = static_cast<double>(rim) + 1.0;
+                const double expected =
+                    aside < std::sqrt(8.0) ? static_cast<double>(rim) : middle - std::sqrt(9.0 - aside * aside);
+                QVERIFY(std::abs(static_cast<double>(maps.bottom[k]) - expected) < 0.02);
             }
     }
-}
 
-void TestRasteriser::nodesOnSharedEdgesAndCornersAreNotMissed()
-{
-    // Sixty thin slices whose tip is a node and whose edges run through nodes.
-    const Grid grid{64, 0.125, {-4.0, -4.0}};
-    TriangleMesh mesh;
-    mesh.vertices.emplace_back(0.0F, 0.0F, 1.0F);
-    mesh.vertices.emplace_back(0.0F, 0.0F, 0.0F);
-    constexpr std::uint32_t n = 64;
-    for (std::uint32_t k = 0; k < n; ++k) {
-        const std::uint32_t side = k / 16;
-        const float along = -2.0F + 0.25F * static_cast<float>(k % 16);
-        const glm::vec2 p = side == 0   ? glm::vec2(along, -2.0F)
-                            : side == 1 ? glm::vec2(2.0F, along)
-                            : side == 2 ? glm::vec2(-along, 2.0F)
-                                        : glm::vec2(-2.0F, -along);
-        mesh.vertices.emplace_back(p.x, p.y, 1.0F);
-        mesh.vertices.emplace_back(p.x, p.y, 0.0F);
+    void outsideIsEmpty()
+    {
+        const TriangleMesh cap = support::sphereCap(3.0F, 1.0F);
+        const HeightMaps maps = rasterise(cap, gridAround(cap, 80));
+        std::size_t empty = 0;
+        for (std::size_t k = 0; k < maps.top.size(); ++k)
+            if (!(maps.top[k] > maps.bottom[k])) {
+                QCOMPARE(maps.top[k], kEmptyTop);
+                QCOMPARE(maps.bottom[k], kEmptyBottom);
+                ++empty;
+            }
+        QVERIFY(empty > 1000);
     }
-    for (std::uint32_t k = 0; k < n; ++k) {
-        const std::uint32_t a = 2 + 2 * k;
-        const std::uint32_t b = 2 + 2 * ((k + 1) % n);
-        mesh.triangles.push_back({0, a, b});
-        mesh.triangles.push_back({1, b + 1, a + 1});
-    }
-    const HeightMaps maps = rasterise(mesh, grid);
-    for (int j = 0; j < 64; ++j)
-        for (int i = 0; i < 64; ++i) {
-            const glm::dvec2 p = grid.nodeMm(i, j);
-            const bool inside = std::abs(p.x) <= 2.0 && std::abs(p.y) <= 2.0;
-            QCOMPARE(maps.top[grid.index(i, j)], inside ? 1.0F : kEmptyTop);
-            QCOMPARE(maps.bottom[grid.index(i, j)], inside ? 0.0F : kEmptyBottom);
-        }
-}
-
-void TestRasteriser::areaIsTheSilhouette()
-{
-    const double pi = kPi;
-    for (const double angle : {0.0, 0.3, 0.7}) {
-        const auto area = [&](const TriangleMesh& mesh, int side) {
-            const TriangleMesh t = support::turned(mesh, angle);
-            return silhouetteOf(rasterise(t, gridAround(t, side)));
-        };
-        QVERIFY(std::abs(area(support::box(8.3F, 5.9F, 2.0F), 150) / (8.3 * 5.9) - 1.0) < 0.002);
-        QVERIFY(std::abs(area(support::sphereCap(5.0F, 5.0F), 150) / (pi * 25.0) - 1.0) < 0.002);
-        QVERIFY(std::abs(area(support::sphereCap(5.0F, 5.0F), 64) / (pi * 25.0) - 1.0) < 0.005);
-    }
-    const TriangleMesh cap = support::sphereCap(5.0F, 5.0F);
-    const HeightMaps maps = rasterise(cap, gridAround(cap, 150));
-    const auto cell = static_cast<float>(maps.grid.cellMm * maps.grid.cellMm);
-    for (std::size_t k = 0; k < maps.top.size(); ++k) {
-        QCOMPARE(maps.areaMm2[k] > 0.0F, maps.top[k] > maps.bottom[k]);
-        QVERIFY(maps.areaMm2[k] < 3.0F * cell);
-    }
-    QCOMPARE(maps.areaMm2[maps.grid.index(75, 75)], cell);
-}
-
-void TestRasteriser::verticalSheetAloneGivesNothing()
-{
-    TriangleMesh mesh = support::box(4.0F, 4.0F, 1.0F);
-    mesh.triangles.erase(mesh.triangles.begin(), mesh.triangles.begin() + 4);  // the walls stay
-    const HeightMaps maps = rasterise(mesh, gridAround(mesh, 64));
-    QCOMPARE(volumeOf(maps), 0.0);
-    QCOMPARE(silhouetteOf(maps), 0.0);
-}
-
-void TestRasteriser::openBowlIsClosedAtTheGivenHeight()
-{
-    TriangleMesh mesh = support::box(4.0F, 3.0F, 2.0F);
-    mesh.triangles.erase(mesh.triangles.begin(), mesh.triangles.begin() + 2);  // without its bottom
-    QCOMPARE(volumeOf(rasterise(mesh, gridAround(mesh, 100))), 0.0);
-    QVERIFY(std::abs(volumeOf(rasterise(mesh, gridAround(mesh, 100), 0.0)) - 24.0) < 0.1);
-    QVERIFY(std::abs(volumeOf(rasterise(mesh, gridAround(mesh, 100), 1.0)) - 12.0) < 0.05);
-}
-
-void TestRasteriser::overhangKeepsItsUndersideBesideAnOpening()
-{
-    // The upper part of a ball, cut off open 1 below its equator.
-    TriangleMesh mesh = support::sphereCap(3.0F, 4.0F, 360, 100);
-    const float rim = mesh.vertices.front().z;
-    std::erase_if(mesh.triangles, [&](const auto& t) {
-        return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) { return mesh.vertices[v].z <= rim; });
-    });
-    const HeightMaps maps = rasterise(mesh, gridAround(mesh, 150), static_cast<double>(rim));
-    const double exact = 3.14159265358979 * 16.0 * (3.0 - 4.0 / 3.0);
-    QVERIFY2(std::abs(volumeOf(maps) / exact - 1.0) < 0.005, qPrintable(QString::number(volumeOf(maps))));
-    for (int j = 0; j < 150; ++j)
-        for (int i = 0; i < 150; ++i) {
-            const std::size_t k = maps.grid.index(i, j);
-            const glm::dvec2 at = maps.grid.nodeMm(i, j);
-            const double aside = std::hypot(at.x, at.y);
-            if (maps.top[k] == kEmptyTop || std::abs(aside - std::sqrt(8.0)) < 0.02 || aside > 2.97)
-                continue;
-            const double middle = static_cast<double>(rim) + 1.0;
-            const double expected =
-                aside < std::sqrt(8.0) ? static_cast<double>(rim) : middle - std::sqrt(9.0 - aside * aside);
-            QVERIFY(std::abs(static_cast<double>(maps.bottom[k]) - expected) < 0.02);
-        }
-}
-
-void TestRasteriser::outsideIsEmpty()
-{
-    const TriangleMesh cap = support::sphereCap(3.0F, 1.0F);
-    const HeightMaps maps = rasterise(cap, gridAround(cap, 80));
-    std::size_t empty = 0;
-    for (std::size_t k = 0; k < maps.top.size(); ++k)
-        if (!(maps.top[k] > maps.bottom[k])) {
-            QCOMPARE(maps.top[k], kEmptyTop);
-            QCOMPARE(maps.bottom[k], kEmptyBottom);
-            ++empty;
-        }
-    QVERIFY(empty > 1000);
-}
+};
 
 QTEST_APPLESS_MAIN(TestRasteriser)
 #include "tst_rasteriser.moc"

@@ -81,366 +81,351 @@ class TestReplay : public QObject
 {
     Q_OBJECT
 private slots:
-    void changesOfFeel();
-    void plainDrilling_data();
-    void plainDrilling();
-    void everythingElseThatHappens();
-    void undoAtOnceAfterTheLastTick();
-    void missedPeriods();
-    void stormOfCommands_data();
-    void stormOfCommands();
-    void resumedAgainAndAgain_data();
-    void resumedAgainAndAgain();
-    void secondToothHasItsOwnRecording();
-    void sameToothAgainHasItsOwnRecording();
-    void recordingEndsWhereTicksAreMissing();
-    void wrongWitnessIsNoticed();
-    void emptyAttempt();
-};
-
-void TestReplay::plainDrilling_data()
-{
-    support::columns<QString, int>("method", "side");
-    for (const char* method : {"continuous", "lattice", "penalty"})
-        for (const int side : {64, 150, 256})
-            QTest::newRow(qPrintable(QString("%1 at %2").arg(method).arg(side))) << method << side;
-}
-
-void TestReplay::plainDrilling()
-{
-    QFETCH(QString, method);
-    QFETCH(int, side);
-    session::ServoSettings settings;
-    settings.method = method.toStdString();
-    support::Rig rig(settings);
-    rig.drill(layeredTooth(side));
-    support::RestlessHand hand(static_cast<std::uint64_t>(side));
-    rig.follow(hand, 3000);
-    QVERIFY2(removedMm3(rig) > 0.2, qPrintable(QString::number(removedMm3(rig))));
-    compareWithLive(rig);
-}
-
-/// Enamel grows softer and the spring stiffer in mid-stroke: the replay feels it at the same tick.
-void TestReplay::changesOfFeel()
-{
-    support::Rig rig;
-    rig.drill(layeredTooth(64));
-    rig.lean(0.0, 0.0, 1.0, 100);
-    const double before = removedMm3(rig);
-    const session::ServoNumbers was = session::numbersOf({});
-    for (std::size_t k = 0; k < session::kServoNumbers; ++k)
-        rig.send(session::SetNumber{static_cast<std::uint8_t>(k), static_cast<float>(0.9 * was.at(k))});
-    rig.send(session::SetNumber{2, 20.0F});  // the rate of enamel
-    rig.send(session::SetNumber{2, std::nanf("")});
-    rig.send(session::SetNumber{99, 1.0F});
-    rig.lean(0.0, 0.0, 1.0, 100);
-    QVERIFY(removedMm3(rig) > 4.0 * before);
-    compareWithLive(rig);
-    const Recording made = rig.session->recordingSoFar().value();
-    QVERIFY(made.isRetuned());
-    int told = 0;
-    made.forEach(
-        [&](const session::ServoEvent& event) { told += event.kind == session::ServoEvent::Kind::Number ? 1 : 0; });
-    QCOMPARE(told, static_cast<int>(session::kServoNumbers) + 1);  // what is no number is not told
-}
-
-void TestReplay::everythingElseThatHappens()
-{
-    support::Rig rig(withHandpieces());
-    rig.drill(layeredTooth(100));
-    for (std::uint8_t bur = 0; bur < 4; ++bur) {
-        rig.send(session::SetBur{bur});
-        rig.lean(0.8 * bur - 1.2, 0.3, 1.5, 200);
-        rig.device.present = false;  // lost in the middle of a cut
-        rig.run(30);
-        rig.device.present = true;
-        rig.lean(0.8 * bur - 1.0, 0.3, 1.5, 100);
-        rig.device.tipMm.x = std::nanf("");
-        rig.run(3);
-        rig.device.tipMm = {2.0e9F, 0.0F, 0.0F};
-        rig.run(3);
-        rig.lean(0.8 * bur - 1.0, 0.3, 1.5, 50);
-        rig.send(session::SetDrill{false});
-        rig.send(session::SetHandpiece{static_cast<std::uint8_t>(bur % 3)});
-        rig.lean(0.8 * bur - 1.0, 0.3, 1.5, 50);
-        rig.send(session::SetDrill{true});
-        if (bur % 2 == 0)
-            rig.lift();
+    /// Enamel grows softer and the spring stiffer in mid-stroke: the replay feels it at the same tick.
+    void changesOfFeel()
+    {
+        support::Rig rig;
+        rig.drill(layeredTooth(64));
+        rig.lean(0.0, 0.0, 1.0, 100);
+        const double before = removedMm3(rig);
+        const session::ServoNumbers was = session::numbersOf({});
+        for (std::size_t k = 0; k < session::kServoNumbers; ++k)
+            rig.send(session::SetNumber{static_cast<std::uint8_t>(k), static_cast<float>(0.9 * was.at(k))});
+        rig.send(session::SetNumber{2, 20.0F});  // the rate of enamel
+        rig.send(session::SetNumber{2, std::nanf("")});
+        rig.send(session::SetNumber{99, 1.0F});
+        rig.lean(0.0, 0.0, 1.0, 100);
+        QVERIFY(removedMm3(rig) > 4.0 * before);
+        compareWithLive(rig);
+        const Recording made = rig.session->recordingSoFar().value();
+        QVERIFY(made.isRetuned());
+        int told = 0;
+        made.forEach(
+            [&](const session::ServoEvent& event) { told += event.kind == session::ServoEvent::Kind::Number ? 1 : 0; });
+        QCOMPARE(told, static_cast<int>(session::kServoNumbers) + 1);  // what is no number is not told
     }
-    QVERIFY(removedMm3(rig) > 0.3);
-    compareWithLive(rig);
-}
 
-void TestReplay::undoAtOnceAfterTheLastTick()
-{
-    support::Rig rig;
-    rig.drill(layeredTooth(64));
-    rig.lean(0.0, 0.0, 2.0, 100);
-    rig.lift();
-    const std::uint64_t cut = rig.liveHash();
-    rig.send(session::Undo{});
-    rig.settle();
-    rig.servo->tick(rig.period);  // takes the restored tooth
-    QVERIFY(rig.liveHash() != cut);
-    compareWithLive(rig);
-    rig.send(session::Redo{});
-    rig.settle();
-    rig.servo->tick(rig.period);
-    QCOMPARE(rig.liveHash(), cut);
-    compareWithLive(rig);
-    rig.send(session::Reload{});
-    rig.settle();
-    rig.servo->tick(rig.period);
-    QCOMPARE(rig.liveHash(), terrain::stateHash(terrain::Tooth(rig.live().anatomy)));
-    compareWithLive(rig);
-}
-
-void TestReplay::missedPeriods()
-{
-    support::Rig rig;
-    rig.drill(layeredTooth(100));
-    support::RestlessHand hand(9);
-    Rng rng(10);
-    for (int n = 0; n < 1500; ++n) {
-        rig.device.tipMm = hand.next();
-        rig.run(1, std::chrono::milliseconds(rng.below(10) == 0 ? 1 + rng.below(200) : 1));
+    void plainDrilling_data()
+    {
+        support::columns<QString, int>("method", "side");
+        for (const char* method : {"continuous", "lattice", "penalty"})
+            for (const int side : {64, 150, 256})
+                QTest::newRow(qPrintable(QString("%1 at %2").arg(method).arg(side))) << method << side;
     }
-    QVERIFY(rig.uiLinks->servo.latest().missedPeriods > 1000);
-    QVERIFY(removedMm3(rig) > 0.1);
-    compareWithLive(rig);
-}
 
-void TestReplay::stormOfCommands_data()
-{
-    support::columns<QString, int, int>("method", "side", "seed");
-    for (const int seed : {1, 2, 3}) {
-        QTest::addRow("64, seed %d", seed) << "continuous" << 64 << seed;
-        QTest::addRow("150, seed %d", seed) << "continuous" << 150 << 10 + seed;
-    }
-    QTest::newRow("256") << "continuous" << 256 << 21;
-    QTest::newRow("lattice") << "lattice" << 64 << 22;
-    QTest::newRow("penalty") << "penalty" << 64 << 23;
-}
-
-void TestReplay::stormOfCommands()
-{
-    QFETCH(QString, method);
-    QFETCH(int, side);
-    QFETCH(int, seed);
-    session::ServoSettings settings = withHandpieces();
-    settings.method = method.toStdString();
-    support::Rig rig(settings);
-    const auto anatomy = layeredTooth(side);
-    rig.drill(anatomy);
-    Rng rng(static_cast<std::uint64_t>(seed));
-    support::RestlessHand hand(static_cast<std::uint64_t>(seed) + 100);
-    std::uint64_t generation = 1;
-    for (int n = 0; n < 2000; ++n) {
-        rig.device.tipMm = hand.next();
-        rig.device.present = rng.below(100) != 0;
-        rig.run(1, std::chrono::milliseconds(rng.below(30) == 0 ? 7 : 1));
-        switch (rng.below(250)) {
-        case 0:
-            rig.send(session::Redo{});
-            break;
-        case 1:
-            rig.send(session::Reload{});
-            break;
-        case 2:
-            rig.send(session::SetBur{static_cast<std::uint8_t>(rng.below(4))});
-            break;
-        case 3:
-            rig.send(session::SetDrill{rng.below(4) != 0});
-            break;
-        case 4:
-        case 5:
-        case 6:
-            rig.send(session::Undo{});
-            break;
-        case 7:
-            // Often more than one at once, and between the session's beats.
-            for (int k = 0; k < 4; ++k)
-                rig.send(rng.below(2) == 0 ? session::SessionCommand{session::Undo{}}
-                                           : session::SessionCommand{session::Redo{}});
-            break;
-        case 8:
-            if (rng.below(8) == 0)
-                rig.send(session::ReplaceTooth{new terrain::Tooth(anatomy), ++generation});
-            break;
-        case 9:
-            rig.send(session::SetHandpiece{static_cast<std::uint8_t>(rng.below(4))});  // 3: there is none
-            break;
-        case 10:
-            // Another tooth with another servo: softer, and with one handpiece less.
-            if (rng.below(8) == 0) {
-                session::ServoSettings other = settings;
-                other.hardness = settings::findHardnessPreset(rng.below(2) == 0 ? "typodont" : "natural").value();
-                other.handpieces.resize(1 + static_cast<std::size_t>(rng.below(3)));
-                rig.send(session::ReplaceTooth{new terrain::Tooth(anatomy), ++generation, nullptr,
-                                               session::makeServoTick(other).value().release()});
-            }
-            break;
-        case 11:
-        case 12:
-            // Whatever the console can ask for, and what it cannot.
-            rig.send(session::SetNumber{static_cast<std::uint8_t>(rng.below(session::kServoNumbers + 2)),
-                                        static_cast<float>(rng.below(400)) * 0.01F});
-            break;
-        default:
-            break;
-        }
-        if (n % 500 == 499)
-            compareWithLive(rig);
-    }
-    rig.lift();
-    compareWithLive(rig);
-    QCOMPARE(rig.mirrorHash(), rig.liveHash());
-}
-
-void TestReplay::resumedAgainAndAgain_data()
-{
-    support::columns<QString, int>("method", "side");
-    QTest::newRow("64") << "continuous" << 64;
-    QTest::newRow("150") << "continuous" << 150;
-    QTest::newRow("lattice") << "lattice" << 64;
-    QTest::newRow("penalty") << "penalty" << 64;
-}
-
-/// The program ends wherever it is; another takes the attempt up, with the hand wherever that is.
-void TestReplay::resumedAgainAndAgain()
-{
-    QFETCH(QString, method);
-    QFETCH(int, side);
-    session::ServoSettings settings;
-    settings.method = method.toStdString();
-    Rng rng(static_cast<std::uint64_t>(side));
-    support::RestlessHand hand(31);
-    std::optional<Recording> left;
-    for (int life = 0; life < 6; ++life) {
+    void plainDrilling()
+    {
+        QFETCH(QString, method);
+        QFETCH(int, side);
+        session::ServoSettings settings;
+        settings.method = method.toStdString();
         support::Rig rig(settings);
-        if (life % 2 == 1) {  // which has done something else before
-            rig.drill(layeredTooth(side));
-            rig.follow(hand, 300);
+        rig.drill(layeredTooth(side));
+        support::RestlessHand hand(static_cast<std::uint64_t>(side));
+        rig.follow(hand, 3000);
+        QVERIFY2(removedMm3(rig) > 0.2, qPrintable(QString::number(removedMm3(rig))));
+        compareWithLive(rig);
+    }
+
+    void everythingElseThatHappens()
+    {
+        support::Rig rig(withHandpieces());
+        rig.drill(layeredTooth(100));
+        for (std::uint8_t bur = 0; bur < 4; ++bur) {
+            rig.send(session::SetBur{bur});
+            rig.lean(0.8 * bur - 1.2, 0.3, 1.5, 200);
+            rig.device.present = false;  // lost in the middle of a cut
+            rig.run(30);
+            rig.device.present = true;
+            rig.lean(0.8 * bur - 1.0, 0.3, 1.5, 100);
+            rig.device.tipMm.x = std::nanf("");
+            rig.run(3);
+            rig.device.tipMm = {2.0e9F, 0.0F, 0.0F};
+            rig.run(3);
+            rig.lean(0.8 * bur - 1.0, 0.3, 1.5, 50);
+            rig.send(session::SetDrill{false});
+            rig.send(session::SetHandpiece{static_cast<std::uint8_t>(bur % 3)});
+            rig.lean(0.8 * bur - 1.0, 0.3, 1.5, 50);
+            rig.send(session::SetDrill{true});
+            if (bur % 2 == 0)
+                rig.lift();
         }
-        if (left)
-            rig.resume(*left, 2);
-        else
-            rig.open(layeredTooth(side), 2);
-        const std::uint64_t begun = rig.liveHash();
-        rig.send(session::SetDrill{true});
-        for (int n = 0; n < 1200 || rig.liveHash() == begun; ++n) {
+        QVERIFY(removedMm3(rig) > 0.3);
+        compareWithLive(rig);
+    }
+
+    void undoAtOnceAfterTheLastTick()
+    {
+        support::Rig rig;
+        rig.drill(layeredTooth(64));
+        rig.lean(0.0, 0.0, 2.0, 100);
+        rig.lift();
+        const std::uint64_t cut = rig.liveHash();
+        rig.send(session::Undo{});
+        rig.settle();
+        rig.servo->tick(rig.period);  // takes the restored tooth
+        QVERIFY(rig.liveHash() != cut);
+        compareWithLive(rig);
+        rig.send(session::Redo{});
+        rig.settle();
+        rig.servo->tick(rig.period);
+        QCOMPARE(rig.liveHash(), cut);
+        compareWithLive(rig);
+        rig.send(session::Reload{});
+        rig.settle();
+        rig.servo->tick(rig.period);
+        QCOMPARE(rig.liveHash(), terrain::stateHash(terrain::Tooth(rig.live().anatomy)));
+        compareWithLive(rig);
+    }
+
+    void missedPeriods()
+    {
+        support::Rig rig;
+        rig.drill(layeredTooth(100));
+        support::RestlessHand hand(9);
+        Rng rng(10);
+        for (int n = 0; n < 1500; ++n) {
+            rig.device.tipMm = hand.next();
+            rig.run(1, std::chrono::milliseconds(rng.below(10) == 0 ? 1 + rng.below(200) : 1));
+        }
+        QVERIFY(rig.uiLinks->servo.latest().missedPeriods > 1000);
+        QVERIFY(removedMm3(rig) > 0.1);
+        compareWithLive(rig);
+    }
+
+    void stormOfCommands_data()
+    {
+        support::columns<QString, int, int>("method", "side", "seed");
+        for (const int seed : {1, 2, 3}) {
+            QTest::addRow("64, seed %d", seed) << "continuous" << 64 << seed;
+            QTest::addRow("150, seed %d", seed) << "continuous" << 150 << 10 + seed;
+        }
+        QTest::newRow("256") << "continuous" << 256 << 21;
+        QTest::newRow("lattice") << "lattice" << 64 << 22;
+        QTest::newRow("penalty") << "penalty" << 64 << 23;
+    }
+
+    void stormOfCommands()
+    {
+        QFETCH(QString, method);
+        QFETCH(int, side);
+        QFETCH(int, seed);
+        session::ServoSettings settings = withHandpieces();
+        settings.method = method.toStdString();
+        support::Rig rig(settings);
+        const auto anatomy = layeredTooth(side);
+        rig.drill(anatomy);
+        Rng rng(static_cast<std::uint64_t>(seed));
+        support::RestlessHand hand(static_cast<std::uint64_t>(seed) + 100);
+        std::uint64_t generation = 1;
+        for (int n = 0; n < 2000; ++n) {
             rig.device.tipMm = hand.next();
             rig.device.present = rng.below(100) != 0;
             rig.run(1, std::chrono::milliseconds(rng.below(30) == 0 ? 7 : 1));
-            if (rng.below(200) == 0)
-                rig.send(rng.below(2) == 0 ? session::SessionCommand{session::Undo{}}
-                                           : session::SessionCommand{session::Redo{}});
+            switch (rng.below(250)) {
+            case 0:
+                rig.send(session::Redo{});
+                break;
+            case 1:
+                rig.send(session::Reload{});
+                break;
+            case 2:
+                rig.send(session::SetBur{static_cast<std::uint8_t>(rng.below(4))});
+                break;
+            case 3:
+                rig.send(session::SetDrill{rng.below(4) != 0});
+                break;
+            case 4:
+            case 5:
+            case 6:
+                rig.send(session::Undo{});
+                break;
+            case 7:
+                // Often more than one at once, and between the session's beats.
+                for (int k = 0; k < 4; ++k)
+                    rig.send(rng.below(2) == 0 ? session::SessionCommand{session::Undo{}}
+                                               : session::SessionCommand{session::Redo{}});
+                break;
+            case 8:
+                if (rng.below(8) == 0)
+                    rig.send(session::ReplaceTooth{new terrain::Tooth(anatomy), ++generation});
+                break;
+            case 9:
+                rig.send(session::SetHandpiece{static_cast<std::uint8_t>(rng.below(4))});  // 3: there is none
+                break;
+            case 10:
+                // Another tooth with another servo: softer, and with one handpiece less.
+                if (rng.below(8) == 0) {
+                    session::ServoSettings other = settings;
+                    other.hardness = settings::findHardnessPreset(rng.below(2) == 0 ? "typodont" : "natural").value();
+                    other.handpieces.resize(1 + static_cast<std::size_t>(rng.below(3)));
+                    rig.send(session::ReplaceTooth{new terrain::Tooth(anatomy), ++generation, nullptr,
+                                                   session::makeServoTick(other).value().release()});
+                }
+                break;
+            case 11:
+            case 12:
+                // Whatever the console can ask for, and what it cannot.
+                rig.send(session::SetNumber{static_cast<std::uint8_t>(rng.below(session::kServoNumbers + 2)),
+                                            static_cast<float>(rng.below(400)) * 0.01F});
+                break;
+            default:
+                break;
+            }
+            if (n % 500 == 499)
+                compareWithLive(rig);
         }
+        rig.lift();
         compareWithLive(rig);
-        left = Recording::fromBytes(rig.session->recordingSoFar()->toBytes()).value();
+        QCOMPARE(rig.mirrorHash(), rig.liveHash());
     }
-}
 
-void TestReplay::secondToothHasItsOwnRecording()
-{
-    support::Rig rig;
-    rig.drill(layeredTooth(64));
-    rig.send(session::SetBur{2});
-    rig.lean(0.0, 0.0, 2.0, 200);
-    // In the middle of a cut; bur and drill stay as they were.
-    rig.open(layeredTooth(100), 2);
-    QVERIFY(rig.servo->state().drillOn);
-    QCOMPARE(rig.servo->state().burIndex, 2);
-    rig.lift();
-    rig.lean(0.5, 0.0, 2.0, 300);
-    QVERIFY(removedMm3(rig) > 0.02);
-    compareWithLive(rig);
-    QCOMPARE(rig.session->recordingSoFar()->anatomy()->grid.side, 100);
-}
-
-void TestReplay::sameToothAgainHasItsOwnRecording()
-{
-    support::Rig rig;
-    const auto anatomy = layeredTooth(64);
-    rig.drill(anatomy);
-    rig.lean(0.0, 0.0, 2.0, 200);
-    rig.settle();
-    const std::uint64_t before = rig.session->recordingSoFar()->ticks();
-    // The session has opened the tooth anew, the servo has not heard of it yet: the attempt so far is still the old
-    // one, and nothing is said about it that belongs to the new one.
-    rig.send(session::ReplaceTooth{new terrain::Tooth(anatomy), 2});
-    rig.settle();
-    const Recording between = rig.session->recordingSoFar().value();
-    QCOMPARE(between.ticks(), before);
-    QVERIFY(recording::replay(between)->agreesWithWitness);
-    rig.lean(0.5, 0.0, 2.0, 100);
-    QVERIFY(rig.session->recordingSoFar()->ticks() <= 100);
-    compareWithLive(rig);
-}
-
-void TestReplay::recordingEndsWhereTicksAreMissing()
-{
-    support::Rig rig;
-    rig.drill(layeredTooth(64));
-    rig.lean(0.0, 0.0, 1.0, 100);
-    rig.lift();
-    const std::uint64_t kept = rig.liveHash();
-    // The session sleeps for longer than the queue of events holds.
-    for (int n = 0; n < 20000; ++n) {
-        rig.device.tipMm = {0.5F, 0.0F, n % 400 < 200 ? 2.0F : -0.4F};
-        rig.servo->tick(rig.period);
+    void resumedAgainAndAgain_data()
+    {
+        support::columns<QString, int>("method", "side");
+        QTest::newRow("64") << "continuous" << 64;
+        QTest::newRow("150") << "continuous" << 150;
+        QTest::newRow("lattice") << "lattice" << 64;
+        QTest::newRow("penalty") << "penalty" << 64;
     }
-    QVERIFY((rig.uiLinks->servo.latest().health & session::kRecordGap) != 0);
-    // It wakes; the student goes on, takes back and cuts again.
-    rig.lift();
-    rig.give(session::Undo{});
-    rig.give(session::Undo{});
-    QVERIFY(rig.liveHash() == kept || rig.session->toothSoFar().has_value());
-    rig.lean(-0.5, 0.5, 2.0, 100);
-    rig.lift();
-    // What is recorded is true as far as it goes: it reads back and replays, and claims nothing that it cannot show.
-    const Recording soFar = rig.session->recordingSoFar().value();
-    QVERIFY(soFar.ticks() < rig.servo->state().tick);
-    const auto read = Recording::fromBytes(soFar.toBytes());
-    QVERIFY(support::succeeds(read));
-    QVERIFY(recording::replay(*read)->agreesWithWitness);
-    // A new tooth is recorded again.
-    rig.open(layeredTooth(64), 2);
-    QVERIFY((rig.uiLinks->servo.latest().health & session::kRecordGap) == 0);
-    rig.lean(0.0, 0.0, 2.0, 100);
-    compareWithLive(rig);
-}
 
-void TestReplay::wrongWitnessIsNoticed()
-{
-    support::Rig rig;
-    rig.drill(layeredTooth(64));
-    rig.lean(0.0, 0.0, 2.0, 100);
-    rig.lift();
-    Recording soFar = rig.session->recordingSoFar().value();
-    QVERIFY(recording::replay(soFar)->agreesWithWitness);
-    const recording::Witness right{soFar.ticks(), rig.liveHash()};
-    soFar.setWitness(right);
-    QVERIFY(recording::replay(soFar)->agreesWithWitness);
-    soFar.setWitness({right.tick, right.stateHash ^ 1U});
-    QVERIFY(!recording::replay(soFar)->agreesWithWitness);
-    soFar.setWitness({10, right.stateHash});  // true, but not then
-    QVERIFY(!recording::replay(soFar)->agreesWithWitness);
-    soFar.setWitness({0, right.stateHash});
-    QVERIFY(!recording::replay(soFar)->agreesWithWitness);
-    soFar.setWitness({right.tick + 1, right.stateHash});  // a tick that never comes
-    QVERIFY(!recording::replay(soFar)->agreesWithWitness);
-}
+    /// The program ends wherever it is; another takes the attempt up, with the hand wherever that is.
+    void resumedAgainAndAgain()
+    {
+        QFETCH(QString, method);
+        QFETCH(int, side);
+        session::ServoSettings settings;
+        settings.method = method.toStdString();
+        Rng rng(static_cast<std::uint64_t>(side));
+        support::RestlessHand hand(31);
+        std::optional<Recording> left;
+        for (int life = 0; life < 6; ++life) {
+            support::Rig rig(settings);
+            if (life % 2 == 1) {  // which has done something else before
+                rig.drill(layeredTooth(side));
+                rig.follow(hand, 300);
+            }
+            if (left)
+                rig.resume(*left, 2);
+            else
+                rig.open(layeredTooth(side), 2);
+            const std::uint64_t begun = rig.liveHash();
+            rig.send(session::SetDrill{true});
+            for (int n = 0; n < 1200 || rig.liveHash() == begun; ++n) {
+                rig.device.tipMm = hand.next();
+                rig.device.present = rng.below(100) != 0;
+                rig.run(1, std::chrono::milliseconds(rng.below(30) == 0 ? 7 : 1));
+                if (rng.below(200) == 0)
+                    rig.send(rng.below(2) == 0 ? session::SessionCommand{session::Undo{}}
+                                               : session::SessionCommand{session::Redo{}});
+            }
+            compareWithLive(rig);
+            left = Recording::fromBytes(rig.session->recordingSoFar()->toBytes()).value();
+        }
+    }
 
-void TestReplay::emptyAttempt()
-{
-    const auto anatomy = layeredTooth(64);
-    const auto outcome = recording::replay(Recording({}, anatomy));
-    QVERIFY(outcome);
-    QVERIFY(outcome->agreesWithWitness);
-    QCOMPARE(outcome->stateHash, terrain::stateHash(terrain::Tooth(anatomy)));
-    QCOMPARE(outcome->state.tick, 0U);
-}
+    void secondToothHasItsOwnRecording()
+    {
+        support::Rig rig;
+        rig.drill(layeredTooth(64));
+        rig.send(session::SetBur{2});
+        rig.lean(0.0, 0.0, 2.0, 200);
+        // In the middle of a cut; bur and drill stay as they were.
+        rig.open(layeredTooth(100), 2);
+        QVERIFY(rig.servo->state().drillOn);
+        QCOMPARE(rig.servo->state().burIndex, 2);
+        rig.lift();
+        rig.lean(0.5, 0.0, 2.0, 300);
+        QVERIFY(removedMm3(rig) > 0.02);
+        compareWithLive(rig);
+        QCOMPARE(rig.session->recordingSoFar()->anatomy()->grid.side, 100);
+    }
+
+    void sameToothAgainHasItsOwnRecording()
+    {
+        support::Rig rig;
+        const auto anatomy = layeredTooth(64);
+        rig.drill(anatomy);
+        rig.lean(0.0, 0.0, 2.0, 200);
+        rig.settle();
+        const std::uint64_t before = rig.session->recordingSoFar()->ticks();
+        // The session has opened the tooth anew, the servo has not heard of it yet: the attempt so far is still the old
+        // one, and nothing is said about it that belongs to the new one.
+        rig.send(session::ReplaceTooth{new terrain::Tooth(anatomy), 2});
+        rig.settle();
+        const Recording between = rig.session->recordingSoFar().value();
+        QCOMPARE(between.ticks(), before);
+        QVERIFY(recording::replay(between)->agreesWithWitness);
+        rig.lean(0.5, 0.0, 2.0, 100);
+        QVERIFY(rig.session->recordingSoFar()->ticks() <= 100);
+        compareWithLive(rig);
+    }
+
+    void recordingEndsWhereTicksAreMissing()
+    {
+        support::Rig rig;
+        rig.drill(layeredTooth(64));
+        rig.lean(0.0, 0.0, 1.0, 100);
+        rig.lift();
+        const std::uint64_t kept = rig.liveHash();
+        // The session sleeps for longer than the queue of events holds.
+        for (int n = 0; n < 20000; ++n) {
+            rig.device.tipMm = {0.5F, 0.0F, n % 400 < 200 ? 2.0F : -0.4F};
+            rig.servo->tick(rig.period);
+        }
+        QVERIFY((rig.uiLinks->servo.latest().health & session::kRecordGap) != 0);
+        // It wakes; the student goes on, takes back and cuts again.
+        rig.lift();
+        rig.give(session::Undo{});
+        rig.give(session::Undo{});
+        QVERIFY(rig.liveHash() == kept || rig.session->toothSoFar().has_value());
+        rig.lean(-0.5, 0.5, 2.0, 100);
+        rig.lift();
+        // What is recorded is true as far as it goes: it reads back and replays, and claims nothing that it cannot
+        // show.
+        const Recording soFar = rig.session->recordingSoFar().value();
+        QVERIFY(soFar.ticks() < rig.servo->state().tick);
+        const auto read = Recording::fromBytes(soFar.toBytes());
+        QVERIFY(support::succeeds(read));
+        QVERIFY(recording::replay(*read)->agreesWithWitness);
+        // A new tooth is recorded again.
+        rig.open(layeredTooth(64), 2);
+        QVERIFY((rig.uiLinks->servo.latest().health & session::kRecordGap) == 0);
+        rig.lean(0.0, 0.0, 2.0, 100);
+        compareWithLive(rig);
+    }
+
+    void wrongWitnessIsNoticed()
+    {
+        support::Rig rig;
+        rig.drill(layeredTooth(64));
+        rig.lean(0.0, 0.0, 2.0, 100);
+        rig.lift();
+        Recording soFar = rig.session->recordingSoFar().value();
+        QVERIFY(recording::replay(soFar)->agreesWithWitness);
+        const recording::Witness right{soFar.ticks(), rig.liveHash()};
+        soFar.setWitness(right);
+        QVERIFY(recording::replay(soFar)->agreesWithWitness);
+        soFar.setWitness({right.tick, right.stateHash ^ 1U});
+        QVERIFY(!recording::replay(soFar)->agreesWithWitness);
+        soFar.setWitness({10, right.stateHash});  // true, but not then
+        QVERIFY(!recording::replay(soFar)->agreesWithWitness);
+        soFar.setWitness({0, right.stateHash});
+        QVERIFY(!recording::replay(soFar)->agreesWithWitness);
+        soFar.setWitness({right.tick + 1, right.stateHash});  // a tick that never comes
+        QVERIFY(!recording::replay(soFar)->agreesWithWitness);
+    }
+
+    void emptyAttempt()
+    {
+        const auto anatomy = layeredTooth(64);
+        const auto outcome = recording::replay(Recording({}, anatomy));
+        QVERIFY(outcome);
+        QVERIFY(outcome->agreesWithWitness);
+        QCOMPARE(outcome->stateHash, terrain::stateHash(terrain::Tooth(anatomy)));
+        QCOMPARE(outcome->state.tick, 0U);
+    }
+};
 
 QTEST_APPLESS_MAIN(TestReplay)
 #include "tst_replay.moc"

@@ -25,62 +25,59 @@ class TestResample : public QObject
     Q_OBJECT
 
 private slots:
-    void theSameToothOnOtherGrids();
-    void aHoleStaysAHole();
-};
-
-void TestResample::theSameToothOnOtherGrids()
-{
-    const auto anatomy = support::wavyDisc(101, 0.1);
-    const core::terrain::Tooth tooth = support::hollowed(anatomy, 1.5);
-    for (const Sampling sampling : {Sampling::Half, Sampling::Double}) {
-        const auto other = core::terrain::resampled(*anatomy, sampling);
-        QCOMPARE(other->grid.side, sampling == Sampling::Half ? 51 : 201);
-        const core::terrain::Tooth same = core::terrain::resampled(tooth, other, sampling);
-        // Nodes that both have stand at the same place and hold the same.
-        for (int j = 0; j < 51; ++j)
-            for (int i = 0; i < 51; ++i) {
-                const std::size_t here = anatomy->grid.index(2 * i, 2 * j);
-                const std::size_t there =
-                    sampling == Sampling::Half ? other->grid.index(i, j) : other->grid.index(4 * i, 4 * j);
-                if (core::grading::wasSolid(*anatomy, here)) {
-                    QCOMPARE(same.top[there], tooth.top[here]);
-                    QCOMPARE(same.bottom[there], tooth.bottom[here]);
+    void theSameToothOnOtherGrids()
+    {
+        const auto anatomy = support::wavyDisc(101, 0.1);
+        const core::terrain::Tooth tooth = support::hollowed(anatomy, 1.5);
+        for (const Sampling sampling : {Sampling::Half, Sampling::Double}) {
+            const auto other = core::terrain::resampled(*anatomy, sampling);
+            QCOMPARE(other->grid.side, sampling == Sampling::Half ? 51 : 201);
+            const core::terrain::Tooth same = core::terrain::resampled(tooth, other, sampling);
+            // Nodes that both have stand at the same place and hold the same.
+            for (int j = 0; j < 51; ++j)
+                for (int i = 0; i < 51; ++i) {
+                    const std::size_t here = anatomy->grid.index(2 * i, 2 * j);
+                    const std::size_t there =
+                        sampling == Sampling::Half ? other->grid.index(i, j) : other->grid.index(4 * i, 4 * j);
+                    if (core::grading::wasSolid(*anatomy, here)) {
+                        QCOMPARE(same.top[there], tooth.top[here]);
+                        QCOMPARE(same.bottom[there], tooth.bottom[here]);
+                    }
                 }
-            }
-        const double share = sampling == Sampling::Half ? 0.01 : 0.005;
-        const double volume = sum(core::terrain::volumes(same)) / sum(core::terrain::volumes(tooth));
-        QVERIFY2(std::abs(volume - 1.0) < share, qPrintable(QString::number(volume)));
-        const auto gone = core::terrain::removedVolumes(tooth);
-        const auto goneThere = core::terrain::removedVolumes(same);
-        for (const std::size_t material : {1U, 2U})
-            QVERIFY2(std::abs(goneThere[material] / gone[material] - 1.0) < share,
-                     qPrintable(QString::number(goneThere[material] / gone[material])));
+            const double share = sampling == Sampling::Half ? 0.01 : 0.005;
+            const double volume = sum(core::terrain::volumes(same)) / sum(core::terrain::volumes(tooth));
+            QVERIFY2(std::abs(volume - 1.0) < share, qPrintable(QString::number(volume)));
+            const auto gone = core::terrain::removedVolumes(tooth);
+            const auto goneThere = core::terrain::removedVolumes(same);
+            for (const std::size_t material : {1U, 2U})
+                QVERIFY2(std::abs(goneThere[material] / gone[material] - 1.0) < share,
+                         qPrintable(QString::number(goneThere[material] / gone[material])));
+        }
+        // All of the area is shared out.
+        const auto twice = core::terrain::resampled(*anatomy, Sampling::Double);
+        double before = 0.0;
+        double after = 0.0;
+        for (const float area : anatomy->areaMm2)
+            before += static_cast<double>(area);
+        for (const float area : twice->areaMm2)
+            after += static_cast<double>(area);
+        QVERIFY(std::abs(after / before - 1.0) < 1.0e-4);
     }
-    // All of the area is shared out.
-    const auto twice = core::terrain::resampled(*anatomy, Sampling::Double);
-    double before = 0.0;
-    double after = 0.0;
-    for (const float area : anatomy->areaMm2)
-        before += static_cast<double>(area);
-    for (const float area : twice->areaMm2)
-        after += static_cast<double>(area);
-    QVERIFY(std::abs(after / before - 1.0) < 1.0e-4);
-}
 
-void TestResample::aHoleStaysAHole()
-{
-    const auto anatomy = support::wavyDisc(101, 0.1);
-    const core::terrain::Tooth tooth = support::hollowed(anatomy, 100.0);
-    const double area = core::grading::measure(tooth).perforatedMm2;
-    QVERIFY(area > 1.0);
-    for (const Sampling sampling : {Sampling::Half, Sampling::Double}) {
-        const core::terrain::Tooth same =
-            core::terrain::resampled(tooth, core::terrain::resampled(*anatomy, sampling), sampling);
-        const double there = core::grading::measure(same).perforatedMm2;
-        QVERIFY2(std::abs(there / area - 1.0) < 0.1, qPrintable(QString::number(there / area)));
+    void aHoleStaysAHole()
+    {
+        const auto anatomy = support::wavyDisc(101, 0.1);
+        const core::terrain::Tooth tooth = support::hollowed(anatomy, 100.0);
+        const double area = core::grading::measure(tooth).perforatedMm2;
+        QVERIFY(area > 1.0);
+        for (const Sampling sampling : {Sampling::Half, Sampling::Double}) {
+            const core::terrain::Tooth same =
+                core::terrain::resampled(tooth, core::terrain::resampled(*anatomy, sampling), sampling);
+            const double there = core::grading::measure(same).perforatedMm2;
+            QVERIFY2(std::abs(there / area - 1.0) < 0.1, qPrintable(QString::number(there / area)));
+        }
     }
-}
+};
 
 QTEST_GUILESS_MAIN(TestResample)
 #include "tst_resample.moc"

@@ -63,297 +63,284 @@ class TestUndoTree : public QObject
     Q_OBJECT
 private slots:
     void tilesGiveBackWhatWentIn_data() { support::rows<int>("side", {64, 65, 79, 80, 100, 150, 256}); }
-    void tilesGiveBackWhatWentIn();
-    void copiesShareTiles();
-    void updateTouchesOnlyWhatDiffers();
-    void patchesAreTheWholeDifference();
-    void goesBackAndForth();
-    void strokeAfterUndoBeginsABranch();
-    void theLastBeforeATickLiesOnTheWayHere();
-    void redoFollowsTheWayLastGone();
-    void goesToAnyMoment();
-    void countsSharedTilesOnce();
-    void memoryLimitForgetsTheOldest();
-    void memoryLimitForgetsBranchesFirst();
-    void memoryStaysTrueInAStorm();
-    void restartForgetsEverything();
-};
 
-void TestUndoTree::tilesGiveBackWhatWentIn()
-{
-    QFETCH(int, side);
-    const terrain::Grid grid{side, 0.07, {0.0, 0.0}};
-    Rng rng(static_cast<std::uint64_t>(side));
-    std::vector<float> heights(grid.count());
-    for (float& height : heights)
-        height = static_cast<float>(rng.uniform(-5.0, 5.0));
-    QCOMPARE(TiledHeights(grid, heights).flat(), heights);
-}
-
-void TestUndoTree::copiesShareTiles()
-{
-    const TiledHeights first = flat(1.0F);
-    const TiledHeights second = with(first, 2, 1, 0.5F);
-    QCOMPARE(tilesApart(first, second), 1);
-    QCOMPARE(tilesApart(first, first), 0);
-    QCOMPARE(second.tile(0, 0).get(), first.tile(0, 0).get());
-    QCOMPARE(first.flat(), std::vector<float>(kGrid.count(), 1.0F));  // the older one is as it was
-    QCOMPARE(second.flat()[kGrid.index(32, 16)], 0.5F);
-    QCOMPARE(second.flat()[kGrid.index(31, 16)], 1.0F);
-}
-
-void TestUndoTree::updateTouchesOnlyWhatDiffers()
-{
-    const TiledHeights first = flat(1.0F);
-    TiledHeights second = first;
-    std::vector<float> heights(kGrid.count(), 1.0F);
-    second.update(heights);
-    QCOMPARE(tilesApart(first, second), 0);
-    heights[kGrid.index(15, 15)] = 0.0F;
-    heights[kGrid.index(16, 16)] = 0.0F;
-    second.update(heights);
-    QCOMPARE(tilesApart(first, second), 2);
-    QCOMPARE(second.flat(), heights);
-}
-
-void TestUndoTree::patchesAreTheWholeDifference()
-{
-    const TiledHeights from = flat(1.0F);
-    const TiledHeights to = with(with(from, 3, 3, 0.2F), 0, 2, 0.1F);
-    const auto group = history::patchesBetween(from, to, 17, 5);
-    QCOMPARE(group.size(), 2U);
-    QCOMPARE(group[0].last, false);
-    QCOMPARE(group[1].last, true);
-    TiledHeights rebuilt = from;
-    for (const session::TilePatch& patch : group) {
-        QCOMPARE(patch.tick, 17U);
-        QCOMPARE(patch.toothGeneration, 5U);
-        rebuilt.setTile(patch.tileX, patch.tileY, patch.top);
+    void tilesGiveBackWhatWentIn()
+    {
+        QFETCH(int, side);
+        const terrain::Grid grid{side, 0.07, {0.0, 0.0}};
+        Rng rng(static_cast<std::uint64_t>(side));
+        std::vector<float> heights(grid.count());
+        for (float& height : heights)
+            height = static_cast<float>(rng.uniform(-5.0, 5.0));
+        QCOMPARE(TiledHeights(grid, heights).flat(), heights);
     }
-    QCOMPARE(rebuilt.flat(), to.flat());
-    QVERIFY(history::patchesBetween(to, to, 1, 1).empty());
-}
 
-void TestUndoTree::goesBackAndForth()
-{
-    UndoTree tree;
-    tree.restart({flat(0.0F), 0});
-    QVERIFY(!tree.undo());
-    QVERIFY(!tree.redo());
-    for (std::uint64_t n = 1; n <= 5; ++n)
-        tree.push({flat(-static_cast<float>(n)), n * 100});
-    QCOMPARE(tree.undoSteps(), 5);
-    QCOMPARE(tree.redoSteps(), 0);
-    for (std::uint64_t n = 5; n-- > 0;) {
+    void copiesShareTiles()
+    {
+        const TiledHeights first = flat(1.0F);
+        const TiledHeights second = with(first, 2, 1, 0.5F);
+        QCOMPARE(tilesApart(first, second), 1);
+        QCOMPARE(tilesApart(first, first), 0);
+        QCOMPARE(second.tile(0, 0).get(), first.tile(0, 0).get());
+        QCOMPARE(first.flat(), std::vector<float>(kGrid.count(), 1.0F));  // the older one is as it was
+        QCOMPARE(second.flat()[kGrid.index(32, 16)], 0.5F);
+        QCOMPARE(second.flat()[kGrid.index(31, 16)], 1.0F);
+    }
+
+    void updateTouchesOnlyWhatDiffers()
+    {
+        const TiledHeights first = flat(1.0F);
+        TiledHeights second = first;
+        std::vector<float> heights(kGrid.count(), 1.0F);
+        second.update(heights);
+        QCOMPARE(tilesApart(first, second), 0);
+        heights[kGrid.index(15, 15)] = 0.0F;
+        heights[kGrid.index(16, 16)] = 0.0F;
+        second.update(heights);
+        QCOMPARE(tilesApart(first, second), 2);
+        QCOMPARE(second.flat(), heights);
+    }
+
+    void patchesAreTheWholeDifference()
+    {
+        const TiledHeights from = flat(1.0F);
+        const TiledHeights to = with(with(from, 3, 3, 0.2F), 0, 2, 0.1F);
+        const auto group = history::patchesBetween(from, to, 17, 5);
+        QCOMPARE(group.size(), 2U);
+        QCOMPARE(group[0].last, false);
+        QCOMPARE(group[1].last, true);
+        TiledHeights rebuilt = from;
+        for (const session::TilePatch& patch : group) {
+            QCOMPARE(patch.tick, 17U);
+            QCOMPARE(patch.toothGeneration, 5U);
+            rebuilt.setTile(patch.tileX, patch.tileY, patch.top);
+        }
+        QCOMPARE(rebuilt.flat(), to.flat());
+        QVERIFY(history::patchesBetween(to, to, 1, 1).empty());
+    }
+
+    void goesBackAndForth()
+    {
+        UndoTree tree;
+        tree.restart({flat(0.0F), 0});
+        QVERIFY(!tree.undo());
+        QVERIFY(!tree.redo());
+        for (std::uint64_t n = 1; n <= 5; ++n)
+            tree.push({flat(-static_cast<float>(n)), n * 100});
+        QCOMPARE(tree.undoSteps(), 5);
+        QCOMPARE(tree.redoSteps(), 0);
+        for (std::uint64_t n = 5; n-- > 0;) {
+            QVERIFY(tree.undo());
+            QCOMPARE(tree.current().tick, n * 100);
+            QCOMPARE(tree.redoSteps(), static_cast<int>(5 - n));
+        }
+        QVERIFY(!tree.undo());
+        QVERIFY(tree.redo());
+        QCOMPARE(tree.current().tick, 100U);
+        QCOMPARE(tree.current().top.flat(), flat(-1.0F).flat());
+    }
+
+    void strokeAfterUndoBeginsABranch()
+    {
+        UndoTree tree;
+        tree.restart({flat(0.0F), 0});
+        for (std::uint64_t n = 1; n <= 4; ++n)
+            tree.push({flat(-static_cast<float>(n)), n});
+        QVERIFY(tree.undo() && tree.undo() && tree.undo());
+        tree.push({flat(-9.0F), 9});
+        QCOMPARE(drawn(tree), "1<0 2<1 3<2 4<3 5<4 [6<2]");
+        QCOMPARE(tree.redoSteps(), 0);
+        QCOMPARE(tree.undoSteps(), 2);
+        QVERIFY(!tree.redo());
         QVERIFY(tree.undo());
-        QCOMPARE(tree.current().tick, n * 100);
-        QCOMPARE(tree.redoSteps(), static_cast<int>(5 - n));
+        QCOMPARE(tree.current().tick, 1U);
+        // Nothing is lost: the other branch is as it was.
+        QCOMPARE(tree.find(MomentId{5})->top.flat(), flat(-4.0F).flat());
+        QVERIFY(tree.find(MomentId{7}) == nullptr);
     }
-    QVERIFY(!tree.undo());
-    QVERIFY(tree.redo());
-    QCOMPARE(tree.current().tick, 100U);
-    QCOMPARE(tree.current().top.flat(), flat(-1.0F).flat());
-}
 
-void TestUndoTree::strokeAfterUndoBeginsABranch()
-{
-    UndoTree tree;
-    tree.restart({flat(0.0F), 0});
-    for (std::uint64_t n = 1; n <= 4; ++n)
-        tree.push({flat(-static_cast<float>(n)), n});
-    QVERIFY(tree.undo() && tree.undo() && tree.undo());
-    tree.push({flat(-9.0F), 9});
-    QCOMPARE(drawn(tree), "1<0 2<1 3<2 4<3 5<4 [6<2]");
-    QCOMPARE(tree.redoSteps(), 0);
-    QCOMPARE(tree.undoSteps(), 2);
-    QVERIFY(!tree.redo());
-    QVERIFY(tree.undo());
-    QCOMPARE(tree.current().tick, 1U);
-    // Nothing is lost: the other branch is as it was.
-    QCOMPARE(tree.find(MomentId{5})->top.flat(), flat(-4.0F).flat());
-    QVERIFY(tree.find(MomentId{7}) == nullptr);
-}
-
-void TestUndoTree::theLastBeforeATickLiesOnTheWayHere()
-{
-    UndoTree tree;
-    tree.restart({TiledHeights{}, 0});
-    tree.push({TiledHeights{}, 100});
-    const auto left = tree.currentId();
-    QVERIFY(tree.undo());
-    const auto first = tree.currentId();
-    tree.push({TiledHeights{}, 300});
-    const auto here = tree.currentId();
-    // At tick 250 the tooth had been whole again: what was cut at 100 lies on another branch, though it is more recent.
-    QCOMPARE(history::lastBefore(tree.list(), 250), std::optional(first));
-    QVERIFY(history::lastBefore(tree.list(), 250) != std::optional(left));
-    QCOMPARE(history::lastBefore(tree.list(), 301), std::optional(here));
-    QVERIFY(!history::lastBefore(tree.list(), 0).has_value());
-    QVERIFY(!history::lastBefore({}, 5).has_value());
-}
-
-void TestUndoTree::redoFollowsTheWayLastGone()
-{
-    UndoTree tree;
-    tree.restart({flat(0.0F), 0});
-    tree.push({flat(-1.0F), 1});
-    tree.push({flat(-2.0F), 2});  // 3
-    QVERIFY(tree.undo());
-    tree.push({flat(-3.0F), 3});  // 4
-    QVERIFY(tree.undo());
-    QVERIFY(tree.redo());
-    QCOMPARE(tree.currentId(), MomentId{4});
-    QVERIFY(tree.goTo(MomentId{3}));
-    QVERIFY(tree.undo() && tree.undo());
-    QCOMPARE(tree.redoSteps(), 2);
-    QVERIFY(tree.redo() && tree.redo());
-    QCOMPARE(tree.currentId(), MomentId{3});
-}
-
-void TestUndoTree::goesToAnyMoment()
-{
-    UndoTree tree;
-    tree.restart({flat(0.0F), 0});
-    for (std::uint64_t n = 1; n <= 3; ++n)
-        tree.push({flat(-static_cast<float>(n)), n});
-    QVERIFY(tree.goTo(MomentId{2}));
-    tree.push({flat(-4.0F), 4});
-    tree.push({flat(-5.0F), 5});
-    QVERIFY(tree.goTo(MomentId{4}));
-    QCOMPARE(drawn(tree), "1<0 2<1 3<2 [4<3] 5<2 6<5");
-    QCOMPARE(tree.current().top.flat(), flat(-3.0F).flat());
-    QCOMPARE(tree.undoSteps(), 3);
-    QVERIFY(!tree.goTo(MomentId{4}));  // is there already
-    QVERIFY(!tree.goTo(MomentId{7}));
-    QVERIFY(!tree.goTo(MomentId{}));
-    QVERIFY(tree.goTo(MomentId{1}));
-    QCOMPARE(tree.redoSteps(), 3);
-}
-
-void TestUndoTree::countsSharedTilesOnce()
-{
-    UndoTree tree;
-    TiledHeights map = flat(0.0F);
-    tree.restart({map, 0});
-    QCOMPARE(tree.bytes(), kTiles * sizeof(Tile) + kListBytes);
-    for (std::uint64_t n = 1; n <= 100; ++n) {
-        map = with(map, static_cast<int>(n % 4), static_cast<int>(n / 4 % 4), -static_cast<float>(n));
-        tree.push({map, n});
+    void theLastBeforeATickLiesOnTheWayHere()
+    {
+        UndoTree tree;
+        tree.restart({TiledHeights{}, 0});
+        tree.push({TiledHeights{}, 100});
+        const auto left = tree.currentId();
+        QVERIFY(tree.undo());
+        const auto first = tree.currentId();
+        tree.push({TiledHeights{}, 300});
+        const auto here = tree.currentId();
+        // At tick 250 the tooth had been whole again: what was cut at 100 lies on another branch, though it is more
+        // recent.
+        QCOMPARE(history::lastBefore(tree.list(), 250), std::optional(first));
+        QVERIFY(history::lastBefore(tree.list(), 250) != std::optional(left));
+        QCOMPARE(history::lastBefore(tree.list(), 301), std::optional(here));
+        QVERIFY(!history::lastBefore(tree.list(), 0).has_value());
+        QVERIFY(!history::lastBefore({}, 5).has_value());
     }
-    QCOMPARE(tree.bytes(), (kTiles + 100) * sizeof(Tile) + 101 * kListBytes);
-    QCOMPARE(tree.undoSteps(), 100);
-}
 
-void TestUndoTree::memoryLimitForgetsTheOldest()
-{
-    constexpr std::size_t kLimit = (kTiles + 10) * sizeof(Tile) + 11 * kListBytes;
-    UndoTree tree(kLimit);
-    TiledHeights map = flat(0.0F);
-    tree.restart({map, 0});
-    for (std::uint64_t n = 1; n <= 500; ++n) {
-        map = with(map, static_cast<int>(n % 4), static_cast<int>(n / 4 % 4), -static_cast<float>(n));
-        tree.push({map, n});
-        QVERIFY(tree.bytes() <= kLimit);
-        QCOMPARE(tree.current().tick, n);
+    void redoFollowsTheWayLastGone()
+    {
+        UndoTree tree;
+        tree.restart({flat(0.0F), 0});
+        tree.push({flat(-1.0F), 1});
+        tree.push({flat(-2.0F), 2});  // 3
+        QVERIFY(tree.undo());
+        tree.push({flat(-3.0F), 3});  // 4
+        QVERIFY(tree.undo());
+        QVERIFY(tree.redo());
+        QCOMPARE(tree.currentId(), MomentId{4});
+        QVERIFY(tree.goTo(MomentId{3}));
+        QVERIFY(tree.undo() && tree.undo());
+        QCOMPARE(tree.redoSteps(), 2);
+        QVERIFY(tree.redo() && tree.redo());
+        QCOMPARE(tree.currentId(), MomentId{3});
     }
-    QCOMPARE(tree.undoSteps(), 10);
-    // The oldest that is left is whole.
-    while (tree.undo()) {
+
+    void goesToAnyMoment()
+    {
+        UndoTree tree;
+        tree.restart({flat(0.0F), 0});
+        for (std::uint64_t n = 1; n <= 3; ++n)
+            tree.push({flat(-static_cast<float>(n)), n});
+        QVERIFY(tree.goTo(MomentId{2}));
+        tree.push({flat(-4.0F), 4});
+        tree.push({flat(-5.0F), 5});
+        QVERIFY(tree.goTo(MomentId{4}));
+        QCOMPARE(drawn(tree), "1<0 2<1 3<2 [4<3] 5<2 6<5");
+        QCOMPARE(tree.current().top.flat(), flat(-3.0F).flat());
+        QCOMPARE(tree.undoSteps(), 3);
+        QVERIFY(!tree.goTo(MomentId{4}));  // is there already
+        QVERIFY(!tree.goTo(MomentId{7}));
+        QVERIFY(!tree.goTo(MomentId{}));
+        QVERIFY(tree.goTo(MomentId{1}));
+        QCOMPARE(tree.redoSteps(), 3);
     }
-    QCOMPARE(tree.current().tick, 490U);
-    const std::vector<float> heights = tree.current().top.flat();
-    QCOMPARE(*std::min_element(heights.begin(), heights.end()), -490.0F);
-    QCOMPARE(*std::max_element(heights.begin(), heights.end()), -475.0F);
 
-    // However small the limit, one step back is kept.
-    UndoTree tiny(1);
-    tiny.restart({flat(0.0F), 0});
-    tiny.push({flat(-1.0F), 1});
-    tiny.push({flat(-2.0F), 2});
-    QCOMPARE(tiny.undoSteps(), 1);
-    QVERIFY(tiny.undo());
-    QCOMPARE(tiny.current().tick, 1U);
-}
-
-void TestUndoTree::memoryLimitForgetsBranchesFirst()
-{
-    // Room for six moments that have nothing in common.
-    UndoTree tree(6 * (kTiles * sizeof(Tile) + kListBytes));
-    tree.restart({flat(0.0F), 0});
-    tree.push({flat(-1.0F), 1});
-    tree.push({flat(-2.0F), 2});  // 3
-    tree.push({flat(-3.0F), 3});  // 4, on 3
-    QVERIFY(tree.goTo(MomentId{2}));
-    tree.push({flat(-4.0F), 4});  // 5, on 2
-    tree.push({flat(-5.0F), 5});
-    QCOMPARE(drawn(tree), "1<0 2<1 3<2 4<3 5<2 [6<5]");
-    tree.push({flat(-6.0F), 6});
-    QCOMPARE(drawn(tree), "1<0 2<1 3<2 5<2 6<5 [7<6]");  // the leaf of the other branch
-    tree.push({flat(-7.0F), 7});
-    QCOMPARE(drawn(tree), "1<0 2<1 5<2 6<5 7<6 [8<7]");  // the rest of it
-    tree.push({flat(-8.0F), 8});
-    QCOMPARE(drawn(tree), "2<0 5<2 6<5 7<6 8<7 [9<8]");  // then the first of the way here
-    QVERIFY(tree.goTo(MomentId{2}));
-    tree.push({flat(-9.0F), 9});
-    QCOMPARE(drawn(tree), "2<0 5<2 6<5 7<6 8<7 [10<2]");  // what was undone is a branch now
-}
-
-void TestUndoTree::memoryStaysTrueInAStorm()
-{
-    constexpr std::size_t kLimit = 200 * sizeof(Tile);
-    UndoTree tree(kLimit);
-    tree.restart({flat(0.0F), 0});
-    Rng rng(3);
-    std::uint64_t tick = 0;
-    for (int n = 0; n < 20000; ++n) {
-        const auto all = tree.list();
-        switch (rng.below(5)) {
-        case 0:
-            tree.undo();
-            break;
-        case 1:
-            tree.redo();
-            break;
-        case 2:
-            tree.goTo(all[static_cast<std::size_t>(rng.below(static_cast<int>(all.size())))].id);
-            break;
-        default:
-            tree.push({with(tree.current().top, rng.below(4), rng.below(4), -static_cast<float>(n)), ++tick});
+    void countsSharedTilesOnce()
+    {
+        UndoTree tree;
+        TiledHeights map = flat(0.0F);
+        tree.restart({map, 0});
+        QCOMPARE(tree.bytes(), kTiles * sizeof(Tile) + kListBytes);
+        for (std::uint64_t n = 1; n <= 100; ++n) {
+            map = with(map, static_cast<int>(n % 4), static_cast<int>(n / 4 % 4), -static_cast<float>(n));
+            tree.push({map, n});
         }
-        if (n % 50 != 0)
-            continue;
-        // Against a slow count.
-        std::set<const Tile*> tiles;
-        std::size_t lists = 0;
-        std::map<MomentId, int> known;
-        const auto now = tree.list();
-        for (const history::MomentInfo& moment : now) {
-            QVERIFY(known.empty() ? moment.parent == MomentId{} : known.contains(moment.parent));
-            known[moment.id] = known.empty() ? 0 : known[moment.parent] + 1;
-            const TiledHeights& top = tree.find(moment.id)->top;
-            lists += top.tiles().size_bytes();
-            for (const auto& tile : top.tiles())
-                tiles.insert(tile.get());
-        }
-        QCOMPARE(tree.bytes(), tiles.size() * sizeof(Tile) + lists);
-        QVERIFY(tree.bytes() <= kLimit);
-        QCOMPARE(tree.undoSteps(), known.at(tree.currentId()));
-        QCOMPARE(std::count_if(now.begin(), now.end(), [](const auto& moment) { return moment.isCurrent; }), 1);
+        QCOMPARE(tree.bytes(), (kTiles + 100) * sizeof(Tile) + 101 * kListBytes);
+        QCOMPARE(tree.undoSteps(), 100);
     }
-}
 
-void TestUndoTree::restartForgetsEverything()
-{
-    UndoTree tree;
-    tree.restart({flat(0.0F), 0});
-    tree.push({flat(-1.0F), 1});
-    tree.push({flat(-2.0F), 2});
-    tree.restart({flat(5.0F), 0});
-    QCOMPARE(tree.undoSteps(), 0);
-    QCOMPARE(tree.redoSteps(), 0);
-    QCOMPARE(tree.bytes(), kTiles * sizeof(Tile) + kListBytes);
-    QVERIFY(tree.find(MomentId{1}) == nullptr);  // no number is given twice
-}
+    void memoryLimitForgetsTheOldest()
+    {
+        constexpr std::size_t kLimit = (kTiles + 10) * sizeof(Tile) + 11 * kListBytes;
+        UndoTree tree(kLimit);
+        TiledHeights map = flat(0.0F);
+        tree.restart({map, 0});
+        for (std::uint64_t n = 1; n <= 500; ++n) {
+            map = with(map, static_cast<int>(n % 4), static_cast<int>(n / 4 % 4), -static_cast<float>(n));
+            tree.push({map, n});
+            QVERIFY(tree.bytes() <= kLimit);
+            QCOMPARE(tree.current().tick, n);
+        }
+        QCOMPARE(tree.undoSteps(), 10);
+        // The oldest that is left is whole.
+        while (tree.undo()) {
+        }
+        QCOMPARE(tree.current().tick, 490U);
+        const std::vector<float> heights = tree.current().top.flat();
+        QCOMPARE(*std::min_element(heights.begin(), heights.end()), -490.0F);
+        QCOMPARE(*std::max_element(heights.begin(), heights.end()), -475.0F);
+
+        // However small the limit, one step back is kept.
+        UndoTree tiny(1);
+        tiny.restart({flat(0.0F), 0});
+        tiny.push({flat(-1.0F), 1});
+        tiny.push({flat(-2.0F), 2});
+        QCOMPARE(tiny.undoSteps(), 1);
+        QVERIFY(tiny.undo());
+        QCOMPARE(tiny.current().tick, 1U);
+    }
+
+    void memoryLimitForgetsBranchesFirst()
+    {
+        // Room for six moments that have nothing in common.
+        UndoTree tree(6 * (kTiles * sizeof(Tile) + kListBytes));
+        tree.restart({flat(0.0F), 0});
+        tree.push({flat(-1.0F), 1});
+        tree.push({flat(-2.0F), 2});  // 3
+        tree.push({flat(-3.0F), 3});  // 4, on 3
+        QVERIFY(tree.goTo(MomentId{2}));
+        tree.push({flat(-4.0F), 4});  // 5, on 2
+        tree.push({flat(-5.0F), 5});
+        QCOMPARE(drawn(tree), "1<0 2<1 3<2 4<3 5<2 [6<5]");
+        tree.push({flat(-6.0F), 6});
+        QCOMPARE(drawn(tree), "1<0 2<1 3<2 5<2 6<5 [7<6]");  // the leaf of the other branch
+        tree.push({flat(-7.0F), 7});
+        QCOMPARE(drawn(tree), "1<0 2<1 5<2 6<5 7<6 [8<7]");  // the rest of it
+        tree.push({flat(-8.0F), 8});
+        QCOMPARE(drawn(tree), "2<0 5<2 6<5 7<6 8<7 [9<8]");  // then the first of the way here
+        QVERIFY(tree.goTo(MomentId{2}));
+        tree.push({flat(-9.0F), 9});
+        QCOMPARE(drawn(tree), "2<0 5<2 6<5 7<6 8<7 [10<2]");  // what was undone is a branch now
+    }
+
+    void memoryStaysTrueInAStorm()
+    {
+        constexpr std::size_t kLimit = 200 * sizeof(Tile);
+        UndoTree tree(kLimit);
+        tree.restart({flat(0.0F), 0});
+        Rng rng(3);
+        std::uint64_t tick = 0;
+        for (int n = 0; n < 20000; ++n) {
+            const auto all = tree.list();
+            switch (rng.below(5)) {
+            case 0:
+                tree.undo();
+                break;
+            case 1:
+                tree.redo();
+                break;
+            case 2:
+                tree.goTo(all[static_cast<std::size_t>(rng.below(static_cast<int>(all.size())))].id);
+                break;
+            default:
+                tree.push({with(tree.current().top, rng.below(4), rng.below(4), -static_cast<float>(n)), ++tick});
+            }
+            if (n % 50 != 0)
+                continue;
+            // Against a slow count.
+            std::set<const Tile*> tiles;
+            std::size_t lists = 0;
+            std::map<MomentId, int> known;
+            const auto now = tree.list();
+            for (const history::MomentInfo& moment : now) {
+                QVERIFY(known.empty() ? moment.parent == MomentId{} : known.contains(moment.parent));
+                known[moment.id] = known.empty() ? 0 : known[moment.parent] + 1;
+                const TiledHeights& top = tree.find(moment.id)->top;
+                lists += top.tiles().size_bytes();
+                for (const auto& tile : top.tiles())
+                    tiles.insert(tile.get());
+            }
+            QCOMPARE(tree.bytes(), tiles.size() * sizeof(Tile) + lists);
+            QVERIFY(tree.bytes() <= kLimit);
+            QCOMPARE(tree.undoSteps(), known.at(tree.currentId()));
+            QCOMPARE(std::count_if(now.begin(), now.end(), [](const auto& moment) { return moment.isCurrent; }), 1);
+        }
+    }
+
+    void restartForgetsEverything()
+    {
+        UndoTree tree;
+        tree.restart({flat(0.0F), 0});
+        tree.push({flat(-1.0F), 1});
+        tree.push({flat(-2.0F), 2});
+        tree.restart({flat(5.0F), 0});
+        QCOMPARE(tree.undoSteps(), 0);
+        QCOMPARE(tree.redoSteps(), 0);
+        QCOMPARE(tree.bytes(), kTiles * sizeof(Tile) + kListBytes);
+        QVERIFY(tree.find(MomentId{1}) == nullptr);  // no number is given twice
+    }
+};
 
 QTEST_APPLESS_MAIN(TestUndoTree)
 #include "tst_undo_tree.moc"

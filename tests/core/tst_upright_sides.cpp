@@ -46,177 +46,173 @@ class TestUprightSides : public QObject
 {
     Q_OBJECT
 private slots:
-    void aSideStandsHalfACellBeforeItsNodes();
+    void aSideStandsHalfACellBeforeItsNodes()
+    {
+        // Even a side: the nodes nearest to the wall at 0 lie half a cell before and behind it.
+        LiveTooth tooth = wallAcross({1.0, 0.0});
+        QVERIFY(std::abs(stopsAt(tooth, {1.0, 0.0}, 0.0, Edges::Sides) + 0.5) < 1.0e-5);
+        QVERIFY(std::abs(stopsAt(tooth, {1.0, 0.0}, 0.0, Edges::Columns) + 0.5 - 0.035) < 2.0e-3);
+    }
+
     void aSideAcrossTheLatticeIsSmooth_data() { support::rows<double>("degrees", {7.0, 15.0, 26.0, 33.0, 45.0, 71.0}); }
-    void aSideAcrossTheLatticeIsSmooth();
-    void everyBurIsStoppedAtItsRadius();
-    void thePocketOfABurHoldsTheBur();
-    void slopesAndGroovesHaveNone();
-    void beneathTheRimOfAToothTheWayIsFree();
-    void aBurGoesRoundATooth_data();
-    void aBurGoesRoundATooth();
-};
 
-void TestUprightSides::aSideStandsHalfACellBeforeItsNodes()
-{
-    // Even a side: the nodes nearest to the wall at 0 lie half a cell before and behind it.
-    LiveTooth tooth = wallAcross({1.0, 0.0});
-    QVERIFY(std::abs(stopsAt(tooth, {1.0, 0.0}, 0.0, Edges::Sides) + 0.5) < 1.0e-5);
-    QVERIFY(std::abs(stopsAt(tooth, {1.0, 0.0}, 0.0, Edges::Columns) + 0.5 - 0.035) < 2.0e-3);
-}
-
-void TestUprightSides::aSideAcrossTheLatticeIsSmooth()
-{
-    QFETCH(double, degrees);
-    const glm::dvec2 across(std::cos(degrees * kDegree), std::sin(degrees * kDegree));
-    LiveTooth tooth = wallAcross(across, {0.1, 0.4});
-    constexpr double kStepMm = 0.005;
-    constexpr double kCellMm = 0.07;
-    const auto steepest = [&](Edges edges) {
-        double most = 0.0;
-        double before = stopsAt(tooth, across, -2.0, edges);
-        for (double aside = -2.0 + kStepMm; aside < 2.0; aside += kStepMm) {
-            const double now = stopsAt(tooth, across, aside, edges);
-            most = std::max(most, std::abs(now - before) / kStepMm);
-            before = now;
-        }
-        return most;
-    };
-    for (double aside = -2.0; aside < 2.0; aside += 0.05) {
-        const double off = stopsAt(tooth, across, aside, Edges::Sides) + 0.5;
-        QVERIFY2(std::abs(off) < 0.55 * kCellMm, qPrintable(QString("%1 mm beside %2").arg(off).arg(aside)));
-    }
-    const double smooth = steepest(Edges::Sides);
-    QVERIFY2(smooth < 0.2, qPrintable(QString("slope %1, of columns %2").arg(smooth).arg(steepest(Edges::Columns))));
-}
-
-void TestUprightSides::everyBurIsStoppedAtItsRadius()
-{
-    const glm::dvec2 across(0.8, 0.6);
-    LiveTooth tooth = wallAcross(across);
-    for (std::size_t bur = 0; bur < core::drilling::burs().size(); ++bur) {
-        tooth.selectBur(bur);
-        for (double aside = -1.0; aside < 1.0; aside += 0.1) {
-            const double off = stopsAt(tooth, across, aside, Edges::Sides) + core::drilling::burs()[bur].headRadiusMm;
-            QVERIFY2(std::abs(off) < 0.04, qPrintable(QString("bur %1: %2 mm").arg(bur).arg(off)));
-        }
-    }
-}
-
-/// Cut ground is its columns: where a bur has been it can be again, at the top edge of a wall as anywhere.
-void TestUprightSides::thePocketOfABurHoldsTheBur()
-{
-    LiveTooth tooth = wallAcross({1.0, 0.0});
-    const auto& grid = tooth.grid();
-    const glm::dvec2 axis(-0.4, 0.013);
-    const double radius = core::drilling::burs()[0].headRadiusMm;
-    for (int j = 0; j < grid.side; ++j) {
-        for (int i = 0; i < grid.side; ++i) {
-            const glm::dvec2 apart = grid.nodeMm(i, j) - axis;
-            const double r = std::sqrt(apart.x * apart.x + apart.y * apart.y);
-            if (r <= radius + 1.0e-6 && tooth.tooth().top[grid.index(i, j)] > 1.0F)
-                tooth.lower(i, j, static_cast<float>(core::drilling::burs()[0].undersideMm(std::min(r, radius))));
-        }
-    }
-    QVERIFY(tooth.touchAt(axis, 1.0e9, Edges::Columns).heightMm < 1.0e-3);
-    const core::contact::Touch touch = tooth.touchAt(axis, 1.0e9, Edges::Sides);
-    QVERIFY2(touch.heightMm < 1.0e-3, qPrintable(QString("held at %1 mm").arg(touch.heightMm)));
-}
-
-void TestUprightSides::slopesAndGroovesHaveNone()
-{
-    for (const double slope : {0.5, 1.0, 3.7}) {
-        for (const bool groove : {false, true}) {
-            LiveTooth tooth{core::terrain::Tooth(lab::enamelBlock([&](glm::dvec2 at) {
-                const double u = 0.8 * at.x + 0.6 * at.y;
-                return slope * (groove ? std::abs(u) : u);
-            }))};
-            for (double x = -2.0; x < 2.0; x += 0.11)
-                for (double y = -2.0; y < 2.0; y += 0.13)
-                    QVERIFY(!tooth.touchAt({x, y}, 1.0e9, Edges::Sides).isSide());
-        }
-    }
-}
-
-void TestUprightSides::beneathTheRimOfAToothTheWayIsFree()
-{
-    const auto built = core::teeth::buildTooth({36}, {});
-    QVERIFY(built.has_value());
-    LiveTooth tooth{core::terrain::Tooth(built->anatomy)};
-    int found = 0;
-    for (double angle = 0.0; angle < 360.0; angle += 5.0) {
-        const glm::dvec2 towards(std::cos(angle * kDegree), std::sin(angle * kDegree));
-        for (double r = 8.0; r > 2.0; r -= 0.01) {
-            const core::contact::Touch touch = tooth.touchAt(towards * r, 1.0e9, Edges::Sides);
-            if (!touch.isSide())
-                continue;
-            ++found;
-            QVERIFY(touch.roofMm < touch.heightMm);
-            QVERIFY(std::abs(touch.outwards.x * touch.outwards.x + touch.outwards.y * touch.outwards.y - 1.0) < 1e-9);
-            QVERIFY(touch.outwards.x * towards.x + touch.outwards.y * towards.y > 0.0);
-            break;
-        }
-    }
-    QVERIFY2(found > 60, qPrintable(QString::number(found)));
-}
-
-void TestUprightSides::aBurGoesRoundATooth_data()
-{
-    support::columns<int, int>("fdi", "side");
-    for (const int fdi : {36, 21})
-        for (const int side : {100, 150, 300})
-            QTest::addRow("tooth %d, grid %d", fdi, side) << fdi << side;
-}
-
-/// At all heights of the crown, beside it and under its overhang, the hand 0.1 to 0.5 mm inside: no bur stays behind.
-void TestUprightSides::aBurGoesRoundATooth()
-{
-    QFETCH(int, fdi);
-    QFETCH(int, side);
-    core::teeth::BuildOptions options;
-    options.gridSide = side;
-    const auto built = core::teeth::buildTooth({fdi}, options);
-    QVERIFY(built.has_value());
-    LiveTooth tooth{core::terrain::Tooth(built->anatomy)};
-    tooth.selectBur(1);
-    // The outline, as a radius over the angle, made smooth.
-    constexpr int kAngles = 360;
-    std::array<double, kAngles> outline{};
-    for (int k = 0; k < kAngles; ++k)
-        for (double r = 0.0; r < 9.0; r += 0.02) {
-            const glm::dvec2 at =
-                tooth.grid().latticeOf(glm::dvec2(std::cos(k * kDegree), std::sin(k * kDegree)) * r) + 0.5;
-            const int i = static_cast<int>(at.x);
-            const int j = static_cast<int>(at.y);
-            if (tooth.grid().contains(i, j) && tooth.tooth().isSolid(tooth.grid().index(i, j)))
-                outline[static_cast<std::size_t>(k)] = r;
-        }
-    const auto radiusAt = [&](double degrees) {
-        double sum = 0.0;
-        for (int k = -8; k <= 8; ++k)
-            sum += outline[static_cast<std::size_t>((static_cast<int>(degrees) + k + kAngles) % kAngles)];
-        return sum / 17.0;
-    };
-    const double radius = core::drilling::burs()[1].headRadiusMm;
-    for (const double z : {-2.0, -3.0, -5.0, -7.0}) {
-        for (const double depth : {0.1, 0.3, 0.5}) {
-            const auto contact = core::contact::makeContactMethod("continuous").value();
-            contact->restart({radiusAt(0.0) + radius + 1.0, 0.0, z});
+    void aSideAcrossTheLatticeIsSmooth()
+    {
+        QFETCH(double, degrees);
+        const glm::dvec2 across(std::cos(degrees * kDegree), std::sin(degrees * kDegree));
+        LiveTooth tooth = wallAcross(across, {0.1, 0.4});
+        constexpr double kStepMm = 0.005;
+        constexpr double kCellMm = 0.07;
+        const auto steepest = [&](Edges edges) {
             double most = 0.0;
-            for (int tick = -200; tick < 3600; ++tick) {  // 10 mm/s
-                const double degrees = 0.1 * std::max(0, tick);
-                const double in = depth - (tick < 0 ? -0.005 * tick : 0.0);
-                const double r = radiusAt(degrees) + radius - in;
-                const glm::dvec3 device(r * std::cos(degrees * kDegree), r * std::sin(degrees * kDegree), z);
-                const glm::dvec3 off = contact->update(tooth, device) - device;
-                most = std::max(most, std::sqrt(off.x * off.x + off.y * off.y + off.z * off.z));
+            double before = stopsAt(tooth, across, -2.0, edges);
+            for (double aside = -2.0 + kStepMm; aside < 2.0; aside += kStepMm) {
+                const double now = stopsAt(tooth, across, aside, edges);
+                most = std::max(most, std::abs(now - before) / kStepMm);
+                before = now;
             }
-            // What the outline was made smooth by, and a cell or two for a way round a column.
-            QVERIFY2(most < depth + 0.6,
-                     qPrintable(QString("z %1, %2 mm in: %3 mm behind").arg(z).arg(depth).arg(most)));
+            return most;
+        };
+        for (double aside = -2.0; aside < 2.0; aside += 0.05) {
+            const double off = stopsAt(tooth, across, aside, Edges::Sides) + 0.5;
+            QVERIFY2(std::abs(off) < 0.55 * kCellMm, qPrintable(QString("%1 mm beside %2").arg(off).arg(aside)));
+        }
+        const double smooth = steepest(Edges::Sides);
+        QVERIFY2(smooth < 0.2,
+                 qPrintable(QString("slope %1, of columns %2").arg(smooth).arg(steepest(Edges::Columns))));
+    }
+
+    void everyBurIsStoppedAtItsRadius()
+    {
+        const glm::dvec2 across(0.8, 0.6);
+        LiveTooth tooth = wallAcross(across);
+        for (std::size_t bur = 0; bur < core::drilling::burs().size(); ++bur) {
+            tooth.selectBur(bur);
+            for (double aside = -1.0; aside < 1.0; aside += 0.1) {
+                const double off =
+                    stopsAt(tooth, across, aside, Edges::Sides) + core::drilling::burs()[bur].headRadiusMm;
+                QVERIFY2(std::abs(off) < 0.04, qPrintable(QString("bur %1: %2 mm").arg(bur).arg(off)));
+            }
         }
     }
-}
+
+    /// Cut ground is its columns: where a bur has been it can be again, at the top edge of a wall as anywhere.
+    void thePocketOfABurHoldsTheBur()
+    {
+        LiveTooth tooth = wallAcross({1.0, 0.0});
+        const auto& grid = tooth.grid();
+        const glm::dvec2 axis(-0.4, 0.013);
+        const double radius = core::drilling::burs()[0].headRadiusMm;
+        for (int j = 0; j < grid.side; ++j) {
+            for (int i = 0; i < grid.side; ++i) {
+                const glm::dvec2 apart = grid.nodeMm(i, j) - axis;
+                const double r = std::sqrt(apart.x * apart.x + apart.y * apart.y);
+                if (r <= radius + 1.0e-6 && tooth.tooth().top[grid.index(i, j)] > 1.0F)
+                    tooth.lower(i, j, static_cast<float>(core::drilling::burs()[0].undersideMm(std::min(r, radius))));
+            }
+        }
+        QVERIFY(tooth.touchAt(axis, 1.0e9, Edges::Columns).heightMm < 1.0e-3);
+        const core::contact::Touch touch = tooth.touchAt(axis, 1.0e9, Edges::Sides);
+        QVERIFY2(touch.heightMm < 1.0e-3, qPrintable(QString("held at %1 mm").arg(touch.heightMm)));
+    }
+
+    void slopesAndGroovesHaveNone()
+    {
+        for (const double slope : {0.5, 1.0, 3.7}) {
+            for (const bool groove : {false, true}) {
+                LiveTooth tooth{core::terrain::Tooth(lab::enamelBlock([&](glm::dvec2 at) {
+                    const double u = 0.8 * at.x + 0.6 * at.y;
+                    return slope * (groove ? std::abs(u) : u);
+                }))};
+                for (double x = -2.0; x < 2.0; x += 0.11)
+                    for (double y = -2.0; y < 2.0; y += 0.13)
+                        QVERIFY(!tooth.touchAt({x, y}, 1.0e9, Edges::Sides).isSide());
+            }
+        }
+    }
+
+    void beneathTheRimOfAToothTheWayIsFree()
+    {
+        const auto built = core::teeth::buildTooth({36}, {});
+        QVERIFY(built.has_value());
+        LiveTooth tooth{core::terrain::Tooth(built->anatomy)};
+        int found = 0;
+        for (double angle = 0.0; angle < 360.0; angle += 5.0) {
+            const glm::dvec2 towards(std::cos(angle * kDegree), std::sin(angle * kDegree));
+            for (double r = 8.0; r > 2.0; r -= 0.01) {
+                const core::contact::Touch touch = tooth.touchAt(towards * r, 1.0e9, Edges::Sides);
+                if (!touch.isSide())
+                    continue;
+                ++found;
+                QVERIFY(touch.roofMm < touch.heightMm);
+                QVERIFY(std::abs(touch.outwards.x * touch.outwards.x + touch.outwards.y * touch.outwards.y - 1.0) <
+                        1e-9);
+                QVERIFY(touch.outwards.x * towards.x + touch.outwards.y * towards.y > 0.0);
+                break;
+            }
+        }
+        QVERIFY2(found > 60, qPrintable(QString::number(found)));
+    }
+
+    void aBurGoesRoundATooth_data()
+    {
+        support::columns<int, int>("fdi", "side");
+        for (const int fdi : {36, 21})
+            for (const int side : {100, 150, 300})
+                QTest::addRow("tooth %d, grid %d", fdi, side) << fdi << side;
+    }
+
+    /// At all heights of the crown, beside it and under its overhang, the hand 0.1 to 0.5 mm inside: no bur stays
+    /// behind.
+    void aBurGoesRoundATooth()
+    {
+        QFETCH(int, fdi);
+        QFETCH(int, side);
+        core::teeth::BuildOptions options;
+        options.gridSide = side;
+        const auto built = core::teeth::buildTooth({fdi}, options);
+        QVERIFY(built.has_value());
+        LiveTooth tooth{core::terrain::Tooth(built->anatomy)};
+        tooth.selectBur(1);
+        // The outline, as a radius over the angle, made smooth.
+        constexpr int kAngles = 360;
+        std::array<double, kAngles> outline{};
+        for (int k = 0; k < kAngles; ++k)
+            for (double r = 0.0; r < 9.0; r += 0.02) {
+                const glm::dvec2 at =
+                    tooth.grid().latticeOf(glm::dvec2(std::cos(k * kDegree), std::sin(k * kDegree)) * r) + 0.5;
+                const int i = static_cast<int>(at.x);
+                const int j = static_cast<int>(at.y);
+                if (tooth.grid().contains(i, j) && tooth.tooth().isSolid(tooth.grid().index(i, j)))
+                    outline[static_cast<std::size_t>(k)] = r;
+            }
+        const auto radiusAt = [&](double degrees) {
+            double sum = 0.0;
+            for (int k = -8; k <= 8; ++k)
+                sum += outline[static_cast<std::size_t>((static_cast<int>(degrees) + k + kAngles) % kAngles)];
+            return sum / 17.0;
+        };
+        const double radius = core::drilling::burs()[1].headRadiusMm;
+        for (const double z : {-2.0, -3.0, -5.0, -7.0}) {
+            for (const double depth : {0.1, 0.3, 0.5}) {
+                const auto contact = core::contact::makeContactMethod("continuous").value();
+                contact->restart({radiusAt(0.0) + radius + 1.0, 0.0, z});
+                double most = 0.0;
+                for (int tick = -200; tick < 3600; ++tick) {  // 10 mm/s
+                    const double degrees = 0.1 * std::max(0, tick);
+                    const double in = depth - (tick < 0 ? -0.005 * tick : 0.0);
+                    const double r = radiusAt(degrees) + radius - in;
+                    const glm::dvec3 device(r * std::cos(degrees * kDegree), r * std::sin(degrees * kDegree), z);
+                    const glm::dvec3 off = contact->update(tooth, device) - device;
+                    most = std::max(most, std::sqrt(off.x * off.x + off.y * off.y + off.z * off.z));
+                }
+                // What the outline was made smooth by, and a cell or two for a way round a column.
+                QVERIFY2(most < depth + 0.6,
+                         qPrintable(QString("z %1, %2 mm in: %3 mm behind").arg(z).arg(depth).arg(most)));
+            }
+        }
+    }
+};
 
 QTEST_APPLESS_MAIN(TestUprightSides)
 #include "tst_upright_sides.moc"

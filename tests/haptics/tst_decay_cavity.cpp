@@ -46,69 +46,64 @@ class TestDecayCavity : public QObject
     Q_OBJECT
 
 private slots:
-    void nothingIsCutWhereNothingIsDecayed();
-    void allDecayGoesAndLittleElse();
-    void pulpIsNotOpenedForDecayBesideIt();
-    void theToothIsNotPiercedAtItsRim();
-};
+    void nothingIsCutWhereNothingIsDecayed()
+    {
+        const auto anatomy = support::slab(-1.0F);
+        QCOMPARE(haptics::decayCavity(*anatomy, pear()), anatomy->top);
+    }
 
-void TestDecayCavity::nothingIsCutWhereNothingIsDecayed()
-{
-    const auto anatomy = support::slab(-1.0F);
-    QCOMPARE(haptics::decayCavity(*anatomy, pear()), anatomy->top);
-}
-
-void TestDecayCavity::allDecayGoesAndLittleElse()
-{
-    const auto anatomy = support::slab(-1.0F);
-    decay(*anatomy, 0.3, -0.2, 1.2, -0.5F, -1.5F);
-    const std::vector<float> top = haptics::decayCavity(*anatomy, pear());
-    QCOMPARE(decayedColumns(*anatomy, top), 0);
-    double beside = 0.0;
-    for (int j = 0; j < anatomy->grid.side; ++j)
-        for (int i = 0; i < anatomy->grid.side; ++i) {
-            const std::size_t k = anatomy->grid.index(i, j);
-            const auto at = anatomy->grid.nodeMm(i, j);
-            const double away = std::hypot(at.x - 0.3, at.y + 0.2);
-            QVERIFY2(top[k] > -1.6F, "no deeper than the decay");
-            if (away > 1.2)
-                beside = std::max(beside, top[k] < anatomy->top[k] ? away - 1.2 : 0.0);
-        }
-    // From within: no wider than the end of the bur is rounded.
-    QVERIFY2(beside < pear().headRadiusMm, qPrintable(QString::number(beside)));
-}
-
-void TestDecayCavity::pulpIsNotOpenedForDecayBesideIt()
-{
-    const auto anatomy = support::slab(-1.0F);
-    decay(*anatomy, 0.0, 0.0, 0.6, -0.5F, -3.0F);
-    for (int j = 0; j < anatomy->grid.side; ++j)
-        for (int i = 0; i < anatomy->grid.side; ++i)
-            if (anatomy->grid.nodeMm(i, j).x > 0.75) {
-                anatomy->layers[anatomy->grid.index(i, j)].pulpRoof = -2.0F;
-                anatomy->layers[anatomy->grid.index(i, j)].pulpFloor = -5.0F;
+    void allDecayGoesAndLittleElse()
+    {
+        const auto anatomy = support::slab(-1.0F);
+        decay(*anatomy, 0.3, -0.2, 1.2, -0.5F, -1.5F);
+        const std::vector<float> top = haptics::decayCavity(*anatomy, pear());
+        QCOMPARE(decayedColumns(*anatomy, top), 0);
+        double beside = 0.0;
+        for (int j = 0; j < anatomy->grid.side; ++j)
+            for (int i = 0; i < anatomy->grid.side; ++i) {
+                const std::size_t k = anatomy->grid.index(i, j);
+                const auto at = anatomy->grid.nodeMm(i, j);
+                const double away = std::hypot(at.x - 0.3, at.y + 0.2);
+                QVERIFY2(top[k] > -1.6F, "no deeper than the decay");
+                if (away > 1.2)
+                    beside = std::max(beside, top[k] < anatomy->top[k] ? away - 1.2 : 0.0);
             }
-    const std::vector<float> top = haptics::decayCavity(*anatomy, pear());
-    QCOMPARE(decayedColumns(*anatomy, top), 0);
-    for (std::size_t k = 0; k < top.size(); ++k)
-        if (core::terrain::hasPulp(*anatomy, k))
-            QVERIFY(top[k] > anatomy->layers[k].pulpRoof);
-}
+        // From within: no wider than the end of the bur is rounded.
+        QVERIFY2(beside < pear().headRadiusMm, qPrintable(QString::number(beside)));
+    }
 
-/// Decay that comes to the flank: what it has no tooth behind is not cut through to clear it.
-void TestDecayCavity::theToothIsNotPiercedAtItsRim()
-{
-    const auto anatomy = support::slab(-1.0F);
-    for (int j = 0; j < anatomy->grid.side; ++j)
-        for (int i = 0; i < anatomy->grid.side; ++i)
-            if (anatomy->grid.nodeMm(i, j).x > 1.0)
-                anatomy->bottom[anatomy->grid.index(i, j)] = -2.0F;
-    decay(*anatomy, 0.4, 0.0, 0.6, -0.2F, -2.5F);
-    const std::vector<float> top = haptics::decayCavity(*anatomy, pear());
-    QCOMPARE(decayedColumns(*anatomy, top), 0);
-    for (std::size_t k = 0; k < top.size(); ++k)
-        QVERIFY(top[k] > anatomy->bottom[k]);
-}
+    void pulpIsNotOpenedForDecayBesideIt()
+    {
+        const auto anatomy = support::slab(-1.0F);
+        decay(*anatomy, 0.0, 0.0, 0.6, -0.5F, -3.0F);
+        for (int j = 0; j < anatomy->grid.side; ++j)
+            for (int i = 0; i < anatomy->grid.side; ++i)
+                if (anatomy->grid.nodeMm(i, j).x > 0.75) {
+                    anatomy->layers[anatomy->grid.index(i, j)].pulpRoof = -2.0F;
+                    anatomy->layers[anatomy->grid.index(i, j)].pulpFloor = -5.0F;
+                }
+        const std::vector<float> top = haptics::decayCavity(*anatomy, pear());
+        QCOMPARE(decayedColumns(*anatomy, top), 0);
+        for (std::size_t k = 0; k < top.size(); ++k)
+            if (core::terrain::hasPulp(*anatomy, k))
+                QVERIFY(top[k] > anatomy->layers[k].pulpRoof);
+    }
+
+    /// Decay that comes to the flank: what it has no tooth behind is not cut through to clear it.
+    void theToothIsNotPiercedAtItsRim()
+    {
+        const auto anatomy = support::slab(-1.0F);
+        for (int j = 0; j < anatomy->grid.side; ++j)
+            for (int i = 0; i < anatomy->grid.side; ++i)
+                if (anatomy->grid.nodeMm(i, j).x > 1.0)
+                    anatomy->bottom[anatomy->grid.index(i, j)] = -2.0F;
+        decay(*anatomy, 0.4, 0.0, 0.6, -0.2F, -2.5F);
+        const std::vector<float> top = haptics::decayCavity(*anatomy, pear());
+        QCOMPARE(decayedColumns(*anatomy, top), 0);
+        for (std::size_t k = 0; k < top.size(); ++k)
+            QVERIFY(top[k] > anatomy->bottom[k]);
+    }
+};
 
 QTEST_APPLESS_MAIN(TestDecayCavity)
 #include "tst_decay_cavity.moc"

@@ -100,232 +100,226 @@ class TestGuideLoop : public QObject
     Q_OBJECT
 private slots:
     void leadsAnyHandAlongThePath_data() { handsAndDelays(); }
-    void leadsAnyHandAlongThePath();
+
+    void leadsAnyHandAlongThePath()
+    {
+        QFETCH(int, hand);
+        QFETCH(double, delayMs);
+        Led led(haptics::kHands.at(static_cast<std::size_t>(hand)), delayMs, {14.0, -9.0, 9.0});
+        led.links.wanted = true;
+        led.goAlong(50, path);
+        QVERIFY(led.state.leading);
+        QVERIFY2(led.mostN < 0.4, qPrintable(QString("comes up softly: %1 N after 50 ms").arg(led.mostN)));
+        led.goAlong(1950, path);
+        double farthest = 0.0;
+        for (int n = 0; n < 2000; ++n) {
+            led.goAlong(1, path);
+            farthest = std::max(farthest, glm::length(led.falcon.tipMm() - path(kTickS * led.beat)));
+        }
+        QVERIFY(led.state.leading);
+        QVERIFY2(led.mostN <= PathGuide::kMostN + 1.0e-9, qPrintable(QString("%1 N").arg(led.mostN)));
+        QVERIFY2(led.jumpN < 0.2, qPrintable(QString("%1 N a tick").arg(led.jumpN)));
+        QVERIFY2(led.fastestMmPerS < 100.0, qPrintable(QString("%1 mm/s").arg(led.fastestMmPerS)));
+        QVERIFY2(farthest < 1.5, qPrintable(QString("%1 mm behind").arg(farthest)));
+    }
+
     void isStillWhereThePathIs_data() { handsAndDelays(); }
-    void isStillWhereThePathIs();
+
+    void isStillWhereThePathIs()
+    {
+        QFETCH(int, hand);
+        QFETCH(double, delayMs);
+        const glm::dvec3 place(1.0, -1.0, 2.0);
+        Led led(haptics::kHands.at(static_cast<std::size_t>(hand)), delayMs, {5.0, -1.0, 2.0});
+        led.links.wanted = true;
+        const auto held = [&](double) { return place; };
+        led.goAlong(1500, held);
+        led.falcon.push({0.0, 80.0, -40.0});  // a knock
+        led.goAlong(500, held);
+        glm::dvec3 least(1.0e9);
+        glm::dvec3 most(-1.0e9);
+        glm::dvec3 meanN(0.0);
+        double rippleN = 0.0;
+        constexpr int kTicks = 1000;
+        std::vector<glm::dvec3> forces;
+        for (int n = 0; n < kTicks; ++n) {
+            led.goAlong(1, held);
+            least = glm::min(least, led.falcon.tipMm());
+            most = glm::max(most, led.falcon.tipMm());
+            meanN += led.state.forceN / static_cast<double>(kTicks);
+            forces.push_back(led.state.forceN);
+        }
+        for (const glm::dvec3& force : forces)
+            rippleN = std::max(rippleN, glm::length(force - meanN));
+        QVERIFY(led.state.leading);
+        QVERIFY2(glm::length(most - least) < 0.1, qPrintable(QString("swings %1 mm").arg(glm::length(most - least))));
+        QVERIFY2(rippleN < 0.1, qPrintable(QString("ripple %1 N").arg(rippleN)));
+        QVERIFY2(glm::length(led.falcon.tipMm() - place) < 1.0,
+                 qPrintable(QString("rests %1 mm beside").arg(glm::length(led.falcon.tipMm() - place))));
+    }
+
     void aHandThatGoesAheadIsNotHeldBack_data() { handsAndDelays(); }
-    void aHandThatGoesAheadIsNotHeldBack();
+
+    void aHandThatGoesAheadIsNotHeldBack()
+    {
+        QFETCH(int, hand);
+        QFETCH(double, delayMs);
+        const glm::dvec3 from(10.0, -6.0, 9.0);
+        Led led(haptics::kHands.at(static_cast<std::size_t>(hand)), delayMs, from);
+        const glm::dvec3 place = path(0.0);
+        led.aim(place);
+        led.links.wanted = true;
+        // There within 0.15 s, where the lead alone takes half a second.
+        for (int n = 0; n < 1000; ++n) {
+            led.tick(glm::mix(from, place, std::min(1.0, n / 150.0)));
+            QVERIFY2(led.state.leading, qPrintable(QString("let go after %1 ms").arg(n)));
+        }
+        QVERIFY2(led.jumpN < 0.2, qPrintable(QString("%1 N a tick").arg(led.jumpN)));
+        QVERIFY(glm::length(led.falcon.tipMm() - place) < 1.0);
+    }
+
     void letsGoOfAHandThatPushes_data() { handsAndDelays(); }
-    void letsGoOfAHandThatPushes();
-    void makesNoEnergy();
-    void aLostDeviceIsLetGoAtOnce();
-    void nothingIsForcedUnasked();
-    void neverAllocates();
 
-private:
-    static void handsAndDelays();
-};
-
-void TestGuideLoop::handsAndDelays()
-{
-    support::columns<int, double>("hand", "delayMs");
-    for (int hand = 0; hand < static_cast<int>(haptics::kHands.size()); ++hand)
-        for (const double delayMs : {0.0, 1.0, 2.0, 4.0})
-            QTest::addRow("hand %d, %g ms", hand, delayMs) << hand << delayMs;
-}
-
-void TestGuideLoop::leadsAnyHandAlongThePath()
-{
-    QFETCH(int, hand);
-    QFETCH(double, delayMs);
-    Led led(haptics::kHands.at(static_cast<std::size_t>(hand)), delayMs, {14.0, -9.0, 9.0});
-    led.links.wanted = true;
-    led.goAlong(50, path);
-    QVERIFY(led.state.leading);
-    QVERIFY2(led.mostN < 0.4, qPrintable(QString("comes up softly: %1 N after 50 ms").arg(led.mostN)));
-    led.goAlong(1950, path);
-    double farthest = 0.0;
-    for (int n = 0; n < 2000; ++n) {
-        led.goAlong(1, path);
-        farthest = std::max(farthest, glm::length(led.falcon.tipMm() - path(kTickS * led.beat)));
+    void letsGoOfAHandThatPushes()
+    {
+        QFETCH(int, hand);
+        QFETCH(double, delayMs);
+        const haptics::HandFigures& figures = haptics::kHands.at(static_cast<std::size_t>(hand));
+        Led led(figures, delayMs, {3.0, 0.0, 2.0});
+        led.links.wanted = true;
+        led.goAlong(1500, path);
+        QVERIFY(led.state.leading);
+        // It wants to be so far off that its own spring would still pull with 3 N where the lead pulls its hardest,
+        // some 4 mm away, and goes there in 0.2 s.
+        const glm::dvec3 from = led.falcon.tipMm();
+        const glm::dvec3 way(0.0, 4.0 + 3000.0 / figures.stiffnessNPerM, 0.0);
+        int pressed = -1;
+        int freed = -1;
+        for (int n = 0; n < 1000 && freed < 0; ++n) {
+            led.tick(from + way * std::min(1.0, n / 200.0));
+            if (pressed < 0 && glm::length(led.state.forceN) >= PathGuide::kPushN)
+                pressed = n;
+            if (!led.state.leading)
+                freed = n;
+        }
+        QVERIFY(pressed >= 0);
+        QVERIFY2(freed > pressed && freed <= pressed + 150, qPrintable(QString("%1 to %2 ms").arg(pressed).arg(freed)));
+        QVERIFY(led.state.wasPushed);
+        QVERIFY(led.mostN <= PathGuide::kMostN + 1.0e-9);
+        led.tick(from + way, 250);
+        QCOMPARE(led.state.forceN, glm::dvec3(0.0));
+        QVERIFY2(led.jumpN < 0.2, qPrintable(QString("%1 N a tick").arg(led.jumpN)));
+        // It stays free until it is taken up again.
+        led.goAlong(500, path);
+        QCOMPARE(led.state.forceN, glm::dvec3(0.0));
+        led.links.wanted = false;
+        led.goAlong(2, path);
+        led.links.wanted = true;
+        led.goAlong(2500, path);
+        QVERIFY(led.state.leading);
+        QVERIFY(glm::length(led.falcon.tipMm() - path(kTickS * led.beat)) < 1.5);
     }
-    QVERIFY(led.state.leading);
-    QVERIFY2(led.mostN <= PathGuide::kMostN + 1.0e-9, qPrintable(QString("%1 N").arg(led.mostN)));
-    QVERIFY2(led.jumpN < 0.2, qPrintable(QString("%1 N a tick").arg(led.jumpN)));
-    QVERIFY2(led.fastestMmPerS < 100.0, qPrintable(QString("%1 mm/s").arg(led.fastestMmPerS)));
-    QVERIFY2(farthest < 1.5, qPrintable(QString("%1 mm behind").arg(farthest)));
-}
 
-void TestGuideLoop::isStillWhereThePathIs()
-{
-    QFETCH(int, hand);
-    QFETCH(double, delayMs);
-    const glm::dvec3 place(1.0, -1.0, 2.0);
-    Led led(haptics::kHands.at(static_cast<std::size_t>(hand)), delayMs, {5.0, -1.0, 2.0});
-    led.links.wanted = true;
-    const auto held = [&](double) { return place; };
-    led.goAlong(1500, held);
-    led.falcon.push({0.0, 80.0, -40.0});  // a knock
-    led.goAlong(500, held);
-    glm::dvec3 least(1.0e9);
-    glm::dvec3 most(-1.0e9);
-    glm::dvec3 meanN(0.0);
-    double rippleN = 0.0;
-    constexpr int kTicks = 1000;
-    std::vector<glm::dvec3> forces;
-    for (int n = 0; n < kTicks; ++n) {
-        led.goAlong(1, held);
-        least = glm::min(least, led.falcon.tipMm());
-        most = glm::max(most, led.falcon.tipMm());
-        meanN += led.state.forceN / static_cast<double>(kTicks);
-        forces.push_back(led.state.forceN);
+    /// A hand that goes in circles about a held place gets nothing out of it, fast or slow.
+    void makesNoEnergy()
+    {
+        for (const double hertz : {0.5, 2.0, 5.0, 10.0}) {
+            support::HeldDevice device;
+            device.tipMm = {0.5F, 0.0F, 0.0F};
+            GuideLinks links;
+            GuideLoop loop(device, links);
+            links.aim.publish({1, glm::dvec3(0.0)});
+            links.wanted = true;
+            double doneJ = 0.0;
+            const auto ticksALoop = static_cast<int>(std::lround(1000.0 / hertz));
+            for (int n = 0; n < 1000 + 4 * ticksALoop; ++n) {
+                const double angle = 2.0 * std::numbers::pi * n / ticksALoop;
+                const glm::dvec3 before(device.tipMm);
+                const glm::dvec3 forceN = device.forceN;
+                device.tipMm = glm::vec3(0.5 * std::cos(angle), 0.8 * std::sin(angle), 0.3 * std::sin(2.0 * angle));
+                if (n >= 1000)  // the lead is up
+                    doneJ += 0.001 * glm::dot(forceN, glm::dvec3(device.tipMm) - before);
+                loop.tick(1ms);
+            }
+            QVERIFY(links.state.latest().leading);
+            QVERIFY2(doneJ < 1.0e-6,
+                     qPrintable(QString("%1 Hz: %2 uJ given to the hand").arg(hertz).arg(1.0e6 * doneJ)));
+        }
     }
-    for (const glm::dvec3& force : forces)
-        rippleN = std::max(rippleN, glm::length(force - meanN));
-    QVERIFY(led.state.leading);
-    QVERIFY2(glm::length(most - least) < 0.1, qPrintable(QString("swings %1 mm").arg(glm::length(most - least))));
-    QVERIFY2(rippleN < 0.1, qPrintable(QString("ripple %1 N").arg(rippleN)));
-    QVERIFY2(glm::length(led.falcon.tipMm() - place) < 1.0,
-             qPrintable(QString("rests %1 mm beside").arg(glm::length(led.falcon.tipMm() - place))));
-}
 
-void TestGuideLoop::aHandThatGoesAheadIsNotHeldBack()
-{
-    QFETCH(int, hand);
-    QFETCH(double, delayMs);
-    const glm::dvec3 from(10.0, -6.0, 9.0);
-    Led led(haptics::kHands.at(static_cast<std::size_t>(hand)), delayMs, from);
-    const glm::dvec3 place = path(0.0);
-    led.aim(place);
-    led.links.wanted = true;
-    // There within 0.15 s, where the lead alone takes half a second.
-    for (int n = 0; n < 1000; ++n) {
-        led.tick(glm::mix(from, place, std::min(1.0, n / 150.0)));
-        QVERIFY2(led.state.leading, qPrintable(QString("let go after %1 ms").arg(n)));
-    }
-    QVERIFY2(led.jumpN < 0.2, qPrintable(QString("%1 N a tick").arg(led.jumpN)));
-    QVERIFY(glm::length(led.falcon.tipMm() - place) < 1.0);
-}
-
-void TestGuideLoop::letsGoOfAHandThatPushes()
-{
-    QFETCH(int, hand);
-    QFETCH(double, delayMs);
-    const haptics::HandFigures& figures = haptics::kHands.at(static_cast<std::size_t>(hand));
-    Led led(figures, delayMs, {3.0, 0.0, 2.0});
-    led.links.wanted = true;
-    led.goAlong(1500, path);
-    QVERIFY(led.state.leading);
-    // It wants to be so far off that its own spring would still pull with 3 N where the lead pulls its hardest, some
-    // 4 mm away, and goes there in 0.2 s.
-    const glm::dvec3 from = led.falcon.tipMm();
-    const glm::dvec3 way(0.0, 4.0 + 3000.0 / figures.stiffnessNPerM, 0.0);
-    int pressed = -1;
-    int freed = -1;
-    for (int n = 0; n < 1000 && freed < 0; ++n) {
-        led.tick(from + way * std::min(1.0, n / 200.0));
-        if (pressed < 0 && glm::length(led.state.forceN) >= PathGuide::kPushN)
-            pressed = n;
-        if (!led.state.leading)
-            freed = n;
-    }
-    QVERIFY(pressed >= 0);
-    QVERIFY2(freed > pressed && freed <= pressed + 150, qPrintable(QString("%1 to %2 ms").arg(pressed).arg(freed)));
-    QVERIFY(led.state.wasPushed);
-    QVERIFY(led.mostN <= PathGuide::kMostN + 1.0e-9);
-    led.tick(from + way, 250);
-    QCOMPARE(led.state.forceN, glm::dvec3(0.0));
-    QVERIFY2(led.jumpN < 0.2, qPrintable(QString("%1 N a tick").arg(led.jumpN)));
-    // It stays free until it is taken up again.
-    led.goAlong(500, path);
-    QCOMPARE(led.state.forceN, glm::dvec3(0.0));
-    led.links.wanted = false;
-    led.goAlong(2, path);
-    led.links.wanted = true;
-    led.goAlong(2500, path);
-    QVERIFY(led.state.leading);
-    QVERIFY(glm::length(led.falcon.tipMm() - path(kTickS * led.beat)) < 1.5);
-}
-
-/// A hand that goes in circles about a held place gets nothing out of it, fast or slow.
-void TestGuideLoop::makesNoEnergy()
-{
-    for (const double hertz : {0.5, 2.0, 5.0, 10.0}) {
+    void aLostDeviceIsLetGoAtOnce()
+    {
         support::HeldDevice device;
-        device.tipMm = {0.5F, 0.0F, 0.0F};
         GuideLinks links;
         GuideLoop loop(device, links);
-        links.aim.publish({1, glm::dvec3(0.0)});
+        links.aim.publish({1, glm::dvec3(2.0, 0.0, 5.0)});
         links.wanted = true;
-        double doneJ = 0.0;
-        const auto ticksALoop = static_cast<int>(std::lround(1000.0 / hertz));
-        for (int n = 0; n < 1000 + 4 * ticksALoop; ++n) {
-            const double angle = 2.0 * std::numbers::pi * n / ticksALoop;
-            const glm::dvec3 before(device.tipMm);
-            const glm::dvec3 forceN = device.forceN;
-            device.tipMm = glm::vec3(0.5 * std::cos(angle), 0.8 * std::sin(angle), 0.3 * std::sin(2.0 * angle));
-            if (n >= 1000)  // the lead is up
-                doneJ += 0.001 * glm::dot(forceN, glm::dvec3(device.tipMm) - before);
+        const auto run = [&](int ticks) {
+            for (int n = 0; n < ticks; ++n)
+                loop.tick(1ms);
+            return glm::length(links.state.latest().forceN);
+        };
+        QVERIFY(run(500) > 0.5 || !links.state.latest().leading);
+        links.wanted = false;
+        run(300);
+        links.wanted = true;
+        QVERIFY(run(80) > 0.1);
+        device.present = false;
+        QVERIFY(run(9) > 0.1);
+        QCOMPARE(run(1), 0.0);
+        QVERIFY(!links.state.latest().leading && !links.state.latest().present);
+        device.present = true;
+        QCOMPARE(run(200), 0.0);  // nobody has asked again
+        // What no device can read counts as none.
+        links.wanted = false;
+        run(1);
+        links.wanted = true;
+        QVERIFY(run(80) > 0.1);
+        device.tipMm.x = std::nanf("");
+        QCOMPARE(run(10), 0.0);
+        loop.end();
+        QCOMPARE(device.forceN, glm::dvec3(0.0));
+    }
+
+    void nothingIsForcedUnasked()
+    {
+        support::HeldDevice device;
+        GuideLinks links;
+        GuideLoop loop(device, links);
+        links.wanted = true;  // but nobody says where to
+        for (int n = 0; n < 50; ++n)
             loop.tick(1ms);
+        QCOMPARE(device.forceN, glm::dvec3(0.0));
+        links.wanted = false;
+        links.aim.publish({1, glm::dvec3(3.0)});
+        for (int n = 0; n < 500; ++n)
+            loop.tick(1ms);
+        QCOMPARE(device.forceN, glm::dvec3(0.0));
+        QVERIFY(links.state.latest().present);
+    }
+
+    void neverAllocates()
+    {
+        Led led(haptics::kHands[1], 1.0, {3.0, 0.0, 2.0});
+        led.links.wanted = true;
+        const long before = support::allocationsOnThisThread();
+        for (int n = 0; n < 2000; ++n) {
+            if (n % kTicksAnAim == 0)
+                led.aim(path(kTickS * n));
+            led.loop.tick(1ms);
         }
-        QVERIFY(links.state.latest().leading);
-        QVERIFY2(doneJ < 1.0e-6, qPrintable(QString("%1 Hz: %2 uJ given to the hand").arg(hertz).arg(1.0e6 * doneJ)));
+        QCOMPARE(support::allocationsOnThisThread() - before, 0L);
     }
-}
 
-void TestGuideLoop::aLostDeviceIsLetGoAtOnce()
-{
-    support::HeldDevice device;
-    GuideLinks links;
-    GuideLoop loop(device, links);
-    links.aim.publish({1, glm::dvec3(2.0, 0.0, 5.0)});
-    links.wanted = true;
-    const auto run = [&](int ticks) {
-        for (int n = 0; n < ticks; ++n)
-            loop.tick(1ms);
-        return glm::length(links.state.latest().forceN);
-    };
-    QVERIFY(run(500) > 0.5 || !links.state.latest().leading);
-    links.wanted = false;
-    run(300);
-    links.wanted = true;
-    QVERIFY(run(80) > 0.1);
-    device.present = false;
-    QVERIFY(run(9) > 0.1);
-    QCOMPARE(run(1), 0.0);
-    QVERIFY(!links.state.latest().leading && !links.state.latest().present);
-    device.present = true;
-    QCOMPARE(run(200), 0.0);  // nobody has asked again
-    // What no device can read counts as none.
-    links.wanted = false;
-    run(1);
-    links.wanted = true;
-    QVERIFY(run(80) > 0.1);
-    device.tipMm.x = std::nanf("");
-    QCOMPARE(run(10), 0.0);
-    loop.end();
-    QCOMPARE(device.forceN, glm::dvec3(0.0));
-}
-
-void TestGuideLoop::nothingIsForcedUnasked()
-{
-    support::HeldDevice device;
-    GuideLinks links;
-    GuideLoop loop(device, links);
-    links.wanted = true;  // but nobody says where to
-    for (int n = 0; n < 50; ++n)
-        loop.tick(1ms);
-    QCOMPARE(device.forceN, glm::dvec3(0.0));
-    links.wanted = false;
-    links.aim.publish({1, glm::dvec3(3.0)});
-    for (int n = 0; n < 500; ++n)
-        loop.tick(1ms);
-    QCOMPARE(device.forceN, glm::dvec3(0.0));
-    QVERIFY(links.state.latest().present);
-}
-
-void TestGuideLoop::neverAllocates()
-{
-    Led led(haptics::kHands[1], 1.0, {3.0, 0.0, 2.0});
-    led.links.wanted = true;
-    const long before = support::allocationsOnThisThread();
-    for (int n = 0; n < 2000; ++n) {
-        if (n % kTicksAnAim == 0)
-            led.aim(path(kTickS * n));
-        led.loop.tick(1ms);
+private:
+    static void handsAndDelays()
+    {
+        support::columns<int, double>("hand", "delayMs");
+        for (int hand = 0; hand < static_cast<int>(haptics::kHands.size()); ++hand)
+            for (const double delayMs : {0.0, 1.0, 2.0, 4.0})
+                QTest::addRow("hand %d, %g ms", hand, delayMs) << hand << delayMs;
     }
-    QCOMPARE(support::allocationsOnThisThread() - before, 0L);
-}
+};
 
 QTEST_APPLESS_MAIN(TestGuideLoop)
 #include "tst_guide_loop.moc"

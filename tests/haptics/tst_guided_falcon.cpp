@@ -11,14 +11,6 @@
 using namespace core;
 using namespace std::chrono_literals;
 
-class TestGuidedFalcon : public QObject
-{
-    Q_OBJECT
-private slots:
-    void goesWhereItIsWanted();
-    void leansAsHardAsItIsWanted();
-};
-
 namespace {
 
 /// The simulated handpiece over a block of enamel.
@@ -43,32 +35,37 @@ struct Bench
 
 }  // namespace
 
-void TestGuidedFalcon::goesWhereItIsWanted()
+class TestGuidedFalcon : public QObject
 {
-    Bench bench;
-    for (const glm::dvec2 target : {glm::dvec2(2.0, -1.0), glm::dvec2(-1.5, 0.5)}) {
-        bench.want.targetMm = target;
-        for (int n = 0; n < 3000; ++n)
-            bench.tick();
-        const glm::vec3 tip = bench.tick();
-        QVERIFY2(glm::length(glm::dvec2(tip.x, tip.y) - target) < 0.3, qPrintable(QString::number(tip.x)));
+    Q_OBJECT
+private slots:
+    void goesWhereItIsWanted()
+    {
+        Bench bench;
+        for (const glm::dvec2 target : {glm::dvec2(2.0, -1.0), glm::dvec2(-1.5, 0.5)}) {
+            bench.want.targetMm = target;
+            for (int n = 0; n < 3000; ++n)
+                bench.tick();
+            const glm::vec3 tip = bench.tick();
+            QVERIFY2(glm::length(glm::dvec2(tip.x, tip.y) - target) < 0.3, qPrintable(QString::number(tip.x)));
+        }
     }
-}
 
-void TestGuidedFalcon::leansAsHardAsItIsWanted()
-{
-    Bench bench;
-    bench.want.hoverMm = 0.5;
-    bench.want.pushing = true;
-    for (int n = 0; n < 4000; ++n)
-        bench.tick();
-    double sum = 0.0;
-    for (int n = 0; n < 2000; ++n) {
-        bench.tick();
-        sum += glm::length(bench.servo->state().forceN);
+    void leansAsHardAsItIsWanted()
+    {
+        Bench bench;
+        bench.want.hoverMm = 0.5;
+        bench.want.pushing = true;
+        for (int n = 0; n < 4000; ++n)
+            bench.tick();
+        double sum = 0.0;
+        for (int n = 0; n < 2000; ++n) {
+            bench.tick();
+            sum += glm::length(bench.servo->state().forceN);
+        }
+        QVERIFY2(std::abs(sum / 2000.0 - bench.want.pushForceN) < 0.1, qPrintable(QString::number(sum / 2000.0)));
     }
-    QVERIFY2(std::abs(sum / 2000.0 - bench.want.pushForceN) < 0.1, qPrintable(QString::number(sum / 2000.0)));
-}
+};
 
 QTEST_APPLESS_MAIN(TestGuidedFalcon)
 #include "tst_guided_falcon.moc"

@@ -256,81 +256,81 @@ class TestKills : public QObject
 {
     Q_OBJECT
 private slots:
-    void nothingWrittenIsEverLost();
-};
+    /// At night no loss may be above 100 ms. In the ordinary run a busy machine may take more than that for itself.
+    void nothingWrittenIsEverLost()
+    {
+        const int kills = support::trials(20, 1000);
+        Rng rng(static_cast<std::uint64_t>(kills));
+        auto folder = std::make_unique<QTemporaryDir>();
+        std::uint64_t before = 0;  ///< events of the attempt when the last program ended
+        std::map<std::uint64_t, std::uint64_t> hashes;
+        int lives = 0;
+        int found = 0;
+        int resumed = 0;
+        int alike = 0;
+        std::vector<double> lostMs;
+        for (int kill = 0; kill < kills; ++kill) {
+            if (++lives > kMostLives) {
+                folder = std::make_unique<QTemporaryDir>();
+                before = 0;
+                hashes.clear();
+                lives = 1;
+            }
+            QProcess victim;
+            victim.start(QCoreApplication::applicationFilePath(), {"--victim", folder->path(), QString::number(kill)});
+            QVERIFY(victim.waitForStarted());
+            // Some die before they have begun.
+            if (rng.below(8) != 0)
+                victim.waitForReadyRead();
+            QTest::qSleep(rng.below(600));  // the moment of the kill, at random, is what is tested
+            victim.kill();
+            QVERIFY(victim.waitForFinished());
+            QCOMPARE(victim.exitStatus(), QProcess::CrashExit);
+            const QByteArray complaints = victim.readAllStandardError();
+            QVERIFY2(complaints.isEmpty(), complaints.constData());
+            const Said said = parsed(victim.readAllStandardOutput());
+            hashes.insert(said.hashes.begin(), said.hashes.end());
+            resumed += before > 0 && said.atUs > 0 ? 1 : 0;
 
-/// At night no loss may be above 100 ms. In the ordinary run a busy machine may take more than that for itself.
-void TestKills::nothingWrittenIsEverLost()
-{
-    const int kills = support::trials(20, 1000);
-    Rng rng(static_cast<std::uint64_t>(kills));
-    auto folder = std::make_unique<QTemporaryDir>();
-    std::uint64_t before = 0;  ///< events of the attempt when the last program ended
-    std::map<std::uint64_t, std::uint64_t> hashes;
-    int lives = 0;
-    int found = 0;
-    int resumed = 0;
-    int alike = 0;
-    std::vector<double> lostMs;
-    for (int kill = 0; kill < kills; ++kill) {
-        if (++lives > kMostLives) {
-            folder = std::make_unique<QTemporaryDir>();
-            before = 0;
-            hashes.clear();
-            lives = 1;
+            const auto attempt = attemptIn(folder->path().toStdString());
+            QVERIFY(support::succeeds(attempt));
+            // None, or none that got as far as its first moment: then there was nothing before. The dead lock nobody
+            // out.
+            if (!*attempt) {
+                QCOMPARE(before, 0U);
+                QCOMPARE(said.written, 0U);
+                hashes.clear();
+                if (said.cutUs >= 0)
+                    lostMs.push_back(1.0e-3 * static_cast<double>(said.atUs - said.cutUs));
+                continue;
+            }
+            const recording::Recording& left = (*attempt)->recording;
+            QVERIFY(left.events() >= before);
+            QVERIFY(left.events() >= said.written);
+            before = left.events();
+            ++found;
+            lostMs.push_back(1.0e-3 * static_cast<double>(said.atUs - left.duration().count()));
+            // What came back is what was done, to the bit. What did not is done again, differently.
+            hashes.erase(hashes.upper_bound(left.ticks()), hashes.end());
+            const Compared states = compared(left, hashes);
+            QVERIFY(states.isPlayable);
+            QCOMPARE(states.different, 0);
+            alike += states.alike;
+            QCOMPARE(left.lesson(), std::string("lesson"));
         }
-        QProcess victim;
-        victim.start(QCoreApplication::applicationFilePath(), {"--victim", folder->path(), QString::number(kill)});
-        QVERIFY(victim.waitForStarted());
-        // Some die before they have begun.
-        if (rng.below(8) != 0)
-            victim.waitForReadyRead();
-        QTest::qSleep(rng.below(600));  // the moment of the kill, at random, is what is tested
-        victim.kill();
-        QVERIFY(victim.waitForFinished());
-        QCOMPARE(victim.exitStatus(), QProcess::CrashExit);
-        const QByteArray complaints = victim.readAllStandardError();
-        QVERIFY2(complaints.isEmpty(), complaints.constData());
-        const Said said = parsed(victim.readAllStandardOutput());
-        hashes.insert(said.hashes.begin(), said.hashes.end());
-        resumed += before > 0 && said.atUs > 0 ? 1 : 0;
-
-        const auto attempt = attemptIn(folder->path().toStdString());
-        QVERIFY(support::succeeds(attempt));
-        // None, or none that got as far as its first moment: then there was nothing before. The dead lock nobody out.
-        if (!*attempt) {
-            QCOMPARE(before, 0U);
-            QCOMPARE(said.written, 0U);
-            hashes.clear();
-            if (said.cutUs >= 0)
-                lostMs.push_back(1.0e-3 * static_cast<double>(said.atUs - said.cutUs));
-            continue;
-        }
-        const recording::Recording& left = (*attempt)->recording;
-        QVERIFY(left.events() >= before);
-        QVERIFY(left.events() >= said.written);
-        before = left.events();
-        ++found;
-        lostMs.push_back(1.0e-3 * static_cast<double>(said.atUs - left.duration().count()));
-        // What came back is what was done, to the bit. What did not is done again, differently.
-        hashes.erase(hashes.upper_bound(left.ticks()), hashes.end());
-        const Compared states = compared(left, hashes);
-        QVERIFY(states.isPlayable);
-        QCOMPARE(states.different, 0);
-        alike += states.alike;
-        QCOMPARE(left.lesson(), std::string("lesson"));
+        std::sort(lostMs.begin(), lostMs.end());
+        QVERIFY(found > kills / 2);
+        QVERIFY(resumed > kills / 4);
+        QVERIFY(alike > kills / 2);
+        const double longest = lostMs.back();
+        qInfo(
+            "%d kills, %d attempts found, %d resumed, %d states compared; lost: half %.1f ms, 99 of 100 %.1f ms, most "
+            "%.1f ms",
+            kills, found, resumed, alike, lostMs[lostMs.size() / 2], lostMs[lostMs.size() * 99 / 100], longest);
+        if (support::isNightly())
+            QVERIFY2(longest * 1000.0 <= static_cast<double>(kMayBeLostUs), qPrintable(QString::number(longest)));
     }
-    std::sort(lostMs.begin(), lostMs.end());
-    QVERIFY(found > kills / 2);
-    QVERIFY(resumed > kills / 4);
-    QVERIFY(alike > kills / 2);
-    const double longest = lostMs.back();
-    qInfo("%d kills, %d attempts found, %d resumed, %d states compared; lost: half %.1f ms, 99 of 100 %.1f ms, most "
-          "%.1f ms",
-          kills, found, resumed, alike, lostMs[lostMs.size() / 2], lostMs[lostMs.size() * 99 / 100], longest);
-    if (support::isNightly())
-        QVERIFY2(longest * 1000.0 <= static_cast<double>(kMayBeLostUs), qPrintable(QString::number(longest)));
-}
+};
 
 int main(int argc, char* argv[])
 {

@@ -53,158 +53,150 @@ class TestPointerDevice : public QObject
 {
     Q_OBJECT
 private slots:
-    void forceBuildsUpAndHolds_data();
-    void forceBuildsUpAndHolds();
-    void releasingLifts();
-    void glidesOverACusp();
-    void jumpWhileLeaningIsDragged();
-    void idleHandDoesNotDrift();
-    void besideTheToothTheHandpieceStopsIt();
-    void aWishThatIsNoNumberIsPassedOver();
-};
-
-void TestPointerDevice::forceBuildsUpAndHolds_data()
-{
-    support::columns<double, bool>("newtons", "drill");
-    for (const double newtons : {0.5, 1.0, 2.0, 4.0}) {
-        QTest::addRow("%g N, resting", newtons) << newtons << false;
-        QTest::addRow("%g N, drilling", newtons) << newtons << true;
+    void forceBuildsUpAndHolds_data()
+    {
+        support::columns<double, bool>("newtons", "drill");
+        for (const double newtons : {0.5, 1.0, 2.0, 4.0}) {
+            QTest::addRow("%g N, resting", newtons) << newtons << false;
+            QTest::addRow("%g N, drilling", newtons) << newtons << true;
+        }
     }
-}
 
-void TestPointerDevice::forceBuildsUpAndHolds()
-{
-    QFETCH(double, newtons);
-    QFETCH(bool, drill);
-    support::Block block;
-    block.bottomMm = -13.0;  // not bored through within the time
-    Bench bench(block, drill);
-    bench.want.hoverMm = 0.5;
-    bench.want.pushForceN = newtons;
-    bench.run(500);
-    QCOMPARE(bench.force(), 0.0);
-    bench.want.pushing = true;
-    const double most = bench.run(600);
-    QVERIFY2(most < 1.6 * newtons, qPrintable(QString::number(most)));
-    bench.run(400);
-    double sum = 0.0;
-    for (int n = 0; n < 1000; ++n) {
-        bench.run(1);
-        sum += bench.force();
-        QVERIFY2(std::abs(bench.force() - newtons) < 0.05 * newtons, qPrintable(QString::number(bench.force())));
+    void forceBuildsUpAndHolds()
+    {
+        QFETCH(double, newtons);
+        QFETCH(bool, drill);
+        support::Block block;
+        block.bottomMm = -13.0;  // not bored through within the time
+        Bench bench(block, drill);
+        bench.want.hoverMm = 0.5;
+        bench.want.pushForceN = newtons;
+        bench.run(500);
+        QCOMPARE(bench.force(), 0.0);
+        bench.want.pushing = true;
+        const double most = bench.run(600);
+        QVERIFY2(most < 1.6 * newtons, qPrintable(QString::number(most)));
+        bench.run(400);
+        double sum = 0.0;
+        for (int n = 0; n < 1000; ++n) {
+            bench.run(1);
+            sum += bench.force();
+            QVERIFY2(std::abs(bench.force() - newtons) < 0.05 * newtons, qPrintable(QString::number(bench.force())));
+        }
+        QVERIFY2(std::abs(sum / 1000.0 - newtons) < 0.01 * newtons, qPrintable(QString::number(sum / 1000.0)));
+        QCOMPARE(bench.servo->state().removedMm3[1] > 0.0, drill);
     }
-    QVERIFY2(std::abs(sum / 1000.0 - newtons) < 0.01 * newtons, qPrintable(QString::number(sum / 1000.0)));
-    QCOMPARE(bench.servo->state().removedMm3[1] > 0.0, drill);
-}
 
-void TestPointerDevice::releasingLifts()
-{
-    Bench bench({});
-    bench.want.hoverMm = 0.8;
-    bench.want.pushing = true;
-    bench.run(800);
-    QVERIFY(bench.force() > 0.5);
-    bench.want.pushing = false;
-    bench.run(300);
-    QCOMPARE(bench.force(), 0.0);
-    QVERIFY(std::abs(bench.tipMm.z - 0.8F) < 0.05F);
-}
-
-void TestPointerDevice::glidesOverACusp()
-{
-    support::Block block;
-    block.topMm = [](double x, double y) { return 1.5 * std::exp(-(x * x + y * y) / 0.8); };
-    Bench bench(block);
-    bench.want.targetMm = {-3.0, 0.0};
-    bench.want.hoverMm = 1.0;
-    bench.run(500);
-    bench.want.pushing = true;
-    bench.run(600);
-    double most = 0.0;
-    for (int n = 0; n <= 3000; ++n) {
-        bench.want.targetMm.x = -3.0 + 0.002 * n;
-        most = std::max(most, bench.run(1));
+    void releasingLifts()
+    {
+        Bench bench({});
+        bench.want.hoverMm = 0.8;
+        bench.want.pushing = true;
+        bench.run(800);
+        QVERIFY(bench.force() > 0.5);
+        bench.want.pushing = false;
+        bench.run(300);
+        QCOMPARE(bench.force(), 0.0);
+        QVERIFY(std::abs(bench.tipMm.z - 0.8F) < 0.05F);
     }
-    most = std::max(most, bench.run(500));
-    QVERIFY2(most < 2.0 * bench.want.pushForceN, qPrintable(QString::number(most)));
-    QVERIFY2(bench.servo->state().anchorMm.x > 2.5, qPrintable(QString::number(bench.servo->state().anchorMm.x)));
-}
 
-void TestPointerDevice::jumpWhileLeaningIsDragged()
-{
-    Bench bench({});
-    bench.want.targetMm = {-4.0, 0.0};
-    bench.run(500);
-    bench.want.pushing = true;
-    bench.run(600);
-    bench.want.targetMm.x = 4.0;
-    float before = bench.tipMm.x;
-    for (int n = 0; n < 1000; ++n) {
-        bench.run(1);
-        QVERIFY2(bench.tipMm.x - before <= 0.0401F, qPrintable(QString::number(bench.tipMm.x - before)));
-        before = bench.tipMm.x;
+    void glidesOverACusp()
+    {
+        support::Block block;
+        block.topMm = [](double x, double y) { return 1.5 * std::exp(-(x * x + y * y) / 0.8); };
+        Bench bench(block);
+        bench.want.targetMm = {-3.0, 0.0};
+        bench.want.hoverMm = 1.0;
+        bench.run(500);
+        bench.want.pushing = true;
+        bench.run(600);
+        double most = 0.0;
+        for (int n = 0; n <= 3000; ++n) {
+            bench.want.targetMm.x = -3.0 + 0.002 * n;
+            most = std::max(most, bench.run(1));
+        }
+        most = std::max(most, bench.run(500));
+        QVERIFY2(most < 2.0 * bench.want.pushForceN, qPrintable(QString::number(most)));
+        QVERIFY2(bench.servo->state().anchorMm.x > 2.5, qPrintable(QString::number(bench.servo->state().anchorMm.x)));
     }
-    QVERIFY2(bench.tipMm.x > 3.5F, qPrintable(QString::number(bench.tipMm.x)));
-}
 
-void TestPointerDevice::idleHandDoesNotDrift()
-{
-    Bench bench({});
-    bench.want.targetMm = {1.25, -0.75};
-    bench.run(1000);
-    const glm::vec3 at = bench.tipMm;
-    bench.run(20000);
-    QVERIFY(glm::length(bench.tipMm - at) < 1.0e-5F);
-    // Nor while it leans without drilling.
-    bench.want.pushing = true;
-    bench.run(2000);
-    const glm::vec3 leaning = bench.tipMm;
-    bench.run(20000);
-    QVERIFY(glm::length(bench.tipMm - leaning) < 1.0e-3F);
-}
+    void jumpWhileLeaningIsDragged()
+    {
+        Bench bench({});
+        bench.want.targetMm = {-4.0, 0.0};
+        bench.run(500);
+        bench.want.pushing = true;
+        bench.run(600);
+        bench.want.targetMm.x = 4.0;
+        float before = bench.tipMm.x;
+        for (int n = 0; n < 1000; ++n) {
+            bench.run(1);
+            QVERIFY2(bench.tipMm.x - before <= 0.0401F, qPrintable(QString::number(bench.tipMm.x - before)));
+            before = bench.tipMm.x;
+        }
+        QVERIFY2(bench.tipMm.x > 3.5F, qPrintable(QString::number(bench.tipMm.x)));
+    }
 
-void TestPointerDevice::besideTheToothTheHandpieceStopsIt()
-{
-    Bench bench({});
-    bench.want.targetMm = {9.0, 9.0};
-    bench.run(500);
-    bench.want.pushing = true;
-    bench.run(5000);
-    // The block's top is at 0: the bur sticks out of its chuck by so much, and the hand goes on leaning.
-    QCOMPARE(bench.servo->state().anchorMm.z, -drilling::kChuckMm);
-    const float resting = bench.tipMm.z;
-    bench.run(1000);
-    QVERIFY(std::abs(bench.tipMm.z - resting) < 1.0e-3F);
-    QVERIFY(std::abs(bench.force() - bench.want.pushForceN) < 0.02);
-    QVERIFY(bench.servo->state().handpieceOnCrown);
-    bench.want.pushing = false;
-    bench.run(2000);
-    QVERIFY(!bench.servo->state().handpieceOnCrown);
-}
+    void idleHandDoesNotDrift()
+    {
+        Bench bench({});
+        bench.want.targetMm = {1.25, -0.75};
+        bench.run(1000);
+        const glm::vec3 at = bench.tipMm;
+        bench.run(20000);
+        QVERIFY(glm::length(bench.tipMm - at) < 1.0e-5F);
+        // Nor while it leans without drilling.
+        bench.want.pushing = true;
+        bench.run(2000);
+        const glm::vec3 leaning = bench.tipMm;
+        bench.run(20000);
+        QVERIFY(glm::length(bench.tipMm - leaning) < 1.0e-3F);
+    }
 
-void TestPointerDevice::aWishThatIsNoNumberIsPassedOver()
-{
-    const double nan = std::nan("");
-    Bench bench({});
-    bench.want.targetMm = {1.0, 0.5};
-    bench.want.pushing = true;
-    bench.run(1000);
-    const session::PointerInput sound = bench.want;
-    const auto bad = [&](auto&& spoil) {
+    void besideTheToothTheHandpieceStopsIt()
+    {
+        Bench bench({});
+        bench.want.targetMm = {9.0, 9.0};
+        bench.run(500);
+        bench.want.pushing = true;
+        bench.run(5000);
+        // The block's top is at 0: the bur sticks out of its chuck by so much, and the hand goes on leaning.
+        QCOMPARE(bench.servo->state().anchorMm.z, -drilling::kChuckMm);
+        const float resting = bench.tipMm.z;
+        bench.run(1000);
+        QVERIFY(std::abs(bench.tipMm.z - resting) < 1.0e-3F);
+        QVERIFY(std::abs(bench.force() - bench.want.pushForceN) < 0.02);
+        QVERIFY(bench.servo->state().handpieceOnCrown);
+        bench.want.pushing = false;
+        bench.run(2000);
+        QVERIFY(!bench.servo->state().handpieceOnCrown);
+    }
+
+    void aWishThatIsNoNumberIsPassedOver()
+    {
+        const double nan = std::nan("");
+        Bench bench({});
+        bench.want.targetMm = {1.0, 0.5};
+        bench.want.pushing = true;
+        bench.run(1000);
+        const session::PointerInput sound = bench.want;
+        const auto bad = [&](auto&& spoil) {
+            bench.want = sound;
+            spoil(bench.want);
+            bench.run(50);
+            QVERIFY(std::abs(bench.tipMm.x - 1.0F) < 0.01F && std::isfinite(bench.tipMm.y) &&
+                    std::isfinite(bench.tipMm.z));
+        };
+        bad([&](session::PointerInput& want) { want.targetMm.x = nan; });
+        bad([&](session::PointerInput& want) { want.targetMm.y = nan; });
+        bad([&](session::PointerInput& want) { want.hoverMm = nan; });
+        bad([&](session::PointerInput& want) { want.pushForceN = nan; });
         bench.want = sound;
-        spoil(bench.want);
-        bench.run(50);
-        QVERIFY(std::abs(bench.tipMm.x - 1.0F) < 0.01F && std::isfinite(bench.tipMm.y) && std::isfinite(bench.tipMm.z));
-    };
-    bad([&](session::PointerInput& want) { want.targetMm.x = nan; });
-    bad([&](session::PointerInput& want) { want.targetMm.y = nan; });
-    bad([&](session::PointerInput& want) { want.hoverMm = nan; });
-    bad([&](session::PointerInput& want) { want.pushForceN = nan; });
-    bench.want = sound;
-    bench.want.targetMm.x = -1.0;
-    bench.run(1000);
-    QVERIFY(std::abs(bench.tipMm.x + 1.0F) < 0.05F);
-}
+        bench.want.targetMm.x = -1.0;
+        bench.run(1000);
+        QVERIFY(std::abs(bench.tipMm.x + 1.0F) < 0.05F);
+    }
+};
 
 QTEST_APPLESS_MAIN(TestPointerDevice)
 #include "tst_pointer_device.moc"

@@ -29,90 +29,83 @@ class TestContactScene : public QObject
 {
     Q_OBJECT
 private slots:
-    void continuousStandsWhereGeometrySays_data();
-    void continuousStandsWhereGeometrySays();
-    void continuousIsWithinACellAtWalls();
-    void latticeFailsWhereTheorySaysSo();
-    void penaltyFailsWhereTheorySaysSo();
-    void ridgesAreNotCrossed_data();
-    void ridgesAreNotCrossed();
-};
+    void continuousStandsWhereGeometrySays_data()
+    {
+        support::columns<QString, QString>("bur", "name");
+        for (const QString& bur : {QString("2"), QString("330")})
+            for (const char* name :
+                 {"plane 0", "plane 10", "plane 20", "plane 27", "plane 45", "plane 60", "plane 75", "fossa", "cusp",
+                  "groove 30", "groove 30 anywhere", "groove 45", "groove 45 anywhere"})
+                QTest::addRow("%s on %s", qPrintable(bur), name) << bur << QString(name);
+    }
 
-void TestContactScene::continuousStandsWhereGeometrySays_data()
-{
-    support::columns<QString, QString>("bur", "name");
-    for (const QString& bur : {QString("2"), QString("330")})
-        for (const char* name : {"plane 0", "plane 10", "plane 20", "plane 27", "plane 45", "plane 60", "plane 75",
-                                 "fossa", "cusp", "groove 30", "groove 30 anywhere", "groove 45", "groove 45 anywhere"})
-            QTest::addRow("%s on %s", qPrintable(bur), name) << bur << QString(name);
-}
+    void continuousStandsWhereGeometrySays()
+    {
+        QFETCH(QString, bur);
+        QFETCH(QString, name);
+        const lab::ContactFamily& family = familyOf(qPrintable(bur), name);
+        const lab::ContactErrors errors = lab::measureContact(family, "continuous", kStiffnessNPerMm);
+        QVERIFY2(errors.rmsUm < family.reachRmsUm, qPrintable(QString("rms %1 um").arg(errors.rmsUm)));
+        QVERIFY2(errors.mostUm < family.reachMostUm, qPrintable(QString("most %1 um").arg(errors.mostUm)));
+        QVERIFY2(errors.jumpN < family.reachJumpN, qPrintable(QString("jump %1 N").arg(errors.jumpN)));
+    }
 
-void TestContactScene::continuousStandsWhereGeometrySays()
-{
-    QFETCH(QString, bur);
-    QFETCH(QString, name);
-    const lab::ContactFamily& family = familyOf(qPrintable(bur), name);
-    const lab::ContactErrors errors = lab::measureContact(family, "continuous", kStiffnessNPerMm);
-    QVERIFY2(errors.rmsUm < family.reachRmsUm, qPrintable(QString("rms %1 um").arg(errors.rmsUm)));
-    QVERIFY2(errors.mostUm < family.reachMostUm, qPrintable(QString("most %1 um").arg(errors.mostUm)));
-    QVERIFY2(errors.jumpN < family.reachJumpN, qPrintable(QString("jump %1 N").arg(errors.jumpN)));
-}
-
-void TestContactScene::continuousIsWithinACellAtWalls()
-{
-    // Where in a cell a wall stands the height map does not say: half a cell either way. At an edge the bur's flank
-    // makes more of it: where it stands on an edge 0.2 or 0.5 mm high, a cell to the side is more than a cell away.
-    for (const QString& bur : {QString("2"), QString("330")}) {
-        for (const QString& name : {QString("wall"), QString("pit corner"), QString("step 0.07"), QString("step 0.20"),
-                                    QString("step 0.50")}) {
-            const lab::ContactFamily& family = familyOf(qPrintable(bur), name);
-            const lab::ContactErrors errors = lab::measureContact(family, "continuous", kStiffnessNPerMm);
-            const bool isHigh = name == "step 0.20" || name == "step 0.50";
-            QVERIFY2(errors.rmsUm < family.reachRmsUm,
-                     qPrintable(QString("%1: rms %2 um").arg(name).arg(errors.rmsUm)));
-            QVERIFY2(isHigh || errors.mostUm < family.reachMostUm,
-                     qPrintable(QString("%1: most %2 um").arg(name).arg(errors.mostUm)));
-            QVERIFY2(errors.jumpN < family.reachJumpN,
-                     qPrintable(QString("%1: jump %2 N").arg(name).arg(errors.jumpN)));
+    void continuousIsWithinACellAtWalls()
+    {
+        // Where in a cell a wall stands the height map does not say: half a cell either way. At an edge the bur's flank
+        // makes more of it: where it stands on an edge 0.2 or 0.5 mm high, a cell to the side is more than a cell away.
+        for (const QString& bur : {QString("2"), QString("330")}) {
+            for (const QString& name : {QString("wall"), QString("pit corner"), QString("step 0.07"),
+                                        QString("step 0.20"), QString("step 0.50")}) {
+                const lab::ContactFamily& family = familyOf(qPrintable(bur), name);
+                const lab::ContactErrors errors = lab::measureContact(family, "continuous", kStiffnessNPerMm);
+                const bool isHigh = name == "step 0.20" || name == "step 0.50";
+                QVERIFY2(errors.rmsUm < family.reachRmsUm,
+                         qPrintable(QString("%1: rms %2 um").arg(name).arg(errors.rmsUm)));
+                QVERIFY2(isHigh || errors.mostUm < family.reachMostUm,
+                         qPrintable(QString("%1: most %2 um").arg(name).arg(errors.mostUm)));
+                QVERIFY2(errors.jumpN < family.reachJumpN,
+                         qPrintable(QString("%1: jump %2 N").arg(name).arg(errors.jumpN)));
+            }
         }
     }
-}
 
-void TestContactScene::latticeFailsWhereTheorySaysSo()
-{
-    // haptics.md 3.3: one step a tick is 70 mm/s; candidates that improve are not free on a slope.
-    for (const char* name : {"plane 0", "plane 27", "groove 30"}) {
-        const lab::ContactErrors errors = lab::measureContact(familyOf("2", name), "lattice", kStiffnessNPerMm);
-        QVERIFY2(errors.rmsUm > 100.0, qPrintable(QString("%1: rms %2 um").arg(name).arg(errors.rmsUm)));
-        QVERIFY2(errors.jumpN > 0.1, qPrintable(QString("%1: jump %2 N").arg(name).arg(errors.jumpN)));
+    void latticeFailsWhereTheorySaysSo()
+    {
+        // haptics.md 3.3: one step a tick is 70 mm/s; candidates that improve are not free on a slope.
+        for (const char* name : {"plane 0", "plane 27", "groove 30"}) {
+            const lab::ContactErrors errors = lab::measureContact(familyOf("2", name), "lattice", kStiffnessNPerMm);
+            QVERIFY2(errors.rmsUm > 100.0, qPrintable(QString("%1: rms %2 um").arg(name).arg(errors.rmsUm)));
+            QVERIFY2(errors.jumpN > 0.1, qPrintable(QString("%1: jump %2 N").arg(name).arg(errors.jumpN)));
+        }
     }
-}
 
-void TestContactScene::penaltyFailsWhereTheorySaysSo()
-{
-    // Beside a wall it pushes up, not out; between two walls it knows one.
-    for (const char* name : {"wall", "groove 30", "groove 45"}) {
-        const lab::ContactErrors errors = lab::measureContact(familyOf("2", name), "penalty", kStiffnessNPerMm);
-        QVERIFY2(errors.rmsUm > 100.0, qPrintable(QString("%1: rms %2 um").arg(name).arg(errors.rmsUm)));
+    void penaltyFailsWhereTheorySaysSo()
+    {
+        // Beside a wall it pushes up, not out; between two walls it knows one.
+        for (const char* name : {"wall", "groove 30", "groove 45"}) {
+            const lab::ContactErrors errors = lab::measureContact(familyOf("2", name), "penalty", kStiffnessNPerMm);
+            QVERIFY2(errors.rmsUm > 100.0, qPrintable(QString("%1: rms %2 um").arg(name).arg(errors.rmsUm)));
+        }
     }
-}
 
-void TestContactScene::ridgesAreNotCrossed_data()
-{
-    QTest::addColumn<int>("cells");
-    QTest::newRow("1 cell") << 1;
-    QTest::newRow("2 cells") << 2;
-}
-
-void TestContactScene::ridgesAreNotCrossed()
-{
-    QFETCH(int, cells);
-    for (const std::size_t bur : {std::size_t{0}, std::size_t{1}}) {
-        const double held = lab::ridgeHoldsN("continuous", cells, bur, kStiffnessNPerMm);
-        QVERIFY2(held >= 4.0, qPrintable(QString("%1 N").arg(held)));
+    void ridgesAreNotCrossed_data()
+    {
+        QTest::addColumn<int>("cells");
+        QTest::newRow("1 cell") << 1;
+        QTest::newRow("2 cells") << 2;
     }
-    QVERIFY2(lab::ridgeHoldsN("penalty", cells, 0, kStiffnessNPerMm) < 4.0, "penalty holds a ridge");
-}
+
+    void ridgesAreNotCrossed()
+    {
+        QFETCH(int, cells);
+        for (const std::size_t bur : {std::size_t{0}, std::size_t{1}}) {
+            const double held = lab::ridgeHoldsN("continuous", cells, bur, kStiffnessNPerMm);
+            QVERIFY2(held >= 4.0, qPrintable(QString("%1 N").arg(held)));
+        }
+        QVERIFY2(lab::ridgeHoldsN("penalty", cells, 0, kStiffnessNPerMm) < 4.0, "penalty holds a ridge");
+    }
+};
 
 QTEST_APPLESS_MAIN(TestContactScene)
 #include "tst_contact_scene.moc"

@@ -66,229 +66,223 @@ class TestCutting : public QObject
 {
     Q_OBJECT
 private slots:
-    void paceIsThatOfTheLaw_data();
-    void paceIsThatOfTheLaw();
+    void paceIsThatOfTheLaw_data()
+    {
+        support::columns<int, double>("material", "newtons");
+        for (const int material : {0, 1, 2})
+            for (const double newtons : {0.5, 1.0, 1.5})
+                QTest::addRow("material %d, %g N", material, newtons) << material << newtons;
+    }
+
+    void paceIsThatOfTheLaw()
+    {
+        QFETCH(int, material);
+        QFETCH(double, newtons);
+        for (const double down : {0.0, 90.0}) {
+            lab::PaceTrial trial;
+            trial.material = static_cast<Material>(material);
+            trial.newtons = newtons;
+            const double seconds = material == 1 ? 1.0 : 0.25;  // what is softer is soon through the block
+            trial.towards = lab::feed(20.0, down);
+            const double lawful = lab::lawfulMm3PerS(trial) * seconds;
+            // Once it has begun: a touch must be more than a brush first.
+            trial.seconds = seconds;
+            const double begun = lab::removedMm3(trial);
+            trial.seconds = 2.0 * seconds;
+            const double removed = lab::removedMm3(trial) - begun;
+            QVERIFY2(std::abs(removed - lawful) < 0.03 * lawful,
+                     qPrintable(QString("%1 degrees down: %2 against %3 mm3").arg(down).arg(removed).arg(lawful)));
+        }
+    }
+
     void paceIsIndependentOfTheGrid_data() { burs(); }
-    void paceIsIndependentOfTheGrid();
-    void paceIsIndependentOfTheRate_data() { burs(); }
-    void paceIsIndependentOfTheRate();
-    void paceIsIndependentOfTheHeading_data() { burs(); }
-    void paceIsIndependentOfTheHeading();
-    void sidewaysIsEasierByTheSetting();
-    void rippleIsNotFelt_data() { burs(); }
-    void rippleIsNotFelt();
-    void feedChangesAtTheJunction_data() { burs(); }
-    void feedChangesAtTheJunction();
-    void flatEndFeelsTheJunctionWithinACell();
-    void mixedGroundSharesTheTime();
 
-private:
-    static void burs();
-};
-
-void TestCutting::burs()
-{
-    QTest::addColumn<int>("bur");
-    for (int bur = 0; bur < 4; ++bur)
-        QTest::addRow("bur %d", bur) << bur;
-}
-
-void TestCutting::paceIsThatOfTheLaw_data()
-{
-    support::columns<int, double>("material", "newtons");
-    for (const int material : {0, 1, 2})
-        for (const double newtons : {0.5, 1.0, 1.5})
-            QTest::addRow("material %d, %g N", material, newtons) << material << newtons;
-}
-
-void TestCutting::paceIsThatOfTheLaw()
-{
-    QFETCH(int, material);
-    QFETCH(double, newtons);
-    for (const double down : {0.0, 90.0}) {
-        lab::PaceTrial trial;
-        trial.material = static_cast<Material>(material);
-        trial.newtons = newtons;
-        const double seconds = material == 1 ? 1.0 : 0.25;  // what is softer is soon through the block
-        trial.towards = lab::feed(20.0, down);
-        const double lawful = lab::lawfulMm3PerS(trial) * seconds;
-        // Once it has begun: a touch must be more than a brush first.
-        trial.seconds = seconds;
-        const double begun = lab::removedMm3(trial);
-        trial.seconds = 2.0 * seconds;
-        const double removed = lab::removedMm3(trial) - begun;
-        QVERIFY2(std::abs(removed - lawful) < 0.03 * lawful,
-                 qPrintable(QString("%1 degrees down: %2 against %3 mm3").arg(down).arg(removed).arg(lawful)));
-    }
-}
-
-void TestCutting::paceIsIndependentOfTheGrid()
-{
-    QFETCH(int, bur);
-    for (const double down : {0.0, 45.0, 90.0}) {
-        Range range;
-        for (const int side : {100, 150, 300, 600}) {
-            lab::PaceTrial trial;
-            trial.bur = static_cast<std::size_t>(bur);
-            trial.side = side;
-            trial.towards = lab::feed(20.0, down);
-            range.add(lab::removedMm3(trial));
-        }
-        QVERIFY2(range.spreadPercent() < 3.0, qPrintable(textOf(range)));
-    }
-}
-
-void TestCutting::paceIsIndependentOfTheRate()
-{
-    QFETCH(int, bur);
-    for (const double down : {0.0, 45.0, 90.0}) {
-        Range range;
-        for (const double rate : {500.0, 1000.0, 2000.0, 4000.0}) {
-            lab::PaceTrial trial;
-            trial.bur = static_cast<std::size_t>(bur);
-            trial.rateHz = rate;
-            trial.towards = lab::feed(20.0, down);
-            range.add(lab::removedMm3(trial));
-        }
-        QVERIFY2(range.spreadPercent() < 3.0, qPrintable(textOf(range)));
-    }
-}
-
-void TestCutting::paceIsIndependentOfTheHeading()
-{
-    QFETCH(int, bur);
-    for (const int side : {100, 150})
-        for (const double down : {0.0, 45.0}) {
+    void paceIsIndependentOfTheGrid()
+    {
+        QFETCH(int, bur);
+        for (const double down : {0.0, 45.0, 90.0}) {
             Range range;
-            for (int heading = 0; heading < 360; heading += support::trials(75, 15)) {
+            for (const int side : {100, 150, 300, 600}) {
                 lab::PaceTrial trial;
                 trial.bur = static_cast<std::size_t>(bur);
                 trial.side = side;
-                trial.towards = lab::feed(heading, down);
+                trial.towards = lab::feed(20.0, down);
                 range.add(lab::removedMm3(trial));
             }
-            QVERIFY2(range.spreadPercent() < 3.0,
-                     qPrintable(QString("grid %1, %2 down: ").arg(side).arg(down) + textOf(range)));
+            QVERIFY2(range.spreadPercent() < 3.0, qPrintable(textOf(range)));
         }
-}
-
-void TestCutting::sidewaysIsEasierByTheSetting()
-{
-    for (const double share : {0.4, 0.65, 1.0}) {
-        lab::PaceTrial trial;
-        trial.seconds = 1.0;
-        trial.settings.hardness.axialShare = share;
-        const double down = lab::removedMm3(trial);
-        trial.towards = lab::feed(20.0, 0.0);
-        const double sideways = lab::removedMm3(trial);
-        QVERIFY2(std::abs(down / sideways - share) < 0.03 * share,
-                 qPrintable(QString("%1 down, %2 sideways for a share of %3").arg(down).arg(sideways).arg(share)));
     }
-}
 
-void TestCutting::rippleIsNotFelt()
-{
-    QFETCH(int, bur);
-    int n = bur;
-    for (const int side : {100, 150})
-        for (const Material material : {Material::Enamel, Material::Dentin})
-            for (const double heading : {0.0, 30.0})
-                for (const double down : {0.0, 90.0})
-                    for (const lab::Feeder feeder : {lab::Feeder::Speed, lab::Feeder::Force}) {
-                        if (!support::isTried(n++))
-                            continue;
-                        lab::PaceTrial trial;
-                        trial.bur = static_cast<std::size_t>(bur);
-                        trial.side = side;
-                        trial.material = material;
-                        trial.newtons = material == Material::Enamel ? 1.0 : 0.5;  // or it is soon through the block
-                        trial.seconds = 3.0;
-                        trial.towards = lab::feed(heading, down);
-                        const lab::Ripple ripple = lab::measureRipple(trial, feeder);
-                        QVERIFY2(ripple.rmsN < 0.1, qPrintable(QString("%1 N").arg(ripple.rmsN)));
-                        // It was drilling steadily. A slide whose speed is that of the whole section needs less where
-                        // the end of the bur is not yet down.
-                        QVERIFY2(std::abs(ripple.meanN - trial.newtons) < 0.25 * trial.newtons,
-                                 qPrintable(QString("mean %1 N").arg(ripple.meanN)));
-                    }
-}
+    void paceIsIndependentOfTheRate_data() { burs(); }
 
-void TestCutting::feedChangesAtTheJunction()
-{
-    // 1 N straight down through enamel into dentin. Up to the junction the feed is that of enamel; a cell past it is
-    // felt, even with a ball, whose tip alone is there.
-    QFETCH(int, bur);
-    constexpr double kDejMm = -0.9;
-    constexpr double kCellMm = lab::kBlockExtentMm / 150;
-    std::vector<double> depth;
-    press([](glm::dvec2) { return enamelAbove(kDejMm); }, static_cast<std::size_t>(bur), 1.0,
-          [&](const core::session::ServoState& state) {
-              depth.push_back(-state.anchorMm.z);
-              return depth.back() < -kDejMm + 3.0 * kCellMm;
-          });
-    const auto secondsAt = [&](double mm) {
-        const auto reached = std::lower_bound(depth.begin(), depth.end(), mm);
-        const auto k = static_cast<double>(reached - depth.begin());
-        return 0.001 * (k - (*reached - mm) / (*reached - *(reached - 1)));
-    };
-    const auto feedOver = [&](double from, double to) { return (to - from) / (secondsAt(to) - secondsAt(from)); };
-    const double enamel = feedOver(-kDejMm - 3.0 * kCellMm, -kDejMm - 2.0 * kCellMm);
-    const double before = feedOver(-kDejMm - kCellMm, -kDejMm);
-    const double after = feedOver(-kDejMm + kCellMm, -kDejMm + 2.0 * kCellMm);
-    QVERIFY2(std::abs(before / enamel - 1.0) < 0.03, qPrintable(QString("%1 and %2 mm/s").arg(enamel).arg(before)));
-    QVERIFY2(after / enamel > 1.15, qPrintable(QString("%1 and %2 mm/s").arg(enamel).arg(after)));
-}
+    void paceIsIndependentOfTheRate()
+    {
+        QFETCH(int, bur);
+        for (const double down : {0.0, 45.0, 90.0}) {
+            Range range;
+            for (const double rate : {500.0, 1000.0, 2000.0, 4000.0}) {
+                lab::PaceTrial trial;
+                trial.bur = static_cast<std::size_t>(bur);
+                trial.rateHz = rate;
+                trial.towards = lab::feed(20.0, down);
+                range.add(lab::removedMm3(trial));
+            }
+            QVERIFY2(range.spreadPercent() < 3.0, qPrintable(textOf(range)));
+        }
+    }
 
-void TestCutting::flatEndFeelsTheJunctionWithinACell()
-{
-    // With a flat end all of it meets the junction together: half of the change lies within a cell.
-    constexpr double kDejMm = -0.9;
-    constexpr double kCellMm = lab::kBlockExtentMm / 150;
-    const std::size_t fissure = core::drilling::findBur("57").value();
-    std::vector<double> depth;
-    press([](glm::dvec2) { return enamelAbove(kDejMm); }, fissure, 1.0,
-          [&](const core::session::ServoState& state) {
-              depth.push_back(-state.anchorMm.z);
-              return depth.back() < -kDejMm + 0.5;
-          });
-    const auto feedAt = [&](std::size_t tick) { return (depth[tick] - depth[tick - 10]) / 0.01; };
-    const auto tickAt = [&](double mm) {
-        return static_cast<std::size_t>(std::lower_bound(depth.begin(), depth.end(), mm) - depth.begin());
-    };
-    const double half = 0.5 * (feedAt(tickAt(-kDejMm - 0.2)) + feedAt(tickAt(-kDejMm + 0.4)));
-    std::size_t tick = tickAt(-kDejMm - 0.2);
-    while (feedAt(tick) < half)
-        ++tick;
-    QVERIFY2(std::abs(depth[tick] + kDejMm) < kCellMm, qPrintable(QString("at %1 mm").arg(depth[tick])));
-}
+    void paceIsIndependentOfTheHeading_data() { burs(); }
 
-void TestCutting::mixedGroundSharesTheTime()
-{
-    // Enamel under one half of the bur and dentin under the other: the time is sum V_m / rate_m, whatever comes first.
-    for (std::size_t bur = 0; bur < core::drilling::burs().size(); ++bur) {
-        constexpr int kTicks = 1500;
-        int ticks = 0;
-        core::terrain::PerMaterial removed{};
-        press([](glm::dvec2 p) { return enamelAbove(p.x < 0.0 ? -50.0 : 50.0); }, bur, 1.0,
+    void paceIsIndependentOfTheHeading()
+    {
+        QFETCH(int, bur);
+        for (const int side : {100, 150})
+            for (const double down : {0.0, 45.0}) {
+                Range range;
+                for (int heading = 0; heading < 360; heading += support::trials(75, 15)) {
+                    lab::PaceTrial trial;
+                    trial.bur = static_cast<std::size_t>(bur);
+                    trial.side = side;
+                    trial.towards = lab::feed(heading, down);
+                    range.add(lab::removedMm3(trial));
+                }
+                QVERIFY2(range.spreadPercent() < 3.0,
+                         qPrintable(QString("grid %1, %2 down: ").arg(side).arg(down) + textOf(range)));
+            }
+    }
+
+    void sidewaysIsEasierByTheSetting()
+    {
+        for (const double share : {0.4, 0.65, 1.0}) {
+            lab::PaceTrial trial;
+            trial.seconds = 1.0;
+            trial.settings.hardness.axialShare = share;
+            const double down = lab::removedMm3(trial);
+            trial.towards = lab::feed(20.0, 0.0);
+            const double sideways = lab::removedMm3(trial);
+            QVERIFY2(std::abs(down / sideways - share) < 0.03 * share,
+                     qPrintable(QString("%1 down, %2 sideways for a share of %3").arg(down).arg(sideways).arg(share)));
+        }
+    }
+
+    void rippleIsNotFelt_data() { burs(); }
+
+    void rippleIsNotFelt()
+    {
+        QFETCH(int, bur);
+        int n = bur;
+        for (const int side : {100, 150})
+            for (const Material material : {Material::Enamel, Material::Dentin})
+                for (const double heading : {0.0, 30.0})
+                    for (const double down : {0.0, 90.0})
+                        for (const lab::Feeder feeder : {lab::Feeder::Speed, lab::Feeder::Force}) {
+                            if (!support::isTried(n++))
+                                continue;
+                            lab::PaceTrial trial;
+                            trial.bur = static_cast<std::size_t>(bur);
+                            trial.side = side;
+                            trial.material = material;
+                            trial.newtons =
+                                material == Material::Enamel ? 1.0 : 0.5;  // or it is soon through the block
+                            trial.seconds = 3.0;
+                            trial.towards = lab::feed(heading, down);
+                            const lab::Ripple ripple = lab::measureRipple(trial, feeder);
+                            QVERIFY2(ripple.rmsN < 0.1, qPrintable(QString("%1 N").arg(ripple.rmsN)));
+                            // It was drilling steadily. A slide whose speed is that of the whole section needs less
+                            // where the end of the bur is not yet down.
+                            QVERIFY2(std::abs(ripple.meanN - trial.newtons) < 0.25 * trial.newtons,
+                                     qPrintable(QString("mean %1 N").arg(ripple.meanN)));
+                        }
+    }
+
+    void feedChangesAtTheJunction_data() { burs(); }
+
+    void feedChangesAtTheJunction()
+    {
+        // 1 N straight down through enamel into dentin. Up to the junction the feed is that of enamel; a cell past it
+        // is felt, even with a ball, whose tip alone is there.
+        QFETCH(int, bur);
+        constexpr double kDejMm = -0.9;
+        constexpr double kCellMm = lab::kBlockExtentMm / 150;
+        std::vector<double> depth;
+        press([](glm::dvec2) { return enamelAbove(kDejMm); }, static_cast<std::size_t>(bur), 1.0,
               [&](const core::session::ServoState& state) {
-                  removed = state.removedMm3;
-                  return ++ticks < kTicks;
+                  depth.push_back(-state.anchorMm.z);
+                  return depth.back() < -kDejMm + 3.0 * kCellMm;
               });
-        double seconds = 0.0;
-        for (const Material material : {Material::Enamel, Material::Dentin}) {
-            const auto m = static_cast<std::size_t>(material);
-            QVERIFY(removed[m] > 0.1);
-            lab::PaceTrial alone;
-            alone.bur = bur;
-            alone.material = material;
-            seconds += removed[m] / lab::lawfulMm3PerS(alone);
-        }
-        QVERIFY2(std::abs(seconds - 0.001 * kTicks) < 0.03 * 0.001 * kTicks, qPrintable(QString::number(seconds)));
-        // Side by side they go down together: as much of one as of the other.
-        const double ratio = removed[1] / removed[2];
-        QVERIFY2(std::abs(ratio - 1.0) < 0.2, qPrintable(QString::number(ratio)));
+        const auto secondsAt = [&](double mm) {
+            const auto reached = std::lower_bound(depth.begin(), depth.end(), mm);
+            const auto k = static_cast<double>(reached - depth.begin());
+            return 0.001 * (k - (*reached - mm) / (*reached - *(reached - 1)));
+        };
+        const auto feedOver = [&](double from, double to) { return (to - from) / (secondsAt(to) - secondsAt(from)); };
+        const double enamel = feedOver(-kDejMm - 3.0 * kCellMm, -kDejMm - 2.0 * kCellMm);
+        const double before = feedOver(-kDejMm - kCellMm, -kDejMm);
+        const double after = feedOver(-kDejMm + kCellMm, -kDejMm + 2.0 * kCellMm);
+        QVERIFY2(std::abs(before / enamel - 1.0) < 0.03, qPrintable(QString("%1 and %2 mm/s").arg(enamel).arg(before)));
+        QVERIFY2(after / enamel > 1.15, qPrintable(QString("%1 and %2 mm/s").arg(enamel).arg(after)));
     }
-}
+
+    void flatEndFeelsTheJunctionWithinACell()
+    {
+        // With a flat end all of it meets the junction together: half of the change lies within a cell.
+        constexpr double kDejMm = -0.9;
+        constexpr double kCellMm = lab::kBlockExtentMm / 150;
+        const std::size_t fissure = core::drilling::findBur("57").value();
+        std::vector<double> depth;
+        press([](glm::dvec2) { return enamelAbove(kDejMm); }, fissure, 1.0,
+              [&](const core::session::ServoState& state) {
+                  depth.push_back(-state.anchorMm.z);
+                  return depth.back() < -kDejMm + 0.5;
+              });
+        const auto feedAt = [&](std::size_t tick) { return (depth[tick] - depth[tick - 10]) / 0.01; };
+        const auto tickAt = [&](double mm) {
+            return static_cast<std::size_t>(std::lower_bound(depth.begin(), depth.end(), mm) - depth.begin());
+        };
+        const double half = 0.5 * (feedAt(tickAt(-kDejMm - 0.2)) + feedAt(tickAt(-kDejMm + 0.4)));
+        std::size_t tick = tickAt(-kDejMm - 0.2);
+        while (feedAt(tick) < half)
+            ++tick;
+        QVERIFY2(std::abs(depth[tick] + kDejMm) < kCellMm, qPrintable(QString("at %1 mm").arg(depth[tick])));
+    }
+
+    void mixedGroundSharesTheTime()
+    {
+        // Enamel under one half of the bur and dentin under the other: the time is sum V_m / rate_m, whatever comes
+        // first.
+        for (std::size_t bur = 0; bur < core::drilling::burs().size(); ++bur) {
+            constexpr int kTicks = 1500;
+            int ticks = 0;
+            core::terrain::PerMaterial removed{};
+            press([](glm::dvec2 p) { return enamelAbove(p.x < 0.0 ? -50.0 : 50.0); }, bur, 1.0,
+                  [&](const core::session::ServoState& state) {
+                      removed = state.removedMm3;
+                      return ++ticks < kTicks;
+                  });
+            double seconds = 0.0;
+            for (const Material material : {Material::Enamel, Material::Dentin}) {
+                const auto m = static_cast<std::size_t>(material);
+                QVERIFY(removed[m] > 0.1);
+                lab::PaceTrial alone;
+                alone.bur = bur;
+                alone.material = material;
+                seconds += removed[m] / lab::lawfulMm3PerS(alone);
+            }
+            QVERIFY2(std::abs(seconds - 0.001 * kTicks) < 0.03 * 0.001 * kTicks, qPrintable(QString::number(seconds)));
+            // Side by side they go down together: as much of one as of the other.
+            const double ratio = removed[1] / removed[2];
+            QVERIFY2(std::abs(ratio - 1.0) < 0.2, qPrintable(QString::number(ratio)));
+        }
+    }
+
+private:
+    static void burs()
+    {
+        QTest::addColumn<int>("bur");
+        for (int bur = 0; bur < 4; ++bur)
+            QTest::addRow("bur %d", bur) << bur;
+    }
+};
 
 QTEST_APPLESS_MAIN(TestCutting)
 #include "tst_cutting.moc"

@@ -27,138 +27,125 @@ class TestStiffnessLimit : public QObject
 {
     Q_OBJECT
 private slots:
-    void flatToothIsTheOneAxisWall_data();
-    void flatToothIsTheOneAxisWall();
-    void delayAndLagCostStiffness();
-    void whatWeShipHoldsEveryHand_data();
-    void whatWeShipHoldsEveryHand();
-    void aSlowLoopSoftensItsSpring();
-    void oursIsTwiceAsStiffAsThePipelineOf2011_data();
-    void oursIsTwiceAsStiffAsThePipelineOf2011();
-    void everyMethodAndRateHasALimit_data();
-    void everyMethodAndRateHasALimit();
-    void islandsBeyondTheLimitDoNotCount();
-    void unknownMethodIsRefused();
-};
+    /// haptics.md 2.2 has one axis and motors that answer at once; our whole servo over three axes agrees.
+    void flatToothIsTheOneAxisWall_data()
+    {
+        support::columns<std::size_t, double, double>("hand", "delayMs", "nPerMm");
+        QTest::newRow("light, 1 ms") << std::size_t{0} << 1.0 << 2.986;
+        QTest::newRow("light, 4 ms") << std::size_t{0} << 4.0 << 0.684;
+        QTest::newRow("medium, 2 ms") << std::size_t{1} << 2.0 << 3.306;
+        QTest::newRow("firm, 4 ms") << std::size_t{2} << 4.0 << 3.332;
+    }
 
-/// haptics.md 2.2 has one axis and motors that answer at once; our whole servo over three axes agrees.
-void TestStiffnessLimit::flatToothIsTheOneAxisWall_data()
-{
-    support::columns<std::size_t, double, double>("hand", "delayMs", "nPerMm");
-    QTest::newRow("light, 1 ms") << std::size_t{0} << 1.0 << 2.986;
-    QTest::newRow("light, 4 ms") << std::size_t{0} << 4.0 << 0.684;
-    QTest::newRow("medium, 2 ms") << std::size_t{1} << 2.0 << 3.306;
-    QTest::newRow("firm, 4 ms") << std::size_t{2} << 4.0 << 3.332;
-}
+    void flatToothIsTheOneAxisWall()
+    {
+        QFETCH(std::size_t, hand);
+        QFETCH(double, delayMs);
+        QFETCH(double, nPerMm);
+        lab::ClosedLoop loop = loopWith(hand, delayMs);
+        loop.falcon.motorLagS = 0.0;
+        const double limit = lab::stiffnessLimit(loop).value();
+        QVERIFY2(std::abs(limit / nPerMm - 1.0) < 0.05, qPrintable(QString::number(limit)));
+    }
 
-void TestStiffnessLimit::flatToothIsTheOneAxisWall()
-{
-    QFETCH(std::size_t, hand);
-    QFETCH(double, delayMs);
-    QFETCH(double, nPerMm);
-    lab::ClosedLoop loop = loopWith(hand, delayMs);
-    loop.falcon.motorLagS = 0.0;
-    const double limit = lab::stiffnessLimit(loop).value();
-    QVERIFY2(std::abs(limit / nPerMm - 1.0) < 0.05, qPrintable(QString::number(limit)));
-}
+    void delayAndLagCostStiffness()
+    {
+        lab::ClosedLoop prompt = loopWith(1, 1.0);
+        prompt.falcon.motorLagS = 0.0;
+        const double promptly = lab::stiffnessLimit(prompt).value();
+        const double lagging = lab::stiffnessLimit(loopWith(1, 1.0)).value();
+        const double late = lab::stiffnessLimit(loopWith(1, 4.0)).value();
+        QVERIFY2(lagging < 0.6 * promptly, qPrintable(QString::number(lagging)));
+        QVERIFY2(late < 0.5 * lagging, qPrintable(QString::number(late)));
+    }
 
-void TestStiffnessLimit::delayAndLagCostStiffness()
-{
-    lab::ClosedLoop prompt = loopWith(1, 1.0);
-    prompt.falcon.motorLagS = 0.0;
-    const double promptly = lab::stiffnessLimit(prompt).value();
-    const double lagging = lab::stiffnessLimit(loopWith(1, 1.0)).value();
-    const double late = lab::stiffnessLimit(loopWith(1, 4.0)).value();
-    QVERIFY2(lagging < 0.6 * promptly, qPrintable(QString::number(lagging)));
-    QVERIFY2(late < 0.5 * lagging, qPrintable(QString::number(late)));
-}
-
-void TestStiffnessLimit::whatWeShipHoldsEveryHand_data()
-{
-    support::columns<std::size_t, double>("hand", "delayMs");
-    for (std::size_t hand = 0; hand < haptics::kHands.size(); ++hand)
-        for (const double delayMs : {0.0, 1.0, 2.0})
-            QTest::addRow("%zu, %g ms", hand, delayMs) << hand << delayMs;
-}
-
-void TestStiffnessLimit::whatWeShipHoldsEveryHand()
-{
-    QFETCH(std::size_t, hand);
-    QFETCH(double, delayMs);
-    lab::ClosedLoop loop = loopWith(hand, delayMs);
-    loop.settings.force = {};
-    const double limit = lab::stiffnessLimit(loop).value();
-    QVERIFY2(limit > core::contact::ForceSettings{}.stiffnessNPerMm, qPrintable(QString::number(limit)));
-}
-
-/// With 4 ms of delay the servo loop has halved the spring: what the lightest hand holds is more than twice that.
-void TestStiffnessLimit::aSlowLoopSoftensItsSpring()
-{
-    lab::ClosedLoop loop = loopWith(0, 4.0);
-    loop.settings.force = {};
-    const double limit = lab::stiffnessLimit(loop).value();
-    QVERIFY2(limit > core::contact::ForceSettings{}.stiffnessNPerMm, qPrintable(QString::number(limit)));
-}
-
-/// Against the best setting that the pipeline of 2011 can have while its friction is not felt (CedsFigures), in every
-/// cell of the table.
-void TestStiffnessLimit::oursIsTwiceAsStiffAsThePipelineOf2011_data()
-{
-    support::columns<std::size_t, double>("hand", "delayMs");
-    int n = 0;
-    for (std::size_t hand = 0; hand < haptics::kHands.size(); ++hand)
-        for (const double delayMs : {0.0, 1.0, 2.0, 4.0})
-            if (support::isTried(n++))
+    void whatWeShipHoldsEveryHand_data()
+    {
+        support::columns<std::size_t, double>("hand", "delayMs");
+        for (std::size_t hand = 0; hand < haptics::kHands.size(); ++hand)
+            for (const double delayMs : {0.0, 1.0, 2.0})
                 QTest::addRow("%zu, %g ms", hand, delayMs) << hand << delayMs;
-}
+    }
 
-void TestStiffnessLimit::oursIsTwiceAsStiffAsThePipelineOf2011()
-{
-    QFETCH(std::size_t, hand);
-    QFETCH(double, delayMs);
-    lab::ClosedLoop loop = loopWith(hand, delayMs);
-    loop.settings.force = {};
-    const double ours = lab::stiffnessLimit(loop).value();
-    loop.settings.method = lab::kCeds2011;
-    const double old = lab::stiffnessLimit(loop).value();
-    QVERIFY2(old < lab::kStiffestNPerMm, qPrintable(QString::number(old)));
-    QVERIFY2(ours > 2.0 * old, qPrintable(QString("%1 and %2 N/mm").arg(ours).arg(old)));
-}
+    void whatWeShipHoldsEveryHand()
+    {
+        QFETCH(std::size_t, hand);
+        QFETCH(double, delayMs);
+        lab::ClosedLoop loop = loopWith(hand, delayMs);
+        loop.settings.force = {};
+        const double limit = lab::stiffnessLimit(loop).value();
+        QVERIFY2(limit > core::contact::ForceSettings{}.stiffnessNPerMm, qPrintable(QString::number(limit)));
+    }
 
-void TestStiffnessLimit::everyMethodAndRateHasALimit_data()
-{
-    support::columns<QString, double>("method", "rateHz");
-    for (const char* method : {"continuous", "lattice", "penalty"})
-        for (const double rateHz : {250.0, 2000.0})
-            QTest::addRow("%s, %g Hz", method, rateHz) << QString(method) << rateHz;
-}
+    /// With 4 ms of delay the servo loop has halved the spring: what the lightest hand holds is more than twice that.
+    void aSlowLoopSoftensItsSpring()
+    {
+        lab::ClosedLoop loop = loopWith(0, 4.0);
+        loop.settings.force = {};
+        const double limit = lab::stiffnessLimit(loop).value();
+        QVERIFY2(limit > core::contact::ForceSettings{}.stiffnessNPerMm, qPrintable(QString::number(limit)));
+    }
 
-void TestStiffnessLimit::everyMethodAndRateHasALimit()
-{
-    QFETCH(QString, method);
-    QFETCH(double, rateHz);
-    lab::ClosedLoop loop = loopWith(1, 2.0);
-    loop.settings.method = method.toStdString();
-    loop.rateHz = rateHz;
-    const double limit = lab::stiffnessLimit(loop).value();
-    QVERIFY2(limit > 0.5 && limit < 5.0, qPrintable(QString::number(limit)));
-}
+    /// Against the best setting that the pipeline of 2011 can have while its friction is not felt (CedsFigures), in
+    /// every cell of the table.
+    void oursIsTwiceAsStiffAsThePipelineOf2011_data()
+    {
+        support::columns<std::size_t, double>("hand", "delayMs");
+        int n = 0;
+        for (std::size_t hand = 0; hand < haptics::kHands.size(); ++hand)
+            for (const double delayMs : {0.0, 1.0, 2.0, 4.0})
+                if (support::isTried(n++))
+                    QTest::addRow("%zu, %g ms", hand, delayMs) << hand << delayMs;
+    }
 
-/// The lattice method fails from 7 N/mm on, and holds again between 11 and 13.
-void TestStiffnessLimit::islandsBeyondTheLimitDoNotCount()
-{
-    lab::ClosedLoop loop = loopWith(2, 1.0);
-    loop.settings.method = "lattice";
-    const double limit = lab::stiffnessLimit(loop).value();
-    QVERIFY2(limit < 9.0, qPrintable(QString::number(limit)));
-}
+    void oursIsTwiceAsStiffAsThePipelineOf2011()
+    {
+        QFETCH(std::size_t, hand);
+        QFETCH(double, delayMs);
+        lab::ClosedLoop loop = loopWith(hand, delayMs);
+        loop.settings.force = {};
+        const double ours = lab::stiffnessLimit(loop).value();
+        loop.settings.method = lab::kCeds2011;
+        const double old = lab::stiffnessLimit(loop).value();
+        QVERIFY2(old < lab::kStiffestNPerMm, qPrintable(QString::number(old)));
+        QVERIFY2(ours > 2.0 * old, qPrintable(QString("%1 and %2 N/mm").arg(ours).arg(old)));
+    }
 
-void TestStiffnessLimit::unknownMethodIsRefused()
-{
-    lab::ClosedLoop loop;
-    loop.settings.method = "magic";
-    QCOMPARE(lab::stiffnessLimit(loop).error().code, core::ErrorCode::UnknownName);
-}
+    void everyMethodAndRateHasALimit_data()
+    {
+        support::columns<QString, double>("method", "rateHz");
+        for (const char* method : {"continuous", "lattice", "penalty"})
+            for (const double rateHz : {250.0, 2000.0})
+                QTest::addRow("%s, %g Hz", method, rateHz) << QString(method) << rateHz;
+    }
+
+    void everyMethodAndRateHasALimit()
+    {
+        QFETCH(QString, method);
+        QFETCH(double, rateHz);
+        lab::ClosedLoop loop = loopWith(1, 2.0);
+        loop.settings.method = method.toStdString();
+        loop.rateHz = rateHz;
+        const double limit = lab::stiffnessLimit(loop).value();
+        QVERIFY2(limit > 0.5 && limit < 5.0, qPrintable(QString::number(limit)));
+    }
+
+    /// The lattice method fails from 7 N/mm on, and holds again between 11 and 13.
+    void islandsBeyondTheLimitDoNotCount()
+    {
+        lab::ClosedLoop loop = loopWith(2, 1.0);
+        loop.settings.method = "lattice";
+        const double limit = lab::stiffnessLimit(loop).value();
+        QVERIFY2(limit < 9.0, qPrintable(QString::number(limit)));
+    }
+
+    void unknownMethodIsRefused()
+    {
+        lab::ClosedLoop loop;
+        loop.settings.method = "magic";
+        QCOMPARE(lab::stiffnessLimit(loop).error().code, core::ErrorCode::UnknownName);
+    }
+};
 
 QTEST_APPLESS_MAIN(TestStiffnessLimit)
 #include "tst_stiffness_limit.moc"

@@ -38,89 +38,85 @@ class TestVoxelTooth : public QObject
 {
     Q_OBJECT
 private slots:
-    void aBallSunkByItsRadiusTakesHalfASphere();
-    void contactBeginsAtTheSurfaceAndEndsWithRemoval();
-    void whatIsAboveABallStays();
-    void volumesAreThoseOfTheHeightStack();
-    void slotsTakeWhatTheHeightStackLoses();
-};
-
-void TestVoxelTooth::aBallSunkByItsRadiusTakesHalfASphere()
-{
-    const lab::VoxelBur ball(bur("2"));
-    constexpr int kLies = 16;
-    constexpr double kCellMm = lab::kBlockExtentMm / 150;
-    const double radius = ball.radiusMm();
-    const double right = 2.0 / 3.0 * std::numbers::pi * radius * radius * radius;
-    double mean = 0.0;
-    for (int lie = 0; lie < kLies; ++lie) {
-        // The surface is anywhere within the cubes that it goes through, the bur anywhere over them.
-        const glm::dvec3 part = glm::fract(glm::dvec3(0.8192, 0.6710, 0.5497) * (lie + 0.5)) * kCellMm;
-        lab::VoxelTooth tooth(*lab::enamelBlock([&](glm::dvec2) { return part.z; }, 150));
-        const glm::dvec3 tip(part.x, part.y, part.z - radius);
-        const core::terrain::PerMaterial gone = tooth.remove(ball, tip);
-        QVERIFY(gone[static_cast<std::size_t>(core::terrain::Material::Enamel)] > 0.0);
-        QCOMPARE(gone[static_cast<std::size_t>(core::terrain::Material::Dentin)], 0.0);
-        // Half a layer of cubes at the surface, and the sphere's own staircase.
-        QVERIFY2(std::abs(sum(gone) / right - 1.0) < 0.12, qPrintable(QString::number(sum(gone) / right - 1.0)));
-        mean += sum(gone) / kLies;
+    void aBallSunkByItsRadiusTakesHalfASphere()
+    {
+        const lab::VoxelBur ball(bur("2"));
+        constexpr int kLies = 16;
+        constexpr double kCellMm = lab::kBlockExtentMm / 150;
+        const double radius = ball.radiusMm();
+        const double right = 2.0 / 3.0 * std::numbers::pi * radius * radius * radius;
+        double mean = 0.0;
+        for (int lie = 0; lie < kLies; ++lie) {
+            // The surface is anywhere within the cubes that it goes through, the bur anywhere over them.
+            const glm::dvec3 part = glm::fract(glm::dvec3(0.8192, 0.6710, 0.5497) * (lie + 0.5)) * kCellMm;
+            lab::VoxelTooth tooth(*lab::enamelBlock([&](glm::dvec2) { return part.z; }, 150));
+            const glm::dvec3 tip(part.x, part.y, part.z - radius);
+            const core::terrain::PerMaterial gone = tooth.remove(ball, tip);
+            QVERIFY(gone[static_cast<std::size_t>(core::terrain::Material::Enamel)] > 0.0);
+            QCOMPARE(gone[static_cast<std::size_t>(core::terrain::Material::Dentin)], 0.0);
+            // Half a layer of cubes at the surface, and the sphere's own staircase.
+            QVERIFY2(std::abs(sum(gone) / right - 1.0) < 0.12, qPrintable(QString::number(sum(gone) / right - 1.0)));
+            mean += sum(gone) / kLies;
+        }
+        QVERIFY2(std::abs(mean / right - 1.0) < 0.01, qPrintable(QString::number(mean / right - 1.0)));
     }
-    QVERIFY2(std::abs(mean / right - 1.0) < 0.01, qPrintable(QString::number(mean / right - 1.0)));
-}
 
-void TestVoxelTooth::contactBeginsAtTheSurfaceAndEndsWithRemoval()
-{
-    const auto block = lab::enamelBlock([](glm::dvec2) { return 0.0; }, 150);
-    lab::VoxelTooth tooth(*block);
-    const lab::VoxelBur fissure(bur("57"));
-    const double before = tooth.volumeMm3();
-    QCOMPARE(tooth.overlap(fissure, {0.0, 0.0, 0.001}), std::size_t{0});
-    const std::size_t there = tooth.overlap(fissure, {0.0, 0.0, -0.3});
-    QVERIFY(there > 0);
-    const double gone = sum(tooth.remove(fissure, {0.0, 0.0, -0.3}));
-    const double cube = std::pow(block->grid.cellMm, 3.0);
-    QVERIFY(std::abs(gone - static_cast<double>(there) * cube) < 1.0e-9);
-    QVERIFY(std::abs(before - tooth.volumeMm3() - gone) < 1.0e-6);
-    QCOMPARE(tooth.overlap(fissure, {0.0, 0.0, -0.3}), std::size_t{0});
-}
+    void contactBeginsAtTheSurfaceAndEndsWithRemoval()
+    {
+        const auto block = lab::enamelBlock([](glm::dvec2) { return 0.0; }, 150);
+        lab::VoxelTooth tooth(*block);
+        const lab::VoxelBur fissure(bur("57"));
+        const double before = tooth.volumeMm3();
+        QCOMPARE(tooth.overlap(fissure, {0.0, 0.0, 0.001}), std::size_t{0});
+        const std::size_t there = tooth.overlap(fissure, {0.0, 0.0, -0.3});
+        QVERIFY(there > 0);
+        const double gone = sum(tooth.remove(fissure, {0.0, 0.0, -0.3}));
+        const double cube = std::pow(block->grid.cellMm, 3.0);
+        QVERIFY(std::abs(gone - static_cast<double>(there) * cube) < 1.0e-9);
+        QVERIFY(std::abs(before - tooth.volumeMm3() - gone) < 1.0e-6);
+        QCOMPARE(tooth.overlap(fissure, {0.0, 0.0, -0.3}), std::size_t{0});
+    }
 
-void TestVoxelTooth::whatIsAboveABallStays()
-{
-    // Sunk 2 mm and moved aside by more than its radius, a ball leaves a roof over its way; a height map does not.
-    const auto block = lab::enamelBlock([](glm::dvec2) { return 0.0; }, 150);
-    lab::VoxelTooth tooth(*block);
-    const lab::VoxelBur ball(bur("2"));
-    for (double z = 0.0; z > -2.0; z -= 0.02)
-        static_cast<void>(tooth.remove(ball, {0.0, 0.0, z}));
-    for (double x = 0.0; x < 1.0; x += 0.02)
-        static_cast<void>(tooth.remove(ball, {x, 0.0, -2.0}));
-    const lab::VoxelBur fissure(bur("57"));
-    QVERIFY(tooth.overlap(fissure, {1.0, 0.0, -0.9}) > 0);
-    QCOMPARE(tooth.overlap(ball, {0.7, 0.0, -2.0}), std::size_t{0});
-}
+    void whatIsAboveABallStays()
+    {
+        // Sunk 2 mm and moved aside by more than its radius, a ball leaves a roof over its way; a height map does not.
+        const auto block = lab::enamelBlock([](glm::dvec2) { return 0.0; }, 150);
+        lab::VoxelTooth tooth(*block);
+        const lab::VoxelBur ball(bur("2"));
+        for (double z = 0.0; z > -2.0; z -= 0.02)
+            static_cast<void>(tooth.remove(ball, {0.0, 0.0, z}));
+        for (double x = 0.0; x < 1.0; x += 0.02)
+            static_cast<void>(tooth.remove(ball, {x, 0.0, -2.0}));
+        const lab::VoxelBur fissure(bur("57"));
+        QVERIFY(tooth.overlap(fissure, {1.0, 0.0, -0.9}) > 0);
+        QCOMPARE(tooth.overlap(ball, {0.7, 0.0, -2.0}), std::size_t{0});
+    }
 
-void TestVoxelTooth::volumesAreThoseOfTheHeightStack()
-{
-    const auto anatomy = tooth36(150);
-    const double heights = sum(core::terrain::volumes(core::terrain::Tooth(anatomy)));
-    const double voxels = lab::VoxelTooth(*anatomy).volumeMm3();
-    QVERIFY2(std::abs(voxels / heights - 1.0) < 0.01, qPrintable(QString("%1 and %2 mm3").arg(voxels).arg(heights)));
-}
+    void volumesAreThoseOfTheHeightStack()
+    {
+        const auto anatomy = tooth36(150);
+        const double heights = sum(core::terrain::volumes(core::terrain::Tooth(anatomy)));
+        const double voxels = lab::VoxelTooth(*anatomy).volumeMm3();
+        QVERIFY2(std::abs(voxels / heights - 1.0) < 0.01,
+                 qPrintable(QString("%1 and %2 mm3").arg(voxels).arg(heights)));
+    }
 
-void TestVoxelTooth::slotsTakeWhatTheHeightStackLoses()
-{
-    const auto anatomy = tooth36(150);
-    const std::size_t fissure = core::drilling::findBur("57").value();
-    const lab::ModelCost heights = lab::millHeightStack(anatomy, fissure);
-    const lab::ModelCost voxels = lab::millVoxels(*anatomy, fissure);
-    for (std::size_t k = 0; k < lab::kSlots; ++k)
-        QVERIFY2(
-            std::abs(voxels.removedMm3[k] / heights.removedMm3[k] - 1.0) < 0.02,
-            qPrintable(QString("slot %1: %2 and %3 mm3").arg(k).arg(voxels.removedMm3[k]).arg(heights.removedMm3[k])));
-    QVERIFY(voxels.bytes > heights.bytes);
-    QVERIFY(lab::volumeErrorPercent(voxels, heights) < 2.0);
-    QCOMPARE(lab::volumeErrorPercent(heights, heights), 0.0);
-}
+    void slotsTakeWhatTheHeightStackLoses()
+    {
+        const auto anatomy = tooth36(150);
+        const std::size_t fissure = core::drilling::findBur("57").value();
+        const lab::ModelCost heights = lab::millHeightStack(anatomy, fissure);
+        const lab::ModelCost voxels = lab::millVoxels(*anatomy, fissure);
+        for (std::size_t k = 0; k < lab::kSlots; ++k)
+            QVERIFY2(
+                std::abs(voxels.removedMm3[k] / heights.removedMm3[k] - 1.0) < 0.02,
+                qPrintable(
+                    QString("slot %1: %2 and %3 mm3").arg(k).arg(voxels.removedMm3[k]).arg(heights.removedMm3[k])));
+        QVERIFY(voxels.bytes > heights.bytes);
+        QVERIFY(lab::volumeErrorPercent(voxels, heights) < 2.0);
+        QCOMPARE(lab::volumeErrorPercent(heights, heights), 0.0);
+    }
+};
 
 QTEST_APPLESS_MAIN(TestVoxelTooth)
 #include "tst_voxel_tooth.moc"

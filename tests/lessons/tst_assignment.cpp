@@ -91,346 +91,6 @@ std::vector<float> spoiled(const Assignment& assignment, Slip slip)
     return top;
 }
 
-}  // namespace
-
-class TestAssignment : public QObject
-{
-    Q_OBJECT
-
-private slots:
-    void everyIdealEarnsFullPoints_data();
-    void everyIdealEarnsFullPoints();
-    void everyLesionCanBeCleared_data();
-    void everyLesionCanBeCleared();
-    void decayLeftAloneEarnsNothing();
-    void everyClassOneIsThereAndNothingDonePassesNone();
-    void whatNoInstructorPassesFails_data();
-    void whatNoInstructorPassesFails();
-    void aShellLeftBeforeTheNeighbourIsNoHole();
-    void tooDeepCostsDepthAlone();
-    void aRecordingIsMarkedForItsLesson();
-    void everyExerciseDoneEarnsFullPointsAndNothingDonePassesNone();
-    void layersComeInAnotherOrderAndEveryReplayKnowsIt();
-    void anExpertsAttemptMustBeOfTheLessonsTooth();
-    void aPointBesideTheToothIsNamed();
-    void theSchemaKnowsTheKeysThatAreRead();
-    void theSchemaOffersWhatThereIs();
-};
-
-void TestAssignment::everyIdealEarnsFullPoints_data()
-{
-    QTest::addColumn<QString>("id");
-    for (int n = 0; const Lesson& lesson : withIdeal())
-        if (support::isTried(n++))
-            QTest::newRow(lesson.id.c_str()) << QString::fromStdString(lesson.id);
-}
-
-/// Whoever cuts what is asked for, as far as a bur reaches, loses nothing, and whoever does nothing earns nothing.
-void TestAssignment::everyIdealEarnsFullPoints()
-{
-    QFETCH(QString, id);
-    for (const Lesson& lesson : withIdeal()) {
-        if (QString::fromStdString(lesson.id) != id)
-            continue;
-        const auto assigned = assign(lesson);
-        QVERIFY(support::succeeds(assigned));
-        const Assignment& assignment = assigned->assignment;
-        QVERIFY(assignment.ideal.has_value());
-        const auto perfect = mark(assignment, cutAsFarAsCanBe(assignment, *assignment.ideal->top));
-        QVERIFY(perfect.has_value());
-        for (const Criterion& line : perfect->sheet.criteria)
-            QVERIFY2(line.lostTenths == 0,
-                     qPrintable(QStringLiteral("%1 loses %2 with %3")
-                                    .arg(QString::fromStdString(line.id))
-                                    .arg(0.1 * line.lostTenths)
-                                    .arg(line.measured ? QString::number(*line.measured) : QStringLiteral("nothing"))));
-        QVERIFY(perfect->sheet.passed());
-        const auto nothing = mark(assignment, core::terrain::Tooth(assignment.anatomy));
-        QVERIFY(nothing.has_value());
-        QVERIFY2(nothing->sheet.totalTenths == 0, qPrintable(QString::number(0.1 * nothing->sheet.totalTenths)));
-    }
-}
-
-void TestAssignment::everyLesionCanBeCleared_data()
-{
-    QTest::addColumn<QString>("id");
-    int n = 0;
-    for (const CatalogEntry& entry : readCatalog({}))
-        if (entry.read.lesson && entry.read.lesson->lesion && entry.read.lesson->lesion->extent > 0.7 &&
-            support::isTried(n++))
-            QTest::newRow(entry.read.lesson->id.c_str()) << QString::fromStdString(entry.read.lesson->id);
-}
-
-/// All decay of the deep lesions can be taken out, and whatever lies over it, without opening the pulp or going through
-/// the tooth.
-void TestAssignment::everyLesionCanBeCleared()
-{
-    QFETCH(QString, id);
-    const auto assigned = assign(shipped(id.toStdString()));
-    QVERIFY(assigned);
-    const Assignment& assignment = assigned->assignment;
-    std::vector<float> top = assignment.anatomy->top;
-    for (std::size_t k = 0; k < top.size(); ++k)
-        if (const auto& layers = assignment.anatomy->layers[k]; layers.cariesRoof > layers.cariesFloor)
-            top[k] = std::min(top[k], layers.cariesFloor);
-    const auto cleared = mark(assignment, cutAsFarAsCanBe(assignment, top));
-    QVERIFY(cleared);
-    for (const Criterion& line : cleared->sheet.criteria)
-        QVERIFY2(line.lostTenths == 0, qPrintable(QStringLiteral("%1 loses %2 with %3")
-                                                      .arg(QString::fromStdString(line.id))
-                                                      .arg(0.1 * line.lostTenths)
-                                                      .arg(line.measured.value_or(-1.0))));
-}
-
-void TestAssignment::decayLeftAloneEarnsNothing()
-{
-    const auto assigned = assign(shipped("decay-36-moderate"));
-    QVERIFY(assigned);
-    const auto nothing = mark(assigned->assignment, core::terrain::Tooth(assigned->assignment.anatomy));
-    QVERIFY(nothing);
-    QCOMPARE(nothing->sheet.totalTenths, 0);
-    QVERIFY(nothing->sheet.criteria.at(1).isTooEarly);
-}
-
-void TestAssignment::everyClassOneIsThereAndNothingDonePassesNone()
-{
-    QSet<int> teeth;
-    for (const Lesson& lesson : withIdeal())
-        if (lesson.ideal && lesson.ideal->kind == "class1")
-            teeth << std::get<MadeTooth>(lesson.tooth).fdi;
-    QCOMPARE(teeth, (QSet<int>{24, 25, 26, 27, 34, 35, 36, 37}));
-}
-
-void TestAssignment::whatNoInstructorPassesFails_data()
-{
-    support::columns<QString, int>("id", "slip");
-    const auto row = [](const char* id, const char* what, Slip slip) {
-        QTest::addRow("%s, %s", id, what) << QString::fromLatin1(id) << static_cast<int>(slip);
-    };
-    for (const char* id : {"class1-36", "class1-24", "class1-26", "class2-36-distal", "access-36", "access-21"}) {
-        row(id, "floor too deep", Slip::FloorTooDeep);
-        row(id, "gouge beside", Slip::GougeBeside);
-        row(id, "quarter ground off", Slip::QuarterGroundOff);
-    }
-    row("access-21", "chamber not opened", Slip::TooShallow);
-    for (const char* id : {"block-circle", "block-cross", "block-staircase"}) {
-        row(id, "floor too deep", Slip::FloorTooDeep);
-        row(id, "quarter ground off", Slip::QuarterGroundOff);
-        row(id, "flat to the floor", Slip::FlatToTheFloor);
-    }
-}
-
-/// Over 1.0 mm too deep or too wide fails (teeth.md section 7), as does who cuts through side or bottom of a block,
-/// however well the rest is done.
-void TestAssignment::whatNoInstructorPassesFails()
-{
-    QFETCH(QString, id);
-    QFETCH(int, slip);
-    const auto assigned = assign(shipped(id.toStdString()));
-    QVERIFY(support::succeeds(assigned));
-    const Assignment& assignment = assigned->assignment;
-    const auto marked = mark(assignment, cutTo(assignment, spoiled(assignment, static_cast<Slip>(slip))));
-    QVERIFY(marked.has_value());
-    QVERIFY2(!marked->sheet.passed(), qPrintable(QString::number(0.1 * marked->sheet.totalTenths)));
-}
-
-/// The box is cut through where the tooth bulges over it, and the last shell goes last (teeth.md section 7).
-void TestAssignment::aShellLeftBeforeTheNeighbourIsNoHole()
-{
-    const auto assigned = assign(shipped("class2-36-distal"));
-    QVERIFY(assigned.has_value());
-    const Assignment& assignment = assigned->assignment;
-    const core::terrain::ToothAnatomy& anatomy = *assignment.anatomy;
-    const int shell = static_cast<int>(0.3 / anatomy.grid.cellMm);
-    std::vector<float> top = *assignment.ideal->top;
-    for (int j = 0; j < anatomy.grid.side; ++j) {
-        int rim = anatomy.grid.side - 1;
-        while (rim >= 0 && !(anatomy.top[anatomy.grid.index(rim, j)] > anatomy.bottom[anatomy.grid.index(rim, j)]))
-            --rim;
-        for (int i = std::max(0, rim - shell); i <= rim; ++i)
-            top[anatomy.grid.index(i, j)] = anatomy.top[anatomy.grid.index(i, j)];
-    }
-    const core::terrain::Tooth tooth = cutTo(assignment, top);
-    QVERIFY(!core::terrain::perforations(tooth).empty());
-    const auto marked = mark(assignment, tooth);
-    QVERIFY(marked.has_value());
-    QCOMPARE(marked->measured.measures.perforatedMm2, 0.0);
-    QVERIFY(!marked->sheet.failedCritically());
-}
-
-void TestAssignment::tooDeepCostsDepthAlone()
-{
-    for (const Lesson& lesson : withIdeal()) {
-        if (lesson.id != "class1-36")
-            continue;
-        const auto assigned = assign(lesson);
-        QVERIFY(assigned.has_value());
-        const Assignment& assignment = assigned->assignment;
-        std::vector<float> top = *assignment.ideal->top;
-        for (std::size_t k = 0; k < top.size(); ++k)
-            if (assignment.ideal->parts[k] == core::grading::Part::Floor)
-                top[k] -= 0.5F;
-        const auto marked = mark(assignment, cutTo(assignment, top));
-        QVERIFY(marked.has_value());
-        for (const Criterion& line : marked->sheet.criteria) {
-            if (line.id == "depth") {
-                QVERIFY(std::abs(line.measured.value() - 0.5) < 0.01);
-                QCOMPARE(line.lostTenths, 67);  // 20 points * (0.5 - 0.25) / 0.75
-            } else if (line.id == "outline" || line.id == "isthmus" || line.id == "ridge" || line.id == "floor") {
-                QCOMPARE(line.lostTenths, 0);
-            }
-        }
-    }
-}
-
-void TestAssignment::aRecordingIsMarkedForItsLesson()
-{
-    for (const Lesson& lesson : withIdeal()) {
-        if (lesson.id != "block-line")
-            continue;
-        const auto assigned = assign(lesson);
-        QVERIFY(assigned.has_value());
-        const core::recording::Recording recording({}, assigned->assignment.anatomy, lesson.json);
-        const auto remarked = markAgain(recording);
-        QVERIFY(support::succeeds(remarked));
-        QCOMPARE(remarked->mark.sheet.rubricHash, lesson.rubric.hash);
-        QVERIFY(remarked->mark.measured.deviation->zones.has_value());
-    }
-    const auto anatomy = assign(withIdeal().front())->assignment.anatomy;
-    QVERIFY(!markAgain(core::recording::Recording({}, anatomy, "{\"format\": 99}")).has_value());
-    QCOMPARE(markAgain(core::recording::Recording({}, anatomy))->mark.sheet.rubricId, std::string("decay_removal"));
-}
-
-void TestAssignment::everyExerciseDoneEarnsFullPointsAndNothingDonePassesNone()
-{
-    using namespace core::grading;
-    QStringList found;
-    for (const CatalogEntry& entry : readCatalog({})) {
-        const Lesson& lesson = *entry.read.lesson;
-        if (!isExercise(lesson.task))
-            continue;
-        found << QString::fromStdString(lesson.id);
-        const auto assigned = assign(lesson);
-        QVERIFY(support::succeeds(assigned));
-        const Assignment& assignment = assigned->assignment;
-        QVERIFY(assignment.exercise.has_value());
-        QVERIFY(assignment.shownIdeal() == nullptr);
-        Practised nothing = Named{};
-        Practised all = Named{};
-        if (const auto* touch = std::get_if<PointsToTouch>(&*assignment.exercise)) {
-            nothing = Touched{std::vector<std::optional<double>>(touch->pointsMm.size())};
-            all = Touched{std::vector<std::optional<double>>(touch->pointsMm.size(), 30.0)};
-        } else if (std::holds_alternative<ForceToHold>(*assignment.exercise)) {
-            nothing = Held{};
-            all = Held{10.0, 10.0, 12.0, 15.0, 0.15, true};
-        } else {
-            const auto& pads = std::get<PadsToName>(*assignment.exercise);
-            all = Named{{pads.madeOf[0], pads.madeOf[1], pads.madeOf[2]}, 3};
-        }
-        const core::terrain::Tooth tooth(assignment.anatomy);
-        const auto done = mark(assignment, tooth, Conduct{{}, 0, 0, all});
-        QVERIFY(done.has_value());
-        QCOMPARE(done->sheet.totalTenths, kFullTenths);
-        const auto idle = mark(assignment, tooth, Conduct{{}, 0, 0, nothing});
-        QVERIFY(idle.has_value());
-        QVERIFY2(!idle->sheet.passed(), qPrintable(QString::number(0.1 * idle->sheet.totalTenths)));
-        // Live and in every replay: what the recording keeps is the same exercise.
-        const auto again = assignmentOf(assignment.anatomy, lesson.json);
-        QVERIFY(again.has_value());
-        QVERIFY(again->exercise == assignment.exercise);
-        QVERIFY(examinationOf(*again).exercise == assignment.exercise);
-    }
-    // They come before all others.
-    QCOMPARE(found, (QStringList{"orientation-1-touch", "orientation-2-hold", "orientation-3-layers"}));
-    QCOMPARE(readCatalog({}).front().read.lesson->id, std::string("orientation-1-touch"));
-}
-
-void TestAssignment::layersComeInAnotherOrderAndEveryReplayKnowsIt()
-{
-    using namespace core::grading;
-    Lesson lesson = shipped("orientation-3-layers");
-    QVERIFY(!std::get<Block>(lesson.tooth).seed);
-    std::set<std::array<core::terrain::Material, kPads>> orders;
-    for (std::uint64_t drawn = 0; drawn < 30; ++drawn) {
-        const Assignment asked = assign(lesson, drawn).value().assignment;
-        const auto& pads = std::get<PadsToName>(*asked.exercise);
-        orders.insert(pads.madeOf);
-        // The recording holds all that is needed to ask the same, and to mark it.
-        core::recording::Recording recording({}, asked.anatomy, lesson.json);
-        for (std::size_t pad = 0; pad < kPads; ++pad)
-            recording.append({core::session::ServoEvent::Kind::Note, 0, glm::vec3(0.0F),
-                              answerNote(pad, pads.madeOf[pad == 2 ? 0 : pad])});
-        recording.append({core::session::ServoEvent::Kind::NoDevice, 1000, glm::vec3(0.0F), 0});
-        const auto read = core::recording::Recording::fromBytes(recording.toBytes());
-        QVERIFY(read.has_value());
-        QVERIFY(assignmentOf(read->anatomy(), read->lesson()).value().exercise == asked.exercise);
-        const auto marked = markAgain(*read);
-        QVERIFY(support::succeeds(marked));
-        QCOMPARE(std::get<Named>(*marked->conduct.practised).right, 2);
-    }
-    QCOMPARE(orders.size(), std::size_t{6});
-    // A teacher who names a seed has the order of that seed.
-    std::get<Block>(lesson.tooth).seed = 5;
-    for (const std::uint64_t drawn : {0U, 1U, 2U})
-        QVERIFY(std::get<PadsToName>(*assign(lesson, drawn).value().assignment.exercise).madeOf ==
-                core::teeth::padMaterials(5));
-}
-
-void TestAssignment::anExpertsAttemptMustBeOfTheLessonsTooth()
-{
-    QTemporaryDir folder;
-    const auto write = [&](const Assignment& at, const char* name) {
-        const std::filesystem::path path = folder.filePath(name).toStdString();
-        QVERIFY(core::recording::writeRecording(path, core::recording::Recording({}, at.anatomy, at.lesson->json)));
-    };
-    const Lesson lesson = shipped("decay-36-moderate");
-    Assignment own = assign(lesson).value().assignment;
-    own.lesson->expert = Expert{folder.filePath("expert.cusprec").toStdString(), {}};
-    const auto complaint = [&] {
-        const auto expert = readExpert(own);
-        return expert ? QString() : QString::fromStdString(expert.error().detail);
-    };
-    QVERIFY2(complaint().contains("There is no recording at") && complaint().contains("expert.cusprec"),
-             qPrintable(complaint()));
-    write(own, "expert.cusprec");
-    QCOMPARE(complaint(), QString());
-    // Another tooth, another variation of it, another decay in it, another grid.
-    Lesson varied = lesson;
-    std::get<MadeTooth>(varied.tooth).seed += 1;
-    Lesson coarse = lesson;
-    coarse.gridSide = 100;
-    for (const Lesson& other : {shipped("decay-37-moderate"), varied, shipped("decay-36-deep"), coarse}) {
-        write(assign(other).value().assignment, "expert.cusprec");
-        QVERIFY2(complaint().startsWith("expert.cusprec: the attempt is at the tooth '"), qPrintable(complaint()));
-        QCOMPARE(readExpert(own).error().code, core::ErrorCode::OtherTooth);
-    }
-    // Layers come in any order: each is a way to feel them.
-    Assignment layers = assign(shipped("orientation-3-layers"), 1).value().assignment;
-    write(assign(shipped("orientation-3-layers"), 2).value().assignment, "expert.cusprec");
-    layers.lesson->expert = own.lesson->expert;
-    QVERIFY(readExpert(layers).has_value());
-    // Taken up from a journal, the lesson knows the name alone.
-    own.lesson->expert->file = "expert.cusprec";
-    QVERIFY2(complaint().contains("open the lesson anew"), qPrintable(complaint()));
-    own.lesson->expert.reset();
-    QVERIFY(!readExpert(own));
-}
-
-void TestAssignment::aPointBesideTheToothIsNamed()
-{
-    for (const CatalogEntry& entry : readCatalog({})) {
-        if (entry.read.lesson->task != Task::TouchPoints)
-            continue;
-        Lesson lesson = *entry.read.lesson;
-        lesson.touch->pointsMm[1] = {9.5, 0.0};
-        const auto assigned = assign(lesson);
-        QVERIFY(!assigned.has_value());
-        QCOMPARE(assigned.error().detail, std::string("touch.points[1]: there is no tooth at x = 9.5, y = 0 mm"));
-    }
-}
-
-namespace {
-
 QJsonObject lessonSchema()
 {
     const std::string text = support::bytesOf(CUSP_SOURCE_DIR "/lessons/schema/lesson.schema.json");
@@ -473,82 +133,401 @@ void schemaKeysOf(const QJsonObject& schema, const QJsonObject& definitions, con
 
 }  // namespace
 
-/// Each key of a shipped file stands in the schema, and each of the schema's is one that the reader knows.
-void TestAssignment::theSchemaKnowsTheKeysThatAreRead()
+class TestAssignment : public QObject
 {
-    const QJsonObject schema = lessonSchema();
-    QVERIFY(!schema.isEmpty());
-    QSet<QString> inSchema;
-    schemaKeysOf(schema, schema["$defs"].toObject(), {}, inSchema);
-    QSet<QString> used;
-    for (const CatalogEntry& entry : readCatalog({}))
-        keysOf(QJsonDocument::fromJson(QByteArray::fromStdString(entry.read.lesson->json)).object(), {}, used);
-    QVERIFY2((used - inSchema).isEmpty(), qPrintable(QStringList((used - inSchema).values()).join(' ')));
+    Q_OBJECT
 
-    // An object that holds every key of the schema: the reader may complain of values, but it knows each key.
-    QSet<QString> unknown;
-    for (const QString& path : inSchema) {
-        const QStringList parts = path.split('.');
-        QJsonValue value = 1;
-        if (parts.size() == 3 && parts[1] == "sizes")
-            continue;  // theSchemaOffersWhatThereIs()
-        // Some keys belong to one kind of tooth alone.
-        if (parts.size() == 2 && parts[0] == "tooth") {
-            const QString kind = path == "tooth.seed" || path == "tooth.sizes" ? "block" : "scan";
-            const ReadLesson read = readLessonText(
-                QJsonDocument(QJsonObject{{"format", 1}, {"tooth", QJsonObject{{kind, "line"}, {parts[1], 1}}}})
-                    .toJson(),
-                QStringLiteral("probe"));
+private slots:
+    void everyIdealEarnsFullPoints_data()
+    {
+        QTest::addColumn<QString>("id");
+        for (int n = 0; const Lesson& lesson : withIdeal())
+            if (support::isTried(n++))
+                QTest::newRow(lesson.id.c_str()) << QString::fromStdString(lesson.id);
+    }
+
+    /// Whoever cuts what is asked for, as far as a bur reaches, loses nothing, and whoever does nothing earns nothing.
+    void everyIdealEarnsFullPoints()
+    {
+        QFETCH(QString, id);
+        for (const Lesson& lesson : withIdeal()) {
+            if (QString::fromStdString(lesson.id) != id)
+                continue;
+            const auto assigned = assign(lesson);
+            QVERIFY(support::succeeds(assigned));
+            const Assignment& assignment = assigned->assignment;
+            QVERIFY(assignment.ideal.has_value());
+            const auto perfect = mark(assignment, cutAsFarAsCanBe(assignment, *assignment.ideal->top));
+            QVERIFY(perfect.has_value());
+            for (const Criterion& line : perfect->sheet.criteria)
+                QVERIFY2(line.lostTenths == 0, qPrintable(QStringLiteral("%1 loses %2 with %3")
+                                                              .arg(QString::fromStdString(line.id))
+                                                              .arg(0.1 * line.lostTenths)
+                                                              .arg(line.measured ? QString::number(*line.measured)
+                                                                                 : QStringLiteral("nothing"))));
+            QVERIFY(perfect->sheet.passed());
+            const auto nothing = mark(assignment, core::terrain::Tooth(assignment.anatomy));
+            QVERIFY(nothing.has_value());
+            QVERIFY2(nothing->sheet.totalTenths == 0, qPrintable(QString::number(0.1 * nothing->sheet.totalTenths)));
+        }
+    }
+
+    void everyLesionCanBeCleared_data()
+    {
+        QTest::addColumn<QString>("id");
+        int n = 0;
+        for (const CatalogEntry& entry : readCatalog({}))
+            if (entry.read.lesson && entry.read.lesson->lesion && entry.read.lesson->lesion->extent > 0.7 &&
+                support::isTried(n++))
+                QTest::newRow(entry.read.lesson->id.c_str()) << QString::fromStdString(entry.read.lesson->id);
+    }
+
+    /// All decay of the deep lesions can be taken out, and whatever lies over it, without opening the pulp or going
+    /// through the tooth.
+    void everyLesionCanBeCleared()
+    {
+        QFETCH(QString, id);
+        const auto assigned = assign(shipped(id.toStdString()));
+        QVERIFY(assigned);
+        const Assignment& assignment = assigned->assignment;
+        std::vector<float> top = assignment.anatomy->top;
+        for (std::size_t k = 0; k < top.size(); ++k)
+            if (const auto& layers = assignment.anatomy->layers[k]; layers.cariesRoof > layers.cariesFloor)
+                top[k] = std::min(top[k], layers.cariesFloor);
+        const auto cleared = mark(assignment, cutAsFarAsCanBe(assignment, top));
+        QVERIFY(cleared);
+        for (const Criterion& line : cleared->sheet.criteria)
+            QVERIFY2(line.lostTenths == 0, qPrintable(QStringLiteral("%1 loses %2 with %3")
+                                                          .arg(QString::fromStdString(line.id))
+                                                          .arg(0.1 * line.lostTenths)
+                                                          .arg(line.measured.value_or(-1.0))));
+    }
+
+    void decayLeftAloneEarnsNothing()
+    {
+        const auto assigned = assign(shipped("decay-36-moderate"));
+        QVERIFY(assigned);
+        const auto nothing = mark(assigned->assignment, core::terrain::Tooth(assigned->assignment.anatomy));
+        QVERIFY(nothing);
+        QCOMPARE(nothing->sheet.totalTenths, 0);
+        QVERIFY(nothing->sheet.criteria.at(1).isTooEarly);
+    }
+
+    void everyClassOneIsThereAndNothingDonePassesNone()
+    {
+        QSet<int> teeth;
+        for (const Lesson& lesson : withIdeal())
+            if (lesson.ideal && lesson.ideal->kind == "class1")
+                teeth << std::get<MadeTooth>(lesson.tooth).fdi;
+        QCOMPARE(teeth, (QSet<int>{24, 25, 26, 27, 34, 35, 36, 37}));
+    }
+
+    void whatNoInstructorPassesFails_data()
+    {
+        support::columns<QString, int>("id", "slip");
+        const auto row = [](const char* id, const char* what, Slip slip) {
+            QTest::addRow("%s, %s", id, what) << QString::fromLatin1(id) << static_cast<int>(slip);
+        };
+        for (const char* id : {"class1-36", "class1-24", "class1-26", "class2-36-distal", "access-36", "access-21"}) {
+            row(id, "floor too deep", Slip::FloorTooDeep);
+            row(id, "gouge beside", Slip::GougeBeside);
+            row(id, "quarter ground off", Slip::QuarterGroundOff);
+        }
+        row("access-21", "chamber not opened", Slip::TooShallow);
+        for (const char* id : {"block-circle", "block-cross", "block-staircase"}) {
+            row(id, "floor too deep", Slip::FloorTooDeep);
+            row(id, "quarter ground off", Slip::QuarterGroundOff);
+            row(id, "flat to the floor", Slip::FlatToTheFloor);
+        }
+    }
+
+    /// Over 1.0 mm too deep or too wide fails (teeth.md section 7), as does who cuts through side or bottom of a block,
+    /// however well the rest is done.
+    void whatNoInstructorPassesFails()
+    {
+        QFETCH(QString, id);
+        QFETCH(int, slip);
+        const auto assigned = assign(shipped(id.toStdString()));
+        QVERIFY(support::succeeds(assigned));
+        const Assignment& assignment = assigned->assignment;
+        const auto marked = mark(assignment, cutTo(assignment, spoiled(assignment, static_cast<Slip>(slip))));
+        QVERIFY(marked.has_value());
+        QVERIFY2(!marked->sheet.passed(), qPrintable(QString::number(0.1 * marked->sheet.totalTenths)));
+    }
+
+    /// The box is cut through where the tooth bulges over it, and the last shell goes last (teeth.md section 7).
+    void aShellLeftBeforeTheNeighbourIsNoHole()
+    {
+        const auto assigned = assign(shipped("class2-36-distal"));
+        QVERIFY(assigned.has_value());
+        const Assignment& assignment = assigned->assignment;
+        const core::terrain::ToothAnatomy& anatomy = *assignment.anatomy;
+        const int shell = static_cast<int>(0.3 / anatomy.grid.cellMm);
+        std::vector<float> top = *assignment.ideal->top;
+        for (int j = 0; j < anatomy.grid.side; ++j) {
+            int rim = anatomy.grid.side - 1;
+            while (rim >= 0 && !(anatomy.top[anatomy.grid.index(rim, j)] > anatomy.bottom[anatomy.grid.index(rim, j)]))
+                --rim;
+            for (int i = std::max(0, rim - shell); i <= rim; ++i)
+                top[anatomy.grid.index(i, j)] = anatomy.top[anatomy.grid.index(i, j)];
+        }
+        const core::terrain::Tooth tooth = cutTo(assignment, top);
+        QVERIFY(!core::terrain::perforations(tooth).empty());
+        const auto marked = mark(assignment, tooth);
+        QVERIFY(marked.has_value());
+        QCOMPARE(marked->measured.measures.perforatedMm2, 0.0);
+        QVERIFY(!marked->sheet.failedCritically());
+    }
+
+    void tooDeepCostsDepthAlone()
+    {
+        for (const Lesson& lesson : withIdeal()) {
+            if (lesson.id != "class1-36")
+                continue;
+            const auto assigned = assign(lesson);
+            QVERIFY(assigned.has_value());
+            const Assignment& assignment = assigned->assignment;
+            std::vector<float> top = *assignment.ideal->top;
+            for (std::size_t k = 0; k < top.size(); ++k)
+                if (assignment.ideal->parts[k] == core::grading::Part::Floor)
+                    top[k] -= 0.5F;
+            const auto marked = mark(assignment, cutTo(assignment, top));
+            QVERIFY(marked.has_value());
+            for (const Criterion& line : marked->sheet.criteria) {
+                if (line.id == "depth") {
+                    QVERIFY(std::abs(line.measured.value() - 0.5) < 0.01);
+                    QCOMPARE(line.lostTenths, 67);  // 20 points * (0.5 - 0.25) / 0.75
+                } else if (line.id == "outline" || line.id == "isthmus" || line.id == "ridge" || line.id == "floor") {
+                    QCOMPARE(line.lostTenths, 0);
+                }
+            }
+        }
+    }
+
+    void aRecordingIsMarkedForItsLesson()
+    {
+        for (const Lesson& lesson : withIdeal()) {
+            if (lesson.id != "block-line")
+                continue;
+            const auto assigned = assign(lesson);
+            QVERIFY(assigned.has_value());
+            const core::recording::Recording recording({}, assigned->assignment.anatomy, lesson.json);
+            const auto remarked = markAgain(recording);
+            QVERIFY(support::succeeds(remarked));
+            QCOMPARE(remarked->mark.sheet.rubricHash, lesson.rubric.hash);
+            QVERIFY(remarked->mark.measured.deviation->zones.has_value());
+        }
+        const auto anatomy = assign(withIdeal().front())->assignment.anatomy;
+        QVERIFY(!markAgain(core::recording::Recording({}, anatomy, "{\"format\": 99}")).has_value());
+        QCOMPARE(markAgain(core::recording::Recording({}, anatomy))->mark.sheet.rubricId, std::string("decay_removal"));
+    }
+
+    void everyExerciseDoneEarnsFullPointsAndNothingDonePassesNone()
+    {
+        using namespace core::grading;
+        QStringList found;
+        for (const CatalogEntry& entry : readCatalog({})) {
+            const Lesson& lesson = *entry.read.lesson;
+            if (!isExercise(lesson.task))
+                continue;
+            found << QString::fromStdString(lesson.id);
+            const auto assigned = assign(lesson);
+            QVERIFY(support::succeeds(assigned));
+            const Assignment& assignment = assigned->assignment;
+            QVERIFY(assignment.exercise.has_value());
+            QVERIFY(assignment.shownIdeal() == nullptr);
+            Practised nothing = Named{};
+            Practised all = Named{};
+            if (const auto* touch = std::get_if<PointsToTouch>(&*assignment.exercise)) {
+                nothing = Touched{std::vector<std::optional<double>>(touch->pointsMm.size())};
+                all = Touched{std::vector<std::optional<double>>(touch->pointsMm.size(), 30.0)};
+            } else if (std::holds_alternative<ForceToHold>(*assignment.exercise)) {
+                nothing = Held{};
+                all = Held{10.0, 10.0, 12.0, 15.0, 0.15, true};
+            } else {
+                const auto& pads = std::get<PadsToName>(*assignment.exercise);
+                all = Named{{pads.madeOf[0], pads.madeOf[1], pads.madeOf[2]}, 3};
+            }
+            const core::terrain::Tooth tooth(assignment.anatomy);
+            const auto done = mark(assignment, tooth, Conduct{{}, 0, 0, all});
+            QVERIFY(done.has_value());
+            QCOMPARE(done->sheet.totalTenths, kFullTenths);
+            const auto idle = mark(assignment, tooth, Conduct{{}, 0, 0, nothing});
+            QVERIFY(idle.has_value());
+            QVERIFY2(!idle->sheet.passed(), qPrintable(QString::number(0.1 * idle->sheet.totalTenths)));
+            // Live and in every replay: what the recording keeps is the same exercise.
+            const auto again = assignmentOf(assignment.anatomy, lesson.json);
+            QVERIFY(again.has_value());
+            QVERIFY(again->exercise == assignment.exercise);
+            QVERIFY(examinationOf(*again).exercise == assignment.exercise);
+        }
+        // They come before all others.
+        QCOMPARE(found, (QStringList{"orientation-1-touch", "orientation-2-hold", "orientation-3-layers"}));
+        QCOMPARE(readCatalog({}).front().read.lesson->id, std::string("orientation-1-touch"));
+    }
+
+    void layersComeInAnotherOrderAndEveryReplayKnowsIt()
+    {
+        using namespace core::grading;
+        Lesson lesson = shipped("orientation-3-layers");
+        QVERIFY(!std::get<Block>(lesson.tooth).seed);
+        std::set<std::array<core::terrain::Material, kPads>> orders;
+        for (std::uint64_t drawn = 0; drawn < 30; ++drawn) {
+            const Assignment asked = assign(lesson, drawn).value().assignment;
+            const auto& pads = std::get<PadsToName>(*asked.exercise);
+            orders.insert(pads.madeOf);
+            // The recording holds all that is needed to ask the same, and to mark it.
+            core::recording::Recording recording({}, asked.anatomy, lesson.json);
+            for (std::size_t pad = 0; pad < kPads; ++pad)
+                recording.append({core::session::ServoEvent::Kind::Note, 0, glm::vec3(0.0F),
+                                  answerNote(pad, pads.madeOf[pad == 2 ? 0 : pad])});
+            recording.append({core::session::ServoEvent::Kind::NoDevice, 1000, glm::vec3(0.0F), 0});
+            const auto read = core::recording::Recording::fromBytes(recording.toBytes());
+            QVERIFY(read.has_value());
+            QVERIFY(assignmentOf(read->anatomy(), read->lesson()).value().exercise == asked.exercise);
+            const auto marked = markAgain(*read);
+            QVERIFY(support::succeeds(marked));
+            QCOMPARE(std::get<Named>(*marked->conduct.practised).right, 2);
+        }
+        QCOMPARE(orders.size(), std::size_t{6});
+        // A teacher who names a seed has the order of that seed.
+        std::get<Block>(lesson.tooth).seed = 5;
+        for (const std::uint64_t drawn : {0U, 1U, 2U})
+            QVERIFY(std::get<PadsToName>(*assign(lesson, drawn).value().assignment.exercise).madeOf ==
+                    core::teeth::padMaterials(5));
+    }
+
+    void anExpertsAttemptMustBeOfTheLessonsTooth()
+    {
+        QTemporaryDir folder;
+        const auto write = [&](const Assignment& at, const char* name) {
+            const std::filesystem::path path = folder.filePath(name).toStdString();
+            QVERIFY(core::recording::writeRecording(path, core::recording::Recording({}, at.anatomy, at.lesson->json)));
+        };
+        const Lesson lesson = shipped("decay-36-moderate");
+        Assignment own = assign(lesson).value().assignment;
+        own.lesson->expert = Expert{folder.filePath("expert.cusprec").toStdString(), {}};
+        const auto complaint = [&] {
+            const auto expert = readExpert(own);
+            return expert ? QString() : QString::fromStdString(expert.error().detail);
+        };
+        QVERIFY2(complaint().contains("There is no recording at") && complaint().contains("expert.cusprec"),
+                 qPrintable(complaint()));
+        write(own, "expert.cusprec");
+        QCOMPARE(complaint(), QString());
+        // Another tooth, another variation of it, another decay in it, another grid.
+        Lesson varied = lesson;
+        std::get<MadeTooth>(varied.tooth).seed += 1;
+        Lesson coarse = lesson;
+        coarse.gridSide = 100;
+        for (const Lesson& other : {shipped("decay-37-moderate"), varied, shipped("decay-36-deep"), coarse}) {
+            write(assign(other).value().assignment, "expert.cusprec");
+            QVERIFY2(complaint().startsWith("expert.cusprec: the attempt is at the tooth '"), qPrintable(complaint()));
+            QCOMPARE(readExpert(own).error().code, core::ErrorCode::OtherTooth);
+        }
+        // Layers come in any order: each is a way to feel them.
+        Assignment layers = assign(shipped("orientation-3-layers"), 1).value().assignment;
+        write(assign(shipped("orientation-3-layers"), 2).value().assignment, "expert.cusprec");
+        layers.lesson->expert = own.lesson->expert;
+        QVERIFY(readExpert(layers).has_value());
+        // Taken up from a journal, the lesson knows the name alone.
+        own.lesson->expert->file = "expert.cusprec";
+        QVERIFY2(complaint().contains("open the lesson anew"), qPrintable(complaint()));
+        own.lesson->expert.reset();
+        QVERIFY(!readExpert(own));
+    }
+
+    void aPointBesideTheToothIsNamed()
+    {
+        for (const CatalogEntry& entry : readCatalog({})) {
+            if (entry.read.lesson->task != Task::TouchPoints)
+                continue;
+            Lesson lesson = *entry.read.lesson;
+            lesson.touch->pointsMm[1] = {9.5, 0.0};
+            const auto assigned = assign(lesson);
+            QVERIFY(!assigned.has_value());
+            QCOMPARE(assigned.error().detail, std::string("touch.points[1]: there is no tooth at x = 9.5, y = 0 mm"));
+        }
+    }
+
+    /// Each key of a shipped file stands in the schema, and each of the schema's is one that the reader knows.
+    void theSchemaKnowsTheKeysThatAreRead()
+    {
+        const QJsonObject schema = lessonSchema();
+        QVERIFY(!schema.isEmpty());
+        QSet<QString> inSchema;
+        schemaKeysOf(schema, schema["$defs"].toObject(), {}, inSchema);
+        QSet<QString> used;
+        for (const CatalogEntry& entry : readCatalog({}))
+            keysOf(QJsonDocument::fromJson(QByteArray::fromStdString(entry.read.lesson->json)).object(), {}, used);
+        QVERIFY2((used - inSchema).isEmpty(), qPrintable(QStringList((used - inSchema).values()).join(' ')));
+
+        // An object that holds every key of the schema: the reader may complain of values, but it knows each key.
+        QSet<QString> unknown;
+        for (const QString& path : inSchema) {
+            const QStringList parts = path.split('.');
+            QJsonValue value = 1;
+            if (parts.size() == 3 && parts[1] == "sizes")
+                continue;  // theSchemaOffersWhatThereIs()
+            // Some keys belong to one kind of tooth alone.
+            if (parts.size() == 2 && parts[0] == "tooth") {
+                const QString kind = path == "tooth.seed" || path == "tooth.sizes" ? "block" : "scan";
+                const ReadLesson read = readLessonText(
+                    QJsonDocument(QJsonObject{{"format", 1}, {"tooth", QJsonObject{{kind, "line"}, {parts[1], 1}}}})
+                        .toJson(),
+                    QStringLiteral("probe"));
+                for (const Fault& fault : read.faults)
+                    if (!fault.grave)
+                        unknown << path;
+                continue;
+            }
+            for (qsizetype k = parts.size() - 1; k > 0; --k) {
+                value = QJsonObject{{parts[k], value}};
+                if (parts[k - 1] == "steps" || parts[k - 1] == "criteria")
+                    value = QJsonArray{value};
+            }
+            QJsonObject object{{"format", 1}, {parts[0], value}};
+            if (parts[0] == "based_on" || path == "rubric.based_on")
+                continue;  // looked up before keys are read
+            const ReadLesson read = readLessonText(QJsonDocument(object).toJson(), QStringLiteral("probe"));
             for (const Fault& fault : read.faults)
                 if (!fault.grave)
                     unknown << path;
-            continue;
         }
-        for (qsizetype k = parts.size() - 1; k > 0; --k) {
-            value = QJsonObject{{parts[k], value}};
-            if (parts[k - 1] == "steps" || parts[k - 1] == "criteria")
-                value = QJsonArray{value};
-        }
-        QJsonObject object{{"format", 1}, {parts[0], value}};
-        if (parts[0] == "based_on" || path == "rubric.based_on")
-            continue;  // looked up before keys are read
-        const ReadLesson read = readLessonText(QJsonDocument(object).toJson(), QStringLiteral("probe"));
-        for (const Fault& fault : read.faults)
-            if (!fault.grave)
-                unknown << path;
+        QVERIFY2(unknown.isEmpty(), qPrintable(QStringList(unknown.values()).join(' ')));
     }
-    QVERIFY2(unknown.isEmpty(), qPrintable(QStringList(unknown.values()).join(' ')));
-}
 
-/// The numbers and names that editors offer are those that are read.
-void TestAssignment::theSchemaOffersWhatThereIs()
-{
-    const QJsonObject schema = lessonSchema();
-    const QJsonObject keys = schema["properties"].toObject();
-    const auto part = [](const QJsonObject& of, const char* key) {
-        return of["properties"].toObject()[key].toObject();
-    };
-    QJsonArray burs;
-    for (const core::drilling::Bur& bur : core::drilling::burs())
-        burs << QString::fromUtf8(bur.id.data(), static_cast<qsizetype>(bur.id.size()));
-    QCOMPARE(keys["burs"].toObject()["items"].toObject()["enum"].toArray(), burs);
-    QJsonArray measures;
-    for (const core::grading::MeasureInfo& measure : core::grading::measureTable())
-        measures << QString::fromUtf8(measure.id.data(), static_cast<qsizetype>(measure.id.size()));
-    const QJsonObject criterion = part(schema["$defs"].toObject()["rubric"].toObject(), "criteria")["items"].toObject();
-    QCOMPARE(part(criterion, "measure")["enum"].toArray(), measures);
+    /// The numbers and names that editors offer are those that are read.
+    void theSchemaOffersWhatThereIs()
+    {
+        const QJsonObject schema = lessonSchema();
+        const QJsonObject keys = schema["properties"].toObject();
+        const auto part = [](const QJsonObject& of, const char* key) {
+            return of["properties"].toObject()[key].toObject();
+        };
+        QJsonArray burs;
+        for (const core::drilling::Bur& bur : core::drilling::burs())
+            burs << QString::fromUtf8(bur.id.data(), static_cast<qsizetype>(bur.id.size()));
+        QCOMPARE(keys["burs"].toObject()["items"].toObject()["enum"].toArray(), burs);
+        QJsonArray measures;
+        for (const core::grading::MeasureInfo& measure : core::grading::measureTable())
+            measures << QString::fromUtf8(measure.id.data(), static_cast<qsizetype>(measure.id.size()));
+        const QJsonObject criterion =
+            part(schema["$defs"].toObject()["rubric"].toObject(), "criteria")["items"].toObject();
+        QCOMPARE(part(criterion, "measure")["enum"].toArray(), measures);
 
-    const auto isOffered = [](const QJsonObject& sizes, const auto& field) {
-        const QJsonObject size = sizes["properties"].toObject()[field.id].toObject();
-        return size["minimum"].toDouble(-1.0) == field.minimum && size["maximum"].toDouble(-1.0) == field.maximum &&
-               size["type"].toArray()[0].toString() == (field.whole ? "integer" : "number");
-    };
-    for (const auto& field : core::teeth::blockFields())
-        QVERIFY2(isOffered(part(keys["tooth"].toObject(), "sizes"), field), field.id);
-    for (const auto kind : {core::preparation::Kind::ClassTwoMesial, core::preparation::Kind::Access})
-        for (const auto& field : core::preparation::fieldsOf(kind))
-            QVERIFY2(isOffered(part(keys["ideal"].toObject(), "sizes"), field), field.id);
-}
+        const auto isOffered = [](const QJsonObject& sizes, const auto& field) {
+            const QJsonObject size = sizes["properties"].toObject()[field.id].toObject();
+            return size["minimum"].toDouble(-1.0) == field.minimum && size["maximum"].toDouble(-1.0) == field.maximum &&
+                   size["type"].toArray()[0].toString() == (field.whole ? "integer" : "number");
+        };
+        for (const auto& field : core::teeth::blockFields())
+            QVERIFY2(isOffered(part(keys["tooth"].toObject(), "sizes"), field), field.id);
+        for (const auto kind : {core::preparation::Kind::ClassTwoMesial, core::preparation::Kind::Access})
+            for (const auto& field : core::preparation::fieldsOf(kind))
+                QVERIFY2(isOffered(part(keys["ideal"].toObject(), "sizes"), field), field.id);
+    }
+};
 
 QTEST_GUILESS_MAIN(TestAssignment)
 #include "tst_assignment.moc"

@@ -16,104 +16,98 @@ class TestGridNoise : public QObject
     Q_OBJECT
 
 private slots:
-    void smoothWorkHardlyDependsOnTheGrid();
-    void aCutUnderOneCellDoes();
-    void itSaysWhenThePassMarkLiesBetween();
-    void idealWorkStaysGoodAtEveryGrid();
-    void theLargestGridHasNoDouble();
+    void smoothWorkHardlyDependsOnTheGrid()
+    {
+        const auto anatomy = support::wavyDisc(150, 0.07);
+        Assignment assignment = practiceOn(anatomy).value();
+        assignment.rubric.criteria.resize(2);
+        assignment.rubric.criteria[0].measure = "removed_mm3";
+        assignment.rubric.criteria[0].tolerance = 0.0;
+        assignment.rubric.criteria[0].span = 10.0;
+        assignment.rubric.criteria[1].measure = "deepest_cut_mm";
+        assignment.rubric.criteria[1].tolerance = 0.0;
+        assignment.rubric.criteria[1].allowance.reset();
+        assignment.rubric.criteria[1].span = 4.0;
+        const GridNoise noise = gridNoise(assignment, support::hollowed(anatomy, 1.2)).value();
+        QVERIFY(noise.own.totalTenths > 100 && noise.own.totalTenths < 900);
+        QVERIFY(noise.twice.has_value());
+        QVERIFY(std::abs(noise.half.totalTenths - noise.own.totalTenths) <= 8);
+        QVERIFY(std::abs(noise.twice->totalTenths - noise.own.totalTenths) <= 4);
+    }
+
+    /// A scratch one cell wide lies on a coarse node or between two: its volume doubles or is gone.
+    void aCutUnderOneCellDoes()
+    {
+        const auto anatomy = support::wavyDisc(150, 0.07);
+        Assignment assignment = practiceOn(anatomy).value();
+        assignment.rubric.criteria.resize(1);
+        assignment.rubric.criteria[0].measure = "removed_mm3";
+        assignment.rubric.criteria[0].tolerance = 0.0;
+        assignment.rubric.criteria[0].span = 1.0;
+        assignment.rubric.criteria[0].weightTenths = 1000;
+        for (const int row : {74, 75}) {
+            std::vector<float> top = anatomy->top;
+            for (int i = 60; i < 90; ++i)
+                top[anatomy->grid.index(i, row)] -= 1.0F;
+            const GridNoise noise = gridNoise(assignment, core::terrain::restored(anatomy, top)).value();
+            const int lost = 1000 - noise.own.totalTenths;
+            QVERIFY(lost > 100);
+            QCOMPARE(1000 - noise.half.totalTenths > 3 * lost / 2, row == 74);
+            if (row == 75)
+                QCOMPARE(noise.half.totalTenths, 1000);
+            QVERIFY(std::abs(1000 - noise.twice->totalTenths - lost) < lost / 5);
+        }
+    }
+
+    void itSaysWhenThePassMarkLiesBetween()
+    {
+        const auto anatomy = support::wavyDisc(150, 0.07);
+        Assignment assignment = practiceOn(anatomy).value();
+        assignment.rubric.criteria.resize(1);
+        assignment.rubric.criteria[0].measure = "removed_mm3";
+        assignment.rubric.criteria[0].tolerance = 0.0;
+        assignment.rubric.criteria[0].span = 10.0;
+        assignment.rubric.criteria[0].weightTenths = 1000;
+        std::vector<float> top = support::hollowed(anatomy, 1.2).top;
+        for (int i = 40; i < 110; ++i)
+            top[anatomy->grid.index(i, 20)] -= 1.0F;  // which the coarse grid counts twice
+        const core::terrain::Tooth tooth = core::terrain::restored(anatomy, top);
+        const GridNoise first = gridNoise(assignment, tooth).value();
+        QVERIFY(first.half.totalTenths < first.own.totalTenths - 10);
+        assignment.rubric.passMarkTenths = first.own.totalTenths - 5;
+        const GridNoise near = gridNoise(assignment, tooth).value();
+        QVERIFY(near.own.passed && !near.half.passed && near.isUncertain());
+        assignment.rubric.passMarkTenths = first.half.totalTenths - 50;
+        QVERIFY(!gridNoise(assignment, tooth)->isUncertain());
+    }
+
+    /// What asks for the ideal passes whoever cuts it, however finely that is measured. Prints the marks.
+    void idealWorkStaysGoodAtEveryGrid()
+    {
+        QElapsedTimer clock;
+        int lesson = 0;
+        for (const CatalogEntry& entry : readCatalog({})) {
+            if (!entry.read.lesson || entry.read.lesson->task == Task::RemoveDecay ||
+                isExercise(entry.read.lesson->task) || !support::isTried(lesson++))
+                continue;
+            const Assignment assignment = assign(*entry.read.lesson).value().assignment;
+            clock.start();
+            const GridNoise noise =
+                gridNoise(assignment, core::terrain::restored(assignment.anatomy, *assignment.ideal->top)).value();
+            qInfo("%s: %d, half %d, double %d, in %lld ms", entry.read.lesson->id.c_str(), noise.own.totalTenths,
+                  noise.half.totalTenths, noise.twice->totalTenths, static_cast<long long>(clock.elapsed()));
+            QCOMPARE(noise.own.totalTenths, 1000);
+            QVERIFY(!noise.isUncertain());
+        }
+    }
+
+    void theLargestGridHasNoDouble()
+    {
+        const auto anatomy = support::wavyDisc(600, 0.0175);
+        const Assignment assignment = practiceOn(anatomy).value();
+        QVERIFY(!gridNoise(assignment, support::hollowed(anatomy, 1.0))->twice.has_value());
+    }
 };
-
-void TestGridNoise::smoothWorkHardlyDependsOnTheGrid()
-{
-    const auto anatomy = support::wavyDisc(150, 0.07);
-    Assignment assignment = practiceOn(anatomy).value();
-    assignment.rubric.criteria.resize(2);
-    assignment.rubric.criteria[0].measure = "removed_mm3";
-    assignment.rubric.criteria[0].tolerance = 0.0;
-    assignment.rubric.criteria[0].span = 10.0;
-    assignment.rubric.criteria[1].measure = "deepest_cut_mm";
-    assignment.rubric.criteria[1].tolerance = 0.0;
-    assignment.rubric.criteria[1].allowance.reset();
-    assignment.rubric.criteria[1].span = 4.0;
-    const GridNoise noise = gridNoise(assignment, support::hollowed(anatomy, 1.2)).value();
-    QVERIFY(noise.own.totalTenths > 100 && noise.own.totalTenths < 900);
-    QVERIFY(noise.twice.has_value());
-    QVERIFY(std::abs(noise.half.totalTenths - noise.own.totalTenths) <= 8);
-    QVERIFY(std::abs(noise.twice->totalTenths - noise.own.totalTenths) <= 4);
-}
-
-/// A scratch one cell wide lies on a coarse node or between two: its volume doubles or is gone.
-void TestGridNoise::aCutUnderOneCellDoes()
-{
-    const auto anatomy = support::wavyDisc(150, 0.07);
-    Assignment assignment = practiceOn(anatomy).value();
-    assignment.rubric.criteria.resize(1);
-    assignment.rubric.criteria[0].measure = "removed_mm3";
-    assignment.rubric.criteria[0].tolerance = 0.0;
-    assignment.rubric.criteria[0].span = 1.0;
-    assignment.rubric.criteria[0].weightTenths = 1000;
-    for (const int row : {74, 75}) {
-        std::vector<float> top = anatomy->top;
-        for (int i = 60; i < 90; ++i)
-            top[anatomy->grid.index(i, row)] -= 1.0F;
-        const GridNoise noise = gridNoise(assignment, core::terrain::restored(anatomy, top)).value();
-        const int lost = 1000 - noise.own.totalTenths;
-        QVERIFY(lost > 100);
-        QCOMPARE(1000 - noise.half.totalTenths > 3 * lost / 2, row == 74);
-        if (row == 75)
-            QCOMPARE(noise.half.totalTenths, 1000);
-        QVERIFY(std::abs(1000 - noise.twice->totalTenths - lost) < lost / 5);
-    }
-}
-
-void TestGridNoise::itSaysWhenThePassMarkLiesBetween()
-{
-    const auto anatomy = support::wavyDisc(150, 0.07);
-    Assignment assignment = practiceOn(anatomy).value();
-    assignment.rubric.criteria.resize(1);
-    assignment.rubric.criteria[0].measure = "removed_mm3";
-    assignment.rubric.criteria[0].tolerance = 0.0;
-    assignment.rubric.criteria[0].span = 10.0;
-    assignment.rubric.criteria[0].weightTenths = 1000;
-    std::vector<float> top = support::hollowed(anatomy, 1.2).top;
-    for (int i = 40; i < 110; ++i)
-        top[anatomy->grid.index(i, 20)] -= 1.0F;  // which the coarse grid counts twice
-    const core::terrain::Tooth tooth = core::terrain::restored(anatomy, top);
-    const GridNoise first = gridNoise(assignment, tooth).value();
-    QVERIFY(first.half.totalTenths < first.own.totalTenths - 10);
-    assignment.rubric.passMarkTenths = first.own.totalTenths - 5;
-    const GridNoise near = gridNoise(assignment, tooth).value();
-    QVERIFY(near.own.passed && !near.half.passed && near.isUncertain());
-    assignment.rubric.passMarkTenths = first.half.totalTenths - 50;
-    QVERIFY(!gridNoise(assignment, tooth)->isUncertain());
-}
-
-/// What asks for the ideal passes whoever cuts it, however finely that is measured. Prints the marks.
-void TestGridNoise::idealWorkStaysGoodAtEveryGrid()
-{
-    QElapsedTimer clock;
-    int lesson = 0;
-    for (const CatalogEntry& entry : readCatalog({})) {
-        if (!entry.read.lesson || entry.read.lesson->task == Task::RemoveDecay || isExercise(entry.read.lesson->task) ||
-            !support::isTried(lesson++))
-            continue;
-        const Assignment assignment = assign(*entry.read.lesson).value().assignment;
-        clock.start();
-        const GridNoise noise =
-            gridNoise(assignment, core::terrain::restored(assignment.anatomy, *assignment.ideal->top)).value();
-        qInfo("%s: %d, half %d, double %d, in %lld ms", entry.read.lesson->id.c_str(), noise.own.totalTenths,
-              noise.half.totalTenths, noise.twice->totalTenths, static_cast<long long>(clock.elapsed()));
-        QCOMPARE(noise.own.totalTenths, 1000);
-        QVERIFY(!noise.isUncertain());
-    }
-}
-
-void TestGridNoise::theLargestGridHasNoDouble()
-{
-    const auto anatomy = support::wavyDisc(600, 0.0175);
-    const Assignment assignment = practiceOn(anatomy).value();
-    QVERIFY(!gridNoise(assignment, support::hollowed(anatomy, 1.0))->twice.has_value());
-}
 
 QTEST_GUILESS_MAIN(TestGridNoise)
 #include "tst_grid_noise.moc"

@@ -23,6 +23,7 @@
 using namespace lessons;
 
 /// A captured ideal in a lesson, and lessons in a pack.
+
 class TestLessonPack : public QObject
 {
     Q_OBJECT
@@ -31,36 +32,379 @@ private slots:
     void initTestCase() { QStandardPaths::setTestModeEnabled(true); }
     void init() { m_folder.emplace(); }
 
-    void aCapturedIdealEarnsFullPointsOnItself();
-    void aRecordingTakesTheCapturedIdealAlong();
-    void faultsOfACapturedIdealNameFileAndKey();
-    void aCapturedIdealTakesThePlaceOfARule();
-    void theHashKnowsTheCapturedIdeal();
-    void tolerancesGoIntoTheRubric();
+    void aCapturedIdealEarnsFullPointsOnItself()
+    {
+        writeCaptured("own.cuspideal");
+        const ReadLesson read = readLesson(write("own.lesson.json", lesson()));
+        QVERIFY2(read.lesson, qPrintable(sentences(read)));
+        QVERIFY2(read.faults.empty(), qPrintable(sentences(read)));
+        const auto assigned = assign(*read.lesson);
+        QVERIFY(support::succeeds(assigned));
+        const Assignment& assignment = assigned->assignment;
+        const auto marked = mark(assignment, core::terrain::restored(assignment.anatomy, *assignment.ideal->top));
+        QVERIFY(marked);
+        for (const Criterion& line : marked->sheet.criteria)
+            QVERIFY2(line.lostTenths == 0 && line.measured, line.id.c_str());
+        QCOMPARE(marked->sheet.totalTenths, kFullTenths);
+        QVERIFY(!mark(assignment, core::terrain::Tooth(assignment.anatomy))->sheet.passed());
+    }
 
-    void aPackHoldsAllThatItsLessonsNeed();
-    void anExpertsRecordingGoesAlong();
-    void aHardnessPresetGoesAlong();
-    void corpusOfTheFuzzerIsHarmless();
-    void aPackInTheFolderIsOffered();
-    void whatWasUnpackedStandsForThePack();
-    void aFaultNamesThePack();
-    void theCacheIsNotTrusted();
-    void unpackingOverwritesNothing();
-    void whatCannotBeUnpackedWholeLeavesNothing();
+    void aRecordingTakesTheCapturedIdealAlong()
+    {
+        const QString ideal = writeCaptured("own.cuspideal");
+        const ReadLesson read = readLesson(write("own.lesson.json", lesson()));
+        const Assignment assignment = assign(*read.lesson)->assignment;
+        QVERIFY(core::recording::checkLesson(read.lesson->json));
+        const core::recording::Recording recording({}, assignment.anatomy, read.lesson->json);
+        QFile::remove(ideal);
+        const auto again = core::recording::Recording::fromBytes(recording.toBytes());
+        const auto marked = markAgain(*again);
+        QVERIFY(support::succeeds(marked));
+        QVERIFY(marked->mark.measured.deviation->idealMm3 > 5.0);
+        const auto text = readLessonText(QByteArray::fromStdString(read.lesson->json), QStringLiteral("text"));
+        QVERIFY2(text.lesson, qPrintable(sentences(text)));
+        QVERIFY(*text.lesson == *read.lesson);
+    }
+
+    void faultsOfACapturedIdealNameFileAndKey()
+    {
+        const auto says = [&](const QByteArray& content, const char* words) {
+            write("own.cuspideal", content);
+            const ReadLesson read = readLesson(write("own.lesson.json", lesson()));
+            QVERIFY(!read.lesson);
+            QVERIFY2(sentences(read).contains("own.lesson.json, ideal.captured: \"own.cuspideal\"") &&
+                         sentences(read).contains(words),
+                     qPrintable(sentences(read)));
+        };
+        const QByteArray good = QByteArray::fromStdString(core::preparation::toBytes(captured()));
+        says(QByteArray(), "is empty");
+        says("hello", "not a captured ideal");
+        says(good.left(good.size() / 2), "ends early");
+        QByteArray flipped = good;
+        flipped[100] = static_cast<char>(flipped[100] ^ 4);
+        says(flipped, "is damaged");
+        says(QByteArray(10 * 1024 * 1024, 'x'), "has 10.0 MB");
+        QFile::remove(m_folder->filePath("own.cuspideal"));
+        QVERIFY(
+            sentences(readLesson(write("own.lesson.json", lesson()))).contains("there is no file \"own.cuspideal\""));
+        QJsonObject out = lesson();
+        out["ideal"] = QJsonObject{{"captured", "../own.cuspideal"}};
+        QVERIFY(sentences(readLesson(write("own.lesson.json", out))).contains("leads out of the lesson's folder"));
+        // Of another tooth, or another grid.
+        write("own.cuspideal", good);
+        for (const auto& [key, value] :
+             {std::pair<const char*, QJsonValue>{"tooth", QJsonObject{{"fdi", 36}, {"seed", 5}}}, {"grid", 151}}) {
+            QJsonObject other = lesson();
+            other[QLatin1String(key)] = value;
+            const ReadLesson read = readLesson(write("own.lesson.json", other));
+            QVERIFY(!read.lesson);
+            QVERIFY2(sentences(read).contains("own.lesson.json, ideal.captured: \"own.cuspideal\" was captured on the "
+                                              "tooth '36' (seed 0, grid "),
+                     qPrintable(sentences(read)));
+        }
+    }
+
+    void aCapturedIdealTakesThePlaceOfARule()
+    {
+        writeCaptured("own.cuspideal");
+        QJsonObject object{{"format", 1},
+                           {"based_on", "ideal-1-class1-1-36.lesson.json"},
+                           {"id", "own"},
+                           {"ideal", QJsonObject{{"captured", "own.cuspideal"}}}};
+        QVERIFY(sentences(readLesson(write("own.lesson.json", object))).contains("\"kind\": null"));
+        object["ideal"] = QJsonObject{{"captured", "own.cuspideal"}, {"kind", QJsonValue()}, {"sizes", QJsonValue()}};
+        const ReadLesson read = readLesson(write("own.lesson.json", object));
+        QVERIFY2(read.lesson, qPrintable(sentences(read)));
+        QVERIFY(read.lesson->ideal->captured && read.lesson->ideal->kind.empty());
+    }
+
+    void theHashKnowsTheCapturedIdeal()
+    {
+        writeCaptured("own.cuspideal");
+        const QString file = write("own.lesson.json", lesson());
+        const std::string first = readLesson(file).lesson->hash;
+        QCOMPARE(readLesson(file).lesson->hash, first);
+        auto other = captured();
+        other.heightsMm.front() -= 0.01F;
+        write("own.cuspideal", QByteArray::fromStdString(core::preparation::toBytes(other)));
+        QVERIFY(readLesson(file).lesson->hash != first);
+    }
+
+    void tolerancesGoIntoTheRubric()
+    {
+        QFile shipped(QStringLiteral(":/lessons/class1.rubric.json"));
+        QVERIFY(shipped.open(QIODevice::ReadOnly));
+        const core::preparation::Tolerances wanted{0.12, 0.34, 3.5, 0.07};
+        QJsonObject object = lesson();
+        writeCaptured("own.cuspideal");
+        object["rubric"] = withTolerances(QJsonDocument::fromJson(shipped.readAll()).object(), wanted);
+        const ReadLesson read = readLesson(write("own.lesson.json", object));
+        QVERIFY2(read.lesson, qPrintable(sentences(read)));
+        QVERIFY(tolerancesOf(read.lesson->rubric) == wanted);
+        QVERIFY(tolerancesOf(Rubric{}, wanted) == wanted);
+    }
+
+    void aPackHoldsAllThatItsLessonsNeed()
+    {
+        const QString file = writeLesson();
+        const auto bytes = packLessons({file, file});
+        QVERIFY(support::succeeds(bytes));
+        const auto files = unpackLessons(*bytes);
+        QVERIFY(support::succeeds(files));
+        QStringList names;
+        for (const PackedFile& packedFile : *files)
+            names << packedFile.name;
+        names.sort();
+        QCOMPARE(names, (QStringList{"own.base.json", "own.cuspideal", "own.lesson.json", "parts/own.rubric.json"}));
+        QTemporaryDir elsewhere;
+        QVERIFY(putInto(elsewhere.filePath("mine"), *files));
+        const ReadLesson there = readLesson(elsewhere.filePath("mine/own.lesson.json"));
+        QVERIFY2(there.lesson, qPrintable(sentences(there)));
+        QCOMPARE(there.lesson->hash, readLesson(file).lesson->hash);
+    }
+
+    void anExpertsRecordingGoesAlong()
+    {
+        QJsonObject object = lesson();
+        writeCaptured("own.cuspideal");
+        object["expert"] = QJsonObject{{"recording", "expert.cusprec"}};
+        write("expert.cusprec", QByteArray("an attempt"));
+        const auto bytes = packLessons({write("own.lesson.json", object)});
+        QVERIFY(support::succeeds(bytes));
+        QTemporaryDir elsewhere;
+        QVERIFY(putInto(elsewhere.path(), unpackLessons(*bytes).value()));
+        const ReadLesson there = readLesson(elsewhere.filePath("own.lesson.json"));
+        QVERIFY2(there.lesson, qPrintable(sentences(there)));
+        QCOMPARE(QString::fromStdString(there.lesson->expert->file), elsewhere.filePath("expert.cusprec"));
+    }
+
+    void aHardnessPresetGoesAlong()
+    {
+        core::settings::FeelPreset preset = shippedPresets().front();
+        preset.name = "second year";
+        QVERIFY(writePreset(m_folder->filePath("second-year.cusppreset"), preset));
+        QJsonObject object = lesson();
+        writeCaptured("own.cuspideal");
+        object["hardness"] = "second-year.cusppreset";
+        const auto bytes = packLessons({write("own.lesson.json", object)});
+        QVERIFY(support::succeeds(bytes));
+        QTemporaryDir elsewhere;
+        QVERIFY(putInto(elsewhere.path(), unpackLessons(*bytes).value()));
+        const ReadLesson there = readLesson(elsewhere.filePath("own.lesson.json"));
+        QVERIFY2(there.lesson && there.lesson->hardness, qPrintable(sentences(there)));
+        QVERIFY(QString::fromStdString(there.lesson->hardness->name).startsWith("second year v1"));
+    }
+
+    /// CUSP_REWRITE_CORPUS=1 makes the seeds of the fuzzer anew.
+    void corpusOfTheFuzzerIsHarmless()
+    {
+        if (support::rewritesSeeds()) {
+            for (const char* name : {"0-orientation-1-touch", "0-orientation-2-hold", "0-orientation-3-layers",
+                                     "decay-36-1-small", "block-3-cross", "ideal-1-class1-1-36"})
+                support::writeSeed("lesson", name,
+                                   readLesson(QStringLiteral(":/lessons/%1.lesson.json").arg(name)).lesson->json);
+            write("small.lesson.json", QJsonObject{{"format", 1}, {"based_on", "ideal-1-class1-1-36.lesson.json"}});
+            const QByteArray small = packLessons({m_folder->filePath("small.lesson.json")}).value();
+            support::writeSeed("pack", "small", small.toStdString());
+            support::writeSeed("pack", "unpacked",
+                               core::recording::unpack(small.toStdString(), kLargestPackBytes).value());
+        }
+        QVERIFY(support::forEachSeed("lesson", fuzz::exerciseLesson));
+        QVERIFY(support::forEachSeed("pack", fuzz::exercisePack));
+    }
+
+    void aPackInTheFolderIsOffered()
+    {
+        const auto bytes = packLessons({writeLesson()});
+        QTemporaryDir teachers;
+        support::write(teachers.filePath("course.cusplessons"), bytes->toStdString());
+        support::write(teachers.filePath("damaged.cusplessons"), bytes->left(bytes->size() / 2).toStdString());
+        const auto shipped = readCatalog({}).size();
+        auto entries = readCatalog(teachers.path());
+        QCOMPARE(entries.size(), shipped + 2);
+        const CatalogEntry& offered = entries[shipped];
+        QVERIFY2(offered.read.lesson && offered.read.lesson->id == "own-36", qPrintable(sentences(offered.read)));
+        QVERIFY(assign(*offered.read.lesson));
+        QVERIFY2(entries.back().isFaulty() && sentences(entries.back().read).contains("damaged.cusplessons"),
+                 qPrintable(sentences(entries.back().read)));
+        // Unpacked beside its pack, it is there once.
+        QVERIFY(putInto(teachers.path(), *unpackLessons(*bytes)));
+        QCOMPARE(readCatalog(teachers.path()).size(), shipped + 2);
+    }
+
+    void whatWasUnpackedStandsForThePack()
+    {
+        const auto bytes = packLessons({writeLesson()});
+        QTemporaryDir teachers;
+        const QString pack = teachers.filePath("course.cusplessons");
+        support::write(pack, bytes->toStdString());
+        QCOMPARE(readCatalog(teachers.path()).back().pack, pack);
+        QVERIFY(putInto(teachers.path(), *unpackLessons(*bytes)));
+        const QString own = teachers.filePath("own.lesson.json");
+        const std::string unpacked = support::bytesOf(own.toStdString());
+        QJsonObject changed = QJsonDocument::fromJson(QByteArray::fromStdString(unpacked)).object();
+        changed["minutes"] = 3;
+        support::write(own, QJsonDocument(changed).toJson().toStdString());
+        const auto entries = readCatalog(teachers.path());
+        QCOMPARE(entries.size(), readCatalog({}).size() + 1);
+        QVERIFY2(entries.back().read.lesson && entries.back().pack.isEmpty(),
+                 qPrintable(sentences(entries.back().read)));
+        QCOMPARE(entries.back().read.lesson->minutes, 3.0);
+    }
+
+    void aFaultNamesThePack()
+    {
+        QTemporaryDir teachers;
+        const QByteArray bytes = packed(pack({entry("odd.lesson.json", "{\"format\": 1}")}));
+        support::write(teachers.filePath("course.cusplessons"), bytes.toStdString());
+        const QString said = sentences(readCatalog(teachers.path()).back().read);
+        QVERIFY2(said.contains("odd.lesson.json, ") && said.contains("(in the pack course.cusplessons)"),
+                 qPrintable(said));
+    }
+
+    void theCacheIsNotTrusted()
+    {
+        const auto bytes = packLessons({writeLesson()});
+        const QString pack = write("course.cusplessons", *bytes);
+        const auto folder = openPack(pack);
+        QVERIFY(folder);
+        const QString ideal = QDir(*folder).filePath("own.cuspideal");
+        QVERIFY(QFile::remove(ideal));
+        QCOMPARE(*openPack(pack), *folder);
+        QVERIFY(QFile::exists(ideal));
+        const QString changed = QDir(*folder).filePath("own.lesson.json");
+        support::write(changed, "{}");
+        QVERIFY(openPack(pack));
+        QVERIFY(readLesson(changed).lesson);
+    }
+
+    void unpackingOverwritesNothing()
+    {
+        const auto files = *unpackLessons(*packLessons({writeLesson()}));
+        QVERIFY(putInto(m_folder->path(), files));  // all is there as it is in the pack
+        write("own.base.json", QByteArray("mine"));
+        QFile::remove(m_folder->filePath("own.cuspideal"));
+        QVERIFY(support::isRefused(putInto(m_folder->path(), files), "own.base.json"));
+        QVERIFY(!QFileInfo::exists(m_folder->filePath("own.cuspideal")));  // nothing was written
+    }
+
+    void whatCannotBeUnpackedWholeLeavesNothing()
+    {
+        // The second name is longer than any file system takes, as a disk that is full would be found by the second
+        // file.
+        const QString tooLong = QString(240, u'x') + QStringLiteral(".longer.than.names.may.be.json");
+        QVERIFY(!putInto(m_folder->path(), {{"first.json", "{}"}, {tooLong, "{}"}}));
+        QVERIFY(QDir(m_folder->path()).isEmpty());
+        QVERIFY(putInto(m_folder->path(), {{"first.json", "{}"}, {"second.json", "{}"}}));
+    }
+
     void refusesNamesThatLeadElsewhere_data()
     {
         support::rows<QString>("name", {"../a.json", "/etc/a.json", "a/../../b.json", "C:\\a.json", ":/lessons/a.json",
                                         "", ".bashrc.json", "a/.hidden/b.json", "a//b.json", "run.sh", "a.json/",
                                         "C:a.json", "tab\t.json", "a.desktop", "turned\u202Enosj.json"});
     }
-    void refusesNamesThatLeadElsewhere();
-    void refusesAWrongHash();
-    void refusesABomb();
-    void truncatedOrFlippedIsRefused();
-    void refusesANewerFormat();
-    void refusesLinks();
-    void aFaultyLessonIsNotPacked();
+
+    void refusesNamesThatLeadElsewhere()
+    {
+        QFETCH(QString, name);
+        const auto refused = unpackLessons(packed(pack({entry("good.json", "{}"), entry(name, "x")})));
+        QVERIFY(support::isRefused(refused, "leads out of its folder"));
+        for (const QChar letter : QString::fromStdString(refused.error().detail))
+            QVERIFY(letter.isPrint());
+    }
+
+    void refusesAWrongHash()
+    {
+        QJsonObject wrong = entry("a.json", "{}");
+        wrong["sha256"] = entry("a.json", "{ }")["sha256"];
+        const auto refused = unpackLessons(packed(pack({wrong})));
+        QVERIFY2(!refused && refused.error().detail.find("not what its hash says") != std::string::npos,
+                 refused.error().detail.c_str());
+        wrong = entry("a.json", "{}");
+        wrong["base64"] = "e30=*";
+        QVERIFY(!unpackLessons(packed(pack({wrong}))));
+        QVERIFY(!unpackLessons(packed(pack({entry("a.json", "{}"), entry("A.json", "{}")}))));
+    }
+
+    void refusesABomb()
+    {
+        // 200 MB of nothing in a few kilobytes.
+        std::string nothing;
+        nothing.resize(200'000'000, ' ');
+        const QByteArray bomb = QByteArray::fromStdString(core::recording::pack(nothing));
+        QVERIFY(bomb.size() < 100'000);
+        const auto refused = unpackLessons(bomb);
+        QVERIFY2(!refused && refused.error().detail.find("more than 64.0 MB") != std::string::npos,
+                 refused.error().detail.c_str());
+        QJsonArray many;
+        for (int k = 0; k < 600; ++k)
+            many << entry(QStringLiteral("%1.json").arg(k), "{}");
+        QVERIFY(unpackLessons(packed(pack(many))).error().detail.find("600 files") != std::string::npos);
+        QVERIFY(!unpackLessons(packed(pack({}))));
+    }
+
+    void truncatedOrFlippedIsRefused()
+    {
+        const QByteArray whole = *packLessons({write("own.lesson.json", [] {
+            QJsonObject plain = lesson();
+            plain["ideal"] = QJsonObject{{"kind", "class1"}};
+            return plain;
+        }())});
+        for (qsizetype length = 0; length < whole.size(); ++length)
+            QVERIFY(!unpackLessons(whole.left(length)));
+        QByteArray bytes = whole;
+        int accepted = 0;
+        for (qsizetype k = 0; k < bytes.size(); ++k)
+            for (int bit = 0; bit < 8; ++bit) {
+                bytes[k] = static_cast<char>(bytes[k] ^ (1 << bit));
+                // A bit that changes no file, such as one in the frame's head that nobody reads, harms nobody.
+                if (const auto files = unpackLessons(bytes)) {
+                    ++accepted;
+                    QCOMPARE(files->size(), std::size_t{1});
+                    QCOMPARE(files->front().content, unpackLessons(whole)->front().content);
+                }
+                bytes[k] = static_cast<char>(bytes[k] ^ (1 << bit));
+            }
+        qInfo("%d of %d flipped bits changed no file", accepted, static_cast<int>(8 * bytes.size()));
+    }
+
+    void refusesANewerFormat()
+    {
+        QJsonObject newer = pack({entry("a.json", "{}")});
+        newer["format"] = 2;
+        QVERIFY(unpackLessons(packed(newer)).error().code == core::ErrorCode::NewerVersion);
+        QVERIFY(unpackLessons(packed(QJsonObject{{"format", 1}})).error().code == core::ErrorCode::WrongKind);
+        QVERIFY(unpackLessons("hello").error().code == core::ErrorCode::WrongKind);
+    }
+
+    void refusesLinks()
+    {
+        QTemporaryDir outside;
+        QVERIFY(QFile::link(outside.path(), m_folder->filePath("sub")));
+        const auto refused = putInto(m_folder->path(), {{"sub/a.json", "{}"}});
+        QVERIFY(!refused && refused.error().detail.find("is a link to elsewhere") != std::string::npos);
+        QVERIFY(!QFileInfo::exists(outside.filePath("a.json")));
+    }
+
+    void aFaultyLessonIsNotPacked()
+    {
+        QJsonObject faulty = lesson();
+        faulty["grid"] = 3;
+        const auto refused = packLessons({write("faulty.lesson.json", faulty)});
+        QVERIFY(!refused);
+        QVERIFY2(refused.error().detail.find("faulty.lesson.json, grid") == 0, refused.error().detail.c_str());
+        QVERIFY(!packLessons({}));
+        QVERIFY(!packLessons({m_folder->filePath("none.lesson.json")}));
+        QJsonObject scanned = lesson();
+        write("noise.stl", QByteArray("no mesh at all"));
+        scanned["tooth"] = QJsonObject{{"fdi", 36}, {"scan", "noise.stl"}};
+        scanned.remove("ideal");
+        scanned["task"] = "remove_decay";
+        scanned["lesion"] = QJsonObject{{"extent", 0.5}};
+        scanned["rubric"] = "decay_removal";
+        QVERIFY(support::isRefused(packLessons({write("scanned.lesson.json", scanned)}), "noise.stl"));
+    }
 
 private:
     QString write(const QString& name, const QByteArray& content) const
@@ -132,368 +476,6 @@ private:
 
     std::optional<QTemporaryDir> m_folder;
 };
-
-void TestLessonPack::aCapturedIdealEarnsFullPointsOnItself()
-{
-    writeCaptured("own.cuspideal");
-    const ReadLesson read = readLesson(write("own.lesson.json", lesson()));
-    QVERIFY2(read.lesson, qPrintable(sentences(read)));
-    QVERIFY2(read.faults.empty(), qPrintable(sentences(read)));
-    const auto assigned = assign(*read.lesson);
-    QVERIFY(support::succeeds(assigned));
-    const Assignment& assignment = assigned->assignment;
-    const auto marked = mark(assignment, core::terrain::restored(assignment.anatomy, *assignment.ideal->top));
-    QVERIFY(marked);
-    for (const Criterion& line : marked->sheet.criteria)
-        QVERIFY2(line.lostTenths == 0 && line.measured, line.id.c_str());
-    QCOMPARE(marked->sheet.totalTenths, kFullTenths);
-    QVERIFY(!mark(assignment, core::terrain::Tooth(assignment.anatomy))->sheet.passed());
-}
-
-void TestLessonPack::aRecordingTakesTheCapturedIdealAlong()
-{
-    const QString ideal = writeCaptured("own.cuspideal");
-    const ReadLesson read = readLesson(write("own.lesson.json", lesson()));
-    const Assignment assignment = assign(*read.lesson)->assignment;
-    QVERIFY(core::recording::checkLesson(read.lesson->json));
-    const core::recording::Recording recording({}, assignment.anatomy, read.lesson->json);
-    QFile::remove(ideal);
-    const auto again = core::recording::Recording::fromBytes(recording.toBytes());
-    const auto marked = markAgain(*again);
-    QVERIFY(support::succeeds(marked));
-    QVERIFY(marked->mark.measured.deviation->idealMm3 > 5.0);
-    const auto text = readLessonText(QByteArray::fromStdString(read.lesson->json), QStringLiteral("text"));
-    QVERIFY2(text.lesson, qPrintable(sentences(text)));
-    QVERIFY(*text.lesson == *read.lesson);
-}
-
-void TestLessonPack::faultsOfACapturedIdealNameFileAndKey()
-{
-    const auto says = [&](const QByteArray& content, const char* words) {
-        write("own.cuspideal", content);
-        const ReadLesson read = readLesson(write("own.lesson.json", lesson()));
-        QVERIFY(!read.lesson);
-        QVERIFY2(sentences(read).contains("own.lesson.json, ideal.captured: \"own.cuspideal\"") &&
-                     sentences(read).contains(words),
-                 qPrintable(sentences(read)));
-    };
-    const QByteArray good = QByteArray::fromStdString(core::preparation::toBytes(captured()));
-    says(QByteArray(), "is empty");
-    says("hello", "not a captured ideal");
-    says(good.left(good.size() / 2), "ends early");
-    QByteArray flipped = good;
-    flipped[100] = static_cast<char>(flipped[100] ^ 4);
-    says(flipped, "is damaged");
-    says(QByteArray(10 * 1024 * 1024, 'x'), "has 10.0 MB");
-    QFile::remove(m_folder->filePath("own.cuspideal"));
-    QVERIFY(sentences(readLesson(write("own.lesson.json", lesson()))).contains("there is no file \"own.cuspideal\""));
-    QJsonObject out = lesson();
-    out["ideal"] = QJsonObject{{"captured", "../own.cuspideal"}};
-    QVERIFY(sentences(readLesson(write("own.lesson.json", out))).contains("leads out of the lesson's folder"));
-    // Of another tooth, or another grid.
-    write("own.cuspideal", good);
-    for (const auto& [key, value] :
-         {std::pair<const char*, QJsonValue>{"tooth", QJsonObject{{"fdi", 36}, {"seed", 5}}}, {"grid", 151}}) {
-        QJsonObject other = lesson();
-        other[QLatin1String(key)] = value;
-        const ReadLesson read = readLesson(write("own.lesson.json", other));
-        QVERIFY(!read.lesson);
-        QVERIFY2(sentences(read).contains("own.lesson.json, ideal.captured: \"own.cuspideal\" was captured on the "
-                                          "tooth '36' (seed 0, grid "),
-                 qPrintable(sentences(read)));
-    }
-}
-
-void TestLessonPack::aCapturedIdealTakesThePlaceOfARule()
-{
-    writeCaptured("own.cuspideal");
-    QJsonObject object{{"format", 1},
-                       {"based_on", "ideal-1-class1-1-36.lesson.json"},
-                       {"id", "own"},
-                       {"ideal", QJsonObject{{"captured", "own.cuspideal"}}}};
-    QVERIFY(sentences(readLesson(write("own.lesson.json", object))).contains("\"kind\": null"));
-    object["ideal"] = QJsonObject{{"captured", "own.cuspideal"}, {"kind", QJsonValue()}, {"sizes", QJsonValue()}};
-    const ReadLesson read = readLesson(write("own.lesson.json", object));
-    QVERIFY2(read.lesson, qPrintable(sentences(read)));
-    QVERIFY(read.lesson->ideal->captured && read.lesson->ideal->kind.empty());
-}
-
-void TestLessonPack::theHashKnowsTheCapturedIdeal()
-{
-    writeCaptured("own.cuspideal");
-    const QString file = write("own.lesson.json", lesson());
-    const std::string first = readLesson(file).lesson->hash;
-    QCOMPARE(readLesson(file).lesson->hash, first);
-    auto other = captured();
-    other.heightsMm.front() -= 0.01F;
-    write("own.cuspideal", QByteArray::fromStdString(core::preparation::toBytes(other)));
-    QVERIFY(readLesson(file).lesson->hash != first);
-}
-
-void TestLessonPack::tolerancesGoIntoTheRubric()
-{
-    QFile shipped(QStringLiteral(":/lessons/class1.rubric.json"));
-    QVERIFY(shipped.open(QIODevice::ReadOnly));
-    const core::preparation::Tolerances wanted{0.12, 0.34, 3.5, 0.07};
-    QJsonObject object = lesson();
-    writeCaptured("own.cuspideal");
-    object["rubric"] = withTolerances(QJsonDocument::fromJson(shipped.readAll()).object(), wanted);
-    const ReadLesson read = readLesson(write("own.lesson.json", object));
-    QVERIFY2(read.lesson, qPrintable(sentences(read)));
-    QVERIFY(tolerancesOf(read.lesson->rubric) == wanted);
-    QVERIFY(tolerancesOf(Rubric{}, wanted) == wanted);
-}
-
-void TestLessonPack::aPackHoldsAllThatItsLessonsNeed()
-{
-    const QString file = writeLesson();
-    const auto bytes = packLessons({file, file});
-    QVERIFY(support::succeeds(bytes));
-    const auto files = unpackLessons(*bytes);
-    QVERIFY(support::succeeds(files));
-    QStringList names;
-    for (const PackedFile& packedFile : *files)
-        names << packedFile.name;
-    names.sort();
-    QCOMPARE(names, (QStringList{"own.base.json", "own.cuspideal", "own.lesson.json", "parts/own.rubric.json"}));
-    QTemporaryDir elsewhere;
-    QVERIFY(putInto(elsewhere.filePath("mine"), *files));
-    const ReadLesson there = readLesson(elsewhere.filePath("mine/own.lesson.json"));
-    QVERIFY2(there.lesson, qPrintable(sentences(there)));
-    QCOMPARE(there.lesson->hash, readLesson(file).lesson->hash);
-}
-
-void TestLessonPack::anExpertsRecordingGoesAlong()
-{
-    QJsonObject object = lesson();
-    writeCaptured("own.cuspideal");
-    object["expert"] = QJsonObject{{"recording", "expert.cusprec"}};
-    write("expert.cusprec", QByteArray("an attempt"));
-    const auto bytes = packLessons({write("own.lesson.json", object)});
-    QVERIFY(support::succeeds(bytes));
-    QTemporaryDir elsewhere;
-    QVERIFY(putInto(elsewhere.path(), unpackLessons(*bytes).value()));
-    const ReadLesson there = readLesson(elsewhere.filePath("own.lesson.json"));
-    QVERIFY2(there.lesson, qPrintable(sentences(there)));
-    QCOMPARE(QString::fromStdString(there.lesson->expert->file), elsewhere.filePath("expert.cusprec"));
-}
-
-void TestLessonPack::aHardnessPresetGoesAlong()
-{
-    core::settings::FeelPreset preset = shippedPresets().front();
-    preset.name = "second year";
-    QVERIFY(writePreset(m_folder->filePath("second-year.cusppreset"), preset));
-    QJsonObject object = lesson();
-    writeCaptured("own.cuspideal");
-    object["hardness"] = "second-year.cusppreset";
-    const auto bytes = packLessons({write("own.lesson.json", object)});
-    QVERIFY(support::succeeds(bytes));
-    QTemporaryDir elsewhere;
-    QVERIFY(putInto(elsewhere.path(), unpackLessons(*bytes).value()));
-    const ReadLesson there = readLesson(elsewhere.filePath("own.lesson.json"));
-    QVERIFY2(there.lesson && there.lesson->hardness, qPrintable(sentences(there)));
-    QVERIFY(QString::fromStdString(there.lesson->hardness->name).startsWith("second year v1"));
-}
-
-/// CUSP_REWRITE_CORPUS=1 makes the seeds of the fuzzer anew.
-void TestLessonPack::corpusOfTheFuzzerIsHarmless()
-{
-    if (support::rewritesSeeds()) {
-        for (const char* name : {"0-orientation-1-touch", "0-orientation-2-hold", "0-orientation-3-layers",
-                                 "decay-36-1-small", "block-3-cross", "ideal-1-class1-1-36"})
-            support::writeSeed("lesson", name,
-                               readLesson(QStringLiteral(":/lessons/%1.lesson.json").arg(name)).lesson->json);
-        write("small.lesson.json", QJsonObject{{"format", 1}, {"based_on", "ideal-1-class1-1-36.lesson.json"}});
-        const QByteArray small = packLessons({m_folder->filePath("small.lesson.json")}).value();
-        support::writeSeed("pack", "small", small.toStdString());
-        support::writeSeed("pack", "unpacked", core::recording::unpack(small.toStdString(), kLargestPackBytes).value());
-    }
-    QVERIFY(support::forEachSeed("lesson", fuzz::exerciseLesson));
-    QVERIFY(support::forEachSeed("pack", fuzz::exercisePack));
-}
-
-void TestLessonPack::aPackInTheFolderIsOffered()
-{
-    const auto bytes = packLessons({writeLesson()});
-    QTemporaryDir teachers;
-    support::write(teachers.filePath("course.cusplessons"), bytes->toStdString());
-    support::write(teachers.filePath("damaged.cusplessons"), bytes->left(bytes->size() / 2).toStdString());
-    const auto shipped = readCatalog({}).size();
-    auto entries = readCatalog(teachers.path());
-    QCOMPARE(entries.size(), shipped + 2);
-    const CatalogEntry& offered = entries[shipped];
-    QVERIFY2(offered.read.lesson && offered.read.lesson->id == "own-36", qPrintable(sentences(offered.read)));
-    QVERIFY(assign(*offered.read.lesson));
-    QVERIFY2(entries.back().isFaulty() && sentences(entries.back().read).contains("damaged.cusplessons"),
-             qPrintable(sentences(entries.back().read)));
-    // Unpacked beside its pack, it is there once.
-    QVERIFY(putInto(teachers.path(), *unpackLessons(*bytes)));
-    QCOMPARE(readCatalog(teachers.path()).size(), shipped + 2);
-}
-
-void TestLessonPack::whatWasUnpackedStandsForThePack()
-{
-    const auto bytes = packLessons({writeLesson()});
-    QTemporaryDir teachers;
-    const QString pack = teachers.filePath("course.cusplessons");
-    support::write(pack, bytes->toStdString());
-    QCOMPARE(readCatalog(teachers.path()).back().pack, pack);
-    QVERIFY(putInto(teachers.path(), *unpackLessons(*bytes)));
-    const QString own = teachers.filePath("own.lesson.json");
-    const std::string unpacked = support::bytesOf(own.toStdString());
-    QJsonObject changed = QJsonDocument::fromJson(QByteArray::fromStdString(unpacked)).object();
-    changed["minutes"] = 3;
-    support::write(own, QJsonDocument(changed).toJson().toStdString());
-    const auto entries = readCatalog(teachers.path());
-    QCOMPARE(entries.size(), readCatalog({}).size() + 1);
-    QVERIFY2(entries.back().read.lesson && entries.back().pack.isEmpty(), qPrintable(sentences(entries.back().read)));
-    QCOMPARE(entries.back().read.lesson->minutes, 3.0);
-}
-
-void TestLessonPack::aFaultNamesThePack()
-{
-    QTemporaryDir teachers;
-    const QByteArray bytes = packed(pack({entry("odd.lesson.json", "{\"format\": 1}")}));
-    support::write(teachers.filePath("course.cusplessons"), bytes.toStdString());
-    const QString said = sentences(readCatalog(teachers.path()).back().read);
-    QVERIFY2(said.contains("odd.lesson.json, ") && said.contains("(in the pack course.cusplessons)"), qPrintable(said));
-}
-
-void TestLessonPack::theCacheIsNotTrusted()
-{
-    const auto bytes = packLessons({writeLesson()});
-    const QString pack = write("course.cusplessons", *bytes);
-    const auto folder = openPack(pack);
-    QVERIFY(folder);
-    const QString ideal = QDir(*folder).filePath("own.cuspideal");
-    QVERIFY(QFile::remove(ideal));
-    QCOMPARE(*openPack(pack), *folder);
-    QVERIFY(QFile::exists(ideal));
-    const QString changed = QDir(*folder).filePath("own.lesson.json");
-    support::write(changed, "{}");
-    QVERIFY(openPack(pack));
-    QVERIFY(readLesson(changed).lesson);
-}
-
-void TestLessonPack::unpackingOverwritesNothing()
-{
-    const auto files = *unpackLessons(*packLessons({writeLesson()}));
-    QVERIFY(putInto(m_folder->path(), files));  // all is there as it is in the pack
-    write("own.base.json", QByteArray("mine"));
-    QFile::remove(m_folder->filePath("own.cuspideal"));
-    QVERIFY(support::isRefused(putInto(m_folder->path(), files), "own.base.json"));
-    QVERIFY(!QFileInfo::exists(m_folder->filePath("own.cuspideal")));  // nothing was written
-}
-
-void TestLessonPack::whatCannotBeUnpackedWholeLeavesNothing()
-{
-    // The second name is longer than any file system takes, as a disk that is full would be found by the second file.
-    const QString tooLong = QString(240, u'x') + QStringLiteral(".longer.than.names.may.be.json");
-    QVERIFY(!putInto(m_folder->path(), {{"first.json", "{}"}, {tooLong, "{}"}}));
-    QVERIFY(QDir(m_folder->path()).isEmpty());
-    QVERIFY(putInto(m_folder->path(), {{"first.json", "{}"}, {"second.json", "{}"}}));
-}
-
-void TestLessonPack::refusesNamesThatLeadElsewhere()
-{
-    QFETCH(QString, name);
-    const auto refused = unpackLessons(packed(pack({entry("good.json", "{}"), entry(name, "x")})));
-    QVERIFY(support::isRefused(refused, "leads out of its folder"));
-    for (const QChar letter : QString::fromStdString(refused.error().detail))
-        QVERIFY(letter.isPrint());
-}
-
-void TestLessonPack::refusesAWrongHash()
-{
-    QJsonObject wrong = entry("a.json", "{}");
-    wrong["sha256"] = entry("a.json", "{ }")["sha256"];
-    const auto refused = unpackLessons(packed(pack({wrong})));
-    QVERIFY2(!refused && refused.error().detail.find("not what its hash says") != std::string::npos,
-             refused.error().detail.c_str());
-    wrong = entry("a.json", "{}");
-    wrong["base64"] = "e30=*";
-    QVERIFY(!unpackLessons(packed(pack({wrong}))));
-    QVERIFY(!unpackLessons(packed(pack({entry("a.json", "{}"), entry("A.json", "{}")}))));
-}
-
-void TestLessonPack::refusesABomb()
-{
-    // 200 MB of nothing in a few kilobytes.
-    std::string nothing;
-    nothing.resize(200'000'000, ' ');
-    const QByteArray bomb = QByteArray::fromStdString(core::recording::pack(nothing));
-    QVERIFY(bomb.size() < 100'000);
-    const auto refused = unpackLessons(bomb);
-    QVERIFY2(!refused && refused.error().detail.find("more than 64.0 MB") != std::string::npos,
-             refused.error().detail.c_str());
-    QJsonArray many;
-    for (int k = 0; k < 600; ++k)
-        many << entry(QStringLiteral("%1.json").arg(k), "{}");
-    QVERIFY(unpackLessons(packed(pack(many))).error().detail.find("600 files") != std::string::npos);
-    QVERIFY(!unpackLessons(packed(pack({}))));
-}
-
-void TestLessonPack::truncatedOrFlippedIsRefused()
-{
-    const QByteArray whole = *packLessons({write("own.lesson.json", [] {
-        QJsonObject plain = lesson();
-        plain["ideal"] = QJsonObject{{"kind", "class1"}};
-        return plain;
-    }())});
-    for (qsizetype length = 0; length < whole.size(); ++length)
-        QVERIFY(!unpackLessons(whole.left(length)));
-    QByteArray bytes = whole;
-    int accepted = 0;
-    for (qsizetype k = 0; k < bytes.size(); ++k)
-        for (int bit = 0; bit < 8; ++bit) {
-            bytes[k] = static_cast<char>(bytes[k] ^ (1 << bit));
-            // A bit that changes no file, such as one in the frame's head that nobody reads, harms nobody.
-            if (const auto files = unpackLessons(bytes)) {
-                ++accepted;
-                QCOMPARE(files->size(), std::size_t{1});
-                QCOMPARE(files->front().content, unpackLessons(whole)->front().content);
-            }
-            bytes[k] = static_cast<char>(bytes[k] ^ (1 << bit));
-        }
-    qInfo("%d of %d flipped bits changed no file", accepted, static_cast<int>(8 * bytes.size()));
-}
-
-void TestLessonPack::refusesANewerFormat()
-{
-    QJsonObject newer = pack({entry("a.json", "{}")});
-    newer["format"] = 2;
-    QVERIFY(unpackLessons(packed(newer)).error().code == core::ErrorCode::NewerVersion);
-    QVERIFY(unpackLessons(packed(QJsonObject{{"format", 1}})).error().code == core::ErrorCode::WrongKind);
-    QVERIFY(unpackLessons("hello").error().code == core::ErrorCode::WrongKind);
-}
-
-void TestLessonPack::refusesLinks()
-{
-    QTemporaryDir outside;
-    QVERIFY(QFile::link(outside.path(), m_folder->filePath("sub")));
-    const auto refused = putInto(m_folder->path(), {{"sub/a.json", "{}"}});
-    QVERIFY(!refused && refused.error().detail.find("is a link to elsewhere") != std::string::npos);
-    QVERIFY(!QFileInfo::exists(outside.filePath("a.json")));
-}
-
-void TestLessonPack::aFaultyLessonIsNotPacked()
-{
-    QJsonObject faulty = lesson();
-    faulty["grid"] = 3;
-    const auto refused = packLessons({write("faulty.lesson.json", faulty)});
-    QVERIFY(!refused);
-    QVERIFY2(refused.error().detail.find("faulty.lesson.json, grid") == 0, refused.error().detail.c_str());
-    QVERIFY(!packLessons({}));
-    QVERIFY(!packLessons({m_folder->filePath("none.lesson.json")}));
-    QJsonObject scanned = lesson();
-    write("noise.stl", QByteArray("no mesh at all"));
-    scanned["tooth"] = QJsonObject{{"fdi", 36}, {"scan", "noise.stl"}};
-    scanned.remove("ideal");
-    scanned["task"] = "remove_decay";
-    scanned["lesion"] = QJsonObject{{"extent", 0.5}};
-    scanned["rubric"] = "decay_removal";
-    QVERIFY(support::isRefused(packLessons({write("scanned.lesson.json", scanned)}), "noise.stl"));
-}
 
 QTEST_GUILESS_MAIN(TestLessonPack)
 #include "tst_lesson_pack.moc"

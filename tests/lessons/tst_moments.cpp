@@ -121,346 +121,334 @@ class TestMoments : public QObject
     Q_OBJECT
 
 private slots:
-    void soundTissueIsLostByTheStrokeThatCutIt();
-    void decayThatIsLeftWasNeverRemoved();
-    void whatIsNotEarnedYetIsOfNoStroke();
-    void pointsThatWereWonAndLostAreOfTheStrokeThatLostThem();
-    void whatIsTakenBackTakesItsMomentsAlong();
-    void whatIsDoneAgainHasItsMomentsAgain();
-    void timeIsLostWhenItPasses();
-    void aCriticalFaultHasTheMomentOfTheFault();
-    void onlyTheWorstErrorHasMoments();
-    void aLongStrokeIsLookedAtEverySecond();
-    void momentsOfRestlessWorkAddUp();
-    void momentsOfRestlessWorkAtAnIdealAddUp();
-    void itCanBeLeftOff();
-};
-
-void TestMoments::soundTissueIsLostByTheStrokeThatCutIt()
-{
-    const Assignment assignment = assignmentWith(block(), {rule("sound", "sound_overcut_mm3", 0.0, 2.0, 1000)});
-    ReadyRig rig(assignment);
-    std::vector<int> expected;
-    int before = 0;
-    for (int k = 0; k < 3; ++k) {
-        stroke(rig, -2.0 + 2.0 * k, 0.5 * k);
-        expected.push_back(lostNow(assignment, rig, 0) - before);
-        before += expected.back();
-        QVERIFY(expected.back() > 5);
-    }
-    const Recording recording = rig.session->recordingSoFar().value();
-    const Moments found = momentsIn(assignment, recording);
-    QVERIFY(isSound(assignment, recording, found));
-    const auto player = core::recording::Player::make(recording).value();
-    while (player->advance(1000)) {
-    }
-    const auto strokes = player->strokes();
-    QCOMPARE(strokes.size(), std::size_t(3));
-    const auto& moments = found.ofCriteria.front();
-    QCOMPARE(moments.size(), std::size_t(3));
-    for (std::size_t k = 0; k < 3; ++k) {
-        QCOMPARE(moments[k].kind, Moment::Kind::Stroke);
-        QCOMPARE(moments[k].stroke, static_cast<int>(k + 1));
-        QCOMPARE(moments[k].lostTenths, expected[k]);
-        QCOMPARE(moments[k].tick, strokes[k].from);
-        QVERIFY(std::abs(moments[k].seconds - 1.0e-3 * static_cast<double>(strokes[k].from - 1)) < 1.0e-9);
-    }
-}
-
-void TestMoments::decayThatIsLeftWasNeverRemoved()
-{
-    const Assignment assignment = assignmentWith(block(-0.4), {rule("left", "caries_left_percent", 0.0, 100.0, 1000)});
-    ReadyRig rig(assignment);
-    stroke(rig, 0.0, 0.0);
-    stroke(rig, 1.0, 0.0);
-    const Recording recording = rig.session->recordingSoFar().value();
-    const Moments found = momentsIn(assignment, recording);
-    QVERIFY(isSound(assignment, recording, found));
-    const int lost = lostNow(assignment, rig, 0);
-    QVERIFY(lost > 100 && lost < 1000);
-    QCOMPARE(found.ofCriteria.front().size(), std::size_t(1));
-    const Moment& never = found.ofCriteria.front().front();
-    QCOMPARE(never.kind, Moment::Kind::Never);
-    QCOMPARE(never.lostTenths, lost);
-    QCOMPARE(never.tick, recording.ticks());
-    QCOMPARE(never.seconds, std::chrono::duration<double>(recording.duration()).count());
-}
-
-/// Points that wait for work to be done are lost by the strokes that lost them as soon as it is done, and by nothing
-/// that was done as long as it is not.
-void TestMoments::whatIsNotEarnedYetIsOfNoStroke()
-{
-    const std::vector<CriterionRule> criteria{rule("sound", "sound_overcut_mm3", 0.0, 2.0, 1000)};
-    ReadyRig rig(assignmentWith(block(), criteria));
-    stroke(rig, -2.0, 0.0);
-    stroke(rig, 1.0, 0.0);
-    const Recording recording = rig.session->recordingSoFar().value();
-    const double cut = core::grading::measure(rig.live()).overcutMm3;
-    const auto momentsOnce = [&](double reaches, Moments& found) {
-        Assignment assignment = assignmentWith(block(), criteria);
-        assignment.rubric.criteria[0].once = Once{"removed_mm3", "mm3", reaches};
-        found = momentsIn(assignment, recording);
-        QVERIFY(isSound(assignment, recording, found));
-    };
-    Moments free;
-    Moments due;
-    Moments early;
-    momentsOnce(0.0, free);
-    momentsOnce(0.99 * cut, due);
-    momentsOnce(1.01 * cut, early);
-    QCOMPARE(free.ofCriteria[0].size(), std::size_t{2});
-    QVERIFY(due.ofCriteria == free.ofCriteria);
-    QCOMPARE(early.ofCriteria[0].size(), std::size_t{1});
-    QCOMPARE(early.ofCriteria[0][0].kind, Moment::Kind::Never);
-    QCOMPARE(early.ofCriteria[0][0].lostTenths, 1000);
-}
-
-/// How far a depth is off its target falls while the cut comes near, and rises when it goes on: what is lost for good
-/// is of the strokes that went on.
-void TestMoments::pointsThatWereWonAndLostAreOfTheStrokeThatLostThem()
-{
-    CriterionRule depth = rule("depth", "deepest_cut_mm", 0.0, 1.0, 1000);
-    depth.side = Side::Both;
-    Assignment assignment = assignmentWith(block(), {depth});
-    std::vector<double> depths;
+    void soundTissueIsLostByTheStrokeThatCutIt()
     {
+        const Assignment assignment = assignmentWith(block(), {rule("sound", "sound_overcut_mm3", 0.0, 2.0, 1000)});
         ReadyRig rig(assignment);
+        std::vector<int> expected;
+        int before = 0;
         for (int k = 0; k < 3; ++k) {
-            stroke(rig, 0.0, 0.0);
-            depths.push_back(core::grading::measure(rig.live()).deepestCutMm);
+            stroke(rig, -2.0 + 2.0 * k, 0.5 * k);
+            expected.push_back(lostNow(assignment, rig, 0) - before);
+            before += expected.back();
+            QVERIFY(expected.back() > 5);
+        }
+        const Recording recording = rig.session->recordingSoFar().value();
+        const Moments found = momentsIn(assignment, recording);
+        QVERIFY(isSound(assignment, recording, found));
+        const auto player = core::recording::Player::make(recording).value();
+        while (player->advance(1000)) {
+        }
+        const auto strokes = player->strokes();
+        QCOMPARE(strokes.size(), std::size_t(3));
+        const auto& moments = found.ofCriteria.front();
+        QCOMPARE(moments.size(), std::size_t(3));
+        for (std::size_t k = 0; k < 3; ++k) {
+            QCOMPARE(moments[k].kind, Moment::Kind::Stroke);
+            QCOMPARE(moments[k].stroke, static_cast<int>(k + 1));
+            QCOMPARE(moments[k].lostTenths, expected[k]);
+            QCOMPARE(moments[k].tick, strokes[k].from);
+            QVERIFY(std::abs(moments[k].seconds - 1.0e-3 * static_cast<double>(strokes[k].from - 1)) < 1.0e-9);
         }
     }
-    assignment.rubric.criteria.front().target = depths[0];
-    ReadyRig rig(assignment);
-    std::vector<int> lost;
-    for (int k = 0; k < 3; ++k) {
-        stroke(rig, 0.0, 0.0);
-        lost.push_back(lostNow(assignment, rig, 0));
-    }
-    QCOMPARE(lost[0], 0);
-    QVERIFY(lost[1] > 20 && lost[2] > lost[1] + 20);
-    const Recording recording = rig.session->recordingSoFar().value();
-    const Moments found = momentsIn(assignment, recording);
-    QVERIFY(isSound(assignment, recording, found));
-    const auto& moments = found.ofCriteria.front();
-    QCOMPARE(moments.size(), std::size_t(2));
-    QCOMPARE(moments[0].stroke, 2);
-    QCOMPARE(moments[0].lostTenths, lost[1]);
-    QCOMPARE(moments[1].stroke, 3);
-    QCOMPARE(moments[1].lostTenths, lost[2] - lost[1]);
-}
 
-void TestMoments::whatIsTakenBackTakesItsMomentsAlong()
-{
-    const Assignment assignment = assignmentWith(block(), {rule("sound", "sound_overcut_mm3", 0.0, 2.0, 1000)});
-    ReadyRig rig(assignment);
-    stroke(rig, -2.0, 0.0);
-    const int first = lostNow(assignment, rig, 0);
-    stroke(rig, 0.0, 0.0);
-    rig.send(core::session::Undo{});
-    rig.run(50);
-    QCOMPARE(lostNow(assignment, rig, 0), first);
-    stroke(rig, 2.0, 0.0);
-    const int both = lostNow(assignment, rig, 0);
-    const Recording recording = rig.session->recordingSoFar().value();
-    const Moments found = momentsIn(assignment, recording);
-    QVERIFY(isSound(assignment, recording, found));
-    const auto& moments = found.ofCriteria.front();
-    QCOMPARE(moments.size(), std::size_t(2));
-    QCOMPARE(moments[0].stroke, 1);
-    QCOMPARE(moments[0].lostTenths, first);
-    QCOMPARE(moments[1].stroke, 3);
-    QCOMPARE(moments[1].lostTenths, both - first);
-}
-
-void TestMoments::whatIsDoneAgainHasItsMomentsAgain()
-{
-    const Assignment assignment = assignmentWith(block(), {rule("sound", "sound_overcut_mm3", 0.0, 2.0, 1000)});
-    ReadyRig rig(assignment);
-    stroke(rig, -2.0, 0.0);
-    stroke(rig, 0.0, 0.0);
-    const Moments before = momentsIn(assignment, rig.session->recordingSoFar().value());
-    rig.send(core::session::Undo{});
-    rig.run(50);
-    rig.send(core::session::Redo{});
-    rig.run(50);
-    const Recording recording = rig.session->recordingSoFar().value();
-    const Moments found = momentsIn(assignment, recording);
-    QVERIFY(isSound(assignment, recording, found));
-    QCOMPARE(found.ofCriteria.front().size(), std::size_t(2));
-    QCOMPARE(found.ofCriteria, before.ofCriteria);
-}
-
-void TestMoments::timeIsLostWhenItPasses()
-{
-    // Each 10 ms beyond 2 s cost a tenth.
-    const Assignment assignment = assignmentWith(block(), {rule("time", "time_total_s", 2.0, 10.0, 1000)});
-    ReadyRig rig(assignment);
-    stroke(rig, 0.0, 0.0);
-    rig.run(400);
-    const Recording recording = rig.session->recordingSoFar().value();
-    const Moments found = momentsIn(assignment, recording);
-    QVERIFY(isSound(assignment, recording, found));
-    const auto& moments = found.ofCriteria.front();
-    QVERIFY(moments.size() > 20);
-    int lost = 0;
-    for (const Moment& moment : moments) {
-        QCOMPARE(moment.kind, Moment::Kind::Way);
-        lost += moment.lostTenths;
-        const double due = 2.0 + 0.01 * (lost - 0.5);
-        QVERIFY2(moment.seconds >= due - 1.0e-9 && moment.seconds < due + 0.0101,
-                 qPrintable(QString::number(moment.seconds)));
-    }
-}
-
-void TestMoments::aCriticalFaultHasTheMomentOfTheFault()
-{
-    auto anatomy = support::slab(-0.1F);
-    for (core::terrain::ColumnLayers& column : anatomy->layers) {
-        column.pulpRoof = -0.25F;
-        column.pulpFloor = -5.0F;
-    }
-    const Assignment assignment = assignmentWith(anatomy, {rule("sound", "sound_overcut_mm3", 0.0, 20.0, 1000),
-                                                           rule("pulp", "pulp_exposed_mm2", 0.0, 0.0, 0),
-                                                           rule("deep", "deepest_cut_mm", 0.25, 0.0, 0)});
-    ReadyRig rig(assignment);
-    int fault = 0;
-    for (int n = 1; fault == 0 && n < 20; ++n) {
-        rig.lean(0.0, 0.0, kNewtons, 60);
-        rig.lift();
-        if (core::grading::measure(rig.live()).pulpExposedMm2 > 0.0)
-            fault = n;
-    }
-    QVERIFY(fault > 1);
-    stroke(rig, 1.0, 1.0);
-    const Recording recording = rig.session->recordingSoFar().value();
-    const Moments found = momentsIn(assignment, recording);
-    QVERIFY(isSound(assignment, recording, found));
-    QCOMPARE(found.sheet.totalTenths, 0);
-    for (const std::size_t critical : {std::size_t{1}, std::size_t{2}}) {
-        QCOMPARE(found.ofCriteria[critical].size(), std::size_t(1));
-        QCOMPARE(found.ofCriteria[critical].front().stroke, fault);
-    }
-    QCOMPARE(found.ofCriteria[1].front().lostTenths, found.sheet.criteria[1].lostTenths);
-    QVERIFY(found.ofCriteria[1].front().lostTenths > 0);
-    QCOMPARE(found.ofCriteria[2].front().lostTenths, 0);  // found none left
-}
-
-void TestMoments::onlyTheWorstErrorHasMoments()
-{
-    const Assignment assignment = assignmentWith(
-        block(),
-        {rule("sound", "sound_overcut_mm3", 0.0, 2.0, 500), rule("dentin", "enamel_removed_mm3", 0.0, 4.0, 500)},
-        Verdict::WorstError);
-    ReadyRig rig(assignment);
-    stroke(rig, -2.0, 0.0);
-    stroke(rig, 1.0, 0.0);
-    const Recording recording = rig.session->recordingSoFar().value();
-    const Moments found = momentsIn(assignment, recording);
-    QVERIFY(isSound(assignment, recording, found));
-    QCOMPARE(found.ofCriteria[0].size(), std::size_t(2));
-    QVERIFY(found.ofCriteria[1].empty());
-}
-
-void TestMoments::aLongStrokeIsLookedAtEverySecond()
-{
-    const Assignment assignment = assignmentWith(block(), {rule("sound", "sound_overcut_mm3", 0.0, 20.0, 1000)});
-    ReadyRig rig(assignment);
-    for (int n = 0; n < 3500; ++n)
-        rig.lean(-2.5 + 0.0014 * n, 0.0, kNewtons, 1);
-    rig.lift();
-    const Recording recording = rig.session->recordingSoFar().value();
-    const Moments found = momentsIn(assignment, recording);
-    QVERIFY(isSound(assignment, recording, found));
-    const auto& moments = found.ofCriteria.front();
-    QVERIFY(moments.size() >= 4);
-    for (std::size_t k = 0; k < moments.size(); ++k) {
-        QCOMPARE(moments[k].stroke, 1);
-        if (k > 0)
-            QVERIFY(moments[k].tick - moments[k - 1].tick <= 1200);
-    }
-}
-
-void TestMoments::momentsOfRestlessWorkAddUp()
-{
-    for (const std::uint64_t seed : {1U, 2U, 3U}) {
-        Assignment assignment = assignmentWith(
-            block(-0.5),
-            {rule("left", "caries_left_percent", 1.0, 100.0, 300), rule("sound", "sound_overcut_mm3", 0.5, 20.0, 200),
-             rule("air", "drill_in_air_s", 1.0, 9.0, 100), rule("force", "force_p95_n", 0.2, 2.0, 100),
-             rule("cut", "deepest_cut_mm", 0.3, 3.0, 100), rule("undo", "undo_count", 1.0, 9.0, 100),
-             rule("jerk", "jerk_rms_mm_s3", 10.0, 50000.0, 100)},
-            seed == 3 ? Verdict::WorstError : Verdict::SumOfErrors);
-        // An allowance of the way for what the tooth is like.
-        assignment.rubric.criteria[4].allowance = Allowance{"time_cutting_s", 0.01};
+    void decayThatIsLeftWasNeverRemoved()
+    {
+        const Assignment assignment =
+            assignmentWith(block(-0.4), {rule("left", "caries_left_percent", 0.0, 100.0, 1000)});
         ReadyRig rig(assignment);
-        support::RestlessHand hand(seed);
-        core::Rng rng(seed);
-        for (int n = 0; n < 9000; ++n) {
-            rig.device.tipMm = hand.next();
-            rig.run(1, std::chrono::milliseconds(rng.below(50) == 0 ? 3 : 1));
-            switch (rng.below(900)) {
-            case 0:
-            case 1:
-                rig.send(core::session::Undo{});
-                break;
-            case 2:
-                rig.send(core::session::Redo{});
-                break;
-            default:
-                break;
+        stroke(rig, 0.0, 0.0);
+        stroke(rig, 1.0, 0.0);
+        const Recording recording = rig.session->recordingSoFar().value();
+        const Moments found = momentsIn(assignment, recording);
+        QVERIFY(isSound(assignment, recording, found));
+        const int lost = lostNow(assignment, rig, 0);
+        QVERIFY(lost > 100 && lost < 1000);
+        QCOMPARE(found.ofCriteria.front().size(), std::size_t(1));
+        const Moment& never = found.ofCriteria.front().front();
+        QCOMPARE(never.kind, Moment::Kind::Never);
+        QCOMPARE(never.lostTenths, lost);
+        QCOMPARE(never.tick, recording.ticks());
+        QCOMPARE(never.seconds, std::chrono::duration<double>(recording.duration()).count());
+    }
+
+    /// Points that wait for work to be done are lost by the strokes that lost them as soon as it is done, and by
+    /// nothing that was done as long as it is not.
+    void whatIsNotEarnedYetIsOfNoStroke()
+    {
+        const std::vector<CriterionRule> criteria{rule("sound", "sound_overcut_mm3", 0.0, 2.0, 1000)};
+        ReadyRig rig(assignmentWith(block(), criteria));
+        stroke(rig, -2.0, 0.0);
+        stroke(rig, 1.0, 0.0);
+        const Recording recording = rig.session->recordingSoFar().value();
+        const double cut = core::grading::measure(rig.live()).overcutMm3;
+        const auto momentsOnce = [&](double reaches, Moments& found) {
+            Assignment assignment = assignmentWith(block(), criteria);
+            assignment.rubric.criteria[0].once = Once{"removed_mm3", "mm3", reaches};
+            found = momentsIn(assignment, recording);
+            QVERIFY(isSound(assignment, recording, found));
+        };
+        Moments free;
+        Moments due;
+        Moments early;
+        momentsOnce(0.0, free);
+        momentsOnce(0.99 * cut, due);
+        momentsOnce(1.01 * cut, early);
+        QCOMPARE(free.ofCriteria[0].size(), std::size_t{2});
+        QVERIFY(due.ofCriteria == free.ofCriteria);
+        QCOMPARE(early.ofCriteria[0].size(), std::size_t{1});
+        QCOMPARE(early.ofCriteria[0][0].kind, Moment::Kind::Never);
+        QCOMPARE(early.ofCriteria[0][0].lostTenths, 1000);
+    }
+
+    /// How far a depth is off its target falls while the cut comes near, and rises when it goes on: what is lost for
+    /// good is of the strokes that went on.
+    void pointsThatWereWonAndLostAreOfTheStrokeThatLostThem()
+    {
+        CriterionRule depth = rule("depth", "deepest_cut_mm", 0.0, 1.0, 1000);
+        depth.side = Side::Both;
+        Assignment assignment = assignmentWith(block(), {depth});
+        std::vector<double> depths;
+        {
+            ReadyRig rig(assignment);
+            for (int k = 0; k < 3; ++k) {
+                stroke(rig, 0.0, 0.0);
+                depths.push_back(core::grading::measure(rig.live()).deepestCutMm);
             }
         }
-        rig.settle();
-        const Recording recording = rig.session->recordingSoFar().value();
-        QVERIFY2(isSound(assignment, recording, momentsIn(assignment, recording)), qPrintable(QString::number(seed)));
-    }
-}
-
-void TestMoments::momentsOfRestlessWorkAtAnIdealAddUp()
-{
-    for (const CatalogEntry& entry : readCatalog({})) {
-        if (entry.read.lesson->id != "block-cross" && entry.read.lesson->id != "class1-36")
-            continue;
-        const Assignment assignment = assign(*entry.read.lesson).value().assignment;
+        assignment.rubric.criteria.front().target = depths[0];
         ReadyRig rig(assignment);
-        support::RestlessHand hand(5);
-        for (int n = 0; n < 20000; ++n) {
-            rig.device.tipMm = hand.next();
-            rig.run(1);
-            if (n % 1700 == 1600)
-                rig.send(core::session::Undo{});
+        std::vector<int> lost;
+        for (int k = 0; k < 3; ++k) {
+            stroke(rig, 0.0, 0.0);
+            lost.push_back(lostNow(assignment, rig, 0));
         }
-        rig.settle();
+        QCOMPARE(lost[0], 0);
+        QVERIFY(lost[1] > 20 && lost[2] > lost[1] + 20);
         const Recording recording = rig.session->recordingSoFar().value();
-        QElapsedTimer clock;
-        clock.start();
         const Moments found = momentsIn(assignment, recording);
-        qInfo("%s: the moments of %.1f s of restless work took %lld ms", entry.read.lesson->id.c_str(),
-              std::chrono::duration<double>(recording.duration()).count(), static_cast<long long>(clock.elapsed()));
-        QVERIFY2(isSound(assignment, recording, found), entry.read.lesson->id.c_str());
+        QVERIFY(isSound(assignment, recording, found));
+        const auto& moments = found.ofCriteria.front();
+        QCOMPARE(moments.size(), std::size_t(2));
+        QCOMPARE(moments[0].stroke, 2);
+        QCOMPARE(moments[0].lostTenths, lost[1]);
+        QCOMPARE(moments[1].stroke, 3);
+        QCOMPARE(moments[1].lostTenths, lost[2] - lost[1]);
     }
-}
 
-void TestMoments::itCanBeLeftOff()
-{
-    const Assignment assignment = assignmentWith(block(), {rule("sound", "sound_overcut_mm3", 0.0, 2.0, 1000)});
-    ReadyRig rig(assignment);
-    stroke(rig, 0.0, 0.0);
-    const Recording recording = rig.session->recordingSoFar().value();
-    std::vector<double> shares;
-    const auto whole = momentsOf(assignment, recording, [&](double share) {
-        shares.push_back(share);
-        return true;
-    });
-    QVERIFY(whole.value().has_value());
-    QVERIFY(shares.size() > 3);
-    QVERIFY(std::is_sorted(shares.begin(), shares.end()));
-    QVERIFY(shares.front() == 0.0 && shares.back() < 1.0);
-    const auto none = momentsOf(assignment, recording, [](double share) { return share < 0.5; });
-    QVERIFY(none.has_value());
-    QVERIFY(!none->has_value());
-}
+    void whatIsTakenBackTakesItsMomentsAlong()
+    {
+        const Assignment assignment = assignmentWith(block(), {rule("sound", "sound_overcut_mm3", 0.0, 2.0, 1000)});
+        ReadyRig rig(assignment);
+        stroke(rig, -2.0, 0.0);
+        const int first = lostNow(assignment, rig, 0);
+        stroke(rig, 0.0, 0.0);
+        rig.send(core::session::Undo{});
+        rig.run(50);
+        QCOMPARE(lostNow(assignment, rig, 0), first);
+        stroke(rig, 2.0, 0.0);
+        const int both = lostNow(assignment, rig, 0);
+        const Recording recording = rig.session->recordingSoFar().value();
+        const Moments found = momentsIn(assignment, recording);
+        QVERIFY(isSound(assignment, recording, found));
+        const auto& moments = found.ofCriteria.front();
+        QCOMPARE(moments.size(), std::size_t(2));
+        QCOMPARE(moments[0].stroke, 1);
+        QCOMPARE(moments[0].lostTenths, first);
+        QCOMPARE(moments[1].stroke, 3);
+        QCOMPARE(moments[1].lostTenths, both - first);
+    }
+
+    void whatIsDoneAgainHasItsMomentsAgain()
+    {
+        const Assignment assignment = assignmentWith(block(), {rule("sound", "sound_overcut_mm3", 0.0, 2.0, 1000)});
+        ReadyRig rig(assignment);
+        stroke(rig, -2.0, 0.0);
+        stroke(rig, 0.0, 0.0);
+        const Moments before = momentsIn(assignment, rig.session->recordingSoFar().value());
+        rig.send(core::session::Undo{});
+        rig.run(50);
+        rig.send(core::session::Redo{});
+        rig.run(50);
+        const Recording recording = rig.session->recordingSoFar().value();
+        const Moments found = momentsIn(assignment, recording);
+        QVERIFY(isSound(assignment, recording, found));
+        QCOMPARE(found.ofCriteria.front().size(), std::size_t(2));
+        QCOMPARE(found.ofCriteria, before.ofCriteria);
+    }
+
+    void timeIsLostWhenItPasses()
+    {
+        // Each 10 ms beyond 2 s cost a tenth.
+        const Assignment assignment = assignmentWith(block(), {rule("time", "time_total_s", 2.0, 10.0, 1000)});
+        ReadyRig rig(assignment);
+        stroke(rig, 0.0, 0.0);
+        rig.run(400);
+        const Recording recording = rig.session->recordingSoFar().value();
+        const Moments found = momentsIn(assignment, recording);
+        QVERIFY(isSound(assignment, recording, found));
+        const auto& moments = found.ofCriteria.front();
+        QVERIFY(moments.size() > 20);
+        int lost = 0;
+        for (const Moment& moment : moments) {
+            QCOMPARE(moment.kind, Moment::Kind::Way);
+            lost += moment.lostTenths;
+            const double due = 2.0 + 0.01 * (lost - 0.5);
+            QVERIFY2(moment.seconds >= due - 1.0e-9 && moment.seconds < due + 0.0101,
+                     qPrintable(QString::number(moment.seconds)));
+        }
+    }
+
+    void aCriticalFaultHasTheMomentOfTheFault()
+    {
+        auto anatomy = support::slab(-0.1F);
+        for (core::terrain::ColumnLayers& column : anatomy->layers) {
+            column.pulpRoof = -0.25F;
+            column.pulpFloor = -5.0F;
+        }
+        const Assignment assignment = assignmentWith(anatomy, {rule("sound", "sound_overcut_mm3", 0.0, 20.0, 1000),
+                                                               rule("pulp", "pulp_exposed_mm2", 0.0, 0.0, 0),
+                                                               rule("deep", "deepest_cut_mm", 0.25, 0.0, 0)});
+        ReadyRig rig(assignment);
+        int fault = 0;
+        for (int n = 1; fault == 0 && n < 20; ++n) {
+            rig.lean(0.0, 0.0, kNewtons, 60);
+            rig.lift();
+            if (core::grading::measure(rig.live()).pulpExposedMm2 > 0.0)
+                fault = n;
+        }
+        QVERIFY(fault > 1);
+        stroke(rig, 1.0, 1.0);
+        const Recording recording = rig.session->recordingSoFar().value();
+        const Moments found = momentsIn(assignment, recording);
+        QVERIFY(isSound(assignment, recording, found));
+        QCOMPARE(found.sheet.totalTenths, 0);
+        for (const std::size_t critical : {std::size_t{1}, std::size_t{2}}) {
+            QCOMPARE(found.ofCriteria[critical].size(), std::size_t(1));
+            QCOMPARE(found.ofCriteria[critical].front().stroke, fault);
+        }
+        QCOMPARE(found.ofCriteria[1].front().lostTenths, found.sheet.criteria[1].lostTenths);
+        QVERIFY(found.ofCriteria[1].front().lostTenths > 0);
+        QCOMPARE(found.ofCriteria[2].front().lostTenths, 0);  // found none left
+    }
+
+    void onlyTheWorstErrorHasMoments()
+    {
+        const Assignment assignment = assignmentWith(
+            block(),
+            {rule("sound", "sound_overcut_mm3", 0.0, 2.0, 500), rule("dentin", "enamel_removed_mm3", 0.0, 4.0, 500)},
+            Verdict::WorstError);
+        ReadyRig rig(assignment);
+        stroke(rig, -2.0, 0.0);
+        stroke(rig, 1.0, 0.0);
+        const Recording recording = rig.session->recordingSoFar().value();
+        const Moments found = momentsIn(assignment, recording);
+        QVERIFY(isSound(assignment, recording, found));
+        QCOMPARE(found.ofCriteria[0].size(), std::size_t(2));
+        QVERIFY(found.ofCriteria[1].empty());
+    }
+
+    void aLongStrokeIsLookedAtEverySecond()
+    {
+        const Assignment assignment = assignmentWith(block(), {rule("sound", "sound_overcut_mm3", 0.0, 20.0, 1000)});
+        ReadyRig rig(assignment);
+        for (int n = 0; n < 3500; ++n)
+            rig.lean(-2.5 + 0.0014 * n, 0.0, kNewtons, 1);
+        rig.lift();
+        const Recording recording = rig.session->recordingSoFar().value();
+        const Moments found = momentsIn(assignment, recording);
+        QVERIFY(isSound(assignment, recording, found));
+        const auto& moments = found.ofCriteria.front();
+        QVERIFY(moments.size() >= 4);
+        for (std::size_t k = 0; k < moments.size(); ++k) {
+            QCOMPARE(moments[k].stroke, 1);
+            if (k > 0)
+                QVERIFY(moments[k].tick - moments[k - 1].tick <= 1200);
+        }
+    }
+
+    void momentsOfRestlessWorkAddUp()
+    {
+        for (const std::uint64_t seed : {1U, 2U, 3U}) {
+            Assignment assignment = assignmentWith(
+                block(-0.5),
+                {rule("left", "caries_left_percent", 1.0, 100.0, 300),
+                 rule("sound", "sound_overcut_mm3", 0.5, 20.0, 200), rule("air", "drill_in_air_s", 1.0, 9.0, 100),
+                 rule("force", "force_p95_n", 0.2, 2.0, 100), rule("cut", "deepest_cut_mm", 0.3, 3.0, 100),
+                 rule("undo", "undo_count", 1.0, 9.0, 100), rule("jerk", "jerk_rms_mm_s3", 10.0, 50000.0, 100)},
+                seed == 3 ? Verdict::WorstError : Verdict::SumOfErrors);
+            // An allowance of the way for what the tooth is like.
+            assignment.rubric.criteria[4].allowance = Allowance{"time_cutting_s", 0.01};
+            ReadyRig rig(assignment);
+            support::RestlessHand hand(seed);
+            core::Rng rng(seed);
+            for (int n = 0; n < 9000; ++n) {
+                rig.device.tipMm = hand.next();
+                rig.run(1, std::chrono::milliseconds(rng.below(50) == 0 ? 3 : 1));
+                switch (rng.below(900)) {
+                case 0:
+                case 1:
+                    rig.send(core::session::Undo{});
+                    break;
+                case 2:
+                    rig.send(core::session::Redo{});
+                    break;
+                default:
+                    break;
+                }
+            }
+            rig.settle();
+            const Recording recording = rig.session->recordingSoFar().value();
+            QVERIFY2(isSound(assignment, recording, momentsIn(assignment, recording)),
+                     qPrintable(QString::number(seed)));
+        }
+    }
+
+    void momentsOfRestlessWorkAtAnIdealAddUp()
+    {
+        for (const CatalogEntry& entry : readCatalog({})) {
+            if (entry.read.lesson->id != "block-cross" && entry.read.lesson->id != "class1-36")
+                continue;
+            const Assignment assignment = assign(*entry.read.lesson).value().assignment;
+            ReadyRig rig(assignment);
+            support::RestlessHand hand(5);
+            for (int n = 0; n < 20000; ++n) {
+                rig.device.tipMm = hand.next();
+                rig.run(1);
+                if (n % 1700 == 1600)
+                    rig.send(core::session::Undo{});
+            }
+            rig.settle();
+            const Recording recording = rig.session->recordingSoFar().value();
+            QElapsedTimer clock;
+            clock.start();
+            const Moments found = momentsIn(assignment, recording);
+            qInfo("%s: the moments of %.1f s of restless work took %lld ms", entry.read.lesson->id.c_str(),
+                  std::chrono::duration<double>(recording.duration()).count(), static_cast<long long>(clock.elapsed()));
+            QVERIFY2(isSound(assignment, recording, found), entry.read.lesson->id.c_str());
+        }
+    }
+
+    void itCanBeLeftOff()
+    {
+        const Assignment assignment = assignmentWith(block(), {rule("sound", "sound_overcut_mm3", 0.0, 2.0, 1000)});
+        ReadyRig rig(assignment);
+        stroke(rig, 0.0, 0.0);
+        const Recording recording = rig.session->recordingSoFar().value();
+        std::vector<double> shares;
+        const auto whole = momentsOf(assignment, recording, [&](double share) {
+            shares.push_back(share);
+            return true;
+        });
+        QVERIFY(whole.value().has_value());
+        QVERIFY(shares.size() > 3);
+        QVERIFY(std::is_sorted(shares.begin(), shares.end()));
+        QVERIFY(shares.front() == 0.0 && shares.back() < 1.0);
+        const auto none = momentsOf(assignment, recording, [](double share) { return share < 0.5; });
+        QVERIFY(none.has_value());
+        QVERIFY(!none->has_value());
+    }
+};
 
 QTEST_GUILESS_MAIN(TestMoments)
 #include "tst_moments.moc"

@@ -60,366 +60,354 @@ class TestPresets : public QObject
 {
     Q_OBJECT
 private slots:
-    void fileComesBackEqual();
-    void everyNumberIsInTheFileAndTheHash();
-    void whatIsLeftOutIsAsShipped();
-    void cutAnywhereIsAFault();
-    void refusesStrangers_data();
-    void refusesStrangers();
-    void unknownKeysWarn();
-    void aFileTooLargeIsToldItsSize();
-    void outOfTheBoundIsRefusedWithIt();
-    void versionsAreKeptAndNeverChanged();
-    void anImportKeepsItsNumberIfThatIsFree();
-    void aFolderOfStrangersIsHarmless();
-    void whereNothingCanBeWrittenItSaysSo();
-    void namesAreFound();
-    void labelsAreReadBack();
-    void lessonSaysWhichRowsCut();
-    void lessonNamesAPresetsFile();
-};
-
-void TestPresets::fileComesBackEqual()
-{
-    QTemporaryDir folder;
-    const QString path = folder.filePath("hard.cusppreset");
-    QVERIFY(lessons::writePreset(path, hardTooth()));
-    const lessons::ReadPreset read = lessons::readPreset(path);
-    QVERIFY2(read.preset && read.faults.empty(), qPrintable(allFaults(read)));
-    QVERIFY(*read.preset == hardTooth());
-    QCOMPARE(read.preset->hash.size(), std::size_t{64});
-}
-
-void TestPresets::everyNumberIsInTheFileAndTheHash()
-{
-    std::set<std::string> hashes{lessons::hashOf(FeelPreset{})};
-    for (const auto& field : core::settings::feelFields()) {
-        FeelPreset changed;
-        const double value = changed.*field.value;
-        QVERIFY2(value >= field.minimum && value <= field.maximum, field.id);
-        // A little inside the range, and within the bound.
-        changed.*field.value = value > field.minimum ? value - 0.01 * (value - field.minimum) : value + 0.01;
-        QVERIFY2(hashes.insert(lessons::hashOf(changed)).second, field.id);
-        const lessons::ReadPreset read = lessons::readPresetText(written(lessons::toJson(changed)), "x");
+    void fileComesBackEqual()
+    {
+        QTemporaryDir folder;
+        const QString path = folder.filePath("hard.cusppreset");
+        QVERIFY(lessons::writePreset(path, hardTooth()));
+        const lessons::ReadPreset read = lessons::readPreset(path);
         QVERIFY2(read.preset && read.faults.empty(), qPrintable(allFaults(read)));
-        QCOMPARE((*read.preset).*field.value, changed.*field.value);
-        for (const double beyond : {field.minimum - 1.0, field.maximum + 1.0}) {
-            changed.*field.value = beyond;
-            const lessons::ReadPreset refused = lessons::readPresetText(written(lessons::toJson(changed)), "x");
-            QVERIFY2(!refused.preset && refused.faults.front().key == field.id, qPrintable(allFaults(refused)));
+        QVERIFY(*read.preset == hardTooth());
+        QCOMPARE(read.preset->hash.size(), std::size_t{64});
+    }
+
+    void everyNumberIsInTheFileAndTheHash()
+    {
+        std::set<std::string> hashes{lessons::hashOf(FeelPreset{})};
+        for (const auto& field : core::settings::feelFields()) {
+            FeelPreset changed;
+            const double value = changed.*field.value;
+            QVERIFY2(value >= field.minimum && value <= field.maximum, field.id);
+            // A little inside the range, and within the bound.
+            changed.*field.value = value > field.minimum ? value - 0.01 * (value - field.minimum) : value + 0.01;
+            QVERIFY2(hashes.insert(lessons::hashOf(changed)).second, field.id);
+            const lessons::ReadPreset read = lessons::readPresetText(written(lessons::toJson(changed)), "x");
+            QVERIFY2(read.preset && read.faults.empty(), qPrintable(allFaults(read)));
+            QCOMPARE((*read.preset).*field.value, changed.*field.value);
+            for (const double beyond : {field.minimum - 1.0, field.maximum + 1.0}) {
+                changed.*field.value = beyond;
+                const lessons::ReadPreset refused = lessons::readPresetText(written(lessons::toJson(changed)), "x");
+                QVERIFY2(!refused.preset && refused.faults.front().key == field.id, qPrintable(allFaults(refused)));
+            }
+        }
+        for (const auto& change : {+[](FeelPreset& p) { p.name = "other"; }, +[](FeelPreset& p) { p.version = 2; },
+                                   +[](FeelPreset& p) { p.notes = "n"; }}) {
+            FeelPreset changed;
+            change(changed);
+            QVERIFY(hashes.insert(lessons::hashOf(changed)).second);
         }
     }
-    for (const auto& change : {+[](FeelPreset& p) { p.name = "other"; }, +[](FeelPreset& p) { p.version = 2; },
-                               +[](FeelPreset& p) { p.notes = "n"; }}) {
-        FeelPreset changed;
-        change(changed);
-        QVERIFY(hashes.insert(lessons::hashOf(changed)).second);
+
+    void whatIsLeftOutIsAsShipped()
+    {
+        const lessons::ReadPreset empty = lessons::readPresetText("{}", "/somewhere/soft teeth.cusppreset");
+        QVERIFY2(empty.preset, qPrintable(allFaults(empty)));
+        QCOMPARE(empty.preset->name, std::string("soft teeth"));
+        QCOMPARE(empty.preset->enamelRate, FeelPreset{}.enamelRate);
+        const lessons::ReadPreset both =
+            lessons::readPresetText(R"({"caries": {"rate_mm3_per_ns": 4.5}, "enamel": {"threshold_n": 0.2}})", "x");
+        QVERIFY2(both.preset && both.faults.empty(), qPrintable(allFaults(both)));
+        QCOMPARE(both.preset->softCariesRate, 4.5);
+        QCOMPARE(both.preset->firmCariesRate, 4.5);
+        QCOMPARE(both.preset->enamelFromN, 0.2);
+        QCOMPARE(both.preset->enamelRate, FeelPreset{}.enamelRate);
+        // Which may be meant so, and is told.
+        QVERIFY(!both.leftOut.contains("enamel") && both.leftOut.contains("enamel.rate_mm3_per_ns"));
+        QVERIFY(both.leftOut.contains("pulp") && both.leftOut.contains("soft_caries.threshold_n"));
+        QVERIFY(!both.leftOut.contains("soft_caries.rate_mm3_per_ns"));
+        QJsonObject all = lessons::toJson(hardTooth());
+        QVERIFY(!lessons::leftOutFault(lessons::readPresetText(written(all), "x")));
+        all.remove("pulp");
+        const auto fault = lessons::leftOutFault(lessons::readPresetText(written(all), "x"));
+        QVERIFY(fault && !fault->grave);
+        QCOMPARE(fault->english(), QString("says nothing of pulp: that is as shipped"));
     }
-}
 
-void TestPresets::whatIsLeftOutIsAsShipped()
-{
-    const lessons::ReadPreset empty = lessons::readPresetText("{}", "/somewhere/soft teeth.cusppreset");
-    QVERIFY2(empty.preset, qPrintable(allFaults(empty)));
-    QCOMPARE(empty.preset->name, std::string("soft teeth"));
-    QCOMPARE(empty.preset->enamelRate, FeelPreset{}.enamelRate);
-    const lessons::ReadPreset both =
-        lessons::readPresetText(R"({"caries": {"rate_mm3_per_ns": 4.5}, "enamel": {"threshold_n": 0.2}})", "x");
-    QVERIFY2(both.preset && both.faults.empty(), qPrintable(allFaults(both)));
-    QCOMPARE(both.preset->softCariesRate, 4.5);
-    QCOMPARE(both.preset->firmCariesRate, 4.5);
-    QCOMPARE(both.preset->enamelFromN, 0.2);
-    QCOMPARE(both.preset->enamelRate, FeelPreset{}.enamelRate);
-    // Which may be meant so, and is told.
-    QVERIFY(!both.leftOut.contains("enamel") && both.leftOut.contains("enamel.rate_mm3_per_ns"));
-    QVERIFY(both.leftOut.contains("pulp") && both.leftOut.contains("soft_caries.threshold_n"));
-    QVERIFY(!both.leftOut.contains("soft_caries.rate_mm3_per_ns"));
-    QJsonObject all = lessons::toJson(hardTooth());
-    QVERIFY(!lessons::leftOutFault(lessons::readPresetText(written(all), "x")));
-    all.remove("pulp");
-    const auto fault = lessons::leftOutFault(lessons::readPresetText(written(all), "x"));
-    QVERIFY(fault && !fault->grave);
-    QCOMPARE(fault->english(), QString("says nothing of pulp: that is as shipped"));
-}
-
-void TestPresets::cutAnywhereIsAFault()
-{
-    const QByteArray whole = written(lessons::toJson(hardTooth())).trimmed();
-    for (qsizetype length = 0; length < whole.size(); ++length) {
-        const lessons::ReadPreset read = lessons::readPresetText(whole.left(length), "x");
-        QVERIFY2(!read.preset && lessons::anyGrave(read.faults), qPrintable(QString::number(length)));
+    void cutAnywhereIsAFault()
+    {
+        const QByteArray whole = written(lessons::toJson(hardTooth())).trimmed();
+        for (qsizetype length = 0; length < whole.size(); ++length) {
+            const lessons::ReadPreset read = lessons::readPresetText(whole.left(length), "x");
+            QVERIFY2(!read.preset && lessons::anyGrave(read.faults), qPrintable(QString::number(length)));
+        }
     }
-}
 
-void TestPresets::refusesStrangers_data()
-{
-    support::columns<QByteArray, QString>("json", "says");
-    const auto row = [](const char* name, const QByteArray& json, const char* says) {
-        QTest::newRow(name) << json << QString(says);
-    };
-    row("nothing", "", "is empty");
-    row("a list", "[]", "must be one JSON object");
-    row("a picture", QByteArray("\x89PNG\r\n\x1A\n\0\0\0\rIHDR", 16), "");
-    row("another kind", R"({"kind": "cusp-lesson"})", "is no hardness preset");
-    row("the future", R"({"format": 2})", "from a newer Cusp");
-    row("huge", "{\"notes\": \"" + QByteArray(200'000, 'x') + "\"}", "has ");
-    row("deep", QByteArray(5000, '[') + QByteArray(5000, ']'), "");
-    row("a number too large for a double", R"({"enamel": {"rate_mm3_per_ns": 1e999}})", "");
-    row("a negative rate", R"({"enamel": {"rate_mm3_per_ns": -1}})", "enamel.rate_mm3_per_ns: is -1");
-    row("a huge rate", R"({"enamel": {"rate_mm3_per_ns": 1e300}})", "must lie between 0 and 100");
-    row("a text for a number", R"({"enamel": {"rate_mm3_per_ns": "0.7"}})", "is a text; write a number");
-    row("null for a number", R"({"axial_share": null})", "axial_share: is null");
-    row("a number for an object", R"({"force": 2})", "force: is a number; write an object");
-    row("no stiffness", R"({"force": {"stiffness_n_per_mm": 0}})", "force.stiffness_n_per_mm: is 0");
-    row("half a version", R"({"version": 1.5})", "must be a whole number");
-    row("version 0", R"({"version": 0})", "version: is 0");
-    row("a version beyond counting", R"({"version": 1e18})", "version: is 1e+18");
-    row("no name", R"({"name": ""})", "name: must be one line");
-    row("two lines for a name", R"({"name": "a\nb"})", "name: must be one line");
-    row("a long name", "{\"name\": \"" + QByteArray(61, 'x') + "\"}", "has 61 characters");
-    row("a long name of rare kanji", "{\"name\": \"" + QByteArray("𠮷").repeated(61) + "\"}", "has 61 characters");
-    row("a name written backwards", R"({"name": "natural \u202egnp"})", "U+202e");
-    row("a name with a zero", R"({"name": "nat\u0000ural"})", "U+0000");
-    row("notes with a bell", R"({"notes": "\u0007"})", "U+0007");
-    row("a key said twice", R"({"enamel": {}, "enamel": {}})", "is said twice");
-    row("a wide encoding", QByteArray("\xFF\xFE{\0}\0", 6), "save it as UTF-8");
-}
+    void refusesStrangers_data()
+    {
+        support::columns<QByteArray, QString>("json", "says");
+        const auto row = [](const char* name, const QByteArray& json, const char* says) {
+            QTest::newRow(name) << json << QString(says);
+        };
+        row("nothing", "", "is empty");
+        row("a list", "[]", "must be one JSON object");
+        row("a picture", QByteArray("\x89PNG\r\n\x1A\n\0\0\0\rIHDR", 16), "");
+        row("another kind", R"({"kind": "cusp-lesson"})", "is no hardness preset");
+        row("the future", R"({"format": 2})", "from a newer Cusp");
+        row("huge", "{\"notes\": \"" + QByteArray(200'000, 'x') + "\"}", "has ");
+        row("deep", QByteArray(5000, '[') + QByteArray(5000, ']'), "");
+        row("a number too large for a double", R"({"enamel": {"rate_mm3_per_ns": 1e999}})", "");
+        row("a negative rate", R"({"enamel": {"rate_mm3_per_ns": -1}})", "enamel.rate_mm3_per_ns: is -1");
+        row("a huge rate", R"({"enamel": {"rate_mm3_per_ns": 1e300}})", "must lie between 0 and 100");
+        row("a text for a number", R"({"enamel": {"rate_mm3_per_ns": "0.7"}})", "is a text; write a number");
+        row("null for a number", R"({"axial_share": null})", "axial_share: is null");
+        row("a number for an object", R"({"force": 2})", "force: is a number; write an object");
+        row("no stiffness", R"({"force": {"stiffness_n_per_mm": 0}})", "force.stiffness_n_per_mm: is 0");
+        row("half a version", R"({"version": 1.5})", "must be a whole number");
+        row("version 0", R"({"version": 0})", "version: is 0");
+        row("a version beyond counting", R"({"version": 1e18})", "version: is 1e+18");
+        row("no name", R"({"name": ""})", "name: must be one line");
+        row("two lines for a name", R"({"name": "a\nb"})", "name: must be one line");
+        row("a long name", "{\"name\": \"" + QByteArray(61, 'x') + "\"}", "has 61 characters");
+        row("a long name of rare kanji", "{\"name\": \"" + QByteArray("𠮷").repeated(61) + "\"}", "has 61 characters");
+        row("a name written backwards", R"({"name": "natural \u202egnp"})", "U+202e");
+        row("a name with a zero", R"({"name": "nat\u0000ural"})", "U+0000");
+        row("notes with a bell", R"({"notes": "\u0007"})", "U+0007");
+        row("a key said twice", R"({"enamel": {}, "enamel": {}})", "is said twice");
+        row("a wide encoding", QByteArray("\xFF\xFE{\0}\0", 6), "save it as UTF-8");
+    }
 
-void TestPresets::refusesStrangers()
-{
-    QFETCH(QByteArray, json);
-    QFETCH(QString, says);
-    const lessons::ReadPreset read = lessons::readPresetText(json, "x.cusppreset");
-    QVERIFY(!read.preset);
-    QVERIFY(lessons::anyGrave(read.faults));
-    QVERIFY2(allFaults(read).contains(says), qPrintable(allFaults(read)));
-}
+    void refusesStrangers()
+    {
+        QFETCH(QByteArray, json);
+        QFETCH(QString, says);
+        const lessons::ReadPreset read = lessons::readPresetText(json, "x.cusppreset");
+        QVERIFY(!read.preset);
+        QVERIFY(lessons::anyGrave(read.faults));
+        QVERIFY2(allFaults(read).contains(says), qPrintable(allFaults(read)));
+    }
 
-void TestPresets::unknownKeysWarn()
-{
-    const lessons::ReadPreset read =
-        lessons::readPresetText(R"({"name": "x", "enamle": {}, "force": {"stiffness": 2}, "colour": 1})", "x");
-    QVERIFY2(read.preset, qPrintable(allFaults(read)));
-    QCOMPARE(read.faults.size(), std::size_t{3});
-    QVERIFY2(allFaults(read).contains("enamle: is not a key that is known here; did you mean \"enamel\"?"),
-             qPrintable(allFaults(read)));
-    QVERIFY2(allFaults(read).contains("force.stiffness: is not a key"), qPrintable(allFaults(read)));
-}
-
-void TestPresets::aFileTooLargeIsToldItsSize()
-{
-    QTemporaryDir folder;
-    const QString path = write(folder.filePath("big.json"), QByteArray(200'000, ' '));
-    const lessons::ReadPreset read = lessons::readPreset(path);
-    QVERIFY2(!read.preset && allFaults(read).contains("has 200000 bytes"), qPrintable(allFaults(read)));
-}
-
-void TestPresets::outOfTheBoundIsRefusedWithIt()
-{
-    FeelPreset stiff = hardTooth();
-    stiff.stiffnessNPerMm = 9.0;
-    const lessons::ReadPreset read = lessons::readPresetText(written(lessons::toJson(stiff)), "x");
-    QVERIFY(!read.preset);
-    QVERIFY2(allFaults(read).contains("the stiffness is 9 N/mm") && allFaults(read).contains("held up to 5.71 N/mm"),
-             qPrintable(allFaults(read)));
-    QVERIFY(read.beyondBound && read.beyondBound->stiffnessNPerMm == 9.0);
-    QTemporaryDir folder;
-    lessons::PresetFolder shelf(folder.path());
-    QVERIFY(support::isRefused(shelf.save(stiff), "held up to 5.71 N/mm"));
-    QVERIFY(QDir(folder.path()).isEmpty());
-}
-
-void TestPresets::versionsAreKeptAndNeverChanged()
-{
-    QTemporaryDir folder;
-    lessons::PresetFolder shelf(folder.filePath("presets"));  // not there yet
-    FeelPreset first = hardTooth();
-    first.version = 0;
-    QCOMPARE(shelf.save(first).value().version, 1);
-    QCOMPARE(shelf.save(first).value().version, 1);  // the same again is no version more
-    FeelPreset second = first;
-    second.enamelRate = 0.5;
-    QCOMPARE(shelf.save(second).value().version, 2);
-    QCOMPARE(shelf.save(first).value().version, 3);  // restored: what was, as a version of its own
-    // One that is shipped has its numbers, too.
-    FeelPreset natural;
-    natural.version = 0;
-    natural.dentinRate = 2.0;
-    QCOMPARE(shelf.save(natural).value().version, 2);
-    std::vector<std::pair<std::string, int>> found;
-    for (const lessons::ReadPreset& read : shelf.list()) {
+    void unknownKeysWarn()
+    {
+        const lessons::ReadPreset read =
+            lessons::readPresetText(R"({"name": "x", "enamle": {}, "force": {"stiffness": 2}, "colour": 1})", "x");
         QVERIFY2(read.preset, qPrintable(allFaults(read)));
-        found.emplace_back(read.preset->name, read.preset->version);
+        QCOMPARE(read.faults.size(), std::size_t{3});
+        QVERIFY2(allFaults(read).contains("enamle: is not a key that is known here; did you mean \"enamel\"?"),
+                 qPrintable(allFaults(read)));
+        QVERIFY2(allFaults(read).contains("force.stiffness: is not a key"), qPrintable(allFaults(read)));
     }
-    const std::string hard = first.name;
-    QCOMPARE(found, (std::vector<std::pair<std::string, int>>{
-                        {hard, 3}, {hard, 2}, {hard, 1}, {"natural", 2}, {"natural", 1}}));
-    QVERIFY(QDir(folder.filePath("presets")).entryList({"*.part"}, QDir::Files | QDir::Hidden).isEmpty());
-}
 
-void TestPresets::anImportKeepsItsNumberIfThatIsFree()
-{
-    QTemporaryDir folder;
-    lessons::PresetFolder shelf(folder.path());
-    FeelPreset theirs = hardTooth();
-    theirs.version = 7;
-    QCOMPARE(shelf.save(theirs).value().version, 7);
-    QCOMPARE(shelf.save(theirs).value().version, 7);
-    QCOMPARE(shelf.list().size(), std::size_t{2});
-    theirs.notes = "another of the same number";
-    QCOMPARE(shelf.save(theirs).value().version, 8);
-    // After the last number there is none.
-    theirs.name = "worn out";
-    theirs.version = lessons::kNewestPresetVersion;
-    QVERIFY(shelf.save(theirs));
-    theirs.version = 0;
-    theirs.enamelRate *= 0.9;
-    QVERIFY(support::isRefused(shelf.save(theirs), "keep this under another name"));
-}
-
-void TestPresets::aFolderOfStrangersIsHarmless()
-{
-    QTemporaryDir folder;
-    write(folder.filePath("a.cusppreset"), "{");
-    write(folder.filePath("b.cusppreset"), R"({"name": "natural", "version": 1, "dentin": {"rate_mm3_per_ns": 9}})");
-    write(folder.filePath("c.txt"), "hello");
-    QVERIFY(QDir(folder.path()).mkdir("d.cusppreset"));
-    lessons::PresetFolder shelf(folder.path());
-    const auto all = shelf.list();
-    QCOMPARE(all.size(), std::size_t{3});
-    QVERIFY(*all[0].preset == lessons::shippedPresets().front());
-    QVERIFY(!all[1].preset && !all[2].preset);
-    QVERIFY2(allFaults(all[2]).contains("there is another natural of version 1"), qPrintable(allFaults(all[2])));
-    QVERIFY(!lessons::readPreset(folder.path()).preset);
-    QVERIFY(!lessons::readPreset(folder.filePath("none.cusppreset")).preset);
-}
-
-void TestPresets::whereNothingCanBeWrittenItSaysSo()
-{
-    QTemporaryDir folder;
-    write(folder.filePath("file"), "x");
-    lessons::PresetFolder shelf(folder.filePath("file/presets"));
-    QVERIFY(support::isRefused(shelf.save(hardTooth()), core::ErrorCode::FileUnwritable));
-}
-
-void TestPresets::namesAreFound()
-{
-    QTemporaryDir folder;
-    lessons::PresetFolder shelf(folder.path());
-    FeelPreset mine;
-    mine.name = "mine";
-    QVERIFY(shelf.save(mine));
-    mine.version = 0;
-    mine.dentinRate = 1.0;
-    QVERIFY(shelf.save(mine));
-    QCOMPARE(lessons::findPreset(shelf.list(), "mine").value().version, 2);
-    QCOMPARE(lessons::findPreset(shelf.list(), "mine v1").value().version, 1);
-    const auto none = lessons::findPreset(shelf.list(), "theirs");
-    QVERIFY2(none.error().detail.find("mine, natural") != std::string::npos, none.error().detail.c_str());
-}
-
-void TestPresets::labelsAreReadBack()
-{
-    const FeelPreset hard = hardTooth();
-    const lessons::PresetUsed used = lessons::presetUsed(core::settings::labelOf(hard), true);
-    QCOMPARE(used.name, QString("Zähne, hart"));
-    QCOMPARE(used.version, 1);
-    QCOMPARE(used.hash, QString::fromStdString(hard.hash).left(8));
-    QVERIFY(used.isChanged);
-    // An attempt names it by the whole hash.
-    QCOMPARE(lessons::presetUsed(core::settings::hardnessFor(hard, {}).name, false).hash,
-             QString::fromStdString(hard.hash));
-    QVERIFY(lessons::presetUsed("natural", false) == (lessons::PresetUsed{"natural", 0, {}, false}));
-    FeelPreset odd;
-    odd.hash = std::string(64, 'a');
-    odd.name = "like natural v2 #12345678";
-    odd.version = 3;
-    QCOMPARE(lessons::presetUsed(core::settings::labelOf(odd), false).name, QString("like natural v2 #12345678"));
-    QCOMPARE(lessons::presetUsed(core::settings::labelOf(odd), false).version, 3);
-}
-
-/// What no lesson says comes from the preset in use; which rows of it, the lesson does.
-void TestPresets::lessonSaysWhichRowsCut()
-{
-    using core::terrain::Material;
-    const FeelPreset preset = hardTooth();
-    const auto settingsOf = [&](const lessons::Lesson* lesson) { return lessons::servoSettings(lesson, {}, preset); };
-    const auto rate = [](const core::session::ServoSettings& settings, Material material) {
-        return settings.hardness.material.at(static_cast<std::size_t>(material)).rateMm3PerNs;
-    };
-    QCOMPARE(rate(settingsOf(nullptr), Material::Caries), preset.softCariesRate);
-    QCOMPARE(rate(settingsOf(nullptr), Material::Enamel), preset.enamelRate);
-    QCOMPARE(settingsOf(nullptr).force.stiffnessNPerMm, preset.stiffnessNPerMm);
-    QCOMPARE(settingsOf(nullptr).force.clampN, preset.clampN);
-    QVERIFY(settingsOf(nullptr).hardness.name.starts_with(core::settings::labelOf(preset)));
-    lessons::Lesson lesson;
-    lesson.kind.hasFirmCaries = true;
-    QCOMPARE(rate(settingsOf(&lesson), Material::Caries), preset.firmCariesRate);
-    lesson.kind.isPlastic = true;
-    for (const Material material : {Material::Caries, Material::Enamel, Material::Dentin, Material::Pulp})
-        QCOMPARE(rate(settingsOf(&lesson), material), preset.plasticRate);
-    lesson.hardness = core::settings::findHardnessPreset("typodont").value();
-    QCOMPARE(settingsOf(&lesson).hardness.name, std::string("typodont"));
-    // Back again, as for an attempt that is taken up.
-    for (const core::settings::ToothKind kind : {core::settings::ToothKind{}, {true, false}, {false, true}}) {
-        lesson = {};
-        lesson.kind = kind;
-        const core::session::ServoSettings set = settingsOf(&lesson);
-        const FeelPreset felt = core::settings::feltAs(FeelPreset{}, set.hardness, set.force, kind);
-        QVERIFY(lessons::servoSettings(&lesson, {}, felt).hardness.material == set.hardness.material);
-        QCOMPARE(felt.stiffnessNPerMm, preset.stiffnessNPerMm);
+    void aFileTooLargeIsToldItsSize()
+    {
+        QTemporaryDir folder;
+        const QString path = write(folder.filePath("big.json"), QByteArray(200'000, ' '));
+        const lessons::ReadPreset read = lessons::readPreset(path);
+        QVERIFY2(!read.preset && allFaults(read).contains("has 200000 bytes"), qPrintable(allFaults(read)));
     }
-    const lessons::ReadLesson read = lessons::readDraft(
-        QJsonObject{
-            {"format", 1}, {"based_on", "decay-36-2-moderate.lesson.json"}, {"id", "firm-36"}, {"caries", "firm"}},
-        QDir::temp().filePath("firm.lesson.json"));
-    QVERIFY(read.lesson && read.lesson->kind.hasFirmCaries && !read.lesson->hardness);
-    lesson.hardness = core::settings::findHardnessPreset("typodont").value();
-    // As before: plastic as shipped is the typodont, and the shipped preset is what a tooth was.
-    const FeelPreset shipped = lessons::shippedPresets().front();
-    QVERIFY(core::settings::hardnessFor(shipped, {true, false}).material == lesson.hardness->material);
-    QVERIFY(core::settings::hardnessFor(shipped, {}).material == core::settings::HardnessPreset{}.material);
-    core::contact::ForceSettings force;
-    core::settings::putForces(shipped, force);
-    QVERIFY(force == core::contact::ForceSettings{});
-}
 
-/// A file beside it: what it says goes with the lesson into a recording, and into a pack.
-void TestPresets::lessonNamesAPresetsFile()
-{
-    QTemporaryDir folder;
-    const FeelPreset preset = hardTooth();
-    QVERIFY(lessons::writePreset(folder.filePath("hard.cusppreset"), preset));
-    QJsonObject object{{"format", 1},
-                       {"based_on", "decay-36-2-moderate.lesson.json"},
-                       {"id", "hard-36"},
-                       {"caries", "firm"},
-                       {"hardness", "hard.cusppreset"}};
-    const auto read = [&] {
-        return lessons::readLesson(write(folder.filePath("hard.lesson.json"), QJsonDocument(object).toJson()));
-    };
-    const lessons::ReadLesson found = read();
-    QVERIFY2(found.lesson && found.faults.empty(), found.faults.empty() ? "" : qPrintable(found.faults[0].sentence()));
-    const core::settings::HardnessPreset hardness = core::settings::hardnessFor(preset, {false, true});
-    QVERIFY(found.lesson->hardness == hardness);
-    QVERIFY(found.uses.contains(folder.filePath("hard.cusppreset")));
-    const lessons::ReadLesson again =
-        lessons::readLessonText(QByteArray::fromStdString(found.lesson->json), "recording");
-    QVERIFY2(again.lesson && again.faults.empty(), again.faults.empty() ? "" : qPrintable(again.faults[0].sentence()));
-    QVERIFY(again.lesson->hardness == hardness);
-    QCOMPARE(lessons::presetUsed(again.lesson->hardness->name, false).name, QString("Zähne, hart"));
-    // Another content of the file is another lesson.
-    FeelPreset other = preset;
-    other.enamelRate = 0.9;
-    QVERIFY(lessons::writePreset(folder.filePath("hard.cusppreset"), other));
-    QVERIFY(read().lesson->hash != found.lesson->hash);
-    write(folder.filePath("hard.cusppreset"), R"({"force": {"stiffness_n_per_mm": 15}})");
-    QVERIFY(!read().lesson);
-    object["hardness"] = "none.cusppreset";
-    QVERIFY(!read().lesson);
-    object["hardness"] = "../hard.cusppreset";
-    QVERIFY(!read().lesson);
-}
+    void outOfTheBoundIsRefusedWithIt()
+    {
+        FeelPreset stiff = hardTooth();
+        stiff.stiffnessNPerMm = 9.0;
+        const lessons::ReadPreset read = lessons::readPresetText(written(lessons::toJson(stiff)), "x");
+        QVERIFY(!read.preset);
+        QVERIFY2(allFaults(read).contains("the stiffness is 9 N/mm") &&
+                     allFaults(read).contains("held up to 5.71 N/mm"),
+                 qPrintable(allFaults(read)));
+        QVERIFY(read.beyondBound && read.beyondBound->stiffnessNPerMm == 9.0);
+        QTemporaryDir folder;
+        lessons::PresetFolder shelf(folder.path());
+        QVERIFY(support::isRefused(shelf.save(stiff), "held up to 5.71 N/mm"));
+        QVERIFY(QDir(folder.path()).isEmpty());
+    }
+
+    void versionsAreKeptAndNeverChanged()
+    {
+        QTemporaryDir folder;
+        lessons::PresetFolder shelf(folder.filePath("presets"));  // not there yet
+        FeelPreset first = hardTooth();
+        first.version = 0;
+        QCOMPARE(shelf.save(first).value().version, 1);
+        QCOMPARE(shelf.save(first).value().version, 1);  // the same again is no version more
+        FeelPreset second = first;
+        second.enamelRate = 0.5;
+        QCOMPARE(shelf.save(second).value().version, 2);
+        QCOMPARE(shelf.save(first).value().version, 3);  // restored: what was, as a version of its own
+        // One that is shipped has its numbers, too.
+        FeelPreset natural;
+        natural.version = 0;
+        natural.dentinRate = 2.0;
+        QCOMPARE(shelf.save(natural).value().version, 2);
+        std::vector<std::pair<std::string, int>> found;
+        for (const lessons::ReadPreset& read : shelf.list()) {
+            QVERIFY2(read.preset, qPrintable(allFaults(read)));
+            found.emplace_back(read.preset->name, read.preset->version);
+        }
+        const std::string hard = first.name;
+        QCOMPARE(found, (std::vector<std::pair<std::string, int>>{
+                            {hard, 3}, {hard, 2}, {hard, 1}, {"natural", 2}, {"natural", 1}}));
+        QVERIFY(QDir(folder.filePath("presets")).entryList({"*.part"}, QDir::Files | QDir::Hidden).isEmpty());
+    }
+
+    void anImportKeepsItsNumberIfThatIsFree()
+    {
+        QTemporaryDir folder;
+        lessons::PresetFolder shelf(folder.path());
+        FeelPreset theirs = hardTooth();
+        theirs.version = 7;
+        QCOMPARE(shelf.save(theirs).value().version, 7);
+        QCOMPARE(shelf.save(theirs).value().version, 7);
+        QCOMPARE(shelf.list().size(), std::size_t{2});
+        theirs.notes = "another of the same number";
+        QCOMPARE(shelf.save(theirs).value().version, 8);
+        // After the last number there is none.
+        theirs.name = "worn out";
+        theirs.version = lessons::kNewestPresetVersion;
+        QVERIFY(shelf.save(theirs));
+        theirs.version = 0;
+        theirs.enamelRate *= 0.9;
+        QVERIFY(support::isRefused(shelf.save(theirs), "keep this under another name"));
+    }
+
+    void aFolderOfStrangersIsHarmless()
+    {
+        QTemporaryDir folder;
+        write(folder.filePath("a.cusppreset"), "{");
+        write(folder.filePath("b.cusppreset"),
+              R"({"name": "natural", "version": 1, "dentin": {"rate_mm3_per_ns": 9}})");
+        write(folder.filePath("c.txt"), "hello");
+        QVERIFY(QDir(folder.path()).mkdir("d.cusppreset"));
+        lessons::PresetFolder shelf(folder.path());
+        const auto all = shelf.list();
+        QCOMPARE(all.size(), std::size_t{3});
+        QVERIFY(*all[0].preset == lessons::shippedPresets().front());
+        QVERIFY(!all[1].preset && !all[2].preset);
+        QVERIFY2(allFaults(all[2]).contains("there is another natural of version 1"), qPrintable(allFaults(all[2])));
+        QVERIFY(!lessons::readPreset(folder.path()).preset);
+        QVERIFY(!lessons::readPreset(folder.filePath("none.cusppreset")).preset);
+    }
+
+    void whereNothingCanBeWrittenItSaysSo()
+    {
+        QTemporaryDir folder;
+        write(folder.filePath("file"), "x");
+        lessons::PresetFolder shelf(folder.filePath("file/presets"));
+        QVERIFY(support::isRefused(shelf.save(hardTooth()), core::ErrorCode::FileUnwritable));
+    }
+
+    void namesAreFound()
+    {
+        QTemporaryDir folder;
+        lessons::PresetFolder shelf(folder.path());
+        FeelPreset mine;
+        mine.name = "mine";
+        QVERIFY(shelf.save(mine));
+        mine.version = 0;
+        mine.dentinRate = 1.0;
+        QVERIFY(shelf.save(mine));
+        QCOMPARE(lessons::findPreset(shelf.list(), "mine").value().version, 2);
+        QCOMPARE(lessons::findPreset(shelf.list(), "mine v1").value().version, 1);
+        const auto none = lessons::findPreset(shelf.list(), "theirs");
+        QVERIFY2(none.error().detail.find("mine, natural") != std::string::npos, none.error().detail.c_str());
+    }
+
+    void labelsAreReadBack()
+    {
+        const FeelPreset hard = hardTooth();
+        const lessons::PresetUsed used = lessons::presetUsed(core::settings::labelOf(hard), true);
+        QCOMPARE(used.name, QString("Zähne, hart"));
+        QCOMPARE(used.version, 1);
+        QCOMPARE(used.hash, QString::fromStdString(hard.hash).left(8));
+        QVERIFY(used.isChanged);
+        // An attempt names it by the whole hash.
+        QCOMPARE(lessons::presetUsed(core::settings::hardnessFor(hard, {}).name, false).hash,
+                 QString::fromStdString(hard.hash));
+        QVERIFY(lessons::presetUsed("natural", false) == (lessons::PresetUsed{"natural", 0, {}, false}));
+        FeelPreset odd;
+        odd.hash = std::string(64, 'a');
+        odd.name = "like natural v2 #12345678";
+        odd.version = 3;
+        QCOMPARE(lessons::presetUsed(core::settings::labelOf(odd), false).name, QString("like natural v2 #12345678"));
+        QCOMPARE(lessons::presetUsed(core::settings::labelOf(odd), false).version, 3);
+    }
+
+    /// What no lesson says comes from the preset in use; which rows of it, the lesson does.
+    void lessonSaysWhichRowsCut()
+    {
+        using core::terrain::Material;
+        const FeelPreset preset = hardTooth();
+        const auto settingsOf = [&](const lessons::Lesson* lesson) {
+            return lessons::servoSettings(lesson, {}, preset);
+        };
+        const auto rate = [](const core::session::ServoSettings& settings, Material material) {
+            return settings.hardness.material.at(static_cast<std::size_t>(material)).rateMm3PerNs;
+        };
+        QCOMPARE(rate(settingsOf(nullptr), Material::Caries), preset.softCariesRate);
+        QCOMPARE(rate(settingsOf(nullptr), Material::Enamel), preset.enamelRate);
+        QCOMPARE(settingsOf(nullptr).force.stiffnessNPerMm, preset.stiffnessNPerMm);
+        QCOMPARE(settingsOf(nullptr).force.clampN, preset.clampN);
+        QVERIFY(settingsOf(nullptr).hardness.name.starts_with(core::settings::labelOf(preset)));
+        lessons::Lesson lesson;
+        lesson.kind.hasFirmCaries = true;
+        QCOMPARE(rate(settingsOf(&lesson), Material::Caries), preset.firmCariesRate);
+        lesson.kind.isPlastic = true;
+        for (const Material material : {Material::Caries, Material::Enamel, Material::Dentin, Material::Pulp})
+            QCOMPARE(rate(settingsOf(&lesson), material), preset.plasticRate);
+        lesson.hardness = core::settings::findHardnessPreset("typodont").value();
+        QCOMPARE(settingsOf(&lesson).hardness.name, std::string("typodont"));
+        // Back again, as for an attempt that is taken up.
+        for (const core::settings::ToothKind kind : {core::settings::ToothKind{}, {true, false}, {false, true}}) {
+            lesson = {};
+            lesson.kind = kind;
+            const core::session::ServoSettings set = settingsOf(&lesson);
+            const FeelPreset felt = core::settings::feltAs(FeelPreset{}, set.hardness, set.force, kind);
+            QVERIFY(lessons::servoSettings(&lesson, {}, felt).hardness.material == set.hardness.material);
+            QCOMPARE(felt.stiffnessNPerMm, preset.stiffnessNPerMm);
+        }
+        const lessons::ReadLesson read = lessons::readDraft(
+            QJsonObject{
+                {"format", 1}, {"based_on", "decay-36-2-moderate.lesson.json"}, {"id", "firm-36"}, {"caries", "firm"}},
+            QDir::temp().filePath("firm.lesson.json"));
+        QVERIFY(read.lesson && read.lesson->kind.hasFirmCaries && !read.lesson->hardness);
+        lesson.hardness = core::settings::findHardnessPreset("typodont").value();
+        // As before: plastic as shipped is the typodont, and the shipped preset is what a tooth was.
+        const FeelPreset shipped = lessons::shippedPresets().front();
+        QVERIFY(core::settings::hardnessFor(shipped, {true, false}).material == lesson.hardness->material);
+        QVERIFY(core::settings::hardnessFor(shipped, {}).material == core::settings::HardnessPreset{}.material);
+        core::contact::ForceSettings force;
+        core::settings::putForces(shipped, force);
+        QVERIFY(force == core::contact::ForceSettings{});
+    }
+
+    /// A file beside it: what it says goes with the lesson into a recording, and into a pack.
+    void lessonNamesAPresetsFile()
+    {
+        QTemporaryDir folder;
+        const FeelPreset preset = hardTooth();
+        QVERIFY(lessons::writePreset(folder.filePath("hard.cusppreset"), preset));
+        QJsonObject object{{"format", 1},
+                           {"based_on", "decay-36-2-moderate.lesson.json"},
+                           {"id", "hard-36"},
+                           {"caries", "firm"},
+                           {"hardness", "hard.cusppreset"}};
+        const auto read = [&] {
+            return lessons::readLesson(write(folder.filePath("hard.lesson.json"), QJsonDocument(object).toJson()));
+        };
+        const lessons::ReadLesson found = read();
+        QVERIFY2(found.lesson && found.faults.empty(),
+                 found.faults.empty() ? "" : qPrintable(found.faults[0].sentence()));
+        const core::settings::HardnessPreset hardness = core::settings::hardnessFor(preset, {false, true});
+        QVERIFY(found.lesson->hardness == hardness);
+        QVERIFY(found.uses.contains(folder.filePath("hard.cusppreset")));
+        const lessons::ReadLesson again =
+            lessons::readLessonText(QByteArray::fromStdString(found.lesson->json), "recording");
+        QVERIFY2(again.lesson && again.faults.empty(),
+                 again.faults.empty() ? "" : qPrintable(again.faults[0].sentence()));
+        QVERIFY(again.lesson->hardness == hardness);
+        QCOMPARE(lessons::presetUsed(again.lesson->hardness->name, false).name, QString("Zähne, hart"));
+        // Another content of the file is another lesson.
+        FeelPreset other = preset;
+        other.enamelRate = 0.9;
+        QVERIFY(lessons::writePreset(folder.filePath("hard.cusppreset"), other));
+        QVERIFY(read().lesson->hash != found.lesson->hash);
+        write(folder.filePath("hard.cusppreset"), R"({"force": {"stiffness_n_per_mm": 15}})");
+        QVERIFY(!read().lesson);
+        object["hardness"] = "none.cusppreset";
+        QVERIFY(!read().lesson);
+        object["hardness"] = "../hard.cusppreset";
+        QVERIFY(!read().lesson);
+    }
+};
 
 QTEST_APPLESS_MAIN(TestPresets)
 #include "tst_presets.moc"

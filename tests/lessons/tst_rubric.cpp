@@ -54,334 +54,318 @@ class TestRubric : public QObject
     Q_OBJECT
 
 private slots:
-    void theExampleOfTheDocumentIsRight();
-    void eachSideCountsItsOwnErrors_data();
-    void eachSideCountsItsOwnErrors();
-    void whatComesFromRoundingIsNoError();
-    void halfATenthGoesUp();
-    void whatWasNotMeasuredEarnsNothing();
-    void anAllowanceGrowsWithItsMeasure();
-    void nothingIsEarnedBeforeItsTime();
-    void theWorstErrorDecides();
-    void aCriticalErrorTakesWhatIsLeft();
-    void theSumIsAlwaysExact();
-    void moreErrorNeverEarnsPoints();
-    void aClassIsComparedFromFivePeopleOn();
-    void refusesWhatCannotMark_data();
-    void refusesWhatCannotMark();
-    void jsonHoldsEveryNumberBitForBit();
-};
+    void theExampleOfTheDocumentIsRight()
+    {
+        const Rubric rubric = decayRemoval();
+        QCOMPARE(rubric.criteria.size(), std::size_t{4});
+        const ScoreSheet sheet = grade(rubric, {{"caries_left_percent", 4.2},
+                                                {"caries_removed_percent", 95.8},
+                                                {"sound_overcut_mm3", 6.0},
+                                                {"smallest_cavity_mm3", 2.0},
+                                                {"pulp_exposed_mm2", 0.0},
+                                                {"perforated_mm2", 0.0}});
+        QCOMPARE(sheet.criteria[0].lostTenths, 192);
+        QCOMPARE(sheet.criteria[1].tolerance, 5.0);
+        QCOMPARE(sheet.criteria[1].lostTenths, 15);
+        QCOMPARE(sheet.criteria[2].lostTenths, 0);
+        QCOMPARE(sheet.totalTenths, 793);
+        QVERIFY(sheet.passed());
+    }
 
-void TestRubric::theExampleOfTheDocumentIsRight()
-{
-    const Rubric rubric = decayRemoval();
-    QCOMPARE(rubric.criteria.size(), std::size_t{4});
-    const ScoreSheet sheet = grade(rubric, {{"caries_left_percent", 4.2},
-                                            {"caries_removed_percent", 95.8},
-                                            {"sound_overcut_mm3", 6.0},
-                                            {"smallest_cavity_mm3", 2.0},
-                                            {"pulp_exposed_mm2", 0.0},
-                                            {"perforated_mm2", 0.0}});
-    QCOMPARE(sheet.criteria[0].lostTenths, 192);
-    QCOMPARE(sheet.criteria[1].tolerance, 5.0);
-    QCOMPARE(sheet.criteria[1].lostTenths, 15);
-    QCOMPARE(sheet.criteria[2].lostTenths, 0);
-    QCOMPARE(sheet.totalTenths, 793);
-    QVERIFY(sheet.passed());
-}
+    void eachSideCountsItsOwnErrors_data()
+    {
+        support::columns<int, double, double>("side", "value", "error");
+        QTest::newRow("over, above") << 0 << 2.0 << 0.25;
+        QTest::newRow("over, below") << 0 << 0.5 << 0.0;
+        QTest::newRow("under, above") << 1 << 2.0 << 0.0;
+        QTest::newRow("under, below") << 1 << 1.0 << 0.25;
+        QTest::newRow("both, above") << 2 << 2.0 << 0.25;
+        QTest::newRow("both, below") << 2 << 1.0 << 0.25;
+        QTest::newRow("both, at the edge of the tolerance") << 2 << 1.75 << 0.0;
+    }
 
-void TestRubric::eachSideCountsItsOwnErrors_data()
-{
-    support::columns<int, double, double>("side", "value", "error");
-    QTest::newRow("over, above") << 0 << 2.0 << 0.25;
-    QTest::newRow("over, below") << 0 << 0.5 << 0.0;
-    QTest::newRow("under, above") << 1 << 2.0 << 0.0;
-    QTest::newRow("under, below") << 1 << 1.0 << 0.25;
-    QTest::newRow("both, above") << 2 << 2.0 << 0.25;
-    QTest::newRow("both, below") << 2 << 1.0 << 0.25;
-    QTest::newRow("both, at the edge of the tolerance") << 2 << 1.75 << 0.0;
-}
-
-void TestRubric::eachSideCountsItsOwnErrors()
-{
-    QFETCH(int, side);
-    QFETCH(double, value);
-    QFETCH(double, error);
-    Rubric rubric;
-    rubric.criteria = {rule("a", 1.5, 0.25, 1.0, 1000, static_cast<Side>(side))};
-    const ScoreSheet sheet = grade(rubric, {{"a", value}});
-    QCOMPARE(sheet.criteria[0].error, error);
-    QCOMPARE(sheet.criteria[0].lostTenths, static_cast<int>(1000 * error));
-}
-
-/// Limits that no binary fraction can be: a value exactly on one is not beyond it, and a little more is.
-void TestRubric::whatComesFromRoundingIsNoError()
-{
-    Rubric rubric = decayRemoval();
-    CriterionRule& rule = rubric.criteria[2];
-    QVERIFY(rule.critical);
-    for (const Side side : {Side::Over, Side::Under, Side::Both})
-        for (int target = -30; target <= 30; ++target)
-            for (int tolerance = 0; tolerance <= 30; ++tolerance) {
-                rule.side = side;
-                rule.target = 0.1 * target;
-                rule.tolerance = 0.1 * tolerance;
-                const int sign = side == Side::Under ? -1 : 1;
-                const double limit = 0.1 * (target + sign * tolerance);
-                const auto failedAt = [&](double value) {
-                    return grade(rubric, {{"caries_left_percent", 0.0},
-                                          {"sound_overcut_mm3", 0.0},
-                                          {"pulp_exposed_mm2", value},
-                                          {"perforated_mm2", 0.0}})
-                        .failedCritically();
-                };
-                QVERIFY(!failedAt(limit));
-                QVERIFY(!failedAt(limit + sign * 1.0e-10));
-                QVERIFY(failedAt(limit + sign * 1.0e-8));
-            }
-    // Of large numbers the last bits are larger.
-    rule.side = Side::Over;
-    rule.target = 600000.7;
-    rule.tolerance = 200000.1;
-    const ScoreSheet large = grade(rubric, {{"caries_left_percent", 0.0},
-                                            {"sound_overcut_mm3", 0.0},
-                                            {"pulp_exposed_mm2", 0.1 * 8000008},
-                                            {"perforated_mm2", 0.0}});
-    QVERIFY(!large.failedCritically());
-}
-
-void TestRubric::halfATenthGoesUp()
-{
-    Rubric rubric = twoHalves();
-    rubric.criteria = {rule("a", 0.0, 0.0, 8.0, 4), rule("b", 0.0, 0.0, 0.0, 996)};
-    QCOMPARE(grade(rubric, {{"a", 1.0}, {"b", 0.0}}).criteria[0].lostTenths, 1);  // 4 / 8 = 0.5
-    QCOMPARE(grade(rubric, {{"a", 0.99}, {"b", 0.0}}).criteria[0].lostTenths, 0);
-}
-
-void TestRubric::whatWasNotMeasuredEarnsNothing()
-{
-    const ScoreSheet sheet = grade(twoHalves(), {{"a", std::nan("")}, {"b", std::numeric_limits<double>::infinity()}});
-    QVERIFY(!sheet.criteria[0].measured && !sheet.criteria[1].measured);
-    QCOMPARE(sheet.totalTenths, 0);
-    QCOMPARE(grade(twoHalves(), {{"a", 0.0}}).totalTenths, 500);
-}
-
-void TestRubric::anAllowanceGrowsWithItsMeasure()
-{
-    Rubric rubric;
-    rubric.criteria = {rule("a", 0.0, 6.0, 10.0, 1000)};
-    rubric.criteria[0].allowance = Allowance{"cavity", 0.5};
-    QCOMPARE(grade(rubric, {{"a", 9.0}}).criteria[0].tolerance, 6.0);
-    QCOMPARE(grade(rubric, {{"a", 9.0}, {"cavity", 4.0}}).criteria[0].tolerance, 8.0);
-    QCOMPARE(grade(rubric, {{"a", 9.0}, {"cavity", -4.0}}).criteria[0].tolerance, 6.0);
-}
-
-void TestRubric::nothingIsEarnedBeforeItsTime()
-{
-    Rubric rubric = twoHalves();
-    rubric.criteria[1].once = Once{"done", "percent", 50.1};
-    const auto graded = [&](const Values& values) { return grade(rubric, values); };
-    const ScoreSheet untouched = graded({{"a", 0.0}, {"b", 1.5}, {"done", 0.0}});
-    QVERIFY(untouched.criteria[1].isTooEarly);
-    QCOMPARE(untouched.criteria[1].error, 0.0);
-    QCOMPARE(untouched.totalTenths, 500);
-    QVERIFY(graded({{"a", 0.0}, {"b", 1.5}}).criteria[1].isTooEarly);
-    QCOMPARE(graded({{"a", 0.0}, {"b", 1.5}, {"done", 50.1}}).totalTenths, 1000);
-    QCOMPARE(graded({{"a", 0.0}, {"b", 1.5}, {"done", 167 * 0.3}}).totalTenths, 1000);
-    QCOMPARE(graded({{"a", 0.0}, {"b", 1.5}, {"done", 50.099}}).totalTenths, 500);
-    // What was done wrong meanwhile is known all the same.
-    const ScoreSheet wrong = graded({{"a", 0.0}, {"b", 2.125}, {"done", 12.0}});
-    QVERIFY(wrong.criteria[1].error > 0.0);
-    QCOMPARE(wrong.criteria[1].lostTenths, 500);
-    QCOMPARE(lostByError(wrong.criteria[1], Verdict::SumOfErrors), 375);
-    // What fails an attempt earns nothing, so it has nothing to wait for.
-    rubric.criteria[1].critical = true;
-    rubric.criteria[1].weightTenths = 0;
-    rubric.criteria[0].weightTenths = 1000;
-    const core::Status refused = check(rubric);
-    QVERIFY(!refused && refused.error().detail.find("once") != std::string::npos);
-}
-
-void TestRubric::theWorstErrorDecides()
-{
-    Rubric rubric = twoHalves();
-    rubric.verdict = Verdict::WorstError;
-    const ScoreSheet sheet = grade(rubric, {{"a", 1.5}, {"b", 2.125}});  // shares 0.25 and 0.75
-    QCOMPARE(sheet.criteria[0].lostTenths, 0);
-    QCOMPARE(sheet.criteria[1].lostTenths, 750);
-    QCOMPARE(sheet.totalTenths, 250);
-    QCOMPARE(grade(rubric, {{"a", 1.0}, {"b", 1.5}}).totalTenths, 1000);
-    // The first of equals.
-    QCOMPARE(grade(rubric, {{"a", 3.0}, {"b", 9.0}}).criteria[0].lostTenths, 1000);
-}
-
-void TestRubric::aCriticalErrorTakesWhatIsLeft()
-{
-    Rubric rubric = twoHalves();
-    rubric.criteria.push_back(rule("harm", 0.0, 0.1, 0.0, 0));
-    rubric.criteria.push_back(rule("worse", 0.0, 0.0, 0.0, 0));
-    rubric.criteria[2].critical = rubric.criteria[3].critical = true;
-    const ScoreSheet sheet = grade(rubric, {{"a", 2.0}, {"b", 1.5}, {"harm", 0.2}, {"worse", 1.0}});
-    QCOMPARE(sheet.criteria[0].lostTenths, 250);
-    QCOMPARE(sheet.criteria[2].lostTenths, 750);
-    QCOMPARE(sheet.criteria[3].lostTenths, 0);
-    QCOMPARE(sheet.totalTenths, 0);
-    QVERIFY(sheet.failedCritically() && !sheet.passed());
-    QVERIFY(grade(rubric, {{"a", 2.0}, {"b", 1.5}, {"harm", 0.1}, {"worse", 0.0}}).passed());
-    // Failing does not hang on the points: with nothing left to lose it fails all the same.
-    Rubric lenient = rubric;
-    lenient.passMarkTenths = 0;
-    QVERIFY(!grade(lenient, {{"a", 9.0}, {"b", 9.0}, {"harm", 1.0}, {"worse", 0.0}}).passed());
-}
-
-void TestRubric::theSumIsAlwaysExact()
-{
-    core::Rng rng(5);
-    for (int round = 0; round < 2000; ++round) {
+    void eachSideCountsItsOwnErrors()
+    {
+        QFETCH(int, side);
+        QFETCH(double, value);
+        QFETCH(double, error);
         Rubric rubric;
-        rubric.verdict = round % 3 == 0 ? Verdict::WorstError : Verdict::SumOfErrors;
-        int left = kFullTenths;
-        for (int k = 0; left > 0; ++k) {
-            const int weight = k == 9 ? left : std::min(left, 1 + static_cast<int>(rng.uniform(0.0, 300.0)));
-            left -= weight;
-            rubric.criteria.push_back(rule(std::to_string(k), rng.uniform(-1.0, 1.0), rng.uniform(0.0, 1.0),
-                                           rng.uniform(0.0, 2.0), weight, static_cast<Side>(k % 3)));
-        }
-        if (round % 4 == 0) {
-            rubric.criteria.push_back(rule("critical", 0.0, 2.0, 0.0, 0));
-            rubric.criteria.back().critical = true;
-        }
-        QVERIFY2(check(rubric).has_value(), check(rubric) ? "" : check(rubric).error().detail.c_str());
-        Values values;
-        for (const CriterionRule& criterion : rubric.criteria)
-            if (rng.uniform() > 0.1)
-                values[criterion.measure] = rng.uniform(-3.0, 3.0);
-        const ScoreSheet sheet = grade(rubric, values);
-        int sum = sheet.totalTenths;
-        for (const Criterion& line : sheet.criteria) {
-            QVERIFY(line.lostTenths >= 0);
-            sum += line.lostTenths;
-        }
-        QCOMPARE(sum, kFullTenths);
-        QVERIFY(sheet.totalTenths >= 0);
+        rubric.criteria = {rule("a", 1.5, 0.25, 1.0, 1000, static_cast<Side>(side))};
+        const ScoreSheet sheet = grade(rubric, {{"a", value}});
+        QCOMPARE(sheet.criteria[0].error, error);
+        QCOMPARE(sheet.criteria[0].lostTenths, static_cast<int>(1000 * error));
     }
-}
 
-void TestRubric::moreErrorNeverEarnsPoints()
-{
-    core::Rng rng(6);
-    for (int round = 0; round < 2000; ++round) {
+    /// Limits that no binary fraction can be: a value exactly on one is not beyond it, and a little more is.
+    void whatComesFromRoundingIsNoError()
+    {
+        Rubric rubric = decayRemoval();
+        CriterionRule& rule = rubric.criteria[2];
+        QVERIFY(rule.critical);
+        for (const Side side : {Side::Over, Side::Under, Side::Both})
+            for (int target = -30; target <= 30; ++target)
+                for (int tolerance = 0; tolerance <= 30; ++tolerance) {
+                    rule.side = side;
+                    rule.target = 0.1 * target;
+                    rule.tolerance = 0.1 * tolerance;
+                    const int sign = side == Side::Under ? -1 : 1;
+                    const double limit = 0.1 * (target + sign * tolerance);
+                    const auto failedAt = [&](double value) {
+                        return grade(rubric, {{"caries_left_percent", 0.0},
+                                              {"sound_overcut_mm3", 0.0},
+                                              {"pulp_exposed_mm2", value},
+                                              {"perforated_mm2", 0.0}})
+                            .failedCritically();
+                    };
+                    QVERIFY(!failedAt(limit));
+                    QVERIFY(!failedAt(limit + sign * 1.0e-10));
+                    QVERIFY(failedAt(limit + sign * 1.0e-8));
+                }
+        // Of large numbers the last bits are larger.
+        rule.side = Side::Over;
+        rule.target = 600000.7;
+        rule.tolerance = 200000.1;
+        const ScoreSheet large = grade(rubric, {{"caries_left_percent", 0.0},
+                                                {"sound_overcut_mm3", 0.0},
+                                                {"pulp_exposed_mm2", 0.1 * 8000008},
+                                                {"perforated_mm2", 0.0}});
+        QVERIFY(!large.failedCritically());
+    }
+
+    void halfATenthGoesUp()
+    {
         Rubric rubric = twoHalves();
-        rubric.criteria[0].span = rng.uniform(0.0, 3.0);
-        rubric.criteria[0].tolerance = rng.uniform(0.0, 1.0);
-        const double value = rng.uniform(0.0, 4.0);
-        const int better = grade(rubric, {{"a", value}, {"b", 1.5}}).totalTenths;
-        const int worse = grade(rubric, {{"a", value + rng.uniform()}, {"b", 1.5}}).totalTenths;
-        QVERIFY(worse <= better);
+        rubric.criteria = {rule("a", 0.0, 0.0, 8.0, 4), rule("b", 0.0, 0.0, 0.0, 996)};
+        QCOMPARE(grade(rubric, {{"a", 1.0}, {"b", 0.0}}).criteria[0].lostTenths, 1);  // 4 / 8 = 0.5
+        QCOMPARE(grade(rubric, {{"a", 0.99}, {"b", 0.0}}).criteria[0].lostTenths, 0);
     }
-}
 
-void TestRubric::aClassIsComparedFromFivePeopleOn()
-{
-    QCOMPARE(classStanding(800, {}), (ClassStanding{0, {}}));
-    QCOMPARE(classStanding(800, std::vector<int>{100, 200, 300, 900}), (ClassStanding{4, {}}));
-    QCOMPARE(classStanding(800, std::vector<int>{100, 200, 300, 900, 950}), (ClassStanding{5, 60.0}));
-    QCOMPARE(classStanding(800, std::vector<int>{100, 200, 800, 800, 950}), (ClassStanding{5, 40.0}));
-    // The lowest of all, who is among them: nobody is below.
-    QCOMPARE(classStanding(100, std::vector<int>{100, 200, 800, 800, 950}), (ClassStanding{5, 0.0}));
-    QCOMPARE(classStanding(0, std::vector<int>{1, 2, 3, 4, 5}), (ClassStanding{5, 0.0}));
-    QCOMPARE(classStanding(1000, std::vector<int>{1, 2, 3, 4, 5}), (ClassStanding{5, 100.0}));
-}
-
-void TestRubric::refusesWhatCannotMark_data()
-{
-    support::columns<int, QString>("what", "says");
-    QTest::newRow("weights over 100") << 0 << "make 110.0 points";
-    QTest::newRow("weights under 100") << 1 << "make 90.0 points";
-    QTest::newRow("twice the same id") << 2 << "twice";
-    QTest::newRow("no criteria") << 3 << "criteria";
-    QTest::newRow("a critical one with weight") << 4 << "critical";
-    QTest::newRow("a negative tolerance") << 5 << "tolerance";
-    QTest::newRow("not a number") << 6 << "target";
-    QTest::newRow("a pass mark over 100") << 7 << "pass_mark";
-}
-
-void TestRubric::refusesWhatCannotMark()
-{
-    QFETCH(int, what);
-    QFETCH(QString, says);
-    Rubric rubric = twoHalves();
-    QVERIFY(check(rubric).has_value());
-    CriterionRule& first = rubric.criteria[0];
-    switch (what) {
-    case 0:
-        first.weightTenths = 600;
-        break;
-    case 1:
-        first.weightTenths = 400;
-        break;
-    case 2:
-        first.id = std::string("b");
-        break;
-    case 3:
-        rubric.criteria.clear();
-        break;
-    case 4:
-        first.critical = true;
-        break;
-    case 5:
-        first.tolerance = -0.1;
-        break;
-    case 6:
-        first.target = std::nan("");
-        break;
-    default:
-        rubric.passMarkTenths = 1001;
+    void whatWasNotMeasuredEarnsNothing()
+    {
+        const ScoreSheet sheet =
+            grade(twoHalves(), {{"a", std::nan("")}, {"b", std::numeric_limits<double>::infinity()}});
+        QVERIFY(!sheet.criteria[0].measured && !sheet.criteria[1].measured);
+        QCOMPARE(sheet.totalTenths, 0);
+        QCOMPARE(grade(twoHalves(), {{"a", 0.0}}).totalTenths, 500);
     }
-    const auto sound = check(rubric);
-    QVERIFY(!sound.has_value());
-    QVERIFY2(QString::fromStdString(sound.error().detail).contains(says), sound.error().detail.c_str());
-}
 
-void TestRubric::jsonHoldsEveryNumberBitForBit()
-{
-    Rubric rubric = twoHalves();
-    rubric.hash = std::string("abc");
-    const ScoreSheet sheet = grade(rubric, {{"a", 1.0 + 1.0 / 3.0}});
-    const QJsonObject object = QJsonDocument::fromJson(toJson(sheet)).object();
-    // What was measured is found again, bit for bit.
-    const Values again = measuredIn(toJson(sheet).toStdString());
-    for (const Criterion& line : sheet.criteria) {
-        QCOMPARE(again.contains(line.measure), line.measured.has_value());
-        if (line.measured)
-            QCOMPARE(again.at(line.measure), *line.measured);
+    void anAllowanceGrowsWithItsMeasure()
+    {
+        Rubric rubric;
+        rubric.criteria = {rule("a", 0.0, 6.0, 10.0, 1000)};
+        rubric.criteria[0].allowance = Allowance{"cavity", 0.5};
+        QCOMPARE(grade(rubric, {{"a", 9.0}}).criteria[0].tolerance, 6.0);
+        QCOMPARE(grade(rubric, {{"a", 9.0}, {"cavity", 4.0}}).criteria[0].tolerance, 8.0);
+        QCOMPARE(grade(rubric, {{"a", 9.0}, {"cavity", -4.0}}).criteria[0].tolerance, 6.0);
     }
-    // So is the whole sheet.
-    const auto readAgain = [](const ScoreSheet& one) { return sheetIn(toJson(one).toStdString()); };
-    QVERIFY(readAgain(sheet) == sheet);
-    Rubric worst = rubric;
-    worst.verdict = Verdict::WorstError;
-    worst.title = {{"en", "Halves"}, {"ja", "半分"}};
-    worst.criteria[1].side = Side::Both;
-    worst.criteria[1].once = Once{"caries_removed_percent", "percent", 50.1};
-    for (const Values& values : {Values{{"a", 0.1}}, Values{{"a", 0.1}, {"caries_removed_percent", 1.0 / 3.0}}}) {
-        const ScoreSheet other = grade(worst, values);
-        QVERIFY(readAgain(other) == other);
+
+    void nothingIsEarnedBeforeItsTime()
+    {
+        Rubric rubric = twoHalves();
+        rubric.criteria[1].once = Once{"done", "percent", 50.1};
+        const auto graded = [&](const Values& values) { return grade(rubric, values); };
+        const ScoreSheet untouched = graded({{"a", 0.0}, {"b", 1.5}, {"done", 0.0}});
+        QVERIFY(untouched.criteria[1].isTooEarly);
+        QCOMPARE(untouched.criteria[1].error, 0.0);
+        QCOMPARE(untouched.totalTenths, 500);
+        QVERIFY(graded({{"a", 0.0}, {"b", 1.5}}).criteria[1].isTooEarly);
+        QCOMPARE(graded({{"a", 0.0}, {"b", 1.5}, {"done", 50.1}}).totalTenths, 1000);
+        QCOMPARE(graded({{"a", 0.0}, {"b", 1.5}, {"done", 167 * 0.3}}).totalTenths, 1000);
+        QCOMPARE(graded({{"a", 0.0}, {"b", 1.5}, {"done", 50.099}}).totalTenths, 500);
+        // What was done wrong meanwhile is known all the same.
+        const ScoreSheet wrong = graded({{"a", 0.0}, {"b", 2.125}, {"done", 12.0}});
+        QVERIFY(wrong.criteria[1].error > 0.0);
+        QCOMPARE(wrong.criteria[1].lostTenths, 500);
+        QCOMPARE(lostByError(wrong.criteria[1], Verdict::SumOfErrors), 375);
+        // What fails an attempt earns nothing, so it has nothing to wait for.
+        rubric.criteria[1].critical = true;
+        rubric.criteria[1].weightTenths = 0;
+        rubric.criteria[0].weightTenths = 1000;
+        const core::Status refused = check(rubric);
+        QVERIFY(!refused && refused.error().detail.find("once") != std::string::npos);
     }
-    const QByteArray whole = toJson(sheet);
-    for (const char* key : {"\"format\":", "\"measured\":", "\"side\":", "\"lost_tenths\":", "\"total_tenths\":"})
-        QVERIFY2(!sheetIn(QByteArray(whole).replace(key, "\"other\":").toStdString()), key);
-    QVERIFY(!sheetIn("") && !sheetIn("hello") && !sheetIn("{\"format\":2,\"sample\":true}"));
-    QVERIFY(measuredIn("").empty() && measuredIn("{\"criteria\": 3}").empty() && measuredIn("hello").empty());
-    QCOMPARE(object["format"].toInt(), 2);
-    QCOMPARE(object["total_tenths"].toInt(), sheet.totalTenths);
-    QCOMPARE(object["rubric_hash"].toString(), QString("abc"));
-    const QJsonObject first = object["criteria"].toArray().at(0).toObject();
-    QCOMPARE(first["measured"].toDouble(), 1.0 + 1.0 / 3.0);
-    QCOMPARE(first["share"].toDouble(), sheet.criteria[0].share);
-    QCOMPARE(first["lost_tenths"].toInt(), sheet.criteria[0].lostTenths);
-    QVERIFY(object["criteria"].toArray().at(1).toObject()["measured"].isNull());
-}
+
+    void theWorstErrorDecides()
+    {
+        Rubric rubric = twoHalves();
+        rubric.verdict = Verdict::WorstError;
+        const ScoreSheet sheet = grade(rubric, {{"a", 1.5}, {"b", 2.125}});  // shares 0.25 and 0.75
+        QCOMPARE(sheet.criteria[0].lostTenths, 0);
+        QCOMPARE(sheet.criteria[1].lostTenths, 750);
+        QCOMPARE(sheet.totalTenths, 250);
+        QCOMPARE(grade(rubric, {{"a", 1.0}, {"b", 1.5}}).totalTenths, 1000);
+        // The first of equals.
+        QCOMPARE(grade(rubric, {{"a", 3.0}, {"b", 9.0}}).criteria[0].lostTenths, 1000);
+    }
+
+    void aCriticalErrorTakesWhatIsLeft()
+    {
+        Rubric rubric = twoHalves();
+        rubric.criteria.push_back(rule("harm", 0.0, 0.1, 0.0, 0));
+        rubric.criteria.push_back(rule("worse", 0.0, 0.0, 0.0, 0));
+        rubric.criteria[2].critical = rubric.criteria[3].critical = true;
+        const ScoreSheet sheet = grade(rubric, {{"a", 2.0}, {"b", 1.5}, {"harm", 0.2}, {"worse", 1.0}});
+        QCOMPARE(sheet.criteria[0].lostTenths, 250);
+        QCOMPARE(sheet.criteria[2].lostTenths, 750);
+        QCOMPARE(sheet.criteria[3].lostTenths, 0);
+        QCOMPARE(sheet.totalTenths, 0);
+        QVERIFY(sheet.failedCritically() && !sheet.passed());
+        QVERIFY(grade(rubric, {{"a", 2.0}, {"b", 1.5}, {"harm", 0.1}, {"worse", 0.0}}).passed());
+        // Failing does not hang on the points: with nothing left to lose it fails all the same.
+        Rubric lenient = rubric;
+        lenient.passMarkTenths = 0;
+        QVERIFY(!grade(lenient, {{"a", 9.0}, {"b", 9.0}, {"harm", 1.0}, {"worse", 0.0}}).passed());
+    }
+
+    void theSumIsAlwaysExact()
+    {
+        core::Rng rng(5);
+        for (int round = 0; round < 2000; ++round) {
+            Rubric rubric;
+            rubric.verdict = round % 3 == 0 ? Verdict::WorstError : Verdict::SumOfErrors;
+            int left = kFullTenths;
+            for (int k = 0; left > 0; ++k) {
+                const int weight = k == 9 ? left : std::min(left, 1 + static_cast<int>(rng.uniform(0.0, 300.0)));
+                left -= weight;
+                rubric.criteria.push_back(rule(std::to_string(k), rng.uniform(-1.0, 1.0), rng.uniform(0.0, 1.0),
+                                               rng.uniform(0.0, 2.0), weight, static_cast<Side>(k % 3)));
+            }
+            if (round % 4 == 0) {
+                rubric.criteria.push_back(rule("critical", 0.0, 2.0, 0.0, 0));
+                rubric.criteria.back().critical = true;
+            }
+            QVERIFY2(check(rubric).has_value(), check(rubric) ? "" : check(rubric).error().detail.c_str());
+            Values values;
+            for (const CriterionRule& criterion : rubric.criteria)
+                if (rng.uniform() > 0.1)
+                    values[criterion.measure] = rng.uniform(-3.0, 3.0);
+            const ScoreSheet sheet = grade(rubric, values);
+            int sum = sheet.totalTenths;
+            for (const Criterion& line : sheet.criteria) {
+                QVERIFY(line.lostTenths >= 0);
+                sum += line.lostTenths;
+            }
+            QCOMPARE(sum, kFullTenths);
+            QVERIFY(sheet.totalTenths >= 0);
+        }
+    }
+
+    void moreErrorNeverEarnsPoints()
+    {
+        core::Rng rng(6);
+        for (int round = 0; round < 2000; ++round) {
+            Rubric rubric = twoHalves();
+            rubric.criteria[0].span = rng.uniform(0.0, 3.0);
+            rubric.criteria[0].tolerance = rng.uniform(0.0, 1.0);
+            const double value = rng.uniform(0.0, 4.0);
+            const int better = grade(rubric, {{"a", value}, {"b", 1.5}}).totalTenths;
+            const int worse = grade(rubric, {{"a", value + rng.uniform()}, {"b", 1.5}}).totalTenths;
+            QVERIFY(worse <= better);
+        }
+    }
+
+    void aClassIsComparedFromFivePeopleOn()
+    {
+        QCOMPARE(classStanding(800, {}), (ClassStanding{0, {}}));
+        QCOMPARE(classStanding(800, std::vector<int>{100, 200, 300, 900}), (ClassStanding{4, {}}));
+        QCOMPARE(classStanding(800, std::vector<int>{100, 200, 300, 900, 950}), (ClassStanding{5, 60.0}));
+        QCOMPARE(classStanding(800, std::vector<int>{100, 200, 800, 800, 950}), (ClassStanding{5, 40.0}));
+        // The lowest of all, who is among them: nobody is below.
+        QCOMPARE(classStanding(100, std::vector<int>{100, 200, 800, 800, 950}), (ClassStanding{5, 0.0}));
+        QCOMPARE(classStanding(0, std::vector<int>{1, 2, 3, 4, 5}), (ClassStanding{5, 0.0}));
+        QCOMPARE(classStanding(1000, std::vector<int>{1, 2, 3, 4, 5}), (ClassStanding{5, 100.0}));
+    }
+
+    void refusesWhatCannotMark_data()
+    {
+        support::columns<int, QString>("what", "says");
+        QTest::newRow("weights over 100") << 0 << "make 110.0 points";
+        QTest::newRow("weights under 100") << 1 << "make 90.0 points";
+        QTest::newRow("twice the same id") << 2 << "twice";
+        QTest::newRow("no criteria") << 3 << "criteria";
+        QTest::newRow("a critical one with weight") << 4 << "critical";
+        QTest::newRow("a negative tolerance") << 5 << "tolerance";
+        QTest::newRow("not a number") << 6 << "target";
+        QTest::newRow("a pass mark over 100") << 7 << "pass_mark";
+    }
+
+    void refusesWhatCannotMark()
+    {
+        QFETCH(int, what);
+        QFETCH(QString, says);
+        Rubric rubric = twoHalves();
+        QVERIFY(check(rubric).has_value());
+        CriterionRule& first = rubric.criteria[0];
+        switch (what) {
+        case 0:
+            first.weightTenths = 600;
+            break;
+        case 1:
+            first.weightTenths = 400;
+            break;
+        case 2:
+            first.id = std::string("b");
+            break;
+        case 3:
+            rubric.criteria.clear();
+            break;
+        case 4:
+            first.critical = true;
+            break;
+        case 5:
+            first.tolerance = -0.1;
+            break;
+        case 6:
+            first.target = std::nan("");
+            break;
+        default:
+            rubric.passMarkTenths = 1001;
+        }
+        const auto sound = check(rubric);
+        QVERIFY(!sound.has_value());
+        QVERIFY2(QString::fromStdString(sound.error().detail).contains(says), sound.error().detail.c_str());
+    }
+
+    void jsonHoldsEveryNumberBitForBit()
+    {
+        Rubric rubric = twoHalves();
+        rubric.hash = std::string("abc");
+        const ScoreSheet sheet = grade(rubric, {{"a", 1.0 + 1.0 / 3.0}});
+        const QJsonObject object = QJsonDocument::fromJson(toJson(sheet)).object();
+        // What was measured is found again, bit for bit.
+        const Values again = measuredIn(toJson(sheet).toStdString());
+        for (const Criterion& line : sheet.criteria) {
+            QCOMPARE(again.contains(line.measure), line.measured.has_value());
+            if (line.measured)
+                QCOMPARE(again.at(line.measure), *line.measured);
+        }
+        // So is the whole sheet.
+        const auto readAgain = [](const ScoreSheet& one) { return sheetIn(toJson(one).toStdString()); };
+        QVERIFY(readAgain(sheet) == sheet);
+        Rubric worst = rubric;
+        worst.verdict = Verdict::WorstError;
+        worst.title = {{"en", "Halves"}, {"ja", "半分"}};
+        worst.criteria[1].side = Side::Both;
+        worst.criteria[1].once = Once{"caries_removed_percent", "percent", 50.1};
+        for (const Values& values : {Values{{"a", 0.1}}, Values{{"a", 0.1}, {"caries_removed_percent", 1.0 / 3.0}}}) {
+            const ScoreSheet other = grade(worst, values);
+            QVERIFY(readAgain(other) == other);
+        }
+        const QByteArray whole = toJson(sheet);
+        for (const char* key : {"\"format\":", "\"measured\":", "\"side\":", "\"lost_tenths\":", "\"total_tenths\":"})
+            QVERIFY2(!sheetIn(QByteArray(whole).replace(key, "\"other\":").toStdString()), key);
+        QVERIFY(!sheetIn("") && !sheetIn("hello") && !sheetIn("{\"format\":2,\"sample\":true}"));
+        QVERIFY(measuredIn("").empty() && measuredIn("{\"criteria\": 3}").empty() && measuredIn("hello").empty());
+        QCOMPARE(object["format"].toInt(), 2);
+        QCOMPARE(object["total_tenths"].toInt(), sheet.totalTenths);
+        QCOMPARE(object["rubric_hash"].toString(), QString("abc"));
+        const QJsonObject first = object["criteria"].toArray().at(0).toObject();
+        QCOMPARE(first["measured"].toDouble(), 1.0 + 1.0 / 3.0);
+        QCOMPARE(first["share"].toDouble(), sheet.criteria[0].share);
+        QCOMPARE(first["lost_tenths"].toInt(), sheet.criteria[0].lostTenths);
+        QVERIFY(object["criteria"].toArray().at(1).toObject()["measured"].isNull());
+    }
+};
 
 QTEST_GUILESS_MAIN(TestRubric)
 #include "tst_rubric.moc"

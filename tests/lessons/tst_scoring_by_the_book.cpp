@@ -527,130 +527,128 @@ class TestScoringByTheBook : public QObject
     Q_OBJECT
 
 private slots:
-    void theExampleOfThePage();
-    void tenThousandRandomAttempts();
-};
+    void theExampleOfThePage()
+    {
+        Attempt attempt;
+        attempt.rubric.scale = kThousandths;
+        attempt.rubric.passMark = 750;
+        attempt.values.resize(core::grading::measureTable().size());
+        const auto give = [&](std::string_view id, Units thousandths) {
+            attempt.values.at(measureOf(id)) = {Reading::Number, thousandths};
+            return measureOf(id);
+        };
+        BookRule decay;
+        decay.measure = give("caries_left_percent", 4200);
+        decay.tolerance = 1000;
+        decay.span = 10'000;
+        decay.weight = 600;
+        BookRule sound;
+        sound.measure = give("sound_overcut_mm3", 6000);
+        sound.tolerance = 4000;
+        sound.allowance = give("smallest_cavity_mm3", 2000);
+        sound.each = 500;
+        sound.once = give("caries_removed_percent", 95'800);
+        sound.reaches = 50'000;
+        sound.span = 26'700;
+        sound.weight = 400;
+        BookRule pulp;
+        pulp.measure = give("pulp_exposed_mm2", 0);
+        pulp.critical = true;
+        attempt.rubric.rules = {decay, sound, pulp};
 
-void TestScoringByTheBook::theExampleOfThePage()
-{
-    Attempt attempt;
-    attempt.rubric.scale = kThousandths;
-    attempt.rubric.passMark = 750;
-    attempt.values.resize(core::grading::measureTable().size());
-    const auto give = [&](std::string_view id, Units thousandths) {
-        attempt.values.at(measureOf(id)) = {Reading::Number, thousandths};
-        return measureOf(id);
-    };
-    BookRule decay;
-    decay.measure = give("caries_left_percent", 4200);
-    decay.tolerance = 1000;
-    decay.span = 10'000;
-    decay.weight = 600;
-    BookRule sound;
-    sound.measure = give("sound_overcut_mm3", 6000);
-    sound.tolerance = 4000;
-    sound.allowance = give("smallest_cavity_mm3", 2000);
-    sound.each = 500;
-    sound.once = give("caries_removed_percent", 95'800);
-    sound.reaches = 50'000;
-    sound.span = 26'700;
-    sound.weight = 400;
-    BookRule pulp;
-    pulp.measure = give("pulp_exposed_mm2", 0);
-    pulp.critical = true;
-    attempt.rubric.rules = {decay, sound, pulp};
-
-    const BookSheet book = byTheBook(attempt.rubric, attempt.values);
-    QCOMPARE(book.lines[0].error, Units{3'200'000});
-    QCOMPARE(book.lines[1].tolerance, Units{5'000'000});
-    QCOMPARE(book.lines[1].error, Units{1'000'000});
-    for (const auto& [line, share] : {std::pair{0, 3200}, {1, 375}, {2, 0}}) {
-        const Fraction& exact = book.lines[static_cast<std::size_t>(line)].share;
-        bool half = false;
-        QCOMPARE(nearest(10'000, exact, half), share);
-    }
-    QCOMPARE(book.lines[0].lost, 192);
-    QCOMPARE(book.lines[1].lost, 15);
-    QCOMPARE(book.lines[2].lost, 0);
-    QCOMPARE(book.total, 793);
-    QVERIFY(book.passed);
-
-    const Rubric rubric = toRubric(attempt.rubric);
-    QVERIFY(check(rubric));
-    const ScoreSheet sheet = grade(rubric, toValues(attempt.values, attempt.rubric.scale));
-    QCOMPARE(QString::fromStdString(difference(attempt, book, sheet)), QString());
-}
-
-void TestScoringByTheBook::tenThousandRandomAttempts()
-{
-    int compared = 0, open = 0, openHalves = 0, openWorsts = 0;
-    int passed = 0, failedCritically = 0, between = 0, halves = 0, onTolerance = 0, onWhole = 0, spanZero = 0;
-    int unmeasured = 0, tooEarly = 0, inTime = 0, allowed = 0, negativeAllowed = 0, unmeasuredAllowed = 0, worst = 0,
-        equalWorst = 0;
-    int secondCritical = 0;
-    for (std::uint64_t seed = 1; compared < kAttempts; ++seed) {
-        const Attempt attempt = randomAttempt(seed);
         const BookSheet book = byTheBook(attempt.rubric, attempt.values);
-        const Rubric rubric = toRubric(attempt.rubric);
-        const core::Status status = check(rubric);
-        std::string differs = status ? std::string() : status.error().detail;
-        QVERIFY2(status, qPrintable(QString("seed %1: %2").arg(seed).arg(differs.c_str())));
-        const ScoreSheet sheet = grade(rubric, toValues(attempt.values, attempt.rubric.scale));
-        differs = book.open ? std::string() : difference(attempt, book, sheet);
-        if (differs.empty())
-            differs = differenceInDoubles(attempt.rubric, attempt.values, sheet);
-        QVERIFY2(differs.empty(), qPrintable(QString("seed %1: %2").arg(seed).arg(differs.c_str())));
-        if (book.open) {
-            ++open;
-            openHalves += book.openHalves;
-            openWorsts += book.openWorsts;
-            QVERIFY2(open < kAttempts / 4, "too many attempts are left out");
-            continue;
+        QCOMPARE(book.lines[0].error, Units{3'200'000});
+        QCOMPARE(book.lines[1].tolerance, Units{5'000'000});
+        QCOMPARE(book.lines[1].error, Units{1'000'000});
+        for (const auto& [line, share] : {std::pair{0, 3200}, {1, 375}, {2, 0}}) {
+            const Fraction& exact = book.lines[static_cast<std::size_t>(line)].share;
+            bool half = false;
+            QCOMPARE(nearest(10'000, exact, half), share);
         }
-        ++compared;
+        QCOMPARE(book.lines[0].lost, 192);
+        QCOMPARE(book.lines[1].lost, 15);
+        QCOMPARE(book.lines[2].lost, 0);
+        QCOMPARE(book.total, 793);
+        QVERIFY(book.passed);
 
-        // What was met on the way.
-        halves += book.halves;
-        passed += book.passed ? 1 : 0;
-        between += book.total > 0 && book.total < 1000 ? 1 : 0;
-        worst += attempt.rubric.worstError ? 1 : 0;
-        int criticals = 0;
-        int shares = 0;
-        for (std::size_t i = 0; i < book.lines.size(); ++i) {
-            const BookRule& rule = attempt.rubric.rules[i];
-            const BookLine& line = book.lines[i];
-            criticals += rule.critical && line.share.part > 0 ? 1 : 0;
-            shares += !rule.critical && line.share.part == line.share.whole ? 1 : 0;
-            unmeasured += line.measured ? 0 : 1;
-            tooEarly += line.tooEarly ? 1 : 0;
-            inTime += rule.once && !line.tooEarly ? 1 : 0;
-            onTolerance += line.measured && line.rawError == 0 && line.tolerance > 0 ? 1 : 0;
-            onWhole += line.measured && line.error == line.whole && line.whole > 0 ? 1 : 0;
-            spanZero += line.whole == 0 && line.error > 0 && !line.tooEarly ? 1 : 0;
-            if (rule.allowance) {
-                const BookValue& value = attempt.values[*rule.allowance];
-                const bool is = value.reading == Reading::Number;
-                allowed += is && value.units > 0 && rule.each > 0 ? 1 : 0;
-                negativeAllowed += is && value.units < 0 && rule.each > 0 ? 1 : 0;
-                unmeasuredAllowed += is ? 0 : 1;
-            }
-        }
-        failedCritically += criticals > 0 ? 1 : 0;
-        secondCritical += criticals > 1 ? 1 : 0;
-        equalWorst += attempt.rubric.worstError && shares > 1 ? 1 : 0;
+        const Rubric rubric = toRubric(attempt.rubric);
+        QVERIFY(check(rubric));
+        const ScoreSheet sheet = grade(rubric, toValues(attempt.values, attempt.rubric.scale));
+        QCOMPARE(QString::fromStdString(difference(attempt, book, sheet)), QString());
     }
-    qInfo("compared %d; left out %d, with %d halves, %d equal worst shares that hang on the last bit of a double",
-          compared, open, openHalves, openWorsts);
-    qInfo("passed %d, failed critically %d (two or more %d), total between 0 and 100 %d, worst error %d (equal %d)",
-          passed, failedCritically, secondCritical, between, worst, equalWorst);
-    qInfo("exact halves %d, on the tolerance %d, just the whole span %d, span 0 %d, unmeasured %d, allowance %d, "
-          "negative %d, unmeasured %d, too early %d, in time %d",
-          halves, onTolerance, onWhole, spanZero, unmeasured, allowed, negativeAllowed, unmeasuredAllowed, tooEarly,
-          inTime);
-    for (const int met : {passed, failedCritically, secondCritical, between, worst, equalWorst, halves, onTolerance,
-                          onWhole, spanZero, unmeasured, tooEarly, inTime, allowed, negativeAllowed, unmeasuredAllowed})
-        QVERIFY2(met >= 100, "a case of the page is hardly met");
-}
+
+    void tenThousandRandomAttempts()
+    {
+        int compared = 0, open = 0, openHalves = 0, openWorsts = 0;
+        int passed = 0, failedCritically = 0, between = 0, halves = 0, onTolerance = 0, onWhole = 0, spanZero = 0;
+        int unmeasured = 0, tooEarly = 0, inTime = 0, allowed = 0, negativeAllowed = 0, unmeasuredAllowed = 0,
+            worst = 0, equalWorst = 0;
+        int secondCritical = 0;
+        for (std::uint64_t seed = 1; compared < kAttempts; ++seed) {
+            const Attempt attempt = randomAttempt(seed);
+            const BookSheet book = byTheBook(attempt.rubric, attempt.values);
+            const Rubric rubric = toRubric(attempt.rubric);
+            const core::Status status = check(rubric);
+            std::string differs = status ? std::string() : status.error().detail;
+            QVERIFY2(status, qPrintable(QString("seed %1: %2").arg(seed).arg(differs.c_str())));
+            const ScoreSheet sheet = grade(rubric, toValues(attempt.values, attempt.rubric.scale));
+            differs = book.open ? std::string() : difference(attempt, book, sheet);
+            if (differs.empty())
+                differs = differenceInDoubles(attempt.rubric, attempt.values, sheet);
+            QVERIFY2(differs.empty(), qPrintable(QString("seed %1: %2").arg(seed).arg(differs.c_str())));
+            if (book.open) {
+                ++open;
+                openHalves += book.openHalves;
+                openWorsts += book.openWorsts;
+                QVERIFY2(open < kAttempts / 4, "too many attempts are left out");
+                continue;
+            }
+            ++compared;
+
+            // What was met on the way.
+            halves += book.halves;
+            passed += book.passed ? 1 : 0;
+            between += book.total > 0 && book.total < 1000 ? 1 : 0;
+            worst += attempt.rubric.worstError ? 1 : 0;
+            int criticals = 0;
+            int shares = 0;
+            for (std::size_t i = 0; i < book.lines.size(); ++i) {
+                const BookRule& rule = attempt.rubric.rules[i];
+                const BookLine& line = book.lines[i];
+                criticals += rule.critical && line.share.part > 0 ? 1 : 0;
+                shares += !rule.critical && line.share.part == line.share.whole ? 1 : 0;
+                unmeasured += line.measured ? 0 : 1;
+                tooEarly += line.tooEarly ? 1 : 0;
+                inTime += rule.once && !line.tooEarly ? 1 : 0;
+                onTolerance += line.measured && line.rawError == 0 && line.tolerance > 0 ? 1 : 0;
+                onWhole += line.measured && line.error == line.whole && line.whole > 0 ? 1 : 0;
+                spanZero += line.whole == 0 && line.error > 0 && !line.tooEarly ? 1 : 0;
+                if (rule.allowance) {
+                    const BookValue& value = attempt.values[*rule.allowance];
+                    const bool is = value.reading == Reading::Number;
+                    allowed += is && value.units > 0 && rule.each > 0 ? 1 : 0;
+                    negativeAllowed += is && value.units < 0 && rule.each > 0 ? 1 : 0;
+                    unmeasuredAllowed += is ? 0 : 1;
+                }
+            }
+            failedCritically += criticals > 0 ? 1 : 0;
+            secondCritical += criticals > 1 ? 1 : 0;
+            equalWorst += attempt.rubric.worstError && shares > 1 ? 1 : 0;
+        }
+        qInfo("compared %d; left out %d, with %d halves, %d equal worst shares that hang on the last bit of a double",
+              compared, open, openHalves, openWorsts);
+        qInfo("passed %d, failed critically %d (two or more %d), total between 0 and 100 %d, worst error %d (equal %d)",
+              passed, failedCritically, secondCritical, between, worst, equalWorst);
+        qInfo("exact halves %d, on the tolerance %d, just the whole span %d, span 0 %d, unmeasured %d, allowance %d, "
+              "negative %d, unmeasured %d, too early %d, in time %d",
+              halves, onTolerance, onWhole, spanZero, unmeasured, allowed, negativeAllowed, unmeasuredAllowed, tooEarly,
+              inTime);
+        for (const int met :
+             {passed, failedCritically, secondCritical, between, worst, equalWorst, halves, onTolerance, onWhole,
+              spanZero, unmeasured, tooEarly, inTime, allowed, negativeAllowed, unmeasuredAllowed})
+            QVERIFY2(met >= 100, "a case of the page is hardly met");
+    }
+};
 
 QTEST_GUILESS_MAIN(TestScoringByTheBook)
 #include "tst_scoring_by_the_book.moc"

@@ -9,16 +9,6 @@
 using lessons::isStuck;
 using lessons::Try;
 
-class TestStuck : public QObject
-{
-    Q_OBJECT
-private slots:
-    void lastAttempts_data();
-    void lastAttempts();
-    void onePassedAttemptFrees();
-    void onlyTheLastThreeCount();
-};
-
 namespace {
 
 std::vector<Try> failed(const QList<int>& newestFirst)
@@ -31,42 +21,47 @@ std::vector<Try> failed(const QList<int>& newestFirst)
 
 }  // namespace
 
-void TestStuck::lastAttempts_data()
+class TestStuck : public QObject
 {
-    support::columns<QList<int>, bool>("newestFirst", "stuck");
-    QTest::newRow("none") << QList<int>{} << false;
-    QTest::newRow("two are too few") << QList<int>{400, 400} << false;
-    QTest::newRow("three alike") << QList<int>{400, 400, 400} << true;
-    QTest::newRow("worse and worse") << QList<int>{300, 400, 500} << true;
-    QTest::newRow("the newest is better by 4.9") << QList<int>{449, 400, 400} << true;
-    QTest::newRow("the newest is better by 5") << QList<int>{450, 400, 400} << false;
-    QTest::newRow("the middle one was better by 5") << QList<int>{400, 450, 400} << false;
-    QTest::newRow("better than the last, not than the one before") << QList<int>{460, 400, 440} << true;
-    QTest::newRow("in small steps") << QList<int>{480, 440, 400} << true;
-}
-
-void TestStuck::lastAttempts()
-{
-    QFETCH(QList<int>, newestFirst);
-    QFETCH(bool, stuck);
-    QCOMPARE(isStuck(failed(newestFirst)), stuck);
-}
-
-void TestStuck::onePassedAttemptFrees()
-{
-    for (std::size_t k = 0; k < 3; ++k) {
-        std::vector<Try> tries = failed({400, 400, 400});
-        tries[k].passed = true;
-        QVERIFY(!isStuck(tries));
+    Q_OBJECT
+private slots:
+    void lastAttempts_data()
+    {
+        support::columns<QList<int>, bool>("newestFirst", "stuck");
+        QTest::newRow("none") << QList<int>{} << false;
+        QTest::newRow("two are too few") << QList<int>{400, 400} << false;
+        QTest::newRow("three alike") << QList<int>{400, 400, 400} << true;
+        QTest::newRow("worse and worse") << QList<int>{300, 400, 500} << true;
+        QTest::newRow("the newest is better by 4.9") << QList<int>{449, 400, 400} << true;
+        QTest::newRow("the newest is better by 5") << QList<int>{450, 400, 400} << false;
+        QTest::newRow("the middle one was better by 5") << QList<int>{400, 450, 400} << false;
+        QTest::newRow("better than the last, not than the one before") << QList<int>{460, 400, 440} << true;
+        QTest::newRow("in small steps") << QList<int>{480, 440, 400} << true;
     }
-}
 
-void TestStuck::onlyTheLastThreeCount()
-{
-    std::vector<Try> tries = failed({400, 400, 400, 900, 100});
-    tries[3].passed = true;
-    QVERIFY(isStuck(tries));
-}
+    void lastAttempts()
+    {
+        QFETCH(QList<int>, newestFirst);
+        QFETCH(bool, stuck);
+        QCOMPARE(isStuck(failed(newestFirst)), stuck);
+    }
+
+    void onePassedAttemptFrees()
+    {
+        for (std::size_t k = 0; k < 3; ++k) {
+            std::vector<Try> tries = failed({400, 400, 400});
+            tries[k].passed = true;
+            QVERIFY(!isStuck(tries));
+        }
+    }
+
+    void onlyTheLastThreeCount()
+    {
+        std::vector<Try> tries = failed({400, 400, 400, 900, 100});
+        tries[3].passed = true;
+        QVERIFY(isStuck(tries));
+    }
+};
 
 QTEST_GUILESS_MAIN(TestStuck)
 #include "tst_stuck.moc"
