@@ -3,7 +3,6 @@
 
 #include <QButtonGroup>
 #include <QHBoxLayout>
-#include <QKeyEvent>
 #include <QPushButton>
 #include <QStackedWidget>
 #include <QVBoxLayout>
@@ -75,19 +74,6 @@ void AdminPage::show(Part part)
     m_stack->setCurrentIndex(part);
     m_stack->currentWidget()->setFocus();
     emit partOpened(part);
-}
-
-bool AdminPage::event(QEvent* event)
-{
-    // Refused here it would be the key of the way back.
-    if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape &&
-        !m_people->mayLeave()) {
-        if (part() != People)
-            show(People);
-        event->accept();
-        return true;
-    }
-    return Page::event(event);
 }
 
 }  // namespace ui::admin

@@ -40,9 +40,6 @@ signals:
     /// What it shows is to be brought up to date.
     void partOpened(int part);
 
-protected:
-    bool event(QEvent* event) override;
-
 private:
     QButtonGroup* m_choice;
     QStackedWidget* m_stack;

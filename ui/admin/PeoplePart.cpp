@@ -702,28 +702,6 @@ bool PeoplePart::isSecondClick() const
            m_sinceSubmitted.elapsed() < QGuiApplication::styleHints()->mouseDoubleClickInterval();
 }
 
-void PeoplePart::forgetCodes()
-{
-    if (m_codes.isEmpty())
-        return;
-    m_codes.clear();
-    fill();
-    showForm();
-}
-
-bool PeoplePart::mayLeave()
-{
-    const auto warning = [] {
-        return tr("The one-time codes that are shown here are kept nowhere else. Esc once more leaves School without "
-                  "them.");
-    };
-    // Who has done anything else meanwhile does not remember it.
-    if (m_codes.isEmpty() || m_said->text() == warning())
-        return true;
-    say(warning);
-    return false;
-}
-
 void PeoplePart::showForm()
 {
     const Person* const person = chosen();
@@ -746,7 +724,7 @@ void PeoplePart::showForm()
     m_codeCard->setVisible(!code.code.isEmpty());
     m_code->setText(code.code);
     m_codeWords->setText(tr("One-time code of %1. Tell it now: it is kept nowhere. It is shown here, whenever %1 is "
-                            "chosen, until School is left.")
+                            "chosen, until you log out.")
                              .arg(code.fullName));
 }
 

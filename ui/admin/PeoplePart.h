@@ -48,13 +48,8 @@ public:
     /// Who is chosen stays chosen.
     void setPeople(const QList<database::Person>& people, const QList<database::SchoolClass>& classes);
     /// Lets a person in once; it is kept nowhere else, so their form shows it until it is used, another is made, or the
-    /// page is left.
+    /// user logs out.
     void showCode(const database::Person& person, const QString& code);
-    /// The user leaves the page.
-    void forgetCodes();
-    /// Whether the page may be left by Esc, perhaps one key too many: codes would be gone. No, the first time, and says
-    /// so.
-    [[nodiscard]] bool mayLeave();
     /// What was wanted has been done; the form is that of this person from now on.
     void confirm(database::PersonId person, const Words& sentence);
     void refuse(const Words& sentence);

@@ -18,12 +18,12 @@
 
 #include "database/Codes.h"
 #include "ui/admin/AdminWords.h"
-#include "ui/admin/SecondThought.h"
 #include "ui/people/ListTable.h"
 #include "ui/shell/FileDialog.h"
 #include "ui/shell/Folders.h"
 #include "ui/shell/Memory.h"
 #include "ui/shell/Theme.h"
+#include "ui/shell/UnsavedChanges.h"
 #include "ui/study/FormInputs.h"
 #include "ui/text/EveryLanguage.h"
 
@@ -99,12 +99,7 @@ RosterPart::RosterPart(QWidget* parent)
     column->addWidget(m_example, 0, Qt::AlignLeft);
     column->addWidget(m_table, 100);
     column->addStretch(1);  // where there is no table
-    m_thought = new SecondThought(*this);
-    connect(m_thought, &SecondThought::withdrawn, this, [this] {
-        m_thought->end();
-        tell();
-    });
-    connect(m_choose, &QPushButton::clicked, this, &RosterPart::chooseFile);
+    connect(m_choose, &QPushButton::clicked, this, [this] { leaveCodes([this] { chooseFile(); }); });
     connect(m_enter, &QPushButton::clicked, this, [this] {
         m_isEntering = true;
         emit enterWanted();
@@ -119,9 +114,10 @@ void RosterPart::speak()
         tr("A class list is a CSV file with the columns username, given_name, family_name, role and class. "
            "Role may be left out; several classes are parted by |. Choose it, or drop it here: nothing is "
            "entered before you have seen what it would do."));
+    m_choose->setText(tr("Choose a file …"));
     m_enter->setText(tr("Enter these people"));
     m_save->setText(tr("Save the one-time codes …"));
-    for (QPushButton* one : {m_enter, m_save})
+    for (QPushButton* one : {m_choose, m_enter, m_save})
         one->setAccessibleName(one->text());
     m_table->setAccessibleName(tr("What the class list would do"));
     m_example->setAccessibleName(tr("Example of a class list"));
@@ -136,11 +132,9 @@ void RosterPart::tell()
     m_save->setVisible(m_isDone && fresh > 0);
     m_table->setVisible(m_rows->rowCount() > 0);
     m_example->setVisible(m_file.isEmpty());
-    m_choose->setText(m_thought->isAsked() ? tr("Choose another file all the same …") : tr("Choose a file …"));
-    m_choose->setAccessibleName(m_choose->text());
     const bool isAnybody = !m_outcome.people.empty();
-    const bool isWrong = !m_thought->isAsked() && (m_what.isEmpty() ? !m_file.isEmpty() && !isAnybody : m_isWrong);
-    const QString words = m_thought->isAsked() ? unsavedChanges() : m_what.isEmpty() ? outcomeWords() : m_what;
+    const bool isWrong = m_what.isEmpty() ? !m_file.isEmpty() && !isAnybody : m_isWrong;
+    const QString words = m_what.isEmpty() ? outcomeWords() : m_what;
     study::showFault(m_fault, isWrong ? words : QString());
     m_said->setText(isWrong ? QString() : words);
     m_said->setVisible(!isWrong);
@@ -268,27 +262,16 @@ void RosterPart::refuseFile(const QString& file, const QString& sentence, const 
 }
 
 /// Codes that nobody has saved would each have to be given anew.
-bool RosterPart::mayForgetCodes()
+void RosterPart::leaveCodes(const std::function<void()>& what)
 {
     if (unsavedChanges().isEmpty())
-        return true;
-    if (m_thought->isAsked() && !m_thought->mayBeAnswered())
-        return false;
-    const bool isAnswer = m_thought->isAsked();
-    if (isAnswer)
-        m_thought->end();
+        what();
     else
-        m_thought->ask();
-    tell();
-    if (!isAnswer)
-        m_save->setFocus();
-    return isAnswer;
+        UnsavedChanges::ask(window(), unsavedChanges(), what);
 }
 
 void RosterPart::chooseFile()
 {
-    if (!mayForgetCodes())
-        return;
     auto* dialog = new FileDialog(this, tr("Choose a class list"), folder(), tr("Class lists (*.csv);;All files (*)"));
     dialog->setFileMode(QFileDialog::ExistingFile);
     connect(dialog, &QFileDialog::fileSelected, this, &remember);
@@ -308,7 +291,6 @@ void RosterPart::saveCodes()
 
 void RosterPart::writeCodes(const QString& path)
 {
-    m_thought->end();
     m_isSaved = database::writeCodes(path, m_outcome.people).has_value();
     if (m_isSaved)
         say(tr("The codes were saved. Delete the file when everybody has logged in."));
@@ -326,8 +308,8 @@ void RosterPart::dragEnterEvent(QDragEnterEvent* event)
 void RosterPart::dropEvent(QDropEvent* event)
 {
     const QList<QUrl> urls = event->mimeData()->urls();
-    if (urls.size() == 1 && urls.front().isLocalFile() && mayForgetCodes())
-        emit fileChosen(urls.front().toLocalFile());
+    if (urls.size() == 1 && urls.front().isLocalFile())
+        leaveCodes([this, path = urls.front().toLocalFile()] { emit fileChosen(path); });
 }
 
 }  // namespace ui::admin

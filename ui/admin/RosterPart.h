@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
+
 #include <QString>
 #include <QWidget>
 
@@ -15,8 +17,6 @@ class ListTable;
 }
 
 namespace ui::admin {
-
-class SecondThought;
 
 /// A class list from a file: first what it would do, line by line, then it is entered, and the one-time codes of who is
 /// new can be saved.
@@ -53,7 +53,7 @@ private:
     [[nodiscard]] QString outcomeWords() const;
     void fill();
     [[nodiscard]] int newcomers() const;
-    [[nodiscard]] bool mayForgetCodes();
+    void leaveCodes(const std::function<void()>& what);
     void chooseFile();
     void saveCodes();
     void writeCodes(const QString& path);
@@ -62,10 +62,9 @@ private:
     QString m_file;
     bool m_isEntering = false;
     bool m_isDone = false;
-    bool m_isSaved = false;    ///< the codes are
-    SecondThought* m_thought;  ///< whether codes that are not saved may go
-    QString m_what;            ///< of the last failure, or what was saved
-    bool m_isWrong = false;    ///< a failure
+    bool m_isSaved = false;  ///< the codes are
+    QString m_what;          ///< of the last failure, or what was saved
+    bool m_isWrong = false;  ///< a failure
     QLabel* m_words;
     QPushButton* m_choose;
     QPushButton* m_enter;

@@ -380,17 +380,21 @@ void TalkPanel::unpin()
 
 void TalkPanel::withdraw(qint64 comment, bool earlier)
 {
-    const auto found = std::find_if(m_talk.comments.begin(), m_talk.comments.end(),
-                                    [comment](const auto& one) { return one.id == comment; });
-    if (found == m_talk.comments.end()) {
-        if (!earlier)
-            keepWords(comment);
-        m_withdrawn.erase(comment);
+    const auto found = m_withdrawn.find(comment);
+    if (found == m_withdrawn.end())  // pressed twice, or by a user who has left
+        return;
+    const auto [attempt, gone] = found->second;
+    m_withdrawn.erase(found);
+    if (attempt != m_attempt) {  // another is shown by now
+        Draft& draft = m_drafts[attempt];
+        if (!earlier) {
+            draft.words = below(draft.words, gone);
+            draft.momentMs = draft.momentMs ? draft.momentMs : gone.momentMs;
+            draft.placeMm = draft.placeMm ? draft.placeMm : gone.placeMm;
+        }
         return;
     }
-    m_withdrawn.erase(comment);
-    const database::AttemptComment gone = *found;
-    m_talk.comments.erase(found);
+    std::erase_if(m_talk.comments, [comment](const auto& one) { return one.id == comment; });
     // Its button goes along, and must not hand the keyboard on to the score.
     if (m_list->isAncestorOf(window()->focusWidget()))
         m_words->setFocus();
@@ -424,19 +428,6 @@ void TalkPanel::writeAgain(const database::AttemptComment& comment)
         setMoment(comment.momentMs);
         m_atMoment->setChecked(true);
     }
-}
-
-/// Another attempt is shown by the time the comment is gone: its words go to what was typed about its own attempt.
-void TalkPanel::keepWords(qint64 comment)
-{
-    const auto found = m_withdrawn.find(comment);
-    if (found == m_withdrawn.end() || found->second.attempt == m_attempt)
-        return;
-    const database::AttemptComment& gone = found->second.comment;
-    Draft& draft = m_drafts[found->second.attempt];
-    draft.words = below(draft.words, gone);
-    draft.momentMs = draft.momentMs ? draft.momentMs : gone.momentMs;
-    draft.placeMm = draft.placeMm ? draft.placeMm : gone.placeMm;
 }
 
 void TalkPanel::say(std::function<QString()> sentence)

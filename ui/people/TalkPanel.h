@@ -127,7 +127,6 @@ private:
     void tellReady();
     void send(const Sent& sent);
     void writeAgain(const database::AttemptComment& comment);
-    void keepWords(qint64 comment);
     void say(std::function<QString()> sentence);
     [[nodiscard]] QPushButton* takeBackButton(const database::AttemptComment& comment);
     [[nodiscard]] QWidget* formInUse() const;

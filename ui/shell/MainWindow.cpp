@@ -1636,8 +1636,6 @@ void MainWindow::goTo(QWidget* page)
         m_messages->withdraw(MessageBar::Topic::Unfinished);  // it has a card for it
         m_lessonsPage->setUnsaved(m_mayEdit ? m_editor->unsavedFiles() : QSet<QString>());
     }
-    if (m_pages->currentWidget() == m_admin && page != m_admin && page != m_login)
-        m_admin->people().forgetCodes();  // of who locks his place they are there when he is back
     m_pages->setCurrentWidget(page);
     sayWayBack();
     restBur();
