@@ -99,10 +99,8 @@ private slots:
     void listsEveryVersionAndWhatIsWrong();
     void aChangedNumberCanBeTriedAndKept();
     void whatIsNotHeldCanNeitherBeTriedNorKept();
-    void anOlderVersionIsRestored();
     void slidersAndNumbersAreOnePreset();
     void slidersStandWhereTheVersionStands();
-    void whatIsKeptLeavesTheKeysWithTheList();
     void whatIsInUseIsShownUntilAnotherIsLookedAt();
     void aCopyHasAnotherName();
     void comparesWithTheChosenOne();
@@ -204,22 +202,18 @@ void TestPresetsPage::blindTrialCountsWhatWasBehindTheLetters()
             const bool firstIsA = trial.behind(BlindTrial::Answer::A) == first;
             QVERIFY(trial.behind(BlindTrial::Answer::B) == (firstIsA ? second : first));
             asA += firstIsA ? 1 : 0;
-            if (trial.trial() <= 8)
-                trial.answer(firstIsA ? BlindTrial::Answer::A : BlindTrial::Answer::B);
-            else
-                trial.answer(BlindTrial::Answer::NoDifference);
+            trial.answer(trial.trial() > 8 ? BlindTrial::Answer::NoDifference
+                         : firstIsA        ? BlindTrial::Answer::A
+                                           : BlindTrial::Answer::B);
         }
         trial.answer(BlindTrial::Answer::A);  // it is over
         const BlindTrial::Outcome outcome = trial.outcome();
-        QCOMPARE(outcome.first, 8);
-        QCOMPARE(outcome.second, 0);
-        QCOMPARE(outcome.neither, 2);
+        QVERIFY(outcome.first == 8 && outcome.second == 0 && outcome.neither == 2);
         QVERIFY(std::abs(outcome.p - 2.0 / 256.0) < 1.0e-9);
         const QList<QByteArray> lines = trial.csv().trimmed().split('\n');
         QCOMPARE(lines.size(), 11);
         QCOMPARE(lines.front(), QByteArray("trial,behind_a,behind_b,answer,chosen"));
         QVERIFY2(lines[1].contains("\"a, \"\"b\"\" v1 #"), lines[1]);
-        QVERIFY2(lines[10].endsWith("no difference,"), lines[10]);
     }
     QVERIFY(asA > 150 && asA < 250);  // of 400
 }
@@ -228,14 +222,18 @@ void TestPresetsPage::listsEveryVersionAndWhatIsWrong()
 {
     Room room;
     auto* list = room.find<QListWidget>("presetList");
+    auto* save = room.find<QPushButton>("presetSave");
     QCOMPARE(list->count(), 4);
     QVERIFY(list->item(0)->text().contains("version 2"));
     QVERIFY(list->item(2)->text().contains("shipped") && list->item(2)->text().contains("in use"));
     QVERIFY(!(list->item(3)->flags() & Qt::ItemIsSelectable) && list->item(3)->text().contains("is empty"));
     QCOMPARE(list->currentRow(), 2);  // what is in use
     QVERIFY(!room.find<QPushButton>("presetUse")->isEnabled());
+    list->setCurrentRow(0);
+    QVERIFY(!save->isEnabled());
     list->setCurrentRow(1);
     QVERIFY(room.page.draft() == named("hard", 1, 0.5));
+    QVERIFY(save->isEnabled() && save->text().startsWith("Restore"));  // an older version
     QSignalSpy use(&room.page, &presets::PresetsPage::useWanted);
     QTest::mouseClick(room.find<QPushButton>("presetUse"), Qt::LeftButton);
     QCOMPARE(use.size(), 1);
@@ -276,16 +274,6 @@ void TestPresetsPage::whatIsNotHeldCanNeitherBeTriedNorKept()
     room.find<QDoubleSpinBox>("force.limit_n")->setValue(12.0);
     QVERIFY(room.find<QLabel>("presetBound")->text().contains("8.9 N"));
     QVERIFY(!room.find<QPushButton>("presetSave")->isEnabled());
-}
-
-void TestPresetsPage::anOlderVersionIsRestored()
-{
-    Room room;
-    room.find<QListWidget>("presetList")->setCurrentRow(1);
-    auto* save = room.find<QPushButton>("presetSave");
-    QVERIFY(save->isEnabled() && save->text().startsWith("Restore"));
-    room.find<QListWidget>("presetList")->setCurrentRow(0);
-    QVERIFY(!save->isEnabled());
 }
 
 void TestPresetsPage::slidersAndNumbersAreOnePreset()
@@ -344,27 +332,6 @@ void TestPresetsPage::slidersStandWhereTheVersionStands()
     keep(4);
     QCOMPARE(middle->text(), QString("In the middle: natural, version 3."));
     QCOMPARE(wall->value(), 5);
-}
-
-void TestPresetsPage::whatIsKeptLeavesTheKeysWithTheList()
-{
-    Room room;
-    room.window.activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(&room.window));
-    QSignalSpy saved(&room.page, &presets::PresetsPage::saveWanted);
-    room.find<QSlider>("dial0")->setValue(10);
-    auto* save = room.find<QPushButton>("presetSave");
-    save->setFocus();
-    save->click();
-    QCOMPARE(saved.size(), 1);
-    auto kept = saved[0][0].value<FeelPreset>();
-    kept.version = 2;
-    auto shelf = Room::shelf();
-    shelf.insert(shelf.begin() + 2, {"/c", lessons::hashed(kept), {}});
-    room.page.setPresets(shelf, lessons::shippedPresets().front());
-    room.page.select(lessons::hashed(kept));
-    QVERIFY(!save->isEnabled());
-    QCOMPARE(QApplication::focusWidget(), static_cast<QWidget*>(room.find<QListWidget>("presetList")));
 }
 
 void TestPresetsPage::aCopyHasAnotherName()

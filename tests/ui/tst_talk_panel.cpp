@@ -9,9 +9,9 @@
 #include <QScopeGuard>
 #include <QSignalSpy>
 #include <QTest>
-#include <QWheelEvent>
 
 #include <memory>
+#include <tuple>
 
 #include "ui/people/TalkPanel.h"
 #include "ui/shell/Theme.h"
@@ -45,16 +45,12 @@ private slots:
     void whoMayNotWriteReads();
     void aCommentThatIsTooLongSaysSoBesideItsField();
     void aCommentIsPinned();
-    void whatIsMarkedForACommentIsPinned();
-    void pinsLeadThere();
     void aScoreNeedsAReason();
     void theScoreBeginsWithWhatCounts();
     void whatIsTypedStaysWithItsAttempt();
     void theKeyboardStaysWithTheComment();
-    void theWheelScrollsOverTheScore();
     void onesOwnCommentIsTakenBackToBeCorrected_data();
     void onesOwnCommentIsTakenBackToBeCorrected();
-    void aScoreThatIsTypedMeanwhileIsAnother();
     void nothingIsSentTwice();
     void whatWasRefusedIsToldAtItsAttempt();
     void whatIsTickedStaysWhatItIs();
@@ -131,117 +127,82 @@ void TestTalkPanel::whoMayNotWriteReads()
 
 void TestTalkPanel::aCommentThatIsTooLongSaysSoBesideItsField()
 {
-    auto* field = get<QPlainTextEdit>("commentWords");
     auto* room = get<QLabel>("commentRoom");
-    field->setPlainText(QString(3000, 'w'));
-    QVERIFY(!room->isVisible());
-    field->setPlainText(QString(3990, 'w'));
-    QVERIFY2(room->isVisible() && room->text().contains("10 more"), qPrintable(room->text()));
-    QVERIFY(get<QPushButton>("addComment")->isEnabled());
-    field->setPlainText(QString(4020, 'w'));
-    QVERIFY2(room->text().startsWith("20 ") && room->text().contains("4,000"), qPrintable(room->text()));
-    QVERIFY(!get<QPushButton>("addComment")->isEnabled());
+    for (const auto& [length, says, isFit] :
+         {std::tuple(3000, "", true), std::tuple(3990, "10 more", true), std::tuple(4020, "20 ", false)}) {
+        get<QPlainTextEdit>("commentWords")->setPlainText(QString(length, 'w'));
+        QCOMPARE(room->isVisible(), length > 3000);
+        QVERIFY2(room->text().contains(says), qPrintable(room->text()));
+        QCOMPARE(get<QPushButton>("addComment")->isEnabled(), isFit);
+    }
 }
 
 void TestTalkPanel::aCommentIsPinned()
 {
-    std::optional<std::int64_t> moment;
-    std::optional<Place> place;
-    QString said;
-    int asked = 0;
-    connect(m_panel.get(), &TalkPanel::commentWanted, this,
-            [&](const QString& w, std::optional<std::int64_t> m, std::optional<Place> p) {
-                said = w;
-                moment = m;
-                place = p;
-                ++asked;
-            });
-    QVERIFY(!get<QPushButton>("addComment")->isEnabled());
-    QVERIFY(!get<QCheckBox>("atMoment")->isVisible());
-    get<QPlainTextEdit>("commentWords")->setPlainText("  Lift the bur here. ");
+    auto* atMoment = get<QCheckBox>("atMoment");
+    auto* atPlace = get<QCheckBox>("atPlace");
+    QSignalSpy wanted(m_panel.get(), &TalkPanel::commentWanted);
+    const auto sent = [&] {
+        get<QPushButton>("addComment")->click();
+        return std::tuple(wanted.back()[0].toString(), wanted.back()[1].value<std::optional<std::int64_t>>(),
+                          wanted.back()[2].value<std::optional<Place>>());
+    };
+    const QString words = "Lift the bur here.";
+    QVERIFY(!get<QPushButton>("addComment")->isEnabled() && !atMoment->isVisible() && !atPlace->isVisible());
+    get<QPlainTextEdit>("commentWords")->setPlainText("  " + words + ' ');
     m_panel->setMoment(102'400);
     m_panel->setPlace(Place{1.0, 2.0, 3.0});
-    QCOMPARE(get<QCheckBox>("atMoment")->text(), QString("at 1:42 of the replay"));
-    get<QPushButton>("addComment")->click();
-    QCOMPARE(said, QString("Lift the bur here."));
-    QVERIFY(!moment && !place);
+    QCOMPARE(atMoment->text(), QString("at 1:42 of the replay"));
+    QVERIFY(sent() == std::tuple(words, std::nullopt, std::nullopt));
     m_panel->answer(0, "It could not be kept.");
-    get<QCheckBox>("atMoment")->setChecked(true);
-    get<QCheckBox>("atPlace")->setChecked(true);
-    get<QPushButton>("addComment")->click();
-    QCOMPARE(asked, 2);
-    QCOMPARE(moment, std::optional<std::int64_t>(102'400));
-    QCOMPARE(place, std::optional<Place>(Place{1.0, 2.0, 3.0}));
-    // It was kept: the field is free for the next.
-    AttemptTalk kept;
-    kept.comments.push_back({3, "Grace Hopper", "2026-11-20T14:00:00Z", "Lift the bur here.", {}, {}});
+    atMoment->setChecked(true);
+    atPlace->setChecked(true);
+    const auto pinned = sent();
+    QCOMPARE(std::get<1>(pinned), std::optional<std::int64_t>(102'400));
+    QCOMPARE(std::get<2>(pinned), std::optional<Place>(Place{1.0, 2.0, 3.0}));
+    // It was kept: the field is free for the next, which begins without pins.
     m_panel->answer(0);
-    m_panel->setTalk(kept);
     QVERIFY(get<QPlainTextEdit>("commentWords")->toPlainText().isEmpty());
-}
-
-/// Marked by who writes; but not where he only looks at the place of another comment.
-void TestTalkPanel::whatIsMarkedForACommentIsPinned()
-{
-    auto* how = get<QLabel>("howToPin");
-    QVERIFY(how->text().contains("click a place"));
+    QVERIFY(!atPlace->isChecked() && !atMoment->isChecked());
+    // A place that the writer marks is pinned at once; not the place of another comment that they look at.
     m_panel->setPlace(Place{1.0, 2.0, 3.0}, true);
-    QVERIFY(get<QCheckBox>("atPlace")->isChecked());
-    QVERIFY(how->isVisible() && how->text().contains("play the attempt"));
+    QVERIFY(atPlace->isChecked());
     m_panel->setPlace(Place{4.0, 5.0, 6.0});
-    QVERIFY(!get<QCheckBox>("atPlace")->isChecked());
-    m_panel->setPlace({}, true);
-    QVERIFY(!get<QCheckBox>("atPlace")->isChecked() && !get<QCheckBox>("atPlace")->isVisible());
-    m_panel->setMoment(1000);
-    m_panel->setPlace(Place{1.0, 2.0, 3.0}, true);
-    QVERIFY(!how->isVisible());
-    get<QCheckBox>("atMoment")->setChecked(true);
-    // What was kept has its pins; the next comment begins without.
-    get<QPlainTextEdit>("commentWords")->setPlainText("The bur slipped.");
-    get<QPushButton>("addComment")->click();
-    AttemptTalk kept;
-    kept.comments.push_back(
-        {3, "Grace Hopper", "2026-11-20T14:00:00Z", "The bur slipped.", Place{1.0, 2.0, 3.0}, 1000});
-    m_panel->answer(0);
-    m_panel->setTalk(kept);
-    QVERIFY(!get<QCheckBox>("atPlace")->isChecked() && !get<QCheckBox>("atMoment")->isChecked());
-}
-
-void TestTalkPanel::pinsLeadThere()
-{
+    QVERIFY(!atPlace->isChecked());
+    // What others have pinned leads there.
     m_panel->setTalk(talk());
-    double at = 0.0;
-    Place place{};
-    connect(m_panel.get(), &TalkPanel::momentWanted, this, [&](double seconds) { at = seconds; });
-    connect(m_panel.get(), &TalkPanel::placeWanted, this, [&](Place p) { place = p; });
+    QSignalSpy moment(m_panel.get(), &TalkPanel::momentWanted);
+    QSignalSpy place(m_panel.get(), &TalkPanel::placeWanted);
     for (QPushButton* button : m_panel->findChildren<QPushButton*>())
         if (button->property("kind") == "chip")
             button->click();
-    QCOMPARE(at, 102.0);
-    QCOMPARE(place, (Place{1.0, 2.0, 3.0}));
+    QCOMPARE(moment[0][0].toDouble(), 102.0);
+    QCOMPARE(place[0][0].value<Place>(), (Place{1.0, 2.0, 3.0}));
 }
 
 void TestTalkPanel::aScoreNeedsAReason()
 {
-    std::optional<std::optional<int>> given;
-    QString why;
-    connect(m_panel.get(), &TalkPanel::overrideWanted, this, [&](std::optional<int> tenths, const QString& reason) {
-        given = tenths;
-        why = reason;
-    });
-    QCOMPARE(get<QDoubleSpinBox>("givenPoints")->value(), 68.4);
-    get<QDoubleSpinBox>("givenPoints")->setValue(77.7);
-    QVERIFY(!get<QPushButton>("giveScore")->isEnabled());
-    get<QLineEdit>("reason")->setText("   ");
-    QVERIFY(!get<QPushButton>("giveScore")->isEnabled());
-    get<QLineEdit>("reason")->setText("Wall seen by hand");
+    QSignalSpy wanted(m_panel.get(), &TalkPanel::overrideWanted);
+    auto* points = get<QDoubleSpinBox>("givenPoints");
+    auto* reason = get<QLineEdit>("reason");
+    QCOMPARE(points->value(), 68.4);
+    points->setValue(77.7);
+    for (const char* typed : {"", "   "}) {
+        reason->setText(typed);
+        QVERIFY(!get<QPushButton>("giveScore")->isEnabled());
+    }
+    reason->setText("Wall seen by hand");
     get<QPushButton>("giveScore")->click();
-    QVERIFY(given && *given == 777);
-    QCOMPARE(why, QString("Wall seen by hand"));
-    m_panel->answer(0, "It could not be kept.");
+    QCOMPARE(wanted[0][0].value<std::optional<int>>(), std::optional(777));
+    QCOMPARE(wanted[0][1].toString(), QString("Wall seen by hand"));
+    // One that is typed while it is on its way is another.
+    points->setValue(60.0);
+    m_panel->answer(0);
+    QCOMPARE(points->value(), 60.0);
+    QCOMPARE(reason->text(), QString("Wall seen by hand"));
     m_panel->setTalk(talk());
     get<QPushButton>("machineAgain")->click();
-    QVERIFY(given && !*given);
+    QVERIFY(!wanted[1][0].value<std::optional<int>>());
 }
 
 void TestTalkPanel::theScoreBeginsWithWhatCounts()
@@ -321,22 +282,6 @@ void TestTalkPanel::theKeyboardStaysWithTheComment()
     QCOMPARE(get<QDoubleSpinBox>("givenPoints")->value(), 68.4);
 }
 
-void TestTalkPanel::theWheelScrollsOverTheScore()
-{
-    auto* points = get<QDoubleSpinBox>("givenPoints");
-    get<QPlainTextEdit>("commentWords")->setFocus();
-    const double before = points->value();
-    const QPointF at = points->rect().center();
-    for (int notch = 0; notch < 5; ++notch) {
-        QWheelEvent wheel(at, points->mapToGlobal(at), {}, {0, -120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase,
-                          false);
-        QApplication::sendEvent(points, &wheel);
-    }
-    QCOMPARE(points->value(), before);
-    QVERIFY(!points->hasFocus());
-    QVERIFY(!(points->focusPolicy() & Qt::WheelFocus & ~Qt::StrongFocus));
-}
-
 void TestTalkPanel::onesOwnCommentIsTakenBackToBeCorrected_data()
 {
     QTest::addColumn<QString>("typed");
@@ -388,20 +333,6 @@ void TestTalkPanel::onesOwnCommentIsTakenBackToBeCorrected()
     m_panel->setTalk(mine);
     m_panel->setMay(false, false);
     QVERIFY(get<QPushButton>("takeBack") == nullptr);
-}
-
-/// And waits to be given.
-void TestTalkPanel::aScoreThatIsTypedMeanwhileIsAnother()
-{
-    m_panel->setAttempt(1);
-    m_panel->setScore(684, 750, false);
-    get<QLineEdit>("reason")->setText("Steady hand");
-    get<QDoubleSpinBox>("givenPoints")->setValue(50.0);
-    get<QPushButton>("giveScore")->click();
-    get<QDoubleSpinBox>("givenPoints")->setValue(60.0);
-    m_panel->answer(1);
-    QCOMPARE(get<QDoubleSpinBox>("givenPoints")->value(), 60.0);
-    QCOMPARE(get<QLineEdit>("reason")->text(), QString("Steady hand"));
 }
 
 void TestTalkPanel::nothingIsSentTwice()
