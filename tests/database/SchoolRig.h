@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <memory>
 #include <string>
 
@@ -73,12 +74,11 @@ public:
           classmate(like.classmate), stranger(like.stranger), otherInstructor(like.otherInstructor), guest(like.guest),
           first(like.first), second(like.second), m_key(like.m_key)
     {
-        like.close();  // a server copies only what nobody is connected to; a file is whole when it is closed
+        like.close();  // for good: a server copies only what nobody is connected to, and a file is whole when closed
         const bool onServer = like.m_address.startsWith(QStringLiteral("postgresql:"));
         m_address = onServer ? sharedServer().newDatabase(like.m_address) : m_folder.filePath("school.sqlite");
         if (!onServer && !QFile::copy(like.m_address, m_address))
             qWarning("not copied");
-        like.reopen();
         reopen();
     }
 
@@ -173,6 +173,18 @@ private:
     std::unique_ptr<database::sql::School> m_school;
 };
 
+/// One populated school of each engine, for copies.
+inline SchoolRig& populatedSchool(bool onServer)
+{
+    static std::array<std::unique_ptr<SchoolRig>, 2> schools;
+    auto& school = schools.at(onServer ? 1 : 0);
+    if (!school) {
+        school = std::make_unique<SchoolRig>(onServer);
+        school->populate();
+    }
+    return *school;
+}
+
 }  // namespace support
 
 /// Goes on with a rig of the row's engine, or skips where there is no server.
@@ -181,6 +193,14 @@ private:
     if (onServer && !support::sharedServer().fault().isEmpty())                                                        \
         QSKIP(qPrintable(support::sharedServer().fault()));                                                            \
     support::SchoolRig name(onServer);                                                                                 \
+    QVERIFY(name.isOpen())
+
+/// The same with a copy of a school, such as support::populatedSchool.
+#define COPY_OF(school, name)                                                                                          \
+    QFETCH(bool, onServer);                                                                                            \
+    if (onServer && !support::sharedServer().fault().isEmpty())                                                        \
+        QSKIP(qPrintable(support::sharedServer().fault()));                                                            \
+    support::SchoolRig name(school(onServer));                                                                         \
     QVERIFY(name.isOpen())
 
 /// That a result is there; else its sentence.

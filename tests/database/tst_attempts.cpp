@@ -65,7 +65,7 @@ private slots:
     void anOverrideCountsAndTheMachinesScoreStays();
     void valuesAreBoundNotPasted_data() { support::addEngines(); }
     void valuesAreBoundNotPasted();
-    void refusesWhatTheSchemaForbids_data();
+    void refusesWhatTheSchemaForbids_data() { support::addEngines(); }
     void refusesWhatTheSchemaForbids();
     void aRecordingThatWasChangedIsNotPlayed_data() { support::addEngines(); }
     void aRecordingThatWasChangedIsNotPlayed();
@@ -101,8 +101,7 @@ private slots:
 
 void TestAttempts::everyFieldComesBack()
 {
-    SCHOOL_RIG(rig);
-    rig.populate();
+    COPY_OF(support::populatedSchool, rig);
     AttemptRecord attempt = SchoolRig::attempt("class1-36", 823);
     const QByteArray recording = QByteArray("a recording\0with a zero in it", 29).repeated(1000);
     const auto id = addAttempt(rig.school(), rig.student, attempt, recording);
@@ -129,8 +128,7 @@ void TestAttempts::everyFieldComesBack()
 
 void TestAttempts::theSameAttemptIsKeptOnce()
 {
-    SCHOOL_RIG(rig);
-    rig.populate();
+    COPY_OF(support::populatedSchool, rig);
     AttemptRecord attempt = SchoolRig::attempt("class1-36", 823);
     const AttemptId id = addAttempt(rig.school(), rig.student, attempt, {}).value();
     attempt.personUid = rig.student.uid();
@@ -149,8 +147,7 @@ void TestAttempts::theSameAttemptIsKeptOnce()
 
 void TestAttempts::historyIsNewestFirstAndOfOnePerson()
 {
-    SCHOOL_RIG(rig);
-    rig.populate();
+    COPY_OF(support::populatedSchool, rig);
     const char* times[]{"2026-11-20T10:15:00Z", "2026-11-22T10:15:00Z", "2026-11-21T10:15:00Z"};
     for (const char* time : times) {
         VERIFY_DONE(addAttempt(rig.school(), rig.student, SchoolRig::attempt("class1-36", 800, time), {}));
@@ -176,8 +173,7 @@ void TestAttempts::historyIsNewestFirstAndOfOnePerson()
 
 void TestAttempts::standingsFollowTheAttempts()
 {
-    SCHOOL_RIG(rig);
-    rig.populate();
+    COPY_OF(support::populatedSchool, rig);
     for (const int tenths : {500, 823, 760})
         VERIFY_DONE(addAttempt(
             rig.school(), rig.student,
@@ -191,8 +187,7 @@ void TestAttempts::standingsFollowTheAttempts()
 
 void TestAttempts::anOverrideCountsAndTheMachinesScoreStays()
 {
-    SCHOOL_RIG(rig);
-    rig.populate();
+    COPY_OF(support::populatedSchool, rig);
     VERIFY_DONE(addAttempt(rig.school(), rig.student, SchoolRig::attempt("class1-36", 500), {}));
     const AttemptId id = addAttempt(rig.school(), rig.student, SchoolRig::attempt("class1-36", 600), {}).value();
     VERIFY_REFUSED(overrideScore(rig.school(), rig.instructor, id, 760, "  "), ErrorCode::OutOfRange);
@@ -221,8 +216,7 @@ void TestAttempts::anOverrideCountsAndTheMachinesScoreStays()
 
 void TestAttempts::valuesAreBoundNotPasted()
 {
-    SCHOOL_RIG(rig);
-    rig.populate();
+    COPY_OF(support::populatedSchool, rig);
     const char* nasty = "36'); DROP TABLE attempts; --";
     AttemptRecord attempt = SchoolRig::attempt(nasty, 500);
     attempt.tooth = nasty;
@@ -236,54 +230,29 @@ void TestAttempts::valuesAreBoundNotPasted()
     VERIFY_DONE(comment);
 }
 
-void TestAttempts::refusesWhatTheSchemaForbids_data()
-{
-    QTest::addColumn<bool>("onServer");
-    QTest::addColumn<int>("which");
-    for (const bool onServer : {false, true})
-        for (int which = 0; which < 6; ++which)
-            QTest::addRow("%s %d", onServer ? "postgresql" : "sqlite", which) << onServer << which;
-}
-
 void TestAttempts::refusesWhatTheSchemaForbids()
 {
-    QFETCH(int, which);
-    SCHOOL_RIG(rig);
-    rig.populate();
-    AttemptRecord attempt = SchoolRig::attempt("class1-36", 500);
-    switch (which) {
-    case 0:
-        attempt.scoreTenths = 1001;
-        break;
-    case 1:
-        attempt.scoreTenths = -1;
-        break;
-    case 2:
-        attempt.durationMs = -1;
-        break;
-    case 3:
-        attempt.finishedUtc = "2026-11-20 10:15:00";
-        break;
-    case 4:
-        attempt.tooth.clear();
-        break;
-    default:
-        attempt.stateHash = "abc";
-        break;
+    COPY_OF(support::populatedSchool, rig);
+    for (void (*const spoil)(AttemptRecord&) :
+         {+[](AttemptRecord& a) { a.scoreTenths = 1001; }, +[](AttemptRecord& a) { a.scoreTenths = -1; },
+          +[](AttemptRecord& a) { a.durationMs = -1; },
+          +[](AttemptRecord& a) { a.finishedUtc = "2026-11-20 10:15:00"; }, +[](AttemptRecord& a) { a.tooth.clear(); },
+          +[](AttemptRecord& a) { a.stateHash = "abc"; }}) {
+        AttemptRecord attempt = SchoolRig::attempt("class1-36", 500);
+        spoil(attempt);
+        const auto refused = addAttempt(rig.school(), rig.student, attempt, {});
+        VERIFY_REFUSED(refused, ErrorCode::OutOfRange);
+        QVERIFY2(refused.error().detail.find("a value is not allowed") != std::string::npos,
+                 refused.error().detail.c_str());
+        QVERIFY(history(rig.school(), rig.student, rig.student.person(), {})->empty());
+        QVERIFY(standingsOf(rig.school(), rig.student, rig.student.person())->empty());
     }
-    const auto refused = addAttempt(rig.school(), rig.student, attempt, {});
-    VERIFY_REFUSED(refused, ErrorCode::OutOfRange);
-    QVERIFY2(refused.error().detail.find("a value is not allowed") != std::string::npos,
-             refused.error().detail.c_str());
-    QVERIFY(history(rig.school(), rig.student, rig.student.person(), {})->empty());
-    QVERIFY(standingsOf(rig.school(), rig.student, rig.student.person())->empty());
     VERIFY_DONE(addAttempt(rig.school(), rig.student, SchoolRig::attempt("class1-36", 500), {}));
 }
 
 void TestAttempts::aRecordingThatWasChangedIsNotPlayed()
 {
-    SCHOOL_RIG(rig);
-    rig.populate();
+    COPY_OF(support::populatedSchool, rig);
     const AttemptId id =
         addAttempt(rig.school(), rig.student, SchoolRig::attempt("class1-36", 500), QByteArray(5000, 'r')).value();
     if (onServer) {
@@ -301,8 +270,7 @@ void TestAttempts::aRecordingThatWasChangedIsNotPlayed()
 
 void TestAttempts::whatIsKeptOfPeopleIsForTheOwnerOfTheFilesOnly()
 {
-    SchoolRig rig(false);
-    rig.populate();
+    SchoolRig rig(support::populatedSchool(false));
     const QDir folder(QFileInfo(rig.address()).absolutePath());
     VERIFY_DONE(addAttempt(rig.school(), rig.student, SchoolRig::attempt("class1-36", 500), "a recording"));
     Outbox outbox(folder.filePath("outbox"), StationKey::make());
@@ -324,8 +292,7 @@ void TestAttempts::whatIsKeptOfPeopleIsForTheOwnerOfTheFilesOnly()
 /// Quartiles are those that R calls type 7: between two neighbours by the distance.
 void TestAttempts::aClassesNumbersAreThoseWorkedOutByHand()
 {
-    SCHOOL_RIG(rig);
-    rig.populate();
+    COPY_OF(support::populatedSchool, rig);
     const std::string lesson = "class1-36";
     const std::vector<Session> six = sixStudents(rig);
     // What the machine gave: a row for each student, from his first attempt on.
@@ -393,8 +360,7 @@ void TestAttempts::aClassesNumbersAreThoseWorkedOutByHand()
 /// One could make out who did what.
 void TestAttempts::ofFourPeopleNoBandIsShown()
 {
-    SCHOOL_RIG(rig);
-    rig.populate();
+    COPY_OF(support::populatedSchool, rig);
     std::vector<Session> people = sixStudents(rig);
     people.resize(5);
     for (const Session& who : people) {
@@ -411,8 +377,7 @@ void TestAttempts::ofFourPeopleNoBandIsShown()
 /// What the one does not see, and what would tell of few people, does not come by way of a student's other class.
 void TestAttempts::aBandIsOfTheClassesOfWhoAsks()
 {
-    SCHOOL_RIG(rig);
-    rig.populate();
+    COPY_OF(support::populatedSchool, rig);
     const School& school = rig.school();
     const std::string lesson = "class1-36";
     const PersonId sam = rig.student.person();
@@ -450,8 +415,7 @@ void TestAttempts::aBandIsOfTheClassesOfWhoAsks()
 /// At the lesson he tried last, by the scores that count.
 void TestAttempts::whoIsStuckIsToldByTheLastAttempts()
 {
-    SCHOOL_RIG(rig);
-    rig.populate();
+    COPY_OF(support::populatedSchool, rig);
     const auto isStuck = [](const MatrixStudent& student) {
         std::vector<lessons::Try> tries;
         for (std::size_t k = 0; k < student.recentTenths.size(); ++k)
@@ -503,8 +467,7 @@ void TestAttempts::whoIsStuckIsToldByTheLastAttempts()
 /// A pipe would let the school wait for ever, and a device has no end.
 void TestAttempts::whatIsNoPlainFileIsNotRead()
 {
-    SchoolRig rig(false);
-    rig.populate();
+    SchoolRig rig(support::populatedSchool(false));
     const QDir folder(QFileInfo(rig.address()).absolutePath());
     const QString pipe = folder.filePath("pipe");
     QCOMPARE(mkfifo(qPrintable(pipe), 0600), 0);
@@ -565,8 +528,7 @@ void TestAttempts::aStationKeyIsAFileOfItsOwn()
 /// However little there was to write.
 void TestAttempts::aFullDiskTakesNothing()
 {
-    SchoolRig rig(false);
-    rig.populate();
+    SchoolRig rig(support::populatedSchool(false));
     const QDir folder(QFileInfo(rig.address()).absolutePath());
     Outbox outbox(folder.filePath("outbox"), StationKey::make());
     const auto attempt = SchoolRig::attempt("class1-36", 500);
@@ -588,8 +550,7 @@ void TestAttempts::aFullDiskTakesNothing()
 
 void TestAttempts::classmatesAreComparedWithoutNames()
 {
-    SCHOOL_RIG(rig);
-    rig.populate();
+    COPY_OF(support::populatedSchool, rig);
     const std::string rubric(64, 'b');
     for (const auto& [who, tenths] :
          {std::pair(rig.student, 500), std::pair(rig.student, 700), std::pair(rig.classmate, 900),
@@ -626,8 +587,7 @@ void TestAttempts::classmatesAreComparedWithoutNames()
 
 void TestAttempts::whatATeacherSaysIsNewUntilItIsRead()
 {
-    SCHOOL_RIG(rig);
-    rig.populate();
+    COPY_OF(support::populatedSchool, rig);
     const School& school = rig.school();
     const AttemptRecord first = SchoolRig::attempt("class1-36", 700);
     const AttemptId one = addAttempt(school, rig.student, first, {}).value();
@@ -659,8 +619,7 @@ void TestAttempts::whatATeacherSaysIsNewUntilItIsRead()
 /// Its words stay in the database, and nobody is shown them.
 void TestAttempts::aCommentIsTakenBackByWhoWroteIt()
 {
-    SCHOOL_RIG(rig);
-    rig.populate();
+    COPY_OF(support::populatedSchool, rig);
     const School& school = rig.school();
     VERIFY_DONE(enrol(school, rig.admin, rig.first, rig.otherInstructor.person(), true));
     const AttemptRecord attempt = SchoolRig::attempt("class1-36", 700);
@@ -702,8 +661,7 @@ void TestAttempts::aCommentIsTakenBackByWhoWroteIt()
 /// Whether or not a score comes of it.
 void TestAttempts::anExamThatIsBegunIsAnAttempt()
 {
-    SCHOOL_RIG(rig);
-    rig.populate();
+    COPY_OF(support::populatedSchool, rig);
     const School& school = rig.school();
     const std::string exam = "exam-36";
     VERIFY_DONE(assign(school, rig.instructor, {0, rig.first, exam, "", 3}));
@@ -783,8 +741,7 @@ void TestAttempts::anExamThatIsBegunIsAnAttempt()
 /// made: work that was done is never thrown away, and its teacher sees it.
 void TestAttempts::anAttemptBeyondTheLimitIsKept()
 {
-    SCHOOL_RIG(rig);
-    rig.populate();
+    COPY_OF(support::populatedSchool, rig);
     const School& school = rig.school();
     const std::string lesson = "class1-36";
     VERIFY_DONE(assign(school, rig.instructor, {0, rig.first, lesson, "", 1}));
@@ -812,8 +769,7 @@ void TestAttempts::anAttemptBeyondTheLimitIsKept()
 /// Also by an exam that was broken off; and of several classes the most generous decides, for both.
 void TestAttempts::aTeacherSeesWhoHasNoAttemptsLeft()
 {
-    SCHOOL_RIG(rig);
-    rig.populate();
+    COPY_OF(support::populatedSchool, rig);
     const School& school = rig.school();
     const std::string exam = "exam-36";
     const auto isUsedUp = [&](int limit) {
@@ -853,8 +809,7 @@ void TestAttempts::aTeacherSeesWhoHasNoAttemptsLeft()
 
 void TestAttempts::whoIsDisabledCountsNowhere()
 {
-    SCHOOL_RIG(rig);
-    rig.populate();
+    COPY_OF(support::populatedSchool, rig);
     for (const Session* who : {&rig.student, &rig.classmate})
         VERIFY_DONE(addAttempt(rig.school(), *who, SchoolRig::attempt("class1-36", 700), {}));
     const auto results = [&] { return lessonResults(rig.school(), rig.instructor, rig.first, "class1-36").value(); };
@@ -868,8 +823,7 @@ void TestAttempts::whoIsDisabledCountsNowhere()
 
 void TestAttempts::saysThatTheDiskIsFullAndGoesOnAfterwards()
 {
-    SchoolRig rig(false);
-    rig.populate();
+    SchoolRig rig(support::populatedSchool(false));
     QSqlQuery query(rig.school().db);
     QVERIFY(query.exec("PRAGMA page_count") && query.next());
     const int pages = query.value(0).toInt();
@@ -888,8 +842,7 @@ void TestAttempts::saysThatTheDiskIsFullAndGoesOnAfterwards()
 
 void TestAttempts::saysThatAnotherProgramWrites()
 {
-    SchoolRig rig(false);
-    rig.populate();
+    SchoolRig rig(support::populatedSchool(false));
     auto other = Database::open(rig.address(), std::chrono::milliseconds(10));
     VERIFY_DONE(other);
     QSqlQuery hold((*other)->handle());

@@ -106,14 +106,6 @@ private:
     std::array<std::unique_ptr<SchoolRig>, 2> m_full;
 };
 
-/// Goes on with a copy of such a school, or skips where there is no server.
-#define COPY_OF(school, name)                                                                                          \
-    QFETCH(bool, onServer);                                                                                            \
-    if (onServer && !support::sharedServer().fault().isEmpty())                                                        \
-        QSKIP(qPrintable(support::sharedServer().fault()));                                                            \
-    SchoolRig name(school(onServer));                                                                                  \
-    QVERIFY(name.isOpen())
-
 void TestAudit::cleanupTestCase()
 {
     m_chains = {};
@@ -158,8 +150,7 @@ void TestAudit::aSoundChainHasNoFindings()
 
 void TestAudit::theDatabaseItselfRefusesChanges()
 {
-    SCHOOL_RIG(rig);
-    rig.populate();
+    COPY_OF(support::populatedSchool, rig);
     QSqlQuery query(rig.school().db);
     for (const char* sql : {"UPDATE audit SET actor = ''", "DELETE FROM audit WHERE seq = 2", "DELETE FROM presets",
                             "UPDATE overrides SET reason = ''"})
@@ -326,8 +317,7 @@ void TestAudit::aStationThatNeverJoinedIsFound()
 /// The chain and its signature are whole, and still it is not this computer's.
 void TestAudit::whoeverElseSignsIsNamed()
 {
-    SchoolRig rig(false);
-    rig.populate();
+    SchoolRig rig(support::populatedSchool(false));
     const std::string own = rig.school().key.publicHex();
     QVERIFY(checkDatabase(rig.school().db, {}, {}, own)->findings.empty());
     const School stranger{rig.school().db, StationKey::make()};
@@ -553,8 +543,7 @@ void TestAudit::whatGuardsIsThere()
 
 void TestAudit::theCheckSaysWhatItCouldNotLookAt()
 {
-    SchoolRig rig(false);
-    rig.populate();
+    SchoolRig rig(support::populatedSchool(false));
     work(rig, 1);
     run(rig.school(), {"UPDATE attempts SET score_tenths = 999", "DROP TABLE exam_starts"});
     const auto report = checkDatabase(rig.school().db, {});
@@ -569,8 +558,7 @@ void TestAudit::theCheckSaysWhatItCouldNotLookAt()
 
 void TestAudit::namesOfPeopleAreNotInIt()
 {
-    SchoolRig rig(false);
-    rig.populate();
+    SchoolRig rig(support::populatedSchool(false));
     Person sam = findPerson(rig.school(), rig.admin, "s1001").value();
     sam.familyName = "Renamed";
     VERIFY_DONE(changePerson(rig.school(), rig.admin, sam));

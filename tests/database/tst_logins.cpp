@@ -133,8 +133,7 @@ void TestLogins::theFirstPersonIsAnAdminAndEnteredOnce()
 
 void TestLogins::unknownWrongAndDisabledGetTheSameAnswer()
 {
-    SCHOOL_RIG(rig);
-    rig.populate();
+    COPY_OF(support::populatedSchool, rig);
     Person disabled = findPerson(rig.school(), rig.admin, "s1002").value();
     disabled.disabled = true;
     VERIFY_DONE(changePerson(rig.school(), rig.admin, disabled));
@@ -152,8 +151,7 @@ void TestLogins::unknownWrongAndDisabledGetTheSameAnswer()
 /// Until they log in again, people's passwords are kept at the old cost: so must nobody's be.
 void TestLogins::unknownNamesTakeAsLongAfterTheCostWasRaised()
 {
-    SchoolRig rig(false);
-    rig.populate();
+    SchoolRig rig(support::populatedSchool(false));
     constexpr PasswordCost kDear{12, 8 << 20};
     VERIFY_DONE(raisePasswordCost(rig.school(), rig.admin, kDear));
     const FailedLogins times = timeFailedLogins(rig);
@@ -164,8 +162,7 @@ void TestLogins::unknownNamesTakeAsLongAfterTheCostWasRaised()
 /// Nor do they take longer: by either one could tell who is here.
 void TestLogins::unknownNamesAreNotAnsweredAtOnce()
 {
-    SchoolRig rig(false);
-    rig.populate();
+    SchoolRig rig(support::populatedSchool(false));
     const double cheapMs = timeFailedLogins(rig).knownMs;
     VERIFY_DONE(raisePasswordCost(rig.school(), rig.admin, {12, 8 << 20}));
     for (const char* name : {"admin", "teach", "teach2", "s1001", "s1002", "s2001"})
@@ -178,8 +175,7 @@ void TestLogins::unknownNamesAreNotAnsweredAtOnce()
 
 void TestLogins::codesAreReadAsTheyAreTyped()
 {
-    SchoolRig rig(false);
-    rig.populate();
+    SchoolRig rig(support::populatedSchool(false));
     const auto entered = addPerson(rig.school(), rig.admin, {"slip", "", "", Role::Student});
     VERIFY_DONE(entered);
     const QString code = QString::fromStdString(entered->code);
@@ -195,8 +191,7 @@ void TestLogins::codesAreReadAsTheyAreTyped()
 
 void TestLogins::failuresDoubleTheWaitAcrossRuns()
 {
-    SCHOOL_RIG(rig);
-    rig.populate();
+    COPY_OF(support::populatedSchool, rig);
     // Also of a name that nobody has.
     for (const char* name : {"s1001", "nobody"}) {
         for (int k = 0; k < Logins::kFreeFailures; ++k)
@@ -228,8 +223,7 @@ void TestLogins::failuresDoubleTheWaitAcrossRuns()
 
 void TestLogins::aClockThatGoesBackLocksNobodyOutForLong()
 {
-    SCHOOL_RIG(rig);
-    rig.populate();
+    COPY_OF(support::populatedSchool, rig);
     for (int k = 0; k < Logins::kFreeFailures + 2; ++k) {
         static_cast<void>(Logins::login(rig.school(), "s1001", "wrong"));
         rig.nowUtc = rig.nowUtc.addSecs(10);
@@ -243,8 +237,7 @@ void TestLogins::aClockThatGoesBackLocksNobodyOutForLong()
 /// As one station's is, and not that of the next.
 void TestLogins::aClockThatWasAheadLocksNobodyOutForLong()
 {
-    SCHOOL_RIG(rig);
-    rig.populate();
+    COPY_OF(support::populatedSchool, rig);
     rig.nowUtc = rig.nowUtc.addYears(1);
     for (int k = 0; k < Logins::kFreeFailures; ++k)
         VERIFY_REFUSED(Logins::login(rig.school(), "s1001", "wrong"), ErrorCode::WrongLogin);
@@ -256,8 +249,7 @@ void TestLogins::aClockThatWasAheadLocksNobodyOutForLong()
 
 void TestLogins::aClockThatIsAheadForgivesNobodyElse()
 {
-    SCHOOL_RIG(rig);
-    rig.populate();
+    COPY_OF(support::populatedSchool, rig);
     for (int k = 0; k < Logins::kFreeFailures; ++k)
         VERIFY_REFUSED(Logins::login(rig.school(), "s1001", "wrong"), ErrorCode::WrongLogin);
     rig.nowUtc = rig.nowUtc.addDays(2);
@@ -269,8 +261,7 @@ void TestLogins::aClockThatIsAheadForgivesNobodyElse()
 /// A list of guesses does not fill the disk.
 void TestLogins::oldFailuresOfManyNamesAreForgotten()
 {
-    SCHOOL_RIG(rig);
-    rig.populate();
+    COPY_OF(support::populatedSchool, rig);
     const auto count = [&rig] {
         QSqlQuery row(rig.school().db);
         return row.exec("SELECT COUNT(*) FROM failed_logins") && row.next() ? row.value(0).toInt() : -1;
@@ -311,8 +302,7 @@ void TestLogins::aServersClockIsTaken()
 
 void TestLogins::aCodeIsGoodOnceAndForThreeDays()
 {
-    SCHOOL_RIG(rig);
-    rig.populate();
+    COPY_OF(support::populatedSchool, rig);
     const PersonId sam = rig.student.person();
     const std::string code = resetPassword(rig.school(), rig.admin, sam).value().code;
     VERIFY_REFUSED(Logins::login(rig.school(), "s1001", SchoolRig::kPassword), ErrorCode::WrongLogin);
@@ -338,8 +328,7 @@ void TestLogins::aCodeIsGoodOnceAndForThreeDays()
 
 void TestLogins::aHashIsRaisedOnLogin()
 {
-    SCHOOL_RIG(rig);
-    rig.populate();
+    COPY_OF(support::populatedSchool, rig);
     const auto hash = [&] {
         QSqlQuery row(rig.school().db);
         return row.exec("SELECT password_hash FROM people WHERE username = 's1001'") && row.next()
@@ -374,8 +363,7 @@ void TestLogins::aHashIsRaisedOnLogin()
 /// So that a check tells it from one that somebody has written into the database.
 void TestLogins::everyChangeOfAPasswordIsNoted()
 {
-    SCHOOL_RIG(rig);
-    rig.populate();
+    COPY_OF(support::populatedSchool, rig);
     const School& school = rig.school();
     const auto isSound = [&] {
         const auto report = checkDatabase(school.db, {});
@@ -403,8 +391,7 @@ void TestLogins::everyChangeOfAPasswordIsNoted()
 /// Also where somebody has written into the database that passwords cost nothing.
 void TestLogins::aHashIsNeverMadeCheaper()
 {
-    SchoolRig rig(false);
-    rig.populate();
+    SchoolRig rig(support::populatedSchool(false));
     School school = rig.school();
     school.leastCost = {};  // as outside of tests
     const auto hash = [&] {
@@ -458,8 +445,7 @@ void TestLogins::passwordsThatEverybodyGuessesAreRefused()
 
 void TestLogins::ownPasswordIsChangedWithTheOldOne()
 {
-    SCHOOL_RIG(rig);
-    rig.populate();
+    COPY_OF(support::populatedSchool, rig);
     VERIFY_REFUSED(Logins::changePassword(rig.school(), rig.student, "wrong", "another horse"), ErrorCode::WrongLogin);
     VERIFY_REFUSED(Logins::changePassword(rig.school(), rig.guest, SchoolRig::kPassword, "another horse"),
                    ErrorCode::NotAllowed);
@@ -471,8 +457,7 @@ void TestLogins::ownPasswordIsChangedWithTheOldOne()
 
 void TestLogins::whoIsDisabledIsStoppedAtOnce()
 {
-    SCHOOL_RIG(rig);
-    rig.populate();
+    COPY_OF(support::populatedSchool, rig);
     VERIFY_DONE(standingsOf(rig.school(), rig.student, rig.student.person()));
     Person sam = findPerson(rig.school(), rig.admin, "s1001").value();
     sam.disabled = true;
@@ -520,8 +505,7 @@ void TestLogins::whoIsDisabledIsStoppedAtOnce()
 
 void TestLogins::namesAreComparedAsPeopleTypeThem()
 {
-    SchoolRig rig(false);
-    rig.populate();
+    SchoolRig rig(support::populatedSchool(false));
     VERIFY_DONE(addPerson(rig.school(), rig.admin, {" Juergen.Gross ", "Jürgen", "Groß", Role::Student}));
     VERIFY_REFUSED(addPerson(rig.school(), rig.admin, {"JUERGEN.GROSS", "", "", Role::Student}), ErrorCode::OutOfRange);
     QCOMPARE(findPerson(rig.school(), rig.admin, "ＪＵＥＲＧＥＮ.Gross").value().givenName, std::string("Jürgen"));

@@ -273,8 +273,7 @@ std::vector<Call> TestPermissions::callsOn(SchoolRig& rig)
 
 void TestPermissions::everyOperationAsEveryRole()
 {
-    SCHOOL_RIG(rig);
-    rig.populate();
+    COPY_OF(support::populatedSchool, rig);
     const std::vector<Call> calls = callsOn(rig);
     std::set<Operation> called;
     const std::array<const Session*, kRoles> sessions{&rig.guest, &rig.student, &rig.instructor, &rig.admin};
@@ -317,8 +316,7 @@ void TestPermissions::everyOperationAsEveryRole()
 /// Whoever adds a function that takes a session and does not add it to the calls above is told here.
 void TestPermissions::everyFunctionOfASessionIsAmongThem()
 {
-    SchoolRig rig(false);
-    rig.populate();
+    SchoolRig rig(support::populatedSchool(false));
     std::set<QString> called;
     for (const Call& call : callsOn(rig))
         called.insert(QLatin1String(call.name));
@@ -346,8 +344,7 @@ void TestPermissions::everyFunctionOfASessionIsAmongThem()
 
 void TestPermissions::scoresAreGivenToStudentsOnly()
 {
-    SchoolRig rig(false);
-    rig.populate();
+    SchoolRig rig(support::populatedSchool(false));
     VERIFY_DONE(enrol(rig.school(), rig.admin, rig.first, rig.otherInstructor.person(), true));
     const AttemptId own = addAttempt(rig.school(), rig.instructor, SchoolRig::attempt("class1-36", 500), {}).value();
     for (const Session* who : {&rig.instructor, &rig.otherInstructor})
@@ -361,8 +358,7 @@ void TestPermissions::scoresAreGivenToStudentsOnly()
 
 void TestPermissions::listsHoldOnlyWhatOneMaySee()
 {
-    SCHOOL_RIG(rig);
-    rig.populate();
+    COPY_OF(support::populatedSchool, rig);
     for (const Session* who : {&rig.student, &rig.classmate, &rig.stranger})
         VERIFY_DONE(addAttempt(rig.school(), *who, SchoolRig::attempt("class1-36", 700), {}));
     const auto names = [&](const Session& me) {
