@@ -8,7 +8,6 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSlider>
-#include <QToolButton>
 
 #include "tests/ui/WindowTest.h"
 #include "ui/console/Console.h"
@@ -19,7 +18,6 @@
 #include "ui/shell/ScrollPane.h"
 #include "ui/shell/ToothChooser.h"
 #include "ui/study/LessonCards.h"
-#include "ui/study/LessonEditor.h"
 #include "ui/study/LessonsPage.h"
 #include "ui/study/ScorePage.h"
 

@@ -2,7 +2,6 @@
 // What the main window shows of the tooth, drawn with OpenGL.
 #include <QComboBox>
 #include <QLabel>
-#include <QLineEdit>
 #include <QPushButton>
 #include <QSlider>
 
@@ -11,12 +10,8 @@
 #include "tests/ui/WindowTest.h"
 #include "ui/replay/TimeLine.h"
 #include "ui/shell/ArchView.h"
-#include "ui/shell/MaterialLook.h"
-#include "ui/shell/MaterialSwatch.h"
 #include "ui/shell/Mouth.h"
-#include "ui/shell/SidePanel.h"
 #include "ui/shell/StereoCard.h"
-#include "ui/study/LessonsPage.h"
 
 using namespace core::session;
 using namespace ui::shell;
@@ -30,7 +25,6 @@ private slots:
     void init() { begin(); }
     void cleanup() { end(); }
 
-    void swatchesFollowTheColoursOfTheTooth();
     void theStereoPageHasAWayBack();
     void oneOfTheDepthColoursIsShown();
     void theBurTellsHowNearItIs();
@@ -39,23 +33,7 @@ private slots:
     void whatIsToBeFeltIsNotShown();
     void pointsAndRemarksAreMarkedInAReplay();
     void theWholeMouthIsReachedWithM();
-    void aToothOfTheArchIsSearchedFor();
 };
-
-void TestWindowPicture::swatchesFollowTheColoursOfTheTooth()
-{
-    // The first shows what is under the bur, and that is nothing; then enamel, dentin and pulp.
-    const auto swatches = child<SidePanel>()->findChildren<MaterialSwatch*>();
-    QCOMPARE(swatches.size(), 4);
-    using ui::render::Palette;
-    for (const Palette colours : {Palette::Natural, Palette::Distinct}) {
-        QCOMPARE(actions().distinctColours->isChecked(), colours == Palette::Distinct);
-        for (const auto& [k, material] : {std::pair(1, Material::Enamel), {2, Material::Dentin}, {3, Material::Pulp}})
-            QCOMPARE(swatches[k]->grab().toImage().pixelColor(swatches[k]->width() / 2, 3),
-                     materialLook(material, colours).fill);
-        press(Qt::Key_P);
-    }
-}
 
 void TestWindowPicture::theStereoPageHasAWayBack()
 {
@@ -305,27 +283,6 @@ void TestWindowPicture::theWholeMouthIsReachedWithM()
     QCOMPARE(chosen.count(), 1);
     QCOMPARE(chosen.front().front().toInt(), 35);
     spoil();
-}
-
-/// An open list has the keys to itself only on a real display.
-void TestWindowPicture::aToothOfTheArchIsSearchedFor()
-{
-    m_window->setLessons(support::catalog(), {});
-    auto* page = child<ui::study::LessonsPage>();
-    const auto* search = page->findChild<QLineEdit*>();
-    actions().lessons->trigger();
-    const auto choose = [&](const QList<Qt::Key>& keys) {
-        QTest::mouseClick(child<QPushButton>("pickTooth"), Qt::LeftButton);
-        QVERIFY(page->findChild<QFrame*>("archPopup") != nullptr);
-        for (const Qt::Key key : keys)
-            QTest::keyClick(QApplication::focusWidget(), key);
-        QTRY_VERIFY(page->findChild<QFrame*>("archPopup") == nullptr);
-    };
-    choose({Qt::Key_Down, Qt::Key_Right, Qt::Key_Return});
-    QCOMPARE(search->text(), QString("32"));
-    QVERIFY(child<QLabel>("lessonTitle")->text().contains("32"));
-    choose({Qt::Key_Right, Qt::Key_Escape});
-    QCOMPARE(search->text(), QString("32"));
 }
 
 int main(int argc, char** argv)

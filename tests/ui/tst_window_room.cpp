@@ -14,7 +14,6 @@
 #include "ui/inside/XrayPage.h"
 #include "ui/shell/BusyCard.h"
 #include "ui/shell/HelpOverlay.h"
-#include "ui/shell/Memory.h"
 #include "ui/shell/SidePanel.h"
 #include "ui/shell/ToothChooser.h"
 
@@ -60,7 +59,6 @@ private slots:
 
     void figuresComeFromTheLoops_data();
     void figuresComeFromTheLoops();
-    void dentinOverThePulpIsTold();
     void harmIsToldWhenItHappens();
     void troubleIsTold();
 
@@ -395,27 +393,6 @@ void TestWindowRoom::figuresComeFromTheLoops()
     servo.forceN = {0.0, 0.0, 0.8};
     take(servo, session);
     QTRY_COMPARE(child<TabularLabel>("forceFigure")->unit(), QString("N"));
-}
-
-void TestWindowRoom::dentinOverThePulpIsTold()
-{
-    const core::terrain::Tooth& tooth = *m_window->view().tooth();
-    const core::imaging::PulpChamber pulp(*tooth.anatomy);
-    ServoState servo;
-    servo.tick = 5;
-    servo.touching = true;
-    servo.hasDepth = true;
-    // Over the pulp, behind the lesion.
-    servo.anchorMm = {0.3, 1.3, -2.0};
-    const auto reading = core::imaging::readDepth(tooth, pulp, servo.anchorMm);
-    QVERIFY(reading.dentinOverPulpMm.value() > 0.5);
-    take(servo, {});
-    QTRY_COMPARE(figure("dentinFigure"), QLocale().toString(*reading.dentinOverPulpMm, 'f', 2));
-    // Beside the pulp there is none over it.
-    servo.anchorMm = {4.2, 0.0, -2.0};
-    QVERIFY(!core::imaging::readDepth(tooth, pulp, servo.anchorMm).dentinOverPulpMm);
-    take(servo, {});
-    QTRY_COMPARE(figure("dentinFigure"), QString("–"));
 }
 
 void TestWindowRoom::harmIsToldWhenItHappens()

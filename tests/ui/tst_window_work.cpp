@@ -12,7 +12,6 @@
 #include "ui/replay/TimeLine.h"
 #include "ui/study/InfractionCard.h"
 #include "ui/study/LessonEditor.h"
-#include "ui/study/LessonsPage.h"
 #include "ui/study/ScorePage.h"
 
 using namespace core::session;
