@@ -5,7 +5,6 @@
 #include <array>
 #include <cstdint>
 
-#include <QDir>
 #include <QImage>
 #include <QRect>
 #include <QString>
@@ -16,12 +15,11 @@
 /// Pictures as tests look at them: statistics instead of golden bytes, for no two drivers draw the same bytes.
 namespace pictures {
 
-/// Leaves the picture in the build folder, where a person can look when a test has failed.
+/// Leaves the picture in the folder CUSP_PICTURES, for somebody to look at; does nothing where that is not set.
 inline void keep(const QImage& image, const QString& name)
 {
-    const QString folder = QStringLiteral(CUSP_BINARY_DIR "/tests/pictures");
-    QDir().mkpath(folder);
-    image.save(folder + '/' + name + QStringLiteral(".png"));
+    if (const QString folder = qEnvironmentVariable("CUSP_PICTURES"); !folder.isEmpty())
+        image.save(folder + '/' + name + QStringLiteral(".png"));
 }
 
 struct Colour
@@ -70,9 +68,13 @@ struct Difference
 inline Difference difference(const QImage& a, const QImage& b, int threshold = 10)
 {
     Difference found;
-    for (int y = 0; y < a.height(); ++y) {
-        for (int x = 0; x < a.width(); ++x) {
-            if (differs(a.pixel(x, y), b.pixel(x, y), threshold)) {
+    const QImage first = a.convertToFormat(QImage::Format_RGB32);
+    const QImage second = b.convertToFormat(QImage::Format_RGB32);
+    for (int y = 0; y < first.height(); ++y) {
+        const auto* p = reinterpret_cast<const QRgb*>(first.constScanLine(y));
+        const auto* q = reinterpret_cast<const QRgb*>(second.constScanLine(y));
+        for (int x = 0; x < first.width(); ++x) {
+            if (differs(p[x], q[x], threshold)) {
                 ++found.pixels;
                 found.box |= QRect(x, y, 1, 1);
             }

@@ -23,7 +23,6 @@ private slots:
     void zoomKeepsWhatIsUnderThePointer();
     void fittedDistanceFollowsTheWindowUntilSomeoneZooms();
     void whatIsBehindTheEyeLiesOutsideOnItsSide();
-    void resetBringsBackTheStart();
 };
 
 namespace {
@@ -176,18 +175,6 @@ void TestCamera::whatIsBehindTheEyeLiesOutsideOnItsSide()
         QVERIFY(aside.x >= 0.0 || pixel.x < -2000.0);
         QVERIFY(aside.y <= 0.0 || pixel.y < -2000.0);
     }
-}
-
-void TestCamera::resetBringsBackTheStart()
-{
-    Camera camera = molarCamera();
-    const glm::dvec3 eye = camera.eyeMm();
-    camera.turn(50.0, 20.0);
-    camera.zoom(4.0);
-    camera.advance(10.0);
-    camera.reset();
-    QVERIFY(glm::distance(camera.eyeMm(), eye) < 1e-12);
-    QVERIFY(!camera.advance(0.016));
 }
 
 QTEST_APPLESS_MAIN(TestCamera)

@@ -9,7 +9,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
-#include <QPushButton>
 #include <QScrollBar>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -100,9 +99,6 @@ private slots:
     void periodsAreThoseOfTheTrail();
     void settingsPageIsTheRegistry();
     void settingsSayWhatIsRefused();
-    void whatWasRefusedIsForgottenWhenThePageIsLeft();
-    void choicesOfTheSettingsAreAsWideAsTheirWords();
-    void theToothShinesThroughTheConsole();
     void nothingIsToldWhileComparedBlind();
     void whatTheLessonForbidsIsNeitherToldNorWatched();
     void answersAreSeenWhateverIsTyped();
@@ -457,65 +453,6 @@ void TestConsole::settingsSayWhatIsRefused()
     QCOMPARE(stiffness->value(), 2.0);  // as it is
     stiffness->setValue(2.2);
     QVERIFY(!fault->isVisible());
-}
-
-void TestConsole::whatWasRefusedIsForgottenWhenThePageIsLeft()
-{
-    Room room;
-    shell::Actions actions(&room.window);
-    settings::SettingsPage page(actions, room.parameters, &room.window);
-    page.show();
-    page.findChild<QDoubleSpinBox*>("force.stiffness")->setValue(9.0);
-    const auto* fault = page.findChild<QLabel*>("settingsFault");
-    QVERIFY(fault->isVisible());
-    page.hide();
-    page.refresh();
-    page.show();
-    QVERIFY(!fault->isVisible());
-}
-
-void TestConsole::choicesOfTheSettingsAreAsWideAsTheirWords()
-{
-    Room room;
-    shell::Actions actions(&room.window);
-    settings::SettingsPage page(actions, room.parameters, &room.window);
-    page.resize(900, 600);
-    page.show();
-    auto* theme = page.findChild<QComboBox*>("theme");
-    theme->setItemText(0, QStringLiteral("デスクトップに合わせる・デスクトップ"));
-    QTRY_VERIFY(theme->width() >= theme->sizeHint().width());
-    QVERIFY(theme->width() > theme->fontMetrics().horizontalAdvance(theme->itemText(0)));
-}
-
-void TestConsole::theToothShinesThroughTheConsole()
-{
-    Room room;
-    auto* output = room.console.findChild<QPlainTextEdit*>("consoleOutput");
-    room.line().clear();
-    room.window.setAutoFillBackground(true);
-    const auto groundOf = [&](const QWidget& widget, Qt::GlobalColor beneath) {
-        QPalette ground = room.window.palette();
-        ground.setColor(QPalette::Window, beneath);
-        room.window.setPalette(ground);
-        const QImage seen = room.window.grab().toImage();
-        return seen.pixelColor(widget.mapTo(&room.window, QPoint(widget.width() - 40, widget.height() / 2)));
-    };
-    const QPalette words = shell::roomPalette();
-    for (const QWidget* part : {static_cast<QWidget*>(output), static_cast<QWidget*>(&room.line())}) {
-        const QColor onBright = groundOf(*part, Qt::white);
-        const QColor onDark = groundOf(*part, Qt::black);
-        QVERIFY2(onBright.lightness() > onDark.lightness() + 15,
-                 qPrintable(QString("%1: %2 and %3").arg(part->objectName(), onBright.name(), onDark.name())));
-        for (const QColor& ground : {onBright, onDark})
-            for (const auto role : {QPalette::Text, QPalette::PlaceholderText})
-                QVERIFY2(shell::contrast(words.color(role), ground) >= 4.5, qPrintable(ground.name()));
-        // The words in an empty line are half as strong.
-        const QColor text = words.color(QPalette::Text);
-        const QColor half((text.red() + onBright.red()) / 2, (text.green() + onBright.green()) / 2,
-                          (text.blue() + onBright.blue()) / 2);
-        if (part == &room.line())
-            QVERIFY2(shell::contrast(half, onBright) >= 4.5, qPrintable(onBright.name()));
-    }
 }
 
 void TestConsole::nothingIsToldWhileComparedBlind()

@@ -100,8 +100,6 @@ private slots:
     void layersAreAsThickAsTheyAre();
     void theBurHasItsTrueSize();
     void aCutIsOpenAndTheOldSurfaceStays();
-    void theColourBlindPaletteHasPatterns();
-    void aPlaneBesideTheToothSaysSo();
     void sidesOfAScanAreNotNamed_data();
     void sidesOfAScanAreNotNamed();
     void theFilmShowsWhatIsDense();
@@ -202,74 +200,6 @@ void TestInside::aCutIsOpenAndTheOldSurfaceStays()
     };
     QVERIFY(turquoise(cut) >= 1);
     QCOMPARE(turquoise(cut), turquoise(whole));
-}
-
-void TestInside::theColourBlindPaletteHasPatterns()
-{
-    auto decayed = block();
-    for (auto& column : decayed->layers) {
-        column.cariesRoof = 10.0F;
-        column.cariesFloor = -4.0F;
-    }
-    const Tooth tooth(decayed);
-    inside::SectionScene scene = sceneOf(tooth, {});
-    scene.palette = render::Palette::Distinct;
-    const QImage image = painted(scene);
-    // Along a row through the decay there is its blue, and lighter strokes over it.
-    const QRgb blue = shell::materialLook(Material::Caries, render::Palette::Distinct).fill.rgb();
-    int surface = 0;
-    while (surface < image.height() - 20 && image.pixel(110, surface) != blue)
-        ++surface;
-    QSet<QRgb> tones;
-    for (int x = 110; x < 130; ++x)
-        tones << image.pixel(x, surface + 10);
-    QVERIFY(tones.contains(blue));
-    QVERIFY(tones.size() >= 2);
-    // Dentin has strokes of its own: thinner, and they fall where the decay's rise.
-    const QRgb orange = shell::materialLook(Material::Dentin, render::Palette::Distinct).fill.rgb();
-    const auto strokesIn = [&](int row) {
-        QList<int> places;
-        for (int x = 110; x < 290; ++x)
-            if (image.pixel(x, row) != orange &&
-                (image.pixel(x + 1, row) == orange || image.pixel(x - 1, row) == orange))
-                places << x;
-        return places;
-    };
-    int dentin = surface;
-    while (dentin < image.height() - 20 && image.pixel(111, dentin) != orange && image.pixel(112, dentin) != orange)
-        ++dentin;
-    const QList<int> upper = strokesIn(dentin + 5);
-    const QList<int> lower = strokesIn(dentin + 6);
-    QVERIFY(upper.size() >= 5);
-    int falling = 0;
-    for (const int x : upper)
-        falling += lower.contains(x + 1) && !lower.contains(x - 1) ? 1 : 0;
-    QVERIFY2(falling >= upper.size() / 2, qPrintable(QString("%1 of %2").arg(falling).arg(upper.size())));
-    QVERIFY(shell::materialLook(Material::Dentin, render::Palette::Distinct).pattern !=
-            shell::materialLook(Material::Caries, render::Palette::Distinct).pattern);
-    for (const Material a : {Material::Caries, Material::Enamel, Material::Dentin, Material::Pulp})
-        QVERIFY(shell::materialLook(a).fill != shell::materialLook(a, render::Palette::Distinct).fill);
-}
-
-void TestInside::aPlaneBesideTheToothSaysSo()
-{
-    // The block is 8 mm wide: a plane 6 mm from its middle passes it.
-    const Tooth tooth(block());
-    const QImage beside = painted(sceneOf(tooth, {{0.0, 6.0}, 0.0}));
-    const QImage through = painted(sceneOf(tooth, {{0.0, 0.0}, 0.0}));
-    // Words have tones between theirs and that of the ground; the grid has not.
-    const auto words = [](const QImage& image) {
-        int count = 0;
-        for (int y = 240; y < 380; ++y)
-            for (int x = 40; x < 390; ++x)
-                count += image.pixelColor(x, y) == QColor(0xB6, 0xBD, 0xBF) ? 1 : 0;
-        return count;
-    };
-    QVERIFY(words(beside) > 50);
-    QCOMPARE(words(through), 0);
-    // The grid stays: its lines cross the upper half, and nothing else does.
-    const int lines = beside.width() - countInRow(beside, 123, QColor(0x15, 0x18, 0x1A));
-    QVERIFY2(lines >= 8 && lines <= 30, qPrintable(QString::number(lines)));
 }
 
 void TestInside::sidesOfAScanAreNotNamed_data()

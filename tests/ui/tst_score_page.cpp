@@ -4,7 +4,6 @@
 #include <QFile>
 #include <QHelpEvent>
 #include <QLabel>
-#include <QLayout>
 #include <QLineEdit>
 #include <QProgressBar>
 #include <QPushButton>
@@ -133,14 +132,10 @@ private slots:
     void theFirstViewNeedsNoScrolling_data();
     void theFirstViewNeedsNoScrolling();
     void keysReachRowsAndMoments();
-    void aNarrowWindowScrolls();
-    void theButtonsEndWhereTheCardsDo();
     void aPlaceIsPinnedAndFoundAgain();
     void aPinMovesWithTheKeys();
-    void theSumStandsBesideTheTalk();
     void aNewCardBeginsAtItsTop();
     void whatWasSaidIsScrolledTo();
-    void theFormInUseIsInSight();
     void whatWasRefusedIsInSight();
     void theKeyboardReadsAll();
     void theScoreThatIsToldIsCompared();
@@ -499,45 +494,6 @@ void TestScorePage::keysReachRowsAndMoments()
         QVERIFY2(reached.contains(chip), qPrintable(chip->text()));
 }
 
-void TestScorePage::theButtonsEndWhereTheCardsDo()
-{
-    show(faulty("decay-36-moderate"));
-    const auto* pane = m_page->findChild<ui::shell::ScrollPane*>();
-    const QWidget* cards = pane->widget()->layout()->itemAt(1)->widget();
-    const auto buttonsEnd = [&] {
-        int end = 0;
-        for (const QPushButton* button : m_page->findChildren<QPushButton*>(QString(), Qt::FindDirectChildrenOnly))
-            if (button->isVisible() && button->y() > pane->geometry().bottom())
-                end = std::max(end, button->geometry().right());
-        return end;
-    };
-    for (const QSize size : {QSize(1280, 800), QSize(853, 533), QSize(2400, 1080)}) {  // with a scroll bar and without
-        m_window->resize(size);
-        m_page->resize(size);
-        QTRY_COMPARE(buttonsEnd(), cards->mapTo(m_page, cards->rect().bottomRight()).x());
-    }
-}
-
-/// Everything has the room it needs, one below the other.
-void TestScorePage::aNarrowWindowScrolls()
-{
-    m_actions->distinctColours->setChecked(true);
-    m_window->resize(853, 533);
-    m_page->resize(853, 533);
-    show(faulty("class1-36"));
-    const auto* pane = m_page->findChild<ui::shell::ScrollPane*>();
-    QVERIFY(pane->hasMoreBelow());
-    QVERIFY(pane->widget()->width() <= pane->viewport()->width());
-    for (const CriterionRow* row : m_page->findChildren<CriterionRow*>())
-        QTRY_VERIFY2(row->height() >= row->heightForWidth(row->width()),
-                     qPrintable(QString("%1 has %2 px, wants %3")
-                                    .arg(row->accessibleName())
-                                    .arg(row->height())
-                                    .arg(row->heightForWidth(row->width()))));
-    if (const QString folder = qEnvironmentVariable("CUSP_PICTURES"); !folder.isEmpty())
-        pane->widget()->grab().save(folder + "/score-narrow-whole.png");
-}
-
 void TestScorePage::aPlaceIsPinnedAndFoundAgain()
 {
     const Faulty made = faulty("class1-36");
@@ -597,24 +553,6 @@ void TestScorePage::aPinMovesWithTheKeys()
     QVERIFY(!m_page->findChild<QCheckBox*>("atPlace")->isChecked());
 }
 
-/// However long the talk is: the criteria and their sum are read together.
-void TestScorePage::theSumStandsBesideTheTalk()
-{
-    m_page->setTalkVisible(true);
-    m_page->setMayTalk(true);
-    database::AttemptTalk talk;
-    for (int k = 0; k < 8; ++k)
-        talk.comments.push_back({k + 1, "Grace Hopper", "2026-11-20T10:00:00Z", "Here you pressed too hard.", {}, {}});
-    m_page->talk().setTalk(talk);
-    show(faulty("decay-36-moderate"));
-    const auto bottom = [this](const QWidget* widget) {
-        return widget->mapTo(m_page, QPoint(0, widget->height())).y();
-    };
-    const auto rows = m_page->findChildren<CriterionRow*>();
-    const int gap = bottom(m_page->findChild<QLabel*>("sum")) - bottom(rows.back());
-    QVERIFY2(gap < 300, qPrintable(QString::number(gap)));
-}
-
 void TestScorePage::aNewCardBeginsAtItsTop()
 {
     const Faulty made = faulty("decay-36-moderate");
@@ -640,27 +578,6 @@ void TestScorePage::whatWasSaidIsScrolledTo()
     QTRY_VERIFY(pane->verticalScrollBar()->value() > 0);
     const int top = m_page->talk().mapTo(pane->viewport(), QPoint(0, 0)).y();
     QVERIFY2(top >= 0 && top < pane->viewport()->height() / 2, qPrintable(QString::number(top)));
-}
-
-/// All of it, clear of the edge that fades, though what was said has moved it down.
-void TestScorePage::theFormInUseIsInSight()
-{
-    m_page->resize(900, 600);
-    show(faulty("decay-36-moderate"));
-    m_page->setTalkVisible(true);
-    m_page->setMayTalk(true);
-    auto* pane = m_page->findChild<ui::shell::ScrollPane*>();
-    auto* give = m_page->findChild<QPushButton*>("giveScore");
-    m_page->findChild<QLineEdit*>("reason")->setFocus();
-    database::AttemptTalk talk;
-    for (int k = 0; k < 20; ++k)
-        talk.comments.push_back({k + 1, "Grace Hopper", "2026-11-20T10:00:00Z", "Here you pressed too hard.", {}, {}});
-    m_page->talk().setTalk(talk);
-    const auto roomBelow = [&] {
-        return pane->viewport()->height() - give->mapTo(pane->viewport(), QPoint(0, give->height())).y();
-    };
-    // At the end of the page no edge fades.
-    QTRY_VERIFY(roomBelow() > (pane->hasMoreBelow() ? 36 : 0) && roomBelow() < pane->viewport()->height());
 }
 
 /// Beside the field, though another teacher's score has moved both meanwhile.
