@@ -72,7 +72,7 @@ private:
         auto* table = child<QTableView>("people");
         table->setCurrentIndex(table->model()->index(row, 0));
     }
-    void showCode(const database::Person& person) const { people().showCode(kAdmin, person, "1234-5678"); }
+    void showCode(const database::Person& person) const { people().showCode(person, "1234-5678"); }
     void setPeople(const QList<database::Person>& all, const QList<database::SchoolClass>& classes = {}) const
     {
         people().setPeople(all, classes);
@@ -88,7 +88,7 @@ void TestAdminPage::init()
     m_window = std::make_unique<QWidget>();
     m_window->resize(1280, 760);
     m_page = new AdminPage(*new ui::shell::Actions(m_window.get()), m_window.get());
-    m_page->setWriter(kAdmin);
+    people().setAdmin(kAdmin);
     m_page->resize(m_window->size());
     m_window->show();
     m_window->activateWindow();

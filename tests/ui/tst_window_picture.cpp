@@ -2,6 +2,7 @@
 // What the main window shows of the tooth, drawn with OpenGL.
 #include <QComboBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSlider>
 
@@ -12,6 +13,7 @@
 #include "ui/shell/ArchView.h"
 #include "ui/shell/Mouth.h"
 #include "ui/shell/StereoCard.h"
+#include "ui/study/LessonsPage.h"
 
 using namespace core::session;
 using namespace ui::shell;
@@ -33,6 +35,7 @@ private slots:
     void whatIsToBeFeltIsNotShown();
     void pointsAndRemarksAreMarkedInAReplay();
     void theWholeMouthIsReachedWithM();
+    void aToothOfTheArchIsSearchedFor();
 };
 
 void TestWindowPicture::theStereoPageHasAWayBack()
@@ -283,6 +286,27 @@ void TestWindowPicture::theWholeMouthIsReachedWithM()
     QCOMPARE(chosen.count(), 1);
     QCOMPARE(chosen.front().front().toInt(), 35);
     spoil();
+}
+
+/// An open list has the keys to itself only on a real display.
+void TestWindowPicture::aToothOfTheArchIsSearchedFor()
+{
+    m_window->setLessons(support::catalog(), {});
+    auto* page = child<ui::study::LessonsPage>();
+    const auto* search = page->findChild<QLineEdit*>();
+    actions().lessons->trigger();
+    const auto choose = [&](const QList<Qt::Key>& keys) {
+        QTest::mouseClick(child<QPushButton>("pickTooth"), Qt::LeftButton);
+        QVERIFY(page->findChild<QFrame*>("archPopup") != nullptr);
+        for (const Qt::Key key : keys)
+            QTest::keyClick(QApplication::focusWidget(), key);
+        QTRY_VERIFY(page->findChild<QFrame*>("archPopup") == nullptr);
+    };
+    choose({Qt::Key_Down, Qt::Key_Right, Qt::Key_Return});
+    QCOMPARE(search->text(), QString("32"));
+    QVERIFY(child<QLabel>("lessonTitle")->text().contains("32"));
+    choose({Qt::Key_Right, Qt::Key_Escape});
+    QCOMPARE(search->text(), QString("32"));
 }
 
 int main(int argc, char** argv)

@@ -50,6 +50,7 @@ private slots:
     void aFullQueueIsToldAndNothingIsPretended();
     void undoRestsWhileThereIsNothingToUndo();
     void gradeIsAskedFor();
+    void homeIsOfferedWhereAHandCanBeLed();
     void filesAreAskedFor_data();
     void filesAreAskedFor();
     void droppedFilesAreToldApart();
@@ -189,6 +190,21 @@ void TestWindowRoom::gradeIsAskedFor()
     m_window->showScore(support::sheet(0, 0, 0), {});
     press(Qt::Key_G);
     QCOMPARE(asked.size(), 2);
+}
+
+void TestWindowRoom::homeIsOfferedWhereAHandCanBeLed()
+{
+    spoil();
+    press(Qt::Key_C);
+    QVERIFY(sent().empty());
+    m_window->offerHome();
+    press(Qt::Key_C);
+    const auto commands = sent();
+    QCOMPARE(commands.size(), 1);
+    QVERIFY(std::holds_alternative<BringHome>(commands.front()));
+    m_window->setReplaying(true);
+    press(Qt::Key_C);
+    QVERIFY(sent().empty());
 }
 
 void TestWindowRoom::filesAreAskedFor_data()

@@ -52,6 +52,8 @@ private slots:
     void anExamIsNotDiscardedUnasked();
     void aGradeThatIsNotKeptIsAskedAboutFirst();
 
+    void aLessonOfAPackIsUnpackedToBeEdited();
+
     void aReplayRestsTheControls();
     void aReplayTellsItsTimeAndPauses();
     void aReplayHasEightSpeeds();
@@ -624,6 +626,22 @@ void TestWindowWork::aGradeThatIsNotKeptIsAskedAboutFirst()
     m_window->setUnkeptGrades(0);
     m_window->close();
     QVERIFY(question("gradeQuestion") == nullptr);
+}
+
+void TestWindowWork::aLessonOfAPackIsUnpackedToBeEdited()
+{
+    QSignalSpy unpack(m_window.get(), &MainWindow::unpackWanted);
+    lessons::CatalogEntry entry =
+        *std::find_if(support::catalog().begin(), support::catalog().end(),
+                      [](const lessons::CatalogEntry& one) { return one.read.lesson->id == "class1-36"; });
+    entry.isShipped = false;
+    entry.pack = "/folder/course.cusplessons";
+    m_window->setLessons({entry}, {});
+    actions().lessons->trigger();
+    actions().editLesson->trigger();
+    QCOMPARE(unpack.size(), 1);
+    QCOMPARE(unpack.front()[0].toString(), QString("/folder/course.cusplessons"));
+    QVERIFY(!child<ui::study::LessonEditor>()->isVisible());
 }
 
 void TestWindowWork::aReplayRestsTheControls()
