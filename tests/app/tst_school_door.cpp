@@ -15,6 +15,7 @@
 #include "app/Application.h"
 #include "database/sql/Backups.h"
 #include "database/sql/Logins.h"
+#include "database/sql/Statement.h"
 #include "tests/app/SchoolWindow.h"
 #include "tests/support/OpenGlMain.h"
 #include "ui/admin/AdminPage.h"

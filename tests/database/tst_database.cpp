@@ -35,8 +35,7 @@ private slots:
     void aNetworkDriveIsForOneAtATime();
     void aSecondConnectionTakesNoLockAway();
     void opensItsOwnFileAgain();
-    void refusesAFolder();
-    void refusesAPlaceThatIsNotThere();
+    void refusesAPlaceThatIsNone();
     void refusesAPlaceThatCannotBeWritten();
     void refusesWhatIsNotADatabase();
     void refusesADatabaseOfAnotherProgram();
@@ -208,13 +207,9 @@ void TestDatabase::opensItsOwnFileAgain()
     QVERIFY(Database::open(at("empty.db")).has_value());
 }
 
-void TestDatabase::refusesAFolder()
+void TestDatabase::refusesAPlaceThatIsNone()
 {
     REFUSED(m_folder->path(), ErrorCode::FileUnreadable, "this is a folder");
-}
-
-void TestDatabase::refusesAPlaceThatIsNotThere()
-{
     REFUSED(at("missing/new.db"), ErrorCode::FileMissing, "the folder does not exist");
     QVERIFY(!QFileInfo::exists(at("missing")));
 }
