@@ -3,13 +3,12 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
-#include <QCoreApplication>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <QLocale>
-#include <QPointer>
 #include <QTimer>
 
 #include "app/Background.h"
@@ -110,31 +109,6 @@ QString classListFault(core::ErrorCode code, const QString& file)
 }
 
 }  // namespace
-
-/// What goes on beside the window.
-struct AdminDesk::Work
-{
-    QPointer<AdminDesk> desk;  ///< may go before the work ends
-    QString what;
-    std::shared_ptr<std::atomic<bool>> isStopped;
-    QElapsedTimer since;
-
-    /// Now and then told in the window. False: it is to be stopped.
-    bool tell(qint64 done, qint64 all)
-    {
-        if (!since.isValid() || since.elapsed() > kProgressMs) {
-            since.start();
-            QMetaObject::invokeMethod(
-                qApp,
-                [desk = desk, what = what, done, all] {
-                    if (desk)
-                        desk->m_window.adminPage().backups().showProgress(what, done, all);
-                },
-                Qt::QueuedConnection);
-        }
-        return !*isStopped;
-    }
-};
 
 AdminDesk::AdminDesk(ui::shell::MainWindow& window, SchoolDesk& desk, Place place, std::function<Session()> who)
     : m_window(window), m_desk(desk), m_place(std::move(place)), m_who(std::move(who)),
@@ -408,14 +382,14 @@ void AdminDesk::beside(const QString& what, Job job, Done done)
 {
     *m_isStopped = true;  // what there was before
     m_isStopped = std::make_shared<std::atomic<bool>>(false);
-    m_window.adminPage().backups().showProgress(what, 0, 0);
-    using Answer = decltype(job(std::declval<const School&>(), std::declval<Work&>()));
+    m_window.adminPage().backups().showProgress(what);
+    using Answer = decltype(job(std::declval<const School&>(), std::declval<const GoesOn&>()));
     m_desk.askBeside(
         this,
-        [who = m_who(), work = Work{this, what, m_isStopped, {}}, job](const School& school) mutable -> Answer {
+        [who = m_who(), isStopped = m_isStopped, job](const School& school) -> Answer {
             if (auto may = database::sql::admit(school, who, database::Operation::KeepBackups); !may)
                 return tl::unexpected(may.error());
-            return job(school, work);
+            return job(school, [isStopped] { return !*isStopped; });
         },
         [this, who = m_who(), done = std::move(done)](auto& answer) mutable {
             if (!answer && m_who() == who) {  // as where he asks for anything else
@@ -443,9 +417,9 @@ void AdminDesk::check(const QString& code)
         code.isEmpty() ? std::vector<std::string>() : std::vector{code.toStdString()};
     beside(
         tr("Everything is looked at …"),
-        [isServer = m_place.address.isServer(), witnesses](const School& school, Work& work) {
+        [isServer = m_place.address.isServer(), witnesses](const School& school, const GoesOn& goesOn) {
             return database::sql::checkDatabase(
-                school.db, witnesses, [&work](const char*, std::int64_t rows) { return work.tell(rows, 0); },
+                school.db, witnesses, [&goesOn](const char*, std::int64_t) { return goesOn(); },
                 isServer ? std::string() : school.key.publicHex());
         },
         [this, code](const core::Result<database::sql::CheckReport>& report) {
@@ -474,20 +448,9 @@ void AdminDesk::tellChecked(const database::sql::CheckReport& report, const QStr
                    ? sound
                    : sound + u' ' + tr("The audit is still the one that the report with the code %1 names.").arg(code);
     };
-    m_found = report.findings;
-    std::vector<database::Finding> shown = m_found;
+    std::vector<database::Finding> shown = report.findings;
     shown.insert(shown.end(), report.notes.begin(), report.notes.end());
-    part.finish(sentence, shown, !m_found.empty());
-}
-
-void AdminDesk::tellDone(const std::function<QString()>& done, bool isFault)
-{
-    m_window.adminPage().backups().finish(
-        [done, isSound = m_found.empty()] {
-            return isSound ? done()
-                           : done() + u' ' + tr("What the last check found is in this backup, too; it stands below.");
-        },
-        m_found, isFault || !m_found.empty());
+    part.finish(sentence, shown, !report.findings.empty());
 }
 
 void AdminDesk::connectBackups()
@@ -495,44 +458,34 @@ void AdminDesk::connectBackups()
     using ui::admin::BackupPart;
     BackupPart& part = m_window.adminPage().backups();
     connect(&part, &BackupPart::stopWanted, this, [this] { *m_isStopped = true; });
-    connect(&part, &BackupPart::backUpWanted, this, [this] {
+    connect(&part, &BackupPart::backUpWanted, this, [this, &part] {
         beside(
             tr("The data are being backed up …"),
-            [place = m_place, who = m_who()](const School& school, Work& work) -> core::Result<MadeBackup> {
-                auto made = makeBackup(school, place.address, place.stationFolder, QDateTime::currentDateTimeUtc(),
-                                       [&work](int done, int all) { return work.tell(done, all); });
+            [place = m_place, who = m_who()](const School& school, const GoesOn& goesOn) -> core::Result<QString> {
+                auto made =
+                    makeBackup(school, place.address, place.stationFolder, QDateTime::currentDateTimeUtc(), goesOn);
                 if (made)
-                    if (auto noted = database::sql::noteBackup(school, who, made->file); !noted)
+                    if (auto noted = database::sql::noteBackup(school, who, *made); !noted)
                         return tl::unexpected(noted.error());
                 return made;
             },
-            [this](const core::Result<MadeBackup>& made) {
+            [this, &part](const core::Result<QString>& made) {
                 if (!made)
                     return tellFailed(made.error());
                 tellBackups();
-                tellDone(
-                    [file = QDir::toNativeSeparators(made->file), isAuditWhole = made->isAuditWhole] {
-                        const QString whole = tr("Backed up: %1. Its pages and keys are whole.").arg(file);
-                        return isAuditWhole ? whole
-                                            : whole + u' ' +
-                                                  tr("But its audit was changed. \"Check everything\" says where. "
-                                                     "Older backups in "
-                                                     "which it is whole are kept.");
-                    },
-                    !made->isAuditWhole);
+                part.finish([file = QDir::toNativeSeparators(*made)] {
+                    return tr("Backed up: %1. Its pages and keys are whole.").arg(file);
+                });
             });
     });
-    connect(&part, &BackupPart::drillWanted, this, [this] {
+    connect(&part, &BackupPart::drillWanted, this, [this, &part] {
         beside(
             tr("A backup is made and restored …"),
-            [](const School& school, Work& work) {
-                return database::sql::restoreDrill(school.db,
-                                                   [&work](int done, int all) { return work.tell(done, all); });
-            },
-            [this](const core::Result<qint64>& rows) {
+            [](const School& school, const GoesOn& goesOn) { return database::sql::restoreDrill(school.db, goesOn); },
+            [this, &part](const core::Result<qint64>& rows) {
                 if (!rows)
                     return tellFailed(rows.error());
-                tellDone([count = *rows] {
+                part.finish([count = *rows] {
                     return tr("Restoring works: a backup was made, restored beside the database and compared, %1 rows.")
                         .arg(QLocale().toString(count));
                 });
@@ -545,7 +498,7 @@ void AdminDesk::connectBackups()
             m_window.adminPage().backups().refuseCode();
     });
     connect(&part, &BackupPart::restoreWanted, this, [this, &part](const QString& backup) {
-        part.showProgress(tr("The backup is looked at …"), 0, 0);
+        part.showProgress(tr("The backup is looked at …"));
         inBackground(
             this, [backup] { return database::sql::verifyBackup(backup); },
             [this, &part, backup, who = m_who()](const core::Status& sound) {
@@ -587,10 +540,9 @@ void AdminDesk::restoreAlone(const QString& backup)
                 [error = alone.error()] {
                     return tr("The backup was not restored; nothing has been changed. %1").arg(whyNotRestored(error));
                 },
-                m_found, true);
+                {}, true);
             return;
         }
-        m_found.clear();  // of what is replaced
         emit restoreWanted(backup);
     });
 }
@@ -607,7 +559,7 @@ void AdminDesk::tellBackups()
         [folder = database::sql::backupFolder(address.file)] {
             QList<ui::admin::Backup> backups;
             for (const QString& file : database::sql::backupsIn(folder))
-                if (!database::sql::holdsNobody(file))
+                if (!database::sql::schoolOf(file).empty())
                     backups << ui::admin::Backup{file, database::sql::madeAt(file), QFileInfo(file).size()};
             return backups;
         },

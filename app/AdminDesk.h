@@ -4,9 +4,7 @@
 #include <atomic>
 #include <functional>
 #include <memory>
-#include <vector>
 
-#include <QElapsedTimer>
 #include <QObject>
 #include <QString>
 
@@ -18,7 +16,7 @@
 namespace app {
 
 /// Fills the page where an admin keeps people, class lists, backups and the audit, and does what is wanted there. Long
-/// work is done beside, on a connection of its own, tells how far it is, and can be stopped. Ui thread.
+/// work is done on a connection of its own and can be stopped. Ui thread.
 class AdminDesk final : public QObject
 {
     Q_OBJECT
@@ -45,7 +43,8 @@ signals:
     void idleMinutesChanged(int minutes);
 
 private:
-    struct Work;
+    /// Of long work: false once it is to be stopped.
+    using GoesOn = std::function<bool()>;
     void refresh(int part);
     void refuse(const core::Error& error);
     void connectPeople();
@@ -57,15 +56,12 @@ private:
     void tellBackups();
     void restoreAlone(const QString& backup);
     void tellFailed(const core::Error& error);
-    /// A backup was made or tried, which looks at less than a check: what the last check has found stays in view.
-    /// @param done  says what was done, in the language there is
-    void tellDone(const std::function<QString()>& done, bool isFault = false);
     /// @param code  of a report; empty: there is none
     void check(const QString& code);
     void tellChecked(const database::sql::CheckReport& report, const QString& code);
     void tellAudit(qint64 beforeSeq);
     void tellStation();
-    /// @param work  takes School and Work, answers core::Result
+    /// @param job  takes School and GoesOn, answers core::Result
     template <class Job, class Done>
     void beside(const QString& what, Job job, Done done);
 
@@ -76,8 +72,7 @@ private:
     QList<database::Person> m_people;
     QByteArray m_roster;
     QString m_rosterFile;
-    database::RosterOutcome m_rosterSeen;    ///< what the list would do, as it was shown last
-    std::vector<database::Finding> m_found;  ///< by the last check
+    database::RosterOutcome m_rosterSeen;  ///< what the list would do, as it was shown last
     std::shared_ptr<std::atomic<bool>> m_isStopped;
 };
 

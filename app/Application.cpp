@@ -355,15 +355,11 @@ void Application::openDatabase()
     });
     connect(m_desk.get(), &SchoolDesk::waitForOthers, this, [this](int count, const QString& schools) {
         m_window->showMessage(
-            schools.isEmpty()
-                ? tr("%n attempt(s) on this computer wait for their school: this file is named as a backup is, and "
-                     "gets none.",
-                     nullptr, count)
-                //: %1: a file's name, or the address of a server
-                : tr("%n attempt(s) on this computer wait for another school: %1. If that is this one under an "
-                     "earlier name, \"cusp db send\" brings them here.",
-                     nullptr, count)
-                      .arg(schools));
+            //: %1: a file's name, or the address of a server
+            tr("%n attempt(s) on this computer wait for another school: %1. If that is this one under an "
+               "earlier name, \"cusp db send\" brings them here.",
+               nullptr, count)
+                .arg(schools));
     });
     connect(m_desk.get(), &SchoolDesk::disabled, this, [this] {
         if (m_who.isGuest())  // has been shown out already
@@ -496,21 +492,17 @@ void Application::restore(const database::Session& who)
         const QDateTime made = database::sql::madeAt(m_backup).toLocalTime();
         takeOpening(opening);
         m_window->sayAtDoor([made, restored = opening.restored, isOpen = opening.status.has_value(),
-                             isAuditWhole = opening.isAuditWhole, replaced = QFileInfo(opening.replaced).fileName()] {
+                             replaced = QFileInfo(opening.replaced).fileName()] {
             if (!restored)
                 return (isOpen ? tr("The backup was not restored; nothing has been changed. %1")
                                : tr("The backup was not restored. %1"))
                     .arg(AdminDesk::whyNotRestored(restored.error()));
             const QString when = QLocale().toString(made, QLocale::ShortFormat);
             //: %2: a file's name
-            QString said = replaced.isEmpty()
-                               ? tr("The backup of %1 is in place.").arg(when)
-                               : tr("The backup of %1 is in place. The file that was there is kept beside it as %2.")
-                                     .arg(when, replaced);
-            if (!isAuditWhole)
-                said += u' ' + tr("Its audit had been changed before it was made. \"Check everything\" on the page of "
-                                  "the backups says where; an older backup may have it whole.");
-            return said;
+            return replaced.isEmpty()
+                       ? tr("The backup of %1 is in place.").arg(when)
+                       : tr("The backup of %1 is in place. The file that was there is kept beside it as %2.")
+                             .arg(when, replaced);
         });
     });
 }
@@ -525,19 +517,13 @@ void Application::backUpToday()
     m_desk->askBeside(
         this,
         [address = *m_address, folder = m_stationFolder, now, isStopped = m_backupIsStopped](const School& school) {
-            return makeBackup(school, address, folder, now, [isStopped](int, int) { return !*isStopped; });
+            return makeBackup(school, address, folder, now, [isStopped] { return !*isStopped; });
         },
-        [this](const core::Result<MadeBackup>& made) {
+        [this](const core::Result<QString>& made) {
             m_isBackingUp = false;
-            if (m_who.role() != database::Role::Admin)
-                return;
-            if (!made)
+            if (!made && m_who.role() == database::Role::Admin)
                 m_window->showMessage(tr("Today's backup was not made. %1")
                                           .arg(ui::text::errorText(made.error(), Failed::ReadingSchool)));
-            else if (!made->isAuditWhole)
-                m_window->showMessage(
-                    tr("Today's backup was made, but the audit was changed. \"Check everything\" on the "
-                       "page of the backups says where."));
         });
 }
 

@@ -16,16 +16,11 @@ namespace app {
 /// them.
 [[nodiscard]] bool isBackupDue(const database::Address& address, const QDateTime& nowUtc);
 
-struct MadeBackup
-{
-    QString file;
-    bool isAuditWhole = true;  ///< false: somebody has changed it; older backups in which it is whole were kept
-};
-/// Makes a backup, thins the older ones, and throws away the attempts of this station that lay by until two
-/// whole backups had them.
+/// Makes a backup, removes the older ones that the rotation does not keep, and removes the sent attempts of this
+/// station from its outbox that the backup holds. Returns the backup's file.
 /// @param stationFolder  of this station's own files
-[[nodiscard]] core::Result<MadeBackup> makeBackup(const database::sql::School& school, const database::Address& address,
-                                                  const QString& stationFolder, const QDateTime& nowUtc,
-                                                  const database::sql::BackupProgress& progress = {});
+[[nodiscard]] core::Result<QString> makeBackup(const database::sql::School& school, const database::Address& address,
+                                               const QString& stationFolder, const QDateTime& nowUtc,
+                                               const database::sql::BackupProgress& progress = {});
 
 }  // namespace app

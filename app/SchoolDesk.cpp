@@ -213,7 +213,7 @@ SchoolDesk::Opening SchoolDesk::tryToOpen()
     }
     const bool mayBeRestored = opening.status ? opening.isNew : isDamage(opening.status.error().code);
     if (mayBeRestored && m_key && !m_address.isServer())
-        opening.soundBackup = database::sql::newestKept(m_address.file, QDateTime::currentDateTimeUtc());
+        opening.soundBackup = database::sql::newestSound(m_address.file);
     return opening;
 }
 
@@ -263,10 +263,8 @@ void SchoolDesk::restore(QObject* owner, const database::Session& session, const
         opening.replaced = replaced.value_or(QString());
         if (!replaced)
             opening.restored = tl::unexpected(replaced.error());
-        else if (opening.status) {
-            opening.isAuditWhole = database::sql::holdsItsAudit(m_school->db).value_or(false);
+        else if (opening.status)
             opening.status = database::sql::noteRestored(*m_school, session, backup);
-        }
         answer(guard, done, opening);
         deliverAll();
     });
@@ -428,18 +426,14 @@ void SchoolDesk::deliverAll()
         QMetaObject::invokeMethod(
             this, [this, now] { emit waitOn(now); }, Qt::QueuedConnection);
     if (const int now = static_cast<int>(m_forOthers.size()); now > beforeForOthers) {
-        const bool isCopy = !m_address.isServer() && database::sql::isNamedAsCopy(m_address.file);
-        const QString schools = isCopy ? QString() : QStringList(m_otherSchools.values()).join(QStringLiteral(", "));
+        const QString schools = QStringList(m_otherSchools.values()).join(QStringLiteral(", "));
         QMetaObject::invokeMethod(
             this, [this, now, schools] { emit waitForOthers(now, schools); }, Qt::QueuedConnection);
     }
 }
 
-/// A copy that is looked into gets nothing: the school would never have it.
 bool SchoolDesk::isForAnother(const LetterDelivery& letter) const
 {
-    if (!m_address.isServer() && database::sql::isNamedAsCopy(m_address.file))
-        return true;
     return !letter.school.isEmpty() && letter.school != database::Outbox::schoolAt(m_address, m_folder);
 }
 

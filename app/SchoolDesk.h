@@ -50,12 +50,11 @@ public:
     struct Opening
     {
         core::Status status;
-        bool isNew = false;        ///< nobody has been entered yet
-        std::string notice;        ///< of the database
-        QString soundBackup;       ///< what there is to go back to where the file is damaged or gone; empty: nothing
-        core::Status restored;     ///< how restore() ended; what is there now is open, or not, in either case
-        QString replaced;          ///< after it: where the file lies now that was there; empty: there was none
-        bool isAuditWhole = true;  ///< of what was restored; false: it had been changed before the backup was made
+        bool isNew = false;     ///< nobody has been entered yet
+        std::string notice;     ///< of the database
+        QString soundBackup;    ///< the newest backup that can replace a damaged or missing file; empty: there is none
+        core::Status restored;  ///< how restore() ended; what is there now is open, or not, in either case
+        QString replaced;       ///< after it: where the old file is now; empty: there was none
     };
     using Opened = std::function<void(const Opening&)>;
     /// May be called again where it came to nothing.
@@ -157,7 +156,7 @@ signals:
     /// So many on their way cannot be delivered to this school, or with this station's key: they wait.
     void waitOn(int count);
     /// So many on their way were put there for other schools: they wait for them.
-    /// @param schools  as Outbox::schoolAt() calls them; empty: the file is called as a copy of a school is
+    /// @param schools  as Outbox::schoolAt() calls them
     void waitForOthers(int count, const QString& schools);
     /// What was asked has had no answer for a while: the server hangs, or another program holds the file.
     void unanswered();

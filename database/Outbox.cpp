@@ -192,9 +192,23 @@ QStringList Outbox::waiting() const
     return lettersIn(m_folder);
 }
 
+bool Outbox::isOfAnother(const QString& file) const
+{
+    QString school;
+    if (isExam(file))
+        school = readExam(file).map([](const ExamLetter& letter) { return letter.school; }).value_or(QString());
+    else
+        school = read(file).map([](const Letter& letter) { return letter.school; }).value_or(QString());
+    // A file that is gone may be this school under an earlier name.
+    return !m_school.isEmpty() && !school.isEmpty() && school != m_school &&
+           QFileInfo::exists(QFileInfo(m_folder).dir().filePath(school));
+}
+
 QStringList Outbox::arrived() const
 {
-    return lettersIn(QDir(m_folder).filePath(kArrived));
+    QStringList files = lettersIn(QDir(m_folder).filePath(kArrived));
+    files.removeIf([this](const QString& file) { return isOfAnother(file); });
+    return files;
 }
 
 bool Outbox::keepArrived(const QString& file) const
@@ -204,21 +218,8 @@ bool Outbox::keepArrived(const QString& file) const
 
 void Outbox::sendAgain() const
 {
-    const auto schoolOf = [this](const QString& file) {
-        if (isExam(file)) {
-            const auto letter = readExam(file);
-            return letter ? letter->school : QString();
-        }
-        const auto letter = read(file);
-        return letter ? letter->school : QString();
-    };
-    const QDir home = QFileInfo(m_folder).dir();
-    for (const QString& file : arrived()) {
-        const QString school = schoolOf(file);  // empty: nobody can tell
-        const bool isAnothers = !m_school.isEmpty() && !school.isEmpty() && school != m_school;
-        if (!isAnothers || !QFileInfo::exists(home.filePath(school)))  // it may be this one, under an earlier name
-            move(file, m_folder);
-    }
+    for (const QString& file : arrived())
+        move(file, m_folder);
 }
 
 bool Outbox::isExam(const QString& file)

@@ -65,18 +65,20 @@ public:
     [[nodiscard]] core::Result<ExamLetter> readExam(const QString& file) const;
     /// False: another program has done so before, or it cannot be done.
     bool remove(const QString& file) const;
-    /// Into the folder "arrived" beside it: the database has it, but not yet two backups of the database. False as in
-    /// remove().
+    /// Moves it into the folder "arrived" beside it: the database has it, but no backup of the database has it yet.
+    /// False as in remove().
     bool keepArrived(const QString& file) const;
-    /// Those that lie there; removed when they are in two backups.
+    /// Those in that folder, without those of another school whose file is there. The next verified backup of the
+    /// school removes them.
     [[nodiscard]] QStringList arrived() const;
-    /// Those that arrived wait again: the school's database is put back to how it was before them. What is there all
-    /// the same is kept once. What another school in the folder has stays there, as long as its file does.
+    /// Moves those in that folder back, so that they are sent again after an older database was restored. The database
+    /// takes each attempt once.
     void sendAgain() const;
     /// Into the folder "damaged" beside it: nothing is thrown away.
     void setAside(const QString& file) const;
 
 private:
+    [[nodiscard]] bool isOfAnother(const QString& file) const;
     [[nodiscard]] core::Status write(const QString& name, const std::string& content) const;
     [[nodiscard]] core::Result<std::string> contentOf(const QString& file) const;
 

@@ -74,7 +74,7 @@ int answer(const QCommandLineParser& parser, const QString& sentence, const QJso
 }
 
 /// Goes on until a signal comes.
-bool goesOn(int /*done*/, int /*all*/)
+bool goesOn()
 {
     return !StopSignal::hasCome();
 }
@@ -93,22 +93,6 @@ int failedWithBackups(const core::Error& error, const Address& address)
     return failed(withWayBack(error, address));
 }
 
-/// A school that lies beside the place where a new one is to be made; empty: there is none.
-QString earlierAt(const Address& address)
-{
-    return address.isServer() || !database::sql::liesEmpty(address.file)
-               ? QString()
-               : database::sql::newestKept(address.file, QDateTime::currentDateTimeUtc());
-}
-
-void tellEarlier(const QString& earlier, const Address& address)
-{
-    if (!earlier.isEmpty())
-        warn({"this is a new school, and an earlier one is kept beside it; to have that back, move this file away and "
-              "type \"cusp db restore " +
-              earlier.toStdString() + " --db " + address.file.toStdString() + '"'});
-}
-
 int initDatabase(const QCommandLineParser& parser, const Address& address)
 {
     const QString admin = parser.value(QStringLiteral("admin"));
@@ -125,11 +109,12 @@ int initDatabase(const QCommandLineParser& parser, const Address& address)
         if (auto fit = database::sql::Logins::checkNewPassword(password, admin.toStdString()); !fit)
             return failed(fit.error());
     }
-    const QString earlier = earlierAt(address);
+    const bool isNew = !address.isServer() && !QFileInfo::exists(address.file);
     const auto open = openSchool(address, Opening::Create);
     if (!open)
         return failedWithBackups(open.error(), address);
-    tellEarlier(earlier, address);
+    if (const std::string way = isNew ? wayBack(address) : std::string(); !way.empty())
+        warn({"this is a new school, and there are backups of an earlier one: " + way});
     if (hasAdmin) {
         const auto session = database::sql::Logins::createFirstAdmin(
             *open->school, {admin.toStdString(), "", "", database::Role::Admin}, password, database::timedCost());
@@ -198,8 +183,7 @@ int checkWhole(const QCommandLineParser& parser, const Address& address)
     warn(notes);
     if (!open->keyFault.empty())
         warn({open->keyFault + "; whether this computer signed the head of the audit is not known"});
-    const bool isMissed = !report->isWhole || (!address.isServer() && database::sql::liesEmpty(address.file));
-    if (const std::string way = isMissed ? wayBack(address) : std::string(); !way.empty())
+    if (const std::string way = report->isWhole ? std::string() : wayBack(address); !way.empty())
         warn({way});
     return isSound ? kDone : kFailed;
 }
@@ -214,8 +198,7 @@ int backUpFile(const QCommandLineParser& parser, const Address& address)
         return failedWithBackups(open.error(), address);
     const QString folder = parser.isSet(QStringLiteral("to")) ? parser.value(QStringLiteral("to"))
                                                               : database::sql::backupFolder(address.file);
-    const QDateTime now = QDateTime::currentDateTimeUtc();
-    const auto made = database::sql::backUp(open->school->db, folder, now, goesOn);
+    const auto made = database::sql::backUp(open->school->db, folder, QDateTime::currentDateTimeUtc(), goesOn);
     if (const auto stayed = open->database->stayedAsItWas(); !stayed) {
         if (made)
             QFile::remove(*made);
@@ -223,57 +206,9 @@ int backUpFile(const QCommandLineParser& parser, const Address& address)
     }
     if (!made)
         return failedWithBackups(made.error(), address);
-    const auto looked = database::sql::holdsItsAudit(*made, goesOn);
-    if (!looked)  // who stops this has a backup, and nothing is thrown away
-        return failed({ErrorCode::FileUnwritable,
-                       "backed up to " + made->toStdString() +
-                           ", and stopped then: its audit was not looked at, and older backups were not thinned out"});
-    const bool isAuditWhole = *looked;
-    QJsonArray gone;
-    for (const QString& file :
-         database::sql::toThin(database::sql::backupsOf(open->school->db, folder), now, isAuditWhole))
-        if (file != *made && QFile::remove(file))
-            gone += file;
-    if (!isAuditWhole)
-        warn({"the audit in this backup is not as it was written: \"cusp db check\" says what was changed; older "
-              "backups in which it still is are kept"});
-    return answer(parser,
-                  (isAuditWhole ? QStringLiteral("Backed up to %1, and checked.") : QStringLiteral("Backed up to %1."))
-                      .arg(*made),
-                  {{"backup", *made}, {"audit_whole", isAuditWhole}, {"removed", gone}});
-}
-
-/// "it is of 2026-11-20T10:15:00Z, of a school with people: 7, ..."
-std::string shownSchool(const QString& backup)
-{
-    return database::sql::madeAt(backup).toString(Qt::ISODate).toStdString() + ", " +
-           printable(database::sql::whoIsIn(backup)).toStdString();
-}
-
-/// Where nothing says whose the file was, and its folder has backups of several schools, it is for who restores to
-/// know.
-core::Status expectOneSchool(const QString& backup, const Address& address)
-{
-    // Its own folder, and that in which the backup lies: several schools may share it.
-    QStringList all = database::sql::backupsIn(database::sql::backupFolder(address.file)) +
-                      database::sql::backupsIn(QFileInfo(backup).absolutePath());
-    all.removeDuplicates();
-    std::stable_sort(all.begin(), all.end(), [](const QString& one, const QString& other) {
-        return database::sql::madeAt(one) > database::sql::madeAt(other);
-    });
-    const QStringList newest = database::sql::newestOfEach(all);
-    if (newest.size() < 2)
-        return {};
-    std::string schools;
-    for (const QString& one : newest)
-        schools +=
-            (schools.empty() ? "" : "; ") + QFileInfo(one).fileName().toStdString() + " (" + shownSchool(one) + ')';
-    return core::unexpected(ErrorCode::WrongKind,
-                            "database " + address.file.toStdString() +
-                                ": it does not say any more whose it was, and there are backups of " +
-                                std::to_string(newest.size()) + " schools, the newest of each " + schools + "; " +
-                                QFileInfo(backup).fileName().toStdString() + " is " + shownSchool(backup) +
-                                "; if that is the right school, say so with --any-school");
+    const QStringList gone = database::sql::removeOldBackups(open->school->db, folder);
+    return answer(parser, QStringLiteral("Backed up to %1, and checked.").arg(*made),
+                  {{"backup", *made}, {"removed", QJsonArray::fromStringList(gone)}});
 }
 
 int restoreFile(const QCommandLineParser& parser, const Address& address)
@@ -283,26 +218,14 @@ int restoreFile(const QCommandLineParser& parser, const Address& address)
     const StopSignal stop;
     makeDataFolder(address);
     const QString backup = parser.positionalArguments().front();
-    const auto isCompared = database::sql::mayReplace(backup, address.file);
-    if (!isCompared)
-        return failed(isCompared.error());
-    if (!*isCompared && !parser.isSet(QStringLiteral("any-school")))
-        if (auto known = expectOneSchool(backup, address); !known)
-            return failed(known.error());
-    if (!database::sql::schoolOf(address.file).empty() && database::sql::holdsNobody(backup))
-        return failed({ErrorCode::WrongKind, "backup " + backup.toStdString() +
-                                                 ": nobody is in it, and it would replace a whole school; choose "
-                                                 "another backup"});
-    // What came after the backup was made is delivered again when the window opens next. Before the file is put in its
-    // place: whatever comes in between, it holds.
+    // Attempts that were sent after the backup was made are sent again when the window opens next. This comes before
+    // the restore, so that a failure behind it loses none. Without its key an attempt cannot be read, and waits.
     const QDir folder = QFileInfo(address.file).absoluteDir();
-    // Without its key nothing is known of a letter, and the restore goes on all the same.
     auto key = database::StationKey::make();
     if (QFileInfo::exists(stationKeyOf(address)))
         key = database::StationKey::readOrMake(stationKeyOf(address)).value_or(key);
-    const database::Outbox letters(folder.filePath(QStringLiteral("outbox")), key,
-                                   database::Outbox::schoolAt(address, folder.path()));
-    letters.sendAgain();
+    database::Outbox(folder.filePath(QStringLiteral("outbox")), key, database::Outbox::schoolAt(address, folder.path()))
+        .sendAgain();
     const auto replaced = database::sql::restoreBackup(backup, address.file, QDateTime::currentDateTimeUtc(), goesOn);
     if (!replaced)
         return failed(replaced.error());
@@ -315,23 +238,13 @@ int restoreFile(const QCommandLineParser& parser, const Address& address)
     const auto open = openSchool(address, Opening::Migrate);
     if (!open)
         return failedInPlace(open.error());
-    if (!*isCompared)
-        warn({"whether the backup is of the school whose place it took is not known: that file does not say, nor does "
-              "the folder of its backups"});
-    const bool isAuditWhole = database::sql::holdsItsAudit(open->school->db).value_or(false);
     if (auto noted = database::sql::noteRestored(*open->school, {}, backup); !noted)
         return failedInPlace(noted.error());
-    if (!isAuditWhole)
-        warn({"the audit in this backup is not as it was written: \"cusp db check\" says what was changed; an older "
-              "backup may still have it whole"});
     return answer(parser,
                   replaced->isEmpty()
                       ? QStringLiteral("Restored as %1.").arg(address.file)
                       : QStringLiteral("Restored as %1; what was there lies in %2.").arg(address.file, *replaced),
-                  {{"database", address.file},
-                   {"replaced", *replaced},
-                   {"compared", *isCompared},
-                   {"audit_whole", isAuditWhole}});
+                  {{"database", address.file}, {"replaced", *replaced}});
 }
 
 int drillRestore(const QCommandLineParser& parser, const Address& address)
@@ -413,10 +326,6 @@ Delivery deliverWaiting(const Address& address, const OpenSchool& open, bool isO
 /// What waits on this station, whichever school it was put there for: of one that was renamed or moved.
 int sendWaiting(const QCommandLineParser& parser, const Address& address)
 {
-    if (!address.isServer() && database::sql::isNamedAsCopy(address.file))
-        return failed(
-            {ErrorCode::WrongKind, "database " + address.file.toStdString() +
-                                       ": it is named as a backup is, and gets no attempts; rename it first"});
     const auto open = openSchool(address, Opening::AsItIs);
     if (!open)
         return failedWithBackups(open.error(), address);
@@ -458,9 +367,8 @@ int copyDatabase(const QCommandLineParser& parser, const Address& address)
     // Before anything is made there.
     if (const auto may = database::sql::admit(*from->school, *session, database::Operation::CopySchool); !may)
         return failed(may.error());
-    // What waits for the school belongs into its copy: where that lies nobody looks for it.
-    const bool isCopy = !address.isServer() && database::sql::isNamedAsCopy(address.file);
-    const Delivery delivered = isCopy ? Delivery() : deliverWaiting(address, *from, false);
+    // Attempts that wait for this school belong into the copy, too: beside the copy nobody looks for them.
+    const Delivery delivered = deliverWaiting(address, *from, false);
     const StopSignal stop;
     const QStringList made = filesToMake(*target);
     auto to = openSchool(*target, Opening::ToFill);
@@ -479,7 +387,8 @@ int copyDatabase(const QCommandLineParser& parser, const Address& address)
         to->school.reset();
         to->database.reset();
         // Another may be copying into it at the same time, or have just done so.
-        if (!made.isEmpty() && database::sql::expectClosed(target->file) && database::sql::liesEmpty(target->file))
+        if (!made.isEmpty() && database::sql::expectClosed(target->file) &&
+            database::sql::schoolOf(target->file).empty())
             for (const QString& file : made)
                 QFile::remove(file);
         return failed(report.error());
@@ -655,13 +564,6 @@ void addBackupFolder(QCommandLineParser& parser)
                       QStringLiteral("FOLDER")});
 }
 
-void addAnySchool(QCommandLineParser& parser)
-{
-    parser.addOption({QStringLiteral("any-school"),
-                      QStringLiteral("Also where nothing says whose the damaged file was that is replaced, and its "
-                                     "folder has backups of several schools.")});
-}
-
 void addTarget(QCommandLineParser& parser)
 {
     addPersonOption(parser);
@@ -678,8 +580,8 @@ constexpr std::array kParts{
          "looks at everything: pages, keys, audit, attempts; names what was changed", addWitness, checkWhole},
     Part{"backup", "cusp db backup [--db FILE] [--to FOLDER] [--json]",
          "copies the file after a good check, and thins out older backups", addBackupFolder, backUpFile},
-    Part{"restore", "cusp db restore BACKUP [--db FILE] [--any-school]", "puts a backup in the place of the file",
-         addAnySchool, restoreFile, true},
+    Part{"restore", "cusp db restore BACKUP [--db FILE]", "puts a backup in the place of the file", nothing,
+         restoreFile, true},
     Part{"drill", "cusp db drill [--db FILE]", "tries that a backup can be made and restored", nothing, drillRestore},
     Part{"migrate", "cusp db migrate [--db FILE|URL]",
          "brings an older database to this program's schema; new rows get numbers again", nothing, migrateDatabase},

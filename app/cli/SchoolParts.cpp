@@ -7,7 +7,6 @@
 #include <iostream>
 #include <optional>
 
-#include <QDateTime>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -121,19 +120,10 @@ void makeDataFolder(const database::Address& address)
 
 std::string wayBack(const database::Address& address)
 {
-    if (address.isServer())
+    const QString backup = address.isServer() ? QString() : database::sql::newestSound(address.file);
+    if (backup.isEmpty())
         return {};
-    const QString backup = database::sql::newestSound(address.file, QDateTime::currentDateTimeUtc());
-    // A restore that somebody stopped in the middle may leave none in the place of the file, where a new one is begun.
-    const QString replaced = database::sql::liesEmpty(address.file)
-                                 ? database::sql::newestReplaced(address.file, QDateTime::currentDateTimeUtc())
-                                 : QString();
-    std::string way;
-    if (!replaced.isEmpty())
-        way = "the newest whole school that a restore has moved aside is " + replaced.toStdString();
-    if (!backup.isEmpty())
-        way += (way.empty() ? "" : ", ") + ("the newest sound backup is " + backup.toStdString());
-    return way.empty() ? way : way + ", and \"cusp db restore\" brings it back";
+    return "the newest sound backup is " + backup.toStdString() + ", and \"cusp db restore\" brings it back";
 }
 
 core::Error withWayBack(core::Error error, const database::Address& address)

@@ -3,8 +3,6 @@
 
 #include <array>
 
-#include <QDir>
-#include <QFile>
 #include <QSqlError>
 #include <QSqlQuery>
 
@@ -19,7 +17,7 @@ namespace {
 
 using core::ErrorCode;
 
-constexpr std::int64_t kToldEvery = 5000;
+constexpr std::int64_t kToldEveryRows = 5000;
 
 struct Table
 {
@@ -33,7 +31,6 @@ constexpr std::array kTables{Table{"people", true},       Table{"classes", true}
                              Table{"exam_starts", false}, Table{"score_sheets", false}, Table{"standings", false},
                              Table{"comments", true},     Table{"overrides", true},     Table{"presets", true},
                              Table{"audit", false}};
-constexpr std::array kMustBeEmpty{"people", "classes", "attempts", "presets", "audit"};
 
 core::Status stopped()
 {
@@ -58,7 +55,7 @@ core::Status copyTable(const School& from, const School& to, const QString& tabl
         if (!insert.exec())
             return tl::unexpected(dialect::error(to.db, insert.lastError(), doing));
         sum.add(*rows, columns.size());
-        if (progress && sum.rows() % kToldEvery == 0 && !progress(table, sum.rows()))
+        if (progress && sum.rows() % kToldEveryRows == 0 && !progress(table, sum.rows()))
             return stopped();
     }
     if (rows->lastError().isValid())
@@ -77,9 +74,7 @@ core::Status verifyTable(const School& to, const QString& table, const RowSum& e
                                                          " did not arrive as it was sent; nothing was kept, try again");
 }
 
-/// @param made  files and folders that were not there before
-core::Status copyRecordings(const School& from, const School& to, CopyReport& report, QStringList& made,
-                            const CopyProgress& progress)
+core::Status copyRecordings(const School& from, const School& to, CopyReport& report, const CopyProgress& progress)
 {
     const auto hashes = recordingsNamed(from.db);
     if (!hashes)
@@ -93,7 +88,6 @@ core::Status copyRecordings(const School& from, const School& to, CopyReport& re
         }
         if (!bytes)
             return tl::unexpected(bytes.error());
-        made += pathsToMake(to.db, hash);
         if (auto put = putRecording(to, *bytes); !put)
             return tl::unexpected(put.error());
         if (const auto back = recordingOf(to.db, hash); !back)
@@ -103,14 +97,6 @@ core::Status copyRecordings(const School& from, const School& to, CopyReport& re
             return stopped();
     }
     return {};
-}
-
-/// Newest first; a folder in which something else lies by now stays.
-void takeAway(QStringList& made)
-{
-    while (!made.isEmpty())
-        if (const QString path = made.takeLast(); !QFile::remove(path))
-            QDir().rmdir(path);
 }
 
 core::Status copySeal(const School& from, const School& to)
@@ -133,18 +119,18 @@ core::Status expectEmpty(const QSqlDatabase& to)
         return tl::unexpected(version.error());
     if (*version == 0)
         return {};
-    for (const char* table : kMustBeEmpty) {
-        const auto row = ask(to, QStringLiteral("SELECT 1 FROM %1 LIMIT 1").arg(QLatin1String(table)), "look into it");
-        if (!row)
-            return tl::unexpected(row.error());
-        if (!row->isNull())
-            return core::unexpected(ErrorCode::OutOfRange, "database " + dialect::nameOf(to) +
-                                                               ": it holds a school already; copy into an empty one");
-    }
-    return {};
+    // Whatever is entered is noted there.
+    const auto row = ask(to, QStringLiteral("SELECT 1 FROM audit LIMIT 1"), "look into it");
+    if (!row)
+        return tl::unexpected(row.error());
+    if (row->isNull())
+        return {};
+    return core::unexpected(ErrorCode::OutOfRange,
+                            "database " + dialect::nameOf(to) + ": it holds a school already; copy into an empty one");
 }
 
-/// With the school or not at all. Another may be copying into it, too, and has to end first.
+/// Makes the schema inside the transaction that copies. Another program that copies into it has to wait, and finds it
+/// filled.
 core::Status makeSchema(const QSqlDatabase& to)
 {
     const auto steps = shippedMigrations();
@@ -152,20 +138,12 @@ core::Status makeSchema(const QSqlDatabase& to)
         return tl::unexpected(steps.error());
     if (auto made = applyAll(to, *steps); !made)
         return made;
-    // Who makes a schema may not pause; who reads what is copied there does.
-    return dialect::isPostgres(to)
-               ? execute(to, "SET LOCAL idle_in_transaction_session_timeout = DEFAULT", "make a schema")
-               : core::Status();
-}
-
-/// In the transaction that copies: another may be copying into it, too, and has to end first.
-core::Status keepForOne(const QSqlDatabase& to)
-{
-    if (auto made = makeSchema(to); !made)
-        return made;
     if (dialect::isPostgres(to))
-        if (auto locked = execute(to, "LOCK TABLE people IN EXCLUSIVE MODE", "copy the school"); !locked)
-            return locked;
+        // Who makes a schema may not pause; who reads what is copied there does.
+        for (const char* sql :
+             {"SET LOCAL idle_in_transaction_session_timeout = DEFAULT", "LOCK TABLE people IN EXCLUSIVE MODE"})
+            if (auto done = execute(to, QLatin1String(sql), "make a schema"); !done)
+                return done;
     return expectEmpty(to);
 }
 
@@ -184,13 +162,12 @@ core::Result<CopyReport> copySchool(const School& from, const Session& session, 
         !noted)
         return tl::unexpected(noted.error());
     CopyReport report;
-    QStringList made;
     // What is read is one moment of the school, whoever writes meanwhile.
     if (auto begun = execute(from.db, dialect::beginRead(from.db), "read it"); !begun)
         return tl::unexpected(begun.error());
     const auto bring = [&]() -> core::Status {
-        if (auto mine = keepForOne(to.db); !mine)
-            return mine;
+        if (auto made = makeSchema(to.db); !made)
+            return made;
         for (const Table& table : kTables) {
             RowSum sum;
             const QString name = QLatin1String(table.name);
@@ -205,7 +182,7 @@ core::Result<CopyReport> copySchool(const School& from, const Session& session, 
                     return gone;
             report.rows += sum.rows();
         }
-        if (auto copied = copyRecordings(from, to, report, made, progress); !copied)
+        if (auto copied = copyRecordings(from, to, report, progress); !copied)
             return copied;
         if (auto copied = copySeal(from, to); !copied)
             return copied;
@@ -213,17 +190,11 @@ core::Result<CopyReport> copySchool(const School& from, const Session& session, 
         // copy is a school of its own, see schoolOf().
         return note(to, session.uid(), "school.copied", "school");
     };
-    const auto done = inTransaction(to.db, "copy the school", [&] {
-        auto brought = bring();
-        if (!brought)
-            takeAway(made);  // while no other copy can bring the same there
-        return brought;
-    });
+    const core::Status done = inTransaction(to.db, "copy the school", bring);
     static_cast<void>(execute(from.db, "ROLLBACK", "end reading it"));
-    if (done)
-        return report;
-    takeAway(made);  // if it was the last step that failed
-    return tl::unexpected(done.error());
+    if (!done)
+        return tl::unexpected(done.error());
+    return report;
 }
 
 }  // namespace database::sql

@@ -18,10 +18,10 @@ struct CopyReport
     std::int64_t recordingsMissing = 0;  ///< or damaged, already in what was copied
 };
 
-/// Brings everything of a school into an empty database of either engine, recordings included, all or nothing (of a
-/// copy that fails no file is left there, and the schema is made with it where there is none), and verifies it: the
-/// same rows in both, by a sum of their hashes, and each recording read back. OutOfRange where the target holds
-/// anything already. Noted in the audit.
+/// Brings everything of a school into an empty database of either engine, recordings included, in one transaction that
+/// makes the schema, too, if there is none. Verifies it: the same rows in both, by a sum of their hashes, and each
+/// recording read back. Recordings that were written beside a file stay there if it fails; the next copy uses them.
+/// OutOfRange if the target holds a school already. Noted in the audit.
 /// @param session  an admin's of `from`
 [[nodiscard]] core::Result<CopyReport> copySchool(const School& from, const Session& session, const School& to,
                                                   const CopyProgress& progress = {});

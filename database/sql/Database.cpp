@@ -178,10 +178,7 @@ core::Status checkPlace(const QString& path)
     // (sqlite.org/howtocorrupt.html, 2.5).
     struct stat there
     {};
-    const auto hasMore = [&] { return stat(QFile::encodeName(path).constData(), &there) == 0 && there.st_nlink > 1; };
-    if (hasMore())
-        removeLeftNames(path);
-    if (hasMore())
+    if (stat(QFile::encodeName(path).constData(), &there) == 0 && there.st_nlink > 1)
         return core::unexpected(ErrorCode::FileUnreadable,
                                 head(path) + "it has " + std::to_string(there.st_nlink) +
                                     " names (hard links), by which two programs would spoil it; remove all names but "

@@ -23,7 +23,7 @@ inline constexpr std::array kBeside{"-journal", "-wal", "-shm"};
 [[nodiscard]] QStringList wholeOf(const QString& file);
 
 /// Whether a database may lie there: a readable file, or none yet in a folder that exists. Refused with one sentence: a
-/// folder, a pipe, a device, a file of several names; see removeLeftNames(). The file itself is not opened.
+/// folder, a pipe, a device, a file of several names. The file itself is not opened.
 [[nodiscard]] core::Status checkPlace(const QString& path);
 
 /// Whether the file is there and who runs the program may not write it.

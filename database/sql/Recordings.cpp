@@ -68,19 +68,6 @@ core::Result<std::string> putRecording(const School& school, const QByteArray& b
     return hash;
 }
 
-QStringList pathsToMake(const QSqlDatabase& db, const std::string& hash)
-{
-    QStringList paths;
-    if (dialect::isPostgres(db))
-        return paths;
-    const QString file = fileOf(db, hash);
-    const QString folder = QFileInfo(file).absolutePath();
-    for (const QString& path : {QFileInfo(folder).absolutePath(), folder, file})
-        if (!QFileInfo::exists(path))
-            paths += path;
-    return paths;
-}
-
 core::Result<std::vector<std::string>> recordingsNamed(const QSqlDatabase& db)
 {
     std::vector<std::string> hashes;

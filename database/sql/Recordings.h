@@ -5,7 +5,6 @@
 #include <vector>
 
 #include <QByteArray>
-#include <QStringList>
 
 #include "core/base/Result.h"
 #include "database/sql/School.h"
@@ -18,10 +17,6 @@ namespace database::sql {
 /// Keeps a recording, on the disk when this returns, and returns its hash; the same again costs nothing. To be called
 /// inside the transaction of its attempt.
 [[nodiscard]] core::Result<std::string> putRecording(const School& school, const QByteArray& bytes);
-
-/// What keeping this one would make beside a file, and is not there yet: folders, then the file. Nothing on a server,
-/// where it goes with its transaction.
-[[nodiscard]] QStringList pathsToMake(const QSqlDatabase& db, const std::string& hash);
 
 /// FileMissing: it is not there. BadStructure: it is not what was put there.
 [[nodiscard]] core::Result<QByteArray> recordingOf(const QSqlDatabase& db, const std::string& hash);

@@ -587,10 +587,7 @@ void TestSchoolOffice::aBackupIsMadeTriedAndRestored()
     click("checkAll");
     QTRY_VERIFY2_WITH_TIMEOUT(said().contains("Nothing is wrong"), qPrintable(said()), kPatienceMs);
     checkReportCodes();
-    // A backup is looked at less thoroughly, and says nothing against what was found.
     click("backUp");
-    QTRY_VERIFY2_WITH_TIMEOUT(said().contains("found is in this backup, too"), qPrintable(said()), kPatienceMs);
-    QVERIFY(child<QPlainTextEdit>("findings")->isVisible());
     QTRY_COMPARE_WITH_TIMEOUT(backups->model()->rowCount(), 3, kPatienceMs);
     // Somebody is entered after the backup, and is gone with the restore.
     child<ui::admin::AdminPage>()->show(ui::admin::AdminPage::People);
@@ -630,7 +627,7 @@ void TestSchoolOffice::anotherSchoolsBackupIsNotRestored()
     support::SchoolRig other(false);
     other.populate();
     const QString folder = sql::backupFolder(file());
-    QVERIFY(sql::backUp(other.school().db, folder, QDateTime::currentDateTimeUtc()));
+    QVERIFY(sql::backUp(other.school().db, folder, QDateTime::currentDateTimeUtc().addDays(-1)));
     start();
     const int people = count("people");
     logIn("admin");

@@ -185,6 +185,25 @@ inline SchoolRig& populatedSchool(bool onServer)
     return *school;
 }
 
+/// Another station at the rig's database. Made and used in one thread.
+class Station
+{
+public:
+    explicit Station(const QString& address, std::chrono::milliseconds patience = std::chrono::seconds(5))
+        : m_database(database::sql::Database::open(address, patience).value())
+    {}
+    [[nodiscard]] database::sql::School school() const
+    {
+        database::sql::School school{m_database->handle(), m_key};
+        school.leastCost = SchoolRig::kCheap;
+        return school;
+    }
+
+private:
+    std::unique_ptr<database::sql::Database> m_database;
+    database::StationKey m_key = database::StationKey::make();
+};
+
 }  // namespace support
 
 /// Goes on with a rig of the row's engine, or skips where there is no server.

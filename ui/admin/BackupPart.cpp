@@ -27,7 +27,6 @@ using namespace ui::shell;
 
 namespace {
 
-constexpr int kBarSteps = 1000;
 constexpr int kLongestCode = 100;
 constexpr int kFile = Qt::UserRole + 1;  ///< of a row
 
@@ -59,7 +58,7 @@ BackupPart::BackupPart(QWidget* parent)
     m_codeFault->setObjectName(QStringLiteral("reportCodeFault"));
     m_stop->setObjectName(QStringLiteral("stopWork"));
     m_stop->setProperty("kind", "quiet");
-    m_bar->setRange(0, kBarSteps);
+    m_bar->setRange(0, 0);  // nobody knows how long it takes
     m_bar->setTextVisible(false);
     m_findings->setReadOnly(true);
     m_findings->setObjectName(QStringLiteral("findings"));
@@ -243,14 +242,11 @@ void BackupPart::setBackups(const QList<Backup>& backups)
     tell();
 }
 
-void BackupPart::showProgress(const QString& what, qint64 done, qint64 all)
+void BackupPart::showProgress(const QString& what)
 {
     QWidget* const focused = window()->focusWidget();
     const bool begins = !std::exchange(m_isBusy, true);
     m_findings->hide();
-    m_bar->setRange(0, all > 0 ? kBarSteps : 0);
-    if (all > 0)
-        m_bar->setValue(static_cast<int>(kBarSteps * done / all));
     m_said->setText(what);
     tell();
     if (!begins)

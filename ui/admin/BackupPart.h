@@ -49,8 +49,7 @@ public:
     /// @param isServer  whose administrator makes the backups
     void setDatabase(const QString& where, bool isServer);
     void setBackups(const QList<Backup>& backups);
-    /// @param all  0: nobody knows
-    void showProgress(const QString& what, qint64 done, qint64 all);
+    void showProgress(const QString& what);
     /// It has come to its end.
     /// @param sentence  what is said of it, in the language there is
     /// @param findings  what a check found
