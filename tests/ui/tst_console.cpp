@@ -151,44 +151,28 @@ void TestConsole::commandsAnswer_data()
 {
     QTest::addColumn<QString>("command");
     QTest::addColumn<QString>("says");
-    QTest::newRow("get") << "get force.stiffness"
-                         << "force.stiffness = 2 N/mm   (0.2 to 20 N/mm)";
-    QTest::newRow("the name alone") << "force.stiffness"
-                                    << "force.stiffness = 2 N/mm";
-    QTest::newRow("set") << "set force.stiffness 2.5"
-                         << "force.stiffness = 2.5 N/mm";
-    QTest::newRow("name and value") << "force.stiffness 2.5"
-                                    << "force.stiffness = 2.5 N/mm";
-    QTest::newRow("out of range") << "set force.stiffness 100"
-                                  << "force.stiffness takes 0.2 to 20 N/mm.";
-    QTest::newRow("no number") << "set force.stiffness hard"
-                               << "\"hard\" is no number.";
-    QTest::newRow("on is no number") << "set force.stiffness on"
-                                     << "\"on\" is no number.";
-    QTest::newRow("not a number") << "set force.stiffness nan"
-                                  << "force.stiffness takes";
-    QTest::newRow("no value") << "set force.stiffness"
-                              << "set NAME VALUE";
-    QTest::newRow("unknown parameter") << "set nobody 1"
-                                       << "There is no parameter \"nobody\".";
-    QTest::newRow("live") << "set live.force 1"
-                          << "live.force is a live value";
-    QTest::newRow("a switch") << "set view.wet on"
-                              << "view.wet = on";
-    QTest::newRow("half a switch") << "set view.wet 0.5"
-                                   << "view.wet takes 0 (off) or 1 (on).";
-    QTest::newRow("list") << "list stiff"
-                          << "force.stiffness";
-    QTest::newRow("list of none") << "list xyz"
-                                  << "No parameter's name holds \"xyz\".";
-    QTest::newRow("nothing to read") << "get live.depth"
-                                     << "live.depth = –";
-    QTest::newRow("unknown command") << "paint it"
-                                     << "There is no command \"paint\".";
-    QTest::newRow("no name") << "watch"
-                             << "\"watch\" wants a name";
-    QTest::newRow("help") << "help"
-                          << "plot NAME";
+    const auto row = [](const char* name, const char* first, const char* second) {
+        QTest::newRow(name) << QString(first) << QString(second);
+    };
+    row("get", "get force.stiffness", "force.stiffness = 2 N/mm   (0.2 to 20 N/mm)");
+    row("the name alone", "force.stiffness", "force.stiffness = 2 N/mm");
+    row("set", "set force.stiffness 2.5", "force.stiffness = 2.5 N/mm");
+    row("name and value", "force.stiffness 2.5", "force.stiffness = 2.5 N/mm");
+    row("out of range", "set force.stiffness 100", "force.stiffness takes 0.2 to 20 N/mm.");
+    row("no number", "set force.stiffness hard", "\"hard\" is no number.");
+    row("on is no number", "set force.stiffness on", "\"on\" is no number.");
+    row("not a number", "set force.stiffness nan", "force.stiffness takes");
+    row("no value", "set force.stiffness", "set NAME VALUE");
+    row("unknown parameter", "set nobody 1", "There is no parameter \"nobody\".");
+    row("live", "set live.force 1", "live.force is a live value");
+    row("a switch", "set view.wet on", "view.wet = on");
+    row("half a switch", "set view.wet 0.5", "view.wet takes 0 (off) or 1 (on).");
+    row("list", "list stiff", "force.stiffness");
+    row("list of none", "list xyz", "No parameter's name holds \"xyz\".");
+    row("nothing to read", "get live.depth", "live.depth = –");
+    row("unknown command", "paint it", "There is no command \"paint\".");
+    row("no name", "watch", "\"watch\" wants a name");
+    row("help", "help", "plot NAME");
 }
 
 void TestConsole::commandsAnswer()
@@ -242,24 +226,18 @@ void TestConsole::tabCompletes_data()
 {
     QTest::addColumn<QString>("begun");
     QTest::addColumn<QString>("becomes");
-    QTest::newRow("a command") << "pl"
-                               << "plot ";
-    QTest::newRow("as far as it is clear") << "set force.s"
-                                           << "set force.stiffness ";
-    QTest::newRow("two of them") << "get force.f"
-                                 << "get force.f";
-    QTest::newRow("a group") << "get hard"
-                             << "get hardness.";
-    QTest::newRow("from the middle of a name") << "set dentin.rat"
-                                               << "set hardness.dentin.rate ";
-    QTest::newRow("a name without a command") << "dentin.rat"
-                                              << "hardness.dentin.rate ";
-    QTest::newRow("several from the middle") << "get rate"
-                                             << "get rate";
-    QTest::newRow("nothing to add") << "get xyz"
-                                    << "get xyz";
-    QTest::newRow("no name behind the value") << "set force.stiffness 2"
-                                              << "set force.stiffness 2";
+    const auto row = [](const char* name, const char* first, const char* second) {
+        QTest::newRow(name) << QString(first) << QString(second);
+    };
+    row("a command", "pl", "plot ");
+    row("as far as it is clear", "set force.s", "set force.stiffness ");
+    row("two of them", "get force.f", "get force.f");
+    row("a group", "get hard", "get hardness.");
+    row("from the middle of a name", "set dentin.rat", "set hardness.dentin.rate ");
+    row("a name without a command", "dentin.rat", "hardness.dentin.rate ");
+    row("several from the middle", "get rate", "get rate");
+    row("nothing to add", "get xyz", "get xyz");
+    row("no name behind the value", "set force.stiffness 2", "set force.stiffness 2");
 }
 
 void TestConsole::tabCompletes()

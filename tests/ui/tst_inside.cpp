@@ -102,7 +102,6 @@ private slots:
     void aCutIsOpenAndTheOldSurfaceStays();
     void sidesOfAScanAreNotNamed_data();
     void sidesOfAScanAreNotNamed();
-    void theFilmShowsWhatIsDense();
     void theDecayOfTheUsualToothIsSeen();
     void thePanelFollowsTheBur();
     void thePlaneIsChosenAndTurned();
@@ -239,23 +238,6 @@ void TestInside::sidesOfAScanAreNotNamed()
     anatomy.name = name.toStdString();
     QCOMPARE(text::directionName(anatomy, angleRad), direction);
     QCOMPARE(text::planeAlongY(anatomy), plane);
-}
-
-void TestInside::theFilmShowsWhatIsDense()
-{
-    const Tooth tooth(block());
-    const std::array<core::imaging::XrayedTooth, 1> one{{{&tooth}}};
-    const QImage film = inside::radiographPicture(one, {}, {{-5.0, -13.0}, {5.0, 1.0}}, 0.1, {});
-    QCOMPARE(film.size(), QSize(100, 140));
-    const auto grey = [&](double u, double v) {
-        return qGray(film.pixel(static_cast<int>((u + 5.0) / 0.1), static_cast<int>((1.0 - v) / 0.1)));
-    };
-    const int air = grey(-4.5, -3.0);
-    const int enamel = grey(0.0, -1.0);
-    const int dentin = grey(0.0, -3.0);
-    const int pulp = grey(0.0, -6.0);
-    qInfo("grey of enamel %d, dentin %d, pulp %d, air %d", enamel, dentin, pulp, air);
-    QVERIFY(enamel > dentin + 20 && dentin > pulp + 20 && pulp > air);
 }
 
 void TestInside::theDecayOfTheUsualToothIsSeen()
