@@ -4,6 +4,7 @@
 // A new page: a line in pages_data() that opens it in English, with something on it. On an enlarged screen
 // (QT_SCALE_FACTOR=1.5) the pages are opened in the other language, and only the room is checked.
 #include <functional>
+#include <map>
 
 #include <QDir>
 #include <QMenu>
@@ -63,27 +64,37 @@ QSize roomInside()
     return isEnlarged() ? QSize(853, 493) : QSize(1280, 760);
 }
 
+const std::vector<CatalogEntry>& shipped()
+{
+    static const std::vector<CatalogEntry> kEntries = lessons::readCatalog({});
+    return kEntries;
+}
+
 std::vector<CatalogEntry> catalog()
 {
-    std::vector<CatalogEntry> entries = lessons::readCatalog({});
+    std::vector<CatalogEntry> entries = shipped();
     for (CatalogEntry& entry : entries)
         if (entry.read.lesson)
             entry.read.lesson = pseudo::said(*entry.read.lesson);
     return entries;
 }
 
-lessons::Lesson lessonOf(lessons::Task task)
+const lessons::Lesson& lessonOf(lessons::Task task)
 {
-    for (const CatalogEntry& entry : lessons::readCatalog({}))
+    for (const CatalogEntry& entry : shipped())
         if (entry.read.lesson && entry.read.lesson->task == task)
             return *entry.read.lesson;
     qFatal("no such lesson");
-    return {};
 }
 
-lessons::Assignment assigned(lessons::Task task)
+/// Made once of each task.
+const lessons::Assignment& assigned(lessons::Task task)
 {
-    auto assignment = lessons::assign(lessonOf(task)).value().assignment;
+    static std::map<lessons::Task, lessons::Assignment> all;
+    if (const auto found = all.find(task); found != all.end())
+        return found->second;
+    lessons::Assignment& assignment = all[task];
+    assignment = lessons::assign(lessonOf(task)).value().assignment;
     assignment.lesson = pseudo::said(*assignment.lesson);
     assignment.rubric = assignment.lesson->rubric;
     return assignment;
@@ -259,7 +270,7 @@ void TestLanguages::cleanupTestCase()
 
 void TestLanguages::practise(lessons::Task task)
 {
-    const lessons::Assignment assignment = assigned(task);
+    const lessons::Assignment& assignment = assigned(task);
     m_window->setAssignment(assignment);
     m_window->showTooth(assignment.anatomy, m_generation++, {});
 }
@@ -287,7 +298,7 @@ void TestLanguages::openSchool(ui::admin::AdminPage::Part part)
 
 void TestLanguages::showScore()
 {
-    lessons::Assignment assignment = assigned(lessons::Task::RemoveDecay);
+    const lessons::Assignment& assignment = assigned(lessons::Task::RemoveDecay);
     m_window->setAssignment(assignment);
     m_window->showTooth(assignment.anatomy, m_generation++, {});
     ui::study::ScoredWork scored;
@@ -387,11 +398,10 @@ void TestLanguages::pages_data()
     for (const int part : {0, 1})
         page(part == 0 ? "editor" : "editor, past attempts", [this, part] {
             auto* editor = child<ui::study::LessonEditor>();
-            lessons::ReadLesson read;
-            const auto entries = lessons::readCatalog({});
-            read = std::find_if(entries.begin(), entries.end(), [](const CatalogEntry& entry) {
-                       return entry.read.lesson && entry.read.lesson->task == lessons::Task::CutIdeal;
-                   })->read;
+            const lessons::ReadLesson& read =
+                std::find_if(shipped().begin(), shipped().end(), [](const CatalogEntry& entry) {
+                    return entry.read.lesson && entry.read.lesson->task == lessons::Task::CutIdeal;
+                })->read;
             editor->edit(read, QDir::temp().filePath(QStringLiteral("no such folder")));
             qobject_cast<QStackedWidget*>(editor->parentWidget())->setCurrentWidget(editor);
             QTRY_VERIFY_WITH_TIMEOUT(!editor->findChild<QLabel*>("selfCheck")->text().isEmpty(), 60000);
