@@ -130,8 +130,8 @@ int benchCommand(const QStringList& arguments)
     QStringList files;
     for (const Suite* suite : suites) {
         const QLatin1String name(suite->name);
-        QList<bench::Chart> charts;
-        context.show = [&](const bench::Chart& chart) { charts << chart; };
+        QList<bench::NamedChart> charts;
+        context.show = [&](const bench::NamedChart& chart) { charts << chart; };
         progress.begin(name, secondsOf(*suite, context));
         const auto figures = suite->run(context);
         if (!figures)

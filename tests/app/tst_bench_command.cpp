@@ -107,7 +107,7 @@ void TestBenchCommand::chartsShowWhatTheFiguresSay()
     for (const char* name : {"bench-cutting.csv", "bench-cutting.json", "bench-cutting.png", "bench-cutting.svg"})
         QVERIFY2(ending.error.contains(name), ending.error);
     const QImage png(out + "/bench-cutting.png");
-    QCOMPARE(png.size(), QSize(1600, 1000));
+    QCOMPARE(png.size(), QSize(1920, 1200));
     const auto contents = [&](const char* name) {
         QFile file(out + "/" + name);
         return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();

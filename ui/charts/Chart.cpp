@@ -38,22 +38,60 @@ QList<Dot> stops(const Histogram& histogram)
     return made;
 }
 
-Frame frame(const Curve& curve)
+QList<Dot> stops(const Map& map)
 {
-    return {curve.x.low, curve.x.high, curve.y.low, curve.y.high};
+    QList<Dot> made;
+    for (qsizetype row = 0; row < map.cells.size(); ++row)
+        for (qsizetype k = 0; k < map.cells[row].size(); ++k)
+            made << Dot{static_cast<double>(k) + 0.5, -0.5 - static_cast<double>(row), map.cells[row][k].note};
+    return made;
 }
 
-Frame frame(const Bars& bars)
+std::pair<Axis, Axis> axes(const Curve& curve)
 {
-    return {bars.value.low, bars.value.high, 0.5 - static_cast<double>(std::max(qsizetype{1}, bars.bars.size())), 0.5};
+    constexpr double kEdgeShare = 0.05;
+    Axis y = curve.y;
+    const auto hasMarkAt = [&](double end) {
+        return std::any_of(curve.lines.begin(), curve.lines.end(), [&](const Line& line) {
+            return line.mark != Mark::None && line.mark != Mark::Plain &&
+                   std::any_of(line.dots.begin(), line.dots.end(),
+                               [&](const Dot& dot) { return std::abs(curve.y.shareOf(dot.y) - end) < kEdgeShare; });
+        });
+    };
+    if (hasMarkAt(0.0))
+        y.low = curve.y.valueAt(-kEdgeShare);
+    if (hasMarkAt(1.0))
+        y.high = curve.y.valueAt(1.0 + kEdgeShare);
+    return {curve.x, y};
 }
 
-Frame frame(const Histogram& histogram)
+std::pair<Axis, Axis> axes(const Bars& bars)
 {
-    return {histogram.x.low, histogram.x.high, histogram.count.low, histogram.count.high};
+    return {bars.value, {{}, 0.5 - static_cast<double>(std::max(qsizetype{1}, bars.bars.size())), 0.5}};
+}
+
+std::pair<Axis, Axis> axes(const Histogram& histogram)
+{
+    return {histogram.x, histogram.count};
+}
+
+std::pair<Axis, Axis> axes(const Map& map)
+{
+    return {{{}, 0.0, static_cast<double>(map.groups.size() * map.columns.size())},
+            {{}, -static_cast<double>(map.rows.size()), 0.0}};
 }
 
 }  // namespace
+
+double Axis::shareOf(double value) const
+{
+    return base > 0.0 ? std::log(value / low) / std::log(high / low) : (value - low) / (high - low);
+}
+
+double Axis::valueAt(double share) const
+{
+    return base > 0.0 ? low * std::pow(high / low, share) : low + share * (high - low);
+}
 
 Chart fitted(const Chart& chart, int rows)
 {
@@ -80,9 +118,9 @@ QList<Dot> stopsOf(const Chart& chart)
     return std::visit([](const auto& content) { return stops(content); }, chart.content);
 }
 
-Frame frameOf(const Chart& chart)
+std::pair<Axis, Axis> axesOf(const Chart& chart)
 {
-    return std::visit([](const auto& content) { return frame(content); }, chart.content);
+    return std::visit([](const auto& content) { return axes(content); }, chart.content);
 }
 
 double roundEnd(double value)

@@ -2,12 +2,13 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
+#include <utility>
 #include <variant>
 
 #include <QColor>
 #include <QList>
 #include <QString>
+#include <QStringList>
 
 /// What a chart shows, as plain values: drawn on the screen and on paper (Drawing.h), written as a table (Table.h).
 namespace ui::charts {
@@ -20,6 +21,7 @@ struct Dot
     QString words;        ///< the value as a sentence
     std::int64_t id = 0;  ///< what opens when it is chosen; 0: nothing
     QString of{};         ///< in a table of the chart: what it belongs to, under Curve::ofTitle
+    QString note{};       ///< written beside it
     bool operator==(const Dot&) const = default;
 };
 
@@ -29,7 +31,10 @@ enum class Mark : std::uint8_t {
     Plain,  ///< nothing but the line
     Circle,
     HollowDiamond,
-    Square
+    Square,
+    Triangle,
+    Diamond,
+    Pentagon
 };
 
 struct Line
@@ -38,7 +43,9 @@ struct Line
     QList<Dot> dots;
     Mark mark = Mark::Circle;
     bool isJoined = true;
-    QColor colour{};  ///< on white, where many lines have one each; else the ink's
+    QColor colour{};  ///< where many lines have one each; else the ink's
+    Qt::PenStyle stroke = Qt::SolidLine;
+    double widthPx = 2.0;
     bool operator==(const Line&) const = default;
 };
 
@@ -77,6 +84,12 @@ struct Axis
     double high = 1.0;
     bool isTime = false;   ///< low and high as Dot::x
     bool isWhole = false;  ///< counts: no ticks between whole numbers
+    double base = 0.0;     ///< of a logarithmic axis; 0: a linear one
+    QStringList labels{};  ///< instead of numbers, at 0, 1, 2 ...
+
+    /// 0 at the low end, 1 at the high one.
+    [[nodiscard]] double shareOf(double value) const;
+    [[nodiscard]] double valueAt(double share) const;
     bool operator==(const Axis&) const = default;
 };
 
@@ -126,12 +139,30 @@ struct Histogram
     bool operator==(const Histogram&) const = default;
 };
 
+/// A table of coloured cells.
+struct Map
+{
+    struct Cell
+    {
+        QColor colour;
+        QString letter;  ///< so that colour is not all that tells cells apart; may be empty
+        QString note;
+        bool operator==(const Cell&) const = default;
+    };
+    QStringList rows;
+    QStringList groups;   ///< of columns
+    QStringList columns;  ///< in each group
+    QString columnTitle;
+    QList<QList<Cell>> cells;  ///< [row][group * columns + column]
+    bool operator==(const Map&) const = default;
+};
+
 struct Chart
 {
     QString title;
     QString note;        ///< what has to be known to read it: of how many, of when
     QString emptyWords;  ///< instead of a chart without values: what will be here, and how to get it
-    std::variant<Curve, Bars, Histogram> content;
+    std::variant<Curve, Bars, Histogram, Map> content;
     QString of{};  ///< whose it is, told in files, which lie apart from the page: "Year 1, Decay on 36"
     bool operator==(const Chart&) const = default;
 };
@@ -139,19 +170,12 @@ struct Chart
 /// As much of it as so many rows show: of more bars the first ones, and a row that says how many are left out.
 [[nodiscard]] Chart fitted(const Chart& chart, int rows);
 
-/// Everything at which one can stop, from left to right, of bars from top to bottom; in the chart's own coordinates.
-/// Bar k lies at height -k.
+/// Everything at which one can stop, from left to right, of bars and maps from top to bottom; in the chart's own
+/// coordinates. Bar k lies at height -k, and the middle of the first cell of a map at (0.5, -0.5).
 [[nodiscard]] QList<Dot> stopsOf(const Chart& chart);
 
-/// The part of the plane that is shown.
-struct Frame
-{
-    double xLow = 0.0;
-    double xHigh = 1.0;
-    double yLow = 0.0;
-    double yHigh = 1.0;
-};
-[[nodiscard]] Frame frameOf(const Chart& chart);
+/// The lying and the upright axis, with as much more as marks at their ends need to be seen whole.
+[[nodiscard]] std::pair<Axis, Axis> axesOf(const Chart& chart);
 
 /// The end of an axis from 0: the next of 1, 2, 2.5, 5, 10, 20 ... that is not below the value.
 [[nodiscard]] double roundEnd(double value);

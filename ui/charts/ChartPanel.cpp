@@ -2,22 +2,13 @@
 #include "ui/charts/ChartPanel.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
-#include <QChart>
-#include <QChartView>
-#include <QGraphicsEllipseItem>
-#include <QGraphicsScene>
 #include <QHBoxLayout>
-#include <QKeyEvent>
 #include <QLabel>
-#include <QMouseEvent>
 #include <QPainter>
-#include <QTimer>
 #include <QVBoxLayout>
 
-#include "ui/charts/Drawing.h"
 #include "ui/charts/SaveButton.h"
 #include "ui/shell/Announce.h"
 #include "ui/shell/Theme.h"
@@ -30,7 +21,6 @@ using namespace ui::shell;
 constexpr double kRingPx = 8.0;
 constexpr double kReachPx = 40.0;  ///< from the pointer to a value
 constexpr int kCalloutPx = 300;
-constexpr std::chrono::seconds kSaidFor{6};
 
 QLabel* label(int size, QFont::Weight weight, QPalette::ColorRole role, QWidget* parent)
 {
@@ -45,44 +35,29 @@ QLabel* label(int size, QFont::Weight weight, QPalette::ColorRole role, QWidget*
 }  // namespace
 
 ChartPanel::ChartPanel(QWidget* parent)
-    : QWidget(parent), m_title(label(kBody, QFont::DemiBold, QPalette::WindowText, this)),
+    : WalkedChart(parent), m_title(label(kBody, QFont::DemiBold, QPalette::WindowText, this)),
       m_note(label(kSmall, QFont::Normal, QPalette::PlaceholderText, this)),
-      m_save(new SaveButton([this] { return m_chart; }, this)), m_view(new QChartView(this)),
+      m_save(new SaveButton([this] { return m_chart; }, this)),
       m_empty(label(kBody, QFont::Normal, QPalette::PlaceholderText, this)),
-      m_callout(label(kSmall, QFont::Normal, QPalette::WindowText, this)),
-      m_saved(label(kSmall, QFont::Normal, QPalette::PlaceholderText, this)), m_forSaved(new QTimer(this))
+      m_callout(label(kSmall, QFont::Normal, QPalette::WindowText, this))
 {
-    setFocusPolicy(Qt::StrongFocus);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     m_title->setObjectName(QStringLiteral("chartTitle"));
     m_empty->setObjectName(QStringLiteral("chartEmpty"));
     m_callout->setObjectName(QStringLiteral("chartCallout"));
-    m_saved->setObjectName(QStringLiteral("chartSaved"));
 
-    m_view->setRenderHint(QPainter::Antialiasing);
-    m_view->setFrameShape(QFrame::NoFrame);
-    m_view->setFocusPolicy(Qt::NoFocus);
-    m_view->setBackgroundBrush(Qt::NoBrush);
-    m_view->setStyleSheet(QStringLiteral("background: transparent"));
-    m_view->setMinimumSize(1, 1);
-    m_view->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);  // else it asks for what it had before
-    m_view->viewport()->setMouseTracking(true);
-    m_view->viewport()->installEventFilter(this);
+    view()->setMinimumSize(1, 1);
+    view()->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);
     m_empty->setAlignment(Qt::AlignCenter);
     m_callout->setProperty("kind", "card");
     m_callout->setAttribute(Qt::WA_TransparentForMouseEvents);
     m_callout->setContentsMargins(kSpace2, kSpace1, kSpace2, kSpace1);
     m_callout->hide();
-    // Over the foot of the chart: nothing moves when it comes and goes, and no room is kept for it. So it does not
-    // stay.
-    m_saved->setAutoFillBackground(true);
-    m_saved->setBackgroundRole(QPalette::Base);
-    m_saved->hide();
-    m_forSaved->setSingleShot(true);
-    m_forSaved->setInterval(kSaidFor);
-    connect(m_forSaved, &QTimer::timeout, m_saved, &QLabel::hide);
-
-    connect(m_save, &SaveButton::told, this, &ChartPanel::saySaved);
+    connect(m_save, &SaveButton::told, this, [this](const QString& sentence) {
+        setStop({});
+        say(sentence, {width() / 2, height()});
+        announce(*m_callout);
+    });
 
     auto* head = new QHBoxLayout;
     head->setSpacing(kSpace2);
@@ -96,9 +71,9 @@ ChartPanel::ChartPanel(QWidget* parent)
     column->setContentsMargins(kSpace2, kSpace2, kSpace2, kSpace2);
     column->setSpacing(kSpace1);
     column->addLayout(head);
-    column->addWidget(m_view, 1);
+    column->addWidget(view(), 1);
     column->addWidget(m_empty, 1);
-    redraw();
+    fit();
     showWords();
 }
 
@@ -107,11 +82,9 @@ void ChartPanel::setChart(const Chart& chart)
     if (chart == m_chart)
         return;
     m_chart = chart;
-    m_stops = stopsOf(chart);
     m_stop.reset();
+    fit();
     showWords();
-    redrawSoon();
-    tell();
 }
 
 void ChartPanel::showWords()
@@ -121,87 +94,38 @@ void ChartPanel::showWords()
     m_note->setVisible(!m_chart.note.isEmpty());
     m_empty->setText(m_chart.emptyWords);
     m_empty->setVisible(m_stops.isEmpty());
-    m_view->setVisible(!m_stops.isEmpty());
+    view()->setVisible(!m_stops.isEmpty());
     m_save->setVisible(!m_stops.isEmpty());
     m_save->nameIt();
-    m_saved->hide();
     setAccessibleName(m_chart.title);
-    m_view->setAccessibleName(m_chart.title);
-    m_view->viewport()->setAccessibleName(m_chart.title);
 }
 
-void ChartPanel::redrawSoon()
+void ChartPanel::fit()
 {
-    if (!m_isStale)
-        redrawWhenSeen();
-    m_isStale = true;
-}
-
-void ChartPanel::redrawWhenSeen()
-{
-    QMetaObject::invokeMethod(
-        this,
-        [this] {
-            if (isVisible())
-                redrawIfStale();
-        },
-        Qt::QueuedConnection);
-}
-
-void ChartPanel::redrawIfStale()
-{
-    if (m_isStale)
-        redraw();
-}
-
-void ChartPanel::redraw()
-{
-    m_isStale = false;
-    QChart* const old = m_view->chart();
-    m_shown = fitted(m_chart, rowsFor(m_chart, m_view->size()));
-    m_stops = stopsOf(m_shown);
+    setDrawn(fitted(m_chart, rowsFor(m_chart, view()->size())));
+    m_stops = stopsOf(drawn());
     if (m_stop && *m_stop >= m_stops.size())
         m_stop.reset();
-    m_drawn = new QChart;
-    m_drawn->setAnimationOptions(QChart::NoAnimation);
-    m_drawn->setMinimumSize(1.0, 1.0);  // QChartView would never become smaller than what it showed last
-    if (!m_stops.isEmpty())
-        draw(m_shown, inkOf(palette()), *m_drawn, m_view->size());
-    m_view->setChart(m_drawn);
-    delete old;
-    m_ring = new QGraphicsEllipseItem(m_drawn);
-    m_ring->setPen(QPen(palette().color(QPalette::WindowText), 2.0));
-    m_ring->setBrush(Qt::NoBrush);
-    m_ring->setZValue(100.0);
-    connect(m_drawn, &QChart::plotAreaChanged, this, &ChartPanel::tell);
     tell();
-}
-
-QPointF ChartPanel::placeOf(const Dot& dot) const
-{
-    const Frame frame = frameOf(m_shown);
-    const QRectF plot = m_drawn->plotArea();
-    return {plot.left() + plot.width() * (dot.x - frame.xLow) / (frame.xHigh - frame.xLow),
-            plot.bottom() - plot.height() * (dot.y - frame.yLow) / (frame.yHigh - frame.yLow)};
 }
 
 std::optional<qsizetype> ChartPanel::nearest(const QPointF& at) const
 {
-    const QPointF here = m_view->mapToScene(at.toPoint());
-    if (!m_drawn->plotArea().adjusted(-kReachPx, -kReachPx, kReachPx, kReachPx).contains(here))
+    const Plot plot = this->plot();
+    if (!plot.px.adjusted(-kReachPx, -kReachPx, kReachPx, kReachPx).contains(at))
         return std::nullopt;
     const bool isBars = std::holds_alternative<Bars>(m_chart.content);
     const bool isColumns = std::holds_alternative<Histogram>(m_chart.content);
     std::optional<qsizetype> best;
     double bestPx = isBars || isColumns ? 1.0e9 : kReachPx;
     for (qsizetype k = 0; k < m_stops.size(); ++k) {
-        const QPointF there = placeOf(m_stops[k]);
+        const QPointF away = plot.at(m_stops[k].x, m_stops[k].y) - at;
         // A bar is met at any length, a column at any height.
-        const double away = isBars      ? std::abs(there.y() - here.y())
-                            : isColumns ? std::abs(there.x() - here.x())
-                                        : std::hypot(there.x() - here.x(), there.y() - here.y());
-        if (away < bestPx) {
-            bestPx = away;
+        const double awayPx = isBars      ? std::abs(away.y())
+                              : isColumns ? std::abs(away.x())
+                                          : std::hypot(away.x(), away.y());
+        if (awayPx < bestPx) {
+            bestPx = awayPx;
             best = k;
         }
     }
@@ -210,7 +134,6 @@ std::optional<qsizetype> ChartPanel::nearest(const QPointF& at) const
 
 void ChartPanel::setStop(std::optional<qsizetype> stop)
 {
-    redrawIfStale();
     if (stop && (*stop < 0 || *stop >= m_stops.size()))
         stop.reset();
     if (stop == m_stop)
@@ -226,17 +149,29 @@ QString ChartPanel::said() const
     return m_stop ? m_stops[*m_stop].words : QString();
 }
 
+void ChartPanel::paintOver(QPainter& painter)
+{
+    if (!m_stop)
+        return;
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(palette().color(QPalette::WindowText), 2.0));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawEllipse(plot().at(m_stops[*m_stop].x, m_stops[*m_stop].y), kRingPx, kRingPx);
+}
+
 /// The ring around the value, and its words beside it.
 void ChartPanel::tell()
 {
-    m_ring->setVisible(m_stop.has_value());
-    m_callout->setVisible(m_stop.has_value());
+    view()->update();
     setAccessibleDescription(m_stop ? said() : m_chart.note);
-    if (!m_stop)
-        return;
-    const QPointF at = placeOf(m_stops[*m_stop]);
-    m_ring->setRect(at.x() - kRingPx, at.y() - kRingPx, 2.0 * kRingPx, 2.0 * kRingPx);
-    m_callout->setText(said());
+    m_callout->hide();
+    if (m_stop)
+        say(said(), view()->pos() + plot().at(m_stops[*m_stop].x, m_stops[*m_stop].y).toPoint());
+}
+
+void ChartPanel::say(const QString& words, const QPoint& at)
+{
+    m_callout->setText(words);
     m_callout->setWordWrap(false);
     QSize size = m_callout->sizeHint();
     const int widest = std::min(kCalloutPx, width() - 2 * kSpace2);
@@ -244,156 +179,53 @@ void ChartPanel::tell()
         m_callout->setWordWrap(true);
         size = {widest, m_callout->heightForWidth(widest)};
     }
-    const QPoint corner = m_view->pos() + m_view->mapFromScene(at);
-    QRect box({corner.x() - size.width() / 2, corner.y() - size.height() - static_cast<int>(kRingPx) - kSpace2}, size);
+    QRect box({at.x() - size.width() / 2, at.y() - size.height() - static_cast<int>(kRingPx) - kSpace2}, size);
     if (box.top() < 0)
-        box.moveTop(corner.y() + static_cast<int>(kRingPx) + kSpace2);
+        box.moveTop(at.y() + static_cast<int>(kRingPx) + kSpace2);
     box.moveLeft(std::clamp(box.left(), 0, std::max(0, width() - box.width())));
     m_callout->setGeometry(box);
+    m_callout->show();
     m_callout->raise();
 }
 
-void ChartPanel::open()
+bool ChartPanel::takes(Step) const
 {
-    if (m_stop && m_stops[*m_stop].id != 0)
-        emit chosen(m_stops[*m_stop].id);
+    return !m_stops.isEmpty();
 }
 
-bool ChartPanel::event(QEvent* event)
+void ChartPanel::walk(Step step)
 {
-    if (event->type() == QEvent::ShortcutOverride && !m_stops.isEmpty()) {
-        switch (static_cast<QKeyEvent*>(event)->key()) {
-        case Qt::Key_Right:
-        case Qt::Key_Left:
-        case Qt::Key_Up:
-        case Qt::Key_Down:
-        case Qt::Key_Home:
-        case Qt::Key_End:
-        case Qt::Key_Return:
-        case Qt::Key_Enter:
-        case Qt::Key_Space:
-            event->accept();
-            return true;
-        default:
-            break;
-        }
-    }
-    return QWidget::event(event);
-}
-
-void ChartPanel::keyPressEvent(QKeyEvent* event)
-{
-    redrawIfStale();
     const qsizetype last = m_stops.size() - 1;
-    if (last < 0)
-        return QWidget::keyPressEvent(event);
-    switch (event->key()) {
-    case Qt::Key_Right:
-    case Qt::Key_Down:
+    switch (step) {
+    case Step::On:
         return setStop(m_stop ? std::min(*m_stop + 1, last) : 0);
-    case Qt::Key_Left:
-    case Qt::Key_Up:
+    case Step::Back:
         return setStop(m_stop ? std::max(*m_stop - 1, qsizetype{0}) : last);
-    case Qt::Key_Home:
+    case Step::First:
         return setStop(0);
-    case Qt::Key_End:
+    case Step::Last:
         return setStop(last);
-    case Qt::Key_Return:
-    case Qt::Key_Enter:
-    case Qt::Key_Space:
-        return open();
-    default:
-        QWidget::keyPressEvent(event);
+    case Step::Open:
+        if (m_stop && m_stops[*m_stop].id != 0)
+            emit chosen(m_stops[*m_stop].id);
     }
 }
 
-bool ChartPanel::eventFilter(QObject* watched, QEvent* event)
+void ChartPanel::point(std::optional<QPointF> at)
 {
-    // Names and the key have a share of the room; the view gets it after the panel, or when it is shown first.
-    if (event->type() == QEvent::Resize)
-        redrawSoon();
-    if (event->type() == QEvent::MouseMove || event->type() == QEvent::MouseButtonPress)
-        redrawIfStale();
-    if (event->type() == QEvent::MouseMove) {
-        setStop(nearest(static_cast<QMouseEvent*>(event)->position()));
-    } else if (event->type() == QEvent::MouseButtonPress) {
-        setFocus(Qt::MouseFocusReason);
-        if (const auto at = nearest(static_cast<QMouseEvent*>(event)->position())) {
-            setStop(at);
-            open();
-        }
-        return true;
-    } else if (event->type() == QEvent::Leave && !hasFocus()) {
-        setStop({});
-    }
-    return QWidget::eventFilter(watched, event);
-}
-
-void ChartPanel::paintEvent(QPaintEvent*)
-{
-    if (!hasFocus())
-        return;
-    QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(palette().color(QPalette::Link), 2.0));
-    painter.drawRoundedRect(QRectF(rect()).adjusted(1.0, 1.0, -1.0, -1.0), kRadius, kRadius);
-}
-
-void ChartPanel::focusInEvent(QFocusEvent* event)
-{
-    QWidget::focusInEvent(event);
-    update();
+    setStop(at ? nearest(*at) : std::nullopt);
 }
 
 void ChartPanel::focusOutEvent(QFocusEvent* event)
 {
     QWidget::focusOutEvent(event);
     setStop({});
-    update();
-}
-
-void ChartPanel::changeEvent(QEvent* event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::LanguageChange)
-        redrawSoon();
-}
-
-void ChartPanel::showEvent(QShowEvent* event)
-{
-    QWidget::showEvent(event);
-    redrawWhenSeen();
 }
 
 void ChartPanel::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
-    placeSaved();
     tell();
-}
-
-void ChartPanel::placeSaved()
-{
-    const int wide = std::max(1, width() - 2 * kSpace2);
-    const int high = m_saved->hasHeightForWidth() ? m_saved->heightForWidth(wide) : m_saved->sizeHint().height();
-    m_saved->setGeometry(kSpace2, height() - kSpace2 - high, wide, high);
-}
-
-bool ChartPanel::save(const QString& path)
-{
-    return m_save->save(path);
-}
-
-void ChartPanel::saySaved(const QString& sentence, bool isSaved)
-{
-    m_forSaved->stop();
-    if (isSaved)
-        m_forSaved->start();
-    m_saved->setText(sentence);
-    placeSaved();
-    m_saved->show();
-    m_saved->raise();
-    announce(*m_saved);
 }
 
 }  // namespace ui::charts

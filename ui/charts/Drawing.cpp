@@ -2,30 +2,18 @@
 #include "ui/charts/Drawing.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <memory>
 
-#include <QAreaSeries>
 #include <QBuffer>
-#include <QChart>
 #include <QCoreApplication>
 #include <QDateTime>
-#include <QDateTimeAxis>
 #include <QFontMetricsF>
-#include <QGraphicsLayout>
-#include <QGraphicsScene>
-#include <QGraphicsSimpleTextItem>
 #include <QImage>
-#include <QLegendMarker>
-#include <QLineSeries>
 #include <QLocale>
 #include <QPainter>
-#include <QScatterSeries>
+#include <QPolygonF>
 #include <QSvgGenerator>
-#include <QTextLayout>
-#include <QTextOption>
-#include <QValueAxis>
+#include <QTextBoundaryFinder>
 
 #include "ui/shell/Theme.h"
 #include "ui/text/Texts.h"
@@ -35,8 +23,6 @@ namespace {
 
 using namespace ui::shell;
 
-constexpr double kEdgeShare = 0.05;
-constexpr double kLinePx = 2.0;
 constexpr double kMarkPx = 9.0;
 constexpr double kBarShare = 0.62;    ///< of the height of its row
 constexpr double kNameShare = 0.42;   ///< of the width of the chart, for the names of bars
@@ -44,329 +30,499 @@ constexpr int kNameLines = 2;         ///< and no more, or too few bars have roo
 constexpr double kNameEdgesPx = 4.0;  ///< above and below together
 constexpr double kNameGapPx = 8.0;    ///< to the axis
 constexpr double kFootPx = 46.0;      ///< of the axis beneath bars
-constexpr double kUprightPx = 64.0;   ///< of an upright axis with its labels and title
-constexpr double kLabelGapPx = 12.0;  ///< between two labels of an axis: or else Qt cuts them
+constexpr double kTickPx = 48.0;      ///< of the height of a chart for each tick of its upright axis
+constexpr double kLabelGapPx = 12.0;  ///< between two labels of a lying axis
+constexpr double kSignPx = 24.0;      ///< of the key
+constexpr double kGroupGapPx = 6.0;   ///< between the columns of a map
+constexpr int kNotePx = 10;           ///< in its cells
+constexpr int kMostTicks = 6;
 constexpr int kFewestRows = 3;
 constexpr QSize kPicturePx{960, 600};
 constexpr double kPictureDensity = 2.0;
-constexpr std::array kStrokes{Qt::SolidLine, Qt::DashLine, Qt::DashDotLine};
 constexpr qint64 kDayMs = 86'400'000;
 constexpr double kAloneHalf = 0.3;  ///< of an attempt
 
-/// Whoever draws: the chart that is filled, its axes, and the colours.
-struct Board
+QFontMetricsF metrics()
 {
-    QChart& chart;
-    const Ink& ink;
-    QSizeF roomPx;
-    QMargins edges;  ///< of the chart, for what is beside its axes
-    QAbstractAxis* x = nullptr;
-    QAbstractAxis* y = nullptr;
+    return QFontMetricsF(typeface(kSmall));
+}
 
-    template <typename Series>
-    Series* add(Series* series, const QString& legend)
-    {
-        series->setName(legend);
-        chart.addSeries(series);
-        series->attachAxis(x);
-        series->attachAxis(y);
-        return series;
-    }
-    QLineSeries* line(const QList<QPointF>& points, const QPen& pen, const QString& legend)
-    {
-        auto* made = new QLineSeries;
-        made->append(points);
-        made->setPen(pen);
-        return add(made, legend);
-    }
-    /// What lies between two lines with the same x.
-    QAreaSeries* area(const QList<QPointF>& upper, const QList<QPointF>& lower, const QBrush& brush, const QPen& pen,
-                      const QString& legend)
-    {
-        auto* top = new QLineSeries;
-        auto* foot = new QLineSeries;
-        top->append(upper);
-        foot->append(lower);
-        auto* made = new QAreaSeries(top, foot);
-        top->setParent(made);
-        foot->setParent(made);
-        made->setBrush(brush);
-        made->setPen(pen);
-        return add(made, legend);
-    }
+double widest(const QStringList& words)
+{
+    double wide = 0.0;
+    for (const QString& one : words)
+        wide = std::max(wide, metrics().horizontalAdvance(one));
+    return wide;
+}
+
+struct Tick
+{
+    double at;
+    QString words;
 };
 
-void dressAxis(QAbstractAxis& axis, const QString& title, const Ink& ink)
+QList<Tick> ticksOfTime(const Axis& axis, int most)
 {
-    axis.setTitleText(title);
-    axis.setLabelsFont(typeface(kSmall));
-    axis.setTitleFont(typeface(kSmall));
-    axis.setLabelsColor(ink.quiet);
-    axis.setTitleBrush(ink.quiet);
-    axis.setLinePenColor(ink.grid);
-    axis.setGridLineColor(ink.grid);
+    const double days = (axis.high - axis.low) / static_cast<double>(kDayMs);
+    const QString format = days < 2.0 ? QLocale().timeFormat(QLocale::ShortFormat)
+                           //: A day without its year, as QLocale::toString() takes it: "27 Nov". Japanese "M月d日"
+                           : days < 330.0 ? text::dayFormat(QCoreApplication::translate("Chart", "d MMM"))
+                                          //: A month, as QLocale::toString() takes it: "Nov 2024"
+                                          : QCoreApplication::translate("Chart", "MMM yyyy");
+    QList<Tick> ticks;
+    const int steps = std::clamp(most - 1, 1, 4);
+    for (int k = 0; k <= steps; ++k) {
+        const double at = axis.valueAt(static_cast<double>(k) / steps);
+        ticks << Tick{at, QLocale().toString(QDateTime::fromMSecsSinceEpoch(static_cast<qint64>(at)), format)};
+    }
+    return ticks;
 }
 
-QAbstractAxis* axisOf(const Axis& axis, const Ink& ink, int ticks = kMostTicks)
+QList<Tick> ticksOf(const Axis& axis, int most)
 {
-    if (axis.isTime) {
-        auto* time = new QDateTimeAxis;
-        time->setRange(QDateTime::fromMSecsSinceEpoch(static_cast<qint64>(axis.low)),
-                       QDateTime::fromMSecsSinceEpoch(static_cast<qint64>(axis.high)));
-        const double days = (axis.high - axis.low) / static_cast<double>(kDayMs);
-        time->setFormat(days < 2.0 ? QLocale().timeFormat(QLocale::ShortFormat)
-                        //: A day without its year, as QLocale::toString() takes it: "27 Nov". Japanese "M月d日"
-                        : days < 330.0 ? text::dayFormat(QCoreApplication::translate("Chart", "d MMM"))
-                                       //: A month, as QLocale::toString() takes it: "Nov 2024"
-                                       : QCoreApplication::translate("Chart", "MMM yyyy"));
-        time->setTickCount(5);
-        dressAxis(*time, axis.title, ink);
-        return time;
+    QList<Tick> ticks;
+    if (axis.isTime)
+        return ticksOfTime(axis, most);
+    for (qsizetype k = 0; k < axis.labels.size(); ++k)
+        ticks << Tick{static_cast<double>(k), axis.labels[k]};
+    if (!ticks.isEmpty())
+        return ticks;
+    constexpr double kRounding = 1.0e-9;
+    if (axis.base > 0.0) {
+        const double first = std::ceil(std::log(axis.low) / std::log(axis.base) - kRounding);
+        for (double at = std::pow(axis.base, first); at <= axis.high * (1.0 + kRounding); at *= axis.base)
+            ticks << Tick{at, QString::number(at)};
+        return ticks;
     }
-    auto* made = new QValueAxis;
-    made->setRange(axis.low, axis.high);
     const double span = axis.high - axis.low;
-    double step = roundEnd(span / ticks);
+    double step = roundEnd(span / most);
     if (axis.isWhole)
         step = std::max(1.0, std::ceil(step));
-    made->setTickType(QValueAxis::TicksDynamic);
-    made->setTickAnchor(axis.isWhole ? std::ceil(axis.low) : 0.0);
-    made->setTickInterval(step);
-    made->setLabelFormat(step >= 1.0 && step == std::floor(step) ? QStringLiteral("%.0f")
-                         : step >= 0.1 && step != 0.25           ? QStringLiteral("%.1f")
-                                                                 : QStringLiteral("%.2f"));
-    dressAxis(*made, axis.title, ink);
-    return made;
+    const int decimals = step >= 1.0 && step == std::floor(step) ? 0 : step >= 0.1 && step != 0.25 ? 1 : 2;
+    const double anchor = axis.isWhole ? std::ceil(axis.low) : 0.0;
+    const double first = std::ceil((axis.low - anchor) / step - kRounding);
+    for (double k = first; anchor + k * step <= axis.high + kRounding * span; k += 1.0)
+        ticks << Tick{anchor + k * step, QLocale().toString(anchor + k * step, 'f', decimals)};
+    return ticks;
 }
 
-/// So many of a lying axis have room for their labels.
-int ticksAcross(const Axis& axis, double plotPx)
+QStringList wordsOf(const QList<Tick>& ticks)
 {
-    const QFontMetricsF metrics(typeface(kSmall));
-    double widest = 0.0;
-    for (const double end : {axis.low, axis.high})
-        widest = std::max(widest, metrics.horizontalAdvance(QLocale().toString(end, 'f', 0)));
-    return std::clamp(static_cast<int>(plotPx / (widest + kLabelGapPx)) - 1, 1, kMostTicks);
+    QStringList words;
+    for (const Tick& tick : ticks)
+        words << tick.words;
+    return words;
 }
 
-void addLimits(Board& board, const QList<Limit>& limits, const Frame& frame)
+/// As many as have room for their labels.
+QList<Tick> ticksAlong(const Axis& axis, double lengthPx)
 {
-    for (const Limit& limit : limits) {
-        const QPen pen(board.ink.quiet, 1.4, limit.isUpright ? Qt::DashDotLine : Qt::DotLine);
-        if (limit.isUpright)
-            board.line({{limit.at, frame.yLow}, {limit.at, frame.yHigh}}, pen, limit.name);
-        else
-            board.line({{frame.xLow, limit.at}, {frame.xHigh, limit.at}}, pen, limit.name);
-    }
+    int most = kMostTicks;
+    QList<Tick> ticks = ticksOf(axis, most);
+    while (most > 1 && static_cast<double>(ticks.size()) * (widest(wordsOf(ticks)) + kLabelGapPx) > lengthPx)
+        ticks = ticksOf(axis, --most);
+    return ticks;
 }
 
-void addMarks(Board& board, const Line& line, const QColor& colour, const QString& legend)
+QList<Tick> ticksUp(const Axis& axis, double heightPx)
 {
-    auto* marks = new QScatterSeries;
-    for (const Dot& dot : line.dots)
-        marks->append(dot.x, dot.y);
+    return ticksOf(axis, std::clamp(static_cast<int>(heightPx / kTickPx), 2, kMostTicks));
+}
+
+void paintMark(QPainter& painter, const QPointF& at, const Line& line, const QColor& colour, const Ink& ink)
+{
     const bool isHollow = line.mark == Mark::HollowDiamond;
-    marks->setMarkerShape(isHollow                    ? QScatterSeries::MarkerShapeRotatedRectangle
-                          : line.mark == Mark::Square ? QScatterSeries::MarkerShapeRectangle
-                                                      : QScatterSeries::MarkerShapeCircle);
-    marks->setMarkerSize(isHollow ? kMarkPx + 2.0 : kMarkPx);
-    marks->setColor(isHollow ? board.ink.ground : colour);
-    marks->setBorderColor(isHollow ? colour : board.ink.ground);
-    board.add(marks, legend);
+    const double radius = 0.5 * kMarkPx;
+    painter.setPen(QPen(isHollow ? colour : ink.ground, 1.0));
+    painter.setBrush(isHollow ? ink.ground : colour);
+    if (line.mark == Mark::Circle)
+        return painter.drawEllipse(at, radius, radius);
+    if (line.mark == Mark::Square)
+        return painter.drawRect(QRectF(at.x() - radius, at.y() - radius, kMarkPx, kMarkPx));
+    const int corners = line.mark == Mark::Triangle ? 3 : line.mark == Mark::Pentagon ? 5 : 4;
+    QPolygonF shape;
+    for (int k = 0; k < corners; ++k) {
+        const double angle = 2.0 * M_PI * k / corners;
+        shape << at + (radius + 1.2) * QPointF(std::sin(angle), -std::cos(angle));
+    }
+    painter.drawPolygon(shape);
 }
 
-void draw(const Curve& curve, Board& board)
+QPen penOf(const Limit& limit, const Ink& ink)
 {
-    const Frame frame{curve.x.low, curve.x.high, curve.y.low, curve.y.high};
-    if (!curve.band.slices.isEmpty()) {
-        QList<QPointF> low, middle, high;
-        QList<Slice> slices = curve.band.slices;
-        if (slices.size() == 1) {  // a place alone has no width to be seen by
-            slices << slices.front();
-            slices.front().x -= kAloneHalf;
-            slices.back().x += kAloneHalf;
-        }
-        for (const Slice& slice : slices) {
-            low << QPointF(slice.x, slice.low);
-            middle << QPointF(slice.x, slice.middle);
-            high << QPointF(slice.x, slice.high);
-        }
-        QColor edge = board.ink.quiet;
-        edge.setAlphaF(0.6F);
-        QAreaSeries* half = board.area(high, low, board.ink.band, QPen(edge, 0.8), curve.band.name);
-        for (QLegendMarker* marker : board.chart.legend()->markers(half)) {
-            marker->setPen(QPen(edge, 0.8));
-            marker->setBrush(board.ink.band);
-        }
-        board.line(middle, QPen(board.ink.quiet, 1.8, Qt::DashLine), curve.band.middleName);
-    }
-    addLimits(board, curve.limits, frame);
-    qsizetype strokes = 0;
-    for (const Line& line : curve.lines) {
-        const bool isPlain = line.mark == Mark::None || line.mark == Mark::Plain;
-        const bool isFirst = line.mark == Mark::Circle || isPlain;
-        const QColor colour = line.colour.isValid() ? line.colour : isFirst ? board.ink.first : board.ink.second;
-        if (line.isJoined && line.dots.size() > 1) {
-            QList<QPointF> points;
-            for (const Dot& dot : line.dots)
-                points << QPointF(dot.x, dot.y);
-            const Qt::PenStyle stroke = kStrokes.at(static_cast<std::size_t>(strokes) % kStrokes.size());
-            board.line(points, QPen(colour, kLinePx, stroke), isPlain ? line.name : QString());
-        }
-        // One of many of the same name is drawn as the others are.
-        const bool isLastOfName = line.name.isEmpty() || &line == &curve.lines.back() || (&line)[1].name != line.name;
-        if (line.isJoined && isLastOfName)
-            ++strokes;
-        if (!isPlain)
-            addMarks(board, line, colour, line.name);
-    }
+    return {ink.quiet, 1.4, limit.isUpright ? Qt::DashDotLine : Qt::DotLine};
 }
 
-void draw(const Bars& bars, Board& board)
+QColor colourOf(const Line& line, const Ink& ink)
 {
-    for (qsizetype k = 0; k < bars.bars.size(); ++k) {
-        const double y = -static_cast<double>(k);
-        const double value = bars.bars[k].value;
-        board.area({{0.0, y + 0.5 * kBarShare}, {value, y + 0.5 * kBarShare}},
-                   {{0.0, y - 0.5 * kBarShare}, {value, y - 0.5 * kBarShare}}, board.ink.first, Qt::NoPen, {});
-    }
+    const bool isSecond = line.mark == Mark::HollowDiamond || line.mark == Mark::Square;
+    return line.colour.isValid() ? line.colour : isSecond ? ink.second : ink.first;
 }
 
-void draw(const Histogram& histogram, Board& board)
+QPen penOf(const Line& line, const Ink& ink)
 {
-    for (const Histogram::Bin& bin : histogram.bins) {
-        const double gap = 0.04 * (bin.to - bin.from);
-        const double count = bin.count;
-        board.area({{bin.from + gap, count}, {bin.to - gap, count}}, {{bin.from + gap, 0.0}, {bin.to - gap, 0.0}},
-                   board.ink.first, Qt::NoPen, {});
-    }
-    addLimits(board, histogram.limits, {histogram.x.low, histogram.x.high, histogram.count.low, histogram.count.high});
+    return {colourOf(line, ink), line.widthPx, line.stroke};
 }
 
-void makeAxes(const Curve& curve, Board& board)
+QPen edgePen(const Ink& ink)
 {
-    board.x = axisOf(curve.x, board.ink, ticksAcross(curve.x, board.roomPx.width() - kUprightPx));
-    QAbstractAxis* y = axisOf(curve.y, board.ink, ticksFor(board.roomPx.height()));
-    // A mark on the edge, as of a score of 0, is seen whole.
-    const double spare = kEdgeShare * (curve.y.high - curve.y.low);
-    const auto hasMark = [&](double at) {
-        return std::any_of(curve.lines.begin(), curve.lines.end(), [&](const Line& line) {
-            return line.mark != Mark::None && std::any_of(line.dots.begin(), line.dots.end(),
-                                                          [&](const Dot& dot) { return std::abs(dot.y - at) < spare; });
-        });
+    QColor edge = ink.quiet;
+    edge.setAlphaF(0.6F);
+    return {edge, 0.8};
+}
+
+QPen middlePen(const Ink& ink)
+{
+    return {ink.quiet, 1.8, Qt::DashLine};
+}
+
+/// An entry of the key: what lines, marks and areas stand for.
+struct Entry
+{
+    QString name;
+    QPen pen{Qt::NoPen};              ///< of a line, or around an area
+    QBrush area{Qt::NoBrush};         ///< of a rectangle
+    Line marked{{}, {}, Mark::None};  ///< what has its mark upon the line
+};
+
+QList<Entry> entriesOf(const Chart& chart, const Ink& ink)
+{
+    QList<Entry> entries;
+    const auto addLimits = [&](const QList<Limit>& limits) {
+        for (const Limit& limit : limits)
+            entries << Entry{limit.name, penOf(limit, ink)};
     };
-    y->setRange(curve.y.low - (hasMark(curve.y.low) ? spare : 0.0),
-                curve.y.high + (hasMark(curve.y.high) ? spare : 0.0));
-    board.y = y;
-}
-
-void makeAxes(const Histogram& histogram, Board& board)
-{
-    board.x = axisOf(histogram.x, board.ink, ticksAcross(histogram.x, board.roomPx.width() - kUprightPx));
-    board.y = axisOf(histogram.count, board.ink, ticksFor(board.roomPx.height()));
-    board.x->setGridLineVisible(false);
-}
-
-/// Words in lines that are not wider, broken between words where that is possible.
-QStringList wrapped(const QString& words, double widthPx)
-{
-    QTextLayout layout(words, typeface(kSmall));
-    QTextOption option;
-    option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
-    layout.setTextOption(option);
-    QStringList lines;
-    layout.beginLayout();
-    for (QTextLine line = layout.createLine(); line.isValid(); line = layout.createLine()) {
-        line.setLineWidth(widthPx);
-        lines << words.mid(line.textStart(), line.textLength()).trimmed();
+    if (const auto* curve = std::get_if<Curve>(&chart.content)) {
+        if (!curve->band.slices.isEmpty())
+            entries << Entry{curve->band.name, edgePen(ink), ink.band} << Entry{curve->band.middleName, middlePen(ink)};
+        addLimits(curve->limits);
+        for (const Line& line : curve->lines)
+            entries << Entry{line.name, line.isJoined ? penOf(line, ink) : QPen(Qt::NoPen), Qt::NoBrush, line};
+    } else if (const auto* histogram = std::get_if<Histogram>(&chart.content)) {
+        addLimits(histogram->limits);
     }
-    layout.endLayout();
-    return lines;
+    return entries;
 }
 
-/// What is left out is left out in the middle, for names often begin alike; whole words where two of them have room.
-QString shortened(const QString& words, double widthPx)
+/// The key beneath a chart, in as many rows as it needs.
+class Key
 {
-    const QFontMetricsF metrics(typeface(kSmall));
-    const QString gap = QStringLiteral(" … ");
-    const QStringList all = words.split(u' ', Qt::SkipEmptyParts);
-    qsizetype first = 0;
-    qsizetype last = 0;
-    QString made;
-    const auto fits = [&](qsizetype ahead, qsizetype behind) {
-        const QString tried = all.mid(0, ahead).join(u' ') + gap + all.mid(all.size() - behind).join(u' ');
-        if (ahead + behind >= all.size() || metrics.horizontalAdvance(tried) > widthPx)
-            return false;
-        made = tried;
-        return true;
-    };
-    if (all.size() > 2 && fits(1, 1))
-        first = last = 1;
-    while (first > 0 && fits(first, last + 1))
-        ++last;
-    while (first > 0 && fits(first + 1, last))
-        ++first;
-    return made.isEmpty() ? metrics.elidedText(words, Qt::ElideMiddle, widthPx) : made;
-}
+public:
+    Key(const Chart& chart, double widthPx, const Ink& ink) : m_ink(ink), m_rowPx(metrics().height() + kSpace1)
+    {
+        double left = 0.0;
+        for (const Entry& entry : entriesOf(chart, ink)) {
+            const auto isSame = [&](const Placed& other) { return other.entry.name == entry.name; };
+            if (entry.name.isEmpty() || std::any_of(m_entries.begin(), m_entries.end(), isSame))
+                continue;
+            const double wide = kSignPx + kSpace1 + metrics().horizontalAdvance(entry.name);
+            if (left > 0.0 && left + wide > widthPx) {
+                left = 0.0;
+                ++m_rows;
+            }
+            m_entries << Placed{entry, QRectF(left, m_rows * m_rowPx, wide + kSpace4, m_rowPx)};
+            left += wide + kSpace4;
+        }
+    }
 
-/// In as many lines as a bar has room for, about as long as each other.
+    [[nodiscard]] double height() const { return m_entries.isEmpty() ? 0.0 : (m_rows + 1) * m_rowPx + kSpace1; }
+
+    void paint(QPainter& painter, const QPointF& corner) const
+    {
+        for (const Placed& placed : m_entries) {
+            const QRectF box = placed.box.translated(corner);
+            const QRectF sign(box.topLeft(), QSizeF(kSignPx, m_rowPx));
+            const Entry& entry = placed.entry;
+            painter.setPen(entry.pen);
+            painter.setBrush(entry.area);
+            if (entry.area.style() != Qt::NoBrush)
+                painter.drawRect(sign.adjusted(0.0, 3.0, 0.0, -3.0));
+            else if (entry.pen.style() != Qt::NoPen)
+                painter.drawLine(QPointF(sign.left(), sign.center().y()), QPointF(sign.right(), sign.center().y()));
+            if (entry.marked.mark != Mark::None && entry.marked.mark != Mark::Plain)
+                paintMark(painter, sign.center(), entry.marked, colourOf(entry.marked, m_ink), m_ink);
+            painter.setFont(typeface(kSmall));
+            painter.setPen(m_ink.words);
+            painter.drawText(box.adjusted(kSignPx + kSpace1, 0.0, 0.0, 0.0), Qt::AlignLeft | Qt::AlignVCenter,
+                             entry.name);
+        }
+    }
+
+private:
+    struct Placed
+    {
+        Entry entry;
+        QRectF box;
+    };
+
+    Ink m_ink;
+    QList<Placed> m_entries;
+    double m_rowPx;
+    int m_rows = 0;  ///< after the first
+};
+
+/// In as many lines as a bar has room for. What is left out is left out in the middle, for names often begin alike.
 QString folded(const QString& name, double widthPx, int most)
 {
-    constexpr double kStepPx = 6.0;
-    QStringList lines = wrapped(name, widthPx);
-    if (lines.size() > most) {
-        const QString rest = lines.mid(most - 1).join(u' ');
-        lines = lines.mid(0, most - 1) << shortened(rest, widthPx);
-    } else if (lines.size() > 1) {
-        for (double narrow = widthPx - kStepPx; narrow > 0.0; narrow -= kStepPx) {
-            const QStringList closer = wrapped(name, narrow);
-            if (closer.size() != lines.size() || closer.join(u' ') != name)  // a word would be broken
-                break;
-            lines = closer;
-        }
+    QStringList lines{QString()};
+    QTextBoundaryFinder places(QTextBoundaryFinder::Line, name);
+    for (auto from = places.position(); places.toNextBoundary() > 0; from = places.position()) {
+        const QString longer = lines.back() + name.mid(from, places.position() - from);
+        if (lines.back().isEmpty() || lines.size() == most || metrics().horizontalAdvance(longer.trimmed()) <= widthPx)
+            lines.back() = longer;
+        else
+            lines << name.mid(from, places.position() - from);
     }
+    for (QString& line : lines)
+        line = metrics().elidedText(line.trimmed(), Qt::ElideMiddle, widthPx);
     return lines.join(u'\n');
 }
 
-/// The names of bars stand where their axis has no labels: those of Qt are cut, and at the front, wherever they are
-/// wider than it thinks.
-void addNames(const Bars& bars, Board& board)
+/// What is beside the plot: labels and title of the upright axis, or names.
+double leftOf(const Chart& chart, const Axis& y, const QSizeF& roomPx)
 {
-    const double rowPx =
-        (board.roomPx.height() - kFootPx) / static_cast<double>(std::max(qsizetype{1}, bars.bars.size()));
-    const double linePx = QFontMetricsF(typeface(kSmall)).lineSpacing();
-    const int lines = std::clamp(static_cast<int>((rowPx - kNameEdgesPx) / linePx), 1, kNameLines);
-    QList<QGraphicsSimpleTextItem*> names;
-    double widest = 0.0;
-    for (const Bars::Bar& bar : bars.bars) {
-        const QString words = folded(bar.name, kNameShare * board.roomPx.width(), lines);
-        auto* name = new QGraphicsSimpleTextItem(words, &board.chart);
-        name->setFont(typeface(kSmall));
-        name->setBrush(board.ink.words);
-        widest = std::max(widest, name->boundingRect().width());
-        names << name;
+    if (const auto* bars = std::get_if<Bars>(&chart.content)) {
+        QStringList lines;
+        for (const QString& name : namesOf(*bars, roomPx))
+            lines << name.split(u'\n');
+        return widest(lines) + kNameGapPx;
     }
-    board.edges.setLeft(static_cast<int>(std::ceil(widest)));
-    QObject::connect(&board.chart, &QChart::plotAreaChanged, &board.chart, [names](const QRectF& plot) {
-        const double eachPx = plot.height() / static_cast<double>(names.size());
-        double middle = plot.top() + 0.5 * eachPx;
-        for (QGraphicsSimpleTextItem* name : names) {
-            const QRectF box = name->boundingRect();
-            name->setPos(plot.left() - kNameGapPx - box.width(), middle - 0.5 * box.height());
-            middle += eachPx;
-        }
-    });
+    if (const auto* map = std::get_if<Map>(&chart.content))
+        return widest(map->rows + QStringList(map->columnTitle)) + kNameGapPx;
+    return metrics().height() + kSpace1 + widest(wordsOf(ticksUp(y, roomPx.height()))) + kSpace1;
 }
 
-void makeAxes(const Bars& bars, Board& board)
+void drawGrid(QPainter& painter, const Plot& plot, const Axis& axis, const QList<Tick>& ticks, bool isLying,
+              const Ink& ink)
 {
-    const Frame frame = frameOf({{}, {}, {}, bars});
-    addNames(bars, board);
-    const double plotPx = board.roomPx.width() - board.edges.left() - 2.0 * kNameGapPx;
-    board.x = axisOf(bars.value, board.ink, ticksAcross(bars.value, plotPx));
-    board.y = axisOf({{}, frame.yLow, frame.yHigh}, board.ink);
-    board.y->setLabelsVisible(false);
-    board.y->setGridLineVisible(false);
+    const auto across = [&](double value) {
+        const QPointF at = plot.at(isLying ? value : plot.x.low, isLying ? plot.y.low : value);
+        if (isLying)
+            painter.drawLine(QPointF(at.x(), plot.px.top()), QPointF(at.x(), plot.px.bottom()));
+        else
+            painter.drawLine(QPointF(plot.px.left(), at.y()), QPointF(plot.px.right(), at.y()));
+    };
+    QColor faint = ink.grid;
+    faint.setAlphaF(0.5F);
+    painter.setPen(QPen(faint, 0.5));
+    if (axis.base == 10.0)
+        for (double decade = std::pow(10.0, std::floor(std::log10(axis.low))); decade < axis.high; decade *= 10.0)
+            for (int k = 2; k < 10; ++k)
+                if (k * decade >= axis.low && k * decade <= axis.high)
+                    across(k * decade);
+    painter.setPen(QPen(ink.grid, 1.0));
+    for (const Tick& tick : ticks)
+        across(tick.at);
+}
+
+void drawAxes(QPainter& painter, const Plot& plot, const Chart& chart, double roomPx, const Ink& ink)
+{
+    const bool isBars = std::holds_alternative<Bars>(chart.content);
+    const QList<Tick> lying = ticksAlong(plot.x, plot.px.width());
+    const QList<Tick> upright = isBars ? QList<Tick>() : ticksUp(plot.y, roomPx);
+    if (!std::holds_alternative<Histogram>(chart.content))
+        drawGrid(painter, plot, plot.x, lying, true, ink);
+    drawGrid(painter, plot, plot.y, upright, false, ink);
+    painter.setPen(QPen(ink.grid, 1.0));
+    painter.drawLine(plot.px.bottomLeft(), plot.px.bottomRight());
+    painter.drawLine(plot.px.topLeft(), plot.px.bottomLeft());
+    painter.setFont(typeface(kSmall));
+    painter.setPen(ink.quiet);
+    const double high = metrics().height();
+    for (const Tick& tick : lying) {
+        const double x = plot.at(tick.at, plot.y.low).x();
+        painter.drawText(QRectF(x - 200.0, plot.px.bottom() + kSpace1, 400.0, high), Qt::AlignHCenter, tick.words);
+    }
+    for (const Tick& tick : upright) {
+        const double y = plot.at(plot.x.low, tick.at).y();
+        painter.drawText(QRectF(plot.px.left() - 200.0 - kSpace1, y - 0.5 * high, 200.0, high),
+                         Qt::AlignRight | Qt::AlignVCenter, tick.words);
+    }
+    painter.drawText(QRectF(plot.px.left(), plot.px.bottom() + high + 2.0 * kSpace1, plot.px.width(), high),
+                     Qt::AlignHCenter, plot.x.title);
+    if (plot.y.title.isEmpty())
+        return;
+    painter.save();
+    painter.translate(plot.px.left() - widest(wordsOf(upright)) - 2.0 * kSpace1 - high, plot.px.center().y());
+    painter.rotate(-90.0);
+    painter.drawText(QRectF(-0.5 * plot.px.height(), 0.0, plot.px.height(), high), Qt::AlignCenter, plot.y.title);
+    painter.restore();
+}
+
+void drawLimits(QPainter& painter, const Plot& plot, const QList<Limit>& limits, const Ink& ink)
+{
+    for (const Limit& limit : limits) {
+        painter.setPen(penOf(limit, ink));
+        const QPointF at = plot.at(limit.isUpright ? limit.at : plot.x.low, limit.isUpright ? plot.y.low : limit.at);
+        if (limit.isUpright)
+            painter.drawLine(QPointF(at.x(), plot.px.top()), at);
+        else
+            painter.drawLine(at, QPointF(plot.px.right(), at.y()));
+    }
+}
+
+void drawBand(QPainter& painter, const Plot& plot, QList<Slice> slices, const Ink& ink)
+{
+    if (slices.isEmpty())
+        return;
+    if (slices.size() == 1) {  // a place alone has no width to be seen by
+        slices << slices.front();
+        slices.front().x -= kAloneHalf;
+        slices.back().x += kAloneHalf;
+    }
+    QPolygonF half, middle;
+    for (const Slice& slice : slices) {
+        half.prepend(plot.at(slice.x, slice.low));
+        half.append(plot.at(slice.x, slice.high));
+        middle << plot.at(slice.x, slice.middle);
+    }
+    painter.setPen(edgePen(ink));
+    painter.setBrush(ink.band);
+    painter.drawPolygon(half);
+    painter.setPen(middlePen(ink));
+    painter.drawPolyline(middle);
+}
+
+/// Beside each dot its note, where it covers least of the others and of the lines.
+void drawNotes(QPainter& painter, const Plot& plot, const Curve& curve, const Ink& ink)
+{
+    constexpr double kLineStepPx = 5.0;
+    constexpr double kFarCost = 20.0;  // px2 of something else covered, rather than farther by half a mark
+    const auto around = [](const QPointF& middle, double wide, double high) {
+        return QRectF(middle.x() - 0.5 * wide, middle.y() - 0.5 * high, wide, high);
+    };
+    const auto common = [](const QRectF& a, const QRectF& b) {
+        const QRectF both = a.intersected(b);
+        return both.width() * both.height();
+    };
+    QList<QRectF> taken;
+    for (const Limit& limit : curve.limits)
+        taken << (limit.isUpright
+                      ? QRectF(plot.at(limit.at, plot.y.low).x() - 1.0, plot.px.top(), 2.0, plot.px.height())
+                      : QRectF(plot.px.left(), plot.at(plot.x.low, limit.at).y() - 1.0, plot.px.width(), 2.0));
+    for (const Line& line : curve.lines)
+        for (qsizetype k = 0; k < line.dots.size(); ++k) {
+            const QPointF here = plot.at(line.dots[k].x, line.dots[k].y);
+            taken << around(here, kMarkPx, kMarkPx);
+            const Dot& before = line.dots[std::max(k - 1, qsizetype{0})];
+            const QLineF way(here, plot.at(before.x, before.y));
+            for (double along = 0.0; along < way.length(); along += kLineStepPx)
+                taken << around(way.pointAt(along / way.length()), kLineStepPx, kLineStepPx);
+        }
+    painter.setFont(typeface(kSmall));
+    for (const Line& line : curve.lines)
+        for (const Dot& dot : line.dots) {
+            if (dot.note.isEmpty())
+                continue;
+            const double wide = metrics().horizontalAdvance(dot.note);
+            const double high = metrics().ascent();
+            QRectF best;
+            double least = std::numeric_limits<double>::max();
+            for (const double far : {0.7, 1.2, 2.0})
+                for (const QPoint& to : {QPoint(1, 0), {1, -1}, {1, 1}, {-1, 0}, {-1, -1}, {-1, 1}, {0, -1}, {0, 1}}) {
+                    const QRectF box = around(plot.at(dot.x, dot.y) + QPointF(to.x() * (far * kMarkPx + 0.5 * wide),
+                                                                              to.y() * (far * kMarkPx + 0.4 * high)),
+                                              wide, high);
+                    double cost = kFarCost * far + wide * high - common(box, plot.px);
+                    for (const QRectF& other : taken)
+                        cost += common(box, other);
+                    if (cost < least) {
+                        least = cost;
+                        best = box;
+                    }
+                }
+            taken << best;
+            painter.setPen(colourOf(line, ink).darker(150));
+            painter.drawText(best.adjusted(-20.0, -4.0, 20.0, 4.0), Qt::AlignCenter, dot.note);
+        }
+}
+
+void drawContent(QPainter& painter, const Plot& plot, const Curve& curve, const QSizeF&, const Ink& ink)
+{
+    drawBand(painter, plot, curve.band.slices, ink);
+    drawLimits(painter, plot, curve.limits, ink);
+    for (const Line& line : curve.lines) {
+        QPolygonF points;
+        for (const Dot& dot : line.dots)
+            points << plot.at(dot.x, dot.y);
+        if (line.isJoined) {
+            painter.setPen(penOf(line, ink));
+            painter.drawPolyline(points);
+        }
+        if (line.mark != Mark::None && line.mark != Mark::Plain)
+            for (const QPointF& point : points)
+                paintMark(painter, point, line, colourOf(line, ink), ink);
+    }
+    drawNotes(painter, plot, curve, ink);
+}
+
+/// The names of bars stand where their axis has no labels.
+void drawContent(QPainter& painter, const Plot& plot, const Bars& bars, const QSizeF& roomPx, const Ink& ink)
+{
+    const QStringList names = namesOf(bars, roomPx);
+    const double rowPx = plot.px.height() / static_cast<double>(names.size());
+    for (qsizetype k = 0; k < names.size(); ++k) {
+        const double y = -static_cast<double>(k);
+        painter.fillRect(
+            QRectF(plot.at(plot.x.low, y + 0.5 * kBarShare), plot.at(bars.bars[k].value, y - 0.5 * kBarShare)),
+            ink.first);
+        const QRectF row(0.0, plot.px.top() + static_cast<double>(k) * rowPx, plot.px.left() - kNameGapPx, rowPx);
+        painter.setFont(typeface(kSmall));
+        painter.setPen(ink.words);
+        painter.drawText(row, Qt::AlignRight | Qt::AlignVCenter | Qt::TextDontClip, names[k]);
+    }
+}
+
+void drawContent(QPainter& painter, const Plot& plot, const Histogram& histogram, const QSizeF&, const Ink& ink)
+{
+    for (const Histogram::Bin& bin : histogram.bins) {
+        const double gap = 0.04 * (bin.to - bin.from);
+        painter.fillRect(QRectF(plot.at(bin.from + gap, bin.count), plot.at(bin.to - gap, 0.0)), ink.first);
+    }
+    drawLimits(painter, plot, histogram.limits, ink);
+}
+
+void drawContent(QPainter& painter, const Plot& plot, const Map& map, const QSizeF&, const Ink& ink)
+{
+    const auto columns = map.columns.size();
+    const double gapsPx = kGroupGapPx * static_cast<double>(map.groups.size() - 1);
+    const double wide = (plot.px.width() - gapsPx) / plot.x.high;
+    const double high = plot.px.height() / -plot.y.low;
+    const auto cellAt = [&](qsizetype row, qsizetype k) {
+        return QRectF(plot.px.left() + static_cast<double>(k) * wide + kGroupGapPx * static_cast<double>(k / columns),
+                      plot.px.top() + static_cast<double>(row) * high, wide, high);
+    };
+    const auto write = [&](const QRectF& box, int flags, const QString& words, const QColor& colour,
+                           QFont::Weight weight = QFont::Normal, int size = kSmall) {
+        painter.setFont(typeface(size, weight));
+        painter.setPen(colour);
+        painter.drawText(box, flags | Qt::AlignVCenter | Qt::TextDontClip, words);
+    };
+    const double line = metrics().height() + kSpace1;
+    const double besidePx = plot.px.left() - kNameGapPx;
+    write({0.0, plot.px.top() - line, besidePx, line}, Qt::AlignRight, map.columnTitle, ink.quiet);
+    for (qsizetype k = 0; k < map.groups.size() * columns; ++k) {
+        const QRectF head = cellAt(0, k).adjusted(0.0, -line, 0.0, -high);
+        write(head, Qt::AlignHCenter, map.columns[k % columns], ink.quiet);
+        if (k % columns == 0)
+            write(head.adjusted(0.0, -line, static_cast<double>(columns - 1) * wide, -line), Qt::AlignHCenter,
+                  map.groups[k / columns], ink.words, QFont::DemiBold);
+    }
+    for (qsizetype row = 0; row < map.rows.size(); ++row) {
+        write({0.0, cellAt(row, 0).top(), besidePx, high}, Qt::AlignRight, map.rows[row], ink.words);
+        for (qsizetype k = 0; k < map.cells[row].size(); ++k) {
+            const Map::Cell& cell = map.cells[row][k];
+            const QRectF box = cellAt(row, k).adjusted(1.0, 1.0, -1.0, -1.0);
+            painter.fillRect(box, cell.colour);
+            const bool isPale = contrast(Qt::black, cell.colour) > contrast(Qt::white, cell.colour);
+            const QColor colour = isPale ? Qt::black : Qt::white;
+            const bool isBoth = !cell.note.isEmpty() && !cell.letter.isEmpty();
+            const QRectF within = isBoth ? box.adjusted(1.5, 0.0, -1.5, 0.0) : box;
+            const int size = isBoth ? kNotePx : kSmall;
+            write(within, isBoth ? Qt::AlignLeft : Qt::AlignHCenter, cell.letter, colour, QFont::Bold, size);
+            write(within, isBoth ? Qt::AlignRight : Qt::AlignHCenter, cell.note, colour, QFont::Normal, size);
+        }
+    }
 }
 
 /// Words in a column, as high as they come out.
@@ -379,99 +535,6 @@ double paintWords(QPainter& painter, const QRectF& area, const QString& words, c
     QRectF used;
     painter.drawText(area, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, words, &used);
     return used.height() + 2.0;
-}
-
-/// What lines and marks stand for, in as many rows as they need: the legend of Qt Charts has one, and cuts their names.
-class Key final : public QGraphicsItem
-{
-public:
-    Key(QChart& chart, double widthPx, const Ink& ink) : QGraphicsItem(&chart), m_words(ink.words), m_widthPx(widthPx)
-    {
-        const QFontMetricsF metrics(typeface(kSmall));
-        m_rowPx = metrics.height() + kSpace1;
-        double left = 0.0;
-        for (QLegendMarker* marker : chart.legend()->markers()) {
-            if (marker->label().isEmpty() || isNamed(marker->label()))
-                continue;
-            const double wide = kSignPx + kSpace1 + metrics.horizontalAdvance(marker->label());
-            if (left > 0.0 && left + wide > widthPx) {
-                left = 0.0;
-                ++m_rows;
-            }
-            m_entries << Entry{marker, QPointF(left, m_rows * m_rowPx)};
-            left += wide + kSpace4;
-        }
-    }
-
-    [[nodiscard]] double height() const { return m_entries.isEmpty() ? 0.0 : (m_rows + 1) * m_rowPx + kSpace1; }
-    [[nodiscard]] QRectF boundingRect() const override { return {0.0, 0.0, m_widthPx, height()}; }
-
-    void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override
-    {
-        painter->setRenderHint(QPainter::Antialiasing);
-        for (const Entry& entry : m_entries) {
-            const QRectF sign(entry.at, QSizeF(kSignPx, m_rowPx));
-            paintSign(*painter, sign, *entry.marker);
-            painter->setFont(typeface(kSmall));
-            painter->setPen(m_words);
-            painter->drawText(QRectF(sign.right() + kSpace1, sign.top(), m_widthPx, m_rowPx),
-                              Qt::AlignLeft | Qt::AlignVCenter, entry.marker->label());
-        }
-    }
-
-private:
-    struct Entry
-    {
-        QLegendMarker* marker;
-        QPointF at;
-    };
-
-    [[nodiscard]] bool isNamed(const QString& label) const
-    {
-        return std::any_of(m_entries.begin(), m_entries.end(),
-                           [&](const Entry& entry) { return entry.marker->label() == label; });
-    }
-
-    static void paintSign(QPainter& painter, const QRectF& sign, QLegendMarker& marker)
-    {
-        const QPointF middle = sign.center();
-        if (const auto* marks = qobject_cast<QScatterSeries*>(marker.series())) {
-            painter.setPen(marks->borderColor());
-            painter.setBrush(marks->color());
-            const double half = 0.5 * marks->markerSize();
-            const QRectF box(middle - QPointF(half, half), QSizeF(2.0 * half, 2.0 * half));
-            if (marks->markerShape() == QScatterSeries::MarkerShapeRectangle)
-                painter.drawRect(box);
-            else if (marks->markerShape() == QScatterSeries::MarkerShapeRotatedRectangle)
-                painter.drawPolygon(QPolygonF{middle - QPointF(half, 0.0), middle - QPointF(0.0, half),
-                                              middle + QPointF(half, 0.0), middle + QPointF(0.0, half)});
-            else
-                painter.drawEllipse(box);
-        } else if (const auto* line = qobject_cast<QLineSeries*>(marker.series())) {
-            painter.setPen(line->pen());
-            painter.drawLine(QPointF(sign.left(), middle.y()), QPointF(sign.right(), middle.y()));
-        } else {
-            painter.setPen(marker.pen());
-            painter.setBrush(marker.brush());
-            painter.drawRect(sign.adjusted(0.0, 3.0, 0.0, -3.0));
-        }
-    }
-
-    static constexpr double kSignPx = 24.0;
-    QList<Entry> m_entries;
-    QColor m_words;
-    double m_widthPx;
-    double m_rowPx = 0.0;
-    int m_rows = 0;  ///< after the first
-};
-
-void addKey(Board& board)
-{
-    auto* key = new Key(board.chart, board.roomPx.width(), board.ink);
-    board.chart.legend()->hide();
-    board.edges.setBottom(static_cast<int>(std::ceil(key->height())));
-    QObject::connect(&board.chart, &QChart::plotAreaChanged, &board.chart,
-                     [key, &chart = board.chart] { key->setPos(0.0, chart.size().height() - key->height()); });
 }
 
 void paintPicture(QPainter& painter, const Chart& chart)
@@ -515,23 +578,16 @@ Ink paperInk()
             QColor(0xE2, 0xE2, 0xE2)};
 }
 
-int ticksFor(double heightPx)
-{
-    constexpr double kTickPx = 48.0;  // with its share of what title and legend take
-    return std::clamp(static_cast<int>(heightPx / kTickPx), 2, kMostTicks);
-}
-
 int rowsFor(const Chart& chart, const QSizeF& roomPx)
 {
     const auto* const bars = std::get_if<Bars>(&chart.content);
     if (bars == nullptr)
         return kFewestRows;
-    const QFontMetricsF metrics(typeface(kSmall));
     const bool isLong = std::any_of(bars->bars.begin(), bars->bars.end(), [&](const Bars::Bar& bar) {
-        return metrics.horizontalAdvance(bar.name) > kNameShare * roomPx.width();
+        return metrics().horizontalAdvance(bar.name) > kNameShare * roomPx.width();
     });
     const auto rows = [&](int lines) {
-        const double rowPx = lines * metrics.lineSpacing() + kNameEdgesPx;
+        const double rowPx = lines * metrics().lineSpacing() + kNameEdgesPx;
         return std::max(kFewestRows, static_cast<int>((roomPx.height() - kFootPx) / rowPx));
     };
     // A bar whose name is shortened tells more than none.
@@ -539,19 +595,54 @@ int rowsFor(const Chart& chart, const QSizeF& roomPx)
     return bars->bars.size() > loose && bars->bars.size() <= rows(1) ? rows(1) : loose;
 }
 
-void draw(const Chart& content, const Ink& ink, QChart& into, const QSizeF& roomPx)
+QStringList namesOf(const Bars& bars, const QSizeF& roomPx)
 {
-    into.setBackgroundVisible(false);
-    into.layout()->setContentsMargins(0, 0, 0, 0);
-    into.setLocalizeNumbers(true);
-    into.setLocale(QLocale());
-    Board board{into, ink, roomPx, {}};
-    std::visit([&](const auto& what) { makeAxes(what, board); }, content.content);
-    into.addAxis(board.x, Qt::AlignBottom);
-    into.addAxis(board.y, Qt::AlignLeft);
-    std::visit([&](const auto& what) { draw(what, board); }, content.content);
-    addKey(board);
-    into.setMargins(board.edges);
+    const double rowPx = (roomPx.height() - kFootPx) / static_cast<double>(std::max(qsizetype{1}, bars.bars.size()));
+    const int lines = std::clamp(static_cast<int>((rowPx - kNameEdgesPx) / metrics().lineSpacing()), 1, kNameLines);
+    QStringList names;
+    for (const Bars::Bar& bar : bars.bars)
+        names << folded(bar.name, kNameShare * roomPx.width(), lines);
+    return names;
+}
+
+QPointF Plot::at(double xValue, double yValue) const
+{
+    return {px.left() + px.width() * x.shareOf(xValue), px.bottom() - px.height() * y.shareOf(yValue)};
+}
+
+double Plot::xAt(double atPx) const
+{
+    return x.valueAt((atPx - px.left()) / px.width());
+}
+
+Plot plotOf(const Chart& chart, const QRectF& area)
+{
+    const auto [x, y] = axesOf(chart);
+    const double line = metrics().height() + kSpace1;
+    const double key = Key(chart, area.width(), paperInk()).height();
+    if (std::holds_alternative<Map>(chart.content))
+        return {area.adjusted(leftOf(chart, y, area.size()), 2.0 * line, 0.0, -key - kSpace2), x, y};
+    QRectF px = area.adjusted(leftOf(chart, y, area.size()), 0.5 * line, 0.0, -2.0 * line - kSpace1 - key);
+    // The last label stands half beyond the end of its axis.
+    const QList<Tick> ticks = ticksAlong(x, px.width());
+    if (!ticks.isEmpty())
+        px.adjust(0.0, 0.0, -0.5 * metrics().horizontalAdvance(ticks.back().words) * x.shareOf(ticks.back().at), 0.0);
+    return {px, x, y};
+}
+
+void draw(QPainter& painter, const QRectF& area, const Chart& chart, const Ink& ink)
+{
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.translate(area.topLeft());
+    const QRectF room(QPointF(0.0, 0.0), area.size());
+    const Plot plot = plotOf(chart, room);
+    if (!std::holds_alternative<Map>(chart.content))
+        drawAxes(painter, plot, chart, room.height(), ink);
+    std::visit([&](const auto& content) { drawContent(painter, plot, content, room.size(), ink); }, chart.content);
+    const Key key(chart, room.width(), ink);
+    key.paint(painter, QPointF(0.0, room.bottom() - key.height()));
+    painter.restore();
 }
 
 void paint(QPainter& painter, const QRectF& area, const Chart& chart, const Ink& ink)
@@ -562,21 +653,11 @@ void paint(QPainter& painter, const QRectF& area, const Chart& chart, const Ink&
                       typeface(kBody, QFont::DemiBold), ink.words);
     top += paintWords(painter, QRectF(area.left(), top, area.width(), area.height()), chart.note, typeface(kSmall),
                       ink.quiet);
-    const QRectF plot(area.left(), top, area.width(), area.bottom() - top);
-    if (stopsOf(chart).isEmpty()) {
-        paintWords(painter, plot, chart.emptyWords, typeface(kBody), ink.quiet);
-    } else {
-        QGraphicsScene scene;
-        auto* drawn = new QChart;
-        drawn->setAnimationOptions(QChart::NoAnimation);
-        scene.addItem(drawn);
-        draw(chart, ink, *drawn, plot.size());
-        drawn->resize(plot.size());
-        scene.setSceneRect(QRectF(QPointF(0.0, 0.0), plot.size()));
-        drawn->layout()->activate();
-        painter.setRenderHint(QPainter::Antialiasing);
-        scene.render(&painter, plot, scene.sceneRect());
-    }
+    const QRectF rest(area.left(), top, area.width(), area.bottom() - top);
+    if (stopsOf(chart).isEmpty())
+        paintWords(painter, rest, chart.emptyWords, typeface(kBody), ink.quiet);
+    else
+        draw(painter, rest, chart, ink);
     painter.restore();
 }
 
@@ -609,7 +690,8 @@ QByteArray svg(const Chart& chart)
     QPainter painter(&generator);
     paintPicture(painter, chart);
     painter.end();
-    return bytes;
+    // Whoever looks at the picture may not have our font.
+    return bytes.replace("font-family=\"Inter\"", "font-family=\"Inter, DejaVu Sans, Arial, sans-serif\"");
 }
 
 }  // namespace ui::charts

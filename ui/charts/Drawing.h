@@ -4,17 +4,17 @@
 #include <QByteArray>
 #include <QColor>
 #include <QPalette>
+#include <QPointF>
 #include <QRectF>
 #include <QSizeF>
 
 #include "ui/charts/Chart.h"
 
-class QChart;
 class QPainter;
 
 namespace ui::charts {
 
-/// The colours a chart is drawn in. Lines and areas differ by stroke, shape and hatching besides.
+/// The colours a chart is drawn in. Lines and areas differ by stroke and shape besides.
 struct Ink
 {
     QColor words;
@@ -30,15 +30,25 @@ struct Ink
 /// Black and greys on white.
 [[nodiscard]] Ink paperInk();
 
-inline constexpr int kMostTicks = 6;
-/// So many of the upright axis have room on a chart of this height.
-[[nodiscard]] int ticksFor(double heightPx);
 /// So many bars have room for their names, in two lines where one is not enough for one of them.
 [[nodiscard]] int rowsFor(const Chart& chart, const QSizeF& roomPx);
 
-/// Fills an empty chart with axes and series. Everything lies linearly between the ends of frameOf(chart).
-/// @param roomPx  what there is for axes, names of bars and the rest
-void draw(const Chart& content, const Ink& ink, QChart& into, const QSizeF& roomPx);
+/// The names of bars as they are written beside an axis of this height: folded, and shortened where they must be.
+[[nodiscard]] QStringList namesOf(const Bars& bars, const QSizeF& roomPx);
+
+/// Where values lie between the axes.
+struct Plot
+{
+    QRectF px;
+    Axis x;
+    Axis y;
+    [[nodiscard]] QPointF at(double xValue, double yValue) const;
+    [[nodiscard]] double xAt(double atPx) const;
+};
+[[nodiscard]] Plot plotOf(const Chart& chart, const QRectF& area);
+
+/// The chart alone, with its axes and its key.
+void draw(QPainter& painter, const QRectF& area, const Chart& chart, const Ink& ink);
 
 /// Title, chart and note. Needs a QApplication, and no window. Letters have the size they have on the screen when one
 /// unit of the painter is a pixel of it.

@@ -5,12 +5,16 @@
 
 #include <QCoreApplication>
 #include <QEvent>
+#include <QFileInfo>
 #include <QMenu>
+#include <QSaveFile>
 
-#include "ui/charts/ChartFile.h"
+#include "ui/charts/Drawing.h"
+#include "ui/charts/Table.h"
 #include "ui/shell/FileDialog.h"
 #include "ui/shell/Folders.h"
 #include "ui/shell/LineIcon.h"
+#include "ui/shell/SavedFile.h"
 #include "ui/text/EveryLanguage.h"
 
 namespace ui::charts {
@@ -25,6 +29,22 @@ struct SaveWords
 };
 
 }  // namespace
+
+Written writeChart(const Chart& chart, const QString& path)
+{
+    const QString ending = QFileInfo(path).suffix().toLower();
+    const QByteArray bytes = ending == QLatin1String("csv")   ? csv(tableOf(chart))
+                             : ending == QLatin1String("svg") ? svg(chart)
+                                                              : png(chart);
+    QSaveFile file(path);
+    const bool isDone =
+        openForOwner(file) && file.write(bytes) == bytes.size() && !bytes.isEmpty() && file.flush() && file.commit();
+    const QString name = QFileInfo(path).fileName();
+    return {isDone, isDone
+                        ? Words::tr("Saved: %1").arg(name)
+                        //: %2: the system's own words
+                        : Words::tr("%1 could not be written (%2). Try another folder.").arg(name, file.errorString())};
+}
 
 SaveButton::SaveButton(std::function<Chart()> chart, QWidget* parent) : QToolButton(parent), m_chart(std::move(chart))
 {
@@ -80,7 +100,7 @@ void SaveButton::askForFile(const QString& ending)
 bool SaveButton::save(const QString& path)
 {
     const Written written = writeChart(m_chart(), path);
-    emit told(written.told, written.isDone);
+    emit told(written.told);
     return written.isDone;
 }
 

@@ -9,6 +9,16 @@
 
 namespace ui::charts {
 
+/// What became of a file, as a sentence.
+struct Written
+{
+    bool isDone = false;
+    QString told;
+};
+
+/// Writes .png, .svg or .csv, by the name's ending. An older file survives any failure. Ui thread.
+[[nodiscard]] Written writeChart(const Chart& chart, const QString& path);
+
 /// Saves a chart as a picture, a drawing or a table: asks for the chart when it is needed, and for a file.
 class SaveButton : public QToolButton
 {
@@ -25,7 +35,7 @@ public:
 
 signals:
     /// What became of a file, as a sentence.
-    void told(const QString& sentence, bool isSaved);
+    void told(const QString& sentence);
 
 protected:
     void changeEvent(QEvent* event) override;

@@ -94,6 +94,12 @@ Table table(const Histogram& histogram)
     return made;
 }
 
+/// Maps are pictures for documents.
+Table table(const Map&)
+{
+    return {};
+}
+
 }  // namespace
 
 QByteArray csv(const Table& table)

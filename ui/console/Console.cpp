@@ -17,7 +17,7 @@
 #include <QScrollBar>
 #include <QVBoxLayout>
 
-#include "ui/charts/ChartFile.h"
+#include "ui/charts/SaveButton.h"
 #include "ui/console/ParameterWords.h"
 #include "ui/console/WatchPanel.h"
 #include "ui/shell/Folders.h"

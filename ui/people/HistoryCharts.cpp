@@ -232,7 +232,7 @@ Chart forceChart(const ChartedAttempts& attempts)
     curve.ofTitle = attempts.isOneLesson ? QString() : HistoryWords::tr("Lesson");
     curve.x = xAxis(attempts);
     Line mean{HistoryWords::tr("Mean"), {}, Mark::Circle, attempts.isOneLesson};
-    Line peak{HistoryWords::tr("Highest"), {}, Mark::Square, attempts.isOneLesson};
+    Line peak{HistoryWords::tr("Highest"), {}, Mark::Square, attempts.isOneLesson, {}, Qt::DashLine};
     each(attempts, [&](const AttemptRecord& record, double place, const QString& which) {
         const double meanN = 0.001 * record.meanForceMn;
         const double peakN = 0.001 * record.peakForceMn;

@@ -5,20 +5,11 @@
 #include <array>
 #include <cmath>
 
-#include <QChart>
-#include <QChartView>
 #include <QEvent>
-#include <QGraphicsLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLegend>
-#include <QLineSeries>
-#include <QLocale>
-#include <QMouseEvent>
-#include <QPainter>
 #include <QRegularExpression>
 #include <QVBoxLayout>
-#include <QValueAxis>
 
 #include "core/drilling/Feed.h"
 #include "ui/charts/SaveButton.h"
@@ -38,6 +29,7 @@ constexpr double kMostN = 2.0;
 constexpr double kToldN = 1.0;
 constexpr double kStepN = 0.1;  ///< of the arrow keys
 constexpr int kPoints = 80;
+constexpr int kRows = 20;  ///< of a table
 
 /// Pulp gives way at a touch: its line would only press the others flat.
 struct Line
@@ -45,13 +37,15 @@ struct Line
     Substance substance;
     QColor onLight;
     QColor onDark;
+    Qt::PenStyle inFiles;
 };
-/// After Okabe and Ito, each readable on its page; the figures tell them apart as well.
-const std::array<Line, 5> kLines{{{Substance::SoftCaries, "#8A4B00", "#E69F00"},
-                                  {Substance::FirmCaries, "#B5478A", "#CC79A7"},
-                                  {Substance::Plastic, "#5B6770", "#A9B4BC"},
-                                  {Substance::Dentin, "#00785A", "#2FBF98"},
-                                  {Substance::Enamel, "#0060A8", "#56B4E9"}}};
+/// After Okabe and Ito, each readable on its page. On the screen the figures tell them apart as well, in a file
+/// strokes.
+const std::array<Line, 5> kLines{{{Substance::SoftCaries, "#8A4B00", "#E69F00", Qt::SolidLine},
+                                  {Substance::FirmCaries, "#B5478A", "#CC79A7", Qt::DashLine},
+                                  {Substance::Plastic, "#5B6770", "#A9B4BC", Qt::DashDotLine},
+                                  {Substance::Dentin, "#00785A", "#2FBF98", Qt::DashDotDotLine},
+                                  {Substance::Enamel, "#0060A8", "#56B4E9", Qt::SolidLine}}};
 
 /// In one line, in any script: between Japanese signs a line breaks as it does at a space.
 QString unbroken(const QString& words)
@@ -65,20 +59,8 @@ QString unbroken(const QString& words)
 
 }  // namespace
 
-FeedChart::FeedChart(QWidget* parent)
-    : WalkedChart(kStepN, kMostN, parent), m_chart(new QChart), m_view(new QChartView(m_chart, this)),
-      m_words(new QLabel(this))
+FeedChart::FeedChart(QWidget* parent) : WalkedChart(parent), m_words(new QLabel(this))
 {
-    m_view->setRenderHint(QPainter::Antialiasing);
-    m_view->setFrameShape(QFrame::NoFrame);
-    m_view->setFocusPolicy(Qt::NoFocus);
-    m_view->viewport()->setMouseTracking(true);
-    m_view->viewport()->installEventFilter(this);
-    m_view->setBackgroundBrush(Qt::NoBrush);
-    m_view->setStyleSheet(QStringLiteral("background: transparent"));
-    m_chart->setMargins({0, 0, 0, 0});
-    m_chart->layout()->setContentsMargins(0, 0, 0, 0);
-    m_chart->setBackgroundVisible(false);
     m_words->setFont(shell::typeface(shell::kSmall));
     m_words->setTextFormat(Qt::RichText);
     m_words->setWordWrap(true);
@@ -91,7 +73,7 @@ FeedChart::FeedChart(QWidget* parent)
     });
     auto* row = new QHBoxLayout;  // beside the curves, which rise to the corner
     row->setSpacing(0);
-    row->addWidget(m_view, 1);
+    row->addWidget(view(), 1);
     row->addWidget(save, 0, Qt::AlignTop);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(shell::kSpace1, shell::kSpace1, shell::kSpace1, shell::kSpace1);
@@ -100,8 +82,6 @@ FeedChart::FeedChart(QWidget* parent)
     column->addWidget(m_words);
     text::inEveryLanguage(this, [this] {
         setAccessibleName(tr("Feed over force"));
-        m_view->setAccessibleName(accessibleName());
-        m_view->viewport()->setAccessibleName(accessibleName());
         draw();
     });
 }
@@ -152,95 +132,55 @@ QString FeedChart::words(double newtons) const
            parts.join(QStringLiteral(" · "));
 }
 
-charts::Line FeedChart::lineOf(const FeelPreset& preset, Substance substance, const QColor& colour,
-                               const QString& name) const
+charts::Line FeedChart::lineOf(const FeelPreset& preset, Substance substance, int points) const
 {
-    charts::Line line{name, {}, charts::Mark::Plain, true, colour};
-    for (int k = 0; k <= std::lround(kMostN / kStepN); ++k) {
-        const double newtons = kStepN * k;
-        line.dots << charts::Dot{newtons, feed(preset, substance, newtons), words(newtons)};
+    charts::Line line{substanceName(substance), {}, charts::Mark::Plain};
+    for (int k = 0; k <= points; ++k) {
+        const double newtons = kMostN * k / points;
+        line.dots << charts::Dot{newtons, feed(preset, substance, newtons), {}};
     }
     return line;
 }
 
-charts::Chart FeedChart::chart() const
+/// @param isShown  on the screen, where the figures below name the lines
+charts::Chart FeedChart::chart(bool isShown) const
 {
     charts::Curve curve;
     curve.x = {tr("Force, N"), 0.0, kMostN};
+    const bool isOnDark = isShown && shell::isDark(palette());
+    const int points = isShown ? kPoints : kRows;
     double most = 0.5;
-    for (const Line& line : kLines) {
-        const QString name = substanceName(line.substance);
-        curve.lines << lineOf(m_preset, line.substance, line.onLight, name);
-        if (differsIn(line.substance))
-            //: %1 is a material; its line is that of the preset before it was changed
-            curve.lines << lineOf(m_was, line.substance, line.onLight, tr("%1, as it was kept").arg(name));
+    for (const Line& one : kLines) {
+        charts::Line line = lineOf(m_preset, one.substance, points);
+        line.colour = isOnDark ? one.onDark : one.onLight;
+        line.stroke = isShown ? Qt::SolidLine : one.inFiles;
+        curve.lines << line;
+        if (!differsIn(one.substance))
+            continue;
+        line.dots = lineOf(m_was, one.substance, points).dots;
+        //: %1 is a material; its line is that of the preset before it was changed
+        line.name = tr("%1, as it was kept").arg(line.name);
+        line.colour.setAlphaF(0.6F);
+        line.stroke = isShown ? Qt::DashLine : Qt::DotLine;
+        line.widthPx = 1.4;
+        curve.lines << line;
     }
-    for (const charts::Line& line : curve.lines)
+    for (charts::Line& line : curve.lines) {
         most = std::max(most, line.dots.back().y);
-    curve.y = {tr("Feed, mm/s"), 0.0, charts::roundEnd(most)};
+        if (isShown)
+            line.name.clear();
+    }
+    curve.y = {tr("Feed, mm/s"), 0.0, 5.0 * charts::roundEnd(most / 5.0)};
     return {tr("Feed over force"), {}, {}, curve, QString::fromStdString(m_preset.name)};
 }
 
 void FeedChart::draw()
 {
-    m_chart->removeAllSeries();
-    m_chart->setLocalizeNumbers(true);
-    m_chart->setLocale(QLocale());
-    for (QAbstractAxis* axis : m_chart->axes()) {
-        m_chart->removeAxis(axis);
-        delete axis;
-    }
-    const QPalette& p = palette();
-    const bool dark = shell::isDark(p);
-    double most = 0.5;
-    for (const Line& line : kLines)
-        for (const FeelPreset* preset : {&m_preset, &m_was})
-            most = std::max(most, feed(*preset, line.substance, kMostN));
-    const auto axis = [&](double high, const QString& title, Qt::Alignment side, const QString& format) {
-        auto* made = new QValueAxis;
-        made->setRange(0.0, high);
-        made->setTitleText(title);
-        made->setLabelFormat(format);
-        made->setTickCount(5);
-        made->setLabelsFont(shell::typeface(shell::kSmall));
-        made->setTitleFont(shell::typeface(shell::kSmall));
-        made->setLabelsColor(p.color(QPalette::PlaceholderText));
-        made->setTitleBrush(p.color(QPalette::PlaceholderText));
-        made->setLinePenColor(p.color(QPalette::Mid));
-        made->setGridLineColor(p.color(QPalette::Mid));
-        m_chart->addAxis(made, side);
-        return made;
-    };
-    auto* force = axis(kMostN, tr("Force, N"), Qt::AlignBottom, QStringLiteral("%.1f"));
-    auto* pace = axis(most, tr("Feed, mm/s"), Qt::AlignLeft, QStringLiteral("%.0f"));
-    if (most > 4.0)
-        pace->applyNiceNumbers();
-    else
-        pace->setLabelFormat(QStringLiteral("%.1f"));
-    m_chart->legend()->hide();  // the figures below name the lines
-    const auto put = [&](const FeelPreset& preset, const Line& line, const QPen& pen) {
-        auto* series = new QLineSeries;
-        for (int k = 0; k <= kPoints; ++k) {
-            const double newtons = kMostN * k / kPoints;
-            series->append(newtons, feed(preset, line.substance, newtons));
-        }
-        series->setPen(pen);
-        m_chart->addSeries(series);
-        series->attachAxis(force);
-        series->attachAxis(pace);
-    };
-    for (const Line& line : kLines) {
-        const QColor colour = dark ? line.onDark : line.onLight;
-        QColor faint = colour;
-        faint.setAlphaF(0.6F);
-        if (differsIn(line.substance))
-            put(m_was, line, QPen(faint, 1.4, Qt::DashLine));
-        put(m_preset, line, QPen(colour, 2.2));
-    }
-    point(kToldN);
+    setDrawn(chart(true));
+    tell(kToldN);
 }
 
-void FeedChart::point(double newtons)
+void FeedChart::tell(double newtons)
 {
     m_toldN = newtons;
     setAccessibleDescription(words(newtons));
@@ -248,10 +188,15 @@ void FeedChart::point(double newtons)
     say(tr("Straight down with %1 N").arg(text::number(newtons, 1)));
 }
 
-void FeedChart::walkTo(double newtons)
+void FeedChart::walk(charts::Step step)
 {
-    point(std::clamp(kStepN * std::round(newtons / kStepN), 0.0, kMostN));
+    tell(stepped(step, m_toldN, kStepN, kMostN));
     shell::announce(*this);
+}
+
+void FeedChart::point(std::optional<QPointF> at)
+{
+    tell(at ? std::clamp(plot().xAt(at->x()), 0.0, kMostN) : kToldN);
 }
 
 /// Each figure with the colour of its line.
@@ -275,19 +220,6 @@ void FeedChart::changeEvent(QEvent* event)
     WalkedChart::changeEvent(event);
     if (event->type() == QEvent::PaletteChange)
         draw();
-}
-
-bool FeedChart::eventFilter(QObject* watched, QEvent* event)
-{
-    if (event->type() == QEvent::MouseMove && !m_chart->series().isEmpty()) {
-        const auto* mouse = static_cast<QMouseEvent*>(event);
-        const QPointF at =
-            m_chart->mapToValue(m_chart->mapFromScene(m_view->mapToScene(mouse->pos())), m_chart->series().constLast());
-        point(std::clamp(at.x(), 0.0, kMostN));
-    } else if (event->type() == QEvent::Leave && !hasFocus()) {
-        point(kToldN);
-    }
-    return WalkedChart::eventFilter(watched, event);
 }
 
 }  // namespace ui::presets

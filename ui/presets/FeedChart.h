@@ -5,8 +5,6 @@
 #include "ui/charts/Chart.h"
 #include "ui/charts/WalkedChart.h"
 
-class QChart;
-class QChartView;
 class QLabel;
 
 namespace ui::presets {
@@ -27,29 +25,27 @@ public:
     /// "At 1.0 N: enamel 0.8 mm/s, ...".
     [[nodiscard]] QString words(double newtons) const;
     /// As it is saved: every curve by its material.
-    [[nodiscard]] charts::Chart chart() const;
+    [[nodiscard]] charts::Chart chart() const { return chart(false); }
     [[nodiscard]] QSize minimumSizeHint() const override { return {300, 200}; }
 
 protected:
-    [[nodiscard]] double told() const override { return m_toldN; }
-    void walkTo(double newtons) override;
+    void walk(charts::Step step) override;
+    void point(std::optional<QPointF> at) override;
     void changeEvent(QEvent* event) override;
-    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void draw();
-    void point(double newtons);
+    void tell(double newtons);
+    [[nodiscard]] charts::Chart chart(bool isShown) const;
     /// A sentence, and below it the figures at the force that is told.
     void say(const QString& sentence);
     [[nodiscard]] charts::Line lineOf(const core::settings::FeelPreset& preset, core::settings::Substance substance,
-                                      const QColor& colour, const QString& name) const;
+                                      int points) const;
     [[nodiscard]] bool differsIn(core::settings::Substance substance) const;
     [[nodiscard]] QString figure(core::settings::Substance substance, double newtons) const;
     [[nodiscard]] double feed(const core::settings::FeelPreset& preset, core::settings::Substance substance,
                               double newtons) const;
 
-    QChart* m_chart;
-    QChartView* m_view;
     QLabel* m_words;
     core::settings::FeelPreset m_preset;
     core::settings::FeelPreset m_was;

@@ -5,9 +5,6 @@
 #include "ui/charts/WalkedChart.h"
 #include "ui/study/ToleranceSweep.h"
 
-class QChart;
-class QChartView;
-
 namespace ui::charts {
 class SaveButton;
 }
@@ -15,8 +12,8 @@ class SaveButton;
 namespace ui::study {
 
 /// Scores of past attempts over the tolerance, 0 to 3 times what the rubric says: a line for each attempt, or the
-/// median and the middle half where they are many; how many pass, dashed, at the right axis. Says the figures under the
-/// pointer, or where the arrow keys have got to, and can be saved.
+/// median and the quartiles where they are many; dashed, how many percent pass. Says the figures under the pointer, or
+/// where the arrow keys have got to, and can be saved.
 class SweepChart : public charts::WalkedChart
 {
     Q_OBJECT
@@ -25,7 +22,7 @@ public:
     void setSweep(const Sweep& sweep);
     /// What is chosen with the pointer, in words: "At 1.5 times the tolerance 7 of 12 pass; median 78.4".
     [[nodiscard]] QString words(double times) const;
-    /// As it is saved: how many pass in percent, for there is one upright axis.
+    /// As it is saved: in the colours of a light page.
     [[nodiscard]] charts::Chart chart() const;
     [[nodiscard]] QSize minimumSizeHint() const override { return {280, 180}; }
 
@@ -36,17 +33,14 @@ signals:
     void saved(const QString& sentence);
 
 protected:
-    [[nodiscard]] double told() const override { return m_toldTimes; }
-    void walkTo(double times) override;
+    void walk(charts::Step step) override;
+    void point(std::optional<QPointF> at) override;
     void changeEvent(QEvent* event) override;
-    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    void draw();
+    [[nodiscard]] charts::Chart chartIn(const QPalette& palette) const;
     [[nodiscard]] QList<charts::Line> attemptLines() const;
 
-    QChart* m_chart;
-    QChartView* m_view;
     charts::SaveButton* m_save = nullptr;
     Sweep m_sweep;
     double m_toldTimes = 1.0;  ///< by the keys

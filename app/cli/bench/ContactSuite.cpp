@@ -75,22 +75,21 @@ void addAverages(Figures& figures, const Contestant& method, const Averages& ave
         }
 }
 
-Chart chartOf(Ground ground, const std::vector<Averages>& averages)
+NamedChart chartOf(Ground ground, const std::vector<Averages>& averages)
 {
     const bool smooth = ground == Ground::Smooth;
-    CurveChart curves;
-    curves.x = {QStringLiteral("thread CPU time of contact in a tick, 99th percentile (us)"), 1.0, 2000.0, 10.0};
-    curves.y = {QStringLiteral("error of the anchor, rms (um)"), smooth ? 0.1 : 1.0, smooth ? 1000.0 : 10'000.0, 10.0};
-    curves.limits = {{QStringLiteral("just noticeable: 0.1 N at 2 N/mm"), kNoticedUm, false},
-                     {QStringLiteral("1 ms: the whole tick"), 1000.0, true}};
-    curves.goodCorner = QStringLiteral("better than can be felt, and in time");
+    ui::charts::Curve curves;
+    curves.x = {QStringLiteral("thread CPU time of contact in a tick, 99th percentile (us)"), 1.0, 2000.0};
+    curves.y = {QStringLiteral("error of the anchor, rms (um)"), smooth ? 0.1 : 1.0, smooth ? 1000.0 : 10'000.0};
+    curves.x.base = curves.y.base = 10.0;
+    curves.limits = {{kNoticedUm, false, QStringLiteral("just noticeable: 0.1 N at 2 N/mm")},
+                     {1000.0, true, QStringLiteral("1 ms: the whole tick")}};
     for (std::size_t k = 0; k < contactMethods().size(); ++k) {
-        Curve curve{contactMethods()[k]->text(), contactMethods()[k]->look, {}, {}};
-        for (const auto& [side, grounds] : averages[k]) {
-            curve.points << QPointF(grounds.at(ground).p99Us(), grounds.at(ground).rmsUm());
-            curve.notes << QString::number(lab::kBlockExtentMm / side, 'g', 2);
-        }
-        curves.curves << curve;
+        ui::charts::Line line = lineOf(contactMethods()[k]->text(), contactMethods()[k]->look);
+        for (const auto& [side, grounds] : averages[k])
+            line.dots << pointAt(grounds.at(ground).p99Us(), grounds.at(ground).rmsUm(),
+                                 QString::number(lab::kBlockExtentMm / side, 'g', 2));
+        curves.lines << line;
     }
     const QString where =
         smooth ? QStringLiteral(
@@ -100,10 +99,11 @@ Chart chartOf(Ground ground, const std::vector<Averages>& averages)
                      "Wall, pit corner and steps of 0.07, 0.2 and 0.5 mm, hand at 2 to 100 mm/s: root mean square over "
                      "5 families.");
     return {QStringLiteral("contact-") + nameOf(ground),
-            QStringLiteral("Error of the anchor against time a tick: ") +
-                (smooth ? QStringLiteral("smooth ground") : QStringLiteral("walls and steps")),
-            where + QStringLiteral("\nRound bur No. 2, without cutting. Beside a marker: the cell of the grid, mm."),
-            curves};
+            {QStringLiteral("Error of the anchor against time a tick: ") +
+                 (smooth ? QStringLiteral("smooth ground") : QStringLiteral("walls and steps")),
+             where + QStringLiteral("\nRound bur No. 2, without cutting. Beside a marker: the cell of the grid, mm."),
+             {},
+             curves}};
 }
 
 }  // namespace

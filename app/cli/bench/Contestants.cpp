@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/bench/Contestants.h"
 
+#include <array>
 #include <vector>
 
 #include "core/contact/ContactMethod.h"
@@ -22,6 +23,30 @@ std::vector<Contestant> everyone()
 }
 
 }  // namespace
+
+ui::charts::Line lineOf(const QString& name, LookIndex look)
+{
+    using ui::charts::Line;
+    using ui::charts::Mark;
+    // Colours: Okabe & Ito 2008, but for their yellow, which is too pale for a line on white.
+    static const std::array<Line, 5> looks{{
+        {{}, {}, Mark::Circle, true, QColor(0x00, 0x72, 0xB2), Qt::SolidLine},
+        {{}, {}, Mark::Square, true, QColor(0xD5, 0x5E, 0x00), Qt::DashLine},
+        {{}, {}, Mark::Triangle, true, QColor(0x00, 0x9E, 0x73), Qt::DotLine},
+        {{}, {}, Mark::Diamond, true, QColor(0xCC, 0x79, 0xA7), Qt::DashDotLine},
+        {{}, {}, Mark::Pentagon, true, QColor(0xE6, 0x9F, 0x00), Qt::DashDotDotLine},
+    }};
+    Line line = looks[static_cast<std::size_t>(look) % looks.size()];
+    line.name = name;
+    return line;
+}
+
+ui::charts::Dot pointAt(double x, double y, const QString& note)
+{
+    ui::charts::Dot dot{x, y, note};
+    dot.note = note;
+    return dot;
+}
 
 QString Contestant::key() const
 {

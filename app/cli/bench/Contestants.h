@@ -6,10 +6,19 @@
 
 #include <QString>
 
-#include "app/cli/bench/charts/Chart.h"
 #include "core/session/ServoTick.h"
+#include "ui/charts/Chart.h"
 
 namespace app::cli::bench {
+
+/// Which colour, mark and stroke a method has: the same in every chart.
+using LookIndex = int;
+
+/// A line that is told from those of other looks by mark and stroke as well.
+[[nodiscard]] ui::charts::Line lineOf(const QString& name, LookIndex look);
+
+/// A point with what is written beside it.
+[[nodiscard]] ui::charts::Dot pointAt(double x, double y, const QString& note);
 
 /// Someone who is measured: a servo with its settings.
 struct Contestant

@@ -174,14 +174,19 @@ core::Result<Figures> tickSuite(const Context& context)
     Figures figures;
     int done = 0;
     const auto steps = static_cast<int>(contactMethods().size() - 1 + 4 * kSides.size());
-    CurveChart chart;
+    ui::charts::Curve chart;
     chart.x = {QStringLiteral("columns a side of the grid"), -0.3, 3.3};
     for (const int side : kSides)
         chart.x.labels << QString::number(side);
-    chart.y = {QStringLiteral("thread CPU time of a tick, 99th percentile (us)"), 1.0, 2000.0, 10.0};
-    chart.limits = {{QStringLiteral("asked for without cutting at 150"), kContactUs, false},
-                    {QStringLiteral("asked for with cutting at 150"), kCuttingUs, false},
-                    {QStringLiteral("asked for with cutting at 1024"), kFinestUs, false}};
+    chart.y = {QStringLiteral("thread CPU time of a tick, 99th percentile (us)"), 1.0, 2000.0};
+    chart.y.base = 10.0;
+    const auto limit = [&](const char* asked, double us) {
+        chart.limits << ui::charts::Limit{us, false,
+                                          QStringLiteral("asked for %1: %2 us").arg(QLatin1String(asked)).arg(us)};
+    };
+    limit("without cutting at 150", kContactUs);
+    limit("with cutting at 150", kCuttingUs);
+    limit("with cutting at 1024", kFinestUs);
     const auto add = [&](const QString& key, const QString& what, const haptics::TickTimes& times, double reachUs) {
         addPercentiles(figures, QStringLiteral("tick_") + key, what, times,
                        reachUs > 0.0 ? QStringLiteral("under %1").arg(reachUs) : QString());
@@ -212,7 +217,7 @@ core::Result<Figures> tickSuite(const Context& context)
                                 QLatin1String(beneath ? "_overhang" : "");
             const QString what = QLatin1String(drill ? "cutting" : "contact") +
                                  QLatin1String(beneath ? " beneath the crown, bur 2" : ", bur 330");
-            Curve curve{what, static_cast<LookIndex>(chart.curves.size()), {}, {}};
+            ui::charts::Line line = lineOf(what, static_cast<LookIndex>(chart.lines.size()));
             for (std::size_t k = 0; k < kSides.size(); ++k) {
                 const int side = kSides[k];
                 context.progress(QStringLiteral("%1, grid %2").arg(what).arg(side), done++, steps);
@@ -225,18 +230,20 @@ core::Result<Figures> tickSuite(const Context& context)
                                                       : 0.0;
                 add(QStringLiteral("%1_%2").arg(key).arg(side), QStringLiteral("%1, grid %2").arg(what).arg(side),
                     *run->tickTimes, reachUs);
-                curve.points << QPointF(static_cast<double>(k), run->tickTimes->percentileUs(0.99));
-                curve.notes << QString::number(curve.points.last().y(), 'f', curve.points.last().y() < 10.0 ? 1 : 0);
+                const double us = run->tickTimes->percentileUs(0.99);
+                line.dots << pointAt(static_cast<double>(k), us, QString::number(us, 'f', us < 10.0 ? 1 : 0));
             }
-            chart.curves << curve;
+            chart.lines << line;
         }
     }
     context.show(
-        {QStringLiteral("tick"), QStringLiteral("Time of a servo tick against the grid"),
-         QStringLiteral(
-             "Contact, and contact with cutting. Bur 330 strokes the crown of a generated 36 with 1 N; bur 2 goes "
-             "round it beneath its widest line, 0.3 mm inside.\nHalf a microsecond of each is the clock."),
-         chart});
+        {QStringLiteral("tick"),
+         {QStringLiteral("Time of a servo tick against the grid"),
+          QStringLiteral(
+              "Contact, and contact with cutting. Bur 330 strokes the crown of a generated 36 with 1 N; bur 2 goes "
+              "round it beneath its widest line, 0.3 mm inside.\nHalf a microsecond of each is the clock."),
+          {},
+          chart}});
     return figures;
 }
 

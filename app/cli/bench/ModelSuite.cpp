@@ -2,6 +2,7 @@
 #include <array>
 #include <numeric>
 
+#include "app/cli/bench/Contestants.h"
 #include "app/cli/bench/Suites.h"
 #include "core/drilling/Bur.h"
 #include "core/teeth/ToothBuilder.h"
@@ -46,20 +47,24 @@ double sumOf(const lab::ModelCost& cost)
 }
 
 /// Both charts have the error along y.
-Chart chartOf(const QString& name, const QString& title, const Axis& x, const QList<Curve>& curves)
+NamedChart chartOf(const QString& name, const QString& title, const ui::charts::Axis& x,
+                   const QList<ui::charts::Line>& lines)
 {
-    CurveChart content;
+    ui::charts::Curve content;
     content.x = x;
-    content.y = {QStringLiteral("volume removed, off by (% rms of 8 slots)"), 0.01, 10.0, 10.0};
-    content.curves = curves;
+    content.y = {QStringLiteral("volume removed, off by (% rms of 8 slots)"), 0.01, 10.0};
+    content.x.base = content.y.base = 10.0;
+    content.lines = lines;
     if (x.high > 1000.0)
-        content.limits = {{QStringLiteral("1 ms: the whole tick"), 1000.0, true}};
-    return {name, title,
-            QStringLiteral(
-                "Generated tooth 36, root and all; straight fissure bur No. 57 mills slots 1 to 3 mm deep. Truth: "
-                "the height stack at grid 1024.\nBeside a marker: the cell, mm. Stack: anchor search and drill as "
-                "shipped. Voxels: one count of what is in the bur, and removal."),
-            content};
+        content.limits = {{1000.0, true, QStringLiteral("1 ms: the whole tick")}};
+    return {name,
+            {title,
+             QStringLiteral(
+                 "Generated tooth 36, root and all; straight fissure bur No. 57 mills slots 1 to 3 mm deep. Truth: "
+                 "the height stack at grid 1024.\nBeside a marker: the cell, mm. Stack: anchor search and drill as "
+                 "shipped. Voxels: one count of what is in the bur, and removal."),
+             {},
+             content}};
 }
 
 /// What a height map takes although the bur was not there: the material over a wide head with a narrow neck.
@@ -91,10 +96,10 @@ core::Result<Figures> modelSuite(const Context& context)
     const lab::ModelCost truth = lab::millHeightStack(*finest, *bur);
 
     Figures figures;
-    QList<Curve> bySize;
+    QList<ui::charts::Line> bySize;
     for (const Model& model : kModels)
-        bySize << Curve{QLatin1String(model.name), model.look, {}, {}};
-    QList<Curve> byTime = bySize;
+        bySize << lineOf(QLatin1String(model.name), model.look);
+    QList<ui::charts::Line> byTime = bySize;
     for (std::size_t step = 0; step < kSides.size(); ++step) {
         const int side = kSides[step];
         context.progress(QStringLiteral("grid %1").arg(side), 1 + static_cast<int>(step), kSteps);
@@ -122,10 +127,9 @@ core::Result<Figures> modelSuite(const Context& context)
             add("p99_us", p99, "us");
             add("volume_percent", errorPercent, "%");
             const auto at = static_cast<qsizetype>(k);
-            bySize[at].points << QPointF(mb, errorPercent);
-            byTime[at].points << QPointF(p99, errorPercent);
-            for (Curve* curve : {&bySize[at], &byTime[at]})
-                curve->notes << QString::number((*tooth)->grid.cellMm, 'g', 2);
+            const QString note = QString::number((*tooth)->grid.cellMm, 'g', 2);
+            bySize[at].dots << pointAt(mb, errorPercent, note);
+            byTime[at].dots << pointAt(p99, errorPercent, note);
         }
     }
     context.progress(QStringLiteral("undercuts"), kSteps - 1, kSteps);
@@ -133,10 +137,10 @@ core::Result<Figures> modelSuite(const Context& context)
         if (const core::Status added = addUndercut(figures, name); !added)
             return tl::unexpected(added.error());
     context.show(chartOf(QStringLiteral("model-size"), QStringLiteral("Model size: height stack and dense voxels"),
-                         {QStringLiteral("size of the tooth, cut and uncut (MB)"), 0.1, 1000.0, 10.0}, bySize));
+                         {QStringLiteral("size of the tooth, cut and uncut (MB)"), 0.1, 1000.0}, bySize));
     context.show(chartOf(
         QStringLiteral("model-time"), QStringLiteral("Time a tick while cutting: height stack and dense voxels"),
-        {QStringLiteral("thread CPU time of contact and removal in a tick, 99th percentile (us)"), 1.0, 2000.0, 10.0},
+        {QStringLiteral("thread CPU time of contact and removal in a tick, 99th percentile (us)"), 1.0, 2000.0},
         byTime));
     return figures;
 }

@@ -22,26 +22,27 @@ QString figure(double um)
 }
 
 /// Both charts have the rate along x.
-Chart chartOf(const QString& name, const QString& title, const Axis& y, const std::vector<Averages>& averages,
-              double (ContactAverage::*value)() const)
+NamedChart chartOf(const QString& name, const QString& title, const ui::charts::Axis& y,
+                   const std::vector<Averages>& averages, double (ContactAverage::*value)() const)
 {
-    CurveChart curves;
-    curves.x = {QStringLiteral("rate of the servo (kHz)"), 0.22, 4.6, 2.0};
+    ui::charts::Curve curves;
+    curves.x = {QStringLiteral("rate of the servo (kHz)"), 0.22, 4.6};
+    curves.x.base = 2.0;
     curves.y = y;
-    curves.limits = {{QStringLiteral("just noticeable: 0.1 N at 2 N/mm"), kNoticedUm, false}};
+    curves.limits = {{kNoticedUm, false, QStringLiteral("just noticeable: 0.1 N at 2 N/mm")}};
     for (std::size_t k = 0; k < contactMethods().size(); ++k) {
-        Curve curve{contactMethods()[k]->text(), contactMethods()[k]->look, {}, {}};
-        for (const auto& [rate, average] : averages[k]) {
-            curve.points << QPointF(0.001 * rate, (average.*value)());
-            curve.notes << figure((average.*value)());
-        }
-        curves.curves << curve;
+        ui::charts::Line line = lineOf(contactMethods()[k]->text(), contactMethods()[k]->look);
+        for (const auto& [rate, average] : averages[k])
+            line.dots << pointAt(0.001 * rate, (average.*value)(), figure((average.*value)()));
+        curves.lines << line;
     }
-    return {name, title,
-            QStringLiteral("Planes at 0 to 75 degrees, fossa, cusp and V grooves, hand at 20 to 300 mm/s: mean of 13 "
-                           "families, each counting the same.\nRound bur No. 2, grid 150 (cell 0.07 mm), without "
-                           "cutting."),
-            curves};
+    return {name,
+            {title,
+             QStringLiteral("Planes at 0 to 75 degrees, fossa, cusp and V grooves, hand at 20 to 300 mm/s: mean of 13 "
+                            "families, each counting the same.\nRound bur No. 2, grid 150 (cell 0.07 mm), without "
+                            "cutting."),
+             {},
+             curves}};
 }
 
 }  // namespace
@@ -81,11 +82,11 @@ core::Result<Figures> rateSuite(const Context& context)
         }
     context.show(chartOf(QStringLiteral("rate-error"),
                          QStringLiteral("Error of the anchor against the rate of the servo: smooth ground"),
-                         {QStringLiteral("error of the anchor, rms (um)"), 0.1, 1000.0, 10.0}, averages,
+                         {QStringLiteral("error of the anchor, rms (um)"), 0.1, 1000.0, false, false, 10.0}, averages,
                          &ContactAverage::rmsUm));
     context.show(chartOf(
         QStringLiteral("rate-lag"), QStringLiteral("Lag of the anchor against the rate of the servo: smooth ground"),
-        {QStringLiteral("behind on its way, mean (um)"), -12.0, 350.0, 0.0, 50.0}, averages, &ContactAverage::lagUm));
+        {QStringLiteral("behind on its way, mean (um)"), -12.0, 350.0}, averages, &ContactAverage::lagUm));
     return figures;
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <functional>
 #include <map>
+#include <numeric>
 
 #include "app/cli/bench/Contestants.h"
 #include "app/cli/bench/InParallel.h"
@@ -113,27 +114,29 @@ constexpr std::array<Sign, 6> kSigns{{
     {lab::Outcome::Diverges, "D", "#A33A00"},
 }};
 
-MapChart::Cell cellOf(const Tally& tally)
+const Sign& worstOf(const Tally& tally)
 {
-    MapChart::Cell cell;
-    int trials = 0;
-    for (std::size_t k = 0; k < kSigns.size(); ++k) {
-        const int found = tally[static_cast<std::size_t>(kSigns[k].outcome)];
-        trials += found;
-        if (found > 0)
-            cell.finding = static_cast<int>(k);
-    }
-    if (tally[0] < trials)
-        cell.note = QStringLiteral("%1/%2").arg(tally[0]).arg(trials);
-    return cell;
+    const Sign* worst = &kSigns.front();
+    for (const Sign& sign : kSigns)
+        if (tally[static_cast<std::size_t>(sign.outcome)] > 0)
+            worst = &sign;
+    return *worst;
 }
 
-Chart chartOf(const std::vector<Trials>& all)
+ui::charts::Map::Cell cellOf(const Tally& tally)
 {
-    MapChart map;
+    const Sign& worst = worstOf(tally);
+    const int trials = std::accumulate(tally.begin(), tally.end(), 0);
+    return {QColor(QLatin1String(worst.colour)), QLatin1String(worst.letter),
+            tally[0] < trials ? QStringLiteral("%1/%2").arg(tally[0]).arg(trials) : QString()};
+}
+
+NamedChart chartOf(const std::vector<Trials>& all)
+{
+    ui::charts::Map map;
+    QStringList signs;
     for (const Sign& sign : kSigns)
-        map.findings << MapChart::Finding{QLatin1String(sign.letter), QLatin1String(sign.colour),
-                                          latin(lab::nameOf(sign.outcome))};
+        signs << QStringLiteral("%1 %2").arg(QLatin1String(sign.letter), latin(lab::nameOf(sign.outcome)));
     for (const Contestant& one : contestants())
         map.groups << one.text();
     for (const int delayMs : kDelaysMs)
@@ -154,19 +157,22 @@ Chart chartOf(const std::vector<Trials>& all)
         add(tallies[row][group * kDelaysMs.size() + column], tallyOf(trials, kShipped));
     }
     for (const std::vector<Tally>& row : tallies) {
-        QList<MapChart::Cell> cells;
+        QList<ui::charts::Map::Cell> cells;
         for (const Tally& tally : row)
             cells << cellOf(tally);
         map.cells << cells;
     }
-    return {QStringLiteral("stability"), QStringLiteral("Where loops fail: scene by method and delay"),
-            QStringLiteral(
-                "Simulated Falcon at 1 kHz, spring of %1 N/mm; a light, a medium and a firm hand, all variants of "
-                "a scene. In a cell: the worst\nthat became of a trial, and unless it is all, how many come to rest or "
-                "follow "
-                "the hand without a tremble that can be felt.")
-                .arg(kStiffnessNPerMm[kShipped]),
-            map};
+    return {
+        QStringLiteral("stability"),
+        {QStringLiteral("Where loops fail: scene by method and delay"),
+         QStringLiteral(
+             "Simulated Falcon at 1 kHz, spring of %1 N/mm; a light, a medium and a firm hand, all variants of "
+             "a scene. In a cell: the worst\nthat became of a trial, and unless it is all, how many come to rest or "
+             "follow the hand without a tremble that can be felt.\n%2.")
+             .arg(kStiffnessNPerMm[kShipped])
+             .arg(signs.join(QStringLiteral(", "))),
+         {},
+         map}};
 }
 
 }  // namespace
@@ -200,8 +206,7 @@ core::Result<Figures> stabilitySuite(const Context& context)
         figures << Figure{key + QStringLiteral("holds"), what + QStringLiteral("of 12 hold"),
                           static_cast<double>(every[0]), QString(), told(trials, every)}
                 << Figure{key + QStringLiteral("shipped_holds"), what + QStringLiteral("of 3 at the shipped spring"),
-                          static_cast<double>(shipped[0]), QString(),
-                          latin(lab::nameOf(kSigns[static_cast<std::size_t>(cellOf(shipped).finding)].outcome))};
+                          static_cast<double>(shipped[0]), QString(), latin(lab::nameOf(worstOf(shipped).outcome))};
     }
     context.show(chartOf(all));
     return figures;

@@ -62,7 +62,7 @@ void addRatios(Figures& figures, const std::vector<Cell>& cells)
     }
 }
 
-/// Above a bar.
+/// In a cell of the chart.
 QString noteOf(double nPerMm)
 {
     if (nPerMm >= lab::kStiffestNPerMm)
@@ -70,37 +70,44 @@ QString noteOf(double nPerMm)
     return QString::number(nPerMm, 'f', nPerMm < 9.95 ? 1 : 0);
 }
 
-Chart chartOf(const std::vector<Cell>& cells)
+/// How the chart colours stiffness.
+struct Shade
 {
-    BarChart bars;
-    bars.valueTitle = QStringLiteral("N/mm");
-    bars.most = 1.2 * lab::kStiffestNPerMm;
-    bars.interval = 10.0;
-    bars.groupTitle = QStringLiteral("delay from a sample to its force at the motor (ms)");
+    double fromNPerMm;
+    const char* colour;
+};
+constexpr std::array<Shade, 5> kShades{
+    {{0.0, "#F5E6A3"}, {3.0, "#DDEDEA"}, {6.0, "#A9D3CD"}, {12.0, "#5AA39A"}, {24.0, "#1F6F68"}}};
+
+NamedChart chartOf(const std::vector<Cell>& cells)
+{
+    ui::charts::Map map;
+    map.columnTitle = QStringLiteral("delay, ms");
     for (const int delayMs : kDelaysMs)
-        bars.groups << QString::number(delayMs);
-    for (const haptics::HandFigures& hand : haptics::kHands) {
-        BarChart::Panel panel;
-        for (const Contestant& one : contestants()) {
-            BarChart::Bars method{one.text(), one.look, {}, {}};
-            for (const Cell& cell : cells)
-                if (cell.contestant == &one && cell.hand == &hand) {
-                    panel.title = QStringLiteral("%1 hand").arg(cell.handName());
-                    method.values << cell.nPerMm;
-                    method.notes << noteOf(cell.nPerMm);
-                }
-            panel.bars << method;
-        }
-        bars.panels << panel;
+        map.columns << QString::number(delayMs);
+    for (const Contestant& one : contestants()) {
+        map.rows << one.text();
+        QList<ui::charts::Map::Cell> row;
+        for (const Cell& cell : cells)
+            if (cell.contestant == &one) {
+                const auto above = std::find_if(kShades.begin(), kShades.end(),
+                                                [&](const Shade& shade) { return shade.fromNPerMm > cell.nPerMm; });
+                row << ui::charts::Map::Cell{QColor(QLatin1String(std::prev(above)->colour)), {}, noteOf(cell.nPerMm)};
+                if (map.rows.size() == 1 && cell.delayMs == kDelaysMs.front())
+                    map.groups << QStringLiteral("%1 hand").arg(cell.handName());
+            }
+        map.cells << row;
     }
-    return {QStringLiteral("stiffness"), QStringLiteral("K_max: the stiffest wall that comes to rest, N/mm"),
-            QStringLiteral(
-                "Simulated Falcon at 1 kHz; the hand throws the bur at a flat tooth with 50 mm/s and leans on it "
-                "with 2 N; at rest: moves\nless than 0.15 mm in the last 0.5 s of 2 s. %2+: even the stiffest "
-                "that was tried. Shipped: %1 N/mm.")
-                .arg(core::contact::ForceSettings().stiffnessNPerMm)
-                .arg(lab::kStiffestNPerMm),
-            bars};
+    return {QStringLiteral("stiffness"),
+            {QStringLiteral("K_max: the stiffest wall that comes to rest, N/mm"),
+             QStringLiteral(
+                 "Simulated Falcon at 1 kHz; the hand throws the bur at a flat tooth with 50 mm/s and leans on it "
+                 "with 2 N; at rest: moves\nless than 0.15 mm in the last 0.5 s of 2 s. %2+: even the stiffest "
+                 "that was tried. Shipped: %1 N/mm. Delay: from a sample to its force at the motor.")
+                 .arg(core::contact::ForceSettings().stiffnessNPerMm)
+                 .arg(lab::kStiffestNPerMm),
+             {},
+             map}};
 }
 
 }  // namespace

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/bench/SuiteFiles.h"
 
+#include <QApplication>
 #include <QJsonArray>
 #include <QJsonDocument>
 
 #include "app/cli/bench/Circumstances.h"
-#include "app/cli/bench/charts/Sheet.h"
 #include "core/base/WholeFile.h"
+#include "ui/charts/Drawing.h"
+#include "ui/shell/Theme.h"
 
 namespace app::cli::bench {
 namespace {
@@ -21,7 +23,8 @@ QByteArray csvOf(const Figures& figures)
     return csv;
 }
 
-QByteArray jsonOf(const QString& suite, const Figures& figures, const QList<Chart>& charts, const Circumstances& now)
+QByteArray jsonOf(const QString& suite, const Figures& figures, const QList<NamedChart>& charts,
+                  const Circumstances& now)
 {
     QJsonArray rows;
     for (const Figure& figure : figures)
@@ -31,7 +34,7 @@ QByteArray jsonOf(const QString& suite, const Figures& figures, const QList<Char
                                 {QStringLiteral("unit"), figure.unit},
                                 {QStringLiteral("reach"), figure.reach}});
     QJsonArray names;
-    for (const Chart& chart : charts)
+    for (const NamedChart& chart : charts)
         names.append(chart.name);
     QJsonObject all = now.json();
     all[QStringLiteral("suite")] = suite;
@@ -43,7 +46,7 @@ QByteArray jsonOf(const QString& suite, const Figures& figures, const QList<Char
 }  // namespace
 
 core::Result<QStringList> writeFiles(const QDir& folder, const QString& suite, const Figures& figures,
-                                     const QList<Chart>& charts)
+                                     const QList<NamedChart>& charts)
 {
     QStringList written;
     core::Status status;
@@ -56,10 +59,12 @@ core::Result<QStringList> writeFiles(const QDir& folder, const QString& suite, c
     const QString stem = QStringLiteral("bench-%1.%2");
     write(stem.arg(suite, QStringLiteral("csv")), csvOf(figures));
     write(stem.arg(suite, QStringLiteral("json")), jsonOf(suite, figures, charts, now));
-    for (const Chart& chart : charts) {
-        const Pictures pictures = draw(chart, now.line());
-        write(stem.arg(chart.name, QStringLiteral("svg")), pictures.svg);
-        write(stem.arg(chart.name, QStringLiteral("png")), pictures.png);
+    ui::shell::applyTheme(*qApp, ui::shell::ThemeChoice::Light);  // for its letters
+    for (const auto& [chartName, chart] : charts) {
+        ui::charts::Chart dated = chart;
+        dated.note += u'\n' + now.line();
+        write(stem.arg(chartName, QStringLiteral("svg")), ui::charts::svg(dated));
+        write(stem.arg(chartName, QStringLiteral("png")), ui::charts::png(dated));
     }
     if (!status)
         return tl::unexpected(status.error());

@@ -11,6 +11,6 @@ namespace app::cli::bench {
 /// Writes bench-SUITE.csv and bench-SUITE.json and, for each chart, bench-CHART.svg and bench-CHART.png.
 /// @return the names of the files, in that order
 [[nodiscard]] core::Result<QStringList> writeFiles(const QDir& folder, const QString& suite, const Figures& figures,
-                                                   const QList<Chart>& charts);
+                                                   const QList<NamedChart>& charts);
 
 }  // namespace app::cli::bench

@@ -7,8 +7,8 @@
 #include <QString>
 #include <QStringList>
 
-#include "app/cli/bench/charts/Chart.h"
 #include "core/base/Result.h"
+#include "ui/charts/Chart.h"
 
 /// What `cusp bench` measures: one function a suite.
 namespace app::cli::bench {
@@ -24,6 +24,13 @@ struct Figure
 };
 using Figures = QList<Figure>;
 
+/// A chart and the name of its files, after "bench-": "contact-ground".
+struct NamedChart
+{
+    QString name;
+    ui::charts::Chart chart;
+};
+
 /// What a suite needs from the command line, and where it tells how far it is.
 struct Context
 {
@@ -32,7 +39,7 @@ struct Context
     /// What is being measured now, and how many steps of how many are behind.
     std::function<void(const QString& what, int done, int of)> progress;
     /// Takes a picture of what was measured.
-    std::function<void(const Chart&)> show;
+    std::function<void(const NamedChart&)> show;
 };
 
 /// Volume of solids at the standard grid against closed form.

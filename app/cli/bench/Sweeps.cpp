@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "app/cli/bench/Contestants.h"
 #include "core/drilling/Bur.h"
 #include "lab/Block.h"
 #include "lab/SweepVolume.h"
@@ -27,18 +28,20 @@ QLatin1String latin(std::string_view text)
 void addSweeps(Figures& figures, const Context& context, int steps)
 {
     const auto burs = core::drilling::burs();
-    CurveChart chart;
+    ui::charts::Curve chart;
     chart.x = {QStringLiteral("columns a side of the grid over 10.5 mm, and their cell"), -0.2, 3.2};
     for (const int side : kSides)
         chart.x.labels << QStringLiteral("%1: %2 mm").arg(side).arg(lab::kBlockExtentMm / side, 0, 'g', 2);
-    chart.y = {QStringLiteral("volume removed, off closed form by (%)"), 0.001, 20.0, 10.0};
-    chart.limits = {{QStringLiteral("asked for at grid 150, on the average"), kReachPercent, false}};
+    chart.y = {QStringLiteral("volume removed, off closed form by (%)"), 0.001, 20.0};
+    chart.y.base = 10.0;
+    chart.limits = {{kReachPercent, false, QStringLiteral("asked for at grid 150, on the average")}};
     for (std::size_t bur = 0; bur < burs.size(); ++bur)
-        chart.curves << Curve{QStringLiteral("bur ") + latin(burs[bur].id), static_cast<LookIndex>(bur), {}, {}};
-    Curve mean{QStringLiteral("mean of 32, any bur"), kMeanLook, {}, {}};
+        chart.lines << lineOf(QStringLiteral("bur ") + latin(burs[bur].id), static_cast<LookIndex>(bur));
+    ui::charts::Line mean = lineOf(QStringLiteral("mean of 32, any bur"), kMeanLook);
+    const auto point = [](double x, double y) { return pointAt(x, y, QString::number(y, 'g', 2)); };
     int done = 0;
     for (const int side : kSides) {
-        const auto place = static_cast<double>(chart.curves.front().points.size());
+        const auto place = static_cast<double>(chart.lines.front().dots.size());
         double farthestMean = 0.0;
         for (std::size_t bur = 0; bur < burs.size(); ++bur) {
             double worst = 0.0;
@@ -64,20 +67,19 @@ void addSweeps(Figures& figures, const Context& context, int steps)
                 worst = std::max(worst, errors.worstPercent);
                 farthestMean = std::max(farthestMean, std::abs(errors.volumePercent));
             }
-            chart.curves[static_cast<qsizetype>(bur)].points << QPointF(place, worst);
+            chart.lines[static_cast<qsizetype>(bur)].dots << point(place, worst);
         }
-        mean.points << QPointF(place, farthestMean);
+        mean.dots << point(place, farthestMean);
     }
-    chart.curves << mean;
-    for (Curve& curve : chart.curves)
-        for (const QPointF& point : curve.points)
-            curve.notes << QString::number(point.y(), 'g', 2);
+    chart.lines << mean;
     context.show(
-        {QStringLiteral("cutting"), QStringLiteral("Volume error of a cut against the grid"),
-         QStringLiteral("Trench 3 mm long, half circle of 1.2 mm, plunge; 0.4 mm deep, in 32 lies of the lattice. "
-                        "Bur: the worst single lie of\nthe worst of the three. Mean: the farthest off of any "
-                        "bur's and sweep's averages over the lies."),
-         chart});
+        {QStringLiteral("cutting"),
+         {QStringLiteral("Volume error of a cut against the grid"),
+          QStringLiteral("Trench 3 mm long, half circle of 1.2 mm, plunge; 0.4 mm deep, in 32 lies of the lattice. "
+                         "Bur: the worst single lie of\nthe worst of the three. Mean: the farthest off of any "
+                         "bur's and sweep's averages over the lies."),
+          {},
+          chart}});
 }
 
 }  // namespace app::cli::bench
