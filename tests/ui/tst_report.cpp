@@ -207,27 +207,18 @@ class TestReport : public QObject
 private slots:
     void noFileIsOpenedToAskForAPrinter();
     void initTestCase();
-    void aScoreCardSaysEverything();
-    void anInstructorsScoreIsSignedAndTheMachinesStays();
-    void whatTheScreenSaysIsOnPaper();
+    void reportsSayWhatTheScreenSays_data();
+    void reportsSayWhatTheScreenSays();
     void onePageHoldsAShortCard();
-    void whatIsNotKeptSaysSo();
     void everyWordIsOfTheLanguage_data();
     void everyWordIsOfTheLanguage();
-    void whoIsLateIsNamed();
-    void whoHasNoAttemptsLeftIsNamed();
     void aCommentsPlaceIsNumberedInThePicture();
     void theMatrixHasItsTitleOnEveryPage();
-    void headsOfLessonsAreNotCutInTheMiddleOfAWord();
-    void aNameThatIsTooLongKeepsItsSign();
     void pagesAreFilledAndNotOverfull_data();
     void pagesAreFilledAndNotOverfull();
     void paperIsWhiteInTheDarkThemeToo();
-    void aClassReportNamesWhoNeedsTheTeacher();
-    void nothingIsToldOfFourPeople();
     void aPdfIsWritten_data();
     void aPdfIsWritten();
-    void whatCannotBeWrittenIsTold();
 
 private:
     ScoreCard m_card;
@@ -240,57 +231,89 @@ void TestReport::initTestCase()
     m_card = scoreCard();
 }
 
-void TestReport::aScoreCardSaysEverything()
+void TestReport::reportsSayWhatTheScreenSays_data()
 {
-    const QString words = wordsOf(m_card, kA4);
-    QStringList expected{"Class I on 36",
-                         "Ada Lovelace",
-                         kCode,
-                         "Cusp 0.1.0",
-                         "natural v4",
-                         "Device: mouse, pen or gamepad; contact: spring",
-                         "256 columns",
-                         "seed: 42",
-                         "Here you pressed too hard.",
-                         "at 1:42 of the replay",
-                         "undercuts",
-                         "90.0 points",
-                         QString::fromStdString(m_card.sheet.rubricHash.substr(0, 16)),
-                         QString(16, 'b')};
+    QTest::addColumn<QString>("words");
+    QTest::addColumn<QStringList>("says");
+    QTest::addColumn<QStringList>("saysNot");
     QVERIFY(!m_card.sheet.criteria.empty());
-    for (const QString& part : expected)
-        QVERIFY2(words.contains(part), qPrintable(part + " in " + words));
-}
-
-void TestReport::anInstructorsScoreIsSignedAndTheMachinesStays()
-{
+    QTest::newRow("card") << wordsOf(m_card, kA4)
+                          << QStringList{"Class I on 36",
+                                         "Ada Lovelace",
+                                         kCode,
+                                         "Cusp 0.1.0",
+                                         "natural v4",
+                                         "Device: mouse, pen or gamepad; contact: spring",
+                                         "256 columns",
+                                         "seed: 42",
+                                         "Here you pressed too hard.",
+                                         "at 1:42 of the replay",
+                                         "undercuts",
+                                         "90.0 points",
+                                         QString::fromStdString(m_card.sheet.rubricHash.substr(0, 16)),
+                                         QString(16, 'b')}
+                          << QStringList();
     ScoreCard card = m_card;
     card.attempt.scoreTenths = 684;
     card.attempt.givenTenths = 801;
     card.talk.overrides.push_back({"Grace Hopper", "2026-11-20T11:30:00Z", 801, "The wall is fine by hand."});
-    const QString words = wordsOf(card, kA4);
-    for (const char* part : {"80.1 of 100 points", "machine's score: 68.4", "Grace Hopper", "The wall is fine by hand.",
-                             "The machine's score: 100.0"})
-        QVERIFY2(words.contains(part), part);
-}
-
-void TestReport::whatTheScreenSaysIsOnPaper()
-{
-    ScoreCard card = m_card;
-    core::grading::Process process;
-    process.totalS = 133.0;
-    card.work->measured.process = process;
+    QTest::newRow("another score was given")
+        << wordsOf(card, kA4)
+        << QStringList{"80.1 of 100 points", "machine's score: 68.4", "Grace Hopper", "The wall is fine by hand.",
+                       "The machine's score: 100.0"}
+        << QStringList();
+    card = m_card;
+    card.work->measured.process.emplace().totalS = 133.0;
     card.work->aids = core::session::kSectionAid | core::session::kIdealAid;
     card.work->infractions = {{core::grading::Breach::BurInAir, 37000, 37.4, {}, 0, 20}};
     card.sheet.criteria.front().critical = true;
     card.sheet.criteria.front().share = 1.0;
-    const QString words = wordsOf(card, kA4);
-    for (const QString& part :
-         {ui::study::ScorePage::verdictWords(card.sheet, {}), QString("Not passed: harm done"),
-          QString("1 breach(es) of the rules: "), QString(" at 0:37"), QString("Aids in use: section, ideal"),
-          QString("Middle half"), QString("Class median"), QString("Pass mark"), QString("Not passed")})
+    QTest::newRow("harm, aids and a breach") << wordsOf(card, kA4)
+                                             << QStringList{ui::study::ScorePage::verdictWords(card.sheet, {}),
+                                                            "Not passed: harm done",
+                                                            "1 breach(es) of the rules: ",
+                                                            " at 0:37",
+                                                            "Aids in use: section, ideal",
+                                                            "Middle half",
+                                                            "Class median",
+                                                            "Pass mark",
+                                                            "Not passed"}
+                                             << QStringList{"..."};
+    card = m_card;
+    card.proof.auditCode.clear();
+    card.attempt.recordingHash.clear();
+    QTest::newRow("not kept") << wordsOf(card, kA4) << QStringList{"there is no audit code", "recording –"}
+                              << QStringList{"Audit code:"};
+    QTest::newRow("class") << wordsOf(classReport(23, 5), kA4)
+                           << QStringList{"Class: DEN101-A",
+                                          "Grace Hopper",
+                                          kCode,
+                                          "Never logged in",
+                                          "Stuck (",
+                                          "20 of 23 passed",
+                                          "Learning curve",
+                                          "version 3, content aaaaaaaaaaaaaaaa"}
+                           << QStringList();
+    QTest::newRow("four people") << wordsOf(classReport(4, 3), kA4) << QStringList{"5 people"}
+                                 << QStringList{"of 4 passed"};
+    ClassReport report = classReport(6, 3);
+    report.overview.cells[4][0] = {3, 600, false, "2026-11-18T08:00:00Z"};
+    report.given = {{1, report.overview.id, "lesson-0", "2026-11-19T22:59:59Z", 3}};
+    QTest::newRow("late, and no attempts left")
+        << wordsOf(report, kA4)
+        << QStringList{"Late: a lesson is overdue", "No attempts left at a lesson that is not passed: Student 1005"}
+        << QStringList();
+}
+
+void TestReport::reportsSayWhatTheScreenSays()
+{
+    QFETCH(QString, words);
+    QFETCH(QStringList, says);
+    QFETCH(QStringList, saysNot);
+    for (const QString& part : says)
         QVERIFY2(words.contains(part), qPrintable(part + " in " + words));
-    QVERIFY2(!words.contains("..."), qPrintable(words));
+    for (const QString& part : saysNot)
+        QVERIFY2(!words.contains(part), qPrintable(part + " in " + words));
 }
 
 /// Pictures give way rather than send a few lines to a second page.
@@ -302,16 +325,6 @@ void TestReport::onePageHoldsAShortCard()
         card.sheet.criteria.pop_back();
     for (const QSizeF& paper : {kA4, kLetter})
         QCOMPARE(pagesOf(card, paper).size(), 1);
-}
-
-void TestReport::whatIsNotKeptSaysSo()
-{
-    ScoreCard card = m_card;
-    card.proof.auditCode.clear();
-    card.attempt.recordingHash.clear();
-    const QString words = wordsOf(card, kA4);
-    QVERIFY2(words.contains("there is no audit code") && !words.contains("Audit code:"), qPrintable(words));
-    QVERIFY2(words.contains("recording –"), qPrintable(words));
 }
 
 void TestReport::everyWordIsOfTheLanguage_data()
@@ -367,24 +380,6 @@ void TestReport::everyWordIsOfTheLanguage()
     QVERIFY2(english.isEmpty(), qPrintable(english.join(", ") + " in: " + words));
 }
 
-void TestReport::whoIsLateIsNamed()
-{
-    ClassReport report = classReport(5, 3);
-    report.given = {{1, report.overview.id, "lesson-0", "2026-11-19T22:59:59Z", 0}};
-    const QString words = wordsOf(report, kA4);
-    QVERIFY2(words.contains("Late: a lesson is overdue"), qPrintable(words));
-    QVERIFY2(words.contains("due yesterday") || words.contains("due 19 Nov"), qPrintable(words));
-}
-
-void TestReport::whoHasNoAttemptsLeftIsNamed()
-{
-    ClassReport report = classReport(6, 3);
-    report.overview.cells[4][0] = {3, 600, false, "2026-11-18T08:00:00Z"};
-    report.given = {{1, report.overview.id, "lesson-0", "", 3}};
-    const QString words = wordsOf(report, kA4);
-    QVERIFY2(words.contains("No attempts left at a lesson that is not passed: Student 1005"), qPrintable(words));
-}
-
 void TestReport::aCommentsPlaceIsNumberedInThePicture()
 {
     ScoreCard card = m_card;
@@ -429,41 +424,6 @@ void TestReport::theMatrixHasItsTitleOnEveryPage()
             pages[k].save(QString("%1/class-%2.png").arg(folder).arg(k));
 }
 
-/// Where words begin and end, on the paper of a class of one.
-void TestReport::headsOfLessonsAreNotCutInTheMiddleOfAWord()
-{
-    ClassReport narrow = classReport(1, 1);
-    narrow.results = {};
-    ClassReport wide = narrow;
-    narrow.titles["lesson-0"] = "Kasten";
-    wide.titles["lesson-0"] = "Schwalbenschwanz Kasten";
-    // The mark in the cell is in the middle of its column, which is as wide as the longest word.
-    const auto markAt = [](const ClassReport& report) {
-        QByteArray bytes;
-        QBuffer buffer(&bytes);
-        QSvgGenerator generator;
-        generator.setOutputDevice(&buffer);
-        generator.setSize(kA4.toSize());
-        QPainter painter(&generator);
-        ui::report::paint(
-            painter, kA4, [] {}, report);
-        painter.end();
-        static const QRegularExpression kCell("x=\"([\\d.]+)\"[^>]*>30</text>");
-        return kCell.match(QString::fromUtf8(bytes)).captured(1).toDouble();
-    };
-    QVERIFY(markAt(narrow) > 0.0);
-    QVERIFY2(markAt(wide) > markAt(narrow) + 5.0, qPrintable(QString::number(markAt(wide))));
-}
-
-void TestReport::aNameThatIsTooLongKeepsItsSign()
-{
-    ClassReport report = classReport(2, 1);
-    report.overview.students[1].fullName = "Maximiliane Theodora von und zu Hohenberg-Schwarzenstein";
-    const QString words = wordsOf(report, kA4);
-    static const QRegularExpression kShort("Maximiliane[^…]*…  ?▲");
-    QVERIFY2(words.contains(kShort), qPrintable(words));
-}
-
 void TestReport::pagesAreFilledAndNotOverfull_data()
 {
     QTest::addColumn<bool>("isCard");
@@ -503,22 +463,6 @@ void TestReport::paperIsWhiteInTheDarkThemeToo()
     QCOMPARE(dark, light);
 }
 
-void TestReport::aClassReportNamesWhoNeedsTheTeacher()
-{
-    const QString words = wordsOf(classReport(23, 5), kA4);
-    for (const QString& part :
-         {QString("Class: DEN101-A"), QString("Grace Hopper"), kCode, QString("Never logged in"), QString("Stuck ("),
-          QString("20 of 23 passed"), QString("Learning curve"), QString("version 3, content aaaaaaaaaaaaaaaa")})
-        QVERIFY2(words.contains(part), qPrintable(part + " in " + words));
-}
-
-void TestReport::nothingIsToldOfFourPeople()
-{
-    const QString words = wordsOf(classReport(4, 3), kA4);
-    QVERIFY(!words.contains("of 4 passed"));
-    QVERIFY(words.contains("5 people"));
-}
-
 void TestReport::aPdfIsWritten_data()
 {
     QTest::addColumn<int>("paper");
@@ -542,49 +486,68 @@ void TestReport::aPdfIsWritten()
         QVERIFY(bytes.startsWith("%PDF-"));
         QVERIFY2(bytes.contains(box), name);
     }
-}
-
-void TestReport::whatCannotBeWrittenIsTold()
-{
     QVERIFY(!ui::report::savePdf("/nowhere/at/all/card.pdf", "Class I on 36", m_card));
 }
+
+namespace {
+
+/// A home that is also the working folder, with a school's file in it, which says whether it was opened.
+class WatchedHome
+{
+public:
+    WatchedHome() : m_home(qgetenv("HOME")), m_before(QDir::currentPath()), m_watch(inotify_init1(IN_NONBLOCK))
+    {
+        QFile file(m_folder.filePath("school.sqlite-shm"));  // no kind of file that its name tells
+        m_isReady = file.open(QIODevice::WriteOnly) && file.write(QByteArray(4096, '\1')) == 4096;
+        file.close();
+        m_isReady = m_isReady && inotify_add_watch(m_watch, QFile::encodeName(file.fileName()), IN_OPEN) >= 0 &&
+                    QDir::setCurrent(m_folder.path()) && qputenv("HOME", m_folder.path().toLocal8Bit());
+    }
+    ~WatchedHome()
+    {
+        ::close(m_watch);
+        qputenv("HOME", m_home);
+        QDir::setCurrent(m_before);
+    }
+    Q_DISABLE_COPY_MOVE(WatchedHome)
+    [[nodiscard]] bool isReady() const { return m_isReady; }
+    [[nodiscard]] bool wasOpened()
+    {
+        std::array<char, 4096> events{};
+        return m_isOpened = m_isOpened || ::read(m_watch, events.data(), events.size()) > 0;
+    }
+
+private:
+    QTemporaryDir m_folder;
+    QByteArray m_home;
+    QString m_before;
+    int m_watch;
+    bool m_isReady = false;
+    bool m_isOpened = false;
+};
+
+}  // namespace
 
 /// Whoever closes a school's file drops SQLite's locks on it.
 void TestReport::noFileIsOpenedToAskForAPrinter()
 {
-    const QTemporaryDir folder;
-    const QByteArray home = qgetenv("HOME");
-    qputenv("HOME", folder.path().toLocal8Bit());
-    const auto back = qScopeGuard([&home, before = QDir::currentPath()] {
-        qputenv("HOME", home);
-        QDir::setCurrent(before);
-    });
-    QFile file(folder.filePath("school.sqlite-shm"));  // no kind of file that its name tells
-    QVERIFY(file.open(QIODevice::WriteOnly) && file.write(QByteArray(4096, '\1')) == 4096);
-    file.close();
-    const int watch = inotify_init1(IN_NONBLOCK);
-    const auto closed = qScopeGuard([watch] { ::close(watch); });
-    QVERIFY(inotify_add_watch(watch, QFile::encodeName(file.fileName()).constData(), IN_OPEN) >= 0);
-    bool isOpened = false;
-    const auto wasOpened = [&] {
-        std::array<char, 4096> events{};
-        return isOpened = isOpened || ::read(watch, events.data(), events.size()) > 0;
-    };
-    QVERIFY(QDir::setCurrent(folder.path()));
     QPrinter printer;
     QWidget window;
-    {
-        const std::unique_ptr<QPrintDialog> dialog(ui::report::makePrintDialog(printer, &window));
-        dialog->show();
-        QTest::qWait(500);
-        QVERIFY(!wasOpened());
-        QVERIFY(!dialog->testOption(QAbstractPrintDialog::PrintToFile));
-    }
-    QCOMPARE(qgetenv("HOME"), folder.path().toLocal8Bit());
-    // Qt's own does, or this test says nothing.
+    WatchedHome ours;
+    QVERIFY(ours.isReady());
+    const QByteArray home = qgetenv("HOME");
+    const std::unique_ptr<QPrintDialog> dialog(ui::report::makePrintDialog(printer, &window));
+    dialog->show();
+    QVERIFY(QTest::qWaitForWindowExposed(dialog.get()));
+    QVERIFY(!dialog->testOption(QAbstractPrintDialog::PrintToFile));
+    QCOMPARE(qgetenv("HOME"), home);
+    // Qt's own dialog opens the file, or this test says nothing. By then ours, which began earlier, would have, too.
+    WatchedHome theirs;
+    QVERIFY(theirs.isReady());
     QPrintDialog plain(&printer, &window);
     plain.show();
-    QTRY_VERIFY(wasOpened());
+    QTRY_VERIFY(theirs.wasOpened());
+    QVERIFY(!ours.wasOpened());
 }
 
 QTEST_MAIN(TestReport)
