@@ -15,7 +15,6 @@
 #include <QTest>
 
 #include <array>
-#include <cstring>
 #include <memory>
 
 #include <sys/inotify.h>
@@ -387,25 +386,10 @@ void TestReport::aCommentsPlaceIsNumberedInThePicture()
     card.talk.comments.clear();
     card.talk.comments.push_back({1, "Grace Hopper", "2026-11-20T11:00:00Z", "Well done.", {}, {}});
     card.talk.comments.push_back({2, "Grace Hopper", "2026-11-20T11:00:00Z", "The floor is uneven.", {}, {}});
-    const QList<QImage> without = pagesOf(card, kA4);
     card.talk.comments.back().placeMm = {middle.x, middle.y, 0.0};
     const QString words = wordsOf(card, kA4);
     QVERIFY2(words.contains("(1) Grace Hopper") && words.contains("numbers of their places"), qPrintable(words));
     QCOMPARE(words.count("(1)"), 1);
-    // The number is drawn on the tooth, above the comments: the pages differ there, too.
-    const QList<QImage> with = pagesOf(card, kA4);
-    QCOMPARE(with.size(), without.size());
-    int differing = 0;
-    for (qsizetype k = 0; k < with.size(); ++k)
-        for (int y = 0; y < with[k].height(); ++y)
-            differing += std::memcmp(with[k].constScanLine(y), without[k].constScanLine(y),
-                                     static_cast<std::size_t>(with[k].bytesPerLine())) != 0
-                             ? 1
-                             : 0;
-    QVERIFY2(differing > 50, qPrintable(QString::number(differing)));  // more than two lines of words
-    if (const QString folder = qEnvironmentVariable("CUSP_PICTURES"); !folder.isEmpty())
-        for (qsizetype k = 0; k < with.size(); ++k)
-            with[k].save(QString("%1/card-%2.png").arg(folder).arg(k));
 }
 
 void TestReport::theMatrixHasItsTitleOnEveryPage()
@@ -419,9 +403,6 @@ void TestReport::theMatrixHasItsTitleOnEveryPage()
     const QString words = wordsOf(report, kA4);
     QVERIFY2(words.count(sign) >= pages.size() - 1, qPrintable(QString::number(words.count(sign))));
     QVERIFY2(words.contains("▲ 30"), qPrintable(words));  // the cell of him who is late, as on the screen
-    if (const QString folder = qEnvironmentVariable("CUSP_PICTURES"); !folder.isEmpty())
-        for (qsizetype k = 0; k < pages.size(); ++k)
-            pages[k].save(QString("%1/class-%2.png").arg(folder).arg(k));
 }
 
 void TestReport::pagesAreFilledAndNotOverfull_data()
