@@ -289,10 +289,6 @@
         <translation>wie lange eine Anmeldung mit einem Namen dauert, den niemand hat</translation>
     </message>
     <message>
-        <source>It is empty, longer than 64 characters, has other signs than letters, digits and . _ - @, or letters of several scripts in one word.</source>
-        <translation>Er ist leer, länger als 64 Zeichen, enthält anderes als Buchstaben, Ziffern und . _ - @ oder in einem Wort Buchstaben mehrerer Schriften.</translation>
-    </message>
-    <message>
         <source>A class list has no such column. It has username, given_name, family_name, role and class.</source>
         <translation>Eine Klassenliste hat keine solche Spalte. Sie hat username, given_name, family_name, role und class.</translation>
     </message>
@@ -305,28 +301,12 @@
         <translation>Tabelle %1</translation>
     </message>
     <message>
-        <source>column %1</source>
-        <translation>Spalte %1</translation>
-    </message>
-    <message>
-        <source>index %1</source>
-        <translation>Index %1</translation>
-    </message>
-    <message>
         <source>trigger %1</source>
         <translation>Trigger %1</translation>
     </message>
     <message>
-        <source>constraint %1</source>
-        <translation>Bedingung %1</translation>
-    </message>
-    <message>
-        <source>view %1</source>
-        <translation>Sicht %1</translation>
-    </message>
-    <message>
-        <source>rule %1</source>
-        <translation>Regel %1</translation>
+        <source>It is empty, longer than 64 characters, or has other characters than the letters a to z, digits and . _ - @.</source>
+        <translation>Er ist leer, länger als 64 Zeichen oder enthält andere Zeichen als die Buchstaben a bis z, Ziffern und . _ - @.</translation>
     </message>
 </context>
 <context>
@@ -466,10 +446,12 @@
     <name>Chart</name>
     <message>
         <source>d MMM</source>
+        <extracomment>A day without its year, as QLocale::toString() takes it: &quot;27 Nov&quot;. Japanese &quot;M月d日&quot;</extracomment>
         <translation>d. MMM</translation>
     </message>
     <message>
         <source>MMM yyyy</source>
+        <extracomment>A month, as QLocale::toString() takes it: &quot;Nov 2024&quot;</extracomment>
         <translation>MMM yyyy</translation>
     </message>
     <message numerus="yes">
@@ -1734,44 +1716,8 @@
         <translation>Zeile %1 des Protokolls wurde entfernt</translation>
     </message>
     <message>
-        <source>audit rows %1 to %2 were removed</source>
-        <translation>die Zeilen %1 bis %2 des Protokolls wurden entfernt</translation>
-    </message>
-    <message>
         <source>no signature covers audit row %1: it was inserted, or the signed head was set back, or the row behind it was changed</source>
         <translation>keine Signatur deckt Zeile %1 des Protokolls: Sie wurde eingefügt, der signierte Kopf wurde zurückgesetzt, oder die Zeile dahinter wurde verändert</translation>
-    </message>
-    <message>
-        <source>no signature covers audit rows %1 to %2: they were inserted, or the signed head was set back, or the row behind them was changed</source>
-        <translation>keine Signatur deckt die Zeilen %1 bis %2 des Protokolls: Sie wurden eingefügt, der signierte Kopf wurde zurückgesetzt, oder die Zeile dahinter wurde verändert</translation>
-    </message>
-    <message>
-        <source>audit row %1 (%2, %3, %4) and row %5 (%6, %7, %8) were exchanged</source>
-        <translation>Zeile %1 (%2, %3, %4) und Zeile %5 (%6, %7, %8) des Protokolls wurden vertauscht</translation>
-    </message>
-    <message>
-        <source>audit row %1 (%2, %3, %4) was inserted, and those behind it were renumbered</source>
-        <translation>Zeile %1 des Protokolls (%2, %3, %4) wurde eingefügt, und die dahinter wurden neu nummeriert</translation>
-    </message>
-    <message>
-        <source>audit rows %1 to %2 were inserted, and those behind them were renumbered</source>
-        <translation>die Zeilen %1 bis %2 des Protokolls wurden eingefügt, und die dahinter wurden neu nummeriert</translation>
-    </message>
-    <message>
-        <source>before audit row %1 (%2, %3, %4) a row was removed, and those behind were renumbered</source>
-        <translation>vor Zeile %1 des Protokolls (%2, %3, %4) wurde eine Zeile entfernt, und die dahinter wurden neu nummeriert</translation>
-    </message>
-    <message>
-        <source>before audit row %1 (%2, %3, %4) %5 rows were removed, and those behind were renumbered</source>
-        <translation>vor Zeile %1 des Protokolls (%2, %3, %4) wurden %5 Zeilen entfernt, und die dahinter wurden neu nummeriert</translation>
-    </message>
-    <message>
-        <source>audit row %1 (%2, %3, %4) was moved: it was written as row %5</source>
-        <translation>Zeile %1 des Protokolls (%2, %3, %4) wurde verschoben: Geschrieben wurde sie als Zeile %5</translation>
-    </message>
-    <message>
-        <source>audit row %1 (%2, %3, %4) was changed, or the one before it was and its hash with it</source>
-        <translation>Zeile %1 des Protokolls (%2, %3, %4) wurde verändert, oder die davor samt ihrem Hash</translation>
     </message>
     <message>
         <source>the signed head of the audit was removed</source>
@@ -1786,28 +1732,12 @@
         <translation>Zeile %1 der Tabelle %2 gehört zu keiner Zeile von %3</translation>
     </message>
     <message>
-        <source>%1 (%2, %3) was inserted: the audit knows nothing of it</source>
-        <translation>%1 (%2, %3) wurde eingefügt: Das Protokoll weiß nichts davon</translation>
-    </message>
-    <message>
         <source>%1 (%2, %3) was changed after it had been kept</source>
         <translation>%1 (%2, %3) wurde nach dem Sichern verändert</translation>
     </message>
     <message>
         <source>%1 was removed; row %2 of the audit tells of it</source>
         <translation>%1 wurde entfernt; Zeile %2 des Protokolls berichtet davon</translation>
-    </message>
-    <message>
-        <source>%1 was removed or changed; row %2 of the audit tells of it</source>
-        <translation>%1 wurde entfernt oder verändert; Zeile %2 des Protokolls berichtet davon</translation>
-    </message>
-    <message>
-        <source>%1 was inserted: the audit knows nothing of it</source>
-        <translation>%1 wurde eingefügt: Das Protokoll weiß nichts davon</translation>
-    </message>
-    <message>
-        <source>%1 was changed after it had been noted</source>
-        <translation>%1 wurde nach dem Eintrag ins Protokoll verändert</translation>
     </message>
     <message>
         <source>%1 has no score sheet</source>
@@ -1834,212 +1764,44 @@
         <translation>der Kopf des Protokolls wurde mit dem Schlüssel %1 signiert, der nicht der dieses Rechners ist; wenn die Datei nicht von Cusp auf einem anderen Rechner geschrieben wurde, hat jemand sie neu geschrieben</translation>
     </message>
     <message>
-        <source>an override of %1 was inserted: the audit knows nothing of it</source>
-        <translation>eine geänderte Punktzahl (%1) wurde eingefügt: Das Protokoll weiß nichts davon</translation>
-    </message>
-    <message>
-        <source>an override of %1 was changed after it had been noted</source>
-        <translation>eine geänderte Punktzahl (%1) wurde nach dem Eintrag ins Protokoll verändert</translation>
-    </message>
-    <message>
-        <source>an override of %1 was removed</source>
-        <translation>eine geänderte Punktzahl (%1) wurde entfernt</translation>
-    </message>
-    <message>
-        <source>a comment on %1 was inserted: the audit knows nothing of it</source>
-        <translation>ein Kommentar (%1) wurde eingefügt: Das Protokoll weiß nichts davon</translation>
-    </message>
-    <message>
-        <source>a comment on %1 was changed after it had been noted</source>
-        <translation>ein Kommentar (%1) wurde nach dem Eintrag ins Protokoll verändert</translation>
-    </message>
-    <message>
-        <source>a comment on %1 was removed</source>
-        <translation>ein Kommentar (%1) wurde entfernt</translation>
-    </message>
-    <message>
-        <source>%1 was removed</source>
-        <translation>%1 wurde entfernt</translation>
-    </message>
-    <message>
-        <source>%1 is not what the audit says</source>
-        <translation>%1 ist nicht so, wie das Protokoll sagt</translation>
-    </message>
-    <message>
-        <source>%1 has another score than the audit says was given to it</source>
-        <translation>%1 hat eine andere Punktzahl, als laut Protokoll gegeben wurde</translation>
-    </message>
-    <message>
-        <source>%1 has the role %2, the audit says %3</source>
-        <translation>Rolle: %1 – %2; das Protokoll sagt %3</translation>
-    </message>
-    <message>
-        <source>%1 was disabled or enabled, and it was not noted</source>
-        <translation>%1 wurde gesperrt oder freigegeben, ohne Eintrag im Protokoll</translation>
-    </message>
-    <message>
-        <source>%1 was given another name, and it was not noted</source>
-        <translation>%1 bekam einen anderen Namen, ohne Eintrag im Protokoll</translation>
-    </message>
-    <message>
-        <source>what %1 was given of the lesson %2 is not what the audit says</source>
-        <translation>was der Klasse aufgegeben wurde (%1, Lektion %2), ist nicht so, wie das Protokoll sagt</translation>
-    </message>
-    <message>
-        <source>that %1 was given the lesson %2 was removed</source>
-        <translation>eine Aufgabe wurde entfernt (%1, Lektion %2)</translation>
-    </message>
-    <message>
-        <source>%1 was renamed, and it was not noted</source>
-        <translation>%1 wurde umbenannt, ohne Eintrag im Protokoll</translation>
-    </message>
-    <message>
-        <source>%1 was put into %2, and it was not noted</source>
-        <translation>%1 wurde ohne Eintrag im Protokoll in die Klasse aufgenommen (%2)</translation>
-    </message>
-    <message>
-        <source>%1 was taken out of %2, and it was not noted</source>
-        <translation>%1 wurde ohne Eintrag im Protokoll aus der Klasse genommen (%2)</translation>
-    </message>
-    <message>
-        <source>%1 was taken from the person who made it</source>
-        <translation>%1 wurde der Person weggenommen, die ihn gemacht hat</translation>
-    </message>
-    <message>
-        <source>of tables, indexes and triggers the names alone could be compared: this user of the server may not create a schema there; let the owner of the database check it</source>
-        <translation>von Tabellen, Indizes und Triggern konnten nur die Namen verglichen werden: Dieser Benutzer des Servers darf dort kein Schema anlegen; lassen Sie den Besitzer der Datenbank prüfen</translation>
-    </message>
-    <message>
         <source>%1 is no longer there: what it guarded is not guarded any more</source>
         <translation>%1 ist nicht mehr da: Was damit geschützt war, ist nicht mehr geschützt</translation>
-    </message>
-    <message>
-        <source>%1 is not as this program makes it</source>
-        <translation>%1 ist nicht so, wie dieses Programm es anlegt</translation>
-    </message>
-    <message>
-        <source>%1 is not from this program: it may change what is written</source>
-        <translation>%1 stammt nicht von diesem Programm und kann verändern, was geschrieben wird</translation>
     </message>
     <message>
         <source>the newest row of the audit was signed with the key %1, and the audit knows no station that has it</source>
         <translation>die neueste Zeile des Protokolls wurde mit dem Schlüssel %1 signiert, und das Protokoll kennt keinen Arbeitsplatz, der ihn hat</translation>
     </message>
     <message>
-        <source>the pages of the file could not be looked at (%1)</source>
-        <translation>die Seiten der Datei konnten nicht geprüft werden (%1)</translation>
-    </message>
-    <message>
-        <source>the audit could not be looked at (%1)</source>
-        <translation>das Protokoll konnte nicht geprüft werden (%1)</translation>
-    </message>
-    <message>
-        <source>tables, indexes and triggers could not be looked at (%1)</source>
-        <translation>Tabellen, Indizes und Trigger konnten nicht geprüft werden (%1)</translation>
-    </message>
-    <message>
-        <source>the attempts could not be looked at (%1)</source>
-        <translation>die Versuche konnten nicht geprüft werden (%1)</translation>
-    </message>
-    <message>
-        <source>the exams that were begun could not be looked at (%1)</source>
-        <translation>die begonnenen Prüfungen konnten nicht geprüft werden (%1)</translation>
-    </message>
-    <message>
-        <source>score sheets and standings could not be looked at (%1)</source>
-        <translation>Bewertungsbögen und Stände konnten nicht geprüft werden (%1)</translation>
-    </message>
-    <message>
-        <source>people, classes, comments, presets and settings could not be compared with the audit (%1)</source>
-        <translation>Personen, Klassen, Kommentare, Härte-Voreinstellungen und Einstellungen konnten nicht mit dem Protokoll verglichen werden (%1)</translation>
-    </message>
-    <message>
-        <source>the recordings could not be looked at (%1)</source>
-        <translation>die Aufzeichnungen konnten nicht geprüft werden (%1)</translation>
-    </message>
-    <message>
-        <source>who signed the head of the audit could not be looked at (%1)</source>
-        <translation>wer den Kopf des Protokolls signiert hat, konnte nicht geprüft werden (%1)</translation>
-    </message>
-    <message>
         <source>new rows of the table %1 are not numbered as this program does, so that perhaps none can be added to it; &quot;cusp db migrate&quot; puts that right</source>
         <translation>neue Zeilen der Tabelle %1 werden nicht so nummeriert, wie es dieses Programm tut, sodass ihr vielleicht keine hinzugefügt werden kann; „cusp db migrate“ bringt das in Ordnung</translation>
-    </message>
-    <message>
-        <source>the numbers of new rows could not be looked at (%1)</source>
-        <translation>die Nummern neuer Zeilen konnten nicht geprüft werden (%1)</translation>
-    </message>
-    <message>
-        <source>a comment on %1 was taken back, and it was not noted</source>
-        <translation>ein Kommentar (%1) wurde zurückgenommen, ohne Eintrag im Protokoll</translation>
-    </message>
-    <message>
-        <source>a comment on %1 that was taken back is there again, changed or removed</source>
-        <translation>ein zurückgenommener Kommentar (%1) ist wieder da, verändert oder entfernt</translation>
-    </message>
-    <message>
-        <source>the password of %1 cannot be read, and lets nobody in: reset it, or restore a backup</source>
-        <translation>das Passwort von %1 ist nicht lesbar, niemand kann sich damit anmelden: Setzen Sie es zurück, oder stellen Sie eine Sicherung wieder her</translation>
-    </message>
-    <message>
-        <source>the password or the one-time code of %1 was changed without a note in the audit: reset it, or restore a backup</source>
-        <translation>das Passwort oder der Einmalcode von %1 wurde geändert, ohne dass es im Protokoll steht: Setzen Sie es zurück, oder stellen Sie eine Sicherung wieder her</translation>
-    </message>
-    <message>
-        <source>the server lets the triggers of this database rest (session_replication_role is %1): what they guard is not guarded; let its administrator set it to origin</source>
-        <translation>der Server lässt die Trigger dieser Datenbank ruhen (session_replication_role ist %1): Was sie schützen, ist nicht geschützt; der Administrator des Servers muss es auf origin setzen</translation>
-    </message>
-    <message>
-        <source>%1 is not from this program: it may refuse what is to be written</source>
-        <translation>%1 stammt nicht von diesem Programm und kann verhindern, dass etwas geschrieben wird</translation>
     </message>
     <message>
         <source>audit row %1, which a report names, is not there: it was removed, or the code is not typed as it stands there</source>
         <translation>Zeile %1 des Protokolls, die ein Bericht nennt, gibt es nicht: Sie wurde entfernt, oder der Code ist nicht so eingegeben, wie er dort steht</translation>
     </message>
     <message>
-        <source>audit row %1 (%2, %3, %4) and those behind it were renumbered</source>
-        <translation>Zeile %1 des Protokolls (%2, %3, %4) und die dahinter wurden neu nummeriert</translation>
-    </message>
-    <message>
         <source>audit row %1 (%2, %3, %4) is not the one that a report names: it or one before it was changed, or the code is not typed as it stands there</source>
         <translation>Zeile %1 des Protokolls (%2, %3, %4) ist nicht die, die ein Bericht nennt: Sie oder eine davor wurde geändert, oder der Code ist nicht so eingegeben, wie er dort steht</translation>
-    </message>
-    <message>
-        <source>%1 is not from this program: its rows are read among those of the table %2</source>
-        <translation>%1 stammt nicht von diesem Programm: Ihre Zeilen werden unter denen der Tabelle %2 gelesen</translation>
-    </message>
-    <message>
-        <source>%1 is not from this program: who changes its rows changes those of the table %2, past what guards them</source>
-        <translation>%1 stammt nicht von diesem Programm: Wer dort Zeilen ändert, ändert die der Tabelle %2, vorbei an dem, was sie schützt</translation>
-    </message>
-    <message>
-        <source>%1 is not from this program: it may change what is read</source>
-        <translation>%1 stammt nicht von diesem Programm und kann verändern, was gelesen wird</translation>
-    </message>
-    <message>
-        <source>audit rows %1 to %2 were moved: they were written as rows %3 to %4</source>
-        <translation>die Zeilen %1 bis %2 des Protokolls wurden verschoben: Geschrieben wurden sie als Zeilen %3 bis %4</translation>
     </message>
     <message>
         <source>%1 (%2, %3) is not noted in the audit: it was inserted, or the note of it is among the rows of the audit that were removed or changed</source>
         <translation>%1 (%2, %3) ist im Protokoll nicht vermerkt: Es wurde eingefügt, oder der Vermerk stand in einer der Zeilen, die aus dem Protokoll entfernt oder darin geändert wurden</translation>
     </message>
     <message>
-        <source>rows of the audit were removed or changed: what is said not to be as it was noted, or not to be noted, may be sound, and the note of it among them</source>
-        <translation>Zeilen des Protokolls wurden entfernt oder geändert: Wovon es heißt, es sei nicht so oder gar nicht vermerkt, das kann in Ordnung sein, wenn sein Vermerk in diesen Zeilen stand</translation>
+        <source>audit row %1 (%2, %3, %4) does not follow from the row before it: one of the two was changed, inserted or moved</source>
+        <translation>Protokollzeile %1 (%2, %3, %4) folgt nicht auf die Zeile davor: Eine der beiden wurde geändert, eingefügt oder verschoben</translation>
     </message>
     <message>
-        <source>an override of %1 is not noted in the audit: it was inserted, or the note of it is among the rows of the audit that were removed or changed</source>
-        <translation>eine geänderte Punktzahl (%1) ist im Protokoll nicht vermerkt: Sie wurde eingefügt, oder der Vermerk stand in einer der Zeilen, die aus dem Protokoll entfernt oder darin geändert wurden</translation>
+        <source>the audit itself was changed: rows that differ from it may be right all the same</source>
+        <translation>das Protokoll selbst wurde geändert: Zeilen, die davon abweichen, können trotzdem richtig sein</translation>
     </message>
     <message>
-        <source>a comment on %1 is not noted in the audit: it was inserted, or the note of it is among the rows of the audit that were removed or changed</source>
-        <translation>ein Kommentar (%1) ist im Protokoll nicht vermerkt: Er wurde eingefügt, oder der Vermerk stand in einer der Zeilen, die aus dem Protokoll entfernt oder darin geändert wurden</translation>
+        <source>the check could not go on: %1</source>
+        <translation>die Prüfung konnte nicht fortgesetzt werden: %1</translation>
     </message>
     <message>
-        <source>%1 is not noted in the audit: it was inserted, or the note of it is among the rows of the audit that were removed or changed</source>
-        <translation>%1 ist im Protokoll nicht vermerkt: Es wurde eingefügt, oder der Vermerk stand in einer der Zeilen, die aus dem Protokoll entfernt oder darin geändert wurden</translation>
+        <source>%1 differs from the audit: the row of %2 was changed, added or removed</source>
+        <translation>%1 weicht vom Protokoll ab: Die Zeile von %2 wurde geändert, hinzugefügt oder entfernt</translation>
     </message>
 </context>
 <context>
@@ -2791,10 +2553,6 @@
         <translation>Das Protokoll ist noch das, das der Bericht mit dem Code %1 nennt.</translation>
     </message>
     <message>
-        <source>What the last check found is in this backup, too; it stands below.</source>
-        <translation>Was die letzte Prüfung gefunden hat, steckt auch in dieser Sicherung; es steht unten.</translation>
-    </message>
-    <message>
         <source>Backed up: %1. Its pages and keys are whole.</source>
         <translation>Gesichert: %1. Seiten und Schlüssel der Sicherung sind heil.</translation>
     </message>
@@ -2803,20 +2561,12 @@
         <translation>Zurückspielen klappt: Eine Sicherung wurde gemacht, neben der Datenbank zurückgespielt und verglichen, %1 Zeilen.</translation>
     </message>
     <message>
-        <source>But its audit was changed. &quot;Check everything&quot; says where. Older backups in which it is whole are kept.</source>
-        <translation>Ihr Protokoll wurde aber verändert. „Alles prüfen“ sagt, wo. Ältere Sicherungen, in denen es unverändert ist, bleiben erhalten.</translation>
-    </message>
-    <message>
         <source>The school&apos;s file is in use: another window of Cusp, or another program, has it open, or a backup is being made. Close what has it open, and restore then.</source>
         <translation>Die Datei der Schule ist in Gebrauch: Ein anderes Fenster von Cusp oder ein anderes Programm hat sie geöffnet, oder eine Sicherung wird gerade gemacht. Schließen Sie, was sie geöffnet hat, und spielen Sie dann zurück.</translation>
     </message>
     <message>
         <source>The backup was not restored; nothing has been changed. %1</source>
         <translation>Die Sicherung wurde nicht zurückgespielt; nichts wurde verändert. %1</translation>
-    </message>
-    <message>
-        <source>That cannot be: the name is empty or taken, or has other signs than letters, digits and . _ - @, or letters of several scripts in one word.</source>
-        <translation>Das geht nicht: Der Name ist leer oder vergeben, hat andere Zeichen als Buchstaben, Ziffern und . _ - @ oder in einem Wort Buchstaben mehrerer Schriften.</translation>
     </message>
     <message>
         <source>It is no backup of this school.</source>
@@ -2829,6 +2579,10 @@
     <message>
         <source>Nothing was entered: somebody else has entered or changed people meanwhile. This is what the list would do now.</source>
         <translation>Es wurde niemand eingetragen: Jemand anderes hat inzwischen Personen eingetragen oder geändert. Dies würde die Liste jetzt bewirken.</translation>
+    </message>
+    <message>
+        <source>That cannot be: the username is empty or taken, or has other characters than the letters a to z, digits and . _ - @.</source>
+        <translation>Das geht nicht: Der Benutzername ist leer oder vergeben oder enthält andere Zeichen als die Buchstaben a bis z, Ziffern und . _ - @.</translation>
     </message>
 </context>
 <context>
@@ -2962,10 +2716,6 @@
         <translation>Die Bewertung, die nicht gespeichert werden konnte, ist jetzt gespeichert.</translation>
     </message>
     <message>
-        <source>Today&apos;s backup was made, but the audit was changed. &quot;Check everything&quot; on the page of the backups says where.</source>
-        <translation>Die heutige Sicherung wurde gemacht, aber das Protokoll wurde verändert. „Alles prüfen“ auf der Seite der Sicherungen sagt, wo.</translation>
-    </message>
-    <message>
         <source>The backup was not restored. %1</source>
         <translation>Die Sicherung wurde nicht zurückgespielt. %1</translation>
     </message>
@@ -2974,22 +2724,12 @@
         <translation>Hier antwortet kein Programm, das Ordner anzeigt. Ihre eigenen Lektionen liegen in %1.</translation>
     </message>
     <message numerus="yes">
-        <source>%n attempt(s) on this computer wait for their school: this file is named as a backup is, and gets none.</source>
-        <translation>
-            <numerusform>%n Versuch auf diesem Computer wartet auf seine Schule: Diese Datei heißt wie eine Sicherung und bekommt keinen.</numerusform>
-            <numerusform>%n Versuche auf diesem Computer warten auf ihre Schule: Diese Datei heißt wie eine Sicherung und bekommt keine.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n attempt(s) on this computer wait for another school: %1. If that is this one under an earlier name, &quot;cusp db send&quot; brings them here.</source>
+        <extracomment>%1: a file&apos;s name, or the address of a server</extracomment>
         <translation>
             <numerusform>%n Versuch auf diesem Computer wartet auf eine andere Schule: %1. Ist das diese hier unter einem früheren Namen, bringt „cusp db send“ ihn hierher.</numerusform>
             <numerusform>%n Versuche auf diesem Computer warten auf eine andere Schule: %1. Ist das diese hier unter einem früheren Namen, bringt „cusp db send“ sie hierher.</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Its audit had been changed before it was made. &quot;Check everything&quot; on the page of the backups says where; an older backup may have it whole.</source>
-        <translation>Ihr Protokoll war schon verändert, als sie entstand. „Alles prüfen“ auf der Seite der Sicherungen sagt, wo; in einer älteren Sicherung ist es vielleicht ganz.</translation>
     </message>
     <message>
         <source>Your role was changed, and you were logged out. Log in again.</source>
@@ -3509,25 +3249,12 @@
         <source>The school&apos;s data are being written to …</source>
         <translation>In die Daten der Schule wird geschrieben …</translation>
     </message>
-    <message>
-        <source>Bring the changes back</source>
-        <translation>Änderungen zurückholen</translation>
-    </message>
     <message numerus="yes">
         <source>%Ln person(s)</source>
         <translation>
             <numerusform>%Ln Person</numerusform>
             <numerusform>%Ln Personen</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>What you had typed for a new person is put aside.</source>
-        <translation>Was Sie für eine neue Person eingegeben hatten, ist beiseitegelegt.</translation>
-    </message>
-    <message>
-        <source>What you had changed of %1 is put aside.</source>
-        <extracomment>%1 is a person</extracomment>
-        <translation>Was Sie an %1 geändert hatten, ist beiseitegelegt.</translation>
     </message>
     <message>
         <source>What you have typed for a new person is not entered.</source>
@@ -3542,17 +3269,9 @@
         <translation>hat einen Einmalcode, hier zu sehen</translation>
     </message>
     <message>
-        <source>One-time code of %1. Tell it now: it is kept nowhere. It is shown here, whenever %1 is chosen, until School is left.</source>
-        <translation>Einmalcode von %1. Sagen Sie ihn jetzt: Er wird nirgends aufbewahrt. Bis Sie „Schule“ verlassen, steht er hier, sooft Sie %1 wählen.</translation>
-    </message>
-    <message>
         <source>There is a class %1 already. It is ticked above.</source>
         <extracomment>%1: the name of a class</extracomment>
         <translation>Die Klasse %1 gibt es schon. Sie ist oben angekreuzt.</translation>
-    </message>
-    <message>
-        <source>The one-time codes that are shown here are kept nowhere else. Esc once more leaves School without them.</source>
-        <translation>Die Einmalcodes, die hier stehen, sind sonst nirgends aufgehoben. Noch einmal Esc verlässt die Schule ohne sie.</translation>
     </message>
     <message>
         <source>Yes, make another</source>
@@ -3598,6 +3317,10 @@
         <source>Somebody else has changed it meanwhile. There is now: %1. What you have typed stays here; saving it puts it in the place of that.</source>
         <extracomment>%1: &quot;Given name: Ann · Role: Instructor&quot;</extracomment>
         <translation>Jemand anderes hat es inzwischen geändert. Jetzt gilt: %1. Was Sie eingegeben haben, bleibt hier stehen; wenn Sie es speichern, tritt es an dessen Stelle.</translation>
+    </message>
+    <message>
+        <source>One-time code of %1. Tell it now: it is kept nowhere. It is shown here, whenever %1 is chosen, until you log out.</source>
+        <translation>Einmalcode von %1. Sagen Sie ihn jetzt: Er wird nirgends aufbewahrt. Bis Sie sich abmelden, steht er hier, sooft Sie %1 wählen.</translation>
     </message>
 </context>
 <context>
@@ -3704,10 +3427,6 @@
         <translation>%1 (neu)</translation>
     </message>
     <message>
-        <source>Choose another file all the same …</source>
-        <translation>Trotzdem eine andere Datei wählen …</translation>
-    </message>
-    <message>
         <source>The one-time codes of %1 are not saved, and they are kept nowhere else.</source>
         <translation>Die Einmalcodes von %1 sind nicht gespeichert, und sie stehen nirgends sonst.</translation>
     </message>
@@ -3749,6 +3468,10 @@
         <source>%1; the line has fewer fields than the first</source>
         <extracomment>%1: &quot;new&quot; or &quot;known&quot;, of somebody on a class list</extracomment>
         <translation>%1; die Zeile hat weniger Felder als die erste</translation>
+    </message>
+    <message>
+        <source>These people are being entered …</source>
+        <translation>Diese Personen werden eingetragen …</translation>
     </message>
 </context>
 <context>
@@ -5371,10 +5094,6 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Das neue Passwort noch einmal</translation>
     </message>
     <message>
-        <source>A name to log in with has 1 to 64 letters, digits and . _ - @, and no spaces.</source>
-        <translation>Ein Anmeldename hat 1 bis 64 Buchstaben, Ziffern und . _ - @ und keine Leerzeichen.</translation>
-    </message>
-    <message>
         <source>This name has signs that cannot be seen. Type it again.</source>
         <translation>Dieser Name hat Zeichen, die man nicht sieht. Geben Sie ihn neu ein.</translation>
     </message>
@@ -5402,6 +5121,10 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>The school&apos;s data are being opened …</source>
         <translation>Die Daten der Schule werden geöffnet …</translation>
+    </message>
+    <message>
+        <source>A username has 1 to 64 characters: the letters a to z, digits and . _ - @.</source>
+        <translation>Ein Benutzername hat 1 bis 64 Zeichen: die Buchstaben a bis z, Ziffern und . _ - @.</translation>
     </message>
 </context>
 <context>
@@ -5556,21 +5279,26 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Ein Ergebnis hat 0 bis 100 Punkte.</translation>
     </message>
     <message>
-        <source>What you had typed on this attempt in another window stands below it.</source>
-        <translation>Was Sie zu diesem Versuch in einem anderen Fenster geschrieben hatten, steht darunter.</translation>
-    </message>
-    <message>
-        <source>You were giving another score to an attempt in another window, and that waits, too: %1 points. %2</source>
-        <extracomment>%1: a number; %2: why</extracomment>
-        <translation>In einem anderen Fenster haben Sie einem Versuch ein anderes Ergebnis geben wollen, und auch das wartet: %1 Punkte. %2</translation>
-    </message>
-    <message>
         <source>Nobody has written anything yet. Where there is a recording, a comment can be pinned to a moment of the replay and to a place on the tooth.</source>
         <translation>Noch hat niemand etwas geschrieben. Wo es eine Aufzeichnung gibt, lässt sich ein Kommentar an einen Moment der Wiedergabe und an eine Stelle am Zahn heften.</translation>
     </message>
     <message>
         <source>Nobody has written anything yet. What an instructor says is here.</source>
         <translation>Noch hat niemand etwas geschrieben. Was eine Lehrkraft sagt, steht hier.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n comment(s) were typed and are not added yet.</source>
+        <translation>
+            <numerusform>%n Kommentar ist getippt und noch nicht hinzugefügt.</numerusform>
+            <numerusform>%n Kommentare sind getippt und noch nicht hinzugefügt.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n score(s) were typed and are not given yet.</source>
+        <translation>
+            <numerusform>%n Punktzahl ist getippt und noch nicht vergeben.</numerusform>
+            <numerusform>%n Punktzahlen sind getippt und noch nicht vergeben.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5825,15 +5553,6 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Diese beiden fühlen sich gleich an: Wählen Sie ein anderes oder ändern Sie eine Zahl</translation>
     </message>
     <message>
-        <source>Bring the changes back</source>
-        <translation>Änderungen zurückholen</translation>
-    </message>
-    <message>
-        <source>What you had changed of %1 is put aside.</source>
-        <extracomment>%1 is a hardness preset</extracomment>
-        <translation>Was Sie an %1 geändert hatten, ist beiseitegelegt.</translation>
-    </message>
-    <message>
         <source>What you have changed of the hardness preset %1 is not saved.</source>
         <extracomment>%1 is a hardness preset</extracomment>
         <translation>Was Sie an der Härte-Voreinstellung %1 geändert haben, ist nicht gespeichert.</translation>
@@ -5870,11 +5589,6 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
     <message>
         <source>Nobody is offered it any more; attempts go on naming it</source>
         <translation>Sie wird niemandem mehr angeboten; Versuche nennen sie weiterhin</translation>
-    </message>
-    <message>
-        <source>What you changed of the hardness preset %1 in another window waits, too.</source>
-        <extracomment>%1 is a hardness preset</extracomment>
-        <translation>Was Sie an der Härte-Voreinstellung %1 in einem anderen Fenster geändert haben, wartet auch noch.</translation>
     </message>
 </context>
 <context>
@@ -7196,25 +6910,6 @@ ungesichert</translation>
     </message>
 </context>
 <context>
-    <name>ui::shell::Drafts</name>
-    <message>
-        <source>Something that was typed and kept nowhere waits on this computer, but this Cusp cannot read it.</source>
-        <translation>Auf diesem Computer wartet etwas, das geschrieben und nirgends gespeichert wurde, aber dieses Cusp kann es nicht lesen.</translation>
-    </message>
-    <message>
-        <source>Take it instead</source>
-        <translation>Stattdessen nehmen</translation>
-    </message>
-    <message>
-        <source>Throw it away</source>
-        <translation>Verwerfen</translation>
-    </message>
-    <message>
-        <source>The attempt that you typed this on is there no more.</source>
-        <translation>Den Versuch, zu dem Sie das geschrieben haben, gibt es nicht mehr.</translation>
-    </message>
-</context>
-<context>
     <name>ui::shell::DrillSwitch</name>
     <message>
         <source>Drill is on</source>
@@ -7604,17 +7299,6 @@ ungesichert</translation>
         <extracomment>%1: &quot;Tooth 36&quot;, &quot;Practice block: line&quot;; %2: a time of today, or a day and a time</extracomment>
         <translation>%1: Ein Versuch von %2 wurde nicht beendet.</translation>
     </message>
-    <message numerus="yes">
-        <source>What you have changed in %n lesson(s) would be lost.</source>
-        <translation>
-            <numerusform>Was Sie in %n Lektion geändert haben, ginge verloren.</numerusform>
-            <numerusform>Was Sie in %n Lektionen geändert haben, ginge verloren.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>&amp;Save</source>
-        <translation>&amp;Speichern</translation>
-    </message>
     <message>
         <source>Another attempt at the exam begins.</source>
         <translation>Ein weiterer Versuch der Prüfung beginnt.</translation>
@@ -7713,10 +7397,6 @@ ungesichert</translation>
         <translation>%1 – %2</translation>
     </message>
     <message>
-        <source>Not everything has been saved, and it would be lost.</source>
-        <translation>Nicht alles ist gespeichert, und das ginge verloren.</translation>
-    </message>
-    <message>
         <source>From a file …</source>
         <translation>Aus einer Datei …</translation>
     </message>
@@ -7732,28 +7412,6 @@ ungesichert</translation>
         <source>What the school keeps does not answer yet. You can go on drilling; what you asked for comes when it does.</source>
         <translation>Die Daten der Schule antworten noch nicht. Sie können weiter üben; was Sie angefragt haben, kommt, sobald sie antworten.</translation>
     </message>
-    <message>
-        <source>&amp;Show it</source>
-        <translation>An&amp;zeigen</translation>
-    </message>
-    <message>
-        <source>Cusp stays open: what somebody else has typed or changed is not kept yet, and it cannot be put by on this computer. Make room on the disk, or let that person log in here.</source>
-        <translation>Cusp bleibt offen: Was jemand anderes getippt oder geändert hat, ist noch nicht gespeichert und lässt sich auf diesem Computer auch nicht beiseitelegen. Schaffen Sie Platz auf der Festplatte, oder lassen Sie diese Person sich hier anmelden.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n comment(s) were typed and are not added yet.</source>
-        <translation>
-            <numerusform>%n Kommentar ist getippt und noch nicht hinzugefügt.</numerusform>
-            <numerusform>%n Kommentare sind getippt und noch nicht hinzugefügt.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n score(s) were typed and are not given yet.</source>
-        <translation>
-            <numerusform>%n Punktzahl ist getippt und noch nicht vergeben.</numerusform>
-            <numerusform>%n Punktzahlen sind getippt und noch nicht vergeben.</numerusform>
-        </translation>
-    </message>
     <message numerus="yes">
         <source>%n grade(s) are not kept yet, and would be lost.</source>
         <translation>
@@ -7764,15 +7422,6 @@ ungesichert</translation>
     <message>
         <source>The disk takes nothing now. It is tried again every few seconds as long as Cusp runs: make room on the disk, or check the rights of the folder.</source>
         <translation>Die Festplatte nimmt gerade nichts an. Solange Cusp läuft, wird es alle paar Sekunden wieder versucht: Schaffen Sie Platz auf der Festplatte, oder prüfen Sie die Rechte des Ordners.</translation>
-    </message>
-    <message>
-        <source>One-time codes that %1 made would be lost.</source>
-        <extracomment>%1: an admin, or several</extracomment>
-        <translation>Einmalcodes, die %1 erzeugt hat, gingen verloren.</translation>
-    </message>
-    <message>
-        <source>They are kept nowhere else. Whoever has not logged in with one by then gets another from an admin, under School.</source>
-        <translation>Sie sind sonst nirgends gespeichert. Wer sich bis dahin nicht damit angemeldet hat, bekommt von der Verwaltung unter „Schule“ einen anderen.</translation>
     </message>
     <message>
         <source>The time of this exam is over: nothing more can be cut.</source>
@@ -8275,6 +7924,22 @@ ungesichert</translation>
     <message>
         <source>My attempts</source>
         <translation>Meine Versuche</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::UnsavedChanges</name>
+    <message>
+        <source>Discard your unsaved changes?</source>
+        <extracomment>%1: a user</extracomment>
+        <translation>Ihre nicht gespeicherten Änderungen verwerfen?</translation>
+    </message>
+    <message>
+        <source>Discard the unsaved changes of %1?</source>
+        <translation>Die nicht gespeicherten Änderungen von %1 verwerfen?</translation>
+    </message>
+    <message>
+        <source>&amp;Keep editing</source>
+        <translation>&amp;Weiter bearbeiten</translation>
     </message>
 </context>
 <context>
@@ -8854,13 +8519,12 @@ ungesichert</translation>
         <source>This is what stands in the file now. A step back brings your own changes back.</source>
         <translation>Das steht jetzt in der Datei. Ein Schritt zurück holt Ihre eigenen Änderungen wieder.</translation>
     </message>
-    <message>
-        <source>What was changed of the lesson &quot;%1&quot; in another window waits, too.</source>
-        <translation>Was an der Lektion „%1“ in einem anderen Fenster geändert wurde, wartet auch noch.</translation>
-    </message>
-    <message>
-        <source>What was changed of a lesson waits, but its file is there no more, or is no lesson: %1.</source>
-        <translation>Was an einer Lektion geändert wurde, wartet noch, aber ihre Datei gibt es nicht mehr, oder sie ist keine Lektion: %1.</translation>
+    <message numerus="yes">
+        <source>What you have changed in %n lesson(s) would be lost.</source>
+        <translation>
+            <numerusform>Was Sie in %n Lektion geändert haben, ginge verloren.</numerusform>
+            <numerusform>Was Sie in %n Lektionen geändert haben, ginge verloren.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -9497,11 +9161,8 @@ ungesichert</translation>
     </message>
     <message>
         <source>%1: %2 points at %3 times the tolerance</source>
+        <extracomment>%1: the name of a file, or which line</extracomment>
         <translation>%1: %2 Punkte beim %3-Fachen der Toleranz</translation>
-    </message>
-    <message>
-        <source>Middle half</source>
-        <translation>Mittlere Hälfte</translation>
     </message>
     <message>
         <source>Median</source>
@@ -9510,10 +9171,6 @@ ungesichert</translation>
     <message>
         <source>Pass mark</source>
         <translation>Bestehensgrenze</translation>
-    </message>
-    <message>
-        <source>Attempts that pass</source>
-        <translation>Bestandene Versuche</translation>
     </message>
     <message>
         <source>As set</source>

@@ -108,14 +108,8 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n attempt(s) on this computer wait for their school: this file is named as a backup is, and gets none.</source>
-        <translation>
-            <numerusform>%n attempt on this computer waits for its school: this file is named as a backup is, and gets none.</numerusform>
-            <numerusform>%n attempts on this computer wait for their school: this file is named as a backup is, and gets none.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n attempt(s) on this computer wait for another school: %1. If that is this one under an earlier name, &quot;cusp db send&quot; brings them here.</source>
+        <extracomment>%1: a file&apos;s name, or the address of a server</extracomment>
         <translation>
             <numerusform>%n attempt on this computer waits for another school: %1. If that is this one under an earlier name, &quot;cusp db send&quot; brings it here.</numerusform>
             <numerusform>%n attempts on this computer wait for another school: %1. If that is this one under an earlier name, &quot;cusp db send&quot; brings them here.</numerusform>
@@ -362,6 +356,20 @@
             <numerusform>%Ln characters too many: a comment has at most %1.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n comment(s) were typed and are not added yet.</source>
+        <translation>
+            <numerusform>%n comment was typed and is not added yet.</numerusform>
+            <numerusform>%n comments were typed and are not added yet.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n score(s) were typed and are not given yet.</source>
+        <translation>
+            <numerusform>%n score was typed and is not given yet.</numerusform>
+            <numerusform>%n scores were typed and are not given yet.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ui::presets::TrialCard</name>
@@ -422,27 +430,6 @@
         <translation>
             <numerusform>%n note about this scan</numerusform>
             <numerusform>%n notes about this scan</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>What you have changed in %n lesson(s) would be lost.</source>
-        <translation>
-            <numerusform>What you have changed in %n lesson would be lost.</numerusform>
-            <numerusform>What you have changed in %n lessons would be lost.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n comment(s) were typed and are not added yet.</source>
-        <translation>
-            <numerusform>%n comment was typed and is not added yet.</numerusform>
-            <numerusform>%n comments were typed and are not added yet.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n score(s) were typed and are not given yet.</source>
-        <translation>
-            <numerusform>%n score was typed and is not given yet.</numerusform>
-            <numerusform>%n scores were typed and are not given yet.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -516,6 +503,13 @@
         <translation>
             <numerusform>Replaying %n recording …</numerusform>
             <numerusform>Replaying %n recordings …</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>What you have changed in %n lesson(s) would be lost.</source>
+        <translation>
+            <numerusform>What you have changed in %n lesson would be lost.</numerusform>
+            <numerusform>What you have changed in %n lessons would be lost.</numerusform>
         </translation>
     </message>
 </context>

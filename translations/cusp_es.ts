@@ -289,10 +289,6 @@
         <translation>cuánto tarda un inicio de sesión con un nombre que nadie tiene</translation>
     </message>
     <message>
-        <source>It is empty, longer than 64 characters, has other signs than letters, digits and . _ - @, or letters of several scripts in one word.</source>
-        <translation>Está vacío, tiene más de 64 caracteres, contiene algo más que letras, cifras y . _ - @ o mezcla letras de varios alfabetos en una palabra.</translation>
-    </message>
-    <message>
         <source>A class list has no such column. It has username, given_name, family_name, role and class.</source>
         <translation>Una lista de clase no tiene tal columna. Tiene username, given_name, family_name, role y class.</translation>
     </message>
@@ -305,28 +301,12 @@
         <translation>tabla %1</translation>
     </message>
     <message>
-        <source>column %1</source>
-        <translation>columna %1</translation>
-    </message>
-    <message>
-        <source>index %1</source>
-        <translation>índice %1</translation>
-    </message>
-    <message>
         <source>trigger %1</source>
         <translation>disparador %1</translation>
     </message>
     <message>
-        <source>constraint %1</source>
-        <translation>restricción %1</translation>
-    </message>
-    <message>
-        <source>view %1</source>
-        <translation>vista %1</translation>
-    </message>
-    <message>
-        <source>rule %1</source>
-        <translation>regla %1</translation>
+        <source>It is empty, longer than 64 characters, or has other characters than the letters a to z, digits and . _ - @.</source>
+        <translation>Está vacío, tiene más de 64 caracteres o contiene otros que las letras de la a a la z, cifras y . _ - @.</translation>
     </message>
 </context>
 <context>
@@ -466,10 +446,12 @@
     <name>Chart</name>
     <message>
         <source>d MMM</source>
+        <extracomment>A day without its year, as QLocale::toString() takes it: &quot;27 Nov&quot;. Japanese &quot;M月d日&quot;</extracomment>
         <translation>d MMM</translation>
     </message>
     <message>
         <source>MMM yyyy</source>
+        <extracomment>A month, as QLocale::toString() takes it: &quot;Nov 2024&quot;</extracomment>
         <translation>MMM yyyy</translation>
     </message>
     <message numerus="yes">
@@ -1734,44 +1716,8 @@
         <translation>la fila %1 del registro fue eliminada</translation>
     </message>
     <message>
-        <source>audit rows %1 to %2 were removed</source>
-        <translation>las filas %1 a %2 del registro fueron eliminadas</translation>
-    </message>
-    <message>
         <source>no signature covers audit row %1: it was inserted, or the signed head was set back, or the row behind it was changed</source>
         <translation>ninguna firma cubre la fila %1 del registro: fue insertada, o se volvió a una cabecera firmada anterior, o la fila siguiente fue alterada</translation>
-    </message>
-    <message>
-        <source>no signature covers audit rows %1 to %2: they were inserted, or the signed head was set back, or the row behind them was changed</source>
-        <translation>ninguna firma cubre las filas %1 a %2 del registro: fueron insertadas, o se volvió a una cabecera firmada anterior, o la fila siguiente fue alterada</translation>
-    </message>
-    <message>
-        <source>audit row %1 (%2, %3, %4) and row %5 (%6, %7, %8) were exchanged</source>
-        <translation>la fila %1 (%2, %3, %4) y la fila %5 (%6, %7, %8) del registro fueron intercambiadas</translation>
-    </message>
-    <message>
-        <source>audit row %1 (%2, %3, %4) was inserted, and those behind it were renumbered</source>
-        <translation>la fila %1 del registro (%2, %3, %4) fue insertada, y las siguientes se renumeraron</translation>
-    </message>
-    <message>
-        <source>audit rows %1 to %2 were inserted, and those behind them were renumbered</source>
-        <translation>las filas %1 a %2 del registro fueron insertadas, y las siguientes se renumeraron</translation>
-    </message>
-    <message>
-        <source>before audit row %1 (%2, %3, %4) a row was removed, and those behind were renumbered</source>
-        <translation>antes de la fila %1 del registro (%2, %3, %4) se eliminó una fila, y las siguientes se renumeraron</translation>
-    </message>
-    <message>
-        <source>before audit row %1 (%2, %3, %4) %5 rows were removed, and those behind were renumbered</source>
-        <translation>antes de la fila %1 del registro (%2, %3, %4) se eliminaron %5 filas, y las siguientes se renumeraron</translation>
-    </message>
-    <message>
-        <source>audit row %1 (%2, %3, %4) was moved: it was written as row %5</source>
-        <translation>la fila %1 del registro (%2, %3, %4) fue movida: se escribió como fila %5</translation>
-    </message>
-    <message>
-        <source>audit row %1 (%2, %3, %4) was changed, or the one before it was and its hash with it</source>
-        <translation>la fila %1 del registro (%2, %3, %4) fue alterada, o lo fue la anterior junto con su hash</translation>
     </message>
     <message>
         <source>the signed head of the audit was removed</source>
@@ -1786,28 +1732,12 @@
         <translation>la fila %1 de la tabla %2 no corresponde a ninguna fila de %3</translation>
     </message>
     <message>
-        <source>%1 (%2, %3) was inserted: the audit knows nothing of it</source>
-        <translation>%1 (%2, %3): fue insertado; el registro no sabe nada de ello</translation>
-    </message>
-    <message>
         <source>%1 (%2, %3) was changed after it had been kept</source>
         <translation>%1 (%2, %3): fue alterado después de guardarse</translation>
     </message>
     <message>
         <source>%1 was removed; row %2 of the audit tells of it</source>
         <translation>%1: fue eliminado; la fila %2 del registro da cuenta de ello</translation>
-    </message>
-    <message>
-        <source>%1 was removed or changed; row %2 of the audit tells of it</source>
-        <translation>%1: fue eliminado o alterado; la fila %2 del registro da cuenta de ello</translation>
-    </message>
-    <message>
-        <source>%1 was inserted: the audit knows nothing of it</source>
-        <translation>%1: fue insertado; el registro no sabe nada de ello</translation>
-    </message>
-    <message>
-        <source>%1 was changed after it had been noted</source>
-        <translation>%1: fue alterado después de anotarse</translation>
     </message>
     <message>
         <source>%1 has no score sheet</source>
@@ -1834,212 +1764,44 @@
         <translation>la cabecera del registro se firmó con la clave %1, que no es la de este ordenador; si el archivo no lo escribió Cusp en otro ordenador, alguien lo ha reescrito</translation>
     </message>
     <message>
-        <source>an override of %1 was inserted: the audit knows nothing of it</source>
-        <translation>se insertó una puntuación cambiada (%1): el registro no sabe nada de ello</translation>
-    </message>
-    <message>
-        <source>an override of %1 was changed after it had been noted</source>
-        <translation>una puntuación cambiada (%1) fue alterada después de anotarse</translation>
-    </message>
-    <message>
-        <source>an override of %1 was removed</source>
-        <translation>se eliminó una puntuación cambiada (%1)</translation>
-    </message>
-    <message>
-        <source>a comment on %1 was inserted: the audit knows nothing of it</source>
-        <translation>se insertó un comentario (%1): el registro no sabe nada de ello</translation>
-    </message>
-    <message>
-        <source>a comment on %1 was changed after it had been noted</source>
-        <translation>un comentario (%1) fue alterado después de anotarse</translation>
-    </message>
-    <message>
-        <source>a comment on %1 was removed</source>
-        <translation>se eliminó un comentario (%1)</translation>
-    </message>
-    <message>
-        <source>%1 was removed</source>
-        <translation>%1: fue eliminado</translation>
-    </message>
-    <message>
-        <source>%1 is not what the audit says</source>
-        <translation>%1: no es lo que dice el registro</translation>
-    </message>
-    <message>
-        <source>%1 has another score than the audit says was given to it</source>
-        <translation>%1: tiene otra puntuación que la que, según el registro, se le dio</translation>
-    </message>
-    <message>
-        <source>%1 has the role %2, the audit says %3</source>
-        <translation>%1 tiene el rol «%2»; el registro dice «%3»</translation>
-    </message>
-    <message>
-        <source>%1 was disabled or enabled, and it was not noted</source>
-        <translation>%1: la cuenta fue desactivada o activada sin que se anotara</translation>
-    </message>
-    <message>
-        <source>%1 was given another name, and it was not noted</source>
-        <translation>%1: se le dio otro nombre sin que se anotara</translation>
-    </message>
-    <message>
-        <source>what %1 was given of the lesson %2 is not what the audit says</source>
-        <translation>lo que se asignó (%1, lección %2) no es lo que dice el registro</translation>
-    </message>
-    <message>
-        <source>that %1 was given the lesson %2 was removed</source>
-        <translation>se eliminó una asignación (%1, lección %2)</translation>
-    </message>
-    <message>
-        <source>%1 was renamed, and it was not noted</source>
-        <translation>%1: se le cambió el nombre sin que se anotara</translation>
-    </message>
-    <message>
-        <source>%1 was put into %2, and it was not noted</source>
-        <translation>%1 entró en el grupo (%2) sin que se anotara</translation>
-    </message>
-    <message>
-        <source>%1 was taken out of %2, and it was not noted</source>
-        <translation>%1 salió del grupo (%2) sin que se anotara</translation>
-    </message>
-    <message>
-        <source>%1 was taken from the person who made it</source>
-        <translation>%1: se le quitó a la persona que lo hizo</translation>
-    </message>
-    <message>
-        <source>of tables, indexes and triggers the names alone could be compared: this user of the server may not create a schema there; let the owner of the database check it</source>
-        <translation>de tablas, índices y disparadores solo se pudieron comparar los nombres: este usuario del servidor no puede crear allí un esquema; pida al propietario de la base de datos que la compruebe</translation>
-    </message>
-    <message>
         <source>%1 is no longer there: what it guarded is not guarded any more</source>
         <translation>%1 ya no está: lo que protegía ya no está protegido</translation>
-    </message>
-    <message>
-        <source>%1 is not as this program makes it</source>
-        <translation>%1 no es como lo crea este programa</translation>
-    </message>
-    <message>
-        <source>%1 is not from this program: it may change what is written</source>
-        <translation>%1 no es de este programa: puede alterar lo que se escribe</translation>
     </message>
     <message>
         <source>the newest row of the audit was signed with the key %1, and the audit knows no station that has it</source>
         <translation>la última fila del registro se firmó con la clave %1, y el registro no conoce ningún puesto que la tenga</translation>
     </message>
     <message>
-        <source>the pages of the file could not be looked at (%1)</source>
-        <translation>no se pudieron revisar las páginas del archivo (%1)</translation>
-    </message>
-    <message>
-        <source>the audit could not be looked at (%1)</source>
-        <translation>no se pudo revisar el registro (%1)</translation>
-    </message>
-    <message>
-        <source>tables, indexes and triggers could not be looked at (%1)</source>
-        <translation>no se pudieron revisar las tablas, los índices y los disparadores (%1)</translation>
-    </message>
-    <message>
-        <source>the attempts could not be looked at (%1)</source>
-        <translation>no se pudieron revisar los intentos (%1)</translation>
-    </message>
-    <message>
-        <source>the exams that were begun could not be looked at (%1)</source>
-        <translation>no se pudieron revisar los exámenes empezados (%1)</translation>
-    </message>
-    <message>
-        <source>score sheets and standings could not be looked at (%1)</source>
-        <translation>no se pudieron revisar las hojas de puntuación ni los resultados (%1)</translation>
-    </message>
-    <message>
-        <source>people, classes, comments, presets and settings could not be compared with the audit (%1)</source>
-        <translation>no se pudieron comparar con el registro las personas, los grupos, los comentarios, los ajustes de dureza ni la configuración (%1)</translation>
-    </message>
-    <message>
-        <source>the recordings could not be looked at (%1)</source>
-        <translation>no se pudieron revisar las grabaciones (%1)</translation>
-    </message>
-    <message>
-        <source>who signed the head of the audit could not be looked at (%1)</source>
-        <translation>no se pudo revisar quién firmó la cabecera del registro (%1)</translation>
-    </message>
-    <message>
         <source>new rows of the table %1 are not numbered as this program does, so that perhaps none can be added to it; &quot;cusp db migrate&quot; puts that right</source>
         <translation>las filas nuevas de la tabla %1 no se numeran como lo hace este programa, de modo que quizá no se pueda añadir ninguna; «cusp db migrate» lo corrige</translation>
-    </message>
-    <message>
-        <source>the numbers of new rows could not be looked at (%1)</source>
-        <translation>no se pudieron revisar los números de las filas nuevas (%1)</translation>
-    </message>
-    <message>
-        <source>a comment on %1 was taken back, and it was not noted</source>
-        <translation>se retiró un comentario (%1) sin que se anotara</translation>
-    </message>
-    <message>
-        <source>a comment on %1 that was taken back is there again, changed or removed</source>
-        <translation>un comentario retirado (%1) vuelve a estar, fue alterado o fue eliminado</translation>
-    </message>
-    <message>
-        <source>the password of %1 cannot be read, and lets nobody in: reset it, or restore a backup</source>
-        <translation>la contraseña de %1 es ilegible y nadie puede entrar con ella: restablézcala o restaure una copia</translation>
-    </message>
-    <message>
-        <source>the password or the one-time code of %1 was changed without a note in the audit: reset it, or restore a backup</source>
-        <translation>la contraseña o el código de un solo uso de %1 se cambió sin que conste en el registro: restablézcala o restaure una copia</translation>
-    </message>
-    <message>
-        <source>the server lets the triggers of this database rest (session_replication_role is %1): what they guard is not guarded; let its administrator set it to origin</source>
-        <translation>el servidor deja inactivos los disparadores de esta base de datos (session_replication_role es %1): lo que protegen no está protegido; su administrador debe ponerlo en origin</translation>
-    </message>
-    <message>
-        <source>%1 is not from this program: it may refuse what is to be written</source>
-        <translation>%1 no es de este programa: puede impedir que se escriba algo</translation>
     </message>
     <message>
         <source>audit row %1, which a report names, is not there: it was removed, or the code is not typed as it stands there</source>
         <translation>la fila %1 del registro, que nombra un informe, no está: se eliminó, o el código no se escribió como figura allí</translation>
     </message>
     <message>
-        <source>audit row %1 (%2, %3, %4) and those behind it were renumbered</source>
-        <translation>la fila %1 del registro (%2, %3, %4) y las que siguen fueron renumeradas</translation>
-    </message>
-    <message>
         <source>audit row %1 (%2, %3, %4) is not the one that a report names: it or one before it was changed, or the code is not typed as it stands there</source>
         <translation>la fila %1 del registro (%2, %3, %4) no es la que nombra un informe: ella o una anterior fue modificada, o el código no se escribió como figura allí</translation>
-    </message>
-    <message>
-        <source>%1 is not from this program: its rows are read among those of the table %2</source>
-        <translation>%1 no es de este programa: sus filas se leen entre las de la tabla %2</translation>
-    </message>
-    <message>
-        <source>%1 is not from this program: who changes its rows changes those of the table %2, past what guards them</source>
-        <translation>%1 no es de este programa: quien cambia sus filas cambia las de la tabla %2, sin pasar por lo que las protege</translation>
-    </message>
-    <message>
-        <source>%1 is not from this program: it may change what is read</source>
-        <translation>%1 no es de este programa: puede alterar lo que se lee</translation>
-    </message>
-    <message>
-        <source>audit rows %1 to %2 were moved: they were written as rows %3 to %4</source>
-        <translation>las filas %1 a %2 del registro fueron movidas: se escribieron como filas %3 a %4</translation>
     </message>
     <message>
         <source>%1 (%2, %3) is not noted in the audit: it was inserted, or the note of it is among the rows of the audit that were removed or changed</source>
         <translation>%1 (%2, %3): no consta en el registro; fue insertado, o su anotación está entre las filas del registro que fueron eliminadas o modificadas</translation>
     </message>
     <message>
-        <source>rows of the audit were removed or changed: what is said not to be as it was noted, or not to be noted, may be sound, and the note of it among them</source>
-        <translation>se eliminaron o modificaron filas del registro: lo que según esta lista no consta, o no es como consta, puede estar en orden, si su anotación estaba entre esas filas</translation>
+        <source>audit row %1 (%2, %3, %4) does not follow from the row before it: one of the two was changed, inserted or moved</source>
+        <translation>la fila %1 del registro (%2, %3, %4) no sigue a la anterior: una de las dos fue cambiada, insertada o movida</translation>
     </message>
     <message>
-        <source>an override of %1 is not noted in the audit: it was inserted, or the note of it is among the rows of the audit that were removed or changed</source>
-        <translation>una puntuación cambiada (%1) no consta en el registro: fue insertada, o su anotación está entre las filas del registro que fueron eliminadas o modificadas</translation>
+        <source>the audit itself was changed: rows that differ from it may be right all the same</source>
+        <translation>el propio registro fue cambiado: las filas que difieren de él pueden ser correctas a pesar de todo</translation>
     </message>
     <message>
-        <source>a comment on %1 is not noted in the audit: it was inserted, or the note of it is among the rows of the audit that were removed or changed</source>
-        <translation>un comentario (%1) no consta en el registro: fue insertado, o su anotación está entre las filas del registro que fueron eliminadas o modificadas</translation>
+        <source>the check could not go on: %1</source>
+        <translation>la comprobación no pudo continuar: %1</translation>
     </message>
     <message>
-        <source>%1 is not noted in the audit: it was inserted, or the note of it is among the rows of the audit that were removed or changed</source>
-        <translation>%1: no consta en el registro; fue insertado, o su anotación está entre las filas del registro que fueron eliminadas o modificadas</translation>
+        <source>%1 differs from the audit: the row of %2 was changed, added or removed</source>
+        <translation>%1 difiere del registro: la fila de %2 fue cambiada, añadida o eliminada</translation>
     </message>
 </context>
 <context>
@@ -2791,10 +2553,6 @@
         <translation>El registro sigue siendo el que nombra el informe con el código %1.</translation>
     </message>
     <message>
-        <source>What the last check found is in this backup, too; it stands below.</source>
-        <translation>Lo que encontró la última comprobación está también en esta copia; se indica abajo.</translation>
-    </message>
-    <message>
         <source>Backed up: %1. Its pages and keys are whole.</source>
         <translation>Copiado: %1. Sus páginas y claves están íntegras.</translation>
     </message>
@@ -2803,20 +2561,12 @@
         <translation>La restauración funciona: se hizo una copia, se restauró junto a la base de datos y se comparó, %1 filas.</translation>
     </message>
     <message>
-        <source>But its audit was changed. &quot;Check everything&quot; says where. Older backups in which it is whole are kept.</source>
-        <translation>Pero su registro fue modificado. «Revisar todo» dice dónde. Las copias anteriores en las que está íntegro se conservan.</translation>
-    </message>
-    <message>
         <source>The school&apos;s file is in use: another window of Cusp, or another program, has it open, or a backup is being made. Close what has it open, and restore then.</source>
         <translation>El archivo de la escuela está en uso: otra ventana de Cusp u otro programa lo tiene abierto, o se está haciendo una copia de seguridad. Cierre lo que lo tiene abierto y restaure después.</translation>
     </message>
     <message>
         <source>The backup was not restored; nothing has been changed. %1</source>
         <translation>La copia de seguridad no se restauró; no se ha cambiado nada. %1</translation>
-    </message>
-    <message>
-        <source>That cannot be: the name is empty or taken, or has other signs than letters, digits and . _ - @, or letters of several scripts in one word.</source>
-        <translation>No puede ser: el nombre está vacío u ocupado, tiene otros signos que letras, cifras y . _ - @ o mezcla letras de varios alfabetos en una palabra.</translation>
     </message>
     <message>
         <source>It is no backup of this school.</source>
@@ -2829,6 +2579,10 @@
     <message>
         <source>Nothing was entered: somebody else has entered or changed people meanwhile. This is what the list would do now.</source>
         <translation>No se registró a nadie: otra persona ha registrado o modificado a alguien entretanto. Esto es lo que haría la lista ahora.</translation>
+    </message>
+    <message>
+        <source>That cannot be: the username is empty or taken, or has other characters than the letters a to z, digits and . _ - @.</source>
+        <translation>No es posible: el nombre de usuario está vacío u ocupado, o contiene otros caracteres que las letras de la a a la z, cifras y . _ - @.</translation>
     </message>
 </context>
 <context>
@@ -2962,10 +2716,6 @@
         <translation>La calificación que no se pudo guardar ya está guardada.</translation>
     </message>
     <message>
-        <source>Today&apos;s backup was made, but the audit was changed. &quot;Check everything&quot; on the page of the backups says where.</source>
-        <translation>Se hizo la copia de hoy, pero el registro fue modificado. «Revisar todo», en la página de las copias, dice dónde.</translation>
-    </message>
-    <message>
         <source>The backup was not restored. %1</source>
         <translation>La copia de seguridad no se restauró. %1</translation>
     </message>
@@ -2974,22 +2724,12 @@
         <translation>Aquí no responde ningún programa que muestre carpetas. Sus propias lecciones están en %1.</translation>
     </message>
     <message numerus="yes">
-        <source>%n attempt(s) on this computer wait for their school: this file is named as a backup is, and gets none.</source>
-        <translation>
-            <numerusform>%n intento en este equipo queda pendiente para su escuela: este archivo se llama como una copia de seguridad y no recibe ninguno.</numerusform>
-            <numerusform>%n intentos en este equipo quedan pendientes para su escuela: este archivo se llama como una copia de seguridad y no recibe ninguno.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n attempt(s) on this computer wait for another school: %1. If that is this one under an earlier name, &quot;cusp db send&quot; brings them here.</source>
+        <extracomment>%1: a file&apos;s name, or the address of a server</extracomment>
         <translation>
             <numerusform>%n intento en este equipo queda pendiente para otra escuela: %1. Si es esta misma con un nombre anterior, «cusp db send» lo trae aquí.</numerusform>
             <numerusform>%n intentos en este equipo quedan pendientes para otra escuela: %1. Si es esta misma con un nombre anterior, «cusp db send» los trae aquí.</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Its audit had been changed before it was made. &quot;Check everything&quot; on the page of the backups says where; an older backup may have it whole.</source>
-        <translation>Su registro ya había sido modificado cuando se hizo. «Comprobar todo», en la página de copias de seguridad, dice dónde; una copia anterior quizá lo tenga íntegro.</translation>
     </message>
     <message>
         <source>Your role was changed, and you were logged out. Log in again.</source>
@@ -3509,25 +3249,12 @@
         <source>The school&apos;s data are being written to …</source>
         <translation>Se está escribiendo en los datos de la escuela …</translation>
     </message>
-    <message>
-        <source>Bring the changes back</source>
-        <translation>Recuperar los cambios</translation>
-    </message>
     <message numerus="yes">
         <source>%Ln person(s)</source>
         <translation>
             <numerusform>%Ln persona</numerusform>
             <numerusform>%Ln personas</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>What you had typed for a new person is put aside.</source>
-        <translation>Lo que había escrito de una persona nueva queda apartado.</translation>
-    </message>
-    <message>
-        <source>What you had changed of %1 is put aside.</source>
-        <extracomment>%1 is a person</extracomment>
-        <translation>Lo que había cambiado de %1 queda apartado.</translation>
     </message>
     <message>
         <source>What you have typed for a new person is not entered.</source>
@@ -3542,17 +3269,9 @@
         <translation>tiene un código de un solo uso, visible aquí</translation>
     </message>
     <message>
-        <source>One-time code of %1. Tell it now: it is kept nowhere. It is shown here, whenever %1 is chosen, until School is left.</source>
-        <translation>Código de un solo uso de %1. Comuníquelo ahora: no se guarda en ningún sitio. Se muestra aquí, cada vez que elija a %1, hasta que salga de Escuela.</translation>
-    </message>
-    <message>
         <source>There is a class %1 already. It is ticked above.</source>
         <extracomment>%1: the name of a class</extracomment>
         <translation>La clase %1 ya existe. Está marcada arriba.</translation>
-    </message>
-    <message>
-        <source>The one-time codes that are shown here are kept nowhere else. Esc once more leaves School without them.</source>
-        <translation>Los códigos de un solo uso que se muestran aquí no se guardan en ningún otro sitio. Otra vez Esc sale de Escuela sin ellos.</translation>
     </message>
     <message>
         <source>Yes, make another</source>
@@ -3598,6 +3317,10 @@
         <source>Somebody else has changed it meanwhile. There is now: %1. What you have typed stays here; saving it puts it in the place of that.</source>
         <extracomment>%1: &quot;Given name: Ann · Role: Instructor&quot;</extracomment>
         <translation>Otra persona lo ha cambiado entretanto. Ahora consta: %1. Lo que ha escrito sigue aquí; si lo guarda, ocupará su lugar.</translation>
+    </message>
+    <message>
+        <source>One-time code of %1. Tell it now: it is kept nowhere. It is shown here, whenever %1 is chosen, until you log out.</source>
+        <translation>Código de un solo uso de %1. Comuníquelo ahora: no se guarda en ningún sitio. Se muestra aquí, cada vez que elija a %1, hasta que cierre la sesión.</translation>
     </message>
 </context>
 <context>
@@ -3704,10 +3427,6 @@
         <translation>%1 (nueva)</translation>
     </message>
     <message>
-        <source>Choose another file all the same …</source>
-        <translation>Elegir otro archivo de todos modos …</translation>
-    </message>
-    <message>
         <source>The one-time codes of %1 are not saved, and they are kept nowhere else.</source>
         <translation>Los códigos de un solo uso de %1 no se han guardado y no están en ningún otro lugar.</translation>
     </message>
@@ -3749,6 +3468,10 @@
         <source>%1; the line has fewer fields than the first</source>
         <extracomment>%1: &quot;new&quot; or &quot;known&quot;, of somebody on a class list</extracomment>
         <translation>%1; la línea tiene menos campos que la primera</translation>
+    </message>
+    <message>
+        <source>These people are being entered …</source>
+        <translation>Se está registrando a estas personas …</translation>
     </message>
 </context>
 <context>
@@ -5371,10 +5094,6 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>La contraseña nueva otra vez</translation>
     </message>
     <message>
-        <source>A name to log in with has 1 to 64 letters, digits and . _ - @, and no spaces.</source>
-        <translation>Un nombre de usuario tiene de 1 a 64 letras, cifras y . _ - @, sin espacios.</translation>
-    </message>
-    <message>
         <source>This name has signs that cannot be seen. Type it again.</source>
         <translation>Este nombre tiene signos que no se ven. Escríbalo de nuevo.</translation>
     </message>
@@ -5402,6 +5121,10 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>The school&apos;s data are being opened …</source>
         <translation>Se están abriendo los datos de la escuela …</translation>
+    </message>
+    <message>
+        <source>A username has 1 to 64 characters: the letters a to z, digits and . _ - @.</source>
+        <translation>Un nombre de usuario tiene de 1 a 64 caracteres: letras de la a a la z, cifras y . _ - @.</translation>
     </message>
 </context>
 <context>
@@ -5556,21 +5279,26 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Una puntuación tiene de 0 a 100 puntos.</translation>
     </message>
     <message>
-        <source>What you had typed on this attempt in another window stands below it.</source>
-        <translation>Debajo está lo que había escrito sobre este intento en otra ventana.</translation>
-    </message>
-    <message>
-        <source>You were giving another score to an attempt in another window, and that waits, too: %1 points. %2</source>
-        <extracomment>%1: a number; %2: why</extracomment>
-        <translation>En otra ventana estaba dando otra puntuación a un intento, y también está pendiente: %1 puntos. %2</translation>
-    </message>
-    <message>
         <source>Nobody has written anything yet. Where there is a recording, a comment can be pinned to a moment of the replay and to a place on the tooth.</source>
         <translation>Nadie ha escrito nada todavía. Donde hay una grabación, un comentario se puede fijar a un momento de la reproducción y a un lugar del diente.</translation>
     </message>
     <message>
         <source>Nobody has written anything yet. What an instructor says is here.</source>
         <translation>Nadie ha escrito nada todavía. Aquí está lo que dice un docente.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n comment(s) were typed and are not added yet.</source>
+        <translation>
+            <numerusform>Se ha escrito %n comentario que aún no se ha añadido.</numerusform>
+            <numerusform>Se han escrito %n comentarios que aún no se han añadido.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n score(s) were typed and are not given yet.</source>
+        <translation>
+            <numerusform>Se ha escrito %n puntuación que aún no se ha asignado.</numerusform>
+            <numerusform>Se han escrito %n puntuaciones que aún no se han asignado.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5825,15 +5553,6 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Estos dos se sienten igual: elija otro o cambie un número</translation>
     </message>
     <message>
-        <source>Bring the changes back</source>
-        <translation>Recuperar los cambios</translation>
-    </message>
-    <message>
-        <source>What you had changed of %1 is put aside.</source>
-        <extracomment>%1 is a hardness preset</extracomment>
-        <translation>Lo que había cambiado de %1 queda apartado.</translation>
-    </message>
-    <message>
         <source>What you have changed of the hardness preset %1 is not saved.</source>
         <extracomment>%1 is a hardness preset</extracomment>
         <translation>Lo que ha cambiado del ajuste de dureza %1 no está guardado.</translation>
@@ -5870,11 +5589,6 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
     <message>
         <source>Nobody is offered it any more; attempts go on naming it</source>
         <translation>Ya no se ofrece a nadie; los intentos lo siguen nombrando</translation>
-    </message>
-    <message>
-        <source>What you changed of the hardness preset %1 in another window waits, too.</source>
-        <extracomment>%1 is a hardness preset</extracomment>
-        <translation>También está pendiente lo que cambió del ajuste de dureza %1 en otra ventana.</translation>
     </message>
 </context>
 <context>
@@ -7196,25 +6910,6 @@ sin guardar</translation>
     </message>
 </context>
 <context>
-    <name>ui::shell::Drafts</name>
-    <message>
-        <source>Something that was typed and kept nowhere waits on this computer, but this Cusp cannot read it.</source>
-        <translation>En este equipo está pendiente algo que se escribió y no se guardó en ningún sitio, pero esta versión de Cusp no puede leerlo.</translation>
-    </message>
-    <message>
-        <source>Take it instead</source>
-        <translation>Usar eso en su lugar</translation>
-    </message>
-    <message>
-        <source>Throw it away</source>
-        <translation>Descartar</translation>
-    </message>
-    <message>
-        <source>The attempt that you typed this on is there no more.</source>
-        <translation>El intento sobre el que escribió esto ya no existe.</translation>
-    </message>
-</context>
-<context>
     <name>ui::shell::DrillSwitch</name>
     <message>
         <source>Drill is on</source>
@@ -7604,17 +7299,6 @@ sin guardar</translation>
         <extracomment>%1: &quot;Tooth 36&quot;, &quot;Practice block: line&quot;; %2: a time of today, or a day and a time</extracomment>
         <translation>%1: un intento (%2) quedó sin terminar.</translation>
     </message>
-    <message numerus="yes">
-        <source>What you have changed in %n lesson(s) would be lost.</source>
-        <translation>
-            <numerusform>Lo que ha cambiado en %n lección se perdería.</numerusform>
-            <numerusform>Lo que ha cambiado en %n lecciones se perdería.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>&amp;Save</source>
-        <translation>&amp;Guardar</translation>
-    </message>
     <message>
         <source>Another attempt at the exam begins.</source>
         <translation>Empieza otro intento del examen.</translation>
@@ -7713,10 +7397,6 @@ sin guardar</translation>
         <translation>%1 – %2</translation>
     </message>
     <message>
-        <source>Not everything has been saved, and it would be lost.</source>
-        <translation>No todo está guardado, y se perdería.</translation>
-    </message>
-    <message>
         <source>From a file …</source>
         <translation>De un archivo …</translation>
     </message>
@@ -7732,28 +7412,6 @@ sin guardar</translation>
         <source>What the school keeps does not answer yet. You can go on drilling; what you asked for comes when it does.</source>
         <translation>Los datos de la escuela aún no responden. Usted puede seguir practicando; lo que pidió llegará cuando respondan.</translation>
     </message>
-    <message>
-        <source>&amp;Show it</source>
-        <translation>&amp;Mostrarlo</translation>
-    </message>
-    <message>
-        <source>Cusp stays open: what somebody else has typed or changed is not kept yet, and it cannot be put by on this computer. Make room on the disk, or let that person log in here.</source>
-        <translation>Cusp sigue abierto: lo que otra persona ha escrito o cambiado aún no está guardado, y no se puede apartar en este ordenador. Haga sitio en el disco o deje que esa persona inicie sesión aquí.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n comment(s) were typed and are not added yet.</source>
-        <translation>
-            <numerusform>Se ha escrito %n comentario que aún no se ha añadido.</numerusform>
-            <numerusform>Se han escrito %n comentarios que aún no se han añadido.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n score(s) were typed and are not given yet.</source>
-        <translation>
-            <numerusform>Se ha escrito %n puntuación que aún no se ha asignado.</numerusform>
-            <numerusform>Se han escrito %n puntuaciones que aún no se han asignado.</numerusform>
-        </translation>
-    </message>
     <message numerus="yes">
         <source>%n grade(s) are not kept yet, and would be lost.</source>
         <translation>
@@ -7764,15 +7422,6 @@ sin guardar</translation>
     <message>
         <source>The disk takes nothing now. It is tried again every few seconds as long as Cusp runs: make room on the disk, or check the rights of the folder.</source>
         <translation>El disco no admite nada ahora. Mientras Cusp esté abierto se vuelve a intentar cada pocos segundos: haga sitio en el disco o revise los permisos de la carpeta.</translation>
-    </message>
-    <message>
-        <source>One-time codes that %1 made would be lost.</source>
-        <extracomment>%1: an admin, or several</extracomment>
-        <translation>Se perderían códigos de un solo uso que creó %1.</translation>
-    </message>
-    <message>
-        <source>They are kept nowhere else. Whoever has not logged in with one by then gets another from an admin, under School.</source>
-        <translation>No están guardados en ningún otro sitio. Quien no haya iniciado sesión con el suyo recibe otro de un administrador, en «Escuela».</translation>
     </message>
     <message>
         <source>The time of this exam is over: nothing more can be cut.</source>
@@ -8275,6 +7924,22 @@ sin guardar</translation>
     <message>
         <source>My attempts</source>
         <translation>Mis intentos</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::UnsavedChanges</name>
+    <message>
+        <source>Discard your unsaved changes?</source>
+        <extracomment>%1: a user</extracomment>
+        <translation>¿Descartar sus cambios sin guardar?</translation>
+    </message>
+    <message>
+        <source>Discard the unsaved changes of %1?</source>
+        <translation>¿Descartar los cambios sin guardar de %1?</translation>
+    </message>
+    <message>
+        <source>&amp;Keep editing</source>
+        <translation>&amp;Seguir editando</translation>
     </message>
 </context>
 <context>
@@ -8854,13 +8519,12 @@ sin guardar</translation>
         <source>This is what stands in the file now. A step back brings your own changes back.</source>
         <translation>Esto es lo que dice ahora el archivo. Un paso atrás recupera sus propios cambios.</translation>
     </message>
-    <message>
-        <source>What was changed of the lesson &quot;%1&quot; in another window waits, too.</source>
-        <translation>También está pendiente lo que se cambió de la lección «%1» en otra ventana.</translation>
-    </message>
-    <message>
-        <source>What was changed of a lesson waits, but its file is there no more, or is no lesson: %1.</source>
-        <translation>Está pendiente lo que se cambió de una lección, pero su archivo ya no existe o no es una lección: %1.</translation>
+    <message numerus="yes">
+        <source>What you have changed in %n lesson(s) would be lost.</source>
+        <translation>
+            <numerusform>Lo que ha cambiado en %n lección se perdería.</numerusform>
+            <numerusform>Lo que ha cambiado en %n lecciones se perdería.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -9497,11 +9161,8 @@ sin guardar</translation>
     </message>
     <message>
         <source>%1: %2 points at %3 times the tolerance</source>
+        <extracomment>%1: the name of a file, or which line</extracomment>
         <translation>%1: %2 puntos con %3 veces la tolerancia</translation>
-    </message>
-    <message>
-        <source>Middle half</source>
-        <translation>Mitad central</translation>
     </message>
     <message>
         <source>Median</source>
@@ -9510,10 +9171,6 @@ sin guardar</translation>
     <message>
         <source>Pass mark</source>
         <translation>Nota de aprobado</translation>
-    </message>
-    <message>
-        <source>Attempts that pass</source>
-        <translation>Intentos aprobados</translation>
     </message>
     <message>
         <source>As set</source>

@@ -288,10 +288,6 @@
         <translation>存在しない名前でのログインにかかる時間</translation>
     </message>
     <message>
-        <source>It is empty, longer than 64 characters, has other signs than letters, digits and . _ - @, or letters of several scripts in one word.</source>
-        <translation>空か、64文字を超えるか、文字・数字と . _ - @ 以外の記号を含むか、一つの語に複数の文字体系が混ざっています。</translation>
-    </message>
-    <message>
         <source>A class list has no such column. It has username, given_name, family_name, role and class.</source>
         <translation>クラス名簿にこの列はありません。列は username、given_name、family_name、role、class です。</translation>
     </message>
@@ -304,28 +300,12 @@
         <translation>テーブル %1</translation>
     </message>
     <message>
-        <source>column %1</source>
-        <translation>列 %1</translation>
-    </message>
-    <message>
-        <source>index %1</source>
-        <translation>インデックス %1</translation>
-    </message>
-    <message>
         <source>trigger %1</source>
         <translation>トリガー %1</translation>
     </message>
     <message>
-        <source>constraint %1</source>
-        <translation>制約 %1</translation>
-    </message>
-    <message>
-        <source>view %1</source>
-        <translation>ビュー %1</translation>
-    </message>
-    <message>
-        <source>rule %1</source>
-        <translation>ルール %1</translation>
+        <source>It is empty, longer than 64 characters, or has other characters than the letters a to z, digits and . _ - @.</source>
+        <translation>空であるか、64文字を超えているか、英字a〜z、数字、. _ - @ 以外の文字が含まれています。</translation>
     </message>
 </context>
 <context>
@@ -465,10 +445,12 @@
     <name>Chart</name>
     <message>
         <source>d MMM</source>
+        <extracomment>A day without its year, as QLocale::toString() takes it: &quot;27 Nov&quot;. Japanese &quot;M月d日&quot;</extracomment>
         <translation>M月d日</translation>
     </message>
     <message>
         <source>MMM yyyy</source>
+        <extracomment>A month, as QLocale::toString() takes it: &quot;Nov 2024&quot;</extracomment>
         <translation>yyyy年M月</translation>
     </message>
     <message numerus="yes">
@@ -1732,44 +1714,8 @@
         <translation>監査記録の %1 行が削除されています</translation>
     </message>
     <message>
-        <source>audit rows %1 to %2 were removed</source>
-        <translation>監査記録の %1～%2 行が削除されています</translation>
-    </message>
-    <message>
         <source>no signature covers audit row %1: it was inserted, or the signed head was set back, or the row behind it was changed</source>
         <translation>監査記録の %1 行はどの署名にも含まれていません。挿入されたか、署名された先頭が以前のものに戻されたか、次の行が改変されています</translation>
-    </message>
-    <message>
-        <source>no signature covers audit rows %1 to %2: they were inserted, or the signed head was set back, or the row behind them was changed</source>
-        <translation>監査記録の %1～%2 行はどの署名にも含まれていません。挿入されたか、署名された先頭が以前のものに戻されたか、次の行が改変されています</translation>
-    </message>
-    <message>
-        <source>audit row %1 (%2, %3, %4) and row %5 (%6, %7, %8) were exchanged</source>
-        <translation>監査記録の %1 行（%2、%3、%4）と %5 行（%6、%7、%8）が入れ替えられています</translation>
-    </message>
-    <message>
-        <source>audit row %1 (%2, %3, %4) was inserted, and those behind it were renumbered</source>
-        <translation>監査記録の %1 行（%2、%3、%4）が挿入され、以降の行の番号が付け直されています</translation>
-    </message>
-    <message>
-        <source>audit rows %1 to %2 were inserted, and those behind them were renumbered</source>
-        <translation>監査記録の %1～%2 行が挿入され、以降の行の番号が付け直されています</translation>
-    </message>
-    <message>
-        <source>before audit row %1 (%2, %3, %4) a row was removed, and those behind were renumbered</source>
-        <translation>監査記録の %1 行（%2、%3、%4）の前で 1 行が削除され、以降の行の番号が付け直されています</translation>
-    </message>
-    <message>
-        <source>before audit row %1 (%2, %3, %4) %5 rows were removed, and those behind were renumbered</source>
-        <translation>監査記録の %1 行（%2、%3、%4）の前で %5 行が削除され、以降の行の番号が付け直されています</translation>
-    </message>
-    <message>
-        <source>audit row %1 (%2, %3, %4) was moved: it was written as row %5</source>
-        <translation>監査記録の %1 行（%2、%3、%4）が移動されています。元は %5 行として書かれました</translation>
-    </message>
-    <message>
-        <source>audit row %1 (%2, %3, %4) was changed, or the one before it was and its hash with it</source>
-        <translation>監査記録の %1 行（%2、%3、%4）、またはその前の行がハッシュとともに改変されています</translation>
     </message>
     <message>
         <source>the signed head of the audit was removed</source>
@@ -1784,28 +1730,12 @@
         <translation>表 %2 の %1 行に対応する %3 の行がありません</translation>
     </message>
     <message>
-        <source>%1 (%2, %3) was inserted: the audit knows nothing of it</source>
-        <translation>%1（%2、%3）が挿入されています。監査記録に記載がありません</translation>
-    </message>
-    <message>
         <source>%1 (%2, %3) was changed after it had been kept</source>
         <translation>%1（%2、%3）が保存後に改変されています</translation>
     </message>
     <message>
         <source>%1 was removed; row %2 of the audit tells of it</source>
         <translation>%1 が削除されています。監査記録の %2 行に記載があります</translation>
-    </message>
-    <message>
-        <source>%1 was removed or changed; row %2 of the audit tells of it</source>
-        <translation>%1 が削除または改変されています。監査記録の %2 行に記載があります</translation>
-    </message>
-    <message>
-        <source>%1 was inserted: the audit knows nothing of it</source>
-        <translation>%1 が挿入されています。監査記録に記載がありません</translation>
-    </message>
-    <message>
-        <source>%1 was changed after it had been noted</source>
-        <translation>%1 が記録後に改変されています</translation>
     </message>
     <message>
         <source>%1 has no score sheet</source>
@@ -1832,212 +1762,44 @@
         <translation>監査記録の先頭は鍵 %1 で署名されていますが、これはこのコンピューターの鍵ではありません。別のコンピューターの Cusp が書いたファイルでなければ、誰かが書き換えています</translation>
     </message>
     <message>
-        <source>an override of %1 was inserted: the audit knows nothing of it</source>
-        <translation>%1 の点数の変更が挿入されています。監査記録に記載がありません</translation>
-    </message>
-    <message>
-        <source>an override of %1 was changed after it had been noted</source>
-        <translation>%1 の点数の変更が記録後に改変されています</translation>
-    </message>
-    <message>
-        <source>an override of %1 was removed</source>
-        <translation>%1 の点数の変更が削除されています</translation>
-    </message>
-    <message>
-        <source>a comment on %1 was inserted: the audit knows nothing of it</source>
-        <translation>%1 へのコメントが挿入されています。監査記録に記載がありません</translation>
-    </message>
-    <message>
-        <source>a comment on %1 was changed after it had been noted</source>
-        <translation>%1 へのコメントが記録後に改変されています</translation>
-    </message>
-    <message>
-        <source>a comment on %1 was removed</source>
-        <translation>%1 へのコメントが削除されています</translation>
-    </message>
-    <message>
-        <source>%1 was removed</source>
-        <translation>%1 が削除されています</translation>
-    </message>
-    <message>
-        <source>%1 is not what the audit says</source>
-        <translation>%1 が監査記録と一致しません</translation>
-    </message>
-    <message>
-        <source>%1 has another score than the audit says was given to it</source>
-        <translation>%1 の点数が、監査記録にある与えられた点数と異なります</translation>
-    </message>
-    <message>
-        <source>%1 has the role %2, the audit says %3</source>
-        <translation>%1 の役割は「%2」ですが、監査記録では「%3」です</translation>
-    </message>
-    <message>
-        <source>%1 was disabled or enabled, and it was not noted</source>
-        <translation>%1 が記録なしに無効または有効にされています</translation>
-    </message>
-    <message>
-        <source>%1 was given another name, and it was not noted</source>
-        <translation>%1 の名前が記録なしに変更されています</translation>
-    </message>
-    <message>
-        <source>what %1 was given of the lesson %2 is not what the audit says</source>
-        <translation>%1 に出されたレッスン %2 の課題が監査記録と一致しません</translation>
-    </message>
-    <message>
-        <source>that %1 was given the lesson %2 was removed</source>
-        <translation>%1 に出されたレッスン %2 の課題が削除されています</translation>
-    </message>
-    <message>
-        <source>%1 was renamed, and it was not noted</source>
-        <translation>%1 の名称が記録なしに変更されています</translation>
-    </message>
-    <message>
-        <source>%1 was put into %2, and it was not noted</source>
-        <translation>%1 が記録なしに %2 に加えられています</translation>
-    </message>
-    <message>
-        <source>%1 was taken out of %2, and it was not noted</source>
-        <translation>%1 が記録なしに %2 から外されています</translation>
-    </message>
-    <message>
-        <source>%1 was taken from the person who made it</source>
-        <translation>%1 が、行った本人から切り離されています</translation>
-    </message>
-    <message>
-        <source>of tables, indexes and triggers the names alone could be compared: this user of the server may not create a schema there; let the owner of the database check it</source>
-        <translation>表、インデックス、トリガーは名前しか比較できませんでした。このサーバー利用者にはスキーマを作成する権限がありません。データベースの所有者に検査を依頼してください</translation>
-    </message>
-    <message>
         <source>%1 is no longer there: what it guarded is not guarded any more</source>
         <translation>%1 がなくなっています。保護されていたものは保護されていません</translation>
-    </message>
-    <message>
-        <source>%1 is not as this program makes it</source>
-        <translation>%1 は、このプログラムが作成したものと異なります</translation>
-    </message>
-    <message>
-        <source>%1 is not from this program: it may change what is written</source>
-        <translation>%1 は、このプログラムのものではありません。書き込まれる内容を変える可能性があります</translation>
     </message>
     <message>
         <source>the newest row of the audit was signed with the key %1, and the audit knows no station that has it</source>
         <translation>監査記録の最新の行は鍵 %1 で署名されていますが、その鍵を持つ端末は監査記録にありません</translation>
     </message>
     <message>
-        <source>the pages of the file could not be looked at (%1)</source>
-        <translation>ファイルのページを調べられませんでした（%1）</translation>
-    </message>
-    <message>
-        <source>the audit could not be looked at (%1)</source>
-        <translation>監査記録を調べられませんでした（%1）</translation>
-    </message>
-    <message>
-        <source>tables, indexes and triggers could not be looked at (%1)</source>
-        <translation>表、インデックス、トリガーを調べられませんでした（%1）</translation>
-    </message>
-    <message>
-        <source>the attempts could not be looked at (%1)</source>
-        <translation>試行を調べられませんでした（%1）</translation>
-    </message>
-    <message>
-        <source>the exams that were begun could not be looked at (%1)</source>
-        <translation>開始された試験を調べられませんでした（%1）</translation>
-    </message>
-    <message>
-        <source>score sheets and standings could not be looked at (%1)</source>
-        <translation>採点表と成績を調べられませんでした（%1）</translation>
-    </message>
-    <message>
-        <source>people, classes, comments, presets and settings could not be compared with the audit (%1)</source>
-        <translation>利用者、クラス、コメント、プリセット、設定を監査記録と比較できませんでした（%1）</translation>
-    </message>
-    <message>
-        <source>the recordings could not be looked at (%1)</source>
-        <translation>記録を調べられませんでした（%1）</translation>
-    </message>
-    <message>
-        <source>who signed the head of the audit could not be looked at (%1)</source>
-        <translation>監査記録の先頭の署名者を調べられませんでした（%1）</translation>
-    </message>
-    <message>
         <source>new rows of the table %1 are not numbered as this program does, so that perhaps none can be added to it; &quot;cusp db migrate&quot; puts that right</source>
         <translation>表 %1 の新しい行の番号付けがこのプログラムの方式と違うため、行を追加できないことがあります。cusp の db migrate コマンドで直せます</translation>
-    </message>
-    <message>
-        <source>the numbers of new rows could not be looked at (%1)</source>
-        <translation>新しい行の番号を調べられませんでした（%1）</translation>
-    </message>
-    <message>
-        <source>a comment on %1 was taken back, and it was not noted</source>
-        <translation>%1 へのコメントが記録なしに取り下げられています</translation>
-    </message>
-    <message>
-        <source>a comment on %1 that was taken back is there again, changed or removed</source>
-        <translation>%1 への取り下げられたコメントが、復活、改変または削除されています</translation>
-    </message>
-    <message>
-        <source>the password of %1 cannot be read, and lets nobody in: reset it, or restore a backup</source>
-        <translation>%1 のパスワードが読み取れず、ログインできません。リセットするか、バックアップを復元してください</translation>
-    </message>
-    <message>
-        <source>the password or the one-time code of %1 was changed without a note in the audit: reset it, or restore a backup</source>
-        <translation>%1 のパスワードまたはワンタイムコードが、監査記録なしに変更されています。リセットするか、バックアップを復元してください</translation>
-    </message>
-    <message>
-        <source>the server lets the triggers of this database rest (session_replication_role is %1): what they guard is not guarded; let its administrator set it to origin</source>
-        <translation>サーバーがこのデータベースのトリガーを休止させています（session_replication_role は %1）。トリガーが保護するものは保護されていません。サーバーの管理者に origin に設定してもらってください</translation>
-    </message>
-    <message>
-        <source>%1 is not from this program: it may refuse what is to be written</source>
-        <translation>%1 は、このプログラムのものではありません。書き込みを妨げる可能性があります</translation>
     </message>
     <message>
         <source>audit row %1, which a report names, is not there: it was removed, or the code is not typed as it stands there</source>
         <translation>報告書にある監査記録の %1 行がありません。削除されたか、コードの入力が報告書と違います</translation>
     </message>
     <message>
-        <source>audit row %1 (%2, %3, %4) and those behind it were renumbered</source>
-        <translation>監査記録の %1 行（%2、%3、%4）とそれ以降の番号が付け替えられています</translation>
-    </message>
-    <message>
         <source>audit row %1 (%2, %3, %4) is not the one that a report names: it or one before it was changed, or the code is not typed as it stands there</source>
         <translation>監査記録の %1 行（%2、%3、%4）は報告書にあるものと違います。この行かそれより前の行が変更されたか、コードの入力が報告書と違います</translation>
-    </message>
-    <message>
-        <source>%1 is not from this program: its rows are read among those of the table %2</source>
-        <translation>%1 はこのプログラムのものではありません。その行が表 %2 の行として読まれます</translation>
-    </message>
-    <message>
-        <source>%1 is not from this program: who changes its rows changes those of the table %2, past what guards them</source>
-        <translation>%1 はこのプログラムのものではありません。その行を変更すると、保護を素通りして表 %2 の行が変更されます</translation>
-    </message>
-    <message>
-        <source>%1 is not from this program: it may change what is read</source>
-        <translation>%1 は、このプログラムのものではありません。読み取られる内容を変える可能性があります</translation>
-    </message>
-    <message>
-        <source>audit rows %1 to %2 were moved: they were written as rows %3 to %4</source>
-        <translation>監査記録の %1～%2 行が移動されています。元は %3～%4 行として書かれました</translation>
     </message>
     <message>
         <source>%1 (%2, %3) is not noted in the audit: it was inserted, or the note of it is among the rows of the audit that were removed or changed</source>
         <translation>%1（%2、%3）は監査記録に記載がありません。挿入されたか、削除または変更された監査記録の行に記載されていました</translation>
     </message>
     <message>
-        <source>rows of the audit were removed or changed: what is said not to be as it was noted, or not to be noted, may be sound, and the note of it among them</source>
-        <translation>監査記録の行が削除または変更されています。記載がない、または記載と異なるとされたものも、その記載がそれらの行にあったのであれば、問題がない可能性があります</translation>
+        <source>audit row %1 (%2, %3, %4) does not follow from the row before it: one of the two was changed, inserted or moved</source>
+        <translation>監査記録の行 %1(%2、%3、%4)は前の行に続いていません。どちらかの行が変更、挿入、または移動されました</translation>
     </message>
     <message>
-        <source>an override of %1 is not noted in the audit: it was inserted, or the note of it is among the rows of the audit that were removed or changed</source>
-        <translation>%1 の点数の変更は監査記録に記載がありません。挿入されたか、削除または変更された監査記録の行に記載されていました</translation>
+        <source>the audit itself was changed: rows that differ from it may be right all the same</source>
+        <translation>監査記録そのものが変更されています。それと異なる行も正しい可能性があります</translation>
     </message>
     <message>
-        <source>a comment on %1 is not noted in the audit: it was inserted, or the note of it is among the rows of the audit that were removed or changed</source>
-        <translation>%1 へのコメントは監査記録に記載がありません。挿入されたか、削除または変更された監査記録の行に記載されていました</translation>
+        <source>the check could not go on: %1</source>
+        <translation>検査を続けられませんでした: %1</translation>
     </message>
     <message>
-        <source>%1 is not noted in the audit: it was inserted, or the note of it is among the rows of the audit that were removed or changed</source>
-        <translation>%1 は監査記録に記載がありません。挿入されたか、削除または変更された監査記録の行に記載されていました</translation>
+        <source>%1 differs from the audit: the row of %2 was changed, added or removed</source>
+        <translation>%1が監査記録と異なります。%2の行が変更、追加、または削除されました</translation>
     </message>
 </context>
 <context>
@@ -2780,10 +2542,6 @@
         <translation>監査記録は、コード %1 の報告書が示すものと同じです。</translation>
     </message>
     <message>
-        <source>What the last check found is in this backup, too; it stands below.</source>
-        <translation>前回の確認で見つかった異常は、このバックアップにも含まれています。下に示します。</translation>
-    </message>
-    <message>
         <source>Backed up: %1. Its pages and keys are whole.</source>
         <translation>バックアップしました：%1。ページとキーに損傷はありません。</translation>
     </message>
@@ -2792,20 +2550,12 @@
         <translation>復元できます：バックアップを作成し、データベースの横に復元して %1 行を比較しました。</translation>
     </message>
     <message>
-        <source>But its audit was changed. &quot;Check everything&quot; says where. Older backups in which it is whole are kept.</source>
-        <translation>ただし、監査記録が変更されています。「すべて確認」で場所がわかります。監査記録が元のままの以前のバックアップは残されます。</translation>
-    </message>
-    <message>
         <source>The school&apos;s file is in use: another window of Cusp, or another program, has it open, or a backup is being made. Close what has it open, and restore then.</source>
         <translation>学校のファイルは使用中です。Cuspの別のウィンドウか別のプログラムが開いているか、バックアップの作成中です。開いているものを閉じてから復元してください。</translation>
     </message>
     <message>
         <source>The backup was not restored; nothing has been changed. %1</source>
         <translation>バックアップは復元されませんでした。何も変更されていません。%1</translation>
-    </message>
-    <message>
-        <source>That cannot be: the name is empty or taken, or has other signs than letters, digits and . _ - @, or letters of several scripts in one word.</source>
-        <translation>できません：名前が空か、使われているか、英字・数字・. _ - @ 以外の文字があるか、一つの語に複数の文字体系が混ざっています。</translation>
     </message>
     <message>
         <source>It is no backup of this school.</source>
@@ -2818,6 +2568,10 @@
     <message>
         <source>Nothing was entered: somebody else has entered or changed people meanwhile. This is what the list would do now.</source>
         <translation>何も登録していません。その間に別の人が登録または変更しました。これが現在のリストの内容です。</translation>
+    </message>
+    <message>
+        <source>That cannot be: the username is empty or taken, or has other characters than the letters a to z, digits and . _ - @.</source>
+        <translation>変更できません。ユーザー名が空か使用済み、または英字a〜z、数字、. _ - @ 以外の文字が含まれています。</translation>
     </message>
 </context>
 <context>
@@ -2950,10 +2704,6 @@
         <translation>保存できなかった採点結果が保存されました。</translation>
     </message>
     <message>
-        <source>Today&apos;s backup was made, but the audit was changed. &quot;Check everything&quot; on the page of the backups says where.</source>
-        <translation>今日のバックアップは作成されましたが、監査記録が変更されています。バックアップのページの「すべて確認」で場所がわかります。</translation>
-    </message>
-    <message>
         <source>The backup was not restored. %1</source>
         <translation>バックアップは復元されませんでした。%1</translation>
     </message>
@@ -2962,20 +2712,11 @@
         <translation>フォルダーを表示するプログラムがここにはありません。ご自分の課題は %1 にあります。</translation>
     </message>
     <message numerus="yes">
-        <source>%n attempt(s) on this computer wait for their school: this file is named as a backup is, and gets none.</source>
-        <translation>
-            <numerusform>このコンピューターの%n件の試行は、本来の学校のデータを待っています。このファイルはバックアップの名前なので、何も受け取りません。</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n attempt(s) on this computer wait for another school: %1. If that is this one under an earlier name, &quot;cusp db send&quot; brings them here.</source>
+        <extracomment>%1: a file&apos;s name, or the address of a server</extracomment>
         <translation>
             <numerusform>このコンピューターの%n件の試行は、別の学校（%1）を待っています。それが以前の名前のこの学校であれば、cusp の db send コマンドでここに送れます。</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Its audit had been changed before it was made. &quot;Check everything&quot; on the page of the backups says where; an older backup may have it whole.</source>
-        <translation>このバックアップの監査は、作成される前に変更されていました。どこが変わったかはバックアップのページの「すべて検査」で分かります。古いバックアップなら元のまま残っているかもしれません。</translation>
     </message>
     <message>
         <source>Your role was changed, and you were logged out. Log in again.</source>
@@ -3492,24 +3233,11 @@
         <source>The school&apos;s data are being written to …</source>
         <translation>学校のデータに書き込んでいます…</translation>
     </message>
-    <message>
-        <source>Bring the changes back</source>
-        <translation>変更を戻す</translation>
-    </message>
     <message numerus="yes">
         <source>%Ln person(s)</source>
         <translation>
             <numerusform>%Ln 人</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>What you had typed for a new person is put aside.</source>
-        <translation>新しい人について入力した内容を取り置いています。</translation>
-    </message>
-    <message>
-        <source>What you had changed of %1 is put aside.</source>
-        <extracomment>%1 is a person</extracomment>
-        <translation>%1 の変更を取り置いています。</translation>
     </message>
     <message>
         <source>What you have typed for a new person is not entered.</source>
@@ -3524,17 +3252,9 @@
         <translation>ワンタイムコードあり（ここで見られます）</translation>
     </message>
     <message>
-        <source>One-time code of %1. Tell it now: it is kept nowhere. It is shown here, whenever %1 is chosen, until School is left.</source>
-        <translation>%1 のワンタイムコードです。今伝えてください。どこにも保存されません。「学校」を離れるまでは、%1 を選ぶたびにここに表示されます。</translation>
-    </message>
-    <message>
         <source>There is a class %1 already. It is ticked above.</source>
         <extracomment>%1: the name of a class</extracomment>
         <translation>クラス「%1」はすでにあります。上で選択されています。</translation>
-    </message>
-    <message>
-        <source>The one-time codes that are shown here are kept nowhere else. Esc once more leaves School without them.</source>
-        <translation>ここに表示されているワンタイムコードはほかに保存されていません。もう一度Escを押すと、コードを残さずに「学校」を離れます。</translation>
     </message>
     <message>
         <source>Yes, make another</source>
@@ -3579,6 +3299,10 @@
         <source>Somebody else has changed it meanwhile. There is now: %1. What you have typed stays here; saving it puts it in the place of that.</source>
         <extracomment>%1: &quot;Given name: Ann · Role: Instructor&quot;</extracomment>
         <translation>その間にほかの人が変更しました。現在の内容：%1。入力した内容はここに残っています。保存すると、それに置き換わります。</translation>
+    </message>
+    <message>
+        <source>One-time code of %1. Tell it now: it is kept nowhere. It is shown here, whenever %1 is chosen, until you log out.</source>
+        <translation>%1 のワンタイムコードです。今伝えてください。どこにも保存されません。ログアウトするまでは、%1 を選ぶたびにここに表示されます。</translation>
     </message>
 </context>
 <context>
@@ -3685,10 +3409,6 @@
         <translation>%1（新規）</translation>
     </message>
     <message>
-        <source>Choose another file all the same …</source>
-        <translation>それでも別のファイルを選ぶ…</translation>
-    </message>
-    <message>
         <source>The one-time codes of %1 are not saved, and they are kept nowhere else.</source>
         <translation>%1のワンタイムコードは保存されておらず、ほかのどこにも残っていません。</translation>
     </message>
@@ -3727,6 +3447,10 @@
         <source>%1; the line has fewer fields than the first</source>
         <extracomment>%1: &quot;new&quot; or &quot;known&quot;, of somebody on a class list</extracomment>
         <translation>%1（この行の項目は1行目より少ない）</translation>
+    </message>
+    <message>
+        <source>These people are being entered …</source>
+        <translation>登録しています…</translation>
     </message>
 </context>
 <context>
@@ -5330,10 +5054,6 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>新しいパスワードをもう一度</translation>
     </message>
     <message>
-        <source>A name to log in with has 1 to 64 letters, digits and . _ - @, and no spaces.</source>
-        <translation>ログイン名は 1～64 文字の文字、数字、. _ - @ で、空白は使えません。</translation>
-    </message>
-    <message>
         <source>This name has signs that cannot be seen. Type it again.</source>
         <translation>この名前には見えない文字が含まれています。もう一度入力してください。</translation>
     </message>
@@ -5361,6 +5081,10 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>The school&apos;s data are being opened …</source>
         <translation>学校のデータを開いています…</translation>
+    </message>
+    <message>
+        <source>A username has 1 to 64 characters: the letters a to z, digits and . _ - @.</source>
+        <translation>ユーザー名は1〜64文字で、英字a〜z、数字、. _ - @ が使えます。</translation>
     </message>
 </context>
 <context>
@@ -5513,21 +5237,24 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>点数は0から100までです。</translation>
     </message>
     <message>
-        <source>What you had typed on this attempt in another window stands below it.</source>
-        <translation>ほかのウィンドウでこの試行について入力していた内容は、その下にあります。</translation>
-    </message>
-    <message>
-        <source>You were giving another score to an attempt in another window, and that waits, too: %1 points. %2</source>
-        <extracomment>%1: a number; %2: why</extracomment>
-        <translation>ほかのウィンドウで、ある試行に別の点数をつけようとしていました。それも残っています：%1点。%2</translation>
-    </message>
-    <message>
         <source>Nobody has written anything yet. Where there is a recording, a comment can be pinned to a moment of the replay and to a place on the tooth.</source>
         <translation>まだ何も書かれていません。記録があれば、コメントは再生の時点や歯の場所に付けられます。</translation>
     </message>
     <message>
         <source>Nobody has written anything yet. What an instructor says is here.</source>
         <translation>まだ何も書かれていません。教員のコメントはここに表示されます。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n comment(s) were typed and are not added yet.</source>
+        <translation>
+            <numerusform>入力したまま、まだ追加していないコメントが %n 件あります。</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n score(s) were typed and are not given yet.</source>
+        <translation>
+            <numerusform>入力したまま、まだ付けていない点数が %n 件あります。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5782,15 +5509,6 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>この2つは同じ感触です。別のものを選ぶか、数値を変えてください</translation>
     </message>
     <message>
-        <source>Bring the changes back</source>
-        <translation>変更を戻す</translation>
-    </message>
-    <message>
-        <source>What you had changed of %1 is put aside.</source>
-        <extracomment>%1 is a hardness preset</extracomment>
-        <translation>%1の変更は取り置かれました。</translation>
-    </message>
-    <message>
         <source>What you have changed of the hardness preset %1 is not saved.</source>
         <extracomment>%1 is a hardness preset</extracomment>
         <translation>硬さプリセット「%1」の変更は保存されていません。</translation>
@@ -5827,11 +5545,6 @@ load 名前        保存済みの硬さのプリセットを使います</trans
     <message>
         <source>Nobody is offered it any more; attempts go on naming it</source>
         <translation>だれにも表示されなくなります。これまでの試行には名前が残ります</translation>
-    </message>
-    <message>
-        <source>What you changed of the hardness preset %1 in another window waits, too.</source>
-        <extracomment>%1 is a hardness preset</extracomment>
-        <translation>ほかのウィンドウで硬さプリセット %1 に加えた変更も残っています。</translation>
     </message>
 </context>
 <context>
@@ -7147,25 +6860,6 @@ unsaved</source>
     </message>
 </context>
 <context>
-    <name>ui::shell::Drafts</name>
-    <message>
-        <source>Something that was typed and kept nowhere waits on this computer, but this Cusp cannot read it.</source>
-        <translation>入力されたまま保存されていない内容がこのコンピューターに残っていますが、このCuspでは読めません。</translation>
-    </message>
-    <message>
-        <source>Take it instead</source>
-        <translation>代わりにこちらを使う</translation>
-    </message>
-    <message>
-        <source>Throw it away</source>
-        <translation>破棄する</translation>
-    </message>
-    <message>
-        <source>The attempt that you typed this on is there no more.</source>
-        <translation>この内容を入力した試行は、もうありません。</translation>
-    </message>
-</context>
-<context>
     <name>ui::shell::DrillSwitch</name>
     <message>
         <source>Drill is on</source>
@@ -7587,16 +7281,6 @@ unsaved</source>
         <source>&amp;Save the recording …</source>
         <translation>記録を保存(&amp;S) …</translation>
     </message>
-    <message numerus="yes">
-        <source>What you have changed in %n lesson(s) would be lost.</source>
-        <translation>
-            <numerusform>%n件の課題の変更が失われます。</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>&amp;Save</source>
-        <translation>保存(&amp;S)</translation>
-    </message>
     <message>
         <source>Scans of teeth (%1)</source>
         <translation>歯のスキャン (%1)</translation>
@@ -7662,10 +7346,6 @@ unsaved</source>
         <translation>%1 – %2</translation>
     </message>
     <message>
-        <source>Not everything has been saved, and it would be lost.</source>
-        <translation>保存されていないものがあり、失われます。</translation>
-    </message>
-    <message>
         <source>From a file …</source>
         <translation>ファイルから …</translation>
     </message>
@@ -7681,26 +7361,6 @@ unsaved</source>
         <source>What the school keeps does not answer yet. You can go on drilling; what you asked for comes when it does.</source>
         <translation>学校のデータがまだ応答しません。練習は続けられます。要求した内容は、応答があり次第表示されます。</translation>
     </message>
-    <message>
-        <source>&amp;Show it</source>
-        <translation>表示する(&amp;S)</translation>
-    </message>
-    <message>
-        <source>Cusp stays open: what somebody else has typed or changed is not kept yet, and it cannot be put by on this computer. Make room on the disk, or let that person log in here.</source>
-        <translation>Cusp は開いたままです。ほかの人が入力または変更したものがまだ保存されておらず、このコンピューターに取り置くこともできません。ディスクの空きを増やすか、その人にここでログインしてもらってください。</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n comment(s) were typed and are not added yet.</source>
-        <translation>
-            <numerusform>入力したまま、まだ追加していないコメントが %n 件あります。</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n score(s) were typed and are not given yet.</source>
-        <translation>
-            <numerusform>入力したまま、まだ付けていない点数が %n 件あります。</numerusform>
-        </translation>
-    </message>
     <message numerus="yes">
         <source>%n grade(s) are not kept yet, and would be lost.</source>
         <translation>
@@ -7710,15 +7370,6 @@ unsaved</source>
     <message>
         <source>The disk takes nothing now. It is tried again every few seconds as long as Cusp runs: make room on the disk, or check the rights of the folder.</source>
         <translation>現在ディスクに書き込めません。Cuspの起動中は数秒ごとにもう一度試みます。ディスクの空きを増やすか、フォルダーの権限を確認してください。</translation>
-    </message>
-    <message>
-        <source>One-time codes that %1 made would be lost.</source>
-        <extracomment>%1: an admin, or several</extracomment>
-        <translation>%1 が作成したワンタイムコードが失われます。</translation>
-    </message>
-    <message>
-        <source>They are kept nowhere else. Whoever has not logged in with one by then gets another from an admin, under School.</source>
-        <translation>ほかのどこにも保存されていません。まだそれでログインしていない人には、管理者が「学校」で新しいコードを渡せます。</translation>
     </message>
     <message>
         <source>The time of this exam is over: nothing more can be cut.</source>
@@ -8221,6 +7872,22 @@ unsaved</source>
     <message>
         <source>My attempts</source>
         <translation>自分の試行</translation>
+    </message>
+</context>
+<context>
+    <name>ui::shell::UnsavedChanges</name>
+    <message>
+        <source>Discard your unsaved changes?</source>
+        <extracomment>%1: a user</extracomment>
+        <translation>保存していない変更を破棄しますか？</translation>
+    </message>
+    <message>
+        <source>Discard the unsaved changes of %1?</source>
+        <translation>%1 の保存していない変更を破棄しますか？</translation>
+    </message>
+    <message>
+        <source>&amp;Keep editing</source>
+        <translation>編集を続ける(&amp;K)</translation>
     </message>
 </context>
 <context>
@@ -8793,13 +8460,11 @@ unsaved</source>
         <source>This is what stands in the file now. A step back brings your own changes back.</source>
         <translation>これがファイルの現在の内容です。「元に戻す」で自分の変更に戻ります。</translation>
     </message>
-    <message>
-        <source>What was changed of the lesson &quot;%1&quot; in another window waits, too.</source>
-        <translation>ほかのウィンドウでレッスン「%1」に加えられた変更も残っています。</translation>
-    </message>
-    <message>
-        <source>What was changed of a lesson waits, but its file is there no more, or is no lesson: %1.</source>
-        <translation>あるレッスンへの変更が残っていますが、そのファイルはもうないか、レッスンではありません：%1</translation>
+    <message numerus="yes">
+        <source>What you have changed in %n lesson(s) would be lost.</source>
+        <translation>
+            <numerusform>%n件の課題の変更が失われます。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -9432,11 +9097,8 @@ unsaved</source>
     </message>
     <message>
         <source>%1: %2 points at %3 times the tolerance</source>
+        <extracomment>%1: the name of a file, or which line</extracomment>
         <translation>%1：許容範囲%3倍で%2点</translation>
-    </message>
-    <message>
-        <source>Middle half</source>
-        <translation>中央の半数</translation>
     </message>
     <message>
         <source>Median</source>
@@ -9445,10 +9107,6 @@ unsaved</source>
     <message>
         <source>Pass mark</source>
         <translation>合格点</translation>
-    </message>
-    <message>
-        <source>Attempts that pass</source>
-        <translation>合格する試行</translation>
     </message>
     <message>
         <source>As set</source>
