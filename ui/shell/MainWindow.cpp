@@ -692,7 +692,7 @@ void MainWindow::showOldScore(std::function<QString()> work, const lessons::Scor
     m_scorePage->setScore(std::move(work), sheet, history, expected, scored);
     m_behindScore = m_room;
     for (QWidget* list : std::initializer_list<QWidget*>{m_history, m_lessonsPage, m_classes})
-        if (m_askedFrom == list)
+        if (m_askedFrom == list || m_pages->currentWidget() == list)
             m_behindScore = list;
     goTo(m_scorePage);
 }
