@@ -8,25 +8,20 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QLabel>
-#include <QPushButton>
-#include <QStringList>
-#include <QTemporaryDir>
-#include <QTest>
+#include <QTableView>
 
-#include "app/Application.h"
+#include "database/sql/School.h"
+#include "database/sql/Statement.h"
 #include "lessons/LessonCatalog.h"
+#include "tests/app/ProgramWindow.h"
 #include "ui/admin/AdminPage.h"
 #include "ui/people/LoginPage.h"
-#include "ui/shell/Actions.h"
-#include "ui/shell/MessageBar.h"
-#include "ui/shell/TabularLabel.h"
 
 namespace support {
 
-constexpr int kPatienceMs = 30000;
 inline const std::string kPassword = "correct horse";
 
-/// A lesson of the teacher's that is an exam, while this lives.
+/// An exam in the teacher's folder, as long as the object lives.
 class Exam
 {
 public:
@@ -42,83 +37,86 @@ public:
     ~Exam() { QFile::remove(m_file); }
     Exam(const Exam&) = delete;
     Exam& operator=(const Exam&) = delete;
-    [[nodiscard]] const QString& file() const { return m_file; }
 
 private:
     QString m_file = QDir(lessons::teachersFolder()).filePath("exam-36.lesson.json");
 };
 
-/// A school as another station has it open.
+/// The school as another station uses it.
 struct OtherStation
 {
     /// @param place  a file with its key beside it, or the address of a server
     explicit OtherStation(const QString& place);
     [[nodiscard]] database::Session logIn(const std::string& name) const;
+    [[nodiscard]] QVariant ask(const QString& query) const
+    {
+        return database::sql::ask(school.db, query, "read").value();
+    }
+    [[nodiscard]] qint64 idOf(const QString& name) const
+    {
+        return ask("SELECT id FROM people WHERE username = '" + name + "'").toLongLong();
+    }
+    void execute(const QString& statement) const { QVERIFY(database::sql::execute(school.db, statement, "write")); }
 
     std::unique_ptr<database::sql::Database> database;
     database::sql::School school;
 };
 
-/// The whole program with a school of its own, and what is done in it: what the tests of a school are made of.
-class SchoolWindow : public QObject
+/// The whole program with a school of its own.
+class SchoolWindow : public ProgramWindow
 {
 protected:
-    /// A school with an admin, a teacher, two students, and a class of the teacher and Sam.
-    /// @param server  the address of its empty database; empty: it is a file
+    /// Makes a school with an admin, the teacher Ines, the students Sam and Sue, and a class of Ines and Sam.
+    /// @param server  the address of an empty database; empty: the school is a file
     void makeSchool(const QString& server = {});
-    template <class T>
-    T* child(const char* name = "") const
-    {
-        return m_application->window().findChild<T*>(QString::fromLatin1(name));
-    }
-    [[nodiscard]] ui::shell::Actions& actions() const { return *child<ui::shell::Actions>(); }
-    [[nodiscard]] QString message() const { return child<ui::shell::MessageBar>()->sentence(); }
-    [[nodiscard]] QString removed() const { return child<ui::shell::TabularLabel>("enamelRemoved")->text(); }
-    [[nodiscard]] QString saidAtDoor() const
-    {
-        QStringList words;
-        for (const QLabel* label : child<ui::people::LoginPage>()->findChildren<QLabel*>())
-            words << label->text();
-        return words.join('\n');
-    }
+    /// Makes an empty folder with a copy of the school that is a file.
+    void takeCopyOfSchool();
     [[nodiscard]] ui::people::Door door() const { return child<ui::people::LoginPage>()->door(); }
+    [[nodiscard]] bool isAtDoor() const { return window().isAtDoor(); }
+    [[nodiscard]] QString saidAtDoor() const;
     [[nodiscard]] QString file() const { return m_folder->filePath("school.sqlite"); }
     [[nodiscard]] QString place() const { return m_server.isEmpty() ? file() : m_server; }
-    /// The program as a student starts it: at the door.
-    void start(bool showsRound = false, const database::sql::Database::Options& opening = {});
-    void click(const char* button) const { QTest::mouseClick(child<QPushButton>(button), Qt::LeftButton); }
+    /// Moves the file of the school away, with what lies beside it.
+    void moveAway() const;
+    /// Starts the program as it starts at a school: with the login.
+    void start(bool showsTour = false, const database::sql::Database::Options& opening = {});
+    /// Types into the login and clicks its button.
+    void typeLogin(const QString& name, const QString& password = QString::fromStdString(kPassword)) const;
+    /// Unlocks, and waits for the answer.
+    void tryPassword(const QString& password) const;
     void logIn(const QString& name) const;
-    /// From wherever he is.
-    void leaveFor(const QString& name) const;
-    void toTheTooth() const;
-    void openSchool(ui::admin::AdminPage::Part part) const;
-    /// Puts the bur onto the tooth and leaves it there. Returns where the pointer is, for who lets it go.
-    QPoint press(double xMm) const;
-    /// Cuts until something has come away.
-    void drill(double xMm) const;
-    void beginLesson(const std::string& id) const;
-    /// So many attempts, to Sam's class.
-    void give(const std::string& lesson, int attempts) const;
-    /// Has a lesson's work graded, and expects a little of it.
-    void gradeLesson() const;
-    /// Has the work graded and waits until `keeping` is said of it; empty: until nothing is.
-    void grade(const QString& said) const;
-    [[nodiscard]] QString keeping() const
-    {
-        const auto* label = child<QLabel>("historyRemark");
-        return label->isVisible() ? label->text() : QString();
-    }
-    /// What the database holds, asked beside the program.
-    [[nodiscard]] int attemptsKept() const { return count("attempts"); }
-    [[nodiscard]] int count(const char* rows) const;
-    /// Opens the newest attempt of the history page.
+    /// Logs out, from whatever page.
+    void logOut() const;
+    void switchTo(const QString& name) const;
+    void beGuest() const;
+    /// Goes to the practice room and waits for the tooth.
+    void goToTooth() const;
+    void openAdminPage(ui::admin::AdminPage::Part part) const;
+    /// Assigns a lesson to Sam's class, with this number of attempts.
+    void assign(const std::string& lesson, int attempts, const std::string& dueUtc = {}) const;
+    /// Grades, and waits until the score is shown with these words about where it is saved.
+    void grade(const QString& saved) const;
+    /// Grades a lesson, and waits until the school has this number of attempts.
+    void gradeLesson(int attempts) const;
+    [[nodiscard]] QString saved() const;
+    /// The number of rows in the database, as another program reads it; -1 if it cannot be read.
+    [[nodiscard]] int count(const QString& rows) const;
+    [[nodiscard]] int attempts() const { return count("attempts"); }
+    /// The page that lists the attempts of the first student of the class.
+    void openStudent() const;
+    /// Opens the newest of the attempts that are listed.
     void openNewest() const;
-    /// Saves the card that is shown as a PDF, and waits until that is said.
-    void saveCard(const QString& path) const;
+    [[nodiscard]] int studentsShown() const { return child<QTableView>("matrix")->model()->rowCount(); }
+    /// Saves the score card as a PDF, and waits until that is confirmed.
+    void savePdf(const QString& path) const;
+    /// Sam's journals are in a folder named by his uid.
+    [[nodiscard]] QString uidOf(const QString& name) const;
+    [[nodiscard]] bool isUnfinishedOffered() const;
 
-    std::unique_ptr<QTemporaryDir> m_folder;
     QString m_server;
-    std::unique_ptr<app::Application> m_application;
+
+private:
+    std::unique_ptr<QTemporaryDir> m_original;
 };
 
 }  // namespace support

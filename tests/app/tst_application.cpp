@@ -9,29 +9,29 @@
 #include <QLabel>
 #include <QListView>
 #include <QPushButton>
-#include <QRadioButton>
-#include <QSlider>
-#include <QSqlQuery>
+#include <QScopeGuard>
+#include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
-#include <QTimer>
 #include <glm/geometric.hpp>
 
-#include "app/Application.h"
+#include "core/recording/JournalFile.h"
 #include "core/teeth/Block.h"
-#include "lessons/LessonCatalog.h"
+#include "database/sql/Database.h"
+#include "database/sql/Statement.h"
+#include "lessons/LessonReader.h"
+#include "tests/app/ProgramWindow.h"
 #include "tests/support/OpenGlMain.h"
 #include "ui/replay/HistoryPanel.h"
 #include "ui/shell/Actions.h"
 #include "ui/shell/MessageBar.h"
 #include "ui/shell/TabularLabel.h"
-#include "ui/study/Forecast.h"
 #include "ui/study/ScorePage.h"
 #include "ui/tooth/ToothView.h"
 
-using ui::shell::MainWindow;
+using support::kPatienceMs;
 
-class TestApplication : public QObject
+class TestApplication : public support::ProgramWindow
 {
     Q_OBJECT
 private slots:
@@ -42,62 +42,50 @@ private slots:
     void theSameWorkIsGradedOnce();
     void aScoreIsExplainedInTheBackground();
     void stoppingAReplayBringsTheOwnWorkBack();
-    void theOwnWorkIsStillAskedAboutAfterTwoReplays();
     void aMomentOfTheOwnAttemptIsShownAndLeft();
     void anotherAttemptIsPlayedBeside();
     void theExpertOfWhatIsPlayedIsPutBeside();
     void aHandIsLedAlongARecording();
     void theUndoHistoryLeadsToAnyMoment();
     void stoppingTheReplayOfWhoHasNoWorkGivesAWholeTooth();
-    void theSimulatedHandpieceDrillsByItself();
     void anUnfinishedAttemptIsOfferedWhenItIsLetGo();
-    void anUnfinishedAttemptIsOfferedAndTakenUp();
+    void anUnfinishedAttemptIsOfferedAndResumed();
     void discardedAttemptsMakeWayForOlderOnes();
-    void anExamThatWasGradedIsNotTakenUpAgain();
+    void anExamThatWasGradedIsNotResumed();
     void anExamsTimeGoesOnWhileItsStudentIsAway();
 
 private:
-    template <class T>
-    T* child(const char* name = "") const
-    {
-        return m_application->window().findChild<T*>(QString::fromLatin1(name));
-    }
-    [[nodiscard]] ui::shell::Actions& actions() const { return *child<ui::shell::Actions>(); }
-    [[nodiscard]] QString message() const { return child<ui::shell::MessageBar>()->sentence(); }
-    [[nodiscard]] QString enamelRemoved() const { return child<ui::shell::TabularLabel>("enamelRemoved")->text(); }
     void start(const QString& recording = {}, bool simulatedDevice = false);
-    /// Drills at a point of the tooth until more enamel is gone than before.
-    void drillAt(glm::dvec3 pointMm) const;
-    void save(const QString& path) const;
-    /// Opens a shipped lesson and waits until it can be worked on.
-    lessons::Lesson openLesson(const std::string& id) const;
+    /// As the admin who creates the school.
+    void logIn() const;
+    void drillFirst() const { drill(-2.0); }
+    void drillSecond() const { drill(2.0); }
+    /// Saves what was done as a recording. Returns its path.
+    [[nodiscard]] QString save() const;
+    /// Writes an exam and reads it as a lesson.
+    [[nodiscard]] lessons::Lesson exam() const;
+    /// Presses on a place of the tooth until the exercise has this title.
+    void touchUntil(glm::dvec2 placeMm, const QString& expectedTitle) const;
     /// Brings the bur over a place of the tooth and presses the button.
     void pressAt(glm::dvec2 placeMm) const;
-    /// Presses there until the exercise says so: the room may still be being laid out, and the servo getting its tooth.
-    void touchUntil(glm::dvec2 placeMm, const QString& expectedTitle) const;
-    /// Creates the school and goes to the tooth as its admin.
-    void logIn() const;
-    void letGo() const { QTest::mouseRelease(&m_application->window().view(), Qt::LeftButton); }
+    /// From above, so that nothing stands before anything.
+    void lookFromAbove() const;
     [[nodiscard]] QString title() const { return child<QLabel>("exerciseTitle")->text(); }
-    /// Asks for the score by the card's own button; the total is on the page.
-    QString graded() const;
-    QString expected() const;
+    /// Has the exercise graded by the button of its card. Returns the total.
+    [[nodiscard]] QString graded() const;
     /// Has the work graded and goes back to it.
     void grade() const;
-    /// Drills, and leaves the attempt's journal in `into` as a program leaves it that is killed now; then ends. Returns
-    /// how much enamel was gone.
-    QString leaveUnfinished(glm::dvec3 pointMm, const QString& into);
-    [[nodiscard]] QStringList journals(const QString& folder = {}) const
+    /// Starts, drills and is killed. Returns how much enamel was removed.
+    QString leaveUnfinished();
+    [[nodiscard]] bool isOffered() const { return message().contains("Tooth 36: an attempt of"); }
+    void waitForOffer() const { QTRY_VERIFY2_WITH_TIMEOUT(isOffered(), qPrintable(message()), kPatienceMs); }
+    void answer(const char* button = "") const
     {
-        return QDir(m_folder->filePath("unfinished/" + folder)).entryList({"*.cuspjournal"}, QDir::Files);
+        QTest::mouseClick(child<ui::shell::MessageBar>()->findChild<QPushButton*>(QString::fromLatin1(button)),
+                          Qt::LeftButton);
     }
-    [[nodiscard]] QPushButton* messageButton(const char* name = "") const
-    {
-        return child<ui::shell::MessageBar>()->findChild<QPushButton*>(QString::fromLatin1(name));
-    }
-
-    std::unique_ptr<QTemporaryDir> m_folder;
-    std::unique_ptr<app::Application> m_application;
+    void waitForReplay() const { QTRY_VERIFY_WITH_TIMEOUT(actions().pauseReplay->isEnabled(), kPatienceMs); }
+    [[nodiscard]] QList<ui::tooth::ToothView*> views() const { return window().findChildren<ui::tooth::ToothView*>(); }
 };
 
 void TestApplication::init()
@@ -110,214 +98,168 @@ void TestApplication::start(const QString& recording, bool simulatedDevice)
 {
     app::WindowOptions options;
     options.source = {36};
-    options.database = m_folder->filePath("grades.sqlite");
     options.recording = recording;
     options.simulatedDevice = simulatedDevice;
-    m_application = app::Application::make(options).value();
-    m_application->show();
-    QTRY_VERIFY_WITH_TIMEOUT(actions().grade->isEnabled(), 30000);
+    begin(options);
+    waitForTooth();
 }
 
 void TestApplication::logIn() const
 {
-    m_application->window().askLogin();  // nobody is let in who is not at the door
-    emit m_application->window().schoolWanted({"admin", "Ada", "Admin", database::Role::Admin}, "correct horse");
-    QTRY_COMPARE_WITH_TIMEOUT(actions().account->text(), QString("admin"), 30000);
+    window().askLogin();
+    emit window().schoolWanted({"admin", "Ada", "Admin", database::Role::Admin}, "correct horse");
+    QTRY_COMPARE_WITH_TIMEOUT(actions().account->text(), QString("admin"), kPatienceMs);
     actions().back->trigger();
-    QTRY_VERIFY_WITH_TIMEOUT(actions().grade->isEnabled(), 30000);
+    waitForTooth();
 }
 
-void TestApplication::drillAt(glm::dvec3 pointMm) const
+QString TestApplication::save() const
 {
-    ui::tooth::ToothView& view = m_application->window().view();
-    const QString before = enamelRemoved();
-    const glm::dvec2 pixel = view.camera().pixelOf(pointMm);
-    const QPoint at(qRound(pixel.x), qRound(pixel.y));
-    QTest::mouseMove(&view, at);
-    QTest::mousePress(&view, Qt::LeftButton, {}, at);
-    QTRY_VERIFY_WITH_TIMEOUT(enamelRemoved() != before, 30000);
-    QTest::mouseRelease(&view, Qt::LeftButton, {}, at);
-    QTest::qWait(500);  // the stroke ends, and is told
+    const QString path = m_folder->filePath("first.cusprec");
+    emit window().recordingSaveRequested(path);
+    if (!QTest::qWaitFor([this] { return message().contains("saved"); }, kPatienceMs))
+        qFatal("the recording is not saved");
+    return path;
 }
 
-void TestApplication::save(const QString& path) const
+lessons::Lesson TestApplication::exam() const
 {
-    emit m_application->window().recordingSaveRequested(path);
-    QTRY_VERIFY_WITH_TIMEOUT(message().contains("saved"), 30000);
+    QFile file(m_folder->filePath("exam.lesson.json"));
+    if (!file.open(QIODevice::WriteOnly))
+        qFatal("the exam cannot be written");
+    file.write(R"({"format": 1, "based_on": "decay-36-2-moderate.lesson.json", "id": "exam-36", "exam": true,
+                   "minutes": 10})");
+    file.close();
+    return lessons::readLesson(file.fileName()).lesson.value();
 }
 
 void TestApplication::grade() const
 {
     actions().grade->trigger();
-    QTRY_VERIFY_WITH_TIMEOUT(!actions().undo->isEnabled(), 10000);  // another page
+    QTRY_VERIFY_WITH_TIMEOUT(child<ui::study::ScorePage>()->isVisible(), kPatienceMs);
     actions().back->trigger();
 }
 
-QString TestApplication::leaveUnfinished(glm::dvec3 pointMm, const QString& into)
+QString TestApplication::leaveUnfinished()
 {
     start();
-    drillAt(pointMm);
-    if (journals().size() != 1)
-        qFatal("one journal, of the attempt on the table");
+    drillFirst();
     actions().burs[3]->trigger();
-    const QString own = enamelRemoved();
-    QTest::qWait(200);  // the last of it reaches the disk
-    const QString kept = m_folder->filePath(into);
-    QFile::copy(m_folder->filePath("unfinished/" + journals().front()), kept);
-    m_application.reset();
-    if (!journals().isEmpty())
-        qFatal("a program that ends in order leaves nothing behind");
-    QFile::rename(kept, m_folder->filePath("unfinished/" + into));
+    const QString own = removed();
+    if (!QFile::rename(killWithJournal(), m_folder->filePath("unfinished/1-1.cuspjournal")))
+        qFatal("there is no unfinished attempt");
     return own;
 }
 
 /// A program that dies holds what it has locked until it is gone.
 void TestApplication::anUnfinishedAttemptIsOfferedWhenItIsLetGo()
 {
-    static_cast<void>(leaveUnfinished({-2.0, 1.0, -1.0}, "1-1.cuspjournal"));
+    static_cast<void>(leaveUnfinished());
     auto held = core::recording::findAttempt(
         std::filesystem::path(m_folder->filePath("unfinished/1-1.cuspjournal").toStdString()));
     QVERIFY(held && *held);
-    bool isOfferedBefore = false;
-    QTimer::singleShot(300, this, [&] {
-        isOfferedBefore = message().contains("an attempt of");
-        held->reset();
-    });
     start();
-    QVERIFY(!isOfferedBefore);
-    QTRY_VERIFY_WITH_TIMEOUT(message().contains("Tooth 36: an attempt of"), 30000);
+    QVERIFY(!isOffered());
+    held->reset();
+    waitForOffer();
 }
 
-void TestApplication::anUnfinishedAttemptIsOfferedAndTakenUp()
+void TestApplication::anUnfinishedAttemptIsOfferedAndResumed()
 {
-    const QString own = leaveUnfinished({-2.0, 1.0, -1.0}, "1-1.cuspjournal");
+    const QString own = leaveUnfinished();
     start();
-    QTRY_VERIFY_WITH_TIMEOUT(message().contains("Tooth 36: an attempt of"), 30000);
-    // Put away, it is offered again with the lessons.
+    waitForOffer();
+    // It is not opened unasked; put away, it is offered again with the lessons.
+    QVERIFY(removed() != own && !actions().undo->isEnabled());
     actions().back->trigger();
-    QVERIFY(!message().contains("an attempt of"));
+    QVERIFY(!isOffered());
     actions().lessons->trigger();
-    QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("continueWords")->text().contains("Continue where I stopped: Tooth 36"),
-                             30000);
-    actions().back->trigger();
-    // Never opened silently.
-    QVERIFY(enamelRemoved() != own);
-    QVERIFY(!actions().undo->isEnabled());
-    actions().lessons->trigger();
-    QTest::mouseClick(child<QPushButton>("continue"), Qt::LeftButton);
-    QTRY_COMPARE_WITH_TIMEOUT(enamelRemoved(), own, 30000);
-    QVERIFY(message().contains("goes on where it was left"));
+    QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("continueWords")->text().contains("Tooth 36"), kPatienceMs);
+    waitForNewTooth([this] { click("continue"); });
+    QTRY_COMPARE_WITH_TIMEOUT(removed(), own, kPatienceMs);
     QCOMPARE(journals(), QStringList{"1-1.cuspjournal"});
-    QTRY_VERIFY(actions().undo->isEnabled());
-    QTRY_VERIFY2(actions().burs[3]->isChecked(), "the bur that was in hand last");
-    drillAt({2.0, 1.0, -1.0});
+    QTRY_VERIFY_WITH_TIMEOUT(actions().undo->isEnabled(), kPatienceMs);
+    QTRY_VERIFY2_WITH_TIMEOUT(actions().burs[3]->isChecked(), "the bur that was in use last", kPatienceMs);
+    drillSecond();
     // The same file holds what is done from now on.
-    const QString again = enamelRemoved();
-    QTest::qWait(200);
-    QFile::copy(m_folder->filePath("unfinished/1-1.cuspjournal"), m_folder->filePath("kept"));
+    const QString again = removed();
+    QVERIFY(killWithJournal().endsWith("1-1.cuspjournal"));
+    start();
+    waitForOffer();
+    waitForNewTooth([this] { answer(); });
+    QTRY_COMPARE_WITH_TIMEOUT(removed(), again, kPatienceMs);
+    actions().undo->trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(removed(), own, kPatienceMs);
+    // A program that ends in order leaves nothing behind.
     m_application.reset();
     QVERIFY(journals().isEmpty());
-    QVERIFY(QFile::rename(m_folder->filePath("kept"), m_folder->filePath("unfinished/1-1.cuspjournal")));
-    start();
-    QTRY_VERIFY_WITH_TIMEOUT(message().contains("Tooth 36: an attempt of"), 30000);
-    QTest::mouseClick(messageButton(), Qt::LeftButton);
-    QTRY_COMPARE_WITH_TIMEOUT(enamelRemoved(), again, 30000);
-    actions().undo->trigger();
-    QTRY_COMPARE_WITH_TIMEOUT(enamelRemoved(), own, 30000);
 }
 
 void TestApplication::discardedAttemptsMakeWayForOlderOnes()
 {
-    const int kTwoClicksMs =
-        3 * QApplication::doubleClickInterval();  // the second of one click is not meant for another
-    leaveUnfinished({-2.0, 1.0, -1.0}, "1-1.cuspjournal");
-    const QString newest = m_folder->filePath("unfinished/2-1.cuspjournal");
-    QVERIFY(QFile::copy(m_folder->filePath("unfinished/1-1.cuspjournal"), newest));
-    QFile broken(m_folder->filePath("unfinished/3-1.cuspjournal"));
+    // The second click of a double click is not meant for the next question.
+    const int usual = QApplication::doubleClickInterval();
+    const auto asItWas = qScopeGuard([usual] { QApplication::setDoubleClickInterval(usual); });
+    QApplication::setDoubleClickInterval(0);
+    static_cast<void>(leaveUnfinished());
+    const QDir folder(m_folder->filePath("unfinished"));
+    QVERIFY(QFile::copy(folder.filePath("1-1.cuspjournal"), folder.filePath("2-1.cuspjournal")));
+    QFile broken(folder.filePath("3-1.cuspjournal"));
     QVERIFY(broken.open(QIODevice::WriteOnly));
     broken.write("This is no journal.");
     broken.close();
     start();
-    QTRY_VERIFY_WITH_TIMEOUT(message().contains("Tooth 36: an attempt of"), 30000);
+    waitForOffer();
     QCOMPARE(journals("discarded"), QStringList{"3-1.cuspjournal"});
-    QTest::mouseClick(messageButton("decline"), Qt::LeftButton);
-    QTRY_VERIFY_WITH_TIMEOUT(journals("discarded").size() == 2, 30000);
-    QTRY_VERIFY_WITH_TIMEOUT(message().contains("Tooth 36: an attempt of"), 30000);
-    QTest::qWait(kTwoClicksMs);
-    QTest::mouseClick(messageButton("decline"), Qt::LeftButton);
-    QTRY_VERIFY_WITH_TIMEOUT(journals("discarded").size() == 3, 30000);
+    answer("decline");
+    QTRY_COMPARE_WITH_TIMEOUT(journals("discarded").size(), 2, kPatienceMs);
+    waitForOffer();
+    answer("decline");
+    QTRY_COMPARE_WITH_TIMEOUT(journals("discarded").size(), 3, kPatienceMs);
     QVERIFY(journals().isEmpty());
-    // Thought better of it.
-    QTRY_VERIFY_WITH_TIMEOUT(message().contains("kept for seven days"), 30000);
-    QTest::mouseClick(messageButton(), Qt::LeftButton);
-    QTRY_VERIFY_WITH_TIMEOUT(message().contains("Tooth 36: an attempt of"), 30000);
+    // That can be undone.
+    QTRY_VERIFY_WITH_TIMEOUT(message().contains("kept for seven days"), kPatienceMs);
+    answer();
+    waitForOffer();
     QCOMPARE(journals().size(), 1);
-    QTest::qWait(kTwoClicksMs);
-    QTest::mouseClick(messageButton("decline"), Qt::LeftButton);
-    QTRY_VERIFY_WITH_TIMEOUT(journals("discarded").size() == 3 && journals().isEmpty(), 30000);
+    answer("decline");
+    QTRY_VERIFY_WITH_TIMEOUT(journals("discarded").size() == 3 && journals().isEmpty(), kPatienceMs);
     while (!message().isEmpty() && !message().contains("cannot be taken up again"))
         child<ui::shell::MessageBar>()->dismiss();
     QVERIFY(message().contains("cannot be taken up again"));
 }
 
-void TestApplication::anExamThatWasGradedIsNotTakenUpAgain()
+void TestApplication::anExamThatWasGradedIsNotResumed()
 {
-    QFile file(m_folder->filePath("exam.lesson.json"));
-    QVERIFY(file.open(QIODevice::WriteOnly));
-    file.write(R"({"format": 1, "based_on": "decay-36-2-moderate.lesson.json", "id": "exam-36", "exam": true})");
-    file.close();
-    const auto read = lessons::readLesson(file.fileName());
-    QVERIFY(read.lesson && read.lesson->exam);
     for (const bool isGraded : {false, true}) {
         start();
-        emit m_application->window().lessonChosen(*read.lesson);
-        QTest::qWait(100);
-        QTRY_VERIFY_WITH_TIMEOUT(actions().grade->isEnabled(), 30000);
-        drillAt({-2.0, 1.0, -1.0});
+        openLesson(exam());
+        drillFirst();
         if (isGraded) {
             actions().grade->trigger();
-            QTRY_VERIFY_WITH_TIMEOUT(child<ui::study::Forecast>()->isVisible(), 30000);
-            QVERIFY(!expected().isEmpty());
-            QVERIFY(child<ui::study::ScorePage>()->isVisible());
+            expectScore();
         }
-        QTest::qWait(300);  // the last of it reaches the disk
-        QCOMPARE(journals().size(), 1);
-        const QString kept = m_folder->filePath("kept");
-        QVERIFY(QFile::copy(m_folder->filePath("unfinished/" + journals().front()), kept));
-        m_application.reset();
-        QVERIFY(QFile::rename(kept, m_folder->filePath("unfinished/1-1.cuspjournal")));
+        const QString journal = killWithJournal();
         start();
         if (isGraded) {
-            QTRY_COMPARE_WITH_TIMEOUT(journals("discarded").size(), 1, 30000);
+            QTRY_COMPARE_WITH_TIMEOUT(journals("discarded").size(), 1, kPatienceMs);
             QVERIFY(!message().contains("an attempt of"));
         } else {
-            QTRY_VERIFY_WITH_TIMEOUT(message().contains("an attempt of"), 30000);
-            QFile::remove(m_folder->filePath("unfinished/1-1.cuspjournal"));
+            QTRY_VERIFY_WITH_TIMEOUT(message().contains("an attempt of"), kPatienceMs);
+            QVERIFY(QFile::remove(journal));
         }
         m_application.reset();
     }
 }
 
-/// Who leaves an exam, or has its program killed, could think as long as he likes.
+/// Whoever leaves an exam, or has its program killed, could think as long as they like.
 void TestApplication::anExamsTimeGoesOnWhileItsStudentIsAway()
 {
-    QFile file(m_folder->filePath("exam.lesson.json"));
-    QVERIFY(file.open(QIODevice::WriteOnly));
-    file.write(R"({"format": 1, "based_on": "decay-36-2-moderate.lesson.json", "id": "exam-36", "exam": true,
-                   "minutes": 10})");
-    file.close();
-    const auto read = lessons::readLesson(file.fileName());
-    QVERIFY(read.lesson && read.lesson->exam);
     start();
-    emit m_application->window().lessonChosen(*read.lesson);
-    QTest::qWait(100);
-    QTRY_VERIFY_WITH_TIMEOUT(actions().grade->isEnabled(), 30000);
-    drillAt({-2.0, 1.0, -1.0});
-    QTest::qWait(300);
-    QCOMPARE(journals().size(), 1);
-    const QString kept = m_folder->filePath("kept");
-    QVERIFY(QFile::copy(m_folder->filePath("unfinished/" + journals().front()), kept));
-    m_application.reset();
+    openLesson(exam());
+    drillFirst();
+    const QString kept = m_folder->filePath("kept.cuspjournal");
+    QVERIFY(QFile::rename(killWithJournal(), kept));
     // It was begun four minutes ago.
     const auto found = core::recording::findAttempt(kept.toStdString());
     QVERIFY(found && *found);
@@ -327,146 +269,108 @@ void TestApplication::anExamsTimeGoesOnWhileItsStudentIsAway()
     QVERIFY(made && (*made)->sync());
     made->reset();
     start();
-    QTRY_VERIFY_WITH_TIMEOUT(message().contains("an attempt of"), 30000);
-    QTest::mouseClick(messageButton(), Qt::LeftButton);
-    QTRY_VERIFY_WITH_TIMEOUT(message().contains("goes on where it was left"), 30000);
+    QTRY_VERIFY_WITH_TIMEOUT(message().contains("an attempt of"), kPatienceMs);
+    waitForNewTooth([this] { answer(); });
     const auto* left = child<ui::shell::TabularLabel>("lessonTime");
-    QTRY_VERIFY2_WITH_TIMEOUT(left->text().startsWith("5:"), qPrintable(left->text()), 30000);
+    QTRY_VERIFY2_WITH_TIMEOUT(left->text().startsWith("5:"), qPrintable(left->text()), kPatienceMs);
 }
 
-lessons::Lesson TestApplication::openLesson(const std::string& id) const
+void TestApplication::lookFromAbove() const
 {
-    lessons::Lesson lesson;
-    for (const lessons::CatalogEntry& entry : lessons::readCatalog({}))
-        if (entry.read.lesson && entry.read.lesson->id == id)
-            lesson = *entry.read.lesson;
-    if (lesson.id.empty())
-        qFatal("no such lesson");
-    emit m_application->window().lessonChosen(lesson);
-    QTest::qWait(100);
-    [&] { QTRY_VERIFY_WITH_TIMEOUT(actions().grade->isEnabled(), 30000); }();
-    // From above, so that nothing stands before anything.
-    ui::tooth::ToothView& view = m_application->window().view();
+    ui::tooth::ToothView& view = window().view();
     view.setCamera(0.0, 85.0, view.camera().distanceMm());
-    return lesson;
 }
 
 void TestApplication::pressAt(glm::dvec2 placeMm) const
 {
-    ui::tooth::ToothView& view = m_application->window().view();
+    ui::tooth::ToothView& view = window().view();
     const core::terrain::Tooth& tooth = *view.tooth();
     const glm::dvec2 node = tooth.anatomy->grid.latticeOf(placeMm);
     const std::size_t k = tooth.anatomy->grid.index(qRound(node.x), qRound(node.y));
-    const glm::dvec2 pixel = view.camera().pixelOf({placeMm, static_cast<double>(tooth.anatomy->top[k])});
-    const QPoint at(qRound(pixel.x), qRound(pixel.y));
-    QTest::mouseMove(&view, at);
-    QTest::qWait(600);  // the hand gets there
-    QTest::mousePress(&view, Qt::LeftButton, {}, at);
+    const glm::dvec3 point(placeMm, static_cast<double>(tooth.anatomy->top[k]));
+    const glm::dvec2 pixel = view.camera().pixelOf(point);
+    QTest::mouseMove(&view, QPoint(qRound(pixel.x), qRound(pixel.y)));
+    QTRY_VERIFY_WITH_TIMEOUT(glm::distance(glm::dvec2(servo().anchorMm), placeMm) < 0.3, kPatienceMs);
+    press(point);
 }
 
 void TestApplication::touchUntil(glm::dvec2 placeMm, const QString& expectedTitle) const
 {
+    // The room may still be laid out when the first point is pressed.
     for (int tries = 0; tries < 5 && title() != expectedTitle; ++tries) {
         pressAt(placeMm);
         static_cast<void>(QTest::qWaitFor([&] { return title() == expectedTitle; }, 3000));
-        letGo();
-        QTest::qWait(200);
+        release();
+        QTRY_VERIFY_WITH_TIMEOUT(!servo().touching, kPatienceMs);
     }
     QCOMPARE(title(), expectedTitle);
 }
 
 QString TestApplication::graded() const
 {
-    auto* button = child<QPushButton>("exerciseGrade");
-    if (!button->isVisible())
+    if (!child<QPushButton>("exerciseGrade")->isVisible())
         return QStringLiteral("is not offered");
-    QTest::mouseClick(button, Qt::LeftButton);
-    if (!QTest::qWaitFor([this] { return child<ui::study::Forecast>()->isVisible(); }, 3000))
-        return message();
-    return expected();
-}
-
-/// What the score is once something was expected of it.
-QString TestApplication::expected() const
-{
-    if (child<QPushButton>("showScore")->isEnabled())
-        return QStringLiteral("shows the score before anything is expected");
-    QTest::keyClick(child<QSlider>("expected"), Qt::Key_Right);
-    QTest::keyClick(child<ui::study::Forecast>()->findChild<QRadioButton*>(), Qt::Key_Space);
-    QTest::mouseClick(child<QPushButton>("showScore"), Qt::LeftButton);
-    return child<ui::study::ScorePage>()->isVisible() ? child<ui::shell::TabularLabel>("total")->text() : message();
+    click("exerciseGrade");
+    expectScore();
+    return child<ui::shell::TabularLabel>("total")->text();
 }
 
 /// All three exercises, by the mouse, as somebody does them who has never held a handpiece.
 void TestApplication::theFirstMinutesFromBeginningToEnd()
 {
     start();
-    QTRY_VERIFY(actions().drill->isChecked());
+    QTRY_VERIFY_WITH_TIMEOUT(actions().drill->isChecked(), kPatienceMs);
     const lessons::Lesson touch = openLesson("orientation-1-touch");
-    QTRY_VERIFY(!actions().drill->isChecked());
+    lookFromAbove();
+    QTRY_VERIFY_WITH_TIMEOUT(!actions().drill->isChecked(), kPatienceMs);
     QCOMPARE(title(), QString("0 of 6 points touched"));
-    // As soon as the tooth has come to the servo.
-    const auto refused = [this] {
-        actions().grade->trigger();
-        return message().contains("not been begun");
-    };
-    QTRY_VERIFY2(refused(), qPrintable(message()));
-    // With the bur turning nothing counts as touched, and it is said.
-    actions().drill->trigger();
-    QTRY_VERIFY(child<QLabel>("exerciseAdvice")->text().contains("space bar"));
-    actions().drill->trigger();
-    QTRY_VERIFY(!child<QLabel>("exerciseAdvice")->text().contains("space bar"));
-    const auto touchAll = [&](const std::array<std::size_t, 6>& order) {
-        for (std::size_t n = 0; n < order.size(); ++n)
-            touchUntil(touch.touch->pointsMm[order[n]],
-                       n < 5 ? QString("%1 of 6 points touched").arg(n + 1) : QString("All 6 points touched"));
-    };
-    touchAll({3, 0, 5, 1, 4, 2});
-    QCOMPARE(graded(), QString("100.0"));
-    // Anew, from the score as from the tooth: nothing is touched.
-    actions().reload->trigger();
-    QTRY_COMPARE_WITH_TIMEOUT(title(), QString("0 of 6 points touched"), 10000);
-    QVERIFY(!child<ui::study::ScorePage>()->isVisible());
-    QTRY_VERIFY(!actions().drill->isChecked());
-    QTest::qWait(500);  // the room is laid out, and the tooth has come to the servo
-    ui::tooth::ToothView& view = m_application->window().view();
-    view.setCamera(0.0, 85.0, view.camera().distanceMm());
-    touchAll({0, 1, 2, 3, 4, 5});
-    QCOMPARE(graded(), QString("100.0"));
-    // The same is not graded twice: the page comes at once, without a question.
-    actions().back->trigger();
     actions().grade->trigger();
-    QTRY_VERIFY_WITH_TIMEOUT(child<ui::study::ScorePage>()->isVisible(), 30000);
+    QTRY_VERIFY2_WITH_TIMEOUT(message().contains("not been begun"), qPrintable(message()), kPatienceMs);
+    // With the bur turning nothing counts as touched, which is said.
+    const auto* const advice = child<QLabel>("exerciseAdvice");
+    for (const bool turns : {true, false}) {
+        actions().drill->trigger();
+        QTRY_COMPARE_WITH_TIMEOUT(advice->text().contains("space bar"), turns, kPatienceMs);
+    }
+    const std::array<std::size_t, 6> order{3, 0, 5, 1, 4, 2};
+    for (std::size_t n = 0; n < order.size(); ++n)
+        touchUntil(touch.touch->pointsMm[order[n]],
+                   n < 5 ? QString("%1 of 6 points touched").arg(n + 1) : QString("All 6 points touched"));
+    QCOMPARE(graded(), QString("100.0"));
+    // The same is not graded twice: the page comes without a question.
     actions().back->trigger();
+    grade();
+    // Begun anew, nothing is touched.
+    waitForNewTooth([this] { actions().reload->trigger(); });
+    QTRY_COMPARE_WITH_TIMEOUT(title(), QString("0 of 6 points touched"), kPatienceMs);
 
     openLesson("orientation-2-hold");
-    QVERIFY(!actions().drill->isChecked());
-    QTRY_COMPARE(title(), QString("Hold 1.0 N for 10 s"));
-    m_application->window().view().setPushForce(1.0);
+    lookFromAbove();
+    QTRY_COMPARE_WITH_TIMEOUT(title(), QString("Hold 1.0 N for 10 s"), kPatienceMs);
+    window().view().setPushForce(1.0);
     pressAt({-0.27, 0.64});
-    QTRY_COMPARE_WITH_TIMEOUT(title(), QString("Held for 10 s"), 30000);
-    letGo();
+    QTRY_COMPARE_WITH_TIMEOUT(title(), QString("Held for 10 s"), kPatienceMs);
+    release();
     QCOMPARE(graded(), QString("100.0"));
     actions().back->trigger();
 
     openLesson("orientation-3-layers");
-    QTRY_VERIFY(actions().drill->isChecked());
+    lookFromAbove();
+    QTRY_VERIFY_WITH_TIMEOUT(actions().drill->isChecked(), kPatienceMs);
     QVERIFY(!child<ui::shell::TabularLabel>("materialFigure")->isVisible());
     pressAt({core::teeth::kPadX[0], 0.0});
-    QTest::qWait(1000);
-    letGo();
-    const auto made = core::teeth::padMaterials(m_application->window().view().tooth()->anatomy->seed);
+    QTRY_VERIFY_WITH_TIMEOUT(hasCut(), kPatienceMs);
+    release();
+    waitForStrokeEnd();
+    const auto made = core::teeth::padMaterials(window().view().tooth()->anatomy->seed);
     const auto choose = [&](std::size_t pad, core::terrain::Material said) {
-        QTest::mouseClick(
-            child<QPushButton>(qPrintable(QStringLiteral("pad%1%2").arg(pad).arg(static_cast<int>(said)))),
-            Qt::LeftButton);
+        click(qPrintable(QStringLiteral("pad%1%2").arg(pad).arg(static_cast<int>(said))));
     };
     choose(0, made[0]);
     choose(1, made[2]);
     choose(1, made[1]);  // thought better of it
     choose(2, made[0]);
     QCOMPARE(title(), QString("Every pad has its name"));
-    QTest::qWait(200);
     QCOMPARE(graded(), QString("70.0"));  // two of three: 90 * 2 / 3 and 10 for the force
     actions().back->trigger();
     QVERIFY(child<ui::shell::TabularLabel>("materialFigure")->isVisible());
@@ -479,34 +383,28 @@ void TestApplication::theSameWorkIsGradedOnce()
     start();
     logIn();
     const auto rows = [this] {
-        const auto database = database::sql::Database::open(m_folder->filePath("grades.sqlite")).value();
-        QSqlQuery query(database->handle());
-        return query.exec("SELECT count(*) FROM attempts WHERE tooth = '36' AND person_id IS NOT NULL") && query.next()
-                   ? query.value(0).toInt()
-                   : -1;
-    };
-    const auto grade = [this] {
-        actions().grade->trigger();
-        QTRY_VERIFY_WITH_TIMEOUT(child<ui::study::ScorePage>()->isVisible(), 30000);
-        actions().back->trigger();
+        const auto database = database::sql::Database::open(m_folder->filePath("school.sqlite")).value();
+        return database::sql::ask(database->handle(),
+                                  "SELECT count(*) FROM attempts WHERE tooth = '36' AND person_id IS NOT NULL", "count")
+            ->toInt();
     };
     // A whole tooth is no attempt.
     actions().grade->trigger();
-    QTRY_VERIFY_WITH_TIMEOUT(message().contains("not ready") || message().contains("Nothing has been cut"), 30000);
+    QTRY_VERIFY_WITH_TIMEOUT(message().contains("not ready") || message().contains("Nothing has been cut"),
+                             kPatienceMs);
     QVERIFY(!child<ui::study::ScorePage>()->isVisible());
     QCOMPARE(rows(), 0);
-    drillAt({-2.0, 1.0, -1.0});
-    grade();
-    grade();
-    QTRY_COMPARE_WITH_TIMEOUT(rows(), 1, 30000);
-    QTest::qWait(200);
-    QCOMPARE(rows(), 1);
-    drillAt({2.0, 1.0, -1.0});
-    grade();
-    grade();
-    QTRY_COMPARE_WITH_TIMEOUT(rows(), 2, 30000);
-    QTest::qWait(200);
-    QCOMPARE(rows(), 2);
+    for (int attempt = 1; attempt <= 2; ++attempt) {
+        drill(attempt == 1 ? -2.0 : 2.0);
+        grade();
+        QTRY_COMPARE_WITH_TIMEOUT(rows(), attempt, kPatienceMs);
+        grade();
+        // The school answers in order: what comes after a second attempt shows that there is none.
+        actions().attempts->trigger();
+        QTRY_COMPARE_WITH_TIMEOUT(child<QTableView>("attempts")->model()->rowCount(), attempt, kPatienceMs);
+        goBackTo<ui::tooth::ToothView>();
+        QCOMPARE(rows(), attempt);
+    }
 }
 
 /// Moments and other grids come when they are found; shown again, the same grade has them at once; a click on a moment
@@ -515,8 +413,8 @@ void TestApplication::aScoreIsExplainedInTheBackground()
 {
     start();
     logIn();
-    drillAt({-2.0, 1.0, -1.0});
-    const QString own = enamelRemoved();
+    drillFirst();
+    const QString own = removed();
     actions().grade->trigger();
     const auto moments = [this] {
         QList<QPushButton*> found;
@@ -525,67 +423,60 @@ void TestApplication::aScoreIsExplainedInTheBackground()
                 found << button;
         return found;
     };
-    QTRY_COMPARE_WITH_TIMEOUT(moments().size(), 1, 30000);
+    QTRY_COMPARE_WITH_TIMEOUT(moments().size(), 1, kPatienceMs);
     QVERIFY(child<QLabel>("noise")->isVisible());
     QVERIFY2(child<QLabel>("noise")->text().contains("At half the grid"), qPrintable(child<QLabel>("noise")->text()));
-    QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("class")->isVisible(), 30000);
+    QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("class")->isVisible(), kPatienceMs);
     actions().back->trigger();
     actions().grade->trigger();
-    QTRY_VERIFY_WITH_TIMEOUT(child<ui::study::ScorePage>()->isVisible(), 30000);
+    QTRY_VERIFY_WITH_TIMEOUT(child<ui::study::ScorePage>()->isVisible(), kPatienceMs);
     QCOMPARE(moments().size(), 1);
     QVERIFY(child<QLabel>("noise")->isVisible());
     QTest::mouseClick(moments().front(), Qt::LeftButton);
-    QTRY_VERIFY_WITH_TIMEOUT(actions().pauseReplay->isEnabled(), 30000);
+    waitForReplay();
     QVERIFY(!child<ui::study::ScorePage>()->isVisible());
-    QTRY_COMPARE_WITH_TIMEOUT(enamelRemoved(), own, 30000);  // how it ended
+    QTRY_COMPARE_WITH_TIMEOUT(removed(), own, kPatienceMs);  // how it ended
 }
 
 void TestApplication::stoppingAReplayBringsTheOwnWorkBack()
 {
     start();
-    drillAt({-2.0, 1.0, -1.0});
-    const QString recording = m_folder->filePath("first.cusprec");
-    save(recording);
-    drillAt({2.0, 1.0, -1.0});
-    const QString own = enamelRemoved();
-    const QImage tooth = m_application->window().view().toothPicture();
-    emit m_application->window().recordingOpenRequested(recording);
-    QTRY_VERIFY_WITH_TIMEOUT(actions().pauseReplay->isEnabled(), 30000);
-    QTRY_VERIFY(enamelRemoved() != own);
+    drillFirst();
+    const QString recording = save();
+    const QString first = removed();
+    drillSecond();
+    const QString own = removed();
+    const QImage tooth = window().view().toothPicture();
+    emit window().recordingOpenRequested(recording);
+    waitForReplay();
+    QTRY_VERIFY_WITH_TIMEOUT(removed() != own, kPatienceMs);
     actions().back->trigger();
     QVERIFY(message().contains("your own work"));
-    QTRY_COMPARE(enamelRemoved(), own);
-    QCOMPARE(m_application->window().view().toothPicture(), tooth);
+    QTRY_COMPARE_WITH_TIMEOUT(removed(), own, kPatienceMs);
+    QCOMPARE(window().view().toothPicture(), tooth);
     // And it goes on from there.
     QVERIFY(actions().undo->isEnabled());
-    drillAt({0.0, -2.0, -1.0});
-}
-
-void TestApplication::theOwnWorkIsStillAskedAboutAfterTwoReplays()
-{
-    start();
-    drillAt({-2.0, 1.0, -1.0});
-    const QString recording = m_folder->filePath("first.cusprec");
-    save(recording);
-    drillAt({2.0, 1.0, -1.0});
+    drill({0.0, -2.0, -1.0});
+    // After two replays it is still asked about.
     for (int n = 0; n < 2; ++n) {
-        emit m_application->window().recordingOpenRequested(recording);
+        emit window().recordingOpenRequested(recording);
         QVERIFY(!actions().openRecording->isEnabled());
-        QTRY_VERIFY_WITH_TIMEOUT(actions().openRecording->isEnabled() && actions().pauseReplay->isEnabled(), 30000);
-        QTest::qWait(300);  // what the recording has cut is told
+        QTRY_VERIFY_WITH_TIMEOUT(actions().openRecording->isEnabled(), kPatienceMs);
+        waitForReplay();
+        QTRY_COMPARE_WITH_TIMEOUT(removed(), first, kPatienceMs);
     }
-    m_application->window().close();
-    QVERIFY(m_application->window().isVisible());
+    window().close();
+    QVERIFY(window().isVisible());
     QVERIFY(child<QWidget>("workQuestion") != nullptr);
 }
 
 void TestApplication::aMomentOfTheOwnAttemptIsShownAndLeft()
 {
     start();
-    drillAt({-2.0, 1.0, -1.0});
-    const QString own = enamelRemoved();
+    drillFirst();
+    const QString own = removed();
     QVERIFY(own != "0.00");
-    QTest::qWait(1500);  // an attempt of more than a second
+    waitForTicks(1500);  // an attempt of more than a second
     grade();
     m_application->showMoment(1.0e6);
     // Held, a moment before its end.
@@ -596,47 +487,45 @@ void TestApplication::aMomentOfTheOwnAttemptIsShownAndLeft()
         const QStringList words = time().section(" of ", part, part).split(u':');
         return 60 * words.front().toInt() + words.back().toInt();
     };
-    QTRY_VERIFY2_WITH_TIMEOUT(seconds(1) > 0 && seconds(1) - seconds(0) <= 1, qPrintable(time()), 10000);
-    QTRY_COMPARE(enamelRemoved(), own);
-    const QImage cut = m_application->window().view().toothPicture();
+    QTRY_VERIFY2_WITH_TIMEOUT(seconds(1) > 0 && seconds(1) - seconds(0) <= 1, qPrintable(time()), kPatienceMs);
+    QTRY_COMPARE_WITH_TIMEOUT(removed(), own, kPatienceMs);
+    const QImage cut = window().view().toothPicture();
     // What is said at the end is not said elsewhere.
-    m_application->window().showReplayEnd();
+    window().showReplayEnd();
     QVERIFY(message().contains("come to its end"));
     actions().stepBack->trigger();
     QVERIFY2(!message().contains("come to its end"), qPrintable(message()));
     // Back to before it was cut, and forth to what the stroke has left.
     actions().replayBegin->trigger();
-    QTRY_COMPARE(enamelRemoved(), QString("0.00"));
-    QVERIFY(m_application->window().view().toothPicture() != cut);
+    QTRY_COMPARE_WITH_TIMEOUT(removed(), QString("0.00"), kPatienceMs);
+    QVERIFY(window().view().toothPicture() != cut);
     actions().stepOn->trigger();
-    QTRY_COMPARE(enamelRemoved(), own);
-    QCOMPARE(m_application->window().view().toothPicture(), cut);
+    QTRY_COMPARE_WITH_TIMEOUT(removed(), own, kPatienceMs);
+    QCOMPARE(window().view().toothPicture(), cut);
     actions().stepBack->trigger();
-    QTRY_COMPARE(enamelRemoved(), QString("0.00"));
+    QTRY_COMPARE_WITH_TIMEOUT(removed(), QString("0.00"), kPatienceMs);
     // To the card, where the other moments are, and from there to the tooth.
     actions().back->trigger();
     QVERIFY(child<ui::study::ScorePage>()->isVisible());
     actions().back->trigger();
-    QTRY_COMPARE(enamelRemoved(), own);
-    drillAt({2.0, 1.0, -1.0});
+    QTRY_COMPARE_WITH_TIMEOUT(removed(), own, kPatienceMs);
+    drillSecond();
 }
 
 void TestApplication::anotherAttemptIsPlayedBeside()
 {
     start();
-    drillAt({-2.0, 1.0, -1.0});
-    const QString recording = m_folder->filePath("first.cusprec");
-    save(recording);
-    drillAt({2.0, 1.0, -1.0});
-    const QString own = enamelRemoved();
+    drillFirst();
+    const QString recording = save();
+    drillSecond();
+    const QString own = removed();
     grade();
     m_application->showMoment(1.0e6);
-    const auto views = [this] { return m_application->window().findChildren<ui::tooth::ToothView*>(); };
     for (int n = 0; n < 2; ++n) {  // another one takes its place
-        emit m_application->window().besideWanted(recording);
-        QTRY_VERIFY_WITH_TIMEOUT(actions().beside->isEnabled() && views().size() == 2, 30000);
+        emit window().besideWanted(recording);
+        QTRY_VERIFY_WITH_TIMEOUT(actions().beside->isEnabled() && views().size() == 2, kPatienceMs);
     }
-    const auto* beside = views().front() == &m_application->window().view() ? views().back() : views().front();
+    const auto* beside = views().front() == &window().view() ? views().back() : views().front();
     // Both at their ends: what the first stroke has left, and what both have.
     actions().replayEnd->trigger();
     const auto cut = [](const ui::tooth::ToothView& view) {
@@ -645,16 +534,16 @@ void TestApplication::anotherAttemptIsPlayedBeside()
             sum += static_cast<double>(view.tooth()->anatomy->top[k] - view.tooth()->top[k]);
         return sum;
     };
-    QTRY_VERIFY_WITH_TIMEOUT(cut(*beside) > 0.0 && cut(m_application->window().view()) > cut(*beside), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(cut(*beside) > 0.0 && cut(window().view()) > cut(*beside), kPatienceMs);
     actions().replayBegin->trigger();
-    QTRY_VERIFY(cut(*beside) == 0.0 && cut(m_application->window().view()) == 0.0);
+    QTRY_VERIFY_WITH_TIMEOUT(cut(*beside) == 0.0 && cut(window().view()) == 0.0, kPatienceMs);
     actions().beside->trigger();
     QCOMPARE(views().size(), 1);
-    emit m_application->window().besideWanted(recording);
-    QTRY_COMPARE_WITH_TIMEOUT(views().size(), 2, 30000);
+    emit window().besideWanted(recording);
+    QTRY_COMPARE_WITH_TIMEOUT(views().size(), 2, kPatienceMs);
     actions().back->trigger();
     QCOMPARE(views().size(), 1);
-    QTRY_COMPARE(enamelRemoved(), own);
+    QTRY_COMPARE_WITH_TIMEOUT(removed(), own, kPatienceMs);
 }
 
 /// Whatever lies on the table meanwhile.
@@ -662,50 +551,50 @@ void TestApplication::theExpertOfWhatIsPlayedIsPutBeside()
 {
     start();
     static_cast<void>(openLesson("decay-36-small"));
-    drillAt({-2.0, 1.0, -1.0});
-    const QString recording = m_folder->filePath("lesson.cusprec");
-    save(recording);
+    drillFirst();
+    const QString recording = save();
     m_application.reset();
     start(recording);
-    QTRY_VERIFY_WITH_TIMEOUT(actions().expert->isVisible() && actions().expert->isEnabled(), 30000);
+    QTRY_VERIFY_WITH_TIMEOUT(actions().expert->isVisible() && actions().expert->isEnabled(), kPatienceMs);
     actions().expert->trigger();
     // The end of what is played may be told over the sentence about it: the view itself says whose hand it is.
     const auto isShown = [this] {
-        const auto views = m_application->window().findChildren<ui::tooth::ToothView*>();
-        return views.size() == 2 && std::any_of(views.begin(), views.end(), [](const ui::tooth::ToothView* view) {
+        const auto all = views();
+        return all.size() == 2 && std::any_of(all.begin(), all.end(), [](const ui::tooth::ToothView* view) {
                    return view->accessibleName() == "The simulated hand";
                });
     };
-    QTRY_VERIFY2_WITH_TIMEOUT(isShown(), qPrintable(message()), 180000);
+    QTRY_VERIFY2_WITH_TIMEOUT(isShown(), qPrintable(message()), kPatienceMs);
 }
 
 void TestApplication::aHandIsLedAlongARecording()
 {
     start({}, true);
-    const QString before = enamelRemoved();
-    QTRY_VERIFY_WITH_TIMEOUT(enamelRemoved() != before, 30000);
-    QTest::qWait(1500);
+    QVERIFY(labelWith("The simulated handpiece is at work") != nullptr);
+    const QString before = removed();
+    QTRY_VERIFY_WITH_TIMEOUT(removed() != before, kPatienceMs);
+    waitForTicks(1500);
     grade();
     m_application->showMoment(1.0e6);
-    QTRY_VERIFY_WITH_TIMEOUT(actions().along->isEnabled(), 10000);
-    core::session::ServoState seen;
-    connect(&m_application->window().view(), &ui::tooth::ToothView::frameAdvanced, this,
-            [&seen](const core::session::ServoState& state) { seen = state; });
-    const auto apartMm = [&seen] { return glm::length(seen.deviceMm - seen.anchorMm); };
+    QTRY_VERIFY_WITH_TIMEOUT(actions().along->isEnabled(), kPatienceMs);
+    const auto apartMm = [this] { return glm::length(servo().deviceMm - servo().anchorMm); };
     // Where the machine stands still for a moment the hand seems to hold against it, and is let go.
     for (int tries = 0; tries < 5 && !actions().along->isChecked(); ++tries) {
         actions().replayBegin->trigger();
         actions().along->trigger();
-        QTRY_VERIFY_WITH_TIMEOUT(seen.tick == 0 || apartMm() < 3.0, 10000);
+        QTRY_VERIFY_WITH_TIMEOUT(apartMm() < 3.0, kPatienceMs);
         if (tries == 0)
             actions().pauseReplay->trigger();  // it goes on
-        QTest::qWait(1500);
+        const auto isOneSecondOn = [this] {
+            return child<ui::shell::TabularLabel>("replayTime")->text().startsWith("0:01");
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(isOneSecondOn() || !actions().along->isChecked(), kPatienceMs);
     }
     QVERIFY2(actions().along->isChecked(), qPrintable("a hand that goes along is not let go: " + message()));
     QVERIFY2(apartMm() < 3.0, qPrintable(QString("%1 mm").arg(apartMm())));
     actions().along->trigger();
     actions().back->trigger();
-    QTRY_VERIFY(!actions().along->isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT(!actions().along->isVisible(), kPatienceMs);
 }
 
 void TestApplication::theUndoHistoryLeadsToAnyMoment()
@@ -713,51 +602,39 @@ void TestApplication::theUndoHistoryLeadsToAnyMoment()
     start();
     actions().history->trigger();
     const auto* list = &child<ui::replay::HistoryPanel>("historyPanel")->list();
-    drillAt({-2.0, 1.0, -1.0});
-    const QString first = enamelRemoved();
-    QTRY_COMPARE(list->model()->rowCount(), 2);
+    drillFirst();
+    const QString first = removed();
+    QTRY_COMPARE_WITH_TIMEOUT(list->model()->rowCount(), 2, kPatienceMs);
     actions().undo->trigger();
-    QTRY_COMPARE(enamelRemoved(), QString("0.00"));
-    drillAt({2.0, 1.0, -1.0});
-    const QString second = enamelRemoved();
-    QTRY_COMPARE(list->model()->rowCount(), 3);
+    QTRY_COMPARE_WITH_TIMEOUT(removed(), QString("0.00"), kPatienceMs);
+    drillSecond();
+    const QString second = removed();
+    QTRY_COMPARE_WITH_TIMEOUT(list->model()->rowCount(), 3, kPatienceMs);
     const auto goTo = [&](int row) {
         QTest::mouseClick(list->viewport(), Qt::LeftButton, {},
                           list->visualRect(list->model()->index(row, 0)).center());
     };
     goTo(1);  // what was undone
-    QTRY_COMPARE(enamelRemoved(), first);
+    QTRY_COMPARE_WITH_TIMEOUT(removed(), first, kPatienceMs);
     goTo(2);
-    QTRY_COMPARE(enamelRemoved(), second);
+    QTRY_COMPARE_WITH_TIMEOUT(removed(), second, kPatienceMs);
     goTo(0);
-    QTRY_COMPARE(enamelRemoved(), QString("0.00"));
+    QTRY_COMPARE_WITH_TIMEOUT(removed(), QString("0.00"), kPatienceMs);
     QVERIFY(list->model()->index(0, 0).data().toString().contains("present"));
 }
 
 void TestApplication::stoppingTheReplayOfWhoHasNoWorkGivesAWholeTooth()
 {
     start();
-    drillAt({-2.0, 1.0, -1.0});
-    const QString recording = m_folder->filePath("first.cusprec");
-    save(recording);
+    drillFirst();
+    const QString recording = save();
     m_application.reset();
     start(recording);
     QVERIFY(actions().pauseReplay->isEnabled());
     actions().back->trigger();
     QVERIFY(message().contains("whole"));
-    QTRY_COMPARE(enamelRemoved(), QString("0.00"));
-    drillAt({-2.0, 1.0, -1.0});
-}
-
-void TestApplication::theSimulatedHandpieceDrillsByItself()
-{
-    start({}, true);
-    const QList<QLabel*> labels = m_application->window().findChildren<QLabel*>();
-    QVERIFY(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
-        return label->isVisible() && label->text() == "The simulated handpiece is at work";
-    }));
-    const QString before = enamelRemoved();
-    QTRY_VERIFY_WITH_TIMEOUT(enamelRemoved() != before, 30000);
+    QTRY_COMPARE_WITH_TIMEOUT(removed(), QString("0.00"), kPatienceMs);
+    drillFirst();
 }
 
 int main(int argc, char** argv)

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include <QObject>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTest>
+#include <glm/vec3.hpp>
+
+#include "app/Application.h"
+#include "lessons/Lesson.h"
+#include "ui/shell/Actions.h"
+#include "ui/shell/MessageBar.h"
+#include "ui/shell/TabularLabel.h"
+
+class QLabel;
+
+namespace support {
+
+constexpr int kPatienceMs = 60000;
+
+/// The whole program with its window and a folder of its own: the base of the tests that use the program as a user
+/// does.
+class ProgramWindow : public QObject
+{
+protected:
+    /// Makes the program and shows its window. Of the options only the database is completed, if it is empty.
+    void begin(app::WindowOptions options);
+    void waitForTooth() const { QTRY_VERIFY_WITH_TIMEOUT(actions().grade->isEnabled(), kPatienceMs); }
+    template <class T>
+    T* child(const char* name = "") const
+    {
+        return window().findChild<T*>(QString::fromLatin1(name));
+    }
+    [[nodiscard]] ui::shell::MainWindow& window() const { return m_application->window(); }
+    [[nodiscard]] ui::shell::Actions& actions() const { return *child<ui::shell::Actions>(); }
+    [[nodiscard]] QString message() const { return child<ui::shell::MessageBar>()->sentence(); }
+    [[nodiscard]] QString removed() const { return child<ui::shell::TabularLabel>("enamelRemoved")->text(); }
+    /// Waits until the button is enabled, and clicks it.
+    void click(const char* button) const;
+    /// Goes back, step by step, to a page that was open before.
+    template <class Page>
+    void goBackTo() const
+    {
+        const auto isThere = [this] {
+            if (!child<Page>()->isVisible())
+                actions().back->trigger();
+            return child<Page>()->isVisible();
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(isThere(), kPatienceMs);
+    }
+    /// The visible label, anywhere in the window, that contains these words; null if there is none.
+    [[nodiscard]] const QLabel* labelWith(const QString& words) const;
+
+    /// Moves the pointer to a point of the tooth and presses the button. Returns where the pointer is.
+    QPoint press(glm::dvec3 pointMm) const;
+    void release() const;
+    /// Presses until something is removed, releases, and waits until the stroke has ended.
+    void drill(glm::dvec3 pointMm) const;
+    void drill(double xMm) const { drill({xMm, 1.0, -1.0}); }
+    /// The servo as the window has shown it last.
+    [[nodiscard]] const core::session::ServoState& servo() const { return m_servo; }
+    [[nodiscard]] bool hasCut() const { return m_removed != core::terrain::PerMaterial{}; }
+    void waitForTicks(std::uint64_t ticks) const;
+    /// Waits until what is done with the pointer has ended as a stroke.
+    void waitForStrokeEnd() const;
+    /// Does what puts another tooth on the table, and waits until the servo has it.
+    void waitForNewTooth(const std::function<void()>& change) const;
+    void openLesson(const lessons::Lesson& lesson) const;
+    /// Opens a shipped lesson, or one in the teacher's folder.
+    lessons::Lesson openLesson(const std::string& id) const;
+    /// Answers the question before the score, which has to be shown.
+    void expectScore() const;
+    /// The unfinished attempts in the station's folder, or in a folder below its "unfinished".
+    [[nodiscard]] QStringList journals(const QString& below = {}) const;
+    /// Ends the program, and leaves its one unfinished attempt as a killed program leaves it. Returns the path.
+    QString killWithJournal(const QString& below = {});
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<app::Application> m_application;
+
+private:
+    core::session::ServoState m_servo;
+    std::uint64_t m_cutAtTick = 0;           ///< when material came away last
+    core::terrain::PerMaterial m_removed{};  ///< by then
+};
+
+}  // namespace support
