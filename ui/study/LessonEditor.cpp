@@ -690,7 +690,7 @@ void LessonEditor::keepDrafts()
     }
     QSaveFile out(m_recoveryFile);
     const QByteArray bytes = QJsonDocument(all).toJson();
-    if (shell::openForOwner(out) && out.write(bytes) == bytes.size() && out.commit())
+    if (shell::openForOwner(out) && out.write(bytes) == bytes.size() && out.flush() && out.commit())
         m_kept = all;
 }
 
