@@ -825,11 +825,8 @@ void Application::clearTable()
     m_opened.reset();
     m_openedExplainer.forget();
     m_tried.reset();
-    if (!m_assignment.anatomy) {  // the first tooth was still being made, and leave() has dropped it
-        if (!m_replay)
-            openTooth(m_options.source);
+    if (!m_assignment.anatomy)  // it is still being made
         return;
-    }
     // The tooth of a lesson may have no decay to be taken out.
     if (const auto practice = lessons::practiceOn(m_practised ? m_practised : m_assignment.anatomy))
         begin(*practice, {}, false);
@@ -931,7 +928,10 @@ void Application::openTooth(const core::teeth::ToothSource& source, const std::o
         },
         [this, load, source, file, tried](const core::Result<core::teeth::BuiltTooth>& built) {
             m_presets.whenRead([this, load, source, file, tried, built] {
-                if (load != m_loading)
+                // What was asked for since does not end the wait for the program's first tooth: without one nothing
+                // could be practised on.
+                const bool isFirstWanted = load == 1 && !m_assignment.anatomy && !m_replay;
+                if (load != m_loading && !isFirstWanted)
                     return;
                 if (!built) {
                     refuse(built.error(), file.isEmpty() ? Failed::MakingTooth : Failed::OpeningScan, file);
