@@ -102,9 +102,9 @@ std::string nearestColumn(const std::string& name)
     for (const auto& [word, column] : kMeant)
         if (words == word)
             return column;
-    const char* const nearest = *std::min_element(kRosterColumns.begin(), kRosterColumns.end(), [&](const char* a, const char* b) {
-        return distance(name, a) < distance(name, b);
-    });
+    const char* const nearest =
+        *std::min_element(kRosterColumns.begin(), kRosterColumns.end(),
+                          [&](const char* a, const char* b) { return distance(name, a) < distance(name, b); });
     return 2 * distance(name, nearest) < name.size() ? nearest : std::string();
 }
 
@@ -399,7 +399,8 @@ core::Result<RosterOutcome> importRoster(const School& school, const Session& se
         if (!present)
             return tl::unexpected(present.error());
         static_cast<void>(plan(lines, *present, outcome));
-    } else if (auto done = inTurn(school, kImporting, [&] { return enterAll(school, session, lines, outcome, asSeen); });
+    } else if (auto done =
+                   inTurn(school, kImporting, [&] { return enterAll(school, session, lines, outcome, asSeen); });
                !done && outcome.faults.empty()) {
         return tl::unexpected(done.error());
     }

@@ -40,10 +40,10 @@ Written writeChart(const Chart& chart, const QString& path)
     const bool isDone =
         openForOwner(file) && file.write(bytes) == bytes.size() && !bytes.isEmpty() && file.flush() && file.commit();
     const QString name = QFileInfo(path).fileName();
-    return {isDone, isDone
-                        ? SaveWords::tr("Saved: %1").arg(name)
-                        //: %2: the system's own words
-                        : SaveWords::tr("%1 could not be written (%2). Try another folder.").arg(name, file.errorString())};
+    return {isDone,
+            isDone ? SaveWords::tr("Saved: %1").arg(name)
+                   //: %2: the system's own words
+                   : SaveWords::tr("%1 could not be written (%2). Try another folder.").arg(name, file.errorString())};
 }
 
 SaveButton::SaveButton(std::function<Chart()> chart, QWidget* parent) : QToolButton(parent), m_chart(std::move(chart))

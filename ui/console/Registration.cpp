@@ -138,7 +138,9 @@ void registerPush(Parameters& parameters, std::function<double()> read, std::fun
              return std::string();
          },
          [] { return RegistrationWords::tr("Push").toStdString(); },
-         [] { return RegistrationWords::tr("How hard the mouse button presses the bur against the tooth.").toStdString(); }});
+         [] {
+             return RegistrationWords::tr("How hard the mouse button presses the bur against the tooth.").toStdString();
+         }});
 }
 
 void registerLive(Parameters& parameters, const std::function<core::session::ServoState()>& servo,
@@ -181,7 +183,8 @@ void registerLive(Parameters& parameters, const std::function<core::session::Ser
                 sum += volume;
             return sum;
         },
-        [] { return RegistrationWords::tr("Volume removed since the tooth was taken, undone or not."); }, &Told::removed);
+        [] { return RegistrationWords::tr("Volume removed since the tooth was taken, undone or not."); },
+        &Told::removed);
     add(
         "live.rpm", "rpm", [servo] { return servo().burRpm; },
         [] { return RegistrationWords::tr("Turns of the bur under its load."); });
@@ -190,10 +193,16 @@ void registerLive(Parameters& parameters, const std::function<core::session::Ser
         [] { return RegistrationWords::tr("Periods of the servo that were missed since the start."); });
     add(
         "live.period_p50", "µs", [&meter] { return meter.percentileUs(0.5); },
-        [] { return RegistrationWords::tr("Time between two ticks of the servo: half of the last second's were shorter."); });
+        [] {
+            return RegistrationWords::tr(
+                "Time between two ticks of the servo: half of the last second's were shorter.");
+        });
     add(
         "live.period_p99", "µs", [&meter] { return meter.percentileUs(0.99); },
-        [] { return RegistrationWords::tr("Time between two ticks of the servo: 99 in 100 of the last second's were shorter."); });
+        [] {
+            return RegistrationWords::tr(
+                "Time between two ticks of the servo: 99 in 100 of the last second's were shorter.");
+        });
 }
 
 }  // namespace ui::console

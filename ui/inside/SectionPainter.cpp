@@ -37,7 +37,7 @@ constexpr Ground kScreen{0xFF15181A, 0xFF2C3134, 0xFFB6BDBF};
 constexpr Ground kPaper{0xFFFFFFFF, 0xFFDADDDF, 0xFF2A2F31};
 constexpr QRgb kOverTissue = 0x30000000;  ///< grid lines over the tooth
 constexpr QRgb kSurface = 0xFF56C7C9;     ///< the surface as it was
-constexpr QRgb kIdealLine = 0xFFFFD23F;       ///< and as it ought to become
+constexpr QRgb kIdealLine = 0xFFFFD23F;   ///< and as it ought to become
 constexpr QRgb kIdealShade = 0xB0101214;
 constexpr QRgb kToleranceFill = 0x9056C7C9;  ///< between the limits of a tolerance
 constexpr QRgb kToleranceHatch = 0xFF0B4F51;

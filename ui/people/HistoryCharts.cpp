@@ -151,7 +151,8 @@ Chart scoreChart(const ChartedAttempts& attempts)
         const auto beyond = [&](const Slice& slice) { return slice.x < curve.x.low || slice.x > curve.x.high; };
         curve.band.slices.removeIf(beyond);
         if (!attempts.newestFirst.isEmpty())
-            curve.limits << Limit{points(attempts.newestFirst.front().passMarkTenths), false, HistoryWords::tr("Pass mark")};
+            curve.limits << Limit{points(attempts.newestFirst.front().passMarkTenths), false,
+                                  HistoryWords::tr("Pass mark")};
     }
     for (const Line& line : {passed, failed})
         if (!line.dots.isEmpty())
@@ -201,9 +202,10 @@ Chart criteriaChart(const ChartedAttempts& attempts)
     std::stable_sort(bars.bars.begin(), bars.bars.end(),
                      [](const Bars::Bar& a, const Bars::Bar& b) { return a.value > b.value; });
     return {HistoryWords::tr("What costs points"),
-            attempts.isOneLesson ? HistoryWords::tr("Average of the last %n attempt(s)", nullptr, static_cast<int>(over))
-                                 : HistoryWords::tr("Of the last %n attempt(s), each in those where it counts", nullptr,
-                                             static_cast<int>(over)),
+            attempts.isOneLesson
+                ? HistoryWords::tr("Average of the last %n attempt(s)", nullptr, static_cast<int>(over))
+                : HistoryWords::tr("Of the last %n attempt(s), each in those where it counts", nullptr,
+                                   static_cast<int>(over)),
             HistoryWords::tr("After the first graded attempt you see here which criterion costs most."), bars};
 }
 
@@ -236,9 +238,8 @@ Chart forceChart(const ChartedAttempts& attempts)
     each(attempts, [&](const AttemptRecord& record, double place, const QString& which) {
         const double meanN = 0.001 * record.meanForceMn;
         const double peakN = 0.001 * record.peakForceMn;
-        const QString words = joined(
-            which,
-            HistoryWords::tr("mean %1 N, highest %2 N while cutting").arg(text::number(meanN, 2), text::number(peakN, 2)));
+        const QString words = joined(which, HistoryWords::tr("mean %1 N, highest %2 N while cutting")
+                                                .arg(text::number(meanN, 2), text::number(peakN, 2)));
         mean.dots << Dot{place, meanN, words, record.id, lessonOf(attempts, record)};
         peak.dots << Dot{place, peakN, words, record.id, lessonOf(attempts, record)};
     });

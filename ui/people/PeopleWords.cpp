@@ -71,8 +71,9 @@ QString whenShort(const std::string& utc, const QDateTime& now)
 QString dueShort(const std::string& dueUtc, const QDateTime& now)
 {
     const QDate day = dueDay(dueUtc);
-    return day.year() == now.toLocalTime().date().year() ? QLocale().toString(day, text::dayFormat(PersonWords::tr("d MMM")))
-                                                         : QLocale().toString(day, QLocale::ShortFormat);
+    return day.year() == now.toLocalTime().date().year()
+               ? QLocale().toString(day, text::dayFormat(PersonWords::tr("d MMM")))
+               : QLocale().toString(day, QLocale::ShortFormat);
 }
 
 QString clock(std::int64_t ms)

@@ -114,9 +114,9 @@ void paintResult(Sheet& sheet, const ScoreCard& card)
                        study::ScorePage::verdictWords(card.sheet, attempt.givenTenths)),
               kTitlePt, QFont::DemiBold);
     if (attempt.givenTenths) {
-        sheet.say(
-            CardWords::tr("Given by an instructor. The machine's score: %1 points.").arg(text::points(attempt.scoreTenths)),
-            kTextPt, QFont::DemiBold);
+        sheet.say(CardWords::tr("Given by an instructor. The machine's score: %1 points.")
+                      .arg(text::points(attempt.scoreTenths)),
+                  kTextPt, QFont::DemiBold);
         if (!card.talk.overrides.empty()) {
             const database::AttemptOverride& given = card.talk.overrides.back();
             //: %1: a person; %2: date and time; %3: why
@@ -127,8 +127,9 @@ void paintResult(Sheet& sheet, const ScoreCard& card)
         }
     }
     if (attempt.expectedTenths)
-        sheet.say(CardWords::tr("Expected before the score was seen: %1 points").arg(text::points(*attempt.expectedTenths)),
-                  kTextPt);
+        sheet.say(
+            CardWords::tr("Expected before the score was seen: %1 points").arg(text::points(*attempt.expectedTenths)),
+            kTextPt);
     //: "12:07"
     sheet.say(CardWords::tr("Time %1 min; force while cutting %2 N on the average, %3 N at most")
                   .arg(people::clock(attempt.durationMs), text::number(0.001 * attempt.meanForceMn, 2),
@@ -317,7 +318,8 @@ void paintCircumstances(Sheet& sheet, const ScoreCard& card)
     sheet.say(CardWords::tr("Made with Cusp %1; recording %2; attempt %3")
                   .arg(noted(attempt.program), shown(attempt.recordingHash), QString::fromStdString(attempt.uid)),
               kTextPt);
-    sheet.say(CardWords::tr("Not measured: undercuts and walls past 90°, because the model is a height field."), kTextPt);
+    sheet.say(CardWords::tr("Not measured: undercuts and walls past 90°, because the model is a height field."),
+              kTextPt);
 }
 
 int paintAll(QPainter& painter, const QSizeF& pagePt, const NextPage& next, const ScoreCard& card,

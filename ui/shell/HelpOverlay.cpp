@@ -194,7 +194,8 @@ void HelpOverlay::arrange()
     const QMargins around = m_card->layout()->contentsMargins();
     const QSize room = size() - QSize(2 * kSpace6, 2 * kSpace6);
     const int chromePx = around.left() + around.right() + kScrollBarPx;
-    const int columns = std::clamp((room.width() - chromePx + kColumnGapPx) / (kColumnPx + kColumnGapPx), 1, kMostColumns);
+    const int columns =
+        std::clamp((room.width() - chromePx + kColumnGapPx) / (kColumnPx + kColumnGapPx), 1, kMostColumns);
     if (columns != std::exchange(m_columns, columns))
         fill(columns);
     const int widest = columns * kWidestColumnPx + (columns - 1) * kColumnGapPx + chromePx;

@@ -97,7 +97,8 @@ InfractionCard::InfractionCard(QWidget* parent) : QFrame(parent)
     row->setContentsMargins(kSpace4, kSpace4, kSpace4, kSpace4);
     row->setSpacing(kSpace4);
     auto* icon = new QLabel(this);
-    icon->setPixmap(linePixmap(QStringLiteral("warning"), tones(roomPalette()).harmText, kWarningIconPx, devicePixelRatioF()));
+    icon->setPixmap(
+        linePixmap(QStringLiteral("warning"), tones(roomPalette()).harmText, kWarningIconPx, devicePixelRatioF()));
     row->addWidget(icon, 0, Qt::AlignTop);
     auto* column = new QVBoxLayout;
     column->setSpacing(kSpace2);

@@ -102,7 +102,8 @@ void LessonCards::paintCard(QPainter& painter, const QStyleOptionViewItem& optio
     } else {
         const QPixmap icon = linePixmap(lesson == nullptr ? QStringLiteral("warning") : QStringLiteral("hand"),
                                         QColor(kOnPicture), kCardIconPx, ratio);
-        painter.drawPixmap(QPointF(picture.center().x() - 0.5 * kCardIconPx, picture.center().y() - 0.5 * kCardIconPx), icon);
+        painter.drawPixmap(QPointF(picture.center().x() - 0.5 * kCardIconPx, picture.center().y() - 0.5 * kCardIconPx),
+                           icon);
     }
     painter.restore();
     painter.setFont(typeface(kSmall, QFont::DemiBold));

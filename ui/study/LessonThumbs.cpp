@@ -61,7 +61,8 @@ void LessonThumbs::makeNext()
             image.fill(kPictureGround);
             QPainter painter(&image);
             painter.setRenderHint(QPainter::Antialiasing);
-            const QRectF picture = QRectF({}, QSizeF(wanted.size)).marginsRemoved(QMarginsF(0.0, kThumbGapPx, 0.0, kThumbGapPx));
+            const QRectF picture =
+                QRectF({}, QSizeF(wanted.size)).marginsRemoved(QMarginsF(0.0, kThumbGapPx, 0.0, kThumbGapPx));
             paintFromAbove(painter, inside::areaAround(picture), *scene, false);
         }
         QMetaObject::invokeMethod(

@@ -865,12 +865,12 @@ void ScorePage::tellHistory()
         score->setText(text::points(attempt.countingTenths()));
         const int row = static_cast<int>(k);
         grid->addWidget(
-            scoreLabel(date, kBody, QFont::Normal, k == 0 ? QPalette::WindowText : QPalette::PlaceholderText, m_list), row,
-            0);
+            scoreLabel(date, kBody, QFont::Normal, k == 0 ? QPalette::WindowText : QPalette::PlaceholderText, m_list),
+            row, 0);
         if (!isComparable(attempt))
             //: Beside an earlier grade that cannot be compared with this one
-            grid->addWidget(scoreLabel(tr("other rubric"), kSmall, QFont::Normal, QPalette::PlaceholderText, m_list), row,
-                            1);
+            grid->addWidget(scoreLabel(tr("other rubric"), kSmall, QFont::Normal, QPalette::PlaceholderText, m_list),
+                            row, 1);
         grid->addWidget(score, row, 2);
     }
     tellKeeping();
