@@ -35,6 +35,8 @@ void ProgramWindow::begin(app::WindowOptions options)
                 m_servo = state;
             });
     m_application->show();
+    // A small picture: without a graphics card it is drawn by the processor.
+    window().resize(window().minimumSizeHint().expandedTo({1100, 760}));
 }
 
 void ProgramWindow::click(const char* button) const

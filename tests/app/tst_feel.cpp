@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QAction>
 #include <QComboBox>
 #include <QDir>
 #include <QFile>
@@ -12,27 +11,25 @@
 #include <QScopeGuard>
 #include <QSlider>
 #include <QSpinBox>
-#include <QTemporaryDir>
 #include <QTest>
-#include <memory>
 
-#include "app/Application.h"
 #include "core/recording/Replay.h"
 #include "core/session/ServoNumbers.h"
 #include "lessons/LessonReader.h"
 #include "lessons/PresetFile.h"
+#include "tests/app/ProgramWindow.h"
 #include "tests/support/OpenGlMain.h"
 #include "tests/support/Solids.h"
 #include "ui/console/Console.h"
 #include "ui/presets/PresetsPage.h"
 #include "ui/presets/TrialCard.h"
-#include "ui/shell/Actions.h"
-#include "ui/shell/MainWindow.h"
 #include "ui/shell/MessageBar.h"
 #include "ui/tooth/ToothView.h"
 
+using support::kPatienceMs;
+
 /// How drilling feels, from the page and the console down to the servo and the recording.
-class TestFeel : public QObject
+class TestFeel : public support::ProgramWindow
 {
     Q_OBJECT
 private slots:
@@ -49,25 +46,20 @@ private slots:
     void withoutAFileTheDataAreTheUsersOwn();
 
 private:
-    template <class T>
-    T* child(const char* name = "") const
-    {
-        return m_application->window().findChild<T*>(QString::fromLatin1(name));
-    }
-    [[nodiscard]] ui::shell::Actions& actions() const { return *child<ui::shell::Actions>(); }
     [[nodiscard]] ui::presets::PresetsPage& page() const { return *child<ui::presets::PresetsPage>(); }
     void start();
-    void waitForTooth(const QString& title) const
+    /// Does what puts this tooth on the table, and waits until the servo has it.
+    void waitForTooth(const QString& title, const std::function<void()>& change) const;
+    void chooseTooth(int fdi) const
     {
-        QTRY_VERIFY_WITH_TIMEOUT(m_application->window().windowTitle().startsWith(title), 30000);
-        QTRY_VERIFY_WITH_TIMEOUT(actions().chooseTooth->isEnabled(), 30000);
-        QTest::qWait(100);
+        waitForTooth(QStringLiteral("Tooth %1").arg(fdi), [this, fdi] { emit window().toothChosen(fdi); });
+    }
+    void tryOnBlock(const char* button) const
+    {
+        waitForTooth("Practice block", [this, button] { click(button); });
     }
     [[nodiscard]] core::recording::Recording recording() const;
     [[nodiscard]] QString answer(const QString& command) const;
-
-    std::unique_ptr<QTemporaryDir> m_folder;
-    std::unique_ptr<app::Application> m_application;
 };
 
 void TestFeel::init()
@@ -81,18 +73,24 @@ void TestFeel::start()
 {
     app::WindowOptions options;
     options.source = {36};
-    options.database = m_folder->filePath("grades.sqlite");
-    m_application = app::Application::make(options).value();
-    m_application->show();
-    waitForTooth("Tooth 36");
+    begin(options);
+    waitForTooth("Tooth 36", [] {});
+}
+
+void TestFeel::waitForTooth(const QString& title, const std::function<void()>& change) const
+{
+    const std::uint64_t before = servo().toothGeneration;
+    change();
+    QTRY_VERIFY_WITH_TIMEOUT(window().windowTitle().startsWith(title), kPatienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(actions().chooseTooth->isEnabled() && servo().toothGeneration > before, kPatienceMs);
 }
 
 core::recording::Recording TestFeel::recording() const
 {
     const QString path = m_folder->filePath("now.cusprec");
     QFile::remove(path);
-    emit m_application->window().recordingSaveRequested(path);
-    if (!QTest::qWaitFor([&] { return QFile::exists(path); }, 30000))
+    emit window().recordingSaveRequested(path);
+    if (!QTest::qWaitFor([&] { return QFile::exists(path); }, kPatienceMs))
         qFatal("no recording");
     return core::recording::readRecording(path.toStdString()).value();
 }
@@ -111,29 +109,27 @@ void TestFeel::aPresetIsTriedOnABlockAndKept()
     QVERIFY(recording().settings().hardness.name.starts_with("natural v1 #"));
     actions().presets->trigger();
     QTRY_VERIFY(page().isVisible());
-    QTest::mouseClick(child<QPushButton>("presetTry"), Qt::LeftButton);
-    waitForTooth("Practice block");
+    tryOnBlock("presetTry");
     auto* card = child<ui::presets::TrialCard>();
     QVERIFY(card->isVisible());
     QVERIFY(!recording().isRetuned());
     // A slider is felt at once: it is on the recording, and replays to the bit.
     auto* enamel = card->findChild<QSlider*>("dial0");
     enamel->setValue(enamel->maximum());
-    QTRY_VERIFY_WITH_TIMEOUT(recording().isRetuned(), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(recording().isRetuned(), kPatienceMs);
     const auto replayed = core::recording::replay(recording());
     QVERIFY(replayed && replayed->agreesWithWitness);
     QTest::mouseClick(card->findChild<QPushButton*>("trialBack"), Qt::LeftButton);
     QTRY_VERIFY(page().isVisible());
     QCOMPARE(page().draft().enamelRate, 0.175);
     QCOMPARE(child<ui::presets::PresetsPage>()->findChild<QSlider*>("dial0")->value(), enamel->maximum());
-    QTest::mouseClick(child<QPushButton>("presetSave"), Qt::LeftButton);
+    click("presetSave");
     QCOMPARE(page().draft().version, 2);
-    QVERIFY(child<ui::shell::MessageBar>()->sentence().contains("natural, version 2"));
+    QVERIFY(message().contains("natural, version 2"));
     auto* list = child<QListWidget>("presetList");
     QVERIFY(list->count() == 2 && !list->item(0)->text().contains("shipped"));
-    QTest::mouseClick(child<QPushButton>("presetUse"), Qt::LeftButton);
-    emit m_application->window().toothChosen(26);
-    waitForTooth("Tooth 26");
+    click("presetUse");
+    chooseTooth(26);
     QVERIFY(!card->isVisible());
     QVERIFY(recording().settings().hardness.name.starts_with("natural v2 #"));
     QCOMPARE(recording().settings().hardness.material[1].rateMm3PerNs, 0.175);
@@ -141,7 +137,7 @@ void TestFeel::aPresetIsTriedOnABlockAndKept()
     m_application.reset();
     start();
     QVERIFY(recording().settings().hardness.name.starts_with("natural v2 #"));
-    emit m_application->window().presetUseWanted(lessons::shippedPresets().front());
+    emit window().presetUseWanted(lessons::shippedPresets().front());
 }
 
 /// Every row of a preset that teeth are cut by can be felt on the block.
@@ -150,8 +146,7 @@ void TestFeel::theBlockIsOfWhatOneWantsToFeel()
     start();
     actions().presets->trigger();
     QTRY_VERIFY(page().isVisible());
-    QTest::mouseClick(child<QPushButton>("presetTry"), Qt::LeftButton);
-    waitForTooth("Practice block");
+    tryOnBlock("presetTry");
     const core::settings::FeelPreset preset = lessons::shippedPresets().front();
     auto* block = child<ui::presets::TrialCard>()->findChild<QComboBox*>("trialBlock");
     QVERIFY(block->isVisible() && block->count() == 3);
@@ -175,17 +170,17 @@ void TestFeel::theBlockIsOfWhatOneWantsToFeel()
         block->setCurrentIndex(index);
         emit block->activated(index);
     };
-    QTRY_COMPARE_WITH_TIMEOUT(rates(), of(preset.softCariesRate, preset.enamelRate), 10000);
+    QTRY_COMPARE_WITH_TIMEOUT(rates(), of(preset.softCariesRate, preset.enamelRate), kPatienceMs);
     choose(2);
-    QTRY_COMPARE_WITH_TIMEOUT(rates(), of(preset.plasticRate, preset.plasticRate), 10000);
+    QTRY_COMPARE_WITH_TIMEOUT(rates(), of(preset.plasticRate, preset.plasticRate), kPatienceMs);
     choose(1);
-    QTRY_COMPARE_WITH_TIMEOUT(rates(), of(preset.firmCariesRate, preset.enamelRate), 10000);
+    QTRY_COMPARE_WITH_TIMEOUT(rates(), of(preset.firmCariesRate, preset.enamelRate), kPatienceMs);
     // What is turned on it is turned of that.
     auto* enamel = child<ui::presets::TrialCard>()->findChild<QSlider*>("dial0");
     enamel->setValue(enamel->maximum());
-    QTRY_COMPARE_WITH_TIMEOUT(rates(), of(preset.firmCariesRate, 0.175), 10000);
+    QTRY_COMPARE_WITH_TIMEOUT(rates(), of(preset.firmCariesRate, 0.175), kPatienceMs);
     choose(0);
-    QTRY_COMPARE_WITH_TIMEOUT(rates(), of(preset.softCariesRate, 0.175), 10000);
+    QTRY_COMPARE_WITH_TIMEOUT(rates(), of(preset.softCariesRate, 0.175), kPatienceMs);
 }
 
 void TestFeel::whatIsTurnedByHandIsNamedAndHoldsForTheNextTooth()
@@ -194,18 +189,16 @@ void TestFeel::whatIsTurnedByHandIsNamedAndHoldsForTheNextTooth()
     actions().console->trigger();
     QTRY_VERIFY(child<ui::console::Console>()->isVisible());
     QVERIFY(answer("set hardness.enamel.rate 5").contains("= 5 mm"));
-    QTRY_VERIFY_WITH_TIMEOUT(recording().isRetuned(), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(recording().isRetuned(), kPatienceMs);
     QVERIFY(lessons::presetUsed(recording()).isChanged);
-    emit m_application->window().toothChosen(26);
-    waitForTooth("Tooth 26");
+    chooseTooth(26);
     const core::recording::Recording next = recording();
     QVERIFY(!next.isRetuned());
     QCOMPARE(next.settings().hardness.material[1].rateMm3PerNs, 5.0);
     QVERIFY((lessons::presetUsed(next) == lessons::PresetUsed{"natural", 1, {}, true}));
     QVERIFY2(answer("save mine").contains("mine, version 1"), qPrintable(answer("help")));
     QVERIFY(answer("reset").contains("as the preset says"));
-    emit m_application->window().toothChosen(36);
-    waitForTooth("Tooth 36");
+    chooseTooth(36);
     QVERIFY(!lessons::presetUsed(recording()).isChanged);
     QVERIFY(answer("load mine").contains("mine, version 1"));
     // Nothing is cut yet: the attempt is made with it from the beginning.
@@ -215,8 +208,7 @@ void TestFeel::whatIsTurnedByHandIsNamedAndHoldsForTheNextTooth()
     QTRY_COMPARE(lessons::presetUsed(recording()).name, QString("natural"));
     QVERIFY(!lessons::presetUsed(recording()).isChanged);
     QVERIFY(answer("load mine").contains("mine, version 1"));
-    emit m_application->window().toothChosen(26);
-    waitForTooth("Tooth 26");
+    chooseTooth(26);
     QCOMPARE(lessons::presetUsed(recording()).name, QString("mine"));
     QVERIFY(!lessons::presetUsed(recording()).isChanged);
     QTest::keyClick(child<QLineEdit>("consoleLine"), Qt::Key_Escape);
@@ -237,15 +229,14 @@ void TestFeel::whatAScanAsksStaysAskedWhenAPresetIsLoaded()
                 return true;
         return false;
     };
-    emit m_application->window().scanChosen(scan.fileName());
-    QTRY_VERIFY_WITH_TIMEOUT(isAsked(), 30000);
-    QTest::qWait(500);
+    emit window().scanChosen(scan.fileName());
+    QTRY_VERIFY_WITH_TIMEOUT(isAsked(), kPatienceMs);
     const core::settings::FeelPreset& other = lessons::shippedPresets().back();
-    emit m_application->window().feelWanted(other);
-    QTRY_COMPARE_WITH_TIMEOUT(lessons::presetUsed(recording()).name, QString::fromStdString(other.name), 30000);
+    emit window().feelWanted(other);
+    QTRY_COMPARE_WITH_TIMEOUT(lessons::presetUsed(recording()).name, QString::fromStdString(other.name), kPatienceMs);
     QVERIFY(!lessons::presetUsed(recording()).isChanged);
     child<ui::shell::MessageBar>()->dismiss();  // that the recording was saved
-    QVERIFY2(isAsked(), qPrintable(child<ui::shell::MessageBar>()->sentence()));
+    QVERIFY2(isAsked(), qPrintable(message()));
 }
 
 void TestFeel::twoPresetsAreComparedBlind()
@@ -254,23 +245,22 @@ void TestFeel::twoPresetsAreComparedBlind()
     core::settings::FeelPreset hard;
     hard.name = "hard";
     hard.enamelRate = 0.2;
-    emit m_application->window().presetSaveWanted(hard);
+    emit window().presetSaveWanted(hard);
     actions().presets->trigger();
     child<QComboBox>("presetOther")->setCurrentIndex(child<QComboBox>("presetOther")->findText("natural v1"));
     child<QSpinBox>("presetTrials")->setValue(2);
-    QTest::mouseClick(child<QPushButton>("presetCompare"), Qt::LeftButton);
-    waitForTooth("Practice block");
+    tryOnBlock("presetCompare");
     auto* card = child<ui::presets::TrialCard>();
     QVERIFY(card->isVisible() && !card->tuned());
     QVERIFY(answer("set force.friction 0.2").contains("compared blind"));
     for (const char* command : {"get force.friction", "save leak", "set force.stiffness 19"})
         QVERIFY2(answer(command).contains("compared blind"), command);
-    ui::tooth::ToothView& view = m_application->window().view();
+    ui::tooth::ToothView& view = window().view();
     QTest::mouseMove(&view, view.rect().center());
     QTest::mousePress(&view, Qt::LeftButton, {}, view.rect().center());
-    QTRY_VERIFY_WITH_TIMEOUT(actions().undo->isEnabled(), 30000);
+    QTRY_VERIFY_WITH_TIMEOUT(actions().undo->isEnabled(), kPatienceMs);
     QTest::mouseRelease(&view, Qt::LeftButton, {}, view.rect().center());
-    QTest::qWait(500);
+    waitForStrokeEnd();
     // It is nobody's work, and is not offered to be gone on with.
     QCOMPARE(QDir(m_folder->filePath("unfinished")).entryList({"*.cuspjournal"}, QDir::Files), QStringList());
     QVERIFY(!actions().grade->isEnabled());
@@ -281,7 +271,7 @@ void TestFeel::twoPresetsAreComparedBlind()
     };
     cutWith("trialA");
     cutWith("trialB");
-    QTRY_VERIFY_WITH_TIMEOUT(recording().isRetuned(), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(recording().isRetuned(), kPatienceMs);
     QTest::mouseClick(card->findChild<QPushButton*>("trialSaysA"), Qt::LeftButton);
     QVERIFY(!card->findChild<QPushButton*>("trialSaysNone")->isEnabled());
     cutWith("trialA");
@@ -300,7 +290,7 @@ void TestFeel::whatIsWrongWithAFileStaysToBeRead()
         QVERIFY(file.open(QIODevice::WriteOnly));
         file.write(json);
         file.close();
-        emit m_application->window().presetImportWanted(file.fileName());
+        emit window().presetImportWanted(file.fileName());
     };
     auto* fault = child<QLabel>("presetFault");
     import(R"({"name": "slip", "enamell": {"rate_mm3_per_ns": 3}})");
@@ -318,7 +308,7 @@ void TestFeel::whatIsWrongWithAFileStaysToBeRead()
     stiff.name = "stiff";
     stiff.version = 0;
     stiff.stiffnessNPerMm = 15.0;
-    emit m_application->window().presetSaveWanted(stiff);
+    emit window().presetSaveWanted(stiff);
     QVERIFY2(fault->text().contains("Not kept: Would tremble"), qPrintable(fault->text()));
 }
 
@@ -332,10 +322,8 @@ void TestFeel::anExamFeelsAsItShould()
     file.close();
     const auto lesson = lessons::readLesson(file.fileName()).lesson;
     QVERIFY(lesson.has_value());
-    emit m_application->window().lessonChosen(*lesson);
-    QTRY_VERIFY_WITH_TIMEOUT(answer("set force.friction 0.3").contains("In an exam"), 30000);
-    QTRY_VERIFY_WITH_TIMEOUT(actions().grade->isEnabled(), 30000);
-    QTest::qWait(100);
+    openLesson(*lesson);
+    QTRY_VERIFY_WITH_TIMEOUT(answer("set force.friction 0.3").contains("In an exam"), kPatienceMs);
     const core::recording::Recording exam = recording();
     QCOMPARE(exam.settings().force.friction, core::contact::ForceSettings{}.friction);
     QVERIFY(!lessons::presetUsed(exam).isChanged);
@@ -352,7 +340,6 @@ void TestFeel::withoutAFileTheDataAreTheUsersOwn()
     options.source = {36};
     m_application = app::Application::make(options).value();
     m_application->show();
-    waitForTooth("Tooth 36");
     QTRY_VERIFY(QFile::exists(m_folder->filePath("cusp/cusp.sqlite")));
 }
 

@@ -31,7 +31,7 @@ public:
         if (dt.count() <= 0 || dt.count() % 1000 != 0)
             onlyWhole = false;
         if (const int ms = sleepMsOnce.exchange(0); ms > 0)
-            std::this_thread::sleep_for(std::chrono::milliseconds(ms));
+            std::this_thread::sleep_for(std::chrono::milliseconds(ms));  // a tick that takes too long
     }
     void end() override { ++ends; }
 };
@@ -59,7 +59,7 @@ void TestLoopThread::beatsUntilItIsAskedToStop()
     QCOMPARE(loop.ends.load(), 1);
     QVERIFY(loop.onlyWhole);
     const int stopped = loop.ticks;
-    std::this_thread::sleep_for(20ms);
+    std::this_thread::sleep_for(20ms);  // in which it would tick 20 times
     QCOMPARE(loop.ticks.load(), stopped);
 }
 

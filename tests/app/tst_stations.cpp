@@ -16,7 +16,6 @@
 #include <QProcess>
 #include <QSqlQuery>
 #include <QTest>
-#include <QThread>
 
 #include "app/Backups.h"
 #include "app/SchoolDesk.h"
@@ -205,7 +204,7 @@ void TestStations::killedStationsKeepWhatTheyConfirmed()
             QVERIFY(station->waitForReadyRead(60'000));
             output += station->readAllStandardOutput();
         }
-        QTest::qWait(rng.below(60));
+        QTest::qWait(rng.below(60));  // the moment of the kill is by chance
         ::kill(static_cast<pid_t>(station->processId()), SIGKILL);
         QVERIFY(station->waitForFinished(30'000));
         output += station->readAllStandardOutput();
@@ -531,8 +530,7 @@ void TestStations::silenceIsToldAndOver()
         desk.ask(
             this,
             [&mayAnswer](const School&) -> core::Result<bool> {
-                while (!mayAnswer)
-                    QThread::msleep(10);
+                mayAnswer.wait(false);
                 return true;
             },
             [](const core::Result<bool>&) {});
@@ -545,6 +543,7 @@ void TestStations::silenceIsToldAndOver()
     ask(mayAnswer);
     QTRY_COMPARE_WITH_TIMEOUT(told, QStringList{"unanswered"}, 30'000);
     mayAnswer = true;
+    mayAnswer.notify_all();
     QTRY_COMPARE(told, (QStringList{"unanswered", "answered"}));
 }
 
