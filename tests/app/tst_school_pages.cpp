@@ -56,6 +56,7 @@ private slots:
     void whoMayNotStayIsLoggedOut_data();
     void whoMayNotStayIsLoggedOut();
     void theLockIsOpenedWithoutTheDatabase();
+    void theLockIsOpenedWhileTheDatabaseHangs();
     void theOwnPasswordIsChanged();
     void aLateLoginLetsNobodyIn();
     void nothingOpensOverTheLock();
@@ -268,6 +269,26 @@ void TestSchoolPages::theLockIsOpenedWithoutTheDatabase()
     actions().lock->trigger();
     tryPassword(right);
     QVERIFY2(!isAtDoor(), qPrintable(saidAtDoor()));
+}
+
+/// A database that hangs gives no answer at all.
+void TestSchoolPages::theLockIsOpenedWhileTheDatabaseHangs()
+{
+    sql::Database::Options patient;
+    patient.patience = std::chrono::minutes(5);
+    start(false, patient);
+    logIn("sam");
+    goToTooth();
+    const OtherStation other(file());
+    other.execute("BEGIN IMMEDIATE");
+    actions().lock->trigger();
+    tryPassword(QString::fromStdString(kPassword));
+    QVERIFY2(!isAtDoor(), qPrintable(saidAtDoor()));
+    // Lessons are files, and are read without it.
+    window().setLessons({}, {});
+    actions().lessons->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(child<QListView>("lessonList")->model()->rowCount() > 2, kPatienceMs);
+    other.execute("ROLLBACK");
 }
 
 void TestSchoolPages::theOwnPasswordIsChanged()

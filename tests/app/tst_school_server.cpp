@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The whole program at a school of many stations: a real PostgreSQL server, which goes, comes back and takes its time.
+#include <QListView>
+#include <QStandardPaths>
+
 #include "database/sql/Classes.h"
 #include "database/sql/Logins.h"
 #include "tests/app/SchoolWindow.h"
@@ -20,6 +23,7 @@ private slots:
     void cleanup() { m_application.reset(); }
 
     void anAttemptArrivesOnceWhenTheServerReturns();
+    void anAttemptOfUnknownFateIsOfferedLate();
     void whatCouldNotBeReadIsReadWhenTheServerReturns();
     void anotherSchoolInItsPlaceLetsNobodyStay();
 
@@ -59,6 +63,31 @@ void TestSchoolServer::anAttemptArrivesOnceWhenTheServerReturns()
     QTRY_COMPARE_WITH_TIMEOUT(child<QTableView>("attempts")->model()->rowCount(), 1, kPatienceMs);
     QVERIFY(!child<QLabel>("attemptsWaiting")->isVisible());
     QCOMPARE(attempts(), 1);
+}
+
+/// Only the school knows whether a graded attempt was saved. Nobody waits for its answer, which comes late.
+void TestSchoolServer::anAttemptOfUnknownFateIsOfferedLate()
+{
+    start();
+    logIn("sam");
+    goToTooth();
+    drill(-2.0);
+    const QString outbox = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/outbox";
+    QFile inTheWay(outbox);
+    QVERIFY(inTheWay.open(QIODevice::WriteOnly));
+    grade("not kept yet");
+    switchTo("sue");
+    m_application.reset();
+    QVERIFY(inTheWay.remove());
+    const OtherStation elsewhere(place());
+    elsewhere.execute("BEGIN");
+    elsewhere.execute("LOCK TABLE attempts IN ACCESS EXCLUSIVE MODE");
+    start();
+    logIn("sam");
+    QTRY_VERIFY_WITH_TIMEOUT(child<QListView>("lessonList")->model()->rowCount() > 2, kPatienceMs);
+    QVERIFY(!isUnfinishedOffered());
+    elsewhere.execute("ROLLBACK");
+    QTRY_VERIFY_WITH_TIMEOUT(isUnfinishedOffered(), kPatienceMs);
 }
 
 /// By itself, on the page that is open.

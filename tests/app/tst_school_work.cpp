@@ -44,7 +44,9 @@ private slots:
     void aGuestsGradeIsOtherwiseNobodys();
     void anAttemptIsGradedSavedAndShown();
     void aLessonIsDueAndLimited();
+    void aPresetGivesNoAttemptBack();
     void anUnfinishedAttemptIsItsStudents();
+    void anUnfinishedAttemptIsNotResumedBeyondTheLimit();
     void anAttemptIsGradedOnce();
     void whatTheDiskRefusesIsDeliveredLater();
     void whatWasNotDeliveredIsUnfinished();
@@ -275,6 +277,33 @@ void TestSchoolWork::aLessonIsDueAndLimited()
     QTRY_VERIFY_WITH_TIMEOUT(list->model()->rowCount() > 2 && heading() != "Given to you", kPatienceMs);
 }
 
+/// A tooth that is whole again because of undo has a grade all the same, and can be redone.
+void TestSchoolWork::aPresetGivesNoAttemptBack()
+{
+    assign("block-line", 1);
+    beginAs("sam");
+    openLesson("block-line");
+    drill(0.0);
+    const auto undoAndLoadSoft = [this] {
+        const auto isUndone = [this] {
+            actions().undo->trigger();
+            return removed() == "0.00";
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(isUndone(), kPatienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(actions().redo->isEnabled(), kPatienceMs);
+        emit window().feelWanted(lessons::shippedPresets().back());
+        waitForTicks(500);
+        QVERIFY(actions().redo->isEnabled());
+    };
+    undoAndLoadSoft();
+    drill(0.0);
+    gradeLesson(1);
+    QTRY_VERIFY_WITH_TIMEOUT(!actions().reload->isEnabled(), kPatienceMs);
+    goToTooth();
+    undoAndLoadSoft();
+    QVERIFY(!actions().reload->isEnabled());
+}
+
 /// Another user gets a whole tooth, of which Sam sees nothing; the idle lock keeps it for Sam as well.
 void TestSchoolWork::anUnfinishedAttemptIsItsStudents()
 {
@@ -305,6 +334,31 @@ void TestSchoolWork::anUnfinishedAttemptIsItsStudents()
     QTRY_COMPARE_WITH_TIMEOUT(removed(), own, kPatienceMs);
     QTRY_VERIFY_WITH_TIMEOUT(actions().undo->isEnabled(), kPatienceMs);
     gradeLesson(1);
+}
+
+/// The teacher has assigned the lesson meanwhile, and counts what was done before.
+void TestSchoolWork::anUnfinishedAttemptIsNotResumedBeyondTheLimit()
+{
+    beginAs("sam");
+    doLesson("block-line", 1);
+    goToTooth();
+    drill(2.0);
+    switchTo("sue");
+    switchTo("sam");
+    QTRY_VERIFY_WITH_TIMEOUT(isUnfinishedOffered(), kPatienceMs);
+    assign("block-line", 1);
+    click("continue");
+    QTRY_VERIFY2_WITH_TIMEOUT(message().contains("used up your attempts"), qPrintable(message()), kPatienceMs);
+    QCOMPARE(removed(), QString("0.00"));
+    switchTo("sue");
+    switchTo("sam");
+    waitForLookingForUnfinished();
+    QVERIFY(!isUnfinishedOffered());
+    // It is offered again with a higher limit.
+    OtherStation(file()).execute("UPDATE assignments SET attempt_limit = 2");
+    switchTo("sue");
+    switchTo("sam");
+    QTRY_VERIFY_WITH_TIMEOUT(isUnfinishedOffered(), kPatienceMs);
 }
 
 /// What is graded is not offered as unfinished, even if the program is killed before the journal says so.
@@ -367,6 +421,19 @@ void TestSchoolWork::whatTheDiskRefusesIsDeliveredLater()
     QTRY_COMPARE_WITH_TIMEOUT(count("attempts a JOIN people p ON p.id = a.person_id WHERE p.username = 'sam'"), 1,
                               kPatienceMs);
     QCOMPARE(attempts(), 1);
+    switchTo("sam");
+    waitForLookingForUnfinished();
+    QVERIFY(!isUnfinishedOffered());
+    // During a replay the journal cannot be told that the attempt is saved.
+    goToTooth();
+    drill(2.0);
+    blockOutbox();
+    grade("not kept yet");
+    m_application->showMoment(0.1);
+    QTRY_VERIFY_WITH_TIMEOUT(actions().pauseReplay->isEnabled(), kPatienceMs);
+    freeOutbox();
+    QTRY_COMPARE_WITH_TIMEOUT(attempts(), 2, kPatienceMs);
+    switchTo("sue");
     switchTo("sam");
     waitForLookingForUnfinished();
     QVERIFY(!isUnfinishedOffered());
