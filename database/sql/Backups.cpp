@@ -126,7 +126,7 @@ core::Status copyInto(const QSqlDatabase& db, const QString& file, QFile::Permis
     };
     auto* const raw = *static_cast<sqlite3* const*>(handle.data());
     sqlite3_progress_handler(raw, kStepsPerLook, look, &watch);
-    const core::Status done =
+    core::Status done =
         watch.isStopped ? core::Status() : execute(db, QStringLiteral("VACUUM INTO ?"), "back it up", {file});
     sqlite3_progress_handler(raw, 0, nullptr, nullptr);
     if (watch.isStopped)

@@ -489,7 +489,8 @@ void drawContent(QPainter& painter, const Plot& plot, const Map& map, const QSiz
     const double wide = (plot.px.width() - gapsPx) / plot.x.high;
     const double high = plot.px.height() / -plot.y.low;
     const auto cellAt = [&](qsizetype row, qsizetype k) {
-        return QRectF(plot.px.left() + static_cast<double>(k) * wide + kGroupGapPx * static_cast<double>(k / columns),
+        const qsizetype group = k / columns;
+        return QRectF(plot.px.left() + static_cast<double>(k) * wide + kGroupGapPx * static_cast<double>(group),
                       plot.px.top() + static_cast<double>(row) * high, wide, high);
     };
     const auto write = [&](const QRectF& box, int flags, const QString& words, const QColor& colour,
