@@ -11,12 +11,6 @@
 #include "database/sql/Statement.h"
 
 namespace database::sql {
-namespace {
-
-constexpr std::int64_t kToldEvery = 5000;
-
-}  // namespace
-
 void RowSum::add(const QSqlQuery& row, qsizetype columns)
 {
     QCryptographicHash hash(QCryptographicHash::Blake2b_256);
@@ -45,8 +39,7 @@ QStringList columnsOf(const QSqlDatabase& db, const QString& table)
     return names;
 }
 
-core::Result<RowSum> sumOf(const QSqlDatabase& db, const QString& table,
-                           const std::function<bool(std::int64_t rows)>& progress)
+core::Result<RowSum> sumOf(const QSqlDatabase& db, const QString& table)
 {
     const QStringList columns = columnsOf(db, table);
     const std::string doing = "compare the table " + table.toStdString();
@@ -54,11 +47,8 @@ core::Result<RowSum> sumOf(const QSqlDatabase& db, const QString& table,
     if (!rows)
         return tl::unexpected(rows.error());
     RowSum sum;
-    while (rows->next()) {
+    while (rows->next())
         sum.add(*rows, columns.size());
-        if (progress && sum.rows() % kToldEvery == 0 && !progress(sum.rows()))
-            return sum;
-    }
     if (rows->lastError().isValid())
         return tl::unexpected(dialect::error(db, rows->lastError(), doing));
     return sum;

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 
 #include <QSqlDatabase>
 #include <QSqlQuery>
@@ -31,8 +30,6 @@ private:
 /// By name: two engines, or two ages of a file, need not agree on the order.
 [[nodiscard]] QStringList columnsOf(const QSqlDatabase& db, const QString& table);
 
-/// @param progress  rows so far; false stops it, and what there was so far is the answer
-[[nodiscard]] core::Result<RowSum> sumOf(const QSqlDatabase& db, const QString& table,
-                                         const std::function<bool(std::int64_t rows)>& progress = {});
+[[nodiscard]] core::Result<RowSum> sumOf(const QSqlDatabase& db, const QString& table);
 
 }  // namespace database::sql

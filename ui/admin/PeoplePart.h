@@ -135,7 +135,7 @@ private:
     QList<database::SchoolClass> m_classes;
     QString m_admin;
     qint64 m_chosen = 0;        ///< 0: somebody new
-    database::Person m_inForm;  ///< whom the form shows, as he was then; without an id: somebody new
+    database::Person m_inForm;  ///< the person in the form, as they were when it was filled; no id: a new person
     bool m_isTouched = false;   ///< something in it was changed by hand, and outlives news of what others have entered
     std::optional<Typed> m_submitted;  ///< what is on its way
     QElapsedTimer m_sinceSubmitted;

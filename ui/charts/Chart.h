@@ -145,7 +145,7 @@ struct Map
     struct Cell
     {
         QColor colour;
-        QString letter;  ///< so that colour is not all that tells cells apart; may be empty
+        QString letter;  ///< distinguishes cells without colour; may be empty
         QString note;
         bool operator==(const Cell&) const = default;
     };
