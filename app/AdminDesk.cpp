@@ -478,19 +478,6 @@ void AdminDesk::connectBackups()
                 });
             });
     });
-    connect(&part, &BackupPart::drillWanted, this, [this, &part] {
-        beside(
-            tr("A backup is made and restored …"),
-            [](const School& school, const GoesOn& goesOn) { return database::sql::restoreDrill(school.db, goesOn); },
-            [this, &part](const core::Result<qint64>& rows) {
-                if (!rows)
-                    return tellFailed(rows.error());
-                part.finish([count = *rows] {
-                    return tr("Restoring works: a backup was made, restored beside the database and compared, %1 rows.")
-                        .arg(QLocale().toString(count));
-                });
-            });
-    });
     connect(&part, &BackupPart::checkWanted, this, [this](const QString& code) {
         if (code.isEmpty() || database::sql::isAuditCode(code.toStdString()))
             check(code);

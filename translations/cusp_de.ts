@@ -2495,10 +2495,6 @@
         <translation>Die Daten werden gesichert …</translation>
     </message>
     <message>
-        <source>A backup is made and restored …</source>
-        <translation>Eine Sicherung wird gemacht und zurückgespielt …</translation>
-    </message>
-    <message>
         <source>Everything is looked at …</source>
         <translation>Alles wird geprüft …</translation>
     </message>
@@ -2555,10 +2551,6 @@
     <message>
         <source>Backed up: %1. Its pages and keys are whole.</source>
         <translation>Gesichert: %1. Seiten und Schlüssel der Sicherung sind heil.</translation>
-    </message>
-    <message>
-        <source>Restoring works: a backup was made, restored beside the database and compared, %1 rows.</source>
-        <translation>Zurückspielen klappt: Eine Sicherung wurde gemacht, neben der Datenbank zurückgespielt und verglichen, %1 Zeilen.</translation>
     </message>
     <message>
         <source>The school&apos;s file is in use: another window of Cusp, or another program, has it open, or a backup is being made. Close what has it open, and restore then.</source>
@@ -3013,14 +3005,6 @@
         <translation>Jetzt sichern</translation>
     </message>
     <message>
-        <source>Try a restore</source>
-        <translation>Zurückspielen erproben</translation>
-    </message>
-    <message>
-        <source>Make a backup, restore it beside the database, compare, and remove it</source>
-        <translation>Eine Sicherung machen, neben der Datenbank zurückspielen, vergleichen und entfernen</translation>
-    </message>
-    <message>
         <source>Check everything</source>
         <translation>Alles prüfen</translation>
     </message>
@@ -3314,9 +3298,9 @@
         <translation>Ja, sperren</translation>
     </message>
     <message>
-        <source>Somebody else has changed it meanwhile. There is now: %1. What you have typed stays here; saving it puts it in the place of that.</source>
-        <extracomment>%1: &quot;Given name: Ann · Role: Instructor&quot;</extracomment>
-        <translation>Jemand anderes hat es inzwischen geändert. Jetzt gilt: %1. Was Sie eingegeben haben, bleibt hier stehen; wenn Sie es speichern, tritt es an dessen Stelle.</translation>
+        <source>Somebody else has changed %1 meanwhile. What you have typed stays here.</source>
+        <extracomment>%1 is a person</extracomment>
+        <translation>Inzwischen hat jemand anders %1 geändert. Was Sie getippt haben, bleibt hier.</translation>
     </message>
     <message>
         <source>One-time code of %1. Tell it now: it is kept nowhere. It is shown here, whenever %1 is chosen, until you log out.</source>

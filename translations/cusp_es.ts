@@ -2495,10 +2495,6 @@
         <translation>Se está haciendo la copia de seguridad …</translation>
     </message>
     <message>
-        <source>A backup is made and restored …</source>
-        <translation>Se hace y se restaura una copia …</translation>
-    </message>
-    <message>
         <source>Everything is looked at …</source>
         <translation>Se revisa todo …</translation>
     </message>
@@ -2555,10 +2551,6 @@
     <message>
         <source>Backed up: %1. Its pages and keys are whole.</source>
         <translation>Copiado: %1. Sus páginas y claves están íntegras.</translation>
-    </message>
-    <message>
-        <source>Restoring works: a backup was made, restored beside the database and compared, %1 rows.</source>
-        <translation>La restauración funciona: se hizo una copia, se restauró junto a la base de datos y se comparó, %1 filas.</translation>
     </message>
     <message>
         <source>The school&apos;s file is in use: another window of Cusp, or another program, has it open, or a backup is being made. Close what has it open, and restore then.</source>
@@ -3013,14 +3005,6 @@
         <translation>Hacer copia ahora</translation>
     </message>
     <message>
-        <source>Try a restore</source>
-        <translation>Probar a restaurar</translation>
-    </message>
-    <message>
-        <source>Make a backup, restore it beside the database, compare, and remove it</source>
-        <translation>Hacer una copia, restaurarla junto a la base de datos, comparar y borrarla</translation>
-    </message>
-    <message>
         <source>Check everything</source>
         <translation>Revisar todo</translation>
     </message>
@@ -3314,9 +3298,9 @@
         <translation>Sí, desactivar</translation>
     </message>
     <message>
-        <source>Somebody else has changed it meanwhile. There is now: %1. What you have typed stays here; saving it puts it in the place of that.</source>
-        <extracomment>%1: &quot;Given name: Ann · Role: Instructor&quot;</extracomment>
-        <translation>Otra persona lo ha cambiado entretanto. Ahora consta: %1. Lo que ha escrito sigue aquí; si lo guarda, ocupará su lugar.</translation>
+        <source>Somebody else has changed %1 meanwhile. What you have typed stays here.</source>
+        <extracomment>%1 is a person</extracomment>
+        <translation>Mientras tanto, otra persona ha cambiado los datos de %1. Lo que ha escrito sigue aquí.</translation>
     </message>
     <message>
         <source>One-time code of %1. Tell it now: it is kept nowhere. It is shown here, whenever %1 is chosen, until you log out.</source>

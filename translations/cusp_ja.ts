@@ -2486,10 +2486,6 @@
         <translation>データをバックアップしています…</translation>
     </message>
     <message>
-        <source>A backup is made and restored …</source>
-        <translation>バックアップを作成して復元しています…</translation>
-    </message>
-    <message>
         <source>Everything is looked at …</source>
         <translation>すべてを確認しています…</translation>
     </message>
@@ -2544,10 +2540,6 @@
     <message>
         <source>Backed up: %1. Its pages and keys are whole.</source>
         <translation>バックアップしました：%1。ページとキーに損傷はありません。</translation>
-    </message>
-    <message>
-        <source>Restoring works: a backup was made, restored beside the database and compared, %1 rows.</source>
-        <translation>復元できます：バックアップを作成し、データベースの横に復元して %1 行を比較しました。</translation>
     </message>
     <message>
         <source>The school&apos;s file is in use: another window of Cusp, or another program, has it open, or a backup is being made. Close what has it open, and restore then.</source>
@@ -2997,14 +2989,6 @@
         <translation>今すぐバックアップ</translation>
     </message>
     <message>
-        <source>Try a restore</source>
-        <translation>復元を試す</translation>
-    </message>
-    <message>
-        <source>Make a backup, restore it beside the database, compare, and remove it</source>
-        <translation>バックアップを作り、データベースの横に復元して比較し、削除します</translation>
-    </message>
-    <message>
         <source>Check everything</source>
         <translation>すべて確認</translation>
     </message>
@@ -3296,9 +3280,9 @@
         <translation>はい、無効にする</translation>
     </message>
     <message>
-        <source>Somebody else has changed it meanwhile. There is now: %1. What you have typed stays here; saving it puts it in the place of that.</source>
-        <extracomment>%1: &quot;Given name: Ann · Role: Instructor&quot;</extracomment>
-        <translation>その間にほかの人が変更しました。現在の内容：%1。入力した内容はここに残っています。保存すると、それに置き換わります。</translation>
+        <source>Somebody else has changed %1 meanwhile. What you have typed stays here.</source>
+        <extracomment>%1 is a person</extracomment>
+        <translation>その間に別の人が %1 を変更しました。入力した内容はここに残っています。</translation>
     </message>
     <message>
         <source>One-time code of %1. Tell it now: it is kept nowhere. It is shown here, whenever %1 is chosen, until you log out.</source>

@@ -247,23 +247,6 @@ int restoreFile(const QCommandLineParser& parser, const Address& address)
                   {{"database", address.file}, {"replaced", *replaced}});
 }
 
-int drillRestore(const QCommandLineParser& parser, const Address& address)
-{
-    if (auto fit = expectFile(address); !fit)
-        return failed(fit.error());
-    const StopSignal stop;
-    const auto open = openSchool(address, Opening::ToLook);
-    if (!open)
-        return failedWithBackups(open.error(), address);
-    const auto rows = database::sql::restoreDrill(open->school->db, goesOn);
-    if (const auto stayed = open->database->stayedAsItWas(); !stayed)
-        return failed(stayed.error());
-    if (!rows)
-        return failedWithBackups(rows.error(), address);
-    return answer(parser, QStringLiteral("A backup was made and restored; %1 rows are in it.").arg(*rows),
-                  {{"rows", *rows}});
-}
-
 int migrateDatabase(const QCommandLineParser& parser, const Address& address)
 {
     const auto open = openSchool(address, Opening::Migrate);
@@ -582,7 +565,6 @@ constexpr std::array kParts{
          "copies the file after a good check, and thins out older backups", addBackupFolder, backUpFile},
     Part{"restore", "cusp db restore BACKUP [--db FILE]", "puts a backup in the place of the file", nothing,
          restoreFile, true},
-    Part{"drill", "cusp db drill [--db FILE]", "tries that a backup can be made and restored", nothing, drillRestore},
     Part{"migrate", "cusp db migrate [--db FILE|URL]",
          "brings an older database to this program's schema; new rows get numbers again", nothing, migrateDatabase},
     Part{"send", "cusp db send [--db FILE|URL]",

@@ -12,7 +12,6 @@
 #include <QRegularExpression>
 #include <QScopeGuard>
 #include <QSqlDriver>
-#include <QTemporaryDir>
 #include <fcntl.h>
 #include <sqlite3.h>
 
@@ -22,7 +21,6 @@
 #include "database/sql/Audit.h"
 #include "database/sql/Database.h"
 #include "database/sql/Migrations.h"
-#include "database/sql/RowSum.h"
 #include "database/sql/Statement.h"
 
 namespace database::sql {
@@ -475,35 +473,6 @@ core::Status noteRestored(const School& school, const Session& who, const QStrin
         return note(school, known->isNull() ? "system" : who.uid(), "backup.restored",
                     "backup:" + QFileInfo(backup).completeBaseName().toStdString());
     });
-}
-
-core::Result<qint64> restoreDrill(const QSqlDatabase& db, const BackupProgress& progress)
-{
-    const QString beside = QFileInfo(dialect::fileOf(db)).absolutePath();
-    const QTemporaryDir folder(QDir(beside).filePath(QStringLiteral("cusp-drill-XXXXXX")));
-    if (!folder.isValid())
-        return tl::unexpected(refused(beside, "no folder can be made there to restore it into; check who may write "
-                                              "there, and the room on the disk"));
-    const auto backup = backUp(db, folder.path(), QDateTime::currentDateTimeUtc(), progress);
-    if (!backup)
-        return tl::unexpected(backup.error());
-    const QString restored = folder.filePath(QStringLiteral("restored.sqlite"));
-    if (const auto put = restoreBackup(*backup, restored, QDateTime::currentDateTimeUtc(), progress); !put)
-        return tl::unexpected(put.error());
-    const Reader made(*backup);
-    const Reader there(restored);
-    qint64 rows = 0;
-    for (const QString& table : made.handle().tables()) {
-        const auto before = sumOf(made.handle(), table);
-        const auto after = sumOf(there.handle(), table);
-        if (!before || !after)
-            return tl::unexpected(before ? after.error() : before.error());
-        if (*before != *after)
-            return tl::unexpected(refused(*backup, "the table " + table.toStdString() + " was not restored as it was",
-                                          ErrorCode::BadStructure));
-        rows += after->rows();
-    }
-    return rows;
 }
 
 }  // namespace database::sql

@@ -79,8 +79,4 @@ QStringList removeOldBackups(const QSqlDatabase& db, const QString& folder);
 /// @param who  who wanted it; "system" is noted if the restored database does not know them
 [[nodiscard]] core::Status noteRestored(const School& school, const Session& who, const QString& backup);
 
-/// Makes a backup, restores it in a temporary folder beside the database, and compares both. Returns the number of
-/// rows.
-[[nodiscard]] core::Result<qint64> restoreDrill(const QSqlDatabase& db, const BackupProgress& progress = {});
-
 }  // namespace database::sql

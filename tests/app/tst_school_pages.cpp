@@ -899,7 +899,6 @@ void TestSchoolPages::aBackupIsMadeCheckedAndRestored()
     doAndWait("backUp", "Its pages and keys are whole");
     QTRY_COMPARE_WITH_TIMEOUT(rows->rowCount(), 2, kPatienceMs);
     QVERIFY(!child<QPushButton>("restoreThis")->isEnabled());
-    doAndWait("drillRestore", "Restoring works");
     doAndWait("checkAll", "Nothing is wrong");
     // With the audit code of a report: no code, the present one, and a wrong one.
     auto* code = child<QLineEdit>("reportCode");

@@ -70,7 +70,6 @@ void TestSchoolSignals::aSignalLeavesNothingBehind_data()
     QTest::addColumn<QStringList>("words");
     QTest::newRow("backup") << QStringList{"db", "backup", "--to", "there"};
     QTest::newRow("restore") << QStringList{"db", "restore", "backup.sqlite"};
-    QTest::newRow("drill") << QStringList{"db", "drill"};
     QTest::newRow("copy") << QStringList{"db", "copy", "--to", "there/copy.sqlite", "--as", "admin"};
     QTest::newRow("export") << QStringList{"export", "attempts", "--csv", "there/table.csv", "--as", "admin"};
 }

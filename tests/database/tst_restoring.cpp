@@ -213,11 +213,6 @@ void TestRestoring::initTestCase()
     for (const QString& own : {m_backup, m_school, m_crashed})
         QCOMPARE(QString::fromStdString(schoolOf(own)), id);
     QVERIFY(schoolOf(m_empty).empty() && schoolOf(m_other) != id.toStdString());
-    const auto rows = restoreDrill(m_rig.school().db);
-    VERIFY_DONE(rows);
-    QVERIFY(*rows > 30);
-    QVERIFY(QDir(QFileInfo(m_rig.address()).absolutePath()).entryList({"cusp-drill-*"}, QDir::Dirs).isEmpty());
-    QVERIFY(!restoreDrill(m_rig.school().db, [] { return false; }).has_value());
 }
 
 void TestRestoring::init()
@@ -510,7 +505,6 @@ void TestRestoring::whatCannotBeWrittenIsLookedAtAndBackedUp()
         VERIFY_DONE(looked);
         QVERIFY(checkDatabase((*looked)->handle(), {})->findings.empty());
         VERIFY_DONE(backUp((*looked)->handle(), elsewhere.path(), m_now));
-        VERIFY_REFUSED(restoreDrill((*looked)->handle()), ErrorCode::FileUnwritable);
     }
     QCOMPARE(there(), QStringList{"school.sqlite"});
     QCOMPARE(chmod(qPrintable(m_folder->path()), 0755) + chmod(qPrintable(file()), 0644), 0);

@@ -35,9 +35,9 @@ constexpr int kFile = Qt::UserRole + 1;  ///< of a row
 BackupPart::BackupPart(QWidget* parent)
     : QWidget(parent), m_thought(new SecondThought(*this)),
       m_words(study::formWords({}, kBody, QFont::Normal, QPalette::WindowText, this)), m_backUp(new QPushButton(this)),
-      m_drill(new QPushButton(this)), m_check(new QPushButton(this)), m_codeCaption(new QLabel(this)),
-      m_code(new QLineEdit(this)), m_codeFault(study::faultLabel(this)), m_restore(new QPushButton(this)),
-      m_keep(new QPushButton(this)), m_stop(new QPushButton(this)), m_bar(new QProgressBar(this)),
+      m_check(new QPushButton(this)), m_codeCaption(new QLabel(this)), m_code(new QLineEdit(this)),
+      m_codeFault(study::faultLabel(this)), m_restore(new QPushButton(this)), m_keep(new QPushButton(this)),
+      m_stop(new QPushButton(this)), m_bar(new QProgressBar(this)),
       m_said(study::formWords({}, kBody, QFont::Medium, QPalette::WindowText, this)),
       m_findings(new QPlainTextEdit(this)), m_rows(new QStandardItemModel(this)), m_table(new people::ListTable(this))
 {
@@ -46,7 +46,6 @@ BackupPart::BackupPart(QWidget* parent)
     m_said->setObjectName(QStringLiteral("backupSaid"));
     m_backUp->setProperty("kind", "filled");
     m_backUp->setObjectName(QStringLiteral("backUp"));
-    m_drill->setObjectName(QStringLiteral("drillRestore"));
     m_check->setObjectName(QStringLiteral("checkAll"));
     m_restore->setObjectName(QStringLiteral("restoreThis"));
     m_codeCaption->setFont(typeface(kBody));
@@ -74,7 +73,7 @@ BackupPart::BackupPart(QWidget* parent)
     column->setSpacing(kSpace2);
     column->addWidget(m_words);
     auto* row = new QHBoxLayout;
-    for (QPushButton* one : {m_backUp, m_drill, m_check}) {
+    for (QPushButton* one : {m_backUp, m_check}) {
         one->setAutoDefault(false);
         row->addWidget(one);
     }
@@ -111,7 +110,6 @@ BackupPart::BackupPart(QWidget* parent)
     m_restore->setAutoDefault(false);
     m_stop->setAutoDefault(false);
     connect(m_backUp, &QPushButton::clicked, this, &BackupPart::backUpWanted);
-    connect(m_drill, &QPushButton::clicked, this, &BackupPart::drillWanted);
     const auto check = [this] { emit checkWanted(m_code->text().trimmed()); };
     connect(m_check, &QPushButton::clicked, this, check);
     connect(m_code, &QLineEdit::returnPressed, this, check);
@@ -131,8 +129,6 @@ BackupPart::BackupPart(QWidget* parent)
 void BackupPart::speak()
 {
     m_backUp->setText(tr("Back up now"));
-    m_drill->setText(tr("Try a restore"));
-    m_drill->setToolTip(brokenIntoLines(tr("Make a backup, restore it beside the database, compare, and remove it")));
     m_check->setText(tr("Check everything"));
     m_check->setToolTip(brokenIntoLines(
         tr("Look at every page, every attempt and the whole audit for what was changed, removed or inserted")));
@@ -143,7 +139,7 @@ void BackupPart::speak()
     study::showFault(m_codeFault, {});
     m_stop->setText(tr("Stop"));
     m_keep->setText(tr("Keep what there is"));
-    for (QPushButton* one : {m_backUp, m_drill, m_check, m_stop, m_keep})
+    for (QPushButton* one : {m_backUp, m_check, m_stop, m_keep})
         one->setAccessibleName(one->text());
     m_bar->setAccessibleName(tr("Progress"));
     m_findings->setAccessibleName(tr("What the check found"));
@@ -174,10 +170,10 @@ void BackupPart::tell()
             : tr("The school's data are in %1. A backup is made every day the program is used. All of the last two "
                  "days are kept, then one for each of 12 days, 10 weeks and 9 months.")
                   .arg(m_where));
-    for (QWidget* one : {static_cast<QWidget*>(m_backUp), static_cast<QWidget*>(m_drill),
-                         static_cast<QWidget*>(m_table), static_cast<QWidget*>(m_restore)})
+    for (QWidget* one :
+         {static_cast<QWidget*>(m_backUp), static_cast<QWidget*>(m_table), static_cast<QWidget*>(m_restore)})
         one->setVisible(!m_isServer);
-    for (QWidget* one : std::initializer_list<QWidget*>{m_backUp, m_drill, m_check, m_code})
+    for (QWidget* one : std::initializer_list<QWidget*>{m_backUp, m_check, m_code})
         one->setEnabled(!m_isBusy);
     m_bar->setVisible(m_isBusy);
     m_stop->setVisible(m_isBusy);

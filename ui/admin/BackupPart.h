@@ -63,7 +63,6 @@ public:
 
 signals:
     void backUpWanted();
-    void drillWanted();
     /// @param code  the audit code of a report, as it was typed; empty: there is none to compare with
     void checkWanted(const QString& code);
     /// The backup is to be put in the place of the database, and everybody here is logged out.
@@ -89,7 +88,6 @@ private:
     QList<Backup> m_backups;
     QLabel* m_words;
     QPushButton* m_backUp;
-    QPushButton* m_drill;
     QPushButton* m_check;
     QLabel* m_codeCaption;
     QLineEdit* m_code;  ///< of a report

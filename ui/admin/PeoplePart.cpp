@@ -537,7 +537,7 @@ PeoplePart::Typed PeoplePart::asEntered(const Person& person)
     return form;
 }
 
-/// What was changed by hand stays; all else is as others have entered it since the form was filled.
+/// What was changed by hand stays; everything else is as it is in the school now.
 PeoplePart::Typed PeoplePart::onto(const Person& now, const Typed& typed)
 {
     const Typed before = asEntered(typed.asItWas);
@@ -553,36 +553,17 @@ PeoplePart::Typed PeoplePart::onto(const Person& now, const Typed& typed)
     return form;
 }
 
-/// The form, on what there is now. Whose change would undo that of another is told before he saves it.
+/// Shows what there is now, with what was changed by hand.
 void PeoplePart::rebase(const Person& now, const Typed& typed)
 {
-    write(onto(now, typed));
     const Typed before = asEntered(typed.asItWas);
     const Typed entered = asEntered(now);
-    const auto isUndone = [](const auto& was, const auto& is, const auto& wanted) {
-        return is != was && wanted != was && is != wanted;
-    };
-    const bool ofGiven = isUndone(before.given, entered.given, typed.given);
-    const bool ofFamily = isUndone(before.family, entered.family, typed.family);
-    const bool ofRole = isUndone(before.role, entered.role, typed.role);
-    if (!ofGiven && !ofFamily && !ofRole)
-        return;
-    say({}, [=] {
-        QStringList facts;
-        const auto add = [&facts](const QString& what, const QString& is) {
-            facts << QStringLiteral("%1: %2").arg(what, is.isEmpty() ? QStringLiteral("–") : is);
-        };
-        if (ofGiven)
-            add(tr("Given name"), entered.given);
-        if (ofFamily)
-            add(tr("Family name"), entered.family);
-        if (ofRole)
-            add(tr("Role"), roleWord(kRoles.at(static_cast<std::size_t>(entered.role))));
-        //: %1: "Given name: Ann · Role: Instructor"
-        return tr("Somebody else has changed it meanwhile. There is now: %1. What you have typed stays here; saving it "
-                  "puts it in the place of that.")
-            .arg(facts.join(QStringLiteral(" · ")));
-    });
+    write(onto(now, typed));
+    if (entered.given != before.given || entered.family != before.family || entered.role != before.role)
+        say({}, [name = nameOf(now)] {
+            //: %1 is a person
+            return tr("Somebody else has changed %1 meanwhile. What you have typed stays here.").arg(name);
+        });
 }
 
 PeoplePart::Typed PeoplePart::typed() const
