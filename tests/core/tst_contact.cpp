@@ -18,41 +18,59 @@
 #include "tests/support/Trials.h"
 
 using namespace core;
+using support::between;
 
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-std::unique_ptr<contact::LiveTooth> live(const support::Block& block)
+/// A tooth, and a method that meets it with a bur from where it starts.
+struct Scene
 {
-    return std::make_unique<contact::LiveTooth>(terrain::Tooth(support::makeBlock(block)));
+    contact::LiveTooth tooth;
+    std::unique_ptr<contact::ContactMethod> method;
+
+    Scene(const terrain::Tooth& begun, std::size_t bur, const glm::dvec3& startMm, const char* name = "continuous")
+        : tooth(begun), method(contact::makeContactMethod(name).value())
+    {
+        tooth.selectBur(bur);
+        method->restart(startMm);
+    }
+    glm::dvec3 update(const glm::dvec3& device) { return method->update(tooth, device); }
+};
+
+/// Whether the anchor is over every column, beneath every one, or over some and beneath the others.
+bool standsClear(contact::LiveTooth& tooth, const glm::dvec3& anchor)
+{
+    const glm::dvec2 at(anchor);
+    const contact::Room room = tooth.roomAt(at, anchor.z);
+    return anchor.z >= tooth.clearanceAt(at) - 1.0e-4 || anchor.z <= tooth.undersideAt(at) + 1.0e-4 ||
+           (anchor.z >= room.floorMm - 1.0e-4 && anchor.z <= room.roofMm + 1.0e-4);
 }
+
+/// A plate 1 mm thick, floating: its bottom is its overhang.
+const support::Block kPlate{.bottomMm = -1.0, .topMm = [](double x, double) { return x > 0.0 ? 0.0 : std::nan(""); }};
 
 /// Largest distance of a method's anchor from where geometry puts a ball pushed 0.4 mm into a plane, in micrometres,
 /// over a slide along and across it at 20 mm/s.
 double worstOnPlaneUm(const char* method, double degrees)
 {
     const double slope = std::tan(degrees * kDegree);
-    support::Block block;
-    block.bottomMm = -40.0;
-    block.topMm = [slope](double x, double) { return slope * x; };
-    const auto tooth = live(block);
-    const auto contact = contact::makeContactMethod(method).value();
     const glm::dvec3 normal(-std::sin(degrees * kDegree), 0.0, std::cos(degrees * kDegree));
     const glm::dvec3 along(std::cos(degrees * kDegree), 0.0, std::sin(degrees * kDegree));
     const glm::dvec3 ballFromTip(0.0, 0.0, 0.5);
+    const auto right = [&](double travel) {
+        return normal * 0.5 - ballFromTip + (along * 0.4 + glm::dvec3(0.0, 0.2, 0.0)) * (0.5 * travel - 2.0);
+    };
+    Scene scene(support::blockTooth({.bottomMm = -40.0, .topMm = [slope](double x, double) { return slope * x; }}), 0,
+                right(0.0) + normal, method);
     double worst = 0.0;
     for (int tick = 0; tick < 500; ++tick) {
         const double travel = tick < 100 ? 0.0 : 0.02 * (tick - 100);
         const double depth = 0.004 * std::min(tick, 100);
-        const glm::dvec3 right =
-            normal * 0.5 - ballFromTip + (along * 0.4 + glm::dvec3(0.0, 0.2, 0.0)) * (0.5 * travel - 2.0);
-        const glm::dvec3 device = right - normal * depth;
-        if (tick == 0)
-            contact->restart(device + normal);
-        const glm::dvec3 anchor = contact->update(*tooth, device);
+        const glm::dvec3 anchor = scene.update(right(travel) - normal * depth);
         if (tick > 120)
-            worst = std::max(worst, glm::length(anchor - right));
+            worst = std::max(worst, glm::length(anchor - right(travel)));
     }
     return 1000.0 * worst;
 }
@@ -60,16 +78,11 @@ double worstOnPlaneUm(const char* method, double degrees)
 /// How far past the middle of a wall two cells thick a method lets the bur get when pushed across with 3.9 N (2 N/mm).
 double crossedMm(const char* method)
 {
-    support::Block block;
-    block.topMm = [](double x, double) { return std::abs(x) < 0.08 ? 0.0 : -3.0; };
-    const auto tooth = live(block);
-    const auto contact = contact::makeContactMethod(method).value();
-    contact->restart({-2.0, 0.0, -2.0});
+    Scene scene(support::blockTooth({.topMm = [](double x, double) { return std::abs(x) < 0.08 ? 0.0 : -3.0; }}), 0,
+                {-2.0, 0.0, -2.0}, method);
     glm::dvec3 anchor{};
-    for (int tick = 0; tick < 600; ++tick) {
-        const double x = std::min(-2.0 + 0.01 * tick, -0.57 + 1.95);
-        anchor = contact->update(*tooth, {x, 0.0, -2.0});
-    }
+    for (int tick = 0; tick < 600; ++tick)
+        anchor = scene.update({std::min(-2.0 + 0.01 * tick, -0.57 + 1.95), 0.0, -2.0});
     return anchor.x;
 }
 
@@ -79,7 +92,7 @@ class TestContact : public QObject
 {
     Q_OBJECT
 private slots:
-    /// What cutting does eight columns at a time, on every processor, is what it would do one by one.
+    /// Cutting works on eight columns at a time; the result is that of one by one.
     void cutsAsColumnByColumn()
     {
         Rng rng(11);
@@ -158,48 +171,48 @@ private slots:
         if (contact::kernels().name == contact::kPlainKernels.name)
             QSKIP("this processor has the plain kernels only");
         Rng rng(7);
-        support::Block block;
-        block.topMm = [&rng](double, double) { return rng.uniform(-2.0, 0.0); };
-        const auto tooth = live(block);
+        contact::LiveTooth tooth(
+            support::blockTooth({.topMm = [&rng](double, double) { return rng.uniform(-2.0, 0.0); }}));
         std::vector<float> blocks(19 * 19 + contact::kBlock, terrain::kEmptyTop);
         std::vector<float> lowest(blocks.size(), terrain::kEmptyBottom);
         for (int j = 0; j < 150; ++j)
             for (int i = 0; i < 150; ++i) {
-                float& highest = blocks[static_cast<std::size_t>(j / 8 * 19 + i / 8)];
-                highest = std::max(highest, tooth->tooth().top[tooth->grid().index(i, j)]);
-                float& low = lowest[static_cast<std::size_t>(j / 8 * 19 + i / 8)];
-                low = std::min(low, tooth->tooth().bottom[tooth->grid().index(i, j)]);
+                const std::size_t k = tooth.grid().index(i, j);
+                const auto at = static_cast<std::size_t>(j / 8 * 19 + i / 8);
+                blocks[at] = std::max(blocks[at], tooth.tooth().top[k]);
+                lowest[at] = std::min(lowest[at], tooth.tooth().bottom[k]);
             }
         const std::vector<float> unknown(blocks.size(), 0.0F);
-        const contact::HeightView top{tooth->tooth().top.data(), 150, blocks.data()};
-        const contact::HeightView topAlone{tooth->tooth().top.data(), 150, unknown.data()};
-        const contact::HeightView bottom{tooth->tooth().bottom.data(), 150, lowest.data()};
+        const contact::HeightView top{tooth.tooth().top.data(), 150, blocks.data()};
+        const contact::HeightView topAlone{tooth.tooth().top.data(), 150, unknown.data()};
+        const contact::HeightView bottom{tooth.tooth().bottom.data(), 150, lowest.data()};
         const auto highestOf = [](const contact::Peaks& peaks) {
             return *std::max_element(peaks.begin(), peaks.end(),
                                      [](const auto& a, const auto& b) { return a.value < b.value; });
         };
         for (std::size_t bur = 0; bur < drilling::burs().size(); ++bur) {
-            tooth->selectBur(bur);
+            tooth.selectBur(bur);
+            const drilling::BurMask& mask = tooth.mask();
             for (int n = 0; n < 5000; ++n) {
                 const double u = rng.uniform(-8.0, 158.0);
                 const double v = rng.uniform(-8.0, 158.0);
                 const auto& fast = contact::kernels();
                 const auto& plain = contact::kPlainKernels;
-                const auto beneath = fast.lowestAtPoint(bottom, tooth->mask(), 0.07, u, v, {});
-                const auto above = fast.highestAtPoint(top, tooth->mask(), 0.07, u, v, {});
+                const auto beneath = fast.lowestAtPoint(bottom, mask, 0.07, u, v, {});
+                const auto above = fast.highestAtPoint(top, mask, 0.07, u, v, {});
                 for (std::size_t k = 0; k < above.size(); ++k) {
-                    QCOMPARE(beneath[k].value, plain.lowestAtPoint(bottom, tooth->mask(), 0.07, u, v, {})[k].value);
-                    QCOMPARE(above[k].value, plain.highestAtPoint(top, tooth->mask(), 0.07, u, v, {})[k].value);
+                    QCOMPARE(beneath[k].value, plain.lowestAtPoint(bottom, mask, 0.07, u, v, {})[k].value);
+                    QCOMPARE(above[k].value, plain.highestAtPoint(top, mask, 0.07, u, v, {})[k].value);
                 }
                 // Blocks that are left out hold nothing that counts.
                 const contact::Peak peak = highestOf(above);
-                QCOMPARE(peak.value, highestOf(fast.highestAtPoint(topAlone, tooth->mask(), 0.07, u, v, {})).value);
+                QCOMPARE(peak.value, highestOf(fast.highestAtPoint(topAlone, mask, 0.07, u, v, {})).value);
                 if (peak.i < 0)
                     continue;
                 // A peak that is remembered must answer as the whole search does, and no column may top it.
-                const contact::Head head = contact::headAt(tooth->mask(), 0.07, u, v);
+                const contact::Head head = contact::headAt(mask, 0.07, u, v);
                 const auto heightOver = [&](int p, int q) {
-                    return contact::valueOver<contact::Side::Above>(tooth->tooth().top[tooth->grid().index(p, q)], p,
+                    return contact::valueOver<contact::Side::Above>(tooth.tooth().top[tooth.grid().index(p, q)], p,
                                                                     contact::dy2Of(q, head), head);
                 };
                 QCOMPARE(heightOver(peak.i, peak.j), peak.value);
@@ -208,8 +221,7 @@ private slots:
         }
     }
 
-    /// Whatever has been cut since, and whatever was looked at before: what blocks and the last look spare changes
-    /// nothing.
+    /// The blocks and the last look spare work; they change no answer, whatever has been cut or looked at before.
     void roomIsThatOfEveryColumn()
     {
         Rng rng(5);
@@ -276,28 +288,25 @@ private slots:
     void clearanceIsTheSlowObviousMaximum()
     {
         Rng rng(3);
-        support::Block block;
-        block.topMm = [&rng](double x, double y) {
+        contact::LiveTooth tooth(support::blockTooth({.topMm = [&rng](double x, double y) {
             return std::hypot(x, y) > 4.0 ? std::nan("") : rng.uniform(-2.0, 0.0);
-        };
-        const auto tooth = live(block);
+        }}));
         for (std::size_t b = 0; b < drilling::burs().size(); ++b) {
-            tooth->selectBur(b);
+            tooth.selectBur(b);
             const drilling::Bur& bur = drilling::burs()[b];
             for (int n = 0; n < 300; ++n) {
                 const int i = rng.below(150);
                 const int j = rng.below(150);
                 double slow = -1.0e9;
-                for (int q = 0; q < 150; ++q) {
+                for (int q = 0; q < 150; ++q)
                     for (int p = 0; p < 150; ++p) {
                         const double r = 0.07 * std::hypot(p - i, q - j);
                         // Half a cell less than the rim: there the mask is supersampled and answers a little lower.
                         if (r <= bur.headRadiusMm - 0.05)
-                            slow = std::max(slow, static_cast<double>(tooth->tooth().top[tooth->grid().index(p, q)]) -
+                            slow = std::max(slow, static_cast<double>(tooth.tooth().top[tooth.grid().index(p, q)]) -
                                                       bur.undersideMm(r));
                     }
-                }
-                const double fast = tooth->clearanceAt(tooth->grid().nodeMm(i, j));
+                const double fast = tooth.clearanceAt(tooth.grid().nodeMm(i, j));
                 QVERIFY2(fast >= slow - 1.0e-5,
                          qPrintable(QString("bur %1 at %2 %3: %4 < %5").arg(b).arg(i).arg(j).arg(fast).arg(slow)));
             }
@@ -318,8 +327,7 @@ private slots:
     {
         QFETCH(double, degrees);
         QFETCH(double, allowedUm);
-        const double worst = worstOnPlaneUm("continuous", degrees);
-        QVERIFY2(worst < allowedUm, qPrintable(QString("%1 um").arg(worst)));
+        QVERIFY(between(worstOnPlaneUm("continuous", degrees), -1.0, allowedUm));
     }
 
     void flatBurStandsOnItsRim_data()
@@ -337,36 +345,28 @@ private slots:
         QFETCH(double, turn);
         const double slope = std::tan(degrees * kDegree);
         const glm::dvec2 up(std::cos(turn * kDegree), std::sin(turn * kDegree));
-        support::Block block;
-        block.bottomMm = -40.0;
-        block.topMm = [&](double x, double y) { return slope * (up.x * x + up.y * y); };
-        const auto tooth = live(block);
-        tooth->selectBur(drilling::findBur("57").value());
+        contact::LiveTooth tooth(support::blockTooth(
+            {.bottomMm = -40.0, .topMm = [&](double x, double y) { return slope * (up.x * x + up.y * y); }}));
+        tooth.selectBur(drilling::findBur("57").value());
+        const double stands = 0.4 * slope + 0.1 * (std::sqrt(1.0 + slope * slope) - 1.0);
         Rng rng(3);
         for (int n = 0; n < 2000; ++n) {
             const glm::dvec2 at(rng.uniform(-3.0, 3.0), rng.uniform(-3.0, 3.0));
-            const double stands = 0.4 * slope + 0.1 * (std::sqrt(1.0 + slope * slope) - 1.0);
-            const double lack = slope * (up.x * at.x + up.y * at.y) + stands - tooth->clearanceAt(at);
-            QVERIFY2(std::abs(lack) < 1.0e-5,
-                     qPrintable(QString("%1 um low at %2 %3").arg(1000.0 * lack).arg(at.x).arg(at.y)));
+            const double lack = slope * (up.x * at.x + up.y * at.y) + stands - tooth.clearanceAt(at);
+            QVERIFY(between(lack, -1.0e-5, 1.0e-5));
         }
     }
 
     void meetsAWallThatEndsTheGrid()
     {
         // A tooth that fills its grid to the edge, and a ball that comes from outside the grid.
-        support::Block block;
-        block.topMm = [](double, double) { return 0.0; };
-        block.bottomMm = -8.0;
-        const auto tooth = live(block);
-        const terrain::Grid& grid = tooth->grid();
-        const double wall = grid.nodeMm(grid.side - 1, 0).x;
-        const auto contact = contact::makeContactMethod("continuous").value();
+        const auto anatomy = support::makeBlock({.bottomMm = -8.0});
+        const double wall = anatomy->grid.nodeMm(anatomy->grid.side - 1, 0).x;
         glm::dvec3 device(wall + 2.0, 0.0, -3.0);
-        contact->restart(device);
+        Scene scene(terrain::Tooth(anatomy), 0, device);
         double before = device.x;
         for (; device.x > wall - 1.0; device.x -= 0.005) {
-            const glm::dvec3 anchor = contact->update(*tooth, device);
+            const glm::dvec3 anchor = scene.update(device);
             QVERIFY2(anchor.x > wall + 0.5 - 0.01, qPrintable(QString("the bur is at %1").arg(anchor.x - wall)));
             QVERIFY2(std::abs(anchor.x - before) < 0.02, "the bur jumped");
             QVERIFY(std::abs(anchor.z - device.z) < 0.1);
@@ -376,125 +376,84 @@ private slots:
 
     void latticeSticksOnSlopes()
     {
-        // Theory (haptics.md 3.3): on a slope that is not 0, 45 or 90 degrees no single lattice step both improves and
-        // is free, so the anchor stays behind by far more than a cell.
+        // On a slope that is not 0, 45 or 90 degrees no single lattice step both improves and is free, so the anchor
+        // stays behind by far more than a cell (haptics.md 3.3).
         QVERIFY(worstOnPlaneUm("lattice", 0.0) < 120.0);
-        const double worst = worstOnPlaneUm("lattice", 27.0);
-        QVERIFY2(worst > 100.0, qPrintable(QString("%1 um").arg(worst)));
+        QVERIFY(between(worstOnPlaneUm("lattice", 27.0), 100.0, 1.0e9));
     }
 
-    void burIsNeverInsideTheTooth_data()
-    {
-        QTest::addColumn<QString>("method");
-        QTest::newRow("continuous") << "continuous";
-        QTest::newRow("lattice") << "lattice";
-    }
+    void burIsNeverInsideTheTooth_data() { support::rows<QString>("method", {"continuous", "lattice"}); }
 
     void burIsNeverInsideTheTooth()
     {
         QFETCH(QString, method);
         Rng rng(11);
-        support::Block block;
-        block.topMm = [](double x, double y) {
+        const support::Block block{.topMm = [](double x, double y) {
             return std::hypot(x, y) > 4.5 ? std::nan("")
                                           : -0.15 * (x * x + y * y) + 0.4 * std::sin(3.0 * x) * std::sin(2.0 * y);
-        };
-        const auto tooth = live(block);
-        const auto contact = contact::makeContactMethod(method.toStdString()).value();
+        }};
         glm::dvec3 device(0.0, 0.0, 3.0);
         glm::dvec3 speed(0.0);
-        contact->restart(device);
+        Scene scene(support::blockTooth(block), 0, device, qPrintable(method));
         for (int tick = 0; tick < 20000; ++tick) {
             for (int axis = 0; axis < 3; ++axis)
                 speed[axis] = 0.98 * speed[axis] + rng.uniform(-0.01, 0.01);
             device += speed;
             device = glm::clamp(device, glm::dvec3(-5.0, -5.0, -5.0), glm::dvec3(5.0, 5.0, 2.0));
-            const glm::dvec3 anchor = contact->update(*tooth, device);
+            const glm::dvec3 anchor = scene.update(device);
             QVERIFY(std::isfinite(anchor.x) && std::isfinite(anchor.y) && std::isfinite(anchor.z));
-            const double above = tooth->clearanceAt({anchor.x, anchor.y});
-            const double beneath = tooth->undersideAt({anchor.x, anchor.y});
-            // At the rim some columns may be beneath the bur and others above it.
-            const contact::Room room = tooth->roomAt({anchor.x, anchor.y}, anchor.z);
-            const bool between = anchor.z >= room.floorMm - 1.0e-4 && anchor.z <= room.roofMm + 1.0e-4;
-            QVERIFY2(anchor.z >= above - 1.0e-4 || anchor.z <= beneath + 1.0e-4 || between,
-                     qPrintable(QString("tick %1: z %2 under %3").arg(tick).arg(anchor.z).arg(above)));
+            QVERIFY2(standsClear(scene.tooth, anchor), qPrintable(QString("tick %1: z %2").arg(tick).arg(anchor.z)));
         }
     }
 
-    void thinRidgeIsNotCrossed()
+    void thinRidgeIsCrossedByAPenaltyAlone()
     {
-        QVERIFY2(crossedMm("continuous") < -0.4, qPrintable(QString::number(crossedMm("continuous"))));
+        QVERIFY(between(crossedMm("continuous"), -1.0e9, -0.4));
         QVERIFY(crossedMm("lattice") < -0.3);
-    }
-
-    void penaltyPopsOverTheRidge()
-    {
         // The known failure: past the middle the nearest normal points the other way.
-        QVERIFY2(crossedMm("penalty") > 0.4, qPrintable(QString::number(crossedMm("penalty"))));
+        QVERIFY(between(crossedMm("penalty"), 0.4, 1.0e9));
     }
 
     void burFitsThePocketItMade()
     {
         // A hole exactly as wide as the bur, its axis between nodes: no node's clearance sees it.
-        support::Block block;
-        const auto anatomy = support::makeBlock(block);
-        terrain::Tooth cut(anatomy);
         const glm::dvec2 axis(0.021, -0.013);
-        for (int j = 0; j < 150; ++j) {
-            for (int i = 0; i < 150; ++i) {
-                const glm::dvec2 away = anatomy->grid.nodeMm(i, j) - axis;
-                if (glm::length(away) <= 0.5)
-                    cut.top[anatomy->grid.index(i, j)] = -1.5F;
-            }
-        }
-        contact::LiveTooth tooth(cut);
-        tooth.selectBur(3);  // flat end, radius 0.5
-        const auto contact = contact::makeContactMethod("continuous").value();
-        contact->restart({axis.x, axis.y, 1.0});
+        Scene scene(support::lowered(support::makeBlock({}),
+                                     [&](glm::dvec2 at) { return glm::length(at - axis) <= 0.5 ? -1.5 : 1.0; }),
+                    3, {axis.x, axis.y, 1.0});  // flat end, radius 0.5
         glm::dvec3 anchor{};
         for (int tick = 0; tick < 300; ++tick)
-            anchor = contact->update(tooth, {axis.x, axis.y, std::max(1.0 - 0.02 * tick, -2.0)});
-        QVERIFY2(std::abs(anchor.z + 1.5) < 1.0e-3, qPrintable(QString::number(anchor.z)));
+            anchor = scene.update({axis.x, axis.y, std::max(1.0 - 0.02 * tick, -2.0)});
+        QVERIFY(support::near(anchor.z, -1.5, 1.0e-3));
         // And the walls hold it.
         for (int tick = 0; tick < 100; ++tick)
-            anchor = contact->update(tooth, {axis.x + 0.5, axis.y, -1.6});
-        QVERIFY2(std::abs(anchor.x - axis.x) < 0.05 && anchor.z < -1.4,
-                 qPrintable(QString("%1 %2").arg(anchor.x).arg(anchor.z)));
+            anchor = scene.update({axis.x + 0.5, axis.y, -1.6});
+        QVERIFY(support::near(anchor.x, axis.x, 0.05));
+        QVERIFY(anchor.z < -1.4);
     }
 
     void freeBurFollowsTheDevice()
     {
-        const auto tooth = live({});
-        for (const char* method : {"penalty", "continuous"}) {
-            const auto contact = contact::makeContactMethod(method).value();
-            contact->restart({0.0, 0.0, 5.0});
-            const glm::dvec3 device(0.313, -1.77, 0.25);
-            QCOMPARE(contact->update(*tooth, device), device);
-        }
+        const glm::dvec3 device(0.313, -1.77, 0.25);
+        for (const char* method : {"penalty", "continuous"})
+            QCOMPARE(Scene(support::blockTooth({}), 0, {0.0, 0.0, 5.0}, method).update(device), device);
     }
 
     void burGoesUnderAnOverhang()
     {
-        // A plate 1 mm thick, floating: its bottom is its overhang. The head of bur 330 is 1.6 mm high, its neck 0.2
-        // mm.
-        support::Block block;
-        block.bottomMm = -1.0;
-        block.topMm = [](double x, double) { return x > 0.0 ? 0.0 : std::nan(""); };
-        const auto tooth = live(block);
-        tooth->selectBur(1);
-        const auto contact = contact::makeContactMethod("continuous").value();
-        contact->restart({-1.0, 0.0, -3.0});
+        // The head of bur 330 is 1.6 mm high, its neck 0.2 mm.
+        Scene scene(support::blockTooth(kPlate), 1, {-1.0, 0.0, -3.0});
         glm::dvec3 anchor{};
         for (int tick = 0; tick < 300; ++tick)
-            anchor = contact->update(*tooth, {std::min(-1.0 + 0.01 * tick, 0.05), 0.0, -3.0});
+            anchor = scene.update({std::min(-1.0 + 0.01 * tick, 0.05), 0.0, -3.0});
         // The edge of the head is beneath the plate, though not the neck.
-        QVERIFY2(anchor.x > -0.25, qPrintable(QString::number(anchor.x)));
+        QVERIFY(between(anchor.x, -0.25, 1.0e9));
         // Pulled up it slides out along its tapered shoulder and only then rises: it never passes through the plate.
         for (int tick = 0; tick < 400; ++tick) {
             const glm::dvec3 before = anchor;
-            anchor = contact->update(*tooth, {0.0, 0.0, std::min(-3.0 + 0.01 * tick, 0.5)});
-            const bool above = anchor.z >= tooth->clearanceAt({anchor.x, anchor.y}) - 1.0e-4;
-            const bool beneath = anchor.z <= tooth->undersideAt({anchor.x, anchor.y}) + 1.0e-4;
+            anchor = scene.update({0.0, 0.0, std::min(-3.0 + 0.01 * tick, 0.5)});
+            const bool above = anchor.z >= scene.tooth.clearanceAt({anchor.x, anchor.y}) - 1.0e-4;
+            const bool beneath = anchor.z <= scene.tooth.undersideAt({anchor.x, anchor.y}) + 1.0e-4;
             QVERIFY(above || beneath);
             QVERIFY2(before.z > -1.0 || anchor.z < -1.0 || anchor.x < -0.3,
                      qPrintable(QString("tick %1: %2 %3").arg(tick).arg(anchor.x).arg(anchor.z)));
@@ -517,15 +476,13 @@ private slots:
         QFETCH(double, mmPerS);
         constexpr double kDiscMm = 4.0;
         constexpr double kCellUm = 70.0;
-        support::Block block;
-        block.bottomMm = -3.0;
-        block.shiftMm = {0.013, -0.022};
-        block.topMm = [](double x, double y) { return std::sqrt(x * x + y * y) < kDiscMm ? 0.0 : std::nan(""); };
-        const auto tooth = live(block);
-        tooth->selectBur(bur);
-        const auto contact = contact::makeContactMethod("continuous").value();
         const double right = kDiscMm + drilling::burs()[bur].headRadiusMm;
-        contact->restart({right + 0.5, 0.0, -1.0});
+        Scene scene(
+            support::blockTooth(
+                {.bottomMm = -3.0,
+                 .shiftMm = {0.013, -0.022},
+                 .topMm = [](double x, double y) { return std::sqrt(x * x + y * y) < kDiscMm ? 0.0 : std::nan(""); }}),
+            bur, {right + 0.5, 0.0, -1.0});
         double sum2 = 0.0;
         double most = 0.0;
         double jump = 0.0;
@@ -537,7 +494,7 @@ private slots:
             const glm::dvec3 out(std::cos(angle), std::sin(angle), 0.0);
             const double depth = 0.4 * std::min(1.0, 1.0 + tick / 90.0);
             const glm::dvec3 level(0.0, 0.0, -1.0);
-            const glm::dvec3 off = contact->update(*tooth, out * (right - depth) + level) - (out * right + level);
+            const glm::dvec3 off = scene.update(out * (right - depth) + level) - (out * right + level);
             if (tick >= 0) {
                 const double far = 1000.0 * glm::length(off);
                 sum2 += far * far;
@@ -621,51 +578,39 @@ private slots:
 
     void noWalkLeadsIntoATooth_data() { support::rows<int>("fdi", {31, 36, 21, 24}); }
 
-    /// A hand that wanders about and through a tooth, at 5 to 300 mm/s, and leaves the bur at most 1 mm behind: the
-    /// anchor stands clear of every column, over the tooth or under it.
+    /// A hand that wanders about and through a tooth, at 5 to 300 mm/s, and leaves the bur at most 1 mm behind.
     void noWalkLeadsIntoATooth()
     {
         QFETCH(int, fdi);
         constexpr int kWalks = 6;
         constexpr int kTicks = 1500;
         constexpr double kBeyondMm = 1.0;
-        const auto built = teeth::buildTooth({fdi}, {}).value();
+        const terrain::Tooth uncut(teeth::buildTooth({fdi}, {}).value().anatomy);
         for (std::size_t bur = 0; bur < drilling::burs().size(); ++bur) {
-            contact::LiveTooth tooth{terrain::Tooth(built.anatomy)};
-            tooth.selectBur(bur);
             for (int walk = 0; walk < kWalks; ++walk) {
                 core::Rng rng(100 * bur + static_cast<std::uint64_t>(walk));
-                const auto between = [&](double low, double high) { return low + (high - low) * rng.uniform(); };
-                const auto contact = contact::makeContactMethod("continuous").value();
-                const double from = between(0.0, 360.0) * kDegree;
-                glm::dvec3 hand(7.0 * std::cos(from), 7.0 * std::sin(from), between(-6.0, 4.0));
-                contact->restart(hand);
-                glm::dvec3 anchor = contact->update(tooth, hand);
+                const auto within = [&](double low, double high) { return low + (high - low) * rng.uniform(); };
+                const double from = within(0.0, 360.0) * kDegree;
+                glm::dvec3 hand(7.0 * std::cos(from), 7.0 * std::sin(from), within(-6.0, 4.0));
+                Scene scene(uncut, bur, hand);
+                glm::dvec3 anchor = scene.update(hand);
                 glm::dvec3 goal(0.0);
                 glm::dvec3 pace(0.0);
                 double fastest = 0.05;
                 for (int tick = 0; tick < kTicks; ++tick) {
                     if (tick % 100 == 0) {
-                        goal = {between(-5.0, 5.0), between(-5.0, 5.0), between(-6.0, 1.0)};
-                        fastest = between(0.005, 0.3);
+                        goal = {within(-5.0, 5.0), within(-5.0, 5.0), within(-6.0, 1.0)};
+                        fastest = within(0.005, 0.3);
                     }
                     pace += 0.05 * (glm::normalize(goal - hand) * fastest - pace);
                     hand += pace;
                     const double beyond = glm::length(hand - anchor);
                     if (beyond > kBeyondMm)
                         hand = anchor + (hand - anchor) * (kBeyondMm / beyond);
-                    hand.z = std::max(hand.z, tooth.floorMm());
-                    anchor = contact->update(tooth, hand);
-                    const glm::dvec2 over(anchor);
-                    const double inside =
-                        std::min(tooth.clearanceAt(over) - anchor.z, anchor.z - tooth.undersideAt(over));
-                    const contact::Room room = tooth.roomAt(over, anchor.z);
-                    const bool hasRoom = room.floorMm <= anchor.z + 1.0e-4 && room.roofMm >= anchor.z - 1.0e-4;
-                    QVERIFY2(inside < 1.0e-4 || hasRoom, qPrintable(QStringLiteral("bur %1, walk %2, tick %3: %4 mm")
-                                                                        .arg(bur)
-                                                                        .arg(walk)
-                                                                        .arg(tick)
-                                                                        .arg(inside)));
+                    hand.z = std::max(hand.z, scene.tooth.floorMm());
+                    anchor = scene.update(hand);
+                    QVERIFY2(standsClear(scene.tooth, anchor),
+                             qPrintable(QStringLiteral("bur %1, walk %2, tick %3").arg(bur).arg(walk).arg(tick)));
                 }
             }
         }
@@ -675,24 +620,18 @@ private slots:
     /// column.
     void theShoulderStopsBeneathAnOverhang()
     {
-        support::Block block;
-        block.bottomMm = -1.0;
-        block.topMm = [](double x, double) { return x > 0.0 ? 0.0 : std::nan(""); };
-        const auto tooth = live(block);
-        tooth->selectBur(1);
         const drilling::Bur& bur = drilling::burs()[1];
         for (const double x : {-0.23, -0.26, -0.30, -0.34}) {
-            const auto contact = contact::makeContactMethod("continuous").value();
-            contact->restart({x, 0.0, -4.0});
+            Scene scene(support::blockTooth(kPlate), 1, {x, 0.0, -4.0});
             // The hand holds the bur where it is and pulls it up gently.
             glm::dvec3 anchor{};
             for (int tick = 0; tick < 400; ++tick)
-                anchor = contact->update(*tooth, {x, 0.0, std::min(-4.0 + 0.01 * tick, -2.45)});
+                anchor = scene.update({x, 0.0, std::min(-4.0 + 0.01 * tick, -2.45)});
             // The plate's edge lies half a cell before its first nodes: so much less is under it.
             const double highest = -1.0 - bur.upperSideMm(std::min(bur.headRadiusMm, 0.035 - x));
             QVERIFY2(anchor.z < highest + 0.05 && anchor.z > -2.7,
                      qPrintable(QString("at %1: %2, may be %3").arg(x).arg(anchor.z).arg(highest)));
-            QVERIFY(anchor.z <= tooth->undersideAt({anchor.x, anchor.y}) + 1.0e-4);
+            QVERIFY(anchor.z <= scene.tooth.undersideAt({anchor.x, anchor.y}) + 1.0e-4);
         }
     }
 
@@ -700,29 +639,24 @@ private slots:
     void aPerforationLetsTheBurThroughAndHoldsIt()
     {
         constexpr double kHoleMm = 0.45;
-        support::Block block;
-        block.bottomMm = -1.0;
-        const auto tooth = live(block);
-        tooth->selectBur(1);
-        const terrain::Grid& grid = tooth->grid();
+        Scene scene(support::blockTooth({.bottomMm = -1.0}), 1, {0.0, 0.0, 1.0});
+        const terrain::Grid& grid = scene.tooth.grid();
         for (int j = 0; j < grid.side; ++j)
             for (int i = 0; i < grid.side; ++i)
                 if (glm::length(grid.nodeMm(i, j)) < kHoleMm)
-                    tooth->lower(i, j, -1.0F);
-        const auto contact = contact::makeContactMethod("continuous").value();
-        contact->restart({0.0, 0.0, 1.0});
+                    scene.tooth.lower(i, j, -1.0F);
         glm::dvec3 anchor{};
         for (int tick = 0; tick < 400; ++tick)
-            anchor = contact->update(*tooth, {0.0, 0.0, 1.0 - 0.01 * tick});
-        QVERIFY2(std::abs(anchor.z + 2.99) < 1.0e-6, qPrintable(QString::number(anchor.z)));
+            anchor = scene.update({0.0, 0.0, 1.0 - 0.01 * tick});
+        QVERIFY(support::near(anchor.z, -2.99, 1.0e-6));
         // Half-way through, with head on both sides of the plate: pushed 0.5 mm to every side.
         for (int tick = 0; tick < 300; ++tick)
-            anchor = contact->update(*tooth, {0.0, 0.0, std::min(-2.99 + 0.01 * tick, -1.2)});
+            anchor = scene.update({0.0, 0.0, std::min(-2.99 + 0.01 * tick, -1.2)});
         glm::dvec3 before = anchor;
         for (int tick = 0; tick < 2000; ++tick) {
             const double angle = 2.0 * std::numbers::pi * tick / 1000.0;
             const double push = 0.5 * std::min(1.0, tick / 200.0);
-            anchor = contact->update(*tooth, {push * std::cos(angle), push * std::sin(angle), -1.2});
+            anchor = scene.update({push * std::cos(angle), push * std::sin(angle), -1.2});
             const double aside = glm::length(glm::dvec2(anchor));
             QVERIFY2(aside < kHoleMm - 0.4 + 0.08, qPrintable(QString("tick %1: %2 mm aside").arg(tick).arg(aside)));
             QVERIFY2(std::isfinite(anchor.z) && std::abs(anchor.z + 1.2) < 0.3, qPrintable(QString::number(anchor.z)));
@@ -731,7 +665,7 @@ private slots:
         }
         // And out again the way it came.
         for (int tick = 0; tick < 400; ++tick)
-            anchor = contact->update(*tooth, {0.0, 0.0, std::min(-1.2 + 0.01 * tick, 1.0)});
+            anchor = scene.update({0.0, 0.0, std::min(-1.2 + 0.01 * tick, 1.0)});
         QCOMPARE(anchor.z, 1.0);
     }
 

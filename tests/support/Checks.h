@@ -19,6 +19,14 @@ namespace support {
     return isNear;
 }
 
+[[nodiscard]] inline bool between(double value, double low, double high)
+{
+    const bool isBetween = value > low && value < high;
+    if (!isBetween)
+        qWarning("%.9g is not between %.9g and %.9g", value, low, high);
+    return isBetween;
+}
+
 /// Whether something came of it; else what went wrong.
 template <class T>
 [[nodiscard]] bool succeeds(const core::Result<T>& result)

@@ -6,6 +6,8 @@
 
 #include <glm/common.hpp>
 
+#include "core/drilling/Bur.h"
+
 namespace support {
 namespace {
 
@@ -22,6 +24,21 @@ void begin(Rig& rig)
 }
 
 }  // namespace
+
+Bench::Bench(const core::terrain::Tooth& begun, const char* bur, const ServoSettings& settings)
+    : tooth(std::make_unique<core::contact::LiveTooth>(begun)), servo(makeServoTick(settings).value())
+{
+    servo->setBur(core::drilling::findBur(bur).value());
+    servo->swapTooth(tooth.get(), true);
+    servo->setDrill(true);
+}
+
+const ServoState& Bench::step(const glm::dvec3& device, int dtUs) const
+{
+    const glm::vec3 sample(device);
+    servo->step(&sample, std::chrono::microseconds(dtUs));
+    return servo->state();
+}
 
 Rig::Rig(const ServoSettings& wanted, std::chrono::microseconds beat, const SessionMemory& memory)
     : settings(wanted), period(beat), servoLinks(std::make_unique<ServoLinks>()), uiLinks(std::make_unique<UiLinks>()),

@@ -25,6 +25,17 @@ public:
     }
 };
 
+/// A servo tick with a tooth, driven by hand: no loop and no device. Its drill is on.
+struct Bench
+{
+    std::unique_ptr<core::contact::LiveTooth> tooth;
+    std::unique_ptr<core::session::ServoTick> servo;
+
+    Bench(const core::terrain::Tooth& begun, const char* bur, const core::session::ServoSettings& settings = {});
+    const core::session::ServoState& step(const glm::dvec3& device, int dtUs = 1000) const;
+    [[nodiscard]] const core::session::ServoState& state() const { return servo->state(); }
+};
+
 /// Servo and session loop joined as the program joins them, but beaten by hand in one thread.
 struct Rig
 {

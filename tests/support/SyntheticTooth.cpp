@@ -20,54 +20,68 @@ std::shared_ptr<const core::terrain::ToothAnatomy> makeBlock(const Block& block)
     tooth->bottom.assign(count, kEmptyBottom);
     tooth->areaMm2.assign(count, 0.0F);
     tooth->layers.assign(count, ColumnLayers{});
-    for (int j = 0; j < block.side; ++j) {
-        for (int i = 0; i < block.side; ++i) {
-            const glm::dvec2 at = tooth->grid.nodeMm(i, j);
-            const double top = block.topMm(at.x, at.y);
-            if (!(top > block.bottomMm))
-                continue;
-            const std::size_t k = tooth->grid.index(i, j);
-            tooth->top[k] = static_cast<float>(top);
-            tooth->bottom[k] = static_cast<float>(block.bottomMm);
-            tooth->areaMm2[k] = static_cast<float>(block.cellMm * block.cellMm);
-            tooth->layers[k].dej = static_cast<float>(block.dejMm);
-            tooth->layers[k].cariesRoof = 100.0F;
-            tooth->layers[k].cariesFloor = static_cast<float>(block.cariesFloorMm);
-        }
-    }
+    eachNode(tooth->grid, [&](std::size_t k, const glm::dvec2& at) {
+        const double top = block.topMm(at.x, at.y);
+        if (!(top > block.bottomMm))
+            return;
+        tooth->top[k] = static_cast<float>(top);
+        tooth->bottom[k] = static_cast<float>(block.bottomMm);
+        tooth->areaMm2[k] = static_cast<float>(block.cellMm * block.cellMm);
+        tooth->layers[k] = {100.0F, static_cast<float>(block.cariesFloorMm), static_cast<float>(block.dejMm), 0.0F,
+                            0.0F};
+    });
     return tooth;
+}
+
+core::terrain::Tooth blockTooth(const Block& block)
+{
+    return core::terrain::Tooth(makeBlock(block));
 }
 
 std::shared_ptr<const core::terrain::ToothAnatomy> smallBlock(double cellMm)
 {
-    Block block;
-    block.side = 64;
-    block.cellMm = cellMm;
-    return makeBlock(block);
+    return makeBlock({.side = 64, .cellMm = cellMm});
 }
 
 std::shared_ptr<const core::terrain::ToothAnatomy> wavyDisc(int side, double cellMm)
 {
-    Block block;
-    block.side = side;
-    block.cellMm = cellMm;
-    block.dejMm = -1.0;
-    block.topMm = [](double x, double y) { return x * x + y * y < 16.0 ? 0.3 * std::sin(x) : std::nan(""); };
-    return makeBlock(block);
+    return makeBlock(
+        {.side = side,
+         .cellMm = cellMm,
+         .topMm = [](double x, double y) { return x * x + y * y < 16.0 ? 0.3 * std::sin(x) : std::nan(""); },
+         .dejMm = -1.0});
+}
+
+std::size_t nodeAt(const core::terrain::Grid& grid, glm::dvec2 placeMm)
+{
+    const glm::dvec2 at = grid.latticeOf(placeMm);
+    return grid.index(static_cast<int>(std::lround(at.x)), static_cast<int>(std::lround(at.y)));
+}
+
+std::vector<float> loweredTop(const core::terrain::ToothAnatomy& anatomy, const Surface& surface)
+{
+    std::vector<float> top = anatomy.top;
+    eachNode(anatomy.grid, [&](std::size_t k, const glm::dvec2& at) {
+        if (top[k] > anatomy.bottom[k])
+            top[k] = std::min(top[k], static_cast<float>(surface(at)));
+    });
+    return top;
+}
+
+core::terrain::Tooth lowered(const std::shared_ptr<const core::terrain::ToothAnatomy>& anatomy, const Surface& surface)
+{
+    core::terrain::Tooth tooth(anatomy);
+    tooth.top = loweredTop(*anatomy, surface);
+    return tooth;
 }
 
 core::terrain::Tooth hollowed(const std::shared_ptr<const core::terrain::ToothAnatomy>& anatomy, double deepMm)
 {
-    std::vector<float> top = anatomy->top;
-    for (int j = 0; j < anatomy->grid.side; ++j)
-        for (int i = 0; i < anatomy->grid.side; ++i) {
-            const std::size_t k = anatomy->grid.index(i, j);
-            const glm::dvec2 at = anatomy->grid.nodeMm(i, j) - glm::dvec2(0.31, -0.17);
-            const double r2 = 2.25 - at.x * at.x - at.y * at.y;
-            if (r2 > 0.0 && top[k] > anatomy->bottom[k])
-                top[k] = std::min(top[k], static_cast<float>(-deepMm / 1.5 * std::sqrt(r2)));
-        }
-    return core::terrain::restored(anatomy, std::move(top));
+    return core::terrain::restored(anatomy, loweredTop(*anatomy, [deepMm](glm::dvec2 place) {
+                                       const glm::dvec2 at = place - glm::dvec2(0.31, -0.17);
+                                       const double r2 = 2.25 - at.x * at.x - at.y * at.y;
+                                       return r2 > 0.0 ? -deepMm / 1.5 * std::sqrt(r2) : 100.0;
+                                   }));
 }
 
 std::shared_ptr<core::terrain::ToothAnatomy> slab(float dejMm)

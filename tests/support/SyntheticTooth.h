@@ -24,6 +24,9 @@ struct Block
 /// Block centred on the origin of the tooth frame.
 [[nodiscard]] std::shared_ptr<const core::terrain::ToothAnatomy> makeBlock(const Block& block);
 
+/// It, uncut.
+[[nodiscard]] core::terrain::Tooth blockTooth(const Block& block);
+
 /// One of enamel, 64 cells a side: quick to work on.
 [[nodiscard]] std::shared_ptr<const core::terrain::ToothAnatomy> smallBlock(double cellMm = 0.12);
 
@@ -35,6 +38,17 @@ void eachNode(const core::terrain::Grid& grid, Use&& use)
         for (int i = 0; i < grid.side; ++i)
             use(grid.index(i, j), grid.nodeMm(i, j));
 }
+
+/// The node nearest to a place.
+[[nodiscard]] std::size_t nodeAt(const core::terrain::Grid& grid, glm::dvec2 placeMm);
+
+/// Height of a cut surface; anything above the tooth is uncut.
+using Surface = std::function<double(glm::dvec2)>;
+
+/// The tooth with nothing left above a surface, and its top map alone.
+[[nodiscard]] core::terrain::Tooth lowered(const std::shared_ptr<const core::terrain::ToothAnatomy>& anatomy,
+                                           const Surface& surface);
+[[nodiscard]] std::vector<float> loweredTop(const core::terrain::ToothAnatomy& anatomy, const Surface& surface);
 
 /// A disc of 4 mm radius under a top that waves along x by 0.3 mm, enamel above -1: no lattice cuts its rim evenly.
 [[nodiscard]] std::shared_ptr<const core::terrain::ToothAnatomy> wavyDisc(int side, double cellMm);

@@ -12,7 +12,6 @@
 #include <glm/vec3.hpp>
 
 #include "core/teeth/ToothGenerator.h"
-#include "core/terrain/Tooth.h"
 #include "tests/support/Trials.h"
 
 namespace support {
@@ -177,6 +176,43 @@ ToothMaps analyticMolar(int side)
         }
     }
     return maps;
+}
+
+std::vector<NamedMaps> oddMaps()
+{
+    ToothMaps empty = analyticMolar(64);
+    std::fill(empty.top.begin(), empty.top.end(), kEmptyTop);
+    std::fill(empty.bottom.begin(), empty.bottom.end(), kEmptyBottom);
+    ToothMaps needle = empty;
+    needle.top[2000] = 0.0F;
+    needle.bottom[2000] = -20.0F;
+    const auto full = [&](float top, float bottom) {
+        ToothMaps maps = empty;
+        std::fill(maps.top.begin(), maps.top.end(), top);
+        std::fill(maps.bottom.begin(), maps.bottom.end(), bottom);
+        return maps;
+    };
+    ToothMaps root = full(-15.0F, -20.0F);  // everything below where the CEJ would be but one spike
+    root.top[2000] = 0.0F;
+    return {{"empty", 36, empty},
+            {"needle", 36, needle},
+            {"full", 0, full(0.0F, -20.0F)},
+            {"film of 0.3 mm", 36, full(0.0F, -0.3F)},
+            {"film of 0.5 mm", 36, full(0.0F, -0.5F)},
+            {"root", 36, root}};
+}
+
+core::terrain::PerMaterial volumesOf(const ToothMaps& maps, const std::vector<core::terrain::ColumnLayers>& layers)
+{
+    core::terrain::PerMaterial sum{};
+    for (std::size_t k = 0; k < layers.size(); ++k) {
+        if (!maps.isSolid(k))
+            continue;
+        const auto length = core::terrain::lengthsBetween(layers[k], maps.bottom[k], maps.top[k]);
+        for (std::size_t m = 0; m < sum.size(); ++m)
+            sum[m] += length[m] * maps.grid.cellMm * maps.grid.cellMm;
+    }
+    return sum;
 }
 
 std::vector<NamedMaps> everyTooth(int side)

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/terrain/Grid.h"
+#include "core/terrain/Tooth.h"
 
 namespace support {
 
@@ -16,6 +16,8 @@ struct ToothMaps
     core::terrain::Grid grid;
     std::vector<float> top;
     std::vector<float> bottom;
+
+    [[nodiscard]] bool isSolid(std::size_t k) const { return top[k] > bottom[k]; }
 };
 
 /// Where a file of the shared data folder lies ($CUSP_SHARED_DATA, else beside the source); empty if it is absent.
@@ -42,5 +44,12 @@ struct NamedMaps
 /// The analytic molar, a generated tooth of each kind and those scans that are there. The quick run has the molar of
 /// formulas, a generated molar and a generated incisor.
 [[nodiscard]] std::vector<NamedMaps> everyTooth(int side);
+
+/// Maps of 64 cells a side as no tooth has them: of nothing, of one needle, full to the edge and so on.
+[[nodiscard]] std::vector<NamedMaps> oddMaps();
+
+/// Volume of each material, mm3, of maps whose columns stand for whole cells.
+[[nodiscard]] core::terrain::PerMaterial volumesOf(const ToothMaps& maps,
+                                                   const std::vector<core::terrain::ColumnLayers>& layers);
 
 }  // namespace support
