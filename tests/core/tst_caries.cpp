@@ -6,6 +6,8 @@
 
 #include "core/teeth/Caries.h"
 #include "core/teeth/Layers.h"
+#include "tests/support/Checks.h"
+#include "tests/support/SyntheticTooth.h"
 #include "tests/support/Tables.h"
 #include "tests/support/ToothMaps.h"
 #include "tests/support/Trials.h"
@@ -19,11 +21,21 @@ namespace {
 
 constexpr CariesRule kRules[] = {CariesRule::FissureWalk, CariesRule::LowPointFill2011};
 
+std::vector<ColumnLayers> soundLayers(const ToothMaps& maps, int fdi, std::uint64_t seed)
+{
+    return teeth::buildLayers(maps.grid, maps.top, maps.bottom, {teeth::LayerRule::Anatomical, fdi, seed});
+}
+
+std::vector<ColumnLayers> decayed(const ToothMaps& maps, std::vector<ColumnLayers> layers,
+                                  const teeth::CariesOptions& how)
+{
+    teeth::addCaries(maps.grid, maps.top, maps.bottom, layers, how);
+    return layers;
+}
+
 std::vector<ColumnLayers> decay(const ToothMaps& maps, int fdi, CariesRule rule, double extent, std::uint64_t seed = 0)
 {
-    auto layers = teeth::buildLayers(maps.grid, maps.top, maps.bottom, {teeth::LayerRule::Anatomical, fdi, seed});
-    teeth::addCaries(maps.grid, maps.top, maps.bottom, layers, {rule, extent, seed});
-    return layers;
+    return decayed(maps, soundLayers(maps, fdi, seed), {rule, extent, seed});
 }
 
 bool hasCaries(const ColumnLayers& column)
@@ -33,11 +45,7 @@ bool hasCaries(const ColumnLayers& column)
 
 double volume(const ToothMaps& maps, const std::vector<ColumnLayers>& layers)
 {
-    double sum = 0.0;
-    for (std::size_t k = 0; k < layers.size(); ++k)
-        if (maps.top[k] > maps.bottom[k])
-            sum += lengthsBetween(layers[k], maps.bottom[k], maps.top[k])[static_cast<std::size_t>(Material::Caries)];
-    return sum * maps.grid.cellMm * maps.grid.cellMm;
+    return support::volumesOf(maps, layers)[static_cast<std::size_t>(Material::Caries)];
 }
 
 /// Least distance from decay down or sideways to pulp, mm, capped at 3.
@@ -47,21 +55,19 @@ double leastOverPulp(const ToothMaps& maps, const std::vector<ColumnLayers>& lay
     const int reach = static_cast<int>(std::ceil(0.6 / grid.cellMm));
     const int step = std::max(1, grid.side / 150);  // a fine grid is probed, not searched
     double least = 3.0;
-    for (int j = 0; j < grid.side; j += step) {
+    for (int j = 0; j < grid.side; j += step)
         for (int i = 0; i < grid.side; i += step) {
             if (!hasCaries(layers[grid.index(i, j)]))
                 continue;
             const auto floor = static_cast<double>(layers[grid.index(i, j)].cariesFloor);
-            for (int nj = std::max(0, j - reach); nj <= std::min(grid.side - 1, j + reach); ++nj) {
+            for (int nj = std::max(0, j - reach); nj <= std::min(grid.side - 1, j + reach); ++nj)
                 for (int ni = std::max(0, i - reach); ni <= std::min(grid.side - 1, i + reach); ++ni) {
                     const ColumnLayers& pulp = layers[grid.index(ni, nj)];
                     if (pulp.pulpRoof > pulp.pulpFloor)
                         least = std::min(least, std::hypot(grid.cellMm * std::hypot(ni - i, nj - j),
                                                            std::max(0.0, floor - static_cast<double>(pulp.pulpRoof))));
                 }
-            }
         }
-    }
     return least;
 }
 
@@ -71,7 +77,7 @@ QString broken(const ToothMaps& maps, const std::vector<ColumnLayers>& layers)
         if (!hasCaries(layers[k]))
             continue;
         const QString where = QStringLiteral("node %1: ").arg(k);
-        if (!(maps.top[k] > maps.bottom[k]))
+        if (!maps.isSolid(k))
             return where + "decay in an empty column";
         if (layers[k].cariesFloor < maps.bottom[k] || layers[k].cariesRoof > maps.top[k])
             return where + "decay outside the tooth";
@@ -109,11 +115,7 @@ private slots:
                     const QString wrong = broken(tooth.maps, layers);
                     QVERIFY2(wrong.isEmpty(), qPrintable(tooth.name.c_str() + QStringLiteral(": ") + wrong));
                     QVERIFY2(volume(tooth.maps, layers) > 0.5, tooth.name.c_str());
-                    const double least = leastOverPulp(tooth.maps, layers);
-                    QVERIFY2(least >= 0.5, qPrintable(QStringLiteral("%1, seed %2: %3 mm over the pulp")
-                                                          .arg(tooth.name.c_str())
-                                                          .arg(seed)
-                                                          .arg(least)));
+                    QVERIFY2(leastOverPulp(tooth.maps, layers) >= 0.5, tooth.name.c_str());
                 }
             }
         }
@@ -127,8 +129,7 @@ private slots:
                 auto smaller = sound;
                 constexpr double kStep = support::kSanitized ? 0.25 : 0.05;
                 for (double extent = kStep; extent <= 1.0; extent += kStep) {
-                    auto larger = sound;
-                    teeth::addCaries(tooth.maps.grid, tooth.maps.top, tooth.maps.bottom, larger, {rule, extent, 4});
+                    const auto larger = decayed(tooth.maps, sound, {rule, extent, 4});
                     for (std::size_t k = 0; k < larger.size(); ++k)
                         if (hasCaries(smaller[k]))
                             QVERIFY2(hasCaries(larger[k]) && larger[k].cariesRoof >= smaller[k].cariesRoof - 1e-5F &&
@@ -159,24 +160,21 @@ private slots:
     {
         const ToothMaps maps = support::generatedMaps(36, 0, 150);
         const auto layers = decay(maps, 36, CariesRule::FissureWalk, 0.6);
-        double mouth = 0.0;
-        double base = 0.0;
-        double undermined = 0.0;
+        int mouth = 0;
+        int base = 0;
+        int undermined = 0;
         for (std::size_t k = 0; k < layers.size(); ++k) {
             if (!hasCaries(layers[k]))
                 continue;
-            const double area = maps.grid.cellMm * maps.grid.cellMm;
             if (layers[k].cariesRoof >= maps.top[k])
-                mouth += area;
+                ++mouth;
             if (layers[k].cariesRoof >= layers[k].dej && layers[k].cariesFloor < layers[k].dej)
-                base += area;
+                ++base;
             if (layers[k].cariesRoof < maps.top[k] - 0.3F)
-                undermined += area;
+                ++undermined;
         }
-        QVERIFY(mouth > 0.0);
-        QVERIFY2(base > 3.0 * mouth, qPrintable(QStringLiteral("mouth %1, base %2 mm2").arg(mouth).arg(base)));
-        QVERIFY2(undermined > mouth,
-                 qPrintable(QStringLiteral("mouth %1, undermined %2 mm2").arg(mouth).arg(undermined)));
+        const QString found = QStringLiteral("mouth %1, base %2, undermined %3").arg(mouth).arg(base).arg(undermined);
+        QVERIFY2(mouth > 0 && base > 3 * mouth && undermined > mouth, qPrintable(found));
     }
 
     void earlyLesionStaysInEnamel()
@@ -195,17 +193,16 @@ private slots:
         double area = 0.0;
         float lowest = 0.0F;  // near the centre
         float highest = -100.0F;
-        for (std::size_t k = 0; k < layers.size(); ++k) {
-            const glm::dvec2 at = maps.grid.nodeMm(static_cast<int>(k % 150U), static_cast<int>(k / 150U));
-            if (maps.top[k] > maps.bottom[k] && std::hypot(at.x, at.y) < 1.0)
+        support::eachNode(maps.grid, [&](std::size_t k, const glm::dvec2& at) {
+            if (maps.isSolid(k) && std::hypot(at.x, at.y) < 1.0)
                 lowest = std::min(lowest, maps.top[k]);
             if (!hasCaries(layers[k]))
-                continue;
+                return;
             area += maps.grid.cellMm * maps.grid.cellMm;
             QCOMPARE(layers[k].cariesRoof, maps.top[k]);
             highest = std::max(highest, maps.top[k]);
-        }
-        QVERIFY2(std::abs(area - 6.0) < 0.1, qPrintable(QString::number(area)));
+        });
+        QVERIFY(support::near(area, 6.0, 0.1));
         QVERIFY(highest - lowest <= 1.2F);
     }
 
@@ -213,19 +210,12 @@ private slots:
     {
         const ToothMaps maps = support::generatedMaps(36, 0, 150);
         for (const CariesRule rule : kRules) {
-            const auto sound =
-                teeth::buildLayers(maps.grid, maps.top, maps.bottom, {teeth::LayerRule::Anatomical, 36, 0});
-            auto first = sound;
-            teeth::addCaries(maps.grid, maps.top, maps.bottom, first, {rule, 0.6, 9});
-            auto again = sound;
-            teeth::addCaries(maps.grid, maps.top, maps.bottom, again, {rule, 0.6, 9});
-            QVERIFY(first == again);
+            const auto sound = soundLayers(maps, 36, 0);
+            const auto first = decayed(maps, sound, {rule, 0.6, 9});
+            QVERIFY(first == decayed(maps, sound, {rule, 0.6, 9}));
             int different = 0;
-            for (std::uint64_t seed = 10; seed < 20; ++seed) {
-                auto other = sound;
-                teeth::addCaries(maps.grid, maps.top, maps.bottom, other, {rule, 0.6, seed});
-                different += other != first ? 1 : 0;
-            }
+            for (std::uint64_t seed = 10; seed < 20; ++seed)
+                different += decayed(maps, sound, {rule, 0.6, seed}) != first ? 1 : 0;
             QVERIFY(different >= 5);
         }
     }
@@ -233,10 +223,9 @@ private slots:
     void onlyCariesChanges()
     {
         const ToothMaps maps = support::generatedMaps(36, 0, 100);
-        const auto sound = teeth::buildLayers(maps.grid, maps.top, maps.bottom, {teeth::LayerRule::Anatomical, 36, 1});
+        const auto sound = soundLayers(maps, 36, 1);
         for (const CariesRule rule : kRules) {
-            auto sick = sound;
-            teeth::addCaries(maps.grid, maps.top, maps.bottom, sick, {rule, 0.8, 1});
+            auto sick = decayed(maps, sound, {rule, 0.8, 1});
             QVERIFY(sick != sound);
             for (ColumnLayers& column : sick) {
                 column.cariesRoof = 0.0F;
@@ -248,20 +237,9 @@ private slots:
 
     void oddMapsAreSurvived()
     {
-        ToothMaps empty = support::analyticMolar(64);
-        std::fill(empty.top.begin(), empty.top.end(), kEmptyTop);
-        std::fill(empty.bottom.begin(), empty.bottom.end(), kEmptyBottom);
-        ToothMaps needle = empty;
-        needle.top[2000] = 0.0F;
-        needle.bottom[2000] = -20.0F;
-        ToothMaps full = empty;
-        std::fill(full.top.begin(), full.top.end(), 0.0F);
-        std::fill(full.bottom.begin(), full.bottom.end(), -20.0F);
-        ToothMaps film = full;
-        std::fill(film.bottom.begin(), film.bottom.end(), -0.3F);
-        for (const ToothMaps& maps : {empty, needle, full, film})
+        for (const support::NamedMaps& odd : support::oddMaps())
             for (const CariesRule rule : kRules)
-                QVERIFY(broken(maps, decay(maps, 36, rule, 1.0, 2)).isEmpty());
+                QVERIFY2(broken(odd.maps, decay(odd.maps, 36, rule, 1.0, 2)).isEmpty(), odd.name.c_str());
     }
 };
 
