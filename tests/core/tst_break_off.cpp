@@ -6,12 +6,13 @@
 
 #include "core/drilling/BreakOff.h"
 #include "core/recording/Replay.h"
-#include "core/session/ServoTick.h"
+#include "tests/support/Checks.h"
 #include "tests/support/Rig.h"
 #include "tests/support/SyntheticTooth.h"
 #include "tests/support/Tables.h"
 
 using namespace core;
+using support::between;
 
 namespace {
 
@@ -32,43 +33,29 @@ double sum(const terrain::PerMaterial& volumes)
 }
 
 /// A tooth after two trenches of a fissure bur, 1 mm deep and 2 mm long, with a fin between them.
-struct TwoTrenches
+struct TwoTrenches : support::Bench
 {
-    contact::LiveTooth tooth;
-    session::ServoState state;
-
     TwoTrenches(const support::Block& block, double finMm, const session::ServoSettings& settings)
-        : tooth(terrain::Tooth(support::makeBlock(block)))
+        : Bench(support::blockTooth(block), "57", settings)
     {
-        const auto servo = session::makeServoTick(settings).value();
-        const std::size_t fissure = drilling::findBur("57").value();
-        const double y = drilling::burs()[fissure].headRadiusMm + 0.5 * finMm;
-        servo->setBur(fissure);
-        servo->swapTooth(&tooth, true);
-        servo->setDrill(true);
-        const auto go = [&](double x, double aside, double z) {
-            const glm::vec3 device(glm::dvec3(x, aside, z));
-            servo->step(&device, std::chrono::milliseconds(1));
-        };
+        const double y = drilling::burs()[tooth->burIndex()].headRadiusMm + 0.5 * finMm;
         for (const double aside : {-y, y}) {
-            go(-1.0, aside, 0.5);
+            step({-1.0, aside, 0.5});
             for (int tick = 0; tick < 300; ++tick)
-                go(-1.0, aside, 0.2 - (kDeepMm + 0.25) * std::min(1.0, tick / 250.0));
+                step({-1.0, aside, 0.2 - (kDeepMm + 0.25) * std::min(1.0, tick / 250.0)});
             for (int tick = 0; tick <= 500; ++tick)
-                go(-1.0 + 0.004 * tick, aside, -kDeepMm - 0.05);
-            go(1.0, aside, 0.5);
+                step({-1.0 + 0.004 * tick, aside, -kDeepMm - 0.05});
+            step({1.0, aside, 0.5});
         }
-        state = servo->state();
     }
     /// Height of the highest column on the middle line of the fin, away from its ends.
     [[nodiscard]] double finTopMm() const
     {
-        const terrain::Grid& grid = tooth.grid();
         double highest = -100.0;
-        for (int j = 0; j < grid.side; ++j)
-            for (int i = 0; i < grid.side; ++i)
-                if (const glm::dvec2 at = grid.nodeMm(i, j); std::abs(at.x) < 0.5 && std::abs(at.y) < 0.2)
-                    highest = std::max(highest, static_cast<double>(tooth.tooth().top[grid.index(i, j)]));
+        support::eachNode(tooth->grid(), [&](std::size_t k, const glm::dvec2& at) {
+            if (std::abs(at.x) < 0.5 && std::abs(at.y) < 0.2)
+                highest = std::max(highest, static_cast<double>(tooth->tooth().top[k]));
+        });
         return highest;
     }
 };
@@ -93,14 +80,11 @@ private slots:
         QFETCH(int, side);
         QFETCH(double, finMm);
         QFETCH(bool, breaks);
-        support::Block block;
-        block.side = side;
-        block.cellMm = 10.5 / side;
-        const TwoTrenches cut(block, finMm, yielding(true));
-        QCOMPARE(sum(cut.state.brokenMm3) > 0.0, breaks);
+        const TwoTrenches cut({.side = side, .cellMm = 10.5 / side}, finMm, yielding(true));
+        QCOMPARE(sum(cut.state().brokenMm3) > 0.0, breaks);
         // What broke while the second trench was not yet down leaves a stump, which is not too high for its width.
         if (breaks)
-            QVERIFY2(cut.finTopMm() < -0.5 * kDeepMm, qPrintable(QString::number(cut.finTopMm())));
+            QVERIFY(between(cut.finTopMm(), -100.0, -0.5 * kDeepMm));
         else
             QCOMPARE(cut.finTopMm(), 0.0);
     }
@@ -110,7 +94,7 @@ private slots:
         // Columns wide that a cut left at any angle: here every one whose middle lies in a strip.
         for (const double degrees : {0.0, 20.0, 45.0, 70.0}) {
             const glm::dvec2 across(-std::sin(degrees * 0.017453292519943), std::cos(degrees * 0.017453292519943));
-            contact::LiveTooth tooth{terrain::Tooth(support::makeBlock({}))};
+            contact::LiveTooth tooth{support::blockTooth({})};
             const terrain::Grid& grid = tooth.grid();
             drilling::CutRect changed{40, 40, 110, 110};
             for (int j = changed.j0; j <= changed.j1; ++j)
@@ -132,7 +116,7 @@ private slots:
     void offNothingBreaks()
     {
         const TwoTrenches cut({}, 0.08, yielding(false));
-        QCOMPARE(sum(cut.state.brokenMm3), 0.0);
+        QCOMPARE(sum(cut.state().brokenMm3), 0.0);
         QCOMPARE(cut.finTopMm(), 0.0);
     }
 
@@ -141,23 +125,22 @@ private slots:
         const TwoTrenches with({}, 0.08, yielding(true));
         const TwoTrenches without({}, 0.08, yielding(false));
         // What came off is what the maps lost, and what broke is in it.
-        const double lost = sum(terrain::removedVolumes(with.tooth.tooth()));
-        QVERIFY(std::abs(sum(with.state.removedMm3) - lost) < 1.0e-4);
-        const double more = lost - sum(terrain::removedVolumes(without.tooth.tooth()));
+        const double lost = sum(terrain::removedVolumes(with.tooth->tooth()));
+        QVERIFY(between(sum(with.state().removedMm3) - lost, -1.0e-4, 1.0e-4));
+        const double more = lost - sum(terrain::removedVolumes(without.tooth->tooth()));
         // The sliver before the bur's round front breaks as well: the bur would have cut it a little later.
         QVERIFY(more > 0.15);
-        QVERIFY2(sum(with.state.brokenMm3) > 0.9 * more && sum(with.state.brokenMm3) < 2.0 * more,
-                 qPrintable(QString("%1 broke, %2 is missing").arg(sum(with.state.brokenMm3)).arg(more)));
+        QVERIFY(between(sum(with.state().brokenMm3), 0.9 * more, 2.0 * more));
     }
 
     void cuspDoesNotBreak()
     {
         // A cusp of 65 degrees between two trenches that cut its flanks away, 0.5 mm apart at its foot.
-        support::Block block;
-        block.topMm = [](double x, double y) { return std::max(-2.0, -2.1 * std::sqrt(x * x + y * y)); };
-        const TwoTrenches cut(block, 0.5, yielding(true));
-        QVERIFY(sum(cut.state.removedMm3) > 0.02);
-        QCOMPARE(sum(cut.state.brokenMm3), 0.0);
+        const TwoTrenches cut(
+            {.topMm = [](double x, double y) { return std::max(-2.0, -2.1 * std::sqrt(x * x + y * y)); }}, 0.5,
+            yielding(true));
+        QVERIFY(sum(cut.state().removedMm3) > 0.02);
+        QCOMPARE(sum(cut.state().brokenMm3), 0.0);
         QVERIFY(cut.finTopMm() > -0.15);
     }
 
@@ -166,13 +149,11 @@ private slots:
         // What the bur has left alone without the rule is left alone with it, but for the fin.
         const TwoTrenches with({}, 0.08, yielding(true));
         const TwoTrenches without({}, 0.08, yielding(false));
-        const terrain::Grid& grid = with.tooth.grid();
-        for (int j = 0; j < grid.side; ++j)
-            for (int i = 0; i < grid.side; ++i) {
-                const std::size_t k = grid.index(i, j);
-                if (std::abs(grid.nodeMm(i, j).y) > 0.1 && without.tooth.tooth().top[k] == 0.0F)
-                    QCOMPARE(with.tooth.tooth().top[k], 0.0F);
-            }
+        const std::vector<float>& top = with.tooth->tooth().top;
+        support::eachNode(with.tooth->grid(), [&](std::size_t k, const glm::dvec2& at) {
+            if (std::abs(at.y) > 0.1 && without.tooth->tooth().top[k] == 0.0F)
+                QCOMPARE(top[k], 0.0F);
+        });
     }
 
     void replaysToTheSameBits()
