@@ -8,6 +8,8 @@
 #include "core/preparation/CapturedPreparation.h"
 #include "core/preparation/ToothPreparation.h"
 #include "core/teeth/ToothBuilder.h"
+#include "tests/support/Checks.h"
+#include "tests/support/SyntheticTooth.h"
 
 using namespace core;
 using namespace core::preparation;
@@ -104,23 +106,19 @@ private slots:
         const terrain::Grid& grid = plain.anatomy->grid;
         const glm::dvec2 middle = grid.middleMm();
         const auto round = [&](double radiusMm, double asideMm) {
-            terrain::Tooth tooth(plain.anatomy);
-            for (int j = 0; j < grid.side; ++j)
-                for (int i = 0; i < grid.side; ++i)
-                    if (glm::distance(grid.nodeMm(i, j), middle + glm::dvec2(asideMm, 0.0)) < radiusMm)
-                        tooth.top[grid.index(i, j)] = -1.0F;
-            return tooth;
+            return support::lowered(plain.anatomy, [=](glm::dvec2 at) {
+                return glm::distance(at, middle + glm::dvec2(asideMm, 0.0)) < radiusMm ? -1.0 : 100.0;
+            });
         };
         const auto ideal = average({round(1.4, 0.0), round(2.0, 0.3)});
         QVERIFY(ideal);
         std::size_t others = 0;
-        for (int j = 0; j < grid.side; ++j)
-            for (int i = 0; i < grid.side; ++i) {
-                const double fromEdgeMm = glm::distance(grid.nodeMm(i, j), middle + glm::dvec2(0.15, 0.0)) - 1.7;
-                const bool isIn = ideal->parts[grid.index(i, j)] != Part::Keep;
-                others += isIn == (fromEdgeMm < 0.0) ? 0 : 1;
-                QVERIFY(isIn == (fromEdgeMm < 0.0) || std::abs(fromEdgeMm) < 1.5 * grid.cellMm);
-            }
+        support::eachNode(grid, [&](std::size_t k, const glm::dvec2& at) {
+            const double fromEdgeMm = glm::distance(at, middle + glm::dvec2(0.15, 0.0)) - 1.7;
+            const bool isIn = ideal->parts[k] != Part::Keep;
+            others += isIn == (fromEdgeMm < 0.0) ? 0 : 1;
+            QVERIFY(isIn == (fromEdgeMm < 0.0) || std::abs(fromEdgeMm) < 1.5 * grid.cellMm);
+        });
         QVERIFY2(others < 30, qPrintable(QString::number(others)));
         // What one of the two did elsewhere, far from the other's work, is a slip.
         terrain::Tooth slipped = round(1.7, 0.0);
@@ -133,32 +131,23 @@ private slots:
     {
         // A trench whose sides rise at 60 degrees and whose floor slopes at 10.
         const Block line = block();
-        terrain::Tooth attempt(line.anatomy);
-        const terrain::Grid& grid = line.anatomy->grid;
         const double steep = std::tan(60.0 * 3.14159265358979 / 180.0);
         const double gentle = std::tan(10.0 * 3.14159265358979 / 180.0);
         const auto floorAt = [&](glm::dvec2 at) { return -2.0 + gentle * at.x; };
-        for (int j = 0; j < grid.side; ++j)
-            for (int i = 0; i < grid.side; ++i) {
-                const glm::dvec2 at = grid.nodeMm(i, j);
-                const double wall = floorAt(at) + (std::abs(at.y) - 1.0) * steep;
-                if (std::abs(at.x) < 4.0 && attempt.isSolid(grid.index(i, j)))
-                    attempt.top[grid.index(i, j)] = static_cast<float>(std::min(0.0, std::max(floorAt(at), wall)));
-            }
+        const auto wallAt = [&](glm::dvec2 at) { return floorAt(at) + (std::abs(at.y) - 1.0) * steep; };
+        const terrain::Tooth attempt = support::lowered(line.anatomy, [&](glm::dvec2 at) {
+            return std::abs(at.x) < 4.0 ? std::min(0.0, std::max(floorAt(at), wallAt(at))) : 0.0;
+        });
         const auto ideal = average({attempt});
         QVERIFY(ideal);
-        for (int j = 0; j < grid.side; ++j)
-            for (int i = 0; i < grid.side; ++i) {
-                const glm::dvec2 at = grid.nodeMm(i, j);
-                if (std::abs(at.x) > 3.7 || !attempt.isSolid(grid.index(i, j)))
-                    continue;
-                const Part part = ideal->parts[grid.index(i, j)];
-                if (std::abs(at.y) < 0.9)
-                    QVERIFY(part == Part::Floor);
-                const double wall = floorAt(at) + (std::abs(at.y) - 1.0) * steep;
-                if (wall > floorAt(at) + 0.4 && wall < -0.1)
-                    QVERIFY(part == Part::Wall);
-            }
+        support::eachNode(line.anatomy->grid, [&](std::size_t k, const glm::dvec2& at) {
+            if (std::abs(at.x) > 3.7 || !attempt.isSolid(k))
+                return;
+            if (std::abs(at.y) < 0.9)
+                QVERIFY(ideal->parts[k] == Part::Floor);
+            if (wallAt(at) > floorAt(at) + 0.4 && wallAt(at) < -0.1)
+                QVERIFY(ideal->parts[k] == Part::Wall);
+        });
     }
 
     void aToothPreparedByRuleIsFoundAgain()
@@ -195,14 +184,11 @@ private slots:
 
     void attemptsThatDoNotGoTogetherAreRefused()
     {
-        const auto says = [](const Result<grading::Preparation>& result, const char* what) {
-            return !result && QString::fromStdString(result.error().detail).contains(what);
-        };
         const Block line = block();
         const Block cross = block(teeth::BlockShape::Layers);
-        QVERIFY(says(average({}), "none"));
-        QVERIFY(says(average({attemptAt(line, 0.0F), terrain::Tooth(cross.anatomy)}), "block:layers"));
-        QVERIFY(says(average({terrain::Tooth(line.anatomy)}), "no place"));
+        QVERIFY(support::isRefused(average({}), "none"));
+        QVERIFY(support::isRefused(average({attemptAt(line, 0.0F), terrain::Tooth(cross.anatomy)}), "block:layers"));
+        QVERIFY(support::isRefused(average({terrain::Tooth(line.anatomy)}), "no place"));
         // The same tooth built a second time is the same tooth.
         QVERIFY(average({attemptAt(line, 0.0F), attemptAt(block(), 0.2F)}));
     }

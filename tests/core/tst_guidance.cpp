@@ -6,11 +6,13 @@
 
 #include "core/guidance/Fixture.h"
 #include "core/guidance/Margin.h"
+#include "tests/support/Checks.h"
 #include "tests/support/SyntheticTooth.h"
 
 using namespace core;
 using guidance::Fixture;
 using guidance::marginMm;
+using support::near;
 
 namespace {
 
@@ -21,16 +23,12 @@ constexpr double kDepthMm = 1.5;
 struct Trench
 {
     std::shared_ptr<const terrain::ToothAnatomy> anatomy = support::makeBlock({});
-    std::vector<float> ideal = anatomy->top;
+    std::vector<float> ideal;
 
     explicit Trench(double halfWidthMm = kHalfWidthMm)
-    {
-        const terrain::Grid& grid = anatomy->grid;
-        for (int j = 0; j < grid.side; ++j)
-            for (int i = 0; i < grid.side; ++i)
-                if (std::abs(grid.nodeMm(i, j).x) < halfWidthMm && anatomy->top[grid.index(i, j)] > -1.0F)
-                    ideal[grid.index(i, j)] -= static_cast<float>(kDepthMm);
-    }
+        : ideal(support::loweredTop(*anatomy,
+                                    [=](glm::dvec2 at) { return std::abs(at.x) < halfWidthMm ? -kDepthMm : 0.0; }))
+    {}
 };
 
 const drilling::Bur& burOf(const char* id)
@@ -59,12 +57,10 @@ private slots:
         // In the middle of the depth the wall is what is near, known to half a cell.
         for (const double toWall : {0.1, 0.3}) {
             const double x = kHalfWidthMm - radius - toWall;
-            QVERIFY2(std::abs(margin(x, -0.7).value() - toWall) <= 0.5 * cell + 1.0e-6,
-                     qPrintable(QString::number(margin(x, -0.7).value())));
+            QVERIFY(near(margin(x, -0.7).value(), toWall, 0.5 * cell + 1.0e-6));
         }
         // Into the wall it is how far the bur reaches into it, not how deep it stands.
-        const double into = margin(kHalfWidthMm - radius + 0.2, -0.7).value();
-        QVERIFY2(std::abs(into + 0.2) <= cell, qPrintable(QString::number(into)));
+        QVERIFY(near(margin(kHalfWidthMm - radius + 0.2, -0.7).value(), -0.2, cell));
         // In the air nothing is near.
         QVERIFY(!margin(0.0, guidance::kToldMm + 0.5).has_value());
         QVERIFY(!marginMm(*trench.anatomy, trench.ideal, straight, {1.0e9, std::nan(""), 0.0}).has_value());
@@ -102,8 +98,7 @@ private slots:
         // Half a millimetre outside it pulls back with half a newton; the outline is known to a cell.
         for (const double side : {-1.0, 1.0}) {
             const glm::dvec3 force = at(side * (room + 0.5), -1.0);
-            QVERIFY2(std::abs(-side * force.x - 0.5 * Fixture::kNPerMm) < 0.25 * Fixture::kNPerMm,
-                     qPrintable(QString::number(force.x)));
+            QVERIFY(support::between(-side * force.x / Fixture::kNPerMm, 0.25, 0.75));
             QVERIFY(std::abs(force.y) < 1.0e-6 && force.z == 0.0);
         }
         // It never pushes harder, and lets go in the end; and over the tooth the hand is free.
