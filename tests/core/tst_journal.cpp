@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of both its threads.
+/// Beats both its threads.
 void beat(JournalLoop& journal)
 {
     journal.tick(JournalLoop::kPeriod);
@@ -37,6 +37,35 @@ void pass(JournalLoop& journal)
     for (int n = 0; n < 200; ++n)
         journal.tick(JournalLoop::kPeriod);
 }
+
+/// An attempt and its journal.
+struct Work
+{
+    support::Rig rig;
+    std::unique_ptr<JournalLoop> journal;
+
+    /// Of a small block, with the drill on; without a lesson's name nothing is begun yet.
+    explicit Work(const fs::path& folder, const char* lesson = "")
+        : journal(std::make_unique<JournalLoop>(*rig.session, folder))
+    {
+        if (lesson != nullptr)
+            rig.drill(support::smallBlock(), 1, lesson);
+    }
+    /// Cuts for so many ticks, and lets the journal beat as in the program.
+    void cut(int ticks, double x = 0.0)
+    {
+        for (int n = 0; n < ticks; ++n) {
+            rig.lean(x, 0.0, 2.0, 1);
+            if (rig.beats % 40 == 0)
+                beat(*journal);
+        }
+    }
+    void settle()
+    {
+        rig.settle();
+        beat(*journal);
+    }
+};
 
 std::vector<ServoEvent> eventsOf(const Recording& recording)
 {
@@ -64,21 +93,19 @@ private slots:
 
     void holdsAllThatHappened()
     {
-        support::Rig rig;
-        auto journal = std::make_unique<JournalLoop>(*rig.session, m_path);
-        rig.drill(support::smallBlock(), 1, "a lesson");
+        Work work(m_path, "a lesson");
+        support::Rig& rig = work.rig;
         rig.send(SetAids{kHeatMapAid});
         const auto before = std::chrono::system_clock::now();
-        cut(rig, *journal, 5000);
+        work.cut(5000);
         rig.send(Undo{});
-        cut(rig, *journal, 300, 1.0);
-        rig.settle();
-        beat(*journal);
-        QCOMPARE(journal->eventsWritten(), rig.session->recordingSoFar()->events());
+        work.cut(300, 1.0);
+        work.settle();
+        QCOMPARE(work.journal->eventsWritten(), rig.session->recordingSoFar()->events());
         QCOMPARE(files().size(), 1U);
-        journal.reset();  // as if the program ended here
+        work.journal.reset();  // as if the program ended here
         const auto found = recording::findAttempt(files().front());
-        QVERIFY2(found && *found, found ? "" : found.error().detail.c_str());
+        QVERIFY(support::succeeds(found) && *found);
         const Recording& read = (*found)->recording;
         QVERIFY(eventsOf(read) == eventsOf(rig.session->recordingSoFar().value()));
         QCOMPARE(read.lesson(), std::string("a lesson"));
@@ -91,39 +118,37 @@ private slots:
 
     void anUntouchedToothLeavesNoFile()
     {
-        support::Rig rig;
-        JournalLoop journal(*rig.session, m_path);
-        beat(journal);
+        Work work(m_path, nullptr);
+        support::Rig& rig = work.rig;
+        beat(*work.journal);
         rig.open(support::smallBlock());
         rig.run(500);
-        beat(journal);
+        beat(*work.journal);
         QVERIFY(files().empty());
         QVERIFY(!fs::exists(m_path));
         // With the first cut it is written from the beginning.
         rig.send(SetDrill{true});
-        cut(rig, journal, 200);
+        work.cut(200);
         QCOMPARE(files().size(), 1U);
-        QVERIFY(journal.eventsWritten() > 600);
+        QVERIFY(work.journal->eventsWritten() > 600);
     }
 
     void anotherToothPutsItAway()
     {
-        support::Rig rig;
-        JournalLoop journal(*rig.session, m_path);
-        rig.drill(support::smallBlock());
-        cut(rig, journal, 200);
-        rig.lift();
+        Work work(m_path);
+        work.cut(200);
+        work.rig.lift();
         const auto first = files();
         QCOMPARE(first.size(), 1U);
-        rig.open(support::smallBlock(), 2);
-        beat(journal);
+        work.rig.open(support::smallBlock(), 2);
+        beat(*work.journal);
         QVERIFY(files().empty());
-        cut(rig, journal, 200);
-        rig.lift();
+        work.cut(200);
+        work.rig.lift();
         QCOMPARE(files().size(), 1U);
-        journal.end();
+        work.journal->end();
         QCOMPARE(files().size(), 1U);
-        journal.putAway();
+        work.journal->putAway();
         QVERIFY(files().empty());
     }
 
@@ -131,13 +156,10 @@ private slots:
     {
         std::uint64_t left = 0;
         {
-            support::Rig rig;
-            JournalLoop journal(*rig.session, m_path);
-            rig.drill(support::smallBlock(), 1, "lesson");
-            cut(rig, journal, 400);
-            rig.settle();
-            beat(journal);
-            left = rig.liveHash();
+            Work work(m_path, "lesson");
+            work.cut(400);
+            work.settle();
+            left = work.rig.liveHash();
         }
         std::int64_t begun = 0;
         for (int life = 0; life < 3; ++life) {
@@ -146,20 +168,19 @@ private slots:
             if (life > 0)
                 QCOMPARE(found.begunUtcMs, begun);
             begun = found.begunUtcMs;
-            support::Rig rig;
-            JournalLoop journal(*rig.session, m_path);
+            Work work(m_path, nullptr);
+            support::Rig& rig = work.rig;
             rig.open(support::smallBlock());  // the tooth that lies there to begin with
-            beat(journal);
+            beat(*work.journal);
             const Recording before = found.recording;
-            journal.takeUp(2, std::move(found));
+            work.journal->takeUp(2, std::move(found));
             rig.resume(before, 2);
             QCOMPARE(rig.liveHash(), left);
-            beat(journal);
+            beat(*work.journal);
             QCOMPARE(files().size(), 1U);  // the new one has taken the place of the old one
             rig.send(SetDrill{true});
-            cut(rig, journal, 200, 0.7 * life);
-            rig.settle();
-            beat(journal);
+            work.cut(200, 0.7 * life);
+            work.settle();
             left = rig.liveHash();
             QVERIFY(isPrefix(eventsOf(before), eventsOf(rig.session->recordingSoFar().value())));
         }
@@ -169,14 +190,12 @@ private slots:
 
     void nobodyElseFindsAnAttemptAtWork()
     {
-        support::Rig rig;
-        auto journal = std::make_unique<JournalLoop>(*rig.session, m_path);
-        rig.drill(support::smallBlock());
-        cut(rig, *journal, 200);
+        Work work(m_path);
+        work.cut(200);
         const fs::path path = files().front();
         const auto atWork = recording::findAttempt(path);
         QVERIFY(atWork && !*atWork);
-        journal.reset();
+        work.journal.reset();
         {
             const auto first = recording::findAttempt(path);
             QVERIFY(first && *first);
@@ -191,12 +210,10 @@ private slots:
     /// As when somebody logs in with work on the table: the journal begins, and what was left unfinished is looked for.
     void whoeverLooksTakesNothingThatIsBeingMade()
     {
-        support::Rig rig;
-        JournalLoop idle(*rig.session, m_path);
-        rig.drill(support::smallBlock());
-        cut(rig, idle, 200);
-        idle.putAway();
-        const recording::Recording soFar = *rig.session->recordingSoFar();
+        Work work(m_path);
+        work.cut(200);
+        work.journal->putAway();
+        const Recording soFar = *work.rig.session->recordingSoFar();
         std::atomic<bool> goOn = true;
         std::thread looker([this, &goOn] {
             while (goOn)
@@ -272,8 +289,7 @@ private slots:
     {
         support::columns<QByteArray, int>("bytes", "code");
         const auto code = [](ErrorCode c) { return static_cast<int>(c); };
-        m_folder = std::make_unique<QTemporaryDir>();
-        m_path = m_folder->filePath("unfinished").toStdString();
+        init();
         const QByteArray good = QByteArray::fromStdString(shortJournal());
         QByteArray newer = good;
         newer[8] = static_cast<char>(good[8] + 1);
@@ -296,8 +312,7 @@ private slots:
         QFETCH(QByteArray, bytes);
         QFETCH(int, code);
         const auto read = recording::attemptFrom(bytes.toStdString());
-        QVERIFY(!read);
-        QVERIFY2(static_cast<int>(read.error().code) == code, read.error().detail.c_str());
+        QVERIFY(support::isRefused(read, static_cast<ErrorCode>(code)));
         // And a file of it names itself.
         const fs::path path = m_path / "1-1.cuspjournal";
         support::write(path, bytes.toStdString());
@@ -306,15 +321,14 @@ private slots:
 
     void aFullDiskIsToldOnceAndCaughtUpWith()
     {
-        support::Rig rig;
-        JournalLoop journal(*rig.session, m_path);
-        rig.drill(support::smallBlock());
-        cut(rig, journal, 400);
+        Work work(m_path);
+        JournalLoop& journal = *work.journal;
+        work.cut(400);
         const std::uint64_t before = journal.eventsWritten();
         QVERIFY(before > 300 && !journal.failure());
         {
             const support::FullDisk full(fs::file_size(files().front()) + 100);
-            cut(rig, journal, 400);
+            work.cut(400);
             pass(journal);
             const auto told = journal.failure();
             QVERIFY(told);
@@ -324,14 +338,11 @@ private slots:
             QVERIFY(!journal.isWell());
         }
         pass(journal);
-        cut(rig, journal, 400);
-        rig.settle();
-        beat(journal);
+        work.cut(400);
+        work.settle();
         QVERIFY(!journal.failure());
         QVERIFY(journal.isWell());
-        QCOMPARE(journal.eventsWritten(), rig.session->recordingSoFar()->events());
-        const auto read = recording::attemptFrom(support::bytesOf(files().front()));
-        QVERIFY(eventsOf(read->recording) == eventsOf(rig.session->recordingSoFar().value()));
+        holdsAllOf(work);
         // Taken up where there is no room, the old file is all there is, and stays.
         journal.end();
         const std::string old = support::bytesOf(files().front());
@@ -340,29 +351,27 @@ private slots:
         fs::copy_file(files().front(), path);
         {
             FoundAttempt found = std::move(recording::findAttempt(path).value().value());
-            support::Rig again;
-            JournalLoop second(*again.session, path.parent_path());
+            Work again(path.parent_path(), nullptr);
             const Recording leftOff = found.recording;
-            second.takeUp(2, std::move(found));
+            again.journal->takeUp(2, std::move(found));
             const support::FullDisk full(2000);
-            again.resume(leftOff, 2);
-            cut(again, second, 100);
-            QVERIFY(second.failure());
+            again.rig.resume(leftOff, 2);
+            again.cut(100);
+            QVERIFY(again.journal->failure());
         }
         QCOMPARE(recording::journalsIn(path.parent_path()), std::vector<fs::path>{path});
         QVERIFY(support::bytesOf(path) == old);
         // From the beginning on there was no room.
-        support::Rig other;
-        JournalLoop nowhere(*other.session, m_path / "other");
-        other.drill(support::smallBlock());
+        Work other(m_path / "other");
+        JournalLoop& nowhere = *other.journal;
         {
             const support::FullDisk full(500);
-            cut(other, nowhere, 400);
+            other.cut(400);
             QVERIFY(nowhere.failure());
             QVERIFY(fs::is_empty(m_path / "other"));
         }
         pass(nowhere);
-        cut(other, nowhere, 100);
+        other.cut(100);
         QVERIFY(!nowhere.failure());
         QCOMPARE(recording::journalsIn(m_path / "other").size(), 1U);
     }
@@ -370,36 +379,29 @@ private slots:
     void aFolderThatCannotBeIsTold()
     {
         support::write(m_path, {});  // where the folder would be
-        support::Rig rig;
-        JournalLoop journal(*rig.session, m_path);
-        rig.drill(support::smallBlock());
-        cut(rig, journal, 400);
-        const auto told = journal.failure();
+        Work work(m_path);
+        work.cut(400);
+        const auto told = work.journal->failure();
         QVERIFY(told);
         QVERIFY(told->detail.ends_with('.'));
         QVERIFY(files().empty());
-        QVERIFY(rig.session->recordingSoFar()->ticks() > 390);  // work goes on
-        journal.end();
-        journal.putAway();
+        QVERIFY(work.rig.session->recordingSoFar()->ticks() > 390);  // work goes on
+        work.journal->end();
+        work.journal->putAway();
     }
 
     void whatIsLateIsCaughtUpWith()
     {
-        support::Rig rig;
-        JournalLoop journal(*rig.session, m_path);
-        rig.drill(support::smallBlock());
-        cut(rig, journal, 200);
+        Work work(m_path);
+        work.cut(200);
         for (int n = 0; n < 20; ++n) {  // the disk sleeps for twenty seconds
-            rig.lean(0.1 * n, 0.0, 2.0, 700);
-            rig.lift();
-            rig.run(100);
+            work.rig.lean(0.1 * n, 0.0, 2.0, 700);
+            work.rig.lift();
+            work.rig.run(100);
         }
-        rig.settle();
-        beat(journal);
-        QCOMPARE(journal.eventsWritten(), rig.session->recordingSoFar()->events());
-        QVERIFY(journal.eventsWritten() > 20000);
-        const auto read = recording::attemptFrom(support::bytesOf(files().front()));
-        QVERIFY(eventsOf(read->recording) == eventsOf(rig.session->recordingSoFar().value()));
+        work.settle();
+        QVERIFY(work.journal->eventsWritten() > 20000);
+        holdsAllOf(work);
     }
 
     void discardedOnesAreKeptForAWeek()
@@ -427,12 +429,11 @@ private slots:
 
     void beforeTheDiskHasItThereAreTwo()
     {
-        support::Rig rig;
-        auto journal = std::make_unique<JournalLoop>(*rig.session, m_path);
-        rig.drill(support::smallBlock());
+        Work work(m_path);
+        std::unique_ptr<JournalLoop>& journal = work.journal;
         const auto cutUnsynced = [&](int ticks) {
-            rig.lean(0.0, 0.0, 2.0, ticks);
-            rig.settle();
+            work.rig.lean(0.0, 0.0, 2.0, ticks);
+            work.rig.settle();
             journal->tick(40ms);
         };
         cutUnsynced(200);
@@ -487,34 +488,31 @@ private slots:
 
     void whatIsLeftOutIsNotWritten()
     {
-        support::Rig rig;
-        JournalLoop journal(*rig.session, m_path);
-        journal.leaveOut(1);
+        Work work(m_path, nullptr);
+        support::Rig& rig = work.rig;
+        work.journal->leaveOut(1);
         rig.drill(support::smallBlock(), 1);
-        cut(rig, journal, 130);
+        work.cut(130);
         rig.settle();
-        journal.tick(JournalLoop::kPeriod);
+        work.journal->tick(JournalLoop::kPeriod);
         QVERIFY(rig.session->recordedSince(1, 0).isWorthKeeping);
         QVERIFY(files().empty());
         // The next is again.
         rig.lift();
         rig.drill(support::smallBlock(), 2);
-        cut(rig, journal, 130);
+        work.cut(130);
         rig.settle();
-        journal.tick(JournalLoop::kPeriod);
-        QCOMPARE(files().size(), std::size_t{1});
-        journal.putAway();
+        work.journal->tick(JournalLoop::kPeriod);
+        QCOMPARE(files().size(), 1U);
+        work.journal->putAway();
     }
 
     void aMinuteIsUnderAMegabyte()
     {
         // The hand of TestRecording::minuteIsUnderAMegabyte, written as it goes.
-        support::Rig rig;
-        JournalLoop journal(*rig.session, m_path);
-        rig.drill(support::smallBlock());
-        cut(rig, journal, 100);
-        rig.settle();
-        beat(journal);
+        Work work(m_path);
+        work.cut(100);
+        work.settle();
         const auto before = fs::file_size(files().front());
         Rng rng(1);
         for (int n = 0; n < 60000; ++n) {
@@ -523,10 +521,10 @@ private slots:
                                     1.0 + 0.6 * std::sin(2.3 * t));
             const glm::dvec3 tremor = 0.01 * glm::dvec3(std::sin(57.0 * t), std::cos(63.0 * t), std::sin(71.0 * t));
             const glm::dvec3 noise = 0.001 * glm::dvec3(rng.normal(), rng.normal(), rng.normal());
-            rig.device.tipMm = glm::vec3(stroke + tremor + noise);
-            rig.run(1);
+            work.rig.device.tipMm = glm::vec3(stroke + tremor + noise);
+            work.rig.run(1);
             if (n % 40 == 39)
-                beat(journal);
+                beat(*work.journal);
         }
         const auto bytes = fs::file_size(files().front()) - before;
         qInfo("one minute at 1 kHz, 25 frames a second: %llu bytes (before it: %llu)",
@@ -543,32 +541,29 @@ private slots:
     }
 
 private:
-    /// Cuts for so many ticks, and lets the journal beat as in the program.
-    void cut(support::Rig& rig, JournalLoop& journal, int ticks, double x = 0.0) const
+    /// The only file holds each event of the attempt, and the journal says so.
+    void holdsAllOf(const Work& work) const
     {
-        for (int n = 0; n < ticks; ++n) {
-            rig.lean(x, 0.0, 2.0, 1);
-            if (rig.beats % 40 == 0)
-                beat(journal);
-        }
+        const Recording made = work.rig.session->recordingSoFar().value();
+        QCOMPARE(work.journal->eventsWritten(), made.events());
+        const auto read = recording::attemptFrom(support::bytesOf(files().front()));
+        QVERIFY(eventsOf(read->recording) == eventsOf(made));
     }
 
     [[nodiscard]] std::vector<fs::path> files() const { return recording::journalsIn(m_path); }
     /// A journal of a short attempt, as its bytes.
     [[nodiscard]] std::string shortJournal() const
     {
-        support::Rig rig;
-        JournalLoop journal(*rig.session, m_path);
-        rig.drill(support::smallBlock(), 1, "lesson");
-        cut(rig, journal, 130);
-        rig.lift();
-        rig.send(Undo{});
-        rig.send(AddNote{3});
-        cut(rig, journal, 130, 1.0);
-        rig.settle();
-        journal.end();
+        Work work(m_path, "lesson");
+        work.cut(130);
+        work.rig.lift();
+        work.rig.send(Undo{});
+        work.rig.send(AddNote{3});
+        work.cut(130, 1.0);
+        work.rig.settle();
+        work.journal->end();
         std::string bytes = support::bytesOf(files().front());
-        journal.putAway();
+        work.journal->putAway();
         return bytes;
     }
 
