@@ -95,8 +95,6 @@ private slots:
         QVERIFY(support::succeeds(golden));
         const auto outcome = recording::replay(*golden);
         QVERIFY(outcome);
-        qInfo("state hash %016llx after %llu ticks", static_cast<unsigned long long>(outcome->stateHash),
-              static_cast<unsigned long long>(outcome->state.tick));
         QCOMPARE(outcome->stateHash, kStateHash);
         QCOMPARE(outcome->state.tick, kTicks);
         QVERIFY(outcome->agreesWithWitness);
@@ -128,8 +126,6 @@ private slots:
         QCOMPARE(restores, 3);
         const auto outcome = recording::replay(golden);
         const terrain::PerMaterial& removed = outcome->state.removedMm3;
-        qInfo("removed: caries %.3f, enamel %.3f, dentin %.3f, pulp %.3f mm3", removed[0], removed[1], removed[2],
-              removed[3]);
         for (const double part : removed)
             QVERIFY(part > 0.01);
         int bored = 0;

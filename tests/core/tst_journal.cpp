@@ -287,32 +287,30 @@ private slots:
 
     void strangersAreRefused_data()
     {
-        support::columns<QByteArray, int>("bytes", "code");
-        const auto code = [](ErrorCode c) { return static_cast<int>(c); };
+        support::columns<QByteArray, ErrorCode>("bytes", "code");
         init();
         const QByteArray good = QByteArray::fromStdString(shortJournal());
         QByteArray newer = good;
         newer[8] = static_cast<char>(good[8] + 1);
         QByteArray older = good;
         older[8] = static_cast<char>(recording::kOldestVersion - 1);
-        QTest::newRow("empty") << QByteArray() << code(ErrorCode::WrongKind);
-        QTest::newRow("text") << QByteArray("Once upon a time there was a tooth.") << code(ErrorCode::WrongKind);
+        QTest::newRow("empty") << QByteArray() << ErrorCode::WrongKind;
+        QTest::newRow("text") << QByteArray("Once upon a time there was a tooth.") << ErrorCode::WrongKind;
         QTest::newRow("a recording") << QByteArray::fromStdString(Recording({}, support::smallBlock()).toBytes())
-                                     << code(ErrorCode::WrongKind);
-        QTest::newRow("magic alone") << good.left(8) << code(ErrorCode::FileTruncated);
-        QTest::newRow("a newer version") << newer << code(ErrorCode::NewerVersion);
-        QTest::newRow("an older version") << older << code(ErrorCode::WrongKind);
-        QTest::newRow("no tooth") << good.left(200) << code(ErrorCode::FileTruncated);
-        QTest::newRow("noughts") << good.left(12) + QByteArray(5000, '\0') << code(ErrorCode::FileTruncated);
-        QTest::newRow("a frame of 4 GiB") << good.left(16) + QByteArray(100, '\xFF') << code(ErrorCode::FileTruncated);
+                                     << ErrorCode::WrongKind;
+        QTest::newRow("magic alone") << good.left(8) << ErrorCode::FileTruncated;
+        QTest::newRow("a newer version") << newer << ErrorCode::NewerVersion;
+        QTest::newRow("an older version") << older << ErrorCode::WrongKind;
+        QTest::newRow("no tooth") << good.left(200) << ErrorCode::FileTruncated;
+        QTest::newRow("noughts") << good.left(12) + QByteArray(5000, '\0') << ErrorCode::FileTruncated;
+        QTest::newRow("a frame of 4 GiB") << good.left(16) + QByteArray(100, '\xFF') << ErrorCode::FileTruncated;
     }
 
     void strangersAreRefused()
     {
         QFETCH(QByteArray, bytes);
-        QFETCH(int, code);
-        const auto read = recording::attemptFrom(bytes.toStdString());
-        QVERIFY(support::isRefused(read, static_cast<ErrorCode>(code)));
+        QFETCH(ErrorCode, code);
+        QVERIFY(support::isRefused(recording::attemptFrom(bytes.toStdString()), code));
         // And a file of it names itself.
         const fs::path path = m_path / "1-1.cuspjournal";
         support::write(path, bytes.toStdString());
