@@ -257,6 +257,7 @@ private slots:
         QCOMPARE(known(Named{}), QStringLiteral("layers_named_percent"));
     }
 
+    /// Points, force and layers.
     void liveAndReplayFindTheSame_data() { support::rows<int>("which", {0, 1, 2}); }
 
     void liveAndReplayFindTheSame()
