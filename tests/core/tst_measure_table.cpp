@@ -3,13 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numbers>
 #include <set>
 #include <string>
 
 #include "core/base/Rng.h"
 #include "core/grading/IdealCavity.h"
 #include "core/grading/MeasureTable.h"
-#include "core/teeth/ToothBuilder.h"
+#include "tests/support/Scenes.h"
 #include "tests/support/SyntheticTooth.h"
 
 using namespace core;
@@ -36,38 +38,35 @@ struct Attempt
 {
     terrain::Tooth tooth;
     Preparation ideal;
+
+    [[nodiscard]] Measured measured() const
+    {
+        return {grading::measure(tooth),
+                grading::measureDeviation(tooth, ideal, grading::Leeway{}).value(),
+                grading::Process{},
+                0,
+                0,
+                {}};
+    }
 };
 
-Attempt boxed(const std::shared_ptr<const terrain::ToothAnatomy>& anatomy, glm::dvec2 halfMm, float floorMm)
+Attempt boxed(const std::shared_ptr<const terrain::ToothAnatomy>& anatomy, glm::dvec2 halfMm, float floorMm = -4.0F)
 {
     Attempt attempt{terrain::Tooth(anatomy), {}};
     std::vector<float> top = anatomy->top;
     attempt.ideal.parts.assign(top.size(), Part::Keep);
-    for (int j = 0; j < anatomy->grid.side; ++j)
-        for (int i = 0; i < anatomy->grid.side; ++i) {
-            const glm::dvec2 p = anatomy->grid.nodeMm(i, j);
-            const std::size_t k = anatomy->grid.index(i, j);
-            if (!(anatomy->top[k] > floorMm))
-                continue;
-            if (std::abs(p.x) < 1.5 && std::abs(p.y) < 0.8) {
-                top[k] = floorMm;
-                attempt.ideal.parts[k] = Part::Floor;
-            }
-            if (std::abs(p.x) < halfMm.x && std::abs(p.y) < halfMm.y)
-                attempt.tooth.top[k] = floorMm - 0.1F;
+    support::eachNode(anatomy->grid, [&](std::size_t k, const glm::dvec2& p) {
+        if (!(anatomy->top[k] > floorMm))
+            return;
+        if (std::abs(p.x) < 1.5 && std::abs(p.y) < 0.8) {
+            top[k] = floorMm;
+            attempt.ideal.parts[k] = Part::Floor;
         }
+        if (std::abs(p.x) < halfMm.x && std::abs(p.y) < halfMm.y)
+            attempt.tooth.top[k] = floorMm - 0.1F;
+    });
     attempt.ideal.top = std::make_shared<const std::vector<float>>(std::move(top));
     return attempt;
-}
-
-Measured all(const Attempt& attempt)
-{
-    return {grading::measure(attempt.tooth),
-            grading::measureDeviation(attempt.tooth, attempt.ideal, grading::Leeway{}).value(),
-            grading::Process{},
-            0,
-            0,
-            {}};
 }
 
 }  // namespace
@@ -145,114 +144,92 @@ private slots:
 
     void valuesAreThoseOfTheStructs()
     {
-        const auto built = teeth::buildTooth(teeth::parseSource("36"), {});
-        QVERIFY(built.has_value());
-        Measured measured = all(boxed(built->anatomy, {1.6, 0.8}, -4.0F));
+        Measured measured = boxed(support::builtTooth(36), {1.6, 0.8}).measured();
+        const grading::Measures& m = measured.measures;
         const grading::Deviation& d = *measured.deviation;
         measured.process->totalS = 12.0;
         measured.process->force = grading::Process::Force{1.0, 0.2, 1.4, 2.5};
-        QCOMPARE(valueOf("overcut_mm3", measured), std::optional(d.overcutBesideMm3 + d.overcutBelowMm3));
-        QCOMPARE(valueOf("overcut_percent", measured), std::optional(100.0 * (d.overcutMm3() / d.idealMm3)));
-        QCOMPARE(valueOf("dice", measured), d.dice);
-        QCOMPARE(valueOf("depth_error_signed_mm", measured), std::optional(d.depth->signedMm));
+        const std::pair<const char*, std::optional<double>> rows[]{
+            {"overcut_mm3", d.overcutBesideMm3 + d.overcutBelowMm3},
+            {"overcut_percent", 100.0 * (d.overcutMm3() / d.idealMm3)},
+            {"dice", d.dice},
+            {"depth_error_signed_mm", d.depth->signedMm},
+            {"outline_max_mm", std::max(d.outline->overMm.value, d.outline->underMm.value)},
+            {"ridge_least_mm", std::min(d.form.ridgeMesialMm->value, d.form.ridgeDistalMm->value)},
+            {"caries_left_percent", m.cariesLeftPercent},
+            {"caries_removed_percent", 100.0 - m.cariesLeftPercent},
+            {"remaining_over_pulp_mm", m.remainingOverPulpMm},
+            {"enamel_removed_mm3", m.removedMm3[1]},
+            {"target_removed_percent", 100.0},
+            {"time_total_s", 12.0},
+            {"force_p95_n", 1.4},
+            {"time_to_first_cut_s", std::nullopt},
+            {"isthmus_width_mm", std::nullopt}};
+        for (const auto& [id, value] : rows)
+            QVERIFY2(valueOf(id, measured) == value, id);
         QVERIFY(std::abs(*valueOf("depth_error_signed_mm", measured) + 0.1) < 1.0e-5);
-        QCOMPARE(valueOf("outline_max_mm", measured),
-                 std::optional(std::max(d.outline->overMm.value, d.outline->underMm.value)));
-        QCOMPARE(valueOf("ridge_least_mm", measured),
-                 std::optional(std::min(d.form.ridgeMesialMm->value, d.form.ridgeDistalMm->value)));
-        QCOMPARE(valueOf("caries_left_percent", measured), std::optional(measured.measures.cariesLeftPercent));
-        QCOMPARE(valueOf("caries_removed_percent", measured),
-                 std::optional(100.0 - measured.measures.cariesLeftPercent));
-        QCOMPARE(valueOf("remaining_over_pulp_mm", measured), std::optional(measured.measures.remainingOverPulpMm));
-        const terrain::PerMaterial& removed = measured.measures.removedMm3;
         QVERIFY(std::abs(*valueOf("removed_mm3", measured) - d.removedMm3) < 1.0e-4);
-        QCOMPARE(valueOf("enamel_removed_mm3", measured), std::optional(removed[1]));
-        QCOMPARE(valueOf("target_removed_percent", measured), std::optional(100.0));
-        QCOMPARE(valueOf("time_total_s", measured), std::optional(12.0));
-        QCOMPARE(valueOf("force_p95_n", measured), std::optional(1.4));
-        QVERIFY(!valueOf("time_to_first_cut_s", measured).has_value());
-        QVERIFY(!valueOf("isthmus_width_mm", measured).has_value());
     }
 
     void wallsAndFloorOfAHoleAreNotThoseOfTheIdeal()
     {
-        const auto built = teeth::buildTooth(teeth::parseSource("36"), {});
-        QVERIFY(built.has_value());
-        const auto idsOfForm = {"wall_angle_error_deg", "floor_flatness_mm", "floor_slope_deg", "floor_step_mm"};
-        const Measured hole = all(boxed(built->anatomy, {0.5, 0.8}, -4.0F));
+        const Measured hole = boxed(support::builtTooth(36), {0.5, 0.8}).measured();
+        const Measured most = boxed(support::builtTooth(36), {1.0, 0.8}).measured();
         QVERIFY(*valueOf("target_removed_percent", hole) > 20.0 && *valueOf("target_removed_percent", hole) < 45.0);
+        QVERIFY(*valueOf("target_removed_percent", most) > 55.0 && *valueOf("target_removed_percent", most) < 80.0);
         QVERIFY(hole.deviation->floor.has_value());
-        for (const char* id : idsOfForm) {
+        for (const char* id : {"wall_angle_error_deg", "floor_flatness_mm", "floor_slope_deg", "floor_step_mm"}) {
             QVERIFY2(!valueOf(id, hole), id);
             QVERIFY2(!nodeOf(id, hole), id);
-        }
-        const Measured most = all(boxed(built->anatomy, {1.0, 0.8}, -4.0F));
-        QVERIFY(*valueOf("target_removed_percent", most) > 55.0 && *valueOf("target_removed_percent", most) < 80.0);
-        for (const char* id : idsOfForm)
             QVERIFY2(valueOf(id, most), id);
+        }
     }
 
     void nodesAreWhereThingsAreWorst()
     {
-        const auto built = teeth::buildTooth(teeth::parseSource("36"), {});
-        QVERIFY(built.has_value());
-        const auto anatomy = built->anatomy;
-        Attempt attempt = boxed(anatomy, {1.5, 0.8}, -4.0F);
+        const auto anatomy = support::builtTooth(36);
+        Attempt attempt = boxed(anatomy, {1.5, 0.8});
+        const terrain::Tooth& tooth = attempt.tooth;
         const std::size_t deep = anatomy->grid.index(75, 75);
         attempt.tooth.top[deep] -= 0.5F;
-        const Measured measured = all(attempt);
+        const Measured measured = attempt.measured();
         for (const char* id : {"depth_too_deep_mm", "depth_error_p95_mm", "overcut_mm3"})
             QCOMPARE(nodeOf(id, measured), std::optional(deep));
         // By hand: the column with most decay left, and the one that was lowered most.
-        std::size_t decayed = 0;
-        std::size_t lowered = 0;
-        double mostDecay = 0.0;
-        float mostLowered = 0.0F;
-        for (std::size_t k = 0; k < anatomy->top.size(); ++k) {
-            const double left =
-                attempt.tooth.isSolid(k)
-                    ? terrain::lengthsBetween(anatomy->layers[k], attempt.tooth.bottom[k], attempt.tooth.top[k])[0] *
-                          static_cast<double>(anatomy->areaMm2[k])
-                    : 0.0;
-            if (left > mostDecay) {
-                mostDecay = left;
-                decayed = k;
-            }
-            if (anatomy->top[k] - attempt.tooth.top[k] > mostLowered) {
-                mostLowered = anatomy->top[k] - attempt.tooth.top[k];
-                lowered = k;
-            }
-        }
-        QCOMPARE(nodeOf("caries_left_percent", measured), std::optional(decayed));
-        QCOMPARE(nodeOf("deepest_cut_mm", measured), std::optional(lowered));
+        const auto first = [&](const std::function<double(std::size_t)>& value) {
+            std::size_t best = 0;
+            for (std::size_t k = 1; k < anatomy->top.size(); ++k)
+                best = value(k) > value(best) ? k : best;
+            return std::optional(best);
+        };
+        QCOMPARE(nodeOf("caries_left_percent", measured), first([&](std::size_t k) {
+                     return tooth.isSolid(k)
+                                ? terrain::lengthsBetween(anatomy->layers[k], tooth.bottom[k], tooth.top[k])[0] *
+                                      static_cast<double>(anatomy->areaMm2[k])
+                                : 0.0;
+                 }));
+        QCOMPARE(nodeOf("deepest_cut_mm", measured),
+                 first([&](std::size_t k) { return static_cast<double>(anatomy->top[k] - tooth.top[k]); }));
         // The way from there to the pulp is the one that was measured.
         const std::size_t nearest = nodeOf("remaining_over_pulp_mm", measured).value();
-        QVERIFY(attempt.tooth.top[nearest] < anatomy->top[nearest]);
-        const auto side = static_cast<std::size_t>(anatomy->grid.side);
-        const auto placeOf = [&](std::size_t k) {
-            return anatomy->grid.nodeMm(static_cast<int>(k % side), static_cast<int>(k / side));
-        };
+        QVERIFY(tooth.top[nearest] < anatomy->top[nearest]);
         double least = 5.0;
         for (std::size_t k = 0; k < anatomy->top.size(); ++k)
             if (terrain::hasPulp(*anatomy, k)) {
-                const glm::dvec2 way = placeOf(k) - placeOf(nearest);
-                const double over = static_cast<double>(attempt.tooth.top[nearest] - anatomy->layers[k].pulpRoof);
+                const glm::dvec2 way = support::placeOf(anatomy->grid, k) - support::placeOf(anatomy->grid, nearest);
+                const double over = static_cast<double>(tooth.top[nearest] - anatomy->layers[k].pulpRoof);
                 least = std::min(least, std::hypot(way.x, way.y, std::max(0.0, over)));
             }
         QVERIFY(std::abs(least - measured.measures.remainingOverPulpMm) < 1.0e-5);
     }
 
+    /// The same leaning cavity in a lower tooth, an upper one and a block: buccal is -y, +y and nowhere.
     void wallsAreNamedWhereTheSidesAreKnown()
     {
-        // The same leaning cavity in a lower tooth, an upper one and a block: buccal is -y, +y and nowhere.
-        for (const char* tooth : {"36", "26", "block"}) {
-            std::shared_ptr<const terrain::ToothAnatomy> anatomy;
-            if (std::string_view(tooth) == "block")
-                anatomy = support::makeBlock({});
-            else
-                anatomy = teeth::buildTooth(teeth::parseSource(tooth), {}).value().anatomy;
+        for (const int fdi : {36, 26, 0}) {
             // Flat, so that only the names differ.
-            auto flat = std::make_shared<terrain::ToothAnatomy>(*anatomy);
+            auto flat =
+                std::make_shared<terrain::ToothAnatomy>(fdi == 0 ? *support::makeBlock({}) : *support::builtTooth(fdi));
             for (std::size_t k = 0; k < flat->top.size(); ++k)
                 if (flat->top[k] > flat->bottom[k]) {
                     flat->top[k] = 0.0F;
@@ -260,72 +237,60 @@ private slots:
                 }
             Attempt attempt{terrain::Tooth(flat), {{}, std::vector<Part>(flat->top.size(), Part::Keep), {}}};
             attempt.ideal.top = std::make_shared<const std::vector<float>>(flat->top);
-            for (int j = 0; j < 150; ++j)
-                for (int i = 0; i < 150; ++i) {
-                    const glm::dvec2 p = flat->grid.nodeMm(i, j);
-                    const std::size_t k = flat->grid.index(i, j);
-                    const double in = std::max(
-                        {-1.5, -(p.x + 1.5) * 3.0, -(1.5 - p.x) * 4.0, -(p.y + 1.5) * 5.0, -(1.5 - p.y) * 6.0});
-                    if (flat->top[k] > flat->bottom[k] && in < 0.0)
-                        attempt.tooth.top[k] = static_cast<float>(in);
-                }
-            const Measured measured = all(attempt);
-            const auto isNear = [&](const char* id, double rise) {
+            support::eachNode(flat->grid, [&](std::size_t k, const glm::dvec2& p) {
+                const double in =
+                    std::max({-1.5, -(p.x + 1.5) * 3.0, -(1.5 - p.x) * 4.0, -(p.y + 1.5) * 5.0, -(1.5 - p.y) * 6.0});
+                if (flat->top[k] > flat->bottom[k] && in < 0.0)
+                    attempt.tooth.top[k] = static_cast<float>(in);
+            });
+            const Measured measured = attempt.measured();
+            const bool isUpper = fdi == 26;
+            for (const auto& [id, rise, needsSides] : {std::tuple("wall_angle_mesial_deg", 3.0, true),
+                                                       {"wall_angle_distal_deg", 4.0, true},
+                                                       {"wall_angle_buccal_deg", isUpper ? 6.0 : 5.0, true},
+                                                       {"wall_angle_lingual_deg", isUpper ? 5.0 : 6.0, true},
+                                                       {"wall_angle_most_deg", 3.0, false},
+                                                       {"wall_angle_least_deg", 6.0, false}}) {
                 const auto degrees = valueOf(id, measured);
-                return degrees && std::abs(*degrees - std::atan(1.0 / rise) * 57.29577951308232) < 1.0;
-            };
-            const bool isUpper = std::string_view(tooth) == "26";
-            if (std::string_view(tooth) == "block") {
-                for (const char* id : {"wall_angle_mesial_deg", "wall_angle_distal_deg", "wall_angle_buccal_deg",
-                                       "wall_angle_lingual_deg", "ridge_mesial_mm", "ridge_least_mm"})
-                    QVERIFY2(!valueOf(id, measured).has_value(), id);
-            } else {
-                QVERIFY(isNear("wall_angle_mesial_deg", 3.0));
-                QVERIFY(isNear("wall_angle_distal_deg", 4.0));
-                QVERIFY(isNear("wall_angle_buccal_deg", isUpper ? 6.0 : 5.0));
-                QVERIFY(isNear("wall_angle_lingual_deg", isUpper ? 5.0 : 6.0));
+                if (fdi == 0 && needsSides)
+                    QVERIFY2(!degrees, id);
+                else
+                    QVERIFY2(degrees && std::abs(*degrees - std::atan(1.0 / rise) * 180.0 / std::numbers::pi) < 1.0,
+                             id);
             }
-            QVERIFY(isNear("wall_angle_most_deg", 3.0));
-            QVERIFY(isNear("wall_angle_least_deg", 6.0));
+            for (const char* id : {"ridge_mesial_mm", "ridge_least_mm"})
+                QVERIFY2(fdi != 0 || !valueOf(id, measured), id);
         }
     }
 
+    /// Whatever is done to a tooth, every measure is a finite number or is said not to be measured, and the same again.
     void randomCutsGiveFiniteNumbers()
     {
-        // Whatever is done to a tooth, every measure is a finite number or said not to be measured, and the same again.
         for (std::uint64_t seed = 1; seed <= 12; ++seed) {
             Rng rng(seed);
-            teeth::BuildOptions options;
-            options.gridSide = 64 + 40 * static_cast<int>(seed % 3);
-            options.seed = seed;
-            const auto built = teeth::buildTooth(teeth::parseSource(seed % 2 == 0 ? "36" : "24"), options);
-            QVERIFY(built.has_value());
-            const auto& anatomy = *built->anatomy;
-            Attempt attempt = boxed(built->anatomy, {rng.uniform(0.0, 3.0), rng.uniform(0.0, 3.0)}, -3.5F);
+            const auto anatomy =
+                support::builtTooth(seed % 2 == 0 ? 36 : 24, 64 + 40 * static_cast<int>(seed % 3), seed);
+            Attempt attempt = boxed(anatomy, {rng.uniform(0.0, 3.0), rng.uniform(0.0, 3.0)}, -3.5F);
             for (int hole = 0; hole < 40; ++hole) {
-                const int i0 = rng.below(anatomy.grid.side);
-                const int j0 = rng.below(anatomy.grid.side);
-                const int reach = 1 + rng.below(8);
+                const int i = rng.below(anatomy->grid.side);
+                const int j = rng.below(anatomy->grid.side);
+                const int reach = rng.below(8);
                 const auto to = static_cast<float>(rng.uniform(-25.0, 0.0));
-                for (int j = std::max(0, j0 - reach); j < std::min(anatomy.grid.side, j0 + reach); ++j)
-                    for (int i = std::max(0, i0 - reach); i < std::min(anatomy.grid.side, i0 + reach); ++i) {
-                        const std::size_t k = anatomy.grid.index(i, j);
-                        attempt.tooth.top[k] = std::min(attempt.tooth.top[k], to);
-                        if (attempt.tooth.top[k] <= anatomy.bottom[k]) {
-                            attempt.tooth.top[k] = terrain::kEmptyTop;
-                            attempt.tooth.bottom[k] = terrain::kEmptyBottom;
-                        }
-                    }
+                support::eachOf(anatomy->grid, support::around(anatomy->grid, i, j, reach), [&](std::size_t k) {
+                    attempt.tooth.top[k] = std::min(attempt.tooth.top[k], to);
+                    if (attempt.tooth.top[k] <= anatomy->bottom[k])
+                        support::cutThrough(attempt.tooth, k);
+                });
             }
             attempt.ideal.isthmus = Preparation::Isthmus{};
-            const Measured measured = all(attempt);
-            const Measured again = all(attempt);
+            const Measured measured = attempt.measured();
+            const Measured again = attempt.measured();
             for (const MeasureInfo& row : grading::measureTable()) {
                 const auto value = row.value(measured);
                 QVERIFY2(!value || std::isfinite(*value), std::string(row.id).c_str());
                 QCOMPARE(row.value(again), value);
                 const auto node = row.nodeIn(measured);
-                QVERIFY2(!node || *node < anatomy.grid.count(), std::string(row.id).c_str());
+                QVERIFY2(!node || *node < anatomy->grid.count(), std::string(row.id).c_str());
             }
         }
     }

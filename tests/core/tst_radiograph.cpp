@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "core/base/Rng.h"
@@ -12,6 +13,7 @@
 #include "core/imaging/Radiograph.h"
 #include "core/teeth/ToothBuilder.h"
 #include "tests/support/Checks.h"
+#include "tests/support/Scenes.h"
 #include "tests/support/SyntheticTooth.h"
 #include "tests/support/Tables.h"
 
@@ -56,6 +58,12 @@ Shadow shadowOf(const Tooth& tooth, const Beam& beam, double pixelMm, const PerM
     return castShadow(one, beam, shadowArea(one, beam, 0.5), pixelMm, perMm);
 }
 
+/// What one ray is weakened by: a pixel so small that its middle is the ray.
+Shadow rayThrough(const Tooth& tooth, const Beam& beam, glm::dvec2 at)
+{
+    const std::array<XrayedTooth, 1> one{{{&tooth}}};
+    return castShadow(one, beam, {at - 5e-4, at + 5e-4}, 1.0e-3);
+}
 double total(const Shadow& shadow)
 {
     double sum = 0.0;
@@ -111,11 +119,7 @@ private slots:
         QFETCH(double, u);
         QFETCH(double, v);
         QFETCH(double, throughMm);
-        const Tooth tooth(block());
-        // One pixel, so small that its middle is the ray wanted.
-        const std::array<XrayedTooth, 1> one{{{&tooth}}};
-        const Shadow shadow =
-            castShadow(one, {angleRad, tiltRad}, {{u - 5e-4, v - 5e-4}, {u + 5e-4, v + 5e-4}}, 1.0e-3);
+        const Shadow shadow = rayThrough(Tooth(block()), {angleRad, tiltRad}, {u, v});
         QVERIFY(near(static_cast<double>(shadow.at(0, 0)), 0.28 * throughMm, 1.0e-5));
         const float quanta = quantaOn(shadow, {}).front();
         QVERIFY(near(static_cast<double>(quanta) / (kQuantaPerMm2 * 1.0e-6), std::exp(-0.28 * throughMm), 1.0e-5));
@@ -124,17 +128,13 @@ private slots:
     void integralsAddUpToTheVolumes_data()
     {
         support::columns<int, double, double, bool>("fdi", "angleRad", "tiltRad", "aligned");
-        for (const int fdi : {36, 21}) {
-            const auto row = [&](const char* name, double angle, double tilt, bool aligned) {
-                QTest::newRow(qPrintable(QString("%1 %2").arg(fdi).arg(QLatin1String(name))))
-                    << fdi << angle << tilt << aligned;
-            };
-            row("along z", 0.0, kQuarter, true);
-            row("along x", 0.0, 0.0, true);
-            row("along y", kQuarter, 0.0, true);
-            row("oblique", 0.9, 0.3, false);
-            row("oblique from above", 4.0, -1.1, false);
-        }
+        for (const int fdi : {36, 21})
+            for (const auto& [name, angle, tilt, aligned] : {std::tuple("along z", 0.0, kQuarter, true),
+                                                             {"along x", 0.0, 0.0, true},
+                                                             {"along y", kQuarter, 0.0, true},
+                                                             {"oblique", 0.9, 0.3, false},
+                                                             {"oblique from above", 4.0, -1.1, false}})
+                QTest::addRow("%d %s", fdi, name) << fdi << angle << tilt << aligned;
     }
 
     void integralsAddUpToTheVolumes()
@@ -143,29 +143,24 @@ private slots:
         QFETCH(double, angleRad);
         QFETCH(double, tiltRad);
         QFETCH(bool, aligned);
-        const auto built = teeth::buildTooth({fdi}, {});
-        QVERIFY(built.has_value());
-        Tooth tooth(built->anatomy);
-        for (int j = 65; j < 85; ++j)
-            for (int i = 60; i < 90; ++i)
-                if (float& top = tooth.top[tooth.grid().index(i, j)]; top > kEmptyTop)
-                    top -= 1.5F;
+        Tooth tooth(support::builtTooth(fdi));
+        support::eachOf(tooth.grid(), {60, 89, 65, 84}, [&](std::size_t k) {
+            if (tooth.isSolid(k))
+                tooth.top[k] -= 1.5F;
+        });
         const PerMaterial expected = volumes(tooth);
         for (std::size_t m = 0; m < expected.size(); ++m) {
             PerMaterial only{};
             only.at(m) = 1.0;
             const Beam beam{angleRad, tiltRad};
             const double sum = total(aligned ? alignedShadowOf(tooth, beam, only) : shadowOf(tooth, beam, 0.05, only));
-            qInfo("material %zu: rays %.3f mm3, columns %.3f mm3", m, sum, expected[m]);
             QVERIFY(near(sum, expected[m], 0.01 * expected[m]));
         }
     }
 
     void raysAgreeWithASlowWalk()
     {
-        const auto built = teeth::buildTooth({36}, {});
-        QVERIFY(built.has_value());
-        Tooth tooth(built->anatomy);
+        const Tooth tooth(support::builtTooth(36));
         const Grid& grid = tooth.grid();
         Rng rng(17);
         constexpr double kStepMm = 0.002;
@@ -179,33 +174,25 @@ private slots:
             double slow = 0.0;
             for (double q = -40.0; q < 40.0; q += kStepMm) {
                 const glm::dvec3 point = uv.x * across + uv.y * up + (q + 0.5 * kStepMm) * along;
-                const glm::dvec2 lattice = grid.latticeOf(glm::dvec2(point));
-                const int i = static_cast<int>(std::floor(lattice.x + 0.5));
-                const int j = static_cast<int>(std::floor(lattice.y + 0.5));
-                if (!grid.contains(i, j))
+                const glm::ivec2 node(glm::floor(grid.latticeOf(glm::dvec2(point)) + 0.5));
+                if (!grid.contains(node.x, node.y))
                     continue;
-                const std::size_t k = grid.index(i, j);
+                const std::size_t k = grid.index(node.x, node.y);
                 if (point.z <= static_cast<double>(tooth.bottom[k]) || point.z >= static_cast<double>(tooth.top[k]))
                     continue;
                 const auto material =
-                    static_cast<std::size_t>(materialAt(built->anatomy->layers[k], static_cast<float>(point.z)));
-                slow += kStepMm * kAttenuationPerMm.at(material) * static_cast<double>(built->anatomy->areaMm2[k]) /
+                    static_cast<std::size_t>(materialAt(tooth.anatomy->layers[k], static_cast<float>(point.z)));
+                slow += kStepMm * kAttenuationPerMm.at(material) * static_cast<double>(tooth.anatomy->areaMm2[k]) /
                         (grid.cellMm * grid.cellMm);
             }
-            const std::array<XrayedTooth, 1> one{{{&tooth}}};
-            const Shadow shadow = castShadow(one, beam, {uv - 5e-4, uv + 5e-4}, 1.0e-3);
-            QVERIFY(near(static_cast<double>(shadow.at(0, 0)), slow, 0.01));
+            QVERIFY(near(static_cast<double>(rayThrough(tooth, beam, uv).at(0, 0)), slow, 0.01));
         }
     }
 
     void mesialIsLeftAndUpIsUp()
     {
-        const auto anatomy = block();
-        Tooth tooth(anatomy);
-        // Cut the distal half (x > 0) down to -4.
-        for (int j = 0; j < 64; ++j)
-            for (int i = 32; i < 64; ++i)
-                tooth.top[anatomy->grid.index(i, j)] = -4.0F;
+        Tooth tooth(block());
+        support::cut(tooth, {32, 63, 0, 63}, -4.0F);  // the distal half, x > 0
         const Shadow shadow = shadowOf(tooth, {}, 0.05);
         QVERIFY(at(shadow, -1.0, -2.0) > 1.0F);
         QCOMPARE(at(shadow, 1.0, -2.0), 0.0F);
@@ -215,37 +202,26 @@ private slots:
 
     void eachTissueHasItsTone()
     {
-        // Four quarters along x, each of one material all through.
+        // Four quarters along x, of enamel, dentin, decay and pulp all through, and air beside them.
         auto anatomy = block();
-        for (int j = 0; j < 64; ++j)
-            for (int i = 0; i < 64; ++i) {
-                ColumnLayers& column = anatomy->layers[anatomy->grid.index(i, j)];
-                if (i >= 16)
-                    column.dej = 10.0F;
-                if (i >= 32 && i < 48)
-                    column = {1.0F, -11.0F, 10.0F, 0.0F, 0.0F};
-                if (i >= 48)
-                    column = {0.0F, 0.0F, 10.0F, 1.0F, -11.0F};
-            }
+        const ColumnLayers quarters[]{
+            {0.0F, 0.0F, 10.0F, 0.0F, 0.0F}, {1.0F, -11.0F, 10.0F, 0.0F, 0.0F}, {0.0F, 0.0F, 10.0F, 1.0F, -11.0F}};
+        for (int n = 1; const ColumnLayers& quarter : quarters) {
+            support::eachOf(anatomy->grid, {16 * n, 16 * n + 15, 0, 63},
+                            [&](std::size_t k) { anatomy->layers[k] = quarter; });
+            ++n;
+        }
         const Shadow shadow = shadowOf(Tooth(anatomy), {}, 0.05);
-        const double enamel = light(shadow, -2.4, -5.0);
-        const double dentin = light(shadow, -0.8, -5.0);
-        const double decay = light(shadow, 0.8, -5.0);
-        const double pulp = light(shadow, 2.4, -5.0);
-        const double air = light(shadow, 3.6, -5.0);
-        qInfo("light through enamel %.3f, dentin %.3f, decay %.3f, pulp %.3f, air %.3f", enamel, dentin, decay, pulp,
-              air);
-        QVERIFY(enamel > dentin && dentin > decay && decay > pulp && pulp > air);
+        for (const double u : {-2.4, -0.8, 0.8, 2.4})
+            QVERIFY2(light(shadow, u, -5.0) > light(shadow, std::min(u + 1.6, 3.6), -5.0),
+                     qPrintable(QString::number(u)));
     }
 
     void aCavityIsDarkerThanBefore()
     {
-        const auto anatomy = block();
-        const Tooth before(anatomy);
-        Tooth now(anatomy);
-        for (int j = 20; j < 44; ++j)
-            for (int i = 25; i < 39; ++i)
-                now.top[anatomy->grid.index(i, j)] = -3.0F;
+        const Tooth before(block());
+        Tooth now = before;
+        support::cut(now, {25, 38, 20, 43}, -3.0F);
         const Shadow whole = shadowOf(before, {}, 0.05);
         const Shadow cut = shadowOf(now, {}, 0.05);
         QVERIFY(light(cut, 0.0, -1.5) < light(whole, 0.0, -1.5));
@@ -262,24 +238,23 @@ private slots:
         const std::array<XrayedTooth, 1> one{{{&tooth}}};
         // Inside the block every ray runs through 6.4 mm.
         const Shadow shadow = castShadow(one, {}, {{-3.0, -9.0}, {3.0, -1.0}}, 0.02);
-        std::array<double, 2> deviation{};
-        for (std::size_t round = 0; round < 2; ++round) {
-            const double exposure = round == 0 ? 1.0 : 4.0;
-            const std::vector<float> quanta = quantaOn(shadow, {exposure, 99});
+        const auto deviationAt = [&](double exposure) {
             double sum = 0.0;
             double squares = 0.0;
+            const std::vector<float> quanta = quantaOn(shadow, {exposure, 99});
             for (const float caught : quanta) {
                 sum += static_cast<double>(caught);
                 squares += static_cast<double>(caught) * static_cast<double>(caught);
             }
             const double count = static_cast<double>(quanta.size());
             const double mean = sum / count;
-            deviation.at(round) = std::sqrt(squares / count - mean * mean);
-            QVERIFY(near(mean, exposure * kQuantaPerMm2 * 4.0e-4 * std::exp(-0.28 * 6.4), 0.005 * mean));
-            QVERIFY(near(deviation.at(round), std::sqrt(mean), 0.02 * deviation.at(round)));
-        }
-        qInfo("deviation %.3f quanta at exposure 1, %.3f at 4", deviation[0], deviation[1]);
-        QVERIFY(near(deviation[1] / deviation[0], 2.0, 0.04));
+            const double deviation = std::sqrt(squares / count - mean * mean);
+            return near(mean, exposure * kQuantaPerMm2 * 4.0e-4 * std::exp(-0.28 * 6.4), 0.005 * mean) &&
+                           near(deviation, std::sqrt(mean), 0.02 * deviation)
+                       ? deviation
+                       : std::nan("");
+        };
+        QVERIFY(near(deviationAt(4.0) / deviationAt(1.0), 2.0, 0.04));
     }
 
     void theSameSeedGivesTheSameFilm()
@@ -305,9 +280,7 @@ private slots:
 
     void aMirroredToothThrowsAMirroredShadow()
     {
-        const auto built = teeth::buildTooth({36}, {});
-        QVERIFY(built.has_value());
-        const Tooth tooth(built->anatomy);
+        const Tooth tooth(support::builtTooth(36));
         const std::array<XrayedTooth, 1> plain{{{&tooth, {0.5, 0.2, 0.1}, false}}};
         const std::array<XrayedTooth, 1> mirrored{{{&tooth, {-0.5, 0.2, 0.1}, true}}};
         const FilmArea area{{-8.0, -16.0}, {8.0, 2.0}};
@@ -332,25 +305,20 @@ private slots:
     {
         QFETCH(int, fdi);
         QFETCH(int, count);
-        const auto built = teeth::buildTooth({fdi}, {});
-        QVERIFY(built.has_value());
-        const auto neighbours = neighboursOf(*built->anatomy);
+        const Tooth tooth(support::builtTooth(fdi));
+        const auto neighbours = neighboursOf(*tooth.anatomy);
         QVERIFY(neighbours.has_value());
         QCOMPARE(static_cast<int>(neighbours->size()), count);
         // Seen from above, the nearest columns of two teeth lie beside each other: neither apart nor one in the other.
         const auto outline = [](const XrayedTooth& xrayed) {
             std::vector<glm::dvec2> nodes;
-            const ToothAnatomy& anatomy = *xrayed.tooth->anatomy;
-            for (int j = 0; j < anatomy.grid.side; ++j)
-                for (int i = 0; i < anatomy.grid.side; ++i)
-                    if (anatomy.top[anatomy.grid.index(i, j)] > anatomy.bottom[anatomy.grid.index(i, j)]) {
-                        const glm::dvec2 node = anatomy.grid.nodeMm(i, j);
-                        nodes.push_back(glm::dvec2(xrayed.mirrored ? -node.x : node.x, node.y) +
-                                        glm::dvec2(xrayed.placeMm));
-                    }
+            support::eachNode(xrayed.tooth->grid(), [&](std::size_t k, const glm::dvec2& node) {
+                if (xrayed.tooth->isSolid(k))
+                    nodes.push_back(glm::dvec2(xrayed.mirrored ? -node.x : node.x, node.y) +
+                                    glm::dvec2(xrayed.placeMm));
+            });
             return nodes;
         };
-        const Tooth tooth(built->anatomy);
         const std::vector<glm::dvec2> own = outline({&tooth});
         for (const Neighbour& neighbour : *neighbours) {
             QCOMPARE(neighbour.placeMm.x < 0.0, &neighbour == &neighbours->front());
@@ -359,8 +327,7 @@ private slots:
                 for (const glm::dvec2& mine : own)
                     if (std::abs(other.y - mine.y) < 0.06)
                         gap = std::min(gap, std::abs(other.x - mine.x));
-            qInfo("%d beside %d: %.3f mm between nodes", neighbour.tooth.anatomy->fdi, fdi, gap);
-            QVERIFY(gap > 0.03 && gap < 0.2);
+            QVERIFY2(gap > 0.03 && gap < 0.2, qPrintable(QString::number(gap)));
             QCOMPARE(neighbour.mirrored, neighbour.tooth.anatomy->fdi == fdi);
         }
     }
@@ -371,9 +338,7 @@ private slots:
         scan->fdi = 36;
         scan->name = "lower molar.stl";
         QVERIFY(!teeth::isGenerated(*scan));
-        const auto none = neighboursOf(*scan);
-        QVERIFY(!none.has_value());
-        QCOMPARE(none.error().code, ErrorCode::UnknownName);
+        QVERIFY(support::isRefused(neighboursOf(*scan), ErrorCode::UnknownName));
     }
 };
 

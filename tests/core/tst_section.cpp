@@ -8,7 +8,8 @@
 
 #include "core/base/Rng.h"
 #include "core/imaging/Section.h"
-#include "core/teeth/ToothBuilder.h"
+#include "tests/support/Checks.h"
+#include "tests/support/Scenes.h"
 #include "tests/support/SyntheticTooth.h"
 #include "tests/support/Tables.h"
 
@@ -20,30 +21,15 @@ namespace {
 
 constexpr double kQuarter = std::numbers::pi / 2.0;
 
-/// A block of 64 x 64 cells of 0.1 mm around the origin, top 0, bottom -10: enamel down to -2, pulp from -7 to -5 in
-/// the nodes 20 .. 43 (a box from -1.2 to 1.2), decay from -3 to -1 in the nodes 30 .. 33 (from -0.2 to 0.2).
+/// Its pulp is a box from -1.2 to 1.2, its decay one from -0.2 to 0.2.
 std::shared_ptr<ToothAnatomy> block()
 {
-    auto anatomy = support::slab(-2.0F);
-    for (int j = 20; j <= 43; ++j)
-        for (int i = 20; i <= 43; ++i) {
-            ColumnLayers& column = anatomy->layers[anatomy->grid.index(i, j)];
-            column.pulpRoof = -5.0F;
-            column.pulpFloor = -7.0F;
-            if (i >= 30 && i <= 33 && j >= 30 && j <= 33) {
-                column.cariesRoof = -1.0F;
-                column.cariesFloor = -3.0F;
-            }
-        }
-    return anatomy;
+    return support::decayedSlab(30, 33);
 }
 
 bool near(double actual, double expected, double tolerance = 1e-5)
 {
-    if (std::abs(actual - expected) <= tolerance)
-        return true;
-    qWarning("%.9g is not %.9g", actual, expected);
-    return false;
+    return support::near(actual, expected, tolerance);
 }
 
 PerMaterial lengths(const MaterialSpans& spans)
@@ -53,6 +39,13 @@ PerMaterial lengths(const MaterialSpans& spans)
         sum.at(static_cast<std::size_t>(span.material)) +=
             static_cast<double>(span.highMm) - static_cast<double>(span.lowMm);
     return sum;
+}
+
+/// The same length of each material, to a tolerance.
+bool areNear(const PerMaterial& actual, const PerMaterial& expected, double tolerance = 1e-5)
+{
+    return std::equal(actual.begin(), actual.end(), expected.begin(),
+                      [&](double a, double b) { return near(a, b, tolerance); });
 }
 
 }  // namespace
@@ -65,13 +58,13 @@ private slots:
     void spansTellWhatAColumnIsMadeOf()
     {
         const ColumnLayers column{-1.0F, -3.0F, -2.0F, -5.0F, -7.0F};
+        const std::vector<MaterialSpan> expected{{Material::Dentin, -10.0F, -7.0F},
+                                                 {Material::Pulp, -7.0F, -5.0F},
+                                                 {Material::Dentin, -5.0F, -3.0F},
+                                                 {Material::Caries, -3.0F, -1.0F},
+                                                 {Material::Enamel, -1.0F, 0.0F}};
         const MaterialSpans spans = spansBetween(column, -10.0F, 0.0F);
-        QCOMPARE(spans.count, 5);
-        QVERIFY((spans.span[0] == MaterialSpan{Material::Dentin, -10.0F, -7.0F}));
-        QVERIFY((spans.span[1] == MaterialSpan{Material::Pulp, -7.0F, -5.0F}));
-        QVERIFY((spans.span[2] == MaterialSpan{Material::Dentin, -5.0F, -3.0F}));
-        QVERIFY((spans.span[3] == MaterialSpan{Material::Caries, -3.0F, -1.0F}));
-        QVERIFY((spans.span[4] == MaterialSpan{Material::Enamel, -1.0F, 0.0F}));
+        QVERIFY(std::equal(spans.begin(), spans.end(), expected.begin(), expected.end()));
         QCOMPARE(spansBetween(column, -2.5F, -2.5F).count, 0);
         QCOMPARE(spansBetween(column, -2.5F, -1.5F).count, 1);
     }
@@ -94,17 +87,14 @@ private slots:
                 from = span.highMm;
             }
             QCOMPARE(from, high);
-            const PerMaterial expected = lengthsBetween(column, low, high);
-            for (std::size_t m = 0; m < expected.size(); ++m)
-                QVERIFY(near(lengths(spans)[m], expected[m]));
+            QVERIFY(areNear(lengths(spans), lengthsBetween(column, low, high)));
         }
     }
 
     void onANodeItSaysWhatTheColumnSays()
     {
-        const auto built = teeth::buildTooth({36}, {});
-        QVERIFY(built.has_value());
-        Tooth tooth(built->anatomy);
+        const auto anatomy = support::builtTooth(36);
+        Tooth tooth(anatomy);
         Rng rng(5);
         for (float& top : tooth.top)
             if (top > kEmptyTop)
@@ -113,20 +103,18 @@ private slots:
         const int j = grid.side / 2 + 3;
         const glm::dvec2 first = grid.nodeMm(0, j);
         const glm::dvec2 last = grid.nodeMm(grid.side - 1, j);
-        // A hair beside the row, so that rounding does not choose its neighbour.
         const imaging::Section section = imaging::sectionOf(tooth, {first, 0.0}, first.x, last.x, grid.side);
         int solid = 0;
         for (int i = 0; i < grid.side; ++i) {
             const std::size_t k = grid.index(i, j);
             const imaging::SectionSample& sample = section.samples.at(static_cast<std::size_t>(i));
-            QCOMPARE(sample.wasTooth, built->anatomy->top[k] > built->anatomy->bottom[k]);
+            QCOMPARE(sample.wasTooth, anatomy->top[k] > anatomy->bottom[k]);
             if (!tooth.isSolid(k))
                 continue;
             ++solid;
-            QVERIFY(near(sample.originalTopMm, built->anatomy->top[k]));
-            const PerMaterial expected = lengthsBetween(built->anatomy->layers[k], tooth.bottom[k], tooth.top[k]);
-            for (std::size_t m = 0; m < expected.size(); ++m)
-                QVERIFY(near(lengths(sample.present)[m], expected[m], 1e-4));
+            QVERIFY(near(sample.originalTopMm, anatomy->top[k]));
+            QVERIFY(areNear(lengths(sample.present), lengthsBetween(anatomy->layers[k], tooth.bottom[k], tooth.top[k]),
+                            1e-4));
         }
         QVERIFY(solid > 100);
     }
@@ -136,42 +124,36 @@ private slots:
         const auto anatomy = block();
         Tooth tooth(anatomy);
         // A ramp of 30 degrees or so along a direction that is no axis.
-        for (int j = 0; j < 64; ++j)
-            for (int i = 0; i < 64; ++i) {
-                const glm::dvec2 at = anatomy->grid.nodeMm(i, j);
-                tooth.top[anatomy->grid.index(i, j)] = static_cast<float>(-1.0 + 0.5 * at.x - 0.25 * at.y);
-            }
+        const auto ramp = [](glm::dvec2 at) { return -1.0 + 0.5 * at.x - 0.25 * at.y; };
+        support::eachNode(anatomy->grid,
+                          [&](std::size_t k, const glm::dvec2& at) { tooth.top[k] = static_cast<float>(ramp(at)); });
         const SectionPlane plane{{0.013, -0.4}, 0.7};
         const imaging::Section section = imaging::sectionOf(tooth, plane, -2.0, 2.0, 81);
-        for (int k = 0; k <= 80; ++k) {
-            const glm::dvec2 at = plane.pointMm(section.fromMm + k * section.stepMm);
-            const MaterialSpans& spans = section.samples.at(static_cast<std::size_t>(k)).present;
-            QVERIFY(spans.count > 0);
-            QVERIFY(
-                near(spans.span.at(static_cast<std::size_t>(spans.count - 1)).highMm, -1.0 + 0.5 * at.x - 0.25 * at.y));
-            QVERIFY(near(section.samples.at(static_cast<std::size_t>(k)).originalTopMm, 0.0));
+        for (std::size_t k = 0; k <= 80; ++k) {
+            const glm::dvec2 at = plane.pointMm(section.fromMm + static_cast<double>(k) * section.stepMm);
+            const imaging::SectionSample& sample = section.samples.at(k);
+            QVERIFY(sample.present.count > 0);
+            QVERIFY(near(std::prev(sample.present.end())->highMm, ramp(at)));
+            QVERIFY(near(sample.originalTopMm, 0.0));
         }
     }
 
     void aPlaneRunsWhereItsAngleSays_data()
     {
-        support::columns<double, double, double, double>("angleRad", "x", "y", "along");
-        QTest::newRow("mesio-distal") << 0.0 << 1.5 << -0.7 << 1.5;
-        QTest::newRow("bucco-lingual") << kQuarter << 0.4 << 2.5 << 2.5;
-        QTest::newRow("half way") << kQuarter / 2 << 0.9 << 0.1 << 1.0 / std::numbers::sqrt2;
+        support::columns<double, double, double, double, double>("angleRad", "throughY", "x", "y", "along");
+        QTest::newRow("mesio-distal") << 0.0 << -0.7 << 1.5 << -0.7 << 1.5;
+        QTest::newRow("bucco-lingual") << kQuarter << -0.7 << 0.4 << 2.5 << 2.5;
+        QTest::newRow("half way") << kQuarter / 2 << -0.4 << 0.9 << 0.1 << 1.0 / std::numbers::sqrt2;
     }
 
     void aPlaneRunsWhereItsAngleSays()
     {
         QFETCH(double, angleRad);
+        QFETCH(double, throughY);
         QFETCH(double, x);
         QFETCH(double, y);
         QFETCH(double, along);
-        // All of these lie in the plane through (0.4, -0.7), turned.
-        const SectionPlane plane{angleRad == kQuarter ? glm::dvec2(0.4, -0.7)
-                                 : angleRad == 0.0    ? glm::dvec2(0.4, -0.7)
-                                                      : glm::dvec2(0.4, -0.4),
-                                 angleRad};
+        const SectionPlane plane{{0.4, throughY}, angleRad};
         QVERIFY(near(plane.alongMm({x, y}), along));
         QVERIFY(near(plane.pointMm(along).x, x));
         QVERIFY(near(plane.pointMm(along).y, y));
@@ -179,13 +161,11 @@ private slots:
 
     void parallelSectionsAddUpToTheVolumes()
     {
-        const auto built = teeth::buildTooth({36}, {});
-        QVERIFY(built.has_value());
-        Tooth tooth(built->anatomy);
-        for (int j = 60; j < 90; ++j)
-            for (int i = 50; i < 100; ++i)
-                if (float& top = tooth.top[tooth.grid().index(i, j)]; top > kEmptyTop)
-                    top = std::min(top, -4.0F);
+        Tooth tooth(support::builtTooth(36));
+        support::eachOf(tooth.grid(), {50, 99, 60, 89}, [&](std::size_t k) {
+            if (tooth.isSolid(k))
+                tooth.top[k] = std::min(tooth.top[k], -4.0F);
+        });
         const PerMaterial expected = volumes(tooth);
         const double angle = 0.52;
         const glm::dvec2 square(-std::sin(angle), std::cos(angle));
@@ -199,10 +179,8 @@ private slots:
                     sum[m] += here[m] * section.stepMm * kApart;
             }
         }
-        for (std::size_t m = 0; m < sum.size(); ++m) {
-            qInfo("material %zu: sections %.2f mm3, columns %.2f mm3", m, sum[m], expected[m]);
+        for (std::size_t m = 0; m < sum.size(); ++m)
             QVERIFY(near(sum[m], expected[m], 0.01 * expected[m] + 0.02));
-        }
     }
 
     void theIdealSurfaceIsCutAsTheOthers()
@@ -210,16 +188,15 @@ private slots:
         const auto anatomy = block();
         const Tooth tooth(anatomy);
         std::vector<float> ideal = anatomy->top;
-        for (int j = 0; j < 64; ++j)
-            for (int i = 0; i < 64; ++i)
-                ideal[anatomy->grid.index(i, j)] -= 0.01F * static_cast<float>(i);
-        for (int j = 0; j < 64; ++j)
-            ideal[anatomy->grid.index(40, j)] = kEmptyTop;
+        for (int i = 0; i < 64; ++i)
+            support::eachOf(anatomy->grid, {i, i, 0, 63}, [&](std::size_t k) {
+                ideal[k] = i == 40 ? kEmptyTop : ideal[k] - 0.01F * static_cast<float>(i);
+            });
         const glm::dvec2 at = anatomy->grid.nodeMm(10, 32);
         const double half = 0.5 * anatomy->grid.cellMm;
         const imaging::Section section = imaging::sectionOf(tooth, {at, 0.0}, at.x, at.x + half, 2, &ideal);
-        QVERIFY(near(section.samples[0].idealTopMm, section.samples[0].originalTopMm - 0.1F, 1e-5));
-        QVERIFY(near(section.samples[1].idealTopMm, section.samples[1].originalTopMm - 0.105F, 1e-5));
+        QVERIFY(near(section.samples[0].idealTopMm, section.samples[0].originalTopMm - 0.1F));
+        QVERIFY(near(section.samples[1].idealTopMm, section.samples[1].originalTopMm - 0.105F));
         // What is to be cut through has no height, and gives its neighbours none.
         const glm::dvec2 hole = anatomy->grid.nodeMm(40, 32);
         const imaging::Section through = imaging::sectionOf(tooth, {hole, 0.0}, hole.x - 0.8 * half, hole.x, 2, &ideal);
@@ -229,20 +206,15 @@ private slots:
 
     void whereItIsCutThroughNothingIsLeft()
     {
-        const auto anatomy = block();
-        Tooth tooth(anatomy);
-        for (int j = 0; j < 64; ++j) {
-            tooth.top[anatomy->grid.index(10, j)] = kEmptyTop;
-            tooth.bottom[anatomy->grid.index(10, j)] = kEmptyBottom;
-        }
-        const glm::dvec2 hole = anatomy->grid.nodeMm(10, 32);
+        Tooth tooth(block());
+        support::eachOf(tooth.grid(), {10, 10, 0, 63}, [&](std::size_t k) { support::cutThrough(tooth, k); });
+        const glm::dvec2 hole = tooth.grid().nodeMm(10, 32);
         const imaging::Section section = imaging::sectionOf(tooth, {hole, 0.0}, hole.x - 0.1, hole.x + 0.1, 3);
         QVERIFY(section.samples[1].wasTooth);
         QCOMPARE(section.samples[1].present.count, 0);
         QVERIFY(section.samples[0].present.count > 0);
         QVERIFY(section.samples[2].present.count > 0);
-        const imaging::Section beside = imaging::sectionOf(tooth, {hole, 0.0}, -20.0, -10.0, 5);
-        for (const imaging::SectionSample& sample : beside.samples)
+        for (const imaging::SectionSample& sample : imaging::sectionOf(tooth, {hole, 0.0}, -20.0, -10.0, 5).samples)
             QVERIFY(!sample.wasTooth && sample.present.count == 0);
     }
 
@@ -270,20 +242,16 @@ private slots:
 
     void nearestPulpAgreesWithASlowSearch()
     {
-        const auto built = teeth::buildTooth({36}, {});
-        QVERIFY(built.has_value());
-        const ToothAnatomy& anatomy = *built->anatomy;
+        const ToothAnatomy& anatomy = *support::builtTooth(36);
         const imaging::PulpChamber pulp(anatomy);
-        // The slow way: the pulp as points, a third of a cell apart sideways and 0.02 mm up and down.
+        // The slow way: the pulp as points, a cell apart sideways and 0.02 mm up and down.
         std::vector<glm::dvec3> points;
-        for (int j = 0; j < anatomy.grid.side; ++j)
-            for (int i = 0; i < anatomy.grid.side; ++i) {
-                const std::size_t k = anatomy.grid.index(i, j);
-                for (double z = -14.0; z < 0.0; z += 0.02)
-                    if (z > static_cast<double>(anatomy.bottom[k]) && z <= static_cast<double>(anatomy.top[k]) &&
-                        materialAt(anatomy.layers[k], static_cast<float>(z)) == Material::Pulp)
-                        points.emplace_back(anatomy.grid.nodeMm(i, j), z);
-            }
+        support::eachNode(anatomy.grid, [&](std::size_t k, const glm::dvec2& at) {
+            for (double z = -14.0; z < 0.0; z += 0.02)
+                if (z > static_cast<double>(anatomy.bottom[k]) && z <= static_cast<double>(anatomy.top[k]) &&
+                    materialAt(anatomy.layers[k], static_cast<float>(z)) == Material::Pulp)
+                    points.emplace_back(at, z);
+        });
         QVERIFY(points.size() > 10000);
         Rng rng(3);
         for (int round = 0; round < 60; ++round) {
@@ -303,46 +271,40 @@ private slots:
         const auto anatomy = block();
         Tooth tooth(anatomy);
         const imaging::PulpChamber pulp(*anatomy);
+        // Dentin over the pulp, the way down to it and the shortest way to it; none: there is no pulp below.
+        const auto reads = [&](const glm::dvec3& tip, std::optional<double> dentin, std::optional<double> down,
+                               double shortest) {
+            const imaging::DepthReading found = imaging::readDepth(tooth, pulp, tip);
+            return found.overTooth && found.dentinOverPulpMm.has_value() == dentin.has_value() &&
+                   found.downToPulpMm.has_value() == down.has_value() &&
+                   near(found.dentinOverPulpMm.value_or(0.0), dentin.value_or(0.0)) &&
+                   near(found.downToPulpMm.value_or(0.0), down.value_or(0.0)) && near(found.toPulpMm.value(), shortest);
+        };
         // Over the middle, beside the decay: a cut down to -2.5 leaves 2.5 mm of dentin over the pulp.
         const glm::dvec2 at = anatomy->grid.nodeMm(25, 32);
-        tooth.top[anatomy->grid.index(25, 32)] = -2.5F;
-        imaging::DepthReading reading = imaging::readDepth(tooth, pulp, {at, -2.5});
-        QVERIFY(reading.overTooth);
-        QVERIFY(near(reading.depthMm, 2.5));
-        QVERIFY(near(reading.dentinOverPulpMm.value(), 2.5));
-        QVERIFY(near(reading.downToPulpMm.value(), 2.5));
-        QVERIFY(near(reading.toPulpMm.value(), 2.5));
+        float& top = tooth.top[anatomy->grid.index(25, 32)];
+        top = -2.5F;
+        QVERIFY(reads({at, -2.5}, 2.5, 2.5, 2.5));
+        QVERIFY(near(imaging::readDepth(tooth, pulp, {at, -2.5}).depthMm, 2.5));
         // Decay between is no dentin: under it 2 mm are left, 4 mm down from -1.
-        const glm::dvec2 decay = anatomy->grid.nodeMm(31, 31);
-        reading = imaging::readDepth(tooth, pulp, {decay, -1.0});
-        QVERIFY(near(reading.dentinOverPulpMm.value(), 2.0));
-        QVERIFY(near(reading.downToPulpMm.value(), 4.0));
+        QVERIFY(reads({anatomy->grid.nodeMm(31, 31), -1.0}, 2.0, 4.0, 4.0));
         // In the pulp nothing is left.
-        tooth.top[anatomy->grid.index(25, 32)] = -5.5F;
-        reading = imaging::readDepth(tooth, pulp, {at, -5.5});
-        QCOMPARE(reading.dentinOverPulpMm.value(), 0.0);
-        QCOMPARE(reading.downToPulpMm.value(), 0.0);
-        QCOMPARE(reading.toPulpMm.value(), 0.0);
+        top = -5.5F;
+        QVERIFY(reads({at, -5.5}, 0.0, 0.0, 0.0));
         // Where no pulp lies below, there is only the way in any direction: 1 mm sideways and 1 mm down from here.
-        const glm::dvec2 beside = anatomy->grid.nodeMm(9, 32);
-        reading = imaging::readDepth(tooth, pulp, {beside.x - 0.05, beside.y, -4.0});
-        QVERIFY(reading.overTooth);
-        QVERIFY(!reading.dentinOverPulpMm && !reading.downToPulpMm);
-        QVERIFY(near(reading.toPulpMm.value(), std::sqrt(1.1 * 1.1 + 1.0)));
+        const glm::dvec2 beside = anatomy->grid.nodeMm(9, 32) - glm::dvec2(0.05, 0.0);
+        QVERIFY(reads({beside, -4.0}, std::nullopt, std::nullopt, std::sqrt(1.1 * 1.1 + 1.0)));
     }
 
     void besideTheToothNothingIsRead()
     {
         const auto anatomy = block();
-        const Tooth tooth(anatomy);
         const imaging::PulpChamber pulp(*anatomy);
-        const imaging::DepthReading reading = imaging::readDepth(tooth, pulp, {12.0, 0.0, 1.0});
+        const imaging::DepthReading reading = imaging::readDepth(Tooth(anatomy), pulp, {12.0, 0.0, 1.0});
         QVERIFY(!reading.overTooth);
         QVERIFY(!reading.dentinOverPulpMm);
         QVERIFY(reading.toPulpMm.has_value());
-        auto sound = block();
-        for (ColumnLayers& column : sound->layers)
-            column.pulpRoof = column.pulpFloor = 0.0F;
+        const auto sound = support::slab(-2.0F);
         QVERIFY(imaging::PulpChamber(*sound).isEmpty());
         QVERIFY(!imaging::readDepth(Tooth(sound), imaging::PulpChamber(*sound), {0.0, 0.0, 0.0}).toPulpMm);
     }
