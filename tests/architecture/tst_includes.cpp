@@ -59,6 +59,8 @@ const QList<Room> kRooms{
      "app may include everything of ours; the libraries behind haptics and core stay behind them"},
 };
 
+const QStringList kFolders{"core", "haptics", "lab", "lessons", "database", "ui", "app"};
+
 const Room* roomOf(const QString& file)
 {
     const Room* best = nullptr;
@@ -138,6 +140,23 @@ bool putsABox(QString line)
     return wait.hasMatch() && wait.captured(1) != "QApplication::";
 }
 
+/// Reads each source file of these folders: its name from the root of the repository, and its text.
+template <class Use>
+void forEachSource(const QStringList& folders, Use&& use)
+{
+    const QDir root(CUSP_SOURCE_DIR);
+    for (const QString& folder : folders) {
+        QDirIterator it(root.filePath(folder),
+                        {"*.h", "*.hpp", "*.inc", "*.inl", "*.ipp", "*.c", "*.cc", "*.cpp", "*.cxx"}, QDir::Files,
+                        QDirIterator::Subdirectories);
+        while (it.hasNext()) {
+            QFile source(it.next());
+            QVERIFY2(source.open(QIODevice::ReadOnly), qPrintable(source.fileName()));
+            use(root.relativeFilePath(source.fileName()), QString::fromUtf8(source.readAll()));
+        }
+    }
+}
+
 }  // namespace
 
 class TestIncludes : public QObject
@@ -145,186 +164,129 @@ class TestIncludes : public QObject
     Q_OBJECT
 
 private slots:
-    void plantedLines_data();
-    void plantedLines();
-    void theQtHeadersAreFound();
-    void everyIncludeFollowsAnArrow_data();
-    void everyIncludeFollowsAnArrow();
-    void whatIsSavedWasWritten();
-    void plantedBoxes_data();
-    void plantedBoxes();
-    void thePageSpeaksAndNoBox();
-};
-
-void TestIncludes::plantedLines_data()
-{
-    QTest::addColumn<QString>("file");
-    QTest::addColumn<QString>("line");
-    QTest::addColumn<bool>("allowed");
-    const auto plant = [](const char* file, const char* line, bool allowed) {
-        QTest::addRow("%s: %s", file, line) << file << line << allowed;
-    };
-    plant("core/mesh/A.cpp", "#include <vector>", true);
-    plant("core/mesh/A.cpp", "#include \"core/mesh/A.h\"", true);
-    plant("core/mesh/A.cpp", "#include <assimp/Importer.hpp>", false);
-    plant("core/mesh/A.cpp", "#include <QString>", false);
-    plant("core/mesh/A.cpp", "  #  include <QtCore/qglobal.h>", false);
-    plant("core/mesh/A.cpp", "#include <qglobal.h>", false);
-    plant("core/mesh/A.cpp", "#include <GL/gl.h>", false);
-    plant("core/mesh/A.cpp", "#include <opencv2/core.hpp>", false);
-    plant("core/mesh/A.cpp", "#include \"lessons/ScoreSheet.h\"", false);
-    plant("core/mesh/A.cpp", "#include \"A.h\"", false);
-    plant("core/mesh/A.cpp", "#include <core/mesh/A.h>", false);
-    plant("core/mesh/A.cpp", "#include SOME_HEADER", false);
-    plant("core/mesh/A.cpp", "// talks about #include <QString>", true);
-    plant("haptics/A.cpp", "#include \"core/rt/SpscQueue.h\"", true);
-    plant("haptics/A.cpp", "#include <QObject>", false);
-    plant("haptics/A.cpp", "#include \"ui/text/Texts.h\"", false);
-    plant("haptics/A.cpp", "#include \"lab/StiffnessLimit.h\"", false);
-    plant("lab/A.cpp", "#include \"haptics/HapticDevice.h\"", true);
-    plant("lab/A.cpp", "#include <QObject>", false);
-    plant("lessons/A.cpp", "#include <QJsonDocument>", true);
-    plant("lessons/A.cpp", "#include <QImage>", false);
-    plant("lessons/A.cpp", "#include \"database/records.h\"", false);
-    plant("database/sql/A.cpp", "#include <QSqlQuery>", true);
-    plant("database/sql/A.cpp", "#include <QMessageBox>", false);
-    plant("database/A.h", "#include \"lessons/ScoreSheet.h\"", true);
-    plant("database/A.h", "#include \"ui/text/Texts.h\"", false);
-    plant("ui/tooth/A.cpp", "#include <QOpenGLWidget>", true);
-    plant("ui/tooth/A.cpp", "#include \"database/records.h\"", true);
-    plant("ui/tooth/A.cpp", "#include \"database/sql/Attempts.h\"", false);
-    plant("ui/tooth/A.cpp", "#include <QSqlQuery>", false);
-    plant("ui/tooth/A.cpp", "#include \"haptics/HapticDevice.h\"", false);
-    plant("ui/tooth/A.cpp", "#include \"app/cli/Commands.h\"", false);
-    plant("ui/tooth/A.cpp", "#include \"A.moc\"", true);
-    plant("ui/tooth/A.cpp", "#include \"B.moc\"", false);
-    plant("ui/render/A.cpp", "#include <QOpenGLBuffer>", true);
-    plant("ui/render/A.cpp", "#include <QWidget>", false);
-    plant("ui/render/A.cpp", "#include <QOpenGLWidget>", false);
-    plant("ui/render/A.cpp", "#include \"ui/tooth/Camera.h\"", false);
-    plant("app/A.cpp", "#include \"haptics/HapticDevice.h\"", true);
-    plant("app/A.cpp", "#include <QApplication>", true);
-    plant("app/A.cpp", "#include <libusb-1.0/libusb.h>", false);
-    plant("app/A.cpp", "#include \"tests/support/Allocations.h\"", false);
-}
-
-void TestIncludes::plantedLines()
-{
-    QFETCH(QString, file);
-    QFETCH(QString, line);
-    QFETCH(bool, allowed);
-    QCOMPARE(complaint(file, line).isEmpty(), allowed);
-}
-
-void TestIncludes::theQtHeadersAreFound()
-{
-    QCOMPARE(qtModuleOf("QString"), QString("QtCore"));
-    QCOMPARE(qtModuleOf("QTest"), QString("QtTest"));
-    QCOMPARE(qtModuleOf("vector"), QString());
-}
-
-void TestIncludes::everyIncludeFollowsAnArrow_data()
-{
-    QTest::addColumn<QString>("folder");
-    for (const char* folder : {"core", "haptics", "lab", "lessons", "database", "ui", "app"})
-        QTest::newRow(folder) << QString(folder);
-}
-
-void TestIncludes::everyIncludeFollowsAnArrow()
-{
-    QFETCH(QString, folder);
-    const QDir root(CUSP_SOURCE_DIR);
-    QDirIterator it(root.filePath(folder), {"*.h", "*.hpp", "*.inc", "*.inl", "*.ipp", "*.c", "*.cc", "*.cpp", "*.cxx"},
-                    QDir::Files, QDirIterator::Subdirectories);
-    int files = 0;
-    QStringList complaints;
-    while (it.hasNext()) {
-        QFile source(it.next());
-        QVERIFY2(source.open(QIODevice::ReadOnly), qPrintable(source.fileName()));
-        const QString name = root.relativeFilePath(source.fileName());
-        ++files;
-        for (int number = 1; !source.atEnd(); ++number) {
-            const QString line = QString::fromUtf8(source.readLine()).trimmed();
-            if (const QString rule = complaint(name, line); !rule.isEmpty())
-                complaints << QString("%1:%2: %3\n    %4").arg(name).arg(number).arg(line, rule);
-        }
+    void plantedLines_data()
+    {
+        QTest::addColumn<QString>("file");
+        QTest::addColumn<QString>("line");
+        QTest::addColumn<bool>("allowed");
+        const auto plant = [](const char* file, const QStringList& allowed, const QStringList& refused) {
+            for (const QString& include : allowed + refused)
+                QTest::newRow(qPrintable(file + (": " + include)))
+                    << file << "#include " + include << allowed.contains(include);
+        };
+        plant("core/mesh/A.cpp", {"<vector>", "\"core/mesh/A.h\""},
+              {"<assimp/Importer.hpp>", "<QString>", "<qglobal.h>", "<GL/gl.h>", "<opencv2/core.hpp>",
+               "\"lessons/ScoreSheet.h\"", "\"A.h\"", "<core/mesh/A.h>", "SOME_HEADER"});
+        plant("haptics/A.cpp", {"\"core/rt/SpscQueue.h\""},
+              {"<QObject>", "\"ui/text/Texts.h\"", "\"lab/StiffnessLimit.h\""});
+        plant("lab/A.cpp", {"\"haptics/HapticDevice.h\""}, {"<QObject>"});
+        plant("lessons/A.cpp", {"<QJsonDocument>"}, {"<QImage>", "\"database/records.h\""});
+        plant("database/sql/A.cpp", {"<QSqlQuery>"}, {"<QMessageBox>"});
+        plant("database/A.h", {"\"lessons/ScoreSheet.h\""}, {"\"ui/text/Texts.h\""});
+        plant("ui/tooth/A.cpp", {"<QOpenGLWidget>", "\"database/records.h\"", "\"A.moc\""},
+              {"\"database/sql/Attempts.h\"", "<QSqlQuery>", "\"haptics/HapticDevice.h\"", "\"app/cli/Commands.h\"",
+               "\"B.moc\""});
+        plant("ui/render/A.cpp", {"<QOpenGLBuffer>"}, {"<QWidget>", "<QOpenGLWidget>", "\"ui/tooth/Camera.h\""});
+        plant("app/A.cpp", {"\"haptics/HapticDevice.h\"", "<QApplication>"},
+              {"<libusb-1.0/libusb.h>", "\"tests/support/Allocations.h\""});
+        QTest::newRow("spaces") << "core/mesh/A.cpp"
+                                << "  #  include <QtCore/qglobal.h>" << false;
+        QTest::newRow("a comment") << "core/mesh/A.cpp"
+                                   << "// talks about #include <QString>" << true;
     }
-    QVERIFY2(files > 0, "no source files were found: is CUSP_SOURCE_DIR right?");
-    QVERIFY2(complaints.isEmpty(), qPrintable('\n' + complaints.join('\n')));
-}
 
-/// QSaveFile::commit() does not notice when the last 16 kB find no room on the disk: it gives an empty file its name
-/// (Qt 6.4). Who commits flushes before.
-void TestIncludes::whatIsSavedWasWritten()
-{
-    const QDir root(CUSP_SOURCE_DIR);
-    int files = 0;
-    for (const char* folder : {"core", "haptics", "lab", "lessons", "database", "ui", "app"}) {
-        QDirIterator it(root.filePath(folder), {"*.h", "*.cpp"}, QDir::Files, QDirIterator::Subdirectories);
-        while (it.hasNext()) {
-            QFile source(it.next());
-            QVERIFY2(source.open(QIODevice::ReadOnly), qPrintable(source.fileName()));
-            const QByteArray text = source.readAll();
+    void plantedLines()
+    {
+        QFETCH(QString, file);
+        QFETCH(QString, line);
+        QFETCH(bool, allowed);
+        QCOMPARE(complaint(file, line).isEmpty(), allowed);
+    }
+
+    void theQtHeadersAreFound()
+    {
+        QCOMPARE(qtModuleOf("QString"), QString("QtCore"));
+        QCOMPARE(qtModuleOf("QTest"), QString("QtTest"));
+        QCOMPARE(qtModuleOf("vector"), QString());
+    }
+
+    void everyIncludeFollowsAnArrow_data()
+    {
+        QTest::addColumn<QString>("folder");
+        for (const QString& folder : kFolders)
+            QTest::newRow(qPrintable(folder)) << folder;
+    }
+
+    void everyIncludeFollowsAnArrow()
+    {
+        QFETCH(QString, folder);
+        int files = 0;
+        QStringList complaints;
+        forEachSource({folder}, [&](const QString& name, const QString& text) {
+            ++files;
+            for (int number = 1; const QString& line : text.split('\n')) {
+                if (const QString rule = complaint(name, line.trimmed()); !rule.isEmpty())
+                    complaints << QString("%1:%2: %3\n    %4").arg(name).arg(number).arg(line, rule);
+                ++number;
+            }
+        });
+        QVERIFY2(files > 0, "no source files were found: is CUSP_SOURCE_DIR right?");
+        QVERIFY2(complaints.isEmpty(), qPrintable('\n' + complaints.join('\n')));
+    }
+
+    /// QSaveFile::commit() does not notice when the last 16 kB find no room on the disk: it gives an empty file its
+    /// name (Qt 6.4). Who commits flushes before.
+    void whatIsSavedWasWritten()
+    {
+        int files = 0;
+        forEachSource(kFolders, [&](const QString& name, const QString& text) {
             if (!text.contains("QSaveFile "))  // has one of its own
-                continue;
+                return;
             ++files;
             const auto commits = text.count(".commit()");
-            QVERIFY2(commits > 0 && text.count(".flush()") >= commits, qPrintable(source.fileName()));
-        }
+            QVERIFY2(commits > 0 && text.count(".flush()") >= commits, qPrintable(name));
+        });
+        QVERIFY(files > 0);
     }
-    QVERIFY(files > 0);
-}
 
-void TestIncludes::plantedBoxes_data()
-{
-    QTest::addColumn<QString>("line");
-    QTest::addColumn<bool>("isBox");
-    const auto plant = [](const char* line, bool isBox) { QTest::newRow(line) << QString(line) << isBox; };
-    plant("QMessageBox::warning(this, title, words);", true);
-    plant("#include <QMessageBox>", true);
-    plant("QInputDialog::getText(this, title, label);", true);
-    plant("const QString file = QFileDialog::getOpenFileName(this);", true);
-    plant("class Question : public QDialog", true);
-    plant("auto* box = new QDialog(this);", true);
-    plant("QDialog box(this);", true);
-    plant("dialog->exec();", true);
-    plant("menu.exec(QCursor::pos());", true);
-    plant("setWindowModality(Qt::ApplicationModal);", true);
-    plant("QEventLoop loop;", true);
-    plant("return QApplication::exec();", false);
-    plant("dialog->open();", false);
-    plant("// instead of a QMessageBox", false);
-    plant("connect(dialog, &QDialog::accepted, this, done);", false);
-    plant("class FileDialog : public QFileDialog", false);
-    plant("m_console->execute(command);", false);
-}
+    void plantedBoxes_data()
+    {
+        QTest::addColumn<bool>("isBox");
+        for (const char* box :
+             {"QMessageBox::warning(this, title, words);", "#include <QMessageBox>",
+              "QInputDialog::getText(this, title, label);", "const QString file = QFileDialog::getOpenFileName(this);",
+              "class Question : public QDialog", "auto* box = new QDialog(this);", "QDialog box(this);",
+              "dialog->exec();", "menu.exec(QCursor::pos());", "setWindowModality(Qt::ApplicationModal);",
+              "QEventLoop loop;"})
+            QTest::newRow(box) << true;
+        for (const char* none : {"return QApplication::exec();", "dialog->open();", "// instead of a QMessageBox",
+                                 "connect(dialog, &QDialog::accepted, this, done);",
+                                 "class FileDialog : public QFileDialog", "m_console->execute(command);"})
+            QTest::newRow(none) << false;
+    }
 
-void TestIncludes::plantedBoxes()
-{
-    QFETCH(QString, line);
-    QFETCH(bool, isBox);
-    QCOMPARE(putsABox(line), isBox);
-}
+    void plantedBoxes()
+    {
+        QFETCH(bool, isBox);
+        QCOMPARE(putsABox(QTest::currentDataTag()), isBox);
+    }
 
-void TestIncludes::thePageSpeaksAndNoBox()
-{
-    const QDir root(CUSP_SOURCE_DIR);
-    int files = 0;
-    QStringList boxes;
-    for (const char* folder : {"ui", "app"}) {
-        QDirIterator it(root.filePath(folder), {"*.h", "*.cpp"}, QDir::Files, QDirIterator::Subdirectories);
-        while (it.hasNext()) {
-            QFile source(it.next());
-            QVERIFY2(source.open(QIODevice::ReadOnly), qPrintable(source.fileName()));
+    void thePageSpeaksAndNoBox()
+    {
+        int files = 0;
+        QStringList boxes;
+        forEachSource({"ui", "app"}, [&](const QString& name, const QString& text) {
             ++files;
-            for (int number = 1; !source.atEnd(); ++number)
-                if (const QString line = QString::fromUtf8(source.readLine()).trimmed(); putsABox(line))
-                    boxes << QString("%1:%2: %3").arg(root.relativeFilePath(source.fileName())).arg(number).arg(line);
-        }
+            for (int number = 1; const QString& line : text.split('\n')) {
+                if (putsABox(line.trimmed()))
+                    boxes << QString("%1:%2: %3").arg(name).arg(number).arg(line);
+                ++number;
+            }
+        });
+        QVERIFY(files > 100);
+        QVERIFY2(boxes.isEmpty(), qPrintable('\n' + boxes.join('\n')));
     }
-    QVERIFY(files > 100);
-    QVERIFY2(boxes.isEmpty(), qPrintable('\n' + boxes.join('\n')));
-}
+};
 
 QTEST_GUILESS_MAIN(TestIncludes)
 #include "tst_includes.moc"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QTest>
 
-#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/grading/Columns.h"
 #include "core/grading/Measures.h"
@@ -13,9 +13,10 @@ using core::terrain::Sampling;
 
 namespace {
 
-double sum(const core::terrain::PerMaterial& volumes)
+double volumeOf(const core::terrain::Tooth& tooth)
 {
-    return volumes[0] + volumes[1] + volumes[2] + volumes[3];
+    const auto volumes = core::terrain::volumes(tooth);
+    return std::accumulate(volumes.begin(), volumes.end(), 0.0);
 }
 
 }  // namespace
@@ -45,7 +46,7 @@ private slots:
                     }
                 }
             const double share = sampling == Sampling::Half ? 0.01 : 0.005;
-            const double volume = sum(core::terrain::volumes(same)) / sum(core::terrain::volumes(tooth));
+            const double volume = volumeOf(same) / volumeOf(tooth);
             QVERIFY2(std::abs(volume - 1.0) < share, qPrintable(QString::number(volume)));
             const auto gone = core::terrain::removedVolumes(tooth);
             const auto goneThere = core::terrain::removedVolumes(same);
@@ -54,14 +55,11 @@ private slots:
                          qPrintable(QString::number(goneThere[material] / gone[material])));
         }
         // All of the area is shared out.
+        const auto area = [](const core::terrain::ToothAnatomy& of) {
+            return std::accumulate(of.areaMm2.begin(), of.areaMm2.end(), 0.0);
+        };
         const auto twice = core::terrain::resampled(*anatomy, Sampling::Double);
-        double before = 0.0;
-        double after = 0.0;
-        for (const float area : anatomy->areaMm2)
-            before += static_cast<double>(area);
-        for (const float area : twice->areaMm2)
-            after += static_cast<double>(area);
-        QVERIFY(std::abs(after / before - 1.0) < 1.0e-4);
+        QVERIFY(std::abs(area(*twice) / area(*anatomy) - 1.0) < 1.0e-4);
     }
 
     void aHoleStaysAHole()

@@ -8,9 +8,10 @@
 #include "core/contact/ContactMethod.h"
 #include "core/contact/LiveTooth.h"
 #include "core/drilling/Bur.h"
-#include "core/teeth/ToothBuilder.h"
 #include "lab/Block.h"
+#include "tests/support/Scenes.h"
 #include "tests/support/Tables.h"
+#include <glm/geometric.hpp>
 
 using core::contact::Edges;
 using core::contact::LiveTooth;
@@ -23,8 +24,13 @@ constexpr double kWallMm = 3.0;
 /// A floor at 0 with a wall where `across` is positive.
 LiveTooth wallAcross(glm::dvec2 across, glm::dvec2 shift = {0.0, 0.0})
 {
-    return LiveTooth{core::terrain::Tooth(lab::enamelBlock(
-        [across](glm::dvec2 at) { return at.x * across.x + at.y * across.y > 0.0 ? kWallMm : 0.0; }, 150, shift))};
+    return LiveTooth{core::terrain::Tooth(
+        lab::enamelBlock([across](glm::dvec2 at) { return glm::dot(at, across) > 0.0 ? kWallMm : 0.0; }, 150, shift))};
+}
+
+glm::dvec2 towards(double degrees)
+{
+    return {std::cos(degrees * kDegree), std::sin(degrees * kDegree)};
 }
 
 /// How far along `across` a bur on the floor gets, mm, from where it is clear of the wall.
@@ -59,7 +65,7 @@ private slots:
     void aSideAcrossTheLatticeIsSmooth()
     {
         QFETCH(double, degrees);
-        const glm::dvec2 across(std::cos(degrees * kDegree), std::sin(degrees * kDegree));
+        const glm::dvec2 across = towards(degrees);
         LiveTooth tooth = wallAcross(across, {0.1, 0.4});
         constexpr double kStepMm = 0.005;
         constexpr double kCellMm = 0.07;
@@ -100,25 +106,23 @@ private slots:
     void thePocketOfABurHoldsTheBur()
     {
         LiveTooth tooth = wallAcross({1.0, 0.0});
-        const auto& grid = tooth.grid();
+        const auto& bur = core::drilling::burs()[0];
         const glm::dvec2 axis(-0.4, 0.013);
-        const double radius = core::drilling::burs()[0].headRadiusMm;
-        for (int j = 0; j < grid.side; ++j) {
-            for (int i = 0; i < grid.side; ++i) {
-                const glm::dvec2 apart = grid.nodeMm(i, j) - axis;
-                const double r = std::sqrt(apart.x * apart.x + apart.y * apart.y);
-                if (r <= radius + 1.0e-6 && tooth.tooth().top[grid.index(i, j)] > 1.0F)
-                    tooth.lower(i, j, static_cast<float>(core::drilling::burs()[0].undersideMm(std::min(r, radius))));
+        for (int j = 0; j < tooth.grid().side; ++j)
+            for (int i = 0; i < tooth.grid().side; ++i) {
+                const double r = glm::distance(tooth.grid().nodeMm(i, j), axis);
+                if (r <= bur.headRadiusMm + 1.0e-6 && tooth.tooth().top[tooth.grid().index(i, j)] > 1.0F)
+                    tooth.lower(i, j, static_cast<float>(bur.undersideMm(std::min(r, bur.headRadiusMm))));
             }
+        for (const Edges edges : {Edges::Columns, Edges::Sides}) {
+            const double heldAt = tooth.touchAt(axis, 1.0e9, edges).heightMm;
+            QVERIFY2(heldAt < 1.0e-3, qPrintable(QString("held at %1 mm").arg(heldAt)));
         }
-        QVERIFY(tooth.touchAt(axis, 1.0e9, Edges::Columns).heightMm < 1.0e-3);
-        const core::contact::Touch touch = tooth.touchAt(axis, 1.0e9, Edges::Sides);
-        QVERIFY2(touch.heightMm < 1.0e-3, qPrintable(QString("held at %1 mm").arg(touch.heightMm)));
     }
 
     void slopesAndGroovesHaveNone()
     {
-        for (const double slope : {0.5, 1.0, 3.7}) {
+        for (const double slope : {0.5, 1.0, 3.7})
             for (const bool groove : {false, true}) {
                 LiveTooth tooth{core::terrain::Tooth(lab::enamelBlock([&](glm::dvec2 at) {
                     const double u = 0.8 * at.x + 0.6 * at.y;
@@ -128,39 +132,27 @@ private slots:
                     for (double y = -2.0; y < 2.0; y += 0.13)
                         QVERIFY(!tooth.touchAt({x, y}, 1.0e9, Edges::Sides).isSide());
             }
-        }
     }
 
     void beneathTheRimOfAToothTheWayIsFree()
     {
-        const auto built = core::teeth::buildTooth({36}, {});
-        QVERIFY(built.has_value());
-        LiveTooth tooth{core::terrain::Tooth(built->anatomy)};
+        LiveTooth tooth{core::terrain::Tooth(support::builtTooth(36))};
         int found = 0;
-        for (double angle = 0.0; angle < 360.0; angle += 5.0) {
-            const glm::dvec2 towards(std::cos(angle * kDegree), std::sin(angle * kDegree));
+        for (double angle = 0.0; angle < 360.0; angle += 5.0)
             for (double r = 8.0; r > 2.0; r -= 0.01) {
-                const core::contact::Touch touch = tooth.touchAt(towards * r, 1.0e9, Edges::Sides);
+                const core::contact::Touch touch = tooth.touchAt(towards(angle) * r, 1.0e9, Edges::Sides);
                 if (!touch.isSide())
                     continue;
                 ++found;
                 QVERIFY(touch.roofMm < touch.heightMm);
-                QVERIFY(std::abs(touch.outwards.x * touch.outwards.x + touch.outwards.y * touch.outwards.y - 1.0) <
-                        1e-9);
-                QVERIFY(touch.outwards.x * towards.x + touch.outwards.y * towards.y > 0.0);
+                QVERIFY(std::abs(glm::dot(touch.outwards, touch.outwards) - 1.0) < 1e-9);
+                QVERIFY(glm::dot(touch.outwards, towards(angle)) > 0.0);
                 break;
             }
-        }
         QVERIFY2(found > 60, qPrintable(QString::number(found)));
     }
 
-    void aBurGoesRoundATooth_data()
-    {
-        support::columns<int, int>("fdi", "side");
-        for (const int fdi : {36, 21})
-            for (const int side : {100, 150, 300})
-                QTest::addRow("tooth %d, grid %d", fdi, side) << fdi << side;
-    }
+    void aBurGoesRoundATooth_data() { support::rows<int, int>("fdi", {36, 21}, "side", {100, 150, 300}); }
 
     /// At all heights of the crown, beside it and under its overhang, the hand 0.1 to 0.5 mm inside: no bur stays
     /// behind.
@@ -168,22 +160,15 @@ private slots:
     {
         QFETCH(int, fdi);
         QFETCH(int, side);
-        core::teeth::BuildOptions options;
-        options.gridSide = side;
-        const auto built = core::teeth::buildTooth({fdi}, options);
-        QVERIFY(built.has_value());
-        LiveTooth tooth{core::terrain::Tooth(built->anatomy)};
+        LiveTooth tooth{core::terrain::Tooth(support::builtTooth(fdi, side))};
         tooth.selectBur(1);
         // The outline, as a radius over the angle, made smooth.
         constexpr int kAngles = 360;
         std::array<double, kAngles> outline{};
         for (int k = 0; k < kAngles; ++k)
             for (double r = 0.0; r < 9.0; r += 0.02) {
-                const glm::dvec2 at =
-                    tooth.grid().latticeOf(glm::dvec2(std::cos(k * kDegree), std::sin(k * kDegree)) * r) + 0.5;
-                const int i = static_cast<int>(at.x);
-                const int j = static_cast<int>(at.y);
-                if (tooth.grid().contains(i, j) && tooth.tooth().isSolid(tooth.grid().index(i, j)))
+                const glm::ivec2 node(tooth.grid().latticeOf(towards(k) * r) + 0.5);
+                if (tooth.grid().contains(node.x, node.y) && tooth.tooth().isSolid(tooth.grid().index(node.x, node.y)))
                     outline[static_cast<std::size_t>(k)] = r;
             }
         const auto radiusAt = [&](double degrees) {
@@ -193,7 +178,7 @@ private slots:
             return sum / 17.0;
         };
         const double radius = core::drilling::burs()[1].headRadiusMm;
-        for (const double z : {-2.0, -3.0, -5.0, -7.0}) {
+        for (const double z : {-2.0, -3.0, -5.0, -7.0})
             for (const double depth : {0.1, 0.3, 0.5}) {
                 const auto contact = core::contact::makeContactMethod("continuous").value();
                 contact->restart({radiusAt(0.0) + radius + 1.0, 0.0, z});
@@ -201,16 +186,13 @@ private slots:
                 for (int tick = -200; tick < 3600; ++tick) {  // 10 mm/s
                     const double degrees = 0.1 * std::max(0, tick);
                     const double in = depth - (tick < 0 ? -0.005 * tick : 0.0);
-                    const double r = radiusAt(degrees) + radius - in;
-                    const glm::dvec3 device(r * std::cos(degrees * kDegree), r * std::sin(degrees * kDegree), z);
-                    const glm::dvec3 off = contact->update(tooth, device) - device;
-                    most = std::max(most, std::sqrt(off.x * off.x + off.y * off.y + off.z * off.z));
+                    const glm::dvec3 device(towards(degrees) * (radiusAt(degrees) + radius - in), z);
+                    most = std::max(most, glm::distance(contact->update(tooth, device), device));
                 }
                 // What the outline was made smooth by, and a cell or two for a way round a column.
                 QVERIFY2(most < depth + 0.6,
                          qPrintable(QString("z %1, %2 mm in: %3 mm behind").arg(z).arg(depth).arg(most)));
             }
-        }
     }
 };
 
