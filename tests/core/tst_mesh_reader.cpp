@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <array>
 #include <cmath>
-#include <fstream>
+#include <filesystem>
 #include <numbers>
 
 #include <QTemporaryDir>
@@ -53,7 +52,22 @@ std::string stlRecord(float x)
     return support::asBinaryStl(mesh).substr(84);
 }
 
+/// In each format whose bytes may follow a byte order mark; a binary STL begins with a header of fixed length.
+std::vector<std::pair<MeshFormat, std::string>> filesOf(const TriangleMesh& mesh)
+{
+    return {{MeshFormat::Obj, support::asObj(mesh)},
+            {MeshFormat::Stl, support::asAsciiStl(mesh)},
+            {MeshFormat::Ply, support::asAsciiPly(mesh)},
+            {MeshFormat::Ply, support::asBinaryPly(mesh, false)},
+            {MeshFormat::Ply, support::asBinaryPly(mesh, true)}};
+}
+
 using Outline = std::vector<glm::dvec2>;
+
+glm::dvec2 polar(double radius, double turns)
+{
+    return radius * glm::dvec2(std::cos(2.0 * std::numbers::pi * turns), std::sin(2.0 * std::numbers::pi * turns));
+}
 
 /// One polygon as an OBJ whose single face lies in the x-y, y-z or z-x plane.
 std::string asObj(const Outline& outline, int axis = 2)
@@ -85,14 +99,10 @@ Outline spiral(int turns)
 {
     Outline outline;
     const int corners = 40 * turns;
-    for (int k = 0; k <= corners; ++k) {
-        const double angle = 2.0 * std::numbers::pi * k / 40.0;
-        outline.emplace_back((1.0 + k / 40.0) * std::cos(angle), (1.0 + k / 40.0) * std::sin(angle));
-    }
-    for (int k = corners; k >= 0; --k) {
-        const double angle = 2.0 * std::numbers::pi * k / 40.0;
-        outline.emplace_back((1.5 + k / 40.0) * std::cos(angle), (1.5 + k / 40.0) * std::sin(angle));
-    }
+    for (int k = 0; k <= corners; ++k)
+        outline.push_back(polar(1.0 + k / 40.0, k / 40.0));
+    for (int k = corners; k >= 0; --k)
+        outline.push_back(polar(1.5 + k / 40.0, k / 40.0));
     return outline;
 }
 
@@ -106,13 +116,10 @@ private slots:
     void everyFormatGivesTheSameTriangles()
     {
         const TriangleMesh mesh = support::sphereCap(3.3F, 2.1F, 17, 5);
-        const std::array<std::pair<MeshFormat, std::string>, 6> files{
-            {{MeshFormat::Obj, support::asObj(mesh)},
-             {MeshFormat::Stl, support::asAsciiStl(mesh)},
-             {MeshFormat::Stl, support::asBinaryStl(mesh)},
-             {MeshFormat::Ply, support::asAsciiPly(mesh)},
-             {MeshFormat::Ply, support::asBinaryPly(mesh, false)},
-             {MeshFormat::Ply, support::asBinaryPly(mesh, true)}}};
+        auto files = filesOf(mesh);
+        for (std::size_t k = files.size(); k-- > 0;)
+            files.emplace_back(files[k].first, "\xEF\xBB\xBF" + files[k].second);
+        files.emplace_back(MeshFormat::Stl, support::asBinaryStl(mesh));
         for (const auto& [format, bytes] : files) {
             const auto file = readMesh(bytes, format, "cap");
             QVERIFY(support::succeeds(file));
@@ -197,8 +204,7 @@ private slots:
         QTest::newRow("spiral") << spiral(5);
         Outline round;
         for (int k = 0; k < 300; ++k)
-            round.emplace_back(5.0 * std::cos(2.0 * std::numbers::pi * k / 300.0),
-                               4.0 * std::sin(2.0 * std::numbers::pi * k / 300.0));
+            round.push_back(polar(1.0, k / 300.0) * glm::dvec2(5.0, 4.0));
         QTest::newRow("round") << round;
     }
 
@@ -242,11 +248,8 @@ private slots:
         // A wavy outline: half its corners are notches in one file, none in the other.
         const auto wavy = [](int count, double wave) {
             Outline outline;
-            for (int k = 0; k < count; ++k) {
-                const double angle = 2.0 * std::numbers::pi * k / count;
-                const double radius = 100.0 * (k % 2 == 0 ? 1.0 : 1.0 - wave);
-                outline.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
-            }
+            for (int k = 0; k < count; ++k)
+                outline.push_back(polar(100.0 * (k % 2 == 0 ? 1.0 : 1.0 - wave), 1.0 * k / count));
             return outline;
         };
         for (const auto& [count, wave] : {std::pair(2000, 0.0), {2000, 0.01}, {20'000, 0.001}}) {
@@ -265,14 +268,14 @@ private slots:
         }
         const auto refused = readMesh(asObj(wavy(200'000, 0.0002)), MeshFormat::Obj, "base.obj");
         QVERIFY(support::isRefused(refused, "200000 corners"));
-        QVERIFY2(refused.error().detail.find("triangles only") != std::string::npos, refused.error().detail.c_str());
+        QVERIFY(support::isRefused(refused, "triangles only"));
     }
 
     void polygonsThatCrossThemselvesWarn()
     {
         Outline star;
         for (int k = 0; k < 5; ++k)
-            star.emplace_back(std::cos(0.8 * std::numbers::pi * k), std::sin(0.8 * std::numbers::pi * k));
+            star.push_back(polar(1.0, 0.4 * k));
         const Outline bowTie{{0, 0}, {2, 2}, {2, 0}, {0, 2}};
         const Outline eight{{0, 0}, {6, 6}, {6, 0}, {0, 5}};
         const Outline line{{0, 0}, {1, 0}, {2, 0}, {3, 0}};
@@ -285,137 +288,107 @@ private slots:
         }
     }
 
-    void aByteOrderMarkIsPassedOver()
-    {
-        const TriangleMesh mesh = support::box(1, 2, 3);
-        const std::array<std::pair<MeshFormat, std::string>, 4> files{
-            {{MeshFormat::Obj, support::asObj(mesh)},
-             {MeshFormat::Stl, support::asAsciiStl(mesh)},
-             {MeshFormat::Ply, support::asAsciiPly(mesh)},
-             {MeshFormat::Ply, support::asBinaryPly(mesh, true)}}};
-        for (const auto& [format, bytes] : files) {
-            const auto file = readMesh(std::string("\xEF\xBB\xBF").append(bytes), format, "marked");
-            QVERIFY(support::succeeds(file));
-            QVERIFY(corners(file->mesh) == corners(mesh));
-            QVERIFY(file->warnings.empty());
-        }
-    }
-
-    void binaryStlThatBeginsWithSolid()
-    {
-        std::string bytes = support::asBinaryStl(support::box(1, 2, 3));
-        bytes.replace(0, 5, "solid");
-        const auto file = readMesh(bytes, MeshFormat::Stl, "test.stl");
-        QVERIFY(file);
-        QCOMPARE(file->mesh.triangles.size(), std::size_t(12));
-    }
-
     void oddButUsableFilesWarn()
     {
+        const std::string box = support::asBinaryStl(support::box(1, 1, 1));
         const auto thin = readMesh("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\nf 1 2 3\n", MeshFormat::Obj, "test.obj");
         QVERIFY(thin);
         QCOMPARE(thin->warnings.size(), std::size_t(1));
-        const auto longer =
-            readMesh(support::asBinaryStl(support::box(1, 1, 1)) + "trailing\x01", MeshFormat::Stl, "t.stl");
-        QVERIFY(longer);
-        QCOMPARE(longer->warnings, std::vector<std::string>{"9 bytes after the last triangle passed over"});
         // Whole records beyond the count: the header is as likely to be wrong as they are.
-        const auto more = readMesh(binaryStlHeader(3) + support::asBinaryStl(support::box(1, 1, 1)).substr(84, 200),
-                                   MeshFormat::Stl, "t.stl");
-        QVERIFY(more);
-        QCOMPARE(more->mesh.triangles.size(), std::size_t(3));
-        QCOMPARE(more->warnings, std::vector<std::string>{
-                                     "the header states 3 triangles, but 4 are there; the rest was passed over, so the "
-                                     "mesh may not be whole"});
+        for (const auto& [bytes, triangles, says] :
+             {std::tuple("solid" + box.substr(5), 12U, ""),
+              {box + "trailing\x01", 12U, "9 bytes after the last triangle passed over"},
+              {binaryStlHeader(3) + box.substr(84, 200), 3U,
+               "the header states 3 triangles, but 4 are there; the rest was passed over, so the mesh may not be "
+               "whole"}}) {
+            const auto file = readMesh(bytes, MeshFormat::Stl, "t.stl");
+            QVERIFY(file);
+            QCOMPARE(file->mesh.triangles.size(), std::size_t{triangles});
+            QVERIFY(file->warnings == (*says == '\0' ? std::vector<std::string>{} : std::vector<std::string>{says}));
+        }
     }
 
     void badBytes_data()
     {
         support::columns<MeshFormat, QByteArray, ErrorCode, QString>("format", "bytes", "code", "says");
-        const auto add = [](const char* name, MeshFormat format, const std::string& bytes, ErrorCode code,
-                            const char* says) {
+        // Each is named by its format.
+        const auto add = [](const char* name, const std::string& bytes, ErrorCode code, const char* says) {
+            const MeshFormat format = *name == 'o' ? MeshFormat::Obj : *name == 's' ? MeshFormat::Stl : MeshFormat::Ply;
             QTest::newRow(name) << format << QByteArray::fromStdString(bytes) << code << QString::fromLatin1(says);
         };
         const std::string three = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-        add("obj: prose", MeshFormat::Obj, "Dear Sir,\nthis is a letter.\n", ErrorCode::WrongKind,
-            "does not look like");
-        add("obj: points only", MeshFormat::Obj, three, ErrorCode::NoTriangles, "no face");
-        add("obj: two numbers", MeshFormat::Obj, "v 1 2\n", ErrorCode::BadStructure, "line 1");
-        add("obj: nan", MeshFormat::Obj, "v 0 0 0\nv 1 nan 0\n", ErrorCode::BadNumber, "line 2");
-        add("obj: inf", MeshFormat::Obj, "v inf 0 0\n", ErrorCode::BadNumber, "\"inf\"");
-        add("obj: beyond float", MeshFormat::Obj, "v 1e39 0 0\n", ErrorCode::BadNumber, "1e39");
-        add("obj: beyond double", MeshFormat::Obj, "v 1e999 0 0\n", ErrorCode::BadNumber, "1e999");
-        add("obj: not a number", MeshFormat::Obj, "v 0 0 zero\n", ErrorCode::BadNumber, "\"zero\"");
-        add("obj: index 0", MeshFormat::Obj, three + "f 0 1 2\n", ErrorCode::BadStructure, "line 4");
-        add("obj: index too high", MeshFormat::Obj, three + "f 1 2 3\nf 1 2 4\n", ErrorCode::BadStructure, "line 5");
-        add("obj: index too low", MeshFormat::Obj, three + "f -1 -2 -4\n", ErrorCode::BadStructure, "\"-4\"");
-        add("obj: index of 20 digits", MeshFormat::Obj, three + "f 1 2 99999999999999999999\n", ErrorCode::BadStructure,
+        add("obj: prose", "Dear Sir,\nthis is a letter.\n", ErrorCode::WrongKind, "does not look like");
+        add("obj: points only", three, ErrorCode::NoTriangles, "no face");
+        add("obj: two numbers", "v 1 2\n", ErrorCode::BadStructure, "line 1");
+        add("obj: nan", "v 0 0 0\nv 1 nan 0\n", ErrorCode::BadNumber, "line 2");
+        add("obj: inf", "v inf 0 0\n", ErrorCode::BadNumber, "\"inf\"");
+        add("obj: beyond float", "v 1e39 0 0\n", ErrorCode::BadNumber, "1e39");
+        add("obj: beyond double", "v 1e999 0 0\n", ErrorCode::BadNumber, "1e999");
+        add("obj: not a number", "v 0 0 zero\n", ErrorCode::BadNumber, "\"zero\"");
+        add("obj: index 0", three + "f 0 1 2\n", ErrorCode::BadStructure, "line 4");
+        add("obj: index too high", three + "f 1 2 3\nf 1 2 4\n", ErrorCode::BadStructure, "line 5");
+        add("obj: index too low", three + "f -1 -2 -4\n", ErrorCode::BadStructure, "\"-4\"");
+        add("obj: index of 20 digits", three + "f 1 2 99999999999999999999\n", ErrorCode::BadStructure,
             "names no vertex");
-        add("obj: index is a word", MeshFormat::Obj, three + "f 1 2 x\n", ErrorCode::BadStructure, "\"x\"");
+        add("obj: index is a word", three + "f 1 2 x\n", ErrorCode::BadStructure, "\"x\"");
 
         const std::string record = stlRecord(0.0F);
         const float infinite = std::numeric_limits<float>::infinity();
-        add("stl: prose", MeshFormat::Stl, "Dear Sir,\nthis is a letter.\n", ErrorCode::WrongKind, "not an STL");
-        add("stl: binary, no header", MeshFormat::Stl, std::string(40, '\0'), ErrorCode::FileTruncated, "40 bytes");
-        add("stl: binary, cut short", MeshFormat::Stl, binaryStlHeader(3) + record + record.substr(0, 20),
-            ErrorCode::FileTruncated, "states 3 triangles, of which only 1");
-        add("stl: count of 4 billion", MeshFormat::Stl, binaryStlHeader(0xFFFFFFFFU) + record, ErrorCode::FileTruncated,
+        add("stl: prose", "Dear Sir,\nthis is a letter.\n", ErrorCode::WrongKind, "not an STL");
+        add("stl: binary, no header", std::string(40, '\0'), ErrorCode::FileTruncated, "40 bytes");
+        add("stl: binary, cut short", binaryStlHeader(3) + record + record.substr(0, 20), ErrorCode::FileTruncated,
+            "states 3 triangles, of which only 1");
+        add("stl: count of 4 billion", binaryStlHeader(0xFFFFFFFFU) + record, ErrorCode::FileTruncated,
             "states 4294967295 triangles");
-        add("stl: no triangles", MeshFormat::Stl, binaryStlHeader(0), ErrorCode::NoTriangles, "0 triangles");
-        add("stl: NaN", MeshFormat::Stl, binaryStlHeader(2) + record + stlRecord(std::nanf("")), ErrorCode::BadNumber,
-            "triangle 2");
-        add("stl: infinity", MeshFormat::Stl, binaryStlHeader(1) + stlRecord(infinite), ErrorCode::BadNumber,
-            "triangle 1");
-        add("stl: solid and binary, cut short", MeshFormat::Stl, "solid" + binaryStlHeader(9).substr(5) + record,
+        add("stl: no triangles", binaryStlHeader(0), ErrorCode::NoTriangles, "0 triangles");
+        add("stl: NaN", binaryStlHeader(2) + record + stlRecord(std::nanf("")), ErrorCode::BadNumber, "triangle 2");
+        add("stl: infinity", binaryStlHeader(1) + stlRecord(infinite), ErrorCode::BadNumber, "triangle 1");
+        add("stl: solid and binary, cut short", "solid" + binaryStlHeader(9).substr(5) + record,
             ErrorCode::FileTruncated, "states 9");
-        add("stl: ascii, cut in a facet", MeshFormat::Stl, support::asAsciiStl(support::box(1, 1, 1)).substr(0, 300),
+        add("stl: ascii, cut in a facet", support::asAsciiStl(support::box(1, 1, 1)).substr(0, 300),
             ErrorCode::FileTruncated, "cut short");
-        add("stl: ascii, two corners", MeshFormat::Stl,
+        add("stl: ascii, two corners",
             "solid\nfacet\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nendloop\nendfacet\nendsolid\n",
             ErrorCode::BadStructure, "line 7");
-        add("stl: ascii, four corners", MeshFormat::Stl,
+        add("stl: ascii, four corners",
             "solid\nfacet\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nvertex 0 1 0\nendfacet\nendsolid\n",
             ErrorCode::BadStructure, "line 6");
-        add("stl: ascii, nan", MeshFormat::Stl, "solid\nfacet\nvertex 0 nan 0\n", ErrorCode::BadNumber, "line 3");
-        add("stl: only the word", MeshFormat::Stl, "solid as a rock\n", ErrorCode::WrongKind, "no whole facet");
+        add("stl: ascii, nan", "solid\nfacet\nvertex 0 nan 0\n", ErrorCode::BadNumber, "line 3");
+        add("stl: only the word", "solid as a rock\n", ErrorCode::WrongKind, "no whole facet");
 
-        add("obj: edges only", MeshFormat::Obj, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\nf 2 3\n", ErrorCode::NoTriangles,
+        add("obj: edges only", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\nf 2 3\n", ErrorCode::NoTriangles,
             "fewer than three corners");
 
         const std::string ply =
             "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
             "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
         const std::string points = "0 0 0\n1 0 0\n0 1 0\n";
-        add("ply: prose", MeshFormat::Ply, "Dear Sir,\nthis is a letter.\n", ErrorCode::WrongKind, "does not begin");
-        add("ply: no end of header", MeshFormat::Ply, "ply\nformat ascii 1.0\n", ErrorCode::WrongKind, "no end");
-        add("ply: unknown encoding", MeshFormat::Ply, "ply\nformat morse 1.0\nend_header\n", ErrorCode::WrongKind,
-            "encoding");
-        add("ply: unknown type", MeshFormat::Ply,
-            "ply\nformat ascii 1.0\nelement vertex 1\nproperty apple x\nend_header\n", ErrorCode::WrongKind, "line 4");
-        add("ply: negative count", MeshFormat::Ply, "ply\nformat ascii 1.0\nelement vertex -1\nend_header\n",
-            ErrorCode::WrongKind, "line 3");
-        add("ply: points only", MeshFormat::Ply,
+        add("ply: prose", "Dear Sir,\nthis is a letter.\n", ErrorCode::WrongKind, "does not begin");
+        add("ply: no end of header", "ply\nformat ascii 1.0\n", ErrorCode::WrongKind, "no end");
+        add("ply: unknown encoding", "ply\nformat morse 1.0\nend_header\n", ErrorCode::WrongKind, "encoding");
+        add("ply: unknown type", "ply\nformat ascii 1.0\nelement vertex 1\nproperty apple x\nend_header\n",
+            ErrorCode::WrongKind, "line 4");
+        add("ply: negative count", "ply\nformat ascii 1.0\nelement vertex -1\nend_header\n", ErrorCode::WrongKind,
+            "line 3");
+        add("ply: points only",
             "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float "
-            "z\nend_header\n1 "
-            "2 3\n",
+            "z\nend_header\n1 2 3\n",
             ErrorCode::NoTriangles, "1 point and");
-        add("ply: edges only", MeshFormat::Ply, ply + points + "2 0 1\n", ErrorCode::NoTriangles,
-            "fewer than three corners");
-        add("ply: no z", MeshFormat::Ply,
+        add("ply: edges only", ply + points + "2 0 1\n", ErrorCode::NoTriangles, "fewer than three corners");
+        add("ply: no z",
             "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nend_header\n1 2\n",
             ErrorCode::BadStructure, "no x, y and z");
-        add("ply: cut in the vertices", MeshFormat::Ply, ply + "0 0 0\n1 0", ErrorCode::FileTruncated, "vertex");
-        add("ply: cut in the faces", MeshFormat::Ply, ply + points + "3 0 1", ErrorCode::FileTruncated, "face 1");
-        add("ply: nan", MeshFormat::Ply, ply + "0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n", ErrorCode::BadNumber, "vertex 2");
-        add("ply: index too high", MeshFormat::Ply, ply + points + "3 0 1 3\n", ErrorCode::BadStructure, "vertex 3");
-        add("ply: negative index", MeshFormat::Ply, ply + points + "3 0 1 -1\n", ErrorCode::BadStructure, "cannot be");
-        add("ply: list of 4 billion", MeshFormat::Ply, ply + points + "4000000000 0 1 2\n", ErrorCode::FileTruncated,
-            "face 1");
-        add("ply: vertices of 4 billion", MeshFormat::Ply,
+        add("ply: cut in the vertices", ply + "0 0 0\n1 0", ErrorCode::FileTruncated, "vertex");
+        add("ply: cut in the faces", ply + points + "3 0 1", ErrorCode::FileTruncated, "face 1");
+        add("ply: nan", ply + "0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n", ErrorCode::BadNumber, "vertex 2");
+        add("ply: index too high", ply + points + "3 0 1 3\n", ErrorCode::BadStructure, "vertex 3");
+        add("ply: negative index", ply + points + "3 0 1 -1\n", ErrorCode::BadStructure, "cannot be");
+        add("ply: list of 4 billion", ply + points + "4000000000 0 1 2\n", ErrorCode::FileTruncated, "face 1");
+        add("ply: vertices of 4 billion",
             "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\nproperty float x\nend_header\nxxxx",
             ErrorCode::FileTruncated, "states 4000000000 of \"vertex\", more than the 4 bytes left");
-        add("ply: faces cut in binary", MeshFormat::Ply,
-            support::asBinaryPly(support::box(1, 1, 1), true).substr(0, 320), ErrorCode::FileTruncated, "cut short");
+        add("ply: faces cut in binary", support::asBinaryPly(support::box(1, 1, 1), true).substr(0, 320),
+            ErrorCode::FileTruncated, "cut short");
     }
 
     void badBytes()
@@ -425,11 +398,9 @@ private slots:
         QFETCH(ErrorCode, code);
         QFETCH(QString, says);
         const auto file = readMesh(bytes.toStdString(), format, "the file");
-        QVERIFY(!file);
-        const QString detail = QString::fromStdString(file.error().detail);
-        QVERIFY2(detail.contains(says), qPrintable(detail));
-        QVERIFY2(detail.startsWith(QStringLiteral("the file")), qPrintable(detail));
-        QVERIFY2(file.error().code == code, qPrintable(detail));
+        QVERIFY(support::isRefused(file, code));
+        QVERIFY(support::isRefused(file, says.toStdString()));
+        QVERIFY2(file.error().detail.starts_with("the file"), file.error().detail.c_str());
     }
 
     void badFiles()
@@ -438,32 +409,26 @@ private slots:
         const auto path = [&](const char* name) {
             return std::filesystem::path(folder.filePath(QString::fromLatin1(name)).toStdString());
         };
-        const auto code = [](const std::filesystem::path& p) { return readMesh(p).error().code; };
-        QCOMPARE(code(path("absent.stl")), ErrorCode::FileMissing);
-        QCOMPARE(code(path("")), ErrorCode::FileUnreadable);
-        QCOMPARE(code("/dev/null"), ErrorCode::FileUnreadable);
-        std::ofstream(path("empty.obj")).close();
-        QCOMPARE(code(path("empty.obj")), ErrorCode::FileEmpty);
-        std::ofstream(path("mesh.xyz")) << "0 0 0\n";
-        QCOMPARE(code(path("mesh.xyz")), ErrorCode::WrongKind);
-        std::ofstream(path("huge.stl")) << "solid";
+        support::write(path("empty.obj"), {});
+        support::write(path("mesh.xyz"), "0 0 0\n");
+        support::write(path("huge.stl"), "solid");
         std::filesystem::resize_file(path("huge.stl"), core::mesh::kMaxFileBytes + 1);
-        QCOMPARE(code(path("huge.stl")), ErrorCode::FileTooLarge);
-    }
-
-    void extensionDecidesInAnyCase()
-    {
-        const QTemporaryDir folder;
-        const auto write = [&](const char* name, const std::string& bytes) {
-            const std::filesystem::path path(folder.filePath(QString::fromLatin1(name)).toStdString());
-            std::ofstream(path, std::ios::binary) << bytes;
-            return readMesh(path);
-        };
+        for (const auto& [file, code] : {std::pair(path("absent.stl"), ErrorCode::FileMissing),
+                                         {path(""), ErrorCode::FileUnreadable},
+                                         {"/dev/null", ErrorCode::FileUnreadable},
+                                         {path("empty.obj"), ErrorCode::FileEmpty},
+                                         {path("mesh.xyz"), ErrorCode::WrongKind},
+                                         {path("huge.stl"), ErrorCode::FileTooLarge}})
+            QVERIFY(support::isRefused(readMesh(file), code));
+        // The extension decides, in any case.
         const TriangleMesh mesh = support::box(1, 2, 3);
-        QVERIFY(write("a.OBJ", support::asObj(mesh)));
-        QVERIFY(write("a.Stl", support::asBinaryStl(mesh)));
-        QVERIFY(write("a.ply", support::asBinaryPly(mesh, false)));
-        QVERIFY(!write("b.ply", support::asObj(mesh)));
+        for (const auto& [name, bytes, isRead] : {std::tuple("a.OBJ", support::asObj(mesh), true),
+                                                  {"a.Stl", support::asBinaryStl(mesh), true},
+                                                  {"a.ply", support::asBinaryPly(mesh, false), true},
+                                                  {"b.ply", support::asObj(mesh), false}}) {
+            support::write(path(name), bytes);
+            QVERIFY2(readMesh(path(name)).has_value() == isRead, name);
+        }
     }
 
     void corpusOfTheFuzzerIsHarmless()

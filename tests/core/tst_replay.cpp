@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QTest>
+#include <numeric>
 
 #include "core/recording/Replay.h"
 #include "core/session/ServoNumbers.h"
 #include "tests/support/Checks.h"
 #include "tests/support/Rig.h"
-#include "tests/support/SyntheticMolar.h"
 #include "tests/support/SyntheticTooth.h"
 #include "tests/support/Tables.h"
 
@@ -69,10 +69,74 @@ session::ServoSettings withHandpieces()
 
 double removedMm3(const support::Rig& rig)
 {
-    double sum = 0.0;
-    for (const double part : rig.servo->state().removedMm3)
-        sum += part;
-    return sum;
+    const auto& removed = rig.servo->state().removedMm3;
+    return std::accumulate(removed.begin(), removed.end(), 0.0);
+}
+
+session::ServoSettings settingsOf(const QString& method)
+{
+    session::ServoSettings settings;
+    settings.method = method.toStdString();
+    return settings;
+}
+
+/// Drills a layered tooth of this many nodes a side.
+struct Drilling : support::Rig
+{
+    explicit Drilling(int side, const session::ServoSettings& wanted = {}) : Rig(wanted) { drill(layeredTooth(side)); }
+};
+
+session::SessionCommand undoOrRedo(Rng& rng)
+{
+    if (rng.below(2) == 0)
+        return session::Undo{};
+    return session::Redo{};
+}
+
+/// Now and then what a user or the console can ask for, and what they cannot.
+std::vector<session::SessionCommand> anything(Rng& rng, const session::ServoSettings& settings,
+                                              const std::shared_ptr<const terrain::ToothAnatomy>& anatomy,
+                                              std::uint64_t& generation)
+{
+    switch (rng.below(250)) {
+    case 0:
+        return {session::Redo{}};
+    case 1:
+        return {session::Reload{}};
+    case 2:
+        return {session::SetBur{static_cast<std::uint8_t>(rng.below(4))}};
+    case 3:
+        return {session::SetDrill{rng.below(4) != 0}};
+    case 4:
+    case 5:
+    case 6:
+        return {session::Undo{}};
+    case 7:
+        // Often more than one at once, and between the session's beats.
+        return {undoOrRedo(rng), undoOrRedo(rng), undoOrRedo(rng), undoOrRedo(rng)};
+    case 8:
+        if (rng.below(8) == 0)
+            return {session::ReplaceTooth{new terrain::Tooth(anatomy), ++generation}};
+        return {};
+    case 9:
+        return {session::SetHandpiece{static_cast<std::uint8_t>(rng.below(4))}};  // 3: there is none
+    case 10:
+        // Another tooth with another servo: softer, and with one handpiece less.
+        if (rng.below(8) == 0) {
+            session::ServoSettings other = settings;
+            other.hardness = settings::findHardnessPreset(rng.below(2) == 0 ? "typodont" : "natural").value();
+            other.handpieces.resize(1 + static_cast<std::size_t>(rng.below(3)));
+            return {session::ReplaceTooth{new terrain::Tooth(anatomy), ++generation, nullptr,
+                                          session::makeServoTick(other).value().release()}};
+        }
+        return {};
+    case 11:
+    case 12:
+        return {session::SetNumber{static_cast<std::uint8_t>(rng.below(session::kServoNumbers + 2)),
+                                   static_cast<float>(rng.below(400)) * 0.01F}};
+    default:
+        return {};
+    }
 }
 
 }  // namespace
@@ -84,8 +148,7 @@ private slots:
     /// Enamel grows softer and the spring stiffer in mid-stroke: the replay feels it at the same tick.
     void changesOfFeel()
     {
-        support::Rig rig;
-        rig.drill(layeredTooth(64));
+        Drilling rig(64);
         rig.lean(0.0, 0.0, 1.0, 100);
         const double before = removedMm3(rig);
         const session::ServoNumbers was = session::numbersOf({});
@@ -100,27 +163,20 @@ private slots:
         const Recording made = rig.session->recordingSoFar().value();
         QVERIFY(made.isRetuned());
         int told = 0;
-        made.forEach(
-            [&](const session::ServoEvent& event) { told += event.kind == session::ServoEvent::Kind::Number ? 1 : 0; });
+        made.forEach([&](const ServoEvent& event) { told += event.kind == ServoEvent::Kind::Number ? 1 : 0; });
         QCOMPARE(told, static_cast<int>(session::kServoNumbers) + 1);  // what is no number is not told
     }
 
     void plainDrilling_data()
     {
-        support::columns<QString, int>("method", "side");
-        for (const char* method : {"continuous", "lattice", "penalty"})
-            for (const int side : {64, 150, 256})
-                QTest::newRow(qPrintable(QString("%1 at %2").arg(method).arg(side))) << method << side;
+        support::rows<QString, int>("method", {"continuous", "lattice", "penalty"}, "side", {64, 150, 256});
     }
 
     void plainDrilling()
     {
         QFETCH(QString, method);
         QFETCH(int, side);
-        session::ServoSettings settings;
-        settings.method = method.toStdString();
-        support::Rig rig(settings);
-        rig.drill(layeredTooth(side));
+        Drilling rig(side, settingsOf(method));
         support::RestlessHand hand(static_cast<std::uint64_t>(side));
         rig.follow(hand, 3000);
         QVERIFY2(removedMm3(rig) > 0.2, qPrintable(QString::number(removedMm3(rig))));
@@ -129,8 +185,7 @@ private slots:
 
     void everythingElseThatHappens()
     {
-        support::Rig rig(withHandpieces());
-        rig.drill(layeredTooth(100));
+        Drilling rig(100, withHandpieces());
         for (std::uint8_t bur = 0; bur < 4; ++bur) {
             rig.send(session::SetBur{bur});
             rig.lean(0.8 * bur - 1.2, 0.3, 1.5, 200);
@@ -156,32 +211,25 @@ private slots:
 
     void undoAtOnceAfterTheLastTick()
     {
-        support::Rig rig;
-        rig.drill(layeredTooth(64));
+        Drilling rig(64);
+        const std::uint64_t uncut = rig.liveHash();
         rig.lean(0.0, 0.0, 2.0, 100);
         rig.lift();
         const std::uint64_t cut = rig.liveHash();
-        rig.send(session::Undo{});
-        rig.settle();
-        rig.servo->tick(rig.period);  // takes the restored tooth
-        QVERIFY(rig.liveHash() != cut);
-        compareWithLive(rig);
-        rig.send(session::Redo{});
-        rig.settle();
-        rig.servo->tick(rig.period);
-        QCOMPARE(rig.liveHash(), cut);
-        compareWithLive(rig);
-        rig.send(session::Reload{});
-        rig.settle();
-        rig.servo->tick(rig.period);
-        QCOMPARE(rig.liveHash(), terrain::stateHash(terrain::Tooth(rig.live().anatomy)));
-        compareWithLive(rig);
+        for (const auto& [command, hash] : {std::pair(session::SessionCommand(session::Undo{}), uncut),
+                                            {session::Redo{}, cut},
+                                            {session::Reload{}, uncut}}) {
+            rig.send(command);
+            rig.settle();
+            rig.servo->tick(rig.period);  // takes the restored tooth
+            QCOMPARE(rig.liveHash(), hash);
+            compareWithLive(rig);
+        }
     }
 
     void missedPeriods()
     {
-        support::Rig rig;
-        rig.drill(layeredTooth(100));
+        Drilling rig(100);
         support::RestlessHand hand(9);
         Rng rng(10);
         for (int n = 0; n < 1500; ++n) {
@@ -212,9 +260,8 @@ private slots:
         QFETCH(int, seed);
         session::ServoSettings settings = withHandpieces();
         settings.method = method.toStdString();
-        support::Rig rig(settings);
-        const auto anatomy = layeredTooth(side);
-        rig.drill(anatomy);
+        Drilling rig(side, settings);
+        const auto anatomy = rig.live().anatomy;
         Rng rng(static_cast<std::uint64_t>(seed));
         support::RestlessHand hand(static_cast<std::uint64_t>(seed) + 100);
         std::uint64_t generation = 1;
@@ -222,56 +269,8 @@ private slots:
             rig.device.tipMm = hand.next();
             rig.device.present = rng.below(100) != 0;
             rig.run(1, std::chrono::milliseconds(rng.below(30) == 0 ? 7 : 1));
-            switch (rng.below(250)) {
-            case 0:
-                rig.send(session::Redo{});
-                break;
-            case 1:
-                rig.send(session::Reload{});
-                break;
-            case 2:
-                rig.send(session::SetBur{static_cast<std::uint8_t>(rng.below(4))});
-                break;
-            case 3:
-                rig.send(session::SetDrill{rng.below(4) != 0});
-                break;
-            case 4:
-            case 5:
-            case 6:
-                rig.send(session::Undo{});
-                break;
-            case 7:
-                // Often more than one at once, and between the session's beats.
-                for (int k = 0; k < 4; ++k)
-                    rig.send(rng.below(2) == 0 ? session::SessionCommand{session::Undo{}}
-                                               : session::SessionCommand{session::Redo{}});
-                break;
-            case 8:
-                if (rng.below(8) == 0)
-                    rig.send(session::ReplaceTooth{new terrain::Tooth(anatomy), ++generation});
-                break;
-            case 9:
-                rig.send(session::SetHandpiece{static_cast<std::uint8_t>(rng.below(4))});  // 3: there is none
-                break;
-            case 10:
-                // Another tooth with another servo: softer, and with one handpiece less.
-                if (rng.below(8) == 0) {
-                    session::ServoSettings other = settings;
-                    other.hardness = settings::findHardnessPreset(rng.below(2) == 0 ? "typodont" : "natural").value();
-                    other.handpieces.resize(1 + static_cast<std::size_t>(rng.below(3)));
-                    rig.send(session::ReplaceTooth{new terrain::Tooth(anatomy), ++generation, nullptr,
-                                                   session::makeServoTick(other).value().release()});
-                }
-                break;
-            case 11:
-            case 12:
-                // Whatever the console can ask for, and what it cannot.
-                rig.send(session::SetNumber{static_cast<std::uint8_t>(rng.below(session::kServoNumbers + 2)),
-                                            static_cast<float>(rng.below(400)) * 0.01F});
-                break;
-            default:
-                break;
-            }
+            for (const session::SessionCommand& command : anything(rng, settings, anatomy, generation))
+                rig.send(command);
             if (n % 500 == 499)
                 compareWithLive(rig);
         }
@@ -294,13 +293,11 @@ private slots:
     {
         QFETCH(QString, method);
         QFETCH(int, side);
-        session::ServoSettings settings;
-        settings.method = method.toStdString();
         Rng rng(static_cast<std::uint64_t>(side));
         support::RestlessHand hand(31);
         std::optional<Recording> left;
         for (int life = 0; life < 6; ++life) {
-            support::Rig rig(settings);
+            support::Rig rig(settingsOf(method));
             if (life % 2 == 1) {  // which has done something else before
                 rig.drill(layeredTooth(side));
                 rig.follow(hand, 300);
@@ -316,8 +313,7 @@ private slots:
                 rig.device.present = rng.below(100) != 0;
                 rig.run(1, std::chrono::milliseconds(rng.below(30) == 0 ? 7 : 1));
                 if (rng.below(200) == 0)
-                    rig.send(rng.below(2) == 0 ? session::SessionCommand{session::Undo{}}
-                                               : session::SessionCommand{session::Redo{}});
+                    rig.send(undoOrRedo(rng));
             }
             compareWithLive(rig);
             left = Recording::fromBytes(rig.session->recordingSoFar()->toBytes()).value();
@@ -326,8 +322,7 @@ private slots:
 
     void secondToothHasItsOwnRecording()
     {
-        support::Rig rig;
-        rig.drill(layeredTooth(64));
+        Drilling rig(64);
         rig.send(session::SetBur{2});
         rig.lean(0.0, 0.0, 2.0, 200);
         // In the middle of a cut; bur and drill stay as they were.
@@ -343,9 +338,8 @@ private slots:
 
     void sameToothAgainHasItsOwnRecording()
     {
-        support::Rig rig;
-        const auto anatomy = layeredTooth(64);
-        rig.drill(anatomy);
+        Drilling rig(64);
+        const auto anatomy = rig.live().anatomy;
         rig.lean(0.0, 0.0, 2.0, 200);
         rig.settle();
         const std::uint64_t before = rig.session->recordingSoFar()->ticks();
@@ -363,8 +357,7 @@ private slots:
 
     void recordingEndsWhereTicksAreMissing()
     {
-        support::Rig rig;
-        rig.drill(layeredTooth(64));
+        Drilling rig(64);
         rig.lean(0.0, 0.0, 1.0, 100);
         rig.lift();
         const std::uint64_t kept = rig.liveHash();
@@ -397,23 +390,22 @@ private slots:
 
     void wrongWitnessIsNoticed()
     {
-        support::Rig rig;
-        rig.drill(layeredTooth(64));
+        Drilling rig(64);
         rig.lean(0.0, 0.0, 2.0, 100);
         rig.lift();
         Recording soFar = rig.session->recordingSoFar().value();
         QVERIFY(recording::replay(soFar)->agreesWithWitness);
-        const recording::Witness right{soFar.ticks(), rig.liveHash()};
-        soFar.setWitness(right);
-        QVERIFY(recording::replay(soFar)->agreesWithWitness);
-        soFar.setWitness({right.tick, right.stateHash ^ 1U});
-        QVERIFY(!recording::replay(soFar)->agreesWithWitness);
-        soFar.setWitness({10, right.stateHash});  // true, but not then
-        QVERIFY(!recording::replay(soFar)->agreesWithWitness);
-        soFar.setWitness({0, right.stateHash});
-        QVERIFY(!recording::replay(soFar)->agreesWithWitness);
-        soFar.setWitness({right.tick + 1, right.stateHash});  // a tick that never comes
-        QVERIFY(!recording::replay(soFar)->agreesWithWitness);
+        const std::uint64_t hash = rig.liveHash();
+        const std::uint64_t end = soFar.ticks();
+        // Right; another tooth; true, but not then; at the beginning; at a tick that never comes.
+        for (const auto& [tick, stateHash, isRight] : {std::tuple(end, hash, true),
+                                                       {end, hash ^ 1U, false},
+                                                       {std::uint64_t{10}, hash, false},
+                                                       {std::uint64_t{0}, hash, false},
+                                                       {end + 1, hash, false}}) {
+            soFar.setWitness({tick, stateHash});
+            QCOMPARE(recording::replay(soFar)->agreesWithWitness, isRight);
+        }
     }
 
     void emptyAttempt()

@@ -155,6 +155,23 @@ TriangleMesh joined(TriangleMesh mesh, const TriangleMesh& other)
     return mesh;
 }
 
+TriangleMesh withoutBase(TriangleMesh mesh)
+{
+    const auto below = [](const glm::vec3& a, const glm::vec3& b) { return a.z < b.z; };
+    const float lowest = std::min_element(mesh.vertices.begin(), mesh.vertices.end(), below)->z;
+    std::erase_if(mesh.triangles, [&](const auto& t) {
+        return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) { return mesh.vertices[v].z <= lowest; });
+    });
+    return mesh;
+}
+
+TriangleMesh clampedAt(TriangleMesh mesh, float lowestZ)
+{
+    for (glm::vec3& vertex : mesh.vertices)
+        vertex.z = std::max(vertex.z, lowestZ);
+    return mesh;
+}
+
 std::string asObj(const TriangleMesh& mesh)
 {
     std::string text = "# made by a test\n";

@@ -23,6 +23,11 @@ namespace support {
 [[nodiscard]] core::mesh::TriangleMesh insideOut(core::mesh::TriangleMesh mesh);
 [[nodiscard]] core::mesh::TriangleMesh joined(core::mesh::TriangleMesh mesh, const core::mesh::TriangleMesh& other);
 
+/// Without the faces that lie in its lowest plane: open below.
+[[nodiscard]] core::mesh::TriangleMesh withoutBase(core::mesh::TriangleMesh mesh);
+/// Pressed flat below a height, as a scan that ends there.
+[[nodiscard]] core::mesh::TriangleMesh clampedAt(core::mesh::TriangleMesh mesh, float lowestZ);
+
 [[nodiscard]] std::string asObj(const core::mesh::TriangleMesh& mesh);
 [[nodiscard]] std::string asAsciiStl(const core::mesh::TriangleMesh& mesh);
 [[nodiscard]] std::string asBinaryStl(const core::mesh::TriangleMesh& mesh);
