@@ -14,6 +14,7 @@
 #include "core/mesh/MeshReader.h"
 #include "core/mesh/Placement.h"
 #include "core/mesh/Weld.h"
+#include "tests/support/Checks.h"
 #include "tests/support/Solids.h"
 #include "tests/support/Tables.h"
 #include "tests/support/ToothMaps.h"
@@ -33,7 +34,7 @@ MeshFacts factsOf(TriangleMesh& mesh)
 
 bool close(double a, double b, double relative)
 {
-    return std::abs(a - b) <= relative * std::max(std::abs(a), std::abs(b));
+    return support::near(a, b, relative * std::max(std::abs(a), std::abs(b)));
 }
 
 /// A tooth of the coarsest kind: a broad crown over one narrow root, mm, crown up, 18 long.
@@ -80,8 +81,7 @@ private slots:
 
     void openMeshHasItsHole()
     {
-        TriangleMesh mesh = support::box(2.0F, 3.0F, 4.0F);
-        mesh.triangles.erase(mesh.triangles.begin(), mesh.triangles.begin() + 2);  // the bottom
+        TriangleMesh mesh = support::withoutBase(support::box(2.0F, 3.0F, 4.0F));
         MeshFacts facts = factsOf(mesh);
         QVERIFY(!facts.closed && !facts.oriented);
         QCOMPARE(facts.boundaryEdges, std::size_t(4));
@@ -96,44 +96,42 @@ private slots:
         QVERIFY(close(facts.volume, 24.0, 1e-9));
     }
 
-    void insideOutIsTurned()
+    void shellsInsideOutAreTurned_data()
     {
-        TriangleMesh mesh = support::insideOut(support::box(2.0F, 3.0F, 4.0F));
-        MeshFacts facts = factsOf(mesh);
-        QVERIFY(facts.oriented);
-        QVERIFY(close(facts.volume, -24.0, 1e-12));
-        QCOMPARE(turnOutwards(mesh, facts), std::size_t(1));
-        QVERIFY(close(facts.volume, 24.0, 1e-12));
-        QVERIFY(close(analyse(mesh).volume, 24.0, 1e-12));
-        QCOMPARE(turnOutwards(mesh, facts), std::size_t(0));
-    }
-
-    void shellsAndShellsInside()
-    {
+        // Of each shell the one that it lies in, or -1.
+        support::columns<TriangleMesh, QList<int>, double, int, double>("mesh", "inside", "volume", "turned",
+                                                                        "volumeAfter");
+        const TriangleMesh box = support::box(2.0F, 3.0F, 4.0F);
         const TriangleMesh outer = support::box(10.0F, 10.0F, 10.0F);
         const TriangleMesh inner = support::moved(support::box(2.0F, 2.0F, 2.0F), {3.0F, 4.0F, 5.0F});
-        TriangleMesh nested = support::joined(outer, support::insideOut(inner));
-        MeshFacts facts = factsOf(nested);
-        QCOMPARE(facts.shells.size(), std::size_t(2));
-        QVERIFY(!facts.shells[0].inside && facts.shells[1].inside == std::size_t(0));
-        QVERIFY(close(facts.volume, 992.0, 1e-12));
-        QCOMPARE(turnOutwards(nested, facts), std::size_t(0));  // a cavity looks inwards rightly
-
-        TriangleMesh beside = support::joined(outer, support::insideOut(support::moved(inner, {20.0F, 0.0F, 0.0F})));
-        facts = factsOf(beside);
-        QVERIFY(!facts.shells[1].inside);
-        QCOMPARE(turnOutwards(beside, facts), std::size_t(1));
-        QVERIFY(close(facts.volume, 1008.0, 1e-12));
+        const TriangleMesh beside = support::moved(inner, {20.0F, 0.0F, 0.0F});
+        QTest::newRow("one") << support::insideOut(box) << QList{-1} << -24.0 << 1 << 24.0;
+        QTest::newRow("a cavity looks inwards rightly")
+            << support::joined(outer, support::insideOut(inner)) << QList{-1, 0} << 992.0 << 0 << 992.0;
+        QTest::newRow("beside another") << support::joined(outer, support::insideOut(beside)) << QList{-1, -1} << 992.0
+                                        << 1 << 1008.0;
+        QTest::newRow("with what lies inside")
+            << support::joined(inner, support::insideOut(outer)) << QList{1, -1} << -992.0 << 1 << 992.0;
     }
 
-    void nestedInsideOutIsTurnedAsOne()
+    void shellsInsideOutAreTurned()
     {
-        const TriangleMesh inner = support::moved(support::box(2.0F, 2.0F, 2.0F), {3.0F, 4.0F, 5.0F});
-        TriangleMesh mesh = support::joined(inner, support::insideOut(support::box(10.0F, 10.0F, 10.0F)));
+        QFETCH(TriangleMesh, mesh);
+        QFETCH(QList<int>, inside);
+        QFETCH(double, volume);
+        QFETCH(int, turned);
+        QFETCH(double, volumeAfter);
         MeshFacts facts = factsOf(mesh);
-        QCOMPARE(turnOutwards(mesh, facts), std::size_t(1));
-        QVERIFY(close(facts.volume, 992.0, 1e-12));
-        QVERIFY(close(analyse(mesh).volume, 992.0, 1e-12));
+        QList<int> found;
+        for (const Shell& shell : facts.shells)
+            found << (shell.inside ? static_cast<int>(*shell.inside) : -1);
+        QCOMPARE(found, inside);
+        QVERIFY(facts.oriented);
+        QVERIFY(close(facts.volume, volume, 1e-12));
+        QCOMPARE(turnOutwards(mesh, facts), static_cast<std::size_t>(turned));
+        QVERIFY(close(facts.volume, volumeAfter, 1e-12));
+        QVERIFY(close(analyse(mesh).volume, volumeAfter, 1e-12));
+        QCOMPARE(turnOutwards(mesh, facts), std::size_t(0));
     }
 
     void faultyFacesAreCounted()
@@ -201,14 +199,15 @@ private slots:
         QVERIFY(mesh);
         const MeshFacts facts = factsOf(mesh->mesh);
         const auto number = [&](const char* key) { return expected[QLatin1String(key)].toDouble(-1.0); };
-        QCOMPARE(static_cast<double>(facts.triangles), number("triangles"));
-        QCOMPARE(static_cast<double>(facts.vertices), number("vertices_used"));
-        QCOMPARE(static_cast<double>(facts.boundaryEdges), number("boundary_edges"));
-        QCOMPARE(static_cast<double>(facts.nonManifoldEdges), number("nonmanifold_edges"));
-        QCOMPARE(static_cast<double>(facts.flippedEdges), number("flipped_edges"));
-        QCOMPARE(static_cast<double>(facts.duplicateFaces), number("duplicate_triangles"));
-        QCOMPARE(static_cast<double>(facts.zeroAreaFaces), number("zero_area_triangles"));
-        QCOMPARE(static_cast<double>(facts.shells.size()), number("components"));
+        for (const auto& [key, count] : {std::pair("triangles", facts.triangles),
+                                         {"vertices_used", facts.vertices},
+                                         {"boundary_edges", facts.boundaryEdges},
+                                         {"nonmanifold_edges", facts.nonManifoldEdges},
+                                         {"flipped_edges", facts.flippedEdges},
+                                         {"duplicate_triangles", facts.duplicateFaces},
+                                         {"zero_area_triangles", facts.zeroAreaFaces},
+                                         {"components", facts.shells.size()}})
+            QVERIFY2(static_cast<double>(count) == number(key), key);
         QCOMPARE(facts.closed, expected[QStringLiteral("watertight")].toBool());
         QCOMPARE(facts.oriented, expected[QStringLiteral("oriented")].toBool());
         QVERIFY(close(facts.volume, number("volume"), 5e-7));
@@ -280,10 +279,7 @@ private slots:
         QVERIFY(placement && placement->up == Axis::PlusZ);
         QVERIFY(placement->upReason.find("flat") != std::string::npos);
 
-        TriangleMesh bowl = cap;  // without its base
-        std::erase_if(bowl.triangles, [&](const auto& t) {
-            return bowl.vertices[t[0]].z == 0.0F && bowl.vertices[t[1]].z == 0.0F && bowl.vertices[t[2]].z == 0.0F;
-        });
+        TriangleMesh bowl = support::withoutBase(cap);
         for (glm::vec3& v : bowl.vertices)
             v = {v.x, v.z, -v.y};
         placement = findPlacement(bowl, factsOf(bowl), {});
@@ -342,37 +338,35 @@ private slots:
     {
         TriangleMesh mesh = support::box(8.0F, 9.0F, 7.0F);
         MeshFacts facts = factsOf(mesh);
-        QCOMPARE(findPlacement(mesh, facts, {LengthUnit{"m", 1000.0}, {}, false}).error().code,
-                 core::ErrorCode::OutOfRange);
-        QCOMPARE(findPlacement(mesh, facts, {LengthUnit{"0.001", 0.001}, {}, false}).error().code,
-                 core::ErrorCode::OutOfRange);
+        for (const LengthUnit& unit : {LengthUnit{"m", 1000.0}, LengthUnit{"0.001", 0.001}})
+            QVERIFY(support::isRefused(findPlacement(mesh, facts, {unit, {}, false}), core::ErrorCode::OutOfRange));
         mesh = support::moved(mesh, {5.0e4F, 0.0F, 0.0F});
         facts = factsOf(mesh);
-        QCOMPARE(findPlacement(mesh, facts, {{}, {}, true}).error().code, core::ErrorCode::OutOfRange);
+        QVERIFY(support::isRefused(findPlacement(mesh, facts, {{}, {}, true}), core::ErrorCode::OutOfRange));
         QVERIFY(findPlacement(mesh, facts, {}));
     }
 
     void warnsOfASizeThatNoToothHas()
     {
-        // A scan in cm that someone calls mm, one in mm that he calls cm, and sizes that a tooth has.
+        // A scan in cm that someone calls mm, one in mm that they call cm, and sizes that a tooth has.
         for (const auto& [sizeUnits, mmPerUnit, says] :
              {std::tuple(2.1F, 1.0, "less than"), {8.5F, 10.0, "more than"}, {21.0F, 1.0, ""}, {2.1F, 10.0, ""}})
             for (const bool keepFrame : {false, true}) {
+                if (keepFrame && mmPerUnit != 1.0)
+                    continue;
                 PlacementOptions options;
                 options.keepFrame = keepFrame;
-                if (!keepFrame)
+                if (!keepFrame) {
                     options.unit = LengthUnit{"given", mmPerUnit};
-                else if (mmPerUnit != 1.0)
-                    continue;
+                    options.up = Axis::PlusZ;
+                }
                 TriangleMesh mesh = support::box(sizeUnits, 0.9F * sizeUnits, 0.8F * sizeUnits);
-                options.up = keepFrame ? std::nullopt : std::optional(Axis::PlusZ);
                 const auto placement = findPlacement(mesh, factsOf(mesh), options);
                 QVERIFY(placement);
                 QCOMPARE(placement->warnings.size(), std::size_t(*says == '\0' ? 0 : 1));
-                if (*says != '\0') {
-                    QVERIFY2(placement->warnings[0].find(says) != std::string::npos, placement->warnings[0].c_str());
-                    QVERIFY(placement->warnings[0].find(keepFrame ? "--frame file" : "--unit") != std::string::npos);
-                }
+                for (const std::string& warning : placement->warnings)
+                    for (const char* words : {says, keepFrame ? "--frame file" : "--unit"})
+                        QVERIFY2(warning.find(words) != std::string::npos, warning.c_str());
             }
     }
 

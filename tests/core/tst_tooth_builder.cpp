@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include <QTemporaryDir>
@@ -12,6 +14,7 @@
 #include "tests/support/Checks.h"
 #include "tests/support/Files.h"
 #include "tests/support/Solids.h"
+#include "tests/support/SyntheticTooth.h"
 #include "tests/support/Tables.h"
 #include "tests/support/ToothMaps.h"
 #include "tests/support/Trials.h"
@@ -19,6 +22,32 @@
 using namespace core::teeth;
 using core::ErrorCode;
 using core::mesh::TriangleMesh;
+
+namespace {
+
+/// The warnings of a report in one text.
+std::string warningsOf(const BuiltTooth& tooth)
+{
+    return std::accumulate(tooth.report.warnings.begin(), tooth.report.warnings.end(), std::string());
+}
+
+bool warns(const BuiltTooth& tooth, const QString& words)
+{
+    return QString::fromStdString(warningsOf(tooth)).contains(words);
+}
+
+/// Whether one is the other but for a share of it.
+bool agrees(double actual, double expected, double share)
+{
+    return support::near(actual, expected, share * std::abs(expected));
+}
+
+TriangleMesh boxAt(float side, float x, float y, float z)
+{
+    return support::moved(support::box(side, side, side), {x, y, z});
+}
+
+}  // namespace
 
 class TestToothBuilder : public QObject
 {
@@ -37,7 +66,7 @@ private slots:
         QVERIFY(report.undercutMm3 && *report.undercutMm3 >= 0.0);
         QVERIFY(*report.undercutMm3 < 0.05 * report.meshVolumeMm3);
         const double layers = std::accumulate(report.layersMm3.begin(), report.layersMm3.end(), 0.0);
-        QVERIFY(std::abs(layers / report.modelVolumeMm3 - 1.0) < 1e-6);
+        QVERIFY(agrees(layers, report.modelVolumeMm3, 1e-6));
         QVERIFY(report.sewnCells > 100 && report.layersMm3[0] > 0.0);
         BuildOptions sound;
         sound.caries.reset();
@@ -83,17 +112,15 @@ private slots:
             const auto tooth = buildTooth(parseSource(source.toStdString()), options);
             const core::terrain::ToothAnatomy& anatomy = *tooth->anatomy;
             Lesion lesion;
-            for (int j = 0; j < side; ++j)
-                for (int i = 0; i < side; ++i) {
-                    const std::size_t k = anatomy.grid.index(i, j);
-                    if (!(anatomy.top[k] > anatomy.bottom[k]))
-                        continue;
-                    const double volume =
-                        core::terrain::lengthsBetween(anatomy.layers[k], anatomy.bottom[k], anatomy.top[k])[0] *
-                        static_cast<double>(anatomy.areaMm2[k]);
-                    lesion.volumeMm3 += volume;
-                    lesion.centreMm += volume * anatomy.grid.nodeMm(i, j);
-                }
+            support::eachNode(anatomy.grid, [&](std::size_t k, const glm::dvec2& at) {
+                if (!(anatomy.top[k] > anatomy.bottom[k]))
+                    return;
+                const double volume =
+                    core::terrain::lengthsBetween(anatomy.layers[k], anatomy.bottom[k], anatomy.top[k])[0] *
+                    static_cast<double>(anatomy.areaMm2[k]);
+                lesion.volumeMm3 += volume;
+                lesion.centreMm += volume * at;
+            });
             lesion.centreMm /= lesion.volumeMm3;
             return lesion;
         };
@@ -103,16 +130,9 @@ private slots:
             if (!support::isNightly() && side != 64 && side != 200)
                 continue;
             const Lesion lesion = lesionOn(side);
-            const QString found = QStringLiteral("at %1: %2 mm3 instead of %3, centre off by %4 %5")
-                                      .arg(side)
-                                      .arg(lesion.volumeMm3)
-                                      .arg(expected.volumeMm3)
-                                      .arg(lesion.centreMm.x - expected.centreMm.x)
-                                      .arg(lesion.centreMm.y - expected.centreMm.y);
-            QVERIFY2(glm::distance(lesion.centreMm, expected.centreMm) < 0.1, qPrintable(found));
+            QVERIFY(support::near(glm::distance(lesion.centreMm, expected.centreMm), 0.0, 0.1));
             // What the pulp spares of a lesion over it still follows the grid: horns on a scan do.
-            const double tolerance = isScan ? 0.2 : side == 64 ? 0.05 : 0.03;
-            QVERIFY2(std::abs(lesion.volumeMm3 / expected.volumeMm3 - 1.0) < tolerance, qPrintable(found));
+            QVERIFY(agrees(lesion.volumeMm3, expected.volumeMm3, isScan ? 0.2 : side == 64 ? 0.05 : 0.03));
         }
     }
 
@@ -146,28 +166,18 @@ private slots:
             if (other->top[k] > other->bottom[k])
                 volume +=
                     static_cast<double>(other->top[k] - other->bottom[k]) * other->grid.cellMm * other->grid.cellMm;
-        qInfo("%d: model %.3f, other %.3f, mesh %.3f mm3", fdi, tooth->report.modelVolumeMm3, volume,
-              tooth->report.meshVolumeMm3);
-        QVERIFY(std::abs(tooth->report.modelVolumeMm3 / volume - 1.0) < 0.003);
+        QVERIFY(agrees(tooth->report.modelVolumeMm3, volume, 0.003));
         QVERIFY(*tooth->report.undercutMm3 > 0.0);
         QVERIFY(*tooth->report.undercutMm3 < 0.05 * tooth->report.meshVolumeMm3);
     }
 
     void openScanIsClosedBelow()
     {
-        TriangleMesh mesh = support::sphereCap(6.0F, 4.0F, 90, 30);
-        std::erase_if(mesh.triangles, [&](const auto& t) {
-            return mesh.vertices[t[0]].z == 0.0F && mesh.vertices[t[1]].z == 0.0F && mesh.vertices[t[2]].z == 0.0F;
-        });
-        const auto tooth = buildFileFrame(mesh);
+        const auto tooth = buildFileFrame(support::withoutBase(support::sphereCap(6.0F, 4.0F, 90, 30)));
         QVERIFY(tooth);
         QVERIFY(!tooth->report.closed && !tooth->report.undercutMm3);
-        const double exact = 3.14159265358979 * 16.0 * (6.0 - 4.0 / 3.0);
-        QVERIFY(std::abs(tooth->report.modelVolumeMm3 / exact - 1.0) < 0.005);
-        const QString warnings = QString::fromStdString(
-            std::accumulate(tooth->report.warnings.begin(), tooth->report.warnings.end(), std::string()));
-        QVERIFY2(warnings.contains(QStringLiteral("open below and was closed with a flat bottom, 100 mm2")),
-                 qPrintable(warnings));
+        QVERIFY(agrees(tooth->report.modelVolumeMm3, std::numbers::pi * 16.0 * (6.0 - 4.0 / 3.0), 0.005));
+        QVERIFY2(warns(*tooth, "open below and was closed with a flat bottom, 100 mm2"), warningsOf(*tooth).c_str());
     }
 
     void openScanHoldsAsMuchAsTheClampedOne_data()
@@ -179,27 +189,17 @@ private slots:
     {
         QFETCH(float, cutMm);
         const TriangleMesh whole = generateTooth(36, 0).value();
-        TriangleMesh clamped = whole;
-        for (glm::vec3& vertex : clamped.vertices)
-            vertex.z = std::max(vertex.z, cutMm);
         TriangleMesh open = whole;
         std::erase_if(open.triangles, [&](const auto& t) {
             return std::any_of(t.begin(), t.end(), [&](std::uint32_t v) { return whole.vertices[v].z < cutMm; });
         });
-        const auto expected = buildFileFrame(clamped);
+        const auto expected = buildFileFrame(support::clampedAt(whole, cutMm));
         const auto tooth = buildFileFrame(open);
         QVERIFY(expected && tooth && !tooth->report.closed);
-        QVERIFY2(std::abs(tooth->report.modelVolumeMm3 / expected->report.modelVolumeMm3 - 1.0) < 0.01,
-                 qPrintable(QStringLiteral("%1, clamped %2 mm3")
-                                .arg(tooth->report.modelVolumeMm3)
-                                .arg(expected->report.modelVolumeMm3)));
+        QVERIFY(agrees(tooth->report.modelVolumeMm3, expected->report.modelVolumeMm3, 0.01));
         for (const std::size_t material : {1U, 3U})
-            QVERIFY2(std::abs(tooth->report.layersMm3[material] - expected->report.layersMm3[material]) <
-                         0.02 * expected->report.layersMm3[material] + 1.5,
-                     qPrintable(QStringLiteral("material %1: %2, clamped %3 mm3")
-                                    .arg(material)
-                                    .arg(tooth->report.layersMm3[material])
-                                    .arg(expected->report.layersMm3[material])));
+            QVERIFY(support::near(tooth->report.layersMm3[material], expected->report.layersMm3[material],
+                                  0.02 * expected->report.layersMm3[material] + 1.5));
     }
 
     void scanWithoutItsPulpIsToldApart_data()
@@ -214,15 +214,12 @@ private slots:
     {
         QFETCH(float, cutMm);
         QFETCH(bool, hasPulp);
-        TriangleMesh mesh = generateTooth(36, 0).value();
-        for (glm::vec3& vertex : mesh.vertices)
-            vertex.z = std::max(vertex.z, cutMm);
-        const auto tooth = buildFileFrame(mesh);
+        const auto tooth = buildFileFrame(support::clampedAt(generateTooth(36, 0).value(), cutMm));
         QVERIFY(tooth);
         QCOMPARE(tooth->report.layersMm3[3] > 1.0, hasPulp);
-        const bool told = std::count(tooth->report.warnings.begin(), tooth->report.warnings.end(),
-                                     "this scan ends above the pulp: opening it cannot be judged") == 1;
-        QCOMPARE(told, !hasPulp);
+        QCOMPARE(std::count(tooth->report.warnings.begin(), tooth->report.warnings.end(),
+                            "this scan ends above the pulp: opening it cannot be judged"),
+                 hasPulp ? 0 : 1);
     }
 
     void scanOpenAboveIsRefused()
@@ -243,28 +240,23 @@ private slots:
         const auto tooth = buildFileFrame(mesh);
         QVERIFY(tooth);
         QVERIFY(!tooth->report.closed);
-        QVERIFY(std::abs(tooth->report.modelVolumeMm3 / whole - 1.0) < 1e-4);
+        QVERIFY(agrees(tooth->report.modelVolumeMm3, whole, 1e-4));
     }
 
     void undercutOfSeveralShells_data()
     {
-        QTest::addColumn<TriangleMesh>("mesh");
-        QTest::addColumn<double>("undercut");  // negative: unknown
-        const TriangleMesh box = support::box(10.0F, 10.0F, 10.0F);
-        const auto at = [](const TriangleMesh& mesh, float x, float y, float z) {
-            return support::moved(mesh, {x, y, z});
-        };
-        const TriangleMesh small = support::box(6.0F, 6.0F, 6.0F);
-        QTest::newRow("a hollow") << support::joined(box, at(support::insideOut(small), 2, 2, 2)) << 216.0;
-        QTest::newRow("solid in solid") << support::joined(box, at(small, 2, 2, 2)) << 0.0;
+        support::columns<TriangleMesh, double>("mesh", "undercut");  // negative: unknown
+        const TriangleMesh box = boxAt(10.0F, 0, 0, 0);
+        const TriangleMesh small = boxAt(6.0F, 2, 2, 2);
+        const TriangleMesh flat = support::box(10.0F, 10.0F, 4.0F);
+        QTest::newRow("a hollow") << support::joined(box, support::insideOut(small)) << 216.0;
+        QTest::newRow("solid in solid") << support::joined(box, small) << 0.0;
         QTest::newRow("one above the other")
-            << support::joined(support::box(10.0F, 10.0F, 4.0F), at(support::box(10.0F, 10.0F, 4.0F), 0, 0, 6))
-            << 200.0;
-        QTest::newRow("beside each other") << support::joined(small, at(small, 7, 0, 0)) << 0.0;
-        QTest::newRow("one sunk into the other") << support::joined(box, at(small, 2, 2, 7)) << -1.0;
+            << support::joined(flat, support::moved(flat, {0.0F, 0.0F, 6.0F})) << 200.0;
+        QTest::newRow("beside each other") << support::joined(boxAt(6.0F, 0, 0, 0), boxAt(6.0F, 7, 0, 0)) << 0.0;
+        QTest::newRow("one sunk into the other") << support::joined(box, boxAt(6.0F, 2, 2, 7)) << -1.0;
         QTest::newRow("solid in solid beside a hollow")
-            << support::joined(support::joined(box, at(support::box(2.0F, 2.0F, 2.0F), 1, 1, 1)),
-                               at(support::insideOut(support::box(2.0F, 2.0F, 2.0F)), 6, 6, 6))
+            << support::joined(support::joined(box, boxAt(2.0F, 1, 1, 1)), support::insideOut(boxAt(2.0F, 6, 6, 6)))
             << -1.0;
     }
 
@@ -276,26 +268,19 @@ private slots:
         QVERIFY(support::succeeds(tooth));
         QCOMPARE(tooth->report.undercutMm3.has_value(), undercut >= 0.0);
         if (undercut >= 0.0)
-            QVERIFY2(std::abs(*tooth->report.undercutMm3 - undercut) < 0.005 * tooth->report.modelVolumeMm3,
-                     qPrintable(QString::number(*tooth->report.undercutMm3)));
-        const bool warned =
-            std::any_of(tooth->report.warnings.begin(), tooth->report.warnings.end(),
-                        [](const std::string& w) { return w.find("may overlap") != std::string::npos; });
-        QCOMPARE(warned, undercut < 0.0);
+            QVERIFY(support::near(*tooth->report.undercutMm3, undercut, 0.005 * tooth->report.modelVolumeMm3));
+        QCOMPARE(warns(*tooth, "may overlap"), undercut < 0.0);
     }
 
     void usableMeshesWarn_data()
     {
         support::columns<TriangleMesh, QString>("mesh", "says");
-        const TriangleMesh box = support::box(8.0F, 8.0F, 8.0F);
-        QTest::newRow("inside out") << support::insideOut(box) << QStringLiteral("inside out");
-        const TriangleMesh one =
-            support::joined(box, support::moved(support::box(1.0F, 1.0F, 1.0F), {3.0F, 3.0F, 3.0F}));
-        QTest::newRow("a second shell inside")
-            << one << QStringLiteral("2 separate shells, one of them inside another;");
+        const TriangleMesh box = boxAt(8.0F, 0, 0, 0);
+        QTest::newRow("inside out") << support::insideOut(box) << "inside out";
+        const TriangleMesh one = support::joined(box, boxAt(1.0F, 3, 3, 3));
+        QTest::newRow("a second shell inside") << one << "2 separate shells, one of them inside another;";
         QTest::newRow("two shells inside")
-            << support::joined(one, support::moved(support::box(1.0F, 1.0F, 1.0F), {5.0F, 5.0F, 5.0F}))
-            << QStringLiteral("3 separate shells, 2 of them inside another;");
+            << support::joined(one, boxAt(1.0F, 5, 5, 5)) << "3 separate shells, 2 of them inside another;";
         const auto slabs = [](int count) {
             const float pitch = 8.0F / static_cast<float>(count);
             TriangleMesh all;
@@ -304,21 +289,20 @@ private slots:
                                                           {0.0F, 0.0F, pitch * static_cast<float>(k)}));
             return all;
         };
-        QTest::newRow("a shell over another") << slabs(2) << QStringLiteral("2 separate shells, none of them inside");
-        QTest::newRow("more shells than are told apart")
-            << slabs(33) << QStringLiteral("33 separate shells; the model");
-        TriangleMesh mesh = box;
-        mesh.vertices.emplace_back(4.0F, 4.0F, 6.0F);
-        mesh.triangles.push_back({4, 5, 8});
-        QTest::newRow("non-manifold") << mesh << QStringLiteral("not a manifold");
-        mesh = box;
-        std::swap(mesh.triangles[3][0], mesh.triangles[3][1]);
-        QTest::newRow("faces disagree") << mesh << QStringLiteral("disagree");
-        mesh = box;
-        mesh.triangles.push_back({1, 1, 2});
-        QTest::newRow("zero area") << mesh << QStringLiteral("zero area");
-        mesh = support::joined(box, box);
-        QTest::newRow("everything twice") << mesh << QStringLiteral("twice");
+        QTest::newRow("a shell over another") << slabs(2) << "2 separate shells, none of them inside";
+        QTest::newRow("more shells than are told apart") << slabs(33) << "33 separate shells; the model";
+        const auto withFace = [&](std::array<std::uint32_t, 3> face) {
+            TriangleMesh mesh = box;
+            mesh.vertices.emplace_back(4.0F, 4.0F, 6.0F);
+            mesh.triangles.push_back(face);
+            return mesh;
+        };
+        QTest::newRow("non-manifold") << withFace({4, 5, 8}) << "not a manifold";
+        QTest::newRow("zero area") << withFace({1, 1, 2}) << "zero area";
+        TriangleMesh flipped = box;
+        std::swap(flipped.triangles[3][0], flipped.triangles[3][1]);
+        QTest::newRow("faces disagree") << flipped << "disagree";
+        QTest::newRow("everything twice") << support::joined(box, box) << "twice";
     }
 
     void usableMeshesWarn()
@@ -327,10 +311,8 @@ private slots:
         QFETCH(QString, says);
         const auto tooth = buildFileFrame(mesh);
         QVERIFY(support::succeeds(tooth));
-        const QString warnings = QString::fromStdString(
-            std::accumulate(tooth->report.warnings.begin(), tooth->report.warnings.end(), std::string()));
-        QVERIFY2(warnings.contains(says), qPrintable(warnings));
-        QVERIFY(std::abs(tooth->report.modelVolumeMm3 / 512.0 - 1.0) < 0.005);
+        QVERIFY2(warns(*tooth, says), warningsOf(*tooth).c_str());
+        QVERIFY(agrees(tooth->report.modelVolumeMm3, 512.0, 0.005));
     }
 
     void uselessMeshesAreRefused_data()
@@ -366,10 +348,7 @@ private slots:
     void uselessMeshesAreRefused()
     {
         QFETCH(TriangleMesh, mesh);
-        const auto tooth = buildFileFrame(mesh);
-        QVERIFY(!tooth);
-        qInfo("%s", tooth.error().detail.c_str());
-        QVERIFY(tooth.error().detail.find("mesh.stl") != std::string::npos);
+        QVERIFY(support::isRefused(buildFileFrame(mesh), "mesh.stl"));
     }
 
     void sourcesAreToldApart()
@@ -383,11 +362,11 @@ private slots:
     {
         BuildOptions options;
         options.gridSide = 63;
-        QCOMPARE(buildTooth({36}, options).error().code, ErrorCode::OutOfRange);
+        QVERIFY(support::isRefused(buildTooth({36}, options), ErrorCode::OutOfRange));
         options.gridSide = 1024;
         QVERIFY(buildTooth({36}, options));
         options.cariesExtent = std::nan("");
-        QCOMPARE(buildTooth({36}, options).error().code, ErrorCode::OutOfRange);
+        QVERIFY(support::isRefused(buildTooth({36}, options), ErrorCode::OutOfRange));
     }
 
 private:
