@@ -35,6 +35,16 @@ TiledHeights with(TiledHeights map, int tileX, int tileY, float height)
     return map;
 }
 
+/// A whole tooth, moment 1, and after it strokes 1 .. n at these ticks, each so deep.
+UndoTree grown(int strokes)
+{
+    UndoTree tree;
+    tree.restart({flat(0.0F), 0});
+    for (int n = 1; n <= strokes; ++n)
+        tree.push({flat(-static_cast<float>(n)), static_cast<std::uint64_t>(n)});
+    return tree;
+}
+
 int tilesApart(const TiledHeights& a, const TiledHeights& b)
 {
     int count = 0;
@@ -121,31 +131,26 @@ private slots:
 
     void goesBackAndForth()
     {
-        UndoTree tree;
-        tree.restart({flat(0.0F), 0});
+        UndoTree tree = grown(0);
         QVERIFY(!tree.undo());
         QVERIFY(!tree.redo());
-        for (std::uint64_t n = 1; n <= 5; ++n)
-            tree.push({flat(-static_cast<float>(n)), n * 100});
+        tree = grown(5);
         QCOMPARE(tree.undoSteps(), 5);
         QCOMPARE(tree.redoSteps(), 0);
-        for (std::uint64_t n = 5; n-- > 0;) {
+        for (int n = 5; n-- > 0;) {
             QVERIFY(tree.undo());
-            QCOMPARE(tree.current().tick, n * 100);
-            QCOMPARE(tree.redoSteps(), static_cast<int>(5 - n));
+            QCOMPARE(tree.current().tick, static_cast<std::uint64_t>(n));
+            QCOMPARE(tree.redoSteps(), 5 - n);
         }
         QVERIFY(!tree.undo());
         QVERIFY(tree.redo());
-        QCOMPARE(tree.current().tick, 100U);
+        QCOMPARE(tree.current().tick, 1U);
         QCOMPARE(tree.current().top.flat(), flat(-1.0F).flat());
     }
 
     void strokeAfterUndoBeginsABranch()
     {
-        UndoTree tree;
-        tree.restart({flat(0.0F), 0});
-        for (std::uint64_t n = 1; n <= 4; ++n)
-            tree.push({flat(-static_cast<float>(n)), n});
+        UndoTree tree = grown(4);
         QVERIFY(tree.undo() && tree.undo() && tree.undo());
         tree.push({flat(-9.0F), 9});
         QCOMPARE(drawn(tree), "1<0 2<1 3<2 4<3 5<4 [6<2]");
@@ -180,10 +185,7 @@ private slots:
 
     void redoFollowsTheWayLastGone()
     {
-        UndoTree tree;
-        tree.restart({flat(0.0F), 0});
-        tree.push({flat(-1.0F), 1});
-        tree.push({flat(-2.0F), 2});  // 3
+        UndoTree tree = grown(2);
         QVERIFY(tree.undo());
         tree.push({flat(-3.0F), 3});  // 4
         QVERIFY(tree.undo());
@@ -198,10 +200,7 @@ private slots:
 
     void goesToAnyMoment()
     {
-        UndoTree tree;
-        tree.restart({flat(0.0F), 0});
-        for (std::uint64_t n = 1; n <= 3; ++n)
-            tree.push({flat(-static_cast<float>(n)), n});
+        UndoTree tree = grown(3);
         QVERIFY(tree.goTo(MomentId{2}));
         tree.push({flat(-4.0F), 4});
         tree.push({flat(-5.0F), 5});
@@ -330,10 +329,7 @@ private slots:
 
     void restartForgetsEverything()
     {
-        UndoTree tree;
-        tree.restart({flat(0.0F), 0});
-        tree.push({flat(-1.0F), 1});
-        tree.push({flat(-2.0F), 2});
+        UndoTree tree = grown(2);
         tree.restart({flat(5.0F), 0});
         QCOMPARE(tree.undoSteps(), 0);
         QCOMPARE(tree.redoSteps(), 0);

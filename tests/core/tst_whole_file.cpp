@@ -2,14 +2,15 @@
 #include <filesystem>
 
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <QDir>
-#include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
 
 #include "core/base/WholeFile.h"
 #include "tests/support/Checks.h"
+#include "tests/support/Files.h"
 #include "tests/support/FullDisk.h"
 
 using core::isSameFile;
@@ -22,33 +23,45 @@ class TestWholeFile : public QObject
 private slots:
     void replacesAnOlderFileAndLeavesNothingBeside()
     {
-        put("a", "old");
+        support::write(at("a"), "old");
         QVERIFY(writeWhole(at("a"), "new", "It"));
-        QCOMPARE(contents("a"), QByteArray("new"));
+        QCOMPARE(support::bytesOf(at("a")), std::string("new"));
         QCOMPARE(names(), QStringList{"a"});
     }
 
     void leavesFilesOfTheUserAlone()
     {
-        put("a.part", "mine");
+        support::write(at("a.part"), "mine");
         QVERIFY(QDir(m_folder.path()).mkdir("a.part1"));
         QVERIFY(writeWhole(at("a"), "newer", "It"));
-        QCOMPARE(contents("a"), QByteArray("newer"));
-        QCOMPARE(contents("a.part"), QByteArray("mine"));
+        QCOMPARE(support::bytesOf(at("a")), std::string("newer"));
+        QCOMPARE(support::bytesOf(at("a.part")), std::string("mine"));
         QCOMPARE(names(), (QStringList{"a", "a.part", "a.part1"}));
     }
 
     void aFullDiskLeavesTheOlderFile()
     {
-        put("b", "old");
+        support::write(at("b"), "old");
         const QStringList before = names();
         {
             const support::FullDisk full(100);
             QVERIFY(
                 support::isRefused(writeWhole(at("b"), std::string(200, 'x'), "It"), core::ErrorCode::FileUnwritable));
         }
-        QCOMPARE(contents("b"), QByteArray("old"));
+        QCOMPARE(support::bytesOf(at("b")), std::string("old"));
         QCOMPARE(names(), before);
+    }
+
+    void aFolderThatMayNotBeWrittenToKeepsTheOlderFile()
+    {
+        if (geteuid() == 0)
+            QSKIP("root may write into a read-only folder");
+        using std::filesystem::perms;
+        support::write(at("closed") / "file", "old");
+        std::filesystem::permissions(at("closed"), perms::owner_read | perms::owner_exec);
+        QVERIFY(!writeWhole(at("closed") / "file", "new", "It"));
+        std::filesystem::permissions(at("closed"), perms::owner_all);
+        QCOMPARE(support::bytesOf(at("closed") / "file"), std::string("old"));
     }
 
     void replacesNothingButFiles()
@@ -68,16 +81,16 @@ private slots:
 
     void writesThroughALink()
     {
-        put("target", "old");
-        QVERIFY(QFile::link(m_folder.filePath("target"), m_folder.filePath("link")));
+        support::write(at("target"), "old");
+        std::filesystem::create_symlink(at("target"), at("link"));
         QVERIFY(writeWhole(at("link"), "new", "It"));
-        QCOMPARE(contents("target"), QByteArray("new"));
+        QCOMPARE(support::bytesOf(at("target")), std::string("new"));
         QVERIFY(std::filesystem::is_symlink(at("link")));
     }
 
     void knowsTheSameFileByOtherNames()
     {
-        put("c", "");
+        support::write(at("c"), "");
         std::filesystem::create_hard_link(at("c"), at("d"));
         QVERIFY(isSameFile(at("c"), at("d")));
         QVERIFY(isSameFile(at("c"), at("folder") / ".." / "c"));
@@ -90,19 +103,6 @@ private slots:
 
 private:
     std::filesystem::path at(const char* name) const { return m_folder.filePath(name).toStdString(); }
-
-    void put(const char* name, const QByteArray& bytes)
-    {
-        QFile file(m_folder.filePath(name));
-        QVERIFY(file.open(QIODevice::WriteOnly));
-        QCOMPARE(file.write(bytes), bytes.size());
-    }
-
-    QByteArray contents(const char* name) const
-    {
-        QFile file(m_folder.filePath(name));
-        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("(cannot be read)");
-    }
 
     QStringList names() const
     {
