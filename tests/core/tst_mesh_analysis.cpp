@@ -218,58 +218,39 @@ private slots:
         }
     }
 
-    void unitIsGuessedFromTheSize_data()
-    {
-        support::columns<float, QString, bool>("scale", "unit", "warns");
-        QTest::newRow("millimetres") << 1.0F << QStringLiteral("mm") << false;
-        QTest::newRow("centimetres") << 0.1F << QStringLiteral("cm") << true;
-        QTest::newRow("metres") << 0.001F << QStringLiteral("m") << true;
-        QTest::newRow("no unit at all") << 37.0F << QStringLiteral("0.0302") << true;
-    }
-
     void unitIsGuessedFromTheSize()
     {
-        QFETCH(float, scale);
-        QFETCH(QString, unit);
-        QFETCH(bool, warns);
-        TriangleMesh mesh = support::scaled(plainTooth(), scale);
-        const MeshFacts facts = factsOf(mesh);
-        const auto placement = findPlacement(mesh, facts, {});
-        QVERIFY(placement);
-        QCOMPARE(QString::fromStdString(placement->unit.name), unit);
-        QCOMPARE(!placement->warnings.empty(), warns);
-        const double lengthMm = (facts.high.z - facts.low.z) * placement->unit.mmPerUnit;
-        QVERIFY(lengthMm > 15.0 && lengthMm < 22.0);
-
+        for (const auto& [scale, unit, warns] :
+             {std::tuple(1.0F, "mm", false), {0.1F, "cm", true}, {0.001F, "m", true}, {37.0F, "0.0302", true}}) {
+            TriangleMesh mesh = support::scaled(plainTooth(), scale);
+            const MeshFacts facts = factsOf(mesh);
+            const auto placement = findPlacement(mesh, facts, {});
+            QVERIFY(placement);
+            QCOMPARE(placement->unit.name, std::string(unit));
+            QCOMPARE(!placement->warnings.empty(), warns);
+            const double lengthMm = (facts.high.z - facts.low.z) * placement->unit.mmPerUnit;
+            QVERIFY(lengthMm > 15.0 && lengthMm < 22.0);
+        }
         TriangleMesh jaw = support::box(60.0F, 45.0F, 20.0F);
         const auto ofJaw = findPlacement(jaw, factsOf(jaw), {});
         QVERIFY(ofJaw && ofJaw->unit.name == "mm" && !ofJaw->warnings.empty());
         QVERIFY(ofJaw->unitDoubtful);
     }
 
-    void crownIsFoundWhateverTheAxes_data()
-    {
-        support::columns<int, bool>("axis", "crownUp");
-        for (int axis = 0; axis < 3; ++axis)
-            for (const bool up : {true, false})
-                QTest::addRow("%c%c", up ? '+' : '-', 'x' + axis) << axis << up;
-    }
-
     void crownIsFoundWhateverTheAxes()
     {
-        QFETCH(int, axis);
-        QFETCH(bool, crownUp);
-        TriangleMesh mesh = plainTooth();
-        for (glm::vec3& v : mesh.vertices) {
-            v = axis == 0 ? glm::vec3(v.z, v.x, v.y) : axis == 1 ? glm::vec3(v.y, v.z, v.x) : v;
-            v = crownUp ? v : -v;  // mirrored too: no matter here
+        for (const char* crown : {"+x", "-x", "+y", "-y", "+z", "-z"}) {
+            TriangleMesh mesh = plainTooth();
+            for (glm::vec3& v : mesh.vertices) {
+                v = crown[1] == 'x' ? glm::vec3(v.z, v.x, v.y) : crown[1] == 'y' ? glm::vec3(v.y, v.z, v.x) : v;
+                v = crown[0] == '+' ? v : -v;  // mirrored too: no matter here
+            }
+            if (crown[0] == '-')
+                mesh = support::insideOut(std::move(mesh));
+            const auto placement = findPlacement(mesh, factsOf(mesh), {});
+            QVERIFY(placement);
+            QCOMPARE(std::string(nameOf(placement->up)), std::string(crown));
         }
-        if (!crownUp)
-            mesh = support::insideOut(std::move(mesh));
-        const auto placement = findPlacement(mesh, factsOf(mesh), {});
-        QVERIFY(placement);
-        QCOMPARE(QString::fromStdString(std::string(nameOf(placement->up))),
-                 QString::fromLatin1(QTest::currentDataTag()));
     }
 
     void openingAndFlatBaseTellTheCrown()

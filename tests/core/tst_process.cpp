@@ -13,7 +13,6 @@
 #include "tests/support/Checks.h"
 #include "tests/support/Rig.h"
 #include "tests/support/SyntheticTooth.h"
-#include "tests/support/Tables.h"
 
 using namespace core;
 using grading::Process;
@@ -210,66 +209,47 @@ private slots:
         QVERIFY(near(p.longestPauseS, 1.001));
     }
 
-    void forceOverTime_data()
-    {
-        support::columns<double, double>("limitN", "overS");
-        QTest::newRow("low limit") << 0.5 << 9.0;
-        QTest::newRow("limit between") << 1.5 << 4.0;
-        QTest::newRow("limit above all") << 9.0 << 0.0;
-    }
-
     void forceOverTime()
     {
         // 1 N for 5 s, 2 N for 3.6 s, 4 N for 0.4 s: of what is over the time, not over the ticks.
-        QFETCH(double, limitN);
-        QFETCH(double, overS);
-        ProcessMeter meter(limitN);
-        give(meter, cutting({}, 1.0), 2500, 2ms);
-        give(meter, inAir(true), 777);
-        give(meter, touching(false, 2.0), 3600);
-        give(meter, cutting({}, 4.0), 400);
-        const Process p = meter.process();
-        const double mean = (5.0 + 7.2 + 1.6) / 9.0;
-        QVERIFY(near(p.force->meanN, mean));
-        QVERIFY(near(p.force->sdN, std::sqrt((5.0 + 14.4 + 6.4) / 9.0 - mean * mean)));
-        QVERIFY(near(p.force->largestN, 4.0));
-        QVERIFY(near(p.force->p95N, 2.0, 0.02));  // a bin
-        QVERIFY(near(p.overLimitS, overS));
-        give(meter, cutting({}, 4.0), 200);  // now more than 5 % of the time
-        QVERIFY(near(meter.process().force->p95N, 4.0, 0.02));
+        for (const auto& [limitN, overS] : {std::pair(0.5, 9.0), {1.5, 4.0}, {9.0, 0.0}}) {
+            ProcessMeter meter(limitN);
+            give(meter, cutting({}, 1.0), 2500, 2ms);
+            give(meter, inAir(true), 777);
+            give(meter, touching(false, 2.0), 3600);
+            give(meter, cutting({}, 4.0), 400);
+            const Process p = meter.process();
+            const double mean = (5.0 + 7.2 + 1.6) / 9.0;
+            QVERIFY(near(p.force->meanN, mean));
+            QVERIFY(near(p.force->sdN, std::sqrt((5.0 + 14.4 + 6.4) / 9.0 - mean * mean)));
+            QVERIFY(near(p.force->largestN, 4.0));
+            QVERIFY(near(p.force->p95N, 2.0, 0.02));  // a bin
+            QVERIFY(near(p.overLimitS, overS));
+            give(meter, cutting({}, 4.0), 200);  // now more than 5 % of the time
+            QVERIFY(near(meter.process().force->p95N, 4.0, 0.02));
+        }
         // Beyond the histogram.
-        ProcessMeter strong(limitN);
+        ProcessMeter strong(2.0);
         give(strong, cutting({}, 25.0), 100);
         QVERIFY(near(strong.process().force->largestN, 25.0));
         QVERIFY(near(strong.process().force->p95N, 25.0));
     }
 
-    void jerkOfASwing_data()
-    {
-        support::columns<double, double, double>("hertz", "countMm", "share");
-        QTest::newRow("1 Hz") << 1.0 << 0.0 << 0.03;
-        QTest::newRow("2 Hz") << 2.0 << 0.0 << 0.1;
-        QTest::newRow("1 Hz, read in counts") << 1.0 << 0.05 << 0.06;
-        QTest::newRow("2 Hz, read in counts") << 2.0 << 0.05 << 0.1;
-    }
-
+    /// A swing of 1 mm, also as read in counts: the jerk is omega^3 A cos, its root mean square omega^3 A / sqrt 2. A
+    /// backward difference of counts of 0.05 mm at 1 kHz would say 10^7 mm/s3.
     void jerkOfASwing()
     {
-        // A swing of 1 mm: the jerk is omega^3 A cos, its root mean square omega^3 A / sqrt 2. A backward difference of
-        // counts of 0.05 mm at 1 kHz would say 10^7 mm/s3.
-        QFETCH(double, hertz);
-        QFETCH(double, countMm);
-        QFETCH(double, share);
-        ProcessMeter meter(2.0);
-        const double omega = 2.0 * kPi * hertz;
-        for (int n = 0; n < 20'000; ++n) {
-            double x = std::sin(omega * 0.001 * n);
-            if (countMm > 0.0)
-                x = countMm * std::round(x / countMm);
-            meter.take(cutting({x, 3.0, 0.0}), 1ms);
+        for (const auto& [hertz, countMm, share] :
+             {std::tuple(1.0, 0.0, 0.03), {2.0, 0.0, 0.1}, {1.0, 0.05, 0.06}, {2.0, 0.05, 0.1}}) {
+            ProcessMeter meter(2.0);
+            const double omega = 2.0 * kPi * hertz;
+            for (int n = 0; n < 20'000; ++n) {
+                const double x = std::sin(omega * 0.001 * n);
+                meter.take(cutting({countMm > 0.0 ? countMm * std::round(x / countMm) : x, 3.0, 0.0}), 1ms);
+            }
+            const double expected = omega * omega * omega / std::numbers::sqrt2;
+            QVERIFY(near(meter.process().jerkMmPerS3.value(), expected, share * expected));
         }
-        const double expected = omega * omega * omega / std::numbers::sqrt2;
-        QVERIFY(near(meter.process().jerkMmPerS3.value(), expected, share * expected));
     }
 
     void evenMotionHasNoJerk()

@@ -293,22 +293,8 @@ private slots:
                              static_cast<double>(b.at(a.width - 1 - column, row)), 1.0e-4));
     }
 
-    void neighboursTouch_data()
-    {
-        support::columns<int, int>("fdi", "count");
-        QTest::newRow("molar") << 36 << 2;
-        QTest::newRow("central incisor") << 21 << 2;
-        QTest::newRow("third molar") << 38 << 1;
-    }
-
     void neighboursTouch()
     {
-        QFETCH(int, fdi);
-        QFETCH(int, count);
-        const Tooth tooth(support::builtTooth(fdi));
-        const auto neighbours = neighboursOf(*tooth.anatomy);
-        QVERIFY(neighbours.has_value());
-        QCOMPARE(static_cast<int>(neighbours->size()), count);
         // Seen from above, the nearest columns of two teeth lie beside each other: neither apart nor one in the other.
         const auto outline = [](const XrayedTooth& xrayed) {
             std::vector<glm::dvec2> nodes;
@@ -319,16 +305,22 @@ private slots:
             });
             return nodes;
         };
-        const std::vector<glm::dvec2> own = outline({&tooth});
-        for (const Neighbour& neighbour : *neighbours) {
-            QCOMPARE(neighbour.placeMm.x < 0.0, &neighbour == &neighbours->front());
-            double gap = 1.0e9;
-            for (const glm::dvec2& other : outline(neighbour.xrayed()))
-                for (const glm::dvec2& mine : own)
-                    if (std::abs(other.y - mine.y) < 0.06)
-                        gap = std::min(gap, std::abs(other.x - mine.x));
-            QVERIFY2(gap > 0.03 && gap < 0.2, qPrintable(QString::number(gap)));
-            QCOMPARE(neighbour.mirrored, neighbour.tooth.anatomy->fdi == fdi);
+        for (const auto& [fdi, count] : {std::pair(36, 2), {21, 2}, {38, 1}}) {
+            const Tooth tooth(support::builtTooth(fdi));
+            const auto neighbours = neighboursOf(*tooth.anatomy);
+            QVERIFY(neighbours.has_value());
+            QCOMPARE(static_cast<int>(neighbours->size()), count);
+            const std::vector<glm::dvec2> own = outline({&tooth});
+            for (const Neighbour& neighbour : *neighbours) {
+                QCOMPARE(neighbour.placeMm.x < 0.0, &neighbour == &neighbours->front());
+                double gap = 1.0e9;
+                for (const glm::dvec2& other : outline(neighbour.xrayed()))
+                    for (const glm::dvec2& mine : own)
+                        if (std::abs(other.y - mine.y) < 0.06)
+                            gap = std::min(gap, std::abs(other.x - mine.x));
+                QVERIFY2(gap > 0.03 && gap < 0.2, qPrintable(QString("%1: %2").arg(fdi).arg(gap)));
+                QCOMPARE(neighbour.mirrored, neighbour.tooth.anatomy->fdi == fdi);
+            }
         }
     }
 

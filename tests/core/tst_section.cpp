@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -11,7 +12,6 @@
 #include "tests/support/Checks.h"
 #include "tests/support/Scenes.h"
 #include "tests/support/SyntheticTooth.h"
-#include "tests/support/Tables.h"
 
 using namespace core;
 using namespace core::terrain;
@@ -138,25 +138,17 @@ private slots:
         }
     }
 
-    void aPlaneRunsWhereItsAngleSays_data()
-    {
-        support::columns<double, double, double, double, double>("angleRad", "throughY", "x", "y", "along");
-        QTest::newRow("mesio-distal") << 0.0 << -0.7 << 1.5 << -0.7 << 1.5;
-        QTest::newRow("bucco-lingual") << kQuarter << -0.7 << 0.4 << 2.5 << 2.5;
-        QTest::newRow("half way") << kQuarter / 2 << -0.4 << 0.9 << 0.1 << 1.0 / std::numbers::sqrt2;
-    }
-
     void aPlaneRunsWhereItsAngleSays()
     {
-        QFETCH(double, angleRad);
-        QFETCH(double, throughY);
-        QFETCH(double, x);
-        QFETCH(double, y);
-        QFETCH(double, along);
-        const SectionPlane plane{{0.4, throughY}, angleRad};
-        QVERIFY(near(plane.alongMm({x, y}), along));
-        QVERIFY(near(plane.pointMm(along).x, x));
-        QVERIFY(near(plane.pointMm(along).y, y));
+        // Mesio-distal, bucco-lingual, half way.
+        for (const auto& [angleRad, throughY, point, along] :
+             {std::tuple(0.0, -0.7, glm::dvec2(1.5, -0.7), 1.5),
+              {kQuarter, -0.7, glm::dvec2(0.4, 2.5), 2.5},
+              {kQuarter / 2, -0.4, glm::dvec2(0.9, 0.1), 1.0 / std::numbers::sqrt2}}) {
+            const SectionPlane plane{{0.4, throughY}, angleRad};
+            QVERIFY(near(plane.alongMm(point), along));
+            QVERIFY(near(glm::distance(plane.pointMm(along), point), 0.0));
+        }
     }
 
     void parallelSectionsAddUpToTheVolumes()
@@ -218,26 +210,16 @@ private slots:
             QVERIFY(!sample.wasTooth && sample.present.count == 0);
     }
 
-    void nearestPulpIsFoundInEveryDirection_data()
-    {
-        support::columns<double, double, double, double>("x", "y", "z", "distance");
-        QTest::newRow("above") << 0.3 << -0.8 << -1.5 << 3.5;
-        QTest::newRow("below") << 0.0 << 0.0 << -9.0 << 2.0;
-        QTest::newRow("beside") << 2.2 << 0.5 << -6.0 << 1.0;
-        QTest::newRow("over an edge") << -1.5 << 0.0 << -4.6 << 0.5;
-        QTest::newRow("over a corner") << 1.4 << 1.5 << -4.4 << 0.7;
-        QTest::newRow("inside") << 1.1 << -1.1 << -6.9 << 0.0;
-    }
-
     void nearestPulpIsFoundInEveryDirection()
     {
-        QFETCH(double, x);
-        QFETCH(double, y);
-        QFETCH(double, z);
-        QFETCH(double, distance);
         const imaging::PulpChamber pulp(*block());
-        const glm::dvec3 point(x, y, z);
-        QVERIFY(near(glm::length(pulp.nearest(point).value() - point), distance));
+        for (const auto& [where, point, distance] : {std::tuple("above", glm::dvec3(0.3, -0.8, -1.5), 3.5),
+                                                     {"below", glm::dvec3(0.0, 0.0, -9.0), 2.0},
+                                                     {"beside", glm::dvec3(2.2, 0.5, -6.0), 1.0},
+                                                     {"over an edge", glm::dvec3(-1.5, 0.0, -4.6), 0.5},
+                                                     {"over a corner", glm::dvec3(1.4, 1.5, -4.4), 0.7},
+                                                     {"inside", glm::dvec3(1.1, -1.1, -6.9), 0.0}})
+            QVERIFY2(near(glm::distance(pulp.nearest(point).value(), point), distance), where);
     }
 
     void nearestPulpAgreesWithASlowSearch()

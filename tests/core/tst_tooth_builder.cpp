@@ -136,39 +136,31 @@ private slots:
         }
     }
 
-    void scanAgreesWithAnIndependentRasteriser_data()
-    {
-        support::columns<int, QString>("fdi", "up");
-        QTest::newRow("36") << 36 << QStringLiteral("+y");
-        QTest::newRow("24") << 24 << QStringLiteral("-y");
-        QTest::newRow("21") << 21 << QStringLiteral("-y");
-    }
-
     void scanAgreesWithAnIndependentRasteriser()
     {
-        QFETCH(int, fdi);
-        QFETCH(QString, up);
-        const std::string path = support::sharedData("teeth/dundee_" + std::to_string(fdi) + ".obj");
-        if (path.empty())
-            QSKIP("shared/data is absent");
-        BuildOptions options;
-        options.fdi = fdi;
-        options.placement.unit = core::mesh::LengthUnit{"10.5", 10.5};
-        const auto tooth = buildTooth({std::filesystem::path(path)}, options);
-        QVERIFY(tooth);
-        QCOMPARE(QString::fromStdString(std::string(core::mesh::nameOf(tooth->report.placement.up))), up);
-        // The other one chooses grid and axes itself, so volumes are compared: at full cells, hence the coarse
-        // tolerance.
-        const auto other = support::scanMaps(fdi, 400);
-        QVERIFY(other);
-        double volume = 0.0;
-        for (std::size_t k = 0; k < other->top.size(); ++k)
-            if (other->top[k] > other->bottom[k])
-                volume +=
-                    static_cast<double>(other->top[k] - other->bottom[k]) * other->grid.cellMm * other->grid.cellMm;
-        QVERIFY(agrees(tooth->report.modelVolumeMm3, volume, 0.003));
-        QVERIFY(*tooth->report.undercutMm3 > 0.0);
-        QVERIFY(*tooth->report.undercutMm3 < 0.05 * tooth->report.meshVolumeMm3);
+        for (const auto& [fdi, up] : {std::pair(36, "+y"), {24, "-y"}, {21, "-y"}}) {
+            const std::string path = support::sharedData("teeth/dundee_" + std::to_string(fdi) + ".obj");
+            if (path.empty())
+                QSKIP("shared/data is absent");
+            BuildOptions options;
+            options.fdi = fdi;
+            options.placement.unit = core::mesh::LengthUnit{"10.5", 10.5};
+            const auto tooth = buildTooth({std::filesystem::path(path)}, options);
+            QVERIFY(tooth);
+            QCOMPARE(std::string(core::mesh::nameOf(tooth->report.placement.up)), std::string(up));
+            // The other one chooses grid and axes itself, so volumes are compared: at full cells, hence the coarse
+            // tolerance.
+            const auto other = support::scanMaps(fdi, 400);
+            QVERIFY(other);
+            double volume = 0.0;
+            for (std::size_t k = 0; k < other->top.size(); ++k)
+                if (other->top[k] > other->bottom[k])
+                    volume +=
+                        static_cast<double>(other->top[k] - other->bottom[k]) * other->grid.cellMm * other->grid.cellMm;
+            QVERIFY(agrees(tooth->report.modelVolumeMm3, volume, 0.003));
+            QVERIFY(*tooth->report.undercutMm3 > 0.0);
+            QVERIFY(*tooth->report.undercutMm3 < 0.05 * tooth->report.meshVolumeMm3);
+        }
     }
 
     void openScanIsClosedBelow()
@@ -202,24 +194,17 @@ private slots:
                                   0.02 * expected->report.layersMm3[material] + 1.5));
     }
 
-    void scanWithoutItsPulpIsToldApart_data()
-    {
-        support::columns<float, bool>("cutMm", "hasPulp");
-        QTest::newRow("above the chamber") << -4.0F << false;
-        QTest::newRow("through the chamber") << -7.0F << true;
-        QTest::newRow("whole") << -100.0F << true;
-    }
-
     void scanWithoutItsPulpIsToldApart()
     {
-        QFETCH(float, cutMm);
-        QFETCH(bool, hasPulp);
-        const auto tooth = buildFileFrame(support::clampedAt(generateTooth(36, 0).value(), cutMm));
-        QVERIFY(tooth);
-        QCOMPARE(tooth->report.layersMm3[3] > 1.0, hasPulp);
-        QCOMPARE(std::count(tooth->report.warnings.begin(), tooth->report.warnings.end(),
-                            "this scan ends above the pulp: opening it cannot be judged"),
-                 hasPulp ? 0 : 1);
+        // Above the chamber, through it, whole.
+        for (const auto& [cutMm, hasPulp] : {std::pair(-4.0F, false), {-7.0F, true}, {-100.0F, true}}) {
+            const auto tooth = buildFileFrame(support::clampedAt(generateTooth(36, 0).value(), cutMm));
+            QVERIFY(tooth);
+            QCOMPARE(tooth->report.layersMm3[3] > 1.0, hasPulp);
+            QCOMPARE(std::count(tooth->report.warnings.begin(), tooth->report.warnings.end(),
+                                "this scan ends above the pulp: opening it cannot be judged"),
+                     hasPulp ? 0 : 1);
+        }
     }
 
     void scanOpenAboveIsRefused()
