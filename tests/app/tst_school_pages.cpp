@@ -77,6 +77,7 @@ private slots:
     void anAdminEntersAndChangesPeople();
     void aClassListIsSeenBeforeItIsEntered();
     void aBackupIsMadeCheckedAndRestored();
+    void aRestoreLogsOutNobodyElse();
     void aNetworkDriveIsForOneAndIsBackedUp();
     void theAuditShowsWhatWasDone();
 
@@ -933,6 +934,29 @@ void TestSchoolPages::aBackupIsMadeCheckedAndRestored()
                    "WHERE a.action = 'backup.restored' AND p.username = 'admin'"),
              1);
     logIn("admin");
+}
+
+/// Nobody is logged out if the restore is refused, or if the admin who asked for it has left.
+void TestSchoolPages::aRestoreLogsOutNobodyElse()
+{
+    start();
+    logIn("admin");
+    openAdminPage(AdminPage::Backups);
+    QTRY_COMPARE_WITH_TIMEOUT(child<QTableView>("backups")->model()->rowCount(), 1, kPatienceMs);  // today's
+    {
+        const OtherStation elsewhere(file());
+        emit child<ui::admin::BackupPart>()->restoreWanted(backups().front());
+        QTRY_VERIFY2_WITH_TIMEOUT(backupSaid().contains("was not restored"), qPrintable(backupSaid()), kPatienceMs);
+        QVERIFY(!isAtDoor());
+        QCOMPARE(actions().account->text(), QString("admin"));
+    }
+    emit child<ui::admin::BackupPart>()->restoreWanted(backups().front());
+    logOut();  // before the backup has been looked at
+    logIn("sam");
+    QTRY_VERIFY2_WITH_TIMEOUT(backupSaid().isEmpty(), qPrintable(backupSaid()), kPatienceMs);
+    QCOMPARE(actions().account->text(), QString("sam"));
+    QVERIFY(!isAtDoor());
+    QCOMPARE(count("audit WHERE action = 'backup.restored'"), 0);
 }
 
 /// The one connection that such a file allows does everything.

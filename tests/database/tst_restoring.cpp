@@ -158,6 +158,7 @@ private slots:
     void whatIsNotWholeIsNoBackup();
     void aBackupThatCannotBeMigratedReplacesNothing();
     void aDamagedDatabaseIsNotBackedUp();
+    void whatAKilledBackupLeavesGoesWithTheNext();
     void aBackupOfAnotherSchoolIsNotRestored();
     void theNewestSoundBackupIsOffered();
     void nothingIsRestoredUnderAnotherProgram();
@@ -317,6 +318,23 @@ void TestRestoring::aDamagedDatabaseIsNotBackedUp()
         VERIFY_REFUSED(refused, ErrorCode::BadStructure);
     }
     QCOMPARE(there(), QStringList{"school.sqlite"});
+}
+
+/// What is younger than a day may be of a backup that another program is making.
+void TestRestoring::whatAKilledBackupLeavesGoesWithTheNext()
+{
+    const auto leave = [this](const QString& name, int hoursAgo) {
+        QFile part(at(name));
+        QVERIFY(part.open(QIODevice::WriteOnly));
+        QVERIFY(part.setFileTime(QDateTime::currentDateTimeUtc().addSecs(-3600 * hoursAgo),
+                                 QFileDevice::FileModificationTime));
+    };
+    leave("backup-2026-11-01-10.00.00.sqlite.part-old", 25);
+    leave("backup-2026-11-01-10.00.00.sqlite.part-old-journal", 25);
+    leave("backup-2026-11-01-10.00.00.sqlite.part-young", 23);
+    VERIFY_DONE(backUp(m_rig.school().db, m_folder->path(), m_now));
+    QCOMPARE(there("*.part-*"), QStringList{"backup-2026-11-01-10.00.00.sqlite.part-young"});
+    QCOMPARE(backupsIn(m_folder->path()).size(), 1);
 }
 
 void TestRestoring::aBackupOfAnotherSchoolIsNotRestored()
