@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
 
 #include "core/base/Rng.h"
 #include "database/Passwords.h"
@@ -23,8 +26,8 @@ using namespace database;
 using namespace database::sql;
 
 const std::string kDoing = "make up a school";
-constexpr std::int64_t kToldEvery = 5000;
 constexpr int kDays = 180;
+constexpr int kClassSize = 35;
 constexpr std::array kGiven{"Ada", "Ben", "Chloe", "Dan", "Emi", "Finn", "Grace", "Hugo", "Ines", "Jun", "Kim", "Lea"};
 constexpr std::array kFamily{"Abe",  "Bauer", "Costa",  "Diaz", "Endo",  "Fischer", "Garcia",
                              "Hart", "Ito",   "Jansen", "Kato", "Lopez", "Meyer",   "Nowak"};
@@ -38,23 +41,25 @@ struct Student
     std::vector<int> done;  ///< attempts at each lesson
 };
 
-class SampleMaker
+class Maker
 {
 public:
-    SampleMaker(const School& school, const Session& admin, const SampleSize& size,
-                const std::vector<lessons::Lesson>& lessons)
-        : m_school(school), m_admin(admin), m_size(size), m_lessons(lessons), m_rng(size.seed)
-    {}
-
-    core::Status make(const std::function<void(std::int64_t)>& progress)
+    Maker(const School& school, const Session& admin, std::uint64_t seed)
+        : m_school(school), m_admin(admin), m_seed(seed), m_rng(seed)
     {
-        auto done = inTransaction(m_school.db, kDoing, [this] { return enterPeople(); });
-        for (std::int64_t k = 0; done && k < m_size.attempts; ++k) {
+        for (const lessons::CatalogEntry& entry : lessons::readCatalog({}))
+            if (entry.read.lesson)
+                m_lessons.push_back(*entry.read.lesson);
+    }
+
+    core::Status make(int students, std::int64_t attempts)
+    {
+        auto done = inTransaction(m_school.db, kDoing, [this, students] { return enterPeople(students); });
+        for (std::int64_t k = 0; done && k < attempts; ++k) {
+            const double share = static_cast<double>(k) / static_cast<double>(attempts);
             Student& student = m_students[pick(m_students.size())];
-            if (auto kept = deliverAttempt(m_school, attemptOf(student, pick(m_lessons.size()), k), {}); !kept)
+            if (auto kept = deliverAttempt(m_school, attemptOf(student, pick(m_lessons.size()), share), {}); !kept)
                 done = tl::unexpected(kept.error());
-            if (progress && (k + 1) % kToldEvery == 0)
-                progress(k + 1);
         }
         return done;
     }
@@ -63,38 +68,39 @@ private:
     double uniform() { return m_rng.uniform(); }
     std::size_t pick(std::size_t count) { return static_cast<std::size_t>(m_rng.below(static_cast<int>(count))); }
 
-    core::Status enterPeople()
+    core::Status enterPeople(int students)
     {
         AuditBatch audit(m_school);
         ClassId ofClass;
-        for (int k = 0; k < m_size.students; ++k) {
-            if (k % m_size.classSize == 0) {
-                const std::string teacherName = QStringLiteral("teacher%1").arg(k / m_size.classSize + 1).toStdString();
-                const auto made = classNamed(m_school, audit, m_admin.uid(),
-                                             QStringLiteral("Year %1").arg(k / m_size.classSize + 1).toStdString());
-                const auto teacher =
-                    enter(m_school, audit, m_admin.uid(), {teacherName, "Tess", teacherName, Role::Instructor}, {});
-                if (!made || !teacher)
-                    return tl::unexpected(made ? teacher.error() : made.error());
+        const auto add = [&](const NewPerson& who) -> core::Result<Person> {
+            auto entered = enter(m_school, audit, m_admin.uid(), who, {});
+            if (entered)
+                if (auto put = putInto(m_school, audit, m_admin.uid(), ofClass, entered->id); !put)
+                    return tl::unexpected(put.error());
+            return entered;
+        };
+        for (int k = 0; k < students; ++k) {
+            if (k % kClassSize == 0) {
+                const std::string number = std::to_string(k / kClassSize + 1);
+                const auto made = classNamed(m_school, audit, m_admin.uid(), "Year " + number);
+                if (!made)
+                    return tl::unexpected(made.error());
                 ofClass = *made;
-                if (auto put = putInto(m_school, audit, m_admin.uid(), ofClass, teacher->id); !put)
-                    return put;
+                if (auto teacher = add({"teacher" + number, "Tess", "teacher" + number, Role::Instructor}); !teacher)
+                    return tl::unexpected(teacher.error());
             }
             const std::string name = QStringLiteral("s%1").arg(k + 1, 4, 10, QLatin1Char('0')).toStdString();
             const auto student =
-                enter(m_school, audit, m_admin.uid(),
-                      {name, kGiven.at(pick(kGiven.size())), kFamily.at(pick(kFamily.size())), Role::Student}, {});
+                add({name, kGiven.at(pick(kGiven.size())), kFamily.at(pick(kFamily.size())), Role::Student});
             if (!student)
                 return tl::unexpected(student.error());
-            if (auto put = putInto(m_school, audit, m_admin.uid(), ofClass, student->id); !put)
-                return put;
             m_students.push_back({student->id, student->uid, 0.3 + 0.5 * uniform(), 0.03 + 0.3 * uniform(),
                                   std::vector<int>(m_lessons.size())});
         }
         return audit.seal();
     }
 
-    AttemptRecord attemptOf(Student& student, std::size_t lesson, std::int64_t number)
+    AttemptRecord attemptOf(Student& student, std::size_t lesson, double share)
     {
         const int before = student.done[lesson]++;
         const double skill = 1.0 - (1.0 - student.talent) * std::exp(-student.learning * before);
@@ -102,7 +108,6 @@ private:
         record.uid = newUid();
         record.person = student.id;
         record.personUid = student.uid;
-        const double share = static_cast<double>(number) / static_cast<double>(m_size.attempts);
         record.finishedUtc = m_school.nowUtc()
                                  .addSecs(static_cast<qint64>(-86400.0 * kDays * (1.0 - share)))
                                  .toString(Qt::ISODate)
@@ -131,7 +136,7 @@ private:
         record.method = "continuous";
         record.grid = 150;
         record.viewMode = "flat";
-        record.seed = std::to_string(m_size.seed);
+        record.seed = std::to_string(m_seed);
         record.preset = "natural v1";
         record.program = "sample";
         record.meanForceMn = static_cast<int>(600.0 + 900.0 * uniform());
@@ -141,24 +146,13 @@ private:
 
     const School& m_school;
     const Session& m_admin;
-    const SampleSize& m_size;
-    const std::vector<lessons::Lesson>& m_lessons;
+    std::uint64_t m_seed;
     core::Rng m_rng;
+    std::vector<lessons::Lesson> m_lessons;
     std::vector<Student> m_students;
 };
 
 }  // namespace
-
-core::Status makeSample(const School& school, const Session& admin, const SampleSize& size,
-                        const std::vector<lessons::Lesson>& lessons, const std::function<void(std::int64_t)>& progress)
-{
-    // A disk that fails meanwhile costs a school that can be made up again.
-    const char* const hurry =
-        dialect::isPostgres(school.db) ? "SET synchronous_commit = off" : "PRAGMA synchronous = OFF";
-    if (auto set = execute(school.db, hurry, kDoing); !set)
-        return set;
-    return SampleMaker(school, admin, size, lessons).make(progress);
-}
 
 core::Result<std::string> makeSchool(const QString& where, const SampleSize& size)
 {
@@ -170,12 +164,14 @@ core::Result<std::string> makeSchool(const QString& where, const SampleSize& siz
     const auto admin = Logins::createFirstAdmin(school, {"admin", "", "", Role::Admin}, password, PasswordCost{});
     if (!admin)
         return tl::unexpected(admin.error());
-    std::vector<lessons::Lesson> lessons;
-    for (const lessons::CatalogEntry& entry : lessons::readCatalog({}))
-        if (entry.read.lesson)
-            lessons.push_back(*entry.read.lesson);
-    if (auto made = makeSample(school, *admin, size, lessons); !made)
-        return tl::unexpected(made.error());
+    // If the disk fails meanwhile, the school can be made up again.
+    const char* const hurry =
+        dialect::isPostgres(school.db) ? "SET synchronous_commit = off" : "PRAGMA synchronous = OFF";
+    auto done = execute(school.db, hurry, kDoing);
+    if (done)
+        done = Maker(school, *admin, size.seed).make(size.students, size.attempts);
+    if (!done)
+        return tl::unexpected(done.error());
     return password;
 }
 

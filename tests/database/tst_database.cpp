@@ -9,18 +9,32 @@
 #include <QTest>
 #include <QUrl>
 #include <sys/stat.h>
-#include <unistd.h>
 
+#include "core/base/Rng.h"
 #include "database/FileSystem.h"
 #include "database/sql/Database.h"
 #include "database/sql/Dialect.h"
 #include "database/sql/Migrations.h"
 #include "database/sql/Statement.h"
 #include "tests/database/SchoolRig.h"
+#include "tests/support/Tables.h"
 
+using namespace database;
 using namespace database::sql;
 using core::ErrorCode;
 using namespace std::chrono_literals;
+
+/// Refused in a sentence that contains the words and the path.
+#define REFUSED(path, expected, words)                                                                                 \
+    for (const QString& part : {QString(words), QString(path)})                                                        \
+    VERIFY_REFUSED(Database::open(path, 10ms), expected, part.toStdString())
+
+/// Where an empty database is, of the row's engine; skips where there is no server.
+#define WHERE(name, file)                                                                                              \
+    QFETCH(bool, onServer);                                                                                            \
+    if (onServer)                                                                                                      \
+        NEEDS_SERVER();                                                                                                \
+    const QString name = onServer ? support::sharedServer().newDatabase() : at(file)
 
 class TestDatabase : public QObject
 {
@@ -29,40 +43,393 @@ class TestDatabase : public QObject
 private slots:
     void init() { QVERIFY(m_folder.emplace().isValid()); }
 
-    void createsTheNewestSchemaWithItsSettings();
-    void everyTableIsStrict();
-    void drivesOfThisComputerAreKnown();
-    void aNetworkDriveIsForOneAtATime();
-    void aSecondConnectionTakesNoLockAway();
-    void opensItsOwnFileAgain();
-    void refusesAPlaceThatIsNone();
-    void refusesAPlaceThatCannotBeWritten();
-    void refusesWhatIsNotADatabase();
-    void refusesADatabaseOfAnotherProgram();
-    void namesAServerWithItsPort();
-    void refusesADamagedFile();
-    void refusesARowThatNoProgramOfOursWrites();
+    void createsTheNewestSchemaWithItsSettings()
+    {
+        const auto database = Database::open(at("new.db")).value();
+        QCOMPARE(ask(*database, "PRAGMA journal_mode").toString(), QStringLiteral("wal"));
+        QCOMPARE(ask(*database, "PRAGMA integrity_check").toString(), QStringLiteral("ok"));
+        for (const auto& [setting, value] :
+             {std::pair("synchronous", 2), std::pair("foreign_keys", 1), std::pair("busy_timeout", 5000),
+              std::pair("trusted_schema", 0), std::pair("cell_size_check", 1), std::pair("secure_delete", 1),
+              std::pair("wal_autocheckpoint", 1000), std::pair("application_id", int{dialect::kApplicationId}),
+              std::pair("user_version", static_cast<int>(shippedMigrations()->size()))})
+            QVERIFY2(ask(*database, QStringLiteral("PRAGMA ") + setting) == value, setting);
+    }
+
+    /// A text is never kept where a number belongs.
+    void everyTableIsStrict()
+    {
+        const auto database = Database::open(at("strict.db")).value();
+        const QString ours =
+            "FROM pragma_table_list WHERE schema = 'main' AND type = 'table' AND name NOT LIKE 'sqlite_%'";
+        QVERIFY(ask(*database, "SELECT count(*) " + ours).toInt() >= 16);
+        QCOMPARE(ask(*database, "SELECT group_concat(name) " + ours + " AND strict = 0").toString(), QString());
+        // And that is what it means.
+        QSqlQuery query(database->handle());
+        QVERIFY(!query.exec("INSERT INTO failed_logins VALUES ('x', 'many', 0)"));
+        QVERIFY(query.exec("INSERT INTO failed_logins VALUES ('x', 1, 0)"));
+    }
+
+    /// As the system tells of them, not as a test would have them.
+    void drivesOfThisComputerAreKnown()
+    {
+        for (const char* folder : {"/dev/shm", "/proc"})
+            if (QFileInfo(folder).isDir())
+                QVERIFY2(fileSystemOf(QLatin1String(folder) + "/cusp.db") == FileSystem::Local, folder);
+        // The folder counts, whether or not the file is there.
+        const QByteArray kind = QStorageInfo(m_folder->path()).fileSystemType();
+        const QByteArrayList network{"nfs", "nfs4", "cifs", "smb3", "9p", "afs", "ceph", "lustre", "vboxsf"};
+        const bool isNetwork = network.contains(kind) || kind.startsWith("fuse");
+        QVERIFY2((fileSystemOf(at("cusp.db")) == FileSystem::Network) == isNetwork, kind.constData());
+        QVERIFY(fileSystemOf(at("nowhere/cusp.db")) == FileSystem::Local);
+        // And it is what a database goes by that nobody has told otherwise.
+        const auto database = Database::open(at("here.db")).value();
+        QCOMPARE(database->allowsOthers(), !isNetwork);
+    }
+
+    /// SQLite's write-ahead log needs memory that a network drive does not share.
+    void aNetworkDriveIsForOneAtATime()
+    {
+        Database::Options options;
+        options.patience = 10ms;
+        const auto there = Address::parse(at("drive.db")).value();
+        // What lay on a disk before, and has a write-ahead log.
+        QVERIFY(Database::open(there, options).has_value());
+        options.fileSystemOf = [](const QString&) { return FileSystem::Network; };
+        {
+            const auto database = Database::open(there, options).value();
+            QVERIFY(!database->allowsOthers());
+            QVERIFY(database->notice().find("network drive") != std::string::npos);
+            QCOMPARE(ask(*database, "PRAGMA journal_mode").toString(), QStringLiteral("delete"));
+            QCOMPARE(ask(*database, "PRAGMA locking_mode").toString(), QStringLiteral("exclusive"));
+            QCOMPARE(ask(*database, "PRAGMA synchronous").toInt(), 2);
+            QVERIFY(!QFile::exists(at("drive.db-wal")));
+            VERIFY_REFUSED(Database::open(there, options), ErrorCode::OpenElsewhere, "network drive");
+        }
+        const auto next = Database::open(at("drive.db")).value();
+        QVERIFY(next->allowsOthers());
+        QCOMPARE(ask(*next, "PRAGMA journal_mode").toString(), QStringLiteral("wal"));
+    }
+
+    /// To close any descriptor of a file drops the locks of the whole program on it: another program that ended then
+    /// took the write-ahead log away beneath this one.
+    void aSecondConnectionTakesNoLockAway()
+    {
+        const auto first = Database::open(at("held.db")).value();
+        QCOMPARE(ask(*first, "SELECT count(*) FROM attempts").toInt(), 0);
+        struct stat info
+        {};
+        QCOMPARE(stat(QFile::encodeName(at("held.db")).constData(), &info), 0);
+        const QByteArray inode = ':' + QByteArray::number(static_cast<qulonglong>(info.st_ino)) + ' ';
+        const auto locks = [&] { return bytes("/proc/locks").count(inode); };
+        const auto held = locks();
+        if (held == 0)
+            QSKIP("this system does not tell of its locks");
+        QVERIFY(Database::open(at("held.db")).has_value());
+        QCOMPARE(locks(), held);
+        // Nor does whoever asks whether the file is a database of ours.
+        QVERIFY(!Database::open(m_folder->path()).has_value());
+        QCOMPARE(locks(), held);
+    }
+
+    void opensItsOwnFileAgain()
+    {
+        for (int round = 0; round < 3; ++round) {
+            const auto database = Database::open(at("again.db")).value();
+            QCOMPARE(ask(*database, "SELECT count(*) FROM attempts").toInt(), 0);
+        }
+        write(at("empty.db"), {});
+        QVERIFY(Database::open(at("empty.db")).has_value());
+    }
+
+    void refusesAPlaceThatIsNone()
+    {
+        REFUSED(m_folder->path(), ErrorCode::FileUnreadable, "this is a folder");
+        REFUSED(at("missing/new.db"), ErrorCode::FileMissing, "the folder does not exist");
+        QVERIFY(!QFileInfo::exists(at("missing")));
+    }
+
+    void refusesAPlaceThatCannotBeWritten()
+    {
+        // /proc refuses new files to everyone, root included.
+        const QString proc = QStringLiteral("/proc/cusp.db");
+        if (QFileInfo(QStringLiteral("/proc")).isDir())
+            REFUSED(proc, ErrorCode::FileUnwritable, "choose a folder that exists and is writable");
+
+        QVERIFY(chmod(qPrintable(m_folder->path()), 0555) == 0);
+        const auto openAgain = qScopeGuard([this] { QCOMPARE(chmod(qPrintable(m_folder->path()), 0700), 0); });
+        const auto back = support::asNobody();
+        REFUSED(at("locked-folder.db"), ErrorCode::FileUnwritable, "choose a folder that exists and is writable");
+        REFUSED(at("missing/deep/new.db"), ErrorCode::FileUnwritable, "none can be created in " + m_folder->path());
+    }
+
+    void refusesWhatIsNotADatabase()
+    {
+        const QByteArray letter = "Dear Sir or Madam, this is no database at all, however long it may go on.";
+        write(at("letter.db"), letter);
+        REFUSED(at("letter.db"), ErrorCode::WrongKind, "not a database");
+        QCOMPARE(bytes(at("letter.db")), letter);
+        write(at("short.db"), "SQL");
+        REFUSED(at("short.db"), ErrorCode::WrongKind, "not a database");
+        // The right first line and nothing behind it.
+        write(at("liar.db"), QByteArray("SQLite format 3", 16) + QByteArray(200, 'x'));
+        QVERIFY(!Database::open(at("liar.db"), 10ms).has_value());
+    }
+
+    void refusesADatabaseOfAnotherProgram()
+    {
+        VERIFY_DONE(execute(support::RawFile(at("other.db")).handle(), "CREATE TABLE music (title TEXT)", "make it"));
+        const QByteArray before = bytes(at("other.db"));
+        REFUSED(at("other.db"), ErrorCode::WrongKind, "belongs to another program");
+        QCOMPARE(bytes(at("other.db")), before);
+    }
+
+    /// As it was given, so that it can be used again.
+    void namesAServerWithItsPort()
+    {
+        if (!QSqlDatabase::isDriverAvailable("QPSQL"))
+            QSKIP("this computer cannot speak with PostgreSQL");
+        REFUSED("postgresql://cusp@127.0.0.1:1/school", ErrorCode::ConnectionLost, "does not answer");
+        const QString folder = QString(QUrl::toPercentEncoding(at("no-socket")));
+        REFUSED("postgresql://cusp@" + folder + ":1/school", ErrorCode::ConnectionLost, "does not answer");
+    }
+
+    void refusesADamagedFile()
+    {
+        {
+            const auto database = Database::open(at("hurt.db")).value();
+            VERIFY_DONE(execute(database->handle(),
+                                "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 400) "
+                                "INSERT INTO attempts (finished_utc, tooth, score_tenths, duration_ms, uid, device, "
+                                "state_hash) SELECT '2026-11-20T10:15:00Z', '36', 80, 1, i, 'a device of some length "
+                                "to fill a page or two', '0123456789abcdef' FROM n",
+                                "fill it"));
+        }
+        QByteArray content = bytes(at("hurt.db"));
+        QVERIFY(content.size() > 5 * 4096);
+        // A page in the middle of the table overwritten.
+        content.replace(3 * 4096, 4096, QByteArray(4096, '\x5A'));
+        write(at("hurt.db"), content);
+        REFUSED(at("hurt.db"), ErrorCode::BadStructure, "restore a backup");
+    }
+
+    /// And does not call the file damaged: its disk is sound.
+    void refusesARowThatNoProgramOfOursWrites()
+    {
+        support::SchoolRig rig(support::populatedSchool(false));
+        rig.run({"PRAGMA ignore_check_constraints = ON",
+                 "INSERT INTO audit SELECT -3, at_utc, actor, action, object, detail, hash FROM audit WHERE seq = 1"});
+        rig.close();
+        VERIFY_REFUSED(Database::open(rig.address(), 200ms), ErrorCode::BadStructure,
+                       "a row of the table audit holds what");
+    }
+
     void refusesWhatIsFromTheFuture_data() { support::addEngines(); }
-    void refusesWhatIsFromTheFuture();
-    void whatAServerConfirmsIsOnItsDisk_data();
-    void whatAServerConfirmsIsOnItsDisk();
-    void aServerThatWasStoppedIsAway();
-    void whomAServerDoesNotLetInIsTold();
-    void aServersOwnFunctionsAreFoundFirst_data();
-    void aServersOwnFunctionsAreFoundFirst();
-    void saysWhoHoldsTheLock();
+    void refusesWhatIsFromTheFuture()
+    {
+        WHERE(where, "future.db");
+        {
+            const auto database = Database::open(where).value();
+            VERIFY_DONE(dialect::setSchemaVersion(database->handle(), 99));
+        }
+        const QByteArray before = bytes(at("future.db"));
+        const auto refused = Database::open(where, 10ms);
+        VERIFY_REFUSED(refused, ErrorCode::NewerVersion, "later program");
+        QVERIFY(onServer || refused.error().detail.find(where.toStdString()) != std::string::npos);
+        QCOMPARE(bytes(at("future.db")), before);
+    }
+
+    void whatAServerConfirmsIsOnItsDisk_data()
+    {
+        support::columns<QString, QString>("set", "used");
+        for (const auto& [set, used] :
+             {std::pair("off", "on"), {"on", "on"}, {"local", "local"}, {"remote_apply", "remote_apply"}})
+            QTest::newRow(set) << set << used;
+    }
+
+    void whatAServerConfirmsIsOnItsDisk()
+    {
+        QFETCH(QString, set);
+        NEEDS_SERVER();
+        support::SchoolRig rig(true);
+        QVERIFY(rig.isOpen());
+        rig.run({"ALTER DATABASE " + rig.database().address().name + " SET synchronous_commit = " + set});
+        rig.reopen();
+        QVERIFY(rig.isOpen());
+        QTEST(ask(rig.database(), "SHOW synchronous_commit").toString(), "used");
+    }
+
+    /// It takes leave of each connection with words like those for whom it does not let in.
+    void aServerThatWasStoppedIsAway()
+    {
+        NEEDS_SERVER();
+        auto& server = support::sharedServer();
+        support::SchoolRig rig(true);
+        QVERIFY(rig.isOpen());
+        const auto look = [&rig] { return sql::ask(rig.school().db, "SELECT 1", "look"); };
+        for (const bool isUpAgain : {false, true}) {
+            VERIFY_DONE(look());
+            server.stop();
+            QVERIFY(!isUpAgain || server.start());
+            QVERIFY(rig.database().handle().isOpen());
+            VERIFY_REFUSED(look(), ErrorCode::ConnectionLost, "does not answer; check the network");
+            QVERIFY(!rig.database().answers());
+            if (!isUpAgain) {
+                VERIFY_REFUSED(rig.database().reconnect(), ErrorCode::ConnectionLost);
+                QVERIFY(server.start());
+            }
+            VERIFY_DONE(rig.database().reconnect());
+            QVERIFY(rig.database().answers());
+        }
+    }
+
+    void whomAServerDoesNotLetInIsTold()
+    {
+        NEEDS_SERVER();
+        support::SchoolRig rig(true);
+        QVERIFY(rig.isOpen());
+        const QString name = rig.database().address().name;
+        VERIFY_REFUSED(Database::open(QString(rig.address()).replace("school@", "nobody@")), ErrorCode::ServerRefuses);
+        VERIFY_REFUSED(Database::open(rig.address() + "0"), ErrorCode::ServerRefuses);
+        const QString role = "closed_" + name;
+        VERIFY_DONE(execute(rig.school().db, "CREATE ROLE " + role, "make it"));
+        const auto refused = Database::open(QString(rig.address()).replace("school@", role + '@'));
+        VERIFY_DONE(execute(rig.school().db, "DROP ROLE " + role, "drop it"));
+        VERIFY_REFUSED(refused, ErrorCode::ServerRefuses, "not permitted to log in");
+    }
+
+    void aServersOwnFunctionsAreFoundFirst_data() { support::rows<QString>("home", {"public", "Cusp \"2\""}); }
+
+    /// Who owns a database may set what its sessions begin with.
+    void aServersOwnFunctionsAreFoundFirst()
+    {
+        QFETCH(QString, home);
+        NEEDS_SERVER();
+        const QString where = support::sharedServer().newDatabase();
+        const QString name = Address::parse(where)->name;
+        const QString quoted = '"' + QString(home).replace('"', "\"\"") + '"';
+        {
+            const auto database = Database::open(where).value();
+            for (const QString& sql :
+                 {QStringLiteral("ALTER SCHEMA public RENAME TO %1"), QStringLiteral("CREATE SCHEMA first"),
+                  QStringLiteral("CREATE TABLE first.people AS SELECT 1 AS id"),
+                  QStringLiteral(
+                      "CREATE FUNCTION %1.substr(text, int) RETURNS text LANGUAGE sql AS $$ SELECT 'made up' $$"),
+                  QStringLiteral("ALTER DATABASE %2 SET search_path = nowhere, first, %1, pg_catalog")})
+                if (home != u"public" || !sql.contains("RENAME"))
+                    VERIFY_DONE(
+                        execute(database->handle(), QString(sql).replace("%1", quoted).replace("%2", name), "set it"));
+        }
+        const auto database = Database::open(where).value();
+        QCOMPARE(ask(*database, "SELECT substr('abc', 2)").toString(), QStringLiteral("bc"));
+        QCOMPARE(ask(*database, "SELECT current_schema()").toString(), home);
+        QCOMPARE(ask(*database, "SELECT count(*) FROM people").toInt(), 0);
+        VERIFY_DONE(database->reconnect());
+        QCOMPARE(ask(*database, "SELECT substr('abc', 2)").toString(), QStringLiteral("bc"));
+    }
+
+    void saysWhoHoldsTheLock()
+    {
+        const auto holder = Database::open(at("busy.db")).value();
+        const auto waiter = Database::open(at("busy.db"), 10ms).value();
+        VERIFY_DONE(execute(holder->handle(), "BEGIN IMMEDIATE", "hold it"));
+        std::vector<Migration> further = *shippedMigrations();
+        further.push_back({static_cast<int>(further.size()) + 1, "CREATE TABLE later (id {row_id}) {table_options};"});
+        VERIFY_REFUSED(migrate(waiter->handle(), further), ErrorCode::Busy, "another program is writing");
+        VERIFY_DONE(execute(holder->handle(), "ROLLBACK", "let it go"));
+        VERIFY_DONE(migrate(waiter->handle(), further));
+    }
+
     void brokenStepLeavesAllAsItWas_data() { support::addEngines(); }
-    void brokenStepLeavesAllAsItWas();
-    void stepsThatWereShippedAreNeverEdited();
-    void stepsRunInOrderAndOnlyOnce();
-    void survivesRandomDamage();
+    void brokenStepLeavesAllAsItWas()
+    {
+        WHERE(where, "broken.db");
+        const auto database = Database::open(where).value();
+        const QSqlDatabase db = database->handle();
+        std::vector<Migration> steps = *shippedMigrations();
+        const int before = static_cast<int>(steps.size());
+        steps.push_back({before + 1, "CREATE TABLE half (id {row_id}) {table_options};\nCREATE NONSENSE;\n"});
+
+        QVERIFY(!migrate(db, steps).has_value());
+        QCOMPARE(dialect::schemaVersion(db).value(), before);
+        QVERIFY(!db.tables().contains("half"));
+
+        steps.back().sql = "CREATE TABLE half (id {row_id}) {table_options};\n";
+        VERIFY_DONE(migrate(db, steps));
+        QCOMPARE(dialect::schemaVersion(db).value(), before + 1);
+        QVERIFY(db.tables().contains("half"));
+    }
+
+    /// Whoever edits a step that schools have taken makes new schools unlike those, and no migration brings them
+    /// together. What is to be otherwise goes into a step of its own, with the next number; that one gets its line
+    /// below (sha256sum database/migrations/*.sql), in the commit that adds it.
+    void stepsThatWereShippedAreNeverEdited()
+    {
+        const QByteArrayList asShipped{
+            "d0cd6d8c966ab68d88423640e48d7476827c394ee4a665fba95add47620fffce",  // 0001_attempts.sql
+            "88902679a6534ce6164b8da6463a8ef1c94ef74f179871df4af8ca34ab1dd715",  // 0002_lessons.sql
+            "1598f18b4d5e8ca0d49114d4d97000beea976e79666251aec011335d100c8cae",  // 0003_people.sql
+            "42e2a0d549de1cc59e0007d26641971e9bb160f6a0b1a258782f1798633a4a25",  // 0004_attempts_of_people.sql
+            "237cdca8e5b5c491635d71741fe7cbf37306ee5bb1de98a30c449cf746208f74",  // 0005_presets_and_audit.sql
+            "cc63a51f32da2d503c5a188886edbc6077ea45deafb36afcbe63332e5c449b8a",  // 0006_exam_starts.sql
+            "a2214c4df6915b12d232e0cfda9250b36b40d1bed498daab1d4b7a13256f8a29",  // 0007_withdrawn_comments.sql
+            "50e780a091ed98cac13d30c67bb3ff1eb14ad38fa7a208d719821b2c61c0dde4",  // 0008_class_pages.sql
+            // the next one
+        };
+        const auto steps = shippedMigrations();
+        VERIFY_DONE(steps);
+        for (const Migration& step : *steps) {
+            const QByteArray now = QCryptographicHash::hash(step.sql.toUtf8(), QCryptographicHash::Sha256).toHex();
+            QVERIFY2(step.number <= asShipped.size(),
+                     qPrintable(QStringLiteral("step %1 is new: it gets a line here, %2").arg(step.number).arg(now)));
+            QVERIFY2(now == asShipped[step.number - 1],
+                     qPrintable(QStringLiteral("step %1 was edited; add a new one instead").arg(step.number)));
+        }
+        QCOMPARE(static_cast<qsizetype>(steps->size()), asShipped.size());
+    }
+
+    void stepsRunInOrderAndOnlyOnce()
+    {
+        std::vector<Migration> more = *shippedMigrations();
+        QVERIFY(!more.empty());
+        for (std::size_t k = 0; k < more.size(); ++k)
+            QCOMPARE(more[k].number, static_cast<int>(k) + 1);
+        const auto database = Database::open(at("twice.db")).value();
+        const int base = static_cast<int>(more.size());
+        more.push_back({base + 1, "CREATE TABLE marks (mark {int64} NOT NULL) {table_options};\n"
+                                  "-- a comment; with a semicolon\nINSERT INTO marks VALUES (1);\n"});
+        more.push_back({base + 2, "INSERT INTO marks\n  VALUES (2);\n"});
+        for (int round = 0; round < 2; ++round)
+            VERIFY_DONE(migrate(database->handle(), more));
+        QCOMPARE(ask(*database, "SELECT count(*) FROM marks").toInt(), 2);
+    }
+
+    void survivesRandomDamage()
+    {
+        VERIFY_DONE(Database::open(at("whole.db")));
+        const QByteArray whole = bytes(at("whole.db"));
+        core::Rng rng(20261120);
+        const auto anyPlace = [&rng](const QByteArray& in) { return rng.below(static_cast<int>(in.size())); };
+        for (int round = 0; round < 100; ++round) {
+            QByteArray damaged = whole;
+            for (int flip = 0; flip < 8; ++flip)
+                damaged[anyPlace(damaged)] = static_cast<char>(rng.below(256));
+            if (round % 4 == 0)
+                damaged.truncate(anyPlace(damaged));
+            write(at("flipped.db"), damaged);
+            QFile::remove(at("flipped.db-wal"));
+            QFile::remove(at("flipped.db-shm"));
+            const auto opened = Database::open(at("flipped.db"), 10ms);
+            if (!opened)
+                QVERIFY2(!opened.error().detail.empty(), "a refusal without a sentence");
+        }
+    }
 
 private:
     QString at(const char* name) const { return m_folder->filePath(name); }
-    static QVariant ask(const Database& database, const QString& sql)
+    static QVariant ask(const Database& database, const QString& query)
     {
-        QSqlQuery query(database.handle());
-        return query.exec(sql) && query.next() ? query.value(0) : QVariant();
+        return sql::ask(database.handle(), query, "look").value_or(QVariant());
     }
     static QByteArray bytes(const QString& path)
     {
@@ -78,492 +445,6 @@ private:
 
     std::optional<QTemporaryDir> m_folder;
 };
-
-#define REFUSED(path, expected, words)                                                                                 \
-    do {                                                                                                               \
-        const auto refused = Database::open(path, 10ms);                                                               \
-        QVERIFY(!refused.has_value());                                                                                 \
-        QVERIFY2(refused.error().code == (expected), refused.error().detail.c_str());                                  \
-        QVERIFY2(QString::fromStdString(refused.error().detail).contains(words), refused.error().detail.c_str());      \
-        QVERIFY2(QString::fromStdString(refused.error().detail).contains(path), refused.error().detail.c_str());       \
-    } while (false)
-
-/// Where an empty database is, of the row's engine; skips where there is no server.
-#define WHERE(name, file)                                                                                              \
-    if (onServer && !support::sharedServer().fault().isEmpty())                                                        \
-        QSKIP(qPrintable(support::sharedServer().fault()));                                                            \
-    const QString name = onServer ? support::sharedServer().newDatabase() : at(file)
-
-void TestDatabase::createsTheNewestSchemaWithItsSettings()
-{
-    const auto database = Database::open(at("new.db"));
-    QVERIFY2(database.has_value(), database ? "" : database.error().detail.c_str());
-    QCOMPARE(ask(**database, "PRAGMA journal_mode").toString(), QStringLiteral("wal"));
-    QCOMPARE(ask(**database, "PRAGMA synchronous").toInt(), 2);
-    QCOMPARE(ask(**database, "PRAGMA foreign_keys").toInt(), 1);
-    QCOMPARE(ask(**database, "PRAGMA busy_timeout").toInt(), 5000);
-    QCOMPARE(ask(**database, "PRAGMA trusted_schema").toInt(), 0);
-    QCOMPARE(ask(**database, "PRAGMA cell_size_check").toInt(), 1);
-    QCOMPARE(ask(**database, "PRAGMA secure_delete").toInt(), 1);
-    QCOMPARE(ask(**database, "PRAGMA wal_autocheckpoint").toInt(), 1000);
-    QCOMPARE(ask(**database, "PRAGMA application_id").toInt(), dialect::kApplicationId);
-    QCOMPARE(ask(**database, "PRAGMA user_version").toInt(), static_cast<int>(shippedMigrations()->size()));
-    QCOMPARE(ask(**database, "PRAGMA integrity_check").toString(), QStringLiteral("ok"));
-}
-
-/// A text is never kept where a number belongs.
-void TestDatabase::everyTableIsStrict()
-{
-    const auto database = Database::open(at("strict.db"));
-    QVERIFY(database.has_value());
-    const QString ours = "FROM pragma_table_list WHERE schema = 'main' AND type = 'table' AND name NOT LIKE 'sqlite_%'";
-    QVERIFY(ask(**database, "SELECT count(*) " + ours).toInt() >= 16);
-    QCOMPARE(ask(**database, "SELECT group_concat(name) " + ours + " AND strict = 0").toString(), QString());
-    // And that is what it means.
-    QSqlQuery query((*database)->handle());
-    QVERIFY(!query.exec("INSERT INTO failed_logins VALUES ('x', 'many', 0)"));
-    QVERIFY(query.exec("INSERT INTO failed_logins VALUES ('x', 1, 0)"));
-}
-
-/// As the system tells of them, not as a test would have them.
-void TestDatabase::drivesOfThisComputerAreKnown()
-{
-    using database::FileSystem;
-    using database::fileSystemOf;
-    for (const char* folder : {"/dev/shm", "/proc"})
-        if (QFileInfo(folder).isDir())
-            QVERIFY2(fileSystemOf(QLatin1String(folder) + "/cusp.db") == FileSystem::Local, folder);
-    // The folder counts, whether or not the file is there.
-    const QByteArray kind = QStorageInfo(m_folder->path()).fileSystemType();
-    const QByteArrayList network{"nfs", "nfs4", "cifs", "smb3", "9p", "afs", "ceph", "lustre", "vboxsf"};
-    const bool isNetwork = network.contains(kind) || kind.startsWith("fuse");
-    QVERIFY2((fileSystemOf(at("cusp.db")) == FileSystem::Network) == isNetwork, kind.constData());
-    QVERIFY(fileSystemOf(at("nowhere/cusp.db")) == FileSystem::Local);
-    // And it is what a database goes by that nobody has told otherwise.
-    const auto database = Database::open(at("here.db"));
-    QVERIFY(database.has_value());
-    QCOMPARE((*database)->allowsOthers(), !isNetwork);
-}
-
-/// SQLite's write-ahead log needs memory that a network drive does not share.
-void TestDatabase::aNetworkDriveIsForOneAtATime()
-{
-    Database::Options options;
-    options.patience = 10ms;
-    const auto there = database::Address::parse(at("drive.db")).value();
-    // What lay on a disk before, and has a write-ahead log.
-    QVERIFY(Database::open(there, options).has_value());
-    options.fileSystemOf = [](const QString&) { return database::FileSystem::Network; };
-    {
-        const auto database = Database::open(there, options);
-        QVERIFY(database.has_value());
-        QVERIFY(!(*database)->allowsOthers());
-        QVERIFY((*database)->notice().find("network drive") != std::string::npos);
-        QCOMPARE(ask(**database, "PRAGMA journal_mode").toString(), QStringLiteral("delete"));
-        QCOMPARE(ask(**database, "PRAGMA locking_mode").toString(), QStringLiteral("exclusive"));
-        QCOMPARE(ask(**database, "PRAGMA synchronous").toInt(), 2);
-        QVERIFY(!QFile::exists(at("drive.db-wal")));
-        const auto second = Database::open(there, options);
-        QVERIFY(!second.has_value());
-        QVERIFY2(second.error().code == ErrorCode::OpenElsewhere, second.error().detail.c_str());
-        QVERIFY2(second.error().detail.find("network drive") != std::string::npos, second.error().detail.c_str());
-    }
-    const auto next = Database::open(at("drive.db"));
-    QVERIFY(next.has_value());
-    QVERIFY((*next)->allowsOthers());
-    QCOMPARE(ask(**next, "PRAGMA journal_mode").toString(), QStringLiteral("wal"));
-}
-
-/// To close any descriptor of a file drops the locks of the whole program on it: another program that ended then took
-/// the write-ahead log away beneath this one.
-void TestDatabase::aSecondConnectionTakesNoLockAway()
-{
-    const auto first = Database::open(at("held.db"));
-    QVERIFY(first.has_value());
-    QCOMPARE(ask(**first, "SELECT count(*) FROM attempts").toInt(), 0);
-    struct stat info
-    {};
-    QCOMPARE(stat(QFile::encodeName(at("held.db")).constData(), &info), 0);
-    const QByteArray inode = ':' + QByteArray::number(static_cast<qulonglong>(info.st_ino)) + ' ';
-    const auto locks = [&] { return bytes("/proc/locks").count(inode); };
-    const auto held = locks();
-    if (held == 0)
-        QSKIP("this system does not tell of its locks");
-    QVERIFY(Database::open(at("held.db")).has_value());
-    QCOMPARE(locks(), held);
-    // Nor does whoever asks whether the file is a database of ours.
-    QVERIFY(!Database::open(m_folder->path()).has_value());
-    QCOMPARE(locks(), held);
-}
-
-void TestDatabase::opensItsOwnFileAgain()
-{
-    for (int round = 0; round < 3; ++round) {
-        const auto database = Database::open(at("again.db"));
-        QVERIFY(database.has_value());
-        QCOMPARE(ask(**database, "SELECT count(*) FROM attempts").toInt(), 0);
-    }
-    write(at("empty.db"), {});
-    QVERIFY(Database::open(at("empty.db")).has_value());
-}
-
-void TestDatabase::refusesAPlaceThatIsNone()
-{
-    REFUSED(m_folder->path(), ErrorCode::FileUnreadable, "this is a folder");
-    REFUSED(at("missing/new.db"), ErrorCode::FileMissing, "the folder does not exist");
-    QVERIFY(!QFileInfo::exists(at("missing")));
-}
-
-void TestDatabase::refusesAPlaceThatCannotBeWritten()
-{
-    // /proc refuses new files to everyone, root included.
-    const QString proc = QStringLiteral("/proc/cusp.db");
-    if (QFileInfo(QStringLiteral("/proc")).isDir())
-        REFUSED(proc, ErrorCode::FileUnwritable, "choose a folder that exists and is writable");
-
-    QVERIFY(chmod(qPrintable(m_folder->path()), 0555) == 0);
-    // To root no folder is closed.
-    constexpr uid_t kNobody = 65534;
-    const uid_t me = geteuid();
-    QCOMPARE(me == 0 ? seteuid(kNobody) : 0, 0);
-    const auto back = qScopeGuard([this, me] {
-        QCOMPARE(seteuid(me), 0);
-        QCOMPARE(chmod(qPrintable(m_folder->path()), 0700), 0);
-    });
-    REFUSED(at("locked-folder.db"), ErrorCode::FileUnwritable, "choose a folder that exists and is writable");
-    REFUSED(at("missing/deep/new.db"), ErrorCode::FileUnwritable, "none can be created in " + m_folder->path());
-}
-
-void TestDatabase::refusesWhatIsNotADatabase()
-{
-    const QByteArray letter = "Dear Sir or Madam, this is no database at all, however long it may go on.";
-    write(at("letter.db"), letter);
-    REFUSED(at("letter.db"), ErrorCode::WrongKind, "not a database");
-    QCOMPARE(bytes(at("letter.db")), letter);
-    write(at("short.db"), "SQL");
-    REFUSED(at("short.db"), ErrorCode::WrongKind, "not a database");
-    // The right first line and nothing behind it.
-    write(at("liar.db"), QByteArray("SQLite format 3", 16) + QByteArray(200, 'x'));
-    QVERIFY(!Database::open(at("liar.db"), 10ms).has_value());
-}
-
-void TestDatabase::refusesADatabaseOfAnotherProgram()
-{
-    {
-        QSqlDatabase other = QSqlDatabase::addDatabase("QSQLITE", "other");
-        other.setDatabaseName(at("other.db"));
-        QVERIFY(other.open());
-        QSqlQuery query(other);
-        QVERIFY(query.exec("CREATE TABLE music (title TEXT)"));
-    }
-    QSqlDatabase::removeDatabase("other");
-    const QByteArray before = bytes(at("other.db"));
-    REFUSED(at("other.db"), ErrorCode::WrongKind, "belongs to another program");
-    QCOMPARE(bytes(at("other.db")), before);
-}
-
-/// As it was given, so that it can be used again.
-void TestDatabase::namesAServerWithItsPort()
-{
-    if (!QSqlDatabase::isDriverAvailable("QPSQL"))
-        QSKIP("this computer cannot speak with PostgreSQL");
-    REFUSED("postgresql://cusp@127.0.0.1:1/school", ErrorCode::ConnectionLost, "does not answer");
-    const QString folder = QString(QUrl::toPercentEncoding(at("no-socket")));
-    REFUSED("postgresql://cusp@" + folder + ":1/school", ErrorCode::ConnectionLost, "does not answer");
-}
-
-/// And does not call the file damaged: its disk is sound.
-void TestDatabase::refusesARowThatNoProgramOfOursWrites()
-{
-    support::SchoolRig rig(false);
-    rig.populate();
-    for (const char* sql : {"PRAGMA ignore_check_constraints = ON",
-                            "INSERT INTO audit SELECT -3, at_utc, actor, action, object, detail, hash FROM audit WHERE "
-                            "seq = 1"})
-        VERIFY_DONE(execute(rig.school().db, QLatin1String(sql), "slip a row in"));
-    const QString file = rig.address();
-    rig.close();
-    const auto refused = Database::open(file, 200ms);
-    VERIFY_REFUSED(refused, ErrorCode::BadStructure);
-    QVERIFY2(refused.error().detail.find("a row of the table audit holds what") != std::string::npos,
-             refused.error().detail.c_str());
-}
-
-void TestDatabase::refusesADamagedFile()
-{
-    {
-        const auto database = Database::open(at("hurt.db"));
-        QVERIFY(database.has_value());
-        QSqlQuery query((*database)->handle());
-        for (int row = 0; row < 400; ++row)
-            QVERIFY(
-                query.exec(QStringLiteral("INSERT INTO attempts (finished_utc, tooth, score_tenths, duration_ms, uid, "
-                                          "device, state_hash) VALUES ('2026-11-20T10:15:00Z', '36', 80, 1, '%1', "
-                                          "'a device of some length to fill a page or two', '0123456789abcdef')")
-                               .arg(row)));
-    }
-    QByteArray content = bytes(at("hurt.db"));
-    QVERIFY(content.size() > 5 * 4096);
-    // A page in the middle of the table overwritten.
-    content.replace(3 * 4096, 4096, QByteArray(4096, '\x5A'));
-    write(at("hurt.db"), content);
-    REFUSED(at("hurt.db"), ErrorCode::BadStructure, "restore a backup");
-}
-
-void TestDatabase::refusesWhatIsFromTheFuture()
-{
-    QFETCH(bool, onServer);
-    WHERE(where, "future.db");
-    {
-        const auto database = Database::open(where);
-        QVERIFY(database.has_value());
-        VERIFY_DONE(dialect::setSchemaVersion((*database)->handle(), 99));
-    }
-    const QByteArray before = bytes(at("future.db"));
-    const auto refused = Database::open(where, 10ms);
-    VERIFY_REFUSED(refused, ErrorCode::NewerVersion);
-    QVERIFY2(refused.error().detail.find("later program") != std::string::npos, refused.error().detail.c_str());
-    QVERIFY(onServer || refused.error().detail.find(where.toStdString()) != std::string::npos);
-    QCOMPARE(bytes(at("future.db")), before);
-}
-
-void TestDatabase::whatAServerConfirmsIsOnItsDisk_data()
-{
-    QTest::addColumn<QString>("set");
-    QTest::addColumn<QString>("used");
-    QTest::newRow("not waited for") << "off"
-                                    << "on";
-    QTest::newRow("as it comes") << "on"
-                                 << "on";
-    QTest::newRow("on this disk") << "local"
-                                  << "local";
-    QTest::newRow("on two disks") << "remote_apply"
-                                  << "remote_apply";
-}
-
-void TestDatabase::whatAServerConfirmsIsOnItsDisk()
-{
-    QFETCH(QString, set);
-    if (!support::sharedServer().fault().isEmpty())
-        QSKIP(qPrintable(support::sharedServer().fault()));
-    support::SchoolRig rig(true);
-    QVERIFY(rig.isOpen());
-    const auto asked = [&rig](const char* what) {
-        return database::sql::ask(rig.school().db, what, "ask")->toString();
-    };
-    VERIFY_DONE(execute(
-        rig.school().db,
-        QStringLiteral("ALTER DATABASE %1 SET synchronous_commit = %2").arg(asked("SELECT current_database()"), set),
-        "set it"));
-    rig.reopen();
-    QVERIFY(rig.isOpen());
-    QTEST(asked("SHOW synchronous_commit"), "used");
-}
-
-/// It takes leave of each connection with words like those for whom it does not let in.
-void TestDatabase::aServerThatWasStoppedIsAway()
-{
-    auto& server = support::sharedServer();
-    if (!server.fault().isEmpty())
-        QSKIP(qPrintable(server.fault()));
-    support::SchoolRig rig(true);
-    QVERIFY(rig.isOpen());
-    const auto look = [&] { return database::sql::ask(rig.school().db, "SELECT 1", "look"); };
-    for (const bool isUpAgain : {false, true}) {
-        VERIFY_DONE(look());
-        server.stop();
-        QVERIFY(!isUpAgain || server.start());
-        QVERIFY(rig.database().handle().isOpen());
-        const auto lost = look();
-        VERIFY_REFUSED(lost, ErrorCode::ConnectionLost);
-        QVERIFY2(lost.error().detail.find("does not answer; check the network") != std::string::npos,
-                 lost.error().detail.c_str());
-        QVERIFY(!rig.database().answers());
-        if (!isUpAgain) {
-            VERIFY_REFUSED(rig.database().reconnect(), ErrorCode::ConnectionLost);
-            QVERIFY(server.start());
-        }
-        VERIFY_DONE(rig.database().reconnect());
-        QVERIFY(rig.database().answers());
-    }
-}
-
-void TestDatabase::whomAServerDoesNotLetInIsTold()
-{
-    auto& server = support::sharedServer();
-    if (!server.fault().isEmpty())
-        QSKIP(qPrintable(server.fault()));
-    support::SchoolRig rig(true);
-    QVERIFY(rig.isOpen());
-    const QString name = rig.database().address().name;
-    VERIFY_REFUSED(Database::open(QString(rig.address()).replace("school@", "nobody@")), ErrorCode::ServerRefuses);
-    VERIFY_REFUSED(Database::open(rig.address() + "0"), ErrorCode::ServerRefuses);
-    const QString role = "closed_" + name;
-    VERIFY_DONE(execute(rig.school().db, "CREATE ROLE " + role, "make it"));
-    const auto refused = Database::open(QString(rig.address()).replace("school@", role + '@'));
-    VERIFY_DONE(execute(rig.school().db, "DROP ROLE " + role, "drop it"));
-    VERIFY_REFUSED(refused, ErrorCode::ServerRefuses);
-    QVERIFY2(refused.error().detail.find("not permitted to log in") != std::string::npos,
-             refused.error().detail.c_str());
-}
-
-void TestDatabase::aServersOwnFunctionsAreFoundFirst_data()
-{
-    QTest::addColumn<QString>("home");
-    QTest::newRow("the usual schema") << "public";
-    QTest::newRow("one of its own") << "Cusp \"2\"";
-}
-
-/// Who owns a database may set what its sessions begin with.
-void TestDatabase::aServersOwnFunctionsAreFoundFirst()
-{
-    QFETCH(QString, home);
-    if (!support::sharedServer().fault().isEmpty())
-        QSKIP(qPrintable(support::sharedServer().fault()));
-    const QString where = support::sharedServer().newDatabase();
-    const QString name = database::Address::parse(where)->name;
-    const QString quoted = '"' + QString(home).replace('"', "\"\"") + '"';
-    const auto asked = [](const Database& database, const char* what) {
-        return database::sql::ask(database.handle(), what, "ask")->toString();
-    };
-    {
-        const auto database = Database::open(where);
-        VERIFY_DONE(database);
-        for (const QString& sql :
-             {QStringLiteral("ALTER SCHEMA public RENAME TO %1"), QStringLiteral("CREATE SCHEMA first"),
-              QStringLiteral("CREATE TABLE first.people AS SELECT 1 AS id"),
-              QStringLiteral(
-                  "CREATE FUNCTION %1.substr(text, int) RETURNS text LANGUAGE sql AS $$ SELECT 'made up' $$"),
-              QStringLiteral("ALTER DATABASE %2 SET search_path = nowhere, first, %1, pg_catalog")})
-            if (home != u"public" || !sql.contains("RENAME"))
-                VERIFY_DONE(
-                    execute((*database)->handle(), QString(sql).replace("%1", quoted).replace("%2", name), "set it"));
-    }
-    const auto database = Database::open(where);
-    VERIFY_DONE(database);
-    QCOMPARE(asked(**database, "SELECT substr('abc', 2)"), QStringLiteral("bc"));
-    QCOMPARE(asked(**database, "SELECT current_schema()"), home);
-    QCOMPARE(asked(**database, "SELECT count(*) FROM people"), QStringLiteral("0"));
-    VERIFY_DONE((*database)->reconnect());
-    QCOMPARE(asked(**database, "SELECT substr('abc', 2)"), QStringLiteral("bc"));
-}
-
-void TestDatabase::saysWhoHoldsTheLock()
-{
-    const auto holder = Database::open(at("busy.db"));
-    QVERIFY(holder.has_value());
-    const auto waiter = Database::open(at("busy.db"), 10ms);
-    QVERIFY(waiter.has_value());
-    QSqlQuery hold((*holder)->handle());
-    QVERIFY(hold.exec("BEGIN IMMEDIATE"));
-
-    std::vector<Migration> further = *shippedMigrations();
-    further.push_back({static_cast<int>(further.size()) + 1, "CREATE TABLE later (id {row_id}) {table_options};"});
-    const auto refused = migrate((*waiter)->handle(), further);
-    QVERIFY(!refused.has_value());
-    QVERIFY2(refused.error().detail.find("another program is writing") != std::string::npos,
-             refused.error().detail.c_str());
-
-    QVERIFY(hold.exec("ROLLBACK"));
-    QVERIFY(migrate((*waiter)->handle(), further).has_value());
-}
-
-void TestDatabase::brokenStepLeavesAllAsItWas()
-{
-    QFETCH(bool, onServer);
-    WHERE(where, "broken.db");
-    const auto database = Database::open(where);
-    QVERIFY(database.has_value());
-    const QSqlDatabase db = (*database)->handle();
-    std::vector<Migration> steps = *shippedMigrations();
-    const int before = static_cast<int>(steps.size());
-    steps.push_back({before + 1, "CREATE TABLE half (id {row_id}) {table_options};\nCREATE NONSENSE;\n"});
-
-    const auto broken = migrate(db, steps);
-    QVERIFY(!broken.has_value());
-    QCOMPARE(dialect::schemaVersion(db).value(), before);
-    QVERIFY(!db.tables().contains("half"));
-
-    steps.back().sql = "CREATE TABLE half (id {row_id}) {table_options};\n";
-    VERIFY_DONE(migrate(db, steps));
-    QCOMPARE(dialect::schemaVersion(db).value(), before + 1);
-    QVERIFY(db.tables().contains("half"));
-}
-
-/// Whoever edits a step that schools have taken makes new schools unlike those, and no migration brings them together.
-/// What is to be otherwise goes into a step of its own, with the next number; that one gets its line below
-/// (sha256sum database/migrations/*.sql), in the commit that adds it.
-void TestDatabase::stepsThatWereShippedAreNeverEdited()
-{
-    const QByteArrayList asShipped{
-        "d0cd6d8c966ab68d88423640e48d7476827c394ee4a665fba95add47620fffce",  // 0001_attempts.sql
-        "88902679a6534ce6164b8da6463a8ef1c94ef74f179871df4af8ca34ab1dd715",  // 0002_lessons.sql
-        "1598f18b4d5e8ca0d49114d4d97000beea976e79666251aec011335d100c8cae",  // 0003_people.sql
-        "42e2a0d549de1cc59e0007d26641971e9bb160f6a0b1a258782f1798633a4a25",  // 0004_attempts_of_people.sql
-        "237cdca8e5b5c491635d71741fe7cbf37306ee5bb1de98a30c449cf746208f74",  // 0005_presets_and_audit.sql
-        "cc63a51f32da2d503c5a188886edbc6077ea45deafb36afcbe63332e5c449b8a",  // 0006_exam_starts.sql
-        "a2214c4df6915b12d232e0cfda9250b36b40d1bed498daab1d4b7a13256f8a29",  // 0007_withdrawn_comments.sql
-        "50e780a091ed98cac13d30c67bb3ff1eb14ad38fa7a208d719821b2c61c0dde4",  // 0008_class_pages.sql
-        // the next one
-    };
-    const auto steps = shippedMigrations();
-    VERIFY_DONE(steps);
-    for (const Migration& step : *steps) {
-        const QByteArray now = QCryptographicHash::hash(step.sql.toUtf8(), QCryptographicHash::Sha256).toHex();
-        QVERIFY2(step.number <= asShipped.size(),
-                 qPrintable(QStringLiteral("step %1 is new: it gets a line here, %2").arg(step.number).arg(now)));
-        QVERIFY2(now == asShipped[step.number - 1],
-                 qPrintable(QStringLiteral("step %1 was edited; add a new one instead").arg(step.number)));
-    }
-    QCOMPARE(static_cast<qsizetype>(steps->size()), asShipped.size());
-}
-
-void TestDatabase::stepsRunInOrderAndOnlyOnce()
-{
-    const auto steps = shippedMigrations();
-    QVERIFY(steps.has_value());
-    QVERIFY(!steps->empty());
-    for (std::size_t k = 0; k < steps->size(); ++k)
-        QCOMPARE((*steps)[k].number, static_cast<int>(k) + 1);
-
-    const auto database = Database::open(at("twice.db"));
-    QVERIFY(database.has_value());
-    std::vector<Migration> more = *steps;
-    const int base = static_cast<int>(more.size());
-    more.push_back({base + 1, "CREATE TABLE marks (mark {int64} NOT NULL) {table_options};\n"
-                              "-- a comment; with a semicolon\nINSERT INTO marks VALUES (1);\n"});
-    more.push_back({base + 2, "INSERT INTO marks\n  VALUES (2);\n"});
-    QVERIFY(migrate((*database)->handle(), more).has_value());
-    QVERIFY(migrate((*database)->handle(), more).has_value());
-    QCOMPARE(ask(**database, "SELECT count(*) FROM marks").toInt(), 2);
-}
-
-void TestDatabase::survivesRandomDamage()
-{
-    {
-        const auto database = Database::open(at("whole.db"));
-        QVERIFY(database.has_value());
-    }
-    const QByteArray whole = bytes(at("whole.db"));
-    std::uint64_t state = 20261120;
-    const auto random = [&state](qsizetype count) {
-        state = state * 6364136223846793005ULL + 1442695040888963407ULL;
-        return static_cast<qsizetype>((state >> 33U) % static_cast<std::uint64_t>(count));
-    };
-    for (int round = 0; round < 100; ++round) {
-        QByteArray damaged = whole;
-        for (int flip = 0; flip < 8; ++flip)
-            damaged[random(damaged.size())] = static_cast<char>(random(256));
-        if (round % 4 == 0)
-            damaged.truncate(random(damaged.size()));
-        write(at("flipped.db"), damaged);
-        QFile::remove(at("flipped.db-wal"));
-        QFile::remove(at("flipped.db-shm"));
-        const auto opened = Database::open(at("flipped.db"), 10ms);
-        if (!opened)
-            QVERIFY2(!opened.error().detail.empty(), "a refusal without a sentence");
-    }
-}
 
 QTEST_GUILESS_MAIN(TestDatabase)
 #include "tst_database.moc"

@@ -18,7 +18,6 @@
 #include <unistd.h>
 
 #include "database/sql/Backups.h"
-#include "database/sql/Check.h"
 #include "database/sql/Copy.h"
 #include "database/sql/Migrations.h"
 #include "database/sql/Statement.h"
@@ -28,7 +27,9 @@
 using namespace database;
 using namespace database::sql;
 using core::ErrorCode;
-using support::addAttempt;
+using support::asNobody;
+using support::attemptsIn;
+using support::RawFile;
 using support::SchoolRig;
 
 namespace {
@@ -73,12 +74,6 @@ int fchmod(int file, mode_t mode) noexcept
 
 namespace {
 
-int attemptsIn(const QString& file)
-{
-    const auto database = Database::open(file);
-    return database ? ask((*database)->handle(), "SELECT count(*) FROM attempts", "count")->toInt() : -1;
-}
-
 QByteArray contentOf(const QString& path)
 {
     QFile file(path);
@@ -91,28 +86,13 @@ bool putNoise(const QString& path)
     return file.open(QIODevice::WriteOnly) && file.write(QByteArray(50'000, 'n')) == 50'000;
 }
 
-/// A connection without the program's own checks.
-class RawFile
+std::unique_ptr<Database> lookAt(const QString& file)
 {
-public:
-    explicit RawFile(const QString& file)
-    {
-        QSqlDatabase db = QSqlDatabase::addDatabase("QSQLITE", kName);
-        db.setDatabaseName(file);
-        db.open();
-    }
-    ~RawFile()
-    {
-        handle().close();
-        QSqlDatabase::removeDatabase(kName);
-    }
-    RawFile(const RawFile&) = delete;
-    RawFile& operator=(const RawFile&) = delete;
-    [[nodiscard]] QSqlDatabase handle() const { return QSqlDatabase::database(kName, false); }
-
-private:
-    static constexpr const char* kName = "raw";
-};
+    Database::Options options;
+    options.mayCreate = false;
+    options.onlyLooks = true;
+    return Database::open(Address::parse(file).value(), options).value();
+}
 
 bool runOn(const QString& file, const QStringList& statements)
 {
@@ -133,16 +113,6 @@ bool spoil(const QString& file, const char* table)
            bytes.write(QByteArray(kPage, 'Z')) == kPage;
 }
 
-/// To root no file is closed: does the rest of the scope as somebody else.
-auto asNobody()
-{
-    constexpr uid_t kNobody = 65534;
-    const uid_t me = geteuid();
-    if (me == 0 && seteuid(kNobody) != 0)
-        qWarning("still root");
-    return qScopeGuard([me] { QCOMPARE(seteuid(me), 0); });
-}
-
 }  // namespace
 
 class TestRestoring : public QObject
@@ -150,28 +120,441 @@ class TestRestoring : public QObject
     Q_OBJECT
 
 private slots:
-    void initTestCase();
-    void init();
-    void whatACrashedProgramLeftIsMovedAsideWhole();
-    void theLogOfADamagedFileIsNotReadIntoTheRestoredOne();
-    void whatIsNotWholeIsNoBackup_data();
-    void whatIsNotWholeIsNoBackup();
-    void aBackupThatCannotBeMigratedReplacesNothing();
-    void aDamagedDatabaseIsNotBackedUp();
-    void whatAKilledBackupLeavesGoesWithTheNext();
-    void aBackupOfAnotherSchoolIsNotRestored();
-    void theNewestSoundBackupIsOffered();
-    void nothingIsRestoredUnderAnotherProgram();
-    void aStoppedRestoreReplacesNothing();
-    void aFileOfTwoNamesIsRefused();
-    void onlyTheOwnerReadsWhatIsKept();
-    void aFullDiskIsLookedAtAndBackedUp();
-    void whatCannotBeWrittenIsLookedAtAndBackedUp();
-    void whatCouldNotBeWrittenOnceCanBeLater();
-    void aReadOnlyBackupIsRestored();
-    void backupsAreThinnedOut();
-    void eachSchoolThinsItsOwnBackups();
-    void aMigrationKeepsACopyIfItChangesSomething();
+    void initTestCase()
+    {
+        m_empty = backUp(m_rig.school().db, m_backups.path(), m_rig.nowUtc.addDays(-1)).value();
+        m_rig.populate();
+        m_backup = backUp(m_rig.school().db, m_backups.path(), m_rig.nowUtc).value();
+        QCOMPARE(QFileInfo(m_backup).fileName(), QString("backup-2026-11-20-10.15.00.sqlite"));
+        QCOMPARE(madeAt(m_backup), m_rig.nowUtc);
+        VERIFY_DONE(m_rig.add(m_rig.student, SchoolRig::attempt("class1-36", 900), {}));
+        m_crashed = m_backups.filePath("crashed.sqlite");
+        for (const char* end : {"", "-wal"})
+            QVERIFY(QFile::copy(m_rig.address() + end, m_crashed + end));
+        // In the same second.
+        m_school = backUp(m_rig.school().db, m_backups.path(), m_rig.nowUtc).value();
+        QVERIFY(m_school != m_backup);
+        SchoolRig other(false);
+        other.populate();
+        m_other = backUp(other.school().db, m_backups.path(), m_rig.nowUtc.addDays(1)).value();
+        const QString id = QString::fromStdString(*schoolOf(m_rig.school().db));
+        QVERIFY(!id.isEmpty());
+        for (const QString& own : {m_backup, m_school, m_crashed})
+            QCOMPARE(QString::fromStdString(schoolOf(own)), id);
+        QVERIFY(schoolOf(m_empty).empty() && schoolOf(m_other) != id.toStdString());
+    }
+
+    void init()
+    {
+        m_folder = std::make_unique<QTemporaryDir>();
+        QVERIFY(QFile::copy(m_school, file()));
+    }
+
+    void whatACrashedProgramLeftIsMovedAsideWhole()
+    {
+        QVERIFY(QFile::remove(file()));
+        for (const char* end : {"", "-wal"})
+            QVERIFY(QFile::copy(m_crashed + end, file() + end));
+        QVERIFY(QFileInfo(file() + "-wal").size() > 0);
+        const auto replaced = restoreBackup(m_backup, file(), m_now);
+        VERIFY_DONE(replaced);
+        QCOMPARE(there(), (QStringList{"replaced-2026-11-21-12.00.00-school.sqlite", "school.sqlite"}));
+        QCOMPARE(attemptsIn(*replaced), 1);
+        QCOMPARE(attemptsIn(file()), 0);
+        QVERIFY(checkDatabase(Database::open(file()).value()->handle(), {})->findings.empty());
+        // Once more in the same second.
+        VERIFY_DONE(restoreBackup(m_school, file(), m_now));
+        QCOMPARE(there("replaced-*").size(), 2);
+        // A database in use is no backup.
+        QVERIFY(QFile::copy(m_crashed, at("used.sqlite")) && QFile::copy(m_crashed + "-wal", at("used.sqlite-wal")));
+        VERIFY_REFUSED(restoreBackup(at("used.sqlite"), file(), m_now), ErrorCode::WrongKind);
+        VERIFY_REFUSED(restoreBackup(file(), file(), m_now), ErrorCode::WrongKind);
+    }
+
+    void theLogOfADamagedFileIsNotReadIntoTheRestoredOne()
+    {
+        for (const bool isThere : {true, false}) {
+            QVERIFY(isThere ? putNoise(file()) : QFile::remove(file()));
+            QVERIFY(QFile::copy(m_crashed + "-wal", file() + "-wal"));
+            QVERIFY(putNoise(file() + "-shm"));
+            VERIFY_DONE(restoreBackup(m_backup, file(), m_now));
+            QVERIFY(!QFile::exists(file() + "-wal") && !QFile::exists(file() + "-shm"));
+            QCOMPARE(attemptsIn(file()), 0);
+        }
+    }
+
+    void whatIsNotWholeIsNoBackup_data()
+    {
+        using Harm = std::function<bool(const QString&)>;
+        QTest::addColumn<Harm>("harm");
+        QTest::addColumn<ErrorCode>("code");
+        const auto row = [](const char* name, ErrorCode code, const Harm& harm) {
+            QTest::newRow(name) << harm << code;
+        };
+        const auto sql = [](const QStringList& deeds) {
+            return [deeds](const QString& path) { return runOn(path, deeds); };
+        };
+        row("a key that leads nowhere", ErrorCode::BadStructure,
+            sql({"PRAGMA foreign_keys = OFF", "INSERT INTO enrolments VALUES (99, 99)"}));
+        row("cut off", ErrorCode::BadStructure,
+            [](const QString& path) { return QFile::resize(path, QFileInfo(path).size() / 2); });
+        row("noise in a table", ErrorCode::BadStructure, [](const QString& path) { return spoil(path, "audit"); });
+        row("nothing but noise", ErrorCode::WrongKind, putNoise);
+        row("of another program", ErrorCode::WrongKind, sql({"PRAGMA application_id = 7"}));
+        row("of no program", ErrorCode::WrongKind, sql({"PRAGMA application_id = 0"}));
+        row("of a later program", ErrorCode::NewerVersion, sql({"PRAGMA user_version = 99"}));
+        row("without a schema", ErrorCode::WrongKind, sql({"PRAGMA user_version = 0"}));
+        row("gone", ErrorCode::FileMissing, [](const QString& path) { return QFile::remove(path); });
+        row("a folder", ErrorCode::WrongKind,
+            [](const QString& path) { return QFile::remove(path) && QDir().mkdir(path); });
+    }
+
+    /// Nor is it restored.
+    void whatIsNotWholeIsNoBackup()
+    {
+        QFETCH(std::function<bool(const QString&)>, harm);
+        QFETCH(ErrorCode, code);
+        const QString backup = at("backup.sqlite");
+        QVERIFY(QFile::copy(m_backup, backup));
+        VERIFY_DONE(verifyBackup(backup));
+        QVERIFY(harm(backup));
+        VERIFY_REFUSED(verifyBackup(backup), code);
+        const QByteArray before = contentOf(file());
+        VERIFY_REFUSED(restoreBackup(backup, file(), m_now), code);
+        QCOMPARE(contentOf(file()), before);
+    }
+
+    /// It says that it is of an older schema than it is.
+    void aBackupThatCannotBeMigratedReplacesNothing()
+    {
+        const QString backup = at("backup.sqlite");
+        QVERIFY(QFile::copy(m_backup, backup) && runOn(backup, {"PRAGMA user_version = 1"}));
+        VERIFY_DONE(verifyBackup(backup));
+        const QByteArray before = contentOf(file());
+        const auto refused = restoreBackup(backup, file(), m_now);
+        QVERIFY(!refused.has_value());
+        const QString said = QString::fromStdString(refused.error().detail);
+        QVERIFY2(said.contains(backup) && said.contains("nothing was replaced"), qPrintable(said));
+        QCOMPARE(contentOf(file()), before);
+        QCOMPARE(there(), (QStringList{"backup.sqlite", "school.sqlite"}));
+    }
+
+    void aDamagedDatabaseIsNotBackedUp()
+    {
+        QVERIFY(spoil(file(), "people"));
+        {
+            const RawFile damaged(file());
+            VERIFY_REFUSED(backUp(damaged.handle(), m_folder->path(), m_now), ErrorCode::BadStructure);
+        }
+        QCOMPARE(there(), QStringList{"school.sqlite"});
+    }
+
+    /// What is younger than a day may be of a backup that another program is making.
+    void whatAKilledBackupLeavesGoesWithTheNext()
+    {
+        const auto leave = [this](const QString& name, int hoursAgo) {
+            QFile part(at(name));
+            QVERIFY(part.open(QIODevice::WriteOnly));
+            QVERIFY(part.setFileTime(QDateTime::currentDateTimeUtc().addSecs(-3600 * hoursAgo),
+                                     QFileDevice::FileModificationTime));
+        };
+        leave("backup-2026-11-01-10.00.00.sqlite.part-old", 25);
+        leave("backup-2026-11-01-10.00.00.sqlite.part-old-journal", 25);
+        leave("backup-2026-11-01-10.00.00.sqlite.part-young", 23);
+        VERIFY_DONE(backUp(m_rig.school().db, m_folder->path(), m_now));
+        QCOMPARE(there("*.part-*"), QStringList{"backup-2026-11-01-10.00.00.sqlite.part-young"});
+        QCOMPARE(backupsIn(m_folder->path()).size(), 1);
+    }
+
+    void aBackupOfAnotherSchoolIsNotRestored()
+    {
+        const QByteArray before = contentOf(file());
+        for (const QString& backup : {m_other, m_empty}) {
+            VERIFY_REFUSED(restoreBackup(backup, file(), m_now), ErrorCode::WrongKind, "move that file away first");
+            QCOMPARE(contentOf(file()), before);
+        }
+        // Whoever wants it moves the file away.
+        QVERIFY(QFile::rename(file(), at("away.sqlite")));
+        QCOMPARE(restoreBackup(m_other, file(), m_now).value(), QString());
+        // A file that is damaged says nothing.
+        QVERIFY(putNoise(file()));
+        VERIFY_DONE(restoreBackup(m_backup, file(), m_now));
+        // What was copied into another database is a school of its own.
+        SchoolRig copy(false);
+        VERIFY_DONE(copySchool(m_rig.school(), m_rig.admin, copy.school()));
+        VERIFY_REFUSED(restoreBackup(backUp(copy.school().db, m_folder->path(), m_now).value(), file(), m_now),
+                       ErrorCode::WrongKind);
+    }
+
+    void theNewestSoundBackupIsOffered()
+    {
+        const QString folder = backupFolder(file());
+        QCOMPARE(folder, at("school.sqlite-backups"));
+        QCOMPARE(backupFolder(at("cusp.sqlite")), at("backups"));
+        QCOMPARE(newestSound(file()), QString());
+        QVERIFY(QDir().mkpath(folder));
+        const auto put = [&folder](const QString& backup, int day) {
+            const QString name = QStringLiteral("%1/backup-2026-11-0%2-10.00.00.sqlite").arg(folder).arg(day);
+            return QFile::copy(backup, name) ? name : QString();
+        };
+        const QString own = put(m_backup, 1);
+        const QString others = put(m_other, 2);
+        put(m_empty, 3);
+        QVERIFY(putNoise(put(m_backup, 4)));
+        QCOMPARE(newestSound(file()), own);
+        QVERIFY(QFile::remove(file()));
+        QCOMPARE(newestSound(file()), others);
+    }
+
+    /// Who has it open would go on writing into the file that was moved away.
+    void nothingIsRestoredUnderAnotherProgram()
+    {
+        std::array<int, 2> ready{};
+        std::array<int, 2> done{};
+        QCOMPARE(pipe(ready.data()) + pipe(done.data()), 0);
+        const pid_t other = fork();
+        if (other == 0) {
+            close(done[1]);
+            char byte = 'x';
+            const auto database = Database::open(file());
+            static_cast<void>(write(ready[1], &byte, database ? 1 : 0));
+            static_cast<void>(read(done[0], &byte, 1));
+            _exit(0);
+        }
+        char byte = 'x';
+        QCOMPARE(read(ready[0], &byte, 1), 1);
+        VERIFY_REFUSED(expectClosed(file()), ErrorCode::Busy);
+        VERIFY_REFUSED(restoreBackup(m_backup, file(), m_now), ErrorCode::Busy);
+        QCOMPARE(there("*.restor*") + there("replaced-*"), QStringList());
+        for (const int end : {done[0], done[1], ready[0], ready[1]})
+            close(end);
+        QCOMPARE(waitpid(other, nullptr, 0), other);
+        VERIFY_DONE(expectClosed(file()));
+        VERIFY_DONE(restoreBackup(m_backup, file(), m_now));
+        QCOMPARE(attemptsIn(file()), 0);
+    }
+
+    /// Whatever it was at, and with what a killed one has left there.
+    void aStoppedRestoreReplacesNothing()
+    {
+        const QByteArray before = contentOf(file());
+        for (int most = 0;; ++most) {
+            QVERIFY(putNoise(file() + ".restoring") && putNoise(file() + ".restoring-journal"));
+            int looks = 0;
+            const auto done = restoreBackup(m_backup, file(), m_now, [&looks, most] { return looks++ < most; });
+            if (done)
+                break;
+            VERIFY_REFUSED(done, ErrorCode::FileUnwritable);
+            QCOMPARE(contentOf(file()), before);
+            QCOMPARE(there(), QStringList{"school.sqlite"});
+            QVERIFY(most < 100);
+        }
+        QCOMPARE(attemptsIn(file()), 0);
+        QCOMPARE(there("*.restor*"), QStringList());
+        const auto stopped = backUp(m_rig.school().db, m_folder->path(), m_now, [] { return false; });
+        VERIFY_REFUSED(stopped, ErrorCode::FileUnwritable);
+        QVERIFY(there("backup*").isEmpty());
+    }
+
+    /// Each program would have its own log beside the name by which it was opened.
+    void aFileOfTwoNamesIsRefused()
+    {
+        const QString other = at("other.sqlite");
+        QCOMPARE(link(qPrintable(file()), qPrintable(other)), 0);
+        for (const QString& name : {file(), other}) {
+            VERIFY_REFUSED(Database::open(name), ErrorCode::FileUnreadable);
+            VERIFY_REFUSED(restoreBackup(m_backup, name, m_now), ErrorCode::FileUnreadable);
+        }
+        QCOMPARE(there(), (QStringList{"other.sqlite", "school.sqlite"}));
+        QVERIFY(QFile::remove(other));
+        QCOMPARE(attemptsIn(file()), 1);
+        // Of a backup nobody writes the names: programs that save disk space give it several.
+        QVERIFY(QFile::copy(m_backup, at("backup.sqlite")));
+        QCOMPARE(link(qPrintable(at("backup.sqlite")), qPrintable(other)), 0);
+        VERIFY_DONE(restoreBackup(at("backup.sqlite"), file(), m_now));
+    }
+
+    /// Names, marks and hashes of passwords, also while the file grows.
+    void onlyTheOwnerReadsWhatIsKept()
+    {
+        const auto others = QFile::ReadGroup | QFile::ReadOther | QFile::WriteGroup | QFile::WriteOther;
+        for (const char* end : {"", "-wal", "-shm"})
+            QVERIFY2(!(QFile::permissions(m_rig.address() + end) & others), end);
+        widest = 0;
+        VERIFY_DONE(Database::open(at("new.sqlite")));
+        QCOMPARE(widest, mode_t{0600});
+        const QString backup = backUp(m_rig.school().db, m_folder->path(), m_now).value();
+        QVERIFY(!(QFile::permissions(backup) & others));
+        QVERIFY(QFile::setPermissions(backup, QFile::ReadOwner | others));
+        QVERIFY(QFile::setPermissions(file(), QFile::ReadOwner | QFile::WriteOwner));
+        VERIFY_DONE(restoreBackup(backup, file(), m_now));
+        QVERIFY(!(QFile::permissions(file()) & others));
+        QCOMPARE(widest, mode_t{0600});
+        VERIFY_DONE(restoreBackup(backup, at("nothing.sqlite"), m_now));
+        QVERIFY(!(QFile::permissions(at("nothing.sqlite")) & others));
+        // Who wants that others of the group read it says so, and it stays so.
+        QVERIFY(QFile::setPermissions(file(), QFile::ReadOwner | QFile::WriteOwner | QFile::ReadGroup));
+        VERIFY_DONE(restoreBackup(backup, file(), m_now));
+        QVERIFY(QFile::permissions(file()) & QFile::ReadGroup);
+    }
+
+    /// Not even what SQLite shares beside the file finds room there.
+    void aFullDiskIsLookedAtAndBackedUp()
+    {
+        VERIFY_DONE(Database::open(file()));  // which gives it a write-ahead log
+        std::unique_ptr<Database> looked;
+        {
+            const support::FullDisk full(10);
+            VERIFY_REFUSED(Database::open(file()), ErrorCode::FileUnwritable);
+            looked = lookAt(file());
+            QVERIFY(!looked->allowsOthers());
+            QCOMPARE(support::faultsOf(looked->handle()), QString());
+            VERIFY_REFUSED(backUp(looked->handle(), at("b"), m_now), ErrorCode::FileUnwritable);
+        }
+        const auto backup = backUp(looked->handle(), at("b"), m_now);
+        VERIFY_DONE(backup);
+        looked.reset();
+        QCOMPARE(attemptsIn(*backup), 1);
+        {
+            const support::FullDisk full(100'000);
+            VERIFY_REFUSED(restoreBackup(m_backup, file(), m_now), ErrorCode::FileUnwritable);
+        }
+        QCOMPARE(attemptsIn(file()), 1);
+    }
+
+    void whatCannotBeWrittenIsLookedAtAndBackedUp()
+    {
+        QTemporaryDir elsewhere;
+        VERIFY_DONE(Database::open(file()));  // which gives it a write-ahead log
+        for (const auto& [path, mode] :
+             {std::pair(file(), 0444), std::pair(m_folder->path(), 0555), std::pair(elsewhere.path(), 0777)})
+            QCOMPARE(chmod(qPrintable(path), static_cast<mode_t>(mode)), 0);
+        std::unique_ptr<Database> looked;
+        {
+            const auto back = asNobody();
+            VERIFY_REFUSED(Database::open(file()), ErrorCode::FileUnwritable, "read-only");
+            looked = lookAt(file());
+            QVERIFY(checkDatabase(looked->handle(), {})->findings.empty());
+            VERIFY_DONE(backUp(looked->handle(), elsewhere.path(), m_now));
+        }
+        QCOMPARE(there(), QStringList{"school.sqlite"});
+        QCOMPARE(chmod(qPrintable(m_folder->path()), 0755) + chmod(qPrintable(file()), 0644), 0);
+        VERIFY_DONE(looked->stayedAsItWas());
+        // What was read while its owner wrote is told of nobody.
+        QVERIFY(runOn(file(), {"UPDATE people SET given_name = 'Eve'"}));
+        VERIFY_REFUSED(looked->stayedAsItWas(), ErrorCode::Busy);
+    }
+
+    /// What SQLite puts beside a file that may not be written may not be written either, and stays there.
+    void whatCouldNotBeWrittenOnceCanBeLater()
+    {
+        QVERIFY(runOn(file(), {"PRAGMA journal_mode = WAL"}));
+        QCOMPARE(chmod(qPrintable(m_folder->path()), 0777) + chmod(qPrintable(file()), 0444), 0);
+        QCOMPARE(geteuid() == 0 ? chown(qPrintable(file()), 65534, 65534) : 0, 0);
+        const auto back = asNobody();
+        QVERIFY(isReadOnly(file()));
+        const QString change = "UPDATE people SET given_name = 'Eve'";
+        const auto closed = Database::open(file());
+        QVERIFY(!closed || !execute((*closed)->handle(), change, "write"));
+        QVERIFY(isReadOnly(file() + "-shm"));
+        QCOMPARE(chmod(qPrintable(file()), 0644), 0);
+        QVERIFY(!isReadOnly(file()));
+        const auto open = Database::open(file());
+        VERIFY_DONE(open);
+        VERIFY_DONE(execute((*open)->handle(), change, "write"));
+    }
+
+    /// On a disk that is read-only, or marked so.
+    void aReadOnlyBackupIsRestored()
+    {
+        QVERIFY(QDir().mkdir(at("medium")));
+        const QString backup = at("medium/backup.sqlite");
+        QVERIFY(QFile::copy(m_backup, backup));
+        QCOMPARE(chmod(qPrintable(backup), 0444) + chmod(qPrintable(at("medium")), 0555), 0);
+        QCOMPARE(chmod(qPrintable(m_folder->path()), 0777) + chmod(qPrintable(file()), 0666), 0);
+        {
+            const auto back = asNobody();
+            VERIFY_DONE(restoreBackup(backup, at("mine.sqlite"), m_now));
+            VERIFY_DONE(execute(Database::open(at("mine.sqlite")).value()->handle(),
+                                "UPDATE settings SET value = value", "write"));
+        }
+        QCOMPARE(QDir(at("medium")).entryList(QDir::Files), QStringList{"backup.sqlite"});
+        QCOMPARE(chmod(qPrintable(at("medium")), 0755), 0);
+        VERIFY_REFUSED(restoreBackup(m_backup, at("nowhere/x.sqlite"), m_now), ErrorCode::FileMissing);
+    }
+
+    void backupsAreThinnedOut()
+    {
+        QStringList files{"somebody-elses.sqlite", "before-schema-3-2026-01-01-00.00.00.sqlite"};
+        const QDateTime when(QDate(2026, 11, 20), QTime(18, 0), Qt::UTC);
+        for (int day = 0; day < 400; ++day)
+            for (const int hour : {9, 18})
+                files += "backup-" +
+                         QDateTime(when.date().addDays(-day), QTime(hour, 0), Qt::UTC).toString("yyyy-MM-dd-HH.mm.ss") +
+                         ".sqlite";
+        const QStringList gone = tooMany(files);
+        QStringList kept;
+        for (const QString& file : std::as_const(files))
+            if (!gone.contains(file))
+                kept += file;
+        QVERIFY(kept.contains("somebody-elses.sqlite"));
+        QVERIFY(kept.contains("before-schema-3-2026-01-01-00.00.00.sqlite"));
+        // The last of each of twelve days.
+        for (int day = 0; day < 12; ++day)
+            QVERIFY(kept.contains("backup-" + when.addDays(-day).toString("yyyy-MM-dd-HH.mm.ss") + ".sqlite"));
+        // A copy from before an accident outlives those that are made after it.
+        QVERIFY(kept.contains("backup-2026-11-20-09.00.00.sqlite"));
+        QVERIFY(kept.contains("backup-2026-11-19-09.00.00.sqlite"));
+        QVERIFY(!kept.contains("backup-2026-11-18-09.00.00.sqlite"));
+        // Twelve days lie in two or three of ten weeks, and those in three or four of nine months.
+        QVERIFY2(kept.size() - 4 >= 12 + 7 + 5 && kept.size() - 4 <= 12 + 9 + 8, qPrintable(kept.join('\n')));
+        QVERIFY(kept.contains("backup-2026-03-31-18.00.00.sqlite"));
+        QVERIFY(!kept.contains("backup-2026-02-28-18.00.00.sqlite"));
+        QVERIFY(tooMany(kept).isEmpty());
+    }
+
+    void eachSchoolThinsItsOwnBackups()
+    {
+        for (const char* hour : {"09", "18"})
+            for (int day = 1; day <= 5; ++day)
+                for (const QString& backup : {m_backup, m_other})
+                    QVERIFY(QFile::copy(backup, at(QStringLiteral("backup-2026-11-1%1-%2.00.0%3.sqlite")
+                                                       .arg(day)
+                                                       .arg(QLatin1String(hour))
+                                                       .arg(backup == m_other ? 1 : 0))));
+        const QStringList gone = removeOldBackups(m_rig.school().db, m_folder->path());
+        QCOMPARE(gone, (QStringList{at("backup-2026-11-13-09.00.00.sqlite"), at("backup-2026-11-12-09.00.00.sqlite"),
+                                    at("backup-2026-11-11-09.00.00.sqlite")}));
+        QCOMPARE(backupsIn(m_folder->path()).size(), 17);
+    }
+
+    void aMigrationKeepsACopyIfItChangesSomething()
+    {
+        const auto steps = shippedMigrations();
+        VERIFY_DONE(steps);
+        const QString old = at("old.sqlite");
+        const auto saved = [&old] { return QDir(backupFolder(old)).entryList({"before-schema-*"}, QDir::Files); };
+        const int version = static_cast<int>(steps->size()) - 1;
+        {
+            const RawFile raw(old);
+            VERIFY_DONE(execute(raw.handle(), QStringLiteral("PRAGMA application_id = %1").arg(dialect::kApplicationId),
+                                "mark"));
+            VERIFY_DONE(migrate(raw.handle(), std::span(*steps).first(steps->size() - 1)));
+            VERIFY_DONE(execute(raw.handle(), "INSERT INTO enrolments VALUES (99, 99)", "break a key"));
+        }
+        // Its copy does not pass the check, and so it stays as it is.
+        VERIFY_REFUSED(Database::open(old), ErrorCode::BadStructure);
+        QCOMPARE(ask(RawFile(old).handle(), "PRAGMA user_version", "look")->toInt(), version);
+        QVERIFY(saved().isEmpty());
+        // Nor is one kept of a file that could not be changed.
+        QVERIFY(runOn(old, {"DELETE FROM enrolments", "PRAGMA user_version = 2"}));
+        QVERIFY(!Database::open(old).has_value());
+        QVERIFY(saved().isEmpty());
+        QVERIFY(runOn(old, {QStringLiteral("PRAGMA user_version = %1").arg(version)}));
+        VERIFY_DONE(Database::open(old));
+        QCOMPARE(saved().size(), 1);
+        VERIFY_DONE(verifyBackup(QDir(backupFolder(old)).filePath(saved().first())));
+    }
 
 private:
     [[nodiscard]] QString at(const QString& name) const { return m_folder->filePath(name); }
@@ -191,457 +574,6 @@ private:
     QString m_other;    ///< of another school
     const QDateTime m_now = QDateTime(QDate(2026, 11, 21), QTime(12, 0), Qt::UTC);
 };
-
-void TestRestoring::initTestCase()
-{
-    m_empty = backUp(m_rig.school().db, m_backups.path(), m_rig.nowUtc.addDays(-1)).value();
-    m_rig.populate();
-    m_backup = backUp(m_rig.school().db, m_backups.path(), m_rig.nowUtc).value();
-    QCOMPARE(QFileInfo(m_backup).fileName(), QString("backup-2026-11-20-10.15.00.sqlite"));
-    QCOMPARE(madeAt(m_backup), m_rig.nowUtc);
-    VERIFY_DONE(addAttempt(m_rig.school(), m_rig.student, SchoolRig::attempt("class1-36", 900), {}));
-    m_crashed = m_backups.filePath("crashed.sqlite");
-    for (const char* end : {"", "-wal"})
-        QVERIFY(QFile::copy(m_rig.address() + end, m_crashed + end));
-    // In the same second.
-    m_school = backUp(m_rig.school().db, m_backups.path(), m_rig.nowUtc).value();
-    QVERIFY(m_school != m_backup);
-    SchoolRig other(false);
-    other.populate();
-    m_other = backUp(other.school().db, m_backups.path(), m_rig.nowUtc.addDays(1)).value();
-    const QString id = QString::fromStdString(*schoolOf(m_rig.school().db));
-    QVERIFY(!id.isEmpty());
-    for (const QString& own : {m_backup, m_school, m_crashed})
-        QCOMPARE(QString::fromStdString(schoolOf(own)), id);
-    QVERIFY(schoolOf(m_empty).empty() && schoolOf(m_other) != id.toStdString());
-}
-
-void TestRestoring::init()
-{
-    m_folder = std::make_unique<QTemporaryDir>();
-    QVERIFY(QFile::copy(m_school, file()));
-}
-
-void TestRestoring::whatACrashedProgramLeftIsMovedAsideWhole()
-{
-    QVERIFY(QFile::remove(file()));
-    for (const char* end : {"", "-wal"})
-        QVERIFY(QFile::copy(m_crashed + end, file() + end));
-    QVERIFY(QFileInfo(file() + "-wal").size() > 0);
-    const auto replaced = restoreBackup(m_backup, file(), m_now);
-    VERIFY_DONE(replaced);
-    QCOMPARE(there(), (QStringList{"replaced-2026-11-21-12.00.00-school.sqlite", "school.sqlite"}));
-    QCOMPARE(attemptsIn(*replaced), 1);
-    QCOMPARE(attemptsIn(file()), 0);
-    QVERIFY(checkDatabase(Database::open(file()).value()->handle(), {})->findings.empty());
-    // Once more in the same second.
-    VERIFY_DONE(restoreBackup(m_school, file(), m_now));
-    QCOMPARE(there("replaced-*").size(), 2);
-    // A database in use is no backup.
-    QVERIFY(QFile::copy(m_crashed, at("used.sqlite")) && QFile::copy(m_crashed + "-wal", at("used.sqlite-wal")));
-    VERIFY_REFUSED(restoreBackup(at("used.sqlite"), file(), m_now), ErrorCode::WrongKind);
-    VERIFY_REFUSED(restoreBackup(file(), file(), m_now), ErrorCode::WrongKind);
-}
-
-void TestRestoring::theLogOfADamagedFileIsNotReadIntoTheRestoredOne()
-{
-    for (const bool isThere : {true, false}) {
-        QVERIFY(isThere ? putNoise(file()) : QFile::remove(file()));
-        QVERIFY(QFile::copy(m_crashed + "-wal", file() + "-wal"));
-        QVERIFY(putNoise(file() + "-shm"));
-        VERIFY_DONE(restoreBackup(m_backup, file(), m_now));
-        QVERIFY(!QFile::exists(file() + "-wal") && !QFile::exists(file() + "-shm"));
-        QCOMPARE(attemptsIn(file()), 0);
-    }
-}
-
-void TestRestoring::whatIsNotWholeIsNoBackup_data()
-{
-    using Harm = std::function<bool(const QString&)>;
-    QTest::addColumn<Harm>("harm");
-    QTest::addColumn<ErrorCode>("code");
-    const auto row = [](const char* name, ErrorCode code, const Harm& harm) { QTest::newRow(name) << harm << code; };
-    const auto sql = [](const QStringList& deeds) {
-        return [deeds](const QString& path) { return runOn(path, deeds); };
-    };
-    row("a key that leads nowhere", ErrorCode::BadStructure,
-        sql({"PRAGMA foreign_keys = OFF", "INSERT INTO enrolments VALUES (99, 99)"}));
-    row("cut off", ErrorCode::BadStructure,
-        [](const QString& path) { return QFile::resize(path, QFileInfo(path).size() / 2); });
-    row("noise in a table", ErrorCode::BadStructure, [](const QString& path) { return spoil(path, "audit"); });
-    row("nothing but noise", ErrorCode::WrongKind, putNoise);
-    row("of another program", ErrorCode::WrongKind, sql({"PRAGMA application_id = 7"}));
-    row("of no program", ErrorCode::WrongKind, sql({"PRAGMA application_id = 0"}));
-    row("of a later program", ErrorCode::NewerVersion, sql({"PRAGMA user_version = 99"}));
-    row("without a schema", ErrorCode::WrongKind, sql({"PRAGMA user_version = 0"}));
-    row("gone", ErrorCode::FileMissing, [](const QString& path) { return QFile::remove(path); });
-    row("a folder", ErrorCode::WrongKind,
-        [](const QString& path) { return QFile::remove(path) && QDir().mkdir(path); });
-}
-
-/// Nor is it restored.
-void TestRestoring::whatIsNotWholeIsNoBackup()
-{
-    QFETCH(std::function<bool(const QString&)>, harm);
-    QFETCH(ErrorCode, code);
-    const QString backup = at("backup.sqlite");
-    QVERIFY(QFile::copy(m_backup, backup));
-    VERIFY_DONE(verifyBackup(backup));
-    QVERIFY(harm(backup));
-    VERIFY_REFUSED(verifyBackup(backup), code);
-    const QByteArray before = contentOf(file());
-    VERIFY_REFUSED(restoreBackup(backup, file(), m_now), code);
-    QCOMPARE(contentOf(file()), before);
-}
-
-/// It says that it is of an older schema than it is.
-void TestRestoring::aBackupThatCannotBeMigratedReplacesNothing()
-{
-    const QString backup = at("backup.sqlite");
-    QVERIFY(QFile::copy(m_backup, backup) && runOn(backup, {"PRAGMA user_version = 1"}));
-    VERIFY_DONE(verifyBackup(backup));
-    const QByteArray before = contentOf(file());
-    const auto refused = restoreBackup(backup, file(), m_now);
-    QVERIFY(!refused.has_value());
-    const QString said = QString::fromStdString(refused.error().detail);
-    QVERIFY2(said.contains(backup) && said.contains("nothing was replaced"), qPrintable(said));
-    QCOMPARE(contentOf(file()), before);
-    QCOMPARE(there(), (QStringList{"backup.sqlite", "school.sqlite"}));
-}
-
-void TestRestoring::aDamagedDatabaseIsNotBackedUp()
-{
-    QVERIFY(spoil(file(), "people"));
-    {
-        const RawFile damaged(file());
-        const auto refused = backUp(damaged.handle(), m_folder->path(), m_now);
-        VERIFY_REFUSED(refused, ErrorCode::BadStructure);
-    }
-    QCOMPARE(there(), QStringList{"school.sqlite"});
-}
-
-/// What is younger than a day may be of a backup that another program is making.
-void TestRestoring::whatAKilledBackupLeavesGoesWithTheNext()
-{
-    const auto leave = [this](const QString& name, int hoursAgo) {
-        QFile part(at(name));
-        QVERIFY(part.open(QIODevice::WriteOnly));
-        QVERIFY(part.setFileTime(QDateTime::currentDateTimeUtc().addSecs(-3600 * hoursAgo),
-                                 QFileDevice::FileModificationTime));
-    };
-    leave("backup-2026-11-01-10.00.00.sqlite.part-old", 25);
-    leave("backup-2026-11-01-10.00.00.sqlite.part-old-journal", 25);
-    leave("backup-2026-11-01-10.00.00.sqlite.part-young", 23);
-    VERIFY_DONE(backUp(m_rig.school().db, m_folder->path(), m_now));
-    QCOMPARE(there("*.part-*"), QStringList{"backup-2026-11-01-10.00.00.sqlite.part-young"});
-    QCOMPARE(backupsIn(m_folder->path()).size(), 1);
-}
-
-void TestRestoring::aBackupOfAnotherSchoolIsNotRestored()
-{
-    const QByteArray before = contentOf(file());
-    for (const QString& backup : {m_other, m_empty}) {
-        const auto refused = restoreBackup(backup, file(), m_now);
-        VERIFY_REFUSED(refused, ErrorCode::WrongKind);
-        QVERIFY2(refused.error().detail.find("move that file away first") != std::string::npos,
-                 refused.error().detail.c_str());
-        QCOMPARE(contentOf(file()), before);
-    }
-    // Whoever wants it moves the file away.
-    QVERIFY(QFile::rename(file(), at("away.sqlite")));
-    QCOMPARE(restoreBackup(m_other, file(), m_now).value(), QString());
-    // A file that is damaged says nothing.
-    QVERIFY(putNoise(file()));
-    VERIFY_DONE(restoreBackup(m_backup, file(), m_now));
-    // What was copied into another database is a school of its own.
-    SchoolRig copy(false);
-    VERIFY_DONE(copySchool(m_rig.school(), m_rig.admin, copy.school()));
-    VERIFY_REFUSED(restoreBackup(backUp(copy.school().db, m_folder->path(), m_now).value(), file(), m_now),
-                   ErrorCode::WrongKind);
-}
-
-void TestRestoring::theNewestSoundBackupIsOffered()
-{
-    const QString folder = backupFolder(file());
-    QCOMPARE(folder, at("school.sqlite-backups"));
-    QCOMPARE(backupFolder(at("cusp.sqlite")), at("backups"));
-    QCOMPARE(newestSound(file()), QString());
-    QVERIFY(QDir().mkpath(folder));
-    const auto put = [&folder](const QString& backup, int day) {
-        const QString name = QStringLiteral("%1/backup-2026-11-0%2-10.00.00.sqlite").arg(folder).arg(day);
-        return QFile::copy(backup, name) ? name : QString();
-    };
-    const QString own = put(m_backup, 1);
-    const QString others = put(m_other, 2);
-    put(m_empty, 3);
-    QVERIFY(putNoise(put(m_backup, 4)));
-    QCOMPARE(newestSound(file()), own);
-    QVERIFY(QFile::remove(file()));
-    QCOMPARE(newestSound(file()), others);
-}
-
-/// Who has it open would go on writing into the file that was moved away.
-void TestRestoring::nothingIsRestoredUnderAnotherProgram()
-{
-    std::array<int, 2> ready{};
-    std::array<int, 2> done{};
-    QCOMPARE(pipe(ready.data()) + pipe(done.data()), 0);
-    const pid_t other = fork();
-    if (other == 0) {
-        close(done[1]);
-        char byte = 'x';
-        const auto database = Database::open(file());
-        static_cast<void>(write(ready[1], &byte, database ? 1 : 0));
-        static_cast<void>(read(done[0], &byte, 1));
-        _exit(0);
-    }
-    char byte = 'x';
-    QCOMPARE(read(ready[0], &byte, 1), 1);
-    VERIFY_REFUSED(expectClosed(file()), ErrorCode::Busy);
-    VERIFY_REFUSED(restoreBackup(m_backup, file(), m_now), ErrorCode::Busy);
-    QCOMPARE(there("*.restor*") + there("replaced-*"), QStringList());
-    for (const int end : {done[0], done[1], ready[0], ready[1]})
-        close(end);
-    QCOMPARE(waitpid(other, nullptr, 0), other);
-    VERIFY_DONE(expectClosed(file()));
-    VERIFY_DONE(restoreBackup(m_backup, file(), m_now));
-    QCOMPARE(attemptsIn(file()), 0);
-}
-
-/// Whatever it was at, and with what a killed one has left there.
-void TestRestoring::aStoppedRestoreReplacesNothing()
-{
-    const QByteArray before = contentOf(file());
-    for (int most = 0;; ++most) {
-        QVERIFY(putNoise(file() + ".restoring") && putNoise(file() + ".restoring-journal"));
-        int looks = 0;
-        const auto done = restoreBackup(m_backup, file(), m_now, [&looks, most] { return looks++ < most; });
-        if (done)
-            break;
-        VERIFY_REFUSED(done, ErrorCode::FileUnwritable);
-        QCOMPARE(contentOf(file()), before);
-        QCOMPARE(there(), QStringList{"school.sqlite"});
-        QVERIFY(most < 100);
-    }
-    QCOMPARE(attemptsIn(file()), 0);
-    QCOMPARE(there("*.restor*"), QStringList());
-    const auto stopped = backUp(m_rig.school().db, m_folder->path(), m_now, [] { return false; });
-    VERIFY_REFUSED(stopped, ErrorCode::FileUnwritable);
-    QVERIFY(there("backup*").isEmpty());
-}
-
-/// Each program would have its own log beside the name by which it was opened.
-void TestRestoring::aFileOfTwoNamesIsRefused()
-{
-    const QString other = at("other.sqlite");
-    QCOMPARE(link(qPrintable(file()), qPrintable(other)), 0);
-    for (const QString& name : {file(), other}) {
-        VERIFY_REFUSED(Database::open(name), ErrorCode::FileUnreadable);
-        VERIFY_REFUSED(restoreBackup(m_backup, name, m_now), ErrorCode::FileUnreadable);
-    }
-    QCOMPARE(there(), (QStringList{"other.sqlite", "school.sqlite"}));
-    QVERIFY(QFile::remove(other));
-    QCOMPARE(attemptsIn(file()), 1);
-    // Of a backup nobody writes the names: programs that save disk space give it several.
-    QVERIFY(QFile::copy(m_backup, at("backup.sqlite")));
-    QCOMPARE(link(qPrintable(at("backup.sqlite")), qPrintable(other)), 0);
-    VERIFY_DONE(restoreBackup(at("backup.sqlite"), file(), m_now));
-}
-
-/// Names, marks and hashes of passwords, also while the file grows.
-void TestRestoring::onlyTheOwnerReadsWhatIsKept()
-{
-    const auto others = QFile::ReadGroup | QFile::ReadOther | QFile::WriteGroup | QFile::WriteOther;
-    for (const char* end : {"", "-wal", "-shm"})
-        QVERIFY2(!(QFile::permissions(m_rig.address() + end) & others), end);
-    widest = 0;
-    VERIFY_DONE(Database::open(at("new.sqlite")));
-    QCOMPARE(widest, mode_t{0600});
-    const QString backup = backUp(m_rig.school().db, m_folder->path(), m_now).value();
-    QVERIFY(!(QFile::permissions(backup) & others));
-    QVERIFY(QFile::setPermissions(backup, QFile::ReadOwner | others));
-    QVERIFY(QFile::setPermissions(file(), QFile::ReadOwner | QFile::WriteOwner));
-    VERIFY_DONE(restoreBackup(backup, file(), m_now));
-    QVERIFY(!(QFile::permissions(file()) & others));
-    QCOMPARE(widest, mode_t{0600});
-    VERIFY_DONE(restoreBackup(backup, at("nothing.sqlite"), m_now));
-    QVERIFY(!(QFile::permissions(at("nothing.sqlite")) & others));
-    // Who wants that others of the group read it says so, and it stays so.
-    QVERIFY(QFile::setPermissions(file(), QFile::ReadOwner | QFile::WriteOwner | QFile::ReadGroup));
-    VERIFY_DONE(restoreBackup(backup, file(), m_now));
-    QVERIFY(QFile::permissions(file()) & QFile::ReadGroup);
-}
-
-/// Not even what SQLite shares beside the file finds room there.
-void TestRestoring::aFullDiskIsLookedAtAndBackedUp()
-{
-    const Address address = Address::parse(file()).value();
-    VERIFY_DONE(Database::open(address));  // which gives it a write-ahead log
-    Database::Options options;
-    options.mayCreate = false;
-    options.onlyLooks = true;
-    core::Result<std::unique_ptr<Database>> looked = core::unexpected(ErrorCode::FileEmpty, "not tried");
-    {
-        const support::FullDisk full(10);
-        VERIFY_REFUSED(Database::open(address), ErrorCode::FileUnwritable);
-        looked = Database::open(address, options);
-        VERIFY_DONE(looked);
-        QVERIFY(!(*looked)->allowsOthers());
-        const auto report = checkDatabase((*looked)->handle(), {});
-        VERIFY_DONE(report);
-        QVERIFY2(report->findings.empty(), qPrintable(support::wordsOf(report->findings)));
-        VERIFY_REFUSED(backUp((*looked)->handle(), at("b"), m_now), ErrorCode::FileUnwritable);
-    }
-    const auto backup = backUp((*looked)->handle(), at("b"), m_now);
-    VERIFY_DONE(backup);
-    looked->reset();
-    QCOMPARE(attemptsIn(*backup), 1);
-    {
-        const support::FullDisk full(100'000);
-        VERIFY_REFUSED(restoreBackup(m_backup, file(), m_now), ErrorCode::FileUnwritable);
-    }
-    QCOMPARE(attemptsIn(file()), 1);
-}
-
-void TestRestoring::whatCannotBeWrittenIsLookedAtAndBackedUp()
-{
-    QTemporaryDir elsewhere;
-    VERIFY_DONE(Database::open(file()));  // which gives it a write-ahead log
-    for (const auto& [path, mode] :
-         {std::pair(file(), 0444), std::pair(m_folder->path(), 0555), std::pair(elsewhere.path(), 0777)})
-        QCOMPARE(chmod(qPrintable(path), static_cast<mode_t>(mode)), 0);
-    Database::Options options;
-    options.mayCreate = false;
-    options.onlyLooks = true;
-    core::Result<std::unique_ptr<Database>> looked = core::unexpected(ErrorCode::FileEmpty, "not tried");
-    {
-        const auto back = asNobody();
-        const auto refused = Database::open(file());
-        VERIFY_REFUSED(refused, ErrorCode::FileUnwritable);
-        QVERIFY2(refused.error().detail.find("read-only") != std::string::npos, refused.error().detail.c_str());
-        looked = Database::open(Address::parse(file()).value(), options);
-        VERIFY_DONE(looked);
-        QVERIFY(checkDatabase((*looked)->handle(), {})->findings.empty());
-        VERIFY_DONE(backUp((*looked)->handle(), elsewhere.path(), m_now));
-    }
-    QCOMPARE(there(), QStringList{"school.sqlite"});
-    QCOMPARE(chmod(qPrintable(m_folder->path()), 0755) + chmod(qPrintable(file()), 0644), 0);
-    VERIFY_DONE((*looked)->stayedAsItWas());
-    // What was read while its owner wrote is told of nobody.
-    QVERIFY(runOn(file(), {"UPDATE people SET given_name = 'Eve'"}));
-    VERIFY_REFUSED((*looked)->stayedAsItWas(), ErrorCode::Busy);
-}
-
-/// What SQLite puts beside a file that may not be written may not be written either, and stays there.
-void TestRestoring::whatCouldNotBeWrittenOnceCanBeLater()
-{
-    QVERIFY(runOn(file(), {"PRAGMA journal_mode = WAL"}));
-    QCOMPARE(chmod(qPrintable(m_folder->path()), 0777) + chmod(qPrintable(file()), 0444), 0);
-    QCOMPARE(geteuid() == 0 ? chown(qPrintable(file()), 65534, 65534) : 0, 0);
-    const auto back = asNobody();
-    QVERIFY(isReadOnly(file()));
-    const QString change = "UPDATE people SET given_name = 'Eve'";
-    const auto closed = Database::open(file());
-    QVERIFY(!closed || !execute((*closed)->handle(), change, "write"));
-    QVERIFY(isReadOnly(file() + "-shm"));
-    QCOMPARE(chmod(qPrintable(file()), 0644), 0);
-    QVERIFY(!isReadOnly(file()));
-    const auto open = Database::open(file());
-    VERIFY_DONE(open);
-    VERIFY_DONE(execute((*open)->handle(), change, "write"));
-}
-
-/// On a disk that is read-only, or marked so.
-void TestRestoring::aReadOnlyBackupIsRestored()
-{
-    QVERIFY(QDir().mkdir(at("medium")));
-    const QString backup = at("medium/backup.sqlite");
-    QVERIFY(QFile::copy(m_backup, backup));
-    QCOMPARE(chmod(qPrintable(backup), 0444) + chmod(qPrintable(at("medium")), 0555), 0);
-    QCOMPARE(chmod(qPrintable(m_folder->path()), 0777) + chmod(qPrintable(file()), 0666), 0);
-    {
-        const auto back = asNobody();
-        VERIFY_DONE(restoreBackup(backup, at("mine.sqlite"), m_now));
-        VERIFY_DONE(
-            execute(Database::open(at("mine.sqlite")).value()->handle(), "UPDATE settings SET value = value", "write"));
-    }
-    QCOMPARE(QDir(at("medium")).entryList(QDir::Files), QStringList{"backup.sqlite"});
-    QCOMPARE(chmod(qPrintable(at("medium")), 0755), 0);
-    VERIFY_REFUSED(restoreBackup(m_backup, at("nowhere/x.sqlite"), m_now), ErrorCode::FileMissing);
-}
-
-void TestRestoring::backupsAreThinnedOut()
-{
-    QStringList files{"somebody-elses.sqlite", "before-schema-3-2026-01-01-00.00.00.sqlite"};
-    const QDateTime when(QDate(2026, 11, 20), QTime(18, 0), Qt::UTC);
-    for (int day = 0; day < 400; ++day)
-        for (const int hour : {9, 18})
-            files += "backup-" +
-                     QDateTime(when.date().addDays(-day), QTime(hour, 0), Qt::UTC).toString("yyyy-MM-dd-HH.mm.ss") +
-                     ".sqlite";
-    const QStringList gone = tooMany(files);
-    QStringList kept;
-    for (const QString& file : std::as_const(files))
-        if (!gone.contains(file))
-            kept += file;
-    QVERIFY(kept.contains("somebody-elses.sqlite"));
-    QVERIFY(kept.contains("before-schema-3-2026-01-01-00.00.00.sqlite"));
-    // The last of each of twelve days.
-    for (int day = 0; day < 12; ++day)
-        QVERIFY(kept.contains("backup-" + when.addDays(-day).toString("yyyy-MM-dd-HH.mm.ss") + ".sqlite"));
-    // A copy from before an accident outlives those that are made after it.
-    QVERIFY(kept.contains("backup-2026-11-20-09.00.00.sqlite"));
-    QVERIFY(kept.contains("backup-2026-11-19-09.00.00.sqlite"));
-    QVERIFY(!kept.contains("backup-2026-11-18-09.00.00.sqlite"));
-    // Twelve days lie in two or three of ten weeks, and those in three or four of nine months.
-    QVERIFY2(kept.size() - 4 >= 12 + 7 + 5 && kept.size() - 4 <= 12 + 9 + 8, qPrintable(kept.join('\n')));
-    QVERIFY(kept.contains("backup-2026-03-31-18.00.00.sqlite"));
-    QVERIFY(!kept.contains("backup-2026-02-28-18.00.00.sqlite"));
-    QVERIFY(tooMany(kept).isEmpty());
-}
-
-void TestRestoring::eachSchoolThinsItsOwnBackups()
-{
-    for (const char* hour : {"09", "18"})
-        for (int day = 1; day <= 5; ++day)
-            for (const QString& backup : {m_backup, m_other})
-                QVERIFY(QFile::copy(backup, at(QStringLiteral("backup-2026-11-1%1-%2.00.0%3.sqlite")
-                                                   .arg(day)
-                                                   .arg(QLatin1String(hour))
-                                                   .arg(backup == m_other ? 1 : 0))));
-    const QStringList gone = removeOldBackups(m_rig.school().db, m_folder->path());
-    QCOMPARE(gone, (QStringList{at("backup-2026-11-13-09.00.00.sqlite"), at("backup-2026-11-12-09.00.00.sqlite"),
-                                at("backup-2026-11-11-09.00.00.sqlite")}));
-    QCOMPARE(backupsIn(m_folder->path()).size(), 17);
-}
-
-void TestRestoring::aMigrationKeepsACopyIfItChangesSomething()
-{
-    const auto steps = shippedMigrations();
-    VERIFY_DONE(steps);
-    const QString old = at("old.sqlite");
-    const auto saved = [&old] { return QDir(backupFolder(old)).entryList({"before-schema-*"}, QDir::Files); };
-    const int version = static_cast<int>(steps->size()) - 1;
-    {
-        const RawFile raw(old);
-        VERIFY_DONE(
-            execute(raw.handle(), QStringLiteral("PRAGMA application_id = %1").arg(dialect::kApplicationId), "mark"));
-        VERIFY_DONE(migrate(raw.handle(), std::span(*steps).first(steps->size() - 1)));
-        VERIFY_DONE(execute(raw.handle(), "INSERT INTO enrolments VALUES (99, 99)", "break a key"));
-    }
-    // Its copy does not pass the check, and so it stays as it is.
-    VERIFY_REFUSED(Database::open(old), ErrorCode::BadStructure);
-    QCOMPARE(ask(RawFile(old).handle(), "PRAGMA user_version", "look")->toInt(), version);
-    QVERIFY(saved().isEmpty());
-    // Nor is one kept of a file that could not be changed.
-    QVERIFY(runOn(old, {"DELETE FROM enrolments", "PRAGMA user_version = 2"}));
-    QVERIFY(!Database::open(old).has_value());
-    QVERIFY(saved().isEmpty());
-    QVERIFY(runOn(old, {QStringLiteral("PRAGMA user_version = %1").arg(version)}));
-    VERIFY_DONE(Database::open(old));
-    QCOMPARE(saved().size(), 1);
-    VERIFY_DONE(verifyBackup(QDir(backupFolder(old)).filePath(saved().first())));
-}
 
 QTEST_GUILESS_MAIN(TestRestoring)
 #include "tst_restoring.moc"
