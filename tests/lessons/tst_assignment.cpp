@@ -42,6 +42,24 @@ Lesson shipped(const std::string& id)
     qFatal("no such lesson: %s", id.c_str());
 }
 
+Assignment assigned(const std::string& id)
+{
+    return assign(shipped(id)).value().assignment;
+}
+
+/// What loses points, with the loss and with what was measured.
+QString losses(const Mark& marked)
+{
+    QString all;
+    for (const Criterion& line : marked.sheet.criteria)
+        if (line.lostTenths != 0)
+            all += QStringLiteral("%1 loses %2 with %3; ")
+                       .arg(QString::fromStdString(line.id))
+                       .arg(0.1 * line.lostTenths)
+                       .arg(line.measured ? QString::number(*line.measured) : QStringLiteral("nothing"));
+    return all;
+}
+
 core::terrain::Tooth cutTo(const Assignment& assignment, const std::vector<float>& top)
 {
     return core::terrain::restored(assignment.anatomy, top);
@@ -150,26 +168,12 @@ private slots:
     void everyIdealEarnsFullPoints()
     {
         QFETCH(QString, id);
-        for (const Lesson& lesson : withIdeal()) {
-            if (QString::fromStdString(lesson.id) != id)
-                continue;
-            const auto assigned = assign(lesson);
-            QVERIFY(support::succeeds(assigned));
-            const Assignment& assignment = assigned->assignment;
-            QVERIFY(assignment.ideal.has_value());
-            const auto perfect = mark(assignment, cutAsFarAsCanBe(assignment, *assignment.ideal->top));
-            QVERIFY(perfect.has_value());
-            for (const Criterion& line : perfect->sheet.criteria)
-                QVERIFY2(line.lostTenths == 0, qPrintable(QStringLiteral("%1 loses %2 with %3")
-                                                              .arg(QString::fromStdString(line.id))
-                                                              .arg(0.1 * line.lostTenths)
-                                                              .arg(line.measured ? QString::number(*line.measured)
-                                                                                 : QStringLiteral("nothing"))));
-            QVERIFY(perfect->sheet.passed());
-            const auto nothing = mark(assignment, core::terrain::Tooth(assignment.anatomy));
-            QVERIFY(nothing.has_value());
-            QVERIFY2(nothing->sheet.totalTenths == 0, qPrintable(QString::number(0.1 * nothing->sheet.totalTenths)));
-        }
+        const Assignment assignment = assigned(id.toStdString());
+        QVERIFY(assignment.ideal.has_value());
+        const Mark perfect = mark(assignment, cutAsFarAsCanBe(assignment, *assignment.ideal->top)).value();
+        QCOMPARE(losses(perfect), QString());
+        QVERIFY(perfect.sheet.passed());
+        QCOMPARE(mark(assignment, core::terrain::Tooth(assignment.anatomy))->sheet.totalTenths, 0);
     }
 
     void everyLesionCanBeCleared_data()
@@ -187,30 +191,20 @@ private slots:
     void everyLesionCanBeCleared()
     {
         QFETCH(QString, id);
-        const auto assigned = assign(shipped(id.toStdString()));
-        QVERIFY(assigned);
-        const Assignment& assignment = assigned->assignment;
+        const Assignment assignment = assigned(id.toStdString());
         std::vector<float> top = assignment.anatomy->top;
         for (std::size_t k = 0; k < top.size(); ++k)
             if (const auto& layers = assignment.anatomy->layers[k]; layers.cariesRoof > layers.cariesFloor)
                 top[k] = std::min(top[k], layers.cariesFloor);
-        const auto cleared = mark(assignment, cutAsFarAsCanBe(assignment, top));
-        QVERIFY(cleared);
-        for (const Criterion& line : cleared->sheet.criteria)
-            QVERIFY2(line.lostTenths == 0, qPrintable(QStringLiteral("%1 loses %2 with %3")
-                                                          .arg(QString::fromStdString(line.id))
-                                                          .arg(0.1 * line.lostTenths)
-                                                          .arg(line.measured.value_or(-1.0))));
+        QCOMPARE(losses(mark(assignment, cutAsFarAsCanBe(assignment, top)).value()), QString());
     }
 
     void decayLeftAloneEarnsNothing()
     {
-        const auto assigned = assign(shipped("decay-36-moderate"));
-        QVERIFY(assigned);
-        const auto nothing = mark(assigned->assignment, core::terrain::Tooth(assigned->assignment.anatomy));
-        QVERIFY(nothing);
-        QCOMPARE(nothing->sheet.totalTenths, 0);
-        QVERIFY(nothing->sheet.criteria.at(1).isTooEarly);
+        const Assignment assignment = assigned("decay-36-moderate");
+        const Mark nothing = mark(assignment, core::terrain::Tooth(assignment.anatomy)).value();
+        QCOMPARE(nothing.sheet.totalTenths, 0);
+        QVERIFY(nothing.sheet.criteria.at(1).isTooEarly);
     }
 
     void everyClassOneIsThereAndNothingDonePassesNone()
@@ -247,20 +241,15 @@ private slots:
     {
         QFETCH(QString, id);
         QFETCH(int, slip);
-        const auto assigned = assign(shipped(id.toStdString()));
-        QVERIFY(support::succeeds(assigned));
-        const Assignment& assignment = assigned->assignment;
-        const auto marked = mark(assignment, cutTo(assignment, spoiled(assignment, static_cast<Slip>(slip))));
-        QVERIFY(marked.has_value());
-        QVERIFY2(!marked->sheet.passed(), qPrintable(QString::number(0.1 * marked->sheet.totalTenths)));
+        const Assignment assignment = assigned(id.toStdString());
+        const Mark marked = mark(assignment, cutTo(assignment, spoiled(assignment, static_cast<Slip>(slip)))).value();
+        QVERIFY2(!marked.sheet.passed(), qPrintable(QString::number(0.1 * marked.sheet.totalTenths)));
     }
 
     /// The box is cut through where the tooth bulges over it, and the last shell goes last (teeth.md section 7).
     void aShellLeftBeforeTheNeighbourIsNoHole()
     {
-        const auto assigned = assign(shipped("class2-36-distal"));
-        QVERIFY(assigned.has_value());
-        const Assignment& assignment = assigned->assignment;
+        const Assignment assignment = assigned("class2-36-distal");
         const core::terrain::ToothAnatomy& anatomy = *assignment.anatomy;
         const int shell = static_cast<int>(0.3 / anatomy.grid.cellMm);
         std::vector<float> top = *assignment.ideal->top;
@@ -273,51 +262,37 @@ private slots:
         }
         const core::terrain::Tooth tooth = cutTo(assignment, top);
         QVERIFY(!core::terrain::perforations(tooth).empty());
-        const auto marked = mark(assignment, tooth);
-        QVERIFY(marked.has_value());
-        QCOMPARE(marked->measured.measures.perforatedMm2, 0.0);
-        QVERIFY(!marked->sheet.failedCritically());
+        const Mark marked = mark(assignment, tooth).value();
+        QCOMPARE(marked.measured.measures.perforatedMm2, 0.0);
+        QVERIFY(!marked.sheet.failedCritically());
     }
 
     void tooDeepCostsDepthAlone()
     {
-        for (const Lesson& lesson : withIdeal()) {
-            if (lesson.id != "class1-36")
-                continue;
-            const auto assigned = assign(lesson);
-            QVERIFY(assigned.has_value());
-            const Assignment& assignment = assigned->assignment;
-            std::vector<float> top = *assignment.ideal->top;
-            for (std::size_t k = 0; k < top.size(); ++k)
-                if (assignment.ideal->parts[k] == core::grading::Part::Floor)
-                    top[k] -= 0.5F;
-            const auto marked = mark(assignment, cutTo(assignment, top));
-            QVERIFY(marked.has_value());
-            for (const Criterion& line : marked->sheet.criteria) {
-                if (line.id == "depth") {
-                    QVERIFY(std::abs(line.measured.value() - 0.5) < 0.01);
-                    QCOMPARE(line.lostTenths, 67);  // 20 points * (0.5 - 0.25) / 0.75
-                } else if (line.id == "outline" || line.id == "isthmus" || line.id == "ridge" || line.id == "floor") {
-                    QCOMPARE(line.lostTenths, 0);
-                }
+        const Assignment assignment = assigned("class1-36");
+        std::vector<float> top = *assignment.ideal->top;
+        for (std::size_t k = 0; k < top.size(); ++k)
+            if (assignment.ideal->parts[k] == core::grading::Part::Floor)
+                top[k] -= 0.5F;
+        const Mark marked = mark(assignment, cutTo(assignment, top)).value();
+        for (const Criterion& line : marked.sheet.criteria) {
+            if (line.id == "depth") {
+                QVERIFY(std::abs(line.measured.value() - 0.5) < 0.01);
+                QCOMPARE(line.lostTenths, 67);  // 20 points * (0.5 - 0.25) / 0.75
+            } else if (line.id == "outline" || line.id == "isthmus" || line.id == "ridge" || line.id == "floor") {
+                QCOMPARE(line.lostTenths, 0);
             }
         }
     }
 
     void aRecordingIsMarkedForItsLesson()
     {
-        for (const Lesson& lesson : withIdeal()) {
-            if (lesson.id != "block-line")
-                continue;
-            const auto assigned = assign(lesson);
-            QVERIFY(assigned.has_value());
-            const core::recording::Recording recording({}, assigned->assignment.anatomy, lesson.json);
-            const auto remarked = markAgain(recording);
-            QVERIFY(support::succeeds(remarked));
-            QCOMPARE(remarked->mark.sheet.rubricHash, lesson.rubric.hash);
-            QVERIFY(remarked->mark.measured.deviation->zones.has_value());
-        }
-        const auto anatomy = assign(withIdeal().front())->assignment.anatomy;
+        const Lesson lesson = shipped("block-line");
+        const auto anatomy = assign(lesson)->assignment.anatomy;
+        const auto remarked = markAgain(core::recording::Recording({}, anatomy, lesson.json));
+        QVERIFY(support::succeeds(remarked));
+        QCOMPARE(remarked->mark.sheet.rubricHash, lesson.rubric.hash);
+        QVERIFY(remarked->mark.measured.deviation->zones.has_value());
         QVERIFY(!markAgain(core::recording::Recording({}, anatomy, "{\"format\": 99}")).has_value());
         QCOMPARE(markAgain(core::recording::Recording({}, anatomy))->mark.sheet.rubricId, std::string("decay_removal"));
     }
@@ -331,9 +306,7 @@ private slots:
             if (!isExercise(lesson.task))
                 continue;
             found << QString::fromStdString(lesson.id);
-            const auto assigned = assign(lesson);
-            QVERIFY(support::succeeds(assigned));
-            const Assignment& assignment = assigned->assignment;
+            const Assignment assignment = assign(lesson).value().assignment;
             QVERIFY(assignment.exercise.has_value());
             QVERIFY(assignment.shownIdeal() == nullptr);
             Practised nothing = Named{};
@@ -349,17 +322,12 @@ private slots:
                 all = Named{{pads.madeOf[0], pads.madeOf[1], pads.madeOf[2]}, 3};
             }
             const core::terrain::Tooth tooth(assignment.anatomy);
-            const auto done = mark(assignment, tooth, Conduct{{}, 0, 0, all});
-            QVERIFY(done.has_value());
-            QCOMPARE(done->sheet.totalTenths, kFullTenths);
-            const auto idle = mark(assignment, tooth, Conduct{{}, 0, 0, nothing});
-            QVERIFY(idle.has_value());
-            QVERIFY2(!idle->sheet.passed(), qPrintable(QString::number(0.1 * idle->sheet.totalTenths)));
+            QCOMPARE(mark(assignment, tooth, Conduct{{}, 0, 0, all})->sheet.totalTenths, kFullTenths);
+            QVERIFY2(!mark(assignment, tooth, Conduct{{}, 0, 0, nothing})->sheet.passed(), lesson.id.c_str());
             // Live and in every replay: what the recording keeps is the same exercise.
-            const auto again = assignmentOf(assignment.anatomy, lesson.json);
-            QVERIFY(again.has_value());
-            QVERIFY(again->exercise == assignment.exercise);
-            QVERIFY(examinationOf(*again).exercise == assignment.exercise);
+            const Assignment again = assignmentOf(assignment.anatomy, lesson.json).value();
+            QVERIFY(again.exercise == assignment.exercise);
+            QVERIFY(examinationOf(again).exercise == assignment.exercise);
         }
         // They come before all others.
         QCOMPARE(found, (QStringList{"orientation-1-touch", "orientation-2-hold", "orientation-3-layers"}));
@@ -439,15 +407,9 @@ private slots:
 
     void aPointBesideTheToothIsNamed()
     {
-        for (const CatalogEntry& entry : readCatalog({})) {
-            if (entry.read.lesson->task != Task::TouchPoints)
-                continue;
-            Lesson lesson = *entry.read.lesson;
-            lesson.touch->pointsMm[1] = {9.5, 0.0};
-            const auto assigned = assign(lesson);
-            QVERIFY(!assigned.has_value());
-            QCOMPARE(assigned.error().detail, std::string("touch.points[1]: there is no tooth at x = 9.5, y = 0 mm"));
-        }
+        Lesson lesson = shipped("orientation-1-touch");
+        lesson.touch->pointsMm[1] = {9.5, 0.0};
+        QVERIFY(support::isRefused(assign(lesson), "touch.points[1]: there is no tooth at x = 9.5, y = 0 mm"));
     }
 
     /// Each key of a shipped file stands in the schema, and each of the schema's is one that the reader knows.

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QElapsedTimer>
 #include <QTest>
 
 #include <cmath>
@@ -10,6 +9,22 @@
 #include "tests/support/Trials.h"
 
 using namespace lessons;
+
+namespace {
+
+/// The volume that is removed alone costs points.
+Assignment volumeAlone(const std::shared_ptr<const core::terrain::ToothAnatomy>& anatomy, double spanMm3)
+{
+    Assignment assignment = practiceOn(anatomy).value();
+    assignment.rubric.criteria.resize(1);
+    assignment.rubric.criteria[0].measure = "removed_mm3";
+    assignment.rubric.criteria[0].tolerance = 0.0;
+    assignment.rubric.criteria[0].span = spanMm3;
+    assignment.rubric.criteria[0].weightTenths = 1000;
+    return assignment;
+}
+
+}  // namespace
 
 class TestGridNoise : public QObject
 {
@@ -39,12 +54,7 @@ private slots:
     void aCutUnderOneCellDoes()
     {
         const auto anatomy = support::wavyDisc(150, 0.07);
-        Assignment assignment = practiceOn(anatomy).value();
-        assignment.rubric.criteria.resize(1);
-        assignment.rubric.criteria[0].measure = "removed_mm3";
-        assignment.rubric.criteria[0].tolerance = 0.0;
-        assignment.rubric.criteria[0].span = 1.0;
-        assignment.rubric.criteria[0].weightTenths = 1000;
+        const Assignment assignment = volumeAlone(anatomy, 1.0);
         for (const int row : {74, 75}) {
             std::vector<float> top = anatomy->top;
             for (int i = 60; i < 90; ++i)
@@ -62,12 +72,7 @@ private slots:
     void itSaysWhenThePassMarkLiesBetween()
     {
         const auto anatomy = support::wavyDisc(150, 0.07);
-        Assignment assignment = practiceOn(anatomy).value();
-        assignment.rubric.criteria.resize(1);
-        assignment.rubric.criteria[0].measure = "removed_mm3";
-        assignment.rubric.criteria[0].tolerance = 0.0;
-        assignment.rubric.criteria[0].span = 10.0;
-        assignment.rubric.criteria[0].weightTenths = 1000;
+        Assignment assignment = volumeAlone(anatomy, 10.0);
         std::vector<float> top = support::hollowed(anatomy, 1.2).top;
         for (int i = 40; i < 110; ++i)
             top[anatomy->grid.index(i, 20)] -= 1.0F;  // which the coarse grid counts twice
@@ -81,21 +86,17 @@ private slots:
         QVERIFY(!gridNoise(assignment, tooth)->isUncertain());
     }
 
-    /// What asks for the ideal passes whoever cuts it, however finely that is measured. Prints the marks.
+    /// What asks for the ideal passes whoever cuts it, however finely that is measured.
     void idealWorkStaysGoodAtEveryGrid()
     {
-        QElapsedTimer clock;
         int lesson = 0;
         for (const CatalogEntry& entry : readCatalog({})) {
             if (!entry.read.lesson || entry.read.lesson->task == Task::RemoveDecay ||
                 isExercise(entry.read.lesson->task) || !support::isTried(lesson++))
                 continue;
             const Assignment assignment = assign(*entry.read.lesson).value().assignment;
-            clock.start();
             const GridNoise noise =
                 gridNoise(assignment, core::terrain::restored(assignment.anatomy, *assignment.ideal->top)).value();
-            qInfo("%s: %d, half %d, double %d, in %lld ms", entry.read.lesson->id.c_str(), noise.own.totalTenths,
-                  noise.half.totalTenths, noise.twice->totalTenths, static_cast<long long>(clock.elapsed()));
             QCOMPARE(noise.own.totalTenths, 1000);
             QVERIFY(!noise.isUncertain());
         }

@@ -3,10 +3,7 @@
 #include <QDir>
 #include <QFile>
 #include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
 #include <QStandardPaths>
-#include <QTemporaryDir>
 #include <QTest>
 
 #include "core/recording/Format.h"
@@ -16,11 +13,14 @@
 #include "lessons/LessonCatalog.h"
 #include "lessons/LessonPack.h"
 #include "tests/fuzz/Exercises.h"
+#include "tests/lessons/LessonFolder.h"
 #include "tests/support/Checks.h"
-#include "tests/support/Files.h"
 #include "tests/support/Tables.h"
 
 using namespace lessons;
+using support::isSound;
+using support::says;
+using support::sentencesOf;
 
 /// A captured ideal in a lesson, and lessons in a pack.
 
@@ -35,9 +35,8 @@ private slots:
     void aCapturedIdealEarnsFullPointsOnItself()
     {
         writeCaptured("own.cuspideal");
-        const ReadLesson read = readLesson(write("own.lesson.json", lesson()));
-        QVERIFY2(read.lesson, qPrintable(sentences(read)));
-        QVERIFY2(read.faults.empty(), qPrintable(sentences(read)));
+        const ReadLesson read = m_folder->read("own.lesson.json", lesson());
+        QVERIFY(isSound(read));
         const auto assigned = assign(*read.lesson);
         QVERIFY(support::succeeds(assigned));
         const Assignment& assignment = assigned->assignment;
@@ -52,7 +51,7 @@ private slots:
     void aRecordingTakesTheCapturedIdealAlong()
     {
         const QString ideal = writeCaptured("own.cuspideal");
-        const ReadLesson read = readLesson(write("own.lesson.json", lesson()));
+        const ReadLesson read = m_folder->read("own.lesson.json", lesson());
         const Assignment assignment = assign(*read.lesson)->assignment;
         QVERIFY(core::recording::checkLesson(read.lesson->json));
         const core::recording::Recording recording({}, assignment.anatomy, read.lesson->json);
@@ -62,45 +61,42 @@ private slots:
         QVERIFY(support::succeeds(marked));
         QVERIFY(marked->mark.measured.deviation->idealMm3 > 5.0);
         const auto text = readLessonText(QByteArray::fromStdString(read.lesson->json), QStringLiteral("text"));
-        QVERIFY2(text.lesson, qPrintable(sentences(text)));
+        QVERIFY2(text.lesson, qPrintable(sentencesOf(text)));
         QVERIFY(*text.lesson == *read.lesson);
     }
 
     void faultsOfACapturedIdealNameFileAndKey()
     {
-        const auto says = [&](const QByteArray& content, const char* words) {
-            write("own.cuspideal", content);
-            const ReadLesson read = readLesson(write("own.lesson.json", lesson()));
+        const auto saysOf = [&](const QByteArray& content, const char* words) {
+            m_folder->write("own.cuspideal", content);
+            const ReadLesson read = m_folder->read("own.lesson.json", lesson());
             QVERIFY(!read.lesson);
-            QVERIFY2(sentences(read).contains("own.lesson.json, ideal.captured: \"own.cuspideal\"") &&
-                         sentences(read).contains(words),
-                     qPrintable(sentences(read)));
+            QVERIFY(support::says(read, "own.lesson.json, ideal.captured: \"own.cuspideal\"") &&
+                    support::says(read, words));
         };
         const QByteArray good = QByteArray::fromStdString(core::preparation::toBytes(captured()));
-        says(QByteArray(), "is empty");
-        says("hello", "not a captured ideal");
-        says(good.left(good.size() / 2), "ends early");
+        saysOf(QByteArray(), "is empty");
+        saysOf("hello", "not a captured ideal");
+        saysOf(good.left(good.size() / 2), "ends early");
         QByteArray flipped = good;
         flipped[100] = static_cast<char>(flipped[100] ^ 4);
-        says(flipped, "is damaged");
-        says(QByteArray(10 * 1024 * 1024, 'x'), "has 10.0 MB");
-        QFile::remove(m_folder->filePath("own.cuspideal"));
-        QVERIFY(
-            sentences(readLesson(write("own.lesson.json", lesson()))).contains("there is no file \"own.cuspideal\""));
+        saysOf(flipped, "is damaged");
+        saysOf(QByteArray(10 * 1024 * 1024, 'x'), "has 10.0 MB");
+        QFile::remove(m_folder->at("own.cuspideal"));
+        QVERIFY(says(m_folder->read("own.lesson.json", lesson()), "there is no file \"own.cuspideal\""));
         QJsonObject out = lesson();
         out["ideal"] = QJsonObject{{"captured", "../own.cuspideal"}};
-        QVERIFY(sentences(readLesson(write("own.lesson.json", out))).contains("leads out of the lesson's folder"));
+        QVERIFY(says(m_folder->read("own.lesson.json", out), "leads out of the lesson's folder"));
         // Of another tooth, or another grid.
-        write("own.cuspideal", good);
+        m_folder->write("own.cuspideal", good);
         for (const auto& [key, value] :
              {std::pair<const char*, QJsonValue>{"tooth", QJsonObject{{"fdi", 36}, {"seed", 5}}}, {"grid", 151}}) {
             QJsonObject other = lesson();
             other[QLatin1String(key)] = value;
-            const ReadLesson read = readLesson(write("own.lesson.json", other));
+            const ReadLesson read = m_folder->read("own.lesson.json", other);
             QVERIFY(!read.lesson);
-            QVERIFY2(sentences(read).contains("own.lesson.json, ideal.captured: \"own.cuspideal\" was captured on the "
-                                              "tooth '36' (seed 0, grid "),
-                     qPrintable(sentences(read)));
+            QVERIFY(says(read, "own.lesson.json, ideal.captured: \"own.cuspideal\" was captured on the tooth '36' "
+                               "(seed 0, grid "));
         }
     }
 
@@ -111,22 +107,22 @@ private slots:
                            {"based_on", "ideal-1-class1-1-36.lesson.json"},
                            {"id", "own"},
                            {"ideal", QJsonObject{{"captured", "own.cuspideal"}}}};
-        QVERIFY(sentences(readLesson(write("own.lesson.json", object))).contains("\"kind\": null"));
+        QVERIFY(says(m_folder->read("own.lesson.json", object), "\"kind\": null"));
         object["ideal"] = QJsonObject{{"captured", "own.cuspideal"}, {"kind", QJsonValue()}, {"sizes", QJsonValue()}};
-        const ReadLesson read = readLesson(write("own.lesson.json", object));
-        QVERIFY2(read.lesson, qPrintable(sentences(read)));
+        const ReadLesson read = m_folder->read("own.lesson.json", object);
+        QVERIFY2(read.lesson, qPrintable(sentencesOf(read)));
         QVERIFY(read.lesson->ideal->captured && read.lesson->ideal->kind.empty());
     }
 
     void theHashKnowsTheCapturedIdeal()
     {
         writeCaptured("own.cuspideal");
-        const QString file = write("own.lesson.json", lesson());
+        const QString file = m_folder->write("own.lesson.json", lesson());
         const std::string first = readLesson(file).lesson->hash;
         QCOMPARE(readLesson(file).lesson->hash, first);
         auto other = captured();
         other.heightsMm.front() -= 0.01F;
-        write("own.cuspideal", QByteArray::fromStdString(core::preparation::toBytes(other)));
+        m_folder->write("own.cuspideal", QByteArray::fromStdString(core::preparation::toBytes(other)));
         QVERIFY(readLesson(file).lesson->hash != first);
     }
 
@@ -138,8 +134,8 @@ private slots:
         QJsonObject object = lesson();
         writeCaptured("own.cuspideal");
         object["rubric"] = withTolerances(QJsonDocument::fromJson(shipped.readAll()).object(), wanted);
-        const ReadLesson read = readLesson(write("own.lesson.json", object));
-        QVERIFY2(read.lesson, qPrintable(sentences(read)));
+        const ReadLesson read = m_folder->read("own.lesson.json", object);
+        QVERIFY2(read.lesson, qPrintable(sentencesOf(read)));
         QVERIFY(tolerancesOf(read.lesson->rubric) == wanted);
         QVERIFY(tolerancesOf(Rubric{}, wanted) == wanted);
     }
@@ -159,7 +155,7 @@ private slots:
         QTemporaryDir elsewhere;
         QVERIFY(putInto(elsewhere.filePath("mine"), *files));
         const ReadLesson there = readLesson(elsewhere.filePath("mine/own.lesson.json"));
-        QVERIFY2(there.lesson, qPrintable(sentences(there)));
+        QVERIFY2(there.lesson, qPrintable(sentencesOf(there)));
         QCOMPARE(there.lesson->hash, readLesson(file).lesson->hash);
     }
 
@@ -168,13 +164,10 @@ private slots:
         QJsonObject object = lesson();
         writeCaptured("own.cuspideal");
         object["expert"] = QJsonObject{{"recording", "expert.cusprec"}};
-        write("expert.cusprec", QByteArray("an attempt"));
-        const auto bytes = packLessons({write("own.lesson.json", object)});
-        QVERIFY(support::succeeds(bytes));
+        m_folder->write("expert.cusprec", QByteArray("an attempt"));
         QTemporaryDir elsewhere;
-        QVERIFY(putInto(elsewhere.path(), unpackLessons(*bytes).value()));
-        const ReadLesson there = readLesson(elsewhere.filePath("own.lesson.json"));
-        QVERIFY2(there.lesson, qPrintable(sentences(there)));
+        const ReadLesson there = packedTo(elsewhere, object);
+        QVERIFY2(there.lesson, qPrintable(sentencesOf(there)));
         QCOMPARE(QString::fromStdString(there.lesson->expert->file), elsewhere.filePath("expert.cusprec"));
     }
 
@@ -182,16 +175,13 @@ private slots:
     {
         core::settings::FeelPreset preset = shippedPresets().front();
         preset.name = "second year";
-        QVERIFY(writePreset(m_folder->filePath("second-year.cusppreset"), preset));
+        QVERIFY(writePreset(m_folder->at("second-year.cusppreset"), preset));
         QJsonObject object = lesson();
         writeCaptured("own.cuspideal");
         object["hardness"] = "second-year.cusppreset";
-        const auto bytes = packLessons({write("own.lesson.json", object)});
-        QVERIFY(support::succeeds(bytes));
         QTemporaryDir elsewhere;
-        QVERIFY(putInto(elsewhere.path(), unpackLessons(*bytes).value()));
-        const ReadLesson there = readLesson(elsewhere.filePath("own.lesson.json"));
-        QVERIFY2(there.lesson && there.lesson->hardness, qPrintable(sentences(there)));
+        const ReadLesson there = packedTo(elsewhere, object);
+        QVERIFY2(there.lesson && there.lesson->hardness, qPrintable(sentencesOf(there)));
         QVERIFY(QString::fromStdString(there.lesson->hardness->name).startsWith("second year v1"));
     }
 
@@ -203,8 +193,9 @@ private slots:
                                      "decay-36-1-small", "block-3-cross", "ideal-1-class1-1-36"})
                 support::writeSeed("lesson", name,
                                    readLesson(QStringLiteral(":/lessons/%1.lesson.json").arg(name)).lesson->json);
-            write("small.lesson.json", QJsonObject{{"format", 1}, {"based_on", "ideal-1-class1-1-36.lesson.json"}});
-            const QByteArray small = packLessons({m_folder->filePath("small.lesson.json")}).value();
+            m_folder->write("small.lesson.json",
+                            QJsonObject{{"format", 1}, {"based_on", "ideal-1-class1-1-36.lesson.json"}});
+            const QByteArray small = packLessons({m_folder->at("small.lesson.json")}).value();
             support::writeSeed("pack", "small", small.toStdString());
             support::writeSeed("pack", "unpacked",
                                core::recording::unpack(small.toStdString(), kLargestPackBytes).value());
@@ -223,10 +214,9 @@ private slots:
         auto entries = readCatalog(teachers.path());
         QCOMPARE(entries.size(), shipped + 2);
         const CatalogEntry& offered = entries[shipped];
-        QVERIFY2(offered.read.lesson && offered.read.lesson->id == "own-36", qPrintable(sentences(offered.read)));
+        QVERIFY2(offered.read.lesson && offered.read.lesson->id == "own-36", qPrintable(sentencesOf(offered.read)));
         QVERIFY(assign(*offered.read.lesson));
-        QVERIFY2(entries.back().isFaulty() && sentences(entries.back().read).contains("damaged.cusplessons"),
-                 qPrintable(sentences(entries.back().read)));
+        QVERIFY(entries.back().isFaulty() && says(entries.back().read, "damaged.cusplessons"));
         // Unpacked beside its pack, it is there once.
         QVERIFY(putInto(teachers.path(), *unpackLessons(*bytes)));
         QCOMPARE(readCatalog(teachers.path()).size(), shipped + 2);
@@ -248,7 +238,7 @@ private slots:
         const auto entries = readCatalog(teachers.path());
         QCOMPARE(entries.size(), readCatalog({}).size() + 1);
         QVERIFY2(entries.back().read.lesson && entries.back().pack.isEmpty(),
-                 qPrintable(sentences(entries.back().read)));
+                 qPrintable(sentencesOf(entries.back().read)));
         QCOMPARE(entries.back().read.lesson->minutes, 3.0);
     }
 
@@ -257,15 +247,14 @@ private slots:
         QTemporaryDir teachers;
         const QByteArray bytes = packed(pack({entry("odd.lesson.json", "{\"format\": 1}")}));
         support::write(teachers.filePath("course.cusplessons"), bytes.toStdString());
-        const QString said = sentences(readCatalog(teachers.path()).back().read);
-        QVERIFY2(said.contains("odd.lesson.json, ") && said.contains("(in the pack course.cusplessons)"),
-                 qPrintable(said));
+        const ReadLesson read = readCatalog(teachers.path()).back().read;
+        QVERIFY(says(read, "odd.lesson.json, ") && says(read, "(in the pack course.cusplessons)"));
     }
 
     void theCacheIsNotTrusted()
     {
         const auto bytes = packLessons({writeLesson()});
-        const QString pack = write("course.cusplessons", *bytes);
+        const QString pack = m_folder->write("course.cusplessons", *bytes);
         const auto folder = openPack(pack);
         QVERIFY(folder);
         const QString ideal = QDir(*folder).filePath("own.cuspideal");
@@ -282,10 +271,10 @@ private slots:
     {
         const auto files = *unpackLessons(*packLessons({writeLesson()}));
         QVERIFY(putInto(m_folder->path(), files));  // all is there as it is in the pack
-        write("own.base.json", QByteArray("mine"));
-        QFile::remove(m_folder->filePath("own.cuspideal"));
+        m_folder->write("own.base.json", QByteArray("mine"));
+        QFile::remove(m_folder->at("own.cuspideal"));
         QVERIFY(support::isRefused(putInto(m_folder->path(), files), "own.base.json"));
-        QVERIFY(!QFileInfo::exists(m_folder->filePath("own.cuspideal")));  // nothing was written
+        QVERIFY(!QFileInfo::exists(m_folder->at("own.cuspideal")));  // nothing was written
     }
 
     void whatCannotBeUnpackedWholeLeavesNothing()
@@ -318,9 +307,7 @@ private slots:
     {
         QJsonObject wrong = entry("a.json", "{}");
         wrong["sha256"] = entry("a.json", "{ }")["sha256"];
-        const auto refused = unpackLessons(packed(pack({wrong})));
-        QVERIFY2(!refused && refused.error().detail.find("not what its hash says") != std::string::npos,
-                 refused.error().detail.c_str());
+        QVERIFY(support::isRefused(unpackLessons(packed(pack({wrong}))), "not what its hash says"));
         wrong = entry("a.json", "{}");
         wrong["base64"] = "e30=*";
         QVERIFY(!unpackLessons(packed(pack({wrong}))));
@@ -330,23 +317,19 @@ private slots:
     void refusesABomb()
     {
         // 200 MB of nothing in a few kilobytes.
-        std::string nothing;
-        nothing.resize(200'000'000, ' ');
-        const QByteArray bomb = QByteArray::fromStdString(core::recording::pack(nothing));
+        const QByteArray bomb = QByteArray::fromStdString(core::recording::pack(std::string(200'000'000, ' ')));
         QVERIFY(bomb.size() < 100'000);
-        const auto refused = unpackLessons(bomb);
-        QVERIFY2(!refused && refused.error().detail.find("more than 64.0 MB") != std::string::npos,
-                 refused.error().detail.c_str());
+        QVERIFY(support::isRefused(unpackLessons(bomb), "more than 64.0 MB"));
         QJsonArray many;
         for (int k = 0; k < 600; ++k)
             many << entry(QStringLiteral("%1.json").arg(k), "{}");
-        QVERIFY(unpackLessons(packed(pack(many))).error().detail.find("600 files") != std::string::npos);
+        QVERIFY(support::isRefused(unpackLessons(packed(pack(many))), "600 files"));
         QVERIFY(!unpackLessons(packed(pack({}))));
     }
 
     void truncatedOrFlippedIsRefused()
     {
-        const QByteArray whole = *packLessons({write("own.lesson.json", [] {
+        const QByteArray whole = *packLessons({m_folder->write("own.lesson.json", [] {
             QJsonObject plain = lesson();
             plain["ideal"] = QJsonObject{{"kind", "class1"}};
             return plain;
@@ -381,9 +364,8 @@ private slots:
     void refusesLinks()
     {
         QTemporaryDir outside;
-        QVERIFY(QFile::link(outside.path(), m_folder->filePath("sub")));
-        const auto refused = putInto(m_folder->path(), {{"sub/a.json", "{}"}});
-        QVERIFY(!refused && refused.error().detail.find("is a link to elsewhere") != std::string::npos);
+        QVERIFY(QFile::link(outside.path(), m_folder->at("sub")));
+        QVERIFY(support::isRefused(putInto(m_folder->path(), {{"sub/a.json", "{}"}}), "is a link to elsewhere"));
         QVERIFY(!QFileInfo::exists(outside.filePath("a.json")));
     }
 
@@ -391,38 +373,28 @@ private slots:
     {
         QJsonObject faulty = lesson();
         faulty["grid"] = 3;
-        const auto refused = packLessons({write("faulty.lesson.json", faulty)});
-        QVERIFY(!refused);
-        QVERIFY2(refused.error().detail.find("faulty.lesson.json, grid") == 0, refused.error().detail.c_str());
+        QVERIFY(support::isRefused(packLessons({m_folder->write("faulty.lesson.json", faulty)}),
+                                   "faulty.lesson.json, grid"));
         QVERIFY(!packLessons({}));
-        QVERIFY(!packLessons({m_folder->filePath("none.lesson.json")}));
+        QVERIFY(!packLessons({m_folder->at("none.lesson.json")}));
         QJsonObject scanned = lesson();
-        write("noise.stl", QByteArray("no mesh at all"));
+        m_folder->write("noise.stl", QByteArray("no mesh at all"));
         scanned["tooth"] = QJsonObject{{"fdi", 36}, {"scan", "noise.stl"}};
         scanned.remove("ideal");
         scanned["task"] = "remove_decay";
         scanned["lesion"] = QJsonObject{{"extent", 0.5}};
         scanned["rubric"] = "decay_removal";
-        QVERIFY(support::isRefused(packLessons({write("scanned.lesson.json", scanned)}), "noise.stl"));
+        QVERIFY(support::isRefused(packLessons({m_folder->write("scanned.lesson.json", scanned)}), "noise.stl"));
     }
 
 private:
-    QString write(const QString& name, const QByteArray& content) const
+    /// Packs a lesson, unpacks it elsewhere, and reads it there.
+    ReadLesson packedTo(const QTemporaryDir& elsewhere, const QJsonObject& object) const
     {
-        const QString path = m_folder->filePath(name);
-        support::write(path, content.toStdString());
-        return path;
-    }
-    QString write(const QString& name, const QJsonObject& object) const
-    {
-        return write(name, QJsonDocument(object).toJson());
-    }
-    static QString sentences(const ReadLesson& read)
-    {
-        QStringList all;
-        for (const Fault& fault : read.faults)
-            all << fault.sentence();
-        return all.join(QLatin1Char('\n'));
+        const auto bytes = packLessons({m_folder->write("own.lesson.json", object)}).value();
+        if (!putInto(elsewhere.path(), unpackLessons(bytes).value()))
+            qFatal("not unpacked");
+        return readLesson(elsewhere.filePath("own.lesson.json"));
     }
     /// The Class I of 36, cut by rule and captured.
     static core::preparation::CapturedIdeal captured()
@@ -436,7 +408,7 @@ private:
     QString writeCaptured(const QString& name) const
     {
         const std::string bytes = core::preparation::toBytes(captured());
-        return write(name, QByteArray::fromStdString(bytes));
+        return m_folder->write(name, QByteArray::fromStdString(bytes));
     }
     static QJsonObject lesson()
     {
@@ -456,11 +428,11 @@ private:
         QFile shipped(QStringLiteral(":/lessons/class1.rubric.json"));
         if (!shipped.open(QIODevice::ReadOnly))
             qFatal("a rubric is missing");
-        write("parts/own.rubric.json", shipped.readAll());
+        m_folder->write("parts/own.rubric.json", shipped.readAll());
         QJsonObject base = lesson();
         base["rubric"] = "parts/own.rubric.json";
-        write("own.base.json", base);
-        return write("own.lesson.json", QJsonObject{{"format", 1}, {"based_on", "own.base.json"}});
+        m_folder->write("own.base.json", base);
+        return m_folder->write("own.lesson.json", QJsonObject{{"format", 1}, {"based_on", "own.base.json"}});
     }
     static QByteArray packed(const QJsonObject& pack)
     {
@@ -474,7 +446,7 @@ private:
     }
     static QJsonObject pack(const QJsonArray& files) { return {{"format", 1}, {"cusp", "lessons"}, {"files", files}}; }
 
-    std::optional<QTemporaryDir> m_folder;
+    std::optional<support::LessonFolder> m_folder;
 };
 
 QTEST_GUILESS_MAIN(TestLessonPack)

@@ -1,23 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
 #include <QStringConverter>
-#include <QTemporaryDir>
 #include <QTest>
 
 #include "lessons/Assignment.h"
 #include "lessons/LessonCatalog.h"
 #include "lessons/RubricReader.h"
+#include "tests/lessons/LessonFolder.h"
 #include "tests/support/Checks.h"
-#include "tests/support/Files.h"
 #include "tests/support/Tables.h"
 #include "tests/support/Trials.h"
 
 using namespace lessons;
+using support::isSound;
+using support::says;
+using support::sentencesOf;
 
 class TestLessonReader : public QObject
 {
@@ -51,9 +50,8 @@ private slots:
         object["rules"] = QJsonObject{{"pulp_exposed", false}, {"perforated", false},   {"neighbour_hit", true},
                                       {"depth_limit_mm", 2.5}, {"ridge_limit_mm", 1.2}, {"beside_mm", 0.5},
                                       {"force_limit_n", 3.0},  {"air_limit_s", 30}};
-        const ReadLesson read = readLesson(write("try.lesson.json", object));
-        QVERIFY2(read.lesson, qPrintable(sentences(read)));
-        QVERIFY2(read.faults.empty(), qPrintable(sentences(read)));
+        const ReadLesson read = m_folder->read("try.lesson.json", object);
+        QVERIFY(isSound(read));
         const Lesson& got = *read.lesson;
         QCOMPARE(got.id, std::string("try-36"));
         QCOMPARE(got.version, 3);
@@ -90,8 +88,7 @@ private slots:
     {
         int decays = 0;
         for (const CatalogEntry& entry : readCatalog({})) {
-            QVERIFY2(entry.read.lesson, qPrintable(sentences(entry.read)));
-            QVERIFY2(entry.read.faults.empty(), qPrintable(sentences(entry.read)));
+            QVERIFY(isSound(entry.read));
             const Lesson& shipped = *entry.read.lesson;
             for (const LocalText* text : {&shipped.title, &shipped.goal})
                 for (const char* language : {"en", "de", "es", "ja"})
@@ -112,9 +109,9 @@ private slots:
 
     void tellsEachFaultByFileAndKey_data()
     {
-        support::columns<QString, QByteArray, QString>("key", "value", "says");
-        const auto row = [](const char* name, const char* key, const char* value, const char* says) {
-            QTest::newRow(name) << QString(key) << QByteArray(value) << QString(says);
+        support::columns<QString, QByteArray, QString>("key", "value", "words");
+        const auto row = [](const char* name, const char* key, const char* value, const char* words) {
+            QTest::newRow(name) << QString(key) << QByteArray(value) << QString(words);
         };
         row("no format", "format", "null", "format: is missing");
         row("a newer format", "format", "2", "newer Cusp");
@@ -205,17 +202,17 @@ private slots:
     {
         QFETCH(QString, key);
         QFETCH(QByteArray, value);
-        QFETCH(QString, says);
+        QFETCH(QString, words);
         QJsonObject object = lesson();
         const QJsonValue parsed = QJsonDocument::fromJson("[" + value + "]").array().at(0);
         if (parsed.isNull())
             object.remove(key);
         else
             object[key] = parsed;
-        const ReadLesson read = readLesson(write("odd.lesson.json", object));
+        const ReadLesson read = m_folder->read("odd.lesson.json", object);
         QVERIFY(!read.lesson);
-        QVERIFY2(sentences(read).contains("odd.lesson.json, "), qPrintable(sentences(read)));
-        QVERIFY2(sentences(read).contains(says), qPrintable(sentences(read)));
+        QVERIFY(says(read, "odd.lesson.json, "));
+        QVERIFY(says(read, words));
     }
 
     void layersAreToldWithoutAids()
@@ -224,14 +221,13 @@ private slots:
         object["task"] = "tell_layers";
         object["tooth"] = QJsonObject{{"block", "layers"}, {"seed", 3}};
         object.remove("lesion");
-        const ReadLesson read = readLesson(write("odd.lesson.json", object));
-        QVERIFY2(read.lesson, qPrintable(sentences(read)));
+        const ReadLesson read = m_folder->read("odd.lesson.json", object);
+        QVERIFY2(read.lesson, qPrintable(sentencesOf(read)));
         QCOMPARE(read.lesson->aids, Aids::none());
         object["aids"] = QJsonArray{"section"};
-        const ReadLesson peeking = readLesson(write("odd.lesson.json", object));
+        const ReadLesson peeking = m_folder->read("odd.lesson.json", object);
         QVERIFY(!peeking.lesson);
-        QVERIFY2(sentences(peeking).contains("aids: layers are told apart without any"),
-                 qPrintable(sentences(peeking)));
+        QVERIFY(says(peeking, "aids: layers are told apart without any"));
     }
 
     void tellsAllFaultsAtOnce()
@@ -240,12 +236,12 @@ private slots:
         object["tooth"] = QJsonObject{{"fdi", 99}};
         object["grid"] = 3;
         object["exam"] = "maybe";
-        const ReadLesson read = readLesson(write("odd.lesson.json", object));
+        const ReadLesson read = m_folder->read("odd.lesson.json", object);
         QCOMPARE(read.faults.size(), std::size_t{3});
         // One that is not there hides nothing.
         for (const char* rubric : {"fair", "../fair.json"}) {
             object["rubric"] = rubric;
-            const ReadLesson without = readLesson(write("odd.lesson.json", object));
+            const ReadLesson without = m_folder->read("odd.lesson.json", object);
             QVERIFY(!without.lesson);
             QCOMPARE(without.faults.size(), std::size_t{4});
         }
@@ -256,25 +252,20 @@ private slots:
         QJsonObject object = lesson();
         object["minuts"] = 3;
         object["colour of the sky"] = "blue";
-        const ReadLesson read = readLesson(write("odd.lesson.json", object));
-        QVERIFY2(read.lesson, qPrintable(sentences(read)));
+        const ReadLesson read = m_folder->read("odd.lesson.json", object);
+        QVERIFY2(read.lesson, qPrintable(sentencesOf(read)));
         QCOMPARE(read.faults.size(), std::size_t{2});
-        QVERIFY2(sentences(read).contains("minuts: is not a key that is known here; did you mean \"minutes\"?"),
-                 qPrintable(sentences(read)));
+        QVERIFY(says(read, "minuts: is not a key that is known here; did you mean \"minutes\"?"));
         QVERIFY(!read.faults[0].grave && !read.faults[1].grave);
     }
 
     void whatIsBasedOnAnotherTakesItsKeys()
     {
-        write("base.json", lesson());
-        const QString file = write("deep.lesson.json", QJsonObject{{"format", 1},
-                                                                   {"based_on", "base.json"},
-                                                                   {"id", "deep-36"},
-                                                                   {"minutes", 20},
-                                                                   {"tooth", QJsonObject{{"seed", 9}}}});
-        const ReadLesson read = readLesson(file);
-        QVERIFY2(read.lesson, qPrintable(sentences(read)));
-        QCOMPARE(read.lesson->id, std::string("deep-36"));
+        m_folder->write("base.json", lesson());
+        const ReadLesson read =
+            m_folder->read("own.lesson.json", own({{"minutes", 20}, {"tooth", QJsonObject{{"seed", 9}}}}));
+        QVERIFY2(read.lesson, qPrintable(sentencesOf(read)));
+        QCOMPARE(read.lesson->id, std::string("own"));
         QCOMPARE(std::get<MadeTooth>(read.lesson->tooth), (MadeTooth{36, 9}));
         QCOMPARE(read.lesson->minutes, 20.0);
     }
@@ -284,13 +275,10 @@ private slots:
     {
         QJsonObject base = lesson();
         base["title"] = QJsonObject{{"en", "Base"}, {"ja", "基"}};
-        write("base.json", base);
+        m_folder->write("base.json", base);
         const ReadLesson read =
-            readLesson(write("own.lesson.json", QJsonObject{{"format", 1},
-                                                            {"based_on", "base.json"},
-                                                            {"id", "own"},
-                                                            {"title", QJsonObject{{"en", "Own"}, {"de", "Eigen"}}}}));
-        QVERIFY2(read.lesson, qPrintable(sentences(read)));
+            m_folder->read("own.lesson.json", own({{"title", QJsonObject{{"en", "Own"}, {"de", "Eigen"}}}}));
+        QVERIFY2(read.lesson, qPrintable(sentencesOf(read)));
         QCOMPARE(read.lesson->title, (LocalText{{"en", "Own"}, {"de", "Eigen"}}));
         QCOMPARE(inLanguage(read.lesson->title, "ja"), std::string("Own"));
     }
@@ -300,26 +288,22 @@ private slots:
         QJsonObject base = lesson();
         base["minutes"] = 7;
         base["rules"] = QJsonObject{{"force_limit_n", 3}};
-        write("base.json", base);
-        const ReadLesson read = readLesson(
-            write("own.lesson.json", QJsonObject{{"format", 1},
-                                                 {"based_on", "base.json"},
-                                                 {"id", "own"},
-                                                 {"minutes", QJsonValue::Null},
-                                                 {"rules", QJsonObject{{"force_limit_n", QJsonValue::Null}}}}));
-        QVERIFY2(read.lesson && read.faults.empty(), qPrintable(sentences(read)));
+        m_folder->write("base.json", base);
+        const QJsonObject noLimit{{"force_limit_n", QJsonValue::Null}};
+        const ReadLesson read =
+            m_folder->read("own.lesson.json", own({{"minutes", QJsonValue::Null}, {"rules", noLimit}}));
+        QVERIFY(isSound(read));
         QCOMPARE(read.lesson->minutes, 0.0);
         QVERIFY(!read.lesson->rules.forceLimitN);
         // Where there is nothing to take back, it says nothing either.
         base["grid"] = QJsonValue::Null;
-        base["rules"] = QJsonObject{{"force_limit_n", QJsonValue::Null}};
-        const ReadLesson alone = readLesson(write("alone.lesson.json", base));
-        QVERIFY2(alone.lesson && alone.faults.empty(), qPrintable(sentences(alone)));
+        base["rules"] = noLimit;
+        const ReadLesson alone = m_folder->read("alone.lesson.json", base);
+        QVERIFY(isSound(alone));
         QCOMPARE(alone.lesson->gridSide, 150);
         // Each file says its own format.
-        const QString silent = write("silent.lesson.json", QJsonObject{{"based_on", "base.json"}, {"id", "silent"}});
-        QVERIFY2(sentences(readLesson(silent)).contains("silent.lesson.json, format: is missing"),
-                 qPrintable(sentences(readLesson(silent))));
+        QVERIFY(says(m_folder->read("silent.lesson.json", QJsonObject{{"based_on", "base.json"}, {"id", "silent"}}),
+                     "silent.lesson.json, format: is missing"));
     }
 
     void namesTheFileThatIsWrong()
@@ -327,84 +311,80 @@ private slots:
         QJsonObject base = lesson();
         base["grid"] = 3;
         base["rubric"] = "mine.rubric.json";
-        write("base.json", base);
+        m_folder->write("base.json", base);
         const QJsonArray criteria{
             QJsonObject{{"id", "c"}, {"measure", "caries_left_percent"}, {"weight", 100}, {"tolerance", "2 mm"}}};
-        write("criteria.json", QJsonObject{{"format", 1}, {"criteria", criteria}});
-        write("mine.rubric.json",
-              QJsonObject{
-                  {"format", 1}, {"based_on", "criteria.json"}, {"id", "mine"}, {"title", "M"}, {"pass_mark", 101}});
-        const QJsonObject own{{"format", 1}, {"based_on", "base.json"}, {"id", "own"}, {"minutes", -1}};
-        const QString said = sentences(readLesson(write("own.lesson.json", own)));
-        QVERIFY2(said.contains("own.lesson.json, minutes: is -1"), qPrintable(said));
-        QVERIFY2(said.contains("base.json, grid: is 3"), qPrintable(said));
-        QVERIFY2(said.contains("mine.rubric.json, pass_mark: is 101"), qPrintable(said));
-        QVERIFY2(said.contains("criteria.json, criteria[0].tolerance: is a text; write a number of percent"),
-                 qPrintable(said));
+        m_folder->write("criteria.json", QJsonObject{{"format", 1}, {"criteria", criteria}});
+        m_folder->write(
+            "mine.rubric.json",
+            QJsonObject{
+                {"format", 1}, {"based_on", "criteria.json"}, {"id", "mine"}, {"title", "M"}, {"pass_mark", 101}});
+        const QJsonObject faulty = own({{"minutes", -1}});
+        const ReadLesson read = m_folder->read("own.lesson.json", faulty);
+        for (const char* words :
+             {"own.lesson.json, minutes: is -1", "base.json, grid: is 3", "mine.rubric.json, pass_mark: is 101",
+              "criteria.json, criteria[0].tolerance: is a text; write a number of percent"})
+            QVERIFY(says(read, words));
         base["format"] = 2;
-        write("base.json", base);
-        const QString newer = sentences(readLesson(write("own.lesson.json", own)));
-        QVERIFY2(newer.contains("base.json, format: is 2, from a newer Cusp"), qPrintable(newer));
+        m_folder->write("base.json", base);
+        QVERIFY(says(m_folder->read("own.lesson.json", faulty), "base.json, format: is 2, from a newer Cusp"));
         // A rubric that is written out may be based on another as well.
         QJsonObject object = lesson();
         object["rubric"] = QJsonObject{{"based_on", "decay_removal.rubric.json"}, {"id", "strict"}, {"pass_mark", 90}};
-        const ReadLesson strict = readLesson(write("strict.lesson.json", object));
-        QVERIFY2(strict.lesson && strict.faults.empty(), qPrintable(sentences(strict)));
+        const ReadLesson strict = m_folder->read("strict.lesson.json", object);
+        QVERIFY(isSound(strict));
         QCOMPARE(strict.lesson->rubric.passMarkTenths, 900);
         QCOMPARE(strict.lesson->rubric.criteria.size(), std::size_t{4});
     }
 
     void refusesACircleOfFiles()
     {
-        write("a.json", QJsonObject{{"format", 1}, {"based_on", "b.json"}});
-        const QString file = write("b.json", QJsonObject{{"format", 1}, {"based_on", "a.json"}});
+        m_folder->write("a.json", QJsonObject{{"format", 1}, {"based_on", "b.json"}});
+        const QString file = m_folder->write("b.json", QJsonObject{{"format", 1}, {"based_on", "a.json"}});
         const ReadLesson read = readLesson(file);
         QVERIFY(!read.lesson);
-        QVERIFY2(sentences(read).contains("a.json, based_on: b.json: is based on itself by way of a.json"),
-                 qPrintable(sentences(read)));
+        QVERIFY(says(read, "a.json, based_on: b.json: is based on itself by way of a.json"));
         // A chain that never ends is no better.
         for (int k = 0; k < 12; ++k)
-            write(QStringLiteral("%1.json").arg(k),
-                  QJsonObject{{"format", 1}, {"based_on", QStringLiteral("%1.json").arg(k + 1)}});
-        QVERIFY(!readLesson(m_folder->filePath("0.json")).lesson);
+            m_folder->write(QStringLiteral("%1.json").arg(k),
+                            QJsonObject{{"format", 1}, {"based_on", QStringLiteral("%1.json").arg(k + 1)}});
+        QVERIFY(!readLesson(m_folder->at("0.json")).lesson);
     }
 
     void refusesAFileThatIsNotThere()
     {
+        QVERIFY(says(readLesson(m_folder->at("none.lesson.json")), "none.lesson.json does not exist"));
+        QVERIFY(says(readLesson(m_folder->path()), "is a folder"));
+        QVERIFY(says(m_folder->read("empty.lesson.json", QByteArray()), "is empty"));
+        const QString file = m_folder->write("a.lesson.json", QJsonObject{{"format", 1}, {"based_on", "gone.json"}});
+        QVERIFY(says(readLesson(file), "based_on: gone.json: does not exist"));
         QVERIFY(
-            sentences(readLesson(m_folder->filePath("none.lesson.json"))).contains("none.lesson.json does not exist"));
-        QVERIFY(sentences(readLesson(m_folder->path())).contains("is a folder"));
-        QVERIFY(sentences(readLesson(write("empty.lesson.json", QByteArray()))).contains("is empty"));
-        const QString file = write("a.lesson.json", QJsonObject{{"format", 1}, {"based_on", "gone.json"}});
-        QVERIFY2(sentences(readLesson(file)).contains("based_on: gone.json: does not exist"),
-                 qPrintable(sentences(readLesson(file))));
-        QVERIFY(sentences(readLesson(write("text.lesson.json", QByteArray("Dear all,\nhello"))))
-                    .contains("is not JSON: line 1, column"));
-        QVERIFY(sentences(readLesson(write("list.lesson.json", QByteArray("[]")))).contains("one JSON object"));
+            says(m_folder->read("text.lesson.json", QByteArray("Dear all,\nhello")), "is not JSON: line 1, column"));
+        QVERIFY(says(m_folder->read("list.lesson.json", QByteArray("[]")), "one JSON object"));
         // What is wrong with a JSON text is told as Qt tells it.
         for (const QByteArray json :
              {"{", "{\"a\" 1}", "{\"a\": [1", "{\"a\": 1 \"b\": 2}", "{\"a\": 1e}", "{\"a\": \"\\u1\"}", "{\"a\": \"",
               "{\"a\": 1,}", "{\"a\": 1} {", "{\"a\": x}", "{\"a\": \"\xFF\"}"}) {
             QJsonParseError error{};
             QVERIFY2(QJsonDocument::fromJson(json, &error).isNull(), json);
-            const QString said = sentences(readLesson(write("broken.lesson.json", json)));
+            const QString said = sentencesOf(m_folder->read("broken.lesson.json", json));
             QVERIFY2(said.contains(error.errorString()), qPrintable(said + " / " + error.errorString()));
         }
-        QVERIFY(!readLesson(write("latin.lesson.json", QByteArray("{\"id\": \"\xE4\"}"))).lesson);
+        QVERIFY(!m_folder->read("latin.lesson.json", QByteArray("{\"id\": \"\xE4\"}")).lesson);
         // A mark at the beginning that some editors set is no fault.
-        QVERIFY(readLesson(write("bom.lesson.json", "\xEF\xBB\xBF" + QJsonDocument(lesson()).toJson())).lesson);
+        QVERIFY(m_folder->read("bom.lesson.json", "\xEF\xBB\xBF" + QJsonDocument(lesson()).toJson()).lesson);
     }
 
     void refusesNamesThatLeadElsewhere()
     {
         for (const char* name :
              {"../secret.json", "/etc/passwd", "a/../../b.json", "C:\\x.json", ":/lessons/x.json", ""}) {
-            const ReadLesson read = readLesson(write("a.lesson.json", QJsonObject{{"format", 1}, {"based_on", name}}));
+            const ReadLesson read = m_folder->read("a.lesson.json", QJsonObject{{"format", 1}, {"based_on", name}});
             QVERIFY(!read.lesson);
-            QVERIFY2(sentences(read).contains("leads out of the lesson's folder"), qPrintable(sentences(read)));
+            QVERIFY(says(read, "leads out of the lesson's folder"));
             QJsonObject object = lesson();
             object["tooth"] = QJsonObject{{"scan", name}};
-            QVERIFY(!readLesson(write("b.lesson.json", object)).lesson);
+            QVERIFY(!m_folder->read("b.lesson.json", object).lesson);
         }
     }
 
@@ -412,21 +392,21 @@ private slots:
     {
         QJsonObject object = lesson();
         object["goal"] = QString(10 * 1024 * 1024, QLatin1Char('x'));
-        const ReadLesson read = readLesson(write("large.lesson.json", object));
-        QVERIFY2(sentences(read).contains("has 10.0 MB; a lesson has at most 1.0 MB"), qPrintable(sentences(read)));
+        const ReadLesson read = m_folder->read("large.lesson.json", object);
+        QVERIFY(says(read, "has 10.0 MB; a lesson has at most 1.0 MB"));
         const QByteArray nested = QByteArray(200'000, '[') + QByteArray(200'000, ']');
-        QVERIFY(!readLesson(write("deep.lesson.json", "{\"format\": 1, \"steps\": " + nested + "}")).lesson);
+        QVERIFY(!m_folder->read("deep.lesson.json", "{\"format\": 1, \"steps\": " + nested + "}").lesson);
     }
 
     void refusesAKeySaidTwice()
     {
         QByteArray json = QJsonDocument(lesson()).toJson();
-        QVERIFY(readLesson(write("once.lesson.json", json)).lesson);
+        QVERIFY(m_folder->read("once.lesson.json", json).lesson);
         json.insert(json.indexOf('{') + 1, "\"minutes\": 5, \"goal\": \"say \\\"{\\\": [\", \"minutes\": 50,");
-        const ReadLesson read = readLesson(write("twice.lesson.json", json));
+        const ReadLesson read = m_folder->read("twice.lesson.json", json);
         QVERIFY(!read.lesson);
-        QVERIFY2(sentences(read).contains("twice.lesson.json, minutes: is said twice"), qPrintable(sentences(read)));
-        QVERIFY2(sentences(read).contains("goal: is said twice"), qPrintable(sentences(read)));
+        QVERIFY(says(read, "twice.lesson.json, minutes: is said twice"));
+        QVERIFY(says(read, "goal: is said twice"));
         QCOMPARE(read.faults.size(), std::size_t{2});
     }
 
@@ -436,53 +416,51 @@ private slots:
         for (const auto encoding : {QStringConverter::Utf16LE, QStringConverter::Utf16BE, QStringConverter::Utf32LE}) {
             for (const auto flag : {QStringConverter::Flag::Default, QStringConverter::Flag::WriteBom}) {
                 QStringEncoder encode(encoding, flag);
-                const ReadLesson read = readLesson(write("other.lesson.json", QByteArray(encode(text))));
-                QVERIFY2(sentences(read).contains("save it as UTF-8"), qPrintable(sentences(read)));
+                const ReadLesson read = m_folder->read("other.lesson.json", QByteArray(encode(text)));
+                QVERIFY(says(read, "save it as UTF-8"));
             }
         }
-        const ReadLesson latin = readLesson(write("latin.lesson.json", QByteArray("{\"id\": \"\xE4\"}")));
-        QVERIFY2(sentences(latin).contains("latin.lesson.json is not JSON") && sentences(latin).contains("as UTF-8"),
-                 qPrintable(sentences(latin)));
+        const ReadLesson latin = m_folder->read("latin.lesson.json", QByteArray("{\"id\": \"\xE4\"}"));
+        QVERIFY(says(latin, "latin.lesson.json is not JSON") && says(latin, "as UTF-8"));
     }
 
     /// What gives bytes without end is not waited for.
     void readsFilesAlone()
     {
-        QVERIFY(QFile::link("/dev/zero", m_folder->filePath("endless.stl")));
+        QVERIFY(QFile::link("/dev/zero", m_folder->at("endless.stl")));
         QJsonObject object = lesson();
         object["tooth"] = QJsonObject{{"scan", "endless.stl"}};
-        QVERIFY2(sentences(readLesson(write("a.lesson.json", object))).contains("tooth.scan: there is no file"),
-                 qPrintable(sentences(readLesson(write("a.lesson.json", object)))));
+        QVERIFY(says(m_folder->read("a.lesson.json", object), "tooth.scan: there is no file"));
         const ReadLesson read =
-            readLesson(write("b.lesson.json", QJsonObject{{"format", 1}, {"based_on", "endless.stl"}, {"id", "b"}}));
-        QVERIFY2(sentences(read).contains("it is no file"), qPrintable(sentences(read)));
+            m_folder->read("b.lesson.json", QJsonObject{{"format", 1}, {"based_on", "endless.stl"}, {"id", "b"}});
+        QVERIFY(says(read, "it is no file"));
     }
 
     void anExpertsRecordingLiesBeside()
     {
         QJsonObject object = lesson();
-        const std::string without = readLesson(write("e.lesson.json", object)).lesson->hash;
+        const std::string without = m_folder->read("e.lesson.json", object).lesson->hash;
         object["expert"] = QJsonObject{{"recording", "expert.cusprec"}};
-        QVERIFY(sentences(readLesson(write("e.lesson.json", object)))
-                    .contains("expert.recording: there is no file \"expert.cusprec\" beside the lesson"));
-        write("expert.cusprec", QByteArray("one"));
-        const ReadLesson one = readLesson(write("e.lesson.json", object));
-        QVERIFY2(one.lesson.has_value(), qPrintable(sentences(one)));
+        QVERIFY(says(m_folder->read("e.lesson.json", object),
+                     "expert.recording: there is no file \"expert.cusprec\" beside the lesson"));
+        m_folder->write("expert.cusprec", QByteArray("one"));
+        const ReadLesson one = m_folder->read("e.lesson.json", object);
+        QVERIFY2(one.lesson, qPrintable(sentencesOf(one)));
         QVERIFY(QFileInfo(QString::fromStdString(one.lesson->expert->file)).isAbsolute());
         QCOMPARE(one.lesson->expert->hash.size(), std::size_t{64});
         QVERIFY(one.lesson->hash != without);
         // Another recording is another lesson.
-        write("expert.cusprec", QByteArray("two"));
-        QVERIFY(readLesson(write("e.lesson.json", object)).lesson->hash != one.lesson->hash);
+        m_folder->write("expert.cusprec", QByteArray("two"));
+        QVERIFY(m_folder->read("e.lesson.json", object).lesson->hash != one.lesson->hash);
         // A recording of an attempt keeps which one it was, not where it lies.
         const ReadLesson kept = readLessonText(QByteArray::fromStdString(one.lesson->json), QStringLiteral("kept"));
-        QVERIFY2(kept.lesson.has_value(), qPrintable(sentences(kept)));
+        QVERIFY2(kept.lesson, qPrintable(sentencesOf(kept)));
         QCOMPARE(kept.lesson->expert->file, std::string("expert.cusprec"));
         QCOMPARE(kept.lesson->expert->hash, one.lesson->expert->hash);
         QCOMPARE(kept.lesson->hash, one.lesson->hash);
         for (const char* name : {"../expert.cusprec", "/etc/passwd"}) {
             object["expert"] = QJsonObject{{"recording", name}};
-            QVERIFY(!readLesson(write("e.lesson.json", object)).lesson);
+            QVERIFY(!m_folder->read("e.lesson.json", object).lesson);
         }
     }
 
@@ -500,7 +478,7 @@ private slots:
     {
         const QJsonObject object = lesson();
         const auto hashOf = [&](const QByteArray& bytes) {
-            const ReadLesson read = readLesson(write("h.lesson.json", bytes));
+            const ReadLesson read = m_folder->read("h.lesson.json", bytes);
             return read.lesson ? read.lesson->hash : std::string();
         };
         const std::string first = hashOf(QJsonDocument(object).toJson());
@@ -525,16 +503,16 @@ private slots:
         for (const CatalogEntry& entry : readCatalog({})) {
             const Lesson& original = *entry.read.lesson;
             const ReadLesson again = readLessonText(QByteArray::fromStdString(original.json), QStringLiteral("text"));
-            QVERIFY2(again.lesson, qPrintable(sentences(again)));
+            QVERIFY2(again.lesson, qPrintable(sentencesOf(again)));
             QVERIFY(*again.lesson == original);
         }
     }
 
     void aFaultyFileLeavesTheOthers()
     {
-        write("good.lesson.json", lesson());
-        write("bad.lesson.json", QByteArray("{"));
-        write("notes.txt", QByteArray("not a lesson"));
+        m_folder->write("good.lesson.json", lesson());
+        m_folder->write("bad.lesson.json", QByteArray("{"));
+        m_folder->write("notes.txt", QByteArray("not a lesson"));
         const auto entries = readCatalog(m_folder->path());
         int own = 0;
         int faulty = 0;
@@ -544,36 +522,27 @@ private slots:
         }
         QCOMPARE(own, 2);
         QCOMPARE(faulty, 1);
-        QVERIFY(readCatalog(m_folder->filePath("nowhere")).size() == entries.size() - 2);
+        QVERIFY(readCatalog(m_folder->at("nowhere")).size() == entries.size() - 2);
     }
 
     void anIdBelongsToOneLesson()
     {
         QJsonObject object = lesson();
         object["id"] = "decay-36-moderate";
-        write("mine.lesson.json", object);
+        m_folder->write("mine.lesson.json", object);
         const auto entries = readCatalog(m_folder->path());
         QVERIFY(entries.back().isFaulty());
-        QVERIFY2(sentences(entries.back().read).contains("belongs to another lesson"),
-                 qPrintable(sentences(entries.back().read)));
+        QVERIFY(says(entries.back().read, "belongs to another lesson"));
     }
 
 private:
-    QString write(const QString& name, const QByteArray& content) const
+    /// A lesson that is based on "base.json".
+    static QJsonObject own(QJsonObject keys)
     {
-        support::write(m_folder->filePath(name), content.toStdString());
-        return m_folder->filePath(name);
-    }
-    QString write(const QString& name, const QJsonObject& object) const
-    {
-        return write(name, QJsonDocument(object).toJson());
-    }
-    static QString sentences(const ReadLesson& read)
-    {
-        QStringList all;
-        for (const Fault& fault : read.faults)
-            all << fault.sentence();
-        return all.join(QLatin1Char('\n'));
+        keys["format"] = 1;
+        keys["based_on"] = "base.json";
+        keys["id"] = "own";
+        return keys;
     }
     static QJsonObject lesson()
     {
@@ -587,7 +556,7 @@ private:
                 {"rubric", "decay_removal"}};
     }
 
-    std::optional<QTemporaryDir> m_folder;
+    std::optional<support::LessonFolder> m_folder;
 };
 
 QTEST_GUILESS_MAIN(TestLessonReader)

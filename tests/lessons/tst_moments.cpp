@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QElapsedTimer>
 #include <QTest>
 
 #include <cmath>
@@ -61,6 +60,12 @@ struct ReadyRig : support::Rig
         send(core::session::SetDrill{true});
         run(1500);  // up to speed, in the air
     }
+    [[nodiscard]] Recording recording() const { return session->recordingSoFar().value(); }
+    void takeBack()
+    {
+        send(core::session::Undo{});
+        run(50);
+    }
 };
 
 void stroke(Rig& rig, double x, double y)
@@ -114,6 +119,25 @@ bool isSound(const Assignment& assignment, const Recording& recording, const Mom
     return true;
 }
 
+Moments soundMoments(const Assignment& assignment, const Recording& recording)
+{
+    const Moments found = momentsIn(assignment, recording);
+    QTest::qVerify(isSound(assignment, recording, found), "isSound", "", __FILE__, __LINE__);
+    return found;
+}
+
+/// What the n-th moment of a criterion is: the stroke and the loss.
+bool isOfStroke(const Moment& moment, int stroke, int lostTenths)
+{
+    return moment.kind == Moment::Kind::Stroke && moment.stroke == stroke && moment.lostTenths == lostTenths;
+}
+
+/// Sound tissue alone costs points.
+Assignment soundAlone(double spanMm3 = 2.0)
+{
+    return assignmentWith(block(), {rule("sound", "sound_overcut_mm3", 0.0, spanMm3, 1000)});
+}
+
 }  // namespace
 
 class TestMoments : public QObject
@@ -123,7 +147,7 @@ class TestMoments : public QObject
 private slots:
     void soundTissueIsLostByTheStrokeThatCutIt()
     {
-        const Assignment assignment = assignmentWith(block(), {rule("sound", "sound_overcut_mm3", 0.0, 2.0, 1000)});
+        const Assignment assignment = soundAlone();
         ReadyRig rig(assignment);
         std::vector<int> expected;
         int before = 0;
@@ -133,10 +157,8 @@ private slots:
             before += expected.back();
             QVERIFY(expected.back() > 5);
         }
-        const Recording recording = rig.session->recordingSoFar().value();
-        const Moments found = momentsIn(assignment, recording);
-        QVERIFY(isSound(assignment, recording, found));
-        const auto player = core::recording::Player::make(recording).value();
+        const Moments found = soundMoments(assignment, rig.recording());
+        const auto player = core::recording::Player::make(rig.recording()).value();
         while (player->advance(1000)) {
         }
         const auto strokes = player->strokes();
@@ -144,9 +166,7 @@ private slots:
         const auto& moments = found.ofCriteria.front();
         QCOMPARE(moments.size(), std::size_t(3));
         for (std::size_t k = 0; k < 3; ++k) {
-            QCOMPARE(moments[k].kind, Moment::Kind::Stroke);
-            QCOMPARE(moments[k].stroke, static_cast<int>(k + 1));
-            QCOMPARE(moments[k].lostTenths, expected[k]);
+            QVERIFY(isOfStroke(moments[k], static_cast<int>(k + 1), expected[k]));
             QCOMPARE(moments[k].tick, strokes[k].from);
             QVERIFY(std::abs(moments[k].seconds - 1.0e-3 * static_cast<double>(strokes[k].from - 1)) < 1.0e-9);
         }
@@ -159,41 +179,34 @@ private slots:
         ReadyRig rig(assignment);
         stroke(rig, 0.0, 0.0);
         stroke(rig, 1.0, 0.0);
-        const Recording recording = rig.session->recordingSoFar().value();
-        const Moments found = momentsIn(assignment, recording);
-        QVERIFY(isSound(assignment, recording, found));
+        const Moments found = soundMoments(assignment, rig.recording());
         const int lost = lostNow(assignment, rig, 0);
         QVERIFY(lost > 100 && lost < 1000);
         QCOMPARE(found.ofCriteria.front().size(), std::size_t(1));
         const Moment& never = found.ofCriteria.front().front();
         QCOMPARE(never.kind, Moment::Kind::Never);
         QCOMPARE(never.lostTenths, lost);
-        QCOMPARE(never.tick, recording.ticks());
-        QCOMPARE(never.seconds, std::chrono::duration<double>(recording.duration()).count());
+        QCOMPARE(never.tick, rig.recording().ticks());
+        QCOMPARE(never.seconds, std::chrono::duration<double>(rig.recording().duration()).count());
     }
 
     /// Points that wait for work to be done are lost by the strokes that lost them as soon as it is done, and by
     /// nothing that was done as long as it is not.
     void whatIsNotEarnedYetIsOfNoStroke()
     {
-        const std::vector<CriterionRule> criteria{rule("sound", "sound_overcut_mm3", 0.0, 2.0, 1000)};
-        ReadyRig rig(assignmentWith(block(), criteria));
+        ReadyRig rig(soundAlone());
         stroke(rig, -2.0, 0.0);
         stroke(rig, 1.0, 0.0);
-        const Recording recording = rig.session->recordingSoFar().value();
+        const Recording recording = rig.recording();
         const double cut = core::grading::measure(rig.live()).overcutMm3;
-        const auto momentsOnce = [&](double reaches, Moments& found) {
-            Assignment assignment = assignmentWith(block(), criteria);
+        const auto momentsOnce = [&](double reaches) {
+            Assignment assignment = soundAlone();
             assignment.rubric.criteria[0].once = Once{"removed_mm3", "mm3", reaches};
-            found = momentsIn(assignment, recording);
-            QVERIFY(isSound(assignment, recording, found));
+            return soundMoments(assignment, recording);
         };
-        Moments free;
-        Moments due;
-        Moments early;
-        momentsOnce(0.0, free);
-        momentsOnce(0.99 * cut, due);
-        momentsOnce(1.01 * cut, early);
+        const Moments free = momentsOnce(0.0);
+        const Moments due = momentsOnce(0.99 * cut);
+        const Moments early = momentsOnce(1.01 * cut);
         QCOMPARE(free.ofCriteria[0].size(), std::size_t{2});
         QVERIFY(due.ofCriteria == free.ofCriteria);
         QCOMPARE(early.ofCriteria[0].size(), std::size_t{1});
@@ -225,54 +238,40 @@ private slots:
         }
         QCOMPARE(lost[0], 0);
         QVERIFY(lost[1] > 20 && lost[2] > lost[1] + 20);
-        const Recording recording = rig.session->recordingSoFar().value();
-        const Moments found = momentsIn(assignment, recording);
-        QVERIFY(isSound(assignment, recording, found));
+        const Moments found = soundMoments(assignment, rig.recording());
         const auto& moments = found.ofCriteria.front();
         QCOMPARE(moments.size(), std::size_t(2));
-        QCOMPARE(moments[0].stroke, 2);
-        QCOMPARE(moments[0].lostTenths, lost[1]);
-        QCOMPARE(moments[1].stroke, 3);
-        QCOMPARE(moments[1].lostTenths, lost[2] - lost[1]);
+        QVERIFY(isOfStroke(moments[0], 2, lost[1]) && isOfStroke(moments[1], 3, lost[2] - lost[1]));
     }
 
     void whatIsTakenBackTakesItsMomentsAlong()
     {
-        const Assignment assignment = assignmentWith(block(), {rule("sound", "sound_overcut_mm3", 0.0, 2.0, 1000)});
+        const Assignment assignment = soundAlone();
         ReadyRig rig(assignment);
         stroke(rig, -2.0, 0.0);
         const int first = lostNow(assignment, rig, 0);
         stroke(rig, 0.0, 0.0);
-        rig.send(core::session::Undo{});
-        rig.run(50);
+        rig.takeBack();
         QCOMPARE(lostNow(assignment, rig, 0), first);
         stroke(rig, 2.0, 0.0);
         const int both = lostNow(assignment, rig, 0);
-        const Recording recording = rig.session->recordingSoFar().value();
-        const Moments found = momentsIn(assignment, recording);
-        QVERIFY(isSound(assignment, recording, found));
+        const Moments found = soundMoments(assignment, rig.recording());
         const auto& moments = found.ofCriteria.front();
         QCOMPARE(moments.size(), std::size_t(2));
-        QCOMPARE(moments[0].stroke, 1);
-        QCOMPARE(moments[0].lostTenths, first);
-        QCOMPARE(moments[1].stroke, 3);
-        QCOMPARE(moments[1].lostTenths, both - first);
+        QVERIFY(isOfStroke(moments[0], 1, first) && isOfStroke(moments[1], 3, both - first));
     }
 
     void whatIsDoneAgainHasItsMomentsAgain()
     {
-        const Assignment assignment = assignmentWith(block(), {rule("sound", "sound_overcut_mm3", 0.0, 2.0, 1000)});
+        const Assignment assignment = soundAlone();
         ReadyRig rig(assignment);
         stroke(rig, -2.0, 0.0);
         stroke(rig, 0.0, 0.0);
-        const Moments before = momentsIn(assignment, rig.session->recordingSoFar().value());
-        rig.send(core::session::Undo{});
-        rig.run(50);
+        const Moments before = momentsIn(assignment, rig.recording());
+        rig.takeBack();
         rig.send(core::session::Redo{});
         rig.run(50);
-        const Recording recording = rig.session->recordingSoFar().value();
-        const Moments found = momentsIn(assignment, recording);
-        QVERIFY(isSound(assignment, recording, found));
+        const Moments found = soundMoments(assignment, rig.recording());
         QCOMPARE(found.ofCriteria.front().size(), std::size_t(2));
         QCOMPARE(found.ofCriteria, before.ofCriteria);
     }
@@ -284,9 +283,7 @@ private slots:
         ReadyRig rig(assignment);
         stroke(rig, 0.0, 0.0);
         rig.run(400);
-        const Recording recording = rig.session->recordingSoFar().value();
-        const Moments found = momentsIn(assignment, recording);
-        QVERIFY(isSound(assignment, recording, found));
+        const Moments found = soundMoments(assignment, rig.recording());
         const auto& moments = found.ofCriteria.front();
         QVERIFY(moments.size() > 20);
         int lost = 0;
@@ -319,9 +316,7 @@ private slots:
         }
         QVERIFY(fault > 1);
         stroke(rig, 1.0, 1.0);
-        const Recording recording = rig.session->recordingSoFar().value();
-        const Moments found = momentsIn(assignment, recording);
-        QVERIFY(isSound(assignment, recording, found));
+        const Moments found = soundMoments(assignment, rig.recording());
         QCOMPARE(found.sheet.totalTenths, 0);
         for (const std::size_t critical : {std::size_t{1}, std::size_t{2}}) {
             QCOMPARE(found.ofCriteria[critical].size(), std::size_t(1));
@@ -341,23 +336,19 @@ private slots:
         ReadyRig rig(assignment);
         stroke(rig, -2.0, 0.0);
         stroke(rig, 1.0, 0.0);
-        const Recording recording = rig.session->recordingSoFar().value();
-        const Moments found = momentsIn(assignment, recording);
-        QVERIFY(isSound(assignment, recording, found));
+        const Moments found = soundMoments(assignment, rig.recording());
         QCOMPARE(found.ofCriteria[0].size(), std::size_t(2));
         QVERIFY(found.ofCriteria[1].empty());
     }
 
     void aLongStrokeIsLookedAtEverySecond()
     {
-        const Assignment assignment = assignmentWith(block(), {rule("sound", "sound_overcut_mm3", 0.0, 20.0, 1000)});
+        const Assignment assignment = soundAlone(20.0);
         ReadyRig rig(assignment);
         for (int n = 0; n < 3500; ++n)
             rig.lean(-2.5 + 0.0014 * n, 0.0, kNewtons, 1);
         rig.lift();
-        const Recording recording = rig.session->recordingSoFar().value();
-        const Moments found = momentsIn(assignment, recording);
-        QVERIFY(isSound(assignment, recording, found));
+        const Moments found = soundMoments(assignment, rig.recording());
         const auto& moments = found.ofCriteria.front();
         QVERIFY(moments.size() >= 4);
         for (std::size_t k = 0; k < moments.size(); ++k) {
@@ -385,22 +376,14 @@ private slots:
             for (int n = 0; n < 9000; ++n) {
                 rig.device.tipMm = hand.next();
                 rig.run(1, std::chrono::milliseconds(rng.below(50) == 0 ? 3 : 1));
-                switch (rng.below(900)) {
-                case 0:
-                case 1:
+                const int act = rng.below(900);
+                if (act < 2)
                     rig.send(core::session::Undo{});
-                    break;
-                case 2:
+                else if (act == 2)
                     rig.send(core::session::Redo{});
-                    break;
-                default:
-                    break;
-                }
             }
             rig.settle();
-            const Recording recording = rig.session->recordingSoFar().value();
-            QVERIFY2(isSound(assignment, recording, momentsIn(assignment, recording)),
-                     qPrintable(QString::number(seed)));
+            soundMoments(assignment, rig.recording());
         }
     }
 
@@ -419,22 +402,16 @@ private slots:
                     rig.send(core::session::Undo{});
             }
             rig.settle();
-            const Recording recording = rig.session->recordingSoFar().value();
-            QElapsedTimer clock;
-            clock.start();
-            const Moments found = momentsIn(assignment, recording);
-            qInfo("%s: the moments of %.1f s of restless work took %lld ms", entry.read.lesson->id.c_str(),
-                  std::chrono::duration<double>(recording.duration()).count(), static_cast<long long>(clock.elapsed()));
-            QVERIFY2(isSound(assignment, recording, found), entry.read.lesson->id.c_str());
+            soundMoments(assignment, rig.recording());
         }
     }
 
     void itCanBeLeftOff()
     {
-        const Assignment assignment = assignmentWith(block(), {rule("sound", "sound_overcut_mm3", 0.0, 2.0, 1000)});
+        const Assignment assignment = soundAlone();
         ReadyRig rig(assignment);
         stroke(rig, 0.0, 0.0);
-        const Recording recording = rig.session->recordingSoFar().value();
+        const Recording recording = rig.recording();
         std::vector<double> shares;
         const auto whole = momentsOf(assignment, recording, [&](double share) {
             shares.push_back(share);
