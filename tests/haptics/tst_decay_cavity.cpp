@@ -22,12 +22,12 @@ const Bur& pear()
 /// Decay between two heights, within a radius of a place.
 void decay(ToothAnatomy& anatomy, double x, double y, double radiusMm, float roof, float floor)
 {
-    for (int j = 0; j < anatomy.grid.side; ++j)
-        for (int i = 0; i < anatomy.grid.side; ++i)
-            if (const auto at = anatomy.grid.nodeMm(i, j); std::hypot(at.x - x, at.y - y) <= radiusMm) {
-                anatomy.layers[anatomy.grid.index(i, j)].cariesRoof = roof;
-                anatomy.layers[anatomy.grid.index(i, j)].cariesFloor = floor;
-            }
+    support::eachNode(anatomy.grid, [&](std::size_t k, const glm::dvec2& at) {
+        if (std::hypot(at.x - x, at.y - y) <= radiusMm) {
+            anatomy.layers[k].cariesRoof = roof;
+            anatomy.layers[k].cariesFloor = floor;
+        }
+    });
 }
 
 /// How many columns still hold decay under such a top.
@@ -59,15 +59,11 @@ private slots:
         const std::vector<float> top = haptics::decayCavity(*anatomy, pear());
         QCOMPARE(decayedColumns(*anatomy, top), 0);
         double beside = 0.0;
-        for (int j = 0; j < anatomy->grid.side; ++j)
-            for (int i = 0; i < anatomy->grid.side; ++i) {
-                const std::size_t k = anatomy->grid.index(i, j);
-                const auto at = anatomy->grid.nodeMm(i, j);
-                const double away = std::hypot(at.x - 0.3, at.y + 0.2);
-                QVERIFY2(top[k] > -1.6F, "no deeper than the decay");
-                if (away > 1.2)
-                    beside = std::max(beside, top[k] < anatomy->top[k] ? away - 1.2 : 0.0);
-            }
+        support::eachNode(anatomy->grid, [&](std::size_t k, const glm::dvec2& at) {
+            QVERIFY2(top[k] > -1.6F, "no deeper than the decay");
+            if (top[k] < anatomy->top[k])
+                beside = std::max(beside, std::hypot(at.x - 0.3, at.y + 0.2) - 1.2);
+        });
         // From within: no wider than the end of the bur is rounded.
         QVERIFY2(beside < pear().headRadiusMm, qPrintable(QString::number(beside)));
     }
@@ -76,12 +72,12 @@ private slots:
     {
         const auto anatomy = support::slab(-1.0F);
         decay(*anatomy, 0.0, 0.0, 0.6, -0.5F, -3.0F);
-        for (int j = 0; j < anatomy->grid.side; ++j)
-            for (int i = 0; i < anatomy->grid.side; ++i)
-                if (anatomy->grid.nodeMm(i, j).x > 0.75) {
-                    anatomy->layers[anatomy->grid.index(i, j)].pulpRoof = -2.0F;
-                    anatomy->layers[anatomy->grid.index(i, j)].pulpFloor = -5.0F;
-                }
+        support::eachNode(anatomy->grid, [&](std::size_t k, const glm::dvec2& at) {
+            if (at.x > 0.75) {
+                anatomy->layers[k].pulpRoof = -2.0F;
+                anatomy->layers[k].pulpFloor = -5.0F;
+            }
+        });
         const std::vector<float> top = haptics::decayCavity(*anatomy, pear());
         QCOMPARE(decayedColumns(*anatomy, top), 0);
         for (std::size_t k = 0; k < top.size(); ++k)
@@ -93,10 +89,10 @@ private slots:
     void theToothIsNotPiercedAtItsRim()
     {
         const auto anatomy = support::slab(-1.0F);
-        for (int j = 0; j < anatomy->grid.side; ++j)
-            for (int i = 0; i < anatomy->grid.side; ++i)
-                if (anatomy->grid.nodeMm(i, j).x > 1.0)
-                    anatomy->bottom[anatomy->grid.index(i, j)] = -2.0F;
+        support::eachNode(anatomy->grid, [&](std::size_t k, const glm::dvec2& at) {
+            if (at.x > 1.0)
+                anatomy->bottom[k] = -2.0F;
+        });
         decay(*anatomy, 0.4, 0.0, 0.6, -0.2F, -2.5F);
         const std::vector<float> top = haptics::decayCavity(*anatomy, pear());
         QCOMPARE(decayedColumns(*anatomy, top), 0);

@@ -134,22 +134,15 @@ void say(const char* line)
                 say(line);
             }
         }
-        switch (rng.below(40)) {
-        case 0:
+        const int act = rng.below(40);
+        if (act == 0)
             send(Undo{});
-            break;
-        case 1:
+        else if (act == 1)
             send(Redo{});
-            break;
-        case 2:
+        else if (act == 2)
             send(SetBur{static_cast<std::uint8_t>(rng.below(4))});
-            break;
-        case 3:
+        else if (act == 3)
             send(AddNote{static_cast<std::uint64_t>(n)});
-            break;
-        default:
-            break;
-        }
         for (TilePatch patch; uiLinks->patches.tryPop(patch);) {
             // nobody watches
         }

@@ -56,10 +56,9 @@ private slots:
     void forceBuildsUpAndHolds_data()
     {
         support::columns<double, bool>("newtons", "drill");
-        for (const double newtons : {0.5, 1.0, 2.0, 4.0}) {
-            QTest::addRow("%g N, resting", newtons) << newtons << false;
-            QTest::addRow("%g N, drilling", newtons) << newtons << true;
-        }
+        for (const double newtons : {0.5, 1.0, 2.0, 4.0})
+            for (const bool drill : {false, true})
+                QTest::addRow("%g N, %s", newtons, drill ? "drilling" : "resting") << newtons << drill;
     }
 
     void forceBuildsUpAndHolds()
@@ -187,10 +186,10 @@ private slots:
             QVERIFY(std::abs(bench.tipMm.x - 1.0F) < 0.01F && std::isfinite(bench.tipMm.y) &&
                     std::isfinite(bench.tipMm.z));
         };
-        bad([&](session::PointerInput& want) { want.targetMm.x = nan; });
-        bad([&](session::PointerInput& want) { want.targetMm.y = nan; });
-        bad([&](session::PointerInput& want) { want.hoverMm = nan; });
-        bad([&](session::PointerInput& want) { want.pushForceN = nan; });
+        bad([&](auto& want) { want.targetMm.x = nan; });
+        bad([&](auto& want) { want.targetMm.y = nan; });
+        bad([&](auto& want) { want.hoverMm = nan; });
+        bad([&](auto& want) { want.pushForceN = nan; });
         bench.want = sound;
         bench.want.targetMm.x = -1.0;
         bench.run(1000);

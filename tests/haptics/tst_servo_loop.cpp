@@ -15,6 +15,7 @@
 #include "tests/support/Rig.h"
 #include "tests/support/SyntheticTooth.h"
 #include "tests/support/Tables.h"
+#include "tests/support/Trials.h"
 
 using namespace core;
 using namespace core::session;
@@ -40,13 +41,21 @@ constexpr float kPromptS = 0.0005F;  ///< a delay that any spring holds
 /// A servo without a session: the test reads the queues itself.
 struct Bare
 {
-    explicit Bare(const ServoSettings& which = {}) : settings(which) {}
+    /// @param anatomy  of the tooth that is given to it, if any
+    explicit Bare(const std::shared_ptr<const terrain::ToothAnatomy>& anatomy = {}, const ServoSettings& which = {},
+                  std::chrono::microseconds beat = 1ms)
+        : settings(which), period(beat)
+    {
+        if (anatomy)
+            give(anatomy, 1);
+    }
 
     ServoSettings settings;
+    std::chrono::microseconds period;
     std::unique_ptr<ServoLinks> links = std::make_unique<ServoLinks>();
     rt::TripleBuffer<ServoState> state;
     support::HeldDevice device;
-    haptics::ServoLoop servo{device, makeServoTick(settings).value(), *links, state, 1ms};
+    haptics::ServoLoop servo{device, makeServoTick(settings).value(), *links, state, period};
 
     void give(const std::shared_ptr<const terrain::ToothAnatomy>& anatomy, std::uint64_t serial, bool anew = true)
     {
@@ -67,22 +76,45 @@ struct Bare
             tick();
         }
     }
+    /// As told to the others.
+    [[nodiscard]] std::uint32_t health() { return state.latest().health; }
+    [[nodiscard]] bool has(std::uint32_t flag) { return (health() & flag) != 0; }
     [[nodiscard]] double forceN() const { return length(servo.state().forceN); }
     [[nodiscard]] const std::vector<float>& top() const { return servo.tooth()->tooth().top; }
-    /// All events of a kind so far, and the others are passed over.
-    std::vector<ServoEvent> drainEvents(ServoEvent::Kind kind = ServoEvent::Kind::Tick) const
+    std::vector<ServoEvent> allEvents() const
     {
         std::vector<ServoEvent> events;
         for (ServoEvent event; links->events.tryPop(event);)
-            if (event.kind == kind)
-                events.push_back(event);
+            events.push_back(event);
         return events;
+    }
+    /// All events of a kind so far, and the others are passed over.
+    std::vector<ServoEvent> drainEvents(ServoEvent::Kind kind = ServoEvent::Kind::Tick) const
+    {
+        std::vector<ServoEvent> events = allEvents();
+        std::erase_if(events, [kind](const ServoEvent& event) { return event.kind != kind; });
+        return events;
+    }
+    /// How long each tick was for the servo.
+    std::vector<int> steps() const
+    {
+        std::vector<int> all;
+        for (const ServoEvent& event : drainEvents())
+            all.push_back(event.dtUs);
+        return all;
     }
     /// The teeth that were handed back.
     int freeRetired() const
     {
         int freed = 0;
         for (contact::LiveTooth* old = nullptr; links->retired.tryPop(old); ++freed)
+            delete old;
+        return freed;
+    }
+    int freeFixtures() const
+    {
+        int freed = 0;
+        for (const core::guidance::Fixture* old = nullptr; links->retiredFixtures.tryPop(old); ++freed)
             delete old;
         return freed;
     }
@@ -93,6 +125,43 @@ struct Bare
             take(patch);
     }
 };
+
+/// What ticks allocate and lock.
+struct Counted
+{
+    long allocations = 0;
+    long locks = 0;
+
+    void tick(haptics::ServoLoop& servo, std::chrono::microseconds dt)
+    {
+        const long allocationsBefore = support::allocationsOnThisThread();
+        const long locksBefore = support::locksOnThisThread();
+        servo.tick(dt);
+        allocations += support::allocationsOnThisThread() - allocationsBefore;
+        locks += support::locksOnThisThread() - locksBefore;
+    }
+};
+
+/// Between the lowest and the highest value.
+struct Range
+{
+    double low = 1.0e9;
+    double high = -1.0e9;
+
+    void take(double value)
+    {
+        low = std::min(low, value);
+        high = std::max(high, value);
+    }
+    [[nodiscard]] double width() const { return high - low; }
+};
+
+haptics::HandFigures steady(haptics::HandFigures hand)
+{
+    hand.tremorMm = 0.0;
+    hand.driftMm = 0.0;
+    return hand;
+}
 
 /// With a round hole in its middle.
 contact::LiveTooth* holed(const std::shared_ptr<const terrain::ToothAnatomy>& anatomy, double radiusMm, double deepMm)
@@ -146,9 +215,8 @@ class TestServoLoop : public QObject
 private slots:
     void countersCount()
     {
-#ifdef CUSP_SANITIZED
-        QSKIP("sanitizers bring their own allocator and locks");
-#endif
+        if (support::kSanitized)
+            QSKIP("sanitizers bring their own allocator and locks");
         const long allocations = support::allocationsOnThisThread();
         const long locks = support::locksOnThisThread();
         std::mutex mutex;
@@ -164,8 +232,7 @@ private slots:
 
     void eachTickLeavesItsPose()
     {
-        Bare rig;
-        rig.give(block(), 1);
+        Bare rig(block());
         const std::size_t count = ServoState{}.trail.size();
         const auto begin = std::chrono::steady_clock::now().time_since_epoch();
         for (std::size_t k = 0; k < count + 5; ++k) {
@@ -189,22 +256,15 @@ private slots:
 
     void tickNeitherAllocatesNorLocks()
     {
-#ifdef CUSP_SANITIZED
-        QSKIP("sanitizers bring their own allocator and locks");
-#endif
-        Bare bare;
+        if (support::kSanitized)
+            QSKIP("sanitizers bring their own allocator and locks");
         const auto anatomy = block();
-        bare.give(anatomy, 1);
+        Bare bare(anatomy);
         support::RestlessHand hand(3);
-        long allocations = 0;
-        long locks = 0;
+        Counted counted;
         std::uint64_t cuts = 0;
         const auto tick = [&](std::chrono::microseconds dt) {
-            const long allocationsBefore = support::allocationsOnThisThread();
-            const long locksBefore = support::locksOnThisThread();
-            bare.servo.tick(dt);
-            allocations += support::allocationsOnThisThread() - allocationsBefore;
-            locks += support::locksOnThisThread() - locksBefore;
+            counted.tick(bare.servo, dt);
             cuts += bare.servo.state().cutting ? 1U : 0U;
         };
         bare.send(SetDrill{true});
@@ -222,15 +282,14 @@ private slots:
             bare.device.present = n % 97 != 0;
             tick(n % 50 == 0 ? 5ms : 1ms);
             if (n % 3000 < 1500)  // then the queue of patches runs over
-                for (TilePatch patch; bare.links->patches.tryPop(patch);) {
-                }
+                bare.takePatches([](const TilePatch&) {});
         }
         QVERIFY(cuts > 500);
         for (int n = 0; n < 20000; ++n)  // and that of events
             tick(1ms);
-        QVERIFY((bare.state.latest().health & kRecordGap) != 0);
-        QCOMPARE(allocations, 0L);
-        QCOMPARE(locks, 0L);
+        QVERIFY(bare.has(kRecordGap));
+        QCOMPARE(counted.allocations, 0L);
+        QCOMPARE(counted.locks, 0L);
         bare.freeRetired();
     }
 
@@ -247,24 +306,23 @@ private slots:
     {
         QFETCH(bool, present);
         QFETCH(float, x);
-        Bare bare;
-        bare.give(block(), 1);
+        Bare bare(block());
         bare.lean(0.0, 0.0, 2.0, 200);
         QVERIFY(bare.forceN() > 3.0);
         const glm::dvec3 anchor = bare.servo.state().anchorMm;
         bare.device.present = present;
         if (present)
             bare.device.tipMm.x = x;
-        for (int n = 1; n < 10;
-             ++n) {  // perhaps but a spoilt packet: who lets go for it throws the hand into the tooth
+        // Perhaps only a damaged packet: letting go for it would throw the hand into the tooth.
+        for (int n = 1; n < 10; ++n) {
             bare.tick();
             QVERIFY(bare.forceN() > 3.0);
-            QVERIFY((bare.state.latest().health & kDeviceLost) == 0);
+            QVERIFY(!bare.has(kDeviceLost));
         }
         for (int n = 0; n < 10; ++n) {
             bare.tick();
             QCOMPARE(bare.servo.state().forceN, glm::dvec3(0.0));
-            QVERIFY((bare.state.latest().health & kDeviceLost) != 0);
+            QVERIFY(bare.has(kDeviceLost));
             QCOMPARE(bare.servo.state().touching, false);
             QCOMPARE(bare.servo.state().anchorMm, anchor);
         }
@@ -274,7 +332,7 @@ private slots:
         bare.device.present = true;
         bare.device.tipMm = glm::vec3(0.0F, 0.0F, 3.0F);
         bare.tick();
-        QVERIFY((bare.state.latest().health & kDeviceLost) == 0);
+        QVERIFY(!bare.has(kDeviceLost));
     }
 
     void aReadingThatLeapsIsPassedOver()
@@ -284,8 +342,7 @@ private slots:
         falcon.force.vibrationN = 0.0;
         for (const float aside : {20.0F, 60.0F, 900.0F}) {
             for (const double deep : {0.2, 0.0}) {  // in the tooth, and in the air
-                Bare bare(falcon);
-                bare.give(block(), 1);
+                Bare bare(block(), falcon);
                 bare.device.tipMm = {0.0F, 0.0F, 3.0F};
                 bare.tick();
                 for (int n = 0; n < 300; ++n) {
@@ -299,15 +356,12 @@ private slots:
                     bare.device.tipMm.x = n == 0 || n == 5 ? aside : 0.0F;
                     bare.tick();
                     const glm::dvec3 change = bare.servo.state().forceN - before;
-                    QVERIFY2(length(change) < 0.05,
-                             qPrintable(QString("%1 mm, %6 deep, tick %2: %3 N, before %4 now %5")
-                                            .arg(aside)
-                                            .arg(n)
-                                            .arg(length(change))
-                                            .arg(before.z)
-                                            .arg(bare.servo.state().forceN.z)
-                                            .arg(deep)));
-                    QCOMPARE(bare.state.latest().health & (kDeviceLost | kLedHome), 0U);
+                    QVERIFY2(length(change) < 0.05, qPrintable(QString("%1 mm, %2 deep, tick %3: %4 N more")
+                                                                   .arg(aside)
+                                                                   .arg(deep)
+                                                                   .arg(n)
+                                                                   .arg(length(change))));
+                    QCOMPARE(bare.health() & (kDeviceLost | kLedHome), 0U);
                 }
             }
         }
@@ -315,8 +369,7 @@ private slots:
 
     void readingsThatStayElsewhereAreADeviceThatWasLost()
     {
-        Bare bare;
-        bare.give(block(), 1);
+        Bare bare(block());
         bare.tick();
         bare.lean(0.0, 0.0, 0.5, 200);
         bare.device.tipMm.x += 15.0F;
@@ -332,8 +385,7 @@ private slots:
 
     void forceComesBackWithoutAJump()
     {
-        Bare bare;
-        bare.give(block(), 1);
+        Bare bare(block());
         bare.lean(0.0, 0.0, 0.9, 200);
         bare.device.present = false;
         bare.tick(10);
@@ -354,8 +406,7 @@ private slots:
 
     void aHandThatSankInWhileTheDeviceWasLostIsNotThrownOut()
     {
-        Bare bare;
-        bare.give(block(), 1);
+        Bare bare(block());
         bare.tick();
         bare.lean(0.0, 0.0, 0.5, 200);
         QVERIFY(bare.forceN() > 0.9);
@@ -378,20 +429,19 @@ private slots:
 
     void aLateDeviceSoftensTheSpring()
     {
-        Bare bare;
-        bare.give(block(), 1);
+        Bare bare(block());
         bare.tick();
         const auto restForce = [&] {
             bare.lean(0.0, 0.0, 0.5, 400);
             return bare.forceN();
         };
         const double prompt = restForce();
-        QVERIFY((bare.state.latest().health & kLoopIsSlow) == 0);
+        QVERIFY(!bare.has(kLoopIsSlow));
         bare.drainEvents();
         bare.device.delayS = 0.004F;
         const double late = restForce();
         QVERIFY2(std::abs(late / prompt - 0.5) < 0.01, qPrintable(QString::number(late / prompt)));
-        QVERIFY((bare.state.latest().health & kLoopIsSlow) != 0);
+        QVERIFY(bare.has(kLoopIsSlow));
         const auto springs = bare.drainEvents(ServoEvent::Kind::Spring);
         QVERIFY(springs.size() == 1 && springs[0].value == 50);  // a replay must know
         // Ticks without a measurement, or without a reading, are no prompt answers.
@@ -407,19 +457,18 @@ private slots:
         // A spike is forgotten, not at once.
         bare.device.delayS = kPromptS;
         restForce();
-        QVERIFY((bare.state.latest().health & kLoopIsSlow) != 0);
+        QVERIFY(bare.has(kLoopIsSlow));
         for (int n = 0; n < 8; ++n) {
             bare.drainEvents();
             restForce();
         }
-        QVERIFY((bare.state.latest().health & kLoopIsSlow) == 0);
+        QVERIFY(!bare.has(kLoopIsSlow));
         QVERIFY(std::abs(restForce() / prompt - 1.0) < 0.01);
     }
 
     void oneLateAnswerSoftensNothing()
     {
-        Bare bare;
-        bare.give(block(), 1);
+        Bare bare(block());
         bare.device.delayS = kPromptS;
         bare.tick();
         bare.lean(0.0, 0.0, 0.5, 400);
@@ -436,13 +485,13 @@ private slots:
         // Ten in a row are a loop that has stalled. Two seconds later that is over.
         bare.device.delayS = 0.1F;
         bare.lean(0.0, 0.0, 0.5, 10);
-        QVERIFY((bare.state.latest().health & kLoopIsSlow) != 0);
+        QVERIFY(bare.has(kLoopIsSlow));
         bare.device.delayS = kPromptS;
         for (int n = 0; n < 3000; ++n) {
             bare.drainEvents();
             bare.lean(0.0, 0.0, 0.5);
         }
-        QVERIFY((bare.state.latest().health & kLoopIsSlow) == 0);
+        QVERIFY(!bare.has(kLoopIsSlow));
     }
 
     void groundThatComesBackUnderABurComesSoftly_data()
@@ -512,8 +561,7 @@ private slots:
     void nothingIsCutByAForceThatIsNotFelt()
     {
         // A device that was lost and is back: in its first 30 ms less is felt than enamel asks for.
-        Bare bare;
-        bare.give(block(), 1);
+        Bare bare(block());
         bare.tick();
         bare.lean(0.0, 0.0, 0.3, 300);
         bare.device.present = false;
@@ -541,8 +589,7 @@ private slots:
         haptics::falcon::addFalconFeel(falcon.force);
         falcon.force.vibrationN = 0.0;
         for (const ServoSettings& settings : {ServoSettings{}, falcon}) {
-            Bare bare(settings);
-            bare.give(block(), 1);
+            Bare bare(block(), settings);
             bare.device.tipMm = {20.0F, 0.0F, 5.0F};
             bare.tick();
             bare.drainEvents();
@@ -551,7 +598,7 @@ private slots:
             QCOMPARE(bare.drainEvents(ServoEvent::Kind::Home).size(), 1U);  // a replay must know
             if (settings.force.workAreaMm > 0.0) {
                 QVERIFY(bare.servo.state().forceN.x < -0.1);
-                QVERIFY((bare.state.latest().health & kLedHome) != 0);
+                QVERIFY(bare.has(kLedHome));
                 bare.device.present = false;
                 bare.tick(10);
                 bare.device.present = true;
@@ -564,9 +611,8 @@ private slots:
 
     void fixtureHoldsTheHandAndNothingElse()
     {
-        Bare bare;
         const auto anatomy = block();
-        bare.give(anatomy, 1);
+        Bare bare(anatomy);
         bare.device.tipMm = {1.2F, 0.0F, 0.05F};  // over the block, beside the groove
         bare.tick(20);
         QCOMPARE(bare.device.forceN, glm::dvec3(0.0));
@@ -577,11 +623,11 @@ private slots:
         bare.tick(500);
         QVERIFY2(bare.device.forceN.x < -0.2 && bare.device.forceN.x > -1.0,
                  qPrintable(QString::number(bare.device.forceN.x)));
-        QVERIFY((bare.state.latest().health & kHeldInside) != 0);
+        QVERIFY(bare.has(kHeldInside));
         // It is no contact: the tooth knows nothing of it, and neither does the recording.
         QCOMPARE(bare.servo.state().forceN, glm::dvec3(0.0));
         QVERIFY(!bare.servo.state().touching);
-        for (ServoEvent event; bare.links->events.tryPop(event);)
+        for (const ServoEvent& event : bare.allEvents())
             QVERIFY(event.kind == ServoEvent::Kind::Tick);
         // A lost device is held by nothing, and one that comes back is held softly.
         bare.device.present = false;
@@ -599,10 +645,7 @@ private slots:
         bare.send(SetFixture{grooveFixture(*anatomy)});
         bare.send(SetFixture{grooveFixture(*anatomy)});
         bare.tick(1);
-        int freed = 0;
-        for (const core::guidance::Fixture* old = nullptr; bare.links->retiredFixtures.tryPop(old); ++freed)
-            delete old;
-        QCOMPARE(freed, 2);
+        QCOMPARE(bare.freeFixtures(), 2);
         bare.send(SetFixture{grooveFixture(*anatomy)});  // and one that comes too late
     }
 
@@ -610,28 +653,24 @@ private slots:
     /// (haptics.md 2.2).
     void everyHandIsHeldSteadily()
     {
-        for (haptics::HandFigures figures : haptics::kHands) {
-            figures.tremorMm = 0.0;
-            figures.driftMm = 0.0;
+        for (const haptics::HandFigures& hand : haptics::kHands) {
+            const haptics::HandFigures figures = steady(hand);
             const auto anatomy = block();
             const std::unique_ptr<const core::guidance::Fixture> fixture(grooveFixture(*anatomy));
             haptics::SimulatedFalcon falcon({}, figures, 0.001, 1, {0.0, 0.0, -0.6});
             glm::dvec3 force(0.0);
-            double low = 1.0e9;
-            double high = -1.0e9;
+            Range x;
             constexpr int kTicks = 4000;
             for (int n = 0; n < kTicks; ++n) {
                 // Thrown out at 100 mm/s, then held 2 mm out.
                 falcon.follow({std::min(2.6, 0.1 * n), 0.0, -0.6});
                 const haptics::DeviceSample sample = falcon.exchange(force);
                 force = fixture->forceN(glm::dvec3(sample.tipInToothMm), 1);
-                if (n > kTicks / 2) {
-                    low = std::min(low, static_cast<double>(sample.tipInToothMm.x));
-                    high = std::max(high, static_cast<double>(sample.tipInToothMm.x));
-                }
+                if (n > kTicks / 2)
+                    x.take(sample.tipInToothMm.x);
             }
-            QVERIFY2(high - low < 0.1, qPrintable(QString("%1: %2 mm").arg(figures.name.data()).arg(high - low)));
-            QVERIFY2(high < 2.3, qPrintable(QString::number(high)));
+            QVERIFY2(x.width() < 0.1, qPrintable(QString("%1: %2 mm").arg(figures.name.data()).arg(x.width())));
+            QVERIFY2(x.high < 2.3, qPrintable(QString::number(x.high)));
             QVERIFY2(figures.stiffnessNPerM < 500.0 || force.x < -0.5, qPrintable(QString::number(force.x)));
         }
     }
@@ -639,8 +678,7 @@ private slots:
     /// The console turns the stiffness while the hand leans on the tooth.
     void anotherSpringUnderTheHandComesSoftly()
     {
-        Bare bare;
-        bare.give(block(), 1);
+        Bare bare(block());
         bare.lean(0.0, 0.0, 1.0, 300);
         const glm::dvec3 device = bare.servo.state().deviceMm;
         const double mostPerTick = 1.1 * contact::ForceSettings{}.slewNPerS * 0.001;
@@ -666,18 +704,15 @@ private slots:
     /// elsewhere.
     void whatIsHandedOverCostsTheTickNoAllocation()
     {
-#ifdef CUSP_SANITIZED
-        QSKIP("sanitizers bring their own allocator and locks");
-#endif
+        if (support::kSanitized)
+            QSKIP("sanitizers bring their own allocator and locks");
         ServoSettings settings;
         settings.handpieces.push_back(settings::findHandpiece("low-speed").value());
-        Bare bare(settings);
         const auto anatomy = block();
-        bare.give(anatomy, 1);
+        Bare bare(anatomy, settings);
         bare.send(SetDrill{true});
         support::RestlessHand hand(5);
-        long allocations = 0;
-        long locks = 0;
+        Counted counted;
         int servos = 0;
         int fixtures = 0;
         for (int n = 0; n < 800; ++n) {
@@ -691,24 +726,18 @@ private slots:
                                                                makeServoTick(settings).value().release()}));
             }
             bare.device.tipMm = hand.next();
-            const long allocationsBefore = support::allocationsOnThisThread();
-            const long locksBefore = support::locksOnThisThread();
-            bare.tick();
-            allocations += support::allocationsOnThisThread() - allocationsBefore;
-            locks += support::locksOnThisThread() - locksBefore;
+            counted.tick(bare.servo, 1ms);
             bare.freeRetired();
             for (ServoTick* old = nullptr; bare.links->retiredServos.tryPop(old); ++servos)
                 delete old;
-            for (const core::guidance::Fixture* old = nullptr; bare.links->retiredFixtures.tryPop(old); ++fixtures)
-                delete old;
-            for (TilePatch patch; bare.links->patches.tryPop(patch);) {
-            }
+            fixtures += bare.freeFixtures();
+            bare.takePatches([](const TilePatch&) {});
             bare.drainEvents();
         }
         QCOMPARE(servos, 20);
         QCOMPARE(fixtures, 10);
-        QCOMPARE(allocations, 0L);
-        QCOMPARE(locks, 0L);
+        QCOMPARE(counted.allocations, 0L);
+        QCOMPARE(counted.locks, 0L);
     }
 
     /// The spring of contact is softer where the loop is late, and the fixture is a spring as well: as stiff as ever,
@@ -726,9 +755,7 @@ private slots:
     {
         QFETCH(int, hand);
         QFETCH(double, delayMs);
-        haptics::HandFigures figures = haptics::kHands.at(static_cast<std::size_t>(hand));
-        figures.tremorMm = 0.0;
-        figures.driftMm = 0.0;
+        const haptics::HandFigures figures = steady(haptics::kHands.at(static_cast<std::size_t>(hand)));
         haptics::FalconFigures late;
         late.delayS = 0.001 * delayMs;
         late.delayJitterS = 0.0;
@@ -746,8 +773,7 @@ private slots:
         QVERIFY(links->commands.tryPush(SwapTooth{tooth, 1, 1, true, 0}));
         QVERIFY(links->commands.tryPush(SetFixture{grooveFixture(*anatomy)}));
         bool wasHeld = false;
-        double low = 1.0e9;
-        double high = -1.0e9;
+        Range x;
         constexpr int kTicks = 4000;
         for (int n = 0; n < kTicks; ++n) {
             falcon.follow({std::min(2.2, 0.1 * n), 0.0, -0.6});
@@ -756,21 +782,18 @@ private slots:
             servo.tick(1ms);
             wasHeld = wasHeld || (state.latest().health & kHeldInside) != 0;
             QVERIFY(!state.latest().touching);
-            if (n > 3000) {
-                low = std::min(low, falcon.tipMm().x);
-                high = std::max(high, falcon.tipMm().x);
-            }
+            if (n > 3000)
+                x.take(falcon.tipMm().x);
             for (ServoEvent event; links->events.tryPop(event);) {
             }
         }
-        QVERIFY2(high - low < 0.1, qPrintable(QString("%1 mm").arg(high - low)));
+        QVERIFY2(x.width() < 0.1, qPrintable(QString("%1 mm").arg(x.width())));
         QVERIFY(wasHeld);
     }
 
     void forceNeverPassesTheClamp()
     {
-        Bare bare;
-        bare.give(block(), 1);
+        Bare bare(block());
         support::RestlessHand hand(8);
         bool clamped = false;
         for (int n = 0; n < 5000; ++n) {
@@ -784,8 +807,7 @@ private slots:
 
     void forceChangesNoFasterThanAllowed()
     {
-        Bare bare;
-        bare.give(block(), 1);
+        Bare bare(block());
         const double slew = contact::ForceSettings{}.slewNPerS;
         Rng rng(12);
         glm::dvec3 before{0.0};
@@ -804,9 +826,8 @@ private slots:
 
     void groupsAreMomentsOfTheTooth()
     {
-        Bare bare;
         const auto anatomy = block(150);
-        bare.give(anatomy, 1);
+        Bare bare(anatomy);
         bare.send(SetDrill{true});
         std::map<std::uint64_t, std::uint64_t> hashOfTick;
         Reader reader(*anatomy);
@@ -831,15 +852,14 @@ private slots:
 
     void fullQueueLosesNothing()
     {
-        Bare bare;
         const auto anatomy = block(150);
-        bare.give(anatomy, 1);
+        Bare bare(anatomy);
         bare.send(SetDrill{true});
         Reader reader(*anatomy);
         bool full = false;
         for (int n = 0; n < 40000 && !full; ++n) {  // a bur that is pulled too hard stalls
             bare.lean(3.0 * std::sin(0.02 * n), 3.0 * std::cos(0.017 * n));
-            full = full || (bare.state.latest().health & kPatchQueueFull) != 0;
+            full = full || bare.has(kPatchQueueFull);
             bare.drainEvents();
         }
         QVERIFY(full);
@@ -848,7 +868,7 @@ private slots:
             bare.takePatches([&](const TilePatch& patch) { reader.take(patch); });
             bare.tick();
         }
-        QVERIFY((bare.state.latest().health & kPatchQueueFull) == 0);
+        QVERIFY(!bare.has(kPatchQueueFull));
         QCOMPARE(reader.map.flat(), bare.top());
     }
 
@@ -860,8 +880,7 @@ private slots:
         made.side = 1024;
         made.cellMm = 0.01;
         const auto anatomy = support::makeBlock(made);
-        Bare bare;
-        bare.give(anatomy, 1);
+        Bare bare(anatomy);
         bare.send(SetDrill{true});
         TilePatch filler;
         filler.toothGeneration = 99;
@@ -883,12 +902,11 @@ private slots:
         bare.device.tipMm.z = 5.0F;
         std::size_t largest = 0;
         for (int n = 0; n < 400; ++n) {
-            for (TilePatch patch; bare.links->patches.tryPop(patch);) {
-                if (patch.toothGeneration == 99)
-                    continue;
-                reader.take(patch);
+            bare.takePatches([&](const TilePatch& patch) {
+                if (patch.toothGeneration != 99)
+                    reader.take(patch);
                 largest = std::max(largest, reader.group.size());
-            }
+            });
             bare.tick();
         }
         QVERIFY2(largest > 256, qPrintable(QString::number(largest)));
@@ -897,9 +915,8 @@ private slots:
 
     void strokesAreTold()
     {
-        Bare bare;
         const auto anatomy = block();
-        bare.give(anatomy, 1);
+        Bare bare(anatomy);
         bare.send(SetDrill{true});
         Reader reader(*anatomy);
         for (int stroke = 0; stroke < 5; ++stroke) {
@@ -920,9 +937,8 @@ private slots:
 
     void strokeThatEndsWhileTheQueueIsFullIsToldLater()
     {
-        Bare bare;
         const auto anatomy = block();
-        bare.give(anatomy, 1);
+        Bare bare(anatomy);
         bare.send(SetDrill{true});
         bare.lean(0.0, 0.0, 0.8, 100);
         bare.device.tipMm.z = 3.0F;
@@ -941,9 +957,10 @@ private slots:
         Reader reader(*anatomy);
         bare.device.tipMm.z = 3.0F;
         for (int n = 0; n < 400; ++n) {
-            for (TilePatch patch; bare.links->patches.tryPop(patch);)
+            bare.takePatches([&](const TilePatch& patch) {
                 if (patch.toothGeneration != 99)
                     reader.take(patch);
+            });
             bare.tick();
         }
         QVERIFY(fillers > 100);
@@ -953,8 +970,7 @@ private slots:
 
     void missedPeriodsAreCountedAndTheStepHeldBack()
     {
-        Bare bare;
-        bare.give(block(), 1);
+        Bare bare(block());
         bare.tick();
         QCOMPARE(bare.state.latest().missedPeriods, 0U);
         bare.servo.tick(3ms);
@@ -963,10 +979,7 @@ private slots:
         QCOMPARE(bare.state.latest().missedPeriods, 501U);
         bare.tick();
         QCOMPARE(bare.state.latest().missedPeriods, 501U);
-        std::vector<int> steps;
-        for (const ServoEvent& event : bare.drainEvents())
-            steps.push_back(event.dtUs);
-        QCOMPARE(steps, (std::vector<int>{1000, 3000, 4000, 1000}));
+        QCOMPARE(bare.steps(), (std::vector<int>{1000, 3000, 4000, 1000}));
         // After a freeze of ten seconds the bur takes no more than in four milliseconds.
         bare.send(SetDrill{true});
         bare.lean(0.0, 0.0, 1.0, 300);
@@ -983,19 +996,11 @@ private slots:
     void slowBeatIsNoMissedPeriod()
     {
         // A loop that beats at 100 Hz computes its whole period: nothing was missed.
-        support::HeldDevice device;
-        const auto links = std::make_unique<ServoLinks>();
-        rt::TripleBuffer<ServoState> state;
-        haptics::ServoLoop servo(device, makeServoTick({}).value(), *links, state, 10ms);
-        QVERIFY(links->commands.tryPush(SwapTooth{new contact::LiveTooth(terrain::Tooth(block())), 1, 1, true, 0}));
-        servo.tick(10ms);
-        servo.tick(30ms);
-        QCOMPARE(state.latest().missedPeriods, 2U);
-        std::vector<int> steps;
-        for (ServoEvent event; links->events.tryPop(event);)
-            if (event.kind == ServoEvent::Kind::Tick)
-                steps.push_back(event.dtUs);
-        QCOMPARE(steps, (std::vector<int>{10000, 10000}));
+        Bare bare(block(), {}, 10ms);
+        bare.servo.tick(10ms);
+        bare.servo.tick(30ms);
+        QCOMPARE(bare.state.latest().missedPeriods, 2U);
+        QCOMPARE(bare.steps(), (std::vector<int>{10000, 10000}));
     }
 
     void retiredTeethAreHandedBack()
@@ -1020,9 +1025,8 @@ private slots:
 
     void fullRetiredQueueHoldsCommandsBack()
     {
-        Bare bare;
         const auto anatomy = block(64);
-        bare.give(anatomy, 1);
+        Bare bare(anatomy);
         bare.tick();
         std::uint64_t serial = 1;
         for (int n = 0; n < 80; ++n) {
@@ -1042,26 +1046,19 @@ private slots:
 
     void commandsWaitForRoomOnTheRecording()
     {
-        Bare bare;
-        bare.give(block(64), 1);
+        Bare bare(block(64));
         bare.tick(20000);
-        QVERIFY((bare.state.latest().health & kRecordGap) != 0);
+        QVERIFY(bare.has(kRecordGap));
         bare.send(SetBur{3});
         bare.give(block(64), 2);
         bare.tick();
         QCOMPARE(bare.servo.state().burIndex, 0);
         // Every event before the gap is there, in order, and then the new tooth begins.
-        bool begun = false;
-        std::uint64_t ticks = 0;
-        for (ServoEvent event; bare.links->events.tryPop(event);)
-            ticks += event.kind == ServoEvent::Kind::Tick ? 1U : 0U;
-        QCOMPARE(ticks, 16384U - 3U);
+        QCOMPARE(bare.drainEvents().size(), 16384U - 3U);
         bare.tick();
-        for (ServoEvent event; bare.links->events.tryPop(event);)
-            begun = begun || event.kind == ServoEvent::Kind::Begin;
-        QVERIFY(begun);
+        QVERIFY(!bare.drainEvents(ServoEvent::Kind::Begin).empty());
         QCOMPARE(bare.servo.state().burIndex, 3);
-        QVERIFY((bare.state.latest().health & kRecordGap) == 0);
+        QVERIFY(!bare.has(kRecordGap));
         bare.freeRetired();
     }
 
@@ -1079,9 +1076,7 @@ private slots:
         bare.tick();
         QCOMPARE(bare.servo.state().burIndex, 2);
         QVERIFY(bare.servo.state().drillOn);
-        std::vector<ServoEvent> events;
-        for (ServoEvent event; bare.links->events.tryPop(event);)
-            events.push_back(event);
+        const std::vector<ServoEvent> events = bare.allEvents();
         QCOMPARE(events.size(), 4U);
         QVERIFY(events[0].kind == ServoEvent::Kind::Begin);
         QVERIFY(events[1].kind == ServoEvent::Kind::Bur && events[1].value == 2);
@@ -1091,8 +1086,7 @@ private slots:
 
     void unknownBurIsIgnored()
     {
-        Bare bare;
-        bare.give(block(64), 1);
+        Bare bare(block(64));
         bare.send(SetBur{4});
         bare.send(SetBur{255});
         bare.tick();

@@ -13,6 +13,7 @@
 #include "tests/support/Allocations.h"
 #include "tests/support/Locks.h"
 #include "tests/support/Tables.h"
+#include "tests/support/Trials.h"
 
 using haptics::FalconFigures;
 using haptics::HandFigures;
@@ -292,9 +293,8 @@ private slots:
 
     void exchangeNeitherAllocatesNorLocks()
     {
-#ifdef CUSP_SANITIZED
-        QSKIP("sanitizers bring their own allocator and locks");
-#endif
+        if (support::kSanitized)
+            QSKIP("sanitizers bring their own allocator and locks");
         FalconFigures figures;
         figures.delayJitterS = 0.005;
         SimulatedFalcon falcon(figures, haptics::kHands[1], kPeriodS, 1, glm::dvec3(0.0));
