@@ -10,7 +10,6 @@
 #include <QUrl>
 #include <sys/stat.h>
 
-#include "core/base/Rng.h"
 #include "database/FileSystem.h"
 #include "database/sql/Database.h"
 #include "database/sql/Dialect.h"
@@ -48,6 +47,9 @@ private slots:
         const auto database = Database::open(at("new.db")).value();
         QCOMPARE(ask(*database, "PRAGMA journal_mode").toString(), QStringLiteral("wal"));
         QCOMPARE(ask(*database, "PRAGMA integrity_check").toString(), QStringLiteral("ok"));
+        // Also in a file that is there and empty.
+        write(at("empty.db"), {});
+        VERIFY_DONE(Database::open(at("empty.db")));
         for (const auto& [setting, value] :
              {std::pair("synchronous", 2), std::pair("foreign_keys", 1), std::pair("busy_timeout", 5000),
               std::pair("trusted_schema", 0), std::pair("cell_size_check", 1), std::pair("secure_delete", 1),
@@ -130,16 +132,6 @@ private slots:
         // Nor does whoever asks whether the file is a database of ours.
         QVERIFY(!Database::open(m_folder->path()).has_value());
         QCOMPARE(locks(), held);
-    }
-
-    void opensItsOwnFileAgain()
-    {
-        for (int round = 0; round < 3; ++round) {
-            const auto database = Database::open(at("again.db")).value();
-            QCOMPARE(ask(*database, "SELECT count(*) FROM attempts").toInt(), 0);
-        }
-        write(at("empty.db"), {});
-        QVERIFY(Database::open(at("empty.db")).has_value());
     }
 
     void refusesAPlaceThatIsNone()
@@ -402,27 +394,6 @@ private slots:
         for (int round = 0; round < 2; ++round)
             VERIFY_DONE(migrate(database->handle(), more));
         QCOMPARE(ask(*database, "SELECT count(*) FROM marks").toInt(), 2);
-    }
-
-    void survivesRandomDamage()
-    {
-        VERIFY_DONE(Database::open(at("whole.db")));
-        const QByteArray whole = bytes(at("whole.db"));
-        core::Rng rng(20261120);
-        const auto anyPlace = [&rng](const QByteArray& in) { return rng.below(static_cast<int>(in.size())); };
-        for (int round = 0; round < 100; ++round) {
-            QByteArray damaged = whole;
-            for (int flip = 0; flip < 8; ++flip)
-                damaged[anyPlace(damaged)] = static_cast<char>(rng.below(256));
-            if (round % 4 == 0)
-                damaged.truncate(anyPlace(damaged));
-            write(at("flipped.db"), damaged);
-            QFile::remove(at("flipped.db-wal"));
-            QFile::remove(at("flipped.db-shm"));
-            const auto opened = Database::open(at("flipped.db"), 10ms);
-            if (!opened)
-                QVERIFY2(!opened.error().detail.empty(), "a refusal without a sentence");
-        }
     }
 
 private:

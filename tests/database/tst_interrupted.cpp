@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Programs that are killed at any moment, several that do the same at once, servers that stop, and bytes that flip:
 // many rounds of each.
-#include <array>
 #include <csignal>
 #include <functional>
 #include <map>
