@@ -68,13 +68,9 @@ struct Difference
 inline Difference difference(const QImage& a, const QImage& b, int threshold = 10)
 {
     Difference found;
-    const QImage first = a.convertToFormat(QImage::Format_RGB32);
-    const QImage second = b.convertToFormat(QImage::Format_RGB32);
-    for (int y = 0; y < first.height(); ++y) {
-        const auto* p = reinterpret_cast<const QRgb*>(first.constScanLine(y));
-        const auto* q = reinterpret_cast<const QRgb*>(second.constScanLine(y));
-        for (int x = 0; x < first.width(); ++x) {
-            if (differs(p[x], q[x], threshold)) {
+    for (int y = 0; y < a.height(); ++y) {
+        for (int x = 0; x < a.width(); ++x) {
+            if (differs(a.pixel(x, y), b.pixel(x, y), threshold)) {
                 ++found.pixels;
                 found.box |= QRect(x, y, 1, 1);
             }
@@ -83,25 +79,33 @@ inline Difference difference(const QImage& a, const QImage& b, int threshold = 1
     return found;
 }
 
+/// How many pixels are as `fits` says.
+template <class Fits>
+int count(const QImage& image, const Fits& fits)
+{
+    int found = 0;
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x)
+            found += fits(image.pixel(x, y)) ? 1 : 0;
+    return found;
+}
+
 /// The tile of the grid that holds a point, every height in it above `floorMm` lowered to that.
 inline core::session::TilePatch cutTile(const core::terrain::ToothAnatomy& tooth, glm::dvec2 pointMm, float floorMm,
                                         std::uint64_t generation = 1, bool last = true)
 {
     constexpr int kSide = core::session::kTileSide;
-    const glm::dvec2 at = tooth.grid.latticeOf(pointMm);
+    const glm::ivec2 tile = glm::ivec2(tooth.grid.latticeOf(pointMm)) / kSide;
     core::session::TilePatch patch;
     patch.toothGeneration = generation;
-    patch.tileX = static_cast<std::uint16_t>(static_cast<int>(at.x) / kSide);
-    patch.tileY = static_cast<std::uint16_t>(static_cast<int>(at.y) / kSide);
+    patch.tileX = static_cast<std::uint16_t>(tile.x);
+    patch.tileY = static_cast<std::uint16_t>(tile.y);
     patch.last = last;
-    for (int b = 0; b < kSide; ++b) {
-        for (int a = 0; a < kSide; ++a) {
-            const int i = patch.tileX * kSide + a;
-            const int j = patch.tileY * kSide + b;
-            patch.top[static_cast<std::size_t>(b * kSide + a)] =
-                tooth.grid.contains(i, j) ? std::min(tooth.top[tooth.grid.index(i, j)], floorMm)
-                                          : core::terrain::kEmptyTop;
-        }
+    for (std::size_t k = 0; k < patch.top.size(); ++k) {
+        const int i = tile.x * kSide + static_cast<int>(k) % kSide;
+        const int j = tile.y * kSide + static_cast<int>(k) / kSide;
+        patch.top[k] =
+            tooth.grid.contains(i, j) ? std::min(tooth.top[tooth.grid.index(i, j)], floorMm) : core::terrain::kEmptyTop;
     }
     return patch;
 }
@@ -110,9 +114,8 @@ inline core::session::TilePatch cutTile(const core::terrain::ToothAnatomy& tooth
 inline glm::dvec2 tileMiddle(const core::terrain::Grid& grid, glm::dvec2 pointMm)
 {
     constexpr int kSide = core::session::kTileSide;
-    const glm::dvec2 at = grid.latticeOf(pointMm);
-    return grid.nodeMm(static_cast<int>(at.x) / kSide * kSide, static_cast<int>(at.y) / kSide * kSide) +
-           glm::dvec2(0.5 * (kSide - 1) * grid.cellMm);
+    const glm::ivec2 first = glm::ivec2(grid.latticeOf(pointMm)) / kSide * kSide;
+    return grid.nodeMm(first.x, first.y) + glm::dvec2(0.5 * (kSide - 1) * grid.cellMm);
 }
 
 }  // namespace pictures
