@@ -21,107 +21,75 @@ class TestToothViewWithoutOpenGl : public QObject
     Q_OBJECT
 
 private slots:
-    void initTestCase();
-    void init();
-    void cleanup();
-    void saysWhatIsMissingAndWhatToDo();
-    void aWindowShowsTheSentence();
-    void everythingElseStillAnswers();
-    void theWholeMouthIsNotOffered();
+    void initTestCase() { ui::shell::applyTheme(*qApp, ui::shell::ThemeChoice::Light); }
 
-private:
-    std::unique_ptr<core::session::UiLinks> m_links;
-    std::unique_ptr<ToothView> m_view;
+    void init()
+    {
+        QTest::ignoreMessage(QtWarningMsg,
+                             QRegularExpression("No picture of a tooth can be drawn: no context of version 3.3"));
+    }
+
+    void aWindowSaysWhatIsMissingAndWhatToDo()
+    {
+        core::session::UiLinks links;
+        QWidget window;
+        auto* layout = new QVBoxLayout(&window);
+        auto* view = new ToothView(links);
+        layout->addWidget(view);
+        window.resize(400, 300);
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        QVERIFY(!view->isUsable());
+        const auto* label = window.findChild<QLabel*>("whyNot");
+        QVERIFY(label != nullptr && label->isVisible());
+        QVERIFY(label->text().contains("OpenGL 3.3") && label->text().contains("driver"));
+        // Dark like the room around it, in a light theme too, and to be read at arm's length.
+        const QImage picture = view->picture();
+        QCOMPARE(picture.pixelColor(2, 2), ui::shell::roomPalette().color(QPalette::Window));
+        QVERIFY(ui::shell::contrast(label->palette().color(label->foregroundRole()), picture.pixelColor(2, 2)) >= 4.5);
+        QVERIFY(label->font().pixelSize() >= ui::shell::kBody);
+        QVERIFY(label->height() >= label->heightForWidth(label->width()));
+        // Nobody drills what cannot be seen.
+        QTest::mousePress(view, Qt::LeftButton);
+        QVERIFY(!links.pointer.latest().pushing);
+    }
+
+    void everythingElseStillAnswers()
+    {
+        core::session::UiLinks links;
+        ToothView view(links);
+        QSignalSpy frames(&view, &ToothView::frameAdvanced);
+        view.setTooth(support::syntheticMolar(64), 1);
+        view.setLeftHanded(true);
+        view.setCamera(10.0, 40.0, 30.0);
+        view.setPushForce(2.0);
+        QCOMPARE(links.pointer.latest().pushForceN, 2.0);
+        core::session::TilePatch patch;
+        patch.toothGeneration = 1;
+        patch.last = true;
+        patch.top.fill(-4.0F);
+        QVERIFY(links.patches.tryPush(patch));
+        QTRY_VERIFY(frames.count() > 2);
+        QVERIFY(!links.patches.tryPop(patch));
+    }
+
+    void theWholeMouthIsNotOffered()
+    {
+        QVERIFY(!ui::shell::Mouth::isPossible());
+        core::session::UiLinks links;
+        ui::shell::MainWindow window(links);
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        const auto* actions = window.findChild<ui::shell::Actions*>();
+        QVERIFY(!actions->mouth->isVisible());
+        QVERIFY(!actions->mouth->isEnabled());
+        // The flat arches are still there, and no button leads elsewhere.
+        actions->chooseTooth->trigger();
+        QVERIFY(window.findChild<ui::shell::ArchView*>()->isVisible());
+        for (const QPushButton* button : window.findChildren<QPushButton*>())
+            QVERIFY(!button->isVisible() || button->text() != actions->mouth->text());
+    }
 };
-
-void TestToothViewWithoutOpenGl::initTestCase()
-{
-    ui::shell::applyTheme(*qApp, ui::shell::ThemeChoice::Light);
-}
-
-void TestToothViewWithoutOpenGl::init()
-{
-    QTest::ignoreMessage(QtWarningMsg,
-                         QRegularExpression("No picture of a tooth can be drawn: no context of version 3.3"));
-    m_links = std::make_unique<core::session::UiLinks>();
-    m_view = std::make_unique<ToothView>(*m_links);
-}
-
-void TestToothViewWithoutOpenGl::cleanup()
-{
-    m_view.reset();
-    m_links.reset();
-}
-
-void TestToothViewWithoutOpenGl::saysWhatIsMissingAndWhatToDo()
-{
-    QVERIFY(!m_view->isUsable());
-    const auto* label = m_view->findChild<QLabel*>("whyNot");
-    QVERIFY(label != nullptr);
-    const QString sentence = label->text();
-    QVERIFY(sentence.contains("OpenGL 3.3"));
-    QVERIFY(sentence.contains("driver"));
-}
-
-void TestToothViewWithoutOpenGl::aWindowShowsTheSentence()
-{
-    QWidget window;
-    auto* layout = new QVBoxLayout(&window);
-    ToothView* view = m_view.release();
-    layout->addWidget(view);
-    window.resize(400, 300);
-    window.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&window));
-    const auto* label = window.findChild<QLabel*>("whyNot");
-    QVERIFY(label != nullptr && label->isVisible());
-    QVERIFY(label->text().contains("OpenGL 3.3"));
-    // Dark like the room around it, in a light theme too, and to be read at arm's length.
-    const QImage picture = view->picture();
-    QCOMPARE(picture.pixelColor(2, 2), ui::shell::roomPalette().color(QPalette::Window));
-    QVERIFY(ui::shell::contrast(label->palette().color(label->foregroundRole()), picture.pixelColor(2, 2)) >= 4.5);
-    QVERIFY(label->font().pixelSize() >= ui::shell::kBody);
-    QVERIFY(label->height() >= label->heightForWidth(label->width()));
-    // Nobody drills what cannot be seen.
-    QTest::mousePress(view, Qt::LeftButton);
-    QVERIFY(!m_links->pointer.latest().pushing);
-}
-
-void TestToothViewWithoutOpenGl::everythingElseStillAnswers()
-{
-    QSignalSpy frames(m_view.get(), &ToothView::frameAdvanced);
-    m_view->setTooth(support::syntheticMolar(64), 1);
-    m_view->setLeftHanded(true);
-    m_view->setCamera(10.0, 40.0, 30.0);
-    m_view->setPushForce(2.0);
-    QCOMPARE(m_links->pointer.latest().pushForceN, 2.0);
-    core::session::TilePatch patch;
-    patch.toothGeneration = 1;
-    patch.last = true;
-    patch.top.fill(-4.0F);
-    QVERIFY(m_links->patches.tryPush(patch));
-    QTRY_VERIFY(frames.count() > 2);
-    core::session::TilePatch left;
-    QVERIFY(!m_links->patches.tryPop(left));
-}
-
-void TestToothViewWithoutOpenGl::theWholeMouthIsNotOffered()
-{
-    QVERIFY(!ui::shell::Mouth::isPossible());
-    QTest::ignoreMessage(QtWarningMsg,
-                         QRegularExpression("No picture of a tooth can be drawn: no context of version 3.3"));
-    core::session::UiLinks links;
-    ui::shell::MainWindow window(links);
-    window.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&window));
-    const auto* actions = window.findChild<ui::shell::Actions*>();
-    QVERIFY(!actions->mouth->isVisible());
-    QVERIFY(!actions->mouth->isEnabled());
-    // The flat arches are still there, and no button leads elsewhere.
-    actions->chooseTooth->trigger();
-    QVERIFY(window.findChild<ui::shell::ArchView*>()->isVisible());
-    for (const QPushButton* button : window.findChildren<QPushButton*>())
-        QVERIFY(!button->isVisible() || button->text() != actions->mouth->text());
-}
 
 QTEST_MAIN(TestToothViewWithoutOpenGl)
 #include "tst_tooth_view_without_opengl.moc"
