@@ -9,22 +9,6 @@
 
 using ui::tooth::Camera;
 
-class TestCamera : public QObject
-{
-    Q_OBJECT
-
-private slots:
-    void looksAlongYWithXToTheRight();
-    void rayGoesThroughThePixelItCameFrom();
-    void wholeSubjectFits_data();
-    void wholeSubjectFits();
-    void elevationAndDistanceAreBounded();
-    void zoomIsReachedSmoothly();
-    void zoomKeepsWhatIsUnderThePointer();
-    void fittedDistanceFollowsTheWindowUntilSomeoneZooms();
-    void whatIsBehindTheEyeLiesOutsideOnItsSide();
-};
-
 namespace {
 
 Camera molarCamera()
@@ -37,145 +21,153 @@ Camera molarCamera()
 
 }  // namespace
 
-void TestCamera::looksAlongYWithXToTheRight()
+class TestCamera : public QObject
 {
-    Camera camera = molarCamera();
-    camera.set(0.0, 40.0, 40.0);
-    QVERIFY(glm::distance(camera.rightOnTooth(), glm::dvec2(1.0, 0.0)) < 1e-12);
-    QVERIFY(glm::distance(camera.awayOnTooth(), glm::dvec2(0.0, 1.0)) < 1e-12);
-    const glm::dvec2 middle = camera.pixelOf({0.5, -0.25, -3.0});
-    QVERIFY(glm::distance(middle, glm::dvec2(640.0, 400.0)) < 1e-6);
-    QVERIFY(camera.pixelOf({1.5, -0.25, -3.0}).x > middle.x);
-    QVERIFY(camera.pixelOf({0.5, 0.75, -3.0}).y < middle.y);
-    QVERIFY(camera.pixelOf({0.5, -0.25, -2.0}).y < middle.y);
-}
+    Q_OBJECT
 
-void TestCamera::rayGoesThroughThePixelItCameFrom()
-{
-    Camera camera = molarCamera();
-    for (const double azimuth : {-170.0, -35.0, 0.0, 80.0}) {
-        for (const double elevation : {15.0, 50.0, 88.0}) {
-            camera.set(azimuth, elevation, 33.0);
-            for (const glm::dvec2 pixel : {glm::dvec2(3.0, 5.0), glm::dvec2(640.0, 400.0), glm::dvec2(1200.0, 700.0)}) {
-                const ui::render::Ray ray = camera.rayThrough(pixel);
-                QVERIFY(std::abs(glm::length(ray.direction) - 1.0) < 1e-12);
-                QVERIFY(glm::distance(camera.pixelOf(ray.originMm + 30.0 * ray.direction), pixel) < 1e-6);
+private slots:
+    void looksAlongYWithXToTheRight()
+    {
+        Camera camera = molarCamera();
+        camera.set(0.0, 40.0, 40.0);
+        QVERIFY(glm::distance(camera.rightOnTooth(), glm::dvec2(1.0, 0.0)) < 1e-12);
+        QVERIFY(glm::distance(camera.awayOnTooth(), glm::dvec2(0.0, 1.0)) < 1e-12);
+        const glm::dvec2 middle = camera.pixelOf({0.5, -0.25, -3.0});
+        QVERIFY(glm::distance(middle, glm::dvec2(640.0, 400.0)) < 1e-6);
+        QVERIFY(camera.pixelOf({1.5, -0.25, -3.0}).x > middle.x);
+        QVERIFY(camera.pixelOf({0.5, 0.75, -3.0}).y < middle.y);
+        QVERIFY(camera.pixelOf({0.5, -0.25, -2.0}).y < middle.y);
+    }
+
+    void rayGoesThroughThePixelItCameFrom()
+    {
+        Camera camera = molarCamera();
+        for (const double azimuth : {-170.0, -35.0, 0.0, 80.0}) {
+            for (const double elevation : {15.0, 50.0, 88.0}) {
+                camera.set(azimuth, elevation, 33.0);
+                for (const glm::dvec2 pixel :
+                     {glm::dvec2(3.0, 5.0), glm::dvec2(640.0, 400.0), glm::dvec2(1200.0, 700.0)}) {
+                    const ui::render::Ray ray = camera.rayThrough(pixel);
+                    QVERIFY(std::abs(glm::length(ray.direction) - 1.0) < 1e-12);
+                    QVERIFY(glm::distance(camera.pixelOf(ray.originMm + 30.0 * ray.direction), pixel) < 1e-6);
+                }
             }
         }
     }
-}
 
-void TestCamera::wholeSubjectFits_data()
-{
-    QTest::addColumn<double>("width");
-    QTest::addColumn<double>("height");
-    QTest::newRow("wide") << 1920.0 << 1080.0;
-    QTest::newRow("tall") << 500.0 << 900.0;
-    QTest::newRow("square") << 700.0 << 700.0;
-}
-
-void TestCamera::wholeSubjectFits()
-{
-    QFETCH(double, width);
-    QFETCH(double, height);
-    Camera camera = molarCamera();
-    camera.setViewport({width, height});
-    double widest = 0.0;
-    for (int k = 0; k < 5000; ++k) {
-        const double turn = 0.37 * k;
-        const double z = -1.0 + 2.0 * k / 4999.0;
-        const double across = std::sqrt(1.0 - z * z);
-        const glm::dvec3 point =
-            glm::dvec3(0.5, -0.25, -3.0) + 7.0 * glm::dvec3(across * std::cos(turn), across * std::sin(turn), z);
-        const glm::dvec2 pixel = camera.pixelOf(point);
-        QVERIFY2(pixel.x > -1.0 && pixel.x < width + 1.0 && pixel.y > -1.0 && pixel.y < height + 1.0, "point outside");
-        widest = std::max({widest, std::abs(pixel.x / width - 0.5), std::abs(pixel.y / height - 0.5)});
+    void wholeSubjectFits_data()
+    {
+        QTest::addColumn<double>("width");
+        QTest::addColumn<double>("height");
+        QTest::newRow("wide") << 1920.0 << 1080.0;
+        QTest::newRow("tall") << 500.0 << 900.0;
+        QTest::newRow("square") << 700.0 << 700.0;
     }
-    QVERIFY2(widest > 0.49, "the subject could be shown larger");
-}
 
-void TestCamera::elevationAndDistanceAreBounded()
-{
-    Camera camera = molarCamera();
-    camera.turn(0.0, 500.0);
-    QCOMPARE(camera.elevationDeg(), Camera::kHighestDeg);
-    camera.turn(0.0, -500.0);
-    QCOMPARE(camera.elevationDeg(), Camera::kLowestDeg);
-    camera.turn(720.0 + 30.0 - camera.azimuthDeg(), 0.0);
-    QVERIFY(std::abs(camera.azimuthDeg() - 30.0) < 1e-9);
-    camera.zoom(1000.0);
-    camera.advance(10.0);
-    const double closest = camera.distanceMm();
-    camera.zoom(1.0);
-    camera.advance(10.0);
-    QCOMPARE(camera.distanceMm(), closest);
-    QVERIFY(closest > 3.0);
-    camera.set(0.0, 45.0, 1.0e9);
-    QVERIFY(camera.distanceMm() < 5.0 * camera.fittingMm());
-}
-
-void TestCamera::zoomIsReachedSmoothly()
-{
-    Camera camera = molarCamera();
-    const double before = camera.distanceMm();
-    camera.zoom(3.0);
-    QCOMPARE(camera.distanceMm(), before);
-    double last = before;
-    int frames = 0;
-    while (camera.advance(0.016)) {
-        QVERIFY(camera.distanceMm() < last);
-        last = camera.distanceMm();
-        ++frames;
+    void wholeSubjectFits()
+    {
+        QFETCH(double, width);
+        QFETCH(double, height);
+        Camera camera = molarCamera();
+        camera.setViewport({width, height});
+        double widest = 0.0;
+        for (int k = 0; k < 5000; ++k) {
+            const double turn = 0.37 * k;
+            const double z = -1.0 + 2.0 * k / 4999.0;
+            const double across = std::sqrt(1.0 - z * z);
+            const glm::dvec3 point =
+                glm::dvec3(0.5, -0.25, -3.0) + 7.0 * glm::dvec3(across * std::cos(turn), across * std::sin(turn), z);
+            const glm::dvec2 pixel = camera.pixelOf(point);
+            QVERIFY2(pixel.x > -1.0 && pixel.x < width + 1.0 && pixel.y > -1.0 && pixel.y < height + 1.0,
+                     "point outside");
+            widest = std::max({widest, std::abs(pixel.x / width - 0.5), std::abs(pixel.y / height - 0.5)});
+        }
+        QVERIFY2(widest > 0.49, "the subject could be shown larger");
     }
-    QVERIFY(frames > 5);
-    QVERIFY(frames < 60);
-    QVERIFY(last < 0.72 * before);
-    QVERIFY(!camera.advance(0.016));
-}
 
-void TestCamera::zoomKeepsWhatIsUnderThePointer()
-{
-    Camera camera = molarCamera();
-    const glm::dvec2 middle = camera.pixelOf({0.5, -0.25, -3.0});
-    const glm::dvec3 cusp(3.0, 2.0, -0.5);
-    const glm::dvec2 before = camera.pixelOf(cusp);
-    camera.zoom(6.0, cusp);
-    while (camera.advance(0.016))
+    void elevationAndDistanceAreBounded()
+    {
+        Camera camera = molarCamera();
+        camera.turn(0.0, 500.0);
+        QCOMPARE(camera.elevationDeg(), Camera::kHighestDeg);
+        camera.turn(0.0, -500.0);
+        QCOMPARE(camera.elevationDeg(), Camera::kLowestDeg);
+        camera.turn(720.0 + 30.0 - camera.azimuthDeg(), 0.0);
+        QVERIFY(std::abs(camera.azimuthDeg() - 30.0) < 1e-9);
+        camera.zoom(1000.0);
+        camera.advance(10.0);
+        const double closest = camera.distanceMm();
+        camera.zoom(1.0);
+        camera.advance(10.0);
+        QCOMPARE(camera.distanceMm(), closest);
+        QVERIFY(closest > 3.0);
+        camera.set(0.0, 45.0, 1.0e9);
+        QVERIFY(camera.distanceMm() < 5.0 * camera.fittingMm());
+    }
+
+    void zoomIsReachedSmoothly()
+    {
+        Camera camera = molarCamera();
+        const double before = camera.distanceMm();
+        camera.zoom(3.0);
+        QCOMPARE(camera.distanceMm(), before);
+        double last = before;
+        int frames = 0;
+        while (camera.advance(0.016)) {
+            QVERIFY(camera.distanceMm() < last);
+            last = camera.distanceMm();
+            ++frames;
+        }
+        QVERIFY(frames > 5);
+        QVERIFY(frames < 60);
+        QVERIFY(last < 0.72 * before);
+        QVERIFY(!camera.advance(0.016));
+    }
+
+    void zoomKeepsWhatIsUnderThePointer()
+    {
+        Camera camera = molarCamera();
+        const glm::dvec2 middle = camera.pixelOf({0.5, -0.25, -3.0});
+        const glm::dvec3 cusp(3.0, 2.0, -0.5);
+        const glm::dvec2 before = camera.pixelOf(cusp);
+        camera.zoom(6.0, cusp);
+        while (camera.advance(0.016))
+            QVERIFY(glm::distance(camera.pixelOf(cusp), before) < 1e-6);
         QVERIFY(glm::distance(camera.pixelOf(cusp), before) < 1e-6);
-    QVERIFY(glm::distance(camera.pixelOf(cusp), before) < 1e-6);
-    // Away again, wherever the pointer is, the whole crown comes back to the middle.
-    camera.zoom(-9.0, glm::dvec3(-3.0, 1.0, -2.0));
-    camera.advance(10.0);
-    QVERIFY(glm::distance(camera.pixelOf({0.5, -0.25, -3.0}), middle) < 1e-6);
-    camera.zoom(4.0);
-    camera.advance(10.0);
-    QVERIFY2(glm::distance(camera.pixelOf({0.5, -0.25, -3.0}), middle) < 1e-6, "by the keys: straight ahead");
-}
-
-void TestCamera::fittedDistanceFollowsTheWindowUntilSomeoneZooms()
-{
-    Camera camera = molarCamera();
-    camera.setViewport({400.0, 800.0});
-    QCOMPARE(camera.distanceMm(), camera.fittingMm());
-    camera.zoom(1.0);
-    camera.advance(10.0);
-    const double chosen = camera.distanceMm();
-    camera.setViewport({1280.0, 800.0});
-    QCOMPARE(camera.distanceMm(), chosen);
-}
-
-void TestCamera::whatIsBehindTheEyeLiesOutsideOnItsSide()
-{
-    const Camera camera = molarCamera();
-    const glm::dmat4 toothFromEye = glm::inverse(camera.view());
-    for (const glm::dvec2 aside : {glm::dvec2(2.0, 0.0), glm::dvec2(-2.0, 0.0), glm::dvec2(0.0, 2.0)}) {
-        const glm::dvec3 behind(toothFromEye * glm::dvec4(aside, 3.0, 1.0));
-        const glm::dvec2 pixel = camera.pixelOf(behind);
-        QVERIFY(aside.x <= 0.0 || pixel.x > 2000.0);
-        QVERIFY(aside.x >= 0.0 || pixel.x < -2000.0);
-        QVERIFY(aside.y <= 0.0 || pixel.y < -2000.0);
+        // Away again, wherever the pointer is, the whole crown comes back to the middle.
+        camera.zoom(-9.0, glm::dvec3(-3.0, 1.0, -2.0));
+        camera.advance(10.0);
+        QVERIFY(glm::distance(camera.pixelOf({0.5, -0.25, -3.0}), middle) < 1e-6);
+        camera.zoom(4.0);
+        camera.advance(10.0);
+        QVERIFY2(glm::distance(camera.pixelOf({0.5, -0.25, -3.0}), middle) < 1e-6, "by the keys: straight ahead");
     }
-}
+
+    void fittedDistanceFollowsTheWindowUntilSomeoneZooms()
+    {
+        Camera camera = molarCamera();
+        camera.setViewport({400.0, 800.0});
+        QCOMPARE(camera.distanceMm(), camera.fittingMm());
+        camera.zoom(1.0);
+        camera.advance(10.0);
+        const double chosen = camera.distanceMm();
+        camera.setViewport({1280.0, 800.0});
+        QCOMPARE(camera.distanceMm(), chosen);
+    }
+
+    void whatIsBehindTheEyeLiesOutsideOnItsSide()
+    {
+        const Camera camera = molarCamera();
+        const glm::dmat4 toothFromEye = glm::inverse(camera.view());
+        for (const glm::dvec2 aside : {glm::dvec2(2.0, 0.0), glm::dvec2(-2.0, 0.0), glm::dvec2(0.0, 2.0)}) {
+            const glm::dvec3 behind(toothFromEye * glm::dvec4(aside, 3.0, 1.0));
+            const glm::dvec2 pixel = camera.pixelOf(behind);
+            QVERIFY(aside.x <= 0.0 || pixel.x > 2000.0);
+            QVERIFY(aside.x >= 0.0 || pixel.x < -2000.0);
+            QVERIFY(aside.y <= 0.0 || pixel.y < -2000.0);
+        }
+    }
+};
 
 QTEST_APPLESS_MAIN(TestCamera)
 #include "tst_camera.moc"

@@ -13,16 +13,6 @@
 using core::terrain::Grid;
 using ui::render::Flanks;
 
-class TestFlanks : public QObject
-{
-    Q_OBJECT
-
-private slots:
-    void normalsAreThoseOfABall();
-    void enamelEndsAtOneHeight();
-    void toothOfEnamelAloneShowsNone();
-};
-
 namespace {
 
 const Grid kGrid{150, 0.07, {-5.2, -5.17}};
@@ -52,84 +42,91 @@ Maps turned(double radiusMm, Top&& top, Bottom&& bottom)
 
 }  // namespace
 
-/// What is found from heights at nodes is compared with the ball's own normal at the same height.
-void TestFlanks::normalsAreThoseOfABall()
+class TestFlanks : public QObject
 {
-    constexpr double kRadiusMm = 4.5;
-    constexpr double kContourMm = -3.0;
-    const auto rise = [](double away) { return std::sqrt(kRadiusMm * kRadiusMm - away * away); };
-    const Maps ball = turned(
-        kRadiusMm, [&](double away) { return kContourMm + rise(away); },
-        [&](double away) { return kContourMm - rise(away); });
-    const Flanks flanks(kGrid, ball.tops, ball.bottoms, ball.tops, ball.bottoms);
-    int taken = 0;
-    double worst = 0.0;
-    for (int j = 0; j < kGrid.side; ++j) {
-        for (int i = 0; i < kGrid.side; ++i) {
-            const std::size_t k = kGrid.index(i, j);
-            if (ball.tops[k] <= ball.bottoms[k])
-                continue;
-            const glm::dvec2 place = kGrid.nodeMm(i, j);
-            for (const Flanks::Side side : {Flanks::Side::Upper, Flanks::Side::Lower}) {
-                const float height = side == Flanks::Side::Upper ? ball.tops[k] : ball.bottoms[k];
-                glm::vec3 normal(0.0F);
-                if (flanks.normalAt(k, side, height, normal) <= 0.0F)
+    Q_OBJECT
+
+private slots:
+    /// What is found from heights at nodes is compared with the ball's own normal at the same height.
+    void normalsAreThoseOfABall()
+    {
+        constexpr double kRadiusMm = 4.5;
+        constexpr double kContourMm = -3.0;
+        const auto rise = [](double away) { return std::sqrt(kRadiusMm * kRadiusMm - away * away); };
+        const Maps ball = turned(
+            kRadiusMm, [&](double away) { return kContourMm + rise(away); },
+            [&](double away) { return kContourMm - rise(away); });
+        const Flanks flanks(kGrid, ball.tops, ball.bottoms, ball.tops, ball.bottoms);
+        int taken = 0;
+        double worst = 0.0;
+        for (int j = 0; j < kGrid.side; ++j) {
+            for (int i = 0; i < kGrid.side; ++i) {
+                const std::size_t k = kGrid.index(i, j);
+                if (ball.tops[k] <= ball.bottoms[k])
                     continue;
-                ++taken;
-                const glm::dvec3 expected(place / kRadiusMm, (static_cast<double>(height) - kContourMm) / kRadiusMm);
-                worst = std::max(worst, std::acos(std::min(1.0, glm::dot(glm::dvec3(normal), expected))));
+                const glm::dvec2 place = kGrid.nodeMm(i, j);
+                for (const Flanks::Side side : {Flanks::Side::Upper, Flanks::Side::Lower}) {
+                    const float height = side == Flanks::Side::Upper ? ball.tops[k] : ball.bottoms[k];
+                    glm::vec3 normal(0.0F);
+                    if (flanks.normalAt(k, side, height, normal) <= 0.0F)
+                        continue;
+                    ++taken;
+                    const glm::dvec3 expected(place / kRadiusMm,
+                                              (static_cast<double>(height) - kContourMm) / kRadiusMm);
+                    worst = std::max(worst, std::acos(std::min(1.0, glm::dot(glm::dvec3(normal), expected))));
+                }
             }
         }
+        QVERIFY(taken > 4000);
+        QVERIFY2(worst < 0.05, qPrintable(QString::number(worst)));
     }
-    QVERIFY(taken > 4000);
-    QVERIFY2(worst < 0.05, qPrintable(QString::number(worst)));
-}
 
-/// A crown on a neck that falls by 0.5 mm a cell: where what is drawn of the underside crosses the junction, it does so
-/// at the height of the line, though no two columns beside it are less than half a millimetre apart.
-void TestFlanks::enamelEndsAtOneHeight()
-{
-    constexpr double kNeckMm = 3.0;
-    constexpr double kLineMm = -6.0;
-    constexpr double kSteep = 7.0;
-    const auto bottom = [](double away) { return kLineMm + kSteep * (away - kNeckMm); };
-    const Maps tooth = turned(
-        3.6, [](double) { return 0.0; }, bottom);
-    std::vector<float> junction(kGrid.count(), 0.0F);
-    for (std::size_t k = 0; k < junction.size(); ++k)
-        junction[k] = tooth.bottoms[k] < static_cast<float>(kLineMm) ? -5.0F : tooth.bottoms[k] - 1.0F;
-    const std::vector<float> drawn = ui::render::drawnJunction(kGrid, tooth.tops, tooth.bottoms, junction);
-    int crossings = 0;
-    double sum = 0.0;
-    for (int j = 0; j < kGrid.side; ++j) {
-        for (int i = 0; i + 1 < kGrid.side; ++i) {
-            const std::size_t a = kGrid.index(i, j);
-            const std::size_t b = kGrid.index(i + 1, j);
-            if (tooth.tops[a] <= tooth.bottoms[a] || tooth.tops[b] <= tooth.bottoms[b])
-                continue;
-            const float over = tooth.bottoms[a] - drawn[a];
-            const float next = tooth.bottoms[b] - drawn[b];
-            if (over * next >= 0.0F)
-                continue;
-            const float at = tooth.bottoms[a] + (tooth.bottoms[b] - tooth.bottoms[a]) * over / (over - next);
-            ++crossings;
-            sum += (static_cast<double>(at) - kLineMm) * (static_cast<double>(at) - kLineMm);
+    /// A crown on a neck that falls by 0.5 mm a cell: where what is drawn of the underside crosses the junction, it
+    /// does so at the height of the line, though no two columns beside it are less than half a millimetre apart.
+    void enamelEndsAtOneHeight()
+    {
+        constexpr double kNeckMm = 3.0;
+        constexpr double kLineMm = -6.0;
+        constexpr double kSteep = 7.0;
+        const auto bottom = [](double away) { return kLineMm + kSteep * (away - kNeckMm); };
+        const Maps tooth = turned(
+            3.6, [](double) { return 0.0; }, bottom);
+        std::vector<float> junction(kGrid.count(), 0.0F);
+        for (std::size_t k = 0; k < junction.size(); ++k)
+            junction[k] = tooth.bottoms[k] < static_cast<float>(kLineMm) ? -5.0F : tooth.bottoms[k] - 1.0F;
+        const std::vector<float> drawn = ui::render::drawnJunction(kGrid, tooth.tops, tooth.bottoms, junction);
+        int crossings = 0;
+        double sum = 0.0;
+        for (int j = 0; j < kGrid.side; ++j) {
+            for (int i = 0; i + 1 < kGrid.side; ++i) {
+                const std::size_t a = kGrid.index(i, j);
+                const std::size_t b = kGrid.index(i + 1, j);
+                if (tooth.tops[a] <= tooth.bottoms[a] || tooth.tops[b] <= tooth.bottoms[b])
+                    continue;
+                const float over = tooth.bottoms[a] - drawn[a];
+                const float next = tooth.bottoms[b] - drawn[b];
+                if (over * next >= 0.0F)
+                    continue;
+                const float at = tooth.bottoms[a] + (tooth.bottoms[b] - tooth.bottoms[a]) * over / (over - next);
+                ++crossings;
+                sum += (static_cast<double>(at) - kLineMm) * (static_cast<double>(at) - kLineMm);
+            }
         }
+        QVERIFY(crossings > 100);
+        const double rms = std::sqrt(sum / crossings);
+        QVERIFY2(rms < 0.05, qPrintable(QString::number(rms)));
     }
-    QVERIFY(crossings > 100);
-    const double rms = std::sqrt(sum / crossings);
-    QVERIFY2(rms < 0.05, qPrintable(QString::number(rms)));
-}
 
-void TestFlanks::toothOfEnamelAloneShowsNone()
-{
-    const Maps tooth = turned(
-        4.0, [](double) { return 0.0; }, [](double) { return -5.0; });
-    const std::vector<float> drawn = ui::render::drawnJunction(kGrid, tooth.tops, tooth.bottoms, tooth.bottoms);
-    for (std::size_t k = 0; k < drawn.size(); ++k)
-        if (tooth.tops[k] > tooth.bottoms[k])
-            QVERIFY(drawn[k] < tooth.bottoms[k] - 0.1F);
-}
+    void toothOfEnamelAloneShowsNone()
+    {
+        const Maps tooth = turned(
+            4.0, [](double) { return 0.0; }, [](double) { return -5.0; });
+        const std::vector<float> drawn = ui::render::drawnJunction(kGrid, tooth.tops, tooth.bottoms, tooth.bottoms);
+        for (std::size_t k = 0; k < drawn.size(); ++k)
+            if (tooth.tops[k] > tooth.bottoms[k])
+                QVERIFY(drawn[k] < tooth.bottoms[k] - 0.1F);
+    }
+};
 
 QTEST_APPLESS_MAIN(TestFlanks)
 #include "tst_flanks.moc"

@@ -17,175 +17,163 @@ class TestMouth : public QObject
     Q_OBJECT
 
 private slots:
-    void init();
-    void cleanup();
-    void aClickChoosesALeftTooth();
-    void aRightToothIsNamedButNotChosen();
-    void keysWalkAlongTheArch();
-    void doubleClickAndEnterTakeTheTooth();
-    void withLessMotionAZoomIsThereAtOnce();
-    void theJawInTheWayIsLeftOut();
-    void hiddenJawComesBackForTheKeys();
-    void gizmoPutsLettersWhereTheSidesAre();
-    void lettersFollowTheTooth();
+    void init()
+    {
+        QVERIFY(Mouth::isPossible());
+        m_mouth = std::make_unique<Mouth>(nullptr);
+        m_mouth->resize(900, 700);
+        m_mouth->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_mouth.get()));
+        m_mouth->setFocus();
+        QTRY_VERIFY_WITH_TIMEOUT(m_mouth->isReady(), 20000);
+    }
+
+    void cleanup()
+    {
+        pictures::keep(m_mouth->grabPicture(), QStringLiteral("mouth_") + QTest::currentTestFunction());
+        m_mouth.reset();
+    }
+
+    void aClickChoosesALeftTooth()
+    {
+        QSignalSpy chosen(m_mouth.get(), &Mouth::selectionChanged);
+        for (const int fdi : {36, 34, 32, 23, 21}) {
+            QTest::mouseClick(m_mouth.get(), Qt::LeftButton, {}, at(fdi));
+            QCOMPARE(m_mouth->selected(), fdi);
+        }
+        QCOMPARE(chosen.count(), 5);
+        // Beside the teeth nothing is chosen and nothing is lost.
+        QTest::mouseClick(m_mouth.get(), Qt::LeftButton, {}, {5, 350});
+        QCOMPARE(m_mouth->selected(), 21);
+    }
+
+    void aRightToothIsNamedButNotChosen()
+    {
+        m_mouth->setSelected(36);
+        QTest::mouseMove(m_mouth.get(), at(42));
+        QTRY_COMPARE(m_mouth->hovered(), 42);
+        QTest::mouseClick(m_mouth.get(), Qt::LeftButton, {}, at(42));
+        QCOMPARE(m_mouth->selected(), 36);
+        m_mouth->setSelected(46);
+        QCOMPARE(m_mouth->selected(), 0);
+    }
+
+    void keysWalkAlongTheArch()
+    {
+        const auto press = [this](Qt::Key key) {
+            QTest::keyClick(m_mouth.get(), key);
+            return m_mouth->selected();
+        };
+        QCOMPARE(press(Qt::Key_Right), 21);
+        QCOMPARE(press(Qt::Key_Right), 22);
+        QCOMPARE(press(Qt::Key_Down), 32);
+        QCOMPARE(press(Qt::Key_Left), 31);
+        QCOMPARE(press(Qt::Key_Left), 31);
+        QCOMPARE(press(Qt::Key_Up), 21);
+        for (int k = 0; k < 9; ++k)
+            press(Qt::Key_Right);
+        QCOMPARE(m_mouth->selected(), 28);
+    }
+
+    void doubleClickAndEnterTakeTheTooth()
+    {
+        QSignalSpy taken(m_mouth.get(), &Mouth::toothActivated);
+        QTest::keyClick(m_mouth.get(), Qt::Key_Return);
+        QCOMPARE(taken.count(), 0);
+        QTest::mouseDClick(m_mouth.get(), Qt::LeftButton, {}, at(35));
+        QCOMPARE(taken.count(), 1);
+        QCOMPARE(taken.back().front().toInt(), 35);
+        QTest::keyClick(m_mouth.get(), Qt::Key_Right);
+        QTest::keyClick(m_mouth.get(), Qt::Key_Return);
+        QCOMPARE(taken.count(), 2);
+        QCOMPARE(taken.back().front().toInt(), m_mouth->selected());
+    }
+
+    void withLessMotionAZoomIsThereAtOnce()
+    {
+        const double before = m_mouth->camera().distanceMm();
+        m_mouth->setMovesLittle(true);
+        QTest::keyClick(m_mouth.get(), Qt::Key_Plus);
+        const double after = m_mouth->camera().distanceMm();
+        QVERIFY(after < 0.95 * before);
+        // Otherwise it takes its time to come to the same place.
+        QTest::keyClick(m_mouth.get(), Qt::Key_Home);
+        m_mouth->setMovesLittle(false);
+        QTest::keyClick(m_mouth.get(), Qt::Key_Plus);
+        QVERIFY(m_mouth->camera().distanceMm() > after);
+        QTRY_COMPARE(m_mouth->camera().distanceMm(), after);
+    }
+
+    void theJawInTheWayIsLeftOut()
+    {
+        QVERIFY(!at(26).isNull() && !at(36).isNull());
+        for (int k = 0; k < 8; ++k)
+            QTest::keyClick(m_mouth.get(), Qt::Key_Up, Qt::ControlModifier);
+        QVERIFY(at(26).isNull());
+        QVERIFY(!at(36).isNull());
+        QTest::mouseClick(m_mouth.get(), Qt::LeftButton, {}, at(37));
+        QCOMPARE(m_mouth->selected(), 37);
+        for (int k = 0; k < 18; ++k)
+            QTest::keyClick(m_mouth.get(), Qt::Key_Down, Qt::ControlModifier);
+        QVERIFY(at(36).isNull());
+        QTest::mouseClick(m_mouth.get(), Qt::LeftButton, {}, at(26));
+        QCOMPARE(m_mouth->selected(), 26);
+        QTest::keyClick(m_mouth.get(), Qt::Key_Home);
+        QVERIFY(!at(26).isNull() && !at(36).isNull());
+    }
+
+    void hiddenJawComesBackForTheKeys()
+    {
+        m_mouth->setSelected(36);
+        for (int k = 0; k < 10; ++k)
+            QTest::keyClick(m_mouth.get(), Qt::Key_Up, Qt::ControlModifier);
+        QTest::keyClick(m_mouth.get(), Qt::Key_Up);
+        QCOMPARE(m_mouth->selected(), 26);
+        QVERIFY(!at(26).isNull());
+        for (int k = 0; k < 10; ++k)
+            QTest::keyClick(m_mouth.get(), Qt::Key_Down, Qt::ControlModifier);
+        QTest::keyClick(m_mouth.get(), Qt::Key_Down);
+        QCOMPARE(m_mouth->selected(), 36);
+        QVERIFY(!at(36).isNull());
+    }
+
+    void gizmoPutsLettersWhereTheSidesAre()
+    {
+        const auto paint = [](const ui::render::GizmoLetters& letters) {
+            QImage image(200, 200, QImage::Format_RGB32);
+            image.fill(Qt::black);
+            QPainter painter(&image);
+            ui::render::paintGizmo(painter, {100, 100}, 90, glm::dmat3(1.0), letters);
+            return image;
+        };
+        // Seen from above with +x to the right: distal right, +y up, occlusal in the middle.
+        const QImage none = paint({});
+        const auto box = [&](std::size_t end) {
+            ui::render::GizmoLetters one;
+            one.at(end) = QStringLiteral("X");
+            return pictures::difference(none, paint(one), 40).box;
+        };
+        QVERIFY(box(0).left() < 60 && box(0).right() <= 102);
+        QVERIFY(box(1).right() > 140 && box(1).left() >= 98);
+        QVERIFY(box(3).top() < 60 && box(3).bottom() <= 102);
+        QVERIFY(box(5).contains(100, 100) && box(5).width() < 60);
+        QVERIFY(pictures::difference(none, paint({"M", "D", "L", "B", "", "O"}), 40).pixels > 1000);
+        pictures::keep(paint({"M", "D", "L", "B", "", "O"}), QStringLiteral("gizmo"));
+    }
+
+    void lettersFollowTheTooth()
+    {
+        QCOMPARE(ui::text::surfaceLetters(36), QStringList({"M", "D", "B", "L", "", "O"}));
+        QCOMPARE(ui::text::surfaceLetters(26), QStringList({"M", "D", "P", "B", "", "O"}));
+        QCOMPARE(ui::text::surfaceLetters(21), QStringList({"M", "D", "P", "La", "", "I"}));
+        QVERIFY(ui::text::surfaceLetters(0).isEmpty());
+    }
 
 private:
     [[nodiscard]] QPoint at(int fdi) const { return m_mouth->placeOf(fdi).toPoint(); }
 
     std::unique_ptr<Mouth> m_mouth;
 };
-
-void TestMouth::init()
-{
-    QVERIFY(Mouth::isPossible());
-    m_mouth = std::make_unique<Mouth>(nullptr);
-    m_mouth->resize(900, 700);
-    m_mouth->show();
-    QVERIFY(QTest::qWaitForWindowExposed(m_mouth.get()));
-    m_mouth->setFocus();
-    QTRY_VERIFY_WITH_TIMEOUT(m_mouth->isReady(), 20000);
-}
-
-void TestMouth::cleanup()
-{
-    pictures::keep(m_mouth->grabPicture(), QStringLiteral("mouth_") + QTest::currentTestFunction());
-    m_mouth.reset();
-}
-
-void TestMouth::aClickChoosesALeftTooth()
-{
-    QSignalSpy chosen(m_mouth.get(), &Mouth::selectionChanged);
-    for (const int fdi : {36, 34, 32, 23, 21}) {
-        QTest::mouseClick(m_mouth.get(), Qt::LeftButton, {}, at(fdi));
-        QCOMPARE(m_mouth->selected(), fdi);
-    }
-    QCOMPARE(chosen.count(), 5);
-    // Beside the teeth nothing is chosen and nothing is lost.
-    QTest::mouseClick(m_mouth.get(), Qt::LeftButton, {}, {5, 350});
-    QCOMPARE(m_mouth->selected(), 21);
-}
-
-void TestMouth::aRightToothIsNamedButNotChosen()
-{
-    m_mouth->setSelected(36);
-    QTest::mouseMove(m_mouth.get(), at(42));
-    QTRY_COMPARE(m_mouth->hovered(), 42);
-    QTest::mouseClick(m_mouth.get(), Qt::LeftButton, {}, at(42));
-    QCOMPARE(m_mouth->selected(), 36);
-    m_mouth->setSelected(46);
-    QCOMPARE(m_mouth->selected(), 0);
-}
-
-void TestMouth::keysWalkAlongTheArch()
-{
-    const auto press = [this](Qt::Key key) {
-        QTest::keyClick(m_mouth.get(), key);
-        return m_mouth->selected();
-    };
-    QCOMPARE(press(Qt::Key_Right), 21);
-    QCOMPARE(press(Qt::Key_Right), 22);
-    QCOMPARE(press(Qt::Key_Down), 32);
-    QCOMPARE(press(Qt::Key_Left), 31);
-    QCOMPARE(press(Qt::Key_Left), 31);
-    QCOMPARE(press(Qt::Key_Up), 21);
-    for (int k = 0; k < 9; ++k)
-        press(Qt::Key_Right);
-    QCOMPARE(m_mouth->selected(), 28);
-}
-
-void TestMouth::doubleClickAndEnterTakeTheTooth()
-{
-    QSignalSpy taken(m_mouth.get(), &Mouth::toothActivated);
-    QTest::keyClick(m_mouth.get(), Qt::Key_Return);
-    QCOMPARE(taken.count(), 0);
-    QTest::mouseDClick(m_mouth.get(), Qt::LeftButton, {}, at(35));
-    QCOMPARE(taken.count(), 1);
-    QCOMPARE(taken.back().front().toInt(), 35);
-    QTest::keyClick(m_mouth.get(), Qt::Key_Right);
-    QTest::keyClick(m_mouth.get(), Qt::Key_Return);
-    QCOMPARE(taken.count(), 2);
-    QCOMPARE(taken.back().front().toInt(), m_mouth->selected());
-}
-
-void TestMouth::withLessMotionAZoomIsThereAtOnce()
-{
-    const double before = m_mouth->camera().distanceMm();
-    m_mouth->setMovesLittle(true);
-    QTest::keyClick(m_mouth.get(), Qt::Key_Plus);
-    const double after = m_mouth->camera().distanceMm();
-    QVERIFY(after < 0.95 * before);
-    // Otherwise it takes its time to come to the same place.
-    QTest::keyClick(m_mouth.get(), Qt::Key_Home);
-    m_mouth->setMovesLittle(false);
-    QTest::keyClick(m_mouth.get(), Qt::Key_Plus);
-    QVERIFY(m_mouth->camera().distanceMm() > after);
-    QTRY_COMPARE(m_mouth->camera().distanceMm(), after);
-}
-
-void TestMouth::theJawInTheWayIsLeftOut()
-{
-    QVERIFY(!at(26).isNull() && !at(36).isNull());
-    for (int k = 0; k < 8; ++k)
-        QTest::keyClick(m_mouth.get(), Qt::Key_Up, Qt::ControlModifier);
-    QVERIFY(at(26).isNull());
-    QVERIFY(!at(36).isNull());
-    QTest::mouseClick(m_mouth.get(), Qt::LeftButton, {}, at(37));
-    QCOMPARE(m_mouth->selected(), 37);
-    for (int k = 0; k < 18; ++k)
-        QTest::keyClick(m_mouth.get(), Qt::Key_Down, Qt::ControlModifier);
-    QVERIFY(at(36).isNull());
-    QTest::mouseClick(m_mouth.get(), Qt::LeftButton, {}, at(26));
-    QCOMPARE(m_mouth->selected(), 26);
-    QTest::keyClick(m_mouth.get(), Qt::Key_Home);
-    QVERIFY(!at(26).isNull() && !at(36).isNull());
-}
-
-void TestMouth::hiddenJawComesBackForTheKeys()
-{
-    m_mouth->setSelected(36);
-    for (int k = 0; k < 10; ++k)
-        QTest::keyClick(m_mouth.get(), Qt::Key_Up, Qt::ControlModifier);
-    QTest::keyClick(m_mouth.get(), Qt::Key_Up);
-    QCOMPARE(m_mouth->selected(), 26);
-    QVERIFY(!at(26).isNull());
-    for (int k = 0; k < 10; ++k)
-        QTest::keyClick(m_mouth.get(), Qt::Key_Down, Qt::ControlModifier);
-    QTest::keyClick(m_mouth.get(), Qt::Key_Down);
-    QCOMPARE(m_mouth->selected(), 36);
-    QVERIFY(!at(36).isNull());
-}
-
-void TestMouth::gizmoPutsLettersWhereTheSidesAre()
-{
-    const auto paint = [](const ui::render::GizmoLetters& letters) {
-        QImage image(200, 200, QImage::Format_RGB32);
-        image.fill(Qt::black);
-        QPainter painter(&image);
-        ui::render::paintGizmo(painter, {100, 100}, 90, glm::dmat3(1.0), letters);
-        return image;
-    };
-    // Seen from above with +x to the right: distal right, +y up, occlusal in the middle.
-    const QImage none = paint({});
-    const auto box = [&](std::size_t end) {
-        ui::render::GizmoLetters one;
-        one.at(end) = QStringLiteral("X");
-        return pictures::difference(none, paint(one), 40).box;
-    };
-    QVERIFY(box(0).left() < 60 && box(0).right() <= 102);
-    QVERIFY(box(1).right() > 140 && box(1).left() >= 98);
-    QVERIFY(box(3).top() < 60 && box(3).bottom() <= 102);
-    QVERIFY(box(5).contains(100, 100) && box(5).width() < 60);
-    QVERIFY(pictures::difference(none, paint({"M", "D", "L", "B", "", "O"}), 40).pixels > 1000);
-    pictures::keep(paint({"M", "D", "L", "B", "", "O"}), QStringLiteral("gizmo"));
-}
-
-void TestMouth::lettersFollowTheTooth()
-{
-    QCOMPARE(ui::text::surfaceLetters(36), QStringList({"M", "D", "B", "L", "", "O"}));
-    QCOMPARE(ui::text::surfaceLetters(26), QStringList({"M", "D", "P", "B", "", "O"}));
-    QCOMPARE(ui::text::surfaceLetters(21), QStringList({"M", "D", "P", "La", "", "I"}));
-    QVERIFY(ui::text::surfaceLetters(0).isEmpty());
-}
 
 int main(int argc, char** argv)
 {

@@ -20,188 +20,176 @@ class TestPointerControl : public QObject
     Q_OBJECT
 
 private slots:
-    void initTestCase();
-    void hoversAboveEverythingUnderTheBur();
-    void neverLeapsWhenTheCursorSweepsAcrossTheTooth_data();
-    void neverLeapsWhenTheCursorSweepsAcrossTheTooth();
-    void pressingDoesNotMoveTheTarget();
-    void pushedTargetMovesWithTheCursorAndStaysCalmOverAWall();
-    void targetWaitsForABurHeldByAWall();
-    void liftsOverACuspBeforeGoingBehindIt();
-    void liftingWinsOverPushing();
-    void forceStaysWithinItsBounds();
-    void targetStaysNearTheTooth();
+    void initTestCase()
+    {
+        m_surface = std::make_unique<ToothSurface>(support::syntheticMolar(), glm::vec3(0.0F, 0.0F, 1.0F));
+        m_camera.setSubject({0.0, 0.0, -3.0}, 7.0);
+        m_camera.setViewport({1000.0, 800.0});
+        m_control.setSurface(m_surface.get());
+        m_control.setBurRadius(0.5);
+    }
+
+    void hoversAboveEverythingUnderTheBur()
+    {
+        for (double x = 100.0; x < 900.0; x += 37.0) {
+            m_control.moveTo(m_camera.rayThrough({x, 420.0}), {});
+            const PointerInput wish = m_control.input();
+            for (double angle = 0.0; angle < 6.28; angle += 0.3) {
+                const glm::dvec2 rim = wish.targetMm + 0.45 * glm::dvec2(std::cos(angle), std::sin(angle));
+                QVERIFY(wish.hoverMm > m_surface->heightMm(rim) + 0.5);
+            }
+            QVERIFY(!wish.pushing);
+        }
+    }
+
+    void neverLeapsWhenTheCursorSweepsAcrossTheTooth_data()
+    {
+        QTest::addColumn<double>("elevation");
+        QTest::addColumn<bool>("vertical");
+        QTest::newRow("from above, across") << 88.0 << false;
+        QTest::newRow("from above, up and down") << 88.0 << true;
+        QTest::newRow("three quarters, across") << 48.0 << false;
+        QTest::newRow("three quarters, up and down") << 48.0 << true;
+    }
+
+    void neverLeapsWhenTheCursorSweepsAcrossTheTooth()
+    {
+        QFETCH(double, elevation);
+        QFETCH(bool, vertical);
+        m_camera.set(10.0, elevation, m_camera.fittingMm());
+        // What a cusp hides is as long as the shadow it would throw from the eye; anything else is the step of a pixel.
+        const double relief = m_surface->highestMm().z - m_surface->restingHeightMm();
+        for (int line = 0; line < 20; ++line) {
+            glm::dvec2 last{0.0};
+            for (int k = 0; k < 600; ++k) {
+                const double along = 100.0 + k;
+                const double across = 150.0 + 25.0 * line;
+                const Ray ray = m_camera.rayThrough(vertical ? glm::dvec2(across, along) : glm::dvec2(along, across));
+                m_control.moveTo(ray, {});
+                const glm::dvec2 target = m_control.input().targetMm;
+                const double hiddenMm = relief * glm::length(glm::dvec2(ray.direction)) / -ray.direction.z;
+                if (k > 0)
+                    QVERIFY2(glm::distance(target, last) < 0.1 + hiddenMm,
+                             qPrintable(QString("%1 mm for one pixel").arg(glm::distance(target, last))));
+                last = target;
+            }
+        }
+        m_camera.reset();
+    }
+
+    void pressingDoesNotMoveTheTarget()
+    {
+        m_control.moveTo(m_camera.rayThrough({480.0, 390.0}), {});
+        const glm::dvec2 before = m_control.input().targetMm;
+        m_control.push(true);
+        m_control.moveTo(m_camera.rayThrough({480.0, 390.0}), {before, -4.0});
+        QVERIFY(glm::distance(m_control.input().targetMm, before) < 1e-9);
+        QVERIFY(m_control.input().pushing);
+        m_control.push(false);
+        QVERIFY(!m_control.input().pushing);
+    }
+
+    void pushedTargetMovesWithTheCursorAndStaysCalmOverAWall()
+    {
+        m_control.moveTo(m_camera.rayThrough({500.0, 400.0}), {});
+        m_control.push(true);
+        const glm::dvec2 start = m_control.input().targetMm;
+        glm::dvec2 last = start;
+        double shortest = 1.0e9;
+        double longest = 0.0;
+        for (int k = 1; k <= 200; ++k) {
+            m_control.moveTo(m_camera.rayThrough({500.0 + k, 400.0}), {last, -2.5});
+            const double step = glm::distance(m_control.input().targetMm, last);
+            shortest = std::min(shortest, step);
+            longest = std::max(longest, step);
+            last = m_control.input().targetMm;
+        }
+        m_control.push(false);
+        QVERIFY(longest < 1.1 * shortest);
+        QVERIFY(glm::dot(last - start, m_camera.rightOnTooth()) > 1.0);
+    }
+
+    void targetWaitsForABurHeldByAWall()
+    {
+        m_control.moveTo(m_camera.rayThrough({500.0, 400.0}), {});
+        m_control.push(true);
+        const glm::dvec3 held(m_control.input().targetMm, -2.5);
+        for (int k = 1; k <= 300; ++k)
+            m_control.moveTo(m_camera.rayThrough({500.0 + k, 400.0}), held);
+        QVERIFY(glm::distance(m_control.input().targetMm, glm::dvec2(held)) < PointerControl::kLeashMm + 1e-9);
+        m_control.moveTo(m_camera.rayThrough({760.0, 400.0}), held);
+        QVERIFY(glm::distance(m_control.input().targetMm, glm::dvec2(held)) < PointerControl::kLeashMm - 0.3);
+        m_control.push(false);
+    }
+
+    void liftsOverACuspBeforeGoingBehindIt()
+    {
+        // From the fossa over the mesiobuccal cusp to its far side.
+        const glm::dvec2 fossa(-0.9, -0.3);
+        m_camera.set(0.0, 88.0, m_camera.fittingMm());
+        m_control.moveTo(m_camera.rayThrough(m_camera.pixelOf({-3.9, -4.0, -2.5})), {});
+        const PointerInput far = m_control.input();
+        const double cusp = m_surface->heightMm({-2.6, -2.6});
+        QVERIFY(far.hoverMm < cusp);
+        const double low = m_surface->heightMm(fossa) + 0.05;
+        const PointerInput lifting = m_control.input(glm::dvec3(fossa, low));
+        QCOMPARE(lifting.targetMm.x, fossa.x);
+        QVERIFY(lifting.hoverMm > cusp);
+        const PointerInput going = m_control.input(glm::dvec3(fossa, lifting.hoverMm));
+        QCOMPARE(going.targetMm.x, far.targetMm.x);
+        QVERIFY(going.hoverMm > cusp);
+        const PointerInput there = m_control.input(glm::dvec3(far.targetMm, lifting.hoverMm));
+        QCOMPARE(there.hoverMm, far.hoverMm);
+        // Leaning on the tooth nothing is lifted for.
+        m_control.push(true);
+        QCOMPARE(m_control.input(glm::dvec3(fossa, low)).targetMm.x, far.targetMm.x);
+        m_control.push(false);
+        m_camera.reset();
+    }
+
+    void liftingWinsOverPushing()
+    {
+        m_control.push(true);
+        m_control.lift(true);
+        QVERIFY(!m_control.input().pushing);
+        QCOMPARE(m_control.input().hoverMm, m_surface->highestMm().z + PointerControl::kLiftMm);
+        m_control.lift(false);
+        QVERIFY(m_control.input().pushing);
+        m_control.push(false);
+    }
+
+    void forceStaysWithinItsBounds()
+    {
+        QCOMPARE(m_control.forceN(), PointerControl::kFirstN);
+        m_control.setForce(100.0);
+        QCOMPARE(m_control.input().pushForceN, PointerControl::kStrongestN);
+        m_control.setForce(-1.0);
+        QCOMPARE(m_control.input().pushForceN, PointerControl::kWeakestN);
+        m_control.setForce(1.0);
+        m_control.push(true);
+        m_control.setPressure(0.25);
+        QCOMPARE(m_control.input().pushForceN, 0.25);
+        m_control.push(false);
+        QCOMPARE(m_control.input().pushForceN, 1.0);
+    }
+
+    void targetStaysNearTheTooth()
+    {
+        for (int k = 0; k < 1000; ++k)
+            m_control.moveBy({1.0, -1.0});
+        const PointerInput wish = m_control.input();
+        QVERIFY(wish.targetMm.x < 12.0 && wish.targetMm.y > -12.0);
+        QCOMPARE(wish.hoverMm, m_surface->restingHeightMm() + PointerControl::kClearanceMm);
+        // A ray that looks up meets nothing and moves nothing.
+        m_control.moveTo(Ray{{0.0, 0.0, -20.0}, {0.0, 0.0, 1.0}}, {});
+        QCOMPARE(m_control.input().targetMm.x, wish.targetMm.x);
+    }
 
 private:
     std::unique_ptr<ToothSurface> m_surface;
     Camera m_camera;
     PointerControl m_control;
 };
-
-void TestPointerControl::initTestCase()
-{
-    m_surface = std::make_unique<ToothSurface>(support::syntheticMolar(), glm::vec3(0.0F, 0.0F, 1.0F));
-    m_camera.setSubject({0.0, 0.0, -3.0}, 7.0);
-    m_camera.setViewport({1000.0, 800.0});
-    m_control.setSurface(m_surface.get());
-    m_control.setBurRadius(0.5);
-}
-
-void TestPointerControl::hoversAboveEverythingUnderTheBur()
-{
-    for (double x = 100.0; x < 900.0; x += 37.0) {
-        m_control.moveTo(m_camera.rayThrough({x, 420.0}), {});
-        const PointerInput wish = m_control.input();
-        for (double angle = 0.0; angle < 6.28; angle += 0.3) {
-            const glm::dvec2 rim = wish.targetMm + 0.45 * glm::dvec2(std::cos(angle), std::sin(angle));
-            QVERIFY(wish.hoverMm > m_surface->heightMm(rim) + 0.5);
-        }
-        QVERIFY(!wish.pushing);
-    }
-}
-
-void TestPointerControl::neverLeapsWhenTheCursorSweepsAcrossTheTooth_data()
-{
-    QTest::addColumn<double>("elevation");
-    QTest::addColumn<bool>("vertical");
-    QTest::newRow("from above, across") << 88.0 << false;
-    QTest::newRow("from above, up and down") << 88.0 << true;
-    QTest::newRow("three quarters, across") << 48.0 << false;
-    QTest::newRow("three quarters, up and down") << 48.0 << true;
-}
-
-void TestPointerControl::neverLeapsWhenTheCursorSweepsAcrossTheTooth()
-{
-    QFETCH(double, elevation);
-    QFETCH(bool, vertical);
-    m_camera.set(10.0, elevation, m_camera.fittingMm());
-    // What a cusp hides is as long as the shadow it would throw from the eye; anything else is the step of a pixel.
-    const double relief = m_surface->highestMm().z - m_surface->restingHeightMm();
-    for (int line = 0; line < 20; ++line) {
-        glm::dvec2 last{0.0};
-        for (int k = 0; k < 600; ++k) {
-            const double along = 100.0 + k;
-            const double across = 150.0 + 25.0 * line;
-            const Ray ray = m_camera.rayThrough(vertical ? glm::dvec2(across, along) : glm::dvec2(along, across));
-            m_control.moveTo(ray, {});
-            const glm::dvec2 target = m_control.input().targetMm;
-            const double hiddenMm = relief * glm::length(glm::dvec2(ray.direction)) / -ray.direction.z;
-            if (k > 0)
-                QVERIFY2(glm::distance(target, last) < 0.1 + hiddenMm,
-                         qPrintable(QString("%1 mm for one pixel").arg(glm::distance(target, last))));
-            last = target;
-        }
-    }
-    m_camera.reset();
-}
-
-void TestPointerControl::pressingDoesNotMoveTheTarget()
-{
-    m_control.moveTo(m_camera.rayThrough({480.0, 390.0}), {});
-    const glm::dvec2 before = m_control.input().targetMm;
-    m_control.push(true);
-    m_control.moveTo(m_camera.rayThrough({480.0, 390.0}), {before, -4.0});
-    QVERIFY(glm::distance(m_control.input().targetMm, before) < 1e-9);
-    QVERIFY(m_control.input().pushing);
-    m_control.push(false);
-    QVERIFY(!m_control.input().pushing);
-}
-
-void TestPointerControl::pushedTargetMovesWithTheCursorAndStaysCalmOverAWall()
-{
-    m_control.moveTo(m_camera.rayThrough({500.0, 400.0}), {});
-    m_control.push(true);
-    const glm::dvec2 start = m_control.input().targetMm;
-    glm::dvec2 last = start;
-    double shortest = 1.0e9;
-    double longest = 0.0;
-    for (int k = 1; k <= 200; ++k) {
-        m_control.moveTo(m_camera.rayThrough({500.0 + k, 400.0}), {last, -2.5});
-        const double step = glm::distance(m_control.input().targetMm, last);
-        shortest = std::min(shortest, step);
-        longest = std::max(longest, step);
-        last = m_control.input().targetMm;
-    }
-    m_control.push(false);
-    QVERIFY(longest < 1.1 * shortest);
-    QVERIFY(glm::dot(last - start, m_camera.rightOnTooth()) > 1.0);
-}
-
-void TestPointerControl::targetWaitsForABurHeldByAWall()
-{
-    m_control.moveTo(m_camera.rayThrough({500.0, 400.0}), {});
-    m_control.push(true);
-    const glm::dvec3 held(m_control.input().targetMm, -2.5);
-    for (int k = 1; k <= 300; ++k)
-        m_control.moveTo(m_camera.rayThrough({500.0 + k, 400.0}), held);
-    QVERIFY(glm::distance(m_control.input().targetMm, glm::dvec2(held)) < PointerControl::kLeashMm + 1e-9);
-    m_control.moveTo(m_camera.rayThrough({760.0, 400.0}), held);
-    QVERIFY(glm::distance(m_control.input().targetMm, glm::dvec2(held)) < PointerControl::kLeashMm - 0.3);
-    m_control.push(false);
-}
-
-void TestPointerControl::liftsOverACuspBeforeGoingBehindIt()
-{
-    // From the fossa over the mesiobuccal cusp to its far side.
-    const glm::dvec2 fossa(-0.9, -0.3);
-    m_camera.set(0.0, 88.0, m_camera.fittingMm());
-    m_control.moveTo(m_camera.rayThrough(m_camera.pixelOf({-3.9, -4.0, -2.5})), {});
-    const PointerInput far = m_control.input();
-    const double cusp = m_surface->heightMm({-2.6, -2.6});
-    QVERIFY(far.hoverMm < cusp);
-    const double low = m_surface->heightMm(fossa) + 0.05;
-    const PointerInput lifting = m_control.input(glm::dvec3(fossa, low));
-    QCOMPARE(lifting.targetMm.x, fossa.x);
-    QVERIFY(lifting.hoverMm > cusp);
-    const PointerInput going = m_control.input(glm::dvec3(fossa, lifting.hoverMm));
-    QCOMPARE(going.targetMm.x, far.targetMm.x);
-    QVERIFY(going.hoverMm > cusp);
-    const PointerInput there = m_control.input(glm::dvec3(far.targetMm, lifting.hoverMm));
-    QCOMPARE(there.hoverMm, far.hoverMm);
-    // Leaning on the tooth nothing is lifted for.
-    m_control.push(true);
-    QCOMPARE(m_control.input(glm::dvec3(fossa, low)).targetMm.x, far.targetMm.x);
-    m_control.push(false);
-    m_camera.reset();
-}
-
-void TestPointerControl::liftingWinsOverPushing()
-{
-    m_control.push(true);
-    m_control.lift(true);
-    QVERIFY(!m_control.input().pushing);
-    QCOMPARE(m_control.input().hoverMm, m_surface->highestMm().z + PointerControl::kLiftMm);
-    m_control.lift(false);
-    QVERIFY(m_control.input().pushing);
-    m_control.push(false);
-}
-
-void TestPointerControl::forceStaysWithinItsBounds()
-{
-    QCOMPARE(m_control.forceN(), PointerControl::kFirstN);
-    m_control.setForce(100.0);
-    QCOMPARE(m_control.input().pushForceN, PointerControl::kStrongestN);
-    m_control.setForce(-1.0);
-    QCOMPARE(m_control.input().pushForceN, PointerControl::kWeakestN);
-    m_control.setForce(1.0);
-    m_control.push(true);
-    m_control.setPressure(0.25);
-    QCOMPARE(m_control.input().pushForceN, 0.25);
-    m_control.push(false);
-    QCOMPARE(m_control.input().pushForceN, 1.0);
-}
-
-void TestPointerControl::targetStaysNearTheTooth()
-{
-    for (int k = 0; k < 1000; ++k)
-        m_control.moveBy({1.0, -1.0});
-    const PointerInput wish = m_control.input();
-    QVERIFY(wish.targetMm.x < 12.0 && wish.targetMm.y > -12.0);
-    QCOMPARE(wish.hoverMm, m_surface->restingHeightMm() + PointerControl::kClearanceMm);
-    // A ray that looks up meets nothing and moves nothing.
-    m_control.moveTo(Ray{{0.0, 0.0, -20.0}, {0.0, 0.0, 1.0}}, {});
-    QCOMPARE(m_control.input().targetMm.x, wish.targetMm.x);
-}
 
 QTEST_APPLESS_MAIN(TestPointerControl)
 #include "tst_pointer_control.moc"

@@ -39,97 +39,91 @@ class TestPoseTrack : public QObject
     Q_OBJECT
 
 private slots:
-    void liesBetweenTheReadingsAroundAMoment();
-    void staysWhereTheBurHasBeen();
-    void withoutATrailIsWhatTheStateHolds();
-    void evenMotionIsDrawnInEvenSteps();
-    void isNeverLateByMoreThanSixMs();
-    void startsAnewAfterAPause();
-};
+    void liesBetweenTheReadingsAroundAMoment()
+    {
+        const ServoState state = movingUntil(200 * kMs, 40.0);
+        const Pose pose = poseAt(state, 190 * kMs + kMs / 4);
+        QCOMPARE(pose.takenNs, 190 * kMs + kMs / 4);
+        QVERIFY(std::abs(pose.anchorMm.x - 40.0e-3 * 190.25) < 1.0e-9);
+        QVERIFY(std::abs(pose.deviceMm.x - 40.0e-3 * 190.25) < 1.0e-9);
+        QCOMPARE(pose.deviceMm.y, 1.0);
+    }
 
-void TestPoseTrack::liesBetweenTheReadingsAroundAMoment()
-{
-    const ServoState state = movingUntil(200 * kMs, 40.0);
-    const Pose pose = poseAt(state, 190 * kMs + kMs / 4);
-    QCOMPARE(pose.takenNs, 190 * kMs + kMs / 4);
-    QVERIFY(std::abs(pose.anchorMm.x - 40.0e-3 * 190.25) < 1.0e-9);
-    QVERIFY(std::abs(pose.deviceMm.x - 40.0e-3 * 190.25) < 1.0e-9);
-    QCOMPARE(pose.deviceMm.y, 1.0);
-}
+    void staysWhereTheBurHasBeen()
+    {
+        const ServoState state = movingUntil(200 * kMs, 40.0);
+        QCOMPARE(poseAt(state, 250 * kMs).takenNs, 200 * kMs);
+        QVERIFY(std::abs(poseAt(state, 250 * kMs).anchorMm.x - 8.0) < 1.0e-9);
+        QCOMPARE(poseAt(state, kMs).takenNs, 185 * kMs);  // the oldest of 16
+    }
 
-void TestPoseTrack::staysWhereTheBurHasBeen()
-{
-    const ServoState state = movingUntil(200 * kMs, 40.0);
-    QCOMPARE(poseAt(state, 250 * kMs).takenNs, 200 * kMs);
-    QVERIFY(std::abs(poseAt(state, 250 * kMs).anchorMm.x - 8.0) < 1.0e-9);
-    QCOMPARE(poseAt(state, kMs).takenNs, 185 * kMs);  // the oldest of 16
-}
+    void withoutATrailIsWhatTheStateHolds()
+    {
+        ServoState state;
+        state.anchorMm = {1.0, 2.0, 3.0};
+        state.deviceMm = {4.0, 5.0, 6.0};
+        const Pose pose = poseAt(state, 77);
+        QCOMPARE(pose.takenNs, std::int64_t{77});
+        QVERIFY(pose.anchorMm == state.anchorMm && pose.deviceMm == state.deviceMm);
+    }
 
-void TestPoseTrack::withoutATrailIsWhatTheStateHolds()
-{
-    ServoState state;
-    state.anchorMm = {1.0, 2.0, 3.0};
-    state.deviceMm = {4.0, 5.0, 6.0};
-    const Pose pose = poseAt(state, 77);
-    QCOMPARE(pose.takenNs, std::int64_t{77});
-    QVERIFY(pose.anchorMm == state.anchorMm && pose.deviceMm == state.deviceMm);
-}
-
-/// Painted up to 3 ms early or late at a beat of 60 Hz, a bur at 30 mm/s would tremble by 0.07 mm from frame to frame.
-void TestPoseTrack::evenMotionIsDrawnInEvenSteps()
-{
-    std::mt19937 random(7);
-    std::uniform_real_distribution<double> early(-3.0, 3.0);
-    FrameClock clock;
-    std::vector<double> steps;
-    std::vector<double> asPainted;
-    double before = 0.0;
-    double paintedBefore = 0.0;
-    for (int frame = 1; frame <= 400; ++frame) {
-        const auto painted = static_cast<std::int64_t>((frame * 1000.0 / 60.0 + 100.0 + early(random)) * kMs);
-        const ServoState state = movingUntil(painted, 30.0);
-        const double x = poseAt(state, clock.momentFor(painted)).anchorMm.x;
-        const double newest = poseAt(state, painted).anchorMm.x;
-        if (frame > 100) {
-            steps.push_back(x - before);
-            asPainted.push_back(newest - paintedBefore);
+    /// Painted up to 3 ms early or late at a beat of 60 Hz, a bur at 30 mm/s would tremble by 0.07 mm from frame to
+    /// frame.
+    void evenMotionIsDrawnInEvenSteps()
+    {
+        std::mt19937 random(7);
+        std::uniform_real_distribution<double> early(-3.0, 3.0);
+        FrameClock clock;
+        std::vector<double> steps;
+        std::vector<double> asPainted;
+        double before = 0.0;
+        double paintedBefore = 0.0;
+        for (int frame = 1; frame <= 400; ++frame) {
+            const auto painted = static_cast<std::int64_t>((frame * 1000.0 / 60.0 + 100.0 + early(random)) * kMs);
+            const ServoState state = movingUntil(painted, 30.0);
+            const double x = poseAt(state, clock.momentFor(painted)).anchorMm.x;
+            const double newest = poseAt(state, painted).anchorMm.x;
+            if (frame > 100) {
+                steps.push_back(x - before);
+                asPainted.push_back(newest - paintedBefore);
+            }
+            before = x;
+            paintedBefore = newest;
         }
-        before = x;
-        paintedBefore = newest;
+        const auto tremble = [](const std::vector<double>& way) {
+            double sum = 0.0;
+            for (const double step : way)
+                sum += (step - 0.5) * (step - 0.5);
+            return std::sqrt(sum / static_cast<double>(way.size()));
+        };
+        QVERIFY2(tremble(asPainted) > 0.06, qPrintable(QString::number(tremble(asPainted))));
+        QVERIFY2(tremble(steps) < 0.25 * tremble(asPainted), qPrintable(QString::number(tremble(steps))));
     }
-    const auto tremble = [](const std::vector<double>& way) {
-        double sum = 0.0;
-        for (const double step : way)
-            sum += (step - 0.5) * (step - 0.5);
-        return std::sqrt(sum / static_cast<double>(way.size()));
-    };
-    QVERIFY2(tremble(asPainted) > 0.06, qPrintable(QString::number(tremble(asPainted))));
-    QVERIFY2(tremble(steps) < 0.25 * tremble(asPainted), qPrintable(QString::number(tremble(steps))));
-}
 
-void TestPoseTrack::isNeverLateByMoreThanSixMs()
-{
-    std::mt19937 random(3);
-    std::uniform_int_distribution<int> beats(1, 5);
-    FrameClock clock;
-    std::int64_t painted = 1000 * kMs;
-    std::int64_t moment = 0;
-    for (int frame = 0; frame < 2000; ++frame) {
-        painted += beats(random) * 7 * kMs;
-        const std::int64_t next = clock.momentFor(painted);
-        QVERIFY(next > moment);
-        QVERIFY(next < painted);
-        QVERIFY2(painted - next <= 6 * kMs, qPrintable(QString::number((painted - next) / kMs)));
-        moment = next;
+    void isNeverLateByMoreThanSixMs()
+    {
+        std::mt19937 random(3);
+        std::uniform_int_distribution<int> beats(1, 5);
+        FrameClock clock;
+        std::int64_t painted = 1000 * kMs;
+        std::int64_t moment = 0;
+        for (int frame = 0; frame < 2000; ++frame) {
+            painted += beats(random) * 7 * kMs;
+            const std::int64_t next = clock.momentFor(painted);
+            QVERIFY(next > moment);
+            QVERIFY(next < painted);
+            QVERIFY2(painted - next <= 6 * kMs, qPrintable(QString::number((painted - next) / kMs)));
+            moment = next;
+        }
     }
-}
 
-void TestPoseTrack::startsAnewAfterAPause()
-{
-    FrameClock clock;
-    static_cast<void>(clock.momentFor(1000 * kMs));
-    QCOMPARE(clock.momentFor(5000 * kMs), 5000 * kMs - FrameClock::kBehindNs);
-}
+    void startsAnewAfterAPause()
+    {
+        FrameClock clock;
+        static_cast<void>(clock.momentFor(1000 * kMs));
+        QCOMPARE(clock.momentFor(5000 * kMs), 5000 * kMs - FrameClock::kBehindNs);
+    }
+};
 
 QTEST_APPLESS_MAIN(TestPoseTrack)
 #include "tst_pose_track.moc"

@@ -84,161 +84,156 @@ class TestSceneWidget : public QObject
 
 private slots:
     void bothWaysShowPictureAndMarks_data() { ways(); }
-    void bothWaysShowPictureAndMarks();
+
+    void bothWaysShowPictureAndMarks()
+    {
+        QFETCH(SceneWidget::Way, way);
+        Marks marks(way);
+        marks.resize(320, 240);
+        QSignalSpy shown(&marks, &SceneWidget::shown);
+        marks.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&marks));
+        QTRY_VERIFY(shown.count() > 0);
+        QVERIFY(marks.isUsable());
+        const QImage image = marks.grabPicture();
+        QCOMPARE(image.size(), QSize(320, 240));
+        QCOMPARE(at(image, 0.01, 0.01), QColor(Qt::white));
+        QCOMPARE(at(image, 0.5, 0.1), kHigh);
+        QCOMPARE(at(image, 0.5, 0.9), kGround);
+        QCOMPARE(qAlpha(image.pixel(160, 200)), 255);
+        shown.clear();
+        marks.redraw();
+        QTRY_VERIFY(shown.count() > 0);
+        shown.clear();
+        const int before = marks.drawn;
+        marks.redrawNow();
+        QCOMPARE(marks.drawn, before + 1);
+    }
+
     void theMouseIsTheWidgetsOwn_data() { ways(); }
-    void theMouseIsTheWidgetsOwn();
+
+    void theMouseIsTheWidgetsOwn()
+    {
+        QFETCH(SceneWidget::Way, way);
+        struct Catches : Marks
+        {
+            using Marks::Marks;
+            int presses = 0;
+            void mousePressEvent(QMouseEvent* /*event*/) override { ++presses; }
+        };
+        QWidget window;
+        auto* catches = new Catches(way, &window);
+        window.resize(300, 200);
+        catches->resize(window.size());
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        // As the window system brings it: to the window, which looks for who is there.
+        QTest::mouseClick(window.windowHandle(), Qt::LeftButton, {}, QPoint(150, 100));
+        QCOMPARE(catches->presses, 1);
+    }
+
     void anotherWindowAndAnotherSizeAreDrawnAnew_data() { ways(); }
-    void anotherWindowAndAnotherSizeAreDrawnAnew();
+
+    void anotherWindowAndAnotherSizeAreDrawnAnew()
+    {
+        QFETCH(SceneWidget::Way, way);
+        QWidget first;
+        QWidget second;
+        auto* marks = new Marks(way, &first);
+        for (QWidget* window : {&first, &second}) {
+            window->resize(300, 200);
+            marks->setParent(window);
+            marks->resize(window->size());
+            marks->show();
+            window->show();
+            QVERIFY(QTest::qWaitForWindowExposed(window));
+            QTRY_COMPARE(at(marks->grabPicture(), 0.5, 0.9), kGround);
+            marks->resize(120, 80);
+            QCOMPARE(marks->grabPicture().size(), QSize(120, 80));
+            QCOMPARE(at(marks->grabPicture(), 0.5, 0.1), kHigh);
+        }
+        QVERIFY(marks->prepared >= 1);
+        QVERIFY(marks->prepared - marks->released == 1);
+    }
+
     void whatIsRefusedIsSaid_data() { ways(); }
-    void whatIsRefusedIsSaid();
-    void aSoftwareDriverSmoothesWhatRests();
-    void aToothLooksTheSameOnBothWays();
+
+    void whatIsRefusedIsSaid()
+    {
+        QFETCH(SceneWidget::Way, way);
+        QTest::ignoreMessage(QtWarningMsg, "No picture of a tooth can be drawn: it would not.");
+        Marks marks(way);
+        marks.refuses = true;
+        marks.resize(320, 240);
+        marks.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&marks));
+        QTRY_VERIFY(!marks.isUsable());
+        marks.redrawNow();
+        QCOMPARE(marks.drawn, 0);
+        QVERIFY(!marks.grabPicture().isNull());
+        QCOMPARE(marks.prepared, 1);
+    }
+
+    void aSoftwareDriverSmoothesWhatRests()
+    {
+        struct Counts : Marks
+        {
+            using Marks::Marks;
+            QList<int> samples;
+            QSize size;
+            void drawScene(QSize sizePx, int with) override
+            {
+                samples.append(with);
+                size = sizePx;
+                Marks::drawScene(sizePx, with);
+            }
+        };
+        Counts counts(SceneWidget::Way::Image);
+        counts.resize(100, 100);
+        counts.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&counts));
+        QTRY_VERIFY(!counts.samples.isEmpty() && counts.samples.back() > 0);
+        QCOMPARE(counts.samples.front(), 0);
+        counts.samples.clear();
+        counts.redrawNow();
+        counts.redrawNow();
+        QCOMPARE(counts.samples, QList<int>({0, 0}));
+        QTRY_COMPARE(counts.samples.size(), 3);
+        QVERIFY(counts.samples.back() > 0);
+        // While the eye moves half as fine, then as fine as before.
+        counts.redrawMoving();
+        QTRY_COMPARE(counts.size, QSize(50, 50));
+        QTRY_COMPARE(counts.size, QSize(100, 100));
+        QVERIFY(counts.samples.back() > 0);
+    }
+
+    void aToothLooksTheSameOnBothWays()
+    {
+        core::session::UiLinks links;
+        std::array<QImage, 2> images;
+        for (std::size_t k = 0; k < 2; ++k) {
+            ToothView view(links, nullptr, k == 0 ? SceneWidget::Way::Window : SceneWidget::Way::Image);
+            view.resize(480, 360);
+            view.setTooth(support::syntheticMolar(), 1);
+            view.show();
+            QVERIFY(QTest::qWaitForWindowExposed(&view));
+            images[k] = view.picture();
+            pictures::keep(images[k], QStringLiteral("tooth_%1").arg(k));
+        }
+        QCOMPARE(images[0].size(), images[1].size());
+        const int apart = pictures::difference(images[0], images[1]).pixels;
+        // Letters of the gizmo and smooth edges are painted by another engine.
+        QVERIFY2(apart < 480 * 360 / 100, qPrintable(QString::number(apart)));
+    }
 
 private:
-    static void ways();
+    static void ways()
+    {
+        QTest::addColumn<SceneWidget::Way>("way");
+        QTest::newRow("window") << SceneWidget::Way::Window;
+        QTest::newRow("image") << SceneWidget::Way::Image;
+    }
 };
-
-void TestSceneWidget::ways()
-{
-    QTest::addColumn<SceneWidget::Way>("way");
-    QTest::newRow("window") << SceneWidget::Way::Window;
-    QTest::newRow("image") << SceneWidget::Way::Image;
-}
-
-void TestSceneWidget::bothWaysShowPictureAndMarks()
-{
-    QFETCH(SceneWidget::Way, way);
-    Marks marks(way);
-    marks.resize(320, 240);
-    QSignalSpy shown(&marks, &SceneWidget::shown);
-    marks.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&marks));
-    QTRY_VERIFY(shown.count() > 0);
-    QVERIFY(marks.isUsable());
-    const QImage image = marks.grabPicture();
-    QCOMPARE(image.size(), QSize(320, 240));
-    QCOMPARE(at(image, 0.01, 0.01), QColor(Qt::white));
-    QCOMPARE(at(image, 0.5, 0.1), kHigh);
-    QCOMPARE(at(image, 0.5, 0.9), kGround);
-    QCOMPARE(qAlpha(image.pixel(160, 200)), 255);
-    shown.clear();
-    marks.redraw();
-    QTRY_VERIFY(shown.count() > 0);
-    shown.clear();
-    const int before = marks.drawn;
-    marks.redrawNow();
-    QCOMPARE(marks.drawn, before + 1);
-}
-
-void TestSceneWidget::theMouseIsTheWidgetsOwn()
-{
-    QFETCH(SceneWidget::Way, way);
-    struct Catches : Marks
-    {
-        using Marks::Marks;
-        int presses = 0;
-        void mousePressEvent(QMouseEvent* /*event*/) override { ++presses; }
-    };
-    QWidget window;
-    auto* catches = new Catches(way, &window);
-    window.resize(300, 200);
-    catches->resize(window.size());
-    window.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&window));
-    // As the window system brings it: to the window, which looks for who is there.
-    QTest::mouseClick(window.windowHandle(), Qt::LeftButton, {}, QPoint(150, 100));
-    QCOMPARE(catches->presses, 1);
-}
-
-void TestSceneWidget::anotherWindowAndAnotherSizeAreDrawnAnew()
-{
-    QFETCH(SceneWidget::Way, way);
-    QWidget first;
-    QWidget second;
-    auto* marks = new Marks(way, &first);
-    for (QWidget* window : {&first, &second}) {
-        window->resize(300, 200);
-        marks->setParent(window);
-        marks->resize(window->size());
-        marks->show();
-        window->show();
-        QVERIFY(QTest::qWaitForWindowExposed(window));
-        QTRY_COMPARE(at(marks->grabPicture(), 0.5, 0.9), kGround);
-        marks->resize(120, 80);
-        QCOMPARE(marks->grabPicture().size(), QSize(120, 80));
-        QCOMPARE(at(marks->grabPicture(), 0.5, 0.1), kHigh);
-    }
-    QVERIFY(marks->prepared >= 1);
-    QVERIFY(marks->prepared - marks->released == 1);
-}
-
-void TestSceneWidget::whatIsRefusedIsSaid()
-{
-    QFETCH(SceneWidget::Way, way);
-    QTest::ignoreMessage(QtWarningMsg, "No picture of a tooth can be drawn: it would not.");
-    Marks marks(way);
-    marks.refuses = true;
-    marks.resize(320, 240);
-    marks.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&marks));
-    QTRY_VERIFY(!marks.isUsable());
-    marks.redrawNow();
-    QCOMPARE(marks.drawn, 0);
-    QVERIFY(!marks.grabPicture().isNull());
-    QCOMPARE(marks.prepared, 1);
-}
-
-void TestSceneWidget::aSoftwareDriverSmoothesWhatRests()
-{
-    struct Counts : Marks
-    {
-        using Marks::Marks;
-        QList<int> samples;
-        QSize size;
-        void drawScene(QSize sizePx, int with) override
-        {
-            samples.append(with);
-            size = sizePx;
-            Marks::drawScene(sizePx, with);
-        }
-    };
-    Counts counts(SceneWidget::Way::Image);
-    counts.resize(100, 100);
-    counts.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&counts));
-    QTRY_VERIFY(!counts.samples.isEmpty() && counts.samples.back() > 0);
-    QCOMPARE(counts.samples.front(), 0);
-    counts.samples.clear();
-    counts.redrawNow();
-    counts.redrawNow();
-    QCOMPARE(counts.samples, QList<int>({0, 0}));
-    QTRY_COMPARE(counts.samples.size(), 3);
-    QVERIFY(counts.samples.back() > 0);
-    // While the eye moves half as fine, then as fine as before.
-    counts.redrawMoving();
-    QTRY_COMPARE(counts.size, QSize(50, 50));
-    QTRY_COMPARE(counts.size, QSize(100, 100));
-    QVERIFY(counts.samples.back() > 0);
-}
-
-void TestSceneWidget::aToothLooksTheSameOnBothWays()
-{
-    core::session::UiLinks links;
-    std::array<QImage, 2> images;
-    for (std::size_t k = 0; k < 2; ++k) {
-        ToothView view(links, nullptr, k == 0 ? SceneWidget::Way::Window : SceneWidget::Way::Image);
-        view.resize(480, 360);
-        view.setTooth(support::syntheticMolar(), 1);
-        view.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&view));
-        images[k] = view.picture();
-        pictures::keep(images[k], QStringLiteral("tooth_%1").arg(k));
-    }
-    QCOMPARE(images[0].size(), images[1].size());
-    const int apart = pictures::difference(images[0], images[1]).pixels;
-    // Letters of the gizmo and smooth edges are painted by another engine.
-    QVERIFY2(apart < 480 * 360 / 100, qPrintable(QString::number(apart)));
-}
 
 int main(int argc, char** argv)
 {

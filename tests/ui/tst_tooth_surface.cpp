@@ -26,29 +26,6 @@ using ui::render::Ray;
 using ui::render::ToothSurface;
 using ui::tooth::Camera;
 
-class TestToothSurface : public QObject
-{
-    Q_OBJECT
-
-private slots:
-    void isClosedAlongTheRim_data();
-    void isClosedAlongTheRim();
-    void fineGridsAreThinnedOut_data();
-    void fineGridsAreThinnedOut();
-    void cutChangesOnlyItsSurroundings();
-    void refreshedPartsEqualAWholeNewSurface();
-    void aSweepBringsAllLightUpToDate();
-    void whatWasWorkedOutBeforehandIsTheSame();
-    void perforationOpensASewnHole();
-    void emptyToothIsEmpty();
-    void rayMeetsTheTopOrTheRestingPlane();
-    void fossaIsToothAndTheFlankIsBeside();
-    void everyDecayIsWorkedOn_data();
-    void everyDecayIsWorkedOn();
-    void aWallTellsHowDeepItIs();
-    void metalMeshesAreWholeAndFaceOutwards();
-};
-
 namespace {
 
 const glm::vec3 kLight = glm::normalize(glm::vec3(-0.4F, 0.4F, 0.8F));
@@ -78,326 +55,333 @@ int openEdges(const ToothSurface& surface)
 
 }  // namespace
 
-void TestToothSurface::isClosedAlongTheRim_data()
+class TestToothSurface : public QObject
 {
-    QTest::addColumn<int>("side");
-    QTest::newRow("coarsest") << 64;
-    QTest::newRow("default") << 150;
-    QTest::newRow("thinned out") << 302;
-}
+    Q_OBJECT
 
-void TestToothSurface::isClosedAlongTheRim()
-{
-    QFETCH(int, side);
-    const ToothSurface surface(support::syntheticMolar(side), kLight);
-    QCOMPARE(openEdges(surface), 0);
-}
-
-void TestToothSurface::fineGridsAreThinnedOut_data()
-{
-    QTest::addColumn<int>("side");
-    QTest::addColumn<int>("drawn");
-    QTest::newRow("default") << 150 << 150;
-    QTest::newRow("every second") << 301 << 151;
-    QTest::newRow("every third") << 640 << 214;
-}
-
-void TestToothSurface::fineGridsAreThinnedOut()
-{
-    QFETCH(int, side);
-    QFETCH(int, drawn);
-    const auto tooth = support::syntheticMolar(side);
-    ToothSurface surface(tooth, kLight);
-    QCOMPARE(surface.lattice().side, drawn);
-    // A cut of one tile of the fine grid arrives in the drawn one, at the same place.
-    const glm::dvec2 place(1.7, 1.9);
-    surface.write(cutTile(*tooth, place, -5.0F));
-    surface.refresh();
-    QVERIFY(std::abs(surface.heightMm(place) + 5.0) < 1e-5);
-}
-
-void TestToothSurface::cutChangesOnlyItsSurroundings()
-{
-    const auto tooth = support::syntheticMolar();
-    ToothSurface surface(tooth, kLight);
-    const ToothSurface whole = surface;
-    surface.write(cutTile(*tooth, {0.0, 0.5}, -4.0F));
-    const ToothSurface::Changes changes = surface.refresh();
-    const int side = surface.lattice().side;
-    QVERIFY(changes.heights.endI - changes.heights.beginI <= kTileSide + 2 * ui::render::SteepGround::kReach);
-    QVERIFY(changes.normals.endI - changes.normals.beginI < side / 2);
-    QVERIFY(changes.light.endI - changes.light.beginI < side);
-    int lowered = 0;
-    for (int j = 0; j < side; ++j) {
-        for (int i = 0; i < side; ++i) {
-            const std::size_t k = surface.lattice().index(i, j);
-            const auto inside = [&](const NodeRect& r) {
-                return i >= r.beginI && i < r.endI && j >= r.beginJ && j < r.endJ;
-            };
-            lowered += surface.tops()[k] < whole.tops()[k] ? 1 : 0;
-            if (!inside(changes.heights))
-                QCOMPARE(surface.tops()[k], whole.tops()[k]);
-            if (!inside(changes.normals))
-                QVERIFY(surface.topNormals()[k] == whole.topNormals()[k]);
-            if (!inside(changes.light))
-                QVERIFY(surface.light()[k] == whole.light()[k]);
-        }
+private slots:
+    void isClosedAlongTheRim_data()
+    {
+        QTest::addColumn<int>("side");
+        QTest::newRow("coarsest") << 64;
+        QTest::newRow("default") << 150;
+        QTest::newRow("thinned out") << 302;
     }
-    QVERIFY(lowered >= kTileSide * kTileSide);
-    QVERIFY(surface.refresh().heights.isEmpty());
-}
 
-void TestToothSurface::refreshedPartsEqualAWholeNewSurface()
-{
-    // Piece by piece, the last one through the flank down to nothing, and all of it at once.
-    const auto tooth = support::syntheticMolar();
-    ToothSurface surface(tooth, kLight);
-    ToothSurface whole(tooth, kLight);
-    for (const auto& [x, y, floor] : {std::array{0.0, 0.5, -4.0}, {1.5, 0.4, -3.0}, {-4.0, 3.0, -20.0}}) {
-        const TilePatch patch = cutTile(*tooth, {x, y}, static_cast<float>(floor));
-        surface.write(patch);
+    void isClosedAlongTheRim()
+    {
+        QFETCH(int, side);
+        const ToothSurface surface(support::syntheticMolar(side), kLight);
+        QCOMPARE(openEdges(surface), 0);
+    }
+
+    void fineGridsAreThinnedOut_data()
+    {
+        QTest::addColumn<int>("side");
+        QTest::addColumn<int>("drawn");
+        QTest::newRow("default") << 150 << 150;
+        QTest::newRow("every second") << 301 << 151;
+        QTest::newRow("every third") << 640 << 214;
+    }
+
+    void fineGridsAreThinnedOut()
+    {
+        QFETCH(int, side);
+        QFETCH(int, drawn);
+        const auto tooth = support::syntheticMolar(side);
+        ToothSurface surface(tooth, kLight);
+        QCOMPARE(surface.lattice().side, drawn);
+        // A cut of one tile of the fine grid arrives in the drawn one, at the same place.
+        const glm::dvec2 place(1.7, 1.9);
+        surface.write(cutTile(*tooth, place, -5.0F));
         surface.refresh();
-        whole.write(patch);
+        QVERIFY(std::abs(surface.heightMm(place) + 5.0) < 1e-5);
     }
-    for (const auto& [x, y] : {std::array{-5.7, -5.7}, {5.7, 5.7}})
-        whole.write(cutTile(*tooth, {x, y}, 100.0F));
-    whole.refresh();
-    int different = 0;
-    for (std::size_t k = 0; k < surface.tops().size(); ++k) {
-        const int i = static_cast<int>(k) % surface.lattice().side;
-        const int j = static_cast<int>(k) / surface.lattice().side;
-        QCOMPARE(surface.isSolid(i, j), whole.isSolid(i, j));
-        if (!surface.isSolid(i, j))
-            continue;
-        QCOMPARE(surface.tops()[k], whole.tops()[k]);
-        different += surface.topNormals()[k] != whole.topNormals()[k] ? 1 : 0;
-        different += surface.bottomNormals()[k] != whole.bottomNormals()[k] ? 1 : 0;
-        different += std::abs(surface.light()[k][0] - whole.light()[k][0]) > 1 ? 1 : 0;
-        different += std::abs(surface.light()[k][1] - whole.light()[k][1]) > 1 ? 1 : 0;
+
+    void cutChangesOnlyItsSurroundings()
+    {
+        const auto tooth = support::syntheticMolar();
+        ToothSurface surface(tooth, kLight);
+        const ToothSurface whole = surface;
+        surface.write(cutTile(*tooth, {0.0, 0.5}, -4.0F));
+        const ToothSurface::Changes changes = surface.refresh();
+        const int side = surface.lattice().side;
+        QVERIFY(changes.heights.endI - changes.heights.beginI <= kTileSide + 2 * ui::render::SteepGround::kReach);
+        QVERIFY(changes.normals.endI - changes.normals.beginI < side / 2);
+        QVERIFY(changes.light.endI - changes.light.beginI < side);
+        int lowered = 0;
+        for (int j = 0; j < side; ++j) {
+            for (int i = 0; i < side; ++i) {
+                const std::size_t k = surface.lattice().index(i, j);
+                const auto inside = [&](const NodeRect& r) {
+                    return i >= r.beginI && i < r.endI && j >= r.beginJ && j < r.endJ;
+                };
+                lowered += surface.tops()[k] < whole.tops()[k] ? 1 : 0;
+                if (!inside(changes.heights))
+                    QCOMPARE(surface.tops()[k], whole.tops()[k]);
+                if (!inside(changes.normals))
+                    QVERIFY(surface.topNormals()[k] == whole.topNormals()[k]);
+                if (!inside(changes.light))
+                    QVERIFY(surface.light()[k] == whole.light()[k]);
+            }
+        }
+        QVERIFY(lowered >= kTileSide * kTileSide);
+        QVERIFY(surface.refresh().heights.isEmpty());
     }
-    QCOMPARE(different, 0);
-    QCOMPARE(surface.indexCounts(), whole.indexCounts());
-}
 
-void TestToothSurface::aSweepBringsAllLightUpToDate()
-{
-    const auto tooth = support::syntheticMolar();
-    ToothSurface swept(tooth, kLight);
-    ToothSurface atOnce(tooth, kLight);
-    int sweeps = 0;
-    for (const glm::dvec2 at : {glm::dvec2(0.0, 0.5), glm::dvec2(0.9, 0.6)}) {
-        const TilePatch patch = cutTile(*tooth, at, -4.5F);
-        swept.write(patch);
-        atOnce.write(patch);
-        const NodeRect near = swept.refresh(true).light;
-        QVERIFY(swept.isBehind());
-        // A sweep takes some rows, and the next cut comes into it.
-        const NodeRect some = swept.sweepLight().light;
-        QVERIFY(some.endJ - some.beginJ < near.endJ - near.beginJ + 20);
-        QVERIFY(swept.isSweeping());
-        ++sweeps;
-    }
-    while (swept.isBehind()) {
-        static_cast<void>(swept.sweepLight());
-        QVERIFY(++sweeps < 200);
-    }
-    QVERIFY(sweeps > 4);
-    atOnce.refresh();
-    for (std::size_t k = 0; k < swept.light().size(); ++k)
-        for (std::size_t c = 0; c < 4; ++c)
-            QVERIFY(std::abs(swept.light()[k][c] - atOnce.light()[k][c]) <= 1);
-}
-
-/// By another thread, for another light, and after what is shown was cut.
-void TestToothSurface::whatWasWorkedOutBeforehandIsTheSame()
-{
-    const auto tooth = support::syntheticMolar(150);
-    const glm::vec3 otherLight(-kLight.x, kLight.y, kLight.z);
-    std::thread([&] { ui::render::workOutSurface(tooth, otherLight); }).join();
-    const ToothSurface whole(tooth, kLight);
-    const auto isWhole = [&](const ToothSurface& shown) {
-        return shown.anatomyPointer() == tooth && shown.tops() == whole.tops() && shown.bottoms() == whole.bottoms() &&
-               shown.places() == whole.places() && shown.topNormals() == whole.topNormals() &&
-               shown.bottomNormals() == whole.bottomNormals() && shown.light() == whole.light() &&
-               shown.upperLayers() == whole.upperLayers() && shown.lowerLayers() == whole.lowerLayers() &&
-               shown.indices() == whole.indices() && !shown.isBehind();
-    };
-    const auto shown = ui::render::wholeSurface(tooth, kLight);
-    QVERIFY(isWhole(*shown));
-    shown->write(cutTile(*tooth, {0.0, 0.5}, -4.0F));
-    shown->refresh();
-    QVERIFY(shown->tops() != whole.tops());
-    // Shown again, it is whole; also after others have pushed it from the shelf.
-    QVERIFY(isWhole(*ui::render::wholeSurface(tooth, kLight)));
-    for (const int side : {100, 110, 120})
-        ui::render::workOutSurface(support::syntheticMolar(side), kLight);
-    QVERIFY(isWhole(*ui::render::wholeSurface(tooth, kLight)));
-}
-
-void TestToothSurface::perforationOpensASewnHole()
-{
-    const auto tooth = support::syntheticMolar();
-    ToothSurface surface(tooth, kLight);
-    const glm::dvec2 place(0.5, 0.5);
-    surface.write(cutTile(*tooth, place, core::terrain::kEmptyTop));
-    surface.refresh();
-    const glm::dvec2 at = surface.lattice().latticeOf(place);
-    QVERIFY(!surface.isSolid(static_cast<int>(at.x), static_cast<int>(at.y)));
-    QCOMPARE(openEdges(surface), 0);
-    for (const float top : surface.tops())
-        QVERIFY(std::abs(top) < 100.0F);
-}
-
-void TestToothSurface::emptyToothIsEmpty()
-{
-    auto nothing = std::make_shared<core::terrain::ToothAnatomy>();
-    nothing->grid = {64, 0.1, {0.0, 0.0}};
-    nothing->top.assign(nothing->grid.count(), core::terrain::kEmptyTop);
-    nothing->bottom.assign(nothing->grid.count(), core::terrain::kEmptyBottom);
-    nothing->layers.assign(nothing->grid.count(), {});
-    const ToothSurface surface(nothing, kLight);
-    for (const int count : surface.indexCounts())
-        QCOMPARE(count, 0);
-    glm::dvec3 point;
-    QVERIFY(surface.meet({{1.0, 1.0, 20.0}, {0.0, 0.0, -1.0}}, point));
-}
-
-void TestToothSurface::rayMeetsTheTopOrTheRestingPlane()
-{
-    const auto tooth = support::syntheticMolar();
-    const ToothSurface surface(tooth, kLight);
-    glm::dvec3 point;
-    const Ray slanted{{-10.0, 0.3, 9.0}, glm::normalize(glm::dvec3(1.0, 0.0, -1.0))};
-    QVERIFY(surface.meet(slanted, point));
-    QVERIFY(std::abs(point.z - surface.heightMm({point.x, point.y})) < 1e-3);
-    QVERIFY(std::abs((point.x + 10.0) - (9.0 - point.z)) < 1e-6);
-    // Nothing of the tooth lies above the ray before it.
-    for (double t = 0.0; t < 0.99; t += 0.01) {
-        const glm::dvec3 before = glm::mix(slanted.originMm, point, t);
-        QVERIFY(before.z > surface.heightMm({before.x, before.y}));
-    }
-    QVERIFY(surface.meet({{30.0, 0.0, 9.0}, {0.0, 0.0, -1.0}}, point));
-    QVERIFY(std::abs(point.z - surface.restingHeightMm()) < 1e-5);
-    QVERIFY(!surface.meet({{0.0, 0.0, -9.0}, {0.0, 0.0, 1.0}}, point));
-    QVERIFY(!surface.meet({{0.0, 0.0, 9.0}, {1.0, 0.0, 0.0}}, point));
-}
-
-void TestToothSurface::fossaIsToothAndTheFlankIsBeside()
-{
-    const ToothSurface surface(support::syntheticMolar(), kLight);
-    QVERIFY(surface.heightMm({0.0, 0.0}) < -2.0);
-    // The flank is tooth as well, far below.
-    QVERIFY(surface.topMm({5.3, 0.0}).value() < surface.restingHeightMm());
-    QVERIFY(!surface.topMm({9.0, 0.0}));
-    QVERIFY(std::abs(surface.heightMm({5.5, 0.0}) - surface.restingHeightMm()) < 1e-5);
-    QVERIFY(surface.highestWithinMm({-2.6, -2.6}, 0.5) > surface.heightMm({-2.2, -2.2}));
-}
-
-void TestToothSurface::everyDecayIsWorkedOn_data()
-{
-    QTest::addColumn<int>("fdi");
-    for (const int quadrant : {20, 30})
-        for (int place = 1; place <= 8; ++place)
-            QTest::addRow("%d", quadrant + place) << quadrant + place;
-}
-
-void TestToothSurface::everyDecayIsWorkedOn()
-{
-    // Where a lesion is open the bur follows the tooth, not a plane above it. And the camera begins where it is seen:
-    // a ray from the eye meets not a few of its columns first while the other side shows many.
-    QFETCH(int, fdi);
-    const auto built = core::teeth::buildTooth({fdi}, {});
-    QVERIFY(built);
-    const ToothAnatomy& anatomy = *built->anatomy;
-    const ToothSurface surface(built->anatomy, kLight);
-    Camera camera;
-    camera.setViewport({640.0, 480.0});
-    ui::tooth::showWhole(camera, surface);
-    Camera behind = camera;
-    behind.turn(180.0, 0.0);
-    const auto sees = [&](const Camera& from, const glm::dvec3& point) {
-        const auto met = surface.meetTooth(from.rayThrough(from.pixelOf(point)));
-        return met && glm::length(*met - point) < 0.2 ? 1 : 0;
-    };
-    int open = 0;
-    int here = 0;
-    int there = 0;
-    for (int j = 0; j < anatomy.grid.side; ++j) {
-        for (int i = 0; i < anatomy.grid.side; ++i) {
-            const std::size_t k = anatomy.grid.index(i, j);
-            if (anatomy.layers[k].cariesRoof <= anatomy.layers[k].cariesFloor ||
-                anatomy.layers[k].cariesRoof < anatomy.top[k])
+    void refreshedPartsEqualAWholeNewSurface()
+    {
+        // Piece by piece, the last one through the flank down to nothing, and all of it at once.
+        const auto tooth = support::syntheticMolar();
+        ToothSurface surface(tooth, kLight);
+        ToothSurface whole(tooth, kLight);
+        for (const auto& [x, y, floor] : {std::array{0.0, 0.5, -4.0}, {1.5, 0.4, -3.0}, {-4.0, 3.0, -20.0}}) {
+            const TilePatch patch = cutTile(*tooth, {x, y}, static_cast<float>(floor));
+            surface.write(patch);
+            surface.refresh();
+            whole.write(patch);
+        }
+        for (const auto& [x, y] : {std::array{-5.7, -5.7}, {5.7, 5.7}})
+            whole.write(cutTile(*tooth, {x, y}, 100.0F));
+        whole.refresh();
+        int different = 0;
+        for (std::size_t k = 0; k < surface.tops().size(); ++k) {
+            const int i = static_cast<int>(k) % surface.lattice().side;
+            const int j = static_cast<int>(k) / surface.lattice().side;
+            QCOMPARE(surface.isSolid(i, j), whole.isSolid(i, j));
+            if (!surface.isSolid(i, j))
                 continue;
-            ++open;
-            QCOMPARE(surface.heightMm(anatomy.grid.nodeMm(i, j)), static_cast<double>(anatomy.top[k]));
-            const glm::dvec3 point(anatomy.grid.nodeMm(i, j), anatomy.top[k]);
-            here += sees(camera, point);
-            there += sees(behind, point);
+            QCOMPARE(surface.tops()[k], whole.tops()[k]);
+            different += surface.topNormals()[k] != whole.topNormals()[k] ? 1 : 0;
+            different += surface.bottomNormals()[k] != whole.bottomNormals()[k] ? 1 : 0;
+            different += std::abs(surface.light()[k][0] - whole.light()[k][0]) > 1 ? 1 : 0;
+            different += std::abs(surface.light()[k][1] - whole.light()[k][1]) > 1 ? 1 : 0;
         }
+        QCOMPARE(different, 0);
+        QCOMPARE(surface.indexCounts(), whole.indexCounts());
     }
-    QVERIFY(open > 20);
-    QVERIFY2(here + there > 0 && 3 * here >= there,
-             qPrintable(QString("%1 seen, %2 from behind").arg(here).arg(there)));
-}
 
-void TestToothSurface::aWallTellsHowDeepItIs()
-{
-    const auto tooth = support::syntheticMolar();
-    ToothSurface surface(tooth, kLight);
-    const glm::dvec2 middle = pictures::tileMiddle(tooth->grid, {0.0, 1.0});
-    const double whole = surface.topMm(middle).value();
-    surface.write(pictures::cutTile(*tooth, middle, static_cast<float>(whole - 1.5)));
-    surface.refresh();
-    // A ray that comes in flatly meets the wall on the far side half way down.
-    const double half = 0.5 * (core::session::kTileSide - 1) * tooth->grid.cellMm;
-    const glm::dvec3 wall(middle.x + half + 0.5 * tooth->grid.cellMm, middle.y, whole - 0.7);
-    const glm::dvec3 from = wall + glm::dvec3(-1.0, 0.0, 1.2) * 8.0;
-    const auto met = surface.meetTooth({from, glm::normalize(wall - from)});
-    QVERIFY(met);
-    QVERIFY2(glm::length(*met - wall) < 0.06, qPrintable(QString::number(glm::length(*met - wall))));
-    const double before = ToothSurface(tooth, kLight).topMm(glm::dvec2(*met)).value();
-    QVERIFY(before - met->z > 0.3);
-    QVERIFY(std::abs(surface.belowUncutMm(*met) - (before - met->z)) < 1e-5);
-    QVERIFY(std::abs(surface.belowUncutMm({middle, whole - 1.5}) - 1.5) < 1e-4);
-    // What ought to be gone is told from the ideal.
-    auto ideal = std::make_shared<std::vector<float>>(tooth->top);
-    for (float& top : *ideal)
-        top -= 1.0F;
-    surface.setIdeal(ideal);
-    QVERIFY(std::abs(surface.belowIdealMm({middle, whole - 1.5}) - 0.5) < 1e-4);
-    QVERIFY(std::abs(surface.belowIdealMm({middle, whole}) + 1.0) < 1e-4);
-}
+    void aSweepBringsAllLightUpToDate()
+    {
+        const auto tooth = support::syntheticMolar();
+        ToothSurface swept(tooth, kLight);
+        ToothSurface atOnce(tooth, kLight);
+        int sweeps = 0;
+        for (const glm::dvec2 at : {glm::dvec2(0.0, 0.5), glm::dvec2(0.9, 0.6)}) {
+            const TilePatch patch = cutTile(*tooth, at, -4.5F);
+            swept.write(patch);
+            atOnce.write(patch);
+            const NodeRect near = swept.refresh(true).light;
+            QVERIFY(swept.isBehind());
+            // A sweep takes some rows, and the next cut comes into it.
+            const NodeRect some = swept.sweepLight().light;
+            QVERIFY(some.endJ - some.beginJ < near.endJ - near.beginJ + 20);
+            QVERIFY(swept.isSweeping());
+            ++sweeps;
+        }
+        while (swept.isBehind()) {
+            static_cast<void>(swept.sweepLight());
+            QVERIFY(++sweeps < 200);
+        }
+        QVERIFY(sweeps > 4);
+        atOnce.refresh();
+        for (std::size_t k = 0; k < swept.light().size(); ++k)
+            for (std::size_t c = 0; c < 4; ++c)
+                QVERIFY(std::abs(swept.light()[k][c] - atOnce.light()[k][c]) <= 1);
+    }
 
-void TestToothSurface::metalMeshesAreWholeAndFaceOutwards()
-{
-    std::vector<ui::render::SolidMesh> meshes{ui::render::handpieceMesh()};
-    for (const core::drilling::Bur& bur : core::drilling::burs()) {
-        meshes.push_back(ui::render::shankMesh(bur));
-        meshes.push_back(ui::render::burMesh(bur));
-        float widest = 0.0F;
-        float lowest = 1.0F;
-        for (const ui::render::MetalVertex& vertex : meshes.back().vertices) {
-            if (vertex.position.z < static_cast<float>(bur.headLengthMm))
-                widest = std::max(widest, glm::length(glm::vec2(vertex.position)));
-            lowest = std::min(lowest, vertex.position.z);
-        }
-        QCOMPARE(lowest, 0.0F);
-        QVERIFY(std::abs(widest - static_cast<float>(bur.headRadiusMm)) < 1e-4F);
+    /// By another thread, for another light, and after what is shown was cut.
+    void whatWasWorkedOutBeforehandIsTheSame()
+    {
+        const auto tooth = support::syntheticMolar(150);
+        const glm::vec3 otherLight(-kLight.x, kLight.y, kLight.z);
+        std::thread([&] { ui::render::workOutSurface(tooth, otherLight); }).join();
+        const ToothSurface whole(tooth, kLight);
+        const auto isWhole = [&](const ToothSurface& shown) {
+            return shown.anatomyPointer() == tooth && shown.tops() == whole.tops() &&
+                   shown.bottoms() == whole.bottoms() && shown.places() == whole.places() &&
+                   shown.topNormals() == whole.topNormals() && shown.bottomNormals() == whole.bottomNormals() &&
+                   shown.light() == whole.light() && shown.upperLayers() == whole.upperLayers() &&
+                   shown.lowerLayers() == whole.lowerLayers() && shown.indices() == whole.indices() &&
+                   !shown.isBehind();
+        };
+        const auto shown = ui::render::wholeSurface(tooth, kLight);
+        QVERIFY(isWhole(*shown));
+        shown->write(cutTile(*tooth, {0.0, 0.5}, -4.0F));
+        shown->refresh();
+        QVERIFY(shown->tops() != whole.tops());
+        // Shown again, it is whole; also after others have pushed it from the shelf.
+        QVERIFY(isWhole(*ui::render::wholeSurface(tooth, kLight)));
+        for (const int side : {100, 110, 120})
+            ui::render::workOutSurface(support::syntheticMolar(side), kLight);
+        QVERIFY(isWhole(*ui::render::wholeSurface(tooth, kLight)));
     }
-    for (const ui::render::SolidMesh& mesh : meshes) {
-        int inwards = 0;
-        for (std::size_t k = 0; k < mesh.indices.size(); k += 3) {
-            const auto& a = mesh.vertices[mesh.indices[k]];
-            const auto& b = mesh.vertices[mesh.indices[k + 1]];
-            const auto& c = mesh.vertices[mesh.indices[k + 2]];
-            QVERIFY(std::abs(glm::length(a.normal) - 1.0F) < 1e-3F);
-            const glm::vec3 across = glm::cross(b.position - a.position, c.position - a.position);
-            if (glm::length(across) > 1e-6F && glm::dot(across, a.normal + b.normal + c.normal) < 0.0F)
-                ++inwards;
-        }
-        QCOMPARE(inwards, 0);
+
+    void perforationOpensASewnHole()
+    {
+        const auto tooth = support::syntheticMolar();
+        ToothSurface surface(tooth, kLight);
+        const glm::dvec2 place(0.5, 0.5);
+        surface.write(cutTile(*tooth, place, core::terrain::kEmptyTop));
+        surface.refresh();
+        const glm::dvec2 at = surface.lattice().latticeOf(place);
+        QVERIFY(!surface.isSolid(static_cast<int>(at.x), static_cast<int>(at.y)));
+        QCOMPARE(openEdges(surface), 0);
+        for (const float top : surface.tops())
+            QVERIFY(std::abs(top) < 100.0F);
     }
-}
+
+    void emptyToothIsEmpty()
+    {
+        auto nothing = std::make_shared<core::terrain::ToothAnatomy>();
+        nothing->grid = {64, 0.1, {0.0, 0.0}};
+        nothing->top.assign(nothing->grid.count(), core::terrain::kEmptyTop);
+        nothing->bottom.assign(nothing->grid.count(), core::terrain::kEmptyBottom);
+        nothing->layers.assign(nothing->grid.count(), {});
+        const ToothSurface surface(nothing, kLight);
+        for (const int count : surface.indexCounts())
+            QCOMPARE(count, 0);
+        glm::dvec3 point;
+        QVERIFY(surface.meet({{1.0, 1.0, 20.0}, {0.0, 0.0, -1.0}}, point));
+    }
+
+    void rayMeetsTheTopOrTheRestingPlane()
+    {
+        const auto tooth = support::syntheticMolar();
+        const ToothSurface surface(tooth, kLight);
+        glm::dvec3 point;
+        const Ray slanted{{-10.0, 0.3, 9.0}, glm::normalize(glm::dvec3(1.0, 0.0, -1.0))};
+        QVERIFY(surface.meet(slanted, point));
+        QVERIFY(std::abs(point.z - surface.heightMm({point.x, point.y})) < 1e-3);
+        QVERIFY(std::abs((point.x + 10.0) - (9.0 - point.z)) < 1e-6);
+        // Nothing of the tooth lies above the ray before it.
+        for (double t = 0.0; t < 0.99; t += 0.01) {
+            const glm::dvec3 before = glm::mix(slanted.originMm, point, t);
+            QVERIFY(before.z > surface.heightMm({before.x, before.y}));
+        }
+        QVERIFY(surface.meet({{30.0, 0.0, 9.0}, {0.0, 0.0, -1.0}}, point));
+        QVERIFY(std::abs(point.z - surface.restingHeightMm()) < 1e-5);
+        QVERIFY(!surface.meet({{0.0, 0.0, -9.0}, {0.0, 0.0, 1.0}}, point));
+        QVERIFY(!surface.meet({{0.0, 0.0, 9.0}, {1.0, 0.0, 0.0}}, point));
+    }
+
+    void fossaIsToothAndTheFlankIsBeside()
+    {
+        const ToothSurface surface(support::syntheticMolar(), kLight);
+        QVERIFY(surface.heightMm({0.0, 0.0}) < -2.0);
+        // The flank is tooth as well, far below.
+        QVERIFY(surface.topMm({5.3, 0.0}).value() < surface.restingHeightMm());
+        QVERIFY(!surface.topMm({9.0, 0.0}));
+        QVERIFY(std::abs(surface.heightMm({5.5, 0.0}) - surface.restingHeightMm()) < 1e-5);
+        QVERIFY(surface.highestWithinMm({-2.6, -2.6}, 0.5) > surface.heightMm({-2.2, -2.2}));
+    }
+
+    void everyDecayIsWorkedOn_data()
+    {
+        QTest::addColumn<int>("fdi");
+        for (const int quadrant : {20, 30})
+            for (int place = 1; place <= 8; ++place)
+                QTest::addRow("%d", quadrant + place) << quadrant + place;
+    }
+
+    void everyDecayIsWorkedOn()
+    {
+        // Where a lesion is open the bur follows the tooth, not a plane above it. And the camera begins where it is
+        // seen: a ray from the eye meets not a few of its columns first while the other side shows many.
+        QFETCH(int, fdi);
+        const auto built = core::teeth::buildTooth({fdi}, {});
+        QVERIFY(built);
+        const ToothAnatomy& anatomy = *built->anatomy;
+        const ToothSurface surface(built->anatomy, kLight);
+        Camera camera;
+        camera.setViewport({640.0, 480.0});
+        ui::tooth::showWhole(camera, surface);
+        Camera behind = camera;
+        behind.turn(180.0, 0.0);
+        const auto sees = [&](const Camera& from, const glm::dvec3& point) {
+            const auto met = surface.meetTooth(from.rayThrough(from.pixelOf(point)));
+            return met && glm::length(*met - point) < 0.2 ? 1 : 0;
+        };
+        int open = 0;
+        int here = 0;
+        int there = 0;
+        for (int j = 0; j < anatomy.grid.side; ++j) {
+            for (int i = 0; i < anatomy.grid.side; ++i) {
+                const std::size_t k = anatomy.grid.index(i, j);
+                if (anatomy.layers[k].cariesRoof <= anatomy.layers[k].cariesFloor ||
+                    anatomy.layers[k].cariesRoof < anatomy.top[k])
+                    continue;
+                ++open;
+                QCOMPARE(surface.heightMm(anatomy.grid.nodeMm(i, j)), static_cast<double>(anatomy.top[k]));
+                const glm::dvec3 point(anatomy.grid.nodeMm(i, j), anatomy.top[k]);
+                here += sees(camera, point);
+                there += sees(behind, point);
+            }
+        }
+        QVERIFY(open > 20);
+        QVERIFY2(here + there > 0 && 3 * here >= there,
+                 qPrintable(QString("%1 seen, %2 from behind").arg(here).arg(there)));
+    }
+
+    void aWallTellsHowDeepItIs()
+    {
+        const auto tooth = support::syntheticMolar();
+        ToothSurface surface(tooth, kLight);
+        const glm::dvec2 middle = pictures::tileMiddle(tooth->grid, {0.0, 1.0});
+        const double whole = surface.topMm(middle).value();
+        surface.write(pictures::cutTile(*tooth, middle, static_cast<float>(whole - 1.5)));
+        surface.refresh();
+        // A ray that comes in flatly meets the wall on the far side half way down.
+        const double half = 0.5 * (core::session::kTileSide - 1) * tooth->grid.cellMm;
+        const glm::dvec3 wall(middle.x + half + 0.5 * tooth->grid.cellMm, middle.y, whole - 0.7);
+        const glm::dvec3 from = wall + glm::dvec3(-1.0, 0.0, 1.2) * 8.0;
+        const auto met = surface.meetTooth({from, glm::normalize(wall - from)});
+        QVERIFY(met);
+        QVERIFY2(glm::length(*met - wall) < 0.06, qPrintable(QString::number(glm::length(*met - wall))));
+        const double before = ToothSurface(tooth, kLight).topMm(glm::dvec2(*met)).value();
+        QVERIFY(before - met->z > 0.3);
+        QVERIFY(std::abs(surface.belowUncutMm(*met) - (before - met->z)) < 1e-5);
+        QVERIFY(std::abs(surface.belowUncutMm({middle, whole - 1.5}) - 1.5) < 1e-4);
+        // What ought to be gone is told from the ideal.
+        auto ideal = std::make_shared<std::vector<float>>(tooth->top);
+        for (float& top : *ideal)
+            top -= 1.0F;
+        surface.setIdeal(ideal);
+        QVERIFY(std::abs(surface.belowIdealMm({middle, whole - 1.5}) - 0.5) < 1e-4);
+        QVERIFY(std::abs(surface.belowIdealMm({middle, whole}) + 1.0) < 1e-4);
+    }
+
+    void metalMeshesAreWholeAndFaceOutwards()
+    {
+        std::vector<ui::render::SolidMesh> meshes{ui::render::handpieceMesh()};
+        for (const core::drilling::Bur& bur : core::drilling::burs()) {
+            meshes.push_back(ui::render::shankMesh(bur));
+            meshes.push_back(ui::render::burMesh(bur));
+            float widest = 0.0F;
+            float lowest = 1.0F;
+            for (const ui::render::MetalVertex& vertex : meshes.back().vertices) {
+                if (vertex.position.z < static_cast<float>(bur.headLengthMm))
+                    widest = std::max(widest, glm::length(glm::vec2(vertex.position)));
+                lowest = std::min(lowest, vertex.position.z);
+            }
+            QCOMPARE(lowest, 0.0F);
+            QVERIFY(std::abs(widest - static_cast<float>(bur.headRadiusMm)) < 1e-4F);
+        }
+        for (const ui::render::SolidMesh& mesh : meshes) {
+            int inwards = 0;
+            for (std::size_t k = 0; k < mesh.indices.size(); k += 3) {
+                const auto& a = mesh.vertices[mesh.indices[k]];
+                const auto& b = mesh.vertices[mesh.indices[k + 1]];
+                const auto& c = mesh.vertices[mesh.indices[k + 2]];
+                QVERIFY(std::abs(glm::length(a.normal) - 1.0F) < 1e-3F);
+                const glm::vec3 across = glm::cross(b.position - a.position, c.position - a.position);
+                if (glm::length(across) > 1e-6F && glm::dot(across, a.normal + b.normal + c.normal) < 0.0F)
+                    ++inwards;
+            }
+            QCOMPARE(inwards, 0);
+        }
+    }
+};
 
 QTEST_APPLESS_MAIN(TestToothSurface)
 #include "tst_tooth_surface.moc"
