@@ -5,16 +5,21 @@
 
 #include <QTest>
 
+#include "tests/support/Checks.h"
+#include "tests/support/Tables.h"
 #include "ui/tooth/Camera.h"
 
+using support::near;
 using ui::tooth::Camera;
 
 namespace {
 
+constexpr glm::dvec3 kMiddle(0.5, -0.25, -3.0);
+
 Camera molarCamera()
 {
     Camera camera;
-    camera.setSubject({0.5, -0.25, -3.0}, 7.0);
+    camera.setSubject(kMiddle, 7.0);
     camera.setViewport({1280.0, 800.0});
     return camera;
 }
@@ -32,7 +37,7 @@ private slots:
         camera.set(0.0, 40.0, 40.0);
         QVERIFY(glm::distance(camera.rightOnTooth(), glm::dvec2(1.0, 0.0)) < 1e-12);
         QVERIFY(glm::distance(camera.awayOnTooth(), glm::dvec2(0.0, 1.0)) < 1e-12);
-        const glm::dvec2 middle = camera.pixelOf({0.5, -0.25, -3.0});
+        const glm::dvec2 middle = camera.pixelOf(kMiddle);
         QVERIFY(glm::distance(middle, glm::dvec2(640.0, 400.0)) < 1e-6);
         QVERIFY(camera.pixelOf({1.5, -0.25, -3.0}).x > middle.x);
         QVERIFY(camera.pixelOf({0.5, 0.75, -3.0}).y < middle.y);
@@ -57,8 +62,7 @@ private slots:
 
     void wholeSubjectFits_data()
     {
-        QTest::addColumn<double>("width");
-        QTest::addColumn<double>("height");
+        support::columns<double, double>("width", "height");
         QTest::newRow("wide") << 1920.0 << 1080.0;
         QTest::newRow("tall") << 500.0 << 900.0;
         QTest::newRow("square") << 700.0 << 700.0;
@@ -75,8 +79,7 @@ private slots:
             const double turn = 0.37 * k;
             const double z = -1.0 + 2.0 * k / 4999.0;
             const double across = std::sqrt(1.0 - z * z);
-            const glm::dvec3 point =
-                glm::dvec3(0.5, -0.25, -3.0) + 7.0 * glm::dvec3(across * std::cos(turn), across * std::sin(turn), z);
+            const glm::dvec3 point = kMiddle + 7.0 * glm::dvec3(across * std::cos(turn), across * std::sin(turn), z);
             const glm::dvec2 pixel = camera.pixelOf(point);
             QVERIFY2(pixel.x > -1.0 && pixel.x < width + 1.0 && pixel.y > -1.0 && pixel.y < height + 1.0,
                      "point outside");
@@ -93,7 +96,7 @@ private slots:
         camera.turn(0.0, -500.0);
         QCOMPARE(camera.elevationDeg(), Camera::kLowestDeg);
         camera.turn(720.0 + 30.0 - camera.azimuthDeg(), 0.0);
-        QVERIFY(std::abs(camera.azimuthDeg() - 30.0) < 1e-9);
+        QVERIFY(near(camera.azimuthDeg(), 30.0));
         camera.zoom(1000.0);
         camera.advance(10.0);
         const double closest = camera.distanceMm();
@@ -127,7 +130,7 @@ private slots:
     void zoomKeepsWhatIsUnderThePointer()
     {
         Camera camera = molarCamera();
-        const glm::dvec2 middle = camera.pixelOf({0.5, -0.25, -3.0});
+        const glm::dvec2 middle = camera.pixelOf(kMiddle);
         const glm::dvec3 cusp(3.0, 2.0, -0.5);
         const glm::dvec2 before = camera.pixelOf(cusp);
         camera.zoom(6.0, cusp);
@@ -137,10 +140,10 @@ private slots:
         // Away again, wherever the pointer is, the whole crown comes back to the middle.
         camera.zoom(-9.0, glm::dvec3(-3.0, 1.0, -2.0));
         camera.advance(10.0);
-        QVERIFY(glm::distance(camera.pixelOf({0.5, -0.25, -3.0}), middle) < 1e-6);
+        QVERIFY(glm::distance(camera.pixelOf(kMiddle), middle) < 1e-6);
         camera.zoom(4.0);
         camera.advance(10.0);
-        QVERIFY2(glm::distance(camera.pixelOf({0.5, -0.25, -3.0}), middle) < 1e-6, "by the keys: straight ahead");
+        QVERIFY2(glm::distance(camera.pixelOf(kMiddle), middle) < 1e-6, "by the keys: straight ahead");
     }
 
     void fittedDistanceFollowsTheWindowUntilSomeoneZooms()

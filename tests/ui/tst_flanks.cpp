@@ -7,6 +7,7 @@
 #include <QTest>
 
 #include "core/terrain/Tooth.h"
+#include "tests/support/SyntheticTooth.h"
 #include "ui/render/Flanks.h"
 #include "ui/render/Junction.h"
 
@@ -28,15 +29,13 @@ template <class Top, class Bottom>
 Maps turned(double radiusMm, Top&& top, Bottom&& bottom)
 {
     Maps maps;
-    for (int j = 0; j < kGrid.side; ++j) {
-        for (int i = 0; i < kGrid.side; ++i) {
-            const double away = glm::length(kGrid.nodeMm(i, j));
-            if (away >= radiusMm)
-                continue;
-            maps.tops[kGrid.index(i, j)] = static_cast<float>(top(away));
-            maps.bottoms[kGrid.index(i, j)] = static_cast<float>(bottom(away));
-        }
-    }
+    support::eachNode(kGrid, [&](std::size_t k, glm::dvec2 place) {
+        const double away = glm::length(place);
+        if (away >= radiusMm)
+            return;
+        maps.tops[k] = static_cast<float>(top(away));
+        maps.bottoms[k] = static_cast<float>(bottom(away));
+    });
     return maps;
 }
 
@@ -59,24 +58,19 @@ private slots:
         const Flanks flanks(kGrid, ball.tops, ball.bottoms, ball.tops, ball.bottoms);
         int taken = 0;
         double worst = 0.0;
-        for (int j = 0; j < kGrid.side; ++j) {
-            for (int i = 0; i < kGrid.side; ++i) {
-                const std::size_t k = kGrid.index(i, j);
-                if (ball.tops[k] <= ball.bottoms[k])
+        support::eachNode(kGrid, [&](std::size_t k, glm::dvec2 place) {
+            if (ball.tops[k] <= ball.bottoms[k])
+                return;
+            for (const Flanks::Side side : {Flanks::Side::Upper, Flanks::Side::Lower}) {
+                const float height = side == Flanks::Side::Upper ? ball.tops[k] : ball.bottoms[k];
+                glm::vec3 normal(0.0F);
+                if (flanks.normalAt(k, side, height, normal) <= 0.0F)
                     continue;
-                const glm::dvec2 place = kGrid.nodeMm(i, j);
-                for (const Flanks::Side side : {Flanks::Side::Upper, Flanks::Side::Lower}) {
-                    const float height = side == Flanks::Side::Upper ? ball.tops[k] : ball.bottoms[k];
-                    glm::vec3 normal(0.0F);
-                    if (flanks.normalAt(k, side, height, normal) <= 0.0F)
-                        continue;
-                    ++taken;
-                    const glm::dvec3 expected(place / kRadiusMm,
-                                              (static_cast<double>(height) - kContourMm) / kRadiusMm);
-                    worst = std::max(worst, std::acos(std::min(1.0, glm::dot(glm::dvec3(normal), expected))));
-                }
+                ++taken;
+                const glm::dvec3 expected(place / kRadiusMm, (static_cast<double>(height) - kContourMm) / kRadiusMm);
+                worst = std::max(worst, std::acos(std::min(1.0, glm::dot(glm::dvec3(normal), expected))));
             }
-        }
+        });
         QVERIFY(taken > 4000);
         QVERIFY2(worst < 0.05, qPrintable(QString::number(worst)));
     }

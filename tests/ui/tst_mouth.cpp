@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <QPainter>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -7,8 +8,6 @@
 #include "ui/render/Gizmo.h"
 #include "ui/shell/Mouth.h"
 #include "ui/text/Texts.h"
-
-#include <QPainter>
 
 using ui::shell::Mouth;
 
@@ -37,14 +36,11 @@ private slots:
     void aClickChoosesALeftTooth()
     {
         QSignalSpy chosen(m_mouth.get(), &Mouth::selectionChanged);
-        for (const int fdi : {36, 34, 32, 23, 21}) {
-            QTest::mouseClick(m_mouth.get(), Qt::LeftButton, {}, at(fdi));
-            QCOMPARE(m_mouth->selected(), fdi);
-        }
+        for (const int fdi : {36, 34, 32, 23, 21})
+            QCOMPARE(clicked(at(fdi)), fdi);
         QCOMPARE(chosen.count(), 5);
         // Beside the teeth nothing is chosen and nothing is lost.
-        QTest::mouseClick(m_mouth.get(), Qt::LeftButton, {}, {5, 350});
-        QCOMPARE(m_mouth->selected(), 21);
+        QCOMPARE(clicked({5, 350}), 21);
     }
 
     void aRightToothIsNamedButNotChosen()
@@ -52,39 +48,33 @@ private slots:
         m_mouth->setSelected(36);
         QTest::mouseMove(m_mouth.get(), at(42));
         QTRY_COMPARE(m_mouth->hovered(), 42);
-        QTest::mouseClick(m_mouth.get(), Qt::LeftButton, {}, at(42));
-        QCOMPARE(m_mouth->selected(), 36);
+        QCOMPARE(clicked(at(42)), 36);
         m_mouth->setSelected(46);
         QCOMPARE(m_mouth->selected(), 0);
     }
 
     void keysWalkAlongTheArch()
     {
-        const auto press = [this](Qt::Key key) {
-            QTest::keyClick(m_mouth.get(), key);
-            return m_mouth->selected();
-        };
-        QCOMPARE(press(Qt::Key_Right), 21);
-        QCOMPARE(press(Qt::Key_Right), 22);
-        QCOMPARE(press(Qt::Key_Down), 32);
-        QCOMPARE(press(Qt::Key_Left), 31);
-        QCOMPARE(press(Qt::Key_Left), 31);
-        QCOMPARE(press(Qt::Key_Up), 21);
-        for (int k = 0; k < 9; ++k)
-            press(Qt::Key_Right);
-        QCOMPARE(m_mouth->selected(), 28);
+        for (const auto& [key, fdi] : {std::pair(Qt::Key_Right, 21),
+                                       {Qt::Key_Right, 22},
+                                       {Qt::Key_Down, 32},
+                                       {Qt::Key_Left, 31},
+                                       {Qt::Key_Left, 31},
+                                       {Qt::Key_Up, 21}})
+            QCOMPARE(pressed(key), fdi);
+        QCOMPARE(pressed(Qt::Key_Right, {}, 9), 28);
     }
 
     void doubleClickAndEnterTakeTheTooth()
     {
         QSignalSpy taken(m_mouth.get(), &Mouth::toothActivated);
-        QTest::keyClick(m_mouth.get(), Qt::Key_Return);
+        pressed(Qt::Key_Return);
         QCOMPARE(taken.count(), 0);
         QTest::mouseDClick(m_mouth.get(), Qt::LeftButton, {}, at(35));
         QCOMPARE(taken.count(), 1);
         QCOMPARE(taken.back().front().toInt(), 35);
-        QTest::keyClick(m_mouth.get(), Qt::Key_Right);
-        QTest::keyClick(m_mouth.get(), Qt::Key_Return);
+        pressed(Qt::Key_Right);
+        pressed(Qt::Key_Return);
         QCOMPARE(taken.count(), 2);
         QCOMPARE(taken.back().front().toInt(), m_mouth->selected());
     }
@@ -93,48 +83,39 @@ private slots:
     {
         const double before = m_mouth->camera().distanceMm();
         m_mouth->setMovesLittle(true);
-        QTest::keyClick(m_mouth.get(), Qt::Key_Plus);
+        pressed(Qt::Key_Plus);
         const double after = m_mouth->camera().distanceMm();
         QVERIFY(after < 0.95 * before);
         // Otherwise it takes its time to come to the same place.
-        QTest::keyClick(m_mouth.get(), Qt::Key_Home);
+        pressed(Qt::Key_Home);
         m_mouth->setMovesLittle(false);
-        QTest::keyClick(m_mouth.get(), Qt::Key_Plus);
+        pressed(Qt::Key_Plus);
         QVERIFY(m_mouth->camera().distanceMm() > after);
         QTRY_COMPARE(m_mouth->camera().distanceMm(), after);
     }
 
     void theJawInTheWayIsLeftOut()
     {
-        QVERIFY(!at(26).isNull() && !at(36).isNull());
-        for (int k = 0; k < 8; ++k)
-            QTest::keyClick(m_mouth.get(), Qt::Key_Up, Qt::ControlModifier);
-        QVERIFY(at(26).isNull());
-        QVERIFY(!at(36).isNull());
-        QTest::mouseClick(m_mouth.get(), Qt::LeftButton, {}, at(37));
-        QCOMPARE(m_mouth->selected(), 37);
-        for (int k = 0; k < 18; ++k)
-            QTest::keyClick(m_mouth.get(), Qt::Key_Down, Qt::ControlModifier);
-        QVERIFY(at(36).isNull());
-        QTest::mouseClick(m_mouth.get(), Qt::LeftButton, {}, at(26));
-        QCOMPARE(m_mouth->selected(), 26);
-        QTest::keyClick(m_mouth.get(), Qt::Key_Home);
-        QVERIFY(!at(26).isNull() && !at(36).isNull());
+        QVERIFY(shows(26) && shows(36));
+        pressed(Qt::Key_Up, Qt::ControlModifier, 8);
+        QVERIFY(!shows(26) && shows(36));
+        QCOMPARE(clicked(at(37)), 37);
+        pressed(Qt::Key_Down, Qt::ControlModifier, 18);
+        QVERIFY(!shows(36));
+        QCOMPARE(clicked(at(26)), 26);
+        pressed(Qt::Key_Home);
+        QVERIFY(shows(26) && shows(36));
     }
 
     void hiddenJawComesBackForTheKeys()
     {
         m_mouth->setSelected(36);
-        for (int k = 0; k < 10; ++k)
-            QTest::keyClick(m_mouth.get(), Qt::Key_Up, Qt::ControlModifier);
-        QTest::keyClick(m_mouth.get(), Qt::Key_Up);
-        QCOMPARE(m_mouth->selected(), 26);
-        QVERIFY(!at(26).isNull());
-        for (int k = 0; k < 10; ++k)
-            QTest::keyClick(m_mouth.get(), Qt::Key_Down, Qt::ControlModifier);
-        QTest::keyClick(m_mouth.get(), Qt::Key_Down);
-        QCOMPARE(m_mouth->selected(), 36);
-        QVERIFY(!at(36).isNull());
+        pressed(Qt::Key_Up, Qt::ControlModifier, 10);
+        QCOMPARE(pressed(Qt::Key_Up), 26);
+        QVERIFY(shows(26));
+        pressed(Qt::Key_Down, Qt::ControlModifier, 10);
+        QCOMPARE(pressed(Qt::Key_Down), 36);
+        QVERIFY(shows(36));
     }
 
     void gizmoPutsLettersWhereTheSidesAre()
@@ -171,6 +152,21 @@ private slots:
 
 private:
     [[nodiscard]] QPoint at(int fdi) const { return m_mouth->placeOf(fdi).toPoint(); }
+    [[nodiscard]] bool shows(int fdi) const { return !at(fdi).isNull(); }
+
+    /// What is chosen after a click.
+    int clicked(QPoint place)
+    {
+        QTest::mouseClick(m_mouth.get(), Qt::LeftButton, {}, place);
+        return m_mouth->selected();
+    }
+
+    int pressed(Qt::Key key, Qt::KeyboardModifiers with = {}, int times = 1)
+    {
+        for (int k = 0; k < times; ++k)
+            QTest::keyClick(m_mouth.get(), key, with);
+        return m_mouth->selected();
+    }
 
     std::unique_ptr<Mouth> m_mouth;
 };

@@ -6,6 +6,7 @@
 #include <QTest>
 
 #include "tests/support/SyntheticMolar.h"
+#include "tests/support/Tables.h"
 #include "ui/tooth/Camera.h"
 #include "ui/tooth/PointerControl.h"
 
@@ -20,23 +21,24 @@ class TestPointerControl : public QObject
     Q_OBJECT
 
 private slots:
-    void initTestCase()
+    void init()
     {
-        m_surface = std::make_unique<ToothSurface>(support::syntheticMolar(), glm::vec3(0.0F, 0.0F, 1.0F));
+        m_camera = {};
         m_camera.setSubject({0.0, 0.0, -3.0}, 7.0);
         m_camera.setViewport({1000.0, 800.0});
-        m_control.setSurface(m_surface.get());
+        m_control = {};
+        m_control.setSurface(&m_surface);
         m_control.setBurRadius(0.5);
     }
 
     void hoversAboveEverythingUnderTheBur()
     {
         for (double x = 100.0; x < 900.0; x += 37.0) {
-            m_control.moveTo(m_camera.rayThrough({x, 420.0}), {});
+            point({x, 420.0});
             const PointerInput wish = m_control.input();
             for (double angle = 0.0; angle < 6.28; angle += 0.3) {
                 const glm::dvec2 rim = wish.targetMm + 0.45 * glm::dvec2(std::cos(angle), std::sin(angle));
-                QVERIFY(wish.hoverMm > m_surface->heightMm(rim) + 0.5);
+                QVERIFY(wish.hoverMm > m_surface.heightMm(rim) + 0.5);
             }
             QVERIFY(!wish.pushing);
         }
@@ -44,8 +46,7 @@ private slots:
 
     void neverLeapsWhenTheCursorSweepsAcrossTheTooth_data()
     {
-        QTest::addColumn<double>("elevation");
-        QTest::addColumn<bool>("vertical");
+        support::columns<double, bool>("elevation", "vertical");
         QTest::newRow("from above, across") << 88.0 << false;
         QTest::newRow("from above, up and down") << 88.0 << true;
         QTest::newRow("three quarters, across") << 48.0 << false;
@@ -58,7 +59,7 @@ private slots:
         QFETCH(bool, vertical);
         m_camera.set(10.0, elevation, m_camera.fittingMm());
         // What a cusp hides is as long as the shadow it would throw from the eye; anything else is the step of a pixel.
-        const double relief = m_surface->highestMm().z - m_surface->restingHeightMm();
+        const double relief = m_surface.highestMm().z - m_surface.restingHeightMm();
         for (int line = 0; line < 20; ++line) {
             glm::dvec2 last{0.0};
             for (int k = 0; k < 600; ++k) {
@@ -74,16 +75,15 @@ private slots:
                 last = target;
             }
         }
-        m_camera.reset();
     }
 
     void pressingDoesNotMoveTheTarget()
     {
-        m_control.moveTo(m_camera.rayThrough({480.0, 390.0}), {});
+        point({480.0, 390.0});
         const glm::dvec2 before = m_control.input().targetMm;
         m_control.push(true);
-        m_control.moveTo(m_camera.rayThrough({480.0, 390.0}), {before, -4.0});
-        QVERIFY(glm::distance(m_control.input().targetMm, before) < 1e-9);
+        point({480.0, 390.0}, {before, -4.0});
+        QVERIFY(fromTarget(before) < 1e-9);
         QVERIFY(m_control.input().pushing);
         m_control.push(false);
         QVERIFY(!m_control.input().pushing);
@@ -91,35 +91,33 @@ private slots:
 
     void pushedTargetMovesWithTheCursorAndStaysCalmOverAWall()
     {
-        m_control.moveTo(m_camera.rayThrough({500.0, 400.0}), {});
+        point({500.0, 400.0});
         m_control.push(true);
         const glm::dvec2 start = m_control.input().targetMm;
         glm::dvec2 last = start;
         double shortest = 1.0e9;
         double longest = 0.0;
         for (int k = 1; k <= 200; ++k) {
-            m_control.moveTo(m_camera.rayThrough({500.0 + k, 400.0}), {last, -2.5});
-            const double step = glm::distance(m_control.input().targetMm, last);
+            point({500.0 + k, 400.0}, {last, -2.5});
+            const double step = fromTarget(last);
             shortest = std::min(shortest, step);
             longest = std::max(longest, step);
             last = m_control.input().targetMm;
         }
-        m_control.push(false);
         QVERIFY(longest < 1.1 * shortest);
         QVERIFY(glm::dot(last - start, m_camera.rightOnTooth()) > 1.0);
     }
 
     void targetWaitsForABurHeldByAWall()
     {
-        m_control.moveTo(m_camera.rayThrough({500.0, 400.0}), {});
+        point({500.0, 400.0});
         m_control.push(true);
         const glm::dvec3 held(m_control.input().targetMm, -2.5);
         for (int k = 1; k <= 300; ++k)
-            m_control.moveTo(m_camera.rayThrough({500.0 + k, 400.0}), held);
-        QVERIFY(glm::distance(m_control.input().targetMm, glm::dvec2(held)) < PointerControl::kLeashMm + 1e-9);
-        m_control.moveTo(m_camera.rayThrough({760.0, 400.0}), held);
-        QVERIFY(glm::distance(m_control.input().targetMm, glm::dvec2(held)) < PointerControl::kLeashMm - 0.3);
-        m_control.push(false);
+            point({500.0 + k, 400.0}, held);
+        QVERIFY(fromTarget(held) < PointerControl::kLeashMm + 1e-9);
+        point({760.0, 400.0}, held);
+        QVERIFY(fromTarget(held) < PointerControl::kLeashMm - 0.3);
     }
 
     void liftsOverACuspBeforeGoingBehindIt()
@@ -127,11 +125,11 @@ private slots:
         // From the fossa over the mesiobuccal cusp to its far side.
         const glm::dvec2 fossa(-0.9, -0.3);
         m_camera.set(0.0, 88.0, m_camera.fittingMm());
-        m_control.moveTo(m_camera.rayThrough(m_camera.pixelOf({-3.9, -4.0, -2.5})), {});
+        point(m_camera.pixelOf({-3.9, -4.0, -2.5}));
         const PointerInput far = m_control.input();
-        const double cusp = m_surface->heightMm({-2.6, -2.6});
+        const double cusp = m_surface.heightMm({-2.6, -2.6});
         QVERIFY(far.hoverMm < cusp);
-        const double low = m_surface->heightMm(fossa) + 0.05;
+        const double low = m_surface.heightMm(fossa) + 0.05;
         const PointerInput lifting = m_control.input(glm::dvec3(fossa, low));
         QCOMPARE(lifting.targetMm.x, fossa.x);
         QVERIFY(lifting.hoverMm > cusp);
@@ -143,8 +141,6 @@ private slots:
         // Leaning on the tooth nothing is lifted for.
         m_control.push(true);
         QCOMPARE(m_control.input(glm::dvec3(fossa, low)).targetMm.x, far.targetMm.x);
-        m_control.push(false);
-        m_camera.reset();
     }
 
     void liftingWinsOverPushing()
@@ -152,10 +148,9 @@ private slots:
         m_control.push(true);
         m_control.lift(true);
         QVERIFY(!m_control.input().pushing);
-        QCOMPARE(m_control.input().hoverMm, m_surface->highestMm().z + PointerControl::kLiftMm);
+        QCOMPARE(m_control.input().hoverMm, m_surface.highestMm().z + PointerControl::kLiftMm);
         m_control.lift(false);
         QVERIFY(m_control.input().pushing);
-        m_control.push(false);
     }
 
     void forceStaysWithinItsBounds()
@@ -179,14 +174,22 @@ private slots:
             m_control.moveBy({1.0, -1.0});
         const PointerInput wish = m_control.input();
         QVERIFY(wish.targetMm.x < 12.0 && wish.targetMm.y > -12.0);
-        QCOMPARE(wish.hoverMm, m_surface->restingHeightMm() + PointerControl::kClearanceMm);
+        QCOMPARE(wish.hoverMm, m_surface.restingHeightMm() + PointerControl::kClearanceMm);
         // A ray that looks up meets nothing and moves nothing.
         m_control.moveTo(Ray{{0.0, 0.0, -20.0}, {0.0, 0.0, 1.0}}, {});
         QCOMPARE(m_control.input().targetMm.x, wish.targetMm.x);
     }
 
 private:
-    std::unique_ptr<ToothSurface> m_surface;
+    /// The mouse is at a pixel.
+    void point(glm::dvec2 pixel, glm::dvec3 burMm = {}) { m_control.moveTo(m_camera.rayThrough(pixel), burMm); }
+
+    [[nodiscard]] double fromTarget(glm::dvec2 placeMm) const
+    {
+        return glm::distance(m_control.input().targetMm, placeMm);
+    }
+
+    const ToothSurface m_surface{support::syntheticMolar(), glm::vec3(0.0F, 0.0F, 1.0F)};
     Camera m_camera;
     PointerControl m_control;
 };

@@ -5,10 +5,13 @@
 #include <vector>
 
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 #include <QTest>
 
 #include "core/terrain/Tooth.h"
+#include "tests/support/SyntheticTooth.h"
+#include "tests/support/Tables.h"
 #include "ui/render/SteepGround.h"
 
 using core::terrain::Grid;
@@ -41,17 +44,20 @@ template <class Height>
 std::vector<float> field(Height&& height)
 {
     std::vector<float> tops(kGrid.count());
-    for (int j = 0; j < kGrid.side; ++j)
-        for (int i = 0; i < kGrid.side; ++i)
-            tops[kGrid.index(i, j)] = height(glm::vec2(kGrid.nodeMm(i, j)));
+    support::eachNode(kGrid, [&](std::size_t k, glm::dvec2 place) { tops[k] = height(glm::vec2(place)); });
     return tops;
+}
+
+glm::vec2 acrossWall(double degrees)
+{
+    const auto angle = static_cast<float>(glm::radians(degrees));
+    return {std::cos(angle), std::sin(angle)};
 }
 
 /// Ground of 0 mm, and behind a line through the middle of -1 mm: a wall that no row of nodes follows.
 std::vector<float> wall(double degrees)
 {
-    const auto angle = static_cast<float>(degrees * 0.017453292519943295);
-    const glm::vec2 across(std::cos(angle), std::sin(angle));
+    const glm::vec2 across = acrossWall(degrees);
     return field([&](glm::vec2 at) { return glm::dot(at, across) > 0.013F ? -1.0F : 0.0F; });
 }
 
@@ -64,8 +70,7 @@ class TestSteepGround : public QObject
 private slots:
     void aWallAtAnyAngleIsStraight_data()
     {
-        QTest::addColumn<double>("degrees");
-        QTest::addColumn<float>("wobbleCells");
+        support::columns<double, float>("degrees", "wobbleCells");
         QTest::newRow("7 degrees: a step every eight nodes") << 7.0 << 0.6F;
         for (const double degrees : {0.0, 18.0, 26.6, 33.0, 45.0, 71.0})
             QTest::addRow("%g degrees", degrees) << degrees << 0.33F;
@@ -79,8 +84,7 @@ private slots:
         QFETCH(double, degrees);
         QFETCH(float, wobbleCells);
         const Drawn drawn(wall(degrees));
-        const auto angle = static_cast<float>(degrees * 0.017453292519943295);
-        const glm::vec2 across(std::cos(angle), std::sin(angle));
+        const glm::vec2 across = acrossWall(degrees);
         const auto cell = static_cast<float>(kGrid.cellMm);
         float least = 1.0e9F;
         float most = -1.0e9F;
@@ -114,14 +118,12 @@ private slots:
         // A fossa of 3 mm radius: up to 27 degrees within 1.4 mm of its middle.
         const Drawn drawn(
             field([](glm::vec2 at) { return 3.0F - std::sqrt(std::max(0.0F, 9.0F - glm::dot(at, at))); }));
-        for (int j = 0; j < kGrid.side; ++j) {
-            for (int i = 0; i < kGrid.side; ++i) {
-                if (glm::length(kGrid.nodeMm(i, j)) > 1.4)
-                    continue;
-                QCOMPARE(drawn.height(i, j), drawn.tops[kGrid.index(i, j)]);
-                QCOMPARE(drawn.shifts[kGrid.index(i, j)], glm::vec2(0.0F));
-            }
-        }
+        support::eachNode(kGrid, [&](std::size_t k, glm::dvec2 place) {
+            if (glm::length(place) > 1.4)
+                return;
+            QCOMPARE(drawn.drawn[k], drawn.tops[k]);
+            QCOMPARE(drawn.shifts[k], glm::vec2(0.0F));
+        });
     }
 
     void noTriangleTurnsOver()

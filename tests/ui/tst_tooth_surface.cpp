@@ -9,7 +9,10 @@
 #include <QTest>
 
 #include "core/teeth/ToothBuilder.h"
+#include "tests/support/Checks.h"
 #include "tests/support/SyntheticMolar.h"
+#include "tests/support/SyntheticTooth.h"
+#include "tests/support/Tables.h"
 #include "tests/ui/Pictures.h"
 #include "ui/render/SolidMesh.h"
 #include "ui/render/ToothSurface.h"
@@ -22,6 +25,7 @@ using core::session::TilePatch;
 using core::terrain::NodeRect;
 using core::terrain::ToothAnatomy;
 using pictures::cutTile;
+using support::near;
 using ui::render::Ray;
 using ui::render::ToothSurface;
 using ui::tooth::Camera;
@@ -53,6 +57,19 @@ int openEdges(const ToothSurface& surface)
     return open;
 }
 
+bool holds(const NodeRect& r, int i, int j)
+{
+    return i >= r.beginI && i < r.endI && j >= r.beginJ && j < r.endJ;
+}
+
+bool lightIsNear(const ToothSurface& a, const ToothSurface& b, std::size_t k)
+{
+    for (std::size_t channel = 0; channel < 4; ++channel)
+        if (std::abs(a.light()[k][channel] - b.light()[k][channel]) > 1)
+            return false;
+    return true;
+}
+
 }  // namespace
 
 class TestToothSurface : public QObject
@@ -60,13 +77,8 @@ class TestToothSurface : public QObject
     Q_OBJECT
 
 private slots:
-    void isClosedAlongTheRim_data()
-    {
-        QTest::addColumn<int>("side");
-        QTest::newRow("coarsest") << 64;
-        QTest::newRow("default") << 150;
-        QTest::newRow("thinned out") << 302;
-    }
+    // The coarsest grid, the usual one, and one that is thinned out.
+    void isClosedAlongTheRim_data() { support::rows<int>("side", {64, 150, 302}); }
 
     void isClosedAlongTheRim()
     {
@@ -77,8 +89,7 @@ private slots:
 
     void fineGridsAreThinnedOut_data()
     {
-        QTest::addColumn<int>("side");
-        QTest::addColumn<int>("drawn");
+        support::columns<int, int>("side", "drawn");
         QTest::newRow("default") << 150 << 150;
         QTest::newRow("every second") << 301 << 151;
         QTest::newRow("every third") << 640 << 214;
@@ -95,7 +106,7 @@ private slots:
         const glm::dvec2 place(1.7, 1.9);
         surface.write(cutTile(*tooth, place, -5.0F));
         surface.refresh();
-        QVERIFY(std::abs(surface.heightMm(place) + 5.0) < 1e-5);
+        QVERIFY(near(surface.heightMm(place), -5.0, 1e-5));
     }
 
     void cutChangesOnlyItsSurroundings()
@@ -113,16 +124,10 @@ private slots:
         for (int j = 0; j < side; ++j) {
             for (int i = 0; i < side; ++i) {
                 const std::size_t k = surface.lattice().index(i, j);
-                const auto inside = [&](const NodeRect& r) {
-                    return i >= r.beginI && i < r.endI && j >= r.beginJ && j < r.endJ;
-                };
                 lowered += surface.tops()[k] < whole.tops()[k] ? 1 : 0;
-                if (!inside(changes.heights))
-                    QCOMPARE(surface.tops()[k], whole.tops()[k]);
-                if (!inside(changes.normals))
-                    QVERIFY(surface.topNormals()[k] == whole.topNormals()[k]);
-                if (!inside(changes.light))
-                    QVERIFY(surface.light()[k] == whole.light()[k]);
+                QVERIFY(holds(changes.heights, i, j) || surface.tops()[k] == whole.tops()[k]);
+                QVERIFY(holds(changes.normals, i, j) || surface.topNormals()[k] == whole.topNormals()[k]);
+                QVERIFY(holds(changes.light, i, j) || surface.light()[k] == whole.light()[k]);
             }
         }
         QVERIFY(lowered >= kTileSide * kTileSide);
@@ -152,10 +157,9 @@ private slots:
             if (!surface.isSolid(i, j))
                 continue;
             QCOMPARE(surface.tops()[k], whole.tops()[k]);
-            different += surface.topNormals()[k] != whole.topNormals()[k] ? 1 : 0;
-            different += surface.bottomNormals()[k] != whole.bottomNormals()[k] ? 1 : 0;
-            different += std::abs(surface.light()[k][0] - whole.light()[k][0]) > 1 ? 1 : 0;
-            different += std::abs(surface.light()[k][1] - whole.light()[k][1]) > 1 ? 1 : 0;
+            const bool same = surface.topNormals()[k] == whole.topNormals()[k] &&
+                              surface.bottomNormals()[k] == whole.bottomNormals()[k] && lightIsNear(surface, whole, k);
+            different += same ? 0 : 1;
         }
         QCOMPARE(different, 0);
         QCOMPARE(surface.indexCounts(), whole.indexCounts());
@@ -186,8 +190,7 @@ private slots:
         QVERIFY(sweeps > 4);
         atOnce.refresh();
         for (std::size_t k = 0; k < swept.light().size(); ++k)
-            for (std::size_t c = 0; c < 4; ++c)
-                QVERIFY(std::abs(swept.light()[k][c] - atOnce.light()[k][c]) <= 1);
+            QVERIFY(lightIsNear(swept, atOnce, k));
     }
 
     /// By another thread, for another light, and after what is shown was cut.
@@ -233,12 +236,9 @@ private slots:
 
     void emptyToothIsEmpty()
     {
-        auto nothing = std::make_shared<core::terrain::ToothAnatomy>();
-        nothing->grid = {64, 0.1, {0.0, 0.0}};
-        nothing->top.assign(nothing->grid.count(), core::terrain::kEmptyTop);
-        nothing->bottom.assign(nothing->grid.count(), core::terrain::kEmptyBottom);
-        nothing->layers.assign(nothing->grid.count(), {});
-        const ToothSurface surface(nothing, kLight);
+        support::Block nothing;
+        nothing.topMm = [](double, double) { return std::nan(""); };
+        const ToothSurface surface(support::makeBlock(nothing), kLight);
         for (const int count : surface.indexCounts())
             QCOMPARE(count, 0);
         glm::dvec3 point;
@@ -252,15 +252,15 @@ private slots:
         glm::dvec3 point;
         const Ray slanted{{-10.0, 0.3, 9.0}, glm::normalize(glm::dvec3(1.0, 0.0, -1.0))};
         QVERIFY(surface.meet(slanted, point));
-        QVERIFY(std::abs(point.z - surface.heightMm({point.x, point.y})) < 1e-3);
-        QVERIFY(std::abs((point.x + 10.0) - (9.0 - point.z)) < 1e-6);
+        QVERIFY(near(point.z, surface.heightMm({point.x, point.y}), 1e-3));
+        QVERIFY(near(point.x + 10.0, 9.0 - point.z, 1e-6));
         // Nothing of the tooth lies above the ray before it.
         for (double t = 0.0; t < 0.99; t += 0.01) {
             const glm::dvec3 before = glm::mix(slanted.originMm, point, t);
             QVERIFY(before.z > surface.heightMm({before.x, before.y}));
         }
         QVERIFY(surface.meet({{30.0, 0.0, 9.0}, {0.0, 0.0, -1.0}}, point));
-        QVERIFY(std::abs(point.z - surface.restingHeightMm()) < 1e-5);
+        QVERIFY(near(point.z, surface.restingHeightMm(), 1e-5));
         QVERIFY(!surface.meet({{0.0, 0.0, -9.0}, {0.0, 0.0, 1.0}}, point));
         QVERIFY(!surface.meet({{0.0, 0.0, 9.0}, {1.0, 0.0, 0.0}}, point));
     }
@@ -272,7 +272,7 @@ private slots:
         // The flank is tooth as well, far below.
         QVERIFY(surface.topMm({5.3, 0.0}).value() < surface.restingHeightMm());
         QVERIFY(!surface.topMm({9.0, 0.0}));
-        QVERIFY(std::abs(surface.heightMm({5.5, 0.0}) - surface.restingHeightMm()) < 1e-5);
+        QVERIFY(near(surface.heightMm({5.5, 0.0}), surface.restingHeightMm(), 1e-5));
         QVERIFY(surface.highestWithinMm({-2.6, -2.6}, 0.5) > surface.heightMm({-2.2, -2.2}));
     }
 
@@ -284,10 +284,10 @@ private slots:
                 QTest::addRow("%d", quadrant + place) << quadrant + place;
     }
 
+    /// Where a lesion is open the bur follows the tooth, not a plane above it. And the camera begins where it is seen:
+    /// a ray from the eye meets not a few of its columns first while the other side shows many.
     void everyDecayIsWorkedOn()
     {
-        // Where a lesion is open the bur follows the tooth, not a plane above it. And the camera begins where it is
-        // seen: a ray from the eye meets not a few of its columns first while the other side shows many.
         QFETCH(int, fdi);
         const auto built = core::teeth::buildTooth({fdi}, {});
         QVERIFY(built);
@@ -305,19 +305,16 @@ private slots:
         int open = 0;
         int here = 0;
         int there = 0;
-        for (int j = 0; j < anatomy.grid.side; ++j) {
-            for (int i = 0; i < anatomy.grid.side; ++i) {
-                const std::size_t k = anatomy.grid.index(i, j);
-                if (anatomy.layers[k].cariesRoof <= anatomy.layers[k].cariesFloor ||
-                    anatomy.layers[k].cariesRoof < anatomy.top[k])
-                    continue;
-                ++open;
-                QCOMPARE(surface.heightMm(anatomy.grid.nodeMm(i, j)), static_cast<double>(anatomy.top[k]));
-                const glm::dvec3 point(anatomy.grid.nodeMm(i, j), anatomy.top[k]);
-                here += sees(camera, point);
-                there += sees(behind, point);
-            }
-        }
+        support::eachNode(anatomy.grid, [&](std::size_t k, glm::dvec2 place) {
+            const core::terrain::ColumnLayers& column = anatomy.layers[k];
+            if (column.cariesRoof <= column.cariesFloor || column.cariesRoof < anatomy.top[k])
+                return;
+            ++open;
+            QCOMPARE(surface.heightMm(place), static_cast<double>(anatomy.top[k]));
+            const glm::dvec3 point(place, anatomy.top[k]);
+            here += sees(camera, point);
+            there += sees(behind, point);
+        });
         QVERIFY(open > 20);
         QVERIFY2(here + there > 0 && 3 * here >= there,
                  qPrintable(QString("%1 seen, %2 from behind").arg(here).arg(there)));
@@ -329,7 +326,7 @@ private slots:
         ToothSurface surface(tooth, kLight);
         const glm::dvec2 middle = pictures::tileMiddle(tooth->grid, {0.0, 1.0});
         const double whole = surface.topMm(middle).value();
-        surface.write(pictures::cutTile(*tooth, middle, static_cast<float>(whole - 1.5)));
+        surface.write(cutTile(*tooth, middle, static_cast<float>(whole - 1.5)));
         surface.refresh();
         // A ray that comes in flatly meets the wall on the far side half way down.
         const double half = 0.5 * (core::session::kTileSide - 1) * tooth->grid.cellMm;
@@ -340,15 +337,15 @@ private slots:
         QVERIFY2(glm::length(*met - wall) < 0.06, qPrintable(QString::number(glm::length(*met - wall))));
         const double before = ToothSurface(tooth, kLight).topMm(glm::dvec2(*met)).value();
         QVERIFY(before - met->z > 0.3);
-        QVERIFY(std::abs(surface.belowUncutMm(*met) - (before - met->z)) < 1e-5);
-        QVERIFY(std::abs(surface.belowUncutMm({middle, whole - 1.5}) - 1.5) < 1e-4);
+        QVERIFY(near(surface.belowUncutMm(*met), before - met->z, 1e-5));
+        QVERIFY(near(surface.belowUncutMm({middle, whole - 1.5}), 1.5, 1e-4));
         // What ought to be gone is told from the ideal.
         auto ideal = std::make_shared<std::vector<float>>(tooth->top);
         for (float& top : *ideal)
             top -= 1.0F;
         surface.setIdeal(ideal);
-        QVERIFY(std::abs(surface.belowIdealMm({middle, whole - 1.5}) - 0.5) < 1e-4);
-        QVERIFY(std::abs(surface.belowIdealMm({middle, whole}) + 1.0) < 1e-4);
+        QVERIFY(near(surface.belowIdealMm({middle, whole - 1.5}), 0.5, 1e-4));
+        QVERIFY(near(surface.belowIdealMm({middle, whole}), -1.0, 1e-4));
     }
 
     void metalMeshesAreWholeAndFaceOutwards()
