@@ -29,45 +29,31 @@ class TestContactScene : public QObject
 {
     Q_OBJECT
 private slots:
+    /// Where in a cell a wall stands the height map does not say: half a cell either way. At an edge the bur's flank
+    /// makes more of it: where it stands on an edge 0.2 or 0.5 mm high, a cell to the side is more than a cell away.
     void continuousStandsWhereGeometrySays_data()
     {
-        support::columns<QString, QString>("bur", "name");
+        support::columns<QString, QString, bool>("bur", "name", "isEdge");
         for (const QString& bur : {QString("2"), QString("330")})
-            for (const char* name :
-                 {"plane 0", "plane 10", "plane 20", "plane 27", "plane 45", "plane 60", "plane 75", "fossa", "cusp",
-                  "groove 30", "groove 30 anywhere", "groove 45", "groove 45 anywhere"})
-                QTest::addRow("%s on %s", qPrintable(bur), name) << bur << QString(name);
+            for (const QString& name :
+                 QString("plane 0,plane 10,plane 20,plane 27,plane 45,plane 60,plane 75,fossa,cusp,groove 30,"
+                         "groove 30 anywhere,groove 45,groove 45 anywhere,wall,pit corner,step 0.07,step 0.20,"
+                         "step 0.50")
+                     .split(','))
+                QTest::addRow("%s on %s", qPrintable(bur), qPrintable(name))
+                    << bur << name << (name == "step 0.20" || name == "step 0.50");
     }
 
     void continuousStandsWhereGeometrySays()
     {
         QFETCH(QString, bur);
         QFETCH(QString, name);
+        QFETCH(bool, isEdge);
         const lab::ContactFamily& family = familyOf(qPrintable(bur), name);
         const lab::ContactErrors errors = lab::measureContact(family, "continuous", kStiffnessNPerMm);
         QVERIFY2(errors.rmsUm < family.reachRmsUm, qPrintable(QString("rms %1 um").arg(errors.rmsUm)));
-        QVERIFY2(errors.mostUm < family.reachMostUm, qPrintable(QString("most %1 um").arg(errors.mostUm)));
+        QVERIFY2(isEdge || errors.mostUm < family.reachMostUm, qPrintable(QString("most %1 um").arg(errors.mostUm)));
         QVERIFY2(errors.jumpN < family.reachJumpN, qPrintable(QString("jump %1 N").arg(errors.jumpN)));
-    }
-
-    void continuousIsWithinACellAtWalls()
-    {
-        // Where in a cell a wall stands the height map does not say: half a cell either way. At an edge the bur's flank
-        // makes more of it: where it stands on an edge 0.2 or 0.5 mm high, a cell to the side is more than a cell away.
-        for (const QString& bur : {QString("2"), QString("330")}) {
-            for (const QString& name : {QString("wall"), QString("pit corner"), QString("step 0.07"),
-                                        QString("step 0.20"), QString("step 0.50")}) {
-                const lab::ContactFamily& family = familyOf(qPrintable(bur), name);
-                const lab::ContactErrors errors = lab::measureContact(family, "continuous", kStiffnessNPerMm);
-                const bool isHigh = name == "step 0.20" || name == "step 0.50";
-                QVERIFY2(errors.rmsUm < family.reachRmsUm,
-                         qPrintable(QString("%1: rms %2 um").arg(name).arg(errors.rmsUm)));
-                QVERIFY2(isHigh || errors.mostUm < family.reachMostUm,
-                         qPrintable(QString("%1: most %2 um").arg(name).arg(errors.mostUm)));
-                QVERIFY2(errors.jumpN < family.reachJumpN,
-                         qPrintable(QString("%1: jump %2 N").arg(name).arg(errors.jumpN)));
-            }
-        }
     }
 
     void latticeFailsWhereTheorySaysSo()
@@ -89,12 +75,7 @@ private slots:
         }
     }
 
-    void ridgesAreNotCrossed_data()
-    {
-        QTest::addColumn<int>("cells");
-        QTest::newRow("1 cell") << 1;
-        QTest::newRow("2 cells") << 2;
-    }
+    void ridgesAreNotCrossed_data() { support::rows<int>("cells", {1, 2}); }
 
     void ridgesAreNotCrossed()
     {

@@ -16,22 +16,32 @@ using core::terrain::Material;
 
 namespace {
 
-/// Smallest and largest of some volumes.
-struct Range
-{
-    double least = 1.0e9;
-    double most = 0.0;
-    void add(double value)
-    {
-        least = std::min(least, value);
-        most = std::max(most, value);
-    }
-    [[nodiscard]] double spreadPercent() const { return 100.0 * (most / least - 1.0); }
-};
+constexpr double kDejMm = -0.9;
+constexpr double kCellMm = lab::kBlockExtentMm / 150;
 
-QString textOf(const Range& range)
+/// Whether a bur takes the same volume with each of some values put into the trial, within three per cent.
+template <class Put>
+bool isIndependent(const lab::PaceTrial& trial, const std::vector<double>& values, const Put& put)
 {
-    return QString("%1 to %2 mm3, %3 %").arg(range.least).arg(range.most).arg(range.spreadPercent());
+    std::vector<double> volumes;
+    for (const double value : values) {
+        lab::PaceTrial varied = trial;
+        put(varied, value);
+        volumes.push_back(lab::removedMm3(varied));
+    }
+    const auto [least, most] = std::minmax_element(volumes.begin(), volumes.end());
+    if (*most < 1.03 * *least)
+        return true;
+    qWarning("from %g to %g mm3", *least, *most);
+    return false;
+}
+
+lab::PaceTrial trialOf(std::size_t bur, double headingDeg, double downDeg)
+{
+    lab::PaceTrial trial;
+    trial.bur = bur;
+    trial.towards = lab::feed(headingDeg, downDeg);
+    return trial;
 }
 
 core::terrain::ColumnLayers enamelAbove(double dejMm)
@@ -58,6 +68,18 @@ void press(const std::function<core::terrain::ColumnLayers(glm::dvec2)>& layers,
         device.z = static_cast<float>(servo->state().anchorMm.z - newtons / settings.force.stiffnessNPerMm);
         servo->step(&device, std::chrono::milliseconds(1));
     } while (see(servo->state()));
+}
+
+/// The depth of the tip in each tick until it is so far past the junction of enamel and dentin.
+std::vector<double> depthsThroughTheJunction(std::size_t bur, double pastMm)
+{
+    std::vector<double> depth;
+    press([](glm::dvec2) { return enamelAbove(kDejMm); }, bur, 1.0,
+          [&](const core::session::ServoState& state) {
+              depth.push_back(-state.anchorMm.z);
+              return depth.back() < -kDejMm + pastMm;
+          });
+    return depth;
 }
 
 }  // namespace
@@ -99,56 +121,39 @@ private slots:
 
     void paceIsIndependentOfTheGrid()
     {
-        QFETCH(int, bur);
-        for (const double down : {0.0, 45.0, 90.0}) {
-            Range range;
-            for (const int side : {100, 150, 300, 600}) {
-                lab::PaceTrial trial;
-                trial.bur = static_cast<std::size_t>(bur);
-                trial.side = side;
-                trial.towards = lab::feed(20.0, down);
-                range.add(lab::removedMm3(trial));
-            }
-            QVERIFY2(range.spreadPercent() < 3.0, qPrintable(textOf(range)));
-        }
+        QFETCH(std::size_t, bur);
+        for (const double down : {0.0, 45.0, 90.0})
+            QVERIFY(isIndependent(trialOf(bur, 20.0, down), {100.0, 150.0, 300.0, 600.0},
+                                  [](lab::PaceTrial& trial, double side) { trial.side = static_cast<int>(side); }));
     }
 
     void paceIsIndependentOfTheRate_data() { burs(); }
 
     void paceIsIndependentOfTheRate()
     {
-        QFETCH(int, bur);
-        for (const double down : {0.0, 45.0, 90.0}) {
-            Range range;
-            for (const double rate : {500.0, 1000.0, 2000.0, 4000.0}) {
-                lab::PaceTrial trial;
-                trial.bur = static_cast<std::size_t>(bur);
-                trial.rateHz = rate;
-                trial.towards = lab::feed(20.0, down);
-                range.add(lab::removedMm3(trial));
-            }
-            QVERIFY2(range.spreadPercent() < 3.0, qPrintable(textOf(range)));
-        }
+        QFETCH(std::size_t, bur);
+        for (const double down : {0.0, 45.0, 90.0})
+            QVERIFY(isIndependent(trialOf(bur, 20.0, down), {500.0, 1000.0, 2000.0, 4000.0},
+                                  [](lab::PaceTrial& trial, double rateHz) { trial.rateHz = rateHz; }));
     }
 
     void paceIsIndependentOfTheHeading_data() { burs(); }
 
     void paceIsIndependentOfTheHeading()
     {
-        QFETCH(int, bur);
-        for (const int side : {100, 150})
+        QFETCH(std::size_t, bur);
+        std::vector<double> headings;
+        for (int heading = 0; heading < 360; heading += support::trials(75, 15))
+            headings.push_back(heading);
+        for (const int side : {100, 150}) {
             for (const double down : {0.0, 45.0}) {
-                Range range;
-                for (int heading = 0; heading < 360; heading += support::trials(75, 15)) {
-                    lab::PaceTrial trial;
-                    trial.bur = static_cast<std::size_t>(bur);
-                    trial.side = side;
-                    trial.towards = lab::feed(heading, down);
-                    range.add(lab::removedMm3(trial));
-                }
-                QVERIFY2(range.spreadPercent() < 3.0,
-                         qPrintable(QString("grid %1, %2 down: ").arg(side).arg(down) + textOf(range)));
+                lab::PaceTrial trial = trialOf(bur, 0.0, down);
+                trial.side = side;
+                QVERIFY(isIndependent(trial, headings, [down](lab::PaceTrial& varied, double heading) {
+                    varied.towards = lab::feed(heading, down);
+                }));
             }
+        }
     }
 
     void sidewaysIsEasierByTheSetting()
@@ -169,8 +174,8 @@ private slots:
 
     void rippleIsNotFelt()
     {
-        QFETCH(int, bur);
-        int n = bur;
+        QFETCH(std::size_t, bur);
+        int n = static_cast<int>(bur);
         for (const int side : {100, 150})
             for (const Material material : {Material::Enamel, Material::Dentin})
                 for (const double heading : {0.0, 30.0})
@@ -178,14 +183,12 @@ private slots:
                         for (const lab::Feeder feeder : {lab::Feeder::Speed, lab::Feeder::Force}) {
                             if (!support::isTried(n++))
                                 continue;
-                            lab::PaceTrial trial;
-                            trial.bur = static_cast<std::size_t>(bur);
+                            lab::PaceTrial trial = trialOf(bur, heading, down);
                             trial.side = side;
                             trial.material = material;
                             trial.newtons =
                                 material == Material::Enamel ? 1.0 : 0.5;  // or it is soon through the block
                             trial.seconds = 3.0;
-                            trial.towards = lab::feed(heading, down);
                             const lab::Ripple ripple = lab::measureRipple(trial, feeder);
                             QVERIFY2(ripple.rmsN < 0.1, qPrintable(QString("%1 N").arg(ripple.rmsN)));
                             // It was drilling steadily. A slide whose speed is that of the whole section needs less
@@ -197,19 +200,12 @@ private slots:
 
     void feedChangesAtTheJunction_data() { burs(); }
 
+    /// 1 N straight down through enamel into dentin. Up to the junction the feed is that of enamel; a cell past it is
+    /// felt, even with a ball, whose tip alone is there.
     void feedChangesAtTheJunction()
     {
-        // 1 N straight down through enamel into dentin. Up to the junction the feed is that of enamel; a cell past it
-        // is felt, even with a ball, whose tip alone is there.
-        QFETCH(int, bur);
-        constexpr double kDejMm = -0.9;
-        constexpr double kCellMm = lab::kBlockExtentMm / 150;
-        std::vector<double> depth;
-        press([](glm::dvec2) { return enamelAbove(kDejMm); }, static_cast<std::size_t>(bur), 1.0,
-              [&](const core::session::ServoState& state) {
-                  depth.push_back(-state.anchorMm.z);
-                  return depth.back() < -kDejMm + 3.0 * kCellMm;
-              });
+        QFETCH(std::size_t, bur);
+        const std::vector<double> depth = depthsThroughTheJunction(bur, 3.0 * kCellMm);
         const auto secondsAt = [&](double mm) {
             const auto reached = std::lower_bound(depth.begin(), depth.end(), mm);
             const auto k = static_cast<double>(reached - depth.begin());
@@ -223,18 +219,10 @@ private slots:
         QVERIFY2(after / enamel > 1.15, qPrintable(QString("%1 and %2 mm/s").arg(enamel).arg(after)));
     }
 
+    /// With a flat end all of it meets the junction together: half of the change lies within a cell.
     void flatEndFeelsTheJunctionWithinACell()
     {
-        // With a flat end all of it meets the junction together: half of the change lies within a cell.
-        constexpr double kDejMm = -0.9;
-        constexpr double kCellMm = lab::kBlockExtentMm / 150;
-        const std::size_t fissure = core::drilling::findBur("57").value();
-        std::vector<double> depth;
-        press([](glm::dvec2) { return enamelAbove(kDejMm); }, fissure, 1.0,
-              [&](const core::session::ServoState& state) {
-                  depth.push_back(-state.anchorMm.z);
-                  return depth.back() < -kDejMm + 0.5;
-              });
+        const std::vector<double> depth = depthsThroughTheJunction(core::drilling::findBur("57").value(), 0.5);
         const auto feedAt = [&](std::size_t tick) { return (depth[tick] - depth[tick - 10]) / 0.01; };
         const auto tickAt = [&](double mm) {
             return static_cast<std::size_t>(std::lower_bound(depth.begin(), depth.end(), mm) - depth.begin());
@@ -278,9 +266,9 @@ private slots:
 private:
     static void burs()
     {
-        QTest::addColumn<int>("bur");
-        for (int bur = 0; bur < 4; ++bur)
-            QTest::addRow("bur %d", bur) << bur;
+        QTest::addColumn<std::size_t>("bur");
+        for (std::size_t bur = 0; bur < 4; ++bur)
+            QTest::addRow("bur %zu", bur) << bur;
     }
 };
 
