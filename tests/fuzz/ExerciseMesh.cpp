@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include <glm/common.hpp>
 
@@ -18,20 +17,14 @@
 namespace fuzz {
 namespace {
 
-void require(bool promise)
-{
-    if (!promise)
-        std::abort();
-}
-
 void useMesh(core::mesh::TriangleMesh mesh)
 {
     using namespace core;
-    require(!mesh.triangles.empty());
+    promise(!mesh.triangles.empty());
     for (const glm::vec3& v : mesh.vertices)
-        require(std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z));
+        promise(std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z));
     for (const auto& t : mesh.triangles)
-        require(*std::max_element(t.begin(), t.end()) < mesh.vertices.size());
+        promise(*std::max_element(t.begin(), t.end()) < mesh.vertices.size());
     mesh::weldByPosition(mesh);
     mesh::MeshFacts facts = mesh::analyse(mesh);
     mesh::turnOutwards(mesh, facts);
@@ -50,7 +43,7 @@ void useMesh(core::mesh::TriangleMesh mesh)
     if (std::max(high.x - low.x, high.y - low.y) < 0.2)
         return;
     const terrain::HeightMaps maps = terrain::rasterise(mesh, terrain::fitGrid(low, high, 64));
-    require(std::isfinite(terrain::volumeOf(maps)) && terrain::volumeOf(maps) >= 0.0);
+    promise(std::isfinite(terrain::volumeOf(maps)) && terrain::volumeOf(maps) >= 0.0);
     std::vector<float> sewn;
     terrain::sewRim(maps.grid, maps.top, maps.bottom, terrain::wholeOf(maps.grid), sewn);
 }
@@ -64,7 +57,7 @@ void exerciseMesh(std::string_view bytes)
         if (auto file = core::mesh::readMesh(bytes, format, "input"))
             useMesh(std::move(file->mesh));
         else
-            require(!file.error().detail.empty());
+            promise(!file.error().detail.empty());
 }
 
 }  // namespace fuzz

@@ -6,9 +6,9 @@
 #include <span>
 
 #include <glm/geometric.hpp>
-#include <zstd.h>
 
 #include "core/base/Bytes.h"
+#include "core/recording/Format.h"
 #include "core/recording/Replay.h"
 
 namespace fuzz {
@@ -20,7 +20,7 @@ using core::session::ServoEvent;
 constexpr std::uint64_t kMostTicks = 4000;
 constexpr int kMostRestores = 20;
 constexpr std::uint32_t kEndSection = 4;
-constexpr unsigned long long kLargestSection = 64ULL * 1024 * 1024;
+constexpr std::size_t kLargestSection = 64ULL * 1024 * 1024;
 constexpr int kLargestGrid = 160;  // a larger one takes too long for a fuzzer
 
 /// The bytes with the payload of each whole section put through `change` and its size and checksum set to match.
@@ -56,12 +56,8 @@ std::string forEachSection(std::string_view bytes,
 std::string unpacked(std::string_view bytes)
 {
     return forEachSection(bytes, [](std::uint32_t kind, std::string_view payload) {
-        const unsigned long long size = ZSTD_getFrameContentSize(payload.data(), payload.size());
-        if (kind == kEndSection || size > kLargestSection)
-            return std::string(payload);
-        std::string raw(static_cast<std::size_t>(size), '\0');
-        ZSTD_decompress(raw.data(), raw.size(), payload.data(), payload.size());
-        return raw;
+        const auto raw = kind == kEndSection ? std::nullopt : unpack(payload, kLargestSection);
+        return raw.value_or(std::string(payload));
     });
 }
 
@@ -70,11 +66,7 @@ void exerciseRecording(std::string_view bytes)
     playRecording(bytes);
     playRecording(forEachSection(bytes, [](std::uint32_t, std::string_view payload) { return std::string(payload); }));
     playRecording(forEachSection(bytes, [](std::uint32_t kind, std::string_view payload) {
-        if (kind == kEndSection)
-            return std::string(payload);
-        std::string out(ZSTD_compressBound(payload.size()), '\0');
-        out.resize(ZSTD_compress(out.data(), out.size(), payload.data(), payload.size(), 1));
-        return out;
+        return kind == kEndSection ? std::string(payload) : pack(payload);
     }));
 }
 
@@ -95,12 +87,9 @@ void playRecording(std::string_view bytes)
     if (recording->ticks() > kMostTicks || restores > kMostRestores || recording->anatomy()->grid.side > kLargestGrid)
         return;
     const double clampN = recording->settings().force.clampN;
-    const auto outcome =
-        replay(*recording, [&](const core::session::ServoEvent&, const core::recording::Replayer& servo) {
-            const core::session::ServoState& state = servo.state();
-            const double force = std::sqrt(glm::dot(state.forceN, state.forceN));
-            promise(force <= clampN * (1.0 + 1.0e-9));  // false for NaN
-        });
+    const auto outcome = replay(*recording, [&](const ServoEvent&, const Replayer& servo) {
+        promise(glm::length(servo.state().forceN) <= clampN * (1.0 + 1.0e-9));  // false for NaN
+    });
     promise(outcome.has_value());
     const core::terrain::Tooth& tooth = outcome->tooth;
     for (std::size_t k = 0; k < tooth.top.size(); ++k)

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <map>
 
+#include "tests/support/SyntheticTooth.h"
+
 namespace support {
 namespace {
 
@@ -69,38 +71,31 @@ std::shared_ptr<const core::terrain::ToothAnatomy> make(int side)
     tooth->layers.assign(tooth->grid.count(), {});
     tooth->areaMm2.assign(tooth->grid.count(), 0.0F);
     double highest = -1.0e9;
-    for (int j = 0; j < side; ++j)
-        for (int i = 0; i < side; ++i)
-            highest = std::max(highest, chewing(tooth->grid.nodeMm(i, j).x, tooth->grid.nodeMm(i, j).y));
-    for (int j = 0; j < side; ++j) {
-        for (int i = 0; i < side; ++i) {
-            const glm::dvec2 p = tooth->grid.nodeMm(i, j);
-            const double rho = outline(p.x, p.y);
-            if (rho >= 1.0)
-                continue;
-            const std::size_t k = tooth->grid.index(i, j);
-            const double round = 1.0 - std::sqrt(1.0 - std::pow(rho, 7.0));
-            const double top = chewing(p.x, p.y) - highest - 3.0 * round;
-            const double under = std::max(0.0, (rho - 0.78) / 0.22);
-            const double bottom = std::min(top - 0.02, -8.0 + 2.6 * (1.0 - std::sqrt(1.0 - under * under)));
-            tooth->top[k] = static_cast<float>(top);
-            tooth->bottom[k] = static_cast<float>(bottom);
-            tooth->areaMm2[k] = static_cast<float>(tooth->grid.cellMm * tooth->grid.cellMm);
-            core::terrain::ColumnLayers& layers = tooth->layers[k];
-            layers.dej = static_cast<float>(std::min(top - 0.9, -3.4 - 2.0 * std::pow(rho, 4.0) + 0.3 * (top + 2.5)));
-            const double chamber = 1.0 - p.x * p.x / 6.0 - p.y * p.y / 4.5;
-            if (chamber > 0.0) {
-                layers.pulpRoof = static_cast<float>(-6.0 + 0.9 * std::sqrt(chamber));
-                layers.pulpFloor = static_cast<float>(-6.0 - 0.7 * std::sqrt(chamber));
-            }
-            const double away = std::hypot(p.x - kLesionX, p.y - kLesionY);
-            if (away < kLesionRadiusMm) {
-                layers.cariesRoof = static_cast<float>(top);
-                layers.cariesFloor =
-                    static_cast<float>(top - 2.0 * std::sqrt(1.0 - std::pow(away / kLesionRadiusMm, 2.0)));
-            }
+    eachNode(tooth->grid, [&](std::size_t, glm::dvec2 p) { highest = std::max(highest, chewing(p.x, p.y)); });
+    eachNode(tooth->grid, [&](std::size_t k, glm::dvec2 p) {
+        const double rho = outline(p.x, p.y);
+        if (rho >= 1.0)
+            return;
+        const double round = 1.0 - std::sqrt(1.0 - std::pow(rho, 7.0));
+        const double top = chewing(p.x, p.y) - highest - 3.0 * round;
+        const double under = std::max(0.0, (rho - 0.78) / 0.22);
+        const double bottom = std::min(top - 0.02, -8.0 + 2.6 * (1.0 - std::sqrt(1.0 - under * under)));
+        tooth->top[k] = static_cast<float>(top);
+        tooth->bottom[k] = static_cast<float>(bottom);
+        tooth->areaMm2[k] = static_cast<float>(tooth->grid.cellMm * tooth->grid.cellMm);
+        core::terrain::ColumnLayers& layers = tooth->layers[k];
+        layers.dej = static_cast<float>(std::min(top - 0.9, -3.4 - 2.0 * std::pow(rho, 4.0) + 0.3 * (top + 2.5)));
+        const double chamber = 1.0 - p.x * p.x / 6.0 - p.y * p.y / 4.5;
+        if (chamber > 0.0) {
+            layers.pulpRoof = static_cast<float>(-6.0 + 0.9 * std::sqrt(chamber));
+            layers.pulpFloor = static_cast<float>(-6.0 - 0.7 * std::sqrt(chamber));
         }
-    }
+        const double away = std::hypot(p.x - kLesionX, p.y - kLesionY);
+        if (away < kLesionRadiusMm) {
+            layers.cariesRoof = static_cast<float>(top);
+            layers.cariesFloor = static_cast<float>(top - 2.0 * std::sqrt(1.0 - std::pow(away / kLesionRadiusMm, 2.0)));
+        }
+    });
     return tooth;
 }
 

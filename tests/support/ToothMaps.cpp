@@ -2,16 +2,18 @@
 #include "tests/support/ToothMaps.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
-#include <glm/vec3.hpp>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
+#include "core/mesh/MeshReader.h"
 #include "core/teeth/ToothGenerator.h"
+#include "core/terrain/Rasteriser.h"
+#include "core/terrain/Tooth.h"
+#include "tests/support/SyntheticTooth.h"
 #include "tests/support/Trials.h"
 
 namespace support {
@@ -30,60 +32,20 @@ core::terrain::Grid gridOver(int side, double left, double right, double front, 
     return grid;
 }
 
-void cover(ToothMaps& maps, const std::array<glm::dvec3, 3>& corner)
+/// The crown's highest point and the middle of the outline come to the origin.
+ToothMaps mapsOf(core::mesh::TriangleMesh mesh, int side)
 {
-    const auto lattice = [&](const glm::dvec3& p) { return maps.grid.latticeOf({p.x, p.y}); };
-    const std::array<glm::dvec2, 3> at{lattice(corner[0]), lattice(corner[1]), lattice(corner[2])};
-    const double area = (at[1].x - at[0].x) * (at[2].y - at[0].y) - (at[2].x - at[0].x) * (at[1].y - at[0].y);
-    if (std::abs(area) < 1e-12)
-        return;
-    const auto [lowX, highX] = std::minmax({at[0].x, at[1].x, at[2].x});
-    const auto [lowY, highY] = std::minmax({at[0].y, at[1].y, at[2].y});
-    for (int j = std::max(0, static_cast<int>(std::ceil(lowY))); j <= std::min(maps.grid.side - 1.0, highY); ++j) {
-        for (int i = std::max(0, static_cast<int>(std::ceil(lowX))); i <= std::min(maps.grid.side - 1.0, highX); ++i) {
-            std::array<double, 3> weight{};
-            for (std::size_t c = 0; c < 3; ++c) {
-                const glm::dvec2& p = at[(c + 1) % 3];
-                const glm::dvec2& q = at[(c + 2) % 3];
-                weight[c] = ((q.x - p.x) * (j - p.y) - (i - p.x) * (q.y - p.y)) / area;
-            }
-            if (std::min({weight[0], weight[1], weight[2]}) < -1e-9)
-                continue;
-            const auto z =
-                static_cast<float>(weight[0] * corner[0].z + weight[1] * corner[1].z + weight[2] * corner[2].z);
-            float& top = maps.top[maps.grid.index(i, j)];
-            float& bottom = maps.bottom[maps.grid.index(i, j)];
-            top = std::max(top, z);
-            bottom = std::min(bottom, z);
-        }
+    glm::vec3 low = mesh.vertices.front();
+    glm::vec3 high = mesh.vertices.front();
+    for (const glm::vec3& v : mesh.vertices) {
+        low = glm::min(low, v);
+        high = glm::max(high, v);
     }
-}
-
-ToothMaps rasterise(std::vector<glm::dvec3> points, const std::vector<std::array<std::size_t, 3>>& triangles, int side)
-{
-    glm::dvec3 low = points.front();
-    glm::dvec3 high = points.front();
-    for (const glm::dvec3& p : points) {
-        low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-        high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-    }
-    for (glm::dvec3& p : points)
-        p -= glm::dvec3(0.5 * (low.x + high.x), 0.5 * (low.y + high.y), high.z);
-
-    ToothMaps maps;
-    maps.grid =
-        gridOver(side, 0.5 * (low.x - high.x), 0.5 * (high.x - low.x), 0.5 * (low.y - high.y), 0.5 * (high.y - low.y));
-    maps.top.assign(maps.grid.count(), kEmptyTop);
-    maps.bottom.assign(maps.grid.count(), kEmptyBottom);
-    for (const auto& t : triangles)
-        cover(maps, {points[t[0]], points[t[1]], points[t[2]]});
-    for (std::size_t k = 0; k < maps.top.size(); ++k) {
-        if (maps.top[k] > maps.bottom[k])
-            continue;
-        maps.top[k] = kEmptyTop;
-        maps.bottom[k] = kEmptyBottom;
-    }
-    return maps;
+    const glm::vec3 half = 0.5F * (high - low);
+    for (glm::vec3& v : mesh.vertices)
+        v -= glm::vec3(low.x + half.x, low.y + half.y, high.z);
+    core::terrain::HeightMaps maps = core::terrain::rasterise(mesh, gridOver(side, -half.x, half.x, -half.y, half.y));
+    return {maps.grid, std::move(maps.top), std::move(maps.bottom)};
 }
 
 }  // namespace
@@ -101,53 +63,21 @@ std::string sharedData(const std::string& file)
 std::optional<ToothMaps> scanMaps(int fdi, int side)
 {
     const std::string path = sharedData("teeth/dundee_" + std::to_string(fdi) + ".obj");
-    std::ifstream file(path);
-    if (path.empty() || !file)
+    if (path.empty())
         return std::nullopt;
-
+    core::mesh::TriangleMesh mesh = core::mesh::readMesh(std::filesystem::path(path)).value().mesh;
     // The scans stand in one arch: +y up, +z anterior, +x the patient's left; upper teeth crown down.
-    constexpr double kMmPerUnit = 10.5;
-    const auto inTooth = [&](double x, double y, double z) -> glm::dvec3 {
-        switch (fdi) {
-        case 36:
-            return glm::dvec3(-z, -x, y) * kMmPerUnit;
-        case 24:
-            return glm::dvec3(-z, x, -y) * kMmPerUnit;
-        default:
-            return glm::dvec3(x, z, -y) * kMmPerUnit;
-        }
-    };
-    std::vector<glm::dvec3> points;
-    std::vector<std::array<std::size_t, 3>> triangles;
-    for (std::string line; std::getline(file, line);) {
-        std::istringstream words(line);
-        std::string kind;
-        words >> kind;
-        if (kind == "v") {
-            double x = 0.0;
-            double y = 0.0;
-            double z = 0.0;
-            words >> x >> y >> z;
-            points.push_back(inTooth(x, y, z));
-        } else if (kind == "f") {
-            std::vector<std::size_t> face;
-            for (std::string word; words >> word;)
-                face.push_back(static_cast<std::size_t>(std::stoul(word)) - 1);
-            for (std::size_t c = 2; c < face.size(); ++c)
-                triangles.push_back({face[0], face[c - 1], face[c]});
-        }
-    }
-    return rasterise(std::move(points), triangles, side);
+    constexpr float kMmPerUnit = 10.5F;
+    for (glm::vec3& v : mesh.vertices)
+        v = kMmPerUnit * (fdi == 36   ? glm::vec3(-v.z, -v.x, v.y)
+                          : fdi == 24 ? glm::vec3(-v.z, v.x, -v.y)
+                                      : glm::vec3(v.x, v.z, -v.y));
+    return mapsOf(std::move(mesh), side);
 }
 
 ToothMaps generatedMaps(int fdi, std::uint64_t seed, int side)
 {
-    const core::mesh::TriangleMesh mesh = core::teeth::generateTooth(fdi, seed).value();
-    std::vector<glm::dvec3> points(mesh.vertices.begin(), mesh.vertices.end());
-    std::vector<std::array<std::size_t, 3>> triangles;
-    for (const auto& t : mesh.triangles)
-        triangles.push_back({t[0], t[1], t[2]});
-    return rasterise(std::move(points), triangles, side);
+    return mapsOf(core::teeth::generateTooth(fdi, seed).value(), side);
 }
 
 ToothMaps analyticMolar(int side)
@@ -156,25 +86,21 @@ ToothMaps analyticMolar(int side)
     maps.grid = gridOver(side, -5.0, 5.0, -5.0, 5.0);
     maps.top.assign(maps.grid.count(), kEmptyTop);
     maps.bottom.assign(maps.grid.count(), kEmptyBottom);
-    for (int j = 0; j < side; ++j) {
-        for (int i = 0; i < side; ++i) {
-            const glm::dvec2 at = maps.grid.nodeMm(i, j);
-            const double r = std::sqrt(at.x * at.x + at.y * at.y);
-            if (r >= 5.0)
-                continue;
-            // Four cusps of spherical caps at (+-2.5, +-2.5) over a fossa at -2.5.
-            const double cx = std::abs(at.x) - 2.5;
-            const double cy = std::abs(at.y) - 2.5;
-            double top = std::max(-2.5, -0.55 * (cx * cx + cy * cy));
-            if (r > 4.0)
-                top = std::min(top, -5.0 + 4.0 * std::sqrt(std::max(0.0, 1.0 - (r - 4.0) * (r - 4.0))));
-            if (std::abs(at.y) < 0.15 && r < 3.0)
-                top -= 0.8 * (1.0 - std::abs(at.y) / 0.15);
-            const double bottom = r < 4.2 ? -20.0 + 2.0 * r : -7.5 + 2.5 * (r - 4.2) / 0.8;
-            maps.top[maps.grid.index(i, j)] = static_cast<float>(top);
-            maps.bottom[maps.grid.index(i, j)] = static_cast<float>(bottom);
-        }
-    }
+    eachNode(maps.grid, [&](std::size_t k, glm::dvec2 at) {
+        const double r = glm::length(at);
+        if (r >= 5.0)
+            return;
+        // Four cusps of spherical caps at (+-2.5, +-2.5) over a fossa at -2.5.
+        const double cx = std::abs(at.x) - 2.5;
+        const double cy = std::abs(at.y) - 2.5;
+        double top = std::max(-2.5, -0.55 * (cx * cx + cy * cy));
+        if (r > 4.0)
+            top = std::min(top, -5.0 + 4.0 * std::sqrt(std::max(0.0, 1.0 - (r - 4.0) * (r - 4.0))));
+        if (std::abs(at.y) < 0.15 && r < 3.0)
+            top -= 0.8 * (1.0 - std::abs(at.y) / 0.15);
+        maps.top[k] = static_cast<float>(top);
+        maps.bottom[k] = static_cast<float>(r < 4.2 ? -20.0 + 2.0 * r : -7.5 + 2.5 * (r - 4.2) / 0.8);
+    });
     return maps;
 }
 

@@ -26,8 +26,8 @@ struct ToothMaps
 /// A generated tooth, rasterised the same way.
 [[nodiscard]] ToothMaps generatedMaps(int fdi, std::uint64_t seed, int side);
 
-/// Rasterises shared/data/teeth/dundee_<fdi>.obj (21, 24 or 36), 10.5 mm a unit, crown up, +x distal. An independent
-/// reading, plane by plane; nothing if the scan is absent.
+/// Rasterises shared/data/teeth/dundee_<fdi>.obj (21, 24 or 36), 10.5 mm a unit, crown up, +x distal; nothing if the
+/// scan is absent.
 [[nodiscard]] std::optional<ToothMaps> scanMaps(int fdi, int side);
 
 /// A molar of formulas: a round crown of radius 5 whose cusps stand 2.5 above a flat fossa, a fissure 0.8 deep and
