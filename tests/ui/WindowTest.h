@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <memory>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include <QApplication>
@@ -52,16 +54,26 @@ inline const lessons::ReadLesson& shipped(const std::string& id)
     return shippedWhere([&](const lessons::Lesson& lesson) { return lesson.id == id; });
 }
 
-inline lessons::Assignment assigned(const std::string& id)
+/// Made once of each lesson.
+inline const lessons::Assignment& assigned(const std::string& id)
 {
-    return lessons::assign(*shipped(id).lesson).value().assignment;
+    static std::map<std::string, lessons::Assignment> all;
+    const auto [found, isNew] = all.try_emplace(id);
+    if (isNew)
+        found->second = lessons::assign(*shipped(id).lesson).value().assignment;
+    return found->second;
 }
 
-inline lessons::Assignment assigned(lessons::Task task)
+inline const lessons::Assignment& assigned(lessons::Task task)
 {
-    return lessons::assign(*shippedWhere([&](const lessons::Lesson& lesson) { return lesson.task == task; }).lesson)
-        .value()
-        .assignment;
+    return assigned(shippedWhere([&](const lessons::Lesson& lesson) { return lesson.task == task; }).lesson->id);
+}
+
+inline lessons::Assignment exam(const std::string& id = "class1-36")
+{
+    lessons::Assignment assignment = assigned(id);
+    assignment.lesson->exam = true;
+    return assignment;
 }
 
 inline lessons::ScoreSheet sheet(double cariesPercent, double soundMm3, double pulpMm2)
@@ -70,19 +82,17 @@ inline lessons::ScoreSheet sheet(double cariesPercent, double soundMm3, double p
     rubric.title = {{"en", "Trial"}};
     rubric.version = 2;
     rubric.hash = std::string(64, 'a');
-    const auto add = [&](const std::string& id, const std::string& unit, double tolerance, double span, int weight) {
-        lessons::CriterionRule rule;
+    for (const auto& [id, unit, tolerance, span, weight] : {std::tuple("caries_left", "percent", 1.0, 30.0, 600),
+                                                            {"sound_tissue", "mm3", 4.0, 20.0, 400},
+                                                            {"pulp_exposure", "mm2", 0.0, 0.0, 0}}) {
+        lessons::CriterionRule& rule = rubric.criteria.emplace_back();
         rule.id = rule.measure = id;
         rule.unit = unit;
         rule.tolerance = tolerance;
         rule.span = span;
         rule.weightTenths = weight;
         rule.critical = weight == 0;
-        rubric.criteria.push_back(rule);
-    };
-    add("caries_left", "percent", 1, 30, 600);
-    add("sound_tissue", "mm3", 4, 20, 400);
-    add("pulp_exposure", "mm2", 0, 0, 0);
+    }
     return lessons::grade(rubric,
                           {{"caries_left", cariesPercent}, {"sound_tissue", soundMm3}, {"pulp_exposure", pulpMm2}});
 }
