@@ -102,7 +102,11 @@ PracticeRoom::PracticeRoom(const Actions& actions, ViewMenu& viewMenu, QWidget* 
         (*name)->setAttribute(Qt::WA_TransparentForMouseEvents);
         (*name)->hide();
     }
-    text::inEveryLanguage(m_ourName, [this] { m_ourName->setText(tr("This attempt")); });
+    text::inEveryLanguage(m_ourName, [this] {
+        m_ourName->setText(tr("This attempt"));
+        if (m_beside != nullptr)
+            placeOverlays();
+    });
 }
 
 void PracticeRoom::setExercise(QWidget* card)
