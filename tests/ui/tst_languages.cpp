@@ -4,7 +4,6 @@
 // A new page: a line in pages_data() that opens it in English, with something on it. On an enlarged screen
 // (QT_SCALE_FACTOR=1.5) the pages are opened in the other language, and only the room is checked.
 #include <functional>
-#include <map>
 
 #include <QDir>
 #include <QMenu>
@@ -12,15 +11,12 @@
 #include <QScopeGuard>
 #include <QSet>
 #include <QStackedWidget>
-#include <QTest>
 
-#include "core/drilling/Bur.h"
-#include "core/grading/IdealCavity.h"
-#include "lessons/LessonCatalog.h"
 #include "lessons/PresetShelf.h"
 #include "tests/support/OpenGlMain.h"
-#include "tests/support/SyntheticMolar.h"
+#include "tests/ui/Pictures.h"
 #include "tests/ui/PseudoLanguage.h"
+#include "tests/ui/WindowTest.h"
 #include "ui/admin/AdminPage.h"
 #include "ui/admin/AuditPart.h"
 #include "ui/admin/BackupPart.h"
@@ -32,26 +28,28 @@
 #include "ui/people/ClassPage.h"
 #include "ui/people/HistoryPage.h"
 #include "ui/people/LoginPage.h"
-#include "ui/people/PeopleWords.h"
 #include "ui/people/TalkPanel.h"
-#include "ui/shell/Actions.h"
 #include "ui/shell/BusyCard.h"
 #include "ui/shell/LanguageMenu.h"
-#include "ui/shell/MainWindow.h"
 #include "ui/shell/Mouth.h"
-#include "ui/shell/Theme.h"
-#include "ui/shell/ViewMenu.h"
 #include "ui/study/LessonEditor.h"
 #include "ui/study/LessonsPage.h"
 #include "ui/study/ScorePage.h"
 #include "ui/text/Language.h"
-#include "ui/tooth/ToothView.h"
 
 using namespace core::session;
 using namespace ui::shell;
 using lessons::CatalogEntry;
+using lessons::Task;
 
 namespace {
+
+constexpr const char* kThen = "2026-05-04T10:20:30Z";
+
+QDateTime thenOnTheClock()
+{
+    return QDateTime::fromString(kThen, Qt::ISODate);
+}
 
 bool isEnlarged()
 {
@@ -64,37 +62,17 @@ QSize roomInside()
     return isEnlarged() ? QSize(853, 493) : QSize(1280, 760);
 }
 
-const std::vector<CatalogEntry>& shipped()
-{
-    static const std::vector<CatalogEntry> kEntries = lessons::readCatalog({});
-    return kEntries;
-}
-
 std::vector<CatalogEntry> catalog()
 {
-    std::vector<CatalogEntry> entries = shipped();
+    std::vector<CatalogEntry> entries = support::catalog();
     for (CatalogEntry& entry : entries)
-        if (entry.read.lesson)
-            entry.read.lesson = pseudo::said(*entry.read.lesson);
+        entry.read.lesson = pseudo::said(*entry.read.lesson);
     return entries;
 }
 
-const lessons::Lesson& lessonOf(lessons::Task task)
+lessons::Assignment assigned(Task task)
 {
-    for (const CatalogEntry& entry : shipped())
-        if (entry.read.lesson && entry.read.lesson->task == task)
-            return *entry.read.lesson;
-    qFatal("no such lesson");
-}
-
-/// Made once of each task.
-const lessons::Assignment& assigned(lessons::Task task)
-{
-    static std::map<lessons::Task, lessons::Assignment> all;
-    if (const auto found = all.find(task); found != all.end())
-        return found->second;
-    lessons::Assignment& assignment = all[task];
-    assignment = lessons::assign(lessonOf(task)).value().assignment;
+    lessons::Assignment assignment = support::assigned(task);
     assignment.lesson = pseudo::said(*assignment.lesson);
     assignment.rubric = assignment.lesson->rubric;
     return assignment;
@@ -102,25 +80,16 @@ const lessons::Assignment& assigned(lessons::Task task)
 
 lessons::ScoreSheet sheet()
 {
-    lessons::Rubric rubric;
-    rubric.title = {{"en", "[·]"}};
-    rubric.version = 2;
-    rubric.hash = std::string(64, 'a');
-    const auto add = [&](const std::string& id, const std::string& unit, double tolerance, double span, int weight) {
-        lessons::CriterionRule rule;
-        rule.id = rule.measure = id;
-        rule.title = {{"en", "[·· ·]"}};
-        rule.unit = unit;
-        rule.tolerance = tolerance;
-        rule.span = span;
-        rule.weightTenths = weight;
-        rule.critical = weight == 0;
-        rubric.criteria.push_back(rule);
-    };
-    add("caries_left", "percent", 1, 30, 600);
-    add("sound_tissue", "mm3", 4, 20, 400);
-    add("pulp_exposure", "mm2", 0, 0, 0);
-    return lessons::grade(rubric, {{"caries_left", 3.2}, {"sound_tissue", 40.0}, {"pulp_exposure", 0.5}});
+    lessons::ScoreSheet marked = support::sheet(3.2, 40.0, 0.5);
+    marked.rubricTitle = {{"en", "[·]"}};
+    for (lessons::Criterion& criterion : marked.criteria)
+        criterion.title = {{"en", "[·· ·]"}};
+    return marked;
+}
+
+const lessons::ReadLesson& cutIdeal()
+{
+    return support::shippedWhere([](const lessons::Lesson& lesson) { return lesson.task == Task::CutIdeal; });
 }
 
 core::grading::Infraction breach()
@@ -137,7 +106,7 @@ database::AttemptRecord attempt(int tenths, const std::string& hash)
     database::AttemptRecord record;
     record.scoreTenths = tenths;
     record.rubricHash = hash;
-    record.finishedUtc = "2026-05-04T10:20:30Z";
+    record.finishedUtc = kThen;
     return record;
 }
 
@@ -159,11 +128,10 @@ database::ClassOverview classOfThree()
     shown.id = {7};
     shown.name = "[···]";
     shown.lessons = {"0"};
-    shown.students = {
-        {{1}, "", "[···]", "2026-05-04T10:20:30Z", "2026-05-04T10:20:30Z", {5, 5, 5}, {false, false, false}, "0"},
-        {{2}, "", "[···]", "", "", {}, {}, ""},
-        {{3}, "", "[···]", "2026-05-04T10:20:30Z", "", {}, {}, ""}};
-    shown.cells = {{{3, 5, false, "2026-05-04T10:20:30Z"}}, {{}}, {{}}};
+    shown.students = {{{1}, "", "[···]", kThen, kThen, {5, 5, 5}, {false, false, false}, "0"},
+                      {{2}, "", "[···]", "", "", {}, {}, ""},
+                      {{3}, "", "[···]", kThen, "", {}, {}, ""}};
+    shown.cells = {{{3, 5, false, kThen}}, {{}}, {{}}};
     return shown;
 }
 
@@ -179,492 +147,438 @@ database::LessonResults resultsOfSix()
 
 }  // namespace
 
-class TestLanguages : public QObject
+using BringUp = std::function<void()>;
+Q_DECLARE_METATYPE(BringUp)
+
+class TestLanguages : public support::WindowTest
 {
     Q_OBJECT
 private slots:
-    void initTestCase();
-    void init();
-    void cleanupTestCase();
-    void pages_data();
-    void pages();
-    void everyPartWasBroughtUp();
-    void questionsAreAskedInTheLanguageOfToday();
-    void messagesThatStayFollowTheLanguage();
-    void whatIsSaidAtTheDoorFollowsTheLanguage();
-    void theMenuChoosesAndRemembers();
-    void numbersAndDatesFollow();
-    void whatIsNotSpokenIsEnglish();
+    void initTestCase()
+    {
+        prepare();
+        ui::text::Language::choose("en_GB");
+        if (isEnlarged())
+            QCoreApplication::installTranslator(&m_strange);
+        openWindow();
+        m_window->resize(roomInside());
+    }
+    /// The window as it is after a logout, which is quicker than all that begin() brings back.
+    void init()
+    {
+        ui::text::Language::choose("en_GB");
+        m_window->askWho(ui::people::Door::Login);
+        m_window->leaveAll();
+        m_window->setWho({});
+        m_window->setReplaying(false);
+        m_window->hideBeside();
+        m_beside.reset();
+        m_window->setAssignment({});
+        m_links->session.publish({});
+        static_cast<void>(allSent());
+        show();
+        for (QAction* panel : {actions().section, actions().history})
+            if (panel->isChecked())
+                panel->trigger();
+        // What lies over the room is closed one by one.
+        for (int closed = 0; closed < 6; ++closed)
+            actions().back->trigger();
+    }
+    void cleanupTestCase() { m_window.reset(); }
+
+    void pages_data()
+    {
+        QTest::addColumn<BringUp>("bringUp");
+        m_pages = 0;
+        const auto page = [this](const char* name, const BringUp& bringUp) {
+            ++m_pages;
+            QTest::newRow(name) << bringUp;
+        };
+        page("practice", [this] {
+            SessionState session;
+            session.toothGeneration = m_generation;
+            session.removedMm3 = {0.0, 188.88, 188.88, 0.0};
+            m_links->session.publish(session);
+        });
+        for (const auto& [name, action] : {std::pair("section", &Actions::section),
+                                           {"stereo", &Actions::stereoPage},
+                                           {"history", &Actions::history},
+                                           {"help", &Actions::help},
+                                           {"teeth", &Actions::chooseTooth},
+                                           {"settings", &Actions::settings},
+                                           {"console", &Actions::console}})
+            page(name, [this, action = action] { (actions().*action)->trigger(); });
+        page("busy", [this] {
+            m_window->showBusy("[···]");
+            QTRY_VERIFY(child<BusyCard>()->isVisible());
+        });
+        page("message", [this] { m_window->showMessage("[···]"); });
+        page("error", [this] {
+            m_window->showError({core::ErrorCode::WrongKind, {}}, ui::text::Failed::KeepingGrades, QString(80, u'·'));
+        });
+        page("replay", [this] {
+            m_window->setReplaying(true, 60.0);
+            m_window->setReplayCourse(support::course());
+            m_beside = std::make_unique<UiLinks>();
+            m_window->showBeside(*m_beside, support::syntheticMolar(), 1, {}, "[···]");
+        });
+        page("tour", [this] { m_window->beginTour(); });
+        page("mouth", [this] {
+            if (Mouth::isPossible())
+                actions().mouth->trigger();
+        });
+        page("xray", [this] {
+            actions().radiograph->trigger();
+            QTRY_VERIFY(child<ui::inside::XrayPage>()->isReady());
+        });
+        page("lessons", [this] {
+            const QDateTime now = QDateTime::currentDateTime();
+            m_window->setLessons(
+                catalog(), {{"decay-21-small", {3, 872, true, kThen}}, {"class1-36", {3, 572, false, kThen}}},
+                {{"class1-36", {"[···]", now.addDays(-2), 2}}, {"decay-36-small", {"[···]", now.addDays(1), {}}}});
+            actions().lessons->trigger();
+        });
+        page("feedback", [this] {
+            m_window->setFeedback({{{1}, "class1-36", "[···]", kThen, true}});
+            openLessons();
+        });
+        page("unfinished", [this] {
+            openLessons();
+            m_window->offerUnfinished([] { return QString("[···]"); }, thenOnTheClock(), false);
+        });
+        page("no lesson", [this] {
+            openLessons();
+            child<ui::study::LessonsPage>()->findChild<QLineEdit*>()->setText("0x0x0");
+        });
+        for (const int part : {0, 1})
+            page(part == 0 ? "editor" : "editor, past attempts", [this, part] {
+                auto* editor = child<ui::study::LessonEditor>();
+                editor->edit(cutIdeal(), QDir::temp().filePath(QStringLiteral("no such folder")));
+                qobject_cast<QStackedWidget*>(editor->parentWidget())->setCurrentWidget(editor);
+                QTRY_VERIFY_WITH_TIMEOUT(!editor->findChild<QLabel*>("selfCheck")->text().isEmpty(), 60000);
+                QList<QAbstractButton*> parts;
+                for (auto* choice : editor->findChildren<QAbstractButton*>())
+                    if (choice->property("kind") == "segment")
+                        parts << choice;
+                parts.at(part)->click();
+            });
+        for (const bool mayKeep : {true, false})
+            page(mayKeep ? "presets" : "presets, a student's", [this, mayKeep] {
+                m_window->setMayKeepPresets({}, mayKeep);
+                openPresets();
+            });
+        page("presets, all numbers", [this] {
+            openPresets();
+            child<QPushButton>("presetExpert")->click();
+        });
+        page("trial", [this] {
+            openPresets();
+            child<QPushButton>("presetTry")->click();
+            m_window->beginTrial();
+            actions().back->trigger();
+        });
+        page("attempts", [this] {
+            m_window->historyPage().setLessonTitles({{"0", "[···]"}});
+            m_window->historyPage().setHistory({charted(3), charted(2), charted(1)});
+            m_window->openHistory();
+        });
+        page("no attempts", [this] { m_window->openHistory(); });
+        page("classes", [this] {
+            m_window->classPage().setClasses({{{7}, "[···]", 3, 1}});
+            m_window->classPage().setLessonTitles({{"0", "[···]"}});
+            m_window->classPage().setOverview(classOfThree());
+            m_window->classPage().setResults(resultsOfSix(), 700, {{"a", "[···]"}, {"b", "[····]"}});
+            m_window->openClasses();
+        });
+        page("no classes", [this] { m_window->openClasses(); });
+        page("assign", [this] {
+            m_window->assignPage().setLessons({{"0", "[···]", "[··]", "[·]", {}}, {"1", "[····]", "[··]", "[·]", {}}});
+            // Of today: names of months are Qt's.
+            const std::string now = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
+            m_window->assignPage().setAssignments({{7}, "[·]", {}, {}, {}}, {{1, {7}, "1", now, 3}});
+            m_window->assignPage().confirm({{{}, database::ClassAssignment{1, {7}, "1", "", 0}}});
+            m_window->openAssign();
+        });
+        for (const auto& [name, part] : {std::pair("school, people", ui::admin::AdminPage::People),
+                                         {"school, class list", ui::admin::AdminPage::Roster},
+                                         {"school, backups", ui::admin::AdminPage::Backups},
+                                         {"school, audit", ui::admin::AdminPage::Audit},
+                                         {"school, computer", ui::admin::AdminPage::Station}})
+            page(name, [this, part = part] { openSchool(part); });
+        page("watch", [this] {
+            actions().console->trigger();
+            auto* console = child<ui::console::Console>();
+            console->execute(QStringLiteral("watch force.stiffness"));
+            console->close();
+        });
+        for (const auto& [name, task] : {std::pair("lesson", Task::RemoveDecay),
+                                         {"lesson of an ideal", Task::CutIdeal},
+                                         {"touch", Task::TouchPoints},
+                                         {"hold", Task::HoldForce},
+                                         {"layers", Task::TellLayers}})
+            page(name, [this, task = task] { beginLesson(assigned(task)); });
+        page("breach", [this] {
+            beginLesson(assigned(Task::RemoveDecay));
+            m_window->tellInfraction(breach(), true);
+        });
+        page("layers, graded", [this] {
+            beginLesson(assigned(Task::TellLayers));
+            m_window->showScore(sheet(), {});
+            actions().back->trigger();
+        });
+        page("forecast", [this] {
+            beginLesson(assigned(Task::RemoveDecay));
+            m_window->askForecast();
+        });
+        page("score", [this] { showScore(); });
+        page("talk", [this] {
+            showScore();
+            m_window->scorePage().setTalkVisible(true);
+            ui::people::TalkPanel& talk = m_window->scorePage().talk();
+            talk.setScore(512, 600, false);
+            talk.setMay(true, true);
+            database::AttemptTalk said;
+            said.comments.push_back({1, "[···]", kThen, "[···]", std::array{1.0, 2.0, 3.0}, 4000, true});
+            said.overrides.push_back({"[···]", kThen, 700, "[···]"});
+            talk.setTalk(said);
+            talk.setMoment(4000);
+            talk.setPlace(std::array{1.0, 2.0, 3.0});
+        });
+        for (const auto& [name, door] : {std::pair("login", ui::people::Door::Login),
+                                         {"new password", ui::people::Door::NewPassword},
+                                         {"new school", ui::people::Door::NewSchool},
+                                         {"own password", ui::people::Door::OwnPassword},
+                                         {"locked", ui::people::Door::Locked}})
+            page(name, [this, door = door] { m_window->askWho(door); });
+        page("login, damaged", [this] {
+            m_window->askWho(ui::people::Door::Login);
+            m_window->setUnreachable(core::Error{core::ErrorCode::BadStructure, {}}, "[···]", thenOnTheClock());
+        });
+    }
+
+    void pages()
+    {
+        QFETCH(BringUp, bringUp);
+        bringUp();
+        // A lesson that is edited is a file's own, its title the teacher's; the tooth of the window is a file.
+        // Commands are typed the same in every language.
+        // A preset has the name that it was given.
+        QStringList fromOutside{"KiB",
+                                "Qt",
+                                "natural",
+                                QString::fromStdString(lessons::shippedPresets().front().hash).left(8),
+                                "synthetic",
+                                child<QLineEdit>("draftTitle")->text(),
+                                "export   get   help   list   load   plot   reset   save   set   unwatch   watch"};
+        for (const QInputDevice* device : QInputDevice::devices())
+            for (const QString& word : device->name().split(u' '))
+                fromOutside << word;
+        for (const lessons::CriterionRule& rule : cutIdeal().lesson->rubric.criteria)
+            fromOutside << QString::fromStdString(lessons::inLanguage(rule.title, "en"));
+        // What is weighed or made on another thread says its words a little later, and pages are laid out in passes.
+        QStringList found;
+        const auto isSound = [&] {
+            found = pseudo::clipped(*m_window);
+            if (!isEnlarged())
+                found << pseudo::notTranslated(*m_window, fromOutside);
+            return found.isEmpty();
+        };
+        if (!isEnlarged())
+            QCoreApplication::installTranslator(&m_strange);
+        const auto back = qScopeGuard([this] {
+            if (!isEnlarged())
+                QCoreApplication::removeTranslator(&m_strange);
+        });
+        QCoreApplication::processEvents();
+        QVERIFY2(QTest::qWaitFor(isSound, 20000), qPrintable(found.join('\n')));
+        look();
+        pictures::keep(m_window->grab().toImage(),
+                       QString("strange-%1-%2").arg(QTest::currentDataTag()).arg(roomInside().width()));
+    }
+
+    /// Who adds a page, a card or a panel adds it to pages_data().
+    void everyPartWasBroughtUp()
+    {
+        if (m_looks < m_pages)
+            QSKIP("only some pages were opened");
+        const QStringList missing = (m_parts - m_seen).values();
+        QVERIFY2(missing.isEmpty(), qPrintable("never on the screen: " + missing.join(", ")));
+    }
+
+    void questionsAreAskedInTheLanguageOfToday()
+    {
+        QCoreApplication::installTranslator(&m_strange);
+        const auto back = qScopeGuard([this] { QCoreApplication::removeTranslator(&m_strange); });
+        SessionState session;
+        session.toothGeneration = m_generation;
+        session.undoSteps = 1;
+        session.removedMm3 = {0.0, 5.0, 0.0, 0.0};
+        m_links->session.publish(session);
+        QTRY_VERIFY(actions().undo->isEnabled());
+        m_window->close();
+        auto* question = child<QuestionCard>();
+        QVERIFY(question != nullptr && question->isVisible());
+        QCOMPARE(pseudo::notTranslated(*question), QStringList());
+        QTRY_COMPARE(pseudo::clipped(*question), QStringList());
+        QTest::keyClick(question, Qt::Key_Escape);
+    }
+
+    void messagesThatStayFollowTheLanguage()
+    {
+        m_window->showTooth(support::syntheticMolar(), ++m_generation, [] {
+            return QStringList{QCoreApplication::translate("Tooth", "enamel"), "two"};
+        });
+        m_window->showError(core::Error{core::ErrorCode::FileUnreadable, "exact"}, ui::text::Failed::OpeningScan,
+                            "a.stl");
+        m_window->offerUnfinished([] { return QCoreApplication::translate("Tooth", "enamel"); }, thenOnTheClock(),
+                                  false);
+        auto* bar = child<ui::shell::MessageBar>();
+        const QString english = bar->sentence();
+        QVERIFY2(english.contains("was not finished"), qPrintable(english));
+        ui::text::Language::choose("de");
+        const auto back = qScopeGuard([] { ui::text::Language::choose("en_GB"); });
+        QTRY_VERIFY2(bar->sentence().contains("nicht beendet"), qPrintable(bar->sentence()));
+        // What waits beneath it speaks the language of today, too.
+        bar->dismiss();
+        QVERIFY2(bar->sentence().contains("Scan") && !bar->sentence().contains("cannot be opened"),
+                 qPrintable(bar->sentence()));
+        ui::text::Language::choose("en_GB");
+        QTRY_VERIFY2(bar->sentence().contains("cannot be opened"), qPrintable(bar->sentence()));
+        bar->dismiss();
+        QCOMPARE(bar->sentence(), "2 notes about this scan");
+    }
+
+    void whatIsSaidAtTheDoorFollowsTheLanguage()
+    {
+        m_window->askWho(ui::people::Door::Login);
+        const auto back = qScopeGuard([this] {
+            ui::text::Language::choose("en_GB");
+            m_window->setWho({});
+        });
+        m_window->sayAtDoor([] { return QCoreApplication::translate("Material", "enamel"); });
+        m_window->refuseLogin({core::ErrorCode::WrongLogin, "no"});
+        const auto says = [this](const QString& words) {
+            const auto labels = m_window->findChildren<QLabel*>();
+            return std::any_of(labels.begin(), labels.end(), [&](const QLabel* one) {
+                return one->isVisibleTo(m_window.get()) && one->text().contains(words);
+            });
+        };
+        QVERIFY(says("enamel") && says("Name or password is wrong"));
+        ui::text::Language::choose("de");
+        QTRY_VERIFY(says("Schmelz") && says("Passwort ist falsch"));
+    }
+
+    void theMenuChoosesAndRemembers()
+    {
+        using ui::text::Language;
+        auto* menu = child<LanguageMenu>();
+        QStringList names;
+        for (const QAction* action : menu->actions())
+            names << action->text();
+        QVERIFY(names.contains("English") && names.contains("Deutsch"));
+        QCOMPARE(names.size(), Language::available().size());
+        QVERIFY(LanguageMenu::remembered().isEmpty());
+        menu->actions().at(names.indexOf("Deutsch"))->trigger();
+        QTRY_COMPARE(Language::current(), "de");
+        QCOMPARE(LanguageMenu::remembered(), "de");
+        QTRY_COMPARE(actions().undo->text(), "Rückgängig");
+        // Wherever it is chosen, it is chosen everywhere.
+        for (const auto* each : m_window->findChildren<LanguageMenu*>())
+            QTRY_VERIFY(each->actions().at(names.indexOf("Deutsch"))->isChecked());
+        menu->actions().at(names.indexOf("English"))->trigger();
+        QTRY_COMPARE(actions().undo->text(), "Undo");
+    }
+
+    void numbersFollowAndWhatIsNotSpokenIsEnglish()
+    {
+        using ui::text::Language;
+        for (const auto& [locale, language, number] :
+             {std::tuple("de_AT", "de", "1,5"), {"en_GB", "en", "1.5"}, {"fi_FI", "en", "1,5"}}) {
+            Language::choose(locale);
+            QCOMPARE(Language::current(), language);
+            QCOMPARE(ui::text::number(1.5, 1), number);
+        }
+        QTRY_COMPARE(actions().undo->text(), "Undo");
+        QVERIFY(!Language::isAvailable("xx") && Language::isAvailable("de_CH"));
+    }
 
 private:
-    template <class T>
-    T* child(const char* name = nullptr) const
+    void showScore()
     {
-        return m_window->findChild<T*>(name == nullptr ? QString() : QString::fromLatin1(name));
+        const lessons::Assignment assignment = assigned(Task::RemoveDecay);
+        beginLesson(assignment);
+        ui::study::ScoredWork scored;
+        scored.tooth = std::make_shared<const core::terrain::Tooth>(assignment.anatomy);
+        scored.ideal = assignment.shownIdeal();
+        scored.measured.measures = core::grading::measure(*scored.tooth);
+        scored.measured.process.emplace();
+        scored.infractions = {breach(), breach(), breach()};
+        const lessons::ScoreSheet marked = sheet();
+        m_window->showScore(marked, {attempt(512, marked.rubricHash), attempt(700, "another")},
+                            ui::study::Expectation{900, "caries_left"}, scored);
+        const lessons::Moment moment{lessons::Moment::Kind::Stroke, 100, 754000, 754.0, 128};
+        const lessons::Moment never{lessons::Moment::Kind::Never, 340, 754000, 754.0, 0};
+        m_window->scorePage().setMoments({{never, moment}, {moment}, {moment}});
+        lessons::GridNoise noise;
+        noise.half.totalTenths = 500;
+        m_window->scorePage().setNoise(noise);
+        m_window->scorePage().setClass({7, 40.0});
     }
-    Actions& actions() const { return *child<Actions>(); }
-    void practise(lessons::Task task);
-    void showScore();
-    void openSchool(ui::admin::AdminPage::Part part);
 
-    const std::shared_ptr<const core::terrain::ToothAnatomy> m_molar = support::syntheticMolar();
-    std::unique_ptr<UiLinks> m_links;
-    std::unique_ptr<MainWindow> m_window;
+    void look()
+    {
+        ++m_looks;
+        for (const QWidget* part : m_window->findChildren<QWidget*>()) {
+            const QString kind = QString::fromLatin1(part->metaObject()->className());
+            // What a menu says is read without opening it.
+            if (!kind.startsWith(u"ui::") || qobject_cast<const QMenu*>(part) != nullptr)
+                continue;
+            m_parts << kind;
+            if (part->isVisible())
+                m_seen << kind;
+        }
+    }
+
+    void openLessons()
+    {
+        m_window->setLessons(catalog(), {});
+        actions().lessons->trigger();
+    }
+
+    void openPresets()
+    {
+        m_window->setPresets(lessons::shelved({}), lessons::shippedPresets().front());
+        actions().presets->trigger();
+    }
+
+    void openSchool(ui::admin::AdminPage::Part part)
+    {
+        ui::admin::AdminPage& school = m_window->adminPage();
+        qobject_cast<QStackedWidget*>(school.parentWidget())->setCurrentWidget(&school);
+        school.show(part);
+        const database::Person person{{1},   "a",  "[···]", "[··]", "[···]", database::Role::Admin,
+                                      false, true, "",      kThen,  {{1}}};
+        school.people().setPeople({person}, {{{1}, "[···]", 1, 1}});
+        school.people().confirm({1}, [] { return QString("[···]"); });
+        school.people().showCode(person, "[···]");
+        school.roster().showOutcome({{},
+                                     {{"[···]", "[···]", database::Role::Student, {"[···]"}, true, "[···]", {}},
+                                      {"[···]", "[···]", database::Role::Student, {"[···]"}, false, {}, "[···]"}},
+                                     {}},
+                                    "[···]", true);
+        school.backups().setDatabase("[···]", false);
+        school.backups().setBackups({{"[···]", thenOnTheClock(), 1024}});
+        school.backups().finish([] { return QStringLiteral("[···]"); }, {{"%1 was removed", {"attempt:[···]"}}});
+        school.audit().setRows({{1, kThen, "", "login", "[···]", "{}", ""}}, "[···]", true);
+    }
+
     std::unique_ptr<UiLinks> m_beside;
-    void look();
     QSet<QString> m_parts;  ///< classes of ui that the window has a widget of
     QSet<QString> m_seen;   ///< those that were visible
     int m_pages = 0;
     int m_looks = 0;
     pseudo::Translator m_strange;
-    std::uint64_t m_generation = 1;
 };
-
-using BringUp = std::function<void()>;
-Q_DECLARE_METATYPE(BringUp)
-
-void TestLanguages::initTestCase()
-{
-    QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
-    applyTheme(*qApp, ThemeChoice::Light);
-    ui::text::Language::choose("en_GB");
-    if (isEnlarged())
-        QCoreApplication::installTranslator(&m_strange);
-    m_links = std::make_unique<UiLinks>();
-    m_window = std::make_unique<MainWindow>(*m_links);
-    m_window->resize(roomInside());
-    m_window->show();
-    m_window->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
-}
-
-/// The window as it is after a logout: the practice room with a whole tooth, and nothing over it.
-void TestLanguages::init()
-{
-    ui::text::Language::choose("en_GB");
-    m_window->askWho(ui::people::Door::Login);
-    m_window->leaveAll();
-    m_window->setWho({});
-    m_window->setReplaying(false);
-    m_window->hideBeside();
-    m_beside.reset();
-    m_window->setAssignment({});
-    m_links->session.publish({});
-    for (SessionCommand command; m_links->commands.tryPop(command);) {
-    }  // nobody else reads them here
-    m_window->showTooth(m_molar, m_generation++, {});
-    for (QAction* panel : {actions().section, actions().history})
-        if (panel->isChecked())
-            panel->trigger();
-    // What lies over the room is closed one by one.
-    for (int closed = 0; closed < 6; ++closed)
-        actions().back->trigger();
-}
-
-void TestLanguages::cleanupTestCase()
-{
-    m_window.reset();
-    m_links.reset();
-    m_beside.reset();
-}
-
-void TestLanguages::practise(lessons::Task task)
-{
-    const lessons::Assignment& assignment = assigned(task);
-    m_window->setAssignment(assignment);
-    m_window->showTooth(assignment.anatomy, m_generation++, {});
-}
-
-void TestLanguages::openSchool(ui::admin::AdminPage::Part part)
-{
-    ui::admin::AdminPage& school = m_window->adminPage();
-    qobject_cast<QStackedWidget*>(school.parentWidget())->setCurrentWidget(&school);
-    school.show(part);
-    const database::Person person{
-        {1}, "a", "[···]", "[··]", "[···]", database::Role::Admin, false, true, "", "2026-05-04T10:20:30Z", {{1}}};
-    school.people().setPeople({person}, {{{1}, "[···]", 1, 1}});
-    school.people().confirm({1}, [] { return QString("[···]"); });
-    school.people().showCode(person, "[···]");
-    school.roster().showOutcome({{},
-                                 {{"[···]", "[···]", database::Role::Student, {"[···]"}, true, "[···]", {}},
-                                  {"[···]", "[···]", database::Role::Student, {"[···]"}, false, {}, "[···]"}},
-                                 {}},
-                                "[···]", true);
-    school.backups().setDatabase("[···]", false);
-    school.backups().setBackups({{"[···]", QDateTime({2026, 5, 4}, {10, 20}, Qt::UTC), 1024}});
-    school.backups().finish([] { return QStringLiteral("[···]"); }, {{"%1 was removed", {"attempt:[···]"}}});
-    school.audit().setRows({{1, "2026-05-04T10:20:30Z", "", "login", "[···]", "{}", ""}}, "[···]", true);
-}
-
-void TestLanguages::showScore()
-{
-    const lessons::Assignment& assignment = assigned(lessons::Task::RemoveDecay);
-    m_window->setAssignment(assignment);
-    m_window->showTooth(assignment.anatomy, m_generation++, {});
-    ui::study::ScoredWork scored;
-    scored.tooth = std::make_shared<const core::terrain::Tooth>(assignment.anatomy);
-    scored.ideal = assignment.shownIdeal();
-    scored.measured.measures = core::grading::measure(*scored.tooth);
-    scored.measured.process.emplace();
-    scored.infractions = {breach(), breach(), breach()};
-    const lessons::ScoreSheet marked = sheet();
-    m_window->showScore(marked, {attempt(512, marked.rubricHash), attempt(700, "another")},
-                        ui::study::Expectation{900, "caries_left"}, scored);
-    const lessons::Moment moment{lessons::Moment::Kind::Stroke, 100, 754000, 754.0, 128};
-    const lessons::Moment never{lessons::Moment::Kind::Never, 340, 754000, 754.0, 0};
-    m_window->scorePage().setMoments({{never, moment}, {moment}, {moment}});
-    lessons::GridNoise noise;
-    noise.half.totalTenths = 500;
-    m_window->scorePage().setNoise(noise);
-    m_window->scorePage().setClass({7, 40.0});
-}
-
-void TestLanguages::look()
-{
-    ++m_looks;
-    for (const QWidget* part : m_window->findChildren<QWidget*>()) {
-        const QString kind = QString::fromLatin1(part->metaObject()->className());
-        // What a menu says is read without opening it.
-        if (!kind.startsWith(u"ui::") || qobject_cast<const QMenu*>(part) != nullptr)
-            continue;
-        m_parts << kind;
-        if (part->isVisible())
-            m_seen << kind;
-    }
-}
-
-void TestLanguages::pages_data()
-{
-    QTest::addColumn<BringUp>("bringUp");
-    m_pages = 0;
-    const auto page = [this](const char* name, const BringUp& bringUp) {
-        ++m_pages;
-        QTest::newRow(name) << bringUp;
-    };
-    page("practice", [this] {
-        SessionState session;
-        session.toothGeneration = m_generation - 1;
-        session.removedMm3 = {0.0, 188.88, 188.88, 0.0};
-        m_links->session.publish(session);
-    });
-    page("section", [this] { actions().section->trigger(); });
-    page("stereo", [this] { actions().stereoPage->trigger(); });
-    page("history", [this] { actions().history->trigger(); });
-    page("busy", [this] {
-        m_window->showBusy("[···]");
-        QTRY_VERIFY(child<BusyCard>()->isVisible());
-    });
-    page("message", [this] { m_window->showMessage("[···]"); });
-    page("replay", [this] {
-        m_window->setReplaying(true, 60.0);
-        m_beside = std::make_unique<UiLinks>();
-        m_window->showBeside(*m_beside, m_molar, 1, {}, "[···]");
-    });
-    page("tour", [this] { m_window->beginTour(); });
-    page("help", [this] { actions().help->trigger(); });
-    page("teeth", [this] { actions().chooseTooth->trigger(); });
-    page("mouth", [this] {
-        if (Mouth::isPossible())
-            actions().mouth->trigger();
-    });
-    page("xray", [this] {
-        actions().radiograph->trigger();
-        QTRY_VERIFY(child<ui::inside::XrayPage>()->isReady());
-    });
-    page("lessons", [this] {
-        const QDateTime now = QDateTime::currentDateTime();
-        m_window->setLessons(
-            catalog(),
-            {{"decay-21-small", {3, 872, true, "2026-05-04T10:20:30Z"}},
-             {"class1-36", {3, 572, false, "2026-05-05T10:20:30Z"}}},
-            {{"class1-36", {"[···]", now.addDays(-2), 2}}, {"decay-36-small", {"[···]", now.addDays(1), {}}}});
-        actions().lessons->trigger();
-    });
-    page("feedback", [this] {
-        m_window->setLessons(catalog(), {});
-        m_window->setFeedback({{{1}, "class1-36", "[···]", "2026-05-04T10:20:30Z", true}});
-        actions().lessons->trigger();
-    });
-    page("unfinished", [this] {
-        m_window->setLessons(catalog(), {});
-        actions().lessons->trigger();
-        m_window->offerUnfinished([] { return QString("[···]"); }, QDateTime({2026, 5, 4}, {10, 20}, Qt::UTC), false);
-    });
-    page("no lesson", [this] {
-        m_window->setLessons(catalog(), {});
-        actions().lessons->trigger();
-        child<ui::study::LessonsPage>()->findChild<QLineEdit*>()->setText("0x0x0");
-    });
-    for (const int part : {0, 1})
-        page(part == 0 ? "editor" : "editor, past attempts", [this, part] {
-            auto* editor = child<ui::study::LessonEditor>();
-            const lessons::ReadLesson& read =
-                std::find_if(shipped().begin(), shipped().end(), [](const CatalogEntry& entry) {
-                    return entry.read.lesson && entry.read.lesson->task == lessons::Task::CutIdeal;
-                })->read;
-            editor->edit(read, QDir::temp().filePath(QStringLiteral("no such folder")));
-            qobject_cast<QStackedWidget*>(editor->parentWidget())->setCurrentWidget(editor);
-            QTRY_VERIFY_WITH_TIMEOUT(!editor->findChild<QLabel*>("selfCheck")->text().isEmpty(), 60000);
-            QList<QAbstractButton*> parts;
-            for (auto* choice : editor->findChildren<QAbstractButton*>())
-                if (choice->property("kind") == "segment")
-                    parts << choice;
-            parts.at(part)->click();
-        });
-    for (const bool mayKeep : {true, false})
-        page(mayKeep ? "presets" : "presets, a student's", [this, mayKeep] {
-            m_window->setPresets(lessons::shelved({}), lessons::shippedPresets().front());
-            m_window->setMayKeepPresets({}, mayKeep);
-            actions().presets->trigger();
-        });
-    page("presets, all numbers", [this] {
-        m_window->setPresets(lessons::shelved({}), lessons::shippedPresets().front());
-        actions().presets->trigger();
-        child<QPushButton>("presetExpert")->click();
-    });
-    page("trial", [this] {
-        m_window->setPresets(lessons::shelved({}), lessons::shippedPresets().front());
-        actions().presets->trigger();
-        child<QPushButton>("presetTry")->click();
-        m_window->beginTrial();
-        actions().back->trigger();
-    });
-    page("attempts", [this] {
-        m_window->historyPage().setLessonTitles({{"0", "[···]"}});
-        m_window->historyPage().setHistory({charted(3), charted(2), charted(1)});
-        m_window->openHistory();
-    });
-    page("no attempts", [this] { m_window->openHistory(); });
-    page("classes", [this] {
-        m_window->classPage().setClasses({{{7}, "[···]", 3, 1}});
-        m_window->classPage().setLessonTitles({{"0", "[···]"}});
-        m_window->classPage().setOverview(classOfThree());
-        m_window->classPage().setResults(resultsOfSix(), 700, {{"a", "[···]"}, {"b", "[····]"}});
-        m_window->openClasses();
-    });
-    page("no classes", [this] { m_window->openClasses(); });
-    page("assign", [this] {
-        m_window->assignPage().setLessons({{"0", "[···]", "[··]", "[·]", {}}, {"1", "[····]", "[··]", "[·]", {}}});
-        // Of today: names of months are Qt's.
-        const std::string now = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
-        m_window->assignPage().setAssignments({{7}, "[·]", {}, {}, {}}, {{1, {7}, "1", now, 3}});
-        m_window->assignPage().confirm({{{}, database::ClassAssignment{1, {7}, "1", "", 0}}});
-        m_window->openAssign();
-    });
-    for (const auto& [name, part] : {std::pair("school, people", ui::admin::AdminPage::People),
-                                     {"school, class list", ui::admin::AdminPage::Roster},
-                                     {"school, backups", ui::admin::AdminPage::Backups},
-                                     {"school, audit", ui::admin::AdminPage::Audit},
-                                     {"school, computer", ui::admin::AdminPage::Station}})
-        page(name, [this, part = part] { openSchool(part); });
-    page("settings", [this] { actions().settings->trigger(); });
-    page("console", [this] { actions().console->trigger(); });
-    page("watch", [this] {
-        actions().console->trigger();
-        auto* console = child<ui::console::Console>();
-        console->execute(QStringLiteral("watch force.stiffness"));
-        console->close();
-    });
-    page("lesson", [this] { practise(lessons::Task::RemoveDecay); });
-    page("lesson of an ideal", [this] { practise(lessons::Task::CutIdeal); });
-    page("breach", [this] {
-        practise(lessons::Task::RemoveDecay);
-        m_window->tellInfraction(breach(), true);
-    });
-    page("touch", [this] { practise(lessons::Task::TouchPoints); });
-    page("hold", [this] { practise(lessons::Task::HoldForce); });
-    page("layers", [this] { practise(lessons::Task::TellLayers); });
-    page("layers, graded", [this] {
-        practise(lessons::Task::TellLayers);
-        m_window->showScore(sheet(), {});
-        actions().back->trigger();
-    });
-    page("forecast", [this] {
-        practise(lessons::Task::RemoveDecay);
-        m_window->askForecast();
-    });
-    page("score", [this] { showScore(); });
-    page("talk", [this] {
-        showScore();
-        m_window->scorePage().setTalkVisible(true);
-        ui::people::TalkPanel& talk = m_window->scorePage().talk();
-        talk.setScore(512, 600, false);
-        talk.setMay(true, true);
-        database::AttemptTalk said;
-        said.comments.push_back({1, "[···]", "2026-05-04T10:20:30Z", "[···]", std::array{1.0, 2.0, 3.0}, 4000, true});
-        said.overrides.push_back({"[···]", "2026-05-04T10:20:30Z", 700, "[···]"});
-        talk.setTalk(said);
-        talk.setMoment(4000);
-        talk.setPlace(std::array{1.0, 2.0, 3.0});
-    });
-    for (const auto& [name, door] : {std::pair("login", ui::people::Door::Login),
-                                     {"new password", ui::people::Door::NewPassword},
-                                     {"new school", ui::people::Door::NewSchool},
-                                     {"own password", ui::people::Door::OwnPassword},
-                                     {"locked", ui::people::Door::Locked}})
-        page(name, [this, door = door] { m_window->askWho(door); });
-    page("login, damaged", [this] {
-        m_window->askWho(ui::people::Door::Login);
-        m_window->setUnreachable(core::Error{core::ErrorCode::BadStructure, {}}, "[···]",
-                                 QDateTime({2026, 5, 4}, {10, 20}, Qt::UTC));
-    });
-}
-
-void TestLanguages::pages()
-{
-    QFETCH(BringUp, bringUp);
-    bringUp();
-    // A lesson that is edited is a file's own, its title the teacher's; the tooth of the window is a file.
-    // Commands are typed the same in every language.
-    // A preset has the name that it was given.
-    QStringList fromOutside{"KiB",
-                            "Qt",
-                            "natural",
-                            QString::fromStdString(lessons::shippedPresets().front().hash).left(8),
-                            "synthetic",
-                            child<QLineEdit>("draftTitle")->text(),
-                            "export   get   help   list   load   plot   reset   save   set   unwatch   watch"};
-    for (const QInputDevice* device : QInputDevice::devices())
-        for (const QString& word : device->name().split(u' '))
-            fromOutside << word;
-    for (const lessons::CriterionRule& rule : lessonOf(lessons::Task::CutIdeal).rubric.criteria)
-        fromOutside << QString::fromStdString(lessons::inLanguage(rule.title, "en"));
-    // What is weighed or made on another thread says its words a little later, and pages are laid out in passes.
-    QStringList found;
-    const auto isSound = [&] {
-        found = pseudo::clipped(*m_window);
-        if (!isEnlarged())
-            found << pseudo::notTranslated(*m_window, fromOutside);
-        return found.isEmpty();
-    };
-    if (!isEnlarged())
-        QCoreApplication::installTranslator(&m_strange);
-    const auto back = qScopeGuard([this] {
-        if (!isEnlarged())
-            QCoreApplication::removeTranslator(&m_strange);
-    });
-    QCoreApplication::processEvents();
-    QVERIFY2(QTest::qWaitFor(isSound, 20000), qPrintable(found.join('\n')));
-    look();
-    // To be looked at.
-    if (const QString folder = qEnvironmentVariable("CUSP_PICTURES"); !folder.isEmpty())
-        m_window->grab().save(
-            QString("%1/strange-%2-%3.png").arg(folder, QTest::currentDataTag()).arg(roomInside().width()));
-}
-
-/// Who adds a page, a card or a panel adds it to pages_data().
-void TestLanguages::everyPartWasBroughtUp()
-{
-    if (m_looks < m_pages)
-        QSKIP("only some pages were opened");
-    const QStringList missing = (m_parts - m_seen).values();
-    QVERIFY2(missing.isEmpty(), qPrintable("never on the screen: " + missing.join(", ")));
-}
-
-void TestLanguages::questionsAreAskedInTheLanguageOfToday()
-{
-    QCoreApplication::installTranslator(&m_strange);
-    const auto back = qScopeGuard([this] { QCoreApplication::removeTranslator(&m_strange); });
-    SessionState session;
-    session.toothGeneration = m_generation - 1;
-    session.undoSteps = 1;
-    session.removedMm3 = {0.0, 5.0, 0.0, 0.0};
-    m_links->session.publish(session);
-    QTRY_VERIFY(actions().undo->isEnabled());
-    m_window->close();
-    auto* question = child<QuestionCard>();
-    QVERIFY(question != nullptr && question->isVisible());
-    QCOMPARE(pseudo::notTranslated(*question), QStringList());
-    QTRY_COMPARE(pseudo::clipped(*question), QStringList());
-    QTest::keyClick(question, Qt::Key_Escape);
-}
-
-void TestLanguages::messagesThatStayFollowTheLanguage()
-{
-    m_window->showTooth(m_molar, m_generation++, [] {
-        return QStringList{QCoreApplication::translate("Tooth", "enamel"), "two"};
-    });
-    m_window->showError(core::Error{core::ErrorCode::FileUnreadable, "exact"}, ui::text::Failed::OpeningScan, "a.stl");
-    m_window->offerUnfinished([] { return QCoreApplication::translate("Tooth", "enamel"); },
-                              QDateTime({2026, 5, 4}, {10, 20}, Qt::UTC), false);
-    auto* bar = child<ui::shell::MessageBar>();
-    const QString english = bar->sentence();
-    QVERIFY2(english.contains("was not finished"), qPrintable(english));
-    ui::text::Language::choose("de");
-    const auto back = qScopeGuard([] { ui::text::Language::choose("en_GB"); });
-    QTRY_VERIFY2(bar->sentence().contains("nicht beendet"), qPrintable(bar->sentence()));
-    // What waits beneath it speaks the language of today, too.
-    bar->dismiss();
-    QVERIFY2(bar->sentence().contains("Scan") && !bar->sentence().contains("cannot be opened"),
-             qPrintable(bar->sentence()));
-    ui::text::Language::choose("en_GB");
-    QTRY_VERIFY2(bar->sentence().contains("cannot be opened"), qPrintable(bar->sentence()));
-    bar->dismiss();
-    QCOMPARE(bar->sentence(), "2 notes about this scan");
-}
-
-void TestLanguages::whatIsSaidAtTheDoorFollowsTheLanguage()
-{
-    m_window->askWho(ui::people::Door::Login);
-    const auto back = qScopeGuard([this] {
-        ui::text::Language::choose("en_GB");
-        m_window->setWho({});
-    });
-    m_window->sayAtDoor([] { return QCoreApplication::translate("Material", "enamel"); });
-    m_window->refuseLogin({core::ErrorCode::WrongLogin, "no"});
-    const auto says = [this](const QString& words) {
-        const auto labels = m_window->findChildren<QLabel*>();
-        return std::any_of(labels.begin(), labels.end(), [&](const QLabel* one) {
-            return one->isVisibleTo(m_window.get()) && one->text().contains(words);
-        });
-    };
-    QVERIFY(says("enamel") && says("Name or password is wrong"));
-    ui::text::Language::choose("de");
-    QTRY_VERIFY(says("Schmelz") && says("Passwort ist falsch"));
-}
-
-void TestLanguages::theMenuChoosesAndRemembers()
-{
-    using ui::text::Language;
-    auto* menu = child<LanguageMenu>();
-    QStringList names;
-    for (const QAction* action : menu->actions())
-        names << action->text();
-    QVERIFY(names.contains("English") && names.contains("Deutsch"));
-    QCOMPARE(names.size(), Language::available().size());
-    QVERIFY(LanguageMenu::remembered().isEmpty());
-    menu->actions().at(names.indexOf("Deutsch"))->trigger();
-    QTRY_COMPARE(Language::current(), "de");
-    QCOMPARE(LanguageMenu::remembered(), "de");
-    QTRY_COMPARE(actions().undo->text(), "Rückgängig");
-    // Wherever it is chosen, it is chosen everywhere.
-    for (const auto* each : m_window->findChildren<LanguageMenu*>())
-        QTRY_VERIFY(each->actions().at(names.indexOf("Deutsch"))->isChecked());
-    menu->actions().at(names.indexOf("English"))->trigger();
-    QTRY_COMPARE(actions().undo->text(), "Undo");
-}
-
-void TestLanguages::numbersAndDatesFollow()
-{
-    ui::text::Language::choose("de_AT");
-    QCOMPARE(QLocale(), QLocale("de_AT"));
-    QCOMPARE(ui::text::Language::current(), "de");
-    QCOMPARE(ui::text::number(1.5, 1), "1,5");
-    const QDateTime now(QDate(2026, 12, 17), QTime(14, 5));
-    QCOMPARE(ui::people::whenShort("2026-11-17T12:00:00Z", now), "17. Nov.");
-    ui::text::Language::choose("en_GB");
-    QCOMPARE(ui::text::number(1.5, 1), "1.5");
-    QCOMPARE(ui::people::whenShort("2026-11-17T12:00:00Z", now), "17 Nov");
-}
-
-void TestLanguages::whatIsNotSpokenIsEnglish()
-{
-    QVERIFY(!ui::text::Language::isAvailable("xx"));
-    QVERIFY(ui::text::Language::isAvailable("de_CH"));
-    ui::text::Language::choose("fi_FI");
-    QCOMPARE(ui::text::Language::current(), "en");
-    QTRY_COMPARE(actions().undo->text(), "Undo");
-}
 
 int main(int argc, char* argv[])
 {
