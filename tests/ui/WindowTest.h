@@ -197,6 +197,7 @@ protected:
         QTest::keyClick(QApplication::focusWidget() != nullptr ? QApplication::focusWidget() : m_window.get(), key,
                         modifiers);
     }
+    void press(const QKeySequence& keys) const { press(keys[0].key(), keys[0].keyboardModifiers()); }
     /// Accepts the open file dialog with this path.
     void accept(const QString& path) const
     {

@@ -37,30 +37,423 @@ private slots:
     void init() { begin(); }
     void cleanup() { end(); }
 
-    void keysLeadToPagesAndEscapeBack_data();
-    void keysLeadToPagesAndEscapeBack();
+    void keysLeadToPagesAndEscapeBack_data()
+    {
+        QTest::addColumn<QKeySequence>("key");
+        QTest::addColumn<QByteArray>("page");
+        QTest::newRow("lessons") << QKeySequence("F2") << QByteArray("ui::study::LessonsPage");
+        QTest::newRow("teeth") << QKeySequence("T") << QByteArray("ui::shell::ToothChooser");
+        QTest::newRow("films") << QKeySequence("F") << QByteArray("ui::inside::XrayPage");
+        QTest::newRow("presets") << QKeySequence("F7") << QByteArray("ui::presets::PresetsPage");
+        QTest::newRow("settings") << QKeySequence("Ctrl+,") << QByteArray("ui::settings::SettingsPage");
+    }
 
-    void aRefusedPasswordIsTypedAnew();
-    void whatIsWaitedForAtTheDoorIsTold();
-    void aGuestIsToldThatNothingIsKept();
-    void aPlaceThatWasLeftIsLocked();
-    void nothingStaysOpenOverTheLock();
-    void nothingOfWhoLeftStays();
-    void aReturnAtTheLockIsNoWrongPassword();
+    void keysLeadToPagesAndEscapeBack()
+    {
+        QFETCH(QKeySequence, key);
+        QFETCH(QByteArray, page);
+        press(key);
+        QCOMPARE(QByteArray(m_window->page()->metaObject()->className()), page);
+        QVERIFY(!isInRoom());
+        press(Qt::Key_Escape);
+        QVERIFY(isInRoom() && m_window->view().hasFocus());
+    }
 
-    void typingSearchesTheLessons();
-    void cardsTellTheBestScore();
-    void lessonsAreFiltered();
-    void usedUpAttemptsAreToldBeforeTheStart();
-    void theForecastIsAnsweredWithTheKeys();
-    void anotherToothIsChosen();
-    void theScoreAddsUp();
+    void aRefusedPasswordIsTypedAnew()
+    {
+        m_window->askWho(Door::NewSchool);
+        for (const char* name : {"password", "passwordAgain"})
+            child<QLineEdit>(name)->setText("password1");
+        m_window->refuseLogin({core::ErrorCode::OutOfRange, "everybody tries it first"});
+        QCOMPARE(QApplication::focusWidget(), child<QLineEdit>("password"));
+        for (const char* name : {"password", "passwordAgain"})
+            QVERIFY(child<QLineEdit>(name)->text().isEmpty());
+    }
 
-    void theFirstWindowFitsTheScreen();
-    void everyControlHasAName();
-    void nothingIsClipped_data();
-    void nothingIsClipped();
-    void coloursCanBeRead();
+    /// Of a large file, or one whose disk has much to do; what takes a moment is not.
+    void whatIsWaitedForAtTheDoorIsTold()
+    {
+        m_window->askWho(Door::Login);
+        auto* waiting = child<QLabel>("waiting");
+        m_window->setOpening(true);
+        QVERIFY(!waiting->isVisible());
+        QTRY_VERIFY(waiting->isVisible());
+        m_window->setOpening(false);
+        QVERIFY(!waiting->isVisible());
+        child<QLineEdit>("username")->setText("ann");
+        child<QLineEdit>("password")->setText("something");
+        QTest::keyClick(child<QLineEdit>("password"), Qt::Key_Return);
+        QVERIFY(!waiting->isVisible());
+        QTRY_VERIFY(waiting->isVisible());
+        QVERIFY(child<QPushButton>("practiseAsGuest")->isEnabled());
+        m_window->refuseLogin({core::ErrorCode::WrongLogin, "wrong"});
+        QVERIFY(!waiting->isVisible());
+    }
+
+    void aGuestIsToldThatNothingIsKept()
+    {
+        const auto isTold = [this] {
+            const auto signs = m_window->findChildren<QLabel*>(QStringLiteral("guestSign"));
+            return std::any_of(signs.begin(), signs.end(), [](const QLabel* sign) { return sign->isVisible(); });
+        };
+        QVERIFY(isTold());
+        actions().lessons->trigger();
+        QVERIFY(isTold());
+        m_window->showScore(sheet(3.2, 40, 0.5), {});
+        QVERIFY(isTold());
+        m_window->setWho(school().student);
+        QVERIFY(!isTold());
+        actions().back->trigger();
+        QVERIFY(isInRoom() && !isTold());
+        // Else in whose name one drills.
+        const auto* name = child<QLabel>("accountName");
+        QVERIFY(name->isVisible());
+        QCOMPARE(name->text(), QString::fromStdString(school().student.username()));
+        m_window->setWho({});
+        QVERIFY(isTold() && !name->isVisible());
+    }
+
+    void aPlaceThatWasLeftIsLocked()
+    {
+        spoil();
+        auto* door = child<LoginPage>();
+        m_window->setIdleLimit(std::chrono::milliseconds(300));
+        QTest::qWait(500);  // time is the subject: a guest has nothing to lock, however long nothing is touched
+        QVERIFY(!door->isVisible());
+        m_window->setWho(school().student);
+        QTRY_VERIFY(door->isVisible());
+        QCOMPARE(door->door(), Door::Locked);
+        // No key leads past it, and what others want to show waits behind it.
+        for (QAction* action : {actions().lessons, actions().attempts, actions().grade, actions().back, actions().help})
+            QVERIFY(!action->isEnabled());
+        QTest::keyClick(m_window.get(), Qt::Key_Escape);
+        m_window->showScore(sheet(3.2, 40, 0.5), {});
+        QVERIFY(door->isVisible());
+        // When the student is back, they find it as it is now.
+        m_window->setWho(school().student);
+        QVERIFY(!door->isVisible() && child<ScorePage>()->isVisible());
+    }
+
+    /// What the one who left had open would go on working for whoever comes by.
+    void nothingStaysOpenOverTheLock()
+    {
+        spoil();
+        m_window->setWho(school().student);
+        cutSomething(1.0);
+        const auto lockAndComeBack = [&] {
+            m_window->askWho(Door::Locked);
+            QVERIFY(child<LoginPage>()->isVisible());
+            for (const QWidget* window : m_window->findChildren<QWidget*>())
+                QVERIFY2(!window->isWindow() || !window->isVisible(), window->metaObject()->className());
+            m_window->setWho(school().student);
+        };
+        QSignalSpy save(m_window.get(), &MainWindow::recordingSaveRequested);
+        actions().saveRecording->trigger();
+        QVERIFY(child<QFileDialog>() != nullptr);
+        lockAndComeBack();
+        QCOMPARE(save.size(), 0);
+        QTRY_VERIFY(child<QFileDialog>() == nullptr);
+        QMenu menu(m_window.get());
+        menu.addAction(QStringLiteral("something"));
+        menu.popup(m_window->mapToGlobal(QPoint(10, 10)));
+        QTRY_VERIFY(menu.isVisible());
+        lockAndComeBack();
+        QSignalSpy chosen(m_window.get(), &MainWindow::toothChosen);
+        press(Qt::Key_T);
+        press(Qt::Key_Return);
+        QVERIFY(question() != nullptr && question()->isVisible());
+        m_window->askWho(Door::Locked);
+        QTRY_VERIFY(question() == nullptr);
+        QCOMPARE(chosen.size(), 0);
+    }
+
+    void nothingOfWhoLeftStays()
+    {
+        spoil();
+        auto* console = child<ui::console::Console>();
+        actions().console->trigger();
+        console->execute(QStringLiteral("get force.stiffness"));
+        console->execute(QStringLiteral("watch force.stiffness"));
+        auto* line = child<QLineEdit>("consoleLine");
+        line->setText(QStringLiteral("list"));
+        QTest::keyClick(line, Qt::Key_Return);
+        const double usualN = m_window->view().pushForce();
+        m_window->view().setPushForce(usualN + 1.0);
+        m_window->leaveAll();
+        QCOMPARE(m_window->view().pushForce(), usualN);
+        QVERIFY(!console->isVisible());
+        QVERIFY(child<ui::console::WatchPanel>()->names().isEmpty());
+        actions().console->trigger();
+        QVERIFY(!child<QPlainTextEdit>("consoleOutput")->toPlainText().contains("force.stiffness"));
+        QTest::keyClick(line, Qt::Key_Up);
+        QCOMPARE(line->text(), QString());
+    }
+
+    /// It may have been meant for what was open before.
+    void aReturnAtTheLockIsNoWrongPassword()
+    {
+        m_window->setWho(school().student);
+        m_window->askWho(Door::Locked);
+        QSignalSpy wanted(m_window.get(), &MainWindow::loginWanted);
+        auto* password = child<QLineEdit>("password");
+        QTest::keyClick(password, Qt::Key_Return);
+        QCOMPARE(wanted.size(), 0);
+        QVERIFY(password->isEnabled());
+        password->setText(QStringLiteral("something"));
+        QTest::keyClick(password, Qt::Key_Return);
+        QCOMPARE(wanted.size(), 1);
+        spoil();
+    }
+
+    void typingSearchesTheLessons()
+    {
+        m_window->setLessons(support::catalog(), {});
+        QSignalSpy begun(child<LessonsPage>(), &LessonsPage::lessonChosen);
+        actions().lessons->trigger();
+        auto* list = child<QListView>("lessonList");
+        QVERIFY(list->hasFocus());
+        // Pages are turned with the keys.
+        const int first = list->currentIndex().row();
+        press(Qt::Key_PageDown);
+        QVERIFY(list->currentIndex().row() > first + 1);
+        press(Qt::Key_PageUp);
+        QCOMPARE(list->currentIndex().row(), first);
+        // Wherever one is; the letters are no shortcuts here.
+        for (const Qt::Key key : {Qt::Key_T, Qt::Key_E, Qt::Key_M})
+            press(key);
+        QCOMPARE(search()->text().toLower(), QString("tem"));
+        QVERIFY(child<LessonsPage>()->isVisible() && search()->hasFocus());
+        QVERIFY2(!child<QPushButton>("startLesson")->isEnabled(), "nothing fits");
+        // The first that fits is chosen, also where another one that fits was chosen before.
+        search()->setText("class1-36");
+        QCOMPARE(lessonTitle(), QString("Class I on 36"));
+        search()->setText("36");
+        QCOMPARE(lessonTitle(), QString("Touch the points"));
+        search()->setText("class1-37");
+        search()->clear();
+        QCOMPARE(lessonTitle(), QString("Class I on 37"));
+        // Typed from the list, a new search begins.
+        search()->setText("37");
+        press(Qt::Key_Down);
+        QVERIFY(list->hasFocus());
+        press(Qt::Key_2);
+        QCOMPARE(search()->text(), QString("2"));
+        search()->setText("class1-26");
+        press(Qt::Key_Return);
+        QCOMPARE(begun.size(), 1);
+        QCOMPARE(QString::fromStdString(begun.front().front().value<lessons::Lesson>().id), QString("class1-26"));
+    }
+
+    void cardsTellTheBestScore()
+    {
+        auto* list = child<QListView>("lessonList");
+        actions().lessons->trigger();
+        m_window->setLessons(support::catalog(), {{"class1-34", {2, 603, false, "2026-11-20T10:00:00Z"}},
+                                                  {"class1-36", {3, 917, true, "2026-11-20T11:00:00Z"}}});
+        for (const auto& [lesson, score, passed] :
+             {std::tuple("class1-34", "60.3", false), {"class1-36", "✓ 91.7", true}, {"class1-37", "", false}}) {
+            search()->setText(lesson);
+            QCOMPARE(cards().size(), 1);
+            const QModelIndex card = list->currentIndex();
+            QCOMPARE(card.data(ui::study::CardScore).toString(), QString::fromUtf8(score));
+            QCOMPARE(card.data(ui::study::CardPassed).toBool(), passed);
+        }
+    }
+
+    void lessonsAreFiltered()
+    {
+        auto* page = child<LessonsPage>();
+        std::vector<lessons::CatalogEntry> entries = support::catalog();
+        for (lessons::CatalogEntry& entry : entries)
+            if (entry.read.lesson->id == "class1-24")
+                entry.read.lesson->exam = true;
+        const auto all = static_cast<qsizetype>(entries.size());
+        const std::map<std::string, ui::study::Standing> standings{
+            {"class1-36", {2, 603, false, "2026-11-20T10:00:00Z"}},
+            {"class1-37", {1, 917, true, "2026-11-20T11:00:00Z"}}};
+        const ui::study::Given given{"Year 1", {}, {}};
+        page->setLessons(entries, standings, {{"class1-36", given}, {"class1-37", given}, {"class1-26", given}});
+        actions().lessons->trigger();
+        const auto filter = [page](const char* words) {
+            const auto buttons = page->findChildren<QPushButton*>();
+            return *std::find_if(buttons.begin(), buttons.end(), [words](const QPushButton* button) {
+                return button->isCheckable() && button->text() == QLatin1String(words);
+            });
+        };
+        const auto shown = [&](const char* words) {
+            QTest::mouseClick(filter(words), Qt::LeftButton);
+            return cards();
+        };
+        QVERIFY(filter("All")->isChecked());
+        QCOMPARE(cards().size(), all);
+        QCOMPARE(shown("To do"), (QStringList{"Class I on 36", "Class I on 26"}));
+        QCOMPARE(shown("Passed"), QStringList{"Class I on 37"});
+        QCOMPARE(shown("Exams"), QStringList{"Class I on 24"});
+        QVERIFY(filter("Exams")->isChecked() && !filter("All")->isChecked());
+        // Beside what is searched for.
+        search()->setText("class1-36");
+        QCOMPARE(shown("Passed"), QStringList());
+        QCOMPARE(lessonTitle(), QString("No lesson fits"));
+        QCOMPARE(shown("All"), QStringList{"Class I on 36"});
+        // For a student to whom nothing was given, everything that is not passed is to do.
+        search()->clear();
+        page->setLessons(entries, standings);
+        QCOMPARE(shown("To do").size(), all - 1);
+        // The next person begins with all.
+        page->forget();
+        QVERIFY(filter("All")->isChecked());
+        QCOMPARE(cards().size(), all);
+    }
+
+    void usedUpAttemptsAreToldBeforeTheStart()
+    {
+        QSignalSpy begun(child<LessonsPage>(), &LessonsPage::lessonChosen);
+        actions().lessons->trigger();
+        for (const int left : {1, 0}) {
+            m_window->setLessons(support::catalog(), {}, {{"class1-37", {"Year 1", {}, left}}});
+            search()->setText("class1-37");
+            QCOMPARE(child<QPushButton>("startLesson")->isEnabled(), left > 0);
+            QCOMPARE(child<QLabel>("whyNotStart")->isVisible(), left == 0);
+            const QModelIndex card = child<QListView>("lessonList")->currentIndex();
+            QCOMPARE(card.data(ui::study::CardIsUsedUp).toBool(), left == 0);
+        }
+        search()->setFocus();
+        press(Qt::Key_Return);
+        QCOMPARE(begun.size(), 0);
+    }
+
+    void theForecastIsAnsweredWithTheKeys()
+    {
+        m_window->setAssignment(support::assigned("class1-36"));
+        m_window->askForecast();
+        QSignalSpy given(m_window.get(), &MainWindow::forecastGiven);
+        press(Qt::Key_Right);
+        press(Qt::Key_Tab);
+        auto* show = child<QPushButton>("showScore");
+        QVERIFY(!show->isEnabled());
+        press(Qt::Key_Down);
+        press(Qt::Key_Return);
+        QVERIFY2(show->isEnabled(), "the answer is chosen");
+        QCOMPARE(given.size(), 0);
+        press(Qt::Key_Return);
+        QCOMPARE(given.size(), 1);
+    }
+
+    void anotherToothIsChosen()
+    {
+        QSignalSpy chosen(m_window.get(), &MainWindow::toothChosen);
+        press(Qt::Key_T);
+        auto* arches = child<ToothChooser>()->findChild<ArchView*>();
+        QCOMPARE(arches->selected(), 36);
+        const auto teeth = arches->findChildren<ArchTooth*>();
+        QCOMPARE(teeth.size(), 16);
+        for (ArchTooth* tooth : teeth) {
+            // The rectangles of neighbours overlap, their middles do not.
+            QTest::mouseClick(arches, Qt::LeftButton, {}, tooth->geometry().center());
+            QCOMPARE(arches->selected(), tooth->fdi());
+        }
+        arches->setSelected(24);
+        click("takeTooth");
+        QCOMPARE(chosen.takeFirst().front().toInt(), 24);
+        QVERIFY(isInRoom());
+        press(Qt::Key_T);
+        arches->setSelected(36);
+        for (const auto& [key, fdi] :
+             {std::pair(Qt::Key_Right, 37), {Qt::Key_Up, 27}, {Qt::Key_Left, 26}, {Qt::Key_Down, 36}}) {
+            press(key);
+            QCOMPARE(arches->selected(), fdi);
+        }
+        press(Qt::Key_Return);
+        QCOMPARE(chosen.takeFirst().front().toInt(), 36);
+    }
+
+    void theScoreAddsUp()
+    {
+        const lessons::ScoreSheet s = sheet(3.2, 9.81, 0);
+        database::AttemptRecord now;
+        now.scoreTenths = s.totalTenths;
+        now.finishedUtc = "2026-11-20T10:15:00Z";
+        database::AttemptRecord before = now;
+        before.scoreTenths = 610;
+        m_window->showScore(s, {now, before});
+        QVERIFY(child<ScorePage>()->isVisible());
+        QCOMPARE(figure("total"), QString("84.0"));
+        QCOMPARE(child<QLabel>("verdict")->text(), QString("Passed"));
+        QCOMPARE(child<QLabel>("sum")->text(), QString("100.0 − 4.4 − 11.6 − 0.0 = 84.0"));
+        QCOMPARE(figure("lost_caries_left"), QString("−4.4"));
+        QCOMPARE(figure("lost_sound_tissue"), QString("−11.6"));
+        QCOMPARE(figure("lost_pulp_exposure"), QString("0"));
+        const auto listed = child<ScorePage>()->findChildren<TabularLabel*>();
+        QVERIFY(std::any_of(listed.begin(), listed.end(), [](const auto* label) { return label->text() == "61.0"; }));
+        QVERIFY(!child<QLabel>("historyRemark")->isVisible());
+        // A second grade replaces the first.
+        m_window->showScore(sheet(40, 30, 0), {});
+        QCOMPARE(child<QLabel>("verdict")->text(), QString("Not passed yet"));
+        QCOMPARE(child<QLabel>("sum")->text(), QString("100.0 − 60.0 − 40.0 − 0.0 = 0.0"));
+        QCOMPARE(child<ScorePage>()->findChildren<TabularLabel*>("lost_caries_left").size(), 1);
+        QVERIFY(child<QLabel>("historyRemark")->isVisible());
+        // A critical fault fails good work.
+        m_window->showScore(sheet(0, 0, 0.1), {});
+        QCOMPARE(figure("total"), QString("0.0"));
+        QVERIFY(child<QLabel>("verdict")->text().startsWith("Not passed"));
+        press(Qt::Key_Return);
+        QVERIFY2(isInRoom(), "the next step is one key away");
+    }
+
+    void theFirstWindowFitsTheScreen()
+    {
+        for (const auto& [screen, size] : {std::pair(QSize(1024, 560), QSize(1016, 520)),
+                                           {QSize(1366, 768), QSize(1280, 728)},
+                                           {QSize(1920, 1080), QSize(1280, 800)},
+                                           {QSize(640, 480), QSize(800, 460)}}) {
+            QCOMPARE(MainWindow::firstSize(screen), size);
+            m_window->resize(size);
+            QTRY_COMPARE(m_window->size(), size);
+        }
+    }
+
+    void everyControlHasAName()
+    {
+        int controls = 0;
+        for (QWidget* widget : m_window->findChildren<QWidget*>()) {
+            const bool control =
+                qobject_cast<QAbstractButton*>(widget) != nullptr || qobject_cast<QSlider*>(widget) != nullptr ||
+                qobject_cast<QProgressBar*>(widget) != nullptr || (widget->focusPolicy() & Qt::TabFocus) != 0;
+            if (!control || widget->objectName().startsWith("qt_"))
+                continue;
+            QAccessibleInterface* spoken = QAccessible::queryAccessibleInterface(widget);
+            QVERIFY(spoken != nullptr);
+            const bool silent = spoken->text(QAccessible::Name).trimmed().isEmpty();
+            // A button of the message bar without words is not there for anyone.
+            if (silent && qobject_cast<MessageBar*>(widget->parentWidget()) != nullptr && !widget->isVisible())
+                continue;
+            QVERIFY2(!silent, qPrintable(QString("%1 in %2")
+                                             .arg(widget->metaObject()->className(),
+                                                  widget->parentWidget()->metaObject()->className())));
+            ++controls;
+        }
+        QVERIFY(controls > 40);
+    }
+
+    void coloursCanBeRead()
+    {
+        for (const QPalette& p : {pagePalette(false), pagePalette(true), roomPalette()}) {
+            for (const auto ground : {QPalette::Window, QPalette::Base, QPalette::Button}) {
+                for (const auto words : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText,
+                                         QPalette::PlaceholderText, QPalette::Link})
+                    QVERIFY2(contrast(p.color(words), p.color(ground)) >= 4.5,
+                             qPrintable(p.color(words).name() + " on " + p.color(ground).name()));
+                const Tones tone = tones(p);
+                for (const QColor& words : {tone.attentionText, tone.harmText})
+                    QVERIFY(contrast(words, p.color(ground)) >= 4.5);
+                for (const QColor& shape : {tone.accent, tone.attention, tone.harm})
+                    QVERIFY2(contrast(shape, p.color(ground)) >= 3.0, qPrintable(shape.name()));
+            }
+            QVERIFY(contrast(p.color(QPalette::HighlightedText), p.color(QPalette::Highlight)) >= 4.5);
+            QVERIFY(contrast(p.color(QPalette::WindowText), p.color(QPalette::Midlight)) >= 4.5);
+        }
+        QVERIFY(qAbs(contrast(Qt::black, Qt::white) - 21.0) < 1e-6);
+    }
 
 private:
     /// The titles of the lessons that are listed, without the headings.
@@ -75,519 +468,7 @@ private:
     }
     [[nodiscard]] QLineEdit* search() const { return child<LessonsPage>()->findChild<QLineEdit*>(); }
     [[nodiscard]] QString lessonTitle() const { return child<QLabel>("lessonTitle")->text(); }
-    [[nodiscard]] QString clipped() const;
 };
-
-void TestWindowPages::keysLeadToPagesAndEscapeBack_data()
-{
-    QTest::addColumn<QKeySequence>("key");
-    QTest::addColumn<QByteArray>("page");
-    QTest::newRow("lessons") << QKeySequence("F2") << QByteArray("ui::study::LessonsPage");
-    QTest::newRow("teeth") << QKeySequence("T") << QByteArray("ui::shell::ToothChooser");
-    QTest::newRow("films") << QKeySequence("F") << QByteArray("ui::inside::XrayPage");
-    QTest::newRow("presets") << QKeySequence("F7") << QByteArray("ui::presets::PresetsPage");
-    QTest::newRow("settings") << QKeySequence("Ctrl+,") << QByteArray("ui::settings::SettingsPage");
-}
-
-void TestWindowPages::keysLeadToPagesAndEscapeBack()
-{
-    QFETCH(QKeySequence, key);
-    QFETCH(QByteArray, page);
-    press(key[0].key(), key[0].keyboardModifiers());
-    QCOMPARE(QByteArray(m_window->page()->metaObject()->className()), page);
-    QVERIFY(!isInRoom());
-    press(Qt::Key_Escape);
-    QVERIFY(isInRoom() && m_window->view().hasFocus());
-}
-
-void TestWindowPages::aRefusedPasswordIsTypedAnew()
-{
-    m_window->askWho(Door::NewSchool);
-    for (const char* name : {"password", "passwordAgain"})
-        child<QLineEdit>(name)->setText("password1");
-    m_window->refuseLogin({core::ErrorCode::OutOfRange, "everybody tries it first"});
-    QCOMPARE(QApplication::focusWidget(), child<QLineEdit>("password"));
-    for (const char* name : {"password", "passwordAgain"})
-        QVERIFY(child<QLineEdit>(name)->text().isEmpty());
-}
-
-/// Of a large file, or one whose disk has much to do; what takes a moment is not.
-void TestWindowPages::whatIsWaitedForAtTheDoorIsTold()
-{
-    m_window->askWho(Door::Login);
-    auto* waiting = child<QLabel>("waiting");
-    m_window->setOpening(true);
-    QVERIFY(!waiting->isVisible());
-    QTRY_VERIFY(waiting->isVisible());
-    m_window->setOpening(false);
-    QVERIFY(!waiting->isVisible());
-    child<QLineEdit>("username")->setText("ann");
-    child<QLineEdit>("password")->setText("something");
-    QTest::keyClick(child<QLineEdit>("password"), Qt::Key_Return);
-    QVERIFY(!waiting->isVisible());
-    QTRY_VERIFY(waiting->isVisible());
-    QVERIFY(child<QPushButton>("practiseAsGuest")->isEnabled());
-    m_window->refuseLogin({core::ErrorCode::WrongLogin, "wrong"});
-    QVERIFY(!waiting->isVisible());
-}
-
-void TestWindowPages::aGuestIsToldThatNothingIsKept()
-{
-    const auto isTold = [this] {
-        const auto signs = m_window->findChildren<QLabel*>(QStringLiteral("guestSign"));
-        return std::any_of(signs.begin(), signs.end(), [](const QLabel* sign) { return sign->isVisible(); });
-    };
-    QVERIFY(isTold());
-    actions().lessons->trigger();
-    QVERIFY(isTold());
-    m_window->showScore(sheet(3.2, 40, 0.5), {});
-    QVERIFY(isTold());
-    m_window->setWho(school().student);
-    QVERIFY(!isTold());
-    actions().back->trigger();
-    QVERIFY(isInRoom() && !isTold());
-    // Else in whose name one drills.
-    const auto* name = child<QLabel>("accountName");
-    QVERIFY(name->isVisible());
-    QCOMPARE(name->text(), QString::fromStdString(school().student.username()));
-    m_window->setWho({});
-    QVERIFY(isTold() && !name->isVisible());
-}
-
-void TestWindowPages::aPlaceThatWasLeftIsLocked()
-{
-    spoil();
-    auto* door = child<LoginPage>();
-    m_window->setIdleLimit(std::chrono::milliseconds(300));
-    QTest::qWait(500);  // time is the subject: a guest has nothing to lock, however long nothing is touched
-    QVERIFY(!door->isVisible());
-    m_window->setWho(school().student);
-    QTRY_VERIFY(door->isVisible());
-    QCOMPARE(door->door(), Door::Locked);
-    // No key leads past it, and what others want to show waits behind it.
-    for (QAction* action : {actions().lessons, actions().attempts, actions().grade, actions().back, actions().help})
-        QVERIFY(!action->isEnabled());
-    QTest::keyClick(m_window.get(), Qt::Key_Escape);
-    m_window->showScore(sheet(3.2, 40, 0.5), {});
-    QVERIFY(door->isVisible());
-    // When the student is back, they find it as it is now.
-    m_window->setWho(school().student);
-    QVERIFY(!door->isVisible() && child<ScorePage>()->isVisible());
-}
-
-/// What the one who left had open would go on working for whoever comes by.
-void TestWindowPages::nothingStaysOpenOverTheLock()
-{
-    spoil();
-    m_window->setWho(school().student);
-    cutSomething(1.0);
-    const auto lockAndComeBack = [&] {
-        m_window->askWho(Door::Locked);
-        QVERIFY(child<LoginPage>()->isVisible());
-        for (const QWidget* window : m_window->findChildren<QWidget*>())
-            QVERIFY2(!window->isWindow() || !window->isVisible(), window->metaObject()->className());
-        m_window->setWho(school().student);
-    };
-    QSignalSpy save(m_window.get(), &MainWindow::recordingSaveRequested);
-    actions().saveRecording->trigger();
-    QVERIFY(child<QFileDialog>() != nullptr);
-    lockAndComeBack();
-    QCOMPARE(save.size(), 0);
-    QTRY_VERIFY(child<QFileDialog>() == nullptr);
-    QMenu menu(m_window.get());
-    menu.addAction(QStringLiteral("something"));
-    menu.popup(m_window->mapToGlobal(QPoint(10, 10)));
-    QTRY_VERIFY(menu.isVisible());
-    lockAndComeBack();
-    QSignalSpy chosen(m_window.get(), &MainWindow::toothChosen);
-    press(Qt::Key_T);
-    press(Qt::Key_Return);
-    QVERIFY(question() != nullptr && question()->isVisible());
-    m_window->askWho(Door::Locked);
-    QTRY_VERIFY(question() == nullptr);
-    QCOMPARE(chosen.size(), 0);
-}
-
-void TestWindowPages::nothingOfWhoLeftStays()
-{
-    spoil();
-    auto* console = child<ui::console::Console>();
-    actions().console->trigger();
-    console->execute(QStringLiteral("get force.stiffness"));
-    console->execute(QStringLiteral("watch force.stiffness"));
-    auto* line = child<QLineEdit>("consoleLine");
-    line->setText(QStringLiteral("list"));
-    QTest::keyClick(line, Qt::Key_Return);
-    const double usualN = m_window->view().pushForce();
-    m_window->view().setPushForce(usualN + 1.0);
-    m_window->leaveAll();
-    QCOMPARE(m_window->view().pushForce(), usualN);
-    QVERIFY(!console->isVisible());
-    QVERIFY(child<ui::console::WatchPanel>()->names().isEmpty());
-    actions().console->trigger();
-    QVERIFY(!child<QPlainTextEdit>("consoleOutput")->toPlainText().contains("force.stiffness"));
-    QTest::keyClick(line, Qt::Key_Up);
-    QCOMPARE(line->text(), QString());
-}
-
-/// It may have been meant for what was open before.
-void TestWindowPages::aReturnAtTheLockIsNoWrongPassword()
-{
-    m_window->setWho(school().student);
-    m_window->askWho(Door::Locked);
-    QSignalSpy wanted(m_window.get(), &MainWindow::loginWanted);
-    auto* password = child<QLineEdit>("password");
-    QTest::keyClick(password, Qt::Key_Return);
-    QCOMPARE(wanted.size(), 0);
-    QVERIFY(password->isEnabled());
-    password->setText(QStringLiteral("something"));
-    QTest::keyClick(password, Qt::Key_Return);
-    QCOMPARE(wanted.size(), 1);
-    spoil();
-}
-
-void TestWindowPages::typingSearchesTheLessons()
-{
-    m_window->setLessons(support::catalog(), {});
-    QSignalSpy begun(child<LessonsPage>(), &LessonsPage::lessonChosen);
-    actions().lessons->trigger();
-    auto* list = child<QListView>("lessonList");
-    QVERIFY(list->hasFocus());
-    // Pages are turned with the keys.
-    const int first = list->currentIndex().row();
-    press(Qt::Key_PageDown);
-    QVERIFY(list->currentIndex().row() > first + 1);
-    press(Qt::Key_PageUp);
-    QCOMPARE(list->currentIndex().row(), first);
-    // Wherever one is; the letters are no shortcuts here.
-    for (const Qt::Key key : {Qt::Key_T, Qt::Key_E, Qt::Key_M})
-        press(key);
-    QCOMPARE(search()->text().toLower(), QString("tem"));
-    QVERIFY(child<LessonsPage>()->isVisible() && search()->hasFocus());
-    QVERIFY2(!child<QPushButton>("startLesson")->isEnabled(), "nothing fits");
-    // The first that fits is chosen, also where another one that fits was chosen before.
-    search()->setText("class1-36");
-    QCOMPARE(lessonTitle(), QString("Class I on 36"));
-    search()->setText("36");
-    QCOMPARE(lessonTitle(), QString("Touch the points"));
-    search()->setText("class1-37");
-    search()->clear();
-    QCOMPARE(lessonTitle(), QString("Class I on 37"));
-    // Typed from the list, a new search begins.
-    search()->setText("37");
-    press(Qt::Key_Down);
-    QVERIFY(list->hasFocus());
-    press(Qt::Key_2);
-    QCOMPARE(search()->text(), QString("2"));
-    search()->setText("class1-26");
-    press(Qt::Key_Return);
-    QCOMPARE(begun.size(), 1);
-    QCOMPARE(QString::fromStdString(begun.front().front().value<lessons::Lesson>().id), QString("class1-26"));
-}
-
-void TestWindowPages::cardsTellTheBestScore()
-{
-    auto* list = child<QListView>("lessonList");
-    actions().lessons->trigger();
-    m_window->setLessons(support::catalog(), {{"class1-34", {2, 603, false, "2026-11-20T10:00:00Z"}},
-                                              {"class1-36", {3, 917, true, "2026-11-20T11:00:00Z"}}});
-    for (const auto& [lesson, score, passed] :
-         {std::tuple("class1-34", "60.3", false), {"class1-36", "✓ 91.7", true}, {"class1-37", "", false}}) {
-        search()->setText(lesson);
-        QCOMPARE(cards().size(), 1);
-        const QModelIndex card = list->currentIndex();
-        QCOMPARE(card.data(ui::study::CardScore).toString(), QString::fromUtf8(score));
-        QCOMPARE(card.data(ui::study::CardPassed).toBool(), passed);
-    }
-}
-
-void TestWindowPages::lessonsAreFiltered()
-{
-    auto* page = child<LessonsPage>();
-    std::vector<lessons::CatalogEntry> entries = support::catalog();
-    for (lessons::CatalogEntry& entry : entries)
-        if (entry.read.lesson->id == "class1-24")
-            entry.read.lesson->exam = true;
-    const auto all = static_cast<qsizetype>(entries.size());
-    const std::map<std::string, ui::study::Standing> standings{{"class1-36", {2, 603, false, "2026-11-20T10:00:00Z"}},
-                                                               {"class1-37", {1, 917, true, "2026-11-20T11:00:00Z"}}};
-    const ui::study::Given given{"Year 1", {}, {}};
-    page->setLessons(entries, standings, {{"class1-36", given}, {"class1-37", given}, {"class1-26", given}});
-    actions().lessons->trigger();
-    const auto filter = [page](const char* words) {
-        const auto buttons = page->findChildren<QPushButton*>();
-        return *std::find_if(buttons.begin(), buttons.end(), [words](const QPushButton* button) {
-            return button->isCheckable() && button->text() == QLatin1String(words);
-        });
-    };
-    const auto shown = [&](const char* words) {
-        QTest::mouseClick(filter(words), Qt::LeftButton);
-        return cards();
-    };
-    QVERIFY(filter("All")->isChecked());
-    QCOMPARE(cards().size(), all);
-    QCOMPARE(shown("To do"), (QStringList{"Class I on 36", "Class I on 26"}));
-    QCOMPARE(shown("Passed"), QStringList{"Class I on 37"});
-    QCOMPARE(shown("Exams"), QStringList{"Class I on 24"});
-    QVERIFY(filter("Exams")->isChecked() && !filter("All")->isChecked());
-    // Beside what is searched for.
-    search()->setText("class1-36");
-    QCOMPARE(shown("Passed"), QStringList());
-    QCOMPARE(lessonTitle(), QString("No lesson fits"));
-    QCOMPARE(shown("All"), QStringList{"Class I on 36"});
-    // For a student to whom nothing was given, everything that is not passed is to do.
-    search()->clear();
-    page->setLessons(entries, standings);
-    QCOMPARE(shown("To do").size(), all - 1);
-    // The next person begins with all.
-    page->forget();
-    QVERIFY(filter("All")->isChecked());
-    QCOMPARE(cards().size(), all);
-}
-
-void TestWindowPages::usedUpAttemptsAreToldBeforeTheStart()
-{
-    QSignalSpy begun(child<LessonsPage>(), &LessonsPage::lessonChosen);
-    actions().lessons->trigger();
-    for (const int left : {1, 0}) {
-        m_window->setLessons(support::catalog(), {}, {{"class1-37", {"Year 1", {}, left}}});
-        search()->setText("class1-37");
-        QCOMPARE(child<QPushButton>("startLesson")->isEnabled(), left > 0);
-        QCOMPARE(child<QLabel>("whyNotStart")->isVisible(), left == 0);
-        const QModelIndex card = child<QListView>("lessonList")->currentIndex();
-        QCOMPARE(card.data(ui::study::CardIsUsedUp).toBool(), left == 0);
-    }
-    search()->setFocus();
-    press(Qt::Key_Return);
-    QCOMPARE(begun.size(), 0);
-}
-
-void TestWindowPages::theForecastIsAnsweredWithTheKeys()
-{
-    m_window->setAssignment(support::assigned("class1-36"));
-    m_window->askForecast();
-    QSignalSpy given(m_window.get(), &MainWindow::forecastGiven);
-    press(Qt::Key_Right);
-    press(Qt::Key_Tab);
-    auto* show = child<QPushButton>("showScore");
-    QVERIFY(!show->isEnabled());
-    press(Qt::Key_Down);
-    press(Qt::Key_Return);
-    QVERIFY2(show->isEnabled(), "the answer is chosen");
-    QCOMPARE(given.size(), 0);
-    press(Qt::Key_Return);
-    QCOMPARE(given.size(), 1);
-}
-
-void TestWindowPages::anotherToothIsChosen()
-{
-    QSignalSpy chosen(m_window.get(), &MainWindow::toothChosen);
-    press(Qt::Key_T);
-    auto* arches = child<ToothChooser>()->findChild<ArchView*>();
-    QCOMPARE(arches->selected(), 36);
-    const auto teeth = arches->findChildren<ArchTooth*>();
-    QCOMPARE(teeth.size(), 16);
-    for (ArchTooth* tooth : teeth) {
-        // The rectangles of neighbours overlap, their middles do not.
-        QTest::mouseClick(arches, Qt::LeftButton, {}, tooth->geometry().center());
-        QCOMPARE(arches->selected(), tooth->fdi());
-    }
-    arches->setSelected(24);
-    click("takeTooth");
-    QCOMPARE(chosen.takeFirst().front().toInt(), 24);
-    QVERIFY(isInRoom());
-    press(Qt::Key_T);
-    arches->setSelected(36);
-    for (const auto& [key, fdi] :
-         {std::pair(Qt::Key_Right, 37), {Qt::Key_Up, 27}, {Qt::Key_Left, 26}, {Qt::Key_Down, 36}}) {
-        press(key);
-        QCOMPARE(arches->selected(), fdi);
-    }
-    press(Qt::Key_Return);
-    QCOMPARE(chosen.takeFirst().front().toInt(), 36);
-}
-
-void TestWindowPages::theScoreAddsUp()
-{
-    const lessons::ScoreSheet s = sheet(3.2, 9.81, 0);
-    database::AttemptRecord now;
-    now.scoreTenths = s.totalTenths;
-    now.finishedUtc = "2026-11-20T10:15:00Z";
-    database::AttemptRecord before = now;
-    before.scoreTenths = 610;
-    m_window->showScore(s, {now, before});
-    QVERIFY(child<ScorePage>()->isVisible());
-    QCOMPARE(figure("total"), QString("84.0"));
-    QCOMPARE(child<QLabel>("verdict")->text(), QString("Passed"));
-    QCOMPARE(child<QLabel>("sum")->text(), QString("100.0 − 4.4 − 11.6 − 0.0 = 84.0"));
-    QCOMPARE(figure("lost_caries_left"), QString("−4.4"));
-    QCOMPARE(figure("lost_sound_tissue"), QString("−11.6"));
-    QCOMPARE(figure("lost_pulp_exposure"), QString("0"));
-    const auto listed = child<ScorePage>()->findChildren<TabularLabel*>();
-    QVERIFY(std::any_of(listed.begin(), listed.end(), [](const auto* label) { return label->text() == "61.0"; }));
-    QVERIFY(!child<QLabel>("historyRemark")->isVisible());
-    // A second grade replaces the first.
-    m_window->showScore(sheet(40, 30, 0), {});
-    QCOMPARE(child<QLabel>("verdict")->text(), QString("Not passed yet"));
-    QCOMPARE(child<QLabel>("sum")->text(), QString("100.0 − 60.0 − 40.0 − 0.0 = 0.0"));
-    QCOMPARE(child<ScorePage>()->findChildren<TabularLabel*>("lost_caries_left").size(), 1);
-    QVERIFY(child<QLabel>("historyRemark")->isVisible());
-    // A critical fault fails good work.
-    m_window->showScore(sheet(0, 0, 0.1), {});
-    QCOMPARE(figure("total"), QString("0.0"));
-    QVERIFY(child<QLabel>("verdict")->text().startsWith("Not passed"));
-    press(Qt::Key_Return);
-    QVERIFY2(isInRoom(), "the next step is one key away");
-}
-
-void TestWindowPages::theFirstWindowFitsTheScreen()
-{
-    for (const auto& [screen, size] : {std::pair(QSize(1024, 560), QSize(1016, 520)),
-                                       {QSize(1366, 768), QSize(1280, 728)},
-                                       {QSize(1920, 1080), QSize(1280, 800)},
-                                       {QSize(640, 480), QSize(800, 460)}}) {
-        QCOMPARE(MainWindow::firstSize(screen), size);
-        m_window->resize(size);
-        QTRY_COMPARE(m_window->size(), size);
-    }
-}
-
-void TestWindowPages::everyControlHasAName()
-{
-    int controls = 0;
-    for (QWidget* widget : m_window->findChildren<QWidget*>()) {
-        const bool control =
-            qobject_cast<QAbstractButton*>(widget) != nullptr || qobject_cast<QSlider*>(widget) != nullptr ||
-            qobject_cast<QProgressBar*>(widget) != nullptr || (widget->focusPolicy() & Qt::TabFocus) != 0;
-        if (!control || widget->objectName().startsWith("qt_"))
-            continue;
-        QAccessibleInterface* spoken = QAccessible::queryAccessibleInterface(widget);
-        QVERIFY(spoken != nullptr);
-        const bool silent = spoken->text(QAccessible::Name).trimmed().isEmpty();
-        // A button of the message bar without words is not there for anyone.
-        if (silent && qobject_cast<MessageBar*>(widget->parentWidget()) != nullptr && !widget->isVisible())
-            continue;
-        QVERIFY2(!silent, qPrintable(QString("%1 in %2")
-                                         .arg(widget->metaObject()->className(),
-                                              widget->parentWidget()->metaObject()->className())));
-        ++controls;
-    }
-    QVERIFY(controls > 40);
-}
-
-/// The first widget that has less room than it wants. Empty: none.
-QString TestWindowPages::clipped() const
-{
-    for (QWidget* widget : m_window->findChildren<QWidget*>()) {
-        const auto* label = qobject_cast<QLabel*>(widget);
-        if (!widget->isVisible() || qobject_cast<ArchTooth*>(widget) != nullptr ||
-            (label == nullptr && qobject_cast<QAbstractButton*>(widget) == nullptr &&
-             qobject_cast<TabularLabel*>(widget) == nullptr))
-            continue;
-        bool scrolls = false;
-        for (const QWidget* holder = widget; holder != nullptr; holder = holder->parentWidget())
-            scrolls = scrolls || qobject_cast<const ScrollPane*>(holder) != nullptr;
-        const QString name = label != nullptr ? label->text() : widget->accessibleName();
-        if (!scrolls && !m_window->rect().contains(QRect(widget->mapTo(m_window.get(), QPoint()), widget->size())))
-            return QString("'%1' lies outside").arg(name);
-        const QSize wanted =
-            widget->hasHeightForWidth() ? QSize(0, widget->heightForWidth(widget->width())) : widget->sizeHint();
-        if (widget->width() < wanted.width() || widget->height() < wanted.height())
-            return QString("'%1' is %2x%3, wants %4x%5")
-                .arg(name)
-                .arg(widget->width())
-                .arg(widget->height())
-                .arg(wanted.width())
-                .arg(wanted.height());
-    }
-    return {};
-}
-
-using BringUp = std::function<void()>;
-Q_DECLARE_METATYPE(BringUp)
-
-/// In the other languages, and with longer words, tst_languages looks at each page.
-void TestWindowPages::nothingIsClipped_data()
-{
-    QTest::addColumn<BringUp>("bringUp");
-    const auto page = [](const char* name, const BringUp& bringUp) { QTest::newRow(name) << bringUp; };
-    page("practice", [] {});
-    page("section", [this] { actions().section->trigger(); });
-    page("undo history", [this] { actions().history->trigger(); });
-    page("error", [this] {
-        m_window->showError({core::ErrorCode::WrongKind, {}}, ui::text::Failed::KeepingGrades,
-                            "a_file_with_a_name_as_long_as_names_can_be_which_has_to_go_to_a_second_line.sqlite");
-    });
-    page("replay", [this] {
-        m_window->setReplaying(true, 60.0);
-        m_window->setReplayCourse(support::course());
-    });
-    page("help", [this] { actions().help->trigger(); });
-    page("console", [this] { actions().console->trigger(); });
-    page("trial", [this] {
-        spoil();
-        const core::settings::FeelPreset preset = lessons::shippedPresets().front();
-        emit child<ui::presets::PresetsPage>()->compareWanted(preset, preset, 2);
-        m_window->beginTrial();
-    });
-    for (const auto& [name, action] : {std::pair("presets", &Actions::presets),
-                                       {"settings", &Actions::settings},
-                                       {"teeth", &Actions::chooseTooth},
-                                       {"films", &Actions::radiograph}})
-        page(name, [this, action = action] { (actions().*action)->trigger(); });
-    page("lessons", [this] {
-        m_window->setLessons(support::catalog(), {{"decay-21-small", {3, 872, true, {}}}});
-        actions().lessons->trigger();
-    });
-    page("editor", [this] {
-        actions().lessons->trigger();
-        m_window->editLesson(support::shipped("class1-36"));
-        QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("selfCheck")->text().startsWith(QChar(0x2713)), 60'000);
-    });
-    for (const auto& [name, task] : {std::pair("lesson", lessons::Task::RemoveDecay),
-                                     {"touch", lessons::Task::TouchPoints},
-                                     {"hold", lessons::Task::HoldForce},
-                                     {"layers", lessons::Task::TellLayers}})
-        page(name, [this, task = task] { beginLesson(support::assigned(task)); });
-    page("forecast", [this] {
-        beginLesson(support::assigned("class1-36"));
-        m_window->askForecast();
-    });
-    page("score", [this] { m_window->showScore(sheet(3.2, 40, 0.5), {}); });
-    page("login", [this] { m_window->askWho(Door::Login); });
-}
-
-void TestWindowPages::nothingIsClipped()
-{
-    QFETCH(BringUp, bringUp);
-    m_window->resize(853, 533);
-    bringUp();
-    // Pages are laid out in passes: what counts is how the last one leaves it.
-    QTRY_VERIFY2(clipped().isEmpty(), qPrintable(clipped()));
-    m_window->resize(1920, 1080);
-    QTRY_COMPARE(m_window->size(), QSize(1920, 1080));
-    QTRY_VERIFY2(clipped().isEmpty(), qPrintable(clipped()));
-}
-
-void TestWindowPages::coloursCanBeRead()
-{
-    for (const QPalette& p : {pagePalette(false), pagePalette(true), roomPalette()}) {
-        for (const auto ground : {QPalette::Window, QPalette::Base, QPalette::Button}) {
-            for (const auto words : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText,
-                                     QPalette::PlaceholderText, QPalette::Link})
-                QVERIFY2(contrast(p.color(words), p.color(ground)) >= 4.5,
-                         qPrintable(p.color(words).name() + " on " + p.color(ground).name()));
-            const Tones tone = tones(p);
-            for (const QColor& words : {tone.attentionText, tone.harmText})
-                QVERIFY(contrast(words, p.color(ground)) >= 4.5);
-            for (const QColor& shape : {tone.accent, tone.attention, tone.harm})
-                QVERIFY2(contrast(shape, p.color(ground)) >= 3.0, qPrintable(shape.name()));
-        }
-        QVERIFY(contrast(p.color(QPalette::HighlightedText), p.color(QPalette::Highlight)) >= 4.5);
-        QVERIFY(contrast(p.color(QPalette::WindowText), p.color(QPalette::Midlight)) >= 4.5);
-    }
-    QVERIFY(qAbs(contrast(Qt::black, Qt::white) - 21.0) < 1e-6);
-}
 
 QTEST_MAIN(TestWindowPages)
 #include "tst_window_pages.moc"

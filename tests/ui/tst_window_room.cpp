@@ -23,18 +23,6 @@ using core::terrain::Material;
 using ui::inside::SectionView;
 using ui::text::Failed;
 
-namespace {
-
-std::function<QStringList()> notes(const QStringList& all)
-{
-    return [all] { return all; };
-}
-
-}  // namespace
-
-Q_DECLARE_METATYPE(ServoState)
-Q_DECLARE_METATYPE(SessionState)
-
 class TestWindowRoom : public support::WindowTest
 {
     Q_OBJECT
@@ -43,37 +31,525 @@ private slots:
     void init() { begin(); }
     void cleanup() { end(); }
 
-    void keysSendCommands_data();
-    void keysSendCommands();
-    void onlyHandpiecesAtHandCanBeTaken();
-    void theServoHasTheLastWordOnDrillAndBur();
-    void aFullQueueIsToldAndNothingIsPretended();
-    void undoRestsWhileThereIsNothingToUndo();
-    void gradeIsAskedFor();
-    void homeIsOfferedWhereAHandCanBeLed();
-    void filesAreAskedFor_data();
-    void filesAreAskedFor();
-    void droppedFilesAreToldApart();
-    void theNextWindowIsLaidOutAsThisOne();
-    void theAidsInUseAreNoted();
-    void whatALessonLocksRests();
+    void keysSendCommands()
+    {
+        for (const auto& [keys, command] : {std::pair("Ctrl+Z", SessionCommand(Undo{})),
+                                            {"Ctrl+Shift+Z", Redo{}},
+                                            {"D", SetDrill{true}},
+                                            {"Space", SetDrill{false}},
+                                            {"2", SetBur{1}},
+                                            {"4", SetBur{3}},
+                                            {"R", Reload{}}}) {
+            press(QKeySequence(keys));
+            const auto got = sent();
+            QCOMPARE(got.size(), 1);
+            QVERIFY2(got[0].index() == command.index(), keys);
+            if (const auto* drill = std::get_if<SetDrill>(&command))
+                QCOMPARE(std::get<SetDrill>(got[0]).on, drill->on);
+            if (const auto* bur = std::get_if<SetBur>(&command))
+                QCOMPARE(std::get<SetBur>(got[0]).index, bur->index);
+        }
+        QCOMPARE(actions().burs.size(), static_cast<qsizetype>(core::drilling::burs().size()));
+    }
 
-    void figuresComeFromTheLoops_data();
-    void figuresComeFromTheLoops();
-    void harmIsToldWhenItHappens();
-    void troubleIsTold();
+    void onlyHandpiecesAtHandCanBeTaken()
+    {
+        using core::settings::findHandpiece;
+        press(Qt::Key_9);
+        // A lesson's order is its own: the slow one is its first, and the electric one is not at hand.
+        m_window->setHandpieces({findHandpiece("low-speed").value(), findHandpiece("turbine").value()});
+        for (const Qt::Key key : {Qt::Key_9, Qt::Key_8, Qt::Key_7})
+            press(key);
+        QList<int> taken;
+        for (const SessionCommand& command : sent())
+            taken << std::get<SetHandpiece>(command).index;
+        QCOMPARE(taken, (QList<int>{2, 0, 1}));
+    }
 
-    void errorsStayAndComeBackAfterNews();
-    void aWarningGoesWithItsReason();
-    void theMessageButtonDoesWhatItSays();
-    void notesOfTheImporterAreShown();
-    void workIsShownAndHoldsBackTheRest();
+    void theServoHasTheLastWordOnDrillAndBur()
+    {
+        spoil();
+        ServoState servo;
+        servo.tick = 1;
+        servo.drillOn = true;
+        servo.burIndex = 2;
+        take(servo, {});
+        QTRY_VERIFY(actions().drill->isChecked());
+        QTRY_VERIFY(actions().burs[2]->isChecked());
+        QVERIFY2(sent().isEmpty(), "what the servo says is shown, not sent back");
+        // A wish that the servo does not follow is given up.
+        press(Qt::Key_D);
+        QVERIFY(!actions().drill->isChecked());
+        QTRY_VERIFY(actions().drill->isChecked());
+    }
 
-    void helpListsEveryAction();
-    void everyActionIsFitToBeRead();
-    void tabReachesEveryButtonOfTheRoom();
-    void escapeGoesBackStepByStep();
-    void theConsoleTakesKeysAndLeavesTheView();
+    void aFullQueueIsToldAndNothingIsPretended()
+    {
+        while (m_links->commands.tryPush(Undo{})) {
+        }
+        press(Qt::Key_D);
+        QVERIFY(message().contains("busy"));
+        QVERIFY(!actions().drill->isChecked());
+        static_cast<void>(sent());
+    }
+
+    void undoRestsWhileThereIsNothingToUndo()
+    {
+        take({}, {});
+        QVERIFY(!actions().undo->isEnabled() && !actions().redo->isEnabled());
+        press(Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(sent().isEmpty());
+    }
+
+    void gradeIsAskedFor()
+    {
+        QSignalSpy asked(m_window.get(), &MainWindow::gradeRequested);
+        press(Qt::Key_G);
+        QCOMPARE(asked.size(), 1);
+        // The space bar presses a button that has the focus, and the drill does not start.
+        QPushButton* grade = nullptr;
+        for (QPushButton* button : child<PracticeRoom>()->findChildren<QPushButton*>())
+            if (button->text() == actions().grade->text())
+                grade = button;
+        QVERIFY(grade != nullptr);
+        grade->setFocus(Qt::TabFocusReason);
+        press(Qt::Key_Space);
+        QCOMPARE(asked.size(), 2);
+        QVERIFY(sent().isEmpty());
+        // Not once more: the grade is already there.
+        m_window->showScore(support::sheet(0, 0, 0), {});
+        press(Qt::Key_G);
+        QCOMPARE(asked.size(), 2);
+    }
+
+    void homeIsOfferedWhereAHandCanBeLed()
+    {
+        spoil();
+        press(Qt::Key_C);
+        QVERIFY(sent().empty());
+        m_window->offerHome();
+        press(Qt::Key_C);
+        const auto commands = sent();
+        QCOMPARE(commands.size(), 1);
+        QVERIFY(std::holds_alternative<BringHome>(commands.front()));
+        m_window->setReplaying(true);
+        press(Qt::Key_C);
+        QVERIFY(sent().empty());
+    }
+
+    void filesAreAskedFor()
+    {
+        const QTemporaryDir folder;
+        for (const auto& [keys, file, chosen] :
+             {std::tuple("Ctrl+O", "scan.stl", &MainWindow::scanChosen),
+              {"Ctrl+Shift+O", "attempt.cusprec", &MainWindow::recordingOpenRequested},
+              {"Ctrl+S", "new.cusprec", &MainWindow::recordingSaveRequested}}) {
+            const QString path = folder.filePath(file);
+            const bool isSaved = chosen == &MainWindow::recordingSaveRequested;
+            QFile made(path);
+            QVERIFY(isSaved || made.open(QIODevice::WriteOnly));
+            QSignalSpy spy(m_window.get(), chosen);
+            press(QKeySequence(keys));
+            QVERIFY(!isSaved || child<QFileDialog>()->selectedFiles().value(0).endsWith(".cusprec"));
+            accept(path);
+            QCOMPARE(spy.size(), 1);
+            QCOMPARE(spy.front().front().toString(), path);
+            QTRY_VERIFY(child<QFileDialog>() == nullptr);
+        }
+    }
+
+    void droppedFilesAreToldApart()
+    {
+        QSignalSpy scan(m_window.get(), &MainWindow::scanChosen);
+        QSignalSpy open(m_window.get(), &MainWindow::recordingOpenRequested);
+        QVERIFY(dropFile("/tmp/Molar.STL"));
+        QCOMPARE(scan.size(), 1);
+        QVERIFY(dropFile("/tmp/attempt.cusprec"));
+        QCOMPARE(open.size(), 1);
+        QMimeData words;
+        words.setText("not a file");
+        QVERIFY(!drop(words));
+        QVERIFY(dropFile("/tmp/letter.docx"));
+        QCOMPARE(scan.size() + open.size(), 2);
+        QVERIFY(message().contains("neither a scan"));
+    }
+
+    void theNextWindowIsLaidOutAsThisOne()
+    {
+        spoil();
+        press(Qt::Key_F11);
+        QVERIFY(m_window->isFullScreen());
+        press(Qt::Key_Escape);
+        QVERIFY(!m_window->isFullScreen() && !actions().fullScreen->isChecked());
+        m_window->resize(1011, 707);
+        QVERIFY(child<SidePanel>()->isVisible() && !actions().otherHand->isChecked());
+        press(Qt::Key_F9);
+        press(Qt::Key_X);
+        press(Qt::Key_H);
+        m_window->close();
+        openWindow();
+        QCOMPARE(m_window->size(), QSize(1011, 707));
+        QVERIFY(!child<SidePanel>()->isVisible() && !actions().panel->isChecked());
+        QVERIFY(child<SectionView>()->isVisible() && actions().section->isChecked());
+        QVERIFY(actions().turnSection->isEnabled() && actions().otherHand->isChecked());
+        // A lesson's lock is not what the student wanted.
+        lessons::Aids none;
+        none.section = false;
+        m_window->setAids(none);
+        QVERIFY(!child<SectionView>()->isVisible());
+        openWindow();
+        QVERIFY(child<SectionView>()->isVisible());
+        press(Qt::Key_F9);
+        QVERIFY(child<SidePanel>()->isVisible());
+        spoil();
+    }
+
+    void theAidsInUseAreNoted()
+    {
+        spoil();
+        m_window->setAids({});
+        show();
+        const auto first = aidsNoted();
+        QVERIFY(first.has_value());
+        QVERIFY((*first & kDepthGaugeAid) != 0 && (*first & kSectionAid) == 0);
+        press(Qt::Key_X);
+        QVERIFY(isNoted(kSectionAid) == true);
+        press(Qt::Key_F);
+        QVERIFY(isNoted(kRadiographAid) == true);
+        press(Qt::Key_Escape);
+        QVERIFY(isNoted(kRadiographAid) == false);
+        QVERIFY2(!aidsNoted().has_value(), "said once");
+        // What was out before, and is not seen where the lesson does not allow it, is not in use there.
+        actions().mirror->setChecked(true);
+        QVERIFY(isNoted(kMirrorAid) == true);
+        lessons::Aids noMirror;
+        noMirror.mirror = false;
+        m_window->setAids(noMirror);
+        QVERIFY(isNoted(kMirrorAid) == false);
+        m_window->setAids({});
+        actions().mirror->setChecked(false);
+        static_cast<void>(aidsNoted());
+        // The console tells no more than the lesson allows, and of what it tells that is noted, too.
+        auto* console = child<ui::console::Console>();
+        press(Qt::Key_F9);
+        QVERIFY(isNoted(kDepthGaugeAid) == false);
+        console->execute(QStringLiteral("watch live.depth"));
+        QVERIFY(isNoted(kDepthGaugeAid) == true);
+        m_window->setAids(lessons::Aids::none());
+        QVERIFY(isNoted(kDepthGaugeAid) == false);
+        console->execute(QStringLiteral("get live.depth"));
+        QVERIFY(child<QPlainTextEdit>("consoleOutput")->toPlainText().endsWith("This lesson does not allow it."));
+    }
+
+    void whatALessonLocksRests()
+    {
+        const auto* section = child<SectionView>();
+        const auto* films = child<ui::inside::XrayPage>();
+        press(Qt::Key_X);
+        QVERIFY(section->isVisible());
+        const QString tip = actions().section->toolTip();
+        m_window->setAids(lessons::Aids::none());
+        QVERIFY(!section->isVisible());
+        for (const QAction* aid : {actions().section, actions().turnSection, actions().radiograph}) {
+            QVERIFY(!aid->isEnabled());
+            QVERIFY(aid->toolTip().contains("does not allow"));
+        }
+        QVERIFY(!child<TabularLabel>("depthFigure")->isVisible());
+        QVERIFY(!child<TabularLabel>("dentinFigure")->isVisible());
+        press(Qt::Key_X);
+        press(Qt::Key_F);
+        QVERIFY(!section->isVisible() && !films->isVisible());
+        QVERIFY2(child<TabularLabel>("decayFigure")->isVisible(), "what is no aid stays");
+        // A section without the gauge tells no figures.
+        lessons::Aids aids;
+        aids.depthGauge = false;
+        m_window->setAids(aids);
+        QCOMPARE(actions().section->toolTip(), tip);
+        press(Qt::Key_X);
+        QVERIFY(section->isVisible() && !child<TabularLabel>("sectionNearest")->isVisible());
+        m_window->setAids({});
+        QVERIFY(child<TabularLabel>("sectionNearest")->isVisible() && child<TabularLabel>("depthFigure")->isVisible());
+        // Locked while it is looked at, the page of films closes.
+        press(Qt::Key_F);
+        QVERIFY(films->isVisible());
+        m_window->setAids(lessons::Aids::none());
+        QVERIFY(!films->isVisible());
+    }
+
+    void figuresComeFromTheLoops()
+    {
+        ServoState servo;
+        servo.tick = 5;
+        servo.touching = true;
+        servo.materialUnderBur = Material::Dentin;
+        servo.forceN = {0.0, 0.6, 0.8};
+        servo.depthMm = 1.417;
+        servo.hasDepth = true;
+        SessionState session;
+        session.wholeMm3 = {20.0, 200.0, 250.0, 20.0};
+        session.removedMm3 = {5.0, 12.314, 4.0, 0.25};
+        session.overcutMm3 = 9.806;
+        const auto areShown = [&](const QList<std::pair<const char*, const char*>>& figures) {
+            take(servo, session);
+            for (const auto& [name, text] : figures)
+                QTRY_COMPARE(figure(name), QString::fromUtf8(text));
+        };
+        areShown({{"materialFigure", "Dentin"},
+                  {"depthFigure", "1.42"},
+                  {"forceFigure", "1.00"},
+                  {"decayFigure", "75"},
+                  {"enamelRemoved", "12.31"},
+                  {"dentinRemoved", "4.00"},
+                  {"pulpRemoved", "0.25"},
+                  {"overcut", "9.81"}});
+        servo.hasDepth = false;
+        areShown({{"forceFigure", "1.00"}, {"depthFigure", "–"}});
+        servo.touching = false;
+        session.removedMm3[0] = 19.95;
+        areShown({{"materialFigure", "Air"}, {"depthFigure", "–"}, {"decayFigure", "< 1"}});
+        session.wholeMm3[0] = 0.0;
+        areShown({{"decayFigure", "–"}});
+        // The force is there and the bur touches nothing: it hangs beside the tooth.
+        servo.handpieceOnCrown = true;
+        areShown({{"materialFigure", "Handpiece"}});
+        // A wall that presses is told.
+        for (const auto& [sidewaysN, unit] : {std::pair(0.6, "N, 0.6 sideways"), {0.0, "N"}}) {
+            servo.forceN = {sidewaysN, 0.0, 0.8};
+            take(servo, session);
+            QTRY_COMPARE(child<TabularLabel>("forceFigure")->unit(), QString(unit));
+        }
+    }
+
+    void harmIsToldWhenItHappens()
+    {
+        const auto* notice = child<QLabel>("notice");
+        SessionState session;
+        session.toothGeneration = m_generation;
+        session.removedMm3[1] = 3.0;
+        const auto told = [&](double pulpMm3, bool perforated) {
+            session.removedMm3[3] = pulpMm3;
+            session.perforated = perforated;
+            take({}, session);
+            return notice->isVisible() ? notice->text() : QString();
+        };
+        QCOMPARE(told(0.0, false), QString());
+        QTRY_COMPARE(figure("enamelRemoved"), QString("3.00"));
+        QCOMPARE(told(0.01, false), QString("Pulp opened"));
+        QCOMPARE(told(0.01, true), QString("Tooth perforated"));
+        QCOMPARE(told(0.0, false), QString());
+        // Another tooth that comes with its harm done: an attempt that waited for a replay.
+        session.toothGeneration = m_generation + 1;
+        session.removedMm3[1] = 4.0;
+        QCOMPARE(told(0.0, true), QString());
+        QTRY_COMPARE(figure("enamelRemoved"), QString("4.00"));
+        QVERIFY(!notice->isVisible());
+    }
+
+    void troubleIsTold()
+    {
+        const auto* sentence = child<QLabel>("health");
+        const auto isTold = [&](std::uint32_t health, bool onCrown, bool touching) {
+            ServoState servo;
+            servo.tick = 1;
+            servo.health = health;
+            servo.handpieceOnCrown = onCrown;
+            servo.touching = touching;
+            take(servo, {});
+            return sentence->isVisible() ? sentence->text() : QString();
+        };
+        QVERIFY(!sentence->isVisible());
+        QTRY_VERIFY(isTold(kDeviceLost, false, false).contains("handpiece is gone"));
+        QTRY_VERIFY(isTold(0, false, false).isEmpty());
+        QTRY_VERIFY(isTold(0, true, false).startsWith("The handpiece lies on the crown"));
+        QTRY_VERIFY(isTold(0, true, true).isEmpty());
+    }
+
+    void errorsStayAndComeBackAfterNews()
+    {
+        const auto says = [this](const QString& words) {
+            const auto labels = child<MessageBar>()->findChildren<QLabel*>();
+            return std::any_of(labels.begin(), labels.end(),
+                               [&](const QLabel* label) { return label->isVisible() && label->text() == words; });
+        };
+        m_window->showError({core::ErrorCode::FileTruncated, "molar.stl: ends after 84 bytes."}, Failed::OpeningScan,
+                            "/scans/molar.stl");
+        const QString error = message();
+        QVERIFY(error.contains("ends too early") && says("molar.stl"));
+        m_window->showMessage("Saved.");
+        QCOMPARE(message(), QString("Saved."));
+        press(Qt::Key_Escape);
+        QCOMPARE(message(), error);
+        press(Qt::Key_Escape);
+        QVERIFY(message().isEmpty());
+        // A lesson is mended by its teacher, who reads which and where.
+        m_window->showError({core::ErrorCode::FileTruncated, "tooth.scan: a.stl is cut short"}, Failed::OpeningLesson,
+                            "my-scan");
+        QVERIFY(says("my-scan: tooth.scan: a.stl is cut short"));
+    }
+
+    void aWarningGoesWithItsReason()
+    {
+        const core::Error full{core::ErrorCode::FileUnwritable, "no room"};
+        m_window->showError(full, Failed::KeepingAttempt);
+        QVERIFY2(message().contains("is not kept on the disk"), qPrintable(message()));
+        m_window->showError(full, Failed::SavingRecording);
+        m_window->forgetAttemptNotKept();
+        QVERIFY2(message().contains("was not saved"), qPrintable(message()));
+        child<MessageBar>()->dismiss();
+        QVERIFY2(message().isEmpty(), qPrintable(message()));
+        // Once the school has answered, what was said of its silence is over.
+        m_window->showError({core::ErrorCode::ConnectionLost, "away"}, Failed::ReadingSchool);
+        m_window->showUnanswered();
+        QVERIFY2(message().contains("does not answer yet"), qPrintable(message()));
+        m_window->forgetUnanswered();
+        QVERIFY2(message().isEmpty(), qPrintable(message()));
+    }
+
+    void theMessageButtonDoesWhatItSays()
+    {
+        press(Qt::Key_R);
+        QCOMPARE(sent().size(), 1);
+        QVERIFY(message().contains("whole again"));
+        QTest::mouseClick(child<MessageBar>()->findChild<QPushButton*>(), Qt::LeftButton);
+        const auto commands = sent();
+        QCOMPARE(commands.size(), 1);
+        QVERIFY(std::holds_alternative<Undo>(commands.front()));
+        QVERIFY(message().isEmpty());
+    }
+
+    void notesOfTheImporterAreShown()
+    {
+        const auto import = [this](const QStringList& said, bool unitInDoubt) {
+            m_window->showTooth(
+                support::syntheticMolar(), ++m_generation, [said] { return said; }, unitInDoubt);
+        };
+        import({"One."}, false);
+        QCOMPARE(message(), QString("One."));
+        import({"One.", "Two."}, false);
+        QVERIFY(message().startsWith("2 note"));
+        const auto* button = child<MessageBar>()->findChild<QPushButton*>();
+        QVERIFY(!button->isVisible());
+        // Another unit can be chosen beside the note.
+        QSignalSpy chosen(m_window.get(), &MainWindow::scanUnitChosen);
+        import({"Centimetres were taken."}, true);
+        QVERIFY(button->isVisible() && button->menu() != nullptr);
+        QCOMPARE(button->menu()->actions().size(), 4);
+        button->menu()->actions().front()->trigger();
+        QCOMPARE(chosen.size(), 1);
+        QCOMPARE(chosen.front().front().toString(), QString("mm"));
+        QVERIFY(!message().startsWith("Centimetres"));
+        import({"Centimetres were taken."}, true);
+        button->menu()->actions().back()->trigger();
+        QCOMPARE(chosen.size(), 1);
+        QVERIFY(!message().startsWith("Centimetres"));
+    }
+
+    void workIsShownAndHoldsBackTheRest()
+    {
+        auto* card = child<BusyCard>();
+        m_window->showBusy("Loading the scan");
+        QVERIFY(!actions().grade->isEnabled() && !actions().openScan->isEnabled());
+        QTRY_VERIFY(card->isVisible());
+        m_window->showError({core::ErrorCode::NoTriangles, "x"}, Failed::OpeningScan);
+        QVERIFY(!card->isVisible() && actions().openScan->isEnabled());
+        m_window->showBusy("Again");
+        show();
+        QVERIFY(!card->isWorking() && actions().grade->isEnabled());
+    }
+
+    void helpListsEveryAction()
+    {
+        press(Qt::Key_F1);
+        auto* help = child<HelpOverlay>();
+        QVERIFY(help->isVisible());
+        QSet<QString> words;
+        for (const QLabel* label : help->findChildren<QLabel*>())
+            words << label->text();
+        for (const Actions::Group& group : actions().groups()) {
+            QVERIFY2(words.contains(group.title()), qPrintable(group.title()));
+            for (const QAction* action : group.actions) {
+                QVERIFY2(words.contains(action->text()), qPrintable(action->text()));
+                for (const QKeySequence& key : action->shortcuts())
+                    QVERIFY2(words.contains(key.toString(QKeySequence::NativeText)), qPrintable(action->text()));
+            }
+        }
+        press(Qt::Key_F1);
+        QVERIFY(!help->isVisible());
+    }
+
+    void everyActionIsFitToBeRead()
+    {
+        QSet<QString> keys;
+        for (const Actions::Group& group : actions().groups())
+            for (const QAction* action : group.actions) {
+                QVERIFY(!action->text().isEmpty());
+                QVERIFY2(!action->statusTip().isEmpty(), qPrintable(action->text()));
+                QVERIFY2(action->toolTip().contains(action->shortcut().toString(QKeySequence::NativeText)),
+                         qPrintable(action->toolTip()));
+                QVERIFY2(!action->icon().isNull() || actions().burs.contains(action), qPrintable(action->text()));
+                if (action == actions().pauseReplay || action == actions().along)
+                    continue;  // rest while drill and bur colour, which have the same keys, do not
+                for (const QKeySequence& key : action->shortcuts()) {
+                    QVERIFY2(!keys.contains(key.toString()), qPrintable(key.toString() + " is taken twice"));
+                    keys << key.toString();
+                }
+            }
+    }
+
+    void tabReachesEveryButtonOfTheRoom()
+    {
+        QSet<QWidget*> reached;
+        for (int k = 0; k < 200; ++k) {
+            QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+            reached << QApplication::focusWidget();
+        }
+        for (QAbstractButton* button : child<PracticeRoom>()->findChildren<QAbstractButton*>())
+            if (button->isVisible() && button->isEnabled())
+                QVERIFY2(reached.contains(button), qPrintable(button->accessibleName()));
+        QVERIFY(reached.contains(child<QSlider>("pushForce")) && reached.contains(&m_window->view()));
+    }
+
+    void escapeGoesBackStepByStep()
+    {
+        m_window->showError({core::ErrorCode::FileEmpty, "x"}, Failed::OpeningScan);
+        press(Qt::Key_T);
+        press(Qt::Key_F1);
+        QVERIFY(child<HelpOverlay>()->isVisible());
+        press(Qt::Key_Escape);
+        QVERIFY(!child<HelpOverlay>()->isVisible() && child<ToothChooser>()->isVisible());
+        press(Qt::Key_Escape);
+        QVERIFY(isInRoom() && !message().isEmpty());
+        press(Qt::Key_Escape);
+        QVERIFY(message().isEmpty());
+        press(Qt::Key_Escape);
+        QVERIFY(m_window->isVisible());
+        QVERIFY2(sent().isEmpty(), "going back never touches the work");
+    }
+
+    void theConsoleTakesKeysAndLeavesTheView()
+    {
+        auto* console = child<ui::console::Console>();
+        QVERIFY(!console->isVisible());
+        press(Qt::Key_F10);
+        QTRY_VERIFY(console->isVisible());
+        const auto* line = child<QLineEdit>("consoleLine");
+        QCOMPARE(QApplication::focusWidget(), line);
+        QTest::keyClicks(QApplication::focusWidget(), "d1r ");  // which would drill, take a bur and begin again
+        QVERIFY(sent().isEmpty());
+        QCOMPARE(line->text(), QString("d1r "));
+        // The mouse drills beneath it.
+        auto& view = m_window->view();
+        const QPoint below(view.width() / 2, view.height() * 3 / 4);
+        QVERIFY(!console->geometry().contains(view.mapTo(console->parentWidget(), below)));
+        press(Qt::Key_QuoteLeft);
+        QTRY_VERIFY(!console->isVisible());
+        QCOMPARE(line->text(), QString("d1r "));
+        press(Qt::Key_QuoteLeft);
+        QTRY_VERIFY(console->isVisible());
+        press(Qt::Key_Escape);
+        QTRY_VERIFY(!console->isVisible());
+        QVERIFY(m_window->view().hasFocus());
+    }
 
 private:
     /// The aids that were noted last; nothing if none were since the last call.
@@ -86,565 +562,13 @@ private:
                 last = aids->aids;
         return last;
     }
+    /// Whether the aids noted since the last call have this one; nothing if none were.
+    [[nodiscard]] std::optional<bool> isNoted(int aid) const
+    {
+        const auto noted = aidsNoted();
+        return noted ? std::optional((*noted & aid) != 0) : std::nullopt;
+    }
 };
-
-void TestWindowRoom::keysSendCommands_data()
-{
-    using Keys = QList<QKeySequence>;
-    using Commands = QList<SessionCommand>;
-    QTest::addColumn<Keys>("keys");
-    QTest::addColumn<Commands>("commands");
-    QTest::newRow("undo") << Keys{QKeySequence("Ctrl+Z")} << Commands{Undo{}};
-    QTest::newRow("redo") << Keys{QKeySequence("Ctrl+Shift+Z")} << Commands{Redo{}};
-    QTest::newRow("reload") << Keys{QKeySequence("R")} << Commands{Reload{}};
-    QTest::newRow("drill") << Keys{QKeySequence("D"), QKeySequence("Space")}
-                           << Commands{SetDrill{true}, SetDrill{false}};
-    QTest::newRow("bur") << Keys{QKeySequence("2"), QKeySequence("4")} << Commands{SetBur{1}, SetBur{3}};
-}
-
-void TestWindowRoom::keysSendCommands()
-{
-    QFETCH(QList<QKeySequence>, keys);
-    QFETCH(QList<SessionCommand>, commands);
-    for (const QKeySequence& key : keys)
-        press(key[0].key(), key[0].keyboardModifiers());
-    const auto got = sent();
-    QCOMPARE(got.size(), commands.size());
-    for (qsizetype k = 0; k < got.size(); ++k) {
-        QCOMPARE(got[k].index(), commands[k].index());
-        if (const auto* drill = std::get_if<SetDrill>(&got[k]))
-            QCOMPARE(drill->on, std::get<SetDrill>(commands[k]).on);
-        if (const auto* bur = std::get_if<SetBur>(&got[k]))
-            QCOMPARE(bur->index, std::get<SetBur>(commands[k]).index);
-    }
-    QCOMPARE(actions().burs.size(), static_cast<qsizetype>(core::drilling::burs().size()));
-}
-
-void TestWindowRoom::onlyHandpiecesAtHandCanBeTaken()
-{
-    using core::settings::findHandpiece;
-    press(Qt::Key_9);
-    // A lesson's order is its own: the slow one is its first.
-    m_window->setHandpieces({findHandpiece("low-speed").value(), findHandpiece("turbine").value()});
-    press(Qt::Key_9);
-    press(Qt::Key_8);  // electric: not at hand
-    press(Qt::Key_7);
-    const auto commands = sent();
-    QCOMPARE(commands.size(), 3);
-    QCOMPARE(int{std::get<SetHandpiece>(commands[0]).index}, 2);
-    QCOMPARE(int{std::get<SetHandpiece>(commands[1]).index}, 0);
-    QCOMPARE(int{std::get<SetHandpiece>(commands[2]).index}, 1);
-}
-
-void TestWindowRoom::theServoHasTheLastWordOnDrillAndBur()
-{
-    spoil();
-    ServoState servo;
-    servo.tick = 1;
-    servo.drillOn = true;
-    servo.burIndex = 2;
-    take(servo, {});
-    QTRY_VERIFY(actions().drill->isChecked());
-    QTRY_VERIFY(actions().burs[2]->isChecked());
-    QVERIFY2(sent().isEmpty(), "what the servo says is shown, not sent back");
-    // A wish that the servo does not follow is given up.
-    press(Qt::Key_D);
-    QVERIFY(!actions().drill->isChecked());
-    QTRY_VERIFY(actions().drill->isChecked());
-}
-
-void TestWindowRoom::aFullQueueIsToldAndNothingIsPretended()
-{
-    while (m_links->commands.tryPush(Undo{})) {
-    }
-    press(Qt::Key_D);
-    QVERIFY(message().contains("busy"));
-    QVERIFY(!actions().drill->isChecked());
-    static_cast<void>(sent());
-}
-
-void TestWindowRoom::undoRestsWhileThereIsNothingToUndo()
-{
-    take({}, {});
-    QVERIFY(!actions().undo->isEnabled() && !actions().redo->isEnabled());
-    press(Qt::Key_Z, Qt::ControlModifier);
-    QVERIFY(sent().isEmpty());
-}
-
-void TestWindowRoom::gradeIsAskedFor()
-{
-    QSignalSpy asked(m_window.get(), &MainWindow::gradeRequested);
-    press(Qt::Key_G);
-    QCOMPARE(asked.size(), 1);
-    // The space bar presses a button that has the focus, and the drill does not start.
-    QPushButton* grade = nullptr;
-    for (QPushButton* button : child<PracticeRoom>()->findChildren<QPushButton*>())
-        if (button->text() == actions().grade->text())
-            grade = button;
-    QVERIFY(grade != nullptr);
-    grade->setFocus(Qt::TabFocusReason);
-    press(Qt::Key_Space);
-    QCOMPARE(asked.size(), 2);
-    QVERIFY(sent().isEmpty());
-    // Not once more: the grade is already there.
-    m_window->showScore(support::sheet(0, 0, 0), {});
-    press(Qt::Key_G);
-    QCOMPARE(asked.size(), 2);
-}
-
-void TestWindowRoom::homeIsOfferedWhereAHandCanBeLed()
-{
-    spoil();
-    press(Qt::Key_C);
-    QVERIFY(sent().empty());
-    m_window->offerHome();
-    press(Qt::Key_C);
-    const auto commands = sent();
-    QCOMPARE(commands.size(), 1);
-    QVERIFY(std::holds_alternative<BringHome>(commands.front()));
-    m_window->setReplaying(true);
-    press(Qt::Key_C);
-    QVERIFY(sent().empty());
-}
-
-void TestWindowRoom::filesAreAskedFor_data()
-{
-    QTest::addColumn<QKeySequence>("key");
-    QTest::addColumn<QString>("file");
-    QTest::addColumn<int>("which");
-    QTest::newRow("scan") << QKeySequence("Ctrl+O") << "scan.stl" << 0;
-    QTest::newRow("open recording") << QKeySequence("Ctrl+Shift+O") << "attempt.cusprec" << 1;
-    QTest::newRow("save recording") << QKeySequence("Ctrl+S") << "new.cusprec" << 2;
-}
-
-void TestWindowRoom::filesAreAskedFor()
-{
-    QFETCH(QKeySequence, key);
-    QFETCH(QString, file);
-    QFETCH(int, which);
-    QTemporaryDir folder;
-    const QString path = folder.filePath(file);
-    if (which != 2) {
-        QFile made(path);
-        QVERIFY(made.open(QIODevice::WriteOnly));
-    }
-    QSignalSpy scan(m_window.get(), &MainWindow::scanChosen);
-    QSignalSpy open(m_window.get(), &MainWindow::recordingOpenRequested);
-    QSignalSpy save(m_window.get(), &MainWindow::recordingSaveRequested);
-    press(key[0].key(), key[0].keyboardModifiers());
-    if (which == 2)
-        QVERIFY(child<QFileDialog>()->selectedFiles().value(0).endsWith(".cusprec"));
-    accept(path);
-    const std::array spies{&scan, &open, &save};
-    for (std::size_t k = 0; k < spies.size(); ++k)
-        QCOMPARE(spies.at(k)->size(), static_cast<int>(k) == which ? 1 : 0);
-    QCOMPARE(spies.at(static_cast<std::size_t>(which))->front().front().toString(), path);
-}
-
-void TestWindowRoom::droppedFilesAreToldApart()
-{
-    QSignalSpy scan(m_window.get(), &MainWindow::scanChosen);
-    QSignalSpy open(m_window.get(), &MainWindow::recordingOpenRequested);
-    QVERIFY(dropFile("/tmp/Molar.STL"));
-    QCOMPARE(scan.size(), 1);
-    QVERIFY(dropFile("/tmp/attempt.cusprec"));
-    QCOMPARE(open.size(), 1);
-    QMimeData words;
-    words.setText("not a file");
-    QVERIFY(!drop(words));
-    QVERIFY(dropFile("/tmp/letter.docx"));
-    QCOMPARE(scan.size() + open.size(), 2);
-    QVERIFY(message().contains("neither a scan"));
-}
-
-void TestWindowRoom::theNextWindowIsLaidOutAsThisOne()
-{
-    spoil();
-    press(Qt::Key_F11);
-    QVERIFY(m_window->isFullScreen());
-    press(Qt::Key_Escape);
-    QVERIFY(!m_window->isFullScreen() && !actions().fullScreen->isChecked());
-    m_window->resize(1011, 707);
-    QVERIFY(child<SidePanel>()->isVisible() && !actions().otherHand->isChecked());
-    press(Qt::Key_F9);
-    press(Qt::Key_X);
-    press(Qt::Key_H);
-    m_window->close();
-    openWindow();
-    QCOMPARE(m_window->size(), QSize(1011, 707));
-    QVERIFY(!child<SidePanel>()->isVisible() && !actions().panel->isChecked());
-    QVERIFY(child<SectionView>()->isVisible() && actions().section->isChecked());
-    QVERIFY(actions().turnSection->isEnabled() && actions().otherHand->isChecked());
-    // A lesson's lock is not what the student wanted.
-    lessons::Aids none;
-    none.section = false;
-    m_window->setAids(none);
-    QVERIFY(!child<SectionView>()->isVisible());
-    openWindow();
-    QVERIFY(child<SectionView>()->isVisible());
-    press(Qt::Key_F9);
-    QVERIFY(child<SidePanel>()->isVisible());
-    spoil();
-}
-
-void TestWindowRoom::theAidsInUseAreNoted()
-{
-    spoil();
-    m_window->setAids({});
-    show();
-    const auto first = aidsNoted();
-    QVERIFY(first.has_value());
-    QVERIFY((*first & kDepthGaugeAid) != 0 && (*first & kSectionAid) == 0);
-    press(Qt::Key_X);
-    QVERIFY((aidsNoted().value_or(0) & kSectionAid) != 0);
-    press(Qt::Key_F);
-    QVERIFY((aidsNoted().value_or(0) & kRadiographAid) != 0);
-    press(Qt::Key_Escape);
-    QVERIFY((aidsNoted().value_or(kRadiographAid) & kRadiographAid) == 0);
-    QVERIFY2(!aidsNoted().has_value(), "said once");
-    // What was out before, and is not seen where the lesson does not allow it, is not in use there.
-    actions().mirror->setChecked(true);
-    QVERIFY((aidsNoted().value_or(0) & kMirrorAid) != 0);
-    lessons::Aids noMirror;
-    noMirror.mirror = false;
-    m_window->setAids(noMirror);
-    QVERIFY((aidsNoted().value_or(kMirrorAid) & kMirrorAid) == 0);
-    m_window->setAids({});
-    actions().mirror->setChecked(false);
-    static_cast<void>(aidsNoted());
-    // The console tells no more than the lesson allows, and of what it tells that is noted, too.
-    auto* console = child<ui::console::Console>();
-    press(Qt::Key_F9);
-    QVERIFY((aidsNoted().value_or(kDepthGaugeAid) & kDepthGaugeAid) == 0);
-    console->execute(QStringLiteral("watch live.depth"));
-    QVERIFY((aidsNoted().value_or(0) & kDepthGaugeAid) != 0);
-    m_window->setAids(lessons::Aids::none());
-    QVERIFY((aidsNoted().value_or(kDepthGaugeAid) & kDepthGaugeAid) == 0);
-    console->execute(QStringLiteral("get live.depth"));
-    QVERIFY(child<QPlainTextEdit>("consoleOutput")->toPlainText().endsWith("This lesson does not allow it."));
-}
-
-void TestWindowRoom::whatALessonLocksRests()
-{
-    const auto* section = child<SectionView>();
-    const auto* films = child<ui::inside::XrayPage>();
-    press(Qt::Key_X);
-    QVERIFY(section->isVisible());
-    const QString tip = actions().section->toolTip();
-    m_window->setAids(lessons::Aids::none());
-    QVERIFY(!section->isVisible());
-    for (const QAction* aid : {actions().section, actions().turnSection, actions().radiograph}) {
-        QVERIFY(!aid->isEnabled());
-        QVERIFY(aid->toolTip().contains("does not allow"));
-    }
-    QVERIFY(!child<TabularLabel>("depthFigure")->isVisible());
-    QVERIFY(!child<TabularLabel>("dentinFigure")->isVisible());
-    press(Qt::Key_X);
-    press(Qt::Key_F);
-    QVERIFY(!section->isVisible() && !films->isVisible());
-    QVERIFY2(child<TabularLabel>("decayFigure")->isVisible(), "what is no aid stays");
-    // A section without the gauge tells no figures.
-    lessons::Aids aids;
-    aids.depthGauge = false;
-    m_window->setAids(aids);
-    QCOMPARE(actions().section->toolTip(), tip);
-    press(Qt::Key_X);
-    QVERIFY(section->isVisible() && !child<TabularLabel>("sectionNearest")->isVisible());
-    m_window->setAids({});
-    QVERIFY(child<TabularLabel>("sectionNearest")->isVisible() && child<TabularLabel>("depthFigure")->isVisible());
-    // Locked while it is looked at, the page of films closes.
-    press(Qt::Key_F);
-    QVERIFY(films->isVisible());
-    m_window->setAids(lessons::Aids::none());
-    QVERIFY(!films->isVisible());
-}
-
-void TestWindowRoom::figuresComeFromTheLoops_data()
-{
-    using Figures = QList<std::pair<const char*, QString>>;
-    QTest::addColumn<ServoState>("servo");
-    QTest::addColumn<SessionState>("session");
-    QTest::addColumn<Figures>("figures");
-    ServoState servo;
-    servo.tick = 5;
-    servo.touching = true;
-    servo.materialUnderBur = Material::Dentin;
-    servo.forceN = {0.0, 0.6, 0.8};
-    servo.depthMm = 1.417;
-    servo.hasDepth = true;
-    SessionState session;
-    session.wholeMm3 = {20.0, 200.0, 250.0, 20.0};
-    session.removedMm3 = {5.0, 12.314, 4.0, 0.25};
-    session.overcutMm3 = 9.806;
-    QTest::newRow("all") << servo << session
-                         << Figures{{"materialFigure", "Dentin"}, {"depthFigure", "1.42"},    {"forceFigure", "1.00"},
-                                    {"decayFigure", "75"},        {"enamelRemoved", "12.31"}, {"dentinRemoved", "4.00"},
-                                    {"pulpRemoved", "0.25"},      {"overcut", "9.81"}};
-    servo.hasDepth = false;
-    QTest::newRow("beside the tooth") << servo << session << Figures{{"forceFigure", "1.00"}, {"depthFigure", "–"}};
-    servo.touching = false;
-    session.removedMm3[0] = 19.95;
-    QTest::newRow("in the air") << servo << session
-                                << Figures{{"materialFigure", "Air"}, {"depthFigure", "–"}, {"decayFigure", "< 1"}};
-    session.wholeMm3[0] = 0.0;
-    QTest::newRow("no decay") << servo << session << Figures{{"decayFigure", "–"}};
-    // The force is there and the bur touches nothing: it hangs beside the tooth.
-    servo.handpieceOnCrown = true;
-    QTest::newRow("on the crown") << servo << session << Figures{{"materialFigure", "Handpiece"}};
-}
-
-void TestWindowRoom::figuresComeFromTheLoops()
-{
-    using Figures = QList<std::pair<const char*, QString>>;
-    QFETCH(ServoState, servo);
-    QFETCH(SessionState, session);
-    QFETCH(Figures, figures);
-    take(servo, session);
-    for (const auto& [name, text] : figures)
-        QTRY_COMPARE(figure(name), text);
-    // A wall that presses is told.
-    servo.forceN = {0.6, 0.0, 0.8};
-    take(servo, session);
-    QTRY_COMPARE(child<TabularLabel>("forceFigure")->unit(), QString("N, 0.6 sideways"));
-    servo.forceN = {0.0, 0.0, 0.8};
-    take(servo, session);
-    QTRY_COMPARE(child<TabularLabel>("forceFigure")->unit(), QString("N"));
-}
-
-void TestWindowRoom::harmIsToldWhenItHappens()
-{
-    auto* notice = child<QLabel>("notice");
-    SessionState session;
-    session.toothGeneration = m_generation;
-    session.removedMm3[1] = 3.0;
-    take({}, session);
-    QTRY_COMPARE(figure("enamelRemoved"), QString("3.00"));
-    QVERIFY(!notice->isVisible());
-    session.removedMm3[3] = 0.01;
-    take({}, session);
-    QVERIFY(notice->isVisible());
-    QCOMPARE(notice->text(), QString("Pulp opened"));
-    session.perforated = true;
-    take({}, session);
-    QCOMPARE(notice->text(), QString("Tooth perforated"));
-    session.removedMm3[3] = 0.0;
-    session.perforated = false;
-    take({}, session);
-    QVERIFY(!notice->isVisible());
-    // Another tooth that comes with its harm done: an attempt that waited for a replay.
-    session.toothGeneration = m_generation + 1;
-    session.removedMm3[1] = 4.0;
-    session.perforated = true;
-    take({}, session);
-    QTRY_COMPARE(figure("enamelRemoved"), QString("4.00"));
-    QVERIFY(!notice->isVisible());
-}
-
-void TestWindowRoom::troubleIsTold()
-{
-    const auto* sentence = child<QLabel>("health");
-    QVERIFY(!sentence->isVisible());
-    ServoState servo;
-    servo.tick = 1;
-    servo.health = kDeviceLost;
-    take(servo, {});
-    QTRY_VERIFY(sentence->isVisible() && sentence->text().contains("handpiece is gone"));
-    servo.health = 0;
-    take(servo, {});
-    QTRY_VERIFY(!sentence->isVisible());
-    servo.handpieceOnCrown = true;
-    take(servo, {});
-    QTRY_VERIFY(sentence->isVisible() && sentence->text().startsWith("The handpiece lies on the crown"));
-    servo.touching = true;
-    take(servo, {});
-    QTRY_VERIFY(!sentence->isVisible());
-}
-
-void TestWindowRoom::errorsStayAndComeBackAfterNews()
-{
-    const auto says = [this](const QString& words) {
-        const auto labels = child<MessageBar>()->findChildren<QLabel*>();
-        return std::any_of(labels.begin(), labels.end(),
-                           [&](const QLabel* label) { return label->isVisible() && label->text() == words; });
-    };
-    m_window->showError({core::ErrorCode::FileTruncated, "molar.stl: ends after 84 bytes."}, Failed::OpeningScan,
-                        "/scans/molar.stl");
-    const QString error = message();
-    QVERIFY(error.contains("ends too early") && says("molar.stl"));
-    m_window->showMessage("Saved.");
-    QCOMPARE(message(), QString("Saved."));
-    press(Qt::Key_Escape);
-    QCOMPARE(message(), error);
-    press(Qt::Key_Escape);
-    QVERIFY(message().isEmpty());
-    // A lesson is mended by its teacher, who reads which and where.
-    m_window->showError({core::ErrorCode::FileTruncated, "tooth.scan: a.stl is cut short"}, Failed::OpeningLesson,
-                        "my-scan");
-    QVERIFY(says("my-scan: tooth.scan: a.stl is cut short"));
-}
-
-void TestWindowRoom::aWarningGoesWithItsReason()
-{
-    const core::Error full{core::ErrorCode::FileUnwritable, "no room"};
-    m_window->showError(full, Failed::KeepingAttempt);
-    QVERIFY2(message().contains("is not kept on the disk"), qPrintable(message()));
-    m_window->showError(full, Failed::SavingRecording);
-    m_window->forgetAttemptNotKept();
-    QVERIFY2(message().contains("was not saved"), qPrintable(message()));
-    child<MessageBar>()->dismiss();
-    QVERIFY2(message().isEmpty(), qPrintable(message()));
-    // Once the school has answered, what was said of its silence is over.
-    m_window->showError({core::ErrorCode::ConnectionLost, "away"}, Failed::ReadingSchool);
-    m_window->showUnanswered();
-    QVERIFY2(message().contains("does not answer yet"), qPrintable(message()));
-    m_window->forgetUnanswered();
-    QVERIFY2(message().isEmpty(), qPrintable(message()));
-}
-
-void TestWindowRoom::theMessageButtonDoesWhatItSays()
-{
-    press(Qt::Key_R);
-    QCOMPARE(sent().size(), 1);
-    QVERIFY(message().contains("whole again"));
-    QTest::mouseClick(child<MessageBar>()->findChild<QPushButton*>(), Qt::LeftButton);
-    const auto commands = sent();
-    QCOMPARE(commands.size(), 1);
-    QVERIFY(std::holds_alternative<Undo>(commands.front()));
-    QVERIFY(message().isEmpty());
-}
-
-void TestWindowRoom::notesOfTheImporterAreShown()
-{
-    const auto import = [this](const QStringList& said, bool unitInDoubt) {
-        m_window->showTooth(support::syntheticMolar(), ++m_generation, notes(said), unitInDoubt);
-    };
-    import({"One."}, false);
-    QCOMPARE(message(), QString("One."));
-    import({"One.", "Two."}, false);
-    QVERIFY(message().startsWith("2 note"));
-    const auto* button = child<MessageBar>()->findChild<QPushButton*>();
-    QVERIFY(!button->isVisible());
-    // Another unit can be chosen beside the note.
-    QSignalSpy chosen(m_window.get(), &MainWindow::scanUnitChosen);
-    import({"Centimetres were taken."}, true);
-    QVERIFY(button->isVisible() && button->menu() != nullptr);
-    QCOMPARE(button->menu()->actions().size(), 4);
-    button->menu()->actions().front()->trigger();
-    QCOMPARE(chosen.size(), 1);
-    QCOMPARE(chosen.front().front().toString(), QString("mm"));
-    QVERIFY(!message().startsWith("Centimetres"));
-    import({"Centimetres were taken."}, true);
-    button->menu()->actions().back()->trigger();
-    QCOMPARE(chosen.size(), 1);
-    QVERIFY(!message().startsWith("Centimetres"));
-}
-
-void TestWindowRoom::workIsShownAndHoldsBackTheRest()
-{
-    auto* card = child<BusyCard>();
-    m_window->showBusy("Loading the scan");
-    QVERIFY(!actions().grade->isEnabled() && !actions().openScan->isEnabled());
-    QTRY_VERIFY(card->isVisible());
-    m_window->showError({core::ErrorCode::NoTriangles, "x"}, Failed::OpeningScan);
-    QVERIFY(!card->isVisible() && actions().openScan->isEnabled());
-    m_window->showBusy("Again");
-    show();
-    QVERIFY(!card->isWorking() && actions().grade->isEnabled());
-}
-
-void TestWindowRoom::helpListsEveryAction()
-{
-    press(Qt::Key_F1);
-    auto* help = child<HelpOverlay>();
-    QVERIFY(help->isVisible());
-    QSet<QString> words;
-    for (const QLabel* label : help->findChildren<QLabel*>())
-        words << label->text();
-    for (const Actions::Group& group : actions().groups()) {
-        QVERIFY2(words.contains(group.title()), qPrintable(group.title()));
-        for (const QAction* action : group.actions) {
-            QVERIFY2(words.contains(action->text()), qPrintable(action->text()));
-            for (const QKeySequence& key : action->shortcuts())
-                QVERIFY2(words.contains(key.toString(QKeySequence::NativeText)), qPrintable(action->text()));
-        }
-    }
-    press(Qt::Key_F1);
-    QVERIFY(!help->isVisible());
-}
-
-void TestWindowRoom::everyActionIsFitToBeRead()
-{
-    QSet<QString> keys;
-    for (const Actions::Group& group : actions().groups())
-        for (const QAction* action : group.actions) {
-            QVERIFY(!action->text().isEmpty());
-            QVERIFY2(!action->statusTip().isEmpty(), qPrintable(action->text()));
-            QVERIFY2(action->toolTip().contains(action->shortcut().toString(QKeySequence::NativeText)),
-                     qPrintable(action->toolTip()));
-            QVERIFY2(!action->icon().isNull() || actions().burs.contains(action), qPrintable(action->text()));
-            if (action == actions().pauseReplay || action == actions().along)
-                continue;  // rest while drill and bur colour, which have the same keys, do not
-            for (const QKeySequence& key : action->shortcuts()) {
-                QVERIFY2(!keys.contains(key.toString()), qPrintable(key.toString() + " is taken twice"));
-                keys << key.toString();
-            }
-        }
-}
-
-void TestWindowRoom::tabReachesEveryButtonOfTheRoom()
-{
-    QSet<QWidget*> reached;
-    for (int k = 0; k < 200; ++k) {
-        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
-        reached << QApplication::focusWidget();
-    }
-    for (QAbstractButton* button : child<PracticeRoom>()->findChildren<QAbstractButton*>())
-        if (button->isVisible() && button->isEnabled())
-            QVERIFY2(reached.contains(button), qPrintable(button->accessibleName()));
-    QVERIFY(reached.contains(child<QSlider>("pushForce")) && reached.contains(&m_window->view()));
-}
-
-void TestWindowRoom::escapeGoesBackStepByStep()
-{
-    m_window->showError({core::ErrorCode::FileEmpty, "x"}, Failed::OpeningScan);
-    press(Qt::Key_T);
-    press(Qt::Key_F1);
-    QVERIFY(child<HelpOverlay>()->isVisible());
-    press(Qt::Key_Escape);
-    QVERIFY(!child<HelpOverlay>()->isVisible() && child<ToothChooser>()->isVisible());
-    press(Qt::Key_Escape);
-    QVERIFY(isInRoom() && !message().isEmpty());
-    press(Qt::Key_Escape);
-    QVERIFY(message().isEmpty());
-    press(Qt::Key_Escape);
-    QVERIFY(m_window->isVisible());
-    QVERIFY2(sent().isEmpty(), "going back never touches the work");
-}
-
-void TestWindowRoom::theConsoleTakesKeysAndLeavesTheView()
-{
-    auto* console = child<ui::console::Console>();
-    QVERIFY(!console->isVisible());
-    press(Qt::Key_F10);
-    QTRY_VERIFY(console->isVisible());
-    const auto* line = child<QLineEdit>("consoleLine");
-    QCOMPARE(QApplication::focusWidget(), line);
-    QTest::keyClicks(QApplication::focusWidget(), "d1r ");  // which would drill, take a bur and begin again
-    QVERIFY(sent().isEmpty());
-    QCOMPARE(line->text(), QString("d1r "));
-    // The mouse drills beneath it.
-    auto& view = m_window->view();
-    const QPoint below(view.width() / 2, view.height() * 3 / 4);
-    QVERIFY(!console->geometry().contains(view.mapTo(console->parentWidget(), below)));
-    press(Qt::Key_QuoteLeft);
-    QTRY_VERIFY(!console->isVisible());
-    QCOMPARE(line->text(), QString("d1r "));
-    press(Qt::Key_QuoteLeft);
-    QTRY_VERIFY(console->isVisible());
-    press(Qt::Key_Escape);
-    QTRY_VERIFY(!console->isVisible());
-    QVERIFY(m_window->view().hasFocus());
-}
 
 QTEST_MAIN(TestWindowRoom)
 #include "tst_window_room.moc"
