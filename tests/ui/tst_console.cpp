@@ -84,525 +84,502 @@ class TestConsole : public QObject
 {
     Q_OBJECT
 private slots:
-    void initTestCase();
-    void everyNumberOfAPresetIsAParameter();
-    void commandsAnswer_data();
-    void commandsAnswer();
-    void whatIsFeltIsSetAndSetBack();
-    void theOwnerMayRefuse();
-    void theBoundHoldsHereToo();
-    void tabCompletes_data();
-    void tabCompletes();
-    void keysRecallAndClose();
-    void watchesAndPlots();
-    void presetsAreKeptAndFelt();
-    void periodsAreThoseOfTheTrail();
-    void settingsPageIsTheRegistry();
-    void settingsSayWhatIsRefused();
-    void nothingIsToldWhileComparedBlind();
-    void whatTheLessonForbidsIsNeitherToldNorWatched();
-    void answersAreSeenWhateverIsTyped();
-    void numbersTakePointAndComma_data();
-    void numbersTakePointAndComma();
-    void whatIsBeyondTheRangeBecomesNoOtherNumber_data();
-    void whatIsBeyondTheRangeBecomesNoOtherNumber();
-    void answersAreWrittenAsTheWindowWritesNumbers();
-};
 
-void TestConsole::initTestCase()
-{
-    shell::applyTheme(*qApp, shell::ThemeChoice::Light);
-}
+    void initTestCase() { shell::applyTheme(*qApp, shell::ThemeChoice::Light); }
 
-void TestConsole::answersAreWrittenAsTheWindowWritesNumbers()
-{
-    Room room;
-    const QLocale before;
-    QLocale::setDefault(QLocale("de_DE"));
-    const QString german = room.answer("set force.stiffness 1,5");
-    const QString again = room.answer("set force.stiffness 1.25");
-    QLocale::setDefault(before);
-    QCOMPARE(german, QString("force.stiffness = 1,5 N/mm"));
-    QCOMPARE(again, QString("force.stiffness = 1,25 N/mm"));
-    // However long a name is, its value stands apart.
-    for (const QString& line : room.answer("list hardness").split('\n'))
-        QVERIFY2(line.contains("  "), qPrintable(line));
-}
-
-void TestConsole::everyNumberOfAPresetIsAParameter()
-{
-    Room room;
-    for (const char* name : {"hardness.enamel.rate", "hardness.enamel.threshold", "hardness.soft_caries.rate",
-                             "hardness.plastic.threshold", "hardness.axial_share", "force.stiffness", "force.damping",
-                             "force.fast_damping", "force.friction", "force.limit"}) {
-        const auto* parameter = room.parameters.find(name);
-        QVERIFY2(parameter != nullptr, name);
-        QVERIFY2(!parameter->help().empty() && !parameter->label().empty(), name);
-        QVERIFY2(!parameter->isLive(), name);
+    void answersAreWrittenAsTheWindowWritesNumbers()
+    {
+        Room room;
+        const QLocale before;
+        QLocale::setDefault(QLocale("de_DE"));
+        const QString german = room.answer("set force.stiffness 1,5");
+        const QString again = room.answer("set force.stiffness 1.25");
+        QLocale::setDefault(before);
+        QCOMPARE(german, QString("force.stiffness = 1,5 N/mm"));
+        QCOMPARE(again, QString("force.stiffness = 1,25 N/mm"));
+        // However long a name is, its value stands apart.
+        for (const QString& line : room.answer("list hardness").split('\n'))
+            QVERIFY2(line.contains("  "), qPrintable(line));
     }
-    std::size_t felt = room.parameters.beginningWith("hardness.").size();
-    felt += room.parameters.beginningWith("force.").size();
-    QCOMPARE(felt, core::settings::feelFields().size());
-    for (const auto* live : room.parameters.beginningWith("live."))
-        QVERIFY(live->isLive() && !live->help().empty());
-}
 
-void TestConsole::commandsAnswer_data()
-{
-    QTest::addColumn<QString>("command");
-    QTest::addColumn<QString>("says");
-    const auto row = [](const char* name, const char* first, const char* second) {
-        QTest::newRow(name) << QString(first) << QString(second);
-    };
-    row("get", "get force.stiffness", "force.stiffness = 2 N/mm   (0.2 to 20 N/mm)");
-    row("the name alone", "force.stiffness", "force.stiffness = 2 N/mm");
-    row("set", "set force.stiffness 2.5", "force.stiffness = 2.5 N/mm");
-    row("name and value", "force.stiffness 2.5", "force.stiffness = 2.5 N/mm");
-    row("out of range", "set force.stiffness 100", "force.stiffness takes 0.2 to 20 N/mm.");
-    row("no number", "set force.stiffness hard", "\"hard\" is no number.");
-    row("on is no number", "set force.stiffness on", "\"on\" is no number.");
-    row("not a number", "set force.stiffness nan", "force.stiffness takes");
-    row("no value", "set force.stiffness", "set NAME VALUE");
-    row("unknown parameter", "set nobody 1", "There is no parameter \"nobody\".");
-    row("live", "set live.force 1", "live.force is a live value");
-    row("a switch", "set view.wet on", "view.wet = on");
-    row("half a switch", "set view.wet 0.5", "view.wet takes 0 (off) or 1 (on).");
-    row("list", "list stiff", "force.stiffness");
-    row("list of none", "list xyz", "No parameter's name holds \"xyz\".");
-    row("nothing to read", "get live.depth", "live.depth = –");
-    row("unknown command", "paint it", "There is no command \"paint\".");
-    row("no name", "watch", "\"watch\" wants a name");
-    row("help", "help", "plot NAME");
-}
-
-void TestConsole::commandsAnswer()
-{
-    QFETCH(QString, command);
-    QFETCH(QString, says);
-    Room room;
-    const QString said = room.answer(command);
-    QVERIFY2(said.contains(says), qPrintable(said));
-}
-
-void TestConsole::whatIsFeltIsSetAndSetBack()
-{
-    Room room;
-    room.feel = {};
-    room.feel.hash = std::string(64, 'a');
-    room.answer("set hardness.enamel.rate 1.25");
-    QCOMPARE(room.feel.enamelRate, 1.25);
-    QVERIFY(room.feel.hash.empty());  // no longer what its version says
-    // A stiffness that only holds with more damping goes back with it, in whatever order they stand.
-    room.answer("set force.damping 15");
-    room.answer("set force.stiffness 5.5");
-    QCOMPARE(room.feel.stiffnessNPerMm, 5.5);
-    const QString said = room.answer("reset");
-    QVERIFY2(said.contains("as the preset says"), qPrintable(said));
-    QVERIFY(room.feel == FeelPreset{});
-    room.answer("set hardness.enamel.rate 1.25");
-    QVERIFY(room.answer("reset hardness.enamel.rate").contains("hardness.enamel.rate = 0.7"));
-}
-
-void TestConsole::theOwnerMayRefuse()
-{
-    Room room;
-    room.refusal = "In an exam, what is felt stays as it is.";
-    QVERIFY(room.answer("set force.stiffness 1").contains("In an exam"));
-    QCOMPARE(room.feel.stiffnessNPerMm, 2.0);
-    room.wet.setEnabled(false);
-    QVERIFY(room.answer("set view.wet 1").contains("cannot be changed"));
-    QVERIFY(!room.wet.isChecked());
-}
-
-void TestConsole::theBoundHoldsHereToo()
-{
-    Room room;
-    const QString said = room.answer("set force.stiffness 9");
-    QVERIFY2(said.contains("5.37 N/mm"), qPrintable(said));
-    QCOMPARE(room.feel.stiffnessNPerMm, 2.0);
-}
-
-void TestConsole::tabCompletes_data()
-{
-    QTest::addColumn<QString>("begun");
-    QTest::addColumn<QString>("becomes");
-    const auto row = [](const char* name, const char* first, const char* second) {
-        QTest::newRow(name) << QString(first) << QString(second);
-    };
-    row("a command", "pl", "plot ");
-    row("as far as it is clear", "set force.s", "set force.stiffness ");
-    row("two of them", "get force.f", "get force.f");
-    row("a group", "get hard", "get hardness.");
-    row("from the middle of a name", "set dentin.rat", "set hardness.dentin.rate ");
-    row("a name without a command", "dentin.rat", "hardness.dentin.rate ");
-    row("several from the middle", "get rate", "get rate");
-    row("nothing to add", "get xyz", "get xyz");
-    row("no name behind the value", "set force.stiffness 2", "set force.stiffness 2");
-}
-
-void TestConsole::tabCompletes()
-{
-    QFETCH(QString, begun);
-    QFETCH(QString, becomes);
-    Room room;
-    QCOMPARE(room.console.completed(begun), becomes);
-    QTest::keyClicks(&room.line(), begun);
-    QTest::keyClick(&room.line(), Qt::Key_Tab);
-    QCOMPARE(room.line().text(), becomes);
-    // What is typed next must not be taken for shortcuts.
-    QCOMPARE(room.line().window()->focusWidget(), static_cast<QWidget*>(&room.line()));
-}
-
-void TestConsole::keysRecallAndClose()
-{
-    Room room;
-    QSignalSpy close(&room.console, &console::Console::closeWanted);
-    for (const char* command : {"get force.limit", "help"}) {
-        QTest::keyClicks(&room.line(), command);
-        QTest::keyClick(&room.line(), Qt::Key_Return);
-    }
-    QTest::keyClick(&room.line(), Qt::Key_Up);
-    QCOMPARE(room.line().text(), QString("help"));
-    QTest::keyClick(&room.line(), Qt::Key_Up);
-    QTest::keyClick(&room.line(), Qt::Key_Up);
-    QCOMPARE(room.line().text(), QString("get force.limit"));
-    QVERIFY(room.console.findChild<QLabel*>("consoleHint")->text().contains("8 N"));
-    QTest::keyClick(&room.line(), Qt::Key_Down);
-    QTest::keyClick(&room.line(), Qt::Key_Down);
-    QVERIFY(room.line().text().isEmpty());
-    QTest::keyClick(&room.line(), Qt::Key_QuoteLeft);
-    QTest::keyClick(&room.line(), Qt::Key_Escape);
-    QCOMPARE(close.size(), 2);
-    QVERIFY(room.line().text().isEmpty());
-}
-
-void TestConsole::watchesAndPlots()
-{
-    Room room;
-    room.answer("watch force.stiffness");
-    room.answer("plot live.force");
-    QCOMPARE(room.panel.names(), (QStringList{"force.stiffness", "live.force"}));
-    QVERIFY(room.panel.isVisible());
-    QVERIFY(room.panel.testAttribute(Qt::WA_TransparentForMouseEvents));
-    room.panel.forget("live.force");
-    QVERIFY(room.panel.watch("live.force", true));
-    // Ten seconds of it and no more.
-    const double begin = 1.0e6;
-    for (int k = 0; k <= 300; ++k) {
-        room.servo.forceN = glm::dvec3(0.0, 0.0, 0.01 * k);
-        room.panel.sample(begin + 0.1 * k);
-    }
-    const auto values = room.panel.plotted("live.force");
-    QCOMPARE(values.size(), std::size_t{101});
-    QVERIFY(std::abs(values.front() - 2.0) < 1.0e-9 && std::abs(values.back() - 3.0) < 1.0e-9);
-    QVERIFY(!room.panel.grab().isNull());
-    // And can be saved, whatever the language, as a table where nothing else is said.
-    const QTemporaryDir folder;
-    QVERIFY(room.answer("export live.force " + folder.filePath("a force")).contains("a force.csv"));
-    QFile table(folder.filePath("a force.csv"));
-    QVERIFY(table.open(QIODevice::ReadOnly));
-    const QList<QByteArray> lines = table.readAll().trimmed().split('\n');
-    QCOMPARE(lines.size(), 102);
-    QVERIFY2(lines[0].contains("live.force (N)") && lines[1].contains("-10,2") && lines.back().contains("0,3"),
-             (lines[0] + lines[1] + lines.back()).constData());
-    QVERIFY(room.answer("export live.force " + folder.filePath("a force")).contains("already"));
-    for (const char* name : {"force.svg", "force.png"})
-        QVERIFY(room.answer("export live.force " + folder.filePath(name)).contains("Saved as") &&
-                QFileInfo(folder.filePath(name)).size() > 0);
-    QVERIFY(room.answer("export live.force " + folder.filePath("none/a.csv")).contains("could not be written"));
-    QVERIFY(room.answer("export force.stiffness a.csv").contains("is not plotted"));
-    QVERIFY(room.answer("export live.force").contains("export NAME FILE"));
-    for (const char* name :
-         {"live.rpm", "live.removed", "live.depth", "live.missed", "live.period_p50", "live.period_p99"})
-        room.answer(QStringLiteral("watch %1").arg(name));
-    QVERIFY(room.answer("watch force.limit").contains("There is room for 8"));
-    room.answer("unwatch live.depth");
-    QVERIFY(!room.panel.names().contains("live.depth"));
-    room.answer("unwatch");
-    QVERIFY(room.panel.names().isEmpty() && !room.panel.isVisible());
-}
-
-void TestConsole::presetsAreKeptAndFelt()
-{
-    Room room;
-    QVERIFY(room.answer("save mine").contains("not to be had"));
-    QStringList asked;
-    room.console.setPresets(
-        [&](const QString& name) {
-            asked << "save " + name;
-            return QString("kept");
-        },
-        [&](const QString& name) {
-            asked << "load " + name;
-            return QString("felt");
-        },
-        [] {
-            return QStringList{"natural", "second year", "second year, soft", "Third"};
-        });
-    QVERIFY(room.answer("save second year").contains("kept"));
-    QVERIFY(room.answer("load natural v1").contains("felt"));
-    QCOMPARE(asked, (QStringList{"save second year", "load natural v1"}));
-    // Names of presets have spaces.
-    QCOMPARE(room.console.completed("load s"), "load second year");
-    QCOMPARE(room.console.completed("load second year, "), "load second year, soft ");
-    QCOMPARE(room.console.completed("save th"), "save Third ");
-    QCOMPARE(room.console.completed("load x"), "load x");
-}
-
-void TestConsole::periodsAreThoseOfTheTrail()
-{
-    console::PeriodMeter meter;
-    QVERIFY(std::isnan(meter.percentileUs(0.5)));
-    core::session::ServoState state;
-    std::int64_t now = 1'000'000'000;
-    std::size_t next = 0;
-    // 16 poses at a time, of which half have been seen before; one period in fifty is three times as long.
-    int tick = 0;
-    for (int frame = 0; frame < 200; ++frame) {
-        for (int k = 0; k < 8; ++k) {
-            now += ++tick % 50 == 0 ? 3'000'000 : 1'000'000;
-            state.trail[next++ % state.trail.size()].takenNs = now;
+    void everyNumberOfAPresetIsAParameter()
+    {
+        Room room;
+        for (const char* name : {"hardness.enamel.rate", "hardness.enamel.threshold", "hardness.soft_caries.rate",
+                                 "hardness.plastic.threshold", "hardness.axial_share", "force.stiffness",
+                                 "force.damping", "force.fast_damping", "force.friction", "force.limit"}) {
+            const auto* parameter = room.parameters.find(name);
+            QVERIFY2(parameter != nullptr, name);
+            QVERIFY2(!parameter->help().empty() && !parameter->label().empty(), name);
+            QVERIFY2(!parameter->isLive(), name);
         }
-        meter.take(state);
-        meter.take(state);
+        std::size_t felt = room.parameters.beginningWith("hardness.").size();
+        felt += room.parameters.beginningWith("force.").size();
+        QCOMPARE(felt, core::settings::feelFields().size());
+        for (const auto* live : room.parameters.beginningWith("live."))
+            QVERIFY(live->isLive() && !live->help().empty());
     }
-    QCOMPARE(meter.percentileUs(0.5), 1000.0);
-    QCOMPARE(meter.percentileUs(0.97), 1000.0);
-    QCOMPARE(meter.percentileUs(0.99), 3000.0);
-}
 
-void TestConsole::settingsPageIsTheRegistry()
-{
-    Room room;
-    shell::Actions actions(&room.window);
-    settings::SettingsPage page(actions, room.parameters, &room.window);
-    page.resize(900, 600);
-    page.show();
-    for (const auto* parameter : room.parameters.matching({})) {
-        const auto* input = page.findChild<QWidget*>(QString::fromStdString(parameter->name));
-        QCOMPARE(input != nullptr, !parameter->isLive());
-        if (input != nullptr)
-            QVERIFY2(!input->accessibleName().isEmpty(), parameter->name.c_str());
+    void commandsAnswer_data()
+    {
+        QTest::addColumn<QString>("command");
+        QTest::addColumn<QString>("says");
+        const auto row = [](const char* name, const char* first, const char* second) {
+            QTest::newRow(name) << QString(first) << QString(second);
+        };
+        row("get", "get force.stiffness", "force.stiffness = 2 N/mm   (0.2 to 20 N/mm)");
+        row("the name alone", "force.stiffness", "force.stiffness = 2 N/mm");
+        row("set", "set force.stiffness 2.5", "force.stiffness = 2.5 N/mm");
+        row("name and value", "force.stiffness 2.5", "force.stiffness = 2.5 N/mm");
+        row("out of range", "set force.stiffness 100", "force.stiffness takes 0.2 to 20 N/mm.");
+        row("no number", "set force.stiffness hard", "\"hard\" is no number.");
+        row("on is no number", "set force.stiffness on", "\"on\" is no number.");
+        row("not a number", "set force.stiffness nan", "force.stiffness takes");
+        row("no value", "set force.stiffness", "set NAME VALUE");
+        row("unknown parameter", "set nobody 1", "There is no parameter \"nobody\".");
+        row("live", "set live.force 1", "live.force is a live value");
+        row("a switch", "set view.wet on", "view.wet = on");
+        row("half a switch", "set view.wet 0.5", "view.wet takes 0 (off) or 1 (on).");
+        row("list", "list stiff", "force.stiffness");
+        row("list of none", "list xyz", "No parameter's name holds \"xyz\".");
+        row("nothing to read", "get live.depth", "live.depth = –");
+        row("unknown command", "paint it", "There is no command \"paint\".");
+        row("no name", "watch", "\"watch\" wants a name");
+        row("help", "help", "plot NAME");
     }
-    auto* stiffness = page.findChild<QDoubleSpinBox*>("force.stiffness");
-    QCOMPARE(stiffness->value(), 2.0);
-    QCOMPARE(stiffness->maximum(), 20.0);
-    stiffness->setValue(2.5);
-    QCOMPARE(room.feel.stiffnessNPerMm, 2.5);
-    QTest::mouseClick(page.findChild<QToolButton*>("reset force.stiffness"), Qt::LeftButton);
-    QCOMPARE(stiffness->value(), 2.0);
-    page.findChild<QCheckBox*>("view.wet")->click();
-    QVERIFY(room.wet.isChecked());
-    room.answer("set force.stiffness 1.5");
-    page.refresh();
-    QCOMPARE(stiffness->value(), 1.5);
-    auto* search = page.findChild<QLineEdit*>("settingsSearch");
-    search->setText("friction");
-    QVERIFY(!stiffness->isVisible());
-    QVERIFY(page.findChild<QWidget*>("force.friction")->isVisible());
-    search->clear();
-    QVERIFY(stiffness->isVisible());
-    const auto* none = page.findChild<QLabel*>("noSetting");
-    QVERIFY(!none->isVisible());
-    search->setText("zzz");
-    QVERIFY(none->isVisible());
-    search->setText("lang");
-    QVERIFY(!none->isVisible() && page.findChild<QComboBox*>("language")->isVisible());
-    // The colour of the pages is remembered for the next start.
-    auto* theme = page.findChild<QComboBox*>("theme");
-    theme->setCurrentIndex(2);
-    emit theme->activated(2);
-    QVERIFY(shell::rememberedTheme() == shell::ThemeChoice::Dark);
-    theme->setCurrentIndex(0);
-    emit theme->activated(0);
-    QVERIFY(shell::rememberedTheme() == shell::ThemeChoice::System);
-}
 
-void TestConsole::settingsSayWhatIsRefused()
-{
-    Room room;
-    shell::Actions actions(&room.window);
-    settings::SettingsPage page(actions, room.parameters, &room.window);
-    page.show();
-    auto* stiffness = page.findChild<QDoubleSpinBox*>("force.stiffness");
-    auto* fault = page.findChild<QLabel*>("settingsFault");
-    stiffness->setValue(9.0);
-    QVERIFY2(fault->isVisible() && fault->text().contains("5.37 N/mm"), qPrintable(fault->text()));
-    QCOMPARE(stiffness->value(), 2.0);  // as it is
-    stiffness->setValue(2.2);
-    QVERIFY(!fault->isVisible());
-}
+    void commandsAnswer()
+    {
+        QFETCH(QString, command);
+        QFETCH(QString, says);
+        Room room;
+        const QString said = room.answer(command);
+        QVERIFY2(said.contains(says), qPrintable(said));
+    }
 
-void TestConsole::nothingIsToldWhileComparedBlind()
-{
-    Room room;
-    QString kept;
-    room.console.setPresets([&](const QString& name) { return kept = name; }, {}, {});
-    const FeelPreset known = room.feel;
-    room.feel = presets::veiled(known);
-    // Neither the number, nor whether it is this one, nor how far it is from the bound.
-    for (const char* command : {"get force.stiffness", "force.stiffness", "set force.stiffness 2",
-                                "set force.stiffness 9", "save leak", "reset force.stiffness"})
-        QVERIFY2(room.answer(command).contains("compared blind"), command);
-    QVERIFY(kept.isEmpty());
-    QVERIFY(room.answer("list force.stiff").contains("–"));
-    room.line().setText("get force.stiffness");
-    QVERIFY(room.console.findChild<QLabel*>("consoleHint")->text().startsWith("–"));
-    shell::Actions actions(&room.window);
-    settings::SettingsPage page(actions, room.parameters, &room.window);
-    page.show();
-    auto* stiffness = page.findChild<QDoubleSpinBox*>("force.stiffness");
-    QVERIFY(!stiffness->isEnabled() && !stiffness->text().contains('2'));
-    const auto* why = page.findChild<QLabel*>("settingsBlind");
-    QVERIFY2(why->isVisible() && why->text().contains("\"End the comparison\""), qPrintable(why->text()));
-    room.feel = known;
-    page.refresh();
-    QVERIFY(!why->isVisible());
-    QVERIFY(stiffness->isEnabled() && stiffness->value() == 2.0 && stiffness->text().contains("2.000"));
-    QVERIFY(room.answer("get force.stiffness").contains("= 2 N/mm"));
-}
+    void whatIsFeltIsSetAndSetBack()
+    {
+        Room room;
+        room.feel = {};
+        room.feel.hash = std::string(64, 'a');
+        room.answer("set hardness.enamel.rate 1.25");
+        QCOMPARE(room.feel.enamelRate, 1.25);
+        QVERIFY(room.feel.hash.empty());  // no longer what its version says
+        // A stiffness that only holds with more damping goes back with it, in whatever order they stand.
+        room.answer("set force.damping 15");
+        room.answer("set force.stiffness 5.5");
+        QCOMPARE(room.feel.stiffnessNPerMm, 5.5);
+        const QString said = room.answer("reset");
+        QVERIFY2(said.contains("as the preset says"), qPrintable(said));
+        QVERIFY(room.feel == FeelPreset{});
+        room.answer("set hardness.enamel.rate 1.25");
+        QVERIFY(room.answer("reset hardness.enamel.rate").contains("hardness.enamel.rate = 0.7"));
+    }
 
-void TestConsole::whatTheLessonForbidsIsNeitherToldNorWatched()
-{
-    Room room;
-    room.servo.hasDepth = true;
-    room.servo.depthMm = 1.25;
-    room.servo.removedMm3.fill(0.5);
-    room.answer("plot live.depth");
-    room.answer("watch live.removed");
-    QVERIFY(room.answer("get live.depth").contains("1.25 mm"));
-    QVERIFY(!room.panel.plotted("live.depth").empty());
-    room.told = {false, false};
-    const QTemporaryDir folder;
-    for (const char* name : {"live.depth", "live.removed"})
-        for (const QString command : {"get %1", "%1", "watch %1", "plot %1", "export %1 "})
-            QCOMPARE(room.answer(command.arg(name) + (command.startsWith("export") ? folder.filePath("a.csv") : "")),
-                     QString("This lesson does not allow it."));
-    QVERIFY(!QFileInfo::exists(folder.filePath("a.csv")));
-    QVERIFY(room.answer("list live.depth").contains("–"));
-    room.line().setText("get live.depth");
-    QVERIFY(room.console.findChild<QLabel*>("consoleHint")->text().startsWith("–"));
-    // What was watched before shows nothing, nor what it was a moment ago.
-    room.panel.sample(1.0e9);
-    for (const double value : room.panel.plotted("live.depth"))
-        QVERIFY(std::isnan(value));
-    QVERIFY(room.answer("get live.force").contains("0 N"));
-    room.told = {};
-    room.panel.sample(1.0e9 + 0.1);
-    QCOMPARE(room.panel.plotted("live.depth").back(), 1.25);
-}
+    void theOwnerMayRefuse()
+    {
+        Room room;
+        room.refusal = "In an exam, what is felt stays as it is.";
+        QVERIFY(room.answer("set force.stiffness 1").contains("In an exam"));
+        QCOMPARE(room.feel.stiffnessNPerMm, 2.0);
+        room.wet.setEnabled(false);
+        QVERIFY(room.answer("set view.wet 1").contains("cannot be changed"));
+        QVERIFY(!room.wet.isChecked());
+    }
 
-void TestConsole::answersAreSeenWhateverIsTyped()
-{
-    Room room;
-    room.console.resize(500, 160);
-    auto* output = room.console.findChild<QPlainTextEdit*>("consoleOutput");
-    const auto* bar = output->verticalScrollBar();
-    for (int k = 0; k < 8; ++k) {
-        // A long help under the output takes a line of it away.
-        QTest::keyClicks(&room.line(), "get hardness.enamel.rate");
-        QApplication::processEvents();
-        QTest::keyClick(&room.line(), Qt::Key_Return);
-        QApplication::processEvents();
+    void theBoundHoldsHereToo()
+    {
+        Room room;
+        const QString said = room.answer("set force.stiffness 9");
+        QVERIFY2(said.contains("5.37 N/mm"), qPrintable(said));
+        QCOMPARE(room.feel.stiffnessNPerMm, 2.0);
+    }
+
+    void tabCompletes_data()
+    {
+        QTest::addColumn<QString>("begun");
+        QTest::addColumn<QString>("becomes");
+        const auto row = [](const char* name, const char* first, const char* second) {
+            QTest::newRow(name) << QString(first) << QString(second);
+        };
+        row("a command", "pl", "plot ");
+        row("as far as it is clear", "set force.s", "set force.stiffness ");
+        row("two of them", "get force.f", "get force.f");
+        row("a group", "get hard", "get hardness.");
+        row("from the middle of a name", "set dentin.rat", "set hardness.dentin.rate ");
+        row("a name without a command", "dentin.rat", "hardness.dentin.rate ");
+        row("several from the middle", "get rate", "get rate");
+        row("nothing to add", "get xyz", "get xyz");
+        row("no name behind the value", "set force.stiffness 2", "set force.stiffness 2");
+    }
+
+    void tabCompletes()
+    {
+        QFETCH(QString, begun);
+        QFETCH(QString, becomes);
+        Room room;
+        QCOMPARE(room.console.completed(begun), becomes);
+        QTest::keyClicks(&room.line(), begun);
+        QTest::keyClick(&room.line(), Qt::Key_Tab);
+        QCOMPARE(room.line().text(), becomes);
+        // What is typed next must not be taken for shortcuts.
+        QCOMPARE(room.line().window()->focusWidget(), static_cast<QWidget*>(&room.line()));
+    }
+
+    void keysRecallAndClose()
+    {
+        Room room;
+        QSignalSpy close(&room.console, &console::Console::closeWanted);
+        for (const char* command : {"get force.limit", "help"}) {
+            QTest::keyClicks(&room.line(), command);
+            QTest::keyClick(&room.line(), Qt::Key_Return);
+        }
+        QTest::keyClick(&room.line(), Qt::Key_Up);
+        QCOMPARE(room.line().text(), QString("help"));
+        QTest::keyClick(&room.line(), Qt::Key_Up);
+        QTest::keyClick(&room.line(), Qt::Key_Up);
+        QCOMPARE(room.line().text(), QString("get force.limit"));
+        QVERIFY(room.console.findChild<QLabel*>("consoleHint")->text().contains("8 N"));
+        QTest::keyClick(&room.line(), Qt::Key_Down);
+        QTest::keyClick(&room.line(), Qt::Key_Down);
+        QVERIFY(room.line().text().isEmpty());
+        QTest::keyClick(&room.line(), Qt::Key_QuoteLeft);
+        QTest::keyClick(&room.line(), Qt::Key_Escape);
+        QCOMPARE(close.size(), 2);
+        QVERIFY(room.line().text().isEmpty());
+    }
+
+    void watchesAndPlots()
+    {
+        Room room;
+        room.answer("watch force.stiffness");
+        room.answer("plot live.force");
+        QCOMPARE(room.panel.names(), (QStringList{"force.stiffness", "live.force"}));
+        QVERIFY(room.panel.isVisible());
+        QVERIFY(room.panel.testAttribute(Qt::WA_TransparentForMouseEvents));
+        room.panel.forget("live.force");
+        QVERIFY(room.panel.watch("live.force", true));
+        // Ten seconds of it and no more.
+        const double begin = 1.0e6;
+        for (int k = 0; k <= 300; ++k) {
+            room.servo.forceN = glm::dvec3(0.0, 0.0, 0.01 * k);
+            room.panel.sample(begin + 0.1 * k);
+        }
+        const auto values = room.panel.plotted("live.force");
+        QCOMPARE(values.size(), std::size_t{101});
+        QVERIFY(std::abs(values.front() - 2.0) < 1.0e-9 && std::abs(values.back() - 3.0) < 1.0e-9);
+        QVERIFY(!room.panel.grab().isNull());
+        // And can be saved, whatever the language, as a table where nothing else is said.
+        const QTemporaryDir folder;
+        QVERIFY(room.answer("export live.force " + folder.filePath("a force")).contains("a force.csv"));
+        QFile table(folder.filePath("a force.csv"));
+        QVERIFY(table.open(QIODevice::ReadOnly));
+        const QList<QByteArray> lines = table.readAll().trimmed().split('\n');
+        QCOMPARE(lines.size(), 102);
+        QVERIFY2(lines[0].contains("live.force (N)") && lines[1].contains("-10,2") && lines.back().contains("0,3"),
+                 (lines[0] + lines[1] + lines.back()).constData());
+        QVERIFY(room.answer("export live.force " + folder.filePath("a force")).contains("already"));
+        for (const char* name : {"force.svg", "force.png"})
+            QVERIFY(room.answer("export live.force " + folder.filePath(name)).contains("Saved as") &&
+                    QFileInfo(folder.filePath(name)).size() > 0);
+        QVERIFY(room.answer("export live.force " + folder.filePath("none/a.csv")).contains("could not be written"));
+        QVERIFY(room.answer("export force.stiffness a.csv").contains("is not plotted"));
+        QVERIFY(room.answer("export live.force").contains("export NAME FILE"));
+        for (const char* name :
+             {"live.rpm", "live.removed", "live.depth", "live.missed", "live.period_p50", "live.period_p99"})
+            room.answer(QStringLiteral("watch %1").arg(name));
+        QVERIFY(room.answer("watch force.limit").contains("There is room for 8"));
+        room.answer("unwatch live.depth");
+        QVERIFY(!room.panel.names().contains("live.depth"));
+        room.answer("unwatch");
+        QVERIFY(room.panel.names().isEmpty() && !room.panel.isVisible());
+    }
+
+    void presetsAreKeptAndFelt()
+    {
+        Room room;
+        QVERIFY(room.answer("save mine").contains("not to be had"));
+        QStringList asked;
+        room.console.setPresets(
+            [&](const QString& name) {
+                asked << "save " + name;
+                return QString("kept");
+            },
+            [&](const QString& name) {
+                asked << "load " + name;
+                return QString("felt");
+            },
+            [] {
+                return QStringList{"natural", "second year", "second year, soft", "Third"};
+            });
+        QVERIFY(room.answer("save second year").contains("kept"));
+        QVERIFY(room.answer("load natural v1").contains("felt"));
+        QCOMPARE(asked, (QStringList{"save second year", "load natural v1"}));
+        // Names of presets have spaces.
+        QCOMPARE(room.console.completed("load s"), "load second year");
+        QCOMPARE(room.console.completed("load second year, "), "load second year, soft ");
+        QCOMPARE(room.console.completed("save th"), "save Third ");
+        QCOMPARE(room.console.completed("load x"), "load x");
+    }
+
+    void periodsAreThoseOfTheTrail()
+    {
+        console::PeriodMeter meter;
+        QVERIFY(std::isnan(meter.percentileUs(0.5)));
+        core::session::ServoState state;
+        std::int64_t now = 1'000'000'000;
+        std::size_t next = 0;
+        // 16 poses at a time, of which half have been seen before; one period in fifty is three times as long.
+        int tick = 0;
+        for (int frame = 0; frame < 200; ++frame) {
+            for (int k = 0; k < 8; ++k) {
+                now += ++tick % 50 == 0 ? 3'000'000 : 1'000'000;
+                state.trail[next++ % state.trail.size()].takenNs = now;
+            }
+            meter.take(state);
+            meter.take(state);
+        }
+        QCOMPARE(meter.percentileUs(0.5), 1000.0);
+        QCOMPARE(meter.percentileUs(0.97), 1000.0);
+        QCOMPARE(meter.percentileUs(0.99), 3000.0);
+    }
+
+    void settingsPageIsTheRegistry()
+    {
+        Room room;
+        shell::Actions actions(&room.window);
+        settings::SettingsPage page(actions, room.parameters, &room.window);
+        page.resize(900, 600);
+        page.show();
+        for (const auto* parameter : room.parameters.matching({})) {
+            const auto* input = page.findChild<QWidget*>(QString::fromStdString(parameter->name));
+            QCOMPARE(input != nullptr, !parameter->isLive());
+            if (input != nullptr)
+                QVERIFY2(!input->accessibleName().isEmpty(), parameter->name.c_str());
+        }
+        auto* stiffness = page.findChild<QDoubleSpinBox*>("force.stiffness");
+        QCOMPARE(stiffness->value(), 2.0);
+        QCOMPARE(stiffness->maximum(), 20.0);
+        stiffness->setValue(2.5);
+        QCOMPARE(room.feel.stiffnessNPerMm, 2.5);
+        QTest::mouseClick(page.findChild<QToolButton*>("reset force.stiffness"), Qt::LeftButton);
+        QCOMPARE(stiffness->value(), 2.0);
+        page.findChild<QCheckBox*>("view.wet")->click();
+        QVERIFY(room.wet.isChecked());
+        room.answer("set force.stiffness 1.5");
+        page.refresh();
+        QCOMPARE(stiffness->value(), 1.5);
+        auto* search = page.findChild<QLineEdit*>("settingsSearch");
+        search->setText("friction");
+        QVERIFY(!stiffness->isVisible());
+        QVERIFY(page.findChild<QWidget*>("force.friction")->isVisible());
+        search->clear();
+        QVERIFY(stiffness->isVisible());
+        const auto* none = page.findChild<QLabel*>("noSetting");
+        QVERIFY(!none->isVisible());
+        search->setText("zzz");
+        QVERIFY(none->isVisible());
+        search->setText("lang");
+        QVERIFY(!none->isVisible() && page.findChild<QComboBox*>("language")->isVisible());
+        // The colour of the pages is remembered for the next start.
+        auto* theme = page.findChild<QComboBox*>("theme");
+        theme->setCurrentIndex(2);
+        emit theme->activated(2);
+        QVERIFY(shell::rememberedTheme() == shell::ThemeChoice::Dark);
+        theme->setCurrentIndex(0);
+        emit theme->activated(0);
+        QVERIFY(shell::rememberedTheme() == shell::ThemeChoice::System);
+    }
+
+    void settingsSayWhatIsRefused()
+    {
+        Room room;
+        shell::Actions actions(&room.window);
+        settings::SettingsPage page(actions, room.parameters, &room.window);
+        page.show();
+        auto* stiffness = page.findChild<QDoubleSpinBox*>("force.stiffness");
+        auto* fault = page.findChild<QLabel*>("settingsFault");
+        stiffness->setValue(9.0);
+        QVERIFY2(fault->isVisible() && fault->text().contains("5.37 N/mm"), qPrintable(fault->text()));
+        QCOMPARE(stiffness->value(), 2.0);  // as it is
+        stiffness->setValue(2.2);
+        QVERIFY(!fault->isVisible());
+    }
+
+    void nothingIsToldWhileComparedBlind()
+    {
+        Room room;
+        QString kept;
+        room.console.setPresets([&](const QString& name) { return kept = name; }, {}, {});
+        const FeelPreset known = room.feel;
+        room.feel = presets::veiled(known);
+        // Neither the number, nor whether it is this one, nor how far it is from the bound.
+        for (const char* command : {"get force.stiffness", "force.stiffness", "set force.stiffness 2",
+                                    "set force.stiffness 9", "save leak", "reset force.stiffness"})
+            QVERIFY2(room.answer(command).contains("compared blind"), command);
+        QVERIFY(kept.isEmpty());
+        QVERIFY(room.answer("list force.stiff").contains("–"));
+        room.line().setText("get force.stiffness");
+        QVERIFY(room.console.findChild<QLabel*>("consoleHint")->text().startsWith("–"));
+        shell::Actions actions(&room.window);
+        settings::SettingsPage page(actions, room.parameters, &room.window);
+        page.show();
+        auto* stiffness = page.findChild<QDoubleSpinBox*>("force.stiffness");
+        QVERIFY(!stiffness->isEnabled() && !stiffness->text().contains('2'));
+        const auto* why = page.findChild<QLabel*>("settingsBlind");
+        QVERIFY2(why->isVisible() && why->text().contains("\"End the comparison\""), qPrintable(why->text()));
+        room.feel = known;
+        page.refresh();
+        QVERIFY(!why->isVisible());
+        QVERIFY(stiffness->isEnabled() && stiffness->value() == 2.0 && stiffness->text().contains("2.000"));
+        QVERIFY(room.answer("get force.stiffness").contains("= 2 N/mm"));
+    }
+
+    void whatTheLessonForbidsIsNeitherToldNorWatched()
+    {
+        Room room;
+        room.servo.hasDepth = true;
+        room.servo.depthMm = 1.25;
+        room.servo.removedMm3.fill(0.5);
+        room.answer("plot live.depth");
+        room.answer("watch live.removed");
+        QVERIFY(room.answer("get live.depth").contains("1.25 mm"));
+        QVERIFY(!room.panel.plotted("live.depth").empty());
+        room.told = {false, false};
+        const QTemporaryDir folder;
+        for (const char* name : {"live.depth", "live.removed"})
+            for (const QString command : {"get %1", "%1", "watch %1", "plot %1", "export %1 "})
+                QCOMPARE(
+                    room.answer(command.arg(name) + (command.startsWith("export") ? folder.filePath("a.csv") : "")),
+                    QString("This lesson does not allow it."));
+        QVERIFY(!QFileInfo::exists(folder.filePath("a.csv")));
+        QVERIFY(room.answer("list live.depth").contains("–"));
+        room.line().setText("get live.depth");
+        QVERIFY(room.console.findChild<QLabel*>("consoleHint")->text().startsWith("–"));
+        // What was watched before shows nothing, nor what it was a moment ago.
+        room.panel.sample(1.0e9);
+        for (const double value : room.panel.plotted("live.depth"))
+            QVERIFY(std::isnan(value));
+        QVERIFY(room.answer("get live.force").contains("0 N"));
+        room.told = {};
+        room.panel.sample(1.0e9 + 0.1);
+        QCOMPARE(room.panel.plotted("live.depth").back(), 1.25);
+    }
+
+    void answersAreSeenWhateverIsTyped()
+    {
+        Room room;
+        room.console.resize(500, 160);
+        auto* output = room.console.findChild<QPlainTextEdit*>("consoleOutput");
+        const auto* bar = output->verticalScrollBar();
+        for (int k = 0; k < 8; ++k) {
+            // A long help under the output takes a line of it away.
+            QTest::keyClicks(&room.line(), "get hardness.enamel.rate");
+            QApplication::processEvents();
+            QTest::keyClick(&room.line(), Qt::Key_Return);
+            QApplication::processEvents();
+            QCOMPARE(bar->value(), bar->maximum());
+        }
+        // And the keys turn them over.
+        QTest::keyClick(&room.line(), Qt::Key_PageUp);
+        QVERIFY(bar->value() < bar->maximum());
+        QTest::keyClick(&room.line(), Qt::Key_PageDown);
         QCOMPARE(bar->value(), bar->maximum());
     }
-    // And the keys turn them over.
-    QTest::keyClick(&room.line(), Qt::Key_PageUp);
-    QVERIFY(bar->value() < bar->maximum());
-    QTest::keyClick(&room.line(), Qt::Key_PageDown);
-    QCOMPARE(bar->value(), bar->maximum());
-}
 
-void TestConsole::numbersTakePointAndComma_data()
-{
-    QTest::addColumn<QString>("language");
-    QTest::addColumn<QString>("typed");
-    QTest::addColumn<double>("becomes");
-    for (const char* language : {"en_GB", "de_DE", "es_ES", "ja_JP"})
-        for (const char* typed : {"1.75", "1,75"})
-            QTest::addRow("%s %s", language, typed) << language << typed << 1.75;
-    QTest::newRow("two of them") << "de_DE"
-                                 << "1.2,5" << 1.25;
-}
+    void numbersTakePointAndComma_data()
+    {
+        QTest::addColumn<QString>("language");
+        QTest::addColumn<QString>("typed");
+        QTest::addColumn<double>("becomes");
+        for (const char* language : {"en_GB", "de_DE", "es_ES", "ja_JP"})
+            for (const char* typed : {"1.75", "1,75"})
+                QTest::addRow("%s %s", language, typed) << language << typed << 1.75;
+        QTest::newRow("two of them") << "de_DE"
+                                     << "1.2,5" << 1.25;
+    }
 
-void TestConsole::numbersTakePointAndComma()
-{
-    QFETCH(QString, language);
-    QFETCH(QString, typed);
-    QFETCH(double, becomes);
-    const QLocale before;
-    QLocale::setDefault(QLocale(language));
-    const auto number = std::unique_ptr<QDoubleSpinBox>(study::numberInput(0.0, 10'000.0, 3, "mm³/(N s)", {}, nullptr));
-    QLocale::setDefault(before);
-    number->show();
-    number->selectAll();
-    QTest::keyClicks(number.get(), typed);
-    QTest::keyClick(number.get(), Qt::Key_Return);
-    QCOMPARE(number->value(), becomes);
-    number->setValue(1000.5);
-    QVERIFY2(number->text().startsWith("1000"), qPrintable(number->text()));
-}
+    void numbersTakePointAndComma()
+    {
+        QFETCH(QString, language);
+        QFETCH(QString, typed);
+        QFETCH(double, becomes);
+        const QLocale before;
+        QLocale::setDefault(QLocale(language));
+        const auto number =
+            std::unique_ptr<QDoubleSpinBox>(study::numberInput(0.0, 10'000.0, 3, "mm³/(N s)", {}, nullptr));
+        QLocale::setDefault(before);
+        number->show();
+        number->selectAll();
+        QTest::keyClicks(number.get(), typed);
+        QTest::keyClick(number.get(), Qt::Key_Return);
+        QCOMPARE(number->value(), becomes);
+        number->setValue(1000.5);
+        QVERIFY2(number->text().startsWith("1000"), qPrintable(number->text()));
+    }
 
-void TestConsole::whatIsBeyondTheRangeBecomesNoOtherNumber_data()
-{
-    QTest::addColumn<double>("low");
-    QTest::addColumn<double>("high");
-    QTest::addColumn<int>("decimals");
-    QTest::addColumn<QString>("typed");
-    QTest::addColumn<bool>("isToldAtOnce");
-    QTest::newRow("too much") << 0.2 << 20.0 << 3 << "25" << true;
-    QTest::newRow("far too much") << 0.2 << 9.0 << 3 << "99" << true;
-    QTest::newRow("a little too much") << 0.2 << 3.0 << 3 << "3.5" << true;
-    QTest::newRow("too little") << 0.2 << 20.0 << 3 << "0.1" << false;
-    QTest::newRow("too little so far") << 2.0 << 20.0 << 3 << "1" << false;
-    QTest::newRow("below a negative range") << -2.0 << 20.0 << 3 << "-25" << true;
-    QTest::newRow("no whole number") << 1.0 << 90.0 << 0 << "3.5" << true;
-}
+    void whatIsBeyondTheRangeBecomesNoOtherNumber_data()
+    {
+        QTest::addColumn<double>("low");
+        QTest::addColumn<double>("high");
+        QTest::addColumn<int>("decimals");
+        QTest::addColumn<QString>("typed");
+        QTest::addColumn<bool>("isToldAtOnce");
+        QTest::newRow("too much") << 0.2 << 20.0 << 3 << "25" << true;
+        QTest::newRow("far too much") << 0.2 << 9.0 << 3 << "99" << true;
+        QTest::newRow("a little too much") << 0.2 << 3.0 << 3 << "3.5" << true;
+        QTest::newRow("too little") << 0.2 << 20.0 << 3 << "0.1" << false;
+        QTest::newRow("too little so far") << 2.0 << 20.0 << 3 << "1" << false;
+        QTest::newRow("below a negative range") << -2.0 << 20.0 << 3 << "-25" << true;
+        QTest::newRow("no whole number") << 1.0 << 90.0 << 0 << "3.5" << true;
+    }
 
-void TestConsole::whatIsBeyondTheRangeBecomesNoOtherNumber()
-{
-    QFETCH(double, low);
-    QFETCH(double, high);
-    QFETCH(int, decimals);
-    QFETCH(QString, typed);
-    QFETCH(bool, isToldAtOnce);
-    QWidget form;
-    form.resize(400, 300);
-    QDoubleSpinBox* number = study::numberInput(low, high, decimals, "N/mm", {}, &form);
-    number->setValue(2.0);
-    form.show();
-    QVERIFY(QTest::qWaitForWindowActive(&form));
-    const auto said = [&form] {
-        const auto* note = form.findChild<QLabel*>("numberNote");
-        return note != nullptr && note->isVisible() ? note->text() : QString();
-    };
-    number->setFocus();
-    number->selectAll();
-    QTest::keyClicks(number, typed);
-    QVERIFY2(number->text().startsWith(typed), qPrintable(number->text()));
-    QCOMPARE(number->value(), 2.0);
-    QCOMPARE(!said().isEmpty(), isToldAtOnce);
-    QTest::keyClick(number, Qt::Key_Return);
-    QCOMPARE(number->value(), 2.0);
-    QVERIFY2(number->text().startsWith("2"), qPrintable(number->text()));
-    QVERIFY2(said().contains(QLocale().toString(high) + " N/mm can be entered here.") && said().endsWith("N/mm stays."),
-             qPrintable(said()));
-    // What fits is taken, and nothing is said of it.
-    number->selectAll();
-    QTest::keyClicks(number, "3");
-    QTest::keyClick(number, Qt::Key_Return);
-    QCOMPARE(number->value(), 3.0);
-    QVERIFY2(said().isEmpty(), qPrintable(said()));
-    // Nor does the part that fits stay where the field is left.
-    number->selectAll();
-    QTest::keyClicks(number, typed);
-    number->clearFocus();
-    QCOMPARE(number->value(), 3.0);
-    QVERIFY2(number->text().startsWith("3"), qPrintable(number->text()));
-    QVERIFY2(said().contains("3.000 N/mm stays.") || decimals == 0, qPrintable(said()));
-    number->stepUp();
-    QVERIFY2(number->value() > 3.0 || high == 3.0, qPrintable(number->text()));
-}
+    void whatIsBeyondTheRangeBecomesNoOtherNumber()
+    {
+        QFETCH(double, low);
+        QFETCH(double, high);
+        QFETCH(int, decimals);
+        QFETCH(QString, typed);
+        QFETCH(bool, isToldAtOnce);
+        QWidget form;
+        form.resize(400, 300);
+        QDoubleSpinBox* number = study::numberInput(low, high, decimals, "N/mm", {}, &form);
+        number->setValue(2.0);
+        form.show();
+        QVERIFY(QTest::qWaitForWindowActive(&form));
+        const auto said = [&form] {
+            const auto* note = form.findChild<QLabel*>("numberNote");
+            return note != nullptr && note->isVisible() ? note->text() : QString();
+        };
+        number->setFocus();
+        number->selectAll();
+        QTest::keyClicks(number, typed);
+        QVERIFY2(number->text().startsWith(typed), qPrintable(number->text()));
+        QCOMPARE(number->value(), 2.0);
+        QCOMPARE(!said().isEmpty(), isToldAtOnce);
+        QTest::keyClick(number, Qt::Key_Return);
+        QCOMPARE(number->value(), 2.0);
+        QVERIFY2(number->text().startsWith("2"), qPrintable(number->text()));
+        QVERIFY2(said().contains(QLocale().toString(high) + " N/mm can be entered here.") &&
+                     said().endsWith("N/mm stays."),
+                 qPrintable(said()));
+        // What fits is taken, and nothing is said of it.
+        number->selectAll();
+        QTest::keyClicks(number, "3");
+        QTest::keyClick(number, Qt::Key_Return);
+        QCOMPARE(number->value(), 3.0);
+        QVERIFY2(said().isEmpty(), qPrintable(said()));
+        // Nor does the part that fits stay where the field is left.
+        number->selectAll();
+        QTest::keyClicks(number, typed);
+        number->clearFocus();
+        QCOMPARE(number->value(), 3.0);
+        QVERIFY2(number->text().startsWith("3"), qPrintable(number->text()));
+        QVERIFY2(said().contains("3.000 N/mm stays.") || decimals == 0, qPrintable(said()));
+        number->stepUp();
+        QVERIFY2(number->value() > 3.0 || high == 3.0, qPrintable(number->text()));
+    }
+};
 
 QTEST_MAIN(TestConsole)
 #include "tst_console.moc"

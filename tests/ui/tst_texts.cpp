@@ -19,6 +19,7 @@
 #include "lessons/LessonReader.h"
 #include "lessons/PresetFile.h"
 #include "lessons/Rubric.h"
+#include "tests/support/Tables.h"
 #include "ui/admin/AdminWords.h"
 #include "ui/people/PeopleWords.h"
 #include "ui/study/LessonWords.h"
@@ -29,54 +30,22 @@
 using core::ErrorCode;
 using core::terrain::Material;
 
-class TestTexts : public QObject
-{
-    Q_OBJECT
-private slots:
-    void initTestCase() { QLocale::setDefault(QLocale("en_GB")); }
-    void everyErrorCodeHasASentenceOfItsOwn();
-    void searchesKnowNoAccents();
-    void errorsSpeakOfWhatWasDone();
-    void notesOfAScanAreSentences();
-    void datesFollowTheLanguage_data();
-    void datesFollowTheLanguage();
-    void everyBlockHasATitleOfItsOwn();
-    void whatACheckFoundIsToldInWords();
-    void faultsAreToldInEveryLanguage_data() { addLanguages({"de", "es", "ja"}); }
-    void faultsAreToldInEveryLanguage();
-    void whatCoreRefusesIsToldInEveryLanguage_data() { addLanguages({"de", "es", "ja"}); }
-    void whatCoreRefusesIsToldInEveryLanguage();
-    void whatAnAuditRowIsAboutIsToldInWords_data();
-    void whatAnAuditRowIsAboutIsToldInWords();
-    void theGravestTroubleIsTold();
-    void criteriaAreWorkedInNumbers_data();
-    void criteriaAreWorkedInNumbers();
-    void teethMaterialsAndBursHaveNames();
-    void numbersFollowTheLanguage();
-    void everythingIsTranslated_data() { addLanguages({"de", "es", "ja"}); }
-    void everythingIsTranslated();
-    void everyPluralHasAllItsForms_data() { addLanguages({"en", "de", "es", "ja"}); }
-    void everyPluralHasAllItsForms();
-    void nobodyIsSpokenToLikeAChild_data();
-    void nobodyIsSpokenToLikeAChild();
-    void eachLanguageIsEmbedded_data();
-    void eachLanguageIsEmbedded();
-
-private:
-    static void addLanguages(const QStringList& languages);
-};
-
 namespace {
 
-constexpr std::array kAllCodes{
-    ErrorCode::FileMissing,    ErrorCode::FileUnreadable, ErrorCode::FileUnwritable, ErrorCode::FileEmpty,
-    ErrorCode::FileTruncated,  ErrorCode::FileTooLarge,   ErrorCode::WrongKind,      ErrorCode::NewerVersion,
-    ErrorCode::OlderVersion,   ErrorCode::BadNumber,      ErrorCode::BadStructure,   ErrorCode::NoTriangles,
-    ErrorCode::UnknownName,    ErrorCode::OutOfRange,     ErrorCode::OtherTooth,     ErrorCode::Busy,
-    ErrorCode::ConnectionLost, ErrorCode::NotAllowed,     ErrorCode::WrongLogin,     ErrorCode::TooSoon,
-    ErrorCode::NewPassword,    ErrorCode::NobodyLeft,     ErrorCode::ChangedSince,   ErrorCode::Disabled,
-    ErrorCode::OpenElsewhere,  ErrorCode::ServerRefuses,  ErrorCode::OtherSchool,    ErrorCode::OutcomeUnknown};
-static_assert(kAllCodes.size() == static_cast<std::size_t>(ErrorCode::ChangedSince) + 1, "a new code needs a sentence");
+constexpr int kCodes = static_cast<int>(ErrorCode::ChangedSince) + 1;
+
+/// Words that no sentence in another language has.
+const QRegularExpression kEnglish("\\b(is|the|must|there|with|write|missing|leave|which|and|choose|this|from)\\b");
+
+/// The language is spoken as long as this lives.
+std::unique_ptr<QTranslator> spoken(const QLocale& locale)
+{
+    auto words = std::make_unique<QTranslator>();
+    if (!words->load(locale, "cusp", "_", ":/i18n"))
+        qFatal("a language is missing");
+    QCoreApplication::installTranslator(words.get());
+    return words;
+}
 
 struct Entry
 {
@@ -145,517 +114,502 @@ lessons::Criterion criterion(const std::string& id, std::optional<double> measur
 
 }  // namespace
 
-void TestTexts::addLanguages(const QStringList& languages)
+class TestTexts : public QObject
 {
-    QTest::addColumn<QString>("language");
-    for (const QString& language : languages)
-        QTest::newRow(qPrintable(language)) << language;
-}
+    Q_OBJECT
+private slots:
+    void initTestCase() { QLocale::setDefault(QLocale("en_GB")); }
 
-void TestTexts::everyErrorCodeHasASentenceOfItsOwn()
-{
-    using ui::text::Failed;
-    for (const Failed failed : {Failed::OpeningScan, Failed::MakingTooth, Failed::OpeningRecording,
-                                Failed::SavingRecording, Failed::KeepingGrades, Failed::KeepingGrade,
-                                Failed::KeepingAttempt, Failed::KeepingExam, Failed::ResumingAttempt}) {
+    void everyErrorCodeHasASentenceOfItsOwn()
+    {
+        using ui::text::Failed;
+        for (const Failed failed : {Failed::OpeningScan, Failed::MakingTooth, Failed::OpeningRecording,
+                                    Failed::SavingRecording, Failed::KeepingGrades, Failed::KeepingGrade,
+                                    Failed::KeepingAttempt, Failed::KeepingExam, Failed::ResumingAttempt}) {
+            QSet<QString> seen;
+            for (int code = 0; code < kCodes; ++code) {
+                const QString text =
+                    ui::text::errorText({static_cast<ErrorCode>(code), "molar.stl: the exact detail."}, failed);
+                QVERIFY2(text.size() > 15 && (text.endsWith('.') || text.endsWith('?')), qPrintable(text));
+                QVERIFY2(!text.contains("molar.stl"), "the detail is for who asks");
+                seen << text;
+            }
+            QCOMPARE(seen.size(), kCodes);
+        }
+    }
+
+    void errorsSpeakOfWhatWasDone()
+    {
+        using ui::text::Failed;
+        const core::Error error{ErrorCode::WrongKind, {}};
+        QVERIFY(ui::text::errorText(error, Failed::OpeningScan).contains("scan"));
+        for (const Failed failed : {Failed::OpeningRecording, Failed::KeepingGrades, Failed::ResumingAttempt})
+            for (const ErrorCode code : {ErrorCode::WrongKind, ErrorCode::FileTruncated, ErrorCode::FileEmpty,
+                                         ErrorCode::FileTooLarge, ErrorCode::BadStructure})
+                QVERIFY(!ui::text::errorText({code, {}}, failed).contains("scan", Qt::CaseInsensitive));
+        QVERIFY(ui::text::errorText(error, Failed::KeepingGrades).contains("Grades will not be kept"));
+        // What nobody sends again by himself is not said to be.
+        const core::Error lost{ErrorCode::ConnectionLost, {}};
+        QVERIFY(ui::text::errorText(lost, Failed::KeepingGrades).contains("tries again by itself"));
+        QVERIFY(!ui::text::errorText(lost, Failed::ChangingSchool).contains("by itself"));
+        QVERIFY(ui::text::errorText(lost, Failed::ChangingSchool).contains("Try it again when the server answers"));
+    }
+
+    void notesOfAScanAreSentences()
+    {
+        core::teeth::ToothReport report;
+        report.lowMm = {-5.0, -5.0, -12.0};
+        report.highMm = {5.0, 5.0, 0.0};
+        QVERIFY(ui::text::scanNotes(report).isEmpty());
+        report.placement.unitDoubtful = report.placement.upDoubtful = true;
+        report.boundaryEdges = report.zeroAreaFaces = report.duplicateFaces = 3;
+        report.nonManifoldEdges = report.flippedEdges = report.shellsInsideOut = 1;
+        report.shells = 2;
         QSet<QString> seen;
-        for (const ErrorCode code : kAllCodes) {
-            const QString text = ui::text::errorText({code, "molar.stl: the exact detail."}, failed);
-            QVERIFY2(text.size() > 15 && (text.endsWith('.') || text.endsWith('?')), qPrintable(text));
-            QVERIFY2(!text.contains("molar.stl"), "the detail is for who asks");
-            seen << text;
+        for (const char* unit : {"mm", "cm", "m", "3.71"}) {
+            report.placement.unit.name = unit;
+            const QStringList notes = ui::text::scanNotes(report);
+            QCOMPARE(notes.size(), 9);
+            QVERIFY2(notes.front().contains("12.0"), qPrintable(notes.front()));
+            seen << notes.front();
+            for (const QString& note : notes) {
+                QVERIFY2((note.front().isUpper() || note.front().isDigit()) && note.endsWith('.'), qPrintable(note));
+                QVERIFY2(!note.contains("--"), "no command line in the window");
+            }
         }
-        QCOMPARE(seen.size(), static_cast<qsizetype>(kAllCodes.size()));
+        QCOMPARE(seen.size(), 4);
     }
-}
 
-void TestTexts::errorsSpeakOfWhatWasDone()
-{
-    using ui::text::Failed;
-    const core::Error error{ErrorCode::WrongKind, {}};
-    QVERIFY(ui::text::errorText(error, Failed::OpeningScan).contains("scan"));
-    for (const Failed failed : {Failed::OpeningRecording, Failed::KeepingGrades, Failed::ResumingAttempt})
-        for (const ErrorCode code : {ErrorCode::WrongKind, ErrorCode::FileTruncated, ErrorCode::FileEmpty,
-                                     ErrorCode::FileTooLarge, ErrorCode::BadStructure})
-            QVERIFY(!ui::text::errorText({code, {}}, failed).contains("scan", Qt::CaseInsensitive));
-    QVERIFY(ui::text::errorText(error, Failed::KeepingGrades).contains("Grades will not be kept"));
-    // What nobody sends again by himself is not said to be.
-    const core::Error lost{ErrorCode::ConnectionLost, {}};
-    QVERIFY(ui::text::errorText(lost, Failed::KeepingGrades).contains("tries again by itself"));
-    QVERIFY(!ui::text::errorText(lost, Failed::ChangingSchool).contains("by itself"));
-    QVERIFY(ui::text::errorText(lost, Failed::ChangingSchool).contains("Try it again when the server answers"));
-}
+    void datesFollowTheLanguage_data()
+    {
+        QTest::addColumn<QString>("locale");
+        QTest::addColumn<QString>("words");
+        QTest::newRow("en") << "en_GB"
+                            << "17/11/2026 14:05|17 Nov|Nov 2026|17 Nov, 1 day late|17 Nov, 5 days late|"
+                               "due today 14:05|due Tuesday|due 17/11/2026";
+        QTest::newRow("de") << "de_DE"
+                            << "17.11.26 14:05|17. Nov.|Nov. 2026|17. Nov., 1 Tag zu spät|17. Nov., 5 Tage zu spät|"
+                               "heute fällig, 14:05|fällig: Dienstag|fällig: 17.11.26";
+        QTest::newRow("es") << "es_ES"
+                            << "17/11/26 14:05|17 nov|nov 2026|17 nov, 1 día de retraso|17 nov, 5 días de retraso|"
+                               "vence hoy, 14:05|vence: martes|vence: 17/11/26";
+        QTest::newRow("ja") << "ja_JP"
+                            << "2026/11/17 14:05|11月17日|2026年11月|11月17日、1 日遅れ|11月17日、5 日遅れ|"
+                               "今日 14:05 締切|締切：火曜日|締切：2026/11/17";
+    }
 
-void TestTexts::notesOfAScanAreSentences()
-{
-    core::teeth::ToothReport report;
-    report.lowMm = {-5.0, -5.0, -12.0};
-    report.highMm = {5.0, 5.0, 0.0};
-    QVERIFY(ui::text::scanNotes(report).isEmpty());
-    report.placement.unitDoubtful = report.placement.upDoubtful = true;
-    report.boundaryEdges = report.zeroAreaFaces = report.duplicateFaces = 3;
-    report.nonManifoldEdges = report.flippedEdges = report.shellsInsideOut = 1;
-    report.shells = 2;
-    QSet<QString> seen;
-    for (const char* unit : {"mm", "cm", "m", "3.71"}) {
-        report.placement.unit.name = unit;
-        const QStringList notes = ui::text::scanNotes(report);
-        QCOMPARE(notes.size(), 9);
-        QVERIFY2(notes.front().contains("12.0"), qPrintable(notes.front()));
-        seen << notes.front();
-        for (const QString& note : notes) {
-            QVERIFY2((note.front().isUpper() || note.front().isDigit()) && note.endsWith('.'), qPrintable(note));
-            QVERIFY2(!note.contains("--"), "no command line in the window");
+    /// The order of day, month and year, their names, and the words around them.
+    void datesFollowTheLanguage()
+    {
+        QFETCH(QString, locale);
+        QFETCH(QString, words);
+        const auto back = qScopeGuard([] { QLocale::setDefault(QLocale("en_GB")); });
+        QLocale::setDefault(QLocale(locale));
+        const auto translator = spoken(QLocale());
+        const QDateTime at(QDate(2026, 11, 17), QTime(14, 5));
+        const std::string utc = at.toUTC().toString(Qt::ISODate).toStdString();
+        QCOMPARE((QStringList{ui::people::when(utc), ui::people::whenShort(utc, at.addDays(30)),
+                              ui::people::whenShort(utc, at.addDays(320)), ui::study::dueWords(at, at.addDays(1)),
+                              ui::study::dueWords(at, at.addDays(5)), ui::study::dueWords(at, at.addSecs(-3600)),
+                              ui::study::dueWords(at, at.addDays(-3)), ui::study::dueWords(at, at.addDays(-30))}),
+                 words.split('|'));
+    }
+
+    void everyBlockHasATitleOfItsOwn()
+    {
+        using core::teeth::BlockShape;
+        QSet<QString> titles;
+        for (int k = 0; k <= static_cast<int>(BlockShape::Layers); ++k) {
+            core::teeth::BuildOptions build;
+            build.gridSide = 64;
+            const auto source = core::teeth::parseSource(core::teeth::blockName(static_cast<BlockShape>(k)));
+            const auto built = core::teeth::buildTooth(source, build);
+            QVERIFY(built);
+            const QString title = ui::text::toothTitle(*built->anatomy);
+            QVERIFY2(title.startsWith("Practice block: "), qPrintable(title));
+            titles << title;
+        }
+        QCOMPARE(titles.size(), static_cast<int>(BlockShape::Layers) + 1);
+    }
+
+    void whatAnAuditRowIsAboutIsToldInWords()
+    {
+        const QString sam = "Samantha Katharina Johannes-Featherstonehaugh (s1001)";
+        const ui::admin::NamesByUid names{{"1f", sam}, {"2e", sam}, {"class:5", "DEN101-A"}};
+        const QDateTime made({2026, 11, 24}, {21, 19, 40}, Qt::UTC);
+        for (const auto& [object, words] : std::initializer_list<std::pair<const char*, QString>>{
+                 {"backup:backup-2026-11-24-21.19.40",
+                  "backup of " + QLocale().toString(made.toLocalTime(), QLocale::ShortFormat)},
+                 {"person:1f", sam},
+                 {"name:2e", sam},
+                 {"name:77", "a name that nobody has"},
+                 {"class:5", "DEN101-A"},
+                 {"class:6", "class 6"},
+                 {"preset:my v2 soft v1", "preset my v2 soft, version 1"},
+                 {"backup:before exams", "backup of \"before exams\""},
+                 {"attempt:8614f873a47d", "attempt 8614f873a47d"},
+                 {"setting:idle.minutes", "when a place that was left is locked"},
+                 {"setting:some.thing", "setting some.thing"},
+                 {"attempts", "all attempts"},
+                 {"robot:1", "robot:1"}}) {
+            database::AuditRow row;
+            row.object = object;
+            QCOMPARE(ui::admin::objectWords(row, names), words);
         }
     }
-    QCOMPARE(seen.size(), 4);
-}
 
-void TestTexts::datesFollowTheLanguage_data()
-{
-    QTest::addColumn<QString>("locale");
-    QTest::addColumn<QString>("words");
-    QTest::newRow("en") << "en_GB"
-                        << "17/11/2026 14:05|17 Nov|Nov 2026|17 Nov, 1 day late|17 Nov, 5 days late|"
-                           "due today 14:05|due Tuesday|due 17/11/2026";
-    QTest::newRow("de") << "de_DE"
-                        << "17.11.26 14:05|17. Nov.|Nov. 2026|17. Nov., 1 Tag zu spät|17. Nov., 5 Tage zu spät|"
-                           "heute fällig, 14:05|fällig: Dienstag|fällig: 17.11.26";
-    QTest::newRow("es") << "es_ES"
-                        << "17/11/26 14:05|17 nov|nov 2026|17 nov, 1 día de retraso|17 nov, 5 días de retraso|"
-                           "vence hoy, 14:05|vence: martes|vence: 17/11/26";
-    QTest::newRow("ja") << "ja_JP"
-                        << "2026/11/17 14:05|11月17日|2026年11月|11月17日、1 日遅れ|11月17日、5 日遅れ|"
-                           "今日 14:05 締切|締切：火曜日|締切：2026/11/17";
-}
-
-/// The order of day, month and year, their names, and the words around them.
-void TestTexts::datesFollowTheLanguage()
-{
-    QFETCH(QString, locale);
-    QFETCH(QString, words);
-    const auto back = qScopeGuard([] { QLocale::setDefault(QLocale("en_GB")); });
-    QLocale::setDefault(QLocale(locale));
-    QTranslator translator;
-    QVERIFY(translator.load(QLocale(), "cusp", "_", ":/i18n"));
-    QCoreApplication::installTranslator(&translator);
-    const QDateTime at(QDate(2026, 11, 17), QTime(14, 5));
-    const std::string utc = at.toUTC().toString(Qt::ISODate).toStdString();
-    QCOMPARE((QStringList{ui::people::when(utc), ui::people::whenShort(utc, at.addDays(30)),
-                          ui::people::whenShort(utc, at.addDays(320)), ui::study::dueWords(at, at.addDays(1)),
-                          ui::study::dueWords(at, at.addDays(5)), ui::study::dueWords(at, at.addSecs(-3600)),
-                          ui::study::dueWords(at, at.addDays(-3)), ui::study::dueWords(at, at.addDays(-30))}),
-             words.split('|'));
-}
-
-void TestTexts::everyBlockHasATitleOfItsOwn()
-{
-    using core::teeth::BlockShape;
-    QSet<QString> titles;
-    for (int k = 0; k <= static_cast<int>(BlockShape::Layers); ++k) {
-        core::teeth::BuildOptions build;
-        build.gridSide = 64;
-        const auto source = core::teeth::parseSource(core::teeth::blockName(static_cast<BlockShape>(k)));
-        const auto built = core::teeth::buildTooth(source, build);
-        QVERIFY(built);
-        const QString title = ui::text::toothTitle(*built->anatomy);
-        QVERIFY2(title.startsWith("Practice block: "), qPrintable(title));
-        titles << title;
+    void whatACheckFoundIsToldInWords()
+    {
+        const ui::admin::NamesByUid names{{"1f", "Sam %2 (s1001)"}, {"class:5", "DEN101-A"}};
+        const database::Finding differs{"%1 differs from the audit: the row of %2 was changed, added or removed",
+                                        {"table enrolments", "person:1f"}};
+        QCOMPARE(
+            differs.english(),
+            QString("table enrolments differs from the audit: the row of person:1f was changed, added or removed"));
+        QCOMPARE(
+            ui::admin::findingWords(differs, names, {}),
+            QString(
+                "table enrolments differs from the audit: the row of Sam %2 (s1001) was changed, added or removed"));
+        const database::Finding row{"audit row %1 (%2, %3, %4) is not the one that was signed",
+                                    {"9", "2026-11-20T10:15:00Z", "login", "person:1f"}};
+        QCOMPARE(ui::admin::findingWords(row, names, {}),
+                 QString("audit row 9 (%1, logged in, Sam %2 (s1001)) is not the one that was signed")
+                     .replace("%1", ui::people::when("2026-11-20T10:15:00Z")));
+        // A lesson by its title, as long as somebody knows it.
+        const database::Finding standing{"%1 has attempts in %2 and no standing", {"person:1f", "class1-36"}};
+        QCOMPARE(ui::admin::findingWords(standing, names, {{"class1-36", "Class I, 36"}}),
+                 QString("Sam %2 (s1001) has attempts in Class I, 36 and no standing"));
+        QCOMPARE(ui::admin::findingWords(standing, names, {}),
+                 QString("Sam %2 (s1001) has attempts in class1-36 and no standing"));
+        database::AuditRow assigned;
+        assigned.action = "lesson.assign";
+        assigned.detail = R"({"lesson": "class1-36"})";
+        QCOMPARE(ui::admin::detailWords(assigned, names, {{"class1-36", "Class I, 36"}}), QString("Class I, 36"));
     }
-    QCOMPARE(titles.size(), static_cast<int>(BlockShape::Layers) + 1);
-}
 
-void TestTexts::whatAnAuditRowIsAboutIsToldInWords_data()
-{
-    QTest::addColumn<QString>("object");
-    QTest::addColumn<QString>("words");
-    const QString sam = "Samantha Katharina Johannes-Featherstonehaugh (s1001)";
-    const QDateTime made({2026, 11, 24}, {21, 19, 40}, Qt::UTC);
-    QTest::newRow("a backup") << "backup:backup-2026-11-24-21.19.40"
-                              << "backup of " + QLocale().toString(made.toLocalTime(), QLocale::ShortFormat);
-    for (const auto& [object, words] : std::initializer_list<std::pair<const char*, QString>>{
-             {"person:1f", sam},
-             {"name:2e", sam},
-             {"name:77", "a name that nobody has"},
-             {"class:5", "DEN101-A"},
-             {"class:6", "class 6"},
-             {"preset:my v2 soft v1", "preset my v2 soft, version 1"},
-             {"backup:before exams", "backup of \"before exams\""},
-             {"attempt:8614f873a47d", "attempt 8614f873a47d"},
-             {"setting:idle.minutes", "when a place that was left is locked"},
-             {"setting:some.thing", "setting some.thing"},
-             {"attempts", "all attempts"},
-             {"robot:1", "robot:1"}})
-        QTest::newRow(object) << object << words;
-}
-
-void TestTexts::whatAnAuditRowIsAboutIsToldInWords()
-{
-    QFETCH(QString, object);
-    QFETCH(QString, words);
-    const QString sam = "Samantha Katharina Johannes-Featherstonehaugh (s1001)";
-    const ui::admin::NamesByUid names{{"1f", sam}, {"2e", sam}, {"class:5", "DEN101-A"}};
-    database::AuditRow row;
-    row.object = object.toStdString();
-    QCOMPARE(ui::admin::objectWords(row, names), words);
-}
-
-void TestTexts::whatACheckFoundIsToldInWords()
-{
-    const ui::admin::NamesByUid names{{"1f", "Sam %2 (s1001)"}, {"class:5", "DEN101-A"}};
-    const database::Finding differs{"%1 differs from the audit: the row of %2 was changed, added or removed",
-                                    {"table enrolments", "person:1f"}};
-    QCOMPARE(differs.english(),
-             QString("table enrolments differs from the audit: the row of person:1f was changed, added or removed"));
-    QCOMPARE(
-        ui::admin::findingWords(differs, names, {}),
-        QString("table enrolments differs from the audit: the row of Sam %2 (s1001) was changed, added or removed"));
-    const database::Finding row{"audit row %1 (%2, %3, %4) is not the one that was signed",
-                                {"9", "2026-11-20T10:15:00Z", "login", "person:1f"}};
-    QCOMPARE(ui::admin::findingWords(row, names, {}),
-             QString("audit row 9 (%1, logged in, Sam %2 (s1001)) is not the one that was signed")
-                 .replace("%1", ui::people::when("2026-11-20T10:15:00Z")));
-    // A lesson by its title, as long as somebody knows it.
-    const database::Finding standing{"%1 has attempts in %2 and no standing", {"person:1f", "class1-36"}};
-    QCOMPARE(ui::admin::findingWords(standing, names, {{"class1-36", "Class I, 36"}}),
-             QString("Sam %2 (s1001) has attempts in Class I, 36 and no standing"));
-    QCOMPARE(ui::admin::findingWords(standing, names, {}),
-             QString("Sam %2 (s1001) has attempts in class1-36 and no standing"));
-    database::AuditRow assigned;
-    assigned.action = "lesson.assign";
-    assigned.detail = R"({"lesson": "class1-36"})";
-    QCOMPARE(ui::admin::detailWords(assigned, names, {{"class1-36", "Class I, 36"}}), QString("Class I, 36"));
-}
-
-void TestTexts::faultsAreToldInEveryLanguage()
-{
-    QFETCH(QString, language);
-    const char* lesson = R"({"format": 1, "id": "A b", "title": "", "goal": {"en": 3}, "task": "fly", "grid": 3,
-        "tooth": {"scan": "../a.stl", "fdi": 9, "unit": "ell", "up": "x"}, "exam": 1, "minutes": "8", "burs": ["x"],
-        "handpieces": ["x"], "aids": ["x"], "hardness": "x", "ideal": {"kind": "x", "captured": "a"}, "version": 1.5,
-        "lesion": 1, "touch": {"points": [[99, 0]]}, "rules": {"neighbour_hit": true, "air_limit_s": 0}, "minuts": 1,
-        "steps": [1], "rubric": {"id": "r", "criteria": [{"id": "c", "measure": "x", "weight": 1.23}, 2]}})";
-    std::vector<lessons::Fault> faults = lessons::readLessonText(lesson, "a.json").faults;
-    QVERIFY(faults.size() > 20);
-    for (const QByteArray json :
-         {"", "{", "[]", "{\"a\" 1}", "{\"a\": 1, \"a\": 2}", "{\"a\": \"\xFF\"}", "{\"a\": [1}"})
-        faults.push_back(lessons::readLessonText(json, "a.json").faults.front());
-    for (const QByteArray json : {R"({"format": 9})", R"({"kind": "x"})", R"({"name": ""})",
-                                  R"({"force": {"stiffness_n_per_mm": 15}})", R"({"enamel": {"rate_mm3_per_ns": -1}})"})
-        faults.push_back(lessons::readPresetText(json, "a.cusppreset").faults.front());
-    faults.push_back(*lessons::leftOutFault(lessons::readPresetText("{}", "a.cusppreset")));
-    for (const char* rubric : {R"({"id": "r", "title": "R"})",
-                               R"({"id": "r", "title": "R", "criteria": [{"id": "c", "measure": "caries_left_percent",
-                                   "weight": 90}]})",
-                               R"({"id": "r", "title": "R", "criteria": [{"id": "c", "measure": "caries_left_percent",
-                                   "weight": 10, "critical": true}]})"}) {
-        QByteArray json(
-            R"({"format": 1, "id": "a", "title": "A", "goal": "A", "task": "remove_decay", "tooth": {"fdi": 36},
-                           "lesion": {"extent": 0.5}, "rubric": %1})");
-        faults.push_back(lessons::readLessonText(json.replace("%1", rubric), "a.json").faults.front());
+    void faultsAreToldInEveryLanguage_data() { support::rows<QString>("language", {"de", "es", "ja"}); }
+    void faultsAreToldInEveryLanguage()
+    {
+        QFETCH(QString, language);
+        const char* lesson = R"({"format": 1, "id": "A b", "title": "", "goal": {"en": 3}, "task": "fly", "grid": 3,
+            "tooth": {"scan": "../a.stl", "fdi": 9, "unit": "ell", "up": "x"}, "exam": 1, "minutes": "8", "burs": ["x"],
+            "handpieces": ["x"], "aids": ["x"], "hardness": "x", "ideal": {"kind": "x", "captured": "a"}, "version": 1.5,
+            "lesion": 1, "touch": {"points": [[99, 0]]}, "rules": {"neighbour_hit": true, "air_limit_s": 0}, "minuts": 1,
+            "steps": [1], "rubric": {"id": "r", "criteria": [{"id": "c", "measure": "x", "weight": 1.23}, 2]}})";
+        std::vector<lessons::Fault> faults = lessons::readLessonText(lesson, "a.json").faults;
+        QVERIFY(faults.size() > 20);
+        for (const QByteArray json :
+             {"", "{", "[]", "{\"a\" 1}", "{\"a\": 1, \"a\": 2}", "{\"a\": \"\xFF\"}", "{\"a\": [1}"})
+            faults.push_back(lessons::readLessonText(json, "a.json").faults.front());
+        for (const QByteArray json :
+             {R"({"format": 9})", R"({"kind": "x"})", R"({"name": ""})", R"({"force": {"stiffness_n_per_mm": 15}})",
+              R"({"enamel": {"rate_mm3_per_ns": -1}})"})
+            faults.push_back(lessons::readPresetText(json, "a.cusppreset").faults.front());
+        faults.push_back(*lessons::leftOutFault(lessons::readPresetText("{}", "a.cusppreset")));
+        for (const char* rubric :
+             {R"({"id": "r", "title": "R"})",
+              R"({"id": "r", "title": "R", "criteria": [{"id": "c", "measure": "caries_left_percent",
+                                       "weight": 90}]})",
+              R"({"id": "r", "title": "R", "criteria": [{"id": "c", "measure": "caries_left_percent",
+                                       "weight": 10, "critical": true}]})"}) {
+            QByteArray json(
+                R"({"format": 1, "id": "a", "title": "A", "goal": "A", "task": "remove_decay", "tooth": {"fdi": 36},
+                               "lesion": {"extent": 0.5}, "rubric": %1})");
+            faults.push_back(lessons::readLessonText(json.replace("%1", rubric), "a.json").faults.front());
+        }
+        const auto words = spoken(QLocale(language));
+        for (const lessons::Fault& fault : faults) {
+            const QString said = ui::text::faultWords(fault);
+            QVERIFY2(said.contains("a.") && said.contains(fault.key), qPrintable(said));
+            QVERIFY2(!ui::text::faultWords(fault.what).contains(kEnglish), qPrintable(said));
+            QVERIFY2(!said.contains("%"), qPrintable(said));
+        }
     }
-    QTranslator words;
-    QVERIFY(words.load(":/i18n/cusp_" + language + ".qm"));
-    QCoreApplication::installTranslator(&words);
-    static const QRegularExpression english("\\b(is|the|must|there|with|write|missing|leave|which|and)\\b");
-    for (const lessons::Fault& fault : faults) {
-        const QString said = ui::text::faultWords(fault);
-        QVERIFY2(said.contains("a.") && said.contains(fault.key), qPrintable(said));
-        QVERIFY2(!ui::text::faultWords(fault.what).contains(english), qPrintable(said));
-        QVERIFY2(!said.contains("%"), qPrintable(said));
+
+    void whatCoreRefusesIsToldInEveryLanguage_data() { support::rows<QString>("language", {"de", "es", "ja"}); }
+    void whatCoreRefusesIsToldInEveryLanguage()
+    {
+        using namespace core::preparation;
+        QFETCH(QString, language);
+        std::vector<core::Error> errors;
+        const auto refused = [&](const auto& result) {
+            if (!result)
+                errors.push_back(result.error());
+        };
+        refused(core::drilling::findBur("x"));
+        refused(core::settings::findHandpiece("x"));
+        refused(core::settings::findHardnessPreset("x"));
+        refused(*core::teeth::findBlock("block:x"));
+        refused(findKind("x"));
+        refused(usualDesign(Kind::ClassOne, 31));
+        refused(capturedFrom({}));
+        refused(capturedFrom("x"));
+        refused(capturedFrom(toBytes({}).substr(0, 9)));
+        const ToothDesign usual = usualDesign(Kind::ClassOne, 36).value();
+        for (const auto& [number, value] : {std::pair(&ToothDesign::depthMm, 99.0),
+                                            {&ToothDesign::lineAngleMm, usual.burRadiusMm + 0.01},
+                                            {&ToothDesign::isthmusMm, 2.0 * usual.burRadiusMm - 0.01}}) {
+            ToothDesign design = usual;
+            design.*number = value;
+            refused(validate(Kind::ClassOne, design));
+        }
+        using core::teeth::BlockDesign;
+        for (const auto& [number, value] :
+             {std::pair(&BlockDesign::enamelMm, 9.9), {&BlockDesign::steps, 2.5}, {&BlockDesign::lengthMm, 28.0}}) {
+            BlockDesign design;
+            design.*number = value;
+            refused(core::teeth::validate(design));
+        }
+        QCOMPARE(errors.size(), std::size_t{15});
+        const auto words = spoken(QLocale(language));
+        for (const core::Error& error : errors) {
+            const QString said = ui::text::faultWords(core::wordsOf(error));
+            QVERIFY2(!said.contains(kEnglish) && !said.contains("%"), qPrintable(said));
+            QVERIFY2(said != QString::fromStdString(error.detail), qPrintable(said));
+        }
     }
-}
 
-void TestTexts::whatCoreRefusesIsToldInEveryLanguage()
-{
-    using namespace core::preparation;
-    QFETCH(QString, language);
-    std::vector<core::Error> errors;
-    const auto refused = [&](const auto& result) {
-        if (!result)
-            errors.push_back(result.error());
-    };
-    refused(core::drilling::findBur("x"));
-    refused(core::settings::findHandpiece("x"));
-    refused(core::settings::findHardnessPreset("x"));
-    refused(*core::teeth::findBlock("block:x"));
-    refused(findKind("x"));
-    refused(usualDesign(Kind::ClassOne, 31));
-    refused(capturedFrom({}));
-    refused(capturedFrom("x"));
-    refused(capturedFrom(toBytes({}).substr(0, 9)));
-    const ToothDesign usual = usualDesign(Kind::ClassOne, 36).value();
-    const auto refuse = [&](double ToothDesign::*number, double value) {
-        ToothDesign design = usual;
-        design.*number = value;
-        refused(validate(Kind::ClassOne, design));
-    };
-    refuse(&ToothDesign::depthMm, 99.0);
-    refuse(&ToothDesign::lineAngleMm, usual.burRadiusMm + 0.01);
-    refuse(&ToothDesign::isthmusMm, 2.0 * usual.burRadiusMm - 0.01);
-    const auto refuseBlock = [&](double core::teeth::BlockDesign::*number, double value) {
-        core::teeth::BlockDesign design;
-        design.*number = value;
-        refused(core::teeth::validate(design));
-    };
-    refuseBlock(&core::teeth::BlockDesign::enamelMm, 9.9);
-    refuseBlock(&core::teeth::BlockDesign::steps, 2.5);
-    refuseBlock(&core::teeth::BlockDesign::lengthMm, 28.0);
-    QCOMPARE(errors.size(), std::size_t{15});
-    QTranslator words;
-    QVERIFY(words.load(":/i18n/cusp_" + language + ".qm"));
-    QCoreApplication::installTranslator(&words);
-    static const QRegularExpression english("\\b(is|the|must|there|with|choose|this|from)\\b");
-    for (const core::Error& error : errors) {
-        const QString said = ui::text::faultWords(core::wordsOf(error));
-        QVERIFY2(!said.contains(english) && !said.contains("%"), qPrintable(said));
-        QVERIFY2(said != QString::fromStdString(error.detail), qPrintable(said));
+    void theGravestTroubleIsTold()
+    {
+        using namespace core::session;
+        QCOMPARE(ui::text::healthText(0), QString());
+        QVERIFY(ui::text::healthText(kDeviceLost | kForceClamped | kRecordGap).contains("handpiece"));
+        QVERIFY(ui::text::healthText(kPatchQueueFull | kRecordGap).contains("recording"));
+        QVERIFY(!ui::text::healthText(kForceClamped).isEmpty());
+        QVERIFY(!ui::text::healthText(kPatchQueueFull).isEmpty());
     }
-}
 
-void TestTexts::theGravestTroubleIsTold()
-{
-    using namespace core::session;
-    QCOMPARE(ui::text::healthText(0), QString());
-    QVERIFY(ui::text::healthText(kDeviceLost | kForceClamped | kRecordGap).contains("handpiece"));
-    QVERIFY(ui::text::healthText(kPatchQueueFull | kRecordGap).contains("recording"));
-    QVERIFY(!ui::text::healthText(kForceClamped).isEmpty());
-    QVERIFY(!ui::text::healthText(kPatchQueueFull).isEmpty());
-}
-
-void TestTexts::criteriaAreWorkedInNumbers_data()
-{
-    using lessons::Side;
-    QTest::addColumn<lessons::Criterion>("what");
-    QTest::addColumn<QString>("worked");
-    QTest::newRow("over what is free") << criterion("a", 3.2, "percent", Side::Over, 0, 1, 30, 600)
-                                       << "(3.20 − 1.00 free) / 30.00 % × 60.0 points = 4.4";
-    QTest::newRow("at the cap") << criterion("a", 40, "mm3", Side::Over, 0, 4, 20, 400)
-                                << "(40.00 − 4.00 free) / 20.00 mm³ × 40.0 points, no more than all of them";
-    QTest::newRow("nothing free") << criterion("a", 1.25, "mm3", Side::Over, 0, 0, 20, 400)
-                                  << "(1.25) / 20.00 mm³ × 40.0 points = 2.5";
-    QTest::newRow("a target, both sides") << criterion("a", 1.95, "mm", Side::Both, 1.5, 0.25, 1, 200)
-                                          << "(|1.95 − 1.50| − 0.25 free) / 1.00 mm × 20.0 points = 4.0";
-    QTest::newRow("too little") << criterion("a", 1.2, "mm", Side::Under, 1.6, 0.2, 0.4, 100)
-                                << "(1.60 − 1.20 − 0.20 free) / 0.40 mm × 10.0 points = 5.0";
-    QTest::newRow("within what is free") << criterion("a", 3, "mm3", Side::Over, 0, 4, 20, 400)
-                                         << "up to 4.00 mm³: nothing lost";
-    QTest::newRow("within the band") << criterion("a", 1.6, "mm", Side::Both, 1.5, 0.25, 1, 200)
-                                     << "1.50 ± 0.25 mm: nothing lost";
-    QTest::newRow("enough") << criterion("a", 1.7, "mm", Side::Under, 1.6, 0.2, 0.4, 100)
-                            << "at least 1.40 mm: nothing lost";
-    QTest::newRow("at once") << criterion("a", 0.2, "mm2", Side::Over, 0, 0.1, 0, 50)
-                             << "up to 0.10 mm²; beyond it all of its 5.0 points are lost";
-    QTest::newRow("critical") << criterion("a", 0.2, "mm2", Side::Over, 0, 0, 0, 0)
-                              << "Allowed is up to 0.00 mm²; it fails the attempt and takes the 100.0 points left";
-    QTest::newRow("not measured") << criterion("a", {}, "mm", Side::Over, 0, 0, 1, 150)
-                                  << "Not measured, so it earns none of its 15.0 points";
-    lessons::Criterion early = criterion("a", 0, "mm3", Side::Over, 0, 4, 20, 400);
-    early.isTooEarly = true;
-    early.lostTenths = 400;
-    early.once = lessons::Once{"caries_removed_percent", "percent", 50.0};
-    QTest::newRow("too early") << early << "None of its 40.0 points are earned before 50 % of the decay is out";
-    early.once = lessons::Once{"deepest_cut_mm", "mm", 0.5};
-    QTest::newRow("too early by another")
-        << early << "None of its 40.0 points are earned before deepest_cut_mm has reached 0.5 mm";
-}
-
-void TestTexts::criteriaAreWorkedInNumbers()
-{
-    QFETCH(lessons::Criterion, what);
-    QFETCH(QString, worked);
-    QCOMPARE(ui::text::criterionWorked(what, lessons::Verdict::SumOfErrors), worked);
-}
-
-void TestTexts::searchesKnowNoAccents()
-{
-    using ui::text::holds;
-    using ui::text::holdsEach;
-    QVERIFY(holds(QString("Bloque: línea"), "linea") && holds("Bloque: linea", QString("LÍNEA")));
-    QVERIFY(holds(QString("Özil Çelik"), "oz") && holds(QString("Straße"), "strasse"));
-    QVERIFY(holds("anything", {}) && !holds("line", "lime"));
-    QVERIFY(holdsEach(QString("Bloque: círculo"), "circulo bloq") && !holdsEach("Bloque", "bloque linea"));
-    // "ga" is no "ka" with an accent.
-    QVERIFY(!holds(QString("が"), QString("か")) && holds(QString("がか"), QString("が")));
-}
-
-void TestTexts::teethMaterialsAndBursHaveNames()
-{
-    QSet<QString> names;
-    QSet<QString> letters;
-    for (int k = 0; k < core::terrain::kMaterialCount; ++k) {
-        names << ui::text::materialName(static_cast<Material>(k));
-        letters << ui::text::materialLetter(static_cast<Material>(k));
+    void criteriaAreWorkedInNumbers_data()
+    {
+        using lessons::Side;
+        QTest::addColumn<lessons::Criterion>("what");
+        QTest::addColumn<QString>("worked");
+        QTest::newRow("over what is free") << criterion("a", 3.2, "percent", Side::Over, 0, 1, 30, 600)
+                                           << "(3.20 − 1.00 free) / 30.00 % × 60.0 points = 4.4";
+        QTest::newRow("at the cap") << criterion("a", 40, "mm3", Side::Over, 0, 4, 20, 400)
+                                    << "(40.00 − 4.00 free) / 20.00 mm³ × 40.0 points, no more than all of them";
+        QTest::newRow("nothing free") << criterion("a", 1.25, "mm3", Side::Over, 0, 0, 20, 400)
+                                      << "(1.25) / 20.00 mm³ × 40.0 points = 2.5";
+        QTest::newRow("a target, both sides") << criterion("a", 1.95, "mm", Side::Both, 1.5, 0.25, 1, 200)
+                                              << "(|1.95 − 1.50| − 0.25 free) / 1.00 mm × 20.0 points = 4.0";
+        QTest::newRow("too little") << criterion("a", 1.2, "mm", Side::Under, 1.6, 0.2, 0.4, 100)
+                                    << "(1.60 − 1.20 − 0.20 free) / 0.40 mm × 10.0 points = 5.0";
+        QTest::newRow("within what is free")
+            << criterion("a", 3, "mm3", Side::Over, 0, 4, 20, 400) << "up to 4.00 mm³: nothing lost";
+        QTest::newRow("within the band") << criterion("a", 1.6, "mm", Side::Both, 1.5, 0.25, 1, 200)
+                                         << "1.50 ± 0.25 mm: nothing lost";
+        QTest::newRow("enough") << criterion("a", 1.7, "mm", Side::Under, 1.6, 0.2, 0.4, 100)
+                                << "at least 1.40 mm: nothing lost";
+        QTest::newRow("at once") << criterion("a", 0.2, "mm2", Side::Over, 0, 0.1, 0, 50)
+                                 << "up to 0.10 mm²; beyond it all of its 5.0 points are lost";
+        QTest::newRow("critical") << criterion("a", 0.2, "mm2", Side::Over, 0, 0, 0, 0)
+                                  << "Allowed is up to 0.00 mm²; it fails the attempt and takes the 100.0 points left";
+        QTest::newRow("not measured") << criterion("a", {}, "mm", Side::Over, 0, 0, 1, 150)
+                                      << "Not measured, so it earns none of its 15.0 points";
+        lessons::Criterion early = criterion("a", 0, "mm3", Side::Over, 0, 4, 20, 400);
+        early.isTooEarly = true;
+        early.lostTenths = 400;
+        early.once = lessons::Once{"caries_removed_percent", "percent", 50.0};
+        QTest::newRow("too early") << early << "None of its 40.0 points are earned before 50 % of the decay is out";
+        early.once = lessons::Once{"deepest_cut_mm", "mm", 0.5};
+        QTest::newRow("too early by another")
+            << early << "None of its 40.0 points are earned before deepest_cut_mm has reached 0.5 mm";
     }
-    QVERIFY(names.size() == core::terrain::kMaterialCount && letters.size() == core::terrain::kMaterialCount);
-    QVERIFY(!names.contains(QString()));
-    names.clear();
-    for (const int quadrant : {2, 3})
-        for (int position = 1; position <= 8; ++position)
-            names << ui::text::toothName(10 * quadrant + position);
-    QCOMPARE(names.size(), 16);
-    QCOMPARE(ui::text::toothName(36), QString("lower left first molar"));
-    for (const int fdi : {0, -1, 9, 19, 20, 29, 49, 50, 51, 111})
-        QVERIFY2(ui::text::toothName(fdi).isEmpty(), qPrintable(QString::number(fdi)));
-    for (const core::drilling::Bur& bur : core::drilling::burs()) {
-        const QString id = QString::fromUtf8(bur.id.data(), static_cast<qsizetype>(bur.id.size()));
-        const QString name = ui::text::burName(bur.id);
-        QVERIFY2(name != id && name.endsWith(id), qPrintable(name));
+
+    void criteriaAreWorkedInNumbers()
+    {
+        QFETCH(lessons::Criterion, what);
+        QFETCH(QString, worked);
+        QCOMPARE(ui::text::criterionWorked(what, lessons::Verdict::SumOfErrors), worked);
     }
-    core::terrain::ToothAnatomy tooth;
-    QCOMPARE(ui::text::toothTitle(tooth), QString("Tooth without a name"));
-    tooth.name = std::string("patient.stl");
-    QCOMPARE(ui::text::toothTitle(tooth), QString("patient.stl"));
-    tooth.name = std::string("36");
-    tooth.fdi = 36;
-    QCOMPARE(ui::text::toothTitle(tooth), QString("Tooth 36"));
-}
 
-void TestTexts::numbersFollowTheLanguage()
-{
-    const core::Words fault{"%1 of %2 in %3", {core::noted("95.5"), core::noted("1.0 MB"), core::noted("a-1.5.json")}};
-    lessons::ScoreSheet sheet;
-    sheet.criteria = {criterion("a", 3.2, "percent", lessons::Side::Over, 0, 1, 30, 600),
-                      criterion("b", 0, "mm2", lessons::Side::Over, 0, 0, 1, 400)};
-    sheet.totalTenths = 956;
-    lessons::Criterion line;
-    line.measure = "overcut_mm3";
-    QCOMPARE(ui::text::criterionName(line), QString("overcut_mm3"));
-    line.title = {{"en", "Too much"}, {"de", "Zu viel"}};
-    const auto words = [&] {
-        return QStringList{ui::text::number(-1.5, 2), ui::text::scoreSum(sheet), ui::text::faultWords(fault),
-                           ui::text::criterionName(line)};
-    };
-    QCOMPARE(words(), (QStringList{"−1.50", "100.0 − 4.4 − 0.0 = 95.6", "95.5 of 1.0 MB in a-1.5.json", "Too much"}));
-    const auto back = qScopeGuard([] { QLocale::setDefault(QLocale("en_GB")); });
-    QLocale::setDefault(QLocale("de_DE"));
-    QCOMPARE(words(), (QStringList{"−1,50", "100,0 − 4,4 − 0,0 = 95,6", "95,5 of 1,0 MB in a-1.5.json", "Zu viel"}));
-}
+    void searchesKnowNoAccents()
+    {
+        using ui::text::holds;
+        using ui::text::holdsEach;
+        QVERIFY(holds(QString("Bloque: línea"), "linea") && holds("Bloque: linea", QString("LÍNEA")));
+        QVERIFY(holds(QString("Özil Çelik"), "oz") && holds(QString("Straße"), "strasse"));
+        QVERIFY(holds("anything", {}) && !holds("line", "lime"));
+        QVERIFY(holdsEach(QString("Bloque: círculo"), "circulo bloq") && !holdsEach("Bloque", "bloque linea"));
+        // "ga" is no "ka" with an accent.
+        QVERIFY(!holds(QString("が"), QString("か")) && holds(QString("がか"), QString("が")));
+    }
 
-void TestTexts::everythingIsTranslated()
-{
-    QFETCH(QString, language);
-    static const QRegularExpression tag("</?[a-z][^>]*>");
-    static const QRegularExpression mark("%[1-9]|%L?n");
-    static const QRegularExpression english("[a-z]{2,} [a-z]{2,} [a-z]{2,}");  // in Japanese it was left as it is
-    const QList<Entry> entries = entriesOf(tsFile(language));
-    QVERIFY(entries.size() > 150);
-    // Sentences of the rooms below, which are only marked there.
-    for (const char* context : {"Finding", "Fault"})
-        QVERIFY2(std::any_of(entries.begin(), entries.end(), [&](const Entry& one) { return one.context == context; }),
-                 context);
-    for (const Entry& entry : entries) {
-        const QString where = entry.context + ": " + entry.source;
-        QVERIFY2(entry.type.isEmpty(), qPrintable(where + " is " + entry.type));
-        QVERIFY2(!entry.translations.join(QString()).trimmed().isEmpty(), qPrintable(where + " has no translation"));
-        for (const QString& form : entry.translations) {
-            if (form.trimmed().isEmpty())
+    void teethMaterialsAndBursHaveNames()
+    {
+        QSet<QString> names;
+        QSet<QString> letters;
+        for (int k = 0; k < core::terrain::kMaterialCount; ++k) {
+            names << ui::text::materialName(static_cast<Material>(k));
+            letters << ui::text::materialLetter(static_cast<Material>(k));
+        }
+        QVERIFY(names.size() == core::terrain::kMaterialCount && letters.size() == core::terrain::kMaterialCount);
+        QVERIFY(!names.contains(QString()));
+        names.clear();
+        for (const int quadrant : {2, 3})
+            for (int position = 1; position <= 8; ++position)
+                names << ui::text::toothName(10 * quadrant + position);
+        QCOMPARE(names.size(), 16);
+        QCOMPARE(ui::text::toothName(36), QString("lower left first molar"));
+        for (const int fdi : {0, -1, 9, 19, 20, 29, 49, 50, 51, 111})
+            QVERIFY2(ui::text::toothName(fdi).isEmpty(), qPrintable(QString::number(fdi)));
+        for (const core::drilling::Bur& bur : core::drilling::burs()) {
+            const QString id = QString::fromUtf8(bur.id.data(), static_cast<qsizetype>(bur.id.size()));
+            const QString name = ui::text::burName(bur.id);
+            QVERIFY2(name != id && name.endsWith(id), qPrintable(name));
+        }
+        core::terrain::ToothAnatomy tooth;
+        QCOMPARE(ui::text::toothTitle(tooth), QString("Tooth without a name"));
+        tooth.name = std::string("patient.stl");
+        QCOMPARE(ui::text::toothTitle(tooth), QString("patient.stl"));
+        tooth.name = std::string("36");
+        tooth.fdi = 36;
+        QCOMPARE(ui::text::toothTitle(tooth), QString("Tooth 36"));
+    }
+
+    void numbersFollowTheLanguage()
+    {
+        const core::Words fault{"%1 of %2 in %3",
+                                {core::noted("95.5"), core::noted("1.0 MB"), core::noted("a-1.5.json")}};
+        lessons::ScoreSheet sheet;
+        sheet.criteria = {criterion("a", 3.2, "percent", lessons::Side::Over, 0, 1, 30, 600),
+                          criterion("b", 0, "mm2", lessons::Side::Over, 0, 0, 1, 400)};
+        sheet.totalTenths = 956;
+        lessons::Criterion line;
+        line.measure = "overcut_mm3";
+        QCOMPARE(ui::text::criterionName(line), QString("overcut_mm3"));
+        line.title = {{"en", "Too much"}, {"de", "Zu viel"}};
+        const auto words = [&] {
+            return QStringList{ui::text::number(-1.5, 2), ui::text::scoreSum(sheet), ui::text::faultWords(fault),
+                               ui::text::criterionName(line)};
+        };
+        QCOMPARE(words(),
+                 (QStringList{"−1.50", "100.0 − 4.4 − 0.0 = 95.6", "95.5 of 1.0 MB in a-1.5.json", "Too much"}));
+        const auto back = qScopeGuard([] { QLocale::setDefault(QLocale("en_GB")); });
+        QLocale::setDefault(QLocale("de_DE"));
+        QCOMPARE(words(),
+                 (QStringList{"−1,50", "100,0 − 4,4 − 0,0 = 95,6", "95,5 of 1,0 MB in a-1.5.json", "Zu viel"}));
+    }
+
+    void everythingIsTranslated_data() { support::rows<QString>("language", {"de", "es", "ja"}); }
+    void everythingIsTranslated()
+    {
+        QFETCH(QString, language);
+        static const QRegularExpression tag("</?[a-z][^>]*>");
+        static const QRegularExpression mark("%[1-9]|%L?n");
+        static const QRegularExpression threeWords(
+            "[a-z]{2,} [a-z]{2,} [a-z]{2,}");  // in Japanese it was left as it is
+        const QList<Entry> entries = entriesOf(tsFile(language));
+        QVERIFY(entries.size() > 150);
+        // Sentences of the rooms below, which are only marked there.
+        for (const char* context : {"Finding", "Fault"})
+            QVERIFY2(
+                std::any_of(entries.begin(), entries.end(), [&](const Entry& one) { return one.context == context; }),
+                context);
+        for (const Entry& entry : entries) {
+            const QString where = entry.context + ": " + entry.source;
+            QVERIFY2(entry.type.isEmpty(), qPrintable(where + " is " + entry.type));
+            QVERIFY2(!entry.translations.join(QString()).trimmed().isEmpty(),
+                     qPrintable(where + " has no translation"));
+            for (const QString& form : entry.translations) {
+                if (form.trimmed().isEmpty())
+                    continue;
+                const auto partsOf = [](const QString& words, const QRegularExpression& part) {
+                    QStringList parts;
+                    for (const auto& match : part.globalMatch(words))
+                        parts << match.captured();
+                    parts.sort();
+                    return parts;
+                };
+                const auto marksOf = [&](const QString& words) {
+                    const QStringList marks = partsOf(words, mark);
+                    return QSet<QString>(marks.begin(), marks.end());
+                };
+                QVERIFY2(partsOf(entry.source, tag) == partsOf(form, tag), qPrintable(entry.source + " / " + form));
+                QVERIFY2(marksOf(entry.source) == marksOf(form), qPrintable(entry.source + " / " + form));
+                QVERIFY2(language != "ja" || !form.contains(threeWords), qPrintable(form));
+            }
+        }
+    }
+
+    void everyPluralHasAllItsForms_data() { support::rows<QString>("language", {"en", "de", "es", "ja"}); }
+    void everyPluralHasAllItsForms()
+    {
+        QFETCH(QString, language);
+        int plurals = 0;
+        for (const Entry& entry : entriesOf(tsFile(language))) {
+            const QString where = entry.context + ": " + entry.source;
+            QVERIFY2(entry.isPlural == (entry.source.contains("%n") || entry.source.contains("%Ln")),
+                     qPrintable(where));
+            QVERIFY2(entry.isPlural || language != "en", "English is written down for its plurals only");
+            if (!entry.isPlural)
                 continue;
-            const auto partsOf = [](const QString& words, const QRegularExpression& part) {
-                QStringList parts;
-                for (const auto& match : part.globalMatch(words))
-                    parts << match.captured();
-                parts.sort();
-                return parts;
-            };
-            const auto marksOf = [&](const QString& words) {
-                const QStringList marks = partsOf(words, mark);
-                return QSet<QString>(marks.begin(), marks.end());
-            };
-            QVERIFY2(partsOf(entry.source, tag) == partsOf(form, tag), qPrintable(entry.source + " / " + form));
-            QVERIFY2(marksOf(entry.source) == marksOf(form), qPrintable(entry.source + " / " + form));
-            QVERIFY2(language != "ja" || !form.contains(english), qPrintable(form));
+            ++plurals;
+            QVERIFY2(entry.translations.size() == (language == "ja" ? 1 : 2), qPrintable(where));
+            for (const QString& form : entry.translations)
+                QVERIFY2(!form.trimmed().isEmpty(), qPrintable(where + " lacks a form"));
         }
+        QVERIFY(plurals > 50);
     }
-}
 
-void TestTexts::everyPluralHasAllItsForms()
-{
-    QFETCH(QString, language);
-    int plurals = 0;
-    for (const Entry& entry : entriesOf(tsFile(language))) {
-        const QString where = entry.context + ": " + entry.source;
-        QVERIFY2(entry.isPlural == (entry.source.contains("%n") || entry.source.contains("%Ln")), qPrintable(where));
-        QVERIFY2(entry.isPlural || language != "en", "English is written down for its plurals only");
-        if (!entry.isPlural)
-            continue;
-        ++plurals;
-        QVERIFY2(entry.translations.size() == (language == "ja" ? 1 : 2), qPrintable(where));
-        for (const QString& form : entry.translations)
-            QVERIFY2(!form.trimmed().isEmpty(), qPrintable(where + " lacks a form"));
+    void nobodyIsSpokenToLikeAChild_data()
+    {
+        QTest::addColumn<QString>("language");
+        QTest::addColumn<QString>("familiar");
+        // An imperative gives itself away only where it begins a sentence with a verb that texts of ours use.
+        QTest::newRow("Sie")
+            << "de"
+            << "\\b([Dd]u|[Dd]ich|[Dd]ir|[Dd]ein(e[mnrs]?)?)\\b|(^|[.:;!?] )(Achte|Beginne|Bleib|Drücke|"
+               "Entferne|Folge|Führe|Geh|Halte|Hebe|Lass|Nimm|Öffne|Präpariere|Senke|Setze|Sieh|Wähle|"
+               "Zeige) ";
+        QTest::newRow("usted")
+            << "es"
+            << "\\b([Tt]ú|[Tt]us?|[Tt]e|[Tt]i|[Cc]ontigo|[Tt]uy[oa]s?)\\b|"
+               "\\b([Pp]uedes|[Qq]uieres|[Hh]as|[Ee]stás)\\b|(^|[.:;!?] )(Abre|Busca|Elige|Espera|Haz "
+               "clic|Inténtalo|Mira|Pulsa|Presiona|Sigue|Talla|Toca|Usa|Vuelve) ";
     }
-    QVERIFY(plurals > 50);
-}
 
-void TestTexts::nobodyIsSpokenToLikeAChild_data()
-{
-    QTest::addColumn<QString>("language");
-    QTest::addColumn<QString>("familiar");
-    // An imperative gives itself away only where it begins a sentence with a verb that texts of ours use.
-    QTest::newRow("Sie") << "de"
-                         << "\\b([Dd]u|[Dd]ich|[Dd]ir|[Dd]ein(e[mnrs]?)?)\\b|(^|[.:;!?] )(Achte|Beginne|Bleib|Drücke|"
-                            "Entferne|Folge|Führe|Geh|Halte|Hebe|Lass|Nimm|Öffne|Präpariere|Senke|Setze|Sieh|Wähle|"
-                            "Zeige) ";
-    QTest::newRow("usted") << "es"
-                           << "\\b([Tt]ú|[Tt]us?|[Tt]e|[Tt]i|[Cc]ontigo|[Tt]uy[oa]s?)\\b|"
-                              "\\b([Pp]uedes|[Qq]uieres|[Hh]as|[Ee]stás)\\b|(^|[.:;!?] )(Abre|Busca|Elige|Espera|Haz "
-                              "clic|Inténtalo|Mira|Pulsa|Presiona|Sigue|Talla|Toca|Usa|Vuelve) ";
-}
-
-/// By the program, and by the lessons that are shipped.
-void TestTexts::nobodyIsSpokenToLikeAChild()
-{
-    QFETCH(QString, language);
-    QFETCH(QString, familiar);
-    const QRegularExpression isFamiliar(familiar, QRegularExpression::UseUnicodePropertiesOption);
-    for (const Entry& entry : entriesOf(tsFile(language)))
-        for (const QString& form : entry.translations)
-            QVERIFY2(!form.contains(isFamiliar), qPrintable(form));
-    const QRegularExpression inLesson(QStringLiteral("\"%1\": \"([^\"]*)\"").arg(language));
-    int found = 0;
-    const QDir lessons(QStringLiteral(CUSP_SOURCE_DIR "/lessons/data"));
-    for (const QString& name : lessons.entryList({"*.json"}, QDir::Files)) {
-        QFile file(lessons.filePath(name));
-        QVERIFY(file.open(QIODevice::ReadOnly));
-        for (const auto& match : inLesson.globalMatch(QString::fromUtf8(file.readAll()))) {
-            ++found;
-            QVERIFY2(!match.captured(1).contains(isFamiliar), qPrintable(name + ": " + match.captured(1)));
+    /// By the program, and by the lessons that are shipped.
+    void nobodyIsSpokenToLikeAChild()
+    {
+        QFETCH(QString, language);
+        QFETCH(QString, familiar);
+        const QRegularExpression isFamiliar(familiar, QRegularExpression::UseUnicodePropertiesOption);
+        for (const Entry& entry : entriesOf(tsFile(language)))
+            for (const QString& form : entry.translations)
+                QVERIFY2(!form.contains(isFamiliar), qPrintable(form));
+        const QRegularExpression inLesson(QStringLiteral("\"%1\": \"([^\"]*)\"").arg(language));
+        int found = 0;
+        const QDir lessons(QStringLiteral(CUSP_SOURCE_DIR "/lessons/data"));
+        for (const QString& name : lessons.entryList({"*.json"}, QDir::Files)) {
+            QFile file(lessons.filePath(name));
+            QVERIFY(file.open(QIODevice::ReadOnly));
+            for (const auto& match : inLesson.globalMatch(QString::fromUtf8(file.readAll()))) {
+                ++found;
+                QVERIFY2(!match.captured(1).contains(isFamiliar), qPrintable(name + ": " + match.captured(1)));
+            }
         }
+        QVERIFY(found > 100);
     }
-    QVERIFY(found > 100);
-}
 
-void TestTexts::eachLanguageIsEmbedded_data()
-{
-    QTest::addColumn<QString>("locale");
-    QTest::addColumn<QString>("enamel");
-    QTest::addColumn<QString>("molar");
-    QTest::newRow("de") << "de_AT"
-                        << "Schmelz"
-                        << "erster Molar unten links";
-    QTest::newRow("es") << "es_MX"
-                        << "esmalte"
-                        << "primer molar inferior izquierdo";
-    QTest::newRow("ja") << "ja_JP"
-                        << "エナメル質"
-                        << "下顎左側第一大臼歯";
-}
-
-void TestTexts::eachLanguageIsEmbedded()
-{
-    QFETCH(QString, locale);
-    QTranslator words;
-    QVERIFY(words.load(QLocale(locale), "cusp", "_", ":/i18n"));
-    QCoreApplication::installTranslator(&words);
-    QTEST(ui::text::materialName(Material::Enamel), "enamel");
-    QTEST(ui::text::toothName(36), "molar");
-    QSet<QString> letters;
-    for (int k = 0; k < core::terrain::kMaterialCount; ++k)
-        letters << ui::text::materialLetter(static_cast<Material>(k));
-    QCOMPARE(letters.size(), core::terrain::kMaterialCount);
-    if (locale == "ja_JP")  // a letter of a side is not the tissue's of the same English letter
+    void eachLanguageIsEmbedded()
+    {
+        for (const auto& [locale, enamel, molar] : {std::tuple("de_AT", "Schmelz", "erster Molar unten links"),
+                                                    {"es_MX", "esmalte", "primer molar inferior izquierdo"},
+                                                    {"ja_JP", "エナメル質", "下顎左側第一大臼歯"}}) {
+            const auto words = spoken(QLocale(locale));
+            QCOMPARE(ui::text::materialName(Material::Enamel), QString(enamel));
+            QCOMPARE(ui::text::toothName(36), QString(molar));
+            QSet<QString> letters;
+            for (int k = 0; k < core::terrain::kMaterialCount; ++k)
+                letters << ui::text::materialLetter(static_cast<Material>(k));
+            QCOMPARE(letters.size(), core::terrain::kMaterialCount);
+        }
+        // A letter of a side is not the tissue's of the same English letter.
+        const auto japanese = spoken(QLocale("ja_JP"));
         QCOMPARE(ui::text::surfaceLetters(26), QStringList({"M", "D", "P", "B", "", "O"}));
-}
+    }
+};
 
 QTEST_GUILESS_MAIN(TestTexts)
 #include "tst_texts.moc"

@@ -27,287 +27,278 @@ private slots:
     void init() { begin(); }
     void cleanup() { end(); }
 
-    void theStereoPageHasAWayBack();
-    void oneOfTheDepthColoursIsShown();
-    void theBurTellsHowNearItIs();
-    void aHandIsHeldOnRequest();
-    void theHintGoesWithTheFirstCut();
-    void whatIsToBeFeltIsNotShown();
-    void pointsAndRemarksAreMarkedInAReplay();
-    void theWholeMouthIsReachedWithM();
-    void aToothOfTheArchIsSearchedFor();
-};
+    void theStereoPageHasAWayBack()
+    {
+        using ui::render::Stereo;
+        auto* card = child<StereoCard>();
+        auto* mode = card->findChild<QComboBox*>();
+        const auto shown = [this] { return m_window->view().settings().presentation; };
+        const auto before = shown();
+        QCOMPARE(before.stereo, Stereo::Off);
+        press(Qt::Key_S, Qt::ShiftModifier);
+        QVERIFY(card->isVisible());
+        QCOMPARE(shown().stereo, Stereo::RedCyan);
+        mode->setCurrentIndex(2);
+        QCOMPARE(shown().stereo, Stereo::SideBySide);
+        for (QSlider* slider : card->findChildren<QSlider*>())
+            slider->setValue(slider->maximum());
+        QVERIFY(shown().apart > before.apart);
+        // Asked for twice, it does not take its own doing for what was there before.
+        actions().stereoPage->trigger();
+        press(Qt::Key_Escape);
+        QVERIFY(!card->isVisible() && !actions().stereo->isChecked());
+        QVERIFY(shown() == before);
+        press(Qt::Key_S, Qt::ShiftModifier);
+        mode->setCurrentIndex(2);
+        click("keepStereo");
+        QVERIFY(!card->isVisible());
+        QCOMPARE(shown().stereo, Stereo::SideBySide);
+        spoil();
+    }
 
-void TestWindowPicture::theStereoPageHasAWayBack()
-{
-    using ui::render::Stereo;
-    auto* card = child<StereoCard>();
-    auto* mode = card->findChild<QComboBox*>();
-    const auto shown = [this] { return m_window->view().settings().presentation; };
-    const auto before = shown();
-    QCOMPARE(before.stereo, Stereo::Off);
-    press(Qt::Key_S, Qt::ShiftModifier);
-    QVERIFY(card->isVisible());
-    QCOMPARE(shown().stereo, Stereo::RedCyan);
-    mode->setCurrentIndex(2);
-    QCOMPARE(shown().stereo, Stereo::SideBySide);
-    for (QSlider* slider : card->findChildren<QSlider*>())
-        slider->setValue(slider->maximum());
-    QVERIFY(shown().apart > before.apart);
-    // Asked for twice, it does not take its own doing for what was there before.
-    actions().stereoPage->trigger();
-    press(Qt::Key_Escape);
-    QVERIFY(!card->isVisible() && !actions().stereo->isChecked());
-    QVERIFY(shown() == before);
-    press(Qt::Key_S, Qt::ShiftModifier);
-    mode->setCurrentIndex(2);
-    click("keepStereo");
-    QVERIFY(!card->isVisible());
-    QCOMPARE(shown().stereo, Stereo::SideBySide);
-    spoil();
-}
+    void oneOfTheDepthColoursIsShown()
+    {
+        using ui::render::DepthColours;
+        const auto shown = [this] { return m_window->view().settings().look.depthColours; };
+        QCOMPARE(shown(), DepthColours::Off);
+        press(Qt::Key_K);
+        QCOMPARE(shown(), DepthColours::BelowOriginal);
+        press(Qt::Key_K, Qt::ShiftModifier);
+        QCOMPARE(shown(), DepthColours::AgainstIdeal);
+        QVERIFY(!actions().depthColours->isChecked());
+        lessons::Aids aids;
+        aids.ideal = false;
+        m_window->setAids(aids);
+        QCOMPARE(shown(), DepthColours::Off);
+        QVERIFY(!actions().idealColours->isEnabled());
+        m_window->setAids({});
+        QCOMPARE(shown(), DepthColours::AgainstIdeal);
+        // A tooth without decay has no ideal.
+        auto sound = std::make_shared<core::terrain::ToothAnatomy>(*support::syntheticMolar(64));
+        for (core::terrain::ColumnLayers& column : sound->layers)
+            column.cariesFloor = column.cariesRoof;
+        show(sound);
+        QVERIFY(!actions().idealColours->isEnabled());
+        press(Qt::Key_K, Qt::ShiftModifier);
+        QCOMPARE(shown(), DepthColours::Off);
+    }
 
-void TestWindowPicture::oneOfTheDepthColoursIsShown()
-{
-    using ui::render::DepthColours;
-    const auto shown = [this] { return m_window->view().settings().look.depthColours; };
-    QCOMPARE(shown(), DepthColours::Off);
-    press(Qt::Key_K);
-    QCOMPARE(shown(), DepthColours::BelowOriginal);
-    press(Qt::Key_K, Qt::ShiftModifier);
-    QCOMPARE(shown(), DepthColours::AgainstIdeal);
-    QVERIFY(!actions().depthColours->isChecked());
-    lessons::Aids aids;
-    aids.ideal = false;
-    m_window->setAids(aids);
-    QCOMPARE(shown(), DepthColours::Off);
-    QVERIFY(!actions().idealColours->isEnabled());
-    m_window->setAids({});
-    QCOMPARE(shown(), DepthColours::AgainstIdeal);
-    // A tooth without decay has no ideal.
-    auto sound = std::make_shared<core::terrain::ToothAnatomy>(*support::syntheticMolar(64));
-    for (core::terrain::ColumnLayers& column : sound->layers)
-        column.cariesFloor = column.cariesRoof;
-    show(sound);
-    QVERIFY(!actions().idealColours->isEnabled());
-    press(Qt::Key_K, Qt::ShiftModifier);
-    QCOMPARE(shown(), DepthColours::Off);
-}
-
-void TestWindowPicture::theBurTellsHowNearItIs()
-{
-    ServoState servo;
-    servo.tick = 1;
-    servo.toothGeneration = m_generation;
-    // Deep in what is to be kept beside the decay.
-    servo.anchorMm = {support::kLesionX + 3.0, support::kLesionY, -3.0};
-    const auto isShown = [this] { return figure("marginFigure").startsWith(QChar(0x2212)); };
-    take(servo, {});
-    QVERIFY(!isShown());
-    press(Qt::Key_A);
-    QTRY_VERIFY(isShown());
-    const auto noted = allSent();
-    QVERIFY(std::any_of(noted.begin(), noted.end(), [](const SessionCommand& c) {
-        return std::holds_alternative<SetAids>(c) && (std::get<SetAids>(c).aids & kBurColourAid) != 0;
-    }));
-    lessons::Aids aids;
-    aids.burColour = false;
-    m_window->setAids(aids);
-    QTRY_VERIFY(!isShown());
-    QVERIFY(!actions().burColour->isEnabled());
-    m_window->setAids({});
-    press(Qt::Key_A);
-    QTRY_VERIFY(!isShown());
-}
-
-void TestWindowPicture::aHandIsHeldOnRequest()
-{
-    QSignalSpy wanted(m_window.get(), &MainWindow::fixtureWanted);
-    press(Qt::Key_Q);
-    press(Qt::Key_Q);
-    QCOMPARE(wanted.count(), 2);
-    QVERIFY(wanted.front().front().toBool() && !wanted.back().front().toBool());
-    lessons::Aids aids;
-    aids.fixture = false;
-    m_window->setAids(aids);
-    press(Qt::Key_Q);
-    QCOMPARE(wanted.count(), 2);
-}
-
-void TestWindowPicture::theHintGoesWithTheFirstCut()
-{
-    spoil();
-    auto* hint = child<QLabel>("hint");
-    QVERIFY(hint->isVisible());
-    m_window->setReplaying(true);
-    QVERIFY2(!hint->isVisible(), "there is nothing to begin with");
-    m_window->setReplaying(false);
-    QVERIFY(hint->isVisible());
-    ServoState servo;
-    servo.tick = 1;
-    servo.cutting = true;
-    take(servo, {});
-    QVERIFY(!hint->isVisible());
-}
-
-/// Two blocks whose pads are of other tissues look the same, cut or whole, until the answers have been graded.
-void TestWindowPicture::whatIsToBeFeltIsNotShown()
-{
-    spoil();
-    lessons::Lesson lesson =
-        *support::shippedWhere([](const lessons::Lesson& one) { return one.task == lessons::Task::TellLayers; }).lesson;
-    const auto assignedWith = [&](std::uint64_t seed) {
-        std::get<lessons::Block>(lesson.tooth).seed = seed;
-        return lessons::assign(lesson).value().assignment;
-    };
-    const auto shown = [&](const lessons::Assignment& assignment, float depthMm) {
-        beginLesson(assignment);
+    void theBurTellsHowNearItIs()
+    {
         ServoState servo;
         servo.tick = 1;
-        servo.anchorMm = {core::teeth::kPadX[0], 0.0, 0.0};
-        servo.touching = servo.drillOn = true;
-        servo.materialUnderBur = std::get<core::grading::PadsToName>(*assignment.exercise).madeOf[0];
-        std::vector<float> top = assignment.anatomy->top;
-        for (std::size_t k = 0; k < top.size() / 2; ++k)
-            if (top[k] > -1.0F)
-                top[k] -= depthMm;
-        m_window->view().setHeights(top);
+        servo.toothGeneration = m_generation;
+        // Deep in what is to be kept beside the decay.
+        servo.anchorMm = {support::kLesionX + 3.0, support::kLesionY, -3.0};
+        const auto isShown = [this] { return figure("marginFigure").startsWith(QChar(0x2212)); };
         take(servo, {});
-        return m_window->grab().toImage();
-    };
-    const lessons::Assignment first = assignedWith(1);
-    lessons::Assignment other = assignedWith(2);
-    for (std::uint64_t seed = 3; *other.exercise == *first.exercise; ++seed)
-        other = assignedWith(seed);
-    static_cast<void>(shown(other, 0.0F));  // where everything finds its place
-    QImage one;
-    // The window is laid out, and the bur stands still, when two pictures are the same.
-    QTRY_VERIFY(std::exchange(one, shown(first, 0.0F)) == one);
-    QTRY_VERIFY(shown(other, 0.0F) == one);
-    QTRY_VERIFY(shown(first, 0.7F) == one);
-    for (const char* name : {"materialFigure", "depthFigure", "dentinFigure", "decayFigure", "enamelRemoved"})
-        QVERIFY2(!child<TabularLabel>(name)->isVisible(), name);
-    for (QAction* aid :
-         {actions().section, actions().radiograph, actions().depthColours, actions().mirror, actions().history})
-        QVERIFY2(!aid->isEnabled(), qPrintable(aid->text()));
-    // A recording of such a block, one's own for one, tells no more.
-    const std::uint64_t own = m_generation;
-    m_window->setReplaying(true, 10.0);
-    const auto replayed = std::make_shared<core::terrain::ToothAnatomy>(*first.anatomy);
-    show(replayed);
-    QImage played;
-    QTRY_VERIFY(std::exchange(played, m_window->view().picture()) == played);
-    m_window->view().setHeights(std::vector<float>(replayed->top.size(), -1.5F));
-    QVERIFY(m_window->view().picture() == played);
-    QVERIFY(!child<TabularLabel>("materialFigure")->isVisible());
-    m_window->setReplaying(false);
-    m_window->showTooth(first.anatomy, own, {});
-    // By keys: Tab leads to the choices, the space bar takes one, and the last answer is the one that is sent.
-    static_cast<void>(sent());
-    auto* enamel = child<QPushButton>("pad01");
-    auto* dentin = child<QPushButton>("pad02");
-    enamel->setFocus();
-    QTest::keyClick(enamel, Qt::Key_Space);
-    QTest::mouseClick(dentin, Qt::LeftButton);
-    const QList<SessionCommand> answers = sent();
-    QCOMPARE(answers.size(), 2);
-    QCOMPARE(std::get<AddNote>(answers[0]).code, core::grading::answerNote(0, Material::Enamel));
-    QCOMPARE(std::get<AddNote>(answers[1]).code, core::grading::answerNote(0, Material::Dentin));
-    QVERIFY(dentin->isChecked() && !enamel->isChecked());
-    QVERIFY(!child<QPushButton>("exerciseGrade")->isVisible());
-    click("pad11");
-    click("pad20");
-    QVERIFY(child<QPushButton>("exerciseGrade")->isVisible());
-    m_window->showScore(support::sheet(3.2, 40, 0.5), {});
-    actions().back->trigger();
-    QVERIFY(child<TabularLabel>("materialFigure")->isVisible());
-    QVERIFY(!dentin->isEnabled() && child<QLabel>("padTruth0")->isVisible());
-    QVERIFY(m_window->grab().toImage() != one);
-}
+        QVERIFY(!isShown());
+        press(Qt::Key_A);
+        QTRY_VERIFY(isShown());
+        const auto noted = allSent();
+        QVERIFY(std::any_of(noted.begin(), noted.end(), [](const SessionCommand& c) {
+            return std::holds_alternative<SetAids>(c) && (std::get<SetAids>(c).aids & kBurColourAid) != 0;
+        }));
+        lessons::Aids aids;
+        aids.burColour = false;
+        m_window->setAids(aids);
+        QTRY_VERIFY(!isShown());
+        QVERIFY(!actions().burColour->isEnabled());
+        m_window->setAids({});
+        press(Qt::Key_A);
+        QTRY_VERIFY(!isShown());
+    }
 
-void TestWindowPicture::pointsAndRemarksAreMarkedInAReplay()
-{
-    spoil();
-    m_window->setReplaying(true, 60.0);
-    show();
-    const auto pictureAt = [&](double seconds) {
-        SessionState session;
-        session.toothGeneration = m_generation;
-        session.recordedS = seconds;
-        take({}, session);
-        return m_window->view().picture();
-    };
-    ui::replay::Course course;
-    course.lengthS = course.readyS = 60.0;
-    m_window->setReplayCourse(course);
-    const QImage bare = pictureAt(10.0);
-    course.points = {{{-1.0, 0.0}, 0.6, 20.0}, {{1.5, 1.0}, 0.6, std::nullopt}};
-    course.marks = {{ui::replay::Mark::Kind::Touched, 20.0, 0}};
-    m_window->setReplayCourse(course);
-    const QImage ringed = pictureAt(10.0);
-    QVERIFY(ringed != bare);
-    const QImage touched = pictureAt(21.0);
-    QVERIFY(touched != ringed);
-    QCOMPARE(pictureAt(40.0), touched);
-    QCOMPARE(pictureAt(11.0), ringed);
-    // Remarks are read where they were meant.
-    const auto* remark = child<QLabel>("remark");
-    m_window->setRemarks({{20.0, glm::dvec3(1.0, 0.5, -0.5), "Ada Teach", "The wall <b>leans</b> in."}});
-    QVERIFY(pictureAt(20.0) != touched);
-    QVERIFY(remark->isVisible());
-    QCOMPARE(remark->text(), QString("Ada Teach: The wall <b>leans</b> in."));
-    QCOMPARE(remark->textFormat(), Qt::PlainText);
-    // More of the recording becomes known: what was said of it stays.
-    m_window->setReplayCourse(course);
-    auto* line = child<ui::replay::TimeLine>("timeLine");
-    QTRY_VERIFY(line->saidAt(QPoint(qRound(line->xOf(20.0)), 12)).join(' ').contains("leans"));
-    QCOMPARE(pictureAt(40.0), touched);
-    QVERIFY(!remark->isVisible());
-}
+    void aHandIsHeldOnRequest()
+    {
+        QSignalSpy wanted(m_window.get(), &MainWindow::fixtureWanted);
+        press(Qt::Key_Q);
+        press(Qt::Key_Q);
+        QCOMPARE(wanted.count(), 2);
+        QVERIFY(wanted.front().front().toBool() && !wanted.back().front().toBool());
+        lessons::Aids aids;
+        aids.fixture = false;
+        m_window->setAids(aids);
+        press(Qt::Key_Q);
+        QCOMPARE(wanted.count(), 2);
+    }
 
-void TestWindowPicture::theWholeMouthIsReachedWithM()
-{
-    press(Qt::Key_M);
-    auto* mouth = child<Mouth>();
-    QVERIFY(mouth != nullptr && mouth->isVisible());
-    QTRY_VERIFY_WITH_TIMEOUT(mouth->isReady(), 30'000);
-    QTRY_VERIFY(mouth->hasFocus());
-    QSignalSpy chosen(m_window.get(), &MainWindow::toothChosen);
-    mouth->setSelected(35);
-    press(Qt::Key_Right);
-    QCOMPARE(child<ArchView>()->selected(), 36);
-    // The flat arches know what was chosen, and back again.
-    press(Qt::Key_M);
-    QVERIFY(child<ArchView>()->isVisible() && !mouth->isVisible());
-    press(Qt::Key_M);
-    QVERIFY(mouth->isVisible());
-    press(Qt::Key_Left);
-    press(Qt::Key_Return);
-    QCOMPARE(chosen.count(), 1);
-    QCOMPARE(chosen.front().front().toInt(), 35);
-    spoil();
-}
+    void theHintGoesWithTheFirstCut()
+    {
+        spoil();
+        auto* hint = child<QLabel>("hint");
+        QVERIFY(hint->isVisible());
+        m_window->setReplaying(true);
+        QVERIFY2(!hint->isVisible(), "there is nothing to begin with");
+        m_window->setReplaying(false);
+        QVERIFY(hint->isVisible());
+        ServoState servo;
+        servo.tick = 1;
+        servo.cutting = true;
+        take(servo, {});
+        QVERIFY(!hint->isVisible());
+    }
 
-/// An open list has the keys to itself only on a real display.
-void TestWindowPicture::aToothOfTheArchIsSearchedFor()
-{
-    m_window->setLessons(support::catalog(), {});
-    auto* page = child<ui::study::LessonsPage>();
-    const auto* search = page->findChild<QLineEdit*>();
-    actions().lessons->trigger();
-    const auto choose = [&](const QList<Qt::Key>& keys) {
-        QTest::mouseClick(child<QPushButton>("pickTooth"), Qt::LeftButton);
-        QVERIFY(page->findChild<QFrame*>("archPopup") != nullptr);
-        for (const Qt::Key key : keys)
-            QTest::keyClick(QApplication::focusWidget(), key);
-        QTRY_VERIFY(page->findChild<QFrame*>("archPopup") == nullptr);
-    };
-    choose({Qt::Key_Down, Qt::Key_Right, Qt::Key_Return});
-    QCOMPARE(search->text(), QString("32"));
-    QVERIFY(child<QLabel>("lessonTitle")->text().contains("32"));
-    choose({Qt::Key_Right, Qt::Key_Escape});
-    QCOMPARE(search->text(), QString("32"));
-}
+    /// Two blocks whose pads are of other tissues look the same, cut or whole, until the answers have been graded.
+    void whatIsToBeFeltIsNotShown()
+    {
+        spoil();
+        lessons::Lesson lesson = *support::shippedWhere([](const lessons::Lesson& one) {
+                                      return one.task == lessons::Task::TellLayers;
+                                  }).lesson;
+        const auto assignedWith = [&](std::uint64_t seed) {
+            std::get<lessons::Block>(lesson.tooth).seed = seed;
+            return lessons::assign(lesson).value().assignment;
+        };
+        const auto shown = [&](const lessons::Assignment& assignment, float depthMm) {
+            beginLesson(assignment);
+            ServoState servo;
+            servo.tick = 1;
+            servo.anchorMm = {core::teeth::kPadX[0], 0.0, 0.0};
+            servo.touching = servo.drillOn = true;
+            servo.materialUnderBur = std::get<core::grading::PadsToName>(*assignment.exercise).madeOf[0];
+            std::vector<float> top = assignment.anatomy->top;
+            for (std::size_t k = 0; k < top.size() / 2; ++k)
+                if (top[k] > -1.0F)
+                    top[k] -= depthMm;
+            m_window->view().setHeights(top);
+            take(servo, {});
+            return m_window->grab().toImage();
+        };
+        const lessons::Assignment first = assignedWith(1);
+        lessons::Assignment other = assignedWith(2);
+        for (std::uint64_t seed = 3; *other.exercise == *first.exercise; ++seed)
+            other = assignedWith(seed);
+        static_cast<void>(shown(other, 0.0F));  // where everything finds its place
+        QImage one;
+        // The window is laid out, and the bur stands still, when two pictures are the same.
+        QTRY_VERIFY(std::exchange(one, shown(first, 0.0F)) == one);
+        QTRY_VERIFY(shown(other, 0.0F) == one);
+        QTRY_VERIFY(shown(first, 0.7F) == one);
+        for (const char* name : {"materialFigure", "depthFigure", "dentinFigure", "decayFigure", "enamelRemoved"})
+            QVERIFY2(!child<TabularLabel>(name)->isVisible(), name);
+        for (QAction* aid :
+             {actions().section, actions().radiograph, actions().depthColours, actions().mirror, actions().history})
+            QVERIFY2(!aid->isEnabled(), qPrintable(aid->text()));
+        // A recording of such a block, one's own for one, tells no more.
+        const std::uint64_t own = m_generation;
+        m_window->setReplaying(true, 10.0);
+        const auto replayed = std::make_shared<core::terrain::ToothAnatomy>(*first.anatomy);
+        show(replayed);
+        QImage played;
+        QTRY_VERIFY(std::exchange(played, m_window->view().picture()) == played);
+        m_window->view().setHeights(std::vector<float>(replayed->top.size(), -1.5F));
+        QVERIFY(m_window->view().picture() == played);
+        QVERIFY(!child<TabularLabel>("materialFigure")->isVisible());
+        m_window->setReplaying(false);
+        m_window->showTooth(first.anatomy, own, {});
+        // By keys: Tab leads to the choices, the space bar takes one, and the last answer is the one that is sent.
+        static_cast<void>(sent());
+        auto* enamel = child<QPushButton>("pad01");
+        auto* dentin = child<QPushButton>("pad02");
+        enamel->setFocus();
+        QTest::keyClick(enamel, Qt::Key_Space);
+        QTest::mouseClick(dentin, Qt::LeftButton);
+        const QList<SessionCommand> answers = sent();
+        QCOMPARE(answers.size(), 2);
+        QCOMPARE(std::get<AddNote>(answers[0]).code, core::grading::answerNote(0, Material::Enamel));
+        QCOMPARE(std::get<AddNote>(answers[1]).code, core::grading::answerNote(0, Material::Dentin));
+        QVERIFY(dentin->isChecked() && !enamel->isChecked());
+        QVERIFY(!child<QPushButton>("exerciseGrade")->isVisible());
+        click("pad11");
+        click("pad20");
+        QVERIFY(child<QPushButton>("exerciseGrade")->isVisible());
+        m_window->showScore(support::sheet(3.2, 40, 0.5), {});
+        actions().back->trigger();
+        QVERIFY(child<TabularLabel>("materialFigure")->isVisible());
+        QVERIFY(!dentin->isEnabled() && child<QLabel>("padTruth0")->isVisible());
+        QVERIFY(m_window->grab().toImage() != one);
+    }
+
+    void pointsAndRemarksAreMarkedInAReplay()
+    {
+        spoil();
+        m_window->setReplaying(true, 60.0);
+        show();
+        const auto pictureAt = [&](double seconds) {
+            SessionState session;
+            session.toothGeneration = m_generation;
+            session.recordedS = seconds;
+            take({}, session);
+            return m_window->view().picture();
+        };
+        ui::replay::Course course;
+        course.lengthS = course.readyS = 60.0;
+        m_window->setReplayCourse(course);
+        const QImage bare = pictureAt(10.0);
+        course.points = {{{-1.0, 0.0}, 0.6, 20.0}, {{1.5, 1.0}, 0.6, std::nullopt}};
+        course.marks = {{ui::replay::Mark::Kind::Touched, 20.0, 0}};
+        m_window->setReplayCourse(course);
+        const QImage ringed = pictureAt(10.0);
+        QVERIFY(ringed != bare);
+        const QImage touched = pictureAt(21.0);
+        QVERIFY(touched != ringed);
+        QCOMPARE(pictureAt(40.0), touched);
+        QCOMPARE(pictureAt(11.0), ringed);
+        // Remarks are read where they were meant.
+        const auto* remark = child<QLabel>("remark");
+        m_window->setRemarks({{20.0, glm::dvec3(1.0, 0.5, -0.5), "Ada Teach", "The wall <b>leans</b> in."}});
+        QVERIFY(pictureAt(20.0) != touched);
+        QVERIFY(remark->isVisible());
+        QCOMPARE(remark->text(), QString("Ada Teach: The wall <b>leans</b> in."));
+        QCOMPARE(remark->textFormat(), Qt::PlainText);
+        // More of the recording becomes known: what was said of it stays.
+        m_window->setReplayCourse(course);
+        auto* line = child<ui::replay::TimeLine>("timeLine");
+        QTRY_VERIFY(line->saidAt(QPoint(qRound(line->xOf(20.0)), 12)).join(' ').contains("leans"));
+        QCOMPARE(pictureAt(40.0), touched);
+        QVERIFY(!remark->isVisible());
+    }
+
+    void theWholeMouthIsReachedWithM()
+    {
+        press(Qt::Key_M);
+        auto* mouth = child<Mouth>();
+        QVERIFY(mouth != nullptr && mouth->isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(mouth->isReady(), 30'000);
+        QTRY_VERIFY(mouth->hasFocus());
+        QSignalSpy chosen(m_window.get(), &MainWindow::toothChosen);
+        mouth->setSelected(35);
+        press(Qt::Key_Right);
+        QCOMPARE(child<ArchView>()->selected(), 36);
+        // The flat arches know what was chosen, and back again.
+        press(Qt::Key_M);
+        QVERIFY(child<ArchView>()->isVisible() && !mouth->isVisible());
+        press(Qt::Key_M);
+        QVERIFY(mouth->isVisible());
+        press(Qt::Key_Left);
+        press(Qt::Key_Return);
+        QCOMPARE(chosen.count(), 1);
+        QCOMPARE(chosen.front().front().toInt(), 35);
+        spoil();
+    }
+
+    /// An open list has the keys to itself only on a real display.
+    void aToothOfTheArchIsSearchedFor()
+    {
+        m_window->setLessons(support::catalog(), {});
+        auto* page = child<ui::study::LessonsPage>();
+        const auto* search = page->findChild<QLineEdit*>();
+        actions().lessons->trigger();
+        const auto choose = [&](const QList<Qt::Key>& keys) {
+            QTest::mouseClick(child<QPushButton>("pickTooth"), Qt::LeftButton);
+            QVERIFY(page->findChild<QFrame*>("archPopup") != nullptr);
+            for (const Qt::Key key : keys)
+                QTest::keyClick(QApplication::focusWidget(), key);
+            QTRY_VERIFY(page->findChild<QFrame*>("archPopup") == nullptr);
+        };
+        choose({Qt::Key_Down, Qt::Key_Right, Qt::Key_Return});
+        QCOMPARE(search->text(), QString("32"));
+        QVERIFY(child<QLabel>("lessonTitle")->text().contains("32"));
+        choose({Qt::Key_Right, Qt::Key_Escape});
+        QCOMPARE(search->text(), QString("32"));
+    }
+};
 
 int main(int argc, char** argv)
 {
