@@ -123,25 +123,24 @@ inline QStringList wordsOf(const ui::charts::Chart& chart)
     QStringList words{chart.title, chart.note, chart.emptyWords};
     for (const Dot& dot : stopsOf(chart))
         words << dot.words;
-    const auto add = [&](const QList<Limit>& limits) {
-        for (const Limit& limit : limits)
-            words << limit.name;
-    };
+    const auto [across, up] = axesOf(chart);
+    words << across.title << up.title;
+    QList<Limit> limits;
     if (const auto* curve = std::get_if<Curve>(&chart.content)) {
-        words << curve->x.title << curve->y.title << curve->band.name << curve->band.middleName;
+        words << curve->band.name << curve->band.middleName;
         for (const Line& line : curve->lines)
             words << line.name;
-        add(curve->limits);
+        limits = curve->limits;
     }
     if (const auto* bars = std::get_if<Bars>(&chart.content)) {
-        words << bars->value.title << bars->nameTitle;
+        words << bars->nameTitle;
         for (const Bars::Bar& bar : bars->bars)
             words << bar.name;
     }
-    if (const auto* histogram = std::get_if<Histogram>(&chart.content)) {
-        words << histogram->x.title << histogram->count.title;
-        add(histogram->limits);
-    }
+    if (const auto* histogram = std::get_if<Histogram>(&chart.content))
+        limits = histogram->limits;
+    for (const Limit& limit : limits)
+        words << limit.name;
     return words;
 }
 

@@ -236,6 +236,13 @@ protected:
         m_window->setAssignment(assignment);
         show(assignment.anatomy);
     }
+    /// The lesson allows every aid but this one.
+    void forbid(bool lessons::Aids::*aid) const
+    {
+        lessons::Aids aids;
+        aids.*aid = false;
+        m_window->setAids(aids);
+    }
     /// The threads say this, and the window has taken it when the call returns.
     void take(const core::session::ServoState& servo, const core::session::SessionState& session) const
     {

@@ -465,35 +465,26 @@ private slots:
         QCOMPARE(bar->value(), bar->maximum());
     }
 
-    void numbersTakePointAndComma_data()
-    {
-        QTest::addColumn<QString>("language");
-        QTest::addColumn<QString>("typed");
-        QTest::addColumn<double>("becomes");
-        for (const char* language : {"en_GB", "de_DE", "es_ES", "ja_JP"})
-            for (const char* typed : {"1.75", "1,75"})
-                QTest::addRow("%s %s", language, typed) << language << typed << 1.75;
-        QTest::newRow("two of them") << "de_DE"
-                                     << "1.2,5" << 1.25;
-    }
-
     void numbersTakePointAndComma()
     {
-        QFETCH(QString, language);
-        QFETCH(QString, typed);
-        QFETCH(double, becomes);
-        const QLocale before;
-        QLocale::setDefault(QLocale(language));
-        const auto number =
-            std::unique_ptr<QDoubleSpinBox>(study::numberInput(0.0, 10'000.0, 3, "mm³/(N s)", {}, nullptr));
-        QLocale::setDefault(before);
-        number->show();
-        number->selectAll();
-        QTest::keyClicks(number.get(), typed);
-        QTest::keyClick(number.get(), Qt::Key_Return);
-        QCOMPARE(number->value(), becomes);
-        number->setValue(1000.5);
-        QVERIFY2(number->text().startsWith("1000"), qPrintable(number->text()));
+        const auto isRead = [](const char* language, const char* typed, double becomes) {
+            const QLocale before;
+            QLocale::setDefault(QLocale(language));
+            const std::unique_ptr<QDoubleSpinBox> number(
+                study::numberInput(0.0, 10'000.0, 3, "mm³/(N s)", {}, nullptr));
+            QLocale::setDefault(before);
+            number->show();
+            number->selectAll();
+            QTest::keyClicks(number.get(), typed);
+            QTest::keyClick(number.get(), Qt::Key_Return);
+            QCOMPARE(number->value(), becomes);
+            number->setValue(1000.5);
+            QVERIFY2(number->text().startsWith("1000"), qPrintable(number->text()));
+        };
+        for (const char* language : {"en_GB", "de_DE", "es_ES", "ja_JP"})
+            for (const char* typed : {"1.75", "1,75"})
+                isRead(language, typed, 1.75);
+        isRead("de_DE", "1.2,5", 1.25);
     }
 
     void whatIsBeyondTheRangeBecomesNoOtherNumber_data()

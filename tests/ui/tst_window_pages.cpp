@@ -37,26 +37,19 @@ private slots:
     void init() { begin(); }
     void cleanup() { end(); }
 
-    void keysLeadToPagesAndEscapeBack_data()
-    {
-        QTest::addColumn<QKeySequence>("key");
-        QTest::addColumn<QByteArray>("page");
-        QTest::newRow("lessons") << QKeySequence("F2") << QByteArray("ui::study::LessonsPage");
-        QTest::newRow("teeth") << QKeySequence("T") << QByteArray("ui::shell::ToothChooser");
-        QTest::newRow("films") << QKeySequence("F") << QByteArray("ui::inside::XrayPage");
-        QTest::newRow("presets") << QKeySequence("F7") << QByteArray("ui::presets::PresetsPage");
-        QTest::newRow("settings") << QKeySequence("Ctrl+,") << QByteArray("ui::settings::SettingsPage");
-    }
-
     void keysLeadToPagesAndEscapeBack()
     {
-        QFETCH(QKeySequence, key);
-        QFETCH(QByteArray, page);
-        press(key);
-        QCOMPARE(QByteArray(m_window->page()->metaObject()->className()), page);
-        QVERIFY(!isInRoom());
-        press(Qt::Key_Escape);
-        QVERIFY(isInRoom() && m_window->view().hasFocus());
+        for (const auto& [keys, page] : {std::pair("F2", "ui::study::LessonsPage"),
+                                         {"T", "ui::shell::ToothChooser"},
+                                         {"F", "ui::inside::XrayPage"},
+                                         {"F7", "ui::presets::PresetsPage"},
+                                         {"Ctrl+,", "ui::settings::SettingsPage"}}) {
+            press(QKeySequence(keys));
+            QCOMPARE(m_window->page()->metaObject()->className(), page);
+            QVERIFY(!isInRoom());
+            press(Qt::Key_Escape);
+            QVERIFY(isInRoom() && m_window->view().hasFocus());
+        }
     }
 
     void aRefusedPasswordIsTypedAnew()

@@ -66,9 +66,7 @@ private slots:
         press(Qt::Key_K, Qt::ShiftModifier);
         QCOMPARE(shown(), DepthColours::AgainstIdeal);
         QVERIFY(!actions().depthColours->isChecked());
-        lessons::Aids aids;
-        aids.ideal = false;
-        m_window->setAids(aids);
+        forbid(&lessons::Aids::ideal);
         QCOMPARE(shown(), DepthColours::Off);
         QVERIFY(!actions().idealColours->isEnabled());
         m_window->setAids({});
@@ -99,9 +97,7 @@ private slots:
         QVERIFY(std::any_of(noted.begin(), noted.end(), [](const SessionCommand& c) {
             return std::holds_alternative<SetAids>(c) && (std::get<SetAids>(c).aids & kBurColourAid) != 0;
         }));
-        lessons::Aids aids;
-        aids.burColour = false;
-        m_window->setAids(aids);
+        forbid(&lessons::Aids::burColour);
         QTRY_VERIFY(!isShown());
         QVERIFY(!actions().burColour->isEnabled());
         m_window->setAids({});
@@ -116,9 +112,7 @@ private slots:
         press(Qt::Key_Q);
         QCOMPARE(wanted.count(), 2);
         QVERIFY(wanted.front().front().toBool() && !wanted.back().front().toBool());
-        lessons::Aids aids;
-        aids.fixture = false;
-        m_window->setAids(aids);
+        forbid(&lessons::Aids::fixture);
         press(Qt::Key_Q);
         QCOMPARE(wanted.count(), 2);
     }

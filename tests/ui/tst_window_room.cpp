@@ -83,16 +83,6 @@ private slots:
         QTRY_VERIFY(actions().drill->isChecked());
     }
 
-    void aFullQueueIsToldAndNothingIsPretended()
-    {
-        while (m_links->commands.tryPush(Undo{})) {
-        }
-        press(Qt::Key_D);
-        QVERIFY(message().contains("busy"));
-        QVERIFY(!actions().drill->isChecked());
-        static_cast<void>(sent());
-    }
-
     void undoRestsWhileThereIsNothingToUndo()
     {
         take({}, {});
@@ -193,9 +183,7 @@ private slots:
         QVERIFY(child<SectionView>()->isVisible() && actions().section->isChecked());
         QVERIFY(actions().turnSection->isEnabled() && actions().otherHand->isChecked());
         // A lesson's lock is not what the student wanted.
-        lessons::Aids none;
-        none.section = false;
-        m_window->setAids(none);
+        forbid(&lessons::Aids::section);
         QVERIFY(!child<SectionView>()->isVisible());
         openWindow();
         QVERIFY(child<SectionView>()->isVisible());
@@ -222,9 +210,7 @@ private slots:
         // What was out before, and is not seen where the lesson does not allow it, is not in use there.
         actions().mirror->setChecked(true);
         QVERIFY(isNoted(kMirrorAid) == true);
-        lessons::Aids noMirror;
-        noMirror.mirror = false;
-        m_window->setAids(noMirror);
+        forbid(&lessons::Aids::mirror);
         QVERIFY(isNoted(kMirrorAid) == false);
         m_window->setAids({});
         actions().mirror->setChecked(false);
@@ -261,9 +247,7 @@ private slots:
         QVERIFY(!section->isVisible() && !films->isVisible());
         QVERIFY2(child<TabularLabel>("decayFigure")->isVisible(), "what is no aid stays");
         // A section without the gauge tells no figures.
-        lessons::Aids aids;
-        aids.depthGauge = false;
-        m_window->setAids(aids);
+        forbid(&lessons::Aids::depthGauge);
         QCOMPARE(actions().section->toolTip(), tip);
         press(Qt::Key_X);
         QVERIFY(section->isVisible() && !child<TabularLabel>("sectionNearest")->isVisible());
