@@ -18,7 +18,6 @@
 #include <cmath>
 #include <memory>
 
-#include "core/settings/StabilityBound.h"
 #include "ui/console/Console.h"
 #include "ui/console/Registration.h"
 #include "ui/console/WatchPanel.h"
