@@ -138,23 +138,6 @@ private slots:
         }
     }
 
-    void errorsSpeakOfWhatWasDone()
-    {
-        using ui::text::Failed;
-        const core::Error error{ErrorCode::WrongKind, {}};
-        QVERIFY(ui::text::errorText(error, Failed::OpeningScan).contains("scan"));
-        for (const Failed failed : {Failed::OpeningRecording, Failed::KeepingGrades, Failed::ResumingAttempt})
-            for (const ErrorCode code : {ErrorCode::WrongKind, ErrorCode::FileTruncated, ErrorCode::FileEmpty,
-                                         ErrorCode::FileTooLarge, ErrorCode::BadStructure})
-                QVERIFY(!ui::text::errorText({code, {}}, failed).contains("scan", Qt::CaseInsensitive));
-        QVERIFY(ui::text::errorText(error, Failed::KeepingGrades).contains("Grades will not be kept"));
-        // What nobody sends again by himself is not said to be.
-        const core::Error lost{ErrorCode::ConnectionLost, {}};
-        QVERIFY(ui::text::errorText(lost, Failed::KeepingGrades).contains("tries again by itself"));
-        QVERIFY(!ui::text::errorText(lost, Failed::ChangingSchool).contains("by itself"));
-        QVERIFY(ui::text::errorText(lost, Failed::ChangingSchool).contains("Try it again when the server answers"));
-    }
-
     void notesOfAScanAreSentences()
     {
         core::teeth::ToothReport report;
@@ -375,8 +358,8 @@ private slots:
         QCOMPARE(ui::text::healthText(0), QString());
         QVERIFY(ui::text::healthText(kDeviceLost | kForceClamped | kRecordGap).contains("handpiece"));
         QVERIFY(ui::text::healthText(kPatchQueueFull | kRecordGap).contains("recording"));
-        QVERIFY(!ui::text::healthText(kForceClamped).isEmpty());
-        QVERIFY(!ui::text::healthText(kPatchQueueFull).isEmpty());
+        for (const std::uint32_t alone : {kForceClamped, kPatchQueueFull})
+            QVERIFY(!ui::text::healthText(alone).isEmpty());
     }
 
     void criteriaAreWorkedInNumbers_data()
@@ -582,22 +565,18 @@ private slots:
         }
     }
 
-    void eachLanguageIsEmbedded()
+    /// The letter of a side is not that of the tissue with the same English letter.
+    void lettersDifferInEveryLanguage_data() { support::rows<QString>("language", {"de", "es", "ja"}); }
+    void lettersDifferInEveryLanguage()
     {
-        for (const auto& [locale, enamel, molar] : {std::tuple("de_AT", "Schmelz", "erster Molar unten links"),
-                                                    {"es_MX", "esmalte", "primer molar inferior izquierdo"},
-                                                    {"ja_JP", "エナメル質", "下顎左側第一大臼歯"}}) {
-            const auto words = spoken(QLocale(locale));
-            QCOMPARE(ui::text::materialName(Material::Enamel), QString(enamel));
-            QCOMPARE(ui::text::toothName(36), QString(molar));
-            QSet<QString> letters;
-            for (int k = 0; k < core::terrain::kMaterialCount; ++k)
-                letters << ui::text::materialLetter(static_cast<Material>(k));
-            QCOMPARE(letters.size(), core::terrain::kMaterialCount);
-        }
-        // A letter of a side is not the tissue's of the same English letter.
-        const auto japanese = spoken(QLocale("ja_JP"));
-        QCOMPARE(ui::text::surfaceLetters(26), QStringList({"M", "D", "P", "B", "", "O"}));
+        QFETCH(QString, language);
+        const auto words = spoken(QLocale(language));
+        QSet<QString> letters;
+        for (int k = 0; k < core::terrain::kMaterialCount; ++k)
+            letters << ui::text::materialLetter(static_cast<Material>(k));
+        QCOMPARE(letters.size(), core::terrain::kMaterialCount);
+        if (language == "ja")
+            QCOMPARE(ui::text::surfaceLetters(26), QStringList({"M", "D", "P", "B", "", "O"}));
     }
 };
 
