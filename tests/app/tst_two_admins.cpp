@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Two admins of one school: what one of them did is neither undone by the other nor shown to the other.
+#include <memory>
+
+#include <QLabel>
+#include <QPushButton>
+#include <QTableView>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "app/AdminDesk.h"
+#include "app/PresetDesk.h"
+#include "database/sql/Settings.h"
+#include "tests/database/SchoolRig.h"
+#include "ui/admin/AdminPage.h"
+#include "ui/admin/PeoplePart.h"
+#include "ui/shell/MainWindow.h"
+#include "ui/shell/MessageBar.h"
+
+namespace sql = database::sql;
+
+namespace {
+
+constexpr int kPatienceMs = 60000;
+
+}  // namespace
+
+class TestTwoAdmins : public QObject
+{
+    Q_OBJECT
+private slots:
+    void init()
+    {
+        m_rig = std::make_unique<support::SchoolRig>(support::populatedSchool(false));
+        m_who = m_rig->admin;
+        m_window = std::make_unique<ui::shell::MainWindow>(m_links);
+        m_window->setWho(m_who);
+        m_window->show();
+        m_desk = std::make_unique<app::SchoolDesk>(database::Address::parse(m_rig->address()).value(), m_folder.path());
+    }
+    void cleanup()
+    {
+        m_desk.reset();
+        m_window.reset();
+    }
+
+    void whatAnotherAdminHasChosenIsNotUndone()
+    {
+        app::PresetDesk presets(*m_window, [this] { return m_who; });
+        presets.setSchool(m_desk.get());
+        const auto inUse = [this] {
+            return QString::fromStdString(sql::readSettings(m_rig->school(), m_rig->admin).value()["preset.in_use"]);
+        };
+        const auto chooseElsewhere = [this](const char* name) {
+            QVERIFY(sql::changeSetting(m_rig->school(), m_rig->admin, "preset.in_use", name));
+        };
+        auto* messages = m_window->findChild<ui::shell::MessageBar*>();
+        const auto choose = [&] {
+            core::settings::FeelPreset mine;
+            mine.name = "mine";
+            while (messages->dismiss()) {
+            }
+            emit m_window->presetUseWanted(mine);
+            QTRY_VERIFY_WITH_TIMEOUT(messages->sentence().contains("everybody"), kPatienceMs);
+            QCOMPARE(inUse(), QString("mine v1"));
+        };
+        const auto undo = [&] {
+            for (QPushButton* button : messages->findChildren<QPushButton*>())
+                if (button->text() == "Undo")
+                    button->click();
+            QTRY_VERIFY_WITH_TIMEOUT(!messages->sentence().isEmpty(), kPatienceMs);
+        };
+        // Another admin chose this before, and this window has not read it.
+        chooseElsewhere("first v1");
+        choose();
+        undo();
+        QCOMPARE(inUse(), QString("first v1"));
+        choose();
+        chooseElsewhere("second v1");
+        undo();
+        QVERIFY2(messages->sentence().contains("second"), qPrintable(messages->sentence()));
+        QCOMPARE(inUse(), QString("second v1"));
+    }
+
+    void aCodeIsNotShownToTheNextAdmin_data()
+    {
+        QTest::addColumn<bool>("isLate");
+        QTest::newRow("it was shown to the one before") << false;
+        QTest::newRow("it comes after the switch") << true;
+    }
+    void aCodeIsNotShownToTheNextAdmin()
+    {
+        QFETCH(bool, isLate);
+        const database::Session next = m_rig->join({"admin2", "Eve", "Admin", database::Role::Admin}, m_rig->first);
+        app::AdminDesk admin(*m_window, *m_desk, {}, [this] { return m_who; });
+        ui::admin::PeoplePart& people = m_window->adminPage().people();
+        const auto* code = m_window->findChild<QLabel*>("oneTimeCode");
+        const auto show = [&] {
+            people.setPeople({sql::findPerson(m_rig->school(), next, "s1001").value()}, {});
+            m_window->findChild<QTableView*>("people")->selectRow(0);
+        };
+        show();
+        emit people.resetWanted(m_rig->student.person().value);
+        if (!isLate)
+            QTRY_VERIFY_WITH_TIMEOUT(!code->text().isEmpty(), kPatienceMs);
+        m_who = next;
+        m_window->setWho(next);
+        bool isAnswered = false;
+        m_desk->ask(
+            this, [](const sql::School&) { return core::Result<bool>(true); },
+            [&isAnswered](const core::Result<bool>&) { isAnswered = true; });
+        QTRY_VERIFY_WITH_TIMEOUT(isAnswered, kPatienceMs);
+        show();
+        QVERIFY2(code->text().isEmpty(), qPrintable(code->text()));
+        QVERIFY(people.unsavedChanges().isEmpty());
+    }
+
+private:
+    QTemporaryDir m_folder;
+    std::unique_ptr<support::SchoolRig> m_rig;
+    core::session::UiLinks m_links;
+    database::Session m_who;
+    std::unique_ptr<ui::shell::MainWindow> m_window;
+    std::unique_ptr<app::SchoolDesk> m_desk;
+};
+
+QTEST_MAIN(TestTwoAdmins)
+#include "tst_two_admins.moc"
