@@ -42,21 +42,304 @@ private slots:
         QLocale::setDefault(QLocale("en_GB"));
         ui::shell::applyTheme(*qApp, ui::shell::ThemeChoice::Light);
     }
-    void init();
+    void init()
+    {
+        m_window = std::make_unique<QWidget>();
+        m_window->resize(1280, 760);
+        m_page = new AdminPage(*new ui::shell::Actions(m_window.get()), m_window.get());
+        people().setAdmin(kAdmin);
+        m_page->resize(m_window->size());
+        m_window->show();
+        m_window->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+    }
+
     void cleanup() { m_window.reset(); }
 
-    void aCodeStaysWithItsPerson();
-    void aCodeIsNotLostByOneKey();
-    void aDoubleClickOnEnterTakesNoPasswordAway();
-    void theQuestionOfAPasswordEndsWithAnythingElse();
-    void onesOwnRoleIsNotGivenUpByOneClick();
-    void aTouchedFormTakesOverWhatOthersHaveEntered();
-    void nobodyIsChosenByPassingThroughTheList();
-    void whoIsChosenIsInSightAfterASearch();
-    void aFaultGoesWithWhatItWasSaidOf();
-    void classesThatAreThereAreTicked();
-    void aListOfNobodyIsAFault();
-    void anAuditThatCannotBeReadKeepsItsRows();
+    void aCodeStaysWithItsPerson()
+    {
+        database::Person ada = someone(1, "Ada", false);
+        const database::Person bob = someone(2, "Bob", true);
+        setPeople({ada, bob});
+        choose(0);
+        showCode(ada);
+        QVERIFY(showsCode());
+        choose(1);
+        QVERIFY(!showsCode());
+        // The list says whose code can still be seen.
+        const auto state = [this](int row) {
+            return child<QTableView>("people")->model()->index(row, 5).data().toString();
+        };
+        QVERIFY2(state(0).contains("shown here") && !state(1).contains("shown here"), qPrintable(state(0)));
+        m_page->show(AdminPage::Roster);
+        m_page->show(AdminPage::People);
+        choose(0);
+        QVERIFY(showsCode());
+        QCOMPARE(child<QLabel>("oneTimeCode")->text(), QString("1234-5678"));
+        // It was used.
+        setPeople({someone(1, "Ada", true), bob});
+        QVERIFY(!showsCode());
+        // Another admin has made another one, with which this is good for nothing.
+        showCode(ada);
+        QVERIFY(showsCode());
+        ada.codeUntilUtc = "9999-01-01T00:00:00Z";
+        setPeople({ada, bob});
+        QVERIFY(!showsCode());
+        QCOMPARE(state(0), QString("has a one-time code"));
+        // The admin logs out.
+        showCode(ada);
+        QVERIFY(showsCode() && !people().unsavedChanges().isEmpty());
+        people().discardChanges();
+        QVERIFY(!showsCode() && !state(0).contains("shown here"));
+    }
+
+    void aCodeIsNotLostByOneKey()
+    {
+        setPeople({someone(1, "Ada", false)});
+        QSignalSpy reset(&people(), &PeoplePart::resetWanted);
+        choose(0);
+        showCode(someone(1, "Ada", false));
+        // It may have been told.
+        click("resetPassword");
+        click("resetPassword");
+        QCOMPARE(reset.size(), 0);
+        QVERIFY2(said().contains("make another"), qPrintable(said()));
+        click("keepAsItIs");
+        QVERIFY(showsCode());
+        QVERIFY(!people().unsavedChanges().isEmpty());
+    }
+
+    void aDoubleClickOnEnterTakesNoPasswordAway()
+    {
+        QSignalSpy entered(&people(), &PeoplePart::addWanted);
+        QSignalSpy changed(&people(), &PeoplePart::changeWanted);
+        QSignalSpy reset(&people(), &PeoplePart::resetWanted);
+        click("newPerson");
+        child<QLineEdit>("personUsername")->setText("eve");
+        click("savePerson");
+        people().confirm({1}, [] { return QString("eve was entered."); });
+        showCode(someone(1, "Eve", false));
+        setPeople({someone(1, "Eve", false)});
+        click("savePerson");
+        click("resetPassword");
+        QCOMPARE(entered.size(), 1);
+        QCOMPARE(changed.size() + reset.size(), 0);
+        // Later the button does what it says.
+        QTRY_VERIFY((click("resetPassword"), !reset.empty()));
+    }
+
+    void theQuestionOfAPasswordEndsWithAnythingElse()
+    {
+        setPeople({someone(1, "Ada", true)});
+        choose(0);
+        const auto* keep = child<QPushButton>("keepAsItIs");
+        click("resetPassword");
+        QVERIFY(keep->isVisible());
+        QTest::keyClicks(child<QLineEdit>("personGiven"), "x");
+        QVERIFY(!keep->isVisible() && said().isEmpty());
+        click("resetPassword");
+        QVERIFY(keep->isVisible());
+        click("savePerson");
+        QVERIFY(!keep->isVisible());
+    }
+
+    /// Nobody undoes it by themselves.
+    void onesOwnRoleIsNotGivenUpByOneClick()
+    {
+        database::Person own = someone(1, "Ada", true);
+        own.uid = kAdmin.toStdString();
+        own.role = database::Role::Admin;
+        setPeople({own});
+        choose(0);
+        std::vector<database::Person> sent;
+        connect(&people(), &PeoplePart::changeWanted, this,
+                [&](const database::Person& person, const auto&) { sent.push_back(person); });
+        auto* role = child<QComboBox>("personRole");
+        const auto chooseStudent = [role] {
+            role->setCurrentIndex(0);
+            emit role->activated(0);
+        };
+        chooseStudent();
+        click("savePerson");
+        click("savePerson");  // of a double click
+        QVERIFY(sent.empty());
+        QVERIFY2(said().contains("an admin no longer"), qPrintable(said()));
+        click("keepAsItIs");
+        QCOMPARE(role->currentIndex(), 2);
+        chooseStudent();
+        click("savePerson");
+        QVERIFY(sent.empty());
+        QTRY_VERIFY((click("savePerson"), !sent.empty()));
+        QCOMPARE(sent.back().role, database::Role::Student);
+        people().confirm(own.id, [] { return QString("Ada Berg was changed."); });
+        setPeople({own});
+        // Nor is the account.
+        sent.clear();
+        QTRY_VERIFY((click("disablePerson"), said().contains("your own account")));
+        QVERIFY(sent.empty());
+        QTRY_VERIFY((click("disablePerson"), !sent.empty()));
+        QVERIFY(sent.back().disabled);
+    }
+
+    /// As nothing else was changed in the form, nothing of it is undone.
+    void aTouchedFormTakesOverWhatOthersHaveEntered()
+    {
+        const QList<database::SchoolClass> classes{{{1}, "Year 1", 0}, {{2}, "Year 2", 0}, {{3}, "Year 3", 0}};
+        database::Person hugo = someone(1, "Hugo", true, {{1}, {3}});
+        setPeople({hugo}, classes);
+        choose(0);
+        QTest::keyClicks(child<QLineEdit>("personGiven"), "X");
+        const auto tick = [this](const QString& name) {
+            return child<QListWidget>("personClasses")->findItems(name, Qt::MatchExactly).front();
+        };
+        tick("Year 3")->setCheckState(Qt::Unchecked);
+        hugo.role = database::Role::Instructor;
+        hugo.classes = {{2}, {3}};
+        setPeople({hugo}, classes);
+        QCOMPARE(child<QLineEdit>("personGiven")->text(), QString("HugoX"));
+        QCOMPARE(child<QComboBox>("personRole")->currentIndex(), 1);
+        for (const auto& [name, state] :
+             {std::pair("Year 1", Qt::Unchecked), {"Year 2", Qt::Checked}, {"Year 3", Qt::Unchecked}})
+            QCOMPARE(tick(name)->checkState(), state);
+        QSignalSpy changed(&people(), &PeoplePart::changeWanted);
+        click("savePerson");
+        QCOMPARE(changed.size(), 1);
+        const auto sent = changed[0][0].value<database::Person>();
+        QCOMPARE(sent.givenName, std::string("HugoX"));
+        QCOMPARE(sent.role, database::Role::Instructor);
+        QCOMPARE(changed[0][1].value<QSet<qint64>>(), QSet<qint64>{2});
+    }
+
+    /// Tab on the way to something else.
+    void nobodyIsChosenByPassingThroughTheList()
+    {
+        setPeople({someone(1, "Ada", true), someone(2, "Bob", true)});
+        click("newPerson");
+        const auto* given = child<QLineEdit>("personGiven");
+        auto* table = child<QTableView>("people");
+        table->setFocus();
+        table->selectionModel()->setCurrentIndex(table->model()->index(0, 0), QItemSelectionModel::NoUpdate);
+        QVERIFY(given->text().isEmpty());
+        QTest::keyClick(table, Qt::Key_Space);
+        QCOMPARE(given->text(), QString("Ada"));
+        QTest::keyClick(table, Qt::Key_Down);
+        QCOMPARE(given->text(), QString("Bob"));
+        // Who is searched for meanwhile is not chosen by that.
+        child<QLineEdit>("peopleSearch")->setText("Ada");
+        QCOMPARE(given->text(), QString("Bob"));
+        child<QLineEdit>("peopleSearch")->clear();
+        QVERIFY(table->selectionModel()->isRowSelected(1));
+    }
+
+    /// What is searched for is found again when the search ends; what is only read once more moves nothing.
+    void whoIsChosenIsInSightAfterASearch()
+    {
+        QList<database::Person> all;
+        for (int k = 1001; k <= 3000; ++k)
+            all << someone(k, "Ada", true);
+        setPeople(all);
+        QVERIFY2(child<QLabel>("peopleCount")->text().contains("2,000"),
+                 qPrintable(child<QLabel>("peopleCount")->text()));
+        const auto* table = child<QTableView>("people");
+        const auto isSeen = [table] {
+            const QModelIndexList rows = table->selectionModel()->selectedRows();
+            return rows.size() == 1 && table->viewport()->rect().contains(table->visualRect(rows.front()).center());
+        };
+        auto* search = child<QLineEdit>("peopleSearch");
+        search->setText("s2500");
+        choose(0);
+        search->clear();
+        QVERIFY(isSeen());
+        QScrollBar* bar = table->verticalScrollBar();
+        bar->setValue(bar->value() / 2);
+        const int scrolled = bar->value();
+        QVERIFY(!isSeen());
+        setPeople(all);
+        QCOMPARE(bar->value(), scrolled);
+        QCOMPARE(table->selectionModel()->selectedRows().size(), 1);
+        // Somebody who was entered just now is seen.
+        all << someone(999, "Zoe", false);
+        all.back().familyName = "Zuse";
+        people().confirm({999}, [] { return QString("Zoe was entered."); });
+        setPeople(all);
+        QTRY_VERIFY(isSeen());
+    }
+
+    void aFaultGoesWithWhatItWasSaidOf()
+    {
+        const database::Person ada = someone(1, "Ada", true);
+        setPeople({ada}, {{{4}, "Year 1", 0}});
+        choose(0);
+        QSignalSpy wanted(&people(), &PeoplePart::classWanted);
+        auto* name = child<QLineEdit>("className");
+        const auto* fault = child<QLabel>("personFault");
+        name->setText("Year|2");
+        click("addClass");
+        QTest::keyClick(name, Qt::Key_Return);  // before there is an answer
+        QCOMPARE(wanted.size(), 1);
+        people().refuseClass([] { return QString("No class can be called that."); });
+        QVERIFY(fault->isVisible());
+        QCOMPARE(name->text(), QString("Year|2"));
+        name->setText("Year 2");
+        click("addClass");
+        QCOMPARE(wanted.back().front().toString(), QString("Year 2"));
+        people().confirmClass("Year 2");
+        QVERIFY(!fault->isVisible() && name->text().isEmpty());
+        click("newPerson");
+        click("savePerson");
+        QVERIFY(fault->isVisible() && fault->text().contains("is missing"));
+    }
+
+    void classesThatAreThereAreTicked()
+    {
+        setPeople({someone(1, "Ada", true, {{4}})}, {{{1}, "Year 1", 0}, {{4}, "Year 4", 0}});
+        choose(0);
+        QSignalSpy wanted(&people(), &PeoplePart::classWanted);
+        const auto* list = child<QListWidget>("personClasses");
+        QCOMPARE(list->item(0)->text(), QString("Year 4"));  // the person's own come first
+        QCOMPARE(list->item(1)->checkState(), Qt::Unchecked);
+        child<QLineEdit>("className")->setText("Year 1");
+        click("addClass");
+        QCOMPARE(wanted.size(), 0);
+        QCOMPARE(list->findItems("Year 1", Qt::MatchExactly).front()->checkState(), Qt::Checked);
+    }
+
+    void aListOfNobodyIsAFault()
+    {
+        m_page->show(AdminPage::Roster);
+        m_page->roster().showOutcome({}, "class.csv", false);
+        const auto* fault = child<QLabel>("rosterFault");
+        QVERIFY2(fault->isVisible() && fault->text().contains("nobody in class.csv"), qPrintable(fault->text()));
+        QVERIFY(!child<QLabel>("rosterSaid")->isVisible() && !child<QPushButton>("enterRoster")->isVisible());
+        // What is short in a list is said.
+        database::RosterOutcome looked;
+        looked.people = {{"eve", "Eve", database::Role::Student, {}, true, "", "", true},
+                         {"ada", "Ada Berg", database::Role::Student, {}, false, "", "", false}};
+        m_page->roster().showOutcome(looked, "class.csv", false);
+        const auto* rows = child<QTableView>("roster")->model();
+        QCOMPARE(rows->index(0, 4).data().toString(), QString("new; the line has fewer fields than the first"));
+        QCOMPARE(rows->index(1, 4).data().toString(), QString("known"));
+    }
+
+    void anAuditThatCannotBeReadKeepsItsRows()
+    {
+        ui::admin::AuditPart& audit = m_page->audit();
+        auto* without = child<QCheckBox>("auditNoAttempts");
+        const auto* counted = child<QLabel>("auditCount");
+        audit.keepRows();
+        QVERIFY(counted->text().isEmpty());  // whether there are any nobody knows
+        database::AuditRow row;
+        row.seq = 7;
+        audit.setRows({row}, "1234", true);
+        QSignalSpy wanted(&audit, &ui::admin::AuditPart::newestWanted);
+        without->click();
+        QCOMPARE(wanted.size(), 1);
+        QVERIFY(!child<QPushButton>("olderAudit")->isEnabled());
+        audit.keepRows();
+        QVERIFY(!without->isChecked() && counted->text().startsWith('1'));
+        QCOMPARE(child<QTableView>("audit")->model()->rowCount(), 1);
+        QVERIFY(child<QPushButton>("olderAudit")->isEnabled());
+    }
 
 private:
     template <class T>
@@ -82,302 +365,6 @@ private:
     std::unique_ptr<QWidget> m_window;
     AdminPage* m_page = nullptr;
 };
-
-void TestAdminPage::init()
-{
-    m_window = std::make_unique<QWidget>();
-    m_window->resize(1280, 760);
-    m_page = new AdminPage(*new ui::shell::Actions(m_window.get()), m_window.get());
-    people().setAdmin(kAdmin);
-    m_page->resize(m_window->size());
-    m_window->show();
-    m_window->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
-}
-
-void TestAdminPage::aCodeStaysWithItsPerson()
-{
-    database::Person ada = someone(1, "Ada", false);
-    const database::Person bob = someone(2, "Bob", true);
-    setPeople({ada, bob});
-    choose(0);
-    showCode(ada);
-    QVERIFY(showsCode());
-    choose(1);
-    QVERIFY(!showsCode());
-    // The list says whose code can still be seen.
-    const auto state = [this](int row) {
-        return child<QTableView>("people")->model()->index(row, 5).data().toString();
-    };
-    QVERIFY2(state(0).contains("shown here") && !state(1).contains("shown here"), qPrintable(state(0)));
-    m_page->show(AdminPage::Roster);
-    m_page->show(AdminPage::People);
-    choose(0);
-    QVERIFY(showsCode());
-    QCOMPARE(child<QLabel>("oneTimeCode")->text(), QString("1234-5678"));
-    // It was used.
-    setPeople({someone(1, "Ada", true), bob});
-    QVERIFY(!showsCode());
-    // Another admin has made another one, with which this is good for nothing.
-    showCode(ada);
-    QVERIFY(showsCode());
-    ada.codeUntilUtc = "9999-01-01T00:00:00Z";
-    setPeople({ada, bob});
-    QVERIFY(!showsCode());
-    QCOMPARE(state(0), QString("has a one-time code"));
-    // The admin logs out.
-    showCode(ada);
-    QVERIFY(showsCode() && !people().unsavedChanges().isEmpty());
-    people().discardChanges();
-    QVERIFY(!showsCode() && !state(0).contains("shown here"));
-}
-
-void TestAdminPage::aCodeIsNotLostByOneKey()
-{
-    setPeople({someone(1, "Ada", false)});
-    QSignalSpy reset(&people(), &PeoplePart::resetWanted);
-    choose(0);
-    showCode(someone(1, "Ada", false));
-    // It may have been told.
-    click("resetPassword");
-    click("resetPassword");
-    QCOMPARE(reset.size(), 0);
-    QVERIFY2(said().contains("make another"), qPrintable(said()));
-    click("keepAsItIs");
-    QVERIFY(showsCode());
-    QVERIFY(!people().unsavedChanges().isEmpty());
-}
-
-void TestAdminPage::aDoubleClickOnEnterTakesNoPasswordAway()
-{
-    QSignalSpy entered(&people(), &PeoplePart::addWanted);
-    QSignalSpy changed(&people(), &PeoplePart::changeWanted);
-    QSignalSpy reset(&people(), &PeoplePart::resetWanted);
-    click("newPerson");
-    child<QLineEdit>("personUsername")->setText("eve");
-    click("savePerson");
-    people().confirm({1}, [] { return QString("eve was entered."); });
-    showCode(someone(1, "Eve", false));
-    setPeople({someone(1, "Eve", false)});
-    click("savePerson");
-    click("resetPassword");
-    QCOMPARE(entered.size(), 1);
-    QCOMPARE(changed.size() + reset.size(), 0);
-    // Later the button does what it says.
-    QTRY_VERIFY((click("resetPassword"), !reset.empty()));
-}
-
-void TestAdminPage::theQuestionOfAPasswordEndsWithAnythingElse()
-{
-    setPeople({someone(1, "Ada", true)});
-    choose(0);
-    const auto* keep = child<QPushButton>("keepAsItIs");
-    click("resetPassword");
-    QVERIFY(keep->isVisible());
-    QTest::keyClicks(child<QLineEdit>("personGiven"), "x");
-    QVERIFY(!keep->isVisible() && said().isEmpty());
-    click("resetPassword");
-    QVERIFY(keep->isVisible());
-    click("savePerson");
-    QVERIFY(!keep->isVisible());
-}
-
-/// Nobody undoes it by themselves.
-void TestAdminPage::onesOwnRoleIsNotGivenUpByOneClick()
-{
-    database::Person own = someone(1, "Ada", true);
-    own.uid = kAdmin.toStdString();
-    own.role = database::Role::Admin;
-    setPeople({own});
-    choose(0);
-    std::vector<database::Person> sent;
-    connect(&people(), &PeoplePart::changeWanted, this,
-            [&](const database::Person& person, const auto&) { sent.push_back(person); });
-    auto* role = child<QComboBox>("personRole");
-    const auto chooseStudent = [role] {
-        role->setCurrentIndex(0);
-        emit role->activated(0);
-    };
-    chooseStudent();
-    click("savePerson");
-    click("savePerson");  // of a double click
-    QVERIFY(sent.empty());
-    QVERIFY2(said().contains("an admin no longer"), qPrintable(said()));
-    click("keepAsItIs");
-    QCOMPARE(role->currentIndex(), 2);
-    chooseStudent();
-    click("savePerson");
-    QVERIFY(sent.empty());
-    QTRY_VERIFY((click("savePerson"), !sent.empty()));
-    QCOMPARE(sent.back().role, database::Role::Student);
-    people().confirm(own.id, [] { return QString("Ada Berg was changed."); });
-    setPeople({own});
-    // Nor is the account.
-    sent.clear();
-    QTRY_VERIFY((click("disablePerson"), said().contains("your own account")));
-    QVERIFY(sent.empty());
-    QTRY_VERIFY((click("disablePerson"), !sent.empty()));
-    QVERIFY(sent.back().disabled);
-}
-
-/// As nothing else was changed in the form, nothing of it is undone.
-void TestAdminPage::aTouchedFormTakesOverWhatOthersHaveEntered()
-{
-    const QList<database::SchoolClass> classes{{{1}, "Year 1", 0}, {{2}, "Year 2", 0}, {{3}, "Year 3", 0}};
-    database::Person hugo = someone(1, "Hugo", true, {{1}, {3}});
-    setPeople({hugo}, classes);
-    choose(0);
-    QTest::keyClicks(child<QLineEdit>("personGiven"), "X");
-    const auto tick = [this](const QString& name) {
-        return child<QListWidget>("personClasses")->findItems(name, Qt::MatchExactly).front();
-    };
-    tick("Year 3")->setCheckState(Qt::Unchecked);
-    hugo.role = database::Role::Instructor;
-    hugo.classes = {{2}, {3}};
-    setPeople({hugo}, classes);
-    QCOMPARE(child<QLineEdit>("personGiven")->text(), QString("HugoX"));
-    QCOMPARE(child<QComboBox>("personRole")->currentIndex(), 1);
-    for (const auto& [name, state] :
-         {std::pair("Year 1", Qt::Unchecked), {"Year 2", Qt::Checked}, {"Year 3", Qt::Unchecked}})
-        QCOMPARE(tick(name)->checkState(), state);
-    QSignalSpy changed(&people(), &PeoplePart::changeWanted);
-    click("savePerson");
-    QCOMPARE(changed.size(), 1);
-    const auto sent = changed[0][0].value<database::Person>();
-    QCOMPARE(sent.givenName, std::string("HugoX"));
-    QCOMPARE(sent.role, database::Role::Instructor);
-    QCOMPARE(changed[0][1].value<QSet<qint64>>(), QSet<qint64>{2});
-}
-
-/// Tab on the way to something else.
-void TestAdminPage::nobodyIsChosenByPassingThroughTheList()
-{
-    setPeople({someone(1, "Ada", true), someone(2, "Bob", true)});
-    click("newPerson");
-    const auto* given = child<QLineEdit>("personGiven");
-    auto* table = child<QTableView>("people");
-    table->setFocus();
-    table->selectionModel()->setCurrentIndex(table->model()->index(0, 0), QItemSelectionModel::NoUpdate);
-    QVERIFY(given->text().isEmpty());
-    QTest::keyClick(table, Qt::Key_Space);
-    QCOMPARE(given->text(), QString("Ada"));
-    QTest::keyClick(table, Qt::Key_Down);
-    QCOMPARE(given->text(), QString("Bob"));
-    // Who is searched for meanwhile is not chosen by that.
-    child<QLineEdit>("peopleSearch")->setText("Ada");
-    QCOMPARE(given->text(), QString("Bob"));
-    child<QLineEdit>("peopleSearch")->clear();
-    QVERIFY(table->selectionModel()->isRowSelected(1));
-}
-
-/// What is searched for is found again when the search ends; what is only read once more moves nothing.
-void TestAdminPage::whoIsChosenIsInSightAfterASearch()
-{
-    QList<database::Person> all;
-    for (int k = 1001; k <= 3000; ++k)
-        all << someone(k, "Ada", true);
-    setPeople(all);
-    QVERIFY2(child<QLabel>("peopleCount")->text().contains("2,000"), qPrintable(child<QLabel>("peopleCount")->text()));
-    const auto* table = child<QTableView>("people");
-    const auto isSeen = [table] {
-        const QModelIndexList rows = table->selectionModel()->selectedRows();
-        return rows.size() == 1 && table->viewport()->rect().contains(table->visualRect(rows.front()).center());
-    };
-    auto* search = child<QLineEdit>("peopleSearch");
-    search->setText("s2500");
-    choose(0);
-    search->clear();
-    QVERIFY(isSeen());
-    QScrollBar* bar = table->verticalScrollBar();
-    bar->setValue(bar->value() / 2);
-    const int scrolled = bar->value();
-    QVERIFY(!isSeen());
-    setPeople(all);
-    QCOMPARE(bar->value(), scrolled);
-    QCOMPARE(table->selectionModel()->selectedRows().size(), 1);
-    // Somebody who was entered just now is seen.
-    all << someone(999, "Zoe", false);
-    all.back().familyName = "Zuse";
-    people().confirm({999}, [] { return QString("Zoe was entered."); });
-    setPeople(all);
-    QTRY_VERIFY(isSeen());
-}
-
-void TestAdminPage::aFaultGoesWithWhatItWasSaidOf()
-{
-    const database::Person ada = someone(1, "Ada", true);
-    setPeople({ada}, {{{4}, "Year 1", 0}});
-    choose(0);
-    QSignalSpy wanted(&people(), &PeoplePart::classWanted);
-    auto* name = child<QLineEdit>("className");
-    const auto* fault = child<QLabel>("personFault");
-    name->setText("Year|2");
-    click("addClass");
-    QTest::keyClick(name, Qt::Key_Return);  // before there is an answer
-    QCOMPARE(wanted.size(), 1);
-    people().refuseClass([] { return QString("No class can be called that."); });
-    QVERIFY(fault->isVisible());
-    QCOMPARE(name->text(), QString("Year|2"));
-    name->setText("Year 2");
-    click("addClass");
-    QCOMPARE(wanted.back().front().toString(), QString("Year 2"));
-    people().confirmClass("Year 2");
-    QVERIFY(!fault->isVisible() && name->text().isEmpty());
-    click("newPerson");
-    click("savePerson");
-    QVERIFY(fault->isVisible() && fault->text().contains("is missing"));
-}
-
-void TestAdminPage::classesThatAreThereAreTicked()
-{
-    setPeople({someone(1, "Ada", true, {{4}})}, {{{1}, "Year 1", 0}, {{4}, "Year 4", 0}});
-    choose(0);
-    QSignalSpy wanted(&people(), &PeoplePart::classWanted);
-    const auto* list = child<QListWidget>("personClasses");
-    QCOMPARE(list->item(0)->text(), QString("Year 4"));  // the person's own come first
-    QCOMPARE(list->item(1)->checkState(), Qt::Unchecked);
-    child<QLineEdit>("className")->setText("Year 1");
-    click("addClass");
-    QCOMPARE(wanted.size(), 0);
-    QCOMPARE(list->findItems("Year 1", Qt::MatchExactly).front()->checkState(), Qt::Checked);
-}
-
-void TestAdminPage::aListOfNobodyIsAFault()
-{
-    m_page->show(AdminPage::Roster);
-    m_page->roster().showOutcome({}, "class.csv", false);
-    const auto* fault = child<QLabel>("rosterFault");
-    QVERIFY2(fault->isVisible() && fault->text().contains("nobody in class.csv"), qPrintable(fault->text()));
-    QVERIFY(!child<QLabel>("rosterSaid")->isVisible() && !child<QPushButton>("enterRoster")->isVisible());
-    // What is short in a list is said.
-    database::RosterOutcome looked;
-    looked.people = {{"eve", "Eve", database::Role::Student, {}, true, "", "", true},
-                     {"ada", "Ada Berg", database::Role::Student, {}, false, "", "", false}};
-    m_page->roster().showOutcome(looked, "class.csv", false);
-    const auto* rows = child<QTableView>("roster")->model();
-    QCOMPARE(rows->index(0, 4).data().toString(), QString("new; the line has fewer fields than the first"));
-    QCOMPARE(rows->index(1, 4).data().toString(), QString("known"));
-}
-
-void TestAdminPage::anAuditThatCannotBeReadKeepsItsRows()
-{
-    ui::admin::AuditPart& audit = m_page->audit();
-    auto* without = child<QCheckBox>("auditNoAttempts");
-    const auto* counted = child<QLabel>("auditCount");
-    audit.keepRows();
-    QVERIFY(counted->text().isEmpty());  // whether there are any nobody knows
-    database::AuditRow row;
-    row.seq = 7;
-    audit.setRows({row}, "1234", true);
-    QSignalSpy wanted(&audit, &ui::admin::AuditPart::newestWanted);
-    without->click();
-    QCOMPARE(wanted.size(), 1);
-    QVERIFY(!child<QPushButton>("olderAudit")->isEnabled());
-    audit.keepRows();
-    QVERIFY(!without->isChecked() && counted->text().startsWith('1'));
-    QCOMPARE(child<QTableView>("audit")->model()->rowCount(), 1);
-    QVERIFY(child<QPushButton>("olderAudit")->isEnabled());
-}
 
 QTEST_MAIN(TestAdminPage)
 #include "tst_admin_page.moc"

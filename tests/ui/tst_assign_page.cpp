@@ -50,20 +50,244 @@ class TestAssignPage : public QObject
 {
     Q_OBJECT
 private slots:
-    void aLimitBeyondTheRangeIsNoOther();
-    void initTestCase();
-    void init();
-    void severalLessonsAreGivenAtOnce();
-    void keysGoToALessonThatIsSeen();
-    void whatIsGivenCannotBeGivenAgain();
-    void theSearchLooksAtTitlesTeethAndGroups();
-    void theEndOfTheDayHereIsMeant();
-    void whatIsNotChangedStaysEachLessonsOwn();
-    void takenBackIsUndone();
-    void whoHasNoAttemptsLeftIsTold();
-    void theNextBeginsAfresh_data();
-    void theNextBeginsAfresh();
-    void everyControlHasAName();
+    /// 150 is no 15.
+    void aLimitBeyondTheRangeIsNoOther()
+    {
+        ui::people::AssignTerms terms(nullptr);
+        terms.show();
+        auto* limit = terms.findChild<QSpinBox*>("attemptLimit");
+        limit->setValue(3);
+        for (const char* typed : {"150", "1000"}) {
+            limit->setFocus();
+            limit->selectAll();
+            QTest::keyClicks(limit, typed);
+            QTest::keyClick(limit, Qt::Key_Return);
+            QCOMPARE(limit->value(), 3);
+        }
+        limit->setFocus();
+        limit->selectAll();
+        QTest::keyClicks(limit, "12");
+        QTest::keyClick(limit, Qt::Key_Return);
+        QCOMPARE(limit->value(), 12);
+    }
+
+    void initTestCase()
+    {
+        QLocale::setDefault(QLocale("en_GB"));
+        ui::shell::applyTheme(*qApp, ui::shell::ThemeChoice::Light);
+    }
+
+    void init()
+    {
+        m_window = std::make_unique<QWidget>();
+        m_actions = new ui::shell::Actions(m_window.get());
+        m_page = new AssignPage(*m_actions, m_window.get());
+        m_window->resize(1280, 800);
+        m_page->resize(1280, 800);
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        m_page->setLessons({{"a", "Decay, small", "Upper left first molar (26)", "Removing decay", {}},
+                            {"b", "Decay, deep", "Lower left first molar (36)", "Removing decay", {}},
+                            {"c", "Class I", "Lower left first molar (36)", "Cavities", {}},
+                            {"d", "Cross", "Practice block", "Blocks", "/lessons of ines/cross.lesson.json"}});
+        m_page->setAssignments(
+            overview(), {{1, kClass, "a", "2026-11-15T23:59:59Z", 3}, {2, {8}, "c", "", 0}, {3, kClass, "b", "", 0}},
+            kNow);
+    }
+
+    void severalLessonsAreGivenAtOnce()
+    {
+        QSignalSpy spy(m_page, &AssignPage::changeWanted);
+        auto* assign = get<QPushButton>("assignTicked");
+        QVERIFY(!assign->isEnabled());
+        click("Class I");
+        click("Cross");
+        QVERIFY(get<QLabel>("whereLessonsAre")->isVisible());  // "Cross" is a teacher's own
+        const QDate day(2026, 12, 4);
+        first<QDateEdit>("dueDay")->setDate(day);
+        first<QSpinBox>("attemptLimit")->setValue(5);
+        assign->click();
+        const std::string due = ui::people::endOfDay(day);
+        const QList<AssignmentChange> expected{{{}, ClassAssignment{0, kClass, "c", due, 5}},
+                                               {{}, ClassAssignment{0, kClass, "d", due, 5}}};
+        QCOMPARE(wanted(spy), expected);
+        QVERIFY(!assign->isEnabled());  // until it has been done
+        m_page->refuse("The database is locked.");
+        QVERIFY(get<QLabel>("assignSaid")->text().contains("locked"));
+        QVERIFY(assign->isEnabled() && !get<QPushButton>("undoAssign")->isVisible());
+        assign->click();
+        m_page->confirm(expected);
+        QVERIFY(get<QPushButton>("undoAssign")->isVisible());
+    }
+
+    /// What the search has put away is not ticked unseen.
+    void keysGoToALessonThatIsSeen()
+    {
+        auto* list = get<QListView>("offers");
+        list->setCurrentIndex(offer("Class I"));
+        get<QLineEdit>("offerSearch")->setText("cross");
+        list->setFocus();
+        QTest::keyClick(list, Qt::Key_Space);
+        QCOMPARE(offer("Class I").data(Qt::CheckStateRole).toInt(), int(Qt::Unchecked));
+        QCOMPARE(offer("Cross").data(Qt::CheckStateRole).toInt(), int(Qt::Checked));
+        QVERIFY(!get<QLabel>("noneFits")->isVisibleTo(m_page));
+        get<QLineEdit>("offerSearch")->setText("no such lesson");
+        QVERIFY(get<QLabel>("noneFits")->isVisibleTo(m_page));
+        QTest::keyClick(list, Qt::Key_Space);
+        QCOMPARE(get<QPushButton>("assignTicked")->text(), QString("Assign 1 lesson(s)"));
+    }
+
+    void whatIsGivenCannotBeGivenAgain()
+    {
+        const QStringList small{"Decay, small", row(0)[1], "3", "2 of 4"};
+        QCOMPARE(row(0), small);
+        QVERIFY2(row(0)[1].endsWith("over"), qPrintable(row(0)[1]));
+        QCOMPARE(row(1), QStringList({"Decay, deep", "–", "no limit", "0 of 4"}));
+        click("Decay, small");
+        QVERIFY(!get<QPushButton>("assignTicked")->isEnabled());
+        // What is ticked stays when the class is told again, unless it has been given meanwhile.
+        click("Class I");
+        click("Cross");
+        m_page->setAssignments(overview(), {{4, kClass, "c", "", 0}}, kNow);
+        QCOMPARE(get<QPushButton>("assignTicked")->text(), QString("Assign 1 lesson(s)"));
+        QCOMPARE(offer("Cross").data(Qt::CheckStateRole).toInt(), int(Qt::Checked));
+    }
+
+    void theSearchLooksAtTitlesTeethAndGroups()
+    {
+        auto* search = get<QLineEdit>("offerSearch");
+        search->setText("36");
+        QCOMPARE(offered(), QStringList({"Removing decay", "Decay, deep", "Cavities", "Class I"}));
+        search->setText("decay 26");
+        QCOMPARE(offered(), QStringList({"Removing decay", "Decay, small"}));
+        search->setText("nothing of that");
+        QCOMPARE(offered(), QStringList());
+        search->clear();
+        QCOMPARE(offered().size(), 7);
+        // What is ticked and not found is given all the same: the button says how many.
+        click("Cross");
+        search->setText("36");
+        QCOMPARE(get<QPushButton>("assignTicked")->text(), QString("Assign 1 lesson(s)"));
+    }
+
+    void theEndOfTheDayHereIsMeant()
+    {
+        const QByteArray before = qgetenv("TZ");
+        qputenv("TZ", "America/New_York");
+        const QDate day(2026, 7, 1);
+        QCOMPARE(ui::people::endOfDay(day), std::string("2026-07-02T03:59:59Z"));
+        QCOMPARE(ui::people::dueDay("2026-07-02T03:59:59Z"), day);
+        if (before.isEmpty())
+            qunsetenv("TZ");
+        else
+            qputenv("TZ", before);
+        QVERIFY(!ui::people::dueDay("").isValid());
+    }
+
+    void whatIsNotChangedStaysEachLessonsOwn()
+    {
+        const ClassAssignment a{1, kClass, "a", "2026-11-15T23:59:59Z", 3};
+        const ClassAssignment b{3, kClass, "b", "", 0};
+        const QDate day(2100, 12, 4);
+        const std::string due = ui::people::endOfDay(day);
+        const auto change = [&](const std::function<void()>& turn) {
+            QSignalSpy spy(m_page, &AssignPage::changeWanted);
+            get<QTableView>("given")->clearSelection();
+            get<QTableView>("given")->selectAll();
+            turn();
+            get<QPushButton>("changeGiven")->click();
+            m_page->refuse("Not now.");
+            return wanted(spy);
+        };
+        QCOMPARE(change([&] { last<QSpinBox>("attemptLimit")->setValue(5); }),
+                 (QList<AssignmentChange>{{a, ClassAssignment{1, kClass, "a", a.dueUtc, 5}},
+                                          {b, ClassAssignment{3, kClass, "b", "", 5}}}));
+        QCOMPARE(change([&] { last<QDateEdit>("dueDay")->setDate(day); }),
+                 (QList<AssignmentChange>{{a, ClassAssignment{1, kClass, "a", due, 3}},
+                                          {b, ClassAssignment{3, kClass, "b", due, 0}}}));
+        // Only those that differ are changed.
+        QCOMPARE(change([&] {
+                     last<QCheckBox>("isDue")->setChecked(false);
+                     last<QSpinBox>("attemptLimit")->setValue(0);
+                 }),
+                 (QList<AssignmentChange>{{a, ClassAssignment{1, kClass, "a", "", 0}}}));
+    }
+
+    void takenBackIsUndone()
+    {
+        QSignalSpy spy(m_page, &AssignPage::changeWanted);
+        get<QTableView>("given")->selectRow(1);
+        get<QPushButton>("takeBack")->click();
+        const ClassAssignment given{3, kClass, "b", "", 0};
+        QCOMPARE(wanted(spy), (QList<AssignmentChange>{{given, {}}}));
+        m_page->confirm(wanted(spy));
+        get<QPushButton>("undoAssign")->click();
+        QCOMPARE(wanted(spy), (QList<AssignmentChange>{{{}, given}}));
+        m_page->confirm(wanted(spy));
+        QVERIFY(!get<QPushButton>("undoAssign")->isVisible());
+    }
+
+    void whoHasNoAttemptsLeftIsTold()
+    {
+        const ClassAssignment given{1, kClass, "a", "", 0};
+        const ClassAssignment once{1, kClass, "a", "", 1};
+        const auto said = [this] { return get<QLabel>("assignSaid")->text(); };
+        m_page->confirm({{given, once}});
+        // Two have passed, one has tried, one has not.
+        QVERIFY2(said().contains("1 student(s) who have not passed"), qPrintable(said()));
+        m_page->confirm({{once, ClassAssignment{1, kClass, "a", "", 2}}});
+        QVERIFY2(!said().contains("student(s)"), qPrintable(said()));
+        // Of two lessons everybody is counted once: another is stuck at each, and one at both.
+        database::ClassOverview two = overview();
+        two.lessons = {"a", "b"};
+        two.cells.assign(two.students.size(), std::vector<database::MatrixCell>(2));
+        for (const auto& [student, lesson] : {std::pair(0, 0), std::pair(1, 1), std::pair(2, 0), std::pair(2, 1)})
+            two.cells[static_cast<std::size_t>(student)][static_cast<std::size_t>(lesson)].attempts = 1;
+        m_page->setAssignments(two, {given}, kNow);
+        m_page->confirm({{given, once}, {{}, ClassAssignment{2, kClass, "b", "", 1}}});
+        QVERIFY2(said().contains("3 student(s) who have not passed"), qPrintable(said()));
+    }
+
+    void theNextBeginsAfresh_data()
+    {
+        QTest::addColumn<bool>("isTeacher");
+        QTest::newRow("class") << false;
+        QTest::newRow("teacher") << true;
+    }
+
+    /// Nothing of the one before is there to be given, or undone, under the name of the next.
+    void theNextBeginsAfresh()
+    {
+        QFETCH(bool, isTeacher);
+        auto* due = first<QCheckBox>("isDue");
+        const bool wasDue = due->isChecked();
+        click("Cross");
+        m_page->confirm({{{}, ClassAssignment{0, kClass, "c", "", 0}}});
+        if (isTeacher) {
+            due->setChecked(!wasDue);
+            first<QSpinBox>("attemptLimit")->setValue(3);
+            m_page->forget();
+        }
+        database::ClassOverview other = overview();
+        other.id = {8};
+        other.name = "DEN101-B";
+        m_page->setAssignments(other, {}, kNow);
+        QVERIFY(get<QLabel>("givenTitle")->text().contains("DEN101-B"));
+        QVERIFY(get<QLabel>("nothingGiven")->isVisible() && get<QLabel>("assignSaid")->text().isEmpty());
+        QVERIFY(!get<QPushButton>("undoAssign")->isVisible() && !get<QPushButton>("assignTicked")->isEnabled());
+        QCOMPARE(due->isChecked(), wasDue);
+        QCOMPARE(first<QSpinBox>("attemptLimit")->value(), 0);
+    }
+
+    void everyControlHasAName()
+    {
+        for (QWidget* widget : m_page->findChildren<QWidget*>())
+            if (widget->focusPolicy() != Qt::NoFocus && widget->isVisible() &&
+                !widget->inherits("QAbstractScrollArea") && widget->parentWidget() != nullptr &&
+                !widget->parentWidget()->inherits("QAbstractItemView") && !widget->inherits("QLineEdit"))
+                QVERIFY2(!widget->accessibleName().isEmpty(),
+                         qPrintable(QString("%1 %2").arg(widget->metaObject()->className(), widget->objectName())));
+    }
 
 private:
     template <class T>
@@ -121,244 +345,6 @@ private:
     ui::shell::Actions* m_actions = nullptr;
     AssignPage* m_page = nullptr;
 };
-
-void TestAssignPage::initTestCase()
-{
-    QLocale::setDefault(QLocale("en_GB"));
-    ui::shell::applyTheme(*qApp, ui::shell::ThemeChoice::Light);
-}
-
-void TestAssignPage::init()
-{
-    m_window = std::make_unique<QWidget>();
-    m_actions = new ui::shell::Actions(m_window.get());
-    m_page = new AssignPage(*m_actions, m_window.get());
-    m_window->resize(1280, 800);
-    m_page->resize(1280, 800);
-    m_window->show();
-    QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
-    m_page->setLessons({{"a", "Decay, small", "Upper left first molar (26)", "Removing decay", {}},
-                        {"b", "Decay, deep", "Lower left first molar (36)", "Removing decay", {}},
-                        {"c", "Class I", "Lower left first molar (36)", "Cavities", {}},
-                        {"d", "Cross", "Practice block", "Blocks", "/lessons of ines/cross.lesson.json"}});
-    m_page->setAssignments(
-        overview(), {{1, kClass, "a", "2026-11-15T23:59:59Z", 3}, {2, {8}, "c", "", 0}, {3, kClass, "b", "", 0}}, kNow);
-}
-
-void TestAssignPage::severalLessonsAreGivenAtOnce()
-{
-    QSignalSpy spy(m_page, &AssignPage::changeWanted);
-    auto* assign = get<QPushButton>("assignTicked");
-    QVERIFY(!assign->isEnabled());
-    click("Class I");
-    click("Cross");
-    QVERIFY(get<QLabel>("whereLessonsAre")->isVisible());  // "Cross" is a teacher's own
-    const QDate day(2026, 12, 4);
-    first<QDateEdit>("dueDay")->setDate(day);
-    first<QSpinBox>("attemptLimit")->setValue(5);
-    assign->click();
-    const std::string due = ui::people::endOfDay(day);
-    const QList<AssignmentChange> expected{{{}, ClassAssignment{0, kClass, "c", due, 5}},
-                                           {{}, ClassAssignment{0, kClass, "d", due, 5}}};
-    QCOMPARE(wanted(spy), expected);
-    QVERIFY(!assign->isEnabled());  // until it has been done
-    m_page->refuse("The database is locked.");
-    QVERIFY(get<QLabel>("assignSaid")->text().contains("locked"));
-    QVERIFY(assign->isEnabled() && !get<QPushButton>("undoAssign")->isVisible());
-    assign->click();
-    m_page->confirm(expected);
-    QVERIFY(get<QPushButton>("undoAssign")->isVisible());
-}
-
-/// What the search has put away is not ticked unseen.
-void TestAssignPage::keysGoToALessonThatIsSeen()
-{
-    auto* list = get<QListView>("offers");
-    list->setCurrentIndex(offer("Class I"));
-    get<QLineEdit>("offerSearch")->setText("cross");
-    list->setFocus();
-    QTest::keyClick(list, Qt::Key_Space);
-    QCOMPARE(offer("Class I").data(Qt::CheckStateRole).toInt(), int(Qt::Unchecked));
-    QCOMPARE(offer("Cross").data(Qt::CheckStateRole).toInt(), int(Qt::Checked));
-    QVERIFY(!get<QLabel>("noneFits")->isVisibleTo(m_page));
-    get<QLineEdit>("offerSearch")->setText("no such lesson");
-    QVERIFY(get<QLabel>("noneFits")->isVisibleTo(m_page));
-    QTest::keyClick(list, Qt::Key_Space);
-    QCOMPARE(get<QPushButton>("assignTicked")->text(), QString("Assign 1 lesson(s)"));
-}
-
-void TestAssignPage::whatIsGivenCannotBeGivenAgain()
-{
-    const QStringList small{"Decay, small", row(0)[1], "3", "2 of 4"};
-    QCOMPARE(row(0), small);
-    QVERIFY2(row(0)[1].endsWith("over"), qPrintable(row(0)[1]));
-    QCOMPARE(row(1), QStringList({"Decay, deep", "–", "no limit", "0 of 4"}));
-    click("Decay, small");
-    QVERIFY(!get<QPushButton>("assignTicked")->isEnabled());
-    // What is ticked stays when the class is told again, unless it has been given meanwhile.
-    click("Class I");
-    click("Cross");
-    m_page->setAssignments(overview(), {{4, kClass, "c", "", 0}}, kNow);
-    QCOMPARE(get<QPushButton>("assignTicked")->text(), QString("Assign 1 lesson(s)"));
-    QCOMPARE(offer("Cross").data(Qt::CheckStateRole).toInt(), int(Qt::Checked));
-}
-
-void TestAssignPage::theSearchLooksAtTitlesTeethAndGroups()
-{
-    auto* search = get<QLineEdit>("offerSearch");
-    search->setText("36");
-    QCOMPARE(offered(), QStringList({"Removing decay", "Decay, deep", "Cavities", "Class I"}));
-    search->setText("decay 26");
-    QCOMPARE(offered(), QStringList({"Removing decay", "Decay, small"}));
-    search->setText("nothing of that");
-    QCOMPARE(offered(), QStringList());
-    search->clear();
-    QCOMPARE(offered().size(), 7);
-    // What is ticked and not found is given all the same: the button says how many.
-    click("Cross");
-    search->setText("36");
-    QCOMPARE(get<QPushButton>("assignTicked")->text(), QString("Assign 1 lesson(s)"));
-}
-
-void TestAssignPage::theEndOfTheDayHereIsMeant()
-{
-    const QByteArray before = qgetenv("TZ");
-    qputenv("TZ", "America/New_York");
-    const QDate day(2026, 7, 1);
-    QCOMPARE(ui::people::endOfDay(day), std::string("2026-07-02T03:59:59Z"));
-    QCOMPARE(ui::people::dueDay("2026-07-02T03:59:59Z"), day);
-    if (before.isEmpty())
-        qunsetenv("TZ");
-    else
-        qputenv("TZ", before);
-    QVERIFY(!ui::people::dueDay("").isValid());
-}
-
-void TestAssignPage::whatIsNotChangedStaysEachLessonsOwn()
-{
-    const ClassAssignment a{1, kClass, "a", "2026-11-15T23:59:59Z", 3};
-    const ClassAssignment b{3, kClass, "b", "", 0};
-    const QDate day(2100, 12, 4);
-    const std::string due = ui::people::endOfDay(day);
-    const auto change = [&](const std::function<void()>& turn) {
-        QSignalSpy spy(m_page, &AssignPage::changeWanted);
-        get<QTableView>("given")->clearSelection();
-        get<QTableView>("given")->selectAll();
-        turn();
-        get<QPushButton>("changeGiven")->click();
-        m_page->refuse("Not now.");
-        return wanted(spy);
-    };
-    QCOMPARE(change([&] { last<QSpinBox>("attemptLimit")->setValue(5); }),
-             (QList<AssignmentChange>{{a, ClassAssignment{1, kClass, "a", a.dueUtc, 5}},
-                                      {b, ClassAssignment{3, kClass, "b", "", 5}}}));
-    QCOMPARE(change([&] { last<QDateEdit>("dueDay")->setDate(day); }),
-             (QList<AssignmentChange>{{a, ClassAssignment{1, kClass, "a", due, 3}},
-                                      {b, ClassAssignment{3, kClass, "b", due, 0}}}));
-    // Only those that differ are changed.
-    QCOMPARE(change([&] {
-                 last<QCheckBox>("isDue")->setChecked(false);
-                 last<QSpinBox>("attemptLimit")->setValue(0);
-             }),
-             (QList<AssignmentChange>{{a, ClassAssignment{1, kClass, "a", "", 0}}}));
-}
-
-void TestAssignPage::takenBackIsUndone()
-{
-    QSignalSpy spy(m_page, &AssignPage::changeWanted);
-    get<QTableView>("given")->selectRow(1);
-    get<QPushButton>("takeBack")->click();
-    const ClassAssignment given{3, kClass, "b", "", 0};
-    QCOMPARE(wanted(spy), (QList<AssignmentChange>{{given, {}}}));
-    m_page->confirm(wanted(spy));
-    get<QPushButton>("undoAssign")->click();
-    QCOMPARE(wanted(spy), (QList<AssignmentChange>{{{}, given}}));
-    m_page->confirm(wanted(spy));
-    QVERIFY(!get<QPushButton>("undoAssign")->isVisible());
-}
-
-void TestAssignPage::whoHasNoAttemptsLeftIsTold()
-{
-    const ClassAssignment given{1, kClass, "a", "", 0};
-    const ClassAssignment once{1, kClass, "a", "", 1};
-    const auto said = [this] { return get<QLabel>("assignSaid")->text(); };
-    m_page->confirm({{given, once}});
-    // Two have passed, one has tried, one has not.
-    QVERIFY2(said().contains("1 student(s) who have not passed"), qPrintable(said()));
-    m_page->confirm({{once, ClassAssignment{1, kClass, "a", "", 2}}});
-    QVERIFY2(!said().contains("student(s)"), qPrintable(said()));
-    // Of two lessons everybody is counted once: another is stuck at each, and one at both.
-    database::ClassOverview two = overview();
-    two.lessons = {"a", "b"};
-    two.cells.assign(two.students.size(), std::vector<database::MatrixCell>(2));
-    for (const auto& [student, lesson] : {std::pair(0, 0), std::pair(1, 1), std::pair(2, 0), std::pair(2, 1)})
-        two.cells[static_cast<std::size_t>(student)][static_cast<std::size_t>(lesson)].attempts = 1;
-    m_page->setAssignments(two, {given}, kNow);
-    m_page->confirm({{given, once}, {{}, ClassAssignment{2, kClass, "b", "", 1}}});
-    QVERIFY2(said().contains("3 student(s) who have not passed"), qPrintable(said()));
-}
-
-void TestAssignPage::theNextBeginsAfresh_data()
-{
-    QTest::addColumn<bool>("isTeacher");
-    QTest::newRow("class") << false;
-    QTest::newRow("teacher") << true;
-}
-
-/// Nothing of the one before is there to be given, or undone, under the name of the next.
-void TestAssignPage::theNextBeginsAfresh()
-{
-    QFETCH(bool, isTeacher);
-    auto* due = first<QCheckBox>("isDue");
-    const bool wasDue = due->isChecked();
-    click("Cross");
-    m_page->confirm({{{}, ClassAssignment{0, kClass, "c", "", 0}}});
-    if (isTeacher) {
-        due->setChecked(!wasDue);
-        first<QSpinBox>("attemptLimit")->setValue(3);
-        m_page->forget();
-    }
-    database::ClassOverview other = overview();
-    other.id = {8};
-    other.name = "DEN101-B";
-    m_page->setAssignments(other, {}, kNow);
-    QVERIFY(get<QLabel>("givenTitle")->text().contains("DEN101-B"));
-    QVERIFY(get<QLabel>("nothingGiven")->isVisible() && get<QLabel>("assignSaid")->text().isEmpty());
-    QVERIFY(!get<QPushButton>("undoAssign")->isVisible() && !get<QPushButton>("assignTicked")->isEnabled());
-    QCOMPARE(due->isChecked(), wasDue);
-    QCOMPARE(first<QSpinBox>("attemptLimit")->value(), 0);
-}
-
-void TestAssignPage::everyControlHasAName()
-{
-    for (QWidget* widget : m_page->findChildren<QWidget*>())
-        if (widget->focusPolicy() != Qt::NoFocus && widget->isVisible() && !widget->inherits("QAbstractScrollArea") &&
-            widget->parentWidget() != nullptr && !widget->parentWidget()->inherits("QAbstractItemView") &&
-            !widget->inherits("QLineEdit"))
-            QVERIFY2(!widget->accessibleName().isEmpty(),
-                     qPrintable(QString("%1 %2").arg(widget->metaObject()->className(), widget->objectName())));
-}
-
-/// 150 is no 15.
-void TestAssignPage::aLimitBeyondTheRangeIsNoOther()
-{
-    ui::people::AssignTerms terms(nullptr);
-    terms.show();
-    auto* limit = terms.findChild<QSpinBox*>("attemptLimit");
-    limit->setValue(3);
-    for (const char* typed : {"150", "1000"}) {
-        limit->setFocus();
-        limit->selectAll();
-        QTest::keyClicks(limit, typed);
-        QTest::keyClick(limit, Qt::Key_Return);
-        QCOMPARE(limit->value(), 3);
-    }
-    limit->setFocus();
-    limit->selectAll();
-    QTest::keyClicks(limit, "12");
-    QTest::keyClick(limit, Qt::Key_Return);
-    QCOMPARE(limit->value(), 12);
-}
 
 QTEST_MAIN(TestAssignPage)
 #include "tst_assign_page.moc"

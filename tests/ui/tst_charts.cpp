@@ -113,33 +113,393 @@ class TestCharts : public QObject
 {
     Q_OBJECT
 private slots:
-    void initTestCase();
-    void init();
-    void arrowsWalkFromValueToValue();
-    void thePointerFindsEveryValue_data();
-    void thePointerFindsEveryValue();
-    void enterOpensWhatAValueStandsFor();
-    void withoutValuesItSaysWhatWillBeHere();
-    void aBandWithoutLinesIsWalkedItself();
-    void tablesAreSafeForSpreadsheets_data();
-    void tablesAreSafeForSpreadsheets();
-    void numbersOfTablesKnowNoLanguage();
-    void aChartIsATable();
-    void everySeriesOfATableHasAName();
-    void filesAreWritten();
-    void whatCannotBeWrittenIsSaid();
-    void picturesShowSomethingInBothThemes_data();
-    void picturesShowSomethingInBothThemes();
-    void everythingIsDrawn_data();
-    void everythingIsDrawn();
-    void valuesLieWhereTheirAxesSay();
-    void axesEndAtRoundNumbers();
-    void barsThatBeginAlikeAreToldApart();
-    void aFileSaysWhoseItIs();
-    void namesAreFoldedWhereThereIsRoom();
-    void barsWithoutRoomAreCounted();
-    void aFileThatIsSavedMovesNothing();
-    void theSameOnceMoreLeavesWhatIsTold();
+    void initTestCase() { QLocale::setDefault(QLocale("en_GB")); }
+
+    void init()
+    {
+        m_panel = std::make_unique<ChartPanel>(nullptr);
+        m_panel->setAutoFillBackground(true);
+        m_panel->resize(560, 360);
+        m_panel->setChart(curve());
+        m_panel->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_panel.get()));
+        m_panel->activateWindow();
+        m_panel->setFocus();
+    }
+
+    void arrowsWalkFromValueToValue()
+    {
+        QVERIFY(!m_panel->stop());
+        QTest::keyClick(m_panel.get(), Qt::Key_Right);
+        QCOMPARE(m_panel->said(), QString("Attempt 1: 48.5 points"));
+        QCOMPARE(m_panel->accessibleDescription(), m_panel->said());
+        QTest::keyClick(m_panel.get(), Qt::Key_Right);
+        QCOMPARE(m_panel->said(), QString("Attempt 2: 57 points"));
+        QTest::keyClick(m_panel.get(), Qt::Key_End);
+        QTest::keyClick(m_panel.get(), Qt::Key_Right);
+        QCOMPARE(m_panel->said(), QString("Attempt 6: 91 points"));
+        QTest::keyClick(m_panel.get(), Qt::Key_Home);
+        QTest::keyClick(m_panel.get(), Qt::Key_Left);
+        QCOMPARE(m_panel->said(), QString("Attempt 1: 48.5 points"));
+        QVERIFY(callout()->isVisible());
+        QVERIFY(m_panel->rect().contains(callout()->geometry()));
+    }
+
+    void thePointerFindsEveryValue_data()
+    {
+        QTest::addColumn<Chart>("chart");
+        QTest::newRow("curve") << curve();
+        QTest::newRow("bars") << bars();
+        QTest::newRow("columns") << histogram();
+    }
+
+    /// Bars are met at any length, columns at any height.
+    void thePointerFindsEveryValue()
+    {
+        QFETCH(Chart, chart);
+        m_panel->setChart(chart);
+        QCoreApplication::processEvents();
+        auto* view = m_panel->findChild<QWidget*>("chartView");
+        QSet<QString> told;
+        for (int y = 0; y < view->height(); y += 6)
+            for (int x = 0; x < view->width(); x += 6) {
+                QMouseEvent move(QEvent::MouseMove, QPointF(x, y), view->mapToGlobal(QPointF(x, y)), Qt::NoButton,
+                                 Qt::NoButton, Qt::NoModifier);
+                QApplication::sendEvent(view, &move);
+                told << m_panel->said();
+            }
+        told.remove({});
+        QCOMPARE(told.size(), stopsOf(chart).size());
+    }
+
+    void enterOpensWhatAValueStandsFor()
+    {
+        QSignalSpy chosen(m_panel.get(), &ChartPanel::chosen);
+        QTest::keyClick(m_panel.get(), Qt::Key_Return);
+        QCOMPARE(chosen.count(), 0);
+        QTest::keyClick(m_panel.get(), Qt::Key_Home);
+        QTest::keyClick(m_panel.get(), Qt::Key_Return);
+        QCOMPARE(chosen.count(), 1);
+        QCOMPARE(chosen.front().front().toLongLong(), 101);
+    }
+
+    void withoutValuesItSaysWhatWillBeHere()
+    {
+        m_panel->setChart({"Score", {}, "After your first attempt there is a point here.", Curve{}});
+        QCOMPARE(m_panel->findChild<QLabel*>("chartEmpty")->text(),
+                 QString("After your first attempt there is a point here."));
+        QVERIFY(m_panel->findChild<QLabel*>("chartEmpty")->isVisible());
+        QVERIFY(!m_panel->findChild<QWidget*>("saveChart")->isVisible());
+        QTest::keyClick(m_panel.get(), Qt::Key_Right);
+        QVERIFY(!m_panel->stop());
+        QVERIFY(png(m_panel->chart()).isEmpty());
+    }
+
+    void aBandWithoutLinesIsWalkedItself()
+    {
+        Chart chart = curve();
+        std::get<Curve>(chart.content).lines.clear();
+        m_panel->setChart(chart);
+        QTest::keyClick(m_panel.get(), Qt::Key_Home);
+        QCOMPARE(m_panel->said(), QString("class 1"));
+    }
+
+    void tablesAreSafeForSpreadsheets_data()
+    {
+        QTest::addColumn<QString>("words");
+        QTest::addColumn<QByteArray>("written");
+        QTest::newRow("plain") << "Depth" << QByteArray("Depth");
+        QTest::newRow("comma") << "a,b" << QByteArray("\"a,b\"");
+        QTest::newRow("quote") << "a\"b" << QByteArray("\"a\"\"b\"");
+        QTest::newRow("two lines") << "a\nb" << QByteArray("\"a\nb\"");
+        QTest::newRow("umlaut") << QString::fromUtf8("Höhe") << QByteArray("Höhe");
+        QTest::newRow("formula") << "=1+1" << QByteArray("'=1+1");
+        QTest::newRow("sum") << "+1" << QByteArray("'+1");
+        QTest::newRow("minus") << "-1" << QByteArray("'-1");
+        QTest::newRow("at") << "@SUM(A1)" << QByteArray("'@SUM(A1)");
+        QTest::newRow("tab") << "\t=1" << QByteArray("'\t=1");
+        QTest::newRow("space and formula") << " =1" << QByteArray("' =1");
+        QTest::newRow("link") << "=HYPERLINK(\"http://x\",\"y\")"
+                              << QByteArray("\"'=HYPERLINK(\"\"http://x\"\",\"\"y\"\")\"");
+        QTest::newRow("wide equals sign") << QString::fromUtf8("＝1") << QByteArray("'＝1");
+    }
+
+    void tablesAreSafeForSpreadsheets()
+    {
+        QFETCH(QString, words);
+        QFETCH(QByteArray, written);
+        QCOMPARE(csv({{"head"}, {{words}}}), "head\r\n" + written + "\r\n");
+    }
+
+    void numbersOfTablesKnowNoLanguage()
+    {
+        QLocale::setDefault(QLocale("de_DE"));
+        // The last bit of a sum is nobody's measure.
+        QCOMPARE(csv({{"a"}, {{0.1 + 0.2}}}), "a\r\n0.3\r\n");
+        const QByteArray text = csv({{"a", "b", "c"}, {{-1234.5, std::int64_t{-1234567}, qQNaN()}}});
+        QLocale::setDefault(QLocale("en_GB"));
+        QCOMPARE(text, QByteArray("a,b,c\r\n-1234.5,-1234567,\r\n"));
+    }
+
+    void aChartIsATable()
+    {
+        const Table table = tableOf(curve());
+        QCOMPARE(table.heads, QStringList({"series", "Attempt", "Points"}));
+        QCOMPARE(table.rows.size(), 6 + 3 * 6 + 1);
+        const Table lost = tableOf(bars());
+        QCOMPARE(lost.rows.size(), 3);
+        QVERIFY(csv(lost).contains("'=cmd"));
+        Chart timed = curve();
+        std::get<Curve>(timed.content).x.isTime = true;
+        std::get<Curve>(timed.content).lines[1].dots[0].x = 1'763'633'700'000.0;
+        QVERIFY(csv(tableOf(timed)).contains("2025-11-20T10:15:00Z"));
+    }
+
+    void everySeriesOfATableHasAName()
+    {
+        Chart chart = curve();
+        auto& content = std::get<Curve>(chart.content);
+        content.lines = {Line{{}, {Dot{1.0, 48.5, {}, 0}}, Mark::Circle, false}};
+        QVERIFY(!csv(tableOf(chart)).contains("\r\n,"));  // the band says it already
+        QVERIFY(!csv(tableOf(chart)).contains("48.5"));
+        content.band = {};
+        QVERIFY(csv(tableOf(chart)).contains("\r\nPoints,1,48.5\r\n"));
+    }
+
+    void filesAreWritten()
+    {
+        const QTemporaryDir folder;
+        for (const char* name : {"chart.png", "chart.svg", "chart.csv"}) {
+            const QString path = folder.filePath(name);
+            QVERIFY2(save(path), name);
+            QFile file(path);
+            QVERIFY(file.open(QIODevice::ReadOnly));
+            const QByteArray bytes = file.readAll();
+            if (path.endsWith("png")) {
+                QCOMPARE(QImage::fromData(bytes).size(), QSize(1920, 1200));
+            } else if (path.endsWith("svg")) {
+                QXmlStreamReader reader(bytes);
+                while (!reader.atEnd())
+                    reader.readNext();
+                QVERIFY(!reader.hasError());
+                QVERIFY(bytes.contains("Score over attempts"));
+            } else {
+                QCOMPARE(bytes, csv(tableOf(curve())));
+            }
+        }
+        QCOMPARE(callout()->text(), QString("Saved: chart.csv"));
+    }
+
+    void whatCannotBeWrittenIsSaid()
+    {
+        QVERIFY(!save("/nowhere/at/all/chart.png"));
+        QVERIFY(callout()->text().startsWith("chart.png could not be written"));
+        const QTemporaryDir folder;
+        const QString file = folder.filePath("small.csv");
+        {
+            const support::FullDisk full(10);
+            QVERIFY(!save(file));
+        }
+        QVERIFY(!QFile::exists(file));
+        QVERIFY(callout()->text().startsWith("small.csv could not be written"));
+    }
+
+    void picturesShowSomethingInBothThemes_data()
+    {
+        QTest::addColumn<bool>("dark");
+        QTest::addColumn<Chart>("chart");
+        for (const bool dark : {false, true})
+            for (const Chart& chart : {curve(), bars(), histogram()})
+                QTest::addRow("%s, %s", qPrintable(chart.title), dark ? "dark" : "light") << dark << chart;
+    }
+
+    void picturesShowSomethingInBothThemes()
+    {
+        QFETCH(bool, dark);
+        QFETCH(Chart, chart);
+        ui::shell::applyTheme(*qApp, dark ? ui::shell::ThemeChoice::Dark : ui::shell::ThemeChoice::Light);
+        m_panel->setChart(chart);
+        m_panel->setStop(1);
+        const QImage picture = m_panel->grab().toImage();
+        // The marks of the first line are there, in the theme's colour.
+        const QColor accent = ui::shell::tones(m_panel->palette()).accent;
+        int seen = 0;
+        for (int y = 0; y < picture.height(); ++y)
+            for (int x = 0; x < picture.width(); ++x)
+                seen += picture.pixelColor(x, y) == accent ? 1 : 0;
+
+        QVERIFY2(seen > 40, qPrintable(QString::number(seen)));
+    }
+
+    void everythingIsDrawn_data()
+    {
+        QTest::addColumn<Chart>("chart");
+        QTest::addColumn<QStringList>("words");
+        QTest::newRow("curve")
+            << curve()
+            << QStringList{
+                   "Score over attempts",      "23 people", "Attempt",   "Points", "Score", "Passed", "Not passed",
+                   "Middle half of the class", "Median",    "Pass mark", "6",      "100"};
+        QTest::newRow("columns") << histogram() << QStringList{"Points", "Students", "Pass mark", "0", "80", "10"};
+        QTest::newRow("bars") << bars() << QStringList{"Points lost", "Walls", "30"};
+        QTest::newRow("logarithmic") << logarithmic()
+                                     << QStringList{"0.1",    "1000",   "noticed", "too late", "method 0", "method 4",
+                                                    "note 0", "note 1", "note 2",  "Time",     "Error"};
+        QTest::newRow("map") << map()
+                             << QStringList{"scene 0", "scene 18", "first", "second", "delay", "D", "3/12", "7"};
+        Chart timed = curve();
+        auto& content = std::get<Curve>(timed.content);
+        content.x = {"Date", 1.7636e12, 1.7690e12, true};
+        for (Line& line : content.lines)
+            for (Dot& dot : line.dots)
+                dot.x = 1.7637e12 + 8e8 * dot.x;
+        content.band = {};
+        QTest::newRow("days") << timed << QStringList{"Date", "20 Nov", "21 Jan"};
+        Chart labelled = logarithmic();
+        std::get<Curve>(labelled.content).x = {"Grid", -0.2, 150.0, false, false, 0.0, {"small", "large"}};
+        QTest::newRow("labels") << labelled << QStringList{"Grid", "small", "large"};
+    }
+
+    /// Words as a drawing has them; pictures have ink where it has lines, and none at their edges.
+    void everythingIsDrawn()
+    {
+        QFETCH(Chart, chart);
+        QFETCH(QStringList, words);
+        const QString drawing = QString::fromUtf8(svg(chart));
+        for (const QString& word : words)
+            QVERIFY2(drawing.contains(">" + word + "<"), qPrintable(word));
+        QVERIFY(!drawing.contains("nan") && !drawing.contains("inf"));
+        const QImage picture = QImage::fromData(png(chart));
+        QCOMPARE(picture.size(), QSize(1920, 1200));
+        int inked = 0;
+        for (int y = 0; y < picture.height(); ++y)
+            for (int x = 0; x < picture.width(); ++x)
+                if (picture.pixelColor(x, y) != Qt::white) {
+                    ++inked;
+                    QVERIFY2(x > 6 && y > 6 && x < picture.width() - 6 && y < picture.height() - 6,
+                             "runs out of the picture");
+                }
+        QVERIFY(inked > 5000);
+    }
+
+    void valuesLieWhereTheirAxesSay()
+    {
+        Plot plot = plotOf(logarithmic(), {0.0, 0.0, 500.0, 400.0});
+        QCOMPARE(plot.at(1.0, 0.1), plot.px.bottomLeft());
+        QCOMPARE(plot.at(2000.0, 1000.0), plot.px.topRight());
+        QCOMPARE(plot.at(1.0, 10.0).y(), plot.px.center().y());  // half of four decades
+        QCOMPARE(plot.xAt(plot.at(30.0, 1.0).x()), 30.0);
+        plot = plotOf(histogram(), {0.0, 0.0, 500.0, 400.0});
+        QCOMPARE(plot.at(50.0, 5.0), plot.px.center());
+        // A mark on the edge is seen whole.
+        Chart edge = curve();
+        std::get<Curve>(edge.content).lines[1].dots[0].y = 100.0;
+        plot = plotOf(edge, {0.0, 0.0, 500.0, 400.0});
+        QVERIFY(plot.at(5.0, 100.0).y() > plot.px.top() + 4.0);
+    }
+
+    void axesEndAtRoundNumbers()
+    {
+        QCOMPARE(roundEnd(0.0), 1.0);
+        QCOMPARE(roundEnd(1.0), 1.0);
+        QCOMPARE(roundEnd(1.2), 2.0);
+        QCOMPARE(roundEnd(22.0), 25.0);
+        QCOMPARE(roundEnd(0.3), 0.5);
+        QCOMPARE(roundEnd(6100.0), 10000.0);
+    }
+
+    void barsThatBeginAlikeAreToldApart()
+    {
+        // With room for two lines beside a bar, and with none.
+        for (const int count : {6, 14, 18}) {
+            Bars many;
+            many.value = {"Points lost", 0.0, 30.0, false, false};
+            for (int k = 0; k < count; ++k)
+                many.bars << Bars::Bar{
+                    QString("Leeway at the walls of the cavity and its floor, where %1").arg(k), 2.0, {}};
+            const QString drawn = QString::fromUtf8(svg({"Much", {}, {}, many}));
+            for (int k = 0; k < count; ++k)
+                QVERIFY2(drawn.contains(QString("where %1<").arg(k)),
+                         qPrintable(QString("%1 of %2").arg(k).arg(count)));
+        }
+    }
+
+    void aFileSaysWhoseItIs()
+    {
+        Chart mine = histogram();
+        mine.of = "Year 1, Decay on 36";
+        const QByteArray told = svg(mine);
+        QVERIFY(told.contains("Year 1, Decay on 36"));
+        QVERIFY(told != svg(histogram()));
+        m_panel->setChart(mine);
+        QVERIFY(!m_panel->findChild<QLabel*>("chartTitle")->text().contains("Year"));  // the page says so itself
+        m_panel->findChild<QAction*>("saveCSV")->trigger();
+        auto* dialog = m_panel->findChild<QFileDialog*>();
+        QVERIFY(dialog != nullptr);
+        QCOMPARE(QFileInfo(dialog->selectedFiles().front()).fileName(),
+                 QString("Best scores, Year 1, Decay on 36.csv"));
+        dialog->reject();
+    }
+
+    void namesAreFoldedWhereThereIsRoom()
+    {
+        const QString name = "Gesunde Substanz neben der Karies entfernt";
+        const QString japanese = "う蝕の隣の健全な歯質を削除した量と深さと幅";
+        const Chart five = named({name, japanese, "Walls", "Depth", "Floor"});
+        const auto namesIn = [&](const QSizeF& room) { return namesOf(std::get<Bars>(five.content), room); };
+        const QStringList folded = namesIn({450.0, 290.0});
+        QCOMPARE(folded[0].simplified(), name);
+        QCOMPARE(folded[0].count('\n'), 1);
+        QCOMPARE(QString(folded[1]).remove('\n'), japanese);  // no space to break it at
+        // One line: the beginning and the end are there.
+        const QString cut = namesIn({450.0, 150.0})[0];
+        QVERIFY2(cut.contains(u'…') && cut.startsWith("Ges") && cut.endsWith("fernt") && !cut.contains('\n'),
+                 qPrintable(cut));
+        QCOMPARE(namesIn({900.0, 500.0})[0], name);
+    }
+
+    void barsWithoutRoomAreCounted()
+    {
+        const QString name = "Gesunde Substanz neben der Karies entfernt";
+        QVERIFY(rowsFor(named(QStringList(5, name)), {300.0, 160.0}) >= 5);  // a short name is better than no bar
+        const Chart many = named(QStringList(20, name));
+        QVERIFY(rowsFor(many, {300.0, 160.0}) < 5);
+        const auto shown = std::get<Bars>(fitted(many, 4).content).bars;
+        QCOMPARE(shown.size(), 4);
+        QCOMPARE(shown.back().name, QString("and 17 more"));
+        // As many as there is room for when it comes.
+        m_panel->setChart(many);
+        const auto stops = [this] {
+            QTest::keyClick(m_panel.get(), Qt::Key_End);
+            return m_panel->stop().value();
+        };
+        const qsizetype before = stops();
+        m_panel->resize(900, 900);
+        QTRY_VERIFY(stops() > before);
+    }
+
+    /// What became of it stands over the foot of the chart, until a value is told.
+    void aFileThatIsSavedMovesNothing()
+    {
+        const QTemporaryDir folder;
+        const auto* view = m_panel->findChild<QWidget*>("chartView");
+        const QRect before = view->geometry();
+        QVERIFY(save(folder.filePath("chart.csv")));
+        QCoreApplication::processEvents();
+        QVERIFY(callout()->isVisible() && m_panel->rect().contains(callout()->geometry()));
+        QCOMPARE(view->geometry(), before);
+        QTest::keyClick(m_panel.get(), Qt::Key_Home);
+        QCOMPARE(callout()->text(), m_panel->said());
+        m_panel->setStop({});
+        QVERIFY(!callout()->isVisible());
+    }
+
+    void theSameOnceMoreLeavesWhatIsTold()
+    {
+        QTest::keyClick(m_panel.get(), Qt::Key_End);
+        m_panel->setChart(curve());
+        QCOMPARE(m_panel->said(), QString("Attempt 6: 91 points"));
+    }
 
 private:
     [[nodiscard]] bool save(const QString& path) { return m_panel->findChild<SaveButton*>()->save(path); }
@@ -147,393 +507,6 @@ private:
 
     std::unique_ptr<ChartPanel> m_panel;
 };
-
-void TestCharts::initTestCase()
-{
-    QLocale::setDefault(QLocale("en_GB"));
-}
-
-void TestCharts::init()
-{
-    m_panel = std::make_unique<ChartPanel>(nullptr);
-    m_panel->setAutoFillBackground(true);
-    m_panel->resize(560, 360);
-    m_panel->setChart(curve());
-    m_panel->show();
-    QVERIFY(QTest::qWaitForWindowExposed(m_panel.get()));
-    m_panel->activateWindow();
-    m_panel->setFocus();
-}
-
-void TestCharts::arrowsWalkFromValueToValue()
-{
-    QVERIFY(!m_panel->stop());
-    QTest::keyClick(m_panel.get(), Qt::Key_Right);
-    QCOMPARE(m_panel->said(), QString("Attempt 1: 48.5 points"));
-    QCOMPARE(m_panel->accessibleDescription(), m_panel->said());
-    QTest::keyClick(m_panel.get(), Qt::Key_Right);
-    QCOMPARE(m_panel->said(), QString("Attempt 2: 57 points"));
-    QTest::keyClick(m_panel.get(), Qt::Key_End);
-    QTest::keyClick(m_panel.get(), Qt::Key_Right);
-    QCOMPARE(m_panel->said(), QString("Attempt 6: 91 points"));
-    QTest::keyClick(m_panel.get(), Qt::Key_Home);
-    QTest::keyClick(m_panel.get(), Qt::Key_Left);
-    QCOMPARE(m_panel->said(), QString("Attempt 1: 48.5 points"));
-    QVERIFY(callout()->isVisible());
-    QVERIFY(m_panel->rect().contains(callout()->geometry()));
-}
-
-void TestCharts::thePointerFindsEveryValue_data()
-{
-    QTest::addColumn<Chart>("chart");
-    QTest::newRow("curve") << curve();
-    QTest::newRow("bars") << bars();
-    QTest::newRow("columns") << histogram();
-}
-
-/// Bars are met at any length, columns at any height.
-void TestCharts::thePointerFindsEveryValue()
-{
-    QFETCH(Chart, chart);
-    m_panel->setChart(chart);
-    QCoreApplication::processEvents();
-    auto* view = m_panel->findChild<QWidget*>("chartView");
-    QSet<QString> told;
-    for (int y = 0; y < view->height(); y += 6)
-        for (int x = 0; x < view->width(); x += 6) {
-            QMouseEvent move(QEvent::MouseMove, QPointF(x, y), view->mapToGlobal(QPointF(x, y)), Qt::NoButton,
-                             Qt::NoButton, Qt::NoModifier);
-            QApplication::sendEvent(view, &move);
-            told << m_panel->said();
-        }
-    told.remove({});
-    QCOMPARE(told.size(), stopsOf(chart).size());
-}
-
-void TestCharts::enterOpensWhatAValueStandsFor()
-{
-    QSignalSpy chosen(m_panel.get(), &ChartPanel::chosen);
-    QTest::keyClick(m_panel.get(), Qt::Key_Return);
-    QCOMPARE(chosen.count(), 0);
-    QTest::keyClick(m_panel.get(), Qt::Key_Home);
-    QTest::keyClick(m_panel.get(), Qt::Key_Return);
-    QCOMPARE(chosen.count(), 1);
-    QCOMPARE(chosen.front().front().toLongLong(), 101);
-}
-
-void TestCharts::withoutValuesItSaysWhatWillBeHere()
-{
-    m_panel->setChart({"Score", {}, "After your first attempt there is a point here.", Curve{}});
-    QCOMPARE(m_panel->findChild<QLabel*>("chartEmpty")->text(),
-             QString("After your first attempt there is a point here."));
-    QVERIFY(m_panel->findChild<QLabel*>("chartEmpty")->isVisible());
-    QVERIFY(!m_panel->findChild<QWidget*>("saveChart")->isVisible());
-    QTest::keyClick(m_panel.get(), Qt::Key_Right);
-    QVERIFY(!m_panel->stop());
-    QVERIFY(png(m_panel->chart()).isEmpty());
-}
-
-void TestCharts::aBandWithoutLinesIsWalkedItself()
-{
-    Chart chart = curve();
-    std::get<Curve>(chart.content).lines.clear();
-    m_panel->setChart(chart);
-    QTest::keyClick(m_panel.get(), Qt::Key_Home);
-    QCOMPARE(m_panel->said(), QString("class 1"));
-}
-
-void TestCharts::tablesAreSafeForSpreadsheets_data()
-{
-    QTest::addColumn<QString>("words");
-    QTest::addColumn<QByteArray>("written");
-    QTest::newRow("plain") << "Depth" << QByteArray("Depth");
-    QTest::newRow("comma") << "a,b" << QByteArray("\"a,b\"");
-    QTest::newRow("quote") << "a\"b" << QByteArray("\"a\"\"b\"");
-    QTest::newRow("two lines") << "a\nb" << QByteArray("\"a\nb\"");
-    QTest::newRow("umlaut") << QString::fromUtf8("Höhe") << QByteArray("Höhe");
-    QTest::newRow("formula") << "=1+1" << QByteArray("'=1+1");
-    QTest::newRow("sum") << "+1" << QByteArray("'+1");
-    QTest::newRow("minus") << "-1" << QByteArray("'-1");
-    QTest::newRow("at") << "@SUM(A1)" << QByteArray("'@SUM(A1)");
-    QTest::newRow("tab") << "\t=1" << QByteArray("'\t=1");
-    QTest::newRow("space and formula") << " =1" << QByteArray("' =1");
-    QTest::newRow("link") << "=HYPERLINK(\"http://x\",\"y\")"
-                          << QByteArray("\"'=HYPERLINK(\"\"http://x\"\",\"\"y\"\")\"");
-    QTest::newRow("wide equals sign") << QString::fromUtf8("＝1") << QByteArray("'＝1");
-}
-
-void TestCharts::tablesAreSafeForSpreadsheets()
-{
-    QFETCH(QString, words);
-    QFETCH(QByteArray, written);
-    QCOMPARE(csv({{"head"}, {{words}}}), "head\r\n" + written + "\r\n");
-}
-
-void TestCharts::numbersOfTablesKnowNoLanguage()
-{
-    QLocale::setDefault(QLocale("de_DE"));
-    // The last bit of a sum is nobody's measure.
-    QCOMPARE(csv({{"a"}, {{0.1 + 0.2}}}), "a\r\n0.3\r\n");
-    const QByteArray text = csv({{"a", "b", "c"}, {{-1234.5, std::int64_t{-1234567}, qQNaN()}}});
-    QLocale::setDefault(QLocale("en_GB"));
-    QCOMPARE(text, QByteArray("a,b,c\r\n-1234.5,-1234567,\r\n"));
-}
-
-void TestCharts::aChartIsATable()
-{
-    const Table table = tableOf(curve());
-    QCOMPARE(table.heads, QStringList({"series", "Attempt", "Points"}));
-    QCOMPARE(table.rows.size(), 6 + 3 * 6 + 1);
-    const Table lost = tableOf(bars());
-    QCOMPARE(lost.rows.size(), 3);
-    QVERIFY(csv(lost).contains("'=cmd"));
-    Chart timed = curve();
-    std::get<Curve>(timed.content).x.isTime = true;
-    std::get<Curve>(timed.content).lines[1].dots[0].x = 1'763'633'700'000.0;
-    QVERIFY(csv(tableOf(timed)).contains("2025-11-20T10:15:00Z"));
-}
-
-void TestCharts::everySeriesOfATableHasAName()
-{
-    Chart chart = curve();
-    auto& content = std::get<Curve>(chart.content);
-    content.lines = {Line{{}, {Dot{1.0, 48.5, {}, 0}}, Mark::Circle, false}};
-    QVERIFY(!csv(tableOf(chart)).contains("\r\n,"));  // the band says it already
-    QVERIFY(!csv(tableOf(chart)).contains("48.5"));
-    content.band = {};
-    QVERIFY(csv(tableOf(chart)).contains("\r\nPoints,1,48.5\r\n"));
-}
-
-void TestCharts::filesAreWritten()
-{
-    const QTemporaryDir folder;
-    for (const char* name : {"chart.png", "chart.svg", "chart.csv"}) {
-        const QString path = folder.filePath(name);
-        QVERIFY2(save(path), name);
-        QFile file(path);
-        QVERIFY(file.open(QIODevice::ReadOnly));
-        const QByteArray bytes = file.readAll();
-        if (path.endsWith("png")) {
-            QCOMPARE(QImage::fromData(bytes).size(), QSize(1920, 1200));
-        } else if (path.endsWith("svg")) {
-            QXmlStreamReader reader(bytes);
-            while (!reader.atEnd())
-                reader.readNext();
-            QVERIFY(!reader.hasError());
-            QVERIFY(bytes.contains("Score over attempts"));
-        } else {
-            QCOMPARE(bytes, csv(tableOf(curve())));
-        }
-    }
-    QCOMPARE(callout()->text(), QString("Saved: chart.csv"));
-}
-
-void TestCharts::whatCannotBeWrittenIsSaid()
-{
-    QVERIFY(!save("/nowhere/at/all/chart.png"));
-    QVERIFY(callout()->text().startsWith("chart.png could not be written"));
-    const QTemporaryDir folder;
-    const QString file = folder.filePath("small.csv");
-    {
-        const support::FullDisk full(10);
-        QVERIFY(!save(file));
-    }
-    QVERIFY(!QFile::exists(file));
-    QVERIFY(callout()->text().startsWith("small.csv could not be written"));
-}
-
-void TestCharts::picturesShowSomethingInBothThemes_data()
-{
-    QTest::addColumn<bool>("dark");
-    QTest::addColumn<Chart>("chart");
-    for (const bool dark : {false, true})
-        for (const Chart& chart : {curve(), bars(), histogram()})
-            QTest::addRow("%s, %s", qPrintable(chart.title), dark ? "dark" : "light") << dark << chart;
-}
-
-void TestCharts::picturesShowSomethingInBothThemes()
-{
-    QFETCH(bool, dark);
-    QFETCH(Chart, chart);
-    ui::shell::applyTheme(*qApp, dark ? ui::shell::ThemeChoice::Dark : ui::shell::ThemeChoice::Light);
-    m_panel->setChart(chart);
-    m_panel->setStop(1);
-    const QImage picture = m_panel->grab().toImage();
-    // The marks of the first line are there, in the theme's colour.
-    const QColor accent = ui::shell::tones(m_panel->palette()).accent;
-    int seen = 0;
-    for (int y = 0; y < picture.height(); ++y)
-        for (int x = 0; x < picture.width(); ++x)
-            seen += picture.pixelColor(x, y) == accent ? 1 : 0;
-
-    QVERIFY2(seen > 40, qPrintable(QString::number(seen)));
-}
-
-void TestCharts::everythingIsDrawn_data()
-{
-    QTest::addColumn<Chart>("chart");
-    QTest::addColumn<QStringList>("words");
-    QTest::newRow("curve")
-        << curve()
-        << QStringList{"Score over attempts",      "23 people", "Attempt",   "Points", "Score", "Passed", "Not passed",
-                       "Middle half of the class", "Median",    "Pass mark", "6",      "100"};
-    QTest::newRow("columns") << histogram() << QStringList{"Points", "Students", "Pass mark", "0", "80", "10"};
-    QTest::newRow("bars") << bars() << QStringList{"Points lost", "Walls", "30"};
-    QTest::newRow("logarithmic") << logarithmic()
-                                 << QStringList{"0.1",    "1000",   "noticed", "too late", "method 0", "method 4",
-                                                "note 0", "note 1", "note 2",  "Time",     "Error"};
-    QTest::newRow("map") << map() << QStringList{"scene 0", "scene 18", "first", "second", "delay", "D", "3/12", "7"};
-    Chart timed = curve();
-    auto& content = std::get<Curve>(timed.content);
-    content.x = {"Date", 1.7636e12, 1.7690e12, true};
-    for (Line& line : content.lines)
-        for (Dot& dot : line.dots)
-            dot.x = 1.7637e12 + 8e8 * dot.x;
-    content.band = {};
-    QTest::newRow("days") << timed << QStringList{"Date", "20 Nov", "21 Jan"};
-    Chart labelled = logarithmic();
-    std::get<Curve>(labelled.content).x = {"Grid", -0.2, 150.0, false, false, 0.0, {"small", "large"}};
-    QTest::newRow("labels") << labelled << QStringList{"Grid", "small", "large"};
-}
-
-/// Words as a drawing has them; pictures have ink where it has lines, and none at their edges.
-void TestCharts::everythingIsDrawn()
-{
-    QFETCH(Chart, chart);
-    QFETCH(QStringList, words);
-    const QString drawing = QString::fromUtf8(svg(chart));
-    for (const QString& word : words)
-        QVERIFY2(drawing.contains(">" + word + "<"), qPrintable(word));
-    QVERIFY(!drawing.contains("nan") && !drawing.contains("inf"));
-    const QImage picture = QImage::fromData(png(chart));
-    QCOMPARE(picture.size(), QSize(1920, 1200));
-    int inked = 0;
-    for (int y = 0; y < picture.height(); ++y)
-        for (int x = 0; x < picture.width(); ++x)
-            if (picture.pixelColor(x, y) != Qt::white) {
-                ++inked;
-                QVERIFY2(x > 6 && y > 6 && x < picture.width() - 6 && y < picture.height() - 6,
-                         "runs out of the picture");
-            }
-    QVERIFY(inked > 5000);
-}
-
-void TestCharts::valuesLieWhereTheirAxesSay()
-{
-    Plot plot = plotOf(logarithmic(), {0.0, 0.0, 500.0, 400.0});
-    QCOMPARE(plot.at(1.0, 0.1), plot.px.bottomLeft());
-    QCOMPARE(plot.at(2000.0, 1000.0), plot.px.topRight());
-    QCOMPARE(plot.at(1.0, 10.0).y(), plot.px.center().y());  // half of four decades
-    QCOMPARE(plot.xAt(plot.at(30.0, 1.0).x()), 30.0);
-    plot = plotOf(histogram(), {0.0, 0.0, 500.0, 400.0});
-    QCOMPARE(plot.at(50.0, 5.0), plot.px.center());
-    // A mark on the edge is seen whole.
-    Chart edge = curve();
-    std::get<Curve>(edge.content).lines[1].dots[0].y = 100.0;
-    plot = plotOf(edge, {0.0, 0.0, 500.0, 400.0});
-    QVERIFY(plot.at(5.0, 100.0).y() > plot.px.top() + 4.0);
-}
-
-void TestCharts::axesEndAtRoundNumbers()
-{
-    QCOMPARE(roundEnd(0.0), 1.0);
-    QCOMPARE(roundEnd(1.0), 1.0);
-    QCOMPARE(roundEnd(1.2), 2.0);
-    QCOMPARE(roundEnd(22.0), 25.0);
-    QCOMPARE(roundEnd(0.3), 0.5);
-    QCOMPARE(roundEnd(6100.0), 10000.0);
-}
-
-void TestCharts::barsThatBeginAlikeAreToldApart()
-{
-    // With room for two lines beside a bar, and with none.
-    for (const int count : {6, 14, 18}) {
-        Bars many;
-        many.value = {"Points lost", 0.0, 30.0, false, false};
-        for (int k = 0; k < count; ++k)
-            many.bars << Bars::Bar{
-                QString("Leeway at the walls of the cavity and its floor, where %1").arg(k), 2.0, {}};
-        const QString drawn = QString::fromUtf8(svg({"Much", {}, {}, many}));
-        for (int k = 0; k < count; ++k)
-            QVERIFY2(drawn.contains(QString("where %1<").arg(k)), qPrintable(QString("%1 of %2").arg(k).arg(count)));
-    }
-}
-
-void TestCharts::aFileSaysWhoseItIs()
-{
-    Chart mine = histogram();
-    mine.of = "Year 1, Decay on 36";
-    const QByteArray told = svg(mine);
-    QVERIFY(told.contains("Year 1, Decay on 36"));
-    QVERIFY(told != svg(histogram()));
-    m_panel->setChart(mine);
-    QVERIFY(!m_panel->findChild<QLabel*>("chartTitle")->text().contains("Year"));  // the page says so itself
-    m_panel->findChild<QAction*>("saveCSV")->trigger();
-    auto* dialog = m_panel->findChild<QFileDialog*>();
-    QVERIFY(dialog != nullptr);
-    QCOMPARE(QFileInfo(dialog->selectedFiles().front()).fileName(), QString("Best scores, Year 1, Decay on 36.csv"));
-    dialog->reject();
-}
-
-void TestCharts::namesAreFoldedWhereThereIsRoom()
-{
-    const QString name = "Gesunde Substanz neben der Karies entfernt";
-    const QString japanese = "う蝕の隣の健全な歯質を削除した量と深さと幅";
-    const Chart five = named({name, japanese, "Walls", "Depth", "Floor"});
-    const auto namesIn = [&](const QSizeF& room) { return namesOf(std::get<Bars>(five.content), room); };
-    const QStringList folded = namesIn({450.0, 290.0});
-    QCOMPARE(folded[0].simplified(), name);
-    QCOMPARE(folded[0].count('\n'), 1);
-    QCOMPARE(QString(folded[1]).remove('\n'), japanese);  // no space to break it at
-    // One line: the beginning and the end are there.
-    const QString cut = namesIn({450.0, 150.0})[0];
-    QVERIFY2(cut.contains(u'…') && cut.startsWith("Ges") && cut.endsWith("fernt") && !cut.contains('\n'),
-             qPrintable(cut));
-    QCOMPARE(namesIn({900.0, 500.0})[0], name);
-}
-
-void TestCharts::barsWithoutRoomAreCounted()
-{
-    const QString name = "Gesunde Substanz neben der Karies entfernt";
-    QVERIFY(rowsFor(named(QStringList(5, name)), {300.0, 160.0}) >= 5);  // a short name is better than no bar
-    const Chart many = named(QStringList(20, name));
-    QVERIFY(rowsFor(many, {300.0, 160.0}) < 5);
-    const auto shown = std::get<Bars>(fitted(many, 4).content).bars;
-    QCOMPARE(shown.size(), 4);
-    QCOMPARE(shown.back().name, QString("and 17 more"));
-    // As many as there is room for when it comes.
-    m_panel->setChart(many);
-    const auto stops = [this] {
-        QTest::keyClick(m_panel.get(), Qt::Key_End);
-        return m_panel->stop().value();
-    };
-    const qsizetype before = stops();
-    m_panel->resize(900, 900);
-    QTRY_VERIFY(stops() > before);
-}
-
-/// What became of it stands over the foot of the chart, until a value is told.
-void TestCharts::aFileThatIsSavedMovesNothing()
-{
-    const QTemporaryDir folder;
-    const auto* view = m_panel->findChild<QWidget*>("chartView");
-    const QRect before = view->geometry();
-    QVERIFY(save(folder.filePath("chart.csv")));
-    QCoreApplication::processEvents();
-    QVERIFY(callout()->isVisible() && m_panel->rect().contains(callout()->geometry()));
-    QCOMPARE(view->geometry(), before);
-    QTest::keyClick(m_panel.get(), Qt::Key_Home);
-    QCOMPARE(callout()->text(), m_panel->said());
-    m_panel->setStop({});
-    QVERIFY(!callout()->isVisible());
-}
-
-void TestCharts::theSameOnceMoreLeavesWhatIsTold()
-{
-    QTest::keyClick(m_panel.get(), Qt::Key_End);
-    m_panel->setChart(curve());
-    QCOMPARE(m_panel->said(), QString("Attempt 6: 91 points"));
-}
 
 QTEST_MAIN(TestCharts)
 #include "tst_charts.moc"

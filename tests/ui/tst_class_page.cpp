@@ -83,23 +83,374 @@ class TestClassPage : public QObject
 {
     Q_OBJECT
 private slots:
-    void initTestCase();
-    void init();
-    void itSaysWhoNeedsTheTeacher();
-    void aStudentIsSearchedFor();
-    void whatIsReadAgainLeavesEverythingInItsPlace();
-    void whoLeavesTakesHisClassesAlong();
-    void aClassThatIsTakenAwayIsNotShown();
-    void whatCouldNotBeReadSaysSo();
-    void whoIsLateNeedsTheTeacher();
-    void anExamWithoutAScoreIsSeen();
-    void whoIsDisabledNeedsNobody();
-    void theMatrixSortsByValueAndEmptyCellsComeLast();
-    void aCellOpensTheAttempts();
-    void aLessonIsChosen();
-    void eachBestScoreIsInItsColumn();
-    void theTableIsSaved();
-    void everyControlHasAName();
+    void initTestCase()
+    {
+        QLocale::setDefault(QLocale("en_GB"));
+        ui::shell::applyTheme(*qApp, ui::shell::ThemeChoice::Light);
+    }
+
+    void init()
+    {
+        m_window = std::make_unique<QWidget>();
+        m_actions = new ui::shell::Actions(m_window.get());
+        m_page = new ClassPage(*m_actions, m_window.get());
+        m_page->setLessonTitles({{"lesson-10", "Class I on 36"}, {"lesson-11", "Decay on 26"}});
+        m_window->resize(1280, 800);
+        m_page->resize(1280, 800);
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        m_page->setClasses({{{7}, "DEN101-A", 12, 1}, {{8}, "DEN101-B", 3, 1}});
+        m_page->setOverview(overview(12, 6), kNow);
+    }
+
+    void itSaysWhoNeedsTheTeacher()
+    {
+        QCOMPARE(m_page->findChild<QLabel*>("needs")->text(), QString("3 need(s) you:"));
+        QVERIFY(name(0).contains("stuck") && name(1).contains("no login") && name(2).contains("new"));
+        QCOMPARE(name(3), QString("Student 1004"));
+        // The lists lie behind the numbers.
+        button("1 stuck")->click();
+        QCOMPARE(matrix()->model()->rowCount(), 1);
+        QVERIFY(name(0).startsWith("Student 1001"));
+        button("1 no login")->click();
+        QVERIFY(name(0).startsWith("Student 1002") && !button("1 stuck")->isChecked());
+        // Whoever was shown alone has been helped.
+        ClassOverview fine = overview(12, 6);
+        fine.students.erase(fine.students.begin(), fine.students.begin() + 3);
+        fine.cells.erase(fine.cells.begin(), fine.cells.begin() + 3);
+        m_page->setOverview(fine, kNow);
+        QCOMPARE(m_page->findChild<QLabel*>("needs")->text(), QString("Nobody needs you just now"));
+        QCOMPARE(matrix()->model()->rowCount(), 9);
+    }
+
+    void aStudentIsSearchedFor()
+    {
+        m_page->setOverview(overview(200, 6), kNow);
+        auto* search = m_page->findChild<QLineEdit*>("studentSearch");
+        QVERIFY(search->isVisible());
+        search->setText(" student 107");
+        QCOMPARE(matrix()->model()->rowCount(), 10);
+        QVERIFY(name(0).startsWith("Student 1070"));
+        QCOMPARE(m_page->findChild<QLabel*>("studentsFound")->text(), QString("10 student(s)"));
+        search->setText("S-1002");  // a user name
+        QCOMPARE(matrix()->model()->rowCount(), 1);
+        // Among those who need the teacher, too.
+        button("1 stuck")->click();
+        QCOMPARE(matrix()->model()->rowCount(), 0);
+        button("1 stuck")->click();
+        // In another class nobody is searched for.
+        ClassOverview other = overview(3, 6);
+        other.id = {8};
+        m_page->setOverview(other, kNow);
+        QCOMPARE(search->text(), QString());
+        QCOMPARE(matrix()->model()->rowCount(), 3);
+    }
+
+    void whatIsReadAgainLeavesEverythingInItsPlace()
+    {
+        const ClassOverview large = overview(200, 40);
+        const QList<database::ClassAssignment> given{{1, {7}, "lesson-10", "2026-11-19T23:59:59Z", 0}};
+        m_page->setOverview(large, kNow);
+        m_page->setAssignments(given);
+        auto* late = m_page->findChild<QButtonGroup*>()->button(static_cast<int>(Need::Late));
+        late->click();
+        m_page->findChild<QLineEdit*>("studentSearch")->setText("Student 1");
+        matrix()->setCurrentIndex(matrix()->model()->index(60, 20));
+        m_page->findChild<QComboBox*>("lessonChooser")->setCurrentIndex(3);
+        const QString who = name(60);
+        const QPoint scrolled(matrix()->horizontalScrollBar()->value(), matrix()->verticalScrollBar()->value() - 20);
+        QVERIFY(scrolled.x() > 0 && scrolled.y() > 0);
+        matrix()->verticalScrollBar()->setValue(scrolled.y());
+
+        ClassOverview later = large;
+        later.students.erase(later.students.begin());
+        later.cells.erase(later.cells.begin());
+        QSignalSpy charted(m_page, &ClassPage::lessonChosen);
+        m_page->setOverview(later, kNow);
+        m_page->setAssignments(given);
+        QVERIFY(late->isChecked());
+        QCOMPARE(name(matrix()->currentIndex().row()), who);
+        QCOMPARE(matrix()->currentIndex().column(), 20);
+        QCOMPARE(QPoint(matrix()->horizontalScrollBar()->value(), matrix()->verticalScrollBar()->value()), scrolled);
+        QCOMPARE(m_page->chosenLesson(), QString("lesson-13"));
+        QCOMPARE(charted.count(), 0);
+    }
+
+    void whoLeavesTakesHisClassesAlong()
+    {
+        m_page->setResults(results(12), 750, {});
+        m_page->findChild<QLineEdit*>("studentSearch")->setText("Student 1004");
+        m_page->say([] { return QString("The report was saved."); });
+        m_page->forget();
+        QCOMPARE(matrix()->model()->rowCount(), 0);
+        QVERIFY(m_page->table().rows.isEmpty());
+        QVERIFY(m_page->chosenLesson().isEmpty());
+        for (const ChartPanel* panel : m_page->findChildren<ChartPanel*>()) {
+            QVERIFY(panel->chart().title.isEmpty() || ui::charts::stopsOf(panel->chart()).isEmpty());
+            QVERIFY2(!panel->chart().of.contains("DEN101"), qPrintable(panel->chart().of));
+        }
+        for (const QLabel* label : m_page->findChildren<QLabel*>())
+            QVERIFY2(!label->text().contains("report was saved"), qPrintable(label->text()));
+        QVERIFY(m_page->findChild<QLineEdit*>("studentSearch")->text().isEmpty());
+    }
+
+    /// Its teacher was taken out of it, or it is another that is chosen now.
+    void aClassThatIsTakenAwayIsNotShown()
+    {
+        QSignalSpy wanted(m_page, &ClassPage::classChosen);
+        m_page->setClasses({{{8}, "DEN101-B", 3, 1}});
+        QCOMPARE(wanted.count(), 1);
+        QCOMPARE(wanted[0][0].toLongLong(), 8);
+        QCOMPARE(matrix()->model()->rowCount(), 0);
+        ClassOverview other = overview(3, 6);
+        other.id = {8};
+        m_page->setOverview(other, kNow);
+        QCOMPARE(matrix()->model()->rowCount(), 3);
+        m_page->setClasses({});
+        QCOMPARE(matrix()->model()->rowCount(), 0);
+        QVERIFY(m_page->findChild<QLabel*>("classEmpty")->isVisible());
+        QVERIFY(!m_page->findChild<QWidget*>("classReport")->isEnabled());
+    }
+
+    void whatCouldNotBeReadSaysSo()
+    {
+        const auto* words = m_page->findChild<QLabel*>("classEmpty");
+        m_page->refuse([] { return QString("The server does not answer."); });  // of the class that is there
+        QCOMPARE(matrix()->model()->rowCount(), 12);
+        m_page->findChild<QComboBox*>("classChooser")->setCurrentIndex(1);
+        QCOMPARE(matrix()->model()->rowCount(), 0);
+        QVERIFY(words->isVisible());
+        m_page->refuse([] { return QString("The server does not answer."); });
+        QVERIFY2(words->text().startsWith("The server does not answer. F5"), qPrintable(words->text()));
+        m_page->readAgain();
+        QVERIFY(!words->text().contains("does not answer"));
+        // Others practise at other computers: it is read again when it is shown again.
+        QSignalSpy wanted(m_page, &ClassPage::classChosen);
+        m_page->hide();
+        m_page->show();
+        QCOMPARE(wanted.count(), 1);
+    }
+
+    /// Overdue or out of attempts, and not passed; before being stuck and being late, which they may be as well.
+    void whoIsLateNeedsTheTeacher()
+    {
+        ClassOverview shown = overview(6, 2);
+        shown.cells[0][0] = {3, 530, false, "2026-11-18T08:00:00Z"};  // stuck
+        shown.cells[3][0] = {3, 749, false, "2026-11-18T08:00:00Z"};
+        shown.cells[4][0] = {1, 800, true, "2026-11-18T08:00:00Z"};
+        shown.cells[5][0] = {2, 600, false, "2026-11-18T08:00:00Z"};
+        m_page->setOverview(shown, kNow);
+        m_page->setAssignments({{1, {7}, "lesson-10", "2026-11-19T23:59:59Z", 3},
+                                {2, {7}, "lesson-11", "2026-11-27T23:59:59Z", 0},
+                                {3, {8}, "lesson-11", "2026-11-01T23:59:59Z", 0}});
+        const QStringList expected{"out of tries", "no login", "late", "out of tries", "Student 1005", "late"};
+        for (int row = 0; row < expected.size(); ++row)
+            QVERIFY2(name(row).contains(expected[row]), qPrintable(name(row)));
+        QCOMPARE(cell(3, 1), QString("74"));  // not passed is not rounded up
+        const auto tip = [this](int row) { return matrix()->model()->index(row, 1).data(Qt::ToolTipRole).toString(); };
+        QVERIFY2(tip(3).contains("no attempts left"), qPrintable(tip(3)));
+        QVERIFY2(tip(5).contains("overdue"), qPrintable(tip(5)));
+        QVERIFY(matrix()->model()->headerData(2, Qt::Horizontal).toString().endsWith("due 27 Nov"));
+        button("2 out of tries")->click();
+        QCOMPARE(matrix()->model()->rowCount(), 2);
+        button("5 late")->click();  // all but the one who has passed
+        QCOMPARE(matrix()->model()->rowCount(), 5);
+    }
+
+    /// An exam that was begun is an attempt; and another class of his may be allowed more.
+    void anExamWithoutAScoreIsSeen()
+    {
+        ClassOverview shown = overview(6, 1);
+        for (const std::size_t student : {3U, 4U, 5U}) {
+            shown.cells[student][0] = {};
+            shown.cells[student][0].withoutScore = 1;
+        }
+        shown.cells[4][0].limitElsewhere = 2;
+        shown.cells[5][0].limitElsewhere = 0;
+        m_page->setOverview(shown, kNow);
+        m_page->setAssignments({{1, {7}, "lesson-10", "", 1}});
+        QVERIFY2(name(3).contains("out of tries"), qPrintable(name(3)));
+        QVERIFY(!name(4).contains("out of tries") && !name(5).contains("out of tries"));
+        const auto tip = [this](int row) { return matrix()->model()->index(row, 1).data(Qt::ToolTipRole).toString(); };
+        QVERIFY2(tip(3).contains("begun") && tip(3).contains("no attempts left"), qPrintable(tip(3)));
+        QVERIFY2(tip(4).contains("begun") && !tip(4).contains("no attempts left"), qPrintable(tip(4)));
+        // One that may go on still has not used it up; nobody tells when it is broken off.
+        shown.cells[3][0].begunUtc = "2026-11-20T11:20:00Z";
+        m_page->setOverview(shown, kNow);
+        m_page->setAssignments({{1, {7}, "lesson-10", "", 1}});
+        QVERIFY2(!name(3).contains("out of tries"), qPrintable(name(3)));
+        QVERIFY2(tip(3).contains("begun") && !tip(3).contains("no attempts left"), qPrintable(tip(3)));
+        shown.cells[3][0].begunUtc = "2026-11-20T08:20:00Z";
+        m_page->setOverview(shown, kNow);
+        m_page->setAssignments({{1, {7}, "lesson-10", "", 1}});
+        QVERIFY2(name(3).contains("out of tries"), qPrintable(name(3)));
+        // His attempts say when it was begun.
+        QSignalSpy wanted(m_page, &ClassPage::attemptsWanted);
+        matrix()->setCurrentIndex(matrix()->model()->index(3, 1));
+        QTest::keyClick(matrix(), Qt::Key_Return);
+        QCOMPARE(wanted.count(), 1);
+        QCOMPARE(wanted[0][0].toLongLong(), 103);
+    }
+
+    /// He comes no more: he is listed and called so, and counts nowhere.
+    void whoIsDisabledNeedsNobody()
+    {
+        ClassOverview shown = overview(6, 2);
+        shown.cells[4][0] = {1, 600, false, "2026-11-18T08:00:00Z"};
+        const auto show = [&] {
+            m_page->setOverview(shown, kNow);
+            m_page->setAssignments({{1, {7}, "lesson-10", "2026-11-19T23:59:59Z", 1}});
+            return m_page->findChild<QComboBox*>("lessonChooser")->itemText(0);
+        };
+        const QString before = show();
+        QVERIFY2(name(0).contains("out of tries") && name(4).contains("out of tries"), qPrintable(name(4)));
+        for (const std::size_t student : {0U, 1U, 4U})
+            shown.students[student].isDisabled = true;
+        const QString after = show();
+        QVERIFY2(before.contains(" of 4 passed") && after.contains(" of 2 passed"), qPrintable(before + after));
+        for (const int row : {0, 1, 4}) {
+            QVERIFY2(name(row).endsWith("– disabled"), qPrintable(name(row)));
+            const QString tip = matrix()->model()->index(row, 1).data(Qt::ToolTipRole).toString();
+            QVERIFY2(!tip.contains("overdue") && !tip.contains("no attempts left"), qPrintable(tip));
+        }
+        QVERIFY2(m_page->findChild<QLabel*>("needs")->text().startsWith("2 "),
+                 qPrintable(m_page->findChild<QLabel*>("needs")->text()));
+        QCOMPARE(m_page->table().rows.size(), qsizetype{6});
+    }
+
+    void theMatrixSortsByValueAndEmptyCellsComeLast()
+    {
+        for (const auto order : {Qt::AscendingOrder, Qt::DescendingOrder}) {
+            matrix()->sortByColumn(1, order);
+            QStringList scores;
+            for (int row = 0; row < 12; ++row)
+                scores << cell(row, 1);
+            const auto firstEmpty = std::find(scores.begin(), scores.end(), "–");
+            QVERIFY(std::all_of(firstEmpty, scores.end(), [](const QString& one) { return one == "–"; }));
+            QVERIFY(firstEmpty != scores.end());
+            QVERIFY(std::is_sorted(scores.begin(), firstEmpty, [order](const QString& a, const QString& b) {
+                return order == Qt::AscendingOrder ? a.toInt() < b.toInt() : a.toInt() > b.toInt();
+            }));
+        }
+        matrix()->sortByColumn(0, Qt::DescendingOrder);
+        QCOMPARE(cell(0, 0), QString("today"));
+        QCOMPARE(cell(11, 0), QString("–"));
+        // The third click on a head is by name again.
+        QHeaderView* heads = matrix()->horizontalHeader();
+        const QPoint at(heads->sectionViewportPosition(1) + 20, 20);
+        for (int k = 0; k < 3; ++k)
+            QTest::mouseClick(heads->viewport(), Qt::LeftButton, {}, at);
+        QCOMPARE(name(11), QString("Student 1012"));
+    }
+
+    void aCellOpensTheAttempts()
+    {
+        QSignalSpy wanted(m_page, &ClassPage::attemptsWanted);
+        QSignalSpy student(m_page, &ClassPage::studentWanted);
+        const auto click = [&](int row, int column) {
+            const QModelIndex index = matrix()->model()->index(row, column);
+            QTest::mouseClick(matrix()->viewport(), Qt::LeftButton, {}, matrix()->visualRect(index).center());
+        };
+        click(3, 1);
+        QCOMPARE(wanted.count(), 1);
+        QCOMPARE(wanted[0], (QVariantList{qint64{103}, "lesson-10"}));
+        click(4, 1);  // not tried
+        click(1, 1);  // never came
+        QCOMPARE(wanted.count(), 1);
+        click(3, 0);
+        click(1, 0);
+        QCOMPARE(student.count(), 1);
+        // With the keys, too.
+        matrix()->setCurrentIndex(matrix()->model()->index(2, 1));
+        matrix()->setFocus();
+        for (const Qt::Key key : {Qt::Key_Down, Qt::Key_Right, Qt::Key_Return})
+            QTest::keyClick(matrix(), key);
+        QCOMPARE(wanted.count(), 2);
+        QCOMPARE(wanted[1], (QVariantList{qint64{103}, "lesson-11"}));
+        QCOMPARE(m_page->chosenLesson(), QString("lesson-11"));
+    }
+
+    void aLessonIsChosen()
+    {
+        QSignalSpy chosen(m_page, &ClassPage::lessonChosen);
+        QCOMPARE(m_page->chosenLesson(), QString("lesson-10"));
+        m_page->findChild<QComboBox*>("lessonChooser")->setCurrentIndex(1);
+        QCOMPARE(chosen.count(), 1);
+        QCOMPARE(chosen[0][0].toString(), QString("lesson-11"));
+        m_page->setOverview(overview(12, 6), kNow);  // asked again: the same lesson
+        QCOMPARE(m_page->chosenLesson(), QString("lesson-11"));
+        QSignalSpy classes(m_page, &ClassPage::classChosen);
+        m_page->findChild<QComboBox*>("classChooser")->setCurrentIndex(1);
+        QCOMPARE(classes.count(), 1);
+        QCOMPARE(classes[0][0].toLongLong(), 8);
+        ClassOverview other = overview(4, 6);
+        other.id = {8};
+        m_page->setOverview(other, kNow);  // to be compared
+        QCOMPARE(m_page->chosenLesson(), QString("lesson-11"));
+    }
+
+    /// Ten columns of ten points: a score on the border is in the upper one, and all points are in the last.
+    void eachBestScoreIsInItsColumn()
+    {
+        const auto isTold = [this](const char* name) {
+            return !ui::charts::stopsOf(m_page->findChild<ChartPanel*>(name)->chart()).isEmpty();
+        };
+        for (const int people : {4, 5}) {  // nothing is told of fewer than five
+            m_page->setResults(results(people), 750, {{"depth", "Pulpal floor"}});
+            for (const char* name : {"distribution", "learning", "difficulty"})
+                QCOMPARE(isTold(name), people == 5);
+        }
+        const auto bars =
+            std::get<ui::charts::Bars>(m_page->findChild<ChartPanel*>("difficulty")->chart().content).bars;
+        QCOMPARE(bars[0].words, QString("Pulpal floor: the class loses 42 % of its points"));
+        LessonResults eight = results(8);
+        eight.bestTenths = {0, 99, 100, 499, 500, 750, 999, 1000};
+        eight.curve = {{1, 8, 325, 505, 719}, {2, 6, 520, 640, 700}};
+        m_page->setResults(eight, 750, {});
+        QList<int> counts;
+        const auto chart = m_page->findChild<ChartPanel*>("distribution")->chart();
+        for (const auto& bin : std::get<ui::charts::Histogram>(chart.content).bins)
+            counts << bin.count;
+        QCOMPARE(counts, (QList<int>{2, 1, 0, 0, 1, 1, 0, 1, 0, 2}));
+        // The learning curve: what half and the middle half of them reached, attempt by attempt.
+        const auto learning = m_page->findChild<ChartPanel*>("learning")->chart();
+        const auto& slices = std::get<ui::charts::Curve>(learning.content).band.slices;
+        QCOMPARE(slices.size(), 2);
+        QCOMPARE((QList<double>{slices[0].low, slices[0].middle, slices[0].high, slices[1].middle}),
+                 (QList<double>{32.5, 50.5, 71.9, 64.0}));
+        // An answer about another lesson comes too late.
+        m_page->findChild<QComboBox*>("lessonChooser")->setCurrentIndex(1);
+        m_page->setResults(results(23), 750, {});
+        QVERIFY(!isTold("distribution"));
+    }
+
+    void theTableIsSaved()
+    {
+        const QTemporaryDir folder;
+        ClassOverview odd = overview(12, 2);
+        odd.students[3].fullName = "=HYPERLINK(\"x\")";
+        m_page->setOverview(odd, kNow);
+        QVERIFY(m_page->saveTable(folder.filePath("class.csv")));
+        QFile file(folder.filePath("class.csv"));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QList<QByteArray> lines = file.readAll().split('\n');
+        QCOMPARE(lines.size(), 14);
+        QCOMPARE(lines[1].trimmed(),
+                 QByteArray("s-1001,Student 1001,stuck,2026-11-19T08:00:00Z,2026-11-20T12:00:00Z,33,1,0,39.1,1,0"));
+        QVERIFY(lines[4].contains("\"'=HYPERLINK"));
+        QCOMPARE(m_page->findChild<QLabel*>("said")->text(), "Saved: " + folder.filePath("class.csv"));
+        QVERIFY(!m_page->saveTable("/nowhere/at/all.csv"));
+    }
+
+    void everyControlHasAName()
+    {
+        for (QWidget* widget : m_page->findChildren<QWidget*>())
+            if (widget->focusPolicy() != Qt::NoFocus && widget->isVisible() &&
+                !widget->inherits("QAbstractScrollArea") && widget->parentWidget() != nullptr &&
+                !widget->parentWidget()->inherits("QAbstractItemView"))
+                QVERIFY2(!widget->accessibleName().isEmpty(),
+                         qPrintable(QString("%1 %2").arg(widget->metaObject()->className(), widget->objectName())));
+    }
 
 private:
     QTableView* matrix() { return m_page->findChild<QTableView*>("matrix"); }
@@ -117,373 +468,6 @@ private:
     ui::shell::Actions* m_actions = nullptr;
     ClassPage* m_page = nullptr;
 };
-
-void TestClassPage::initTestCase()
-{
-    QLocale::setDefault(QLocale("en_GB"));
-    ui::shell::applyTheme(*qApp, ui::shell::ThemeChoice::Light);
-}
-
-void TestClassPage::init()
-{
-    m_window = std::make_unique<QWidget>();
-    m_actions = new ui::shell::Actions(m_window.get());
-    m_page = new ClassPage(*m_actions, m_window.get());
-    m_page->setLessonTitles({{"lesson-10", "Class I on 36"}, {"lesson-11", "Decay on 26"}});
-    m_window->resize(1280, 800);
-    m_page->resize(1280, 800);
-    m_window->show();
-    QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
-    m_page->setClasses({{{7}, "DEN101-A", 12, 1}, {{8}, "DEN101-B", 3, 1}});
-    m_page->setOverview(overview(12, 6), kNow);
-}
-
-void TestClassPage::itSaysWhoNeedsTheTeacher()
-{
-    QCOMPARE(m_page->findChild<QLabel*>("needs")->text(), QString("3 need(s) you:"));
-    QVERIFY(name(0).contains("stuck") && name(1).contains("no login") && name(2).contains("new"));
-    QCOMPARE(name(3), QString("Student 1004"));
-    // The lists lie behind the numbers.
-    button("1 stuck")->click();
-    QCOMPARE(matrix()->model()->rowCount(), 1);
-    QVERIFY(name(0).startsWith("Student 1001"));
-    button("1 no login")->click();
-    QVERIFY(name(0).startsWith("Student 1002") && !button("1 stuck")->isChecked());
-    // Whoever was shown alone has been helped.
-    ClassOverview fine = overview(12, 6);
-    fine.students.erase(fine.students.begin(), fine.students.begin() + 3);
-    fine.cells.erase(fine.cells.begin(), fine.cells.begin() + 3);
-    m_page->setOverview(fine, kNow);
-    QCOMPARE(m_page->findChild<QLabel*>("needs")->text(), QString("Nobody needs you just now"));
-    QCOMPARE(matrix()->model()->rowCount(), 9);
-}
-
-void TestClassPage::aStudentIsSearchedFor()
-{
-    m_page->setOverview(overview(200, 6), kNow);
-    auto* search = m_page->findChild<QLineEdit*>("studentSearch");
-    QVERIFY(search->isVisible());
-    search->setText(" student 107");
-    QCOMPARE(matrix()->model()->rowCount(), 10);
-    QVERIFY(name(0).startsWith("Student 1070"));
-    QCOMPARE(m_page->findChild<QLabel*>("studentsFound")->text(), QString("10 student(s)"));
-    search->setText("S-1002");  // a user name
-    QCOMPARE(matrix()->model()->rowCount(), 1);
-    // Among those who need the teacher, too.
-    button("1 stuck")->click();
-    QCOMPARE(matrix()->model()->rowCount(), 0);
-    button("1 stuck")->click();
-    // In another class nobody is searched for.
-    ClassOverview other = overview(3, 6);
-    other.id = {8};
-    m_page->setOverview(other, kNow);
-    QCOMPARE(search->text(), QString());
-    QCOMPARE(matrix()->model()->rowCount(), 3);
-}
-
-void TestClassPage::whatIsReadAgainLeavesEverythingInItsPlace()
-{
-    const ClassOverview large = overview(200, 40);
-    const QList<database::ClassAssignment> given{{1, {7}, "lesson-10", "2026-11-19T23:59:59Z", 0}};
-    m_page->setOverview(large, kNow);
-    m_page->setAssignments(given);
-    auto* late = m_page->findChild<QButtonGroup*>()->button(static_cast<int>(Need::Late));
-    late->click();
-    m_page->findChild<QLineEdit*>("studentSearch")->setText("Student 1");
-    matrix()->setCurrentIndex(matrix()->model()->index(60, 20));
-    m_page->findChild<QComboBox*>("lessonChooser")->setCurrentIndex(3);
-    const QString who = name(60);
-    const QPoint scrolled(matrix()->horizontalScrollBar()->value(), matrix()->verticalScrollBar()->value() - 20);
-    QVERIFY(scrolled.x() > 0 && scrolled.y() > 0);
-    matrix()->verticalScrollBar()->setValue(scrolled.y());
-
-    ClassOverview later = large;
-    later.students.erase(later.students.begin());
-    later.cells.erase(later.cells.begin());
-    QSignalSpy charted(m_page, &ClassPage::lessonChosen);
-    m_page->setOverview(later, kNow);
-    m_page->setAssignments(given);
-    QVERIFY(late->isChecked());
-    QCOMPARE(name(matrix()->currentIndex().row()), who);
-    QCOMPARE(matrix()->currentIndex().column(), 20);
-    QCOMPARE(QPoint(matrix()->horizontalScrollBar()->value(), matrix()->verticalScrollBar()->value()), scrolled);
-    QCOMPARE(m_page->chosenLesson(), QString("lesson-13"));
-    QCOMPARE(charted.count(), 0);
-}
-
-void TestClassPage::whoLeavesTakesHisClassesAlong()
-{
-    m_page->setResults(results(12), 750, {});
-    m_page->findChild<QLineEdit*>("studentSearch")->setText("Student 1004");
-    m_page->say([] { return QString("The report was saved."); });
-    m_page->forget();
-    QCOMPARE(matrix()->model()->rowCount(), 0);
-    QVERIFY(m_page->table().rows.isEmpty());
-    QVERIFY(m_page->chosenLesson().isEmpty());
-    for (const ChartPanel* panel : m_page->findChildren<ChartPanel*>()) {
-        QVERIFY(panel->chart().title.isEmpty() || ui::charts::stopsOf(panel->chart()).isEmpty());
-        QVERIFY2(!panel->chart().of.contains("DEN101"), qPrintable(panel->chart().of));
-    }
-    for (const QLabel* label : m_page->findChildren<QLabel*>())
-        QVERIFY2(!label->text().contains("report was saved"), qPrintable(label->text()));
-    QVERIFY(m_page->findChild<QLineEdit*>("studentSearch")->text().isEmpty());
-}
-
-/// Its teacher was taken out of it, or it is another that is chosen now.
-void TestClassPage::aClassThatIsTakenAwayIsNotShown()
-{
-    QSignalSpy wanted(m_page, &ClassPage::classChosen);
-    m_page->setClasses({{{8}, "DEN101-B", 3, 1}});
-    QCOMPARE(wanted.count(), 1);
-    QCOMPARE(wanted[0][0].toLongLong(), 8);
-    QCOMPARE(matrix()->model()->rowCount(), 0);
-    ClassOverview other = overview(3, 6);
-    other.id = {8};
-    m_page->setOverview(other, kNow);
-    QCOMPARE(matrix()->model()->rowCount(), 3);
-    m_page->setClasses({});
-    QCOMPARE(matrix()->model()->rowCount(), 0);
-    QVERIFY(m_page->findChild<QLabel*>("classEmpty")->isVisible());
-    QVERIFY(!m_page->findChild<QWidget*>("classReport")->isEnabled());
-}
-
-void TestClassPage::whatCouldNotBeReadSaysSo()
-{
-    const auto* words = m_page->findChild<QLabel*>("classEmpty");
-    m_page->refuse([] { return QString("The server does not answer."); });  // of the class that is there
-    QCOMPARE(matrix()->model()->rowCount(), 12);
-    m_page->findChild<QComboBox*>("classChooser")->setCurrentIndex(1);
-    QCOMPARE(matrix()->model()->rowCount(), 0);
-    QVERIFY(words->isVisible());
-    m_page->refuse([] { return QString("The server does not answer."); });
-    QVERIFY2(words->text().startsWith("The server does not answer. F5"), qPrintable(words->text()));
-    m_page->readAgain();
-    QVERIFY(!words->text().contains("does not answer"));
-    // Others practise at other computers: it is read again when it is shown again.
-    QSignalSpy wanted(m_page, &ClassPage::classChosen);
-    m_page->hide();
-    m_page->show();
-    QCOMPARE(wanted.count(), 1);
-}
-
-/// Overdue or out of attempts, and not passed; before being stuck and being late, which they may be as well.
-void TestClassPage::whoIsLateNeedsTheTeacher()
-{
-    ClassOverview shown = overview(6, 2);
-    shown.cells[0][0] = {3, 530, false, "2026-11-18T08:00:00Z"};  // stuck
-    shown.cells[3][0] = {3, 749, false, "2026-11-18T08:00:00Z"};
-    shown.cells[4][0] = {1, 800, true, "2026-11-18T08:00:00Z"};
-    shown.cells[5][0] = {2, 600, false, "2026-11-18T08:00:00Z"};
-    m_page->setOverview(shown, kNow);
-    m_page->setAssignments({{1, {7}, "lesson-10", "2026-11-19T23:59:59Z", 3},
-                            {2, {7}, "lesson-11", "2026-11-27T23:59:59Z", 0},
-                            {3, {8}, "lesson-11", "2026-11-01T23:59:59Z", 0}});
-    const QStringList expected{"out of tries", "no login", "late", "out of tries", "Student 1005", "late"};
-    for (int row = 0; row < expected.size(); ++row)
-        QVERIFY2(name(row).contains(expected[row]), qPrintable(name(row)));
-    QCOMPARE(cell(3, 1), QString("74"));  // not passed is not rounded up
-    const auto tip = [this](int row) { return matrix()->model()->index(row, 1).data(Qt::ToolTipRole).toString(); };
-    QVERIFY2(tip(3).contains("no attempts left"), qPrintable(tip(3)));
-    QVERIFY2(tip(5).contains("overdue"), qPrintable(tip(5)));
-    QVERIFY(matrix()->model()->headerData(2, Qt::Horizontal).toString().endsWith("due 27 Nov"));
-    button("2 out of tries")->click();
-    QCOMPARE(matrix()->model()->rowCount(), 2);
-    button("5 late")->click();  // all but the one who has passed
-    QCOMPARE(matrix()->model()->rowCount(), 5);
-}
-
-/// An exam that was begun is an attempt; and another class of his may be allowed more.
-void TestClassPage::anExamWithoutAScoreIsSeen()
-{
-    ClassOverview shown = overview(6, 1);
-    for (const std::size_t student : {3U, 4U, 5U}) {
-        shown.cells[student][0] = {};
-        shown.cells[student][0].withoutScore = 1;
-    }
-    shown.cells[4][0].limitElsewhere = 2;
-    shown.cells[5][0].limitElsewhere = 0;
-    m_page->setOverview(shown, kNow);
-    m_page->setAssignments({{1, {7}, "lesson-10", "", 1}});
-    QVERIFY2(name(3).contains("out of tries"), qPrintable(name(3)));
-    QVERIFY(!name(4).contains("out of tries") && !name(5).contains("out of tries"));
-    const auto tip = [this](int row) { return matrix()->model()->index(row, 1).data(Qt::ToolTipRole).toString(); };
-    QVERIFY2(tip(3).contains("begun") && tip(3).contains("no attempts left"), qPrintable(tip(3)));
-    QVERIFY2(tip(4).contains("begun") && !tip(4).contains("no attempts left"), qPrintable(tip(4)));
-    // One that may go on still has not used it up; nobody tells when it is broken off.
-    shown.cells[3][0].begunUtc = "2026-11-20T11:20:00Z";
-    m_page->setOverview(shown, kNow);
-    m_page->setAssignments({{1, {7}, "lesson-10", "", 1}});
-    QVERIFY2(!name(3).contains("out of tries"), qPrintable(name(3)));
-    QVERIFY2(tip(3).contains("begun") && !tip(3).contains("no attempts left"), qPrintable(tip(3)));
-    shown.cells[3][0].begunUtc = "2026-11-20T08:20:00Z";
-    m_page->setOverview(shown, kNow);
-    m_page->setAssignments({{1, {7}, "lesson-10", "", 1}});
-    QVERIFY2(name(3).contains("out of tries"), qPrintable(name(3)));
-    // His attempts say when it was begun.
-    QSignalSpy wanted(m_page, &ClassPage::attemptsWanted);
-    matrix()->setCurrentIndex(matrix()->model()->index(3, 1));
-    QTest::keyClick(matrix(), Qt::Key_Return);
-    QCOMPARE(wanted.count(), 1);
-    QCOMPARE(wanted[0][0].toLongLong(), 103);
-}
-
-/// He comes no more: he is listed and called so, and counts nowhere.
-void TestClassPage::whoIsDisabledNeedsNobody()
-{
-    ClassOverview shown = overview(6, 2);
-    shown.cells[4][0] = {1, 600, false, "2026-11-18T08:00:00Z"};
-    const auto show = [&] {
-        m_page->setOverview(shown, kNow);
-        m_page->setAssignments({{1, {7}, "lesson-10", "2026-11-19T23:59:59Z", 1}});
-        return m_page->findChild<QComboBox*>("lessonChooser")->itemText(0);
-    };
-    const QString before = show();
-    QVERIFY2(name(0).contains("out of tries") && name(4).contains("out of tries"), qPrintable(name(4)));
-    for (const std::size_t student : {0U, 1U, 4U})
-        shown.students[student].isDisabled = true;
-    const QString after = show();
-    QVERIFY2(before.contains(" of 4 passed") && after.contains(" of 2 passed"), qPrintable(before + after));
-    for (const int row : {0, 1, 4}) {
-        QVERIFY2(name(row).endsWith("– disabled"), qPrintable(name(row)));
-        const QString tip = matrix()->model()->index(row, 1).data(Qt::ToolTipRole).toString();
-        QVERIFY2(!tip.contains("overdue") && !tip.contains("no attempts left"), qPrintable(tip));
-    }
-    QVERIFY2(m_page->findChild<QLabel*>("needs")->text().startsWith("2 "),
-             qPrintable(m_page->findChild<QLabel*>("needs")->text()));
-    QCOMPARE(m_page->table().rows.size(), qsizetype{6});
-}
-
-void TestClassPage::theMatrixSortsByValueAndEmptyCellsComeLast()
-{
-    for (const auto order : {Qt::AscendingOrder, Qt::DescendingOrder}) {
-        matrix()->sortByColumn(1, order);
-        QStringList scores;
-        for (int row = 0; row < 12; ++row)
-            scores << cell(row, 1);
-        const auto firstEmpty = std::find(scores.begin(), scores.end(), "–");
-        QVERIFY(std::all_of(firstEmpty, scores.end(), [](const QString& one) { return one == "–"; }));
-        QVERIFY(firstEmpty != scores.end());
-        QVERIFY(std::is_sorted(scores.begin(), firstEmpty, [order](const QString& a, const QString& b) {
-            return order == Qt::AscendingOrder ? a.toInt() < b.toInt() : a.toInt() > b.toInt();
-        }));
-    }
-    matrix()->sortByColumn(0, Qt::DescendingOrder);
-    QCOMPARE(cell(0, 0), QString("today"));
-    QCOMPARE(cell(11, 0), QString("–"));
-    // The third click on a head is by name again.
-    QHeaderView* heads = matrix()->horizontalHeader();
-    const QPoint at(heads->sectionViewportPosition(1) + 20, 20);
-    for (int k = 0; k < 3; ++k)
-        QTest::mouseClick(heads->viewport(), Qt::LeftButton, {}, at);
-    QCOMPARE(name(11), QString("Student 1012"));
-}
-
-void TestClassPage::aCellOpensTheAttempts()
-{
-    QSignalSpy wanted(m_page, &ClassPage::attemptsWanted);
-    QSignalSpy student(m_page, &ClassPage::studentWanted);
-    const auto click = [&](int row, int column) {
-        const QModelIndex index = matrix()->model()->index(row, column);
-        QTest::mouseClick(matrix()->viewport(), Qt::LeftButton, {}, matrix()->visualRect(index).center());
-    };
-    click(3, 1);
-    QCOMPARE(wanted.count(), 1);
-    QCOMPARE(wanted[0], (QVariantList{qint64{103}, "lesson-10"}));
-    click(4, 1);  // not tried
-    click(1, 1);  // never came
-    QCOMPARE(wanted.count(), 1);
-    click(3, 0);
-    click(1, 0);
-    QCOMPARE(student.count(), 1);
-    // With the keys, too.
-    matrix()->setCurrentIndex(matrix()->model()->index(2, 1));
-    matrix()->setFocus();
-    for (const Qt::Key key : {Qt::Key_Down, Qt::Key_Right, Qt::Key_Return})
-        QTest::keyClick(matrix(), key);
-    QCOMPARE(wanted.count(), 2);
-    QCOMPARE(wanted[1], (QVariantList{qint64{103}, "lesson-11"}));
-    QCOMPARE(m_page->chosenLesson(), QString("lesson-11"));
-}
-
-void TestClassPage::aLessonIsChosen()
-{
-    QSignalSpy chosen(m_page, &ClassPage::lessonChosen);
-    QCOMPARE(m_page->chosenLesson(), QString("lesson-10"));
-    m_page->findChild<QComboBox*>("lessonChooser")->setCurrentIndex(1);
-    QCOMPARE(chosen.count(), 1);
-    QCOMPARE(chosen[0][0].toString(), QString("lesson-11"));
-    m_page->setOverview(overview(12, 6), kNow);  // asked again: the same lesson
-    QCOMPARE(m_page->chosenLesson(), QString("lesson-11"));
-    QSignalSpy classes(m_page, &ClassPage::classChosen);
-    m_page->findChild<QComboBox*>("classChooser")->setCurrentIndex(1);
-    QCOMPARE(classes.count(), 1);
-    QCOMPARE(classes[0][0].toLongLong(), 8);
-    ClassOverview other = overview(4, 6);
-    other.id = {8};
-    m_page->setOverview(other, kNow);  // to be compared
-    QCOMPARE(m_page->chosenLesson(), QString("lesson-11"));
-}
-
-/// Ten columns of ten points: a score on the border is in the upper one, and all points are in the last.
-void TestClassPage::eachBestScoreIsInItsColumn()
-{
-    const auto isTold = [this](const char* name) {
-        return !ui::charts::stopsOf(m_page->findChild<ChartPanel*>(name)->chart()).isEmpty();
-    };
-    for (const int people : {4, 5}) {  // nothing is told of fewer than five
-        m_page->setResults(results(people), 750, {{"depth", "Pulpal floor"}});
-        for (const char* name : {"distribution", "learning", "difficulty"})
-            QCOMPARE(isTold(name), people == 5);
-    }
-    const auto bars = std::get<ui::charts::Bars>(m_page->findChild<ChartPanel*>("difficulty")->chart().content).bars;
-    QCOMPARE(bars[0].words, QString("Pulpal floor: the class loses 42 % of its points"));
-    LessonResults eight = results(8);
-    eight.bestTenths = {0, 99, 100, 499, 500, 750, 999, 1000};
-    eight.curve = {{1, 8, 325, 505, 719}, {2, 6, 520, 640, 700}};
-    m_page->setResults(eight, 750, {});
-    QList<int> counts;
-    const auto chart = m_page->findChild<ChartPanel*>("distribution")->chart();
-    for (const auto& bin : std::get<ui::charts::Histogram>(chart.content).bins)
-        counts << bin.count;
-    QCOMPARE(counts, (QList<int>{2, 1, 0, 0, 1, 1, 0, 1, 0, 2}));
-    // The learning curve: what half and the middle half of them reached, attempt by attempt.
-    const auto learning = m_page->findChild<ChartPanel*>("learning")->chart();
-    const auto& slices = std::get<ui::charts::Curve>(learning.content).band.slices;
-    QCOMPARE(slices.size(), 2);
-    QCOMPARE((QList<double>{slices[0].low, slices[0].middle, slices[0].high, slices[1].middle}),
-             (QList<double>{32.5, 50.5, 71.9, 64.0}));
-    // An answer about another lesson comes too late.
-    m_page->findChild<QComboBox*>("lessonChooser")->setCurrentIndex(1);
-    m_page->setResults(results(23), 750, {});
-    QVERIFY(!isTold("distribution"));
-}
-
-void TestClassPage::theTableIsSaved()
-{
-    const QTemporaryDir folder;
-    ClassOverview odd = overview(12, 2);
-    odd.students[3].fullName = "=HYPERLINK(\"x\")";
-    m_page->setOverview(odd, kNow);
-    QVERIFY(m_page->saveTable(folder.filePath("class.csv")));
-    QFile file(folder.filePath("class.csv"));
-    QVERIFY(file.open(QIODevice::ReadOnly));
-    const QList<QByteArray> lines = file.readAll().split('\n');
-    QCOMPARE(lines.size(), 14);
-    QCOMPARE(lines[1].trimmed(),
-             QByteArray("s-1001,Student 1001,stuck,2026-11-19T08:00:00Z,2026-11-20T12:00:00Z,33,1,0,39.1,1,0"));
-    QVERIFY(lines[4].contains("\"'=HYPERLINK"));
-    QCOMPARE(m_page->findChild<QLabel*>("said")->text(), "Saved: " + folder.filePath("class.csv"));
-    QVERIFY(!m_page->saveTable("/nowhere/at/all.csv"));
-}
-
-void TestClassPage::everyControlHasAName()
-{
-    for (QWidget* widget : m_page->findChildren<QWidget*>())
-        if (widget->focusPolicy() != Qt::NoFocus && widget->isVisible() && !widget->inherits("QAbstractScrollArea") &&
-            widget->parentWidget() != nullptr && !widget->parentWidget()->inherits("QAbstractItemView"))
-            QVERIFY2(!widget->accessibleName().isEmpty(),
-                     qPrintable(QString("%1 %2").arg(widget->metaObject()->className(), widget->objectName())));
-}
 
 QTEST_MAIN(TestClassPage)
 #include "tst_class_page.moc"

@@ -46,125 +46,121 @@ class TestFileDialog : public QObject
 {
     Q_OBJECT
 private slots:
-    void looksAtNamesOnly();
-    void beginsWhereTheLastFileWasSaved();
-    void replacesNothingOfAnotherKind();
-    void tellsDatesAndSizesInTheProgramsLanguage();
-};
-
-void TestFileDialog::looksAtNamesOnly()
-{
-    QTemporaryDir folder;
-    const QString path = folder.filePath("school.sqlite");
-    QFile made(path);
-    QVERIFY(made.open(QIODevice::WriteOnly));
-    made.write("SQLite format 3");
-    made.close();
-    QVERIFY(QDir(folder.path()).mkdir("other"));
-    const int file = open(QFile::encodeName(path).constData(), O_RDWR);
-    struct flock lock
-    {};
-    lock.l_type = F_RDLCK;
-    lock.l_whence = SEEK_SET;
-    QCOMPARE(fcntl(file, F_SETLK, &lock), 0);
-    QVERIFY(isLockedForOthers(path));
-    ui::shell::FileDialog dialog(nullptr, "Choose", folder.path());
-    dialog.setAttribute(Qt::WA_DeleteOnClose, false);
-    dialog.setViewMode(QFileDialog::Detail);  // which tells what kind of file it is
-    dialog.show();
-    auto* model = dialog.findChild<QFileSystemModel*>();
-    QVERIFY(model != nullptr);
-    QTRY_COMPARE(model->rowCount(model->index(folder.path())), 2);
-    QTRY_VERIFY(!model->index(path).siblingAtColumn(2).data().toString().isEmpty());
-    // The dialog has looked at all it will look at when it has told of a file that came later.
-    QFile later(folder.filePath("later.sqlite"));
-    QVERIFY(later.open(QIODevice::WriteOnly) && later.write("SQLite format 3") > 0);
-    later.close();
-    QTRY_COMPARE(model->rowCount(model->index(folder.path())), 3);
-    QTRY_VERIFY(!model->index(later.fileName()).siblingAtColumn(2).data().toString().isEmpty());
-    QVERIFY(isLockedForOthers(path));
-    close(file);
-    QVERIFY(!isLockedForOthers(path));
-}
-
-void TestFileDialog::beginsWhereTheLastFileWasSaved()
-{
-    const QTemporaryDir settings, documents, stick;
-    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
-    const auto ask = [&] {
-        auto dialog = std::make_unique<ui::shell::FileDialog>(nullptr, "Save", documents.path(), "Tables (*.csv)");
-        dialog->setAttribute(Qt::WA_DeleteOnClose, false);
-        dialog->askWhere("Time: Decay/36", "csv");
-        return dialog;
-    };
-    const auto first = ask();
-    QCOMPARE(first->selectedFiles(), QStringList{documents.filePath("Time Decay 36.csv")});
-    first->selectFile(stick.filePath("mine.csv"));
-    static_cast<QDialog*>(first.get())->accept();
-    const auto second = ask();
-    QCOMPARE(second->selectedFiles(), QStringList{stick.filePath("Time Decay 36.csv")});
-    second->reject();
-    QVERIFY(QDir(stick.path()).removeRecursively());  // pulled out meanwhile
-    QCOMPARE(ask()->selectedFiles(), QStringList{documents.filePath("Time Decay 36.csv")});
-}
-
-/// Nor through a link; and a new file, or one of the kind that is saved, is taken.
-void TestFileDialog::replacesNothingOfAnotherKind()
-{
-    const QTemporaryDir settings, folder;
-    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
-    for (const char* name : {"school.sqlite", "old.csv"}) {
-        QFile made(folder.filePath(name));
+    void looksAtNamesOnly()
+    {
+        QTemporaryDir folder;
+        const QString path = folder.filePath("school.sqlite");
+        QFile made(path);
         QVERIFY(made.open(QIODevice::WriteOnly));
-    }
-    QVERIFY(QFile::link(folder.filePath("school.sqlite"), folder.filePath("link.csv")));
-    const auto isTaken = [&](const QString& name) {
-        ui::shell::FileDialog dialog(nullptr, "Save", folder.path(), "Tables (*.csv)");
-        dialog.setAttribute(Qt::WA_DeleteOnClose, false);
-        dialog.setOption(QFileDialog::DontConfirmOverwrite);
-        QStringList chosen;
-        connect(&dialog, &QFileDialog::fileSelected, this, [&chosen](const QString& path) { chosen << path; });
-        dialog.askWhere("table", "csv");
-        dialog.selectFile(folder.filePath(name));
-        static_cast<QDialog*>(&dialog)->accept();
-        const auto* refusal = dialog.findChild<QLabel*>("refusal");
-        if (chosen.isEmpty() && (!dialog.isVisible() || !refusal->isVisible() || !refusal->text().contains("sqlite")))
-            QTest::qFail("it does not say why", __FILE__, __LINE__);
-        return !chosen.isEmpty();
-    };
-    QVERIFY(!isTaken("school.sqlite"));
-    QVERIFY(!isTaken("link.csv"));
-    QVERIFY(isTaken("old.csv"));
-    QVERIFY(isTaken("new.csv"));
-}
-
-void TestFileDialog::tellsDatesAndSizesInTheProgramsLanguage()
-{
-    QTemporaryDir folder;
-    QFile made(folder.filePath("a.csv"));
-    QVERIFY(made.open(QIODevice::WriteOnly) && made.write(QByteArray(1500, 'a')) == 1500 && made.flush());
-    QVERIFY(made.setFileTime(QDateTime({2026, 3, 9}, {14, 5}), QFileDevice::FileModificationTime));
-    made.close();
-    QVERIFY(QDir(folder.path()).mkdir("other"));
-    const QLocale before;
-    for (const auto& [locale, size, date] :
-         {std::tuple("de", "1,46 KiB", "09.03.26 14:05"), std::tuple("ja", "1.46 KiB", "2026/03/09 14:05")}) {
-        QLocale::setDefault(QLocale(QString(locale)));
+        made.write("SQLite format 3");
+        made.close();
+        QVERIFY(QDir(folder.path()).mkdir("other"));
+        const int file = open(QFile::encodeName(path).constData(), O_RDWR);
+        struct flock lock
+        {};
+        lock.l_type = F_RDLCK;
+        lock.l_whence = SEEK_SET;
+        QCOMPARE(fcntl(file, F_SETLK, &lock), 0);
+        QVERIFY(isLockedForOthers(path));
         ui::shell::FileDialog dialog(nullptr, "Choose", folder.path());
         dialog.setAttribute(Qt::WA_DeleteOnClose, false);
-        dialog.setViewMode(QFileDialog::Detail);
+        dialog.setViewMode(QFileDialog::Detail);  // which tells what kind of file it is
         dialog.show();
-        const auto* view = dialog.findChild<QTreeView*>("treeView");
-        const auto cell = [view](int row, int column) {
-            return view->model()->index(row, column, view->rootIndex()).data().toString();
-        };
-        QTRY_COMPARE(cell(1, 0), QString("a.csv"));
-        QTRY_COMPARE(cell(1, 1), QString(size));
-        QCOMPARE(cell(1, 3), QString(date));
-        QCOMPARE(cell(0, 1), QString());  // a folder's
+        auto* model = dialog.findChild<QFileSystemModel*>();
+        QVERIFY(model != nullptr);
+        QTRY_COMPARE(model->rowCount(model->index(folder.path())), 2);
+        QTRY_VERIFY(!model->index(path).siblingAtColumn(2).data().toString().isEmpty());
+        // The dialog has looked at all it will look at when it has told of a file that came later.
+        QFile later(folder.filePath("later.sqlite"));
+        QVERIFY(later.open(QIODevice::WriteOnly) && later.write("SQLite format 3") > 0);
+        later.close();
+        QTRY_COMPARE(model->rowCount(model->index(folder.path())), 3);
+        QTRY_VERIFY(!model->index(later.fileName()).siblingAtColumn(2).data().toString().isEmpty());
+        QVERIFY(isLockedForOthers(path));
+        close(file);
+        QVERIFY(!isLockedForOthers(path));
     }
-    QLocale::setDefault(before);
-}
+
+    void beginsWhereTheLastFileWasSaved()
+    {
+        const QTemporaryDir settings, documents, stick;
+        QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
+        const auto ask = [&] {
+            auto dialog = std::make_unique<ui::shell::FileDialog>(nullptr, "Save", documents.path(), "Tables (*.csv)");
+            dialog->setAttribute(Qt::WA_DeleteOnClose, false);
+            dialog->askWhere("Time: Decay/36", "csv");
+            return dialog;
+        };
+        const auto first = ask();
+        QCOMPARE(first->selectedFiles(), QStringList{documents.filePath("Time Decay 36.csv")});
+        first->selectFile(stick.filePath("mine.csv"));
+        static_cast<QDialog*>(first.get())->accept();
+        const auto second = ask();
+        QCOMPARE(second->selectedFiles(), QStringList{stick.filePath("Time Decay 36.csv")});
+        second->reject();
+        QVERIFY(QDir(stick.path()).removeRecursively());  // pulled out meanwhile
+        QCOMPARE(ask()->selectedFiles(), QStringList{documents.filePath("Time Decay 36.csv")});
+    }
+
+    /// Nor through a link; and a new file, or one of the kind that is saved, is taken.
+    void replacesNothingOfAnotherKind()
+    {
+        const QTemporaryDir settings, folder;
+        QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
+        for (const char* name : {"school.sqlite", "old.csv"}) {
+            QFile made(folder.filePath(name));
+            QVERIFY(made.open(QIODevice::WriteOnly));
+        }
+        QVERIFY(QFile::link(folder.filePath("school.sqlite"), folder.filePath("link.csv")));
+        const auto isTaken = [&](const QString& name) {
+            ui::shell::FileDialog dialog(nullptr, "Save", folder.path(), "Tables (*.csv)");
+            dialog.setAttribute(Qt::WA_DeleteOnClose, false);
+            dialog.setOption(QFileDialog::DontConfirmOverwrite);
+            QStringList chosen;
+            connect(&dialog, &QFileDialog::fileSelected, this, [&chosen](const QString& path) { chosen << path; });
+            dialog.askWhere("table", "csv");
+            dialog.selectFile(folder.filePath(name));
+            static_cast<QDialog*>(&dialog)->accept();
+            const auto* refusal = dialog.findChild<QLabel*>("refusal");
+            if (chosen.isEmpty() &&
+                (!dialog.isVisible() || !refusal->isVisible() || !refusal->text().contains("sqlite")))
+                QTest::qFail("it does not say why", __FILE__, __LINE__);
+            return !chosen.isEmpty();
+        };
+        QVERIFY(!isTaken("school.sqlite"));
+        QVERIFY(!isTaken("link.csv"));
+        QVERIFY(isTaken("old.csv"));
+        QVERIFY(isTaken("new.csv"));
+    }
+
+    void tellsDatesAndSizesInTheProgramsLanguage()
+    {
+        QTemporaryDir folder;
+        QFile made(folder.filePath("a.csv"));
+        QVERIFY(made.open(QIODevice::WriteOnly) && made.write(QByteArray(1500, 'a')) == 1500 && made.flush());
+        QVERIFY(made.setFileTime(QDateTime({2026, 3, 9}, {14, 5}), QFileDevice::FileModificationTime));
+        made.close();
+        QVERIFY(QDir(folder.path()).mkdir("other"));
+        const QLocale before;
+        for (const auto& [locale, size, date] :
+             {std::tuple("de", "1,46 KiB", "09.03.26 14:05"), std::tuple("ja", "1.46 KiB", "2026/03/09 14:05")}) {
+            QLocale::setDefault(QLocale(QString(locale)));
+            ui::shell::FileDialog dialog(nullptr, "Choose", folder.path());
+            dialog.setAttribute(Qt::WA_DeleteOnClose, false);
+            dialog.setViewMode(QFileDialog::Detail);
+            dialog.show();
+            const auto* view = dialog.findChild<QTreeView*>("treeView");
+            const auto cell = [view](int row, int column) {
+                return view->model()->index(row, column, view->rootIndex()).data().toString();
+            };
+            QTRY_COMPARE(cell(1, 0), QString("a.csv"));
+            QTRY_COMPARE(cell(1, 1), QString(size));
+            QCOMPARE(cell(1, 3), QString(date));
+            QCOMPARE(cell(0, 1), QString());  // a folder's
+        }
+        QLocale::setDefault(before);
+    }
+};
 
 QTEST_MAIN(TestFileDialog)
 #include "tst_file_dialog.moc"

@@ -11,16 +11,6 @@ using core::session::MomentId;
 using ui::replay::HistoryRow;
 using ui::replay::historyRows;
 
-class TestHistoryGraph : public QObject
-{
-    Q_OBJECT
-private slots:
-    void branchesLieBesideEachOther();
-    void aLaneIsTakenAgain();
-    void noTwoLinesMeetInAnyTree();
-    void whatCameOffIsSinceTheParent();
-};
-
 namespace {
 
 std::vector<MomentInfo> tree(const std::vector<std::uint64_t>& parents)
@@ -41,71 +31,76 @@ QList<int> lanes(const std::vector<HistoryRow>& rows)
 
 }  // namespace
 
-void TestHistoryGraph::branchesLieBesideEachOther()
+class TestHistoryGraph : public QObject
 {
-    // 1 - 2 - 3; 2 - 4 - 5; 2 - 6
-    const auto rows = historyRows(tree({0, 1, 2, 2, 4, 2}));
-    QCOMPARE(lanes(rows), (QList<int>{0, 0, 0, 1, 1, 2}));
-    QCOMPARE(rows[5].parent, 1);
-    QVERIFY(rows[0].fromAbove.empty());
-    QCOMPARE(rows[1].toBelow, (std::vector<int>{0, 1, 2}));
-    QCOMPARE(rows[2].toBelow, (std::vector<int>{1, 2}));
-    QCOMPARE(rows[5].fromAbove, (std::vector<int>{2}));
-    QVERIFY(rows[5].toBelow.empty());
-}
+    Q_OBJECT
+private slots:
+    void branchesLieBesideEachOther()
+    {
+        // 1 - 2 - 3; 2 - 4 - 5; 2 - 6
+        const auto rows = historyRows(tree({0, 1, 2, 2, 4, 2}));
+        QCOMPARE(lanes(rows), (QList<int>{0, 0, 0, 1, 1, 2}));
+        QCOMPARE(rows[5].parent, 1);
+        QVERIFY(rows[0].fromAbove.empty());
+        QCOMPARE(rows[1].toBelow, (std::vector<int>{0, 1, 2}));
+        QCOMPARE(rows[2].toBelow, (std::vector<int>{1, 2}));
+        QCOMPARE(rows[5].fromAbove, (std::vector<int>{2}));
+        QVERIFY(rows[5].toBelow.empty());
+    }
 
-void TestHistoryGraph::aLaneIsTakenAgain()
-{
-    // The branch off 1 ends before the one off 3 begins.
-    QCOMPARE(lanes(historyRows(tree({0, 1, 1, 2, 4, 4}))), (QList<int>{0, 0, 1, 0, 0, 1}));
-}
+    void aLaneIsTakenAgain()
+    {
+        // The branch off 1 ends before the one off 3 begins.
+        QCOMPARE(lanes(historyRows(tree({0, 1, 1, 2, 4, 4}))), (QList<int>{0, 0, 1, 0, 0, 1}));
+    }
 
-void TestHistoryGraph::noTwoLinesMeetInAnyTree()
-{
-    core::Rng rng(5);
-    for (int trial = 0; trial < 300; ++trial) {
-        std::vector<std::uint64_t> parents{0};
-        while (parents.size() < 60)
-            parents.push_back(static_cast<std::uint64_t>(rng.below(3) == 0
-                                                             ? 1 + rng.below(static_cast<int>(parents.size()))
-                                                             : static_cast<int>(parents.size())));
-        const auto rows = historyRows(tree(parents));
-        for (std::size_t n = 0; n < rows.size(); ++n) {
-            for (const auto* lines : {&rows[n].fromAbove, &rows[n].toBelow})
-                QCOMPARE(std::set<int>(lines->begin(), lines->end()).size(), lines->size());
-            // A line that leaves a row arrives at the next.
-            const std::set<int> below(rows[n].toBelow.begin(), rows[n].toBelow.end());
-            if (n + 1 < rows.size())
-                QCOMPARE(below, std::set<int>(rows[n + 1].fromAbove.begin(), rows[n + 1].fromAbove.end()));
-            else
-                QVERIFY(below.empty());
-            if (n == 0)
-                continue;
-            // Each moment hangs on its parent: its lane runs from there to it.
-            const auto parent = static_cast<std::size_t>(rows[n].parent);
-            QCOMPARE(rows[n].parent, static_cast<int>(parents[n]) - 1);
-            for (std::size_t row = parent; row < n; ++row)
-                QVERIFY(std::find(rows[row].toBelow.begin(), rows[row].toBelow.end(), rows[n].lane) !=
-                        rows[row].toBelow.end());
-            // And nobody else stands in that lane between.
-            for (std::size_t row = parent + 1; row < n; ++row)
-                QVERIFY(rows[row].lane != rows[n].lane);
+    void noTwoLinesMeetInAnyTree()
+    {
+        core::Rng rng(5);
+        for (int trial = 0; trial < 300; ++trial) {
+            std::vector<std::uint64_t> parents{0};
+            while (parents.size() < 60)
+                parents.push_back(static_cast<std::uint64_t>(rng.below(3) == 0
+                                                                 ? 1 + rng.below(static_cast<int>(parents.size()))
+                                                                 : static_cast<int>(parents.size())));
+            const auto rows = historyRows(tree(parents));
+            for (std::size_t n = 0; n < rows.size(); ++n) {
+                for (const auto* lines : {&rows[n].fromAbove, &rows[n].toBelow})
+                    QCOMPARE(std::set<int>(lines->begin(), lines->end()).size(), lines->size());
+                // A line that leaves a row arrives at the next.
+                const std::set<int> below(rows[n].toBelow.begin(), rows[n].toBelow.end());
+                if (n + 1 < rows.size())
+                    QCOMPARE(below, std::set<int>(rows[n + 1].fromAbove.begin(), rows[n + 1].fromAbove.end()));
+                else
+                    QVERIFY(below.empty());
+                if (n == 0)
+                    continue;
+                // Each moment hangs on its parent: its lane runs from there to it.
+                const auto parent = static_cast<std::size_t>(rows[n].parent);
+                QCOMPARE(rows[n].parent, static_cast<int>(parents[n]) - 1);
+                for (std::size_t row = parent; row < n; ++row)
+                    QVERIFY(std::find(rows[row].toBelow.begin(), rows[row].toBelow.end(), rows[n].lane) !=
+                            rows[row].toBelow.end());
+                // And nobody else stands in that lane between.
+                for (std::size_t row = parent + 1; row < n; ++row)
+                    QVERIFY(rows[row].lane != rows[n].lane);
+            }
         }
     }
-}
 
-void TestHistoryGraph::whatCameOffIsSinceTheParent()
-{
-    auto moments = tree({0, 1, 2, 2});
-    moments[1].removed.volumesMm3 = {0.0, 0.5, 0.0, 0.0};
-    moments[2].removed.volumesMm3 = {0.0, 0.75, 0.0, 0.0};
-    moments[3].removed.volumesMm3 = {0.25, 0.5, 0.0, 0.0};
-    const auto rows = historyRows(moments);
-    QCOMPARE(rows[2].takenMm3[1], 0.25);
-    QCOMPARE(rows[3].takenMm3[0], 0.25);
-    QCOMPARE(rows[3].takenMm3[1], 0.0);
-    QVERIFY(historyRows({}).empty());
-}
+    void whatCameOffIsSinceTheParent()
+    {
+        auto moments = tree({0, 1, 2, 2});
+        moments[1].removed.volumesMm3 = {0.0, 0.5, 0.0, 0.0};
+        moments[2].removed.volumesMm3 = {0.0, 0.75, 0.0, 0.0};
+        moments[3].removed.volumesMm3 = {0.25, 0.5, 0.0, 0.0};
+        const auto rows = historyRows(moments);
+        QCOMPARE(rows[2].takenMm3[1], 0.25);
+        QCOMPARE(rows[3].takenMm3[0], 0.25);
+        QCOMPARE(rows[3].takenMm3[1], 0.0);
+        QVERIFY(historyRows({}).empty());
+    }
+};
 
 QTEST_APPLESS_MAIN(TestHistoryGraph)
 #include "tst_history_graph.moc"

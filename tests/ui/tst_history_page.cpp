@@ -60,18 +60,212 @@ class TestHistoryPage : public QObject
 {
     Q_OBJECT
 private slots:
-    void initTestCase();
-    void init();
-    void theNewestIsFirstAndChosen();
-    void aLessonFiltersListAndCharts();
-    void aTableOfSeveralLessonsNamesThem();
-    void listsAreSortedByKeys();
-    void theBandNeedsFivePeople();
-    void anAttemptOpens();
-    void anInstructorsScoreCounts();
-    void whatCostMostIsFirstThoughItHasNoWeight();
-    void aCriterionIsCalledAsItsLessonSays();
-    void everyControlHasAName();
+    void initTestCase()
+    {
+        QLocale::setDefault(QLocale("en_GB"));
+        ui::shell::applyTheme(*qApp, ui::shell::ThemeChoice::Light);
+    }
+
+    void init()
+    {
+        m_window = std::make_unique<QWidget>();
+        m_actions = new ui::shell::Actions(m_window.get());
+        m_page = new HistoryPage(*m_actions, m_window.get());
+        const ui::people::CriterionNames names{{"depth", "Pulpal floor"}, {"outline", "Outline"}};
+        m_page->setCriterionNames({{"c1-36", names}, {"decay-26", names}, {"pad-cross", names}});
+        m_page->setLessonTitles({{"c1-36", "Class I on 36"}, {"decay-26", "Decay on 26"}, {"pad-cross", "Pad: cross"}});
+        m_window->resize(1280, 800);
+        m_page->resize(1280, 800);
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+    }
+
+    void theNewestIsFirstAndChosen()
+    {
+        auto* words = m_page->findChild<QLabel*>("emptyWords");
+        m_page->setHistory({});
+        QVERIFY(words->isVisible());
+        m_page->setHistory(attempts(30));
+        QVERIFY(!words->isVisible());
+        QCOMPARE(table()->model()->rowCount(), 30);
+        QCOMPARE(m_page->chosen(), 30);
+        QCOMPARE(cell(0, 1), QString("Pad: cross"));
+        // What is chosen stays.
+        table()->selectRow(7);
+        const auto kept = m_page->chosen();
+        m_page->setHistory(attempts(31));
+        QCOMPARE(m_page->chosen(), kept);
+    }
+
+    void aLessonFiltersListAndCharts()
+    {
+        m_page->setHistory(attempts(1200));
+        QSignalSpy lesson(m_page, &HistoryPage::lessonChosen);
+        auto* combo = m_page->findChild<QComboBox*>("lessonFilter");
+        auto* score = m_page->findChild<ChartPanel*>("scoreChart");
+        QCOMPARE(combo->count(), 4);
+        QCOMPARE(ui::charts::stopsOf(score->chart()).size(), ui::people::kMostCharted);  // the newest
+        combo->setCurrentIndex(1);
+        QCOMPARE(lesson.count(), 1);
+        QCOMPARE(lesson.front().front().toString(), QString("c1-36"));
+        QCOMPARE(table()->model()->rowCount(), 400);
+        QCOMPARE(ui::charts::stopsOf(score->chart()).back().x, 400.0);
+        QCOMPARE(score->chart().of, QString("Class I on 36"));  // told in files
+        m_page->setLesson({});
+        QCOMPARE(table()->model()->rowCount(), 1200);
+    }
+
+    void aTableOfSeveralLessonsNamesThem()
+    {
+        m_page->setLessonTitles({{"c1-36", "Class I"}, {"decay-26", "Decay"}, {"pad-cross", "Cross"}});
+        m_page->setHistory(attempts(3));
+        const auto table = [this] {
+            return ui::charts::tableOf(m_page->findChild<ChartPanel*>("scoreChart")->chart());
+        };
+        QCOMPARE(table().heads.size(), 4);
+        QCOMPARE(table().heads.back(), QString("Lesson"));
+        QStringList lessons;
+        for (const auto& row : table().rows)
+            lessons << std::get<QString>(row.back());
+        lessons.sort();
+        QCOMPARE(lessons, (QStringList{"Class I", "Cross", "Decay"}));
+        m_page->setLesson("decay-26");
+        QCOMPARE(table().heads.size(), 3);
+        for (const auto& row : table().rows)
+            QCOMPARE(row.size(), 3);
+    }
+
+    void listsAreSortedByKeys()
+    {
+        QList<AttemptRecord> some = attempts(9);
+        some[3].durationMs = 3'700'000;  // "1:01:40" is more than "9:59"
+        some[4].scoreTenths = 1000;      // and "100.0" more than "99.0"
+        some[5].meanForceMn = 10'500;
+        m_page->setHistory(some);
+        const auto* heads = table()->horizontalHeader();
+        QCOMPARE(heads->sortIndicatorSection(), 0);
+        for (int column = 1; column <= 5; ++column) {
+            QTest::keyClick(table(), Qt::Key_Right, Qt::AltModifier);
+            QCOMPARE(heads->sortIndicatorSection(), column);
+            QTest::keyClick(table(), Qt::Key_Down, Qt::AltModifier);
+            QCOMPARE(heads->sortIndicatorOrder(), Qt::DescendingOrder);
+            table()->selectRow(0);
+            if (column == 2 || column >= 4)  // by their values
+                QCOMPARE(m_page->chosen(), some[column == 2 ? 4 : column - 1 + (column == 5 ? 1 : 0)].id);
+        }
+        QTest::keyClick(table(), Qt::Key_Up, Qt::AltModifier);
+        QCOMPARE(heads->sortIndicatorOrder(), Qt::AscendingOrder);
+        QTest::keyClick(table(), Qt::Key_Left, Qt::AltModifier);
+        QCOMPARE(heads->sortIndicatorSection(), 4);
+    }
+
+    void theBandNeedsFivePeople()
+    {
+        m_page->setHistory(attempts(30));
+        m_page->setLesson("c1-36");
+        auto* score = m_page->findChild<ChartPanel*>("scoreChart");
+        const auto slices = [&] { return std::get<ui::charts::Curve>(score->chart().content).band.slices.size(); };
+        m_page->setBand(band(4));
+        QCOMPARE(slices(), 0);
+        m_page->setBand(band(5));
+        QCOMPARE(slices(), 8);
+        m_page->setLesson("decay-26");  // it was of the other lesson
+        QCOMPARE(slices(), 0);
+        m_page->setClassMedians(ui::people::ClassMedians{4, 700, 600'000});
+        m_page->findChild<QPushButton*>()->setFocus();
+        for (QPushButton* button : m_page->findChildren<QPushButton*>())
+            if (button->text() == "Speed")
+                button->click();
+        auto* other = m_page->findChild<ChartPanel*>("otherChart");
+        QCOMPARE(std::get<ui::charts::Curve>(other->chart().content).limits.size(), 0);
+        m_page->setClassMedians(ui::people::ClassMedians{5, 700, 600'000});
+        QCOMPARE(std::get<ui::charts::Curve>(other->chart().content).limits.size(), 2);
+    }
+
+    void anAttemptOpens()
+    {
+        m_page->setHistory(attempts(30));
+        QSignalSpy opened(m_page, &HistoryPage::attemptOpenWanted);
+        QSignalSpy replayed(m_page, &HistoryPage::replayWanted);
+        auto* replay = m_page->findChild<QPushButton*>("replayAttempt");
+        table()->setFocus();
+        QTest::keyClick(table(), Qt::Key_Down);
+        QCOMPARE(m_page->chosen(), 29);
+        QTest::keyClick(table(), Qt::Key_Return);
+        QCOMPARE(opened.count(), 1);
+        QCOMPARE(opened.takeFirst().front().toLongLong(), 29);
+        m_page->findChild<QPushButton*>("openAttempt")->click();
+        QCOMPARE(opened.takeFirst().front().toLongLong(), 29);
+        replay->click();
+        QCOMPARE(replayed.front().front().toLongLong(), 29);
+        auto* score = m_page->findChild<ChartPanel*>("scoreChart");
+        score->setFocus();
+        QTest::keyClick(score, Qt::Key_Home);
+        QTest::keyClick(score, Qt::Key_Return);
+        QCOMPARE(opened.takeFirst().front().toLongLong(), 1);
+        // Without a recording there is no replay, but its score sheet.
+        table()->selectRow(29);
+        QVERIFY(!replay->isEnabled() && m_page->findChild<QLabel*>("recordingMissing")->isVisible());
+        QVERIFY(m_page->findChild<QPushButton*>("openAttempt")->isEnabled());
+    }
+
+    void anInstructorsScoreCounts()
+    {
+        QList<AttemptRecord> some = attempts(3);
+        some[0].givenTenths = 885;
+        m_page->setHistory(some);
+        QCOMPARE(cell(0, 2), QString("88.5"));
+        QCOMPARE(cell(0, 3), QString("passed"));
+        QVERIFY(table()->model()->index(0, 2).data(Qt::ToolTipRole).toString().contains("46.0"));
+        QVERIFY(ui::charts::stopsOf(m_page->findChild<ChartPanel*>("scoreChart")->chart())
+                    .back()
+                    .words.endsWith("88.5 points, passed (machine: 46.0)"));
+    }
+
+    void whatCostMostIsFirstThoughItHasNoWeight()
+    {
+        QList<AttemptRecord> some = attempts(3);
+        for (AttemptRecord& one : some)
+            one.criteria = {{"caries_left", 300, 300}, {"pulp_opened", 609, 0}, {"pulp_grazed", 0, 0}};
+        m_page->setHistory(some);
+        const auto bars = std::get<ui::charts::Bars>(m_page->findChild<ChartPanel*>("otherChart")->chart().content);
+        QCOMPARE(bars.bars.size(), 2);  // a limit that was kept costs nothing
+        QCOMPARE(bars.bars[0].value, 60.9);
+        QCOMPARE(bars.bars[1].value, 30.0);
+        QVERIFY2(bars.bars[0].words.endsWith(": 60.9 points lost"), qPrintable(bars.bars[0].words));
+        QCOMPARE(bars.value.high, 100.0);
+    }
+
+    void aCriterionIsCalledAsItsLessonSays()
+    {
+        m_page->setCriterionNames({{"c1-36", {{"left", "Part of the ideal"}, {"walls", "Walls"}}},
+                                   {"decay-26", {{"left", "Part of the opening"}, {"sides", "Walls"}}}});
+        QList<AttemptRecord> some = attempts(2);
+        some[0].criteria = {{"left", 100, 300}, {"sides", 60, 300}};
+        some[1].criteria = {{"left", 200, 300}, {"walls", 40, 300}};
+        QCOMPARE(some[1].lessonId, std::string("c1-36"));
+        m_page->setHistory(some);
+        const auto bars = [this] {
+            return std::get<ui::charts::Bars>(m_page->findChild<ChartPanel*>("otherChart")->chart().content).bars;
+        };
+        QCOMPARE(bars().size(), 3);
+        QCOMPARE(bars()[0].words, QString("Part of the ideal: 20.0 points lost"));
+        QCOMPARE(bars()[1].words, QString("Part of the opening: 10.0 points lost"));
+        QCOMPARE(bars()[2].words, QString("Walls: 5.0 points lost"));  // of two lessons, told once
+        m_page->setLesson("decay-26");
+        QCOMPARE(bars()[0].name, QString("Part of the opening"));
+    }
+
+    void everyControlHasAName()
+    {
+        m_page->setHistory(attempts(5));
+        for (QWidget* widget : m_page->findChildren<QWidget*>())
+            if (widget->focusPolicy() != Qt::NoFocus && widget->isVisible() &&
+                !widget->inherits("QAbstractScrollArea") && widget->parentWidget() != nullptr &&
+                !widget->parentWidget()->inherits("QAbstractItemView"))
+                QVERIFY2(!widget->accessibleName().isEmpty(),
+                         qPrintable(QString("%1 %2").arg(widget->metaObject()->className(), widget->objectName())));
+    }
 
 private:
     QTableView* table() { return m_page->findChild<QTableView*>("attempts"); }
@@ -81,210 +275,6 @@ private:
     ui::shell::Actions* m_actions = nullptr;
     HistoryPage* m_page = nullptr;
 };
-
-void TestHistoryPage::initTestCase()
-{
-    QLocale::setDefault(QLocale("en_GB"));
-    ui::shell::applyTheme(*qApp, ui::shell::ThemeChoice::Light);
-}
-
-void TestHistoryPage::init()
-{
-    m_window = std::make_unique<QWidget>();
-    m_actions = new ui::shell::Actions(m_window.get());
-    m_page = new HistoryPage(*m_actions, m_window.get());
-    const ui::people::CriterionNames names{{"depth", "Pulpal floor"}, {"outline", "Outline"}};
-    m_page->setCriterionNames({{"c1-36", names}, {"decay-26", names}, {"pad-cross", names}});
-    m_page->setLessonTitles({{"c1-36", "Class I on 36"}, {"decay-26", "Decay on 26"}, {"pad-cross", "Pad: cross"}});
-    m_window->resize(1280, 800);
-    m_page->resize(1280, 800);
-    m_window->show();
-    QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
-}
-
-void TestHistoryPage::theNewestIsFirstAndChosen()
-{
-    auto* words = m_page->findChild<QLabel*>("emptyWords");
-    m_page->setHistory({});
-    QVERIFY(words->isVisible());
-    m_page->setHistory(attempts(30));
-    QVERIFY(!words->isVisible());
-    QCOMPARE(table()->model()->rowCount(), 30);
-    QCOMPARE(m_page->chosen(), 30);
-    QCOMPARE(cell(0, 1), QString("Pad: cross"));
-    // What is chosen stays.
-    table()->selectRow(7);
-    const auto kept = m_page->chosen();
-    m_page->setHistory(attempts(31));
-    QCOMPARE(m_page->chosen(), kept);
-}
-
-void TestHistoryPage::aTableOfSeveralLessonsNamesThem()
-{
-    m_page->setLessonTitles({{"c1-36", "Class I"}, {"decay-26", "Decay"}, {"pad-cross", "Cross"}});
-    m_page->setHistory(attempts(3));
-    const auto table = [this] { return ui::charts::tableOf(m_page->findChild<ChartPanel*>("scoreChart")->chart()); };
-    QCOMPARE(table().heads.size(), 4);
-    QCOMPARE(table().heads.back(), QString("Lesson"));
-    QStringList lessons;
-    for (const auto& row : table().rows)
-        lessons << std::get<QString>(row.back());
-    lessons.sort();
-    QCOMPARE(lessons, (QStringList{"Class I", "Cross", "Decay"}));
-    m_page->setLesson("decay-26");
-    QCOMPARE(table().heads.size(), 3);
-    for (const auto& row : table().rows)
-        QCOMPARE(row.size(), 3);
-}
-
-void TestHistoryPage::listsAreSortedByKeys()
-{
-    QList<AttemptRecord> some = attempts(9);
-    some[3].durationMs = 3'700'000;  // "1:01:40" is more than "9:59"
-    some[4].scoreTenths = 1000;      // and "100.0" more than "99.0"
-    some[5].meanForceMn = 10'500;
-    m_page->setHistory(some);
-    const auto* heads = table()->horizontalHeader();
-    QCOMPARE(heads->sortIndicatorSection(), 0);
-    for (int column = 1; column <= 5; ++column) {
-        QTest::keyClick(table(), Qt::Key_Right, Qt::AltModifier);
-        QCOMPARE(heads->sortIndicatorSection(), column);
-        QTest::keyClick(table(), Qt::Key_Down, Qt::AltModifier);
-        QCOMPARE(heads->sortIndicatorOrder(), Qt::DescendingOrder);
-        table()->selectRow(0);
-        if (column == 2 || column >= 4)  // by their values
-            QCOMPARE(m_page->chosen(), some[column == 2 ? 4 : column - 1 + (column == 5 ? 1 : 0)].id);
-    }
-    QTest::keyClick(table(), Qt::Key_Up, Qt::AltModifier);
-    QCOMPARE(heads->sortIndicatorOrder(), Qt::AscendingOrder);
-    QTest::keyClick(table(), Qt::Key_Left, Qt::AltModifier);
-    QCOMPARE(heads->sortIndicatorSection(), 4);
-}
-
-void TestHistoryPage::aLessonFiltersListAndCharts()
-{
-    m_page->setHistory(attempts(1200));
-    QSignalSpy lesson(m_page, &HistoryPage::lessonChosen);
-    auto* combo = m_page->findChild<QComboBox*>("lessonFilter");
-    auto* score = m_page->findChild<ChartPanel*>("scoreChart");
-    QCOMPARE(combo->count(), 4);
-    QCOMPARE(ui::charts::stopsOf(score->chart()).size(), ui::people::kMostCharted);  // the newest
-    combo->setCurrentIndex(1);
-    QCOMPARE(lesson.count(), 1);
-    QCOMPARE(lesson.front().front().toString(), QString("c1-36"));
-    QCOMPARE(table()->model()->rowCount(), 400);
-    QCOMPARE(ui::charts::stopsOf(score->chart()).back().x, 400.0);
-    QCOMPARE(score->chart().of, QString("Class I on 36"));  // told in files
-    m_page->setLesson({});
-    QCOMPARE(table()->model()->rowCount(), 1200);
-}
-
-void TestHistoryPage::theBandNeedsFivePeople()
-{
-    m_page->setHistory(attempts(30));
-    m_page->setLesson("c1-36");
-    auto* score = m_page->findChild<ChartPanel*>("scoreChart");
-    const auto slices = [&] { return std::get<ui::charts::Curve>(score->chart().content).band.slices.size(); };
-    m_page->setBand(band(4));
-    QCOMPARE(slices(), 0);
-    m_page->setBand(band(5));
-    QCOMPARE(slices(), 8);
-    m_page->setLesson("decay-26");  // it was of the other lesson
-    QCOMPARE(slices(), 0);
-    m_page->setClassMedians(ui::people::ClassMedians{4, 700, 600'000});
-    m_page->findChild<QPushButton*>()->setFocus();
-    for (QPushButton* button : m_page->findChildren<QPushButton*>())
-        if (button->text() == "Speed")
-            button->click();
-    auto* other = m_page->findChild<ChartPanel*>("otherChart");
-    QCOMPARE(std::get<ui::charts::Curve>(other->chart().content).limits.size(), 0);
-    m_page->setClassMedians(ui::people::ClassMedians{5, 700, 600'000});
-    QCOMPARE(std::get<ui::charts::Curve>(other->chart().content).limits.size(), 2);
-}
-
-void TestHistoryPage::anAttemptOpens()
-{
-    m_page->setHistory(attempts(30));
-    QSignalSpy opened(m_page, &HistoryPage::attemptOpenWanted);
-    QSignalSpy replayed(m_page, &HistoryPage::replayWanted);
-    auto* replay = m_page->findChild<QPushButton*>("replayAttempt");
-    table()->setFocus();
-    QTest::keyClick(table(), Qt::Key_Down);
-    QCOMPARE(m_page->chosen(), 29);
-    QTest::keyClick(table(), Qt::Key_Return);
-    QCOMPARE(opened.count(), 1);
-    QCOMPARE(opened.takeFirst().front().toLongLong(), 29);
-    m_page->findChild<QPushButton*>("openAttempt")->click();
-    QCOMPARE(opened.takeFirst().front().toLongLong(), 29);
-    replay->click();
-    QCOMPARE(replayed.front().front().toLongLong(), 29);
-    auto* score = m_page->findChild<ChartPanel*>("scoreChart");
-    score->setFocus();
-    QTest::keyClick(score, Qt::Key_Home);
-    QTest::keyClick(score, Qt::Key_Return);
-    QCOMPARE(opened.takeFirst().front().toLongLong(), 1);
-    // Without a recording there is no replay, but its score sheet.
-    table()->selectRow(29);
-    QVERIFY(!replay->isEnabled() && m_page->findChild<QLabel*>("recordingMissing")->isVisible());
-    QVERIFY(m_page->findChild<QPushButton*>("openAttempt")->isEnabled());
-}
-
-void TestHistoryPage::anInstructorsScoreCounts()
-{
-    QList<AttemptRecord> some = attempts(3);
-    some[0].givenTenths = 885;
-    m_page->setHistory(some);
-    QCOMPARE(cell(0, 2), QString("88.5"));
-    QCOMPARE(cell(0, 3), QString("passed"));
-    QVERIFY(table()->model()->index(0, 2).data(Qt::ToolTipRole).toString().contains("46.0"));
-    QVERIFY(ui::charts::stopsOf(m_page->findChild<ChartPanel*>("scoreChart")->chart())
-                .back()
-                .words.endsWith("88.5 points, passed (machine: 46.0)"));
-}
-
-void TestHistoryPage::whatCostMostIsFirstThoughItHasNoWeight()
-{
-    QList<AttemptRecord> some = attempts(3);
-    for (AttemptRecord& one : some)
-        one.criteria = {{"caries_left", 300, 300}, {"pulp_opened", 609, 0}, {"pulp_grazed", 0, 0}};
-    m_page->setHistory(some);
-    const auto bars = std::get<ui::charts::Bars>(m_page->findChild<ChartPanel*>("otherChart")->chart().content);
-    QCOMPARE(bars.bars.size(), 2);  // a limit that was kept costs nothing
-    QCOMPARE(bars.bars[0].value, 60.9);
-    QCOMPARE(bars.bars[1].value, 30.0);
-    QVERIFY2(bars.bars[0].words.endsWith(": 60.9 points lost"), qPrintable(bars.bars[0].words));
-    QCOMPARE(bars.value.high, 100.0);
-}
-
-void TestHistoryPage::aCriterionIsCalledAsItsLessonSays()
-{
-    m_page->setCriterionNames({{"c1-36", {{"left", "Part of the ideal"}, {"walls", "Walls"}}},
-                               {"decay-26", {{"left", "Part of the opening"}, {"sides", "Walls"}}}});
-    QList<AttemptRecord> some = attempts(2);
-    some[0].criteria = {{"left", 100, 300}, {"sides", 60, 300}};
-    some[1].criteria = {{"left", 200, 300}, {"walls", 40, 300}};
-    QCOMPARE(some[1].lessonId, std::string("c1-36"));
-    m_page->setHistory(some);
-    const auto bars = [this] {
-        return std::get<ui::charts::Bars>(m_page->findChild<ChartPanel*>("otherChart")->chart().content).bars;
-    };
-    QCOMPARE(bars().size(), 3);
-    QCOMPARE(bars()[0].words, QString("Part of the ideal: 20.0 points lost"));
-    QCOMPARE(bars()[1].words, QString("Part of the opening: 10.0 points lost"));
-    QCOMPARE(bars()[2].words, QString("Walls: 5.0 points lost"));  // of two lessons, told once
-    m_page->setLesson("decay-26");
-    QCOMPARE(bars()[0].name, QString("Part of the opening"));
-}
-
-void TestHistoryPage::everyControlHasAName()
-{
-    m_page->setHistory(attempts(5));
-    for (QWidget* widget : m_page->findChildren<QWidget*>())
-        if (widget->focusPolicy() != Qt::NoFocus && widget->isVisible() && !widget->inherits("QAbstractScrollArea") &&
-            widget->parentWidget() != nullptr && !widget->parentWidget()->inherits("QAbstractItemView"))
-            QVERIFY2(!widget->accessibleName().isEmpty(),
-                     qPrintable(QString("%1 %2").arg(widget->metaObject()->className(), widget->objectName())));
-}
 
 QTEST_MAIN(TestHistoryPage)
 #include "tst_history_page.moc"

@@ -31,110 +31,102 @@ class TestLessonPicture : public QObject
     Q_OBJECT
 
 private slots:
-    void init();
+    void init()
+    {
+        m_picture = std::make_unique<LessonPicture>(nullptr);
+        m_picture->resize(640, 300);
+    }
+
     void cleanup() { m_picture.reset(); }
-    void eachTaskHasItsPicture();
-    void whatIsFeltIsNotShown();
-    void theIdealIsShownToWhoMaySeeIt();
-    void theLastOfManyIsShown();
-    void aToothThatCannotBeMadeIsSaid();
-    void itMayGoWhileAToothIsMade();
+    void eachTaskHasItsPicture()
+    {
+        QList<QImage> all;
+        for (const char* id : {"orientation-1-touch", "orientation-2-hold", "block-dovetail", "decay-36-small",
+                               "class1-36", "class2-36-distal", "access-36"}) {
+            const QImage drawn = picture(named(id));
+            QVERIFY2(std::none_of(all.begin(), all.end(), [&](const QImage& other) { return alike(other, drawn); }),
+                     id);
+            QVERIFY(m_picture->isVisible());
+            all << drawn;
+        }
+    }
+
+    void whatIsFeltIsNotShown()
+    {
+        picture(named("orientation-2-hold"));
+        m_picture->setLesson(named("orientation-3-layers"));
+        QVERIFY(!m_picture->isVisible() && !m_picture->isReady());
+        m_picture->setLesson(named("class1-36"));
+        QVERIFY(m_picture->isVisible());
+        m_picture->setLesson({});
+        QVERIFY(!m_picture->isVisible());
+    }
+
+    void theIdealIsShownToWhoMaySeeIt()
+    {
+        Lesson lesson = named("class1-36");
+        const QImage told = picture(lesson);
+        lesson.aids.section = false;
+        lesson.hash = "without section";
+        const QImage fromAbove = picture(lesson);
+        lesson.aids.ideal = false;
+        lesson.hash = "without ideal";
+        const QImage bare = picture(lesson);
+        QVERIFY(!alike(told, fromAbove) && !alike(fromAbove, bare));
+        // Of decay nobody is told where it ends, whatever the aids are: it looks as it does without any.
+        Lesson decay = named("decay-36-deep");
+        const QImage withAids = picture(decay);
+        decay.aids = {};
+        decay.aids.ideal = decay.aids.section = false;
+        decay.hash = "without aids";
+        QVERIFY(alike(picture(decay), withAids));
+    }
+
+    void theLastOfManyIsShown()
+    {
+        const QImage wanted = picture(named("class1-26"));
+        for (const char* id : {"class1-36", "class1-37", "block-cross", "class1-24"})
+            m_picture->setLesson(named(id));
+        QVERIFY(alike(picture(named("class1-26")), wanted));
+        QTest::qWait(300);  // the others are made in this time, and none of them may be shown
+        QVERIFY(alike(shown(), wanted));
+    }
+
+    void aToothThatCannotBeMadeIsSaid()
+    {
+        Lesson lesson = named("orientation-2-hold");
+        const QImage tooth = picture(lesson);
+        lesson.tooth = lessons::Scan{"/nowhere/at-all.stl", {}, {}, {}, 36};
+        lesson.hash = "scan";
+        m_picture->setLesson(lesson);
+        const QImage making = shown();
+        QTRY_VERIFY_WITH_TIMEOUT(!alike(shown(), making), 30000);  // in words: what is said has changed
+        QVERIFY(!m_picture->isReady() && m_picture->isVisible());
+        QVERIFY(alike(picture(named("orientation-2-hold")), tooth));
+    }
+
+    void itMayGoWhileAToothIsMade()
+    {
+        m_picture->setLesson(named("class1-36"));
+        m_picture.reset();
+        QCoreApplication::processEvents();
+    }
 
 private:
     static Lesson named(const char* id) { return lessons::lessonNamed(QString::fromLatin1(id)).value(); }
-    QImage picture(const Lesson& lesson);
+    QImage picture(const Lesson& lesson)
+    {
+        m_picture->setLesson(lesson);
+        if (!QTest::qWaitFor([this] { return m_picture->isReady(); }, 30000))
+            qWarning("no picture of %s", lesson.id.c_str());
+        return shown();
+    }
+
     /// The tooth from above, between the words.
     [[nodiscard]] QImage shown() const { return m_picture->grab(QRect(0, 30, 310, 200)).toImage(); }
 
     std::unique_ptr<LessonPicture> m_picture;
 };
-
-void TestLessonPicture::init()
-{
-    m_picture = std::make_unique<LessonPicture>(nullptr);
-    m_picture->resize(640, 300);
-}
-
-QImage TestLessonPicture::picture(const Lesson& lesson)
-{
-    m_picture->setLesson(lesson);
-    if (!QTest::qWaitFor([this] { return m_picture->isReady(); }, 30000))
-        qWarning("no picture of %s", lesson.id.c_str());
-    return shown();
-}
-
-void TestLessonPicture::eachTaskHasItsPicture()
-{
-    QList<QImage> all;
-    for (const char* id : {"orientation-1-touch", "orientation-2-hold", "block-dovetail", "decay-36-small", "class1-36",
-                           "class2-36-distal", "access-36"}) {
-        const QImage drawn = picture(named(id));
-        QVERIFY2(std::none_of(all.begin(), all.end(), [&](const QImage& other) { return alike(other, drawn); }), id);
-        QVERIFY(m_picture->isVisible());
-        all << drawn;
-    }
-}
-
-void TestLessonPicture::whatIsFeltIsNotShown()
-{
-    picture(named("orientation-2-hold"));
-    m_picture->setLesson(named("orientation-3-layers"));
-    QVERIFY(!m_picture->isVisible() && !m_picture->isReady());
-    m_picture->setLesson(named("class1-36"));
-    QVERIFY(m_picture->isVisible());
-    m_picture->setLesson({});
-    QVERIFY(!m_picture->isVisible());
-}
-
-void TestLessonPicture::theIdealIsShownToWhoMaySeeIt()
-{
-    Lesson lesson = named("class1-36");
-    const QImage told = picture(lesson);
-    lesson.aids.section = false;
-    lesson.hash = "without section";
-    const QImage fromAbove = picture(lesson);
-    lesson.aids.ideal = false;
-    lesson.hash = "without ideal";
-    const QImage bare = picture(lesson);
-    QVERIFY(!alike(told, fromAbove) && !alike(fromAbove, bare));
-    // Of decay nobody is told where it ends, whatever the aids are: it looks as it does without any.
-    Lesson decay = named("decay-36-deep");
-    const QImage withAids = picture(decay);
-    decay.aids = {};
-    decay.aids.ideal = decay.aids.section = false;
-    decay.hash = "without aids";
-    QVERIFY(alike(picture(decay), withAids));
-}
-
-void TestLessonPicture::theLastOfManyIsShown()
-{
-    const QImage wanted = picture(named("class1-26"));
-    for (const char* id : {"class1-36", "class1-37", "block-cross", "class1-24"})
-        m_picture->setLesson(named(id));
-    QVERIFY(alike(picture(named("class1-26")), wanted));
-    QTest::qWait(300);  // the others are made in this time, and none of them may be shown
-    QVERIFY(alike(shown(), wanted));
-}
-
-void TestLessonPicture::aToothThatCannotBeMadeIsSaid()
-{
-    Lesson lesson = named("orientation-2-hold");
-    const QImage tooth = picture(lesson);
-    lesson.tooth = lessons::Scan{"/nowhere/at-all.stl", {}, {}, {}, 36};
-    lesson.hash = "scan";
-    m_picture->setLesson(lesson);
-    const QImage making = shown();
-    QTRY_VERIFY_WITH_TIMEOUT(!alike(shown(), making), 30000);  // in words: what is said has changed
-    QVERIFY(!m_picture->isReady() && m_picture->isVisible());
-    QVERIFY(alike(picture(named("orientation-2-hold")), tooth));
-}
-
-void TestLessonPicture::itMayGoWhileAToothIsMade()
-{
-    m_picture->setLesson(named("class1-36"));
-    m_picture.reset();
-    QCoreApplication::processEvents();
-}
 
 QTEST_MAIN(TestLessonPicture)
 #include "tst_lesson_picture.moc"

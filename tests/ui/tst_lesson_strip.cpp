@@ -28,12 +28,91 @@ class TestLessonStrip : public QObject
 {
     Q_OBJECT
 private slots:
-    void init();
-    void cleanup();
-    void aHintIsForWhoAsks();
-    void whatIsNewIsToldToWhoListens();
-    void theKeysStayWithTheStrip();
-    void anExamThatIsOverSaysSo();
+    void init()
+    {
+        QLocale::setDefault(QLocale("en_GB"));
+        m_strip = std::make_unique<LessonStrip>(nullptr);
+        m_strip->setLesson(threeSteps());
+        m_strip->show();
+        m_strip->activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(m_strip.get()));
+    }
+
+    void cleanup() { m_strip.reset(); }
+
+    void aHintIsForWhoAsks()
+    {
+        QCOMPARE(words(), QString("First"));
+        hint().click();
+        QCOMPARE(words(), QString("First hint"));
+        arrow("The next step").click();
+        QCOMPARE(words(), QString("Second"));
+        QVERIFY(!hint().isVisible());
+        arrow("The next step").click();
+        QCOMPARE(words(), QString("Third"));
+        QVERIFY(hint().isVisible() && !hint().isChecked());
+        hint().click();
+        QCOMPARE(words(), QString("Third hint"));
+        hint().click();
+        QCOMPARE(words(), QString("Third"));
+        hint().click();
+        m_strip->setLesson(threeSteps());
+        QCOMPARE(words(), QString("First"));
+        QVERIFY(!hint().isChecked());
+    }
+
+    /// A screen reader on AT-SPI says what describes the control under the keys, when that changes. (That an alert goes
+    /// out as well can only be seen while a reader listens.)
+    void whatIsNewIsToldToWhoListens()
+    {
+        hint().setFocus();
+        QTest::keyClick(&hint(), Qt::Key_Space);
+        QCOMPARE(hint().accessibleDescription(), QString("First hint"));
+        QTest::keyClick(&hint(), Qt::Key_Space);
+        QCOMPARE(hint().accessibleDescription(), QString("First"));
+        arrow("The next step").setFocus();
+        QTest::keyClick(&arrow("The next step"), Qt::Key_Space);
+        QCOMPARE(arrow("The next step").accessibleDescription(), QString("Second"));
+    }
+
+    void theKeysStayWithTheStrip()
+    {
+        arrow("The next step").setFocus();
+        QTest::keyClick(&arrow("The next step"), Qt::Key_Space);
+        QTest::keyClick(&arrow("The next step"), Qt::Key_Space);
+        QCOMPARE(words(), QString("Third"));
+        QVERIFY(arrow("The step before").hasFocus());
+        QTest::keyClick(&arrow("The step before"), Qt::Key_Space);
+        QTest::keyClick(&arrow("The step before"), Qt::Key_Space);
+        QCOMPARE(words(), QString("First"));
+        QVERIFY(arrow("The next step").hasFocus());
+    }
+
+    void anExamThatIsOverSaysSo()
+    {
+        ::lessons::Lesson exam = threeSteps();
+        exam.exam = true;
+        exam.minutes = 1.0;
+        m_strip->setLesson(exam);
+        const auto* time = m_strip->findChild<ui::shell::TabularLabel*>("lessonTime");
+        m_strip->setTime(60.5);
+        QCOMPARE(time->text(), QString("0:00"));
+        m_strip->conclude(LessonStrip::Ending::WithScore);
+        QVERIFY(words().contains("The exam is over"));
+        QVERIFY(!hint().isVisible() && !arrow("The next step").isVisible());
+        m_strip->setTime(70.0);
+        QCOMPARE(time->text(), QString("0:00"));
+        // Another attempt is spoken of once there is a grade, and one is left.
+        QVERIFY(!words().contains("another attempt"));
+        m_strip->setMayBeginAgain(true);
+        QVERIFY(words().contains("The exam is over") && words().contains("another attempt"));
+        m_strip->setMayBeginAgain(false);
+        // Another attempt begins as the first did.
+        m_strip->setLesson(exam);
+        QCOMPARE(words(), QString("First"));
+        m_strip->setTime(10.0);
+        QCOMPARE(time->text(), QString("0:50"));
+    }
 
 private:
     QString words() const { return m_strip->findChild<QLabel*>("lessonStep")->text(); }
@@ -49,95 +128,6 @@ private:
 
     std::unique_ptr<LessonStrip> m_strip;
 };
-
-void TestLessonStrip::init()
-{
-    QLocale::setDefault(QLocale("en_GB"));
-    m_strip = std::make_unique<LessonStrip>(nullptr);
-    m_strip->setLesson(threeSteps());
-    m_strip->show();
-    m_strip->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(m_strip.get()));
-}
-
-void TestLessonStrip::cleanup()
-{
-    m_strip.reset();
-}
-
-void TestLessonStrip::aHintIsForWhoAsks()
-{
-    QCOMPARE(words(), QString("First"));
-    hint().click();
-    QCOMPARE(words(), QString("First hint"));
-    arrow("The next step").click();
-    QCOMPARE(words(), QString("Second"));
-    QVERIFY(!hint().isVisible());
-    arrow("The next step").click();
-    QCOMPARE(words(), QString("Third"));
-    QVERIFY(hint().isVisible() && !hint().isChecked());
-    hint().click();
-    QCOMPARE(words(), QString("Third hint"));
-    hint().click();
-    QCOMPARE(words(), QString("Third"));
-    hint().click();
-    m_strip->setLesson(threeSteps());
-    QCOMPARE(words(), QString("First"));
-    QVERIFY(!hint().isChecked());
-}
-
-/// A screen reader on AT-SPI says what describes the control under the keys, when that changes. (That an alert goes out
-/// as well can only be seen while a reader listens.)
-void TestLessonStrip::whatIsNewIsToldToWhoListens()
-{
-    hint().setFocus();
-    QTest::keyClick(&hint(), Qt::Key_Space);
-    QCOMPARE(hint().accessibleDescription(), QString("First hint"));
-    QTest::keyClick(&hint(), Qt::Key_Space);
-    QCOMPARE(hint().accessibleDescription(), QString("First"));
-    arrow("The next step").setFocus();
-    QTest::keyClick(&arrow("The next step"), Qt::Key_Space);
-    QCOMPARE(arrow("The next step").accessibleDescription(), QString("Second"));
-}
-
-void TestLessonStrip::theKeysStayWithTheStrip()
-{
-    arrow("The next step").setFocus();
-    QTest::keyClick(&arrow("The next step"), Qt::Key_Space);
-    QTest::keyClick(&arrow("The next step"), Qt::Key_Space);
-    QCOMPARE(words(), QString("Third"));
-    QVERIFY(arrow("The step before").hasFocus());
-    QTest::keyClick(&arrow("The step before"), Qt::Key_Space);
-    QTest::keyClick(&arrow("The step before"), Qt::Key_Space);
-    QCOMPARE(words(), QString("First"));
-    QVERIFY(arrow("The next step").hasFocus());
-}
-
-void TestLessonStrip::anExamThatIsOverSaysSo()
-{
-    ::lessons::Lesson exam = threeSteps();
-    exam.exam = true;
-    exam.minutes = 1.0;
-    m_strip->setLesson(exam);
-    const auto* time = m_strip->findChild<ui::shell::TabularLabel*>("lessonTime");
-    m_strip->setTime(60.5);
-    QCOMPARE(time->text(), QString("0:00"));
-    m_strip->conclude(LessonStrip::Ending::WithScore);
-    QVERIFY(words().contains("The exam is over"));
-    QVERIFY(!hint().isVisible() && !arrow("The next step").isVisible());
-    m_strip->setTime(70.0);
-    QCOMPARE(time->text(), QString("0:00"));
-    // Another attempt is spoken of once there is a grade, and one is left.
-    QVERIFY(!words().contains("another attempt"));
-    m_strip->setMayBeginAgain(true);
-    QVERIFY(words().contains("The exam is over") && words().contains("another attempt"));
-    m_strip->setMayBeginAgain(false);
-    // Another attempt begins as the first did.
-    m_strip->setLesson(exam);
-    QCOMPARE(words(), QString("First"));
-    m_strip->setTime(10.0);
-    QCOMPARE(time->text(), QString("0:50"));
-}
 
 QTEST_MAIN(TestLessonStrip)
 #include "tst_lesson_strip.moc"

@@ -198,280 +198,6 @@ double inked(const QImage& page)
     return static_cast<double>(dark) / static_cast<double>(page.width() * page.height());
 }
 
-}  // namespace
-
-class TestReport : public QObject
-{
-    Q_OBJECT
-private slots:
-    void noFileIsOpenedToAskForAPrinter();
-    void initTestCase();
-    void reportsSayWhatTheScreenSays_data();
-    void reportsSayWhatTheScreenSays();
-    void onePageHoldsAShortCard();
-    void everyWordIsOfTheLanguage_data();
-    void everyWordIsOfTheLanguage();
-    void aCommentsPlaceIsNumberedInThePicture();
-    void theMatrixHasItsTitleOnEveryPage();
-    void pagesAreFilledAndNotOverfull_data();
-    void pagesAreFilledAndNotOverfull();
-    void paperIsWhiteInTheDarkThemeToo();
-    void aPdfIsWritten_data();
-    void aPdfIsWritten();
-
-private:
-    ScoreCard m_card;
-};
-
-void TestReport::initTestCase()
-{
-    QLocale::setDefault(QLocale("en_GB"));
-    ui::shell::applyTheme(*qApp, ui::shell::ThemeChoice::Dark);
-    m_card = scoreCard();
-}
-
-void TestReport::reportsSayWhatTheScreenSays_data()
-{
-    QTest::addColumn<QString>("words");
-    QTest::addColumn<QStringList>("says");
-    QTest::addColumn<QStringList>("saysNot");
-    QVERIFY(!m_card.sheet.criteria.empty());
-    QTest::newRow("card") << wordsOf(m_card, kA4)
-                          << QStringList{"Class I on 36",
-                                         "Ada Lovelace",
-                                         kCode,
-                                         "Cusp 0.1.0",
-                                         "natural v4",
-                                         "Device: mouse, pen or gamepad; contact: spring",
-                                         "256 columns",
-                                         "seed: 42",
-                                         "Here you pressed too hard.",
-                                         "at 1:42 of the replay",
-                                         "undercuts",
-                                         "90.0 points",
-                                         QString::fromStdString(m_card.sheet.rubricHash.substr(0, 16)),
-                                         QString(16, 'b')}
-                          << QStringList();
-    ScoreCard card = m_card;
-    card.attempt.scoreTenths = 684;
-    card.attempt.givenTenths = 801;
-    card.talk.overrides.push_back({"Grace Hopper", "2026-11-20T11:30:00Z", 801, "The wall is fine by hand."});
-    QTest::newRow("another score was given")
-        << wordsOf(card, kA4)
-        << QStringList{"80.1 of 100 points", "machine's score: 68.4", "Grace Hopper", "The wall is fine by hand.",
-                       "The machine's score: 100.0"}
-        << QStringList();
-    card = m_card;
-    card.work->measured.process.emplace().totalS = 133.0;
-    card.work->aids = core::session::kSectionAid | core::session::kIdealAid;
-    card.work->infractions = {{core::grading::Breach::BurInAir, 37000, 37.4, {}, 0, 20}};
-    card.sheet.criteria.front().critical = true;
-    card.sheet.criteria.front().share = 1.0;
-    QTest::newRow("harm, aids and a breach") << wordsOf(card, kA4)
-                                             << QStringList{ui::study::ScorePage::verdictWords(card.sheet, {}),
-                                                            "Not passed: harm done",
-                                                            "1 breach(es) of the rules: ",
-                                                            " at 0:37",
-                                                            "Aids in use: section, ideal",
-                                                            "Middle half",
-                                                            "Class median",
-                                                            "Pass mark",
-                                                            "Not passed"}
-                                             << QStringList{"..."};
-    card = m_card;
-    card.proof.auditCode.clear();
-    card.attempt.recordingHash.clear();
-    QTest::newRow("not kept") << wordsOf(card, kA4) << QStringList{"there is no audit code", "recording –"}
-                              << QStringList{"Audit code:"};
-    QTest::newRow("class") << wordsOf(classReport(23, 5), kA4)
-                           << QStringList{"Class: DEN101-A",
-                                          "Grace Hopper",
-                                          kCode,
-                                          "Never logged in",
-                                          "Stuck (",
-                                          "20 of 23 passed",
-                                          "Learning curve",
-                                          "version 3, content aaaaaaaaaaaaaaaa"}
-                           << QStringList();
-    QTest::newRow("four people") << wordsOf(classReport(4, 3), kA4) << QStringList{"5 people"}
-                                 << QStringList{"of 4 passed"};
-    ClassReport report = classReport(6, 3);
-    report.overview.cells[4][0] = {3, 600, false, "2026-11-18T08:00:00Z"};
-    report.given = {{1, report.overview.id, "lesson-0", "2026-11-19T22:59:59Z", 3}};
-    QTest::newRow("late, and no attempts left")
-        << wordsOf(report, kA4)
-        << QStringList{"Late: a lesson is overdue", "No attempts left at a lesson that is not passed: Student 1005"}
-        << QStringList();
-}
-
-void TestReport::reportsSayWhatTheScreenSays()
-{
-    QFETCH(QString, words);
-    QFETCH(QStringList, says);
-    QFETCH(QStringList, saysNot);
-    for (const QString& part : says)
-        QVERIFY2(words.contains(part), qPrintable(part + " in " + words));
-    for (const QString& part : saysNot)
-        QVERIFY2(!words.contains(part), qPrintable(part + " in " + words));
-}
-
-/// Pictures give way rather than send a few lines to a second page.
-void TestReport::onePageHoldsAShortCard()
-{
-    ScoreCard card = m_card;
-    card.talk = {};
-    while (card.sheet.criteria.size() > 4)
-        card.sheet.criteria.pop_back();
-    for (const QSizeF& paper : {kA4, kLetter})
-        QCOMPARE(pagesOf(card, paper).size(), 1);
-}
-
-void TestReport::everyWordIsOfTheLanguage_data()
-{
-    QTest::addColumn<bool>("isCard");
-    QTest::newRow("card") << true;
-    QTest::newRow("class") << false;
-}
-
-/// Of a language that nobody speaks; but for names, and what lessons say themselves.
-void TestReport::everyWordIsOfTheLanguage()
-{
-    QFETCH(bool, isCard);
-    pseudo::Translator strange;
-    QCoreApplication::installTranslator(&strange);
-    const auto back = qScopeGuard([&] { QCoreApplication::removeTranslator(&strange); });
-    QString words;
-    if (isCard) {
-        ScoreCard card = m_card;
-        card.lesson = card.person = "[···]";
-        card.attempt.preset = "[···]";
-        card.attempt.method = "continuous";
-        card.attempt.program = "";
-        card.proof.program = "1";
-        card.attempt.uid = "1";
-        card.attempt.presetHash = card.attempt.recordingHash = card.sheet.rubricHash = std::string(64, '1');
-        card.sheet.rubricTitle = pseudo::said(card.sheet.rubricTitle);
-        for (lessons::Criterion& one : card.sheet.criteria)
-            one.title = pseudo::said(one.title);
-        database::AttemptComment& comment = card.talk.comments.front();
-        comment.author = comment.words = "[···]";
-        words = wordsOf(card, kA4);
-    } else {
-        ClassReport report = classReport(7, 3);
-        report.className = report.teacher = "[···]";
-        report.rubricHash = std::string(64, '1');
-        report.proof.program = "1";
-        for (auto& title : report.titles)
-            title = "[···]";
-        for (database::MatrixStudent& student : report.overview.students)
-            student.fullName = "[···]";
-        report.criteria = {{"depth", "[···]"}, {"walls", "[····]"}};
-        report.given = {{1, report.overview.id, "lesson-0", "2026-11-19T22:59:59Z", 0}};
-        words = wordsOf(report, kA4);
-    }
-    static const QRegularExpression kOfQt(
-        "^Qt SVG Document Generated with Qt|\\b(?:K7QF-93XM-2ND8|Nov|Jan|AM|PM|am|pm)\\b");
-    words.remove(kOfQt);
-    QStringList english;
-    for (const QString& word : words.split(' '))
-        if (!pseudo::untranslated(word).isEmpty())
-            english << word;
-    QVERIFY2(english.isEmpty(), qPrintable(english.join(", ") + " in: " + words));
-}
-
-void TestReport::aCommentsPlaceIsNumberedInThePicture()
-{
-    ScoreCard card = m_card;
-    const glm::dvec2 middle = card.work->tooth->grid().middleMm();
-    card.talk.comments.clear();
-    card.talk.comments.push_back({1, "Grace Hopper", "2026-11-20T11:00:00Z", "Well done.", {}, {}});
-    card.talk.comments.push_back({2, "Grace Hopper", "2026-11-20T11:00:00Z", "The floor is uneven.", {}, {}});
-    card.talk.comments.back().placeMm = {middle.x, middle.y, 0.0};
-    const QString words = wordsOf(card, kA4);
-    QVERIFY2(words.contains("(1) Grace Hopper") && words.contains("numbers of their places"), qPrintable(words));
-    QCOMPARE(words.count("(1)"), 1);
-}
-
-void TestReport::theMatrixHasItsTitleOnEveryPage()
-{
-    const QString sign = "▲: overdue, or no attempts left";
-    ClassReport report = classReport(35, 40);
-    report.given = {{1, report.overview.id, "lesson-0", "2026-11-19T22:59:59Z", 0}};
-    const QList<QImage> pages = pagesOf(report, kA4);
-    // Parts follow each other without leaving half a page empty.
-    QVERIFY2(pages.size() <= 6, qPrintable(QString::number(pages.size())));
-    const QString words = wordsOf(report, kA4);
-    QVERIFY2(words.count(sign) >= pages.size() - 1, qPrintable(QString::number(words.count(sign))));
-    QVERIFY2(words.contains("▲ 30"), qPrintable(words));  // the cell of him who is late, as on the screen
-}
-
-void TestReport::pagesAreFilledAndNotOverfull_data()
-{
-    QTest::addColumn<bool>("isCard");
-    QTest::addColumn<QSizeF>("paper");
-    QTest::addColumn<int>("fewest");
-    QTest::newRow("card A4") << true << kA4 << 1;
-    QTest::newRow("card Letter") << true << kLetter << 1;
-    QTest::newRow("class A4") << false << kA4 << 3;
-    QTest::newRow("class Letter") << false << kLetter << 3;
-}
-
-void TestReport::pagesAreFilledAndNotOverfull()
-{
-    QFETCH(bool, isCard);
-    QFETCH(QSizeF, paper);
-    QFETCH(int, fewest);
-    const QList<QImage> pages = isCard ? pagesOf(m_card, paper) : pagesOf(classReport(60, 14), paper);
-    QVERIFY(pages.size() >= fewest && pages.size() <= 8);
-    for (qsizetype k = 0; k < pages.size(); ++k) {
-        QVERIFY(inked(pages[k]) > 0.002);
-        QVERIFY(inked(pages[k]) < 0.35);
-        // Between the content and the foot nothing is painted: the line of the foot is not crossed.
-        const int foot = static_cast<int>((paper.height() - 29.0) * kDotsPerPoint);
-        int dark = 0;
-        for (int x = 0; x < pages[k].width(); ++x)
-            dark += qGray(pages[k].pixel(x, foot)) < 128 ? 1 : 0;
-        QCOMPARE(dark, 0);
-    }
-}
-
-void TestReport::paperIsWhiteInTheDarkThemeToo()
-{
-    const QList<QImage> dark = pagesOf(m_card, kA4);
-    ui::shell::applyTheme(*qApp, ui::shell::ThemeChoice::Light);
-    const QList<QImage> light = pagesOf(m_card, kA4);
-    ui::shell::applyTheme(*qApp, ui::shell::ThemeChoice::Dark);
-    QCOMPARE(dark, light);
-}
-
-void TestReport::aPdfIsWritten_data()
-{
-    QTest::addColumn<int>("paper");
-    QTest::addColumn<QByteArray>("box");
-    QTest::newRow("A4") << int(QPageSize::A4) << QByteArray("/MediaBox [0 0 595");
-    QTest::newRow("Letter") << int(QPageSize::Letter) << QByteArray("/MediaBox [0 0 612");
-}
-
-void TestReport::aPdfIsWritten()
-{
-    QFETCH(int, paper);
-    QFETCH(QByteArray, box);
-    const QTemporaryDir folder;
-    const auto size = static_cast<QPageSize::PageSizeId>(paper);
-    QVERIFY(ui::report::savePdf(folder.filePath("card.pdf"), "Class I on 36", m_card, size));
-    QVERIFY(ui::report::savePdf(folder.filePath("class.pdf"), "DEN101-A", classReport(60, 14), size));
-    for (const char* name : {"card.pdf", "class.pdf"}) {
-        QFile file(folder.filePath(name));
-        QVERIFY(file.open(QIODevice::ReadOnly));
-        const QByteArray bytes = file.readAll();
-        QVERIFY(bytes.startsWith("%PDF-"));
-        QVERIFY2(bytes.contains(box), name);
-    }
-    QVERIFY(!ui::report::savePdf("/nowhere/at/all/card.pdf", "Class I on 36", m_card));
-}
-
-namespace {
-
 /// A home that is also the working folder, with a school's file in it, which says whether it was opened.
 class WatchedHome
 {
@@ -509,27 +235,283 @@ private:
 
 }  // namespace
 
-/// Whoever closes a school's file drops SQLite's locks on it.
-void TestReport::noFileIsOpenedToAskForAPrinter()
+class TestReport : public QObject
 {
-    QPrinter printer;
-    QWidget window;
-    WatchedHome ours;
-    QVERIFY(ours.isReady());
-    const QByteArray home = qgetenv("HOME");
-    const std::unique_ptr<QPrintDialog> dialog(ui::report::makePrintDialog(printer, &window));
-    dialog->show();
-    QVERIFY(QTest::qWaitForWindowExposed(dialog.get()));
-    QVERIFY(!dialog->testOption(QAbstractPrintDialog::PrintToFile));
-    QCOMPARE(qgetenv("HOME"), home);
-    // Qt's own dialog opens the file, or this test says nothing. By then ours, which began earlier, would have, too.
-    WatchedHome theirs;
-    QVERIFY(theirs.isReady());
-    QPrintDialog plain(&printer, &window);
-    plain.show();
-    QTRY_VERIFY(theirs.wasOpened());
-    QVERIFY(!ours.wasOpened());
-}
+    Q_OBJECT
+private slots:
+    /// Whoever closes a school's file drops SQLite's locks on it.
+    void noFileIsOpenedToAskForAPrinter()
+    {
+        QPrinter printer;
+        QWidget window;
+        WatchedHome ours;
+        QVERIFY(ours.isReady());
+        const QByteArray home = qgetenv("HOME");
+        const std::unique_ptr<QPrintDialog> dialog(ui::report::makePrintDialog(printer, &window));
+        dialog->show();
+        QVERIFY(QTest::qWaitForWindowExposed(dialog.get()));
+        QVERIFY(!dialog->testOption(QAbstractPrintDialog::PrintToFile));
+        QCOMPARE(qgetenv("HOME"), home);
+        // Qt's own dialog opens the file, or this test says nothing. By then ours, which began earlier, would have,
+        // too.
+        WatchedHome theirs;
+        QVERIFY(theirs.isReady());
+        QPrintDialog plain(&printer, &window);
+        plain.show();
+        QTRY_VERIFY(theirs.wasOpened());
+        QVERIFY(!ours.wasOpened());
+    }
+
+    void initTestCase()
+    {
+        QLocale::setDefault(QLocale("en_GB"));
+        ui::shell::applyTheme(*qApp, ui::shell::ThemeChoice::Dark);
+        m_card = scoreCard();
+    }
+
+    void reportsSayWhatTheScreenSays_data()
+    {
+        QTest::addColumn<QString>("words");
+        QTest::addColumn<QStringList>("says");
+        QTest::addColumn<QStringList>("saysNot");
+        QVERIFY(!m_card.sheet.criteria.empty());
+        QTest::newRow("card") << wordsOf(m_card, kA4)
+                              << QStringList{"Class I on 36",
+                                             "Ada Lovelace",
+                                             kCode,
+                                             "Cusp 0.1.0",
+                                             "natural v4",
+                                             "Device: mouse, pen or gamepad; contact: spring",
+                                             "256 columns",
+                                             "seed: 42",
+                                             "Here you pressed too hard.",
+                                             "at 1:42 of the replay",
+                                             "undercuts",
+                                             "90.0 points",
+                                             QString::fromStdString(m_card.sheet.rubricHash.substr(0, 16)),
+                                             QString(16, 'b')}
+                              << QStringList();
+        ScoreCard card = m_card;
+        card.attempt.scoreTenths = 684;
+        card.attempt.givenTenths = 801;
+        card.talk.overrides.push_back({"Grace Hopper", "2026-11-20T11:30:00Z", 801, "The wall is fine by hand."});
+        QTest::newRow("another score was given")
+            << wordsOf(card, kA4)
+            << QStringList{"80.1 of 100 points", "machine's score: 68.4", "Grace Hopper", "The wall is fine by hand.",
+                           "The machine's score: 100.0"}
+            << QStringList();
+        card = m_card;
+        card.work->measured.process.emplace().totalS = 133.0;
+        card.work->aids = core::session::kSectionAid | core::session::kIdealAid;
+        card.work->infractions = {{core::grading::Breach::BurInAir, 37000, 37.4, {}, 0, 20}};
+        card.sheet.criteria.front().critical = true;
+        card.sheet.criteria.front().share = 1.0;
+        QTest::newRow("harm, aids and a breach") << wordsOf(card, kA4)
+                                                 << QStringList{ui::study::ScorePage::verdictWords(card.sheet, {}),
+                                                                "Not passed: harm done",
+                                                                "1 breach(es) of the rules: ",
+                                                                " at 0:37",
+                                                                "Aids in use: section, ideal",
+                                                                "Middle half",
+                                                                "Class median",
+                                                                "Pass mark",
+                                                                "Not passed"}
+                                                 << QStringList{"..."};
+        card = m_card;
+        card.proof.auditCode.clear();
+        card.attempt.recordingHash.clear();
+        QTest::newRow("not kept") << wordsOf(card, kA4) << QStringList{"there is no audit code", "recording –"}
+                                  << QStringList{"Audit code:"};
+        QTest::newRow("class") << wordsOf(classReport(23, 5), kA4)
+                               << QStringList{"Class: DEN101-A",
+                                              "Grace Hopper",
+                                              kCode,
+                                              "Never logged in",
+                                              "Stuck (",
+                                              "20 of 23 passed",
+                                              "Learning curve",
+                                              "version 3, content aaaaaaaaaaaaaaaa"}
+                               << QStringList();
+        QTest::newRow("four people") << wordsOf(classReport(4, 3), kA4) << QStringList{"5 people"}
+                                     << QStringList{"of 4 passed"};
+        ClassReport report = classReport(6, 3);
+        report.overview.cells[4][0] = {3, 600, false, "2026-11-18T08:00:00Z"};
+        report.given = {{1, report.overview.id, "lesson-0", "2026-11-19T22:59:59Z", 3}};
+        QTest::newRow("late, and no attempts left")
+            << wordsOf(report, kA4)
+            << QStringList{"Late: a lesson is overdue", "No attempts left at a lesson that is not passed: Student 1005"}
+            << QStringList();
+    }
+
+    void reportsSayWhatTheScreenSays()
+    {
+        QFETCH(QString, words);
+        QFETCH(QStringList, says);
+        QFETCH(QStringList, saysNot);
+        for (const QString& part : says)
+            QVERIFY2(words.contains(part), qPrintable(part + " in " + words));
+        for (const QString& part : saysNot)
+            QVERIFY2(!words.contains(part), qPrintable(part + " in " + words));
+    }
+
+    /// Pictures give way rather than send a few lines to a second page.
+    void onePageHoldsAShortCard()
+    {
+        ScoreCard card = m_card;
+        card.talk = {};
+        while (card.sheet.criteria.size() > 4)
+            card.sheet.criteria.pop_back();
+        for (const QSizeF& paper : {kA4, kLetter})
+            QCOMPARE(pagesOf(card, paper).size(), 1);
+    }
+
+    void everyWordIsOfTheLanguage_data()
+    {
+        QTest::addColumn<bool>("isCard");
+        QTest::newRow("card") << true;
+        QTest::newRow("class") << false;
+    }
+
+    /// Of a language that nobody speaks; but for names, and what lessons say themselves.
+    void everyWordIsOfTheLanguage()
+    {
+        QFETCH(bool, isCard);
+        pseudo::Translator strange;
+        QCoreApplication::installTranslator(&strange);
+        const auto back = qScopeGuard([&] { QCoreApplication::removeTranslator(&strange); });
+        QString words;
+        if (isCard) {
+            ScoreCard card = m_card;
+            card.lesson = card.person = "[···]";
+            card.attempt.preset = "[···]";
+            card.attempt.method = "continuous";
+            card.attempt.program = "";
+            card.proof.program = "1";
+            card.attempt.uid = "1";
+            card.attempt.presetHash = card.attempt.recordingHash = card.sheet.rubricHash = std::string(64, '1');
+            card.sheet.rubricTitle = pseudo::said(card.sheet.rubricTitle);
+            for (lessons::Criterion& one : card.sheet.criteria)
+                one.title = pseudo::said(one.title);
+            database::AttemptComment& comment = card.talk.comments.front();
+            comment.author = comment.words = "[···]";
+            words = wordsOf(card, kA4);
+        } else {
+            ClassReport report = classReport(7, 3);
+            report.className = report.teacher = "[···]";
+            report.rubricHash = std::string(64, '1');
+            report.proof.program = "1";
+            for (auto& title : report.titles)
+                title = "[···]";
+            for (database::MatrixStudent& student : report.overview.students)
+                student.fullName = "[···]";
+            report.criteria = {{"depth", "[···]"}, {"walls", "[····]"}};
+            report.given = {{1, report.overview.id, "lesson-0", "2026-11-19T22:59:59Z", 0}};
+            words = wordsOf(report, kA4);
+        }
+        static const QRegularExpression kOfQt(
+            "^Qt SVG Document Generated with Qt|\\b(?:K7QF-93XM-2ND8|Nov|Jan|AM|PM|am|pm)\\b");
+        words.remove(kOfQt);
+        QStringList english;
+        for (const QString& word : words.split(' '))
+            if (!pseudo::untranslated(word).isEmpty())
+                english << word;
+        QVERIFY2(english.isEmpty(), qPrintable(english.join(", ") + " in: " + words));
+    }
+
+    void aCommentsPlaceIsNumberedInThePicture()
+    {
+        ScoreCard card = m_card;
+        const glm::dvec2 middle = card.work->tooth->grid().middleMm();
+        card.talk.comments.clear();
+        card.talk.comments.push_back({1, "Grace Hopper", "2026-11-20T11:00:00Z", "Well done.", {}, {}});
+        card.talk.comments.push_back({2, "Grace Hopper", "2026-11-20T11:00:00Z", "The floor is uneven.", {}, {}});
+        card.talk.comments.back().placeMm = {middle.x, middle.y, 0.0};
+        const QString words = wordsOf(card, kA4);
+        QVERIFY2(words.contains("(1) Grace Hopper") && words.contains("numbers of their places"), qPrintable(words));
+        QCOMPARE(words.count("(1)"), 1);
+    }
+
+    void theMatrixHasItsTitleOnEveryPage()
+    {
+        const QString sign = "▲: overdue, or no attempts left";
+        ClassReport report = classReport(35, 40);
+        report.given = {{1, report.overview.id, "lesson-0", "2026-11-19T22:59:59Z", 0}};
+        const QList<QImage> pages = pagesOf(report, kA4);
+        // Parts follow each other without leaving half a page empty.
+        QVERIFY2(pages.size() <= 6, qPrintable(QString::number(pages.size())));
+        const QString words = wordsOf(report, kA4);
+        QVERIFY2(words.count(sign) >= pages.size() - 1, qPrintable(QString::number(words.count(sign))));
+        QVERIFY2(words.contains("▲ 30"), qPrintable(words));  // the cell of him who is late, as on the screen
+    }
+
+    void pagesAreFilledAndNotOverfull_data()
+    {
+        QTest::addColumn<bool>("isCard");
+        QTest::addColumn<QSizeF>("paper");
+        QTest::addColumn<int>("fewest");
+        QTest::newRow("card A4") << true << kA4 << 1;
+        QTest::newRow("card Letter") << true << kLetter << 1;
+        QTest::newRow("class A4") << false << kA4 << 3;
+        QTest::newRow("class Letter") << false << kLetter << 3;
+    }
+
+    void pagesAreFilledAndNotOverfull()
+    {
+        QFETCH(bool, isCard);
+        QFETCH(QSizeF, paper);
+        QFETCH(int, fewest);
+        const QList<QImage> pages = isCard ? pagesOf(m_card, paper) : pagesOf(classReport(60, 14), paper);
+        QVERIFY(pages.size() >= fewest && pages.size() <= 8);
+        for (qsizetype k = 0; k < pages.size(); ++k) {
+            QVERIFY(inked(pages[k]) > 0.002);
+            QVERIFY(inked(pages[k]) < 0.35);
+            // Between the content and the foot nothing is painted: the line of the foot is not crossed.
+            const int foot = static_cast<int>((paper.height() - 29.0) * kDotsPerPoint);
+            int dark = 0;
+            for (int x = 0; x < pages[k].width(); ++x)
+                dark += qGray(pages[k].pixel(x, foot)) < 128 ? 1 : 0;
+            QCOMPARE(dark, 0);
+        }
+    }
+
+    void paperIsWhiteInTheDarkThemeToo()
+    {
+        const QList<QImage> dark = pagesOf(m_card, kA4);
+        ui::shell::applyTheme(*qApp, ui::shell::ThemeChoice::Light);
+        const QList<QImage> light = pagesOf(m_card, kA4);
+        ui::shell::applyTheme(*qApp, ui::shell::ThemeChoice::Dark);
+        QCOMPARE(dark, light);
+    }
+
+    void aPdfIsWritten_data()
+    {
+        QTest::addColumn<int>("paper");
+        QTest::addColumn<QByteArray>("box");
+        QTest::newRow("A4") << int(QPageSize::A4) << QByteArray("/MediaBox [0 0 595");
+        QTest::newRow("Letter") << int(QPageSize::Letter) << QByteArray("/MediaBox [0 0 612");
+    }
+
+    void aPdfIsWritten()
+    {
+        QFETCH(int, paper);
+        QFETCH(QByteArray, box);
+        const QTemporaryDir folder;
+        const auto size = static_cast<QPageSize::PageSizeId>(paper);
+        QVERIFY(ui::report::savePdf(folder.filePath("card.pdf"), "Class I on 36", m_card, size));
+        QVERIFY(ui::report::savePdf(folder.filePath("class.pdf"), "DEN101-A", classReport(60, 14), size));
+        for (const char* name : {"card.pdf", "class.pdf"}) {
+            QFile file(folder.filePath(name));
+            QVERIFY(file.open(QIODevice::ReadOnly));
+            const QByteArray bytes = file.readAll();
+            QVERIFY(bytes.startsWith("%PDF-"));
+            QVERIFY2(bytes.contains(box), name);
+        }
+        QVERIFY(!ui::report::savePdf("/nowhere/at/all/card.pdf", "Class I on 36", m_card));
+    }
+
+private:
+    ScoreCard m_card;
+};
 
 QTEST_MAIN(TestReport)
 #include "tst_report.moc"

@@ -122,521 +122,495 @@ class TestScorePage : public QObject
 
 private slots:
     void initTestCase() { ui::shell::applyTheme(*qApp, ui::shell::ThemeChoice::Light); }
-    void init();
-    void cleanup();
-    void tooDeepAndStillToGoAreTold();
-    void aCriterionShowsItsOwnWorstPlace();
-    void aMomentLeadsThere();
-    void manyMomentsAreFoldedAway();
-    void neighboursAreReadAsOne();
-    void breachesLeadToTheirMoments();
-    void padsAreToldWithTheirAnswers();
-    void aPointThatWasMissedIsShown();
-    void itSaysWhenTheGridDecides();
-    void otherRubricsAreShownApart();
-    void aClassOfFewIsNotShown();
-    void theFirstViewNeedsNoScrolling();
-    void keysReachRowsAndMoments();
-    void aPlaceIsPinnedAndFoundAgain();
-    void aPinMovesWithTheKeys();
-    void aNewCardBeginsAtItsTop();
-    void whatWasSaidIsScrolledTo();
-    void whatWasRefusedIsInSight();
-    void theKeyboardReadsAll();
-    void theScoreThatIsToldIsCompared();
-    void theSumIsTheMachinesWhereATeacherGaveAScore();
+    void init()
+    {
+        m_window = std::make_unique<QWidget>();
+        m_actions = new ui::shell::Actions(m_window.get());
+        m_page = new ScorePage(*m_actions, m_window.get());
+        m_window->resize(1280, 800);
+        m_page->resize(1280, 800);
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));  // arrows look for who has the focus
+    }
+
+    void cleanup() { m_window.reset(); }
+
+    void tooDeepAndStillToGoAreTold()
+    {
+        const Faulty& made = faulty("class1-36");
+        int deep = 0;
+        int left = 0;
+        for (std::size_t k = 0; k < made.work.tooth->top.size(); ++k) {
+            const float above = ui::study::aboveIdeal(made.work, k);
+            deep += std::abs(above + 0.4F) < 0.001F ? 1 : 0;
+            left += above > 0.05F ? 1 : 0;
+            QVERIFY(above > -0.401F);
+        }
+        QVERIFY(deep > 100 && left > 100);
+        const auto farthest = ui::study::farthestOff(made.work);
+        QVERIFY(farthest && ui::study::aboveIdeal(made.work, *farthest) > 0.4F);
+        for (const double mm : {0.1, 0.5, 1.0, 3.0}) {
+            const QColor tooDeep(ui::study::heatColour(-mm));
+            const QColor toGo(ui::study::heatColour(mm));
+            QVERIFY(tooDeep.red() > tooDeep.blue() + 20);
+            QVERIFY(toGo.blue() > toGo.red() + 20);
+        }
+        // Deeper is darker, to the end of the scale.
+        QVERIFY(QColor(ui::study::heatColour(-0.2)).lightness() > QColor(ui::study::heatColour(-0.8)).lightness());
+        QCOMPARE(ui::study::heatColour(-1.0), ui::study::heatColour(-2.0));
+    }
+
+    void aCriterionShowsItsOwnWorstPlace()
+    {
+        const Faulty& made = faulty("class1-36");
+        show(made);
+        const auto* heat = m_page->findChild<HeatMap*>();
+        const auto* place = m_page->findChild<QLabel*>("place");
+        int places = 0;
+        std::set<std::size_t> nodes;
+        for (CriterionRow* row : m_page->findChildren<CriterionRow*>()) {
+            QTest::mouseClick(row, Qt::LeftButton, {}, {8, 8});
+            QVERIFY(row->isChecked());
+            const auto own = core::grading::findMeasure(row->criterion().measure)->nodeIn(made.work.measured);
+            if (own) {
+                ++places;
+                nodes.insert(*own);
+                QCOMPARE(heat->marked(), own);
+                QVERIFY2(place->text().contains(ui::text::criterionName(row->criterion())), qPrintable(place->text()));
+                // How deep the cut is beside a wall or a ridge is not what is wrong with it.
+                const std::string& measure = row->criterion().measure;
+                const bool isAcross = measure.starts_with("ridge") || measure.starts_with("wall");
+                QVERIFY2(!isAcross || !place->text().contains(" mm "), qPrintable(place->text()));
+            } else {
+                QCOMPARE(heat->marked(), ui::study::farthestOff(made.work));
+                QVERIFY2(place->text().contains("no place"), qPrintable(place->text()));
+            }
+        }
+        QVERIFY(places >= 5 && nodes.size() >= 3);
+    }
+
+    void aMomentLeadsThere()
+    {
+        const Faulty& made = faulty("decay-36-moderate");
+        show(made);
+        QSignalSpy wanted(m_page, &ScorePage::momentWanted);
+        QStringList read;
+        for (QPushButton* chip :
+             m_page->findChild<CriterionRow*>("criterion_caries_left")->findChildren<QPushButton*>())
+            read << chip->text();
+        QVERIFY(read.size() == 3);
+        QVERIFY2(read.front().contains("at 0:") && read.front().contains("stroke"), qPrintable(read.front()));
+        for (QPushButton* chip :
+             m_page->findChild<CriterionRow*>("criterion_caries_left")->findChildren<QPushButton*>())
+            if (chip->text().contains("stroke 12"))
+                QTest::mouseClick(chip, Qt::LeftButton);
+        QCOMPARE(wanted.count(), 1);
+        QCOMPARE(wanted.front().front().toDouble(), 48.0);
+        m_page->setMomentsProgress(0.4);
+        QVERIFY(m_page->findChild<QProgressBar*>()->isVisible());
+        QCOMPARE(m_page->findChild<QProgressBar*>()->value(), 40);
+        m_page->setMoments(parts(made.sheet));
+        QVERIFY(!m_page->findChild<QProgressBar*>()->isVisible());
+    }
+
+    void manyMomentsAreFoldedAway()
+    {
+        show(faulty("decay-36-moderate"));
+        const auto* row = m_page->findChild<CriterionRow*>("criterion_caries_left");
+        const auto chips = row->findChildren<QPushButton*>();
+        QCOMPARE(chips.size(), 3);
+        QVERIFY2(chips.back()->text().contains("3"), qPrintable(chips.back()->text()));
+        QTest::mouseClick(chips.back(), Qt::LeftButton);
+        QTRY_COMPARE(row->findChildren<QPushButton*>().size(), 5);
+        QVERIFY(row->findChildren<QPushButton*>().front()->text().contains("never removed"));
+    }
+
+    void neighboursAreReadAsOne()
+    {
+        using Kind = Moment::Kind;
+        const std::vector<Moment> read = ui::study::asRead({{Kind::Stroke, 3, 1000, 1.0, 1},
+                                                            {Kind::Stroke, 2, 2000, 2.0, 1},
+                                                            {Kind::Stroke, 4, 12000, 12.0, 1},
+                                                            {Kind::Stroke, 5, 13000, 13.0, 2},
+                                                            {Kind::Way, 1, 14000, 14.0, 0},
+                                                            {Kind::Way, 1, 15000, 15.0, 0}});
+        QCOMPARE(read, (std::vector<Moment>{{Kind::Stroke, 5, 1000, 1.0, 1},
+                                            {Kind::Stroke, 4, 12000, 12.0, 1},
+                                            {Kind::Stroke, 5, 13000, 13.0, 2},
+                                            {Kind::Way, 2, 14000, 14.0, 0}}));
+    }
+
+    void breachesLeadToTheirMoments()
+    {
+        using core::grading::Breach;
+        Faulty made = faulty("decay-36-moderate");
+        show(made);
+        auto* facts = m_page->findChild<QLabel*>("conduct");
+        QVERIFY(!facts->isVisible());  // nobody saw how it came about
+        made.work.measured.process = conducted();
+        show(made);
+        QVERIFY(m_page->findChild<QLabel*>("breaches")->text().contains("No breach"));
+        QVERIFY2(facts->text().contains("2:13") && facts->text().contains("1:02") && facts->text().contains("3 step") &&
+                     facts->text().contains("No aid"),
+                 qPrintable(facts->text()));
+        made.work.aids = core::session::kSectionAid;
+        for (int n = 0; n < 7; ++n)
+            made.work.infractions.push_back({n == 5 ? Breach::PulpExposed : Breach::BurInAir,
+                                             static_cast<std::uint64_t>(1000 * n),
+                                             20.0 * n,
+                                             {},
+                                             0,
+                                             20});
+        show(made);
+        QVERIFY(facts->text().contains("section"));
+        QVERIFY(m_page->findChild<QLabel*>("breaches")->text().contains("7"));
+        const auto chips = [&] { return facts->parentWidget()->findChildren<QPushButton*>(); };
+        QCOMPARE(chips().size(), 2);
+        QPushButton* pulp = nullptr;
+        for (QPushButton* chip : chips())
+            if (chip->text().contains("pulp"))
+                pulp = chip;
+        QVERIFY(pulp != nullptr);
+        QSignalSpy wanted(m_page, &ScorePage::momentWanted);
+        QTest::mouseClick(pulp, Qt::LeftButton);
+        QCOMPARE(wanted.count(), 1);
+        QCOMPARE(wanted.front().front().toDouble(), 100.0);
+        QTest::mouseClick(chips().back(), Qt::LeftButton);
+        QTRY_COMPARE(chips().size(), 7);
+    }
+
+    void padsAreToldWithTheirAnswers()
+    {
+        using core::terrain::Material;
+        Faulty made = faulty("decay-36-moderate");
+        made.sheet.criteria.resize(1);
+        made.sheet.criteria.front().measure = "pads_named_percent";  // a measure without a place
+        made.work.measured.practised = core::grading::Named{{Material::Enamel, Material::Caries, std::nullopt}, 1};
+        show(made);
+        const auto* place = m_page->findChild<QLabel*>("place");
+        QVERIFY2(place->text().contains("has no place"), qPrintable(place->text()));
+        made.work.exercise = core::grading::PadsToName{{Material::Enamel, Material::Dentin, Material::Caries}};
+        show(made);
+        QCOMPARE(place->text(),
+                 QString("Left: enamel, as you said · Middle: dentin, you said decay · Right: decay, not named"));
+    }
+
+    void aPointThatWasMissedIsShown()
+    {
+        Faulty made = faulty("decay-36-moderate");
+        const core::terrain::Grid& grid = made.work.tooth->grid();
+        const std::size_t missed = grid.index(grid.side / 3, grid.side / 2);
+        made.sheet.criteria.resize(1);
+        made.sheet.criteria.front().measure = "points_touched_percent";
+        made.work.exercise = core::grading::PointsToTouch{{{0.0, 0.0}, grid.nodeMm(grid.side / 3, grid.side / 2)}, 0.6};
+        made.work.measured.practised = core::grading::Touched{{12.5, std::nullopt}};
+        show(made);
+        const auto* place = m_page->findChild<QLabel*>("place");
+        QCOMPARE(place->text(), QString("1 of 2 points touched; the ring marks one that was not"));
+        QCOMPARE(m_page->findChild<HeatMap*>()->marked(), std::optional(missed));
+        made.work.measured.practised = core::grading::Touched{{12.5, 20.0}};
+        show(made);
+        QCOMPARE(place->text(), QString("All points were touched"));
+        made.sheet.criteria.front().measure = "hold_longest_s";
+        made.work.exercise = core::grading::ForceToHold{};
+        core::grading::Held held;
+        held.longestS = 8.3;
+        held.meanErrorN = 0.12;
+        made.work.measured.practised = held;
+        show(made);
+        QCOMPARE(place->text(), QString("Held for 8.3 of 10 s, 0.12 N off on the average"));
+    }
+
+    void itSaysWhenTheGridDecides()
+    {
+        const auto* words = m_page->findChild<QLabel*>("noise");
+        m_page->setScore([] { return QString(); }, faulty("decay-36-moderate").sheet, {}, {}, {});
+        QVERIFY(!words->isVisible());
+        m_page->setNoise({{834, true}, {829, true}, {{836, true}}});
+        QVERIFY2(words->text().contains("82.9") && words->text().contains("83.6") &&
+                     words->text().contains("Not within"),
+                 qPrintable(words->text()));
+        m_page->setNoise({{752, true}, {749, false}, {{753, true}}});
+        QVERIFY2(words->text().contains("74.9") && words->text().contains("pass mark lies between"),
+                 qPrintable(words->text()));
+    }
+
+    void otherRubricsAreShownApart()
+    {
+        const Faulty& made = faulty("decay-36-moderate");
+        database::AttemptRecord now;
+        now.scoreTenths = made.sheet.totalTenths;
+        now.finishedUtc = "2026-11-20T10:15:00Z";
+        now.rubricHash = made.sheet.rubricHash;
+        database::AttemptRecord old = now;
+        old.scoreTenths = 612;
+        old.rubricHash = "another";
+        m_page->setScore([] { return QString(); }, made.sheet, {now, old}, {}, {});
+        const QString spoken = m_page->findChild<ui::shell::HistoryChart*>()->accessibleName();
+        QVERIFY2(spoken.contains("61.2 by another rubric, " + ui::text::points(made.sheet.totalTenths)),
+                 qPrintable(spoken));
+        // Twelve of nought are seen as well, in little room.
+        ui::shell::HistoryChart small(nullptr);
+        small.resize(260, 60);
+        small.setScores({}, 750);
+        const QImage without = small.grab().toImage();
+        small.setScores(QList<ui::shell::HistoryChart::Score>(12, {0, true, {}}), 750);
+        QVERIFY(small.grab().toImage() != without);
+        // The pointer is told more of a column, and a file of all of them.
+        auto* chart = m_page->findChild<ui::shell::HistoryChart*>();
+        m_page->resize(1200, 800);
+        m_page->show();
+        QHelpEvent onFirst(QEvent::ToolTip, {4, 40}, chart->mapToGlobal(QPoint(4, 40)));
+        QApplication::sendEvent(chart, &onFirst);
+        QVERIFY2(QToolTip::text().contains("2026") && QToolTip::text().contains("61.2 by another rubric"),
+                 qPrintable(QToolTip::text()));
+        const QTemporaryDir folder;
+        auto* save = m_page->findChild<ui::charts::SaveButton*>();
+        QVERIFY(save->isVisible() && save->save(folder.filePath("scores.csv")));
+        QFile table(folder.filePath("scores.csv"));
+        QVERIFY(table.open(QIODevice::ReadOnly));
+        const QByteArray rows = table.readAll();
+        QVERIFY2(rows.contains("61.2"), rows.constData());
+        m_page->setHistory({});
+        QVERIFY(!save->isVisible());  // there is nothing to be saved
+        m_page->setHistory({now, old});
+        int apart = 0;
+        for (const QLabel* label : m_page->findChildren<QLabel*>())
+            apart += label->text() == "other rubric" ? 1 : 0;
+        QCOMPARE(apart, 1);
+    }
+
+    void aClassOfFewIsNotShown()
+    {
+        const auto* words = m_page->findChild<QLabel*>("class");
+        m_page->setScore([] { return QString(); }, faulty("decay-36-moderate").sheet, {}, {}, {});
+        QVERIFY(!words->isVisible());
+        m_page->setClass({4, {}});
+        QVERIFY2(words->text().contains("takes 5 people"), qPrintable(words->text()));
+        QVERIFY(!words->text().contains("%"));
+        m_page->setClass({12, 41.7});
+        QVERIFY2(words->text().contains("42 % are below"), qPrintable(words->text()));
+    }
+
+    void theFirstViewNeedsNoScrolling()
+    {
+        m_page->resize(1280, 760);  // a screen of 1280 x 800 with a task bar
+        Faulty made = faulty("decay-36-moderate");
+        made.work.measured.process = conducted();
+        made.work.aids = core::session::kSectionAid | core::session::kIdealAid | core::session::kRadiographAid;
+        for (int n = 0; n < 9; ++n)
+            made.work.infractions.push_back(
+                {core::grading::Breach::BurInAir, static_cast<std::uint64_t>(1000 * n), 20.0 * n, {}, 0, 20});
+        show(made);
+        const auto* pane = m_page->findChild<ui::shell::ScrollPane*>();
+        QTRY_VERIFY2(!pane->hasMoreBelow(),
+                     qPrintable(QString("%1 px too high").arg(pane->verticalScrollBar()->maximum())));
+    }
+
+    void keysReachRowsAndMoments()
+    {
+        show(faulty("decay-36-moderate"));
+        auto* first = m_page->findChild<CriterionRow*>("criterion_caries_left");
+        first->setFocus();
+        QTest::keyClick(first, Qt::Key_Down);
+        QVERIFY(m_page->findChild<CriterionRow*>("criterion_sound_tissue")->isChecked());
+        first->setFocus();
+        QSet<QWidget*> reached;
+        for (int k = 0; k < 40; ++k) {
+            QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+            reached << QApplication::focusWidget();
+        }
+        for (QPushButton* chip : first->findChildren<QPushButton*>())
+            QVERIFY2(reached.contains(chip), qPrintable(chip->text()));
+    }
+
+    void aPlaceIsPinnedAndFoundAgain()
+    {
+        const Faulty& made = faulty("class1-36");
+        show(made);
+        auto* heat = m_page->findChild<HeatMap*>();
+        auto* atPlace = m_page->findChild<QCheckBox*>("atPlace");
+        // Who only reads pins nothing.
+        m_page->setTalkVisible(true);
+        QApplication::processEvents();
+        QTest::mouseClick(heat, Qt::LeftButton, {}, heat->rect().center());
+        QVERIFY(!heat->pin());
+        m_page->setMayTalk(true);
+        QTest::mouseClick(heat, Qt::LeftButton, {}, heat->rect().center());
+        QVERIFY(heat->pin() && atPlace->isChecked());
+        const core::terrain::Grid& grid = made.work.tooth->grid();
+        const auto place = *heat->pin();
+        const glm::dvec2 node = grid.latticeOf(glm::dvec2(place[0], place[1]));
+        const auto k = grid.index(static_cast<int>(std::lround(node.x)), static_cast<int>(std::lround(node.y)));
+        QCOMPARE(place[2], static_cast<double>(made.work.tooth->top[k]));  // on the surface as it ended
+        // Beside the tooth is no place.
+        QTest::mouseClick(heat, Qt::LeftButton, {}, {4, 4});
+        QVERIFY(!heat->pin() && !atPlace->isChecked());
+        // A comment's place is shown where it was, and brought into sight.
+        database::AttemptTalk talk;
+        talk.comments.push_back({1, "Grace Hopper", "2026-11-20T10:00:00Z", "Here.", place, {}});
+        m_page->talk().setTalk(talk);
+        for (QPushButton* button : m_page->talk().findChildren<QPushButton*>())
+            if (button->property("kind") == "chip")
+                button->click();
+        QCOMPARE(heat->pin(), std::optional(place));
+        QVERIFY(!heat->visibleRegion().isEmpty());
+        // Another score card begins without.
+        show(made);
+        QVERIFY(!heat->pin());
+    }
+
+    void aPinMovesWithTheKeys()
+    {
+        const Faulty& made = faulty("class1-36");
+        show(made);
+        m_page->setTalkVisible(true);
+        m_page->setMayTalk(true);
+        auto* heat = m_page->findChild<HeatMap*>();
+        heat->setFocus();
+        QTest::keyClick(heat, Qt::Key_Right);
+        QVERIFY(heat->pin());  // it begins at the ring
+        const auto before = *heat->pin();
+        QTest::keyClick(heat, Qt::Key_Right, Qt::ShiftModifier);
+        const double cell = made.work.tooth->grid().cellMm;
+        QVERIFY(std::abs((*heat->pin())[0] - before[0] - cell) < 1.0e-9);
+        QTest::keyClick(heat, Qt::Key_Up);
+        QVERIFY((*heat->pin())[1] > before[1]);
+        QTest::keyClick(heat, Qt::Key_Delete);
+        QVERIFY(!heat->pin());
+        QVERIFY(!m_page->findChild<QCheckBox*>("atPlace")->isChecked());
+    }
+
+    void aNewCardBeginsAtItsTop()
+    {
+        const Faulty& made = faulty("decay-36-moderate");
+        m_page->resize(700, 500);
+        show(made);
+        QScrollBar* bar = m_page->findChild<ui::shell::ScrollPane*>()->verticalScrollBar();
+        QTRY_VERIFY(bar->maximum() > 0);
+        bar->setValue(bar->maximum());
+        show(made);
+        QCOMPARE(bar->value(), 0);
+    }
+
+    void whatWasSaidIsScrolledTo()
+    {
+        m_page->setTalkVisible(true);
+        show(faulty("decay-36-moderate"));
+        database::AttemptTalk talk;
+        talk.comments.assign(8, {1, "Grace Hopper", "2026-11-20T10:00:00Z", "Here you pressed too hard.", {}, {}});
+        m_page->talk().setTalk(talk);
+        m_page->showTalk();
+        auto* pane = m_page->findChild<ui::shell::ScrollPane*>();
+        QTRY_VERIFY(pane->verticalScrollBar()->value() > 0);
+        const int top = m_page->talk().mapTo(pane->viewport(), QPoint(0, 0)).y();
+        QVERIFY2(top >= 0 && top < pane->viewport()->height() / 2, qPrintable(QString::number(top)));
+    }
+
+    /// Beside the field, though another teacher's score has moved both meanwhile.
+    void whatWasRefusedIsInSight()
+    {
+        m_page->resize(900, 600);
+        show(faulty("decay-36-moderate"));
+        m_page->setTalkVisible(true);
+        m_page->setMayTalk(true);
+        auto* reason = m_page->findChild<QLineEdit*>("reason");
+        reason->setText("fine by hand");
+        auto* give = m_page->findChild<QPushButton*>("giveScore");
+        give->setFocus();
+        give->click();
+        m_page->talk().refuse(
+            "Somebody else has changed it meanwhile. Look at it, and give it again if it is still meant.");
+        database::AttemptTalk talk;
+        talk.overrides.assign(20, {"Grace Hopper", "2026-11-20T10:00:00Z", 900, "Neat."});
+        QApplication::processEvents();
+        m_page->talk().setTalk(talk);
+        auto* pane = m_page->findChild<ui::shell::ScrollPane*>();
+        const auto isSeen = [pane](const QWidget* what) {
+            const QRect at(what->mapTo(pane->viewport(), QPoint(0, 0)), what->size());
+            return pane->viewport()->rect().contains(at) &&
+                   at.bottom() < pane->viewport()->height() - (pane->hasMoreBelow() ? 36 : 0);
+        };
+        QTRY_VERIFY(isSeen(m_page->findChild<QLabel*>("fault")) && isSeen(reason) && isSeen(give));
+    }
+
+    /// A reader too: what gets the keyboard comes into sight, and the page keys go where nothing can have it.
+    void theKeyboardReadsAll()
+    {
+        m_page->resize(900, 600);
+        show(faulty("decay-36-moderate"));
+        m_page->setTalkVisible(true);
+        database::AttemptTalk talk;
+        talk.comments.push_back({1, "Grace Hopper", "2026-11-20T10:00:00Z", "Here.", {}, std::int64_t{45000}, false});
+        talk.overrides.assign(20, {"Grace Hopper", "2026-11-20T10:00:00Z", 900, "Neat."});
+        m_page->talk().setTalk(talk);
+        auto* pane = m_page->findChild<ui::shell::ScrollPane*>();
+        QTRY_VERIFY(pane->verticalScrollBar()->maximum() > 0);
+        pane->verticalScrollBar()->setValue(0);
+        QPushButton* chip = nullptr;
+        for (auto* button : m_page->talk().findChildren<QPushButton*>())
+            if (button->accessibleName().startsWith("Show the moment"))
+                chip = button;
+        QVERIFY(chip != nullptr);
+        chip->setFocus(Qt::TabFocusReason);
+        const int bottom = chip->mapTo(pane->viewport(), QPoint(0, chip->height())).y();
+        QVERIFY2(bottom > 0 && bottom <= pane->viewport()->height() - 36, qPrintable(QString::number(bottom)));
+        const int before = pane->verticalScrollBar()->value();
+        QTest::keyClick(chip, Qt::Key_PageDown);
+        QVERIFY(pane->verticalScrollBar()->value() > before);
+        QTest::keyClick(chip, Qt::Key_End);
+        QCOMPARE(pane->verticalScrollBar()->value(), pane->verticalScrollBar()->maximum());
+        QTest::keyClick(chip, Qt::Key_Home);
+        QCOMPARE(pane->verticalScrollBar()->value(), 0);
+        // Also from beneath the pane.
+        auto* beneath = m_page->findChild<QWidget*>("scoreReport");
+        QVERIFY(!pane->isAncestorOf(beneath));
+        QTest::keyClick(beneath, Qt::Key_PageDown);
+        QVERIFY(pane->verticalScrollBar()->value() > 0);
+    }
+
+    void theScoreThatIsToldIsCompared()
+    {
+        show(faulty("class1-36"));
+        m_page->setGiven(800);
+        const QString words = m_page->findChild<QLabel*>("expectation")->text();
+        QVERIFY2(words.startsWith("You expected 90.0 points: 10.0 too many."), qPrintable(words));
+    }
+
+    void theSumIsTheMachinesWhereATeacherGaveAScore()
+    {
+        show(faulty("class1-36"));
+        const auto* sum = m_page->findChild<QLabel*>("sum");
+        QVERIFY2(sum->text().startsWith("100.0"), qPrintable(sum->text()));
+        m_page->setGiven(900);
+        QVERIFY2(sum->text().startsWith("The machine's score: 100.0"), qPrintable(sum->text()));
+    }
 
 private:
-    void show(const Faulty& made);
+    void show(const Faulty& made)
+    {
+        database::AttemptRecord now;
+        now.scoreTenths = made.sheet.totalTenths;
+        now.finishedUtc = "2026-11-20T10:15:00Z";
+        now.rubricHash = made.sheet.rubricHash;
+        database::AttemptRecord old = now;
+        old.scoreTenths = 612;
+        old.rubricHash = "another";
+        m_page->setScore([] { return QStringLiteral("Class I, tooth 36"); }, made.sheet, {now, now, now, old},
+                         ui::study::Expectation{900, "depth"}, made.work);
+        m_page->setMoments(parts(made.sheet));
+        m_page->setClass({1, {}});
+        m_page->setNoise(lessons::gridNoise(made.assignment, *made.work.tooth).value());
+        // Pages are laid out in passes.
+        const auto rows = m_page->findChildren<CriterionRow*>();
+        QTRY_VERIFY(rows.size() == 1 || rows.back()->y() >= rows.front()->y() + rows.front()->height());
+        QApplication::processEvents();
+    }
 
     std::unique_ptr<QWidget> m_window;
     ui::shell::Actions* m_actions = nullptr;
     ScorePage* m_page = nullptr;
 };
-
-void TestScorePage::init()
-{
-    m_window = std::make_unique<QWidget>();
-    m_actions = new ui::shell::Actions(m_window.get());
-    m_page = new ScorePage(*m_actions, m_window.get());
-    m_window->resize(1280, 800);
-    m_page->resize(1280, 800);
-    m_window->show();
-    QVERIFY(QTest::qWaitForWindowActive(m_window.get()));  // arrows look for who has the focus
-}
-
-void TestScorePage::cleanup()
-{
-    m_window.reset();
-}
-
-void TestScorePage::show(const Faulty& made)
-{
-    database::AttemptRecord now;
-    now.scoreTenths = made.sheet.totalTenths;
-    now.finishedUtc = "2026-11-20T10:15:00Z";
-    now.rubricHash = made.sheet.rubricHash;
-    database::AttemptRecord old = now;
-    old.scoreTenths = 612;
-    old.rubricHash = "another";
-    m_page->setScore([] { return QStringLiteral("Class I, tooth 36"); }, made.sheet, {now, now, now, old},
-                     ui::study::Expectation{900, "depth"}, made.work);
-    m_page->setMoments(parts(made.sheet));
-    m_page->setClass({1, {}});
-    m_page->setNoise(lessons::gridNoise(made.assignment, *made.work.tooth).value());
-    // Pages are laid out in passes.
-    const auto rows = m_page->findChildren<CriterionRow*>();
-    QTRY_VERIFY(rows.size() == 1 || rows.back()->y() >= rows.front()->y() + rows.front()->height());
-    QApplication::processEvents();
-}
-
-void TestScorePage::tooDeepAndStillToGoAreTold()
-{
-    const Faulty& made = faulty("class1-36");
-    int deep = 0;
-    int left = 0;
-    for (std::size_t k = 0; k < made.work.tooth->top.size(); ++k) {
-        const float above = ui::study::aboveIdeal(made.work, k);
-        deep += std::abs(above + 0.4F) < 0.001F ? 1 : 0;
-        left += above > 0.05F ? 1 : 0;
-        QVERIFY(above > -0.401F);
-    }
-    QVERIFY(deep > 100 && left > 100);
-    const auto farthest = ui::study::farthestOff(made.work);
-    QVERIFY(farthest && ui::study::aboveIdeal(made.work, *farthest) > 0.4F);
-    for (const double mm : {0.1, 0.5, 1.0, 3.0}) {
-        const QColor tooDeep(ui::study::heatColour(-mm));
-        const QColor toGo(ui::study::heatColour(mm));
-        QVERIFY(tooDeep.red() > tooDeep.blue() + 20);
-        QVERIFY(toGo.blue() > toGo.red() + 20);
-    }
-    // Deeper is darker, to the end of the scale.
-    QVERIFY(QColor(ui::study::heatColour(-0.2)).lightness() > QColor(ui::study::heatColour(-0.8)).lightness());
-    QCOMPARE(ui::study::heatColour(-1.0), ui::study::heatColour(-2.0));
-}
-
-void TestScorePage::aCriterionShowsItsOwnWorstPlace()
-{
-    const Faulty& made = faulty("class1-36");
-    show(made);
-    const auto* heat = m_page->findChild<HeatMap*>();
-    const auto* place = m_page->findChild<QLabel*>("place");
-    int places = 0;
-    std::set<std::size_t> nodes;
-    for (CriterionRow* row : m_page->findChildren<CriterionRow*>()) {
-        QTest::mouseClick(row, Qt::LeftButton, {}, {8, 8});
-        QVERIFY(row->isChecked());
-        const auto own = core::grading::findMeasure(row->criterion().measure)->nodeIn(made.work.measured);
-        if (own) {
-            ++places;
-            nodes.insert(*own);
-            QCOMPARE(heat->marked(), own);
-            QVERIFY2(place->text().contains(ui::text::criterionName(row->criterion())), qPrintable(place->text()));
-            // How deep the cut is beside a wall or a ridge is not what is wrong with it.
-            const std::string& measure = row->criterion().measure;
-            const bool isAcross = measure.starts_with("ridge") || measure.starts_with("wall");
-            QVERIFY2(!isAcross || !place->text().contains(" mm "), qPrintable(place->text()));
-        } else {
-            QCOMPARE(heat->marked(), ui::study::farthestOff(made.work));
-            QVERIFY2(place->text().contains("no place"), qPrintable(place->text()));
-        }
-    }
-    QVERIFY(places >= 5 && nodes.size() >= 3);
-}
-
-void TestScorePage::aMomentLeadsThere()
-{
-    const Faulty& made = faulty("decay-36-moderate");
-    show(made);
-    QSignalSpy wanted(m_page, &ScorePage::momentWanted);
-    QStringList read;
-    for (QPushButton* chip : m_page->findChild<CriterionRow*>("criterion_caries_left")->findChildren<QPushButton*>())
-        read << chip->text();
-    QVERIFY(read.size() == 3);
-    QVERIFY2(read.front().contains("at 0:") && read.front().contains("stroke"), qPrintable(read.front()));
-    for (QPushButton* chip : m_page->findChild<CriterionRow*>("criterion_caries_left")->findChildren<QPushButton*>())
-        if (chip->text().contains("stroke 12"))
-            QTest::mouseClick(chip, Qt::LeftButton);
-    QCOMPARE(wanted.count(), 1);
-    QCOMPARE(wanted.front().front().toDouble(), 48.0);
-    m_page->setMomentsProgress(0.4);
-    QVERIFY(m_page->findChild<QProgressBar*>()->isVisible());
-    QCOMPARE(m_page->findChild<QProgressBar*>()->value(), 40);
-    m_page->setMoments(parts(made.sheet));
-    QVERIFY(!m_page->findChild<QProgressBar*>()->isVisible());
-}
-
-void TestScorePage::manyMomentsAreFoldedAway()
-{
-    show(faulty("decay-36-moderate"));
-    const auto* row = m_page->findChild<CriterionRow*>("criterion_caries_left");
-    const auto chips = row->findChildren<QPushButton*>();
-    QCOMPARE(chips.size(), 3);
-    QVERIFY2(chips.back()->text().contains("3"), qPrintable(chips.back()->text()));
-    QTest::mouseClick(chips.back(), Qt::LeftButton);
-    QTRY_COMPARE(row->findChildren<QPushButton*>().size(), 5);
-    QVERIFY(row->findChildren<QPushButton*>().front()->text().contains("never removed"));
-}
-
-void TestScorePage::neighboursAreReadAsOne()
-{
-    using Kind = Moment::Kind;
-    const std::vector<Moment> read = ui::study::asRead({{Kind::Stroke, 3, 1000, 1.0, 1},
-                                                        {Kind::Stroke, 2, 2000, 2.0, 1},
-                                                        {Kind::Stroke, 4, 12000, 12.0, 1},
-                                                        {Kind::Stroke, 5, 13000, 13.0, 2},
-                                                        {Kind::Way, 1, 14000, 14.0, 0},
-                                                        {Kind::Way, 1, 15000, 15.0, 0}});
-    QCOMPARE(read, (std::vector<Moment>{{Kind::Stroke, 5, 1000, 1.0, 1},
-                                        {Kind::Stroke, 4, 12000, 12.0, 1},
-                                        {Kind::Stroke, 5, 13000, 13.0, 2},
-                                        {Kind::Way, 2, 14000, 14.0, 0}}));
-}
-
-void TestScorePage::breachesLeadToTheirMoments()
-{
-    using core::grading::Breach;
-    Faulty made = faulty("decay-36-moderate");
-    show(made);
-    auto* facts = m_page->findChild<QLabel*>("conduct");
-    QVERIFY(!facts->isVisible());  // nobody saw how it came about
-    made.work.measured.process = conducted();
-    show(made);
-    QVERIFY(m_page->findChild<QLabel*>("breaches")->text().contains("No breach"));
-    QVERIFY2(facts->text().contains("2:13") && facts->text().contains("1:02") && facts->text().contains("3 step") &&
-                 facts->text().contains("No aid"),
-             qPrintable(facts->text()));
-    made.work.aids = core::session::kSectionAid;
-    for (int n = 0; n < 7; ++n)
-        made.work.infractions.push_back({n == 5 ? Breach::PulpExposed : Breach::BurInAir,
-                                         static_cast<std::uint64_t>(1000 * n),
-                                         20.0 * n,
-                                         {},
-                                         0,
-                                         20});
-    show(made);
-    QVERIFY(facts->text().contains("section"));
-    QVERIFY(m_page->findChild<QLabel*>("breaches")->text().contains("7"));
-    const auto chips = [&] { return facts->parentWidget()->findChildren<QPushButton*>(); };
-    QCOMPARE(chips().size(), 2);
-    QPushButton* pulp = nullptr;
-    for (QPushButton* chip : chips())
-        if (chip->text().contains("pulp"))
-            pulp = chip;
-    QVERIFY(pulp != nullptr);
-    QSignalSpy wanted(m_page, &ScorePage::momentWanted);
-    QTest::mouseClick(pulp, Qt::LeftButton);
-    QCOMPARE(wanted.count(), 1);
-    QCOMPARE(wanted.front().front().toDouble(), 100.0);
-    QTest::mouseClick(chips().back(), Qt::LeftButton);
-    QTRY_COMPARE(chips().size(), 7);
-}
-
-void TestScorePage::padsAreToldWithTheirAnswers()
-{
-    using core::terrain::Material;
-    Faulty made = faulty("decay-36-moderate");
-    made.sheet.criteria.resize(1);
-    made.sheet.criteria.front().measure = "pads_named_percent";  // a measure without a place
-    made.work.measured.practised = core::grading::Named{{Material::Enamel, Material::Caries, std::nullopt}, 1};
-    show(made);
-    const auto* place = m_page->findChild<QLabel*>("place");
-    QVERIFY2(place->text().contains("has no place"), qPrintable(place->text()));
-    made.work.exercise = core::grading::PadsToName{{Material::Enamel, Material::Dentin, Material::Caries}};
-    show(made);
-    QCOMPARE(place->text(),
-             QString("Left: enamel, as you said · Middle: dentin, you said decay · Right: decay, not named"));
-}
-
-void TestScorePage::aPointThatWasMissedIsShown()
-{
-    Faulty made = faulty("decay-36-moderate");
-    const core::terrain::Grid& grid = made.work.tooth->grid();
-    const std::size_t missed = grid.index(grid.side / 3, grid.side / 2);
-    made.sheet.criteria.resize(1);
-    made.sheet.criteria.front().measure = "points_touched_percent";
-    made.work.exercise = core::grading::PointsToTouch{{{0.0, 0.0}, grid.nodeMm(grid.side / 3, grid.side / 2)}, 0.6};
-    made.work.measured.practised = core::grading::Touched{{12.5, std::nullopt}};
-    show(made);
-    const auto* place = m_page->findChild<QLabel*>("place");
-    QCOMPARE(place->text(), QString("1 of 2 points touched; the ring marks one that was not"));
-    QCOMPARE(m_page->findChild<HeatMap*>()->marked(), std::optional(missed));
-    made.work.measured.practised = core::grading::Touched{{12.5, 20.0}};
-    show(made);
-    QCOMPARE(place->text(), QString("All points were touched"));
-    made.sheet.criteria.front().measure = "hold_longest_s";
-    made.work.exercise = core::grading::ForceToHold{};
-    core::grading::Held held;
-    held.longestS = 8.3;
-    held.meanErrorN = 0.12;
-    made.work.measured.practised = held;
-    show(made);
-    QCOMPARE(place->text(), QString("Held for 8.3 of 10 s, 0.12 N off on the average"));
-}
-
-void TestScorePage::itSaysWhenTheGridDecides()
-{
-    const auto* words = m_page->findChild<QLabel*>("noise");
-    m_page->setScore([] { return QString(); }, faulty("decay-36-moderate").sheet, {}, {}, {});
-    QVERIFY(!words->isVisible());
-    m_page->setNoise({{834, true}, {829, true}, {{836, true}}});
-    QVERIFY2(words->text().contains("82.9") && words->text().contains("83.6") && words->text().contains("Not within"),
-             qPrintable(words->text()));
-    m_page->setNoise({{752, true}, {749, false}, {{753, true}}});
-    QVERIFY2(words->text().contains("74.9") && words->text().contains("pass mark lies between"),
-             qPrintable(words->text()));
-}
-
-void TestScorePage::otherRubricsAreShownApart()
-{
-    const Faulty& made = faulty("decay-36-moderate");
-    database::AttemptRecord now;
-    now.scoreTenths = made.sheet.totalTenths;
-    now.finishedUtc = "2026-11-20T10:15:00Z";
-    now.rubricHash = made.sheet.rubricHash;
-    database::AttemptRecord old = now;
-    old.scoreTenths = 612;
-    old.rubricHash = "another";
-    m_page->setScore([] { return QString(); }, made.sheet, {now, old}, {}, {});
-    const QString spoken = m_page->findChild<ui::shell::HistoryChart*>()->accessibleName();
-    QVERIFY2(spoken.contains("61.2 by another rubric, " + ui::text::points(made.sheet.totalTenths)),
-             qPrintable(spoken));
-    // Twelve of nought are seen as well, in little room.
-    ui::shell::HistoryChart small(nullptr);
-    small.resize(260, 60);
-    small.setScores({}, 750);
-    const QImage without = small.grab().toImage();
-    small.setScores(QList<ui::shell::HistoryChart::Score>(12, {0, true, {}}), 750);
-    QVERIFY(small.grab().toImage() != without);
-    // The pointer is told more of a column, and a file of all of them.
-    auto* chart = m_page->findChild<ui::shell::HistoryChart*>();
-    m_page->resize(1200, 800);
-    m_page->show();
-    QHelpEvent onFirst(QEvent::ToolTip, {4, 40}, chart->mapToGlobal(QPoint(4, 40)));
-    QApplication::sendEvent(chart, &onFirst);
-    QVERIFY2(QToolTip::text().contains("2026") && QToolTip::text().contains("61.2 by another rubric"),
-             qPrintable(QToolTip::text()));
-    const QTemporaryDir folder;
-    auto* save = m_page->findChild<ui::charts::SaveButton*>();
-    QVERIFY(save->isVisible() && save->save(folder.filePath("scores.csv")));
-    QFile table(folder.filePath("scores.csv"));
-    QVERIFY(table.open(QIODevice::ReadOnly));
-    const QByteArray rows = table.readAll();
-    QVERIFY2(rows.contains("61.2"), rows.constData());
-    m_page->setHistory({});
-    QVERIFY(!save->isVisible());  // there is nothing to be saved
-    m_page->setHistory({now, old});
-    int apart = 0;
-    for (const QLabel* label : m_page->findChildren<QLabel*>())
-        apart += label->text() == "other rubric" ? 1 : 0;
-    QCOMPARE(apart, 1);
-}
-
-void TestScorePage::aClassOfFewIsNotShown()
-{
-    const auto* words = m_page->findChild<QLabel*>("class");
-    m_page->setScore([] { return QString(); }, faulty("decay-36-moderate").sheet, {}, {}, {});
-    QVERIFY(!words->isVisible());
-    m_page->setClass({4, {}});
-    QVERIFY2(words->text().contains("takes 5 people"), qPrintable(words->text()));
-    QVERIFY(!words->text().contains("%"));
-    m_page->setClass({12, 41.7});
-    QVERIFY2(words->text().contains("42 % are below"), qPrintable(words->text()));
-}
-
-void TestScorePage::theFirstViewNeedsNoScrolling()
-{
-    m_page->resize(1280, 760);  // a screen of 1280 x 800 with a task bar
-    Faulty made = faulty("decay-36-moderate");
-    made.work.measured.process = conducted();
-    made.work.aids = core::session::kSectionAid | core::session::kIdealAid | core::session::kRadiographAid;
-    for (int n = 0; n < 9; ++n)
-        made.work.infractions.push_back(
-            {core::grading::Breach::BurInAir, static_cast<std::uint64_t>(1000 * n), 20.0 * n, {}, 0, 20});
-    show(made);
-    const auto* pane = m_page->findChild<ui::shell::ScrollPane*>();
-    QTRY_VERIFY2(!pane->hasMoreBelow(),
-                 qPrintable(QString("%1 px too high").arg(pane->verticalScrollBar()->maximum())));
-}
-
-void TestScorePage::keysReachRowsAndMoments()
-{
-    show(faulty("decay-36-moderate"));
-    auto* first = m_page->findChild<CriterionRow*>("criterion_caries_left");
-    first->setFocus();
-    QTest::keyClick(first, Qt::Key_Down);
-    QVERIFY(m_page->findChild<CriterionRow*>("criterion_sound_tissue")->isChecked());
-    first->setFocus();
-    QSet<QWidget*> reached;
-    for (int k = 0; k < 40; ++k) {
-        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
-        reached << QApplication::focusWidget();
-    }
-    for (QPushButton* chip : first->findChildren<QPushButton*>())
-        QVERIFY2(reached.contains(chip), qPrintable(chip->text()));
-}
-
-void TestScorePage::aPlaceIsPinnedAndFoundAgain()
-{
-    const Faulty& made = faulty("class1-36");
-    show(made);
-    auto* heat = m_page->findChild<HeatMap*>();
-    auto* atPlace = m_page->findChild<QCheckBox*>("atPlace");
-    // Who only reads pins nothing.
-    m_page->setTalkVisible(true);
-    QApplication::processEvents();
-    QTest::mouseClick(heat, Qt::LeftButton, {}, heat->rect().center());
-    QVERIFY(!heat->pin());
-    m_page->setMayTalk(true);
-    QTest::mouseClick(heat, Qt::LeftButton, {}, heat->rect().center());
-    QVERIFY(heat->pin() && atPlace->isChecked());
-    const core::terrain::Grid& grid = made.work.tooth->grid();
-    const auto place = *heat->pin();
-    const glm::dvec2 node = grid.latticeOf(glm::dvec2(place[0], place[1]));
-    const auto k = grid.index(static_cast<int>(std::lround(node.x)), static_cast<int>(std::lround(node.y)));
-    QCOMPARE(place[2], static_cast<double>(made.work.tooth->top[k]));  // on the surface as it ended
-    // Beside the tooth is no place.
-    QTest::mouseClick(heat, Qt::LeftButton, {}, {4, 4});
-    QVERIFY(!heat->pin() && !atPlace->isChecked());
-    // A comment's place is shown where it was, and brought into sight.
-    database::AttemptTalk talk;
-    talk.comments.push_back({1, "Grace Hopper", "2026-11-20T10:00:00Z", "Here.", place, {}});
-    m_page->talk().setTalk(talk);
-    for (QPushButton* button : m_page->talk().findChildren<QPushButton*>())
-        if (button->property("kind") == "chip")
-            button->click();
-    QCOMPARE(heat->pin(), std::optional(place));
-    QVERIFY(!heat->visibleRegion().isEmpty());
-    // Another score card begins without.
-    show(made);
-    QVERIFY(!heat->pin());
-}
-
-void TestScorePage::aPinMovesWithTheKeys()
-{
-    const Faulty& made = faulty("class1-36");
-    show(made);
-    m_page->setTalkVisible(true);
-    m_page->setMayTalk(true);
-    auto* heat = m_page->findChild<HeatMap*>();
-    heat->setFocus();
-    QTest::keyClick(heat, Qt::Key_Right);
-    QVERIFY(heat->pin());  // it begins at the ring
-    const auto before = *heat->pin();
-    QTest::keyClick(heat, Qt::Key_Right, Qt::ShiftModifier);
-    const double cell = made.work.tooth->grid().cellMm;
-    QVERIFY(std::abs((*heat->pin())[0] - before[0] - cell) < 1.0e-9);
-    QTest::keyClick(heat, Qt::Key_Up);
-    QVERIFY((*heat->pin())[1] > before[1]);
-    QTest::keyClick(heat, Qt::Key_Delete);
-    QVERIFY(!heat->pin());
-    QVERIFY(!m_page->findChild<QCheckBox*>("atPlace")->isChecked());
-}
-
-void TestScorePage::aNewCardBeginsAtItsTop()
-{
-    const Faulty& made = faulty("decay-36-moderate");
-    m_page->resize(700, 500);
-    show(made);
-    QScrollBar* bar = m_page->findChild<ui::shell::ScrollPane*>()->verticalScrollBar();
-    QTRY_VERIFY(bar->maximum() > 0);
-    bar->setValue(bar->maximum());
-    show(made);
-    QCOMPARE(bar->value(), 0);
-}
-
-void TestScorePage::whatWasSaidIsScrolledTo()
-{
-    m_page->setTalkVisible(true);
-    show(faulty("decay-36-moderate"));
-    database::AttemptTalk talk;
-    talk.comments.assign(8, {1, "Grace Hopper", "2026-11-20T10:00:00Z", "Here you pressed too hard.", {}, {}});
-    m_page->talk().setTalk(talk);
-    m_page->showTalk();
-    auto* pane = m_page->findChild<ui::shell::ScrollPane*>();
-    QTRY_VERIFY(pane->verticalScrollBar()->value() > 0);
-    const int top = m_page->talk().mapTo(pane->viewport(), QPoint(0, 0)).y();
-    QVERIFY2(top >= 0 && top < pane->viewport()->height() / 2, qPrintable(QString::number(top)));
-}
-
-/// Beside the field, though another teacher's score has moved both meanwhile.
-void TestScorePage::whatWasRefusedIsInSight()
-{
-    m_page->resize(900, 600);
-    show(faulty("decay-36-moderate"));
-    m_page->setTalkVisible(true);
-    m_page->setMayTalk(true);
-    auto* reason = m_page->findChild<QLineEdit*>("reason");
-    reason->setText("fine by hand");
-    auto* give = m_page->findChild<QPushButton*>("giveScore");
-    give->setFocus();
-    give->click();
-    m_page->talk().refuse(
-        "Somebody else has changed it meanwhile. Look at it, and give it again if it is still meant.");
-    database::AttemptTalk talk;
-    talk.overrides.assign(20, {"Grace Hopper", "2026-11-20T10:00:00Z", 900, "Neat."});
-    QApplication::processEvents();
-    m_page->talk().setTalk(talk);
-    auto* pane = m_page->findChild<ui::shell::ScrollPane*>();
-    const auto isSeen = [pane](const QWidget* what) {
-        const QRect at(what->mapTo(pane->viewport(), QPoint(0, 0)), what->size());
-        return pane->viewport()->rect().contains(at) &&
-               at.bottom() < pane->viewport()->height() - (pane->hasMoreBelow() ? 36 : 0);
-    };
-    QTRY_VERIFY(isSeen(m_page->findChild<QLabel*>("fault")) && isSeen(reason) && isSeen(give));
-}
-
-/// A reader too: what gets the keyboard comes into sight, and the page keys go where nothing can have it.
-void TestScorePage::theKeyboardReadsAll()
-{
-    m_page->resize(900, 600);
-    show(faulty("decay-36-moderate"));
-    m_page->setTalkVisible(true);
-    database::AttemptTalk talk;
-    talk.comments.push_back({1, "Grace Hopper", "2026-11-20T10:00:00Z", "Here.", {}, std::int64_t{45000}, false});
-    talk.overrides.assign(20, {"Grace Hopper", "2026-11-20T10:00:00Z", 900, "Neat."});
-    m_page->talk().setTalk(talk);
-    auto* pane = m_page->findChild<ui::shell::ScrollPane*>();
-    QTRY_VERIFY(pane->verticalScrollBar()->maximum() > 0);
-    pane->verticalScrollBar()->setValue(0);
-    QPushButton* chip = nullptr;
-    for (auto* button : m_page->talk().findChildren<QPushButton*>())
-        if (button->accessibleName().startsWith("Show the moment"))
-            chip = button;
-    QVERIFY(chip != nullptr);
-    chip->setFocus(Qt::TabFocusReason);
-    const int bottom = chip->mapTo(pane->viewport(), QPoint(0, chip->height())).y();
-    QVERIFY2(bottom > 0 && bottom <= pane->viewport()->height() - 36, qPrintable(QString::number(bottom)));
-    const int before = pane->verticalScrollBar()->value();
-    QTest::keyClick(chip, Qt::Key_PageDown);
-    QVERIFY(pane->verticalScrollBar()->value() > before);
-    QTest::keyClick(chip, Qt::Key_End);
-    QCOMPARE(pane->verticalScrollBar()->value(), pane->verticalScrollBar()->maximum());
-    QTest::keyClick(chip, Qt::Key_Home);
-    QCOMPARE(pane->verticalScrollBar()->value(), 0);
-    // Also from beneath the pane.
-    auto* beneath = m_page->findChild<QWidget*>("scoreReport");
-    QVERIFY(!pane->isAncestorOf(beneath));
-    QTest::keyClick(beneath, Qt::Key_PageDown);
-    QVERIFY(pane->verticalScrollBar()->value() > 0);
-}
-
-void TestScorePage::theSumIsTheMachinesWhereATeacherGaveAScore()
-{
-    show(faulty("class1-36"));
-    const auto* sum = m_page->findChild<QLabel*>("sum");
-    QVERIFY2(sum->text().startsWith("100.0"), qPrintable(sum->text()));
-    m_page->setGiven(900);
-    QVERIFY2(sum->text().startsWith("The machine's score: 100.0"), qPrintable(sum->text()));
-}
-
-void TestScorePage::theScoreThatIsToldIsCompared()
-{
-    show(faulty("class1-36"));
-    m_page->setGiven(800);
-    const QString words = m_page->findChild<QLabel*>("expectation")->text();
-    QVERIFY2(words.startsWith("You expected 90.0 points: 10.0 too many."), qPrintable(words));
-}
 
 QTEST_MAIN(TestScorePage)
 #include "tst_score_page.moc"

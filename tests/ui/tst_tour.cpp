@@ -28,14 +28,120 @@ private slots:
         spoil();
         end();
     }
-    void everyStepLightsAControlAndLeavesItInSight_data();
-    void everyStepLightsAControlAndLeavesItInSight();
-    void keysLeadThroughIt();
-    void otherKeysRest();
-    void tabStaysInTheCard();
-    void escEndsItWhereItBegan();
-    void itIsHadAgainFromTheKeys();
-    void theDoorBreaksItOff();
+    void everyStepLightsAControlAndLeavesItInSight_data()
+    {
+        QTest::addColumn<Role>("role");
+        QTest::addColumn<QSize>("size");
+        for (const auto& [name, role] : {std::pair("guest", Role::Guest),
+                                         {"student", Role::Student},
+                                         {"instructor", Role::Instructor},
+                                         {"admin", Role::Admin}})
+            for (const QSize size : {QSize(1280, 760), QSize(853, 493)})
+                QTest::addRow("%s, %d", name, size.width()) << role << size;
+    }
+
+    void everyStepLightsAControlAndLeavesItInSight()
+    {
+        QFETCH(Role, role);
+        QFETCH(QSize, size);
+        m_window->resize(size);
+        actions().attempts->setVisible(role != Role::Guest);
+        actions().classes->setVisible(role == Role::Instructor || role == Role::Admin);
+        actions().school->setVisible(role == Role::Admin);
+        QTRY_COMPARE(m_window->size(), size);
+        tour().begin(role);
+        QVERIFY2(tour().steps() >= 4 && tour().steps() <= 7, qPrintable(QString::number(tour().steps())));
+        QStringList titles;
+        for (int k = 0; k < tour().steps(); ++k) {
+            QCOMPARE(tour().step(), k);
+            titles << child<QLabel>("tourTitle")->text();
+            QTRY_VERIFY2(isInOrder(), qPrintable(titles.back()));
+            tour().next();
+        }
+        QVERIFY(!tour().isVisible());
+        titles.removeDuplicates();
+        QCOMPARE(titles.size(), tour().steps());
+    }
+
+    void keysLeadThroughIt()
+    {
+        m_window->beginTour();
+        press(Qt::Key_Right);
+        QCOMPARE(tour().step(), 1);
+        press(Qt::Key_Return);
+        QCOMPARE(tour().step(), 2);
+        press(Qt::Key_Left);
+        QCOMPARE(tour().step(), 1);
+        press(Qt::Key_Left);
+        press(Qt::Key_Left);
+        QCOMPARE(tour().step(), 0);
+        QVERIFY(!child<QPushButton>("tourBack")->isEnabled());
+        QSignalSpy ended(m_window.get(), &MainWindow::tourEnded);
+        for (int k = 0; k < tour().steps(); ++k)
+            press(Qt::Key_Right);
+        QVERIFY(!tour().isVisible());
+        QCOMPARE(ended.count(), 1);
+    }
+
+    void otherKeysRest()
+    {
+        m_window->beginTour();
+        const bool before = actions().section->isChecked();
+        press(Qt::Key_X);
+        press(Qt::Key_F2);
+        QCOMPARE(actions().section->isChecked(), before);
+        QVERIFY(tour().isVisible());
+        QVERIFY(m_window->view().isVisible());
+    }
+
+    void tabStaysInTheCard()
+    {
+        m_window->beginTour();
+        press(Qt::Key_Right);
+        for (const char* expected : {"tourSkip", "tourBack", "tourNext", "tourSkip"}) {
+            press(Qt::Key_Tab);
+            QCOMPARE(QApplication::focusWidget(), child<QPushButton>(expected));
+        }
+        press(Qt::Key_Tab, Qt::ShiftModifier);
+        QCOMPARE(QApplication::focusWidget(), child<QPushButton>("tourNext"));
+    }
+
+    void escEndsItWhereItBegan()
+    {
+        m_window->openLessons();
+        QVERIFY(!m_window->view().isVisible());
+        m_window->beginTour();
+        QVERIFY(m_window->view().isVisible());  // a guest's first step is the tooth
+        QSignalSpy ended(m_window.get(), &MainWindow::tourEnded);
+        press(Qt::Key_Escape);
+        QVERIFY(!tour().isVisible());
+        QVERIFY(!m_window->view().isVisible());
+        QCOMPARE(ended.count(), 1);
+    }
+
+    void itIsHadAgainFromTheKeys()
+    {
+        actions().help->trigger();
+        QPushButton* again = nullptr;
+        for (auto* button : child<ui::shell::HelpOverlay>()->findChildren<QPushButton*>())
+            if (button->text() == actions().tour->text())
+                again = button;
+        QVERIFY(again != nullptr && again->isVisible());
+        again->click();
+        QVERIFY(tour().isVisible());
+        QVERIFY(!child<ui::shell::HelpOverlay>()->isVisible());
+    }
+
+    void theDoorBreaksItOff()
+    {
+        m_window->beginTour();
+        QSignalSpy ended(m_window.get(), &MainWindow::tourEnded);
+        m_window->askWho(ui::people::Door::Login);
+        QVERIFY(!tour().isVisible());
+        QCOMPARE(ended.count(), 0);
+        actions().tour->trigger();
+        QVERIFY(!tour().isVisible());
+    }
 
 private:
     Tour& tour() const { return *child<Tour>(); }
@@ -44,137 +150,20 @@ private:
         QTest::keyClick(m_window->windowHandle(), key, with);
     }
     /// Whether the control of this step can be seen beside the card, and the card has room for its words.
-    [[nodiscard]] bool isInOrder() const;
+    [[nodiscard]] bool isInOrder() const
+    {
+        const QWidget* lit = tour().target();
+        const auto* card = child<QLabel>("tourTitle")->parentWidget();
+        const auto* words = child<QLabel>("tourWords");
+        if (lit == nullptr || !lit->isVisible() || !tour().rect().contains(card->geometry()) ||
+            words->height() < words->heightForWidth(words->width()))
+            return false;
+        const QRect there(lit->mapTo(m_window.get(), QPoint()), lit->size());
+        const QRect own(card->mapTo(m_window.get(), QPoint()), card->size());
+        const bool isLarge = there.width() * there.height() > m_window->width() * m_window->height() / 4;
+        return isLarge || !there.intersects(own);
+    }
 };
-
-void TestTour::everyStepLightsAControlAndLeavesItInSight_data()
-{
-    QTest::addColumn<Role>("role");
-    QTest::addColumn<QSize>("size");
-    for (const auto& [name, role] : {std::pair("guest", Role::Guest),
-                                     {"student", Role::Student},
-                                     {"instructor", Role::Instructor},
-                                     {"admin", Role::Admin}})
-        for (const QSize size : {QSize(1280, 760), QSize(853, 493)})
-            QTest::addRow("%s, %d", name, size.width()) << role << size;
-}
-
-bool TestTour::isInOrder() const
-{
-    const QWidget* lit = tour().target();
-    const auto* card = child<QLabel>("tourTitle")->parentWidget();
-    const auto* words = child<QLabel>("tourWords");
-    if (lit == nullptr || !lit->isVisible() || !tour().rect().contains(card->geometry()) ||
-        words->height() < words->heightForWidth(words->width()))
-        return false;
-    const QRect there(lit->mapTo(m_window.get(), QPoint()), lit->size());
-    const QRect own(card->mapTo(m_window.get(), QPoint()), card->size());
-    const bool isLarge = there.width() * there.height() > m_window->width() * m_window->height() / 4;
-    return isLarge || !there.intersects(own);
-}
-
-void TestTour::everyStepLightsAControlAndLeavesItInSight()
-{
-    QFETCH(Role, role);
-    QFETCH(QSize, size);
-    m_window->resize(size);
-    actions().attempts->setVisible(role != Role::Guest);
-    actions().classes->setVisible(role == Role::Instructor || role == Role::Admin);
-    actions().school->setVisible(role == Role::Admin);
-    QTRY_COMPARE(m_window->size(), size);
-    tour().begin(role);
-    QVERIFY2(tour().steps() >= 4 && tour().steps() <= 7, qPrintable(QString::number(tour().steps())));
-    QStringList titles;
-    for (int k = 0; k < tour().steps(); ++k) {
-        QCOMPARE(tour().step(), k);
-        titles << child<QLabel>("tourTitle")->text();
-        QTRY_VERIFY2(isInOrder(), qPrintable(titles.back()));
-        tour().next();
-    }
-    QVERIFY(!tour().isVisible());
-    titles.removeDuplicates();
-    QCOMPARE(titles.size(), tour().steps());
-}
-
-void TestTour::keysLeadThroughIt()
-{
-    m_window->beginTour();
-    press(Qt::Key_Right);
-    QCOMPARE(tour().step(), 1);
-    press(Qt::Key_Return);
-    QCOMPARE(tour().step(), 2);
-    press(Qt::Key_Left);
-    QCOMPARE(tour().step(), 1);
-    press(Qt::Key_Left);
-    press(Qt::Key_Left);
-    QCOMPARE(tour().step(), 0);
-    QVERIFY(!child<QPushButton>("tourBack")->isEnabled());
-    QSignalSpy ended(m_window.get(), &MainWindow::tourEnded);
-    for (int k = 0; k < tour().steps(); ++k)
-        press(Qt::Key_Right);
-    QVERIFY(!tour().isVisible());
-    QCOMPARE(ended.count(), 1);
-}
-
-void TestTour::otherKeysRest()
-{
-    m_window->beginTour();
-    const bool before = actions().section->isChecked();
-    press(Qt::Key_X);
-    press(Qt::Key_F2);
-    QCOMPARE(actions().section->isChecked(), before);
-    QVERIFY(tour().isVisible());
-    QVERIFY(m_window->view().isVisible());
-}
-
-void TestTour::tabStaysInTheCard()
-{
-    m_window->beginTour();
-    press(Qt::Key_Right);
-    for (const char* expected : {"tourSkip", "tourBack", "tourNext", "tourSkip"}) {
-        press(Qt::Key_Tab);
-        QCOMPARE(QApplication::focusWidget(), child<QPushButton>(expected));
-    }
-    press(Qt::Key_Tab, Qt::ShiftModifier);
-    QCOMPARE(QApplication::focusWidget(), child<QPushButton>("tourNext"));
-}
-
-void TestTour::escEndsItWhereItBegan()
-{
-    m_window->openLessons();
-    QVERIFY(!m_window->view().isVisible());
-    m_window->beginTour();
-    QVERIFY(m_window->view().isVisible());  // a guest's first step is the tooth
-    QSignalSpy ended(m_window.get(), &MainWindow::tourEnded);
-    press(Qt::Key_Escape);
-    QVERIFY(!tour().isVisible());
-    QVERIFY(!m_window->view().isVisible());
-    QCOMPARE(ended.count(), 1);
-}
-
-void TestTour::itIsHadAgainFromTheKeys()
-{
-    actions().help->trigger();
-    QPushButton* again = nullptr;
-    for (auto* button : child<ui::shell::HelpOverlay>()->findChildren<QPushButton*>())
-        if (button->text() == actions().tour->text())
-            again = button;
-    QVERIFY(again != nullptr && again->isVisible());
-    again->click();
-    QVERIFY(tour().isVisible());
-    QVERIFY(!child<ui::shell::HelpOverlay>()->isVisible());
-}
-
-void TestTour::theDoorBreaksItOff()
-{
-    m_window->beginTour();
-    QSignalSpy ended(m_window.get(), &MainWindow::tourEnded);
-    m_window->askWho(ui::people::Door::Login);
-    QVERIFY(!tour().isVisible());
-    QCOMPARE(ended.count(), 0);
-    actions().tour->trigger();
-    QVERIFY(!tour().isVisible());
-}
 
 QTEST_MAIN(TestTour)
 #include "tst_tour.moc"
