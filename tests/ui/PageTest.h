@@ -53,9 +53,9 @@ protected:
     }
 
     template <class T>
-    T* child(const char* name = "") const
+    T* child(const char* name = nullptr) const
     {
-        return m_window->findChild<T*>(QString::fromLatin1(name));
+        return m_window->findChild<T*>(name == nullptr ? QString() : QString::fromLatin1(name));
     }
     void click(const char* button) const { child<QPushButton>(button)->click(); }
     [[nodiscard]] QString textOf(const char* label) const { return child<QLabel>(label)->text(); }

@@ -1,30 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QApplication>
 #include <QCheckBox>
-#include <QFile>
 #include <QHelpEvent>
-#include <QLabel>
-#include <QLineEdit>
 #include <QProgressBar>
-#include <QPushButton>
 #include <QScrollBar>
 #include <QSignalSpy>
 #include <QTemporaryDir>
-#include <QTest>
 #include <QToolTip>
 
 #include <cmath>
 #include <map>
-#include <memory>
 #include <set>
 
-#include "lessons/LessonCatalog.h"
+#include "tests/support/Checks.h"
+#include "tests/support/Files.h"
+#include "tests/ui/PageTest.h"
+#include "tests/ui/WindowTest.h"
 #include "ui/charts/SaveButton.h"
 #include "ui/people/TalkPanel.h"
-#include "ui/shell/Actions.h"
 #include "ui/shell/HistoryChart.h"
 #include "ui/shell/ScrollPane.h"
-#include "ui/shell/Theme.h"
 #include "ui/study/CriterionRow.h"
 #include "ui/study/HeatMap.h"
 #include "ui/study/ScorePage.h"
@@ -54,37 +48,39 @@ const Faulty& faulty(const std::string& id)
     if (const auto found = all.find(id); found != all.end())
         return found->second;
     Faulty& made = all[id];
-    for (const lessons::CatalogEntry& entry : lessons::readCatalog({}))
-        if (entry.read.lesson && entry.read.lesson->id == id)
-            made.assignment = lessons::assign(*entry.read.lesson).value().assignment;
+    made.assignment = support::assigned(id);
     const core::terrain::ToothAnatomy& anatomy = *made.assignment.anatomy;
     made.work.ideal = made.assignment.shownIdeal();
     std::vector<float> top = *made.work.ideal;
-    double left = 1.0e9;
-    double right = -1.0e9;
+    std::vector<std::pair<double, std::size_t>> cut;  // from left to right
     for (int j = 0; j < anatomy.grid.side; ++j)
         for (int i = 0; i < anatomy.grid.side; ++i)
-            if (const std::size_t k = anatomy.grid.index(i, j); top[k] < anatomy.top[k]) {
-                left = std::min(left, anatomy.grid.nodeMm(i, j).x);
-                right = std::max(right, anatomy.grid.nodeMm(i, j).x);
-            }
-    for (int j = 0; j < anatomy.grid.side; ++j)
-        for (int i = 0; i < anatomy.grid.side; ++i) {
-            const std::size_t k = anatomy.grid.index(i, j);
-            if (!(top[k] < anatomy.top[k]))
-                continue;
-            const double x = anatomy.grid.nodeMm(i, j).x;
-            if (x < left + 0.25 * (right - left))
-                top[k] -= 0.4F;
-            else if (x > right - 0.25 * (right - left))
-                top[k] = anatomy.top[k];
-        }
+            if (const std::size_t k = anatomy.grid.index(i, j); top[k] < anatomy.top[k])
+                cut.emplace_back(anatomy.grid.nodeMm(i, j).x, k);
+    std::sort(cut.begin(), cut.end());
+    for (std::size_t n = 0; n < cut.size() / 4; ++n) {
+        top[cut[n].second] -= 0.4F;
+        const std::size_t untouched = cut[cut.size() - 1 - n].second;
+        top[untouched] = anatomy.top[untouched];
+    }
     auto tooth = core::terrain::restored(made.assignment.anatomy, top);
     const auto marked = lessons::mark(made.assignment, tooth).value();
     made.work.tooth = std::make_shared<const core::terrain::Tooth>(std::move(tooth));
     made.work.measured = marked.measured;
     made.sheet = marked.sheet;
     return made;
+}
+
+QList<database::AttemptRecord> attempts(const lessons::ScoreSheet& sheet)
+{
+    database::AttemptRecord now;
+    now.scoreTenths = sheet.totalTenths;
+    now.finishedUtc = "2026-11-20T10:15:00Z";
+    now.rubricHash = sheet.rubricHash;
+    database::AttemptRecord old = now;
+    old.scoreTenths = 612;
+    old.rubricHash = "another";
+    return {now, old};
 }
 
 core::grading::Process conducted()
@@ -116,24 +112,13 @@ std::vector<std::vector<Moment>> parts(const lessons::ScoreSheet& sheet)
 
 }  // namespace
 
-class TestScorePage : public QObject
+class TestScorePage : public support::PageTest<ScorePage>
 {
     Q_OBJECT
 
 private slots:
-    void initTestCase() { ui::shell::applyTheme(*qApp, ui::shell::ThemeChoice::Light); }
-    void init()
-    {
-        m_window = std::make_unique<QWidget>();
-        m_actions = new ui::shell::Actions(m_window.get());
-        m_page = new ScorePage(*m_actions, m_window.get());
-        m_window->resize(1280, 800);
-        m_page->resize(1280, 800);
-        m_window->show();
-        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));  // arrows look for who has the focus
-    }
-
-    void cleanup() { m_window.reset(); }
+    void initTestCase() { prepare(); }
+    void init() { openPage(); }
 
     void tooDeepAndStillToGoAreTold()
     {
@@ -164,8 +149,7 @@ private slots:
     {
         const Faulty& made = faulty("class1-36");
         show(made);
-        const auto* heat = m_page->findChild<HeatMap*>();
-        const auto* place = m_page->findChild<QLabel*>("place");
+        const auto* heat = child<HeatMap>();
         int places = 0;
         std::set<std::size_t> nodes;
         for (CriterionRow* row : m_page->findChildren<CriterionRow*>()) {
@@ -176,14 +160,15 @@ private slots:
                 ++places;
                 nodes.insert(*own);
                 QCOMPARE(heat->marked(), own);
-                QVERIFY2(place->text().contains(ui::text::criterionName(row->criterion())), qPrintable(place->text()));
+                QVERIFY2(textOf("place").contains(ui::text::criterionName(row->criterion())),
+                         qPrintable(textOf("place")));
                 // How deep the cut is beside a wall or a ridge is not what is wrong with it.
                 const std::string& measure = row->criterion().measure;
                 const bool isAcross = measure.starts_with("ridge") || measure.starts_with("wall");
-                QVERIFY2(!isAcross || !place->text().contains(" mm "), qPrintable(place->text()));
+                QVERIFY2(!isAcross || !textOf("place").contains(" mm "), qPrintable(textOf("place")));
             } else {
                 QCOMPARE(heat->marked(), ui::study::farthestOff(made.work));
-                QVERIFY2(place->text().contains("no place"), qPrintable(place->text()));
+                QVERIFY2(textOf("place").contains("no place"), qPrintable(textOf("place")));
             }
         }
         QVERIFY(places >= 5 && nodes.size() >= 3);
@@ -194,35 +179,26 @@ private slots:
         const Faulty& made = faulty("decay-36-moderate");
         show(made);
         QSignalSpy wanted(m_page, &ScorePage::momentWanted);
-        QStringList read;
-        for (QPushButton* chip :
-             m_page->findChild<CriterionRow*>("criterion_caries_left")->findChildren<QPushButton*>())
-            read << chip->text();
-        QVERIFY(read.size() == 3);
-        QVERIFY2(read.front().contains("at 0:") && read.front().contains("stroke"), qPrintable(read.front()));
-        for (QPushButton* chip :
-             m_page->findChild<CriterionRow*>("criterion_caries_left")->findChildren<QPushButton*>())
-            if (chip->text().contains("stroke 12"))
-                QTest::mouseClick(chip, Qt::LeftButton);
-        QCOMPARE(wanted.count(), 1);
-        QCOMPARE(wanted.front().front().toDouble(), 48.0);
-        m_page->setMomentsProgress(0.4);
-        QVERIFY(m_page->findChild<QProgressBar*>()->isVisible());
-        QCOMPARE(m_page->findChild<QProgressBar*>()->value(), 40);
-        m_page->setMoments(parts(made.sheet));
-        QVERIFY(!m_page->findChild<QProgressBar*>()->isVisible());
-    }
-
-    void manyMomentsAreFoldedAway()
-    {
-        show(faulty("decay-36-moderate"));
-        const auto* row = m_page->findChild<CriterionRow*>("criterion_caries_left");
+        const auto* row = child<CriterionRow>("criterion_caries_left");
         const auto chips = row->findChildren<QPushButton*>();
         QCOMPARE(chips.size(), 3);
+        QVERIFY2(chips[0]->text().contains("at 0:") && chips[0]->text().contains("stroke"),
+                 qPrintable(chips[0]->text()));
+        for (QPushButton* chip : chips)
+            if (chip->text().contains("stroke 12"))
+                chip->click();
+        QCOMPARE(wanted.count(), 1);
+        QCOMPARE(wanted.front().front().toDouble(), 48.0);
+        // The others are folded away.
         QVERIFY2(chips.back()->text().contains("3"), qPrintable(chips.back()->text()));
-        QTest::mouseClick(chips.back(), Qt::LeftButton);
+        chips.back()->click();
         QTRY_COMPARE(row->findChildren<QPushButton*>().size(), 5);
         QVERIFY(row->findChildren<QPushButton*>().front()->text().contains("never removed"));
+        m_page->setMomentsProgress(0.4);
+        QVERIFY(child<QProgressBar>()->isVisible());
+        QCOMPARE(child<QProgressBar>()->value(), 40);
+        m_page->setMoments(parts(made.sheet));
+        QVERIFY(!child<QProgressBar>()->isVisible());
     }
 
     void neighboursAreReadAsOne()
@@ -245,11 +221,11 @@ private slots:
         using core::grading::Breach;
         Faulty made = faulty("decay-36-moderate");
         show(made);
-        auto* facts = m_page->findChild<QLabel*>("conduct");
+        const auto* facts = child<QLabel>("conduct");
         QVERIFY(!facts->isVisible());  // nobody saw how it came about
         made.work.measured.process = conducted();
         show(made);
-        QVERIFY(m_page->findChild<QLabel*>("breaches")->text().contains("No breach"));
+        QVERIFY(textOf("breaches").contains("No breach"));
         QVERIFY2(facts->text().contains("2:13") && facts->text().contains("1:02") && facts->text().contains("3 step") &&
                      facts->text().contains("No aid"),
                  qPrintable(facts->text()));
@@ -263,7 +239,7 @@ private slots:
                                              20});
         show(made);
         QVERIFY(facts->text().contains("section"));
-        QVERIFY(m_page->findChild<QLabel*>("breaches")->text().contains("7"));
+        QVERIFY(textOf("breaches").contains("7"));
         const auto chips = [&] { return facts->parentWidget()->findChildren<QPushButton*>(); };
         QCOMPARE(chips().size(), 2);
         QPushButton* pulp = nullptr;
@@ -287,11 +263,10 @@ private slots:
         made.sheet.criteria.front().measure = "pads_named_percent";  // a measure without a place
         made.work.measured.practised = core::grading::Named{{Material::Enamel, Material::Caries, std::nullopt}, 1};
         show(made);
-        const auto* place = m_page->findChild<QLabel*>("place");
-        QVERIFY2(place->text().contains("has no place"), qPrintable(place->text()));
+        QVERIFY2(textOf("place").contains("has no place"), qPrintable(textOf("place")));
         made.work.exercise = core::grading::PadsToName{{Material::Enamel, Material::Dentin, Material::Caries}};
         show(made);
-        QCOMPARE(place->text(),
+        QCOMPARE(textOf("place"),
                  QString("Left: enamel, as you said · Middle: dentin, you said decay · Right: decay, not named"));
     }
 
@@ -305,12 +280,11 @@ private slots:
         made.work.exercise = core::grading::PointsToTouch{{{0.0, 0.0}, grid.nodeMm(grid.side / 3, grid.side / 2)}, 0.6};
         made.work.measured.practised = core::grading::Touched{{12.5, std::nullopt}};
         show(made);
-        const auto* place = m_page->findChild<QLabel*>("place");
-        QCOMPARE(place->text(), QString("1 of 2 points touched; the ring marks one that was not"));
-        QCOMPARE(m_page->findChild<HeatMap*>()->marked(), std::optional(missed));
+        QCOMPARE(textOf("place"), QString("1 of 2 points touched; the ring marks one that was not"));
+        QCOMPARE(child<HeatMap>()->marked(), std::optional(missed));
         made.work.measured.practised = core::grading::Touched{{12.5, 20.0}};
         show(made);
-        QCOMPARE(place->text(), QString("All points were touched"));
+        QCOMPARE(textOf("place"), QString("All points were touched"));
         made.sheet.criteria.front().measure = "hold_longest_s";
         made.work.exercise = core::grading::ForceToHold{};
         core::grading::Held held;
@@ -318,78 +292,56 @@ private slots:
         held.meanErrorN = 0.12;
         made.work.measured.practised = held;
         show(made);
-        QCOMPARE(place->text(), QString("Held for 8.3 of 10 s, 0.12 N off on the average"));
+        QCOMPARE(textOf("place"), QString("Held for 8.3 of 10 s, 0.12 N off on the average"));
     }
 
     void itSaysWhenTheGridDecides()
     {
-        const auto* words = m_page->findChild<QLabel*>("noise");
         m_page->setScore([] { return QString(); }, faulty("decay-36-moderate").sheet, {}, {}, {});
-        QVERIFY(!words->isVisible());
+        QVERIFY(!child<QLabel>("noise")->isVisible());
         m_page->setNoise({{834, true}, {829, true}, {{836, true}}});
-        QVERIFY2(words->text().contains("82.9") && words->text().contains("83.6") &&
-                     words->text().contains("Not within"),
-                 qPrintable(words->text()));
+        QVERIFY2(textOf("noise").contains("82.9") && textOf("noise").contains("83.6") &&
+                     textOf("noise").contains("Not within"),
+                 qPrintable(textOf("noise")));
         m_page->setNoise({{752, true}, {749, false}, {{753, true}}});
-        QVERIFY2(words->text().contains("74.9") && words->text().contains("pass mark lies between"),
-                 qPrintable(words->text()));
+        QVERIFY2(textOf("noise").contains("74.9") && textOf("noise").contains("pass mark lies between"),
+                 qPrintable(textOf("noise")));
     }
 
     void otherRubricsAreShownApart()
     {
-        const Faulty& made = faulty("decay-36-moderate");
-        database::AttemptRecord now;
-        now.scoreTenths = made.sheet.totalTenths;
-        now.finishedUtc = "2026-11-20T10:15:00Z";
-        now.rubricHash = made.sheet.rubricHash;
-        database::AttemptRecord old = now;
-        old.scoreTenths = 612;
-        old.rubricHash = "another";
-        m_page->setScore([] { return QString(); }, made.sheet, {now, old}, {}, {});
-        const QString spoken = m_page->findChild<ui::shell::HistoryChart*>()->accessibleName();
-        QVERIFY2(spoken.contains("61.2 by another rubric, " + ui::text::points(made.sheet.totalTenths)),
-                 qPrintable(spoken));
-        // Twelve of nought are seen as well, in little room.
-        ui::shell::HistoryChart small(nullptr);
-        small.resize(260, 60);
-        small.setScores({}, 750);
-        const QImage without = small.grab().toImage();
-        small.setScores(QList<ui::shell::HistoryChart::Score>(12, {0, true, {}}), 750);
-        QVERIFY(small.grab().toImage() != without);
+        const lessons::ScoreSheet& sheet = faulty("decay-36-moderate").sheet;
+        m_page->setScore([] { return QString(); }, sheet, attempts(sheet), {}, {});
+        auto* chart = child<ui::shell::HistoryChart>();
+        const QString spoken = chart->accessibleName();
+        QVERIFY2(spoken.contains("61.2 by another rubric, " + ui::text::points(sheet.totalTenths)), qPrintable(spoken));
+        const auto labels = m_page->findChildren<QLabel*>();
+        QCOMPARE(std::count_if(labels.begin(), labels.end(),
+                               [](const QLabel* label) { return label->text() == "other rubric"; }),
+                 1);
         // The pointer is told more of a column, and a file of all of them.
-        auto* chart = m_page->findChild<ui::shell::HistoryChart*>();
-        m_page->resize(1200, 800);
-        m_page->show();
         QHelpEvent onFirst(QEvent::ToolTip, {4, 40}, chart->mapToGlobal(QPoint(4, 40)));
         QApplication::sendEvent(chart, &onFirst);
         QVERIFY2(QToolTip::text().contains("2026") && QToolTip::text().contains("61.2 by another rubric"),
                  qPrintable(QToolTip::text()));
         const QTemporaryDir folder;
-        auto* save = m_page->findChild<ui::charts::SaveButton*>();
+        auto* save = child<ui::charts::SaveButton>();
         QVERIFY(save->isVisible() && save->save(folder.filePath("scores.csv")));
-        QFile table(folder.filePath("scores.csv"));
-        QVERIFY(table.open(QIODevice::ReadOnly));
-        const QByteArray rows = table.readAll();
-        QVERIFY2(rows.contains("61.2"), rows.constData());
+        const std::string table = support::bytesOf(folder.filePath("scores.csv").toStdString());
+        QVERIFY2(table.find("61.2") != std::string::npos, table.c_str());
         m_page->setHistory({});
         QVERIFY(!save->isVisible());  // there is nothing to be saved
-        m_page->setHistory({now, old});
-        int apart = 0;
-        for (const QLabel* label : m_page->findChildren<QLabel*>())
-            apart += label->text() == "other rubric" ? 1 : 0;
-        QCOMPARE(apart, 1);
     }
 
     void aClassOfFewIsNotShown()
     {
-        const auto* words = m_page->findChild<QLabel*>("class");
         m_page->setScore([] { return QString(); }, faulty("decay-36-moderate").sheet, {}, {}, {});
-        QVERIFY(!words->isVisible());
+        QVERIFY(!child<QLabel>("class")->isVisible());
         m_page->setClass({4, {}});
-        QVERIFY2(words->text().contains("takes 5 people"), qPrintable(words->text()));
-        QVERIFY(!words->text().contains("%"));
+        QVERIFY2(textOf("class").contains("takes 5 people"), qPrintable(textOf("class")));
+        QVERIFY(!textOf("class").contains("%"));
         m_page->setClass({12, 41.7});
-        QVERIFY2(words->text().contains("42 % are below"), qPrintable(words->text()));
+        QVERIFY2(textOf("class").contains("42 % are below"), qPrintable(textOf("class")));
     }
 
     void theFirstViewNeedsNoScrolling()
@@ -402,7 +354,7 @@ private slots:
             made.work.infractions.push_back(
                 {core::grading::Breach::BurInAir, static_cast<std::uint64_t>(1000 * n), 20.0 * n, {}, 0, 20});
         show(made);
-        const auto* pane = m_page->findChild<ui::shell::ScrollPane*>();
+        const auto* pane = child<ui::shell::ScrollPane>();
         QTRY_VERIFY2(!pane->hasMoreBelow(),
                      qPrintable(QString("%1 px too high").arg(pane->verticalScrollBar()->maximum())));
     }
@@ -410,10 +362,10 @@ private slots:
     void keysReachRowsAndMoments()
     {
         show(faulty("decay-36-moderate"));
-        auto* first = m_page->findChild<CriterionRow*>("criterion_caries_left");
+        auto* first = child<CriterionRow>("criterion_caries_left");
         first->setFocus();
         QTest::keyClick(first, Qt::Key_Down);
-        QVERIFY(m_page->findChild<CriterionRow*>("criterion_sound_tissue")->isChecked());
+        QVERIFY(child<CriterionRow>("criterion_sound_tissue")->isChecked());
         first->setFocus();
         QSet<QWidget*> reached;
         for (int k = 0; k < 40; ++k) {
@@ -428,8 +380,8 @@ private slots:
     {
         const Faulty& made = faulty("class1-36");
         show(made);
-        auto* heat = m_page->findChild<HeatMap*>();
-        auto* atPlace = m_page->findChild<QCheckBox*>("atPlace");
+        auto* heat = child<HeatMap>();
+        auto* atPlace = child<QCheckBox>("atPlace");
         // Who only reads pins nothing.
         m_page->setTalkVisible(true);
         QApplication::processEvents();
@@ -466,31 +418,19 @@ private slots:
         show(made);
         m_page->setTalkVisible(true);
         m_page->setMayTalk(true);
-        auto* heat = m_page->findChild<HeatMap*>();
+        auto* heat = child<HeatMap>();
         heat->setFocus();
         QTest::keyClick(heat, Qt::Key_Right);
         QVERIFY(heat->pin());  // it begins at the ring
         const auto before = *heat->pin();
         QTest::keyClick(heat, Qt::Key_Right, Qt::ShiftModifier);
         const double cell = made.work.tooth->grid().cellMm;
-        QVERIFY(std::abs((*heat->pin())[0] - before[0] - cell) < 1.0e-9);
+        QVERIFY(support::near((*heat->pin())[0] - before[0], cell));
         QTest::keyClick(heat, Qt::Key_Up);
         QVERIFY((*heat->pin())[1] > before[1]);
         QTest::keyClick(heat, Qt::Key_Delete);
         QVERIFY(!heat->pin());
-        QVERIFY(!m_page->findChild<QCheckBox*>("atPlace")->isChecked());
-    }
-
-    void aNewCardBeginsAtItsTop()
-    {
-        const Faulty& made = faulty("decay-36-moderate");
-        m_page->resize(700, 500);
-        show(made);
-        QScrollBar* bar = m_page->findChild<ui::shell::ScrollPane*>()->verticalScrollBar();
-        QTRY_VERIFY(bar->maximum() > 0);
-        bar->setValue(bar->maximum());
-        show(made);
-        QCOMPARE(bar->value(), 0);
+        QVERIFY(!child<QCheckBox>("atPlace")->isChecked());
     }
 
     void whatWasSaidIsScrolledTo()
@@ -501,37 +441,10 @@ private slots:
         talk.comments.assign(8, {1, "Grace Hopper", "2026-11-20T10:00:00Z", "Here you pressed too hard.", {}, {}});
         m_page->talk().setTalk(talk);
         m_page->showTalk();
-        auto* pane = m_page->findChild<ui::shell::ScrollPane*>();
+        auto* pane = child<ui::shell::ScrollPane>();
         QTRY_VERIFY(pane->verticalScrollBar()->value() > 0);
         const int top = m_page->talk().mapTo(pane->viewport(), QPoint(0, 0)).y();
         QVERIFY2(top >= 0 && top < pane->viewport()->height() / 2, qPrintable(QString::number(top)));
-    }
-
-    /// Beside the field, though another teacher's score has moved both meanwhile.
-    void whatWasRefusedIsInSight()
-    {
-        m_page->resize(900, 600);
-        show(faulty("decay-36-moderate"));
-        m_page->setTalkVisible(true);
-        m_page->setMayTalk(true);
-        auto* reason = m_page->findChild<QLineEdit*>("reason");
-        reason->setText("fine by hand");
-        auto* give = m_page->findChild<QPushButton*>("giveScore");
-        give->setFocus();
-        give->click();
-        m_page->talk().refuse(
-            "Somebody else has changed it meanwhile. Look at it, and give it again if it is still meant.");
-        database::AttemptTalk talk;
-        talk.overrides.assign(20, {"Grace Hopper", "2026-11-20T10:00:00Z", 900, "Neat."});
-        QApplication::processEvents();
-        m_page->talk().setTalk(talk);
-        auto* pane = m_page->findChild<ui::shell::ScrollPane*>();
-        const auto isSeen = [pane](const QWidget* what) {
-            const QRect at(what->mapTo(pane->viewport(), QPoint(0, 0)), what->size());
-            return pane->viewport()->rect().contains(at) &&
-                   at.bottom() < pane->viewport()->height() - (pane->hasMoreBelow() ? 36 : 0);
-        };
-        QTRY_VERIFY(isSeen(m_page->findChild<QLabel*>("fault")) && isSeen(reason) && isSeen(give));
     }
 
     /// A reader too: what gets the keyboard comes into sight, and the page keys go where nothing can have it.
@@ -544,7 +457,7 @@ private slots:
         talk.comments.push_back({1, "Grace Hopper", "2026-11-20T10:00:00Z", "Here.", {}, std::int64_t{45000}, false});
         talk.overrides.assign(20, {"Grace Hopper", "2026-11-20T10:00:00Z", 900, "Neat."});
         m_page->talk().setTalk(talk);
-        auto* pane = m_page->findChild<ui::shell::ScrollPane*>();
+        auto* pane = child<ui::shell::ScrollPane>();
         QTRY_VERIFY(pane->verticalScrollBar()->maximum() > 0);
         pane->verticalScrollBar()->setValue(0);
         QPushButton* chip = nullptr;
@@ -563,41 +476,28 @@ private slots:
         QTest::keyClick(chip, Qt::Key_Home);
         QCOMPARE(pane->verticalScrollBar()->value(), 0);
         // Also from beneath the pane.
-        auto* beneath = m_page->findChild<QWidget*>("scoreReport");
+        auto* beneath = child<QWidget>("scoreReport");
         QVERIFY(!pane->isAncestorOf(beneath));
         QTest::keyClick(beneath, Qt::Key_PageDown);
         QVERIFY(pane->verticalScrollBar()->value() > 0);
     }
 
-    void theScoreThatIsToldIsCompared()
+    void theScoreThatATeacherGaveIsToldAndCompared()
     {
         show(faulty("class1-36"));
+        QVERIFY2(textOf("sum").startsWith("100.0"), qPrintable(textOf("sum")));
         m_page->setGiven(800);
-        const QString words = m_page->findChild<QLabel*>("expectation")->text();
-        QVERIFY2(words.startsWith("You expected 90.0 points: 10.0 too many."), qPrintable(words));
-    }
-
-    void theSumIsTheMachinesWhereATeacherGaveAScore()
-    {
-        show(faulty("class1-36"));
-        const auto* sum = m_page->findChild<QLabel*>("sum");
-        QVERIFY2(sum->text().startsWith("100.0"), qPrintable(sum->text()));
-        m_page->setGiven(900);
-        QVERIFY2(sum->text().startsWith("The machine's score: 100.0"), qPrintable(sum->text()));
+        QVERIFY2(textOf("sum").startsWith("The machine's score: 100.0"), qPrintable(textOf("sum")));
+        QVERIFY2(textOf("expectation").startsWith("You expected 90.0 points: 10.0 too many."),
+                 qPrintable(textOf("expectation")));
     }
 
 private:
     void show(const Faulty& made)
     {
-        database::AttemptRecord now;
-        now.scoreTenths = made.sheet.totalTenths;
-        now.finishedUtc = "2026-11-20T10:15:00Z";
-        now.rubricHash = made.sheet.rubricHash;
-        database::AttemptRecord old = now;
-        old.scoreTenths = 612;
-        old.rubricHash = "another";
-        m_page->setScore([] { return QStringLiteral("Class I, tooth 36"); }, made.sheet, {now, now, now, old},
-                         ui::study::Expectation{900, "depth"}, made.work);
+        const QList<database::AttemptRecord> past = attempts(made.sheet);
+        m_page->setScore([] { return QStringLiteral("Class I, tooth 36"); }, made.sheet,
+                         {past[0], past[0], past[0], past[1]}, ui::study::Expectation{900, "depth"}, made.work);
         m_page->setMoments(parts(made.sheet));
         m_page->setClass({1, {}});
         m_page->setNoise(lessons::gridNoise(made.assignment, *made.work.tooth).value());
@@ -606,10 +506,6 @@ private:
         QTRY_VERIFY(rows.size() == 1 || rows.back()->y() >= rows.front()->y() + rows.front()->height());
         QApplication::processEvents();
     }
-
-    std::unique_ptr<QWidget> m_window;
-    ui::shell::Actions* m_actions = nullptr;
-    ScorePage* m_page = nullptr;
 };
 
 QTEST_MAIN(TestScorePage)
