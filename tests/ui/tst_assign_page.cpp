@@ -1,24 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QAbstractButton>
-#include <QApplication>
 #include <QCheckBox>
 #include <QDateEdit>
-#include <QLabel>
 #include <QLineEdit>
 #include <QListView>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QTableView>
-#include <QTest>
 
-#include <memory>
-
+#include "tests/ui/PageTest.h"
 #include "ui/people/AssignPage.h"
 #include "ui/people/AssignTerms.h"
 #include "ui/people/PeopleWords.h"
-#include "ui/shell/Actions.h"
-#include "ui/shell/Theme.h"
 
 using database::ClassAssignment;
 using ui::people::AssignmentChange;
@@ -46,7 +39,7 @@ database::ClassOverview overview()
 
 }  // namespace
 
-class TestAssignPage : public QObject
+class TestAssignPage : public support::PageTest<AssignPage>
 {
     Q_OBJECT
 private slots:
@@ -71,21 +64,10 @@ private slots:
         QCOMPARE(limit->value(), 12);
     }
 
-    void initTestCase()
-    {
-        QLocale::setDefault(QLocale("en_GB"));
-        ui::shell::applyTheme(*qApp, ui::shell::ThemeChoice::Light);
-    }
-
+    void initTestCase() { prepare(); }
     void init()
     {
-        m_window = std::make_unique<QWidget>();
-        m_actions = new ui::shell::Actions(m_window.get());
-        m_page = new AssignPage(*m_actions, m_window.get());
-        m_window->resize(1280, 800);
-        m_page->resize(1280, 800);
-        m_window->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        openPage();
         m_page->setLessons({{"a", "Decay, small", "Upper left first molar (26)", "Removing decay", {}},
                             {"b", "Decay, deep", "Lower left first molar (36)", "Removing decay", {}},
                             {"c", "Class I", "Lower left first molar (36)", "Cavities", {}},
@@ -279,21 +261,13 @@ private slots:
         QCOMPARE(first<QSpinBox>("attemptLimit")->value(), 0);
     }
 
-    void everyControlHasAName()
-    {
-        for (QWidget* widget : m_page->findChildren<QWidget*>())
-            if (widget->focusPolicy() != Qt::NoFocus && widget->isVisible() &&
-                !widget->inherits("QAbstractScrollArea") && widget->parentWidget() != nullptr &&
-                !widget->parentWidget()->inherits("QAbstractItemView") && !widget->inherits("QLineEdit"))
-                QVERIFY2(!widget->accessibleName().isEmpty(),
-                         qPrintable(QString("%1 %2").arg(widget->metaObject()->className(), widget->objectName())));
-    }
+    void everyControlHasAName() { QCOMPARE(support::controlsWithoutNames(*m_page), QStringList()); }
 
 private:
     template <class T>
     T* get(const char* name)
     {
-        return m_page->findChild<T*>(QString::fromLatin1(name));
+        return child<T>(QString::fromLatin1(name));
     }
     template <class T>
     T* last(const char* name)
@@ -340,10 +314,6 @@ private:
     {
         return spy.isEmpty() ? QList<AssignmentChange>() : spy.back().front().value<QList<AssignmentChange>>();
     }
-
-    std::unique_ptr<QWidget> m_window;
-    ui::shell::Actions* m_actions = nullptr;
-    AssignPage* m_page = nullptr;
 };
 
 QTEST_MAIN(TestAssignPage)

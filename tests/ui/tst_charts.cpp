@@ -14,6 +14,7 @@
 
 #include <memory>
 
+#include "tests/support/Files.h"
 #include "tests/support/FullDisk.h"
 #include "ui/charts/ChartPanel.h"
 #include "ui/charts/SaveButton.h"
@@ -98,6 +99,16 @@ Chart map()
     return {"Map", {}, {}, made};
 }
 
+template <class Fits>
+int dots(const QImage& picture, const Fits& fits)
+{
+    int count = 0;
+    for (int y = 0; y < picture.height(); ++y)
+        for (int x = 0; x < picture.width(); ++x)
+            count += fits(picture.pixelColor(x, y)) ? 1 : 0;
+    return count;
+}
+
 Chart named(const QStringList& names)
 {
     Bars made;
@@ -130,46 +141,45 @@ private slots:
     void arrowsWalkFromValueToValue()
     {
         QVERIFY(!m_panel->stop());
-        QTest::keyClick(m_panel.get(), Qt::Key_Right);
-        QCOMPARE(m_panel->said(), QString("Attempt 1: 48.5 points"));
+        const auto press = [this](Qt::Key key) {
+            QTest::keyClick(m_panel.get(), key);
+            return m_panel->said();
+        };
+        QCOMPARE(press(Qt::Key_Right), QString("Attempt 1: 48.5 points"));
         QCOMPARE(m_panel->accessibleDescription(), m_panel->said());
-        QTest::keyClick(m_panel.get(), Qt::Key_Right);
-        QCOMPARE(m_panel->said(), QString("Attempt 2: 57 points"));
-        QTest::keyClick(m_panel.get(), Qt::Key_End);
-        QTest::keyClick(m_panel.get(), Qt::Key_Right);
+        QCOMPARE(press(Qt::Key_Right), QString("Attempt 2: 57 points"));
+        for (const Qt::Key key : {Qt::Key_Home, Qt::Key_Left})
+            QCOMPARE(press(key), QString("Attempt 1: 48.5 points"));
+        QVERIFY(callout()->isVisible() && m_panel->rect().contains(callout()->geometry()));
+        for (const Qt::Key key : {Qt::Key_End, Qt::Key_Right})
+            QCOMPARE(press(key), QString("Attempt 6: 91 points"));
+        m_panel->setChart(curve());  // the same once more
         QCOMPARE(m_panel->said(), QString("Attempt 6: 91 points"));
-        QTest::keyClick(m_panel.get(), Qt::Key_Home);
-        QTest::keyClick(m_panel.get(), Qt::Key_Left);
-        QCOMPARE(m_panel->said(), QString("Attempt 1: 48.5 points"));
-        QVERIFY(callout()->isVisible());
-        QVERIFY(m_panel->rect().contains(callout()->geometry()));
-    }
-
-    void thePointerFindsEveryValue_data()
-    {
-        QTest::addColumn<Chart>("chart");
-        QTest::newRow("curve") << curve();
-        QTest::newRow("bars") << bars();
-        QTest::newRow("columns") << histogram();
+        // A band without lines is walked itself.
+        Chart band = curve();
+        std::get<Curve>(band.content).lines.clear();
+        m_panel->setChart(band);
+        QCOMPARE(press(Qt::Key_Home), QString("class 1"));
     }
 
     /// Bars are met at any length, columns at any height.
     void thePointerFindsEveryValue()
     {
-        QFETCH(Chart, chart);
-        m_panel->setChart(chart);
-        QCoreApplication::processEvents();
-        auto* view = m_panel->findChild<QWidget*>("chartView");
-        QSet<QString> told;
-        for (int y = 0; y < view->height(); y += 6)
-            for (int x = 0; x < view->width(); x += 6) {
-                QMouseEvent move(QEvent::MouseMove, QPointF(x, y), view->mapToGlobal(QPointF(x, y)), Qt::NoButton,
-                                 Qt::NoButton, Qt::NoModifier);
-                QApplication::sendEvent(view, &move);
-                told << m_panel->said();
-            }
-        told.remove({});
-        QCOMPARE(told.size(), stopsOf(chart).size());
+        for (const Chart& chart : {curve(), bars(), histogram()}) {
+            m_panel->setChart(chart);
+            QCoreApplication::processEvents();
+            auto* view = m_panel->findChild<QWidget*>("chartView");
+            QSet<QString> told;
+            for (int y = 0; y < view->height(); y += 6)
+                for (int x = 0; x < view->width(); x += 6) {
+                    QMouseEvent move(QEvent::MouseMove, QPointF(x, y), view->mapToGlobal(QPointF(x, y)), Qt::NoButton,
+                                     Qt::NoButton, Qt::NoModifier);
+                    QApplication::sendEvent(view, &move);
+                    told << m_panel->said();
+                }
+            told.remove({});
+            QVERIFY2(told.size() == stopsOf(chart).size(), qPrintable(chart.title));
+        }
     }
 
     void enterOpensWhatAValueStandsFor()
@@ -195,40 +205,23 @@ private slots:
         QVERIFY(png(m_panel->chart()).isEmpty());
     }
 
-    void aBandWithoutLinesIsWalkedItself()
-    {
-        Chart chart = curve();
-        std::get<Curve>(chart.content).lines.clear();
-        m_panel->setChart(chart);
-        QTest::keyClick(m_panel.get(), Qt::Key_Home);
-        QCOMPARE(m_panel->said(), QString("class 1"));
-    }
-
-    void tablesAreSafeForSpreadsheets_data()
-    {
-        QTest::addColumn<QString>("words");
-        QTest::addColumn<QByteArray>("written");
-        QTest::newRow("plain") << "Depth" << QByteArray("Depth");
-        QTest::newRow("comma") << "a,b" << QByteArray("\"a,b\"");
-        QTest::newRow("quote") << "a\"b" << QByteArray("\"a\"\"b\"");
-        QTest::newRow("two lines") << "a\nb" << QByteArray("\"a\nb\"");
-        QTest::newRow("umlaut") << QString::fromUtf8("Höhe") << QByteArray("Höhe");
-        QTest::newRow("formula") << "=1+1" << QByteArray("'=1+1");
-        QTest::newRow("sum") << "+1" << QByteArray("'+1");
-        QTest::newRow("minus") << "-1" << QByteArray("'-1");
-        QTest::newRow("at") << "@SUM(A1)" << QByteArray("'@SUM(A1)");
-        QTest::newRow("tab") << "\t=1" << QByteArray("'\t=1");
-        QTest::newRow("space and formula") << " =1" << QByteArray("' =1");
-        QTest::newRow("link") << "=HYPERLINK(\"http://x\",\"y\")"
-                              << QByteArray("\"'=HYPERLINK(\"\"http://x\"\",\"\"y\"\")\"");
-        QTest::newRow("wide equals sign") << QString::fromUtf8("＝1") << QByteArray("'＝1");
-    }
-
     void tablesAreSafeForSpreadsheets()
     {
-        QFETCH(QString, words);
-        QFETCH(QByteArray, written);
-        QCOMPARE(csv({{"head"}, {{words}}}), "head\r\n" + written + "\r\n");
+        for (const auto& [words, written] :
+             {std::pair("Depth", "Depth"),
+              {"a,b", "\"a,b\""},
+              {"a\"b", "\"a\"\"b\""},
+              {"a\nb", "\"a\nb\""},
+              {"Höhe", "Höhe"},
+              {"=1+1", "'=1+1"},
+              {"+1", "'+1"},
+              {"-1", "'-1"},
+              {"@SUM(A1)", "'@SUM(A1)"},
+              {"\t=1", "'\t=1"},
+              {" =1", "' =1"},
+              {"=HYPERLINK(\"http://x\",\"y\")", "\"'=HYPERLINK(\"\"http://x\"\",\"\"y\"\")\""},
+              {"＝1", "'＝1"}})
+            QCOMPARE(csv({{"head"}, {{QString(words)}}}), "head\r\n" + QByteArray(written) + "\r\n");
     }
 
     void numbersOfTablesKnowNoLanguage()
@@ -269,25 +262,24 @@ private slots:
     void filesAreWritten()
     {
         const QTemporaryDir folder;
-        for (const char* name : {"chart.png", "chart.svg", "chart.csv"}) {
+        const auto written = [&](const QString& name) {
             const QString path = folder.filePath(name);
-            QVERIFY2(save(path), name);
-            QFile file(path);
-            QVERIFY(file.open(QIODevice::ReadOnly));
-            const QByteArray bytes = file.readAll();
-            if (path.endsWith("png")) {
-                QCOMPARE(QImage::fromData(bytes).size(), QSize(1920, 1200));
-            } else if (path.endsWith("svg")) {
-                QXmlStreamReader reader(bytes);
-                while (!reader.atEnd())
-                    reader.readNext();
-                QVERIFY(!reader.hasError());
-                QVERIFY(bytes.contains("Score over attempts"));
-            } else {
-                QCOMPARE(bytes, csv(tableOf(curve())));
-            }
-        }
+            return save(path) ? QByteArray::fromStdString(support::bytesOf(path.toStdString())) : QByteArray();
+        };
+        QCOMPARE(QImage::fromData(written("chart.png")).size(), QSize(1920, 1200));
+        const QByteArray drawing = written("chart.svg");
+        QXmlStreamReader reader(drawing);
+        while (!reader.atEnd())
+            reader.readNext();
+        QVERIFY(!reader.hasError() && drawing.contains("Score over attempts"));
+        QCOMPARE(written("chart.csv"), csv(tableOf(curve())));
+        // What became of it stands there until a value is told.
+        QVERIFY(callout()->isVisible());
         QCOMPARE(callout()->text(), QString("Saved: chart.csv"));
+        QTest::keyClick(m_panel.get(), Qt::Key_Home);
+        QCOMPARE(callout()->text(), m_panel->said());
+        m_panel->setStop({});
+        QVERIFY(!callout()->isVisible());
     }
 
     void whatCannotBeWrittenIsSaid()
@@ -304,31 +296,18 @@ private slots:
         QVERIFY(callout()->text().startsWith("small.csv could not be written"));
     }
 
-    void picturesShowSomethingInBothThemes_data()
-    {
-        QTest::addColumn<bool>("dark");
-        QTest::addColumn<Chart>("chart");
-        for (const bool dark : {false, true})
-            for (const Chart& chart : {curve(), bars(), histogram()})
-                QTest::addRow("%s, %s", qPrintable(chart.title), dark ? "dark" : "light") << dark << chart;
-    }
-
+    /// The marks of the first line are there, in the theme's colour.
     void picturesShowSomethingInBothThemes()
     {
-        QFETCH(bool, dark);
-        QFETCH(Chart, chart);
-        ui::shell::applyTheme(*qApp, dark ? ui::shell::ThemeChoice::Dark : ui::shell::ThemeChoice::Light);
-        m_panel->setChart(chart);
-        m_panel->setStop(1);
-        const QImage picture = m_panel->grab().toImage();
-        // The marks of the first line are there, in the theme's colour.
-        const QColor accent = ui::shell::tones(m_panel->palette()).accent;
-        int seen = 0;
-        for (int y = 0; y < picture.height(); ++y)
-            for (int x = 0; x < picture.width(); ++x)
-                seen += picture.pixelColor(x, y) == accent ? 1 : 0;
-
-        QVERIFY2(seen > 40, qPrintable(QString::number(seen)));
+        for (const auto theme : {ui::shell::ThemeChoice::Light, ui::shell::ThemeChoice::Dark})
+            for (const Chart& chart : {curve(), bars(), histogram()}) {
+                ui::shell::applyTheme(*qApp, theme);
+                m_panel->setChart(chart);
+                m_panel->setStop(1);
+                const QColor accent = ui::shell::tones(m_panel->palette()).accent;
+                QVERIFY2(dots(m_panel->grab().toImage(), [&](const QColor& one) { return one == accent; }) > 40,
+                         qPrintable(chart.title));
+            }
     }
 
     void everythingIsDrawn_data()
@@ -371,15 +350,10 @@ private slots:
         QVERIFY(!drawing.contains("nan") && !drawing.contains("inf"));
         const QImage picture = QImage::fromData(png(chart));
         QCOMPARE(picture.size(), QSize(1920, 1200));
-        int inked = 0;
-        for (int y = 0; y < picture.height(); ++y)
-            for (int x = 0; x < picture.width(); ++x)
-                if (picture.pixelColor(x, y) != Qt::white) {
-                    ++inked;
-                    QVERIFY2(x > 6 && y > 6 && x < picture.width() - 6 && y < picture.height() - 6,
-                             "runs out of the picture");
-                }
+        const auto isInk = [](const QColor& one) { return one != Qt::white; };
+        const int inked = dots(picture, isInk);
         QVERIFY(inked > 5000);
+        QCOMPARE(dots(picture.copy(picture.rect().adjusted(7, 7, -7, -7)), isInk), inked);
     }
 
     void valuesLieWhereTheirAxesSay()
@@ -400,28 +374,9 @@ private slots:
 
     void axesEndAtRoundNumbers()
     {
-        QCOMPARE(roundEnd(0.0), 1.0);
-        QCOMPARE(roundEnd(1.0), 1.0);
-        QCOMPARE(roundEnd(1.2), 2.0);
-        QCOMPARE(roundEnd(22.0), 25.0);
-        QCOMPARE(roundEnd(0.3), 0.5);
-        QCOMPARE(roundEnd(6100.0), 10000.0);
-    }
-
-    void barsThatBeginAlikeAreToldApart()
-    {
-        // With room for two lines beside a bar, and with none.
-        for (const int count : {6, 14, 18}) {
-            Bars many;
-            many.value = {"Points lost", 0.0, 30.0, false, false};
-            for (int k = 0; k < count; ++k)
-                many.bars << Bars::Bar{
-                    QString("Leeway at the walls of the cavity and its floor, where %1").arg(k), 2.0, {}};
-            const QString drawn = QString::fromUtf8(svg({"Much", {}, {}, many}));
-            for (int k = 0; k < count; ++k)
-                QVERIFY2(drawn.contains(QString("where %1<").arg(k)),
-                         qPrintable(QString("%1 of %2").arg(k).arg(count)));
-        }
+        for (const auto& [value, end] :
+             {std::pair(0.0, 1.0), {1.0, 1.0}, {1.2, 2.0}, {22.0, 25.0}, {0.3, 0.5}, {6100.0, 10000.0}})
+            QCOMPARE(roundEnd(value), end);
     }
 
     void aFileSaysWhoseItIs()
@@ -476,29 +431,6 @@ private slots:
         const qsizetype before = stops();
         m_panel->resize(900, 900);
         QTRY_VERIFY(stops() > before);
-    }
-
-    /// What became of it stands over the foot of the chart, until a value is told.
-    void aFileThatIsSavedMovesNothing()
-    {
-        const QTemporaryDir folder;
-        const auto* view = m_panel->findChild<QWidget*>("chartView");
-        const QRect before = view->geometry();
-        QVERIFY(save(folder.filePath("chart.csv")));
-        QCoreApplication::processEvents();
-        QVERIFY(callout()->isVisible() && m_panel->rect().contains(callout()->geometry()));
-        QCOMPARE(view->geometry(), before);
-        QTest::keyClick(m_panel.get(), Qt::Key_Home);
-        QCOMPARE(callout()->text(), m_panel->said());
-        m_panel->setStop({});
-        QVERIFY(!callout()->isVisible());
-    }
-
-    void theSameOnceMoreLeavesWhatIsTold()
-    {
-        QTest::keyClick(m_panel.get(), Qt::Key_End);
-        m_panel->setChart(curve());
-        QCOMPARE(m_panel->said(), QString("Attempt 6: 91 points"));
     }
 
 private:

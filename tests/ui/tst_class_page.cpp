@@ -1,23 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QApplication>
 #include <QButtonGroup>
 #include <QComboBox>
 #include <QHeaderView>
-#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QScrollBar>
 #include <QSignalSpy>
 #include <QTableView>
 #include <QTemporaryDir>
-#include <QTest>
 
-#include <memory>
-
+#include "tests/support/Files.h"
+#include "tests/ui/PageTest.h"
 #include "ui/charts/ChartPanel.h"
 #include "ui/people/ClassPage.h"
-#include "ui/shell/Actions.h"
-#include "ui/shell/Theme.h"
 
 using database::ClassOverview;
 using database::LessonResults;
@@ -79,38 +74,27 @@ LessonResults results(int people)
 
 }  // namespace
 
-class TestClassPage : public QObject
+class TestClassPage : public support::PageTest<ClassPage>
 {
     Q_OBJECT
 private slots:
-    void initTestCase()
-    {
-        QLocale::setDefault(QLocale("en_GB"));
-        ui::shell::applyTheme(*qApp, ui::shell::ThemeChoice::Light);
-    }
-
+    void initTestCase() { prepare(); }
     void init()
     {
-        m_window = std::make_unique<QWidget>();
-        m_actions = new ui::shell::Actions(m_window.get());
-        m_page = new ClassPage(*m_actions, m_window.get());
+        openPage();
         m_page->setLessonTitles({{"lesson-10", "Class I on 36"}, {"lesson-11", "Decay on 26"}});
-        m_window->resize(1280, 800);
-        m_page->resize(1280, 800);
-        m_window->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
         m_page->setClasses({{{7}, "DEN101-A", 12, 1}, {{8}, "DEN101-B", 3, 1}});
         m_page->setOverview(overview(12, 6), kNow);
     }
 
     void itSaysWhoNeedsTheTeacher()
     {
-        QCOMPARE(m_page->findChild<QLabel*>("needs")->text(), QString("3 need(s) you:"));
+        QCOMPARE(textOf("needs"), QString("3 need(s) you:"));
         QVERIFY(name(0).contains("stuck") && name(1).contains("no login") && name(2).contains("new"));
         QCOMPARE(name(3), QString("Student 1004"));
         // The lists lie behind the numbers.
         button("1 stuck")->click();
-        QCOMPARE(matrix()->model()->rowCount(), 1);
+        QCOMPARE(students(), 1);
         QVERIFY(name(0).startsWith("Student 1001"));
         button("1 no login")->click();
         QVERIFY(name(0).startsWith("Student 1002") && !button("1 stuck")->isChecked());
@@ -119,31 +103,28 @@ private slots:
         fine.students.erase(fine.students.begin(), fine.students.begin() + 3);
         fine.cells.erase(fine.cells.begin(), fine.cells.begin() + 3);
         m_page->setOverview(fine, kNow);
-        QCOMPARE(m_page->findChild<QLabel*>("needs")->text(), QString("Nobody needs you just now"));
-        QCOMPARE(matrix()->model()->rowCount(), 9);
+        QCOMPARE(textOf("needs"), QString("Nobody needs you just now"));
+        QCOMPARE(students(), 9);
     }
 
     void aStudentIsSearchedFor()
     {
         m_page->setOverview(overview(200, 6), kNow);
-        auto* search = m_page->findChild<QLineEdit*>("studentSearch");
-        QVERIFY(search->isVisible());
-        search->setText(" student 107");
-        QCOMPARE(matrix()->model()->rowCount(), 10);
+        QVERIFY(search()->isVisible());
+        search()->setText(" student 107");
+        QCOMPARE(students(), 10);
         QVERIFY(name(0).startsWith("Student 1070"));
-        QCOMPARE(m_page->findChild<QLabel*>("studentsFound")->text(), QString("10 student(s)"));
-        search->setText("S-1002");  // a user name
-        QCOMPARE(matrix()->model()->rowCount(), 1);
+        QCOMPARE(textOf("studentsFound"), QString("10 student(s)"));
+        search()->setText("S-1002");  // a user name
+        QCOMPARE(students(), 1);
         // Among those who need the teacher, too.
         button("1 stuck")->click();
-        QCOMPARE(matrix()->model()->rowCount(), 0);
+        QCOMPARE(students(), 0);
         button("1 stuck")->click();
         // In another class nobody is searched for.
-        ClassOverview other = overview(3, 6);
-        other.id = {8};
-        m_page->setOverview(other, kNow);
-        QCOMPARE(search->text(), QString());
-        QCOMPARE(matrix()->model()->rowCount(), 3);
+        showOther(3);
+        QVERIFY(search()->text().isEmpty());
+        QCOMPARE(students(), 3);
     }
 
     void whatIsReadAgainLeavesEverythingInItsPlace()
@@ -152,11 +133,11 @@ private slots:
         const QList<database::ClassAssignment> given{{1, {7}, "lesson-10", "2026-11-19T23:59:59Z", 0}};
         m_page->setOverview(large, kNow);
         m_page->setAssignments(given);
-        auto* late = m_page->findChild<QButtonGroup*>()->button(static_cast<int>(Need::Late));
+        auto* late = child<QButtonGroup>()->button(static_cast<int>(Need::Late));
         late->click();
-        m_page->findChild<QLineEdit*>("studentSearch")->setText("Student 1");
+        search()->setText("Student 1");
         matrix()->setCurrentIndex(matrix()->model()->index(60, 20));
-        m_page->findChild<QComboBox*>("lessonChooser")->setCurrentIndex(3);
+        choose("lessonChooser", 3);
         const QString who = name(60);
         const QPoint scrolled(matrix()->horizontalScrollBar()->value(), matrix()->verticalScrollBar()->value() - 20);
         QVERIFY(scrolled.x() > 0 && scrolled.y() > 0);
@@ -176,13 +157,13 @@ private slots:
         QCOMPARE(charted.count(), 0);
     }
 
-    void whoLeavesTakesHisClassesAlong()
+    void aUserWhoIsLoggedOutLeavesNothing()
     {
         m_page->setResults(results(12), 750, {});
-        m_page->findChild<QLineEdit*>("studentSearch")->setText("Student 1004");
+        search()->setText("Student 1004");
         m_page->say([] { return QString("The report was saved."); });
         m_page->forget();
-        QCOMPARE(matrix()->model()->rowCount(), 0);
+        QCOMPARE(students(), 0);
         QVERIFY(m_page->table().rows.isEmpty());
         QVERIFY(m_page->chosenLesson().isEmpty());
         for (const ChartPanel* panel : m_page->findChildren<ChartPanel*>()) {
@@ -191,7 +172,7 @@ private slots:
         }
         for (const QLabel* label : m_page->findChildren<QLabel*>())
             QVERIFY2(!label->text().contains("report was saved"), qPrintable(label->text()));
-        QVERIFY(m_page->findChild<QLineEdit*>("studentSearch")->text().isEmpty());
+        QVERIFY(search()->text().isEmpty());
     }
 
     /// Its teacher was taken out of it, or it is another that is chosen now.
@@ -201,29 +182,27 @@ private slots:
         m_page->setClasses({{{8}, "DEN101-B", 3, 1}});
         QCOMPARE(wanted.count(), 1);
         QCOMPARE(wanted[0][0].toLongLong(), 8);
-        QCOMPARE(matrix()->model()->rowCount(), 0);
-        ClassOverview other = overview(3, 6);
-        other.id = {8};
-        m_page->setOverview(other, kNow);
-        QCOMPARE(matrix()->model()->rowCount(), 3);
+        QCOMPARE(students(), 0);
+        showOther(3);
+        QCOMPARE(students(), 3);
         m_page->setClasses({});
-        QCOMPARE(matrix()->model()->rowCount(), 0);
-        QVERIFY(m_page->findChild<QLabel*>("classEmpty")->isVisible());
-        QVERIFY(!m_page->findChild<QWidget*>("classReport")->isEnabled());
+        QCOMPARE(students(), 0);
+        QVERIFY(child<QLabel>("classEmpty")->isVisible());
+        QVERIFY(!child<QWidget>("classReport")->isEnabled());
     }
 
     void whatCouldNotBeReadSaysSo()
     {
-        const auto* words = m_page->findChild<QLabel*>("classEmpty");
-        m_page->refuse([] { return QString("The server does not answer."); });  // of the class that is there
-        QCOMPARE(matrix()->model()->rowCount(), 12);
-        m_page->findChild<QComboBox*>("classChooser")->setCurrentIndex(1);
-        QCOMPARE(matrix()->model()->rowCount(), 0);
-        QVERIFY(words->isVisible());
-        m_page->refuse([] { return QString("The server does not answer."); });
-        QVERIFY2(words->text().startsWith("The server does not answer. F5"), qPrintable(words->text()));
+        const auto refuse = [this] { m_page->refuse([] { return QString("The server does not answer."); }); };
+        refuse();  // of the class that is there
+        QCOMPARE(students(), 12);
+        choose("classChooser", 1);
+        QCOMPARE(students(), 0);
+        QVERIFY(child<QLabel>("classEmpty")->isVisible());
+        refuse();
+        QVERIFY2(textOf("classEmpty").startsWith("The server does not answer. F5"), qPrintable(textOf("classEmpty")));
         m_page->readAgain();
-        QVERIFY(!words->text().contains("does not answer"));
+        QVERIFY(!textOf("classEmpty").contains("does not answer"));
         // Others practise at other computers: it is read again when it is shown again.
         QSignalSpy wanted(m_page, &ClassPage::classChosen);
         m_page->hide();
@@ -247,44 +226,43 @@ private slots:
         for (int row = 0; row < expected.size(); ++row)
             QVERIFY2(name(row).contains(expected[row]), qPrintable(name(row)));
         QCOMPARE(cell(3, 1), QString("74"));  // not passed is not rounded up
-        const auto tip = [this](int row) { return matrix()->model()->index(row, 1).data(Qt::ToolTipRole).toString(); };
         QVERIFY2(tip(3).contains("no attempts left"), qPrintable(tip(3)));
         QVERIFY2(tip(5).contains("overdue"), qPrintable(tip(5)));
         QVERIFY(matrix()->model()->headerData(2, Qt::Horizontal).toString().endsWith("due 27 Nov"));
         button("2 out of tries")->click();
-        QCOMPARE(matrix()->model()->rowCount(), 2);
+        QCOMPARE(students(), 2);
         button("5 late")->click();  // all but the one who has passed
-        QCOMPARE(matrix()->model()->rowCount(), 5);
+        QCOMPARE(students(), 5);
     }
 
-    /// An exam that was begun is an attempt; and another class of his may be allowed more.
+    /// An exam that was begun is an attempt; and another class of the student may be allowed more.
     void anExamWithoutAScoreIsSeen()
     {
         ClassOverview shown = overview(6, 1);
+        MatrixCell& begun = shown.cells[3][0];
         for (const std::size_t student : {3U, 4U, 5U}) {
             shown.cells[student][0] = {};
             shown.cells[student][0].withoutScore = 1;
         }
         shown.cells[4][0].limitElsewhere = 2;
         shown.cells[5][0].limitElsewhere = 0;
-        m_page->setOverview(shown, kNow);
-        m_page->setAssignments({{1, {7}, "lesson-10", "", 1}});
-        QVERIFY2(name(3).contains("out of tries"), qPrintable(name(3)));
-        QVERIFY(!name(4).contains("out of tries") && !name(5).contains("out of tries"));
-        const auto tip = [this](int row) { return matrix()->model()->index(row, 1).data(Qt::ToolTipRole).toString(); };
-        QVERIFY2(tip(3).contains("begun") && tip(3).contains("no attempts left"), qPrintable(tip(3)));
+        const auto hasNoneLeft = [&](int row) {
+            m_page->setOverview(shown, kNow);
+            m_page->setAssignments({{1, {7}, "lesson-10", "", 1}});
+            return tip(row).contains("begun") && tip(row).contains("no attempts left") &&
+                   name(row).contains("out of tries");
+        };
+        QVERIFY(hasNoneLeft(3) && !hasNoneLeft(4) && !hasNoneLeft(5));
         QVERIFY2(tip(4).contains("begun") && !tip(4).contains("no attempts left"), qPrintable(tip(4)));
-        // One that may go on still has not used it up; nobody tells when it is broken off.
-        shown.cells[3][0].begunUtc = "2026-11-20T11:20:00Z";
-        m_page->setOverview(shown, kNow);
-        m_page->setAssignments({{1, {7}, "lesson-10", "", 1}});
-        QVERIFY2(!name(3).contains("out of tries"), qPrintable(name(3)));
+        QVERIFY(!name(4).contains("out of tries") && !name(5).contains("out of tries"));
+        // Whoever may still go on has not used it up; nobody tells when it is broken off.
+        begun.begunUtc = "2026-11-20T11:20:00Z";
+        QVERIFY(!hasNoneLeft(3));
         QVERIFY2(tip(3).contains("begun") && !tip(3).contains("no attempts left"), qPrintable(tip(3)));
-        shown.cells[3][0].begunUtc = "2026-11-20T08:20:00Z";
-        m_page->setOverview(shown, kNow);
-        m_page->setAssignments({{1, {7}, "lesson-10", "", 1}});
-        QVERIFY2(name(3).contains("out of tries"), qPrintable(name(3)));
-        // His attempts say when it was begun.
+        QVERIFY2(!name(3).contains("out of tries"), qPrintable(name(3)));
+        begun.begunUtc = "2026-11-20T08:20:00Z";
+        QVERIFY(hasNoneLeft(3));
+        // The student's attempts say when it was begun.
         QSignalSpy wanted(m_page, &ClassPage::attemptsWanted);
         matrix()->setCurrentIndex(matrix()->model()->index(3, 1));
         QTest::keyClick(matrix(), Qt::Key_Return);
@@ -292,7 +270,7 @@ private slots:
         QCOMPARE(wanted[0][0].toLongLong(), 103);
     }
 
-    /// He comes no more: he is listed and called so, and counts nowhere.
+    /// They are listed as disabled and count nowhere.
     void whoIsDisabledNeedsNobody()
     {
         ClassOverview shown = overview(6, 2);
@@ -300,7 +278,7 @@ private slots:
         const auto show = [&] {
             m_page->setOverview(shown, kNow);
             m_page->setAssignments({{1, {7}, "lesson-10", "2026-11-19T23:59:59Z", 1}});
-            return m_page->findChild<QComboBox*>("lessonChooser")->itemText(0);
+            return child<QComboBox>("lessonChooser")->itemText(0);
         };
         const QString before = show();
         QVERIFY2(name(0).contains("out of tries") && name(4).contains("out of tries"), qPrintable(name(4)));
@@ -310,11 +288,9 @@ private slots:
         QVERIFY2(before.contains(" of 4 passed") && after.contains(" of 2 passed"), qPrintable(before + after));
         for (const int row : {0, 1, 4}) {
             QVERIFY2(name(row).endsWith("– disabled"), qPrintable(name(row)));
-            const QString tip = matrix()->model()->index(row, 1).data(Qt::ToolTipRole).toString();
-            QVERIFY2(!tip.contains("overdue") && !tip.contains("no attempts left"), qPrintable(tip));
+            QVERIFY2(!tip(row).contains("overdue") && !tip(row).contains("no attempts left"), qPrintable(tip(row)));
         }
-        QVERIFY2(m_page->findChild<QLabel*>("needs")->text().startsWith("2 "),
-                 qPrintable(m_page->findChild<QLabel*>("needs")->text()));
+        QVERIFY2(textOf("needs").startsWith("2 "), qPrintable(textOf("needs")));
         QCOMPARE(m_page->table().rows.size(), qsizetype{6});
     }
 
@@ -374,18 +350,16 @@ private slots:
     {
         QSignalSpy chosen(m_page, &ClassPage::lessonChosen);
         QCOMPARE(m_page->chosenLesson(), QString("lesson-10"));
-        m_page->findChild<QComboBox*>("lessonChooser")->setCurrentIndex(1);
+        choose("lessonChooser", 1);
         QCOMPARE(chosen.count(), 1);
         QCOMPARE(chosen[0][0].toString(), QString("lesson-11"));
         m_page->setOverview(overview(12, 6), kNow);  // asked again: the same lesson
         QCOMPARE(m_page->chosenLesson(), QString("lesson-11"));
         QSignalSpy classes(m_page, &ClassPage::classChosen);
-        m_page->findChild<QComboBox*>("classChooser")->setCurrentIndex(1);
+        choose("classChooser", 1);
         QCOMPARE(classes.count(), 1);
         QCOMPARE(classes[0][0].toLongLong(), 8);
-        ClassOverview other = overview(4, 6);
-        other.id = {8};
-        m_page->setOverview(other, kNow);  // to be compared
+        showOther(4);  // to be compared
         QCOMPARE(m_page->chosenLesson(), QString("lesson-11"));
     }
 
@@ -393,33 +367,32 @@ private slots:
     void eachBestScoreIsInItsColumn()
     {
         const auto isTold = [this](const char* name) {
-            return !ui::charts::stopsOf(m_page->findChild<ChartPanel*>(name)->chart()).isEmpty();
+            return !ui::charts::stopsOf(child<ChartPanel>(name)->chart()).isEmpty();
         };
         for (const int people : {4, 5}) {  // nothing is told of fewer than five
             m_page->setResults(results(people), 750, {{"depth", "Pulpal floor"}});
             for (const char* name : {"distribution", "learning", "difficulty"})
                 QCOMPARE(isTold(name), people == 5);
         }
-        const auto bars =
-            std::get<ui::charts::Bars>(m_page->findChild<ChartPanel*>("difficulty")->chart().content).bars;
+        const auto bars = std::get<ui::charts::Bars>(chart("difficulty").content).bars;
         QCOMPARE(bars[0].words, QString("Pulpal floor: the class loses 42 % of its points"));
         LessonResults eight = results(8);
         eight.bestTenths = {0, 99, 100, 499, 500, 750, 999, 1000};
         eight.curve = {{1, 8, 325, 505, 719}, {2, 6, 520, 640, 700}};
         m_page->setResults(eight, 750, {});
         QList<int> counts;
-        const auto chart = m_page->findChild<ChartPanel*>("distribution")->chart();
-        for (const auto& bin : std::get<ui::charts::Histogram>(chart.content).bins)
+        const auto distribution = chart("distribution");
+        for (const auto& bin : std::get<ui::charts::Histogram>(distribution.content).bins)
             counts << bin.count;
         QCOMPARE(counts, (QList<int>{2, 1, 0, 0, 1, 1, 0, 1, 0, 2}));
         // The learning curve: what half and the middle half of them reached, attempt by attempt.
-        const auto learning = m_page->findChild<ChartPanel*>("learning")->chart();
+        const auto learning = chart("learning");
         const auto& slices = std::get<ui::charts::Curve>(learning.content).band.slices;
         QCOMPARE(slices.size(), 2);
         QCOMPARE((QList<double>{slices[0].low, slices[0].middle, slices[0].high, slices[1].middle}),
                  (QList<double>{32.5, 50.5, 71.9, 64.0}));
         // An answer about another lesson comes too late.
-        m_page->findChild<QComboBox*>("lessonChooser")->setCurrentIndex(1);
+        choose("lessonChooser", 1);
         m_page->setResults(results(23), 750, {});
         QVERIFY(!isTold("distribution"));
     }
@@ -431,42 +404,47 @@ private slots:
         odd.students[3].fullName = "=HYPERLINK(\"x\")";
         m_page->setOverview(odd, kNow);
         QVERIFY(m_page->saveTable(folder.filePath("class.csv")));
-        QFile file(folder.filePath("class.csv"));
-        QVERIFY(file.open(QIODevice::ReadOnly));
-        const QList<QByteArray> lines = file.readAll().split('\n');
+        const auto table = QByteArray::fromStdString(support::bytesOf(folder.filePath("class.csv").toStdString()));
+        const QList<QByteArray> lines = table.split('\n');
         QCOMPARE(lines.size(), 14);
         QCOMPARE(lines[1].trimmed(),
                  QByteArray("s-1001,Student 1001,stuck,2026-11-19T08:00:00Z,2026-11-20T12:00:00Z,33,1,0,39.1,1,0"));
         QVERIFY(lines[4].contains("\"'=HYPERLINK"));
-        QCOMPARE(m_page->findChild<QLabel*>("said")->text(), "Saved: " + folder.filePath("class.csv"));
+        QCOMPARE(textOf("said"), "Saved: " + folder.filePath("class.csv"));
         QVERIFY(!m_page->saveTable("/nowhere/at/all.csv"));
     }
 
-    void everyControlHasAName()
-    {
-        for (QWidget* widget : m_page->findChildren<QWidget*>())
-            if (widget->focusPolicy() != Qt::NoFocus && widget->isVisible() &&
-                !widget->inherits("QAbstractScrollArea") && widget->parentWidget() != nullptr &&
-                !widget->parentWidget()->inherits("QAbstractItemView"))
-                QVERIFY2(!widget->accessibleName().isEmpty(),
-                         qPrintable(QString("%1 %2").arg(widget->metaObject()->className(), widget->objectName())));
-    }
+    void everyControlHasAName() { QCOMPARE(support::controlsWithoutNames(*m_page), QStringList()); }
 
 private:
-    QTableView* matrix() { return m_page->findChild<QTableView*>("matrix"); }
-    QString cell(int row, int column) { return matrix()->model()->index(row, column).data().toString(); }
-    QString name(int row) { return matrix()->model()->headerData(row, Qt::Vertical).toString(); }
-    QPushButton* button(const QString& text)
+    [[nodiscard]] QTableView* matrix() const { return child<QTableView>("matrix"); }
+    [[nodiscard]] int students() const { return matrix()->model()->rowCount(); }
+    [[nodiscard]] QLineEdit* search() const { return child<QLineEdit>("studentSearch"); }
+    [[nodiscard]] QString tip(int row) const
+    {
+        return matrix()->model()->index(row, 1).data(Qt::ToolTipRole).toString();
+    }
+    [[nodiscard]] ui::charts::Chart chart(const char* panel) const { return child<ChartPanel>(panel)->chart(); }
+    /// Another class of so many students is shown.
+    void showOther(int size)
+    {
+        ClassOverview other = overview(size, 6);
+        other.id = {8};
+        m_page->setOverview(other, kNow);
+    }
+    void choose(const char* chooser, int row) const { child<QComboBox>(chooser)->setCurrentIndex(row); }
+    [[nodiscard]] QString cell(int row, int column) const
+    {
+        return matrix()->model()->index(row, column).data().toString();
+    }
+    [[nodiscard]] QString name(int row) const { return matrix()->model()->headerData(row, Qt::Vertical).toString(); }
+    QPushButton* button(const QString& text) const
     {
         for (QPushButton* one : m_page->findChildren<QPushButton*>())
             if (one->text() == text)
                 return one;
         return nullptr;
     }
-
-    std::unique_ptr<QWidget> m_window;
-    ui::shell::Actions* m_actions = nullptr;
-    ClassPage* m_page = nullptr;
 };
 
 QTEST_MAIN(TestClassPage)

@@ -1,21 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QApplication>
 #include <QComboBox>
 #include <QHeaderView>
-#include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTableView>
-#include <QTest>
 
-#include <memory>
-
+#include "tests/ui/PageTest.h"
 #include "ui/charts/ChartPanel.h"
 #include "ui/charts/Table.h"
 #include "ui/people/HistoryModel.h"
 #include "ui/people/HistoryPage.h"
-#include "ui/shell/Actions.h"
-#include "ui/shell/Theme.h"
 
 using database::AttemptRecord;
 using ui::charts::ChartPanel;
@@ -56,33 +50,22 @@ std::vector<database::BandPoint> band(int people)
 
 }  // namespace
 
-class TestHistoryPage : public QObject
+class TestHistoryPage : public support::PageTest<HistoryPage>
 {
     Q_OBJECT
 private slots:
-    void initTestCase()
-    {
-        QLocale::setDefault(QLocale("en_GB"));
-        ui::shell::applyTheme(*qApp, ui::shell::ThemeChoice::Light);
-    }
-
+    void initTestCase() { prepare(); }
     void init()
     {
-        m_window = std::make_unique<QWidget>();
-        m_actions = new ui::shell::Actions(m_window.get());
-        m_page = new HistoryPage(*m_actions, m_window.get());
+        openPage();
         const ui::people::CriterionNames names{{"depth", "Pulpal floor"}, {"outline", "Outline"}};
         m_page->setCriterionNames({{"c1-36", names}, {"decay-26", names}, {"pad-cross", names}});
         m_page->setLessonTitles({{"c1-36", "Class I on 36"}, {"decay-26", "Decay on 26"}, {"pad-cross", "Pad: cross"}});
-        m_window->resize(1280, 800);
-        m_page->resize(1280, 800);
-        m_window->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
     }
 
     void theNewestIsFirstAndChosen()
     {
-        auto* words = m_page->findChild<QLabel*>("emptyWords");
+        auto* words = child<QLabel>("emptyWords");
         m_page->setHistory({});
         QVERIFY(words->isVisible());
         m_page->setHistory(attempts(30));
@@ -101,8 +84,8 @@ private slots:
     {
         m_page->setHistory(attempts(1200));
         QSignalSpy lesson(m_page, &HistoryPage::lessonChosen);
-        auto* combo = m_page->findChild<QComboBox*>("lessonFilter");
-        auto* score = m_page->findChild<ChartPanel*>("scoreChart");
+        auto* combo = child<QComboBox>("lessonFilter");
+        auto* score = child<ChartPanel>("scoreChart");
         QCOMPARE(combo->count(), 4);
         QCOMPARE(ui::charts::stopsOf(score->chart()).size(), ui::people::kMostCharted);  // the newest
         combo->setCurrentIndex(1);
@@ -120,7 +103,7 @@ private slots:
         m_page->setLessonTitles({{"c1-36", "Class I"}, {"decay-26", "Decay"}, {"pad-cross", "Cross"}});
         m_page->setHistory(attempts(3));
         const auto table = [this] {
-            return ui::charts::tableOf(m_page->findChild<ChartPanel*>("scoreChart")->chart());
+            return ui::charts::tableOf(child<ChartPanel>("scoreChart")->chart());
         };
         QCOMPARE(table().heads.size(), 4);
         QCOMPARE(table().heads.back(), QString("Lesson"));
@@ -163,7 +146,7 @@ private slots:
     {
         m_page->setHistory(attempts(30));
         m_page->setLesson("c1-36");
-        auto* score = m_page->findChild<ChartPanel*>("scoreChart");
+        auto* score = child<ChartPanel>("scoreChart");
         const auto slices = [&] { return std::get<ui::charts::Curve>(score->chart().content).band.slices.size(); };
         m_page->setBand(band(4));
         QCOMPARE(slices(), 0);
@@ -172,11 +155,11 @@ private slots:
         m_page->setLesson("decay-26");  // it was of the other lesson
         QCOMPARE(slices(), 0);
         m_page->setClassMedians(ui::people::ClassMedians{4, 700, 600'000});
-        m_page->findChild<QPushButton*>()->setFocus();
+        child<QPushButton>()->setFocus();
         for (QPushButton* button : m_page->findChildren<QPushButton*>())
             if (button->text() == "Speed")
                 button->click();
-        auto* other = m_page->findChild<ChartPanel*>("otherChart");
+        auto* other = child<ChartPanel>("otherChart");
         QCOMPARE(std::get<ui::charts::Curve>(other->chart().content).limits.size(), 0);
         m_page->setClassMedians(ui::people::ClassMedians{5, 700, 600'000});
         QCOMPARE(std::get<ui::charts::Curve>(other->chart().content).limits.size(), 2);
@@ -187,26 +170,26 @@ private slots:
         m_page->setHistory(attempts(30));
         QSignalSpy opened(m_page, &HistoryPage::attemptOpenWanted);
         QSignalSpy replayed(m_page, &HistoryPage::replayWanted);
-        auto* replay = m_page->findChild<QPushButton*>("replayAttempt");
+        auto* replay = child<QPushButton>("replayAttempt");
         table()->setFocus();
         QTest::keyClick(table(), Qt::Key_Down);
         QCOMPARE(m_page->chosen(), 29);
         QTest::keyClick(table(), Qt::Key_Return);
         QCOMPARE(opened.count(), 1);
         QCOMPARE(opened.takeFirst().front().toLongLong(), 29);
-        m_page->findChild<QPushButton*>("openAttempt")->click();
+        click("openAttempt");
         QCOMPARE(opened.takeFirst().front().toLongLong(), 29);
         replay->click();
         QCOMPARE(replayed.front().front().toLongLong(), 29);
-        auto* score = m_page->findChild<ChartPanel*>("scoreChart");
+        auto* score = child<ChartPanel>("scoreChart");
         score->setFocus();
         QTest::keyClick(score, Qt::Key_Home);
         QTest::keyClick(score, Qt::Key_Return);
         QCOMPARE(opened.takeFirst().front().toLongLong(), 1);
         // Without a recording there is no replay, but its score sheet.
         table()->selectRow(29);
-        QVERIFY(!replay->isEnabled() && m_page->findChild<QLabel*>("recordingMissing")->isVisible());
-        QVERIFY(m_page->findChild<QPushButton*>("openAttempt")->isEnabled());
+        QVERIFY(!replay->isEnabled() && child<QLabel>("recordingMissing")->isVisible());
+        QVERIFY(child<QPushButton>("openAttempt")->isEnabled());
     }
 
     void anInstructorsScoreCounts()
@@ -217,7 +200,7 @@ private slots:
         QCOMPARE(cell(0, 2), QString("88.5"));
         QCOMPARE(cell(0, 3), QString("passed"));
         QVERIFY(table()->model()->index(0, 2).data(Qt::ToolTipRole).toString().contains("46.0"));
-        QVERIFY(ui::charts::stopsOf(m_page->findChild<ChartPanel*>("scoreChart")->chart())
+        QVERIFY(ui::charts::stopsOf(child<ChartPanel>("scoreChart")->chart())
                     .back()
                     .words.endsWith("88.5 points, passed (machine: 46.0)"));
     }
@@ -228,7 +211,7 @@ private slots:
         for (AttemptRecord& one : some)
             one.criteria = {{"caries_left", 300, 300}, {"pulp_opened", 609, 0}, {"pulp_grazed", 0, 0}};
         m_page->setHistory(some);
-        const auto bars = std::get<ui::charts::Bars>(m_page->findChild<ChartPanel*>("otherChart")->chart().content);
+        const auto bars = std::get<ui::charts::Bars>(child<ChartPanel>("otherChart")->chart().content);
         QCOMPARE(bars.bars.size(), 2);  // a limit that was kept costs nothing
         QCOMPARE(bars.bars[0].value, 60.9);
         QCOMPARE(bars.bars[1].value, 30.0);
@@ -246,7 +229,7 @@ private slots:
         QCOMPARE(some[1].lessonId, std::string("c1-36"));
         m_page->setHistory(some);
         const auto bars = [this] {
-            return std::get<ui::charts::Bars>(m_page->findChild<ChartPanel*>("otherChart")->chart().content).bars;
+            return std::get<ui::charts::Bars>(child<ChartPanel>("otherChart")->chart().content).bars;
         };
         QCOMPARE(bars().size(), 3);
         QCOMPARE(bars()[0].words, QString("Part of the ideal: 20.0 points lost"));
@@ -256,24 +239,11 @@ private slots:
         QCOMPARE(bars()[0].name, QString("Part of the opening"));
     }
 
-    void everyControlHasAName()
-    {
-        m_page->setHistory(attempts(5));
-        for (QWidget* widget : m_page->findChildren<QWidget*>())
-            if (widget->focusPolicy() != Qt::NoFocus && widget->isVisible() &&
-                !widget->inherits("QAbstractScrollArea") && widget->parentWidget() != nullptr &&
-                !widget->parentWidget()->inherits("QAbstractItemView"))
-                QVERIFY2(!widget->accessibleName().isEmpty(),
-                         qPrintable(QString("%1 %2").arg(widget->metaObject()->className(), widget->objectName())));
-    }
+    void everyControlHasAName() { QCOMPARE(support::controlsWithoutNames(*m_page), QStringList()); }
 
 private:
-    QTableView* table() { return m_page->findChild<QTableView*>("attempts"); }
+    QTableView* table() { return child<QTableView>("attempts"); }
     QString cell(int row, int column) { return table()->model()->index(row, column).data().toString(); }
-
-    std::unique_ptr<QWidget> m_window;
-    ui::shell::Actions* m_actions = nullptr;
-    HistoryPage* m_page = nullptr;
 };
 
 QTEST_MAIN(TestHistoryPage)
