@@ -20,8 +20,10 @@
 #include <sys/inotify.h>
 #include <unistd.h>
 
-#include "lessons/LessonCatalog.h"
+#include "tests/support/Files.h"
+#include "tests/support/Tables.h"
 #include "tests/ui/PseudoLanguage.h"
+#include "tests/ui/WindowTest.h"
 #include "ui/report/Printing.h"
 #include "ui/report/Report.h"
 #include "ui/shell/Theme.h"
@@ -37,6 +39,7 @@ constexpr QSizeF kA4{510.0, 757.0};  ///< points within margins of 15 mm
 constexpr QSizeF kLetter{527.0, 707.0};
 constexpr double kDotsPerPoint = 2.0;
 const QString kCode = "K7QF-93XM-2ND8";
+constexpr const char* kOverdue = "2026-11-19T22:59:59Z";
 
 ui::report::Proof proof()
 {
@@ -47,10 +50,7 @@ ui::report::Proof proof()
 ScoreCard scoreCard()
 {
     ScoreCard card;
-    lessons::Assignment assignment;
-    for (const lessons::CatalogEntry& entry : lessons::readCatalog({}))
-        if (entry.read.lesson && entry.read.lesson->id == "class1-36")
-            assignment = lessons::assign(*entry.read.lesson).value().assignment;
+    const lessons::Assignment assignment = support::assigned("class1-36");
     const core::terrain::ToothAnatomy& anatomy = *assignment.anatomy;
     ui::study::ScoredWork work;
     work.ideal = assignment.shownIdeal();
@@ -189,7 +189,7 @@ QString wordsOf(const Content& content, const QSizeF& paper)
 }
 
 /// Share of the picture that is not white.
-double inked(const QImage& page)
+double inkOf(const QImage& page)
 {
     qint64 dark = 0;
     for (int y = 0; y < page.height(); ++y)
@@ -271,76 +271,47 @@ private slots:
 
     void reportsSayWhatTheScreenSays_data()
     {
-        QTest::addColumn<QString>("words");
-        QTest::addColumn<QStringList>("says");
-        QTest::addColumn<QStringList>("saysNot");
+        using Words = QStringList;
+        support::columns<QString, Words, Words>("words", "says", "saysNot");
+        const auto row = [](const char* name, const auto& report, const Words& says, const Words& saysNot = {}) {
+            QTest::newRow(name) << wordsOf(report, kA4) << says << saysNot;
+        };
         QVERIFY(!m_card.sheet.criteria.empty());
-        QTest::newRow("card") << wordsOf(m_card, kA4)
-                              << QStringList{"Class I on 36",
-                                             "Ada Lovelace",
-                                             kCode,
-                                             "Cusp 0.1.0",
-                                             "natural v4",
-                                             "Device: mouse, pen or gamepad; contact: spring",
-                                             "256 columns",
-                                             "seed: 42",
-                                             "Here you pressed too hard.",
-                                             "at 1:42 of the replay",
-                                             "undercuts",
-                                             "90.0 points",
-                                             QString::fromStdString(m_card.sheet.rubricHash.substr(0, 16)),
-                                             QString(16, 'b')}
-                              << QStringList();
+        row("card", m_card,
+            {"Class I on 36", "Ada Lovelace", kCode, "Cusp 0.1.0", "natural v4",
+             "Device: mouse, pen or gamepad; contact: spring", "256 columns", "seed: 42", "Here you pressed too hard.",
+             "at 1:42 of the replay", "undercuts", "90.0 points",
+             QString::fromStdString(m_card.sheet.rubricHash.substr(0, 16)), QString(16, 'b')});
         ScoreCard card = m_card;
         card.attempt.scoreTenths = 684;
         card.attempt.givenTenths = 801;
         card.talk.overrides.push_back({"Grace Hopper", "2026-11-20T11:30:00Z", 801, "The wall is fine by hand."});
-        QTest::newRow("another score was given")
-            << wordsOf(card, kA4)
-            << QStringList{"80.1 of 100 points", "machine's score: 68.4", "Grace Hopper", "The wall is fine by hand.",
-                           "The machine's score: 100.0"}
-            << QStringList();
+        row("another score was given", card,
+            {"80.1 of 100 points", "machine's score: 68.4", "Grace Hopper", "The wall is fine by hand.",
+             "The machine's score: 100.0"});
         card = m_card;
         card.work->measured.process.emplace().totalS = 133.0;
         card.work->aids = core::session::kSectionAid | core::session::kIdealAid;
         card.work->infractions = {{core::grading::Breach::BurInAir, 37000, 37.4, {}, 0, 20}};
         card.sheet.criteria.front().critical = true;
         card.sheet.criteria.front().share = 1.0;
-        QTest::newRow("harm, aids and a breach") << wordsOf(card, kA4)
-                                                 << QStringList{ui::study::ScorePage::verdictWords(card.sheet, {}),
-                                                                "Not passed: harm done",
-                                                                "1 breach(es) of the rules: ",
-                                                                " at 0:37",
-                                                                "Aids in use: section, ideal",
-                                                                "Middle half",
-                                                                "Class median",
-                                                                "Pass mark",
-                                                                "Not passed"}
-                                                 << QStringList{"..."};
+        row("harm, aids and a breach", card,
+            {ui::study::ScorePage::verdictWords(card.sheet, {}), "Not passed: harm done", "1 breach(es) of the rules: ",
+             " at 0:37", "Aids in use: section, ideal", "Middle half", "Class median", "Pass mark", "Not passed"},
+            {"..."});
         card = m_card;
         card.proof.auditCode.clear();
         card.attempt.recordingHash.clear();
-        QTest::newRow("not kept") << wordsOf(card, kA4) << QStringList{"there is no audit code", "recording –"}
-                                  << QStringList{"Audit code:"};
-        QTest::newRow("class") << wordsOf(classReport(23, 5), kA4)
-                               << QStringList{"Class: DEN101-A",
-                                              "Grace Hopper",
-                                              kCode,
-                                              "Never logged in",
-                                              "Stuck (",
-                                              "20 of 23 passed",
-                                              "Learning curve",
-                                              "version 3, content aaaaaaaaaaaaaaaa"}
-                               << QStringList();
-        QTest::newRow("four people") << wordsOf(classReport(4, 3), kA4) << QStringList{"5 people"}
-                                     << QStringList{"of 4 passed"};
+        row("not kept", card, {"there is no audit code", "recording –"}, {"Audit code:"});
+        row("class", classReport(23, 5),
+            {"Class: DEN101-A", "Grace Hopper", kCode, "Never logged in", "Stuck (", "20 of 23 passed",
+             "Learning curve", "version 3, content aaaaaaaaaaaaaaaa"});
+        row("four people", classReport(4, 3), {"5 people"}, {"of 4 passed"});
         ClassReport report = classReport(6, 3);
         report.overview.cells[4][0] = {3, 600, false, "2026-11-18T08:00:00Z"};
-        report.given = {{1, report.overview.id, "lesson-0", "2026-11-19T22:59:59Z", 3}};
-        QTest::newRow("late, and no attempts left")
-            << wordsOf(report, kA4)
-            << QStringList{"Late: a lesson is overdue", "No attempts left at a lesson that is not passed: Student 1005"}
-            << QStringList();
+        report.given = {{1, report.overview.id, "lesson-0", kOverdue, 3}};
+        row("late, and no attempts left", report,
+            {"Late: a lesson is overdue", "No attempts left at a lesson that is not passed: Student 1005"});
     }
 
     void reportsSayWhatTheScreenSays()
@@ -365,57 +336,43 @@ private slots:
             QCOMPARE(pagesOf(card, paper).size(), 1);
     }
 
-    void everyWordIsOfTheLanguage_data()
-    {
-        QTest::addColumn<bool>("isCard");
-        QTest::newRow("card") << true;
-        QTest::newRow("class") << false;
-    }
-
     /// Of a language that nobody speaks; but for names, and what lessons say themselves.
     void everyWordIsOfTheLanguage()
     {
-        QFETCH(bool, isCard);
         pseudo::Translator strange;
         QCoreApplication::installTranslator(&strange);
         const auto back = qScopeGuard([&] { QCoreApplication::removeTranslator(&strange); });
-        QString words;
-        if (isCard) {
-            ScoreCard card = m_card;
-            card.lesson = card.person = "[···]";
-            card.attempt.preset = "[···]";
-            card.attempt.method = "continuous";
-            card.attempt.program = "";
-            card.proof.program = "1";
-            card.attempt.uid = "1";
-            card.attempt.presetHash = card.attempt.recordingHash = card.sheet.rubricHash = std::string(64, '1');
-            card.sheet.rubricTitle = pseudo::said(card.sheet.rubricTitle);
-            for (lessons::Criterion& one : card.sheet.criteria)
-                one.title = pseudo::said(one.title);
-            database::AttemptComment& comment = card.talk.comments.front();
-            comment.author = comment.words = "[···]";
-            words = wordsOf(card, kA4);
-        } else {
-            ClassReport report = classReport(7, 3);
-            report.className = report.teacher = "[···]";
-            report.rubricHash = std::string(64, '1');
-            report.proof.program = "1";
-            for (auto& title : report.titles)
-                title = "[···]";
-            for (database::MatrixStudent& student : report.overview.students)
-                student.fullName = "[···]";
-            report.criteria = {{"depth", "[···]"}, {"walls", "[····]"}};
-            report.given = {{1, report.overview.id, "lesson-0", "2026-11-19T22:59:59Z", 0}};
-            words = wordsOf(report, kA4);
+        ScoreCard card = m_card;
+        card.lesson = card.person = "[···]";
+        card.attempt.preset = "[···]";
+        card.attempt.method = "continuous";
+        card.attempt.program = "";
+        card.proof.program = "1";
+        card.attempt.uid = "1";
+        card.attempt.presetHash = card.attempt.recordingHash = card.sheet.rubricHash = std::string(64, '1');
+        card.sheet.rubricTitle = pseudo::said(card.sheet.rubricTitle);
+        for (lessons::Criterion& one : card.sheet.criteria)
+            one.title = pseudo::said(one.title);
+        card.talk.comments.front().author = card.talk.comments.front().words = "[···]";
+
+        ClassReport report = classReport(7, 3);
+        report.className = report.teacher = "[···]";
+        report.rubricHash = std::string(64, '1');
+        report.proof.program = "1";
+        for (auto& title : report.titles)
+            title = "[···]";
+        for (database::MatrixStudent& student : report.overview.students)
+            student.fullName = "[···]";
+        report.criteria = {{"depth", "[···]"}, {"walls", "[····]"}};
+        report.given = {{1, report.overview.id, "lesson-0", kOverdue, 0}};
+
+        for (QString words : {wordsOf(card, kA4), wordsOf(report, kA4)}) {
+            static const QRegularExpression kOfQt(
+                "^Qt SVG Document Generated with Qt|\\b(?:K7QF-93XM-2ND8|Nov|Jan|AM|PM|am|pm)\\b");
+            QStringList english = words.remove(kOfQt).split(' ');
+            english.removeIf([](const QString& word) { return pseudo::untranslated(word).isEmpty(); });
+            QVERIFY2(english.isEmpty(), qPrintable(english.join(", ") + " in: " + words));
         }
-        static const QRegularExpression kOfQt(
-            "^Qt SVG Document Generated with Qt|\\b(?:K7QF-93XM-2ND8|Nov|Jan|AM|PM|am|pm)\\b");
-        words.remove(kOfQt);
-        QStringList english;
-        for (const QString& word : words.split(' '))
-            if (!pseudo::untranslated(word).isEmpty())
-                english << word;
-        QVERIFY2(english.isEmpty(), qPrintable(english.join(", ") + " in: " + words));
     }
 
     void aCommentsPlaceIsNumberedInThePicture()
@@ -435,7 +392,7 @@ private slots:
     {
         const QString sign = "▲: overdue, or no attempts left";
         ClassReport report = classReport(35, 40);
-        report.given = {{1, report.overview.id, "lesson-0", "2026-11-19T22:59:59Z", 0}};
+        report.given = {{1, report.overview.id, "lesson-0", kOverdue, 0}};
         const QList<QImage> pages = pagesOf(report, kA4);
         // Parts follow each other without leaving half a page empty.
         QVERIFY2(pages.size() <= 6, qPrintable(QString::number(pages.size())));
@@ -444,33 +401,19 @@ private slots:
         QVERIFY2(words.contains("▲ 30"), qPrintable(words));  // the cell of him who is late, as on the screen
     }
 
-    void pagesAreFilledAndNotOverfull_data()
-    {
-        QTest::addColumn<bool>("isCard");
-        QTest::addColumn<QSizeF>("paper");
-        QTest::addColumn<int>("fewest");
-        QTest::newRow("card A4") << true << kA4 << 1;
-        QTest::newRow("card Letter") << true << kLetter << 1;
-        QTest::newRow("class A4") << false << kA4 << 3;
-        QTest::newRow("class Letter") << false << kLetter << 3;
-    }
-
     void pagesAreFilledAndNotOverfull()
     {
-        QFETCH(bool, isCard);
-        QFETCH(QSizeF, paper);
-        QFETCH(int, fewest);
-        const QList<QImage> pages = isCard ? pagesOf(m_card, paper) : pagesOf(classReport(60, 14), paper);
-        QVERIFY(pages.size() >= fewest && pages.size() <= 8);
-        for (qsizetype k = 0; k < pages.size(); ++k) {
-            QVERIFY(inked(pages[k]) > 0.002);
-            QVERIFY(inked(pages[k]) < 0.35);
-            // Between the content and the foot nothing is painted: the line of the foot is not crossed.
-            const int foot = static_cast<int>((paper.height() - 29.0) * kDotsPerPoint);
-            int dark = 0;
-            for (int x = 0; x < pages[k].width(); ++x)
-                dark += qGray(pages[k].pixel(x, foot)) < 128 ? 1 : 0;
-            QCOMPARE(dark, 0);
+        const ClassReport report = classReport(60, 14);
+        for (const QSizeF& paper : {kA4, kLetter}) {
+            const QList<QImage> ofClass = pagesOf(report, paper);
+            QVERIFY(ofClass.size() >= 3 && ofClass.size() <= 8);
+            for (const QImage& page : pagesOf(m_card, paper) + ofClass) {
+                const double inked = inkOf(page);
+                QVERIFY2(inked > 0.002 && inked < 0.35, qPrintable(QString::number(inked)));
+                // Nothing is painted over the line of the foot.
+                const int foot = static_cast<int>((paper.height() - 29.0) * kDotsPerPoint);
+                QCOMPARE(inkOf(page.copy(0, foot, page.width(), 1)), 0.0);
+            }
         }
     }
 
@@ -483,28 +426,17 @@ private slots:
         QCOMPARE(dark, light);
     }
 
-    void aPdfIsWritten_data()
-    {
-        QTest::addColumn<int>("paper");
-        QTest::addColumn<QByteArray>("box");
-        QTest::newRow("A4") << int(QPageSize::A4) << QByteArray("/MediaBox [0 0 595");
-        QTest::newRow("Letter") << int(QPageSize::Letter) << QByteArray("/MediaBox [0 0 612");
-    }
-
     void aPdfIsWritten()
     {
-        QFETCH(int, paper);
-        QFETCH(QByteArray, box);
         const QTemporaryDir folder;
-        const auto size = static_cast<QPageSize::PageSizeId>(paper);
-        QVERIFY(ui::report::savePdf(folder.filePath("card.pdf"), "Class I on 36", m_card, size));
-        QVERIFY(ui::report::savePdf(folder.filePath("class.pdf"), "DEN101-A", classReport(60, 14), size));
-        for (const char* name : {"card.pdf", "class.pdf"}) {
-            QFile file(folder.filePath(name));
-            QVERIFY(file.open(QIODevice::ReadOnly));
-            const QByteArray bytes = file.readAll();
-            QVERIFY(bytes.startsWith("%PDF-"));
-            QVERIFY2(bytes.contains(box), name);
+        for (const auto& [size, box] :
+             {std::pair(QPageSize::A4, "/MediaBox [0 0 595"), {QPageSize::Letter, "/MediaBox [0 0 612"}}) {
+            QVERIFY(ui::report::savePdf(folder.filePath("card.pdf"), "Class I on 36", m_card, size));
+            QVERIFY(ui::report::savePdf(folder.filePath("class.pdf"), "DEN101-A", classReport(60, 14), size));
+            for (const char* name : {"card.pdf", "class.pdf"}) {
+                const std::string bytes = support::bytesOf(folder.filePath(name).toStdString());
+                QVERIFY2(bytes.starts_with("%PDF-") && bytes.find(box) != std::string::npos, name);
+            }
         }
         QVERIFY(!ui::report::savePdf("/nowhere/at/all/card.pdf", "Class I on 36", m_card));
     }

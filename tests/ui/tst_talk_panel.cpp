@@ -79,8 +79,8 @@ private slots:
     {
         m_panel->setTalk(talk());
         m_panel->setMay(false, false);
-        QVERIFY(!get<QPlainTextEdit>("commentWords")->isVisible());
-        QVERIFY(!get<QLineEdit>("reason")->isVisible());
+        QVERIFY(!comment()->isVisible());
+        QVERIFY(!reason()->isVisible());
         QVERIFY(words().contains("Here you pressed too hard."));
         m_panel->setTalk({});
         QVERIFY(get<QLabel>("noTalk")->text().contains("What an instructor says"));
@@ -91,52 +91,48 @@ private slots:
         auto* room = get<QLabel>("commentRoom");
         for (const auto& [length, says, isFit] :
              {std::tuple(3000, "", true), std::tuple(3990, "10 more", true), std::tuple(4020, "20 ", false)}) {
-            get<QPlainTextEdit>("commentWords")->setPlainText(QString(length, 'w'));
+            comment()->setPlainText(QString(length, 'w'));
             QCOMPARE(room->isVisible(), length > 3000);
             QVERIFY2(room->text().contains(says), qPrintable(room->text()));
-            QCOMPARE(get<QPushButton>("addComment")->isEnabled(), isFit);
+            QCOMPARE(isEnabled("addComment"), isFit);
         }
     }
 
     void aCommentIsPinned()
     {
-        auto* atMoment = get<QCheckBox>("atMoment");
-        auto* atPlace = get<QCheckBox>("atPlace");
         QSignalSpy wanted(m_panel.get(), &TalkPanel::commentWanted);
         const auto sent = [&] {
-            get<QPushButton>("addComment")->click();
+            click("addComment");
             return std::tuple(wanted.back()[0].toString(), wanted.back()[1].value<std::optional<std::int64_t>>(),
                               wanted.back()[2].value<std::optional<Place>>());
         };
         const QString words = "Lift the bur here.";
-        QVERIFY(!get<QPushButton>("addComment")->isEnabled() && !atMoment->isVisible() && !atPlace->isVisible());
-        get<QPlainTextEdit>("commentWords")->setPlainText("  " + words + ' ');
+        QVERIFY(!isEnabled("addComment") && !atMoment()->isVisible() && !atPlace()->isVisible());
+        comment()->setPlainText("  " + words + ' ');
         m_panel->setMoment(102'400);
         m_panel->setPlace(Place{1.0, 2.0, 3.0});
-        QCOMPARE(atMoment->text(), QString("at 1:42 of the replay"));
+        QCOMPARE(atMoment()->text(), QString("at 1:42 of the replay"));
         QVERIFY(sent() == std::tuple(words, std::nullopt, std::nullopt));
         m_panel->answer(0, "It could not be kept.");
-        atMoment->setChecked(true);
-        atPlace->setChecked(true);
+        atMoment()->setChecked(true);
+        atPlace()->setChecked(true);
         const auto pinned = sent();
         QCOMPARE(std::get<1>(pinned), std::optional<std::int64_t>(102'400));
         QCOMPARE(std::get<2>(pinned), std::optional<Place>(Place{1.0, 2.0, 3.0}));
         // It was kept: the field is free for the next, which begins without pins.
         m_panel->answer(0);
-        QVERIFY(get<QPlainTextEdit>("commentWords")->toPlainText().isEmpty());
-        QVERIFY(!atPlace->isChecked() && !atMoment->isChecked());
+        QVERIFY(comment()->toPlainText().isEmpty());
+        QVERIFY(!atPlace()->isChecked() && !atMoment()->isChecked());
         // A place that the writer marks is pinned at once; not the place of another comment that they look at.
         m_panel->setPlace(Place{1.0, 2.0, 3.0}, true);
-        QVERIFY(atPlace->isChecked());
+        QVERIFY(atPlace()->isChecked());
         m_panel->setPlace(Place{4.0, 5.0, 6.0});
-        QVERIFY(!atPlace->isChecked());
+        QVERIFY(!atPlace()->isChecked());
         // What others have pinned leads there.
         m_panel->setTalk(talk());
         QSignalSpy moment(m_panel.get(), &TalkPanel::momentWanted);
         QSignalSpy place(m_panel.get(), &TalkPanel::placeWanted);
-        for (QPushButton* button : m_panel->findChildren<QPushButton*>())
-            if (button->property("kind") == "chip")
-                button->click();
+        pressChips();
         QCOMPARE(moment[0][0].toDouble(), 102.0);
         QCOMPARE(place[0][0].value<Place>(), (Place{1.0, 2.0, 3.0}));
     }
@@ -144,76 +140,68 @@ private slots:
     void aScoreNeedsAReason()
     {
         QSignalSpy wanted(m_panel.get(), &TalkPanel::overrideWanted);
-        auto* points = get<QDoubleSpinBox>("givenPoints");
-        auto* reason = get<QLineEdit>("reason");
-        QCOMPARE(points->value(), 68.4);
-        points->setValue(77.7);
+        QCOMPARE(points()->value(), 68.4);
+        points()->setValue(77.7);
         for (const char* typed : {"", "   "}) {
-            reason->setText(typed);
-            QVERIFY(!get<QPushButton>("giveScore")->isEnabled());
+            reason()->setText(typed);
+            QVERIFY(!isEnabled("giveScore"));
         }
-        reason->setText("Wall seen by hand");
-        get<QPushButton>("giveScore")->click();
+        reason()->setText("Wall seen by hand");
+        click("giveScore");
         QCOMPARE(wanted[0][0].value<std::optional<int>>(), std::optional(777));
         QCOMPARE(wanted[0][1].toString(), QString("Wall seen by hand"));
         // One that is typed while it is on its way is another.
-        points->setValue(60.0);
+        points()->setValue(60.0);
         m_panel->answer(0);
-        QCOMPARE(points->value(), 60.0);
-        QCOMPARE(reason->text(), QString("Wall seen by hand"));
+        QCOMPARE(points()->value(), 60.0);
+        QCOMPARE(reason()->text(), QString("Wall seen by hand"));
         m_panel->setTalk(talk());
-        get<QPushButton>("machineAgain")->click();
+        click("machineAgain");
         QVERIFY(!wanted[1][0].value<std::optional<int>>());
     }
 
     void theScoreBeginsWithWhatCounts()
     {
-        auto* points = get<QDoubleSpinBox>("givenPoints");
         m_panel->setTalk(talk());
-        QCOMPARE(points->value(), 80.0);
+        QCOMPARE(points()->value(), 80.0);
         // What somebody has begun to type outlasts a comment.
-        points->setValue(77.7);
+        points()->setValue(77.7);
         AttemptTalk commented = talk();
         commented.comments.push_back({3, "Grace Hopper", "2026-11-20T14:00:00Z", "Lift the bur here.", {}, {}});
         m_panel->setTalk(commented);
-        QCOMPARE(points->value(), 77.7);
+        QCOMPARE(points()->value(), 77.7);
         QVERIFY(!m_panel->unsavedChanges().isEmpty());
-        points->setValue(80.0);
+        points()->setValue(80.0);
         QVERIFY(m_panel->unsavedChanges().isEmpty());
     }
 
     /// With what it is pinned to, and a reason with its number.
     void whatIsTypedStaysWithItsAttempt()
     {
-        auto* words = get<QPlainTextEdit>("commentWords");
-        auto* reason = get<QLineEdit>("reason");
         const auto isEmpty = [&] {
-            return words->toPlainText().isEmpty() && reason->text().isEmpty() &&
-                   get<QDoubleSpinBox>("givenPoints")->value() == 68.4 && !get<QCheckBox>("atMoment")->isChecked() &&
-                   !get<QCheckBox>("atPlace")->isChecked() && !get<QLabel>("fault")->isVisible();
+            return comment()->toPlainText().isEmpty() && reason()->text().isEmpty() && points()->value() == 68.4 &&
+                   !atMoment()->isChecked() && !atPlace()->isChecked() && !fault()->isVisible();
         };
         m_panel->setAttempt(7);
         m_panel->setMoment(4500);
         m_panel->setPlace(Place{1.0, 2.0, 3.0}, true);
-        get<QCheckBox>("atMoment")->setChecked(true);
-        words->setPlainText("Half a sentence");
-        reason->setText("Half a reason");
-        get<QDoubleSpinBox>("givenPoints")->setValue(45.5);
+        atMoment()->setChecked(true);
+        comment()->setPlainText("Half a sentence");
+        reason()->setText("Half a reason");
+        points()->setValue(45.5);
         m_panel->refuse("It could not be kept.");
-        m_panel->setAttempt(8);
-        m_panel->setScore(684, 750, false);
+        showAttempt(8);
         QVERIFY(isEmpty());
-        words->setPlainText("Of another");
+        comment()->setPlainText("Of another");
         QVERIFY2(m_panel->unsavedChanges().startsWith("2 ") && m_panel->unsavedChanges().contains("\n1 "),
                  qPrintable(m_panel->unsavedChanges()));
-        m_panel->setAttempt(7);
-        m_panel->setScore(684, 750, false);
-        QCOMPARE(words->toPlainText(), QString("Half a sentence"));
-        QCOMPARE(reason->text(), QString("Half a reason"));
-        QCOMPARE(get<QDoubleSpinBox>("givenPoints")->value(), 45.5);
-        QVERIFY(get<QLabel>("fault")->isVisible());
+        showAttempt(7);
+        QCOMPARE(comment()->toPlainText(), QString("Half a sentence"));
+        QCOMPARE(reason()->text(), QString("Half a reason"));
+        QCOMPARE(points()->value(), 45.5);
+        QVERIFY(fault()->isVisible());
         QSignalSpy wanted(m_panel.get(), &TalkPanel::commentWanted);
-        get<QPushButton>("addComment")->click();
+        click("addComment");
         QCOMPARE(wanted.size(), 1);
         QCOMPARE(wanted[0][1].value<std::optional<std::int64_t>>(), std::optional<std::int64_t>(4500));
         QVERIFY(wanted[0][2].value<std::optional<Place>>().has_value());
@@ -228,8 +216,7 @@ private slots:
     /// The button rests once the comment is there; a digit that is typed next must not become the score.
     void theKeyboardStaysWithTheComment()
     {
-        auto* comment = get<QPlainTextEdit>("commentWords");
-        comment->setPlainText("Lift the bur here.");
+        comment()->setPlainText("Lift the bur here.");
         get<QPushButton>("addComment")->setFocus();
         QTest::keyClick(get<QPushButton>("addComment"), Qt::Key_Space);
         QSignalSpy used(m_panel.get(), &TalkPanel::formUsed);
@@ -237,10 +224,10 @@ private slots:
         kept.comments.push_back({3, "Grace Hopper", "2026-11-20T14:00:00Z", "Lift the bur here.", {}, {}});
         m_panel->answer(0);
         m_panel->setTalk(kept);
-        QVERIFY(m_panel->focusWidget() == comment);
+        QVERIFY(m_panel->focusWidget() == comment());
         QVERIFY(!used.isEmpty());
-        QVERIFY(used.last().first().value<QWidget*>()->isAncestorOf(comment));
-        QCOMPARE(get<QDoubleSpinBox>("givenPoints")->value(), 68.4);
+        QVERIFY(used.last().first().value<QWidget*>()->isAncestorOf(comment()));
+        QCOMPARE(points()->value(), 68.4);
     }
 
     void onesOwnCommentIsTakenBackToBeCorrected_data()
@@ -262,13 +249,12 @@ private slots:
         QFETCH(bool, leaves);
         QFETCH(bool, earlier);
         QFETCH(QString, expected);
-        auto* field = get<QPlainTextEdit>("commentWords");
         AttemptTalk mine = talk();
         mine.comments.front().isMine = true;
         m_panel->setAttempt(7);
         m_panel->setTalk(mine);
         QCOMPARE(m_panel->findChildren<QPushButton*>("takeBack").size(), 1);
-        field->setPlainText(typed);
+        comment()->setPlainText(typed);
         QSignalSpy wanted(m_panel.get(), &TalkPanel::withdrawWanted);
         get<QPushButton>("takeBack")->setFocus();
         for (int press = 0; press < 2; ++press)  // nothing is sent twice
@@ -281,15 +267,15 @@ private slots:
         }
         m_panel->withdraw(1, earlier);
         if (leaves) {
-            QVERIFY(field->toPlainText().isEmpty());
+            QVERIFY(comment()->toPlainText().isEmpty());
             m_panel->setAttempt(7);
         } else {
-            QVERIFY(!words().contains("Here you pressed too hard.") && m_panel->focusWidget() == field);
+            QVERIFY(!words().contains("Here you pressed too hard.") && m_panel->focusWidget() == comment());
             QVERIFY(get<QLabel>("commentSaid")->isVisible());
         }
-        QCOMPARE(field->toPlainText(), expected);
-        QCOMPARE(get<QCheckBox>("atMoment")->isChecked(), !earlier);
-        QCOMPARE(get<QCheckBox>("atPlace")->isChecked(), !earlier);
+        QCOMPARE(comment()->toPlainText(), expected);
+        QCOMPARE(atMoment()->isChecked(), !earlier);
+        QCOMPARE(atPlace()->isChecked(), !earlier);
         // Who only reads takes nothing back.
         m_panel->setTalk(mine);
         m_panel->setMay(false, false);
@@ -303,76 +289,72 @@ private slots:
         AttemptTalk mine = talk();
         mine.comments.front().isMine = true;
         m_panel->setTalk(mine);
-        get<QPlainTextEdit>("commentWords")->setPlainText("Lift the bur here.");
-        get<QLineEdit>("reason")->setText("The wall is fine by hand.");
+        comment()->setPlainText("Lift the bur here.");
+        reason()->setText("The wall is fine by hand.");
         QSignalSpy comments(m_panel.get(), &TalkPanel::commentWanted);
         QSignalSpy scores(m_panel.get(), &TalkPanel::overrideWanted);
         for (int press = 0; press < 3; ++press)
             add->click();
         QVERIFY(comments.size() == 1 && !add->isEnabled());
-        get<QPlainTextEdit>("commentWords")->insertPlainText("More. ");
+        comment()->insertPlainText("More. ");
         QVERIFY(!add->isEnabled());
         // What is on its way still rests when something else is refused.
-        get<QPushButton>("takeBack")->click();
+        click("takeBack");
         m_panel->keepComment(1, 0, "The school does not answer.");
-        QVERIFY(get<QPushButton>("takeBack")->isEnabled() && !add->isEnabled());
-        QCOMPARE(get<QLabel>("fault")->text(), QString("The school does not answer."));
+        QVERIFY(isEnabled("takeBack") && !add->isEnabled());
+        QCOMPARE(fault()->text(), QString("The school does not answer."));
         m_panel->answer(0, "It could not be kept.");
-        QVERIFY(add->isEnabled() && get<QLabel>("fault")->isVisible());
+        QVERIFY(add->isEnabled() && fault()->isVisible());
         for (int press = 0; press < 3; ++press)
             give->click();
-        QVERIFY(scores.size() == 1 && !give->isEnabled() && !get<QPushButton>("machineAgain")->isEnabled());
-        QVERIFY(!get<QLabel>("fault")->isVisible());
+        QVERIFY(scores.size() == 1 && !give->isEnabled() && !isEnabled("machineAgain"));
+        QVERIFY(!fault()->isVisible());
         m_panel->answer(0);
-        QVERIFY(get<QLineEdit>("reason")->text().isEmpty());
+        QVERIFY(reason()->text().isEmpty());
     }
 
     /// Where another is shown by then, it stands there on return.
     void whatWasRefusedIsToldAtItsAttempt()
     {
-        auto* fault = get<QLabel>("fault");
-        auto* field = get<QPlainTextEdit>("commentWords");
         m_panel->setAttempt(7);
-        field->setPlainText("Lift the bur here.");
-        get<QPushButton>("addComment")->click();
+        comment()->setPlainText("Lift the bur here.");
+        click("addComment");
         m_panel->setAttempt(8);
         m_panel->answer(7, "It could not be kept.");
-        QVERIFY(!fault->isVisible());
+        QVERIFY(!fault()->isVisible());
         m_panel->setAttempt(7);
-        QVERIFY(fault->isVisible() && fault->text() == "It could not be kept.");
-        QCOMPARE(field->toPlainText(), QString("Lift the bur here."));
+        QVERIFY(fault()->isVisible() && fault()->text() == "It could not be kept.");
+        QCOMPARE(comment()->toPlainText(), QString("Lift the bur here."));
         // What is kept meanwhile does not wait there.
-        get<QPushButton>("addComment")->click();
+        click("addComment");
         m_panel->setAttempt(8);
         m_panel->answer(7);
         QVERIFY(m_panel->unsavedChanges().isEmpty());
         m_panel->setAttempt(7);
-        QVERIFY(!fault->isVisible() && field->toPlainText().isEmpty());
+        QVERIFY(!fault()->isVisible() && comment()->toPlainText().isEmpty());
     }
 
-    /// Whoever looks at another place, or at the replay, does not mean his comment.
+    /// Whoever looks at another place, or at the replay, does not mean their comment.
     void whatIsTickedStaysWhatItIs()
     {
-        auto* atMoment = get<QCheckBox>("atMoment");
-        get<QPlainTextEdit>("commentWords")->setPlainText("Half a sentence");
+        comment()->setPlainText("Half a sentence");
         m_panel->setPlace(Place{1.0, 2.0, 3.0}, true);
         m_panel->setMoment(4157);
-        atMoment->setChecked(true);
+        atMoment()->setChecked(true);
         m_panel->setPlace(Place{4.0, 5.0, 6.0});
-        QVERIFY(get<QCheckBox>("atPlace")->isChecked());
+        QVERIFY(atPlace()->isChecked());
         QCOMPARE(m_panel->place(), std::optional<Place>(Place{1.0, 2.0, 3.0}));
         m_panel->setMoment(1000);
-        QCOMPARE(atMoment->text(), QString("at 0:04 of the replay"));
-        atMoment->setChecked(false);
-        QCOMPARE(atMoment->text(), QString("at 0:01 of the replay"));
+        QCOMPARE(atMoment()->text(), QString("at 0:04 of the replay"));
+        atMoment()->setChecked(false);
+        QCOMPARE(atMoment()->text(), QString("at 0:01 of the replay"));
         m_panel->setMoment(2000);
-        QCOMPARE(atMoment->text(), QString("at 0:02 of the replay"));
+        QCOMPARE(atMoment()->text(), QString("at 0:02 of the replay"));
     }
 
-    /// As a place is that he clicks on.
+    /// As a place that is clicked on is.
     void theMomentOneWentToIsTicked()
     {
-        auto* atMoment = get<QCheckBox>("atMoment");
         const auto goTo = [this](std::int64_t ms) {
             m_panel->hide();
             m_panel->setMoment(0);
@@ -380,97 +362,102 @@ private slots:
             m_panel->show();
         };
         goTo(34'000);
-        QVERIFY(atMoment->isVisible() && !atMoment->isChecked());  // he writes nothing
-        auto* words = get<QPlainTextEdit>("commentWords");
-        words->setPlainText("Here you press too hard");
+        QVERIFY(atMoment()->isVisible() && !atMoment()->isChecked());  // nothing is being written
+        comment()->setPlainText("Here you press too hard");
         goTo(34'000);
-        QVERIFY(atMoment->isChecked());
-        QCOMPARE(atMoment->text(), QString("at 0:34 of the replay"));
-        // He looks on, and it stays.
+        QVERIFY(atMoment()->isChecked());
+        QCOMPARE(atMoment()->text(), QString("at 0:34 of the replay"));
+        // It stays when the user looks on.
         goTo(70'000);
-        QVERIFY(atMoment->isChecked());
-        QCOMPARE(atMoment->text(), QString("at 0:34 of the replay"));
+        QVERIFY(atMoment()->isChecked());
+        QCOMPARE(atMoment()->text(), QString("at 0:34 of the replay"));
         // To have been elsewhere is not to have gone to a moment, nor is to look at what another is pinned to.
-        atMoment->setChecked(false);
+        atMoment()->setChecked(false);
         m_panel->hide();
         m_panel->show();
-        QVERIFY(!atMoment->isChecked());
+        QVERIFY(!atMoment()->isChecked());
         m_panel->setTalk(talk());
-        for (QPushButton* button : m_panel->findChildren<QPushButton*>())
-            if (button->accessibleName().startsWith("Show the moment"))
-                button->click();
+        pressChips();
         goTo(102'400);
-        QVERIFY(!atMoment->isChecked());
+        QVERIFY(!atMoment()->isChecked());
         goTo(102'400);
-        QVERIFY(atMoment->isChecked());
-    }
-
-    void aPointAndACommaAreOne_data()
-    {
-        QTest::addColumn<QString>("language");
-        QTest::addColumn<QString>("typed");
-        for (const char* language : {"en_GB", "de_DE", "es_ES", "ja_JP"})
-            for (const char* typed : {"9.5", "9,5"})
-                QTest::addRow("%s in %s", typed, language) << QString(language) << QString(typed);
+        QVERIFY(atMoment()->isChecked());
     }
 
     /// Else a score that is typed with the sign of another language is ten times as large.
     void aPointAndACommaAreOne()
     {
-        QFETCH(QString, language);
-        QFETCH(QString, typed);
-        QLocale::setDefault(QLocale(language));
         const auto back = qScopeGuard([] { QLocale::setDefault(QLocale("en_GB")); });
-        TalkPanel panel(nullptr);
-        panel.setMay(true, true);
-        auto* points = panel.findChild<QDoubleSpinBox*>("givenPoints");
-        points->selectAll();
-        QTest::keyClicks(points, typed);
-        QCOMPARE(points->value(), 9.5);
-    }
-
-    void whatIsNoScoreIsNotMadeOne_data()
-    {
-        QTest::addColumn<QString>("typed");
-        for (const char* typed : {"950", "-5", "100.1"})
-            QTest::newRow(typed) << QString(typed);
+        for (const char* language : {"en_GB", "de_DE", "es_ES", "ja_JP"})
+            for (const char* typed : {"9.5", "9,5"}) {
+                QLocale::setDefault(QLocale(QString(language)));
+                TalkPanel panel(nullptr);
+                panel.setMay(true, true);
+                auto* given = panel.findChild<QDoubleSpinBox*>("givenPoints");
+                given->selectAll();
+                QTest::keyClicks(given, typed);
+                QVERIFY2(given->value() == 9.5, language);
+            }
     }
 
     /// It stays as it was typed, and is not given.
     void whatIsNoScoreIsNotMadeOne()
     {
-        QFETCH(QString, typed);
         QSignalSpy wanted(m_panel.get(), &TalkPanel::overrideWanted);
-        auto* points = get<QDoubleSpinBox>("givenPoints");
-        get<QLineEdit>("reason")->setText("by hand");
-        points->selectAll();
-        QTest::keyClicks(points, typed);
-        QVERIFY(points->value() < 0.0 || points->value() > 100.0);
-        QVERIFY(!get<QPushButton>("giveScore")->isEnabled());
-        QVERIFY2(get<QLabel>("pointsBeyond")->isVisible(), "nothing is said of it");
-        QTest::keyClick(get<QLineEdit>("reason"), Qt::Key_Return);
-        QCOMPARE(wanted.count(), 0);
-        points->selectAll();
-        QTest::keyClicks(points, "100");
+        reason()->setText("by hand");
+        const auto type = [this](const char* keys) {
+            points()->selectAll();
+            QTest::keyClicks(points(), keys);
+        };
+        for (const char* typed : {"950", "-5", "100.1"}) {
+            type(typed);
+            QVERIFY(points()->value() < 0.0 || points()->value() > 100.0);
+            QVERIFY(!isEnabled("giveScore"));
+            QVERIFY2(get<QLabel>("pointsBeyond")->isVisible(), "nothing is said of it");
+            QTest::keyClick(reason(), Qt::Key_Return);
+            QCOMPARE(wanted.count(), 0);
+        }
+        type("100");
         QVERIFY(!get<QLabel>("pointsBeyond")->isVisible());
-        get<QPushButton>("giveScore")->click();
+        click("giveScore");
         QCOMPARE(wanted.count(), 1);
         QCOMPARE(wanted[0][0].value<std::optional<int>>(), std::optional<int>(1000));
     }
 
 private:
     template <typename Widget>
-    Widget* get(const char* name)
+    Widget* get(const char* name) const
     {
         return m_panel->findChild<Widget*>(name);
     }
-    QString words()
+    [[nodiscard]] QString words() const
     {
         QStringList all;
-        for (QLabel* label : m_panel->findChildren<QLabel*>())
+        for (const QLabel* label : m_panel->findChildren<QLabel*>())
             if (label->isVisible())
                 all << label->text();
         return all.join(u'\n');
+    }
+    void click(const char* button) const { get<QPushButton>(button)->click(); }
+    [[nodiscard]] bool isEnabled(const char* button) const { return get<QPushButton>(button)->isEnabled(); }
+    [[nodiscard]] QPlainTextEdit* comment() const { return get<QPlainTextEdit>("commentWords"); }
+    [[nodiscard]] QLineEdit* reason() const { return get<QLineEdit>("reason"); }
+    [[nodiscard]] QDoubleSpinBox* points() const { return get<QDoubleSpinBox>("givenPoints"); }
+    [[nodiscard]] QCheckBox* atMoment() const { return get<QCheckBox>("atMoment"); }
+    [[nodiscard]] QCheckBox* atPlace() const { return get<QCheckBox>("atPlace"); }
+    [[nodiscard]] QLabel* fault() const { return get<QLabel>("fault"); }
+    /// As an attempt of 68.4 points, which did not pass.
+    void showAttempt(qint64 id) const
+    {
+        m_panel->setAttempt(id);
+        m_panel->setScore(684, 750, false);
+    }
+    /// Presses the buttons of comments that lead to their moments and places.
+    void pressChips() const
+    {
+        for (QPushButton* button : m_panel->findChildren<QPushButton*>())
+            if (button->property("kind") == "chip")
+                button->click();
     }
 
     std::unique_ptr<TalkPanel> m_panel;
