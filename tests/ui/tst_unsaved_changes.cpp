@@ -1,75 +1,52 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A window with changes that are not saved asks before they are lost, and only then.
-#include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
-#include <QPushButton>
-#include <QSettings>
-#include <QSignalSpy>
 #include <QTableView>
-#include <QTemporaryDir>
-#include <QTest>
 
-#include <memory>
-
-#include "lessons/LessonCatalog.h"
-#include "tests/database/SchoolRig.h"
-#include "tests/support/SyntheticMolar.h"
+#include "tests/support/Tables.h"
+#include "tests/ui/WindowTest.h"
 #include "ui/admin/AdminPage.h"
 #include "ui/admin/PeoplePart.h"
 #include "ui/admin/RosterPart.h"
 #include "ui/people/TalkPanel.h"
 #include "ui/presets/PresetsPage.h"
-#include "ui/shell/Actions.h"
-#include "ui/shell/MainWindow.h"
-#include "ui/shell/QuestionCard.h"
 #include "ui/study/LessonEditor.h"
 #include "ui/study/ScorePage.h"
 
-using namespace ui::shell;
+using ui::shell::MainWindow;
 
-class TestUnsavedChanges : public QObject
+namespace {
+
+database::Person someone(qint64 id, const std::string& given, bool hasPassword = true)
+{
+    return {{id}, std::to_string(id), given, given, "Berg", database::Role::Student, false, hasPassword, "", "", {}};
+}
+
+const std::vector<QString> kPages{"people", "code", "class list", "preset", "comment", "score", "lesson"};
+
+}  // namespace
+
+class TestUnsavedChanges : public support::WindowTest
 {
     Q_OBJECT
 private slots:
-    void initTestCase()
-    {
-        QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_folder.path());
-        support::SchoolRig rig(false);
-        rig.populate();
-        m_admin = rig.admin;
-        m_teacher = rig.instructor;
-    }
-
+    void initTestCase() { prepare(); }
     void init()
     {
-        m_links = std::make_unique<core::session::UiLinks>();
-        m_window = std::make_unique<MainWindow>(*m_links);
-        m_window->show();
-        m_window->showTooth(support::syntheticMolar(), 1, {});
-        const core::settings::FeelPreset preset = lessons::shippedPresets().front();
-        m_window->setPresets({{{}, preset, {}}}, preset);
-        m_window->setWho(m_admin);
+        begin();
+        m_window->setPresets({{{}, lessons::shippedPresets().front(), {}}}, lessons::shippedPresets().front());
+        m_window->setWho(school().admin);
         m_window->setMayEdit(true);
-        m_window->adminPage().people().setPeople(
-            {{{1}, "1", "ada", "Ada", "Berg", database::Role::Student, false, true, "", "", {}},
-             {{2}, "2", "bob", "Bob", "Berg", database::Role::Student, false, true, "", "", {}}},
-            {});
+        m_window->adminPage().people().setPeople({someone(1, "Ada"), someone(2, "Bob")}, {});
     }
-
     void cleanup()
     {
-        m_window.reset();
-        m_links.reset();
+        spoil();
+        end();
     }
 
-    void everyPageIsAskedAbout_data()
-    {
-        QTest::addColumn<QString>("page");
-        for (const QString page : {"people", "code", "class list", "preset", "comment", "score", "lesson"})
-            QTest::newRow(qPrintable(page)) << page;
-    }
-
+    void everyPageIsAskedAbout_data() { support::rows("page", kPages); }
     /// When the window is closed.
     void everyPageIsAskedAbout()
     {
@@ -78,8 +55,8 @@ private slots:
         const QString before = unsaved();
         m_window->close();
         QVERIFY(m_window->isVisible() && question() != nullptr);
-        QVERIFY(!question()->findChild<QLabel*>("questionDetail")->text().isEmpty());
-        QVERIFY(!question()->findChild<QLabel*>("questionDetail")->text().contains("1234"));  // it opens an account
+        QVERIFY(!textOf("questionDetail").isEmpty());
+        QVERIFY(!textOf("questionDetail").contains("1234"));  // it opens an account
         QTest::keyClick(question(), Qt::Key_Escape);
         QVERIFY(m_window->isVisible() && question() == nullptr);
         QCOMPARE(unsaved(), before);
@@ -95,20 +72,14 @@ private slots:
         const QString before = unsaved();
         m_window->askWho(ui::people::Door::Locked);
         QVERIFY(m_window->isAtDoor() && question() == nullptr);
-        m_window->setWho(m_admin);
+        m_window->setWho(school().admin);
         QVERIFY(!m_window->isAtDoor());
         QCOMPARE(unsaved(), before);
         QCOMPARE(child<QLineEdit>("personGiven")->text(), QString("Adalina"));
         QCOMPARE(child<QPlainTextEdit>("commentWords")->toPlainText(), QString("Half a sentence"));
     }
 
-    void atTheLockTheOwnerIsNamed_data()
-    {
-        QTest::addColumn<bool>("quits");
-        QTest::newRow("another user logs in") << false;
-        QTest::newRow("the window is closed") << true;
-    }
-
+    void atTheLockTheOwnerIsNamed_data() { support::rows<bool>("quits", {false, true}); }
     void atTheLockTheOwnerIsNamed()
     {
         QFETCH(bool, quits);
@@ -119,15 +90,12 @@ private slots:
             if (quits)
                 m_window->close();
             else
-                child<QPushButton>("otherLogin")->click();
+                click("otherLogin");
         };
         leave();
         QVERIFY(question() != nullptr);
-        QVERIFY(question()
-                    ->findChild<QLabel*>("questionText")
-                    ->text()
-                    .contains(QString::fromStdString(m_admin.fullName())));
-        QVERIFY(question()->findChild<QLabel*>("questionDetail")->text().isEmpty());  // it is nobody else's business
+        QVERIFY(textOf("questionText").contains(QString::fromStdString(school().admin.fullName())));
+        QVERIFY(textOf("questionDetail").isEmpty());  // it is nobody else's business
         answer("questionStay");
         QVERIFY(leaves.isEmpty() && m_window->isVisible() && !unsaved().isEmpty());
         leave();
@@ -140,9 +108,9 @@ private slots:
     /// Whoever comes next, however that comes about.
     void aUserWhoIsLoggedOutLeavesNothing()
     {
-        for (const char* page : {"people", "code", "class list", "preset", "comment", "score", "lesson"})
+        for (const QString& page : kPages)
             change(page);
-        m_window->setWho(m_teacher);
+        m_window->setWho(school().instructor);
         QVERIFY2(unsaved().isEmpty(), qPrintable(unsaved()));
         QVERIFY(child<QLineEdit>("personGiven")->text().isEmpty() && !child<QLabel>("oneTimeCode")->isVisible());
         QVERIFY(child<QPlainTextEdit>("commentWords")->toPlainText().isEmpty());
@@ -160,7 +128,7 @@ private slots:
         table->selectRow(1);
         m_window->askWho(ui::people::Door::Locked);  // the question does not stand over the lock
         QVERIFY(question() == nullptr);
-        m_window->setWho(m_admin);
+        m_window->setWho(school().admin);
         child<QPushButton>("newPerson")->click();
         answer("questionDiscard");
         QVERIFY(child<QLineEdit>("personGiven")->text().isEmpty());
@@ -172,20 +140,16 @@ private slots:
     {
         QSignalSpy leaves(m_window.get(), &MainWindow::logoutWanted);
         m_window->askWho(ui::people::Door::Locked);
-        child<QPushButton>("otherLogin")->click();
+        click("otherLogin");
         QCOMPARE(leaves.size(), 1);
-        m_window->setWho(m_admin);
+        m_window->setWho(school().admin);
         m_window->close();
         QVERIFY(!m_window->isVisible());
     }
 
 private:
-    template <class T>
-    T* child(const char* name = "") const
-    {
-        return m_window->findChild<T*>(QString::fromLatin1(name));
-    }
-    QuestionCard* question() const { return child<QuestionCard>("unsavedQuestion"); }
+    ui::shell::QuestionCard* question() const { return WindowTest::question("unsavedQuestion"); }
+    QString textOf(const char* label) const { return question()->findChild<QLabel*>(QLatin1String(label))->text(); }
     void answer(const char* button) const
     {
         QVERIFY(question() != nullptr);
@@ -198,8 +162,7 @@ private:
             child<QTableView>("people")->selectRow(0);
             QTest::keyClicks(child<QLineEdit>("personGiven"), "lina");
         } else if (page == "code") {
-            m_window->adminPage().people().showCode(
-                {{1}, "1", "ada", "Ada", "Berg", database::Role::Student, false, false, "", "", {}}, "1234-5678");
+            m_window->adminPage().people().showCode(someone(1, "Ada", false), "1234-5678");
         } else if (page == "class list") {
             m_window->adminPage().roster().showOutcome(
                 {{}, {{"eve", "Eve Berg", database::Role::Student, {}, true, "1234-5678", {}}}, {}}, "class.csv", true);
@@ -210,9 +173,7 @@ private:
         } else if (page == "score") {
             child<QLineEdit>("reason")->setText("Half a reason");
         } else if (page == "lesson") {
-            for (const lessons::CatalogEntry& entry : lessons::readCatalog({}))
-                if (entry.read.lesson && entry.read.lesson->id == "class1-36")
-                    child<ui::study::LessonEditor>()->edit(entry.read, m_folder.path());
+            child<ui::study::LessonEditor>()->edit(support::shipped("class1-36"), m_folder.path());
             QTest::keyClicks(child<QLineEdit>("draftTitle"), "mine");
         }
         QVERIFY2(!unsaved().isEmpty(), qPrintable(page));
@@ -227,10 +188,6 @@ private:
     }
 
     QTemporaryDir m_folder;
-    database::Session m_admin;
-    database::Session m_teacher;
-    std::unique_ptr<core::session::UiLinks> m_links;
-    std::unique_ptr<MainWindow> m_window;
 };
 
 QTEST_MAIN(TestUnsavedChanges)
