@@ -3,14 +3,14 @@
 #include <QDateEdit>
 #include <QLineEdit>
 #include <QListView>
-#include <QPushButton>
+#include <QScopeGuard>
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QTableView>
 
+#include "tests/support/Tables.h"
 #include "tests/ui/PageTest.h"
 #include "ui/people/AssignPage.h"
-#include "ui/people/AssignTerms.h"
 #include "ui/people/PeopleWords.h"
 
 using database::ClassAssignment;
@@ -46,22 +46,15 @@ private slots:
     /// 150 is no 15.
     void aLimitBeyondTheRangeIsNoOther()
     {
-        ui::people::AssignTerms terms(nullptr);
-        terms.show();
-        auto* limit = terms.findChild<QSpinBox*>("attemptLimit");
+        auto* limit = first<QSpinBox>("attemptLimit");
         limit->setValue(3);
-        for (const char* typed : {"150", "1000"}) {
+        for (const auto& [typed, value] : {std::pair("150", 3), {"1000", 3}, {"12", 12}}) {
             limit->setFocus();
             limit->selectAll();
             QTest::keyClicks(limit, typed);
             QTest::keyClick(limit, Qt::Key_Return);
-            QCOMPARE(limit->value(), 3);
+            QCOMPARE(limit->value(), value);
         }
-        limit->setFocus();
-        limit->selectAll();
-        QTest::keyClicks(limit, "12");
-        QTest::keyClick(limit, Qt::Key_Return);
-        QCOMPARE(limit->value(), 12);
     }
 
     void initTestCase() { prepare(); }
@@ -80,43 +73,43 @@ private slots:
     void severalLessonsAreGivenAtOnce()
     {
         QSignalSpy spy(m_page, &AssignPage::changeWanted);
-        auto* assign = get<QPushButton>("assignTicked");
+        const auto* assign = child<QPushButton>("assignTicked");
         QVERIFY(!assign->isEnabled());
-        click("Class I");
-        click("Cross");
-        QVERIFY(get<QLabel>("whereLessonsAre")->isVisible());  // "Cross" is a teacher's own
+        tick("Class I");
+        tick("Cross");
+        QVERIFY(child<QLabel>("whereLessonsAre")->isVisible());  // "Cross" is a teacher's own
         const QDate day(2026, 12, 4);
         first<QDateEdit>("dueDay")->setDate(day);
         first<QSpinBox>("attemptLimit")->setValue(5);
-        assign->click();
+        click("assignTicked");
         const std::string due = ui::people::endOfDay(day);
         const QList<AssignmentChange> expected{{{}, ClassAssignment{0, kClass, "c", due, 5}},
                                                {{}, ClassAssignment{0, kClass, "d", due, 5}}};
         QCOMPARE(wanted(spy), expected);
         QVERIFY(!assign->isEnabled());  // until it has been done
         m_page->refuse("The database is locked.");
-        QVERIFY(get<QLabel>("assignSaid")->text().contains("locked"));
-        QVERIFY(assign->isEnabled() && !get<QPushButton>("undoAssign")->isVisible());
-        assign->click();
+        QVERIFY(textOf("assignSaid").contains("locked"));
+        QVERIFY(assign->isEnabled() && !child<QPushButton>("undoAssign")->isVisible());
+        click("assignTicked");
         m_page->confirm(expected);
-        QVERIFY(get<QPushButton>("undoAssign")->isVisible());
+        QVERIFY(child<QPushButton>("undoAssign")->isVisible());
     }
 
     /// What the search has put away is not ticked unseen.
     void keysGoToALessonThatIsSeen()
     {
-        auto* list = get<QListView>("offers");
+        auto* list = child<QListView>("offers");
         list->setCurrentIndex(offer("Class I"));
-        get<QLineEdit>("offerSearch")->setText("cross");
+        child<QLineEdit>("offerSearch")->setText("cross");
         list->setFocus();
         QTest::keyClick(list, Qt::Key_Space);
         QCOMPARE(offer("Class I").data(Qt::CheckStateRole).toInt(), int(Qt::Unchecked));
         QCOMPARE(offer("Cross").data(Qt::CheckStateRole).toInt(), int(Qt::Checked));
-        QVERIFY(!get<QLabel>("noneFits")->isVisibleTo(m_page));
-        get<QLineEdit>("offerSearch")->setText("no such lesson");
-        QVERIFY(get<QLabel>("noneFits")->isVisibleTo(m_page));
+        QVERIFY(!child<QLabel>("noneFits")->isVisibleTo(m_page));
+        child<QLineEdit>("offerSearch")->setText("no such lesson");
+        QVERIFY(child<QLabel>("noneFits")->isVisibleTo(m_page));
         QTest::keyClick(list, Qt::Key_Space);
-        QCOMPARE(get<QPushButton>("assignTicked")->text(), QString("Assign 1 lesson(s)"));
+        QCOMPARE(child<QPushButton>("assignTicked")->text(), QString("Assign 1 lesson(s)"));
     }
 
     void whatIsGivenCannotBeGivenAgain()
@@ -125,44 +118,42 @@ private slots:
         QCOMPARE(row(0), small);
         QVERIFY2(row(0)[1].endsWith("over"), qPrintable(row(0)[1]));
         QCOMPARE(row(1), QStringList({"Decay, deep", "–", "no limit", "0 of 4"}));
-        click("Decay, small");
-        QVERIFY(!get<QPushButton>("assignTicked")->isEnabled());
+        tick("Decay, small");
+        QVERIFY(!child<QPushButton>("assignTicked")->isEnabled());
         // What is ticked stays when the class is told again, unless it has been given meanwhile.
-        click("Class I");
-        click("Cross");
+        tick("Class I");
+        tick("Cross");
         m_page->setAssignments(overview(), {{4, kClass, "c", "", 0}}, kNow);
-        QCOMPARE(get<QPushButton>("assignTicked")->text(), QString("Assign 1 lesson(s)"));
+        QCOMPARE(child<QPushButton>("assignTicked")->text(), QString("Assign 1 lesson(s)"));
         QCOMPARE(offer("Cross").data(Qt::CheckStateRole).toInt(), int(Qt::Checked));
     }
 
     void theSearchLooksAtTitlesTeethAndGroups()
     {
-        auto* search = get<QLineEdit>("offerSearch");
-        search->setText("36");
-        QCOMPARE(offered(), QStringList({"Removing decay", "Decay, deep", "Cavities", "Class I"}));
-        search->setText("decay 26");
-        QCOMPARE(offered(), QStringList({"Removing decay", "Decay, small"}));
-        search->setText("nothing of that");
-        QCOMPARE(offered(), QStringList());
+        auto* search = child<QLineEdit>("offerSearch");
+        for (const auto& [words, found] :
+             {std::pair<QString, QStringList>("36", {"Removing decay", "Decay, deep", "Cavities", "Class I"}),
+              {"decay 26", {"Removing decay", "Decay, small"}},
+              {"nothing of that", {}}}) {
+            search->setText(words);
+            QCOMPARE(offered(), found);
+        }
         search->clear();
         QCOMPARE(offered().size(), 7);
         // What is ticked and not found is given all the same: the button says how many.
-        click("Cross");
+        tick("Cross");
         search->setText("36");
-        QCOMPARE(get<QPushButton>("assignTicked")->text(), QString("Assign 1 lesson(s)"));
+        QCOMPARE(child<QPushButton>("assignTicked")->text(), QString("Assign 1 lesson(s)"));
     }
 
     void theEndOfTheDayHereIsMeant()
     {
         const QByteArray before = qgetenv("TZ");
+        const auto back = qScopeGuard([&before] { before.isNull() ? qunsetenv("TZ") : qputenv("TZ", before); });
         qputenv("TZ", "America/New_York");
         const QDate day(2026, 7, 1);
         QCOMPARE(ui::people::endOfDay(day), std::string("2026-07-02T03:59:59Z"));
         QCOMPARE(ui::people::dueDay("2026-07-02T03:59:59Z"), day);
-        if (before.isEmpty())
-            qunsetenv("TZ");
-        else
-            qputenv("TZ", before);
         QVERIFY(!ui::people::dueDay("").isValid());
     }
 
@@ -174,10 +165,10 @@ private slots:
         const std::string due = ui::people::endOfDay(day);
         const auto change = [&](const std::function<void()>& turn) {
             QSignalSpy spy(m_page, &AssignPage::changeWanted);
-            get<QTableView>("given")->clearSelection();
-            get<QTableView>("given")->selectAll();
+            child<QTableView>("given")->clearSelection();
+            child<QTableView>("given")->selectAll();
             turn();
-            get<QPushButton>("changeGiven")->click();
+            click("changeGiven");
             m_page->refuse("Not now.");
             return wanted(spy);
         };
@@ -198,22 +189,22 @@ private slots:
     void takenBackIsUndone()
     {
         QSignalSpy spy(m_page, &AssignPage::changeWanted);
-        get<QTableView>("given")->selectRow(1);
-        get<QPushButton>("takeBack")->click();
+        child<QTableView>("given")->selectRow(1);
+        click("takeBack");
         const ClassAssignment given{3, kClass, "b", "", 0};
         QCOMPARE(wanted(spy), (QList<AssignmentChange>{{given, {}}}));
         m_page->confirm(wanted(spy));
-        get<QPushButton>("undoAssign")->click();
+        click("undoAssign");
         QCOMPARE(wanted(spy), (QList<AssignmentChange>{{{}, given}}));
         m_page->confirm(wanted(spy));
-        QVERIFY(!get<QPushButton>("undoAssign")->isVisible());
+        QVERIFY(!child<QPushButton>("undoAssign")->isVisible());
     }
 
     void whoHasNoAttemptsLeftIsTold()
     {
         const ClassAssignment given{1, kClass, "a", "", 0};
         const ClassAssignment once{1, kClass, "a", "", 1};
-        const auto said = [this] { return get<QLabel>("assignSaid")->text(); };
+        const auto said = [this] { return textOf("assignSaid"); };
         m_page->confirm({{given, once}});
         // Two have passed, one has tried, one has not.
         QVERIFY2(said().contains("1 student(s) who have not passed"), qPrintable(said()));
@@ -230,20 +221,14 @@ private slots:
         QVERIFY2(said().contains("3 student(s) who have not passed"), qPrintable(said()));
     }
 
-    void theNextBeginsAfresh_data()
-    {
-        QTest::addColumn<bool>("isTeacher");
-        QTest::newRow("class") << false;
-        QTest::newRow("teacher") << true;
-    }
-
+    void theNextBeginsAfresh_data() { support::rows<bool>("isTeacher", {false, true}); }
     /// Nothing of the one before is there to be given, or undone, under the name of the next.
     void theNextBeginsAfresh()
     {
         QFETCH(bool, isTeacher);
         auto* due = first<QCheckBox>("isDue");
         const bool wasDue = due->isChecked();
-        click("Cross");
+        tick("Cross");
         m_page->confirm({{{}, ClassAssignment{0, kClass, "c", "", 0}}});
         if (isTeacher) {
             due->setChecked(!wasDue);
@@ -254,9 +239,9 @@ private slots:
         other.id = {8};
         other.name = "DEN101-B";
         m_page->setAssignments(other, {}, kNow);
-        QVERIFY(get<QLabel>("givenTitle")->text().contains("DEN101-B"));
-        QVERIFY(get<QLabel>("nothingGiven")->isVisible() && get<QLabel>("assignSaid")->text().isEmpty());
-        QVERIFY(!get<QPushButton>("undoAssign")->isVisible() && !get<QPushButton>("assignTicked")->isEnabled());
+        QVERIFY(textOf("givenTitle").contains("DEN101-B"));
+        QVERIFY(child<QLabel>("nothingGiven")->isVisible() && textOf("assignSaid").isEmpty());
+        QVERIFY(!child<QPushButton>("undoAssign")->isVisible() && !child<QPushButton>("assignTicked")->isEnabled());
         QCOMPARE(due->isChecked(), wasDue);
         QCOMPARE(first<QSpinBox>("attemptLimit")->value(), 0);
     }
@@ -264,11 +249,6 @@ private slots:
     void everyControlHasAName() { QCOMPARE(support::controlsWithoutNames(*m_page), QStringList()); }
 
 private:
-    template <class T>
-    T* get(const char* name)
-    {
-        return child<T>(QString::fromLatin1(name));
-    }
     template <class T>
     T* last(const char* name)
     {
@@ -281,7 +261,7 @@ private:
     }
     QModelIndex offer(const QString& title)
     {
-        const auto* model = get<QListView>("offers")->model();
+        const auto* model = child<QListView>("offers")->model();
         for (int row = 0; row < model->rowCount(); ++row)
             if (model->index(row, 0).data().toString() == title)
                 return model->index(row, 0);
@@ -289,23 +269,23 @@ private:
     }
     QStringList offered()
     {
-        const auto* list = get<QListView>("offers");
+        const auto* list = child<QListView>("offers");
         QStringList shown;
         for (int row = 0; row < list->model()->rowCount(); ++row)
             if (!list->isRowHidden(row))
                 shown << list->model()->index(row, 0).data().toString();
         return shown;
     }
-    void click(const QString& title)
+    void tick(const QString& title)
     {
-        auto* list = get<QListView>("offers");
+        auto* list = child<QListView>("offers");
         const QRect row = list->visualRect(offer(title));
         QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, QPoint(row.right() - 20, row.center().y()));
     }
     QStringList row(int k)
     {
         QStringList cells;
-        const auto* model = get<QTableView>("given")->model();
+        const auto* model = child<QTableView>("given")->model();
         for (int column = 0; column < model->columnCount(); ++column)
             cells << model->index(k, column).data().toString();
         return cells;

@@ -17,9 +17,19 @@
 #include <memory>
 #include <tuple>
 
+#include "tests/support/Files.h"
 #include "ui/shell/FileDialog.h"
 
 namespace {
+
+struct flock wholeFile(short type)
+{
+    struct flock lock
+    {};
+    lock.l_type = type;
+    lock.l_whence = SEEK_SET;
+    return lock;
+}
 
 /// Whether another process finds a lock on the file; a process does not see its own.
 bool isLockedForOthers(const QString& path)
@@ -28,10 +38,7 @@ bool isLockedForOthers(const QString& path)
     const pid_t other = fork();
     if (other == 0) {
         const int file = open(name.constData(), O_RDWR);
-        struct flock lock
-        {};
-        lock.l_type = F_WRLCK;
-        lock.l_whence = SEEK_SET;
+        struct flock lock = wholeFile(F_WRLCK);
         fcntl(file, F_GETLK, &lock);
         _exit(lock.l_type == F_UNLCK ? 0 : 1);
     }
@@ -50,16 +57,10 @@ private slots:
     {
         QTemporaryDir folder;
         const QString path = folder.filePath("school.sqlite");
-        QFile made(path);
-        QVERIFY(made.open(QIODevice::WriteOnly));
-        made.write("SQLite format 3");
-        made.close();
+        support::write(path, "SQLite format 3");
         QVERIFY(QDir(folder.path()).mkdir("other"));
         const int file = open(QFile::encodeName(path).constData(), O_RDWR);
-        struct flock lock
-        {};
-        lock.l_type = F_RDLCK;
-        lock.l_whence = SEEK_SET;
+        struct flock lock = wholeFile(F_RDLCK);
         QCOMPARE(fcntl(file, F_SETLK, &lock), 0);
         QVERIFY(isLockedForOthers(path));
         ui::shell::FileDialog dialog(nullptr, "Choose", folder.path());
@@ -71,11 +72,10 @@ private slots:
         QTRY_COMPARE(model->rowCount(model->index(folder.path())), 2);
         QTRY_VERIFY(!model->index(path).siblingAtColumn(2).data().toString().isEmpty());
         // The dialog has looked at all it will look at when it has told of a file that came later.
-        QFile later(folder.filePath("later.sqlite"));
-        QVERIFY(later.open(QIODevice::WriteOnly) && later.write("SQLite format 3") > 0);
-        later.close();
+        const QString later = folder.filePath("later.sqlite");
+        support::write(later, "SQLite format 3");
         QTRY_COMPARE(model->rowCount(model->index(folder.path())), 3);
-        QTRY_VERIFY(!model->index(later.fileName()).siblingAtColumn(2).data().toString().isEmpty());
+        QTRY_VERIFY(!model->index(later).siblingAtColumn(2).data().toString().isEmpty());
         QVERIFY(isLockedForOthers(path));
         close(file);
         QVERIFY(!isLockedForOthers(path));
@@ -107,10 +107,8 @@ private slots:
     {
         const QTemporaryDir settings, folder;
         QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
-        for (const char* name : {"school.sqlite", "old.csv"}) {
-            QFile made(folder.filePath(name));
-            QVERIFY(made.open(QIODevice::WriteOnly));
-        }
+        for (const char* name : {"school.sqlite", "old.csv"})
+            support::write(folder.filePath(name), "");
         QVERIFY(QFile::link(folder.filePath("school.sqlite"), folder.filePath("link.csv")));
         const auto isTaken = [&](const QString& name) {
             ui::shell::FileDialog dialog(nullptr, "Save", folder.path(), "Tables (*.csv)");
@@ -127,10 +125,8 @@ private slots:
                 QTest::qFail("it does not say why", __FILE__, __LINE__);
             return !chosen.isEmpty();
         };
-        QVERIFY(!isTaken("school.sqlite"));
-        QVERIFY(!isTaken("link.csv"));
-        QVERIFY(isTaken("old.csv"));
-        QVERIFY(isTaken("new.csv"));
+        QVERIFY(!isTaken("school.sqlite") && !isTaken("link.csv"));
+        QVERIFY(isTaken("old.csv") && isTaken("new.csv"));
     }
 
     void tellsDatesAndSizesInTheProgramsLanguage()

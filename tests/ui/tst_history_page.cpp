@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QComboBox>
 #include <QHeaderView>
-#include <QPushButton>
 #include <QSignalSpy>
 #include <QTableView>
 
@@ -85,36 +84,33 @@ private slots:
         m_page->setHistory(attempts(1200));
         QSignalSpy lesson(m_page, &HistoryPage::lessonChosen);
         auto* combo = child<QComboBox>("lessonFilter");
-        auto* score = child<ChartPanel>("scoreChart");
         QCOMPARE(combo->count(), 4);
-        QCOMPARE(ui::charts::stopsOf(score->chart()).size(), ui::people::kMostCharted);  // the newest
+        QCOMPARE(ui::charts::stopsOf(scores()).size(), ui::people::kMostCharted);  // the newest
         combo->setCurrentIndex(1);
         QCOMPARE(lesson.count(), 1);
         QCOMPARE(lesson.front().front().toString(), QString("c1-36"));
         QCOMPARE(table()->model()->rowCount(), 400);
-        QCOMPARE(ui::charts::stopsOf(score->chart()).back().x, 400.0);
-        QCOMPARE(score->chart().of, QString("Class I on 36"));  // told in files
+        QCOMPARE(ui::charts::stopsOf(scores()).back().x, 400.0);
+        QCOMPARE(scores().of, QString("Class I on 36"));  // told in files
         m_page->setLesson({});
         QCOMPARE(table()->model()->rowCount(), 1200);
     }
 
     void aTableOfSeveralLessonsNamesThem()
     {
-        m_page->setLessonTitles({{"c1-36", "Class I"}, {"decay-26", "Decay"}, {"pad-cross", "Cross"}});
         m_page->setHistory(attempts(3));
-        const auto table = [this] {
-            return ui::charts::tableOf(child<ChartPanel>("scoreChart")->chart());
-        };
-        QCOMPARE(table().heads.size(), 4);
-        QCOMPARE(table().heads.back(), QString("Lesson"));
+        ui::charts::Table table = ui::charts::tableOf(scores());
+        QCOMPARE(table.heads.size(), 4);
+        QCOMPARE(table.heads.back(), QString("Lesson"));
         QStringList lessons;
-        for (const auto& row : table().rows)
+        for (const auto& row : table.rows)
             lessons << std::get<QString>(row.back());
         lessons.sort();
-        QCOMPARE(lessons, (QStringList{"Class I", "Cross", "Decay"}));
+        QCOMPARE(lessons, (QStringList{"Class I on 36", "Decay on 26", "Pad: cross"}));
         m_page->setLesson("decay-26");
-        QCOMPARE(table().heads.size(), 3);
-        for (const auto& row : table().rows)
+        table = ui::charts::tableOf(scores());
+        QCOMPARE(table.heads.size(), 3);
+        for (const auto& row : table.rows)
             QCOMPARE(row.size(), 3);
     }
 
@@ -146,8 +142,7 @@ private slots:
     {
         m_page->setHistory(attempts(30));
         m_page->setLesson("c1-36");
-        auto* score = child<ChartPanel>("scoreChart");
-        const auto slices = [&] { return std::get<ui::charts::Curve>(score->chart().content).band.slices.size(); };
+        const auto slices = [&] { return std::get<ui::charts::Curve>(scores().content).band.slices.size(); };
         m_page->setBand(band(4));
         QCOMPARE(slices(), 0);
         m_page->setBand(band(5));
@@ -155,14 +150,12 @@ private slots:
         m_page->setLesson("decay-26");  // it was of the other lesson
         QCOMPARE(slices(), 0);
         m_page->setClassMedians(ui::people::ClassMedians{4, 700, 600'000});
-        child<QPushButton>()->setFocus();
-        for (QPushButton* button : m_page->findChildren<QPushButton*>())
+        for (auto* button : m_page->findChildren<QPushButton*>())
             if (button->text() == "Speed")
                 button->click();
-        auto* other = child<ChartPanel>("otherChart");
-        QCOMPARE(std::get<ui::charts::Curve>(other->chart().content).limits.size(), 0);
+        QCOMPARE(std::get<ui::charts::Curve>(other().content).limits.size(), 0);
         m_page->setClassMedians(ui::people::ClassMedians{5, 700, 600'000});
-        QCOMPARE(std::get<ui::charts::Curve>(other->chart().content).limits.size(), 2);
+        QCOMPARE(std::get<ui::charts::Curve>(other().content).limits.size(), 2);
     }
 
     void anAttemptOpens()
@@ -200,9 +193,7 @@ private slots:
         QCOMPARE(cell(0, 2), QString("88.5"));
         QCOMPARE(cell(0, 3), QString("passed"));
         QVERIFY(table()->model()->index(0, 2).data(Qt::ToolTipRole).toString().contains("46.0"));
-        QVERIFY(ui::charts::stopsOf(child<ChartPanel>("scoreChart")->chart())
-                    .back()
-                    .words.endsWith("88.5 points, passed (machine: 46.0)"));
+        QVERIFY(ui::charts::stopsOf(scores()).back().words.endsWith("88.5 points, passed (machine: 46.0)"));
     }
 
     void whatCostMostIsFirstThoughItHasNoWeight()
@@ -211,7 +202,7 @@ private slots:
         for (AttemptRecord& one : some)
             one.criteria = {{"caries_left", 300, 300}, {"pulp_opened", 609, 0}, {"pulp_grazed", 0, 0}};
         m_page->setHistory(some);
-        const auto bars = std::get<ui::charts::Bars>(child<ChartPanel>("otherChart")->chart().content);
+        const auto bars = std::get<ui::charts::Bars>(other().content);
         QCOMPARE(bars.bars.size(), 2);  // a limit that was kept costs nothing
         QCOMPARE(bars.bars[0].value, 60.9);
         QCOMPARE(bars.bars[1].value, 30.0);
@@ -228,9 +219,7 @@ private slots:
         some[1].criteria = {{"left", 200, 300}, {"walls", 40, 300}};
         QCOMPARE(some[1].lessonId, std::string("c1-36"));
         m_page->setHistory(some);
-        const auto bars = [this] {
-            return std::get<ui::charts::Bars>(child<ChartPanel>("otherChart")->chart().content).bars;
-        };
+        const auto bars = [this] { return std::get<ui::charts::Bars>(other().content).bars; };
         QCOMPARE(bars().size(), 3);
         QCOMPARE(bars()[0].words, QString("Part of the ideal: 20.0 points lost"));
         QCOMPARE(bars()[1].words, QString("Part of the opening: 10.0 points lost"));
@@ -242,8 +231,14 @@ private slots:
     void everyControlHasAName() { QCOMPARE(support::controlsWithoutNames(*m_page), QStringList()); }
 
 private:
-    QTableView* table() { return child<QTableView>("attempts"); }
-    QString cell(int row, int column) { return table()->model()->index(row, column).data().toString(); }
+    [[nodiscard]] ui::charts::Chart scores() const { return child<ChartPanel>("scoreChart")->chart(); }
+    /// What the chart beside it shows.
+    [[nodiscard]] ui::charts::Chart other() const { return child<ChartPanel>("otherChart")->chart(); }
+    [[nodiscard]] QTableView* table() const { return child<QTableView>("attempts"); }
+    [[nodiscard]] QString cell(int row, int column) const
+    {
+        return table()->model()->index(row, column).data().toString();
+    }
 };
 
 QTEST_MAIN(TestHistoryPage)

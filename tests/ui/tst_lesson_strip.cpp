@@ -61,29 +61,22 @@ private slots:
         QVERIFY(!hint().isChecked());
     }
 
-    /// A screen reader on AT-SPI says what describes the control under the keys, when that changes. (That an alert goes
-    /// out as well can only be seen while a reader listens.)
-    void whatIsNewIsToldToWhoListens()
-    {
-        hint().setFocus();
-        QTest::keyClick(&hint(), Qt::Key_Space);
-        QCOMPARE(hint().accessibleDescription(), QString("First hint"));
-        QTest::keyClick(&hint(), Qt::Key_Space);
-        QCOMPARE(hint().accessibleDescription(), QString("First"));
-        arrow("The next step").setFocus();
-        QTest::keyClick(&arrow("The next step"), Qt::Key_Space);
-        QCOMPARE(arrow("The next step").accessibleDescription(), QString("Second"));
-    }
-
+    /// A screen reader on AT-SPI says what describes the control under the keys, when that changes.
     void theKeysStayWithTheStrip()
     {
-        arrow("The next step").setFocus();
-        QTest::keyClick(&arrow("The next step"), Qt::Key_Space);
-        QTest::keyClick(&arrow("The next step"), Qt::Key_Space);
+        const auto press = [](QWidget& control) {
+            control.setFocus();
+            QTest::keyClick(&control, Qt::Key_Space);
+            return control.accessibleDescription();
+        };
+        QCOMPARE(press(hint()), QString("First hint"));
+        QCOMPARE(press(hint()), QString("First"));
+        QCOMPARE(press(arrow("The next step")), QString("Second"));
+        press(arrow("The next step"));
         QCOMPARE(words(), QString("Third"));
         QVERIFY(arrow("The step before").hasFocus());
-        QTest::keyClick(&arrow("The step before"), Qt::Key_Space);
-        QTest::keyClick(&arrow("The step before"), Qt::Key_Space);
+        press(arrow("The step before"));
+        press(arrow("The step before"));
         QCOMPARE(words(), QString("First"));
         QVERIFY(arrow("The next step").hasFocus());
     }
