@@ -200,7 +200,7 @@ private slots:
         QCOMPARE(given->text(), QString("Ada"));
         QTest::keyClick(table, Qt::Key_Down);
         QCOMPARE(given->text(), QString("Bob"));
-        // Who is searched for meanwhile is not chosen by that.
+        // A search does not choose another person.
         child<QLineEdit>("peopleSearch")->setText("Ada");
         QCOMPARE(given->text(), QString("Bob"));
         child<QLineEdit>("peopleSearch")->clear();

@@ -25,7 +25,6 @@
 #include "ui/shell/Actions.h"
 #include "ui/study/FormInputs.h"
 #include "ui/study/LessonEditor.h"
-#include "ui/study/LessonsPage.h"
 #include "ui/study/SweepChart.h"
 
 using namespace ui::study;
@@ -131,35 +130,6 @@ private slots:
         m_editor->undo();
         QTRY_LOADED(!anyFault("no bur leaves that"));
         QTRY_SHOWS("line_angle_mm", 0.2);
-    }
-
-    void aFaultyLessonIsListedInTheLanguageOfTheWindow()
-    {
-        QJsonObject object = jsonOf(shipped("class1-36"));
-        object.insert("grid", 3);
-        object.insert("exam", "maybe");
-        object.insert("burs", QJsonArray{"9999"});
-        object.insert("minuts", 4);
-        object.remove("title");
-        const auto read = ::lessons::readDraft(object, m_folder->filePath("odd.lesson.json"));
-        QCOMPARE(read.faults.size(), std::size_t{5});
-        LessonsPage page(*m_actions, m_window.get());
-        page.setLessons({{read, false, {}}}, {});
-        const auto labels = [&page] {
-            QStringList all;
-            for (const QLabel* label : page.findChildren<QLabel*>())
-                all << label->text();
-            return all.join(u'\n');
-        };
-        const QString english = faultOf(read);
-        QVERIFY2(labels().contains(english), qPrintable(english));
-        {
-            const auto german = inGerman();
-            QTRY_VERIFY(!labels().contains(english));
-            for (const ::lessons::Fault& fault : read.faults)
-                QVERIFY2(!labels().contains(fault.english()), qPrintable(fault.english()));
-        }
-        QTRY_VERIFY(labels().contains(english));
     }
 
     /// What each key comes to is weighed and shown, but not over what is being typed.

@@ -281,7 +281,7 @@ private slots:
         m_page->setPresets(shelf(), *shelf()[0].preset);
         QVERIFY2(shown().contains("hard") && shown().contains("version 2"), qPrintable(shown()));
         QCOMPARE(child<QLineEdit>("presetName")->text(), QString("hard"));
-        // He looks at another, and that stays.
+        // Another that the user looks at stays.
         m_page->select(*shelf()[1].preset);
         m_page->setPresets(shelf(), shipped());
         QVERIFY2(shown().contains("version 1"), qPrintable(shown()));
@@ -347,7 +347,7 @@ private slots:
         for (int trial = 0; trial < 4; ++trial) {
             const FeelPreset a = felt();
             QVERIFY(presets::isVeiled(a));
-            // Who has not cut with both has nothing to say.
+            // There is no answer before the user has cut with both.
             card.follow(1, 0, 0.0);
             card.follow(1, 0, 0.2);
             QVERIFY(!isEnabled("trialSaysA"));

@@ -398,7 +398,7 @@ private slots:
         QVERIFY2(pages.size() <= 6, qPrintable(QString::number(pages.size())));
         const QString words = wordsOf(report, kA4);
         QVERIFY2(words.count(sign) >= pages.size() - 1, qPrintable(QString::number(words.count(sign))));
-        QVERIFY2(words.contains("▲ 30"), qPrintable(words));  // the cell of him who is late, as on the screen
+        QVERIFY2(words.contains("▲ 30"), qPrintable(words));  // the cell of a student who is late, as on the screen
     }
 
     void pagesAreFilledAndNotOverfull()

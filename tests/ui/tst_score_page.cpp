@@ -382,7 +382,7 @@ private slots:
         show(made);
         auto* heat = child<HeatMap>();
         auto* atPlace = child<QCheckBox>("atPlace");
-        // Who only reads pins nothing.
+        // A user who may only read pins nothing.
         m_page->setTalkVisible(true);
         QApplication::processEvents();
         QTest::mouseClick(heat, Qt::LeftButton, {}, heat->rect().center());

@@ -276,7 +276,7 @@ private slots:
         QCOMPARE(comment()->toPlainText(), expected);
         QCOMPARE(atMoment()->isChecked(), !earlier);
         QCOMPARE(atPlace()->isChecked(), !earlier);
-        // Who only reads takes nothing back.
+        // A user who may only read takes nothing back.
         m_panel->setTalk(mine);
         m_panel->setMay(false, false);
         QVERIFY(get<QPushButton>("takeBack") == nullptr);
