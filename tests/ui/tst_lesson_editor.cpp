@@ -25,6 +25,7 @@
 #include "ui/shell/Actions.h"
 #include "ui/study/FormInputs.h"
 #include "ui/study/LessonEditor.h"
+#include "ui/study/LessonsPage.h"
 #include "ui/study/SweepChart.h"
 
 using namespace ui::study;
@@ -130,6 +131,26 @@ private slots:
         m_editor->undo();
         QTRY_LOADED(!anyFault("no bur leaves that"));
         QTRY_SHOWS("line_angle_mm", 0.2);
+    }
+
+    void aFaultyLessonIsListedInTheLanguageOfTheWindow()
+    {
+        QJsonObject object = jsonOf(shipped("class1-36"));
+        object.insert("grid", 3);
+        const auto read = ::lessons::readDraft(object, m_folder->filePath("odd.lesson.json"));
+        LessonsPage page(*m_actions, m_window.get());
+        page.setLessons({{read, false, {}}}, {});
+        const auto shows = [&page](const QString& words) {
+            const auto labels = page.findChildren<QLabel*>();
+            return std::any_of(labels.begin(), labels.end(),
+                               [&words](const QLabel* label) { return label->text() == words; });
+        };
+        const QString english = faultOf(read);
+        QVERIFY2(!english.isEmpty() && shows(english), qPrintable(english));
+        auto german = inGerman();
+        QTRY_VERIFY(!shows(english));
+        german.reset();
+        QTRY_VERIFY(shows(english));
     }
 
     /// What each key comes to is weighed and shown, but not over what is being typed.
