@@ -119,7 +119,7 @@ private slots:
     void historyIsNewestFirstAndOfOnePerson()
     {
         COPY_OF(support::populatedSchool, rig);
-        for (const std::size_t day : {0, 2, 1}) {
+        for (const std::size_t day : {std::size_t{0}, std::size_t{2}, std::size_t{1}}) {
             VERIFY_DONE(rig.add(rig.student, "class1-36", 800, dayOf(day)));
             VERIFY_DONE(rig.add(rig.classmate, "class1-36", 500, dayOf(day)));
         }
