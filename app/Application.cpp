@@ -69,7 +69,6 @@ constexpr int kSpareTooth = 36;  ///< FDI number
 constexpr int kAttemptWatchMs = 50;
 constexpr int kJournalWatchMs = 500;
 constexpr int kOpenWatchMs = 10'000;
-constexpr int kDoorPatienceMs = 12'000;  ///< for an answer at the door
 constexpr int kBackupWatchMs = 3'600'000;
 constexpr int kExamRetryMs = 10'000;
 constexpr int kSettleMs = 20;
@@ -629,7 +628,7 @@ void Application::askAtDoor(const std::function<core::Result<database::Session>(
     // A server that hangs says nothing at all. A file answers sooner or later: it may be large, and its disk have much
     // to do. But who has work behind the door is let to it without.
     if (m_address->isServer() || !m_who.isGuest())
-        QTimer::singleShot(kDoorPatienceMs, this, [answer, isServer = m_address->isServer()] {
+        QTimer::singleShot(m_options.loginPatience, this, [answer, isServer = m_address->isServer()] {
             answer(core::unexpected(isServer ? core::ErrorCode::ConnectionLost : core::ErrorCode::Busy,
                                     "there was no answer"));
         });

@@ -48,6 +48,8 @@ struct WindowOptions
     QString recording;                         ///< play this instead of beginning with a tooth
     QString database;                          ///< a file or a server's address; empty: the user's own file
     database::sql::Database::Options opening;  ///< for tests
+    /// How long the login waits for a database that hangs.
+    std::chrono::milliseconds loginPatience{12'000};
     bool asksWho = false;                      ///< begin at the login; else as a guest
     bool showsRound = false;                   ///< whoever has not seen the tour
     QString picture;                           ///< draw the tooth, or the end of the recording, into this file and quit

@@ -75,7 +75,7 @@ void ProgramWindow::drill(glm::dvec3 pointMm) const
 {
     const QString before = removed();
     const QPoint at = press(pointMm);
-    QTRY_VERIFY_WITH_TIMEOUT(removed() != before, kPatienceMs);
+    WAIT_FOR(removed() != before);
     QTest::mouseRelease(&window().view(), Qt::LeftButton, {}, at);
     waitForStrokeEnd();
 }
@@ -83,20 +83,20 @@ void ProgramWindow::drill(glm::dvec3 pointMm) const
 void ProgramWindow::waitForStrokeEnd() const
 {
     constexpr std::uint64_t kEndedTicks = 2 * core::session::StrokeWatch::kPauseTicks;
-    QTRY_VERIFY_WITH_TIMEOUT(m_servo.tick > m_cutAtTick + kEndedTicks, kPatienceMs);
+    WAIT_FOR(m_servo.tick > m_cutAtTick + kEndedTicks);
 }
 
 void ProgramWindow::waitForTicks(std::uint64_t ticks) const
 {
     const std::uint64_t before = m_servo.tick;
-    QTRY_VERIFY_WITH_TIMEOUT(m_servo.tick > before + ticks, kPatienceMs);
+    WAIT_FOR(m_servo.tick > before + ticks);
 }
 
 void ProgramWindow::waitForNewTooth(const std::function<void()>& change) const
 {
     const std::uint64_t before = m_servo.toothGeneration;
     change();
-    QTRY_VERIFY_WITH_TIMEOUT(m_servo.toothGeneration > before, kPatienceMs);
+    WAIT_FOR(m_servo.toothGeneration > before);
     waitForTooth();
 }
 
@@ -117,12 +117,12 @@ lessons::Lesson ProgramWindow::openLesson(const std::string& id) const
 
 void ProgramWindow::expectScore() const
 {
-    QTRY_VERIFY2_WITH_TIMEOUT(child<ui::study::Forecast>()->isVisible(), qPrintable(message()), kPatienceMs);
+    waitForPage<ui::study::Forecast>();
     QVERIFY(!child<QPushButton>("showScore")->isEnabled());
     QTest::keyClick(child<QSlider>("expected"), Qt::Key_Right);
     QTest::keyClick(child<ui::study::Forecast>()->findChild<QRadioButton*>(), Qt::Key_Space);
     click("showScore");
-    QTRY_VERIFY_WITH_TIMEOUT(child<ui::study::ScorePage>()->isVisible(), kPatienceMs);
+    waitForPage<ui::study::ScorePage>();
 }
 
 QStringList ProgramWindow::journals(const QString& below) const

@@ -18,6 +18,10 @@
 #include "ui/shell/MessageBar.h"
 #include "ui/shell/TabularLabel.h"
 
+/// As QTRY_VERIFY and QTRY_COMPARE, with the patience that a window needs on a busy machine.
+#define WAIT_FOR(condition) QTRY_VERIFY2_WITH_TIMEOUT(condition, qPrintable(message()), support::kPatienceMs)
+#define WAIT_FOR_VALUE(actual, expected) QTRY_COMPARE_WITH_TIMEOUT(actual, expected, support::kPatienceMs)
+
 class QLabel;
 
 namespace support {
@@ -31,7 +35,7 @@ class ProgramWindow : public QObject
 protected:
     /// Makes the program and shows its window. Of the options only the database is completed, if it is empty.
     void begin(app::WindowOptions options);
-    void waitForTooth() const { QTRY_VERIFY_WITH_TIMEOUT(actions().grade->isEnabled(), kPatienceMs); }
+    void waitForTooth() const { WAIT_FOR(actions().grade->isEnabled()); }
     template <class T>
     T* child(const char* name = "") const
     {
@@ -39,7 +43,15 @@ protected:
     }
     [[nodiscard]] ui::shell::MainWindow& window() const { return m_application->window(); }
     [[nodiscard]] ui::shell::Actions& actions() const { return *child<ui::shell::Actions>(); }
+    template <class Page>
+    void waitForPage() const
+    {
+        WAIT_FOR(child<Page>()->isVisible());
+    }
+    /// What the message bar says.
     [[nodiscard]] QString message() const { return child<ui::shell::MessageBar>()->sentence(); }
+    void waitForMessage(const QString& words) const { WAIT_FOR(message().contains(words)); }
+    /// The enamel that was removed, as the window shows it.
     [[nodiscard]] QString removed() const { return child<ui::shell::TabularLabel>("enamelRemoved")->text(); }
     /// Waits until the button is enabled, and clicks it.
     void click(const char* button) const;
@@ -52,7 +64,7 @@ protected:
                 actions().back->trigger();
             return child<Page>()->isVisible();
         };
-        QTRY_VERIFY_WITH_TIMEOUT(isThere(), kPatienceMs);
+        WAIT_FOR(isThere());
     }
     /// The visible label, anywhere in the window, that contains these words; null if there is none.
     [[nodiscard]] const QLabel* labelWith(const QString& words) const;

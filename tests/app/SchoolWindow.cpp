@@ -80,28 +80,37 @@ QString SchoolWindow::saidAtDoor() const
     return words.join('\n');
 }
 
+void SchoolWindow::waitForDoorToSay(const QString& words) const
+{
+    QTRY_VERIFY2_WITH_TIMEOUT(saidAtDoor().contains(words), qPrintable(saidAtDoor()), kPatienceMs);
+}
+
 void SchoolWindow::moveAway() const
 {
     for (const char* end : {"", "-wal", "-shm"})
         QFile::rename(file() + end, m_folder->filePath(QStringLiteral("away.sqlite")) + end);
 }
 
-void SchoolWindow::start(bool showsTour, const sql::Database::Options& opening)
+void SchoolWindow::damageSchool() const
 {
-    app::WindowOptions options;
-    options.opening = opening;
+    moveAway();
+    QFile noise(file());
+    QVERIFY(noise.open(QIODevice::WriteOnly) && noise.write(QByteArray(100'000, 'n')) == 100'000);
+}
+
+void SchoolWindow::start(app::WindowOptions options)
+{
     options.source = {36};
     options.database = place();
     options.asksWho = true;
-    options.showsRound = showsTour;
     begin(options);
     // While the first tooth is made, its page may open over another that was asked for.
-    QTRY_VERIFY_WITH_TIMEOUT(window().view().tooth() != nullptr, kPatienceMs);
+    WAIT_FOR(window().view().tooth() != nullptr);
 }
 
 void SchoolWindow::typeLogin(const QString& name, const QString& password) const
 {
-    QTRY_VERIFY_WITH_TIMEOUT(child<QLineEdit>("username")->isEnabled(), kPatienceMs);
+    WAIT_FOR(child<QLineEdit>("username")->isEnabled());
     child<QLineEdit>("username")->setText(name);
     child<QLineEdit>("password")->setText(password);
     click("logIn");
@@ -109,16 +118,16 @@ void SchoolWindow::typeLogin(const QString& name, const QString& password) const
 
 void SchoolWindow::tryPassword(const QString& password) const
 {
-    QTRY_VERIFY_WITH_TIMEOUT(child<QLineEdit>("password")->isEnabled(), kPatienceMs);
+    WAIT_FOR(child<QLineEdit>("password")->isEnabled());
     child<QLineEdit>("password")->setText(password);
     click("logIn");
-    QTRY_VERIFY_WITH_TIMEOUT(!isAtDoor() || child<QLineEdit>("password")->isEnabled(), kPatienceMs);
+    WAIT_FOR(!isAtDoor() || child<QLineEdit>("password")->isEnabled());
 }
 
 void SchoolWindow::logIn(const QString& name) const
 {
     typeLogin(name);
-    QTRY_COMPARE_WITH_TIMEOUT(actions().account->text(), name, kPatienceMs);
+    WAIT_FOR_VALUE(actions().account->text(), name);
 }
 
 void SchoolWindow::logOut() const
@@ -126,7 +135,7 @@ void SchoolWindow::logOut() const
     actions().lock->trigger();
     QCOMPARE(door(), Door::Locked);
     click("otherLogin");
-    QTRY_COMPARE_WITH_TIMEOUT(door(), Door::Login, kPatienceMs);
+    WAIT_FOR_VALUE(door(), Door::Login);
 }
 
 void SchoolWindow::switchTo(const QString& name) const
@@ -137,9 +146,9 @@ void SchoolWindow::switchTo(const QString& name) const
 
 void SchoolWindow::beGuest() const
 {
-    QTRY_VERIFY_WITH_TIMEOUT(child<QPushButton>("practiseAsGuest")->isVisible(), kPatienceMs);
+    WAIT_FOR(child<QPushButton>("practiseAsGuest")->isVisible());
     click("practiseAsGuest");
-    QTRY_VERIFY_WITH_TIMEOUT(!isAtDoor(), kPatienceMs);
+    WAIT_FOR(!isAtDoor());
 }
 
 void SchoolWindow::goToTooth() const
@@ -150,7 +159,7 @@ void SchoolWindow::goToTooth() const
             actions().back->trigger();
         return actions().grade->isEnabled();
     };
-    QTRY_VERIFY2_WITH_TIMEOUT(isThere(), qPrintable(message()), kPatienceMs);
+    WAIT_FOR(isThere());
 }
 
 void SchoolWindow::openAdminPage(ui::admin::AdminPage::Part part) const
@@ -171,21 +180,32 @@ void SchoolWindow::assign(const std::string& lesson, int attempts, const std::st
 void SchoolWindow::grade(const QString& words) const
 {
     actions().grade->trigger();
-    QTRY_VERIFY_WITH_TIMEOUT(child<ui::study::ScorePage>()->isVisible(), kPatienceMs);
-    QTRY_VERIFY2_WITH_TIMEOUT(saved().contains(words), qPrintable(saved()), kPatienceMs);
+    waitForPage<ui::study::ScorePage>();
+    waitForSaved(words);
 }
 
 void SchoolWindow::gradeLesson(int expectedAttempts) const
 {
     actions().grade->trigger();
     expectScore();
-    QTRY_COMPARE_WITH_TIMEOUT(attempts(), expectedAttempts, kPatienceMs);
+    WAIT_FOR_VALUE(attempts(), expectedAttempts);
 }
 
 QString SchoolWindow::saved() const
 {
     const auto* label = child<QLabel>("historyRemark");
     return label->isVisible() ? label->text() : QString();
+}
+
+void SchoolWindow::openAttempts() const
+{
+    actions().attempts->trigger();
+    waitForPage<ui::people::HistoryPage>();
+}
+
+void SchoolWindow::waitForSaved(const QString& words) const
+{
+    QTRY_VERIFY2_WITH_TIMEOUT(saved().contains(words), qPrintable(saved()), kPatienceMs);
 }
 
 int SchoolWindow::count(const QString& rows) const
@@ -196,19 +216,19 @@ int SchoolWindow::count(const QString& rows) const
 
 void SchoolWindow::openStudent() const
 {
-    QTRY_VERIFY_WITH_TIMEOUT(studentsShown() > 0, kPatienceMs);
+    WAIT_FOR(studentsShown() > 0);
     emit child<QTableView>("matrix")->verticalHeader()->sectionClicked(0);
-    QTRY_VERIFY_WITH_TIMEOUT(child<ui::people::HistoryPage>()->isVisible(), kPatienceMs);
+    waitForPage<ui::people::HistoryPage>();
 }
 
 void SchoolWindow::openNewest() const
 {
-    QTRY_VERIFY_WITH_TIMEOUT(child<ui::people::HistoryPage>()->isVisible(), kPatienceMs);
-    QTRY_VERIFY_WITH_TIMEOUT(child<QTableView>("attempts")->model()->rowCount() > 0, kPatienceMs);
+    waitForPage<ui::people::HistoryPage>();
+    WAIT_FOR(child<QTableView>("attempts")->model()->rowCount() > 0);
     child<QTableView>("attempts")->selectRow(0);
     click("openAttempt");
-    QTRY_VERIFY_WITH_TIMEOUT(child<ui::study::ScorePage>()->isVisible(), kPatienceMs);
-    QTRY_VERIFY_WITH_TIMEOUT(child<QLabel>("counts")->isVisible(), kPatienceMs);
+    waitForPage<ui::study::ScorePage>();
+    WAIT_FOR(child<QLabel>("counts")->isVisible());
 }
 
 void SchoolWindow::savePdf(const QString& path) const

@@ -74,16 +74,24 @@ protected:
     [[nodiscard]] ui::people::Door door() const { return child<ui::people::LoginPage>()->door(); }
     [[nodiscard]] bool isAtDoor() const { return window().isAtDoor(); }
     [[nodiscard]] QString saidAtDoor() const;
+    void waitForDoorToSay(const QString& words) const;
     [[nodiscard]] QString file() const { return m_folder->filePath("school.sqlite"); }
     [[nodiscard]] QString place() const { return m_server.isEmpty() ? file() : m_server; }
     /// Moves the file of the school away, with what lies beside it.
     void moveAway() const;
+    /// Puts noise where the file of the school was.
+    void damageSchool() const;
     /// Starts the program as it starts at a school: with the login.
-    void start(bool showsTour = false, const database::sql::Database::Options& opening = {});
+    void start(app::WindowOptions options = {});
+    void startAs(const QString& name)
+    {
+        start();
+        logIn(name);
+    }
     /// Types into the login and clicks its button.
     void typeLogin(const QString& name, const QString& password = QString::fromStdString(kPassword)) const;
     /// Unlocks, and waits for the answer.
-    void tryPassword(const QString& password) const;
+    void tryPassword(const QString& password = QString::fromStdString(kPassword)) const;
     void logIn(const QString& name) const;
     /// Logs out, from whatever page.
     void logOut() const;
@@ -98,7 +106,11 @@ protected:
     void grade(const QString& saved) const;
     /// Grades a lesson, and waits until the school has this number of attempts.
     void gradeLesson(int attempts) const;
+    /// What the score page says about where the grade is saved.
     [[nodiscard]] QString saved() const;
+    void waitForSaved(const QString& words) const;
+    /// Opens the list of the own attempts. What was asked of the school before has been answered then.
+    void openAttempts() const;
     /// The number of rows in the database, as another program reads it; -1 if it cannot be read.
     [[nodiscard]] int count(const QString& rows) const;
     [[nodiscard]] int attempts() const { return count("attempts"); }

@@ -33,23 +33,276 @@ class TestFeel : public support::ProgramWindow
 {
     Q_OBJECT
 private slots:
-    void init();
+    void init()
+    {
+        QLocale::setDefault(QLocale("en_GB"));
+        m_folder = std::make_unique<QTemporaryDir>();
+        qputenv("XDG_DATA_HOME", m_folder->path().toLocal8Bit());
+    }
+
     void cleanup() { m_application.reset(); }
 
-    void aPresetIsTriedOnABlockAndKept();
-    void theBlockIsOfWhatOneWantsToFeel();
-    void whatIsTurnedByHandIsNamedAndHoldsForTheNextTooth();
-    void whatAScanAsksStaysAskedWhenAPresetIsLoaded();
-    void twoPresetsAreComparedBlind();
-    void whatIsWrongWithAFileStaysToBeRead();
-    void anExamFeelsAsItShould();
-    void withoutAFileTheDataAreTheUsersOwn();
+    void aPresetIsTriedOnABlockAndKept()
+    {
+        start();
+        QVERIFY(recording().settings().hardness.name.starts_with("natural v1 #"));
+        actions().presets->trigger();
+        QTRY_VERIFY(page().isVisible());
+        tryOnBlock("presetTry");
+        auto* card = child<ui::presets::TrialCard>();
+        QVERIFY(card->isVisible());
+        QVERIFY(!recording().isRetuned());
+        // A slider is felt at once: it is on the recording, and replays to the bit.
+        auto* enamel = card->findChild<QSlider*>("dial0");
+        enamel->setValue(enamel->maximum());
+        WAIT_FOR(recording().isRetuned());
+        const auto replayed = core::recording::replay(recording());
+        QVERIFY(replayed && replayed->agreesWithWitness);
+        QTest::mouseClick(card->findChild<QPushButton*>("trialBack"), Qt::LeftButton);
+        QTRY_VERIFY(page().isVisible());
+        QCOMPARE(page().draft().enamelRate, 0.175);
+        QCOMPARE(child<ui::presets::PresetsPage>()->findChild<QSlider*>("dial0")->value(), enamel->maximum());
+        click("presetSave");
+        QCOMPARE(page().draft().version, 2);
+        QVERIFY(message().contains("natural, version 2"));
+        auto* list = child<QListWidget>("presetList");
+        QVERIFY(list->count() == 2 && !list->item(0)->text().contains("shipped"));
+        click("presetUse");
+        chooseTooth(26);
+        QVERIFY(!card->isVisible());
+        QVERIFY(recording().settings().hardness.name.starts_with("natural v2 #"));
+        QCOMPARE(recording().settings().hardness.material[1].rateMm3PerNs, 0.175);
+        // The next start finds what is in use.
+        m_application.reset();
+        start();
+        QVERIFY(recording().settings().hardness.name.starts_with("natural v2 #"));
+        emit window().presetUseWanted(lessons::shippedPresets().front());
+    }
+
+    /// Every row of a preset that teeth are cut by can be felt on the block.
+    void theBlockIsOfWhatOneWantsToFeel()
+    {
+        start();
+        actions().presets->trigger();
+        QTRY_VERIFY(page().isVisible());
+        tryOnBlock("presetTry");
+        const core::settings::FeelPreset preset = lessons::shippedPresets().front();
+        auto* block = child<ui::presets::TrialCard>()->findChild<QComboBox*>("trialBlock");
+        QVERIFY(block->isVisible() && block->count() == 3);
+        // Rates of caries and enamel, as the servo is told them.
+        const auto rates = [this] {
+            const core::recording::Recording made = recording();
+            core::session::ServoSettings settings = made.settings();
+            made.forEach([&](const core::session::ServoEvent& event) {
+                if (event.kind != core::session::ServoEvent::Kind::Number)
+                    return;
+                if (const auto number = core::session::unpackNumber(event.value))
+                    core::session::setServoNumber(settings, *number);
+            });
+            return std::pair(static_cast<float>(settings.hardness.material[0].rateMm3PerNs),
+                             static_cast<float>(settings.hardness.material[1].rateMm3PerNs));
+        };
+        const auto of = [](double caries, double enamel) {
+            return std::pair(static_cast<float>(caries), static_cast<float>(enamel));
+        };
+        const auto choose = [block](int index) {
+            block->setCurrentIndex(index);
+            emit block->activated(index);
+        };
+        WAIT_FOR_VALUE(rates(), of(preset.softCariesRate, preset.enamelRate));
+        choose(2);
+        WAIT_FOR_VALUE(rates(), of(preset.plasticRate, preset.plasticRate));
+        choose(1);
+        WAIT_FOR_VALUE(rates(), of(preset.firmCariesRate, preset.enamelRate));
+        // What is turned on it is turned of that.
+        auto* enamel = child<ui::presets::TrialCard>()->findChild<QSlider*>("dial0");
+        enamel->setValue(enamel->maximum());
+        WAIT_FOR_VALUE(rates(), of(preset.firmCariesRate, 0.175));
+        choose(0);
+        WAIT_FOR_VALUE(rates(), of(preset.softCariesRate, 0.175));
+    }
+
+    void whatIsTurnedByHandIsNamedAndHoldsForTheNextTooth()
+    {
+        start();
+        actions().console->trigger();
+        QTRY_VERIFY(child<ui::console::Console>()->isVisible());
+        QVERIFY(answer("set hardness.enamel.rate 5").contains("= 5 mm"));
+        WAIT_FOR(recording().isRetuned());
+        QVERIFY(lessons::presetUsed(recording()).isChanged);
+        chooseTooth(26);
+        const core::recording::Recording next = recording();
+        QVERIFY(!next.isRetuned());
+        QCOMPARE(next.settings().hardness.material[1].rateMm3PerNs, 5.0);
+        QVERIFY((lessons::presetUsed(next) == lessons::PresetUsed{"natural", 1, {}, true}));
+        QVERIFY2(answer("save mine").contains("mine, version 1"), qPrintable(answer("help")));
+        QVERIFY(answer("reset").contains("as the preset says"));
+        chooseTooth(36);
+        QVERIFY(!lessons::presetUsed(recording()).isChanged);
+        QVERIFY(answer("load mine").contains("mine, version 1"));
+        // Nothing is cut yet: the attempt is made with it from the beginning.
+        QTRY_COMPARE(lessons::presetUsed(recording()).name, QString("mine"));
+        QVERIFY(!lessons::presetUsed(recording()).isChanged);
+        QVERIFY(answer("reset").contains("as the preset says"));
+        QTRY_COMPARE(lessons::presetUsed(recording()).name, QString("natural"));
+        QVERIFY(!lessons::presetUsed(recording()).isChanged);
+        QVERIFY(answer("load mine").contains("mine, version 1"));
+        chooseTooth(26);
+        QCOMPARE(lessons::presetUsed(recording()).name, QString("mine"));
+        QVERIFY(!lessons::presetUsed(recording()).isChanged);
+        QTest::keyClick(child<QLineEdit>("consoleLine"), Qt::Key_Escape);
+        QTRY_VERIFY(!child<ui::console::Console>()->isVisible());
+    }
+
+    void whatAScanAsksStaysAskedWhenAPresetIsLoaded()
+    {
+        start();
+        // A millimetre wide, it can be no tooth in millimetres.
+        QFile scan(m_folder->filePath("cap.stl"));
+        QVERIFY(scan.open(QIODevice::WriteOnly));
+        scan.write(QByteArray::fromStdString(support::asBinaryStl(support::sphereCap(0.5F, 0.5F, 40, 10))));
+        scan.close();
+        const auto isAsked = [this] {
+            for (const QPushButton* button : child<ui::shell::MessageBar>()->findChildren<QPushButton*>())
+                if (button->isVisible() && button->text() == "Another unit")
+                    return true;
+            return false;
+        };
+        emit window().scanChosen(scan.fileName());
+        WAIT_FOR(isAsked());
+        const core::settings::FeelPreset& other = lessons::shippedPresets().back();
+        emit window().feelWanted(other);
+        WAIT_FOR_VALUE(lessons::presetUsed(recording()).name, QString::fromStdString(other.name));
+        QVERIFY(!lessons::presetUsed(recording()).isChanged);
+        child<ui::shell::MessageBar>()->dismiss();  // that the recording was saved
+        QVERIFY2(isAsked(), qPrintable(message()));
+    }
+
+    void twoPresetsAreComparedBlind()
+    {
+        start();
+        core::settings::FeelPreset hard;
+        hard.name = "hard";
+        hard.enamelRate = 0.2;
+        emit window().presetSaveWanted(hard);
+        actions().presets->trigger();
+        child<QComboBox>("presetOther")->setCurrentIndex(child<QComboBox>("presetOther")->findText("natural v1"));
+        child<QSpinBox>("presetTrials")->setValue(2);
+        tryOnBlock("presetCompare");
+        auto* card = child<ui::presets::TrialCard>();
+        QVERIFY(card->isVisible() && !card->tuned());
+        QVERIFY(answer("set force.friction 0.2").contains("compared blind"));
+        for (const char* command : {"get force.friction", "save leak", "set force.stiffness 19"})
+            QVERIFY2(answer(command).contains("compared blind"), command);
+        ui::tooth::ToothView& view = window().view();
+        QTest::mouseMove(&view, view.rect().center());
+        QTest::mousePress(&view, Qt::LeftButton, {}, view.rect().center());
+        WAIT_FOR(actions().undo->isEnabled());
+        QTest::mouseRelease(&view, Qt::LeftButton, {}, view.rect().center());
+        waitForStrokeEnd();
+        // It is nobody's work, and is not offered to be gone on with.
+        QCOMPARE(QDir(m_folder->filePath("unfinished")).entryList({"*.cuspjournal"}, QDir::Files), QStringList());
+        QVERIFY(!actions().grade->isEnabled());
+        const auto cutWith = [card](const char* letter) {
+            QTest::mouseClick(card->findChild<QPushButton*>(letter), Qt::LeftButton);
+            card->follow(1, 0, 0.0);
+            card->follow(1, 0, 0.1);
+        };
+        cutWith("trialA");
+        cutWith("trialB");
+        WAIT_FOR(recording().isRetuned());
+        QTest::mouseClick(card->findChild<QPushButton*>("trialSaysA"), Qt::LeftButton);
+        QVERIFY(!card->findChild<QPushButton*>("trialSaysNone")->isEnabled());
+        cutWith("trialA");
+        cutWith("trialB");
+        QTest::mouseClick(card->findChild<QPushButton*>("trialSaysNone"), Qt::LeftButton);
+        QVERIFY(card->findChild<QPushButton*>("trialCsv")->isVisible());
+        QVERIFY(card->findChild<QLabel*>("trialWords")->text().contains("No difference: 1 time"));
+    }
+
+    void whatIsWrongWithAFileStaysToBeRead()
+    {
+        start();
+        actions().presets->trigger();
+        const auto import = [this](const QByteArray& json) {
+            QFile file(m_folder->filePath("slip.json"));
+            QVERIFY(file.open(QIODevice::WriteOnly));
+            file.write(json);
+            file.close();
+            emit window().presetImportWanted(file.fileName());
+        };
+        auto* fault = child<QLabel>("presetFault");
+        import(R"({"name": "slip", "enamell": {"rate_mm3_per_ns": 3}})");
+        QTRY_COMPARE(page().draft().name, std::string("slip"));
+        QVERIFY2(fault->text().contains("slip.json, enamell: ") && fault->text().contains("did you mean \"enamel\"?"),
+                 qPrintable(fault->text()));
+        const QString detail = child<QLabel>("presetFaultDetail")->text();
+        QVERIFY2(detail.contains("says nothing of ") && detail.contains("pulp"), qPrintable(detail));
+        const auto* bar = child<ui::shell::MessageBar>();
+        QVERIFY2(bar->sentence().contains("was kept: slip"), qPrintable(bar->sentence()));
+        import(R"({"force": {"stiffness_n_per_mm": 15}})");
+        QVERIFY2(!bar->sentence().contains("was kept"),
+                 qPrintable(bar->sentence()));  // one would read the older of both
+        QVERIFY2(fault->text().contains("Would tremble"), qPrintable(fault->text()));
+        core::settings::FeelPreset stiff;
+        stiff.name = "stiff";
+        stiff.version = 0;
+        stiff.stiffnessNPerMm = 15.0;
+        emit window().presetSaveWanted(stiff);
+        QVERIFY2(fault->text().contains("Not kept: Would tremble"), qPrintable(fault->text()));
+    }
+
+    void anExamFeelsAsItShould()
+    {
+        start();
+        QVERIFY(answer("set force.friction 0.2").contains("0.2"));
+        QFile file(m_folder->filePath("exam.lesson.json"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(R"({"format": 1, "based_on": "decay-36-2-moderate.lesson.json", "id": "exam-36", "exam": true})");
+        file.close();
+        const auto lesson = lessons::readLesson(file.fileName()).lesson;
+        QVERIFY(lesson.has_value());
+        openLesson(*lesson);
+        WAIT_FOR(answer("set force.friction 0.3").contains("In an exam"));
+        const core::recording::Recording exam = recording();
+        QCOMPARE(exam.settings().force.friction, core::contact::ForceSettings{}.friction);
+        QVERIFY(!lessons::presetUsed(exam).isChanged);
+        QVERIFY(!exam.isRetuned());
+    }
+
+    /// In the folder that the desktop keeps for the data of programs.
+    void withoutAFileTheDataAreTheUsersOwn()
+    {
+        const QString name = QCoreApplication::applicationName();
+        const auto back = qScopeGuard([&name] { QCoreApplication::setApplicationName(name); });
+        QCoreApplication::setApplicationName("cusp");
+        app::WindowOptions options;
+        options.source = {36};
+        m_application = app::Application::make(options).value();
+        m_application->show();
+        QTRY_VERIFY(QFile::exists(m_folder->filePath("cusp/cusp.sqlite")));
+    }
 
 private:
     [[nodiscard]] ui::presets::PresetsPage& page() const { return *child<ui::presets::PresetsPage>(); }
-    void start();
+
+    void start()
+    {
+        app::WindowOptions options;
+        options.source = {36};
+        begin(options);
+        waitForTooth("Tooth 36", [] {});
+    }
+
     /// Does what puts this tooth on the table, and waits until the servo has it.
-    void waitForTooth(const QString& title, const std::function<void()>& change) const;
+    void waitForTooth(const QString& title, const std::function<void()>& change) const
+    {
+        const std::uint64_t before = servo().toothGeneration;
+        change();
+        WAIT_FOR(window().windowTitle().startsWith(title));
+        WAIT_FOR(actions().chooseTooth->isEnabled() && servo().toothGeneration > before);
+    }
+
     void chooseTooth(int fdi) const
     {
         waitForTooth(QStringLiteral("Tooth %1").arg(fdi), [this, fdi] { emit window().toothChosen(fdi); });
@@ -58,290 +311,25 @@ private:
     {
         waitForTooth("Practice block", [this, button] { click(button); });
     }
-    [[nodiscard]] core::recording::Recording recording() const;
-    [[nodiscard]] QString answer(const QString& command) const;
+
+    [[nodiscard]] core::recording::Recording recording() const
+    {
+        const QString path = m_folder->filePath("now.cusprec");
+        QFile::remove(path);
+        emit window().recordingSaveRequested(path);
+        if (!QTest::qWaitFor([&] { return QFile::exists(path); }, kPatienceMs))
+            qFatal("no recording");
+        return core::recording::readRecording(path.toStdString()).value();
+    }
+
+    [[nodiscard]] QString answer(const QString& command) const
+    {
+        auto* output = child<QPlainTextEdit>("consoleOutput");
+        output->clear();
+        child<ui::console::Console>()->execute(command);
+        return output->toPlainText().section('\n', 1);
+    }
 };
-
-void TestFeel::init()
-{
-    QLocale::setDefault(QLocale("en_GB"));
-    m_folder = std::make_unique<QTemporaryDir>();
-    qputenv("XDG_DATA_HOME", m_folder->path().toLocal8Bit());
-}
-
-void TestFeel::start()
-{
-    app::WindowOptions options;
-    options.source = {36};
-    begin(options);
-    waitForTooth("Tooth 36", [] {});
-}
-
-void TestFeel::waitForTooth(const QString& title, const std::function<void()>& change) const
-{
-    const std::uint64_t before = servo().toothGeneration;
-    change();
-    QTRY_VERIFY_WITH_TIMEOUT(window().windowTitle().startsWith(title), kPatienceMs);
-    QTRY_VERIFY_WITH_TIMEOUT(actions().chooseTooth->isEnabled() && servo().toothGeneration > before, kPatienceMs);
-}
-
-core::recording::Recording TestFeel::recording() const
-{
-    const QString path = m_folder->filePath("now.cusprec");
-    QFile::remove(path);
-    emit window().recordingSaveRequested(path);
-    if (!QTest::qWaitFor([&] { return QFile::exists(path); }, kPatienceMs))
-        qFatal("no recording");
-    return core::recording::readRecording(path.toStdString()).value();
-}
-
-QString TestFeel::answer(const QString& command) const
-{
-    auto* output = child<QPlainTextEdit>("consoleOutput");
-    output->clear();
-    child<ui::console::Console>()->execute(command);
-    return output->toPlainText().section('\n', 1);
-}
-
-void TestFeel::aPresetIsTriedOnABlockAndKept()
-{
-    start();
-    QVERIFY(recording().settings().hardness.name.starts_with("natural v1 #"));
-    actions().presets->trigger();
-    QTRY_VERIFY(page().isVisible());
-    tryOnBlock("presetTry");
-    auto* card = child<ui::presets::TrialCard>();
-    QVERIFY(card->isVisible());
-    QVERIFY(!recording().isRetuned());
-    // A slider is felt at once: it is on the recording, and replays to the bit.
-    auto* enamel = card->findChild<QSlider*>("dial0");
-    enamel->setValue(enamel->maximum());
-    QTRY_VERIFY_WITH_TIMEOUT(recording().isRetuned(), kPatienceMs);
-    const auto replayed = core::recording::replay(recording());
-    QVERIFY(replayed && replayed->agreesWithWitness);
-    QTest::mouseClick(card->findChild<QPushButton*>("trialBack"), Qt::LeftButton);
-    QTRY_VERIFY(page().isVisible());
-    QCOMPARE(page().draft().enamelRate, 0.175);
-    QCOMPARE(child<ui::presets::PresetsPage>()->findChild<QSlider*>("dial0")->value(), enamel->maximum());
-    click("presetSave");
-    QCOMPARE(page().draft().version, 2);
-    QVERIFY(message().contains("natural, version 2"));
-    auto* list = child<QListWidget>("presetList");
-    QVERIFY(list->count() == 2 && !list->item(0)->text().contains("shipped"));
-    click("presetUse");
-    chooseTooth(26);
-    QVERIFY(!card->isVisible());
-    QVERIFY(recording().settings().hardness.name.starts_with("natural v2 #"));
-    QCOMPARE(recording().settings().hardness.material[1].rateMm3PerNs, 0.175);
-    // The next start finds what is in use.
-    m_application.reset();
-    start();
-    QVERIFY(recording().settings().hardness.name.starts_with("natural v2 #"));
-    emit window().presetUseWanted(lessons::shippedPresets().front());
-}
-
-/// Every row of a preset that teeth are cut by can be felt on the block.
-void TestFeel::theBlockIsOfWhatOneWantsToFeel()
-{
-    start();
-    actions().presets->trigger();
-    QTRY_VERIFY(page().isVisible());
-    tryOnBlock("presetTry");
-    const core::settings::FeelPreset preset = lessons::shippedPresets().front();
-    auto* block = child<ui::presets::TrialCard>()->findChild<QComboBox*>("trialBlock");
-    QVERIFY(block->isVisible() && block->count() == 3);
-    // Rates of caries and enamel, as the servo is told them.
-    const auto rates = [this] {
-        const core::recording::Recording made = recording();
-        core::session::ServoSettings settings = made.settings();
-        made.forEach([&](const core::session::ServoEvent& event) {
-            if (event.kind != core::session::ServoEvent::Kind::Number)
-                return;
-            if (const auto number = core::session::unpackNumber(event.value))
-                core::session::setServoNumber(settings, *number);
-        });
-        return std::pair(static_cast<float>(settings.hardness.material[0].rateMm3PerNs),
-                         static_cast<float>(settings.hardness.material[1].rateMm3PerNs));
-    };
-    const auto of = [](double caries, double enamel) {
-        return std::pair(static_cast<float>(caries), static_cast<float>(enamel));
-    };
-    const auto choose = [block](int index) {
-        block->setCurrentIndex(index);
-        emit block->activated(index);
-    };
-    QTRY_COMPARE_WITH_TIMEOUT(rates(), of(preset.softCariesRate, preset.enamelRate), kPatienceMs);
-    choose(2);
-    QTRY_COMPARE_WITH_TIMEOUT(rates(), of(preset.plasticRate, preset.plasticRate), kPatienceMs);
-    choose(1);
-    QTRY_COMPARE_WITH_TIMEOUT(rates(), of(preset.firmCariesRate, preset.enamelRate), kPatienceMs);
-    // What is turned on it is turned of that.
-    auto* enamel = child<ui::presets::TrialCard>()->findChild<QSlider*>("dial0");
-    enamel->setValue(enamel->maximum());
-    QTRY_COMPARE_WITH_TIMEOUT(rates(), of(preset.firmCariesRate, 0.175), kPatienceMs);
-    choose(0);
-    QTRY_COMPARE_WITH_TIMEOUT(rates(), of(preset.softCariesRate, 0.175), kPatienceMs);
-}
-
-void TestFeel::whatIsTurnedByHandIsNamedAndHoldsForTheNextTooth()
-{
-    start();
-    actions().console->trigger();
-    QTRY_VERIFY(child<ui::console::Console>()->isVisible());
-    QVERIFY(answer("set hardness.enamel.rate 5").contains("= 5 mm"));
-    QTRY_VERIFY_WITH_TIMEOUT(recording().isRetuned(), kPatienceMs);
-    QVERIFY(lessons::presetUsed(recording()).isChanged);
-    chooseTooth(26);
-    const core::recording::Recording next = recording();
-    QVERIFY(!next.isRetuned());
-    QCOMPARE(next.settings().hardness.material[1].rateMm3PerNs, 5.0);
-    QVERIFY((lessons::presetUsed(next) == lessons::PresetUsed{"natural", 1, {}, true}));
-    QVERIFY2(answer("save mine").contains("mine, version 1"), qPrintable(answer("help")));
-    QVERIFY(answer("reset").contains("as the preset says"));
-    chooseTooth(36);
-    QVERIFY(!lessons::presetUsed(recording()).isChanged);
-    QVERIFY(answer("load mine").contains("mine, version 1"));
-    // Nothing is cut yet: the attempt is made with it from the beginning.
-    QTRY_COMPARE(lessons::presetUsed(recording()).name, QString("mine"));
-    QVERIFY(!lessons::presetUsed(recording()).isChanged);
-    QVERIFY(answer("reset").contains("as the preset says"));
-    QTRY_COMPARE(lessons::presetUsed(recording()).name, QString("natural"));
-    QVERIFY(!lessons::presetUsed(recording()).isChanged);
-    QVERIFY(answer("load mine").contains("mine, version 1"));
-    chooseTooth(26);
-    QCOMPARE(lessons::presetUsed(recording()).name, QString("mine"));
-    QVERIFY(!lessons::presetUsed(recording()).isChanged);
-    QTest::keyClick(child<QLineEdit>("consoleLine"), Qt::Key_Escape);
-    QTRY_VERIFY(!child<ui::console::Console>()->isVisible());
-}
-
-void TestFeel::whatAScanAsksStaysAskedWhenAPresetIsLoaded()
-{
-    start();
-    // A millimetre wide, it can be no tooth in millimetres.
-    QFile scan(m_folder->filePath("cap.stl"));
-    QVERIFY(scan.open(QIODevice::WriteOnly));
-    scan.write(QByteArray::fromStdString(support::asBinaryStl(support::sphereCap(0.5F, 0.5F, 40, 10))));
-    scan.close();
-    const auto isAsked = [this] {
-        for (const QPushButton* button : child<ui::shell::MessageBar>()->findChildren<QPushButton*>())
-            if (button->isVisible() && button->text() == "Another unit")
-                return true;
-        return false;
-    };
-    emit window().scanChosen(scan.fileName());
-    QTRY_VERIFY_WITH_TIMEOUT(isAsked(), kPatienceMs);
-    const core::settings::FeelPreset& other = lessons::shippedPresets().back();
-    emit window().feelWanted(other);
-    QTRY_COMPARE_WITH_TIMEOUT(lessons::presetUsed(recording()).name, QString::fromStdString(other.name), kPatienceMs);
-    QVERIFY(!lessons::presetUsed(recording()).isChanged);
-    child<ui::shell::MessageBar>()->dismiss();  // that the recording was saved
-    QVERIFY2(isAsked(), qPrintable(message()));
-}
-
-void TestFeel::twoPresetsAreComparedBlind()
-{
-    start();
-    core::settings::FeelPreset hard;
-    hard.name = "hard";
-    hard.enamelRate = 0.2;
-    emit window().presetSaveWanted(hard);
-    actions().presets->trigger();
-    child<QComboBox>("presetOther")->setCurrentIndex(child<QComboBox>("presetOther")->findText("natural v1"));
-    child<QSpinBox>("presetTrials")->setValue(2);
-    tryOnBlock("presetCompare");
-    auto* card = child<ui::presets::TrialCard>();
-    QVERIFY(card->isVisible() && !card->tuned());
-    QVERIFY(answer("set force.friction 0.2").contains("compared blind"));
-    for (const char* command : {"get force.friction", "save leak", "set force.stiffness 19"})
-        QVERIFY2(answer(command).contains("compared blind"), command);
-    ui::tooth::ToothView& view = window().view();
-    QTest::mouseMove(&view, view.rect().center());
-    QTest::mousePress(&view, Qt::LeftButton, {}, view.rect().center());
-    QTRY_VERIFY_WITH_TIMEOUT(actions().undo->isEnabled(), kPatienceMs);
-    QTest::mouseRelease(&view, Qt::LeftButton, {}, view.rect().center());
-    waitForStrokeEnd();
-    // It is nobody's work, and is not offered to be gone on with.
-    QCOMPARE(QDir(m_folder->filePath("unfinished")).entryList({"*.cuspjournal"}, QDir::Files), QStringList());
-    QVERIFY(!actions().grade->isEnabled());
-    const auto cutWith = [card](const char* letter) {
-        QTest::mouseClick(card->findChild<QPushButton*>(letter), Qt::LeftButton);
-        card->follow(1, 0, 0.0);
-        card->follow(1, 0, 0.1);
-    };
-    cutWith("trialA");
-    cutWith("trialB");
-    QTRY_VERIFY_WITH_TIMEOUT(recording().isRetuned(), kPatienceMs);
-    QTest::mouseClick(card->findChild<QPushButton*>("trialSaysA"), Qt::LeftButton);
-    QVERIFY(!card->findChild<QPushButton*>("trialSaysNone")->isEnabled());
-    cutWith("trialA");
-    cutWith("trialB");
-    QTest::mouseClick(card->findChild<QPushButton*>("trialSaysNone"), Qt::LeftButton);
-    QVERIFY(card->findChild<QPushButton*>("trialCsv")->isVisible());
-    QVERIFY(card->findChild<QLabel*>("trialWords")->text().contains("No difference: 1 time"));
-}
-
-void TestFeel::whatIsWrongWithAFileStaysToBeRead()
-{
-    start();
-    actions().presets->trigger();
-    const auto import = [this](const QByteArray& json) {
-        QFile file(m_folder->filePath("slip.json"));
-        QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write(json);
-        file.close();
-        emit window().presetImportWanted(file.fileName());
-    };
-    auto* fault = child<QLabel>("presetFault");
-    import(R"({"name": "slip", "enamell": {"rate_mm3_per_ns": 3}})");
-    QTRY_COMPARE(page().draft().name, std::string("slip"));
-    QVERIFY2(fault->text().contains("slip.json, enamell: ") && fault->text().contains("did you mean \"enamel\"?"),
-             qPrintable(fault->text()));
-    const QString detail = child<QLabel>("presetFaultDetail")->text();
-    QVERIFY2(detail.contains("says nothing of ") && detail.contains("pulp"), qPrintable(detail));
-    const auto* bar = child<ui::shell::MessageBar>();
-    QVERIFY2(bar->sentence().contains("was kept: slip"), qPrintable(bar->sentence()));
-    import(R"({"force": {"stiffness_n_per_mm": 15}})");
-    QVERIFY2(!bar->sentence().contains("was kept"), qPrintable(bar->sentence()));  // one would read the older of both
-    QVERIFY2(fault->text().contains("Would tremble"), qPrintable(fault->text()));
-    core::settings::FeelPreset stiff;
-    stiff.name = "stiff";
-    stiff.version = 0;
-    stiff.stiffnessNPerMm = 15.0;
-    emit window().presetSaveWanted(stiff);
-    QVERIFY2(fault->text().contains("Not kept: Would tremble"), qPrintable(fault->text()));
-}
-
-void TestFeel::anExamFeelsAsItShould()
-{
-    start();
-    QVERIFY(answer("set force.friction 0.2").contains("0.2"));
-    QFile file(m_folder->filePath("exam.lesson.json"));
-    QVERIFY(file.open(QIODevice::WriteOnly));
-    file.write(R"({"format": 1, "based_on": "decay-36-2-moderate.lesson.json", "id": "exam-36", "exam": true})");
-    file.close();
-    const auto lesson = lessons::readLesson(file.fileName()).lesson;
-    QVERIFY(lesson.has_value());
-    openLesson(*lesson);
-    QTRY_VERIFY_WITH_TIMEOUT(answer("set force.friction 0.3").contains("In an exam"), kPatienceMs);
-    const core::recording::Recording exam = recording();
-    QCOMPARE(exam.settings().force.friction, core::contact::ForceSettings{}.friction);
-    QVERIFY(!lessons::presetUsed(exam).isChanged);
-    QVERIFY(!exam.isRetuned());
-}
-
-/// In the folder that the desktop keeps for the data of programs.
-void TestFeel::withoutAFileTheDataAreTheUsersOwn()
-{
-    const QString name = QCoreApplication::applicationName();
-    const auto back = qScopeGuard([&name] { QCoreApplication::setApplicationName(name); });
-    QCoreApplication::setApplicationName("cusp");
-    app::WindowOptions options;
-    options.source = {36};
-    m_application = app::Application::make(options).value();
-    m_application->show();
-    QTRY_VERIFY(QFile::exists(m_folder->filePath("cusp/cusp.sqlite")));
-}
 
 int main(int argc, char** argv)
 {
