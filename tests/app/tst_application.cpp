@@ -21,6 +21,7 @@
 #include "database/sql/Statement.h"
 #include "lessons/LessonReader.h"
 #include "tests/app/ProgramWindow.h"
+#include "tests/support/Files.h"
 #include "tests/support/OpenGlMain.h"
 #include "ui/replay/HistoryPanel.h"
 #include "ui/shell/Actions.h"
@@ -72,14 +73,15 @@ private slots:
         waitForNewTooth([this] { actions().reload->trigger(); });
         WAIT_FOR_VALUE(title(), QString("0 of 6 points touched"));
 
-        openLesson("orientation-2-hold");
+        openLesson(madeLesson(R"({"format": 1, "based_on": "0-orientation-2-hold.lesson.json", "id": "hold",
+                                  "hold": {"seconds": 2}})"));
         lookFromAbove();
-        WAIT_FOR_VALUE(title(), QString("Hold 1.0 N for 10 s"));
+        WAIT_FOR_VALUE(title(), QString("Hold 1.0 N for 2 s"));
         window().view().setPushForce(1.0);
         pressAt({-0.27, 0.64});
-        WAIT_FOR_VALUE(title(), QString("Held for 10 s"));
+        WAIT_FOR_VALUE(title(), QString("Held for 2 s"));
         release();
-        QCOMPARE(graded(), QString("100.0"));
+        QCOMPARE(graded(), QString("52.0"));  // 60 * 2 / 10 for the time, and all for the rest
         actions().back->trigger();
 
         openLesson("orientation-3-layers");
@@ -106,7 +108,7 @@ private slots:
         QVERIFY(child<QLabel>("padTruth2")->text().contains("it is"));
     }
 
-    void theSameWorkIsGradedOnce()
+    void theSameWorkIsGradedOnceAndExplained()
     {
         start();
         logIn();
@@ -133,15 +135,9 @@ private slots:
             goBackTo<ui::tooth::ToothView>();
             QCOMPARE(rows(), attempt);
         }
-    }
-
-    /// Moments and other grids come when they are found; shown again, the same grade has them at once; a click on a
-    /// moment plays the attempt from there.
-    void aScoreIsExplainedInTheBackground()
-    {
-        start();
-        logIn();
-        drillFirst();
+        // Moments and other grids come when they are found; shown again, the same grade has them at once; a click on a
+        // moment plays the attempt from there.
+        drill({0.0, -2.0, -1.0});
         const QString own = removed();
         actions().grade->trigger();
         const auto moments = [this] {
@@ -152,7 +148,7 @@ private slots:
             return found;
         };
         WAIT_FOR_VALUE(moments().size(), 1);
-        QVERIFY(child<QLabel>("noise")->isVisible());
+        WAIT_FOR(child<QLabel>("noise")->isVisible());
         QVERIFY2(child<QLabel>("noise")->text().contains("At half the grid"),
                  qPrintable(child<QLabel>("noise")->text()));
         WAIT_FOR(child<QLabel>("class")->isVisible());
@@ -199,12 +195,13 @@ private slots:
         QVERIFY(child<QWidget>("workQuestion") != nullptr);
     }
 
-    void aMomentOfTheOwnAttemptIsShownAndLeft()
+    void aMomentOfTheOwnAttemptIsShownAlsoBesideAnother()
     {
         start();
         drillFirst();
         const QString own = removed();
         QVERIFY(own != "0.00");
+        const QString recording = save();
         waitForTicks(1500);  // an attempt of more than a second
         grade();
         m_application->showMoment(1.0e6);
@@ -238,16 +235,10 @@ private slots:
         QVERIFY(child<ui::study::ScorePage>()->isVisible());
         actions().back->trigger();
         WAIT_FOR_VALUE(removed(), own);
-        drillSecond();
-    }
 
-    void anotherAttemptIsPlayedBeside()
-    {
-        start();
-        drillFirst();
-        const QString recording = save();
+        // The recording of the first stroke beside both.
         drillSecond();
-        const QString own = removed();
+        const QString both = removed();
         grade();
         m_application->showMoment(1.0e6);
         for (int n = 0; n < 2; ++n) {  // another one takes its place
@@ -257,26 +248,28 @@ private slots:
         const auto* beside = views().front() == &window().view() ? views().back() : views().front();
         // Both at their ends: what the first stroke has left, and what both have.
         actions().replayEnd->trigger();
-        const auto cut = [](const ui::tooth::ToothView& view) {
+        const auto cutIn = [](const ui::tooth::ToothView& view) {
             double sum = 0.0;
             for (std::size_t k = 0; k < view.tooth()->top.size(); ++k)
                 sum += static_cast<double>(view.tooth()->anatomy->top[k] - view.tooth()->top[k]);
             return sum;
         };
-        WAIT_FOR(cut(*beside) > 0.0 && cut(window().view()) > cut(*beside));
+        WAIT_FOR(cutIn(*beside) > 0.0 && cutIn(window().view()) > cutIn(*beside));
         actions().replayBegin->trigger();
-        WAIT_FOR(cut(*beside) == 0.0 && cut(window().view()) == 0.0);
+        WAIT_FOR(cutIn(*beside) == 0.0 && cutIn(window().view()) == 0.0);
         actions().beside->trigger();
         QCOMPARE(views().size(), 1);
         emit window().besideWanted(recording);
         WAIT_FOR_VALUE(views().size(), 2);
         actions().back->trigger();
         QCOMPARE(views().size(), 1);
-        WAIT_FOR_VALUE(removed(), own);
+        goBackTo<ui::tooth::ToothView>();
+        WAIT_FOR_VALUE(removed(), both);
     }
 
-    /// Whatever lies on the table meanwhile.
-    void theExpertOfWhatIsPlayedIsPutBeside()
+    /// A recording is played by someone without work of their own: an expert can be put beside it, and it leaves a
+    /// whole tooth.
+    void aRecordingIsPlayedBesideItsExpert()
     {
         start();
         static_cast<void>(openLesson("decay-36-small"));
@@ -284,6 +277,7 @@ private slots:
         const QString recording = save();
         m_application.reset();
         start(recording);
+        waitForReplay();
         WAIT_FOR(actions().expert->isVisible() && actions().expert->isEnabled());
         actions().expert->trigger();
         // The end of what is played may be told over the sentence about it: the view itself says whose hand it is.
@@ -294,6 +288,10 @@ private slots:
                    });
         };
         WAIT_FOR(isShown());
+        actions().back->trigger();
+        QVERIFY(message().contains("whole"));
+        WAIT_FOR_VALUE(removed(), QString("0.00"));
+        drillFirst();
     }
 
     void aHandIsLedAlongARecording()
@@ -352,37 +350,16 @@ private slots:
         QVERIFY(list->model()->index(0, 0).data().toString().contains("present"));
     }
 
-    void stoppingTheReplayOfWhoHasNoWorkGivesAWholeTooth()
+    void anUnfinishedAttemptIsOfferedAndResumed()
     {
-        start();
-        drillFirst();
-        const QString recording = save();
-        m_application.reset();
-        start(recording);
-        QVERIFY(actions().pauseReplay->isEnabled());
-        actions().back->trigger();
-        QVERIFY(message().contains("whole"));
-        WAIT_FOR_VALUE(removed(), QString("0.00"));
-        drillFirst();
-    }
-
-    /// A program that dies holds what it has locked until it is gone.
-    void anUnfinishedAttemptIsOfferedWhenItIsLetGo()
-    {
-        static_cast<void>(leaveUnfinished());
+        const QString own = leaveUnfinished();
+        // A program that dies holds what it has locked until it is gone.
         auto held = core::recording::findAttempt(
             std::filesystem::path(m_folder->filePath("unfinished/1-1.cuspjournal").toStdString()));
         QVERIFY(held && *held);
         start();
         QVERIFY(!isOffered());
         held->reset();
-        waitForOffer();
-    }
-
-    void anUnfinishedAttemptIsOfferedAndResumed()
-    {
-        const QString own = leaveUnfinished();
-        start();
         waitForOffer();
         // It is not opened unasked; put away, it is offered again with the lessons.
         QVERIFY(removed() != own && !actions().undo->isEnabled());
@@ -394,7 +371,7 @@ private slots:
         WAIT_FOR_VALUE(removed(), own);
         QCOMPARE(journals(), QStringList{"1-1.cuspjournal"});
         WAIT_FOR(actions().undo->isEnabled());
-        QTRY_VERIFY2_WITH_TIMEOUT(actions().burs[3]->isChecked(), "the bur that was in use last", kPatienceMs);
+        WAIT_FOR(actions().burs[3]->isChecked());  // the bur that was in use last
         drillSecond();
         // The same file holds what is done from now on.
         const QString again = removed();
@@ -419,10 +396,7 @@ private slots:
         static_cast<void>(leaveUnfinished());
         const QDir folder(m_folder->filePath("unfinished"));
         QVERIFY(QFile::copy(folder.filePath("1-1.cuspjournal"), folder.filePath("2-1.cuspjournal")));
-        QFile broken(folder.filePath("3-1.cuspjournal"));
-        QVERIFY(broken.open(QIODevice::WriteOnly));
-        broken.write("This is no journal.");
-        broken.close();
+        support::write(folder.filePath("3-1.cuspjournal"), "This is no journal.");
         start();
         waitForOffer();
         QCOMPARE(journals("discarded"), QStringList{"3-1.cuspjournal"});
@@ -444,34 +418,13 @@ private slots:
         QVERIFY(message().contains("cannot be taken up again"));
     }
 
-    void anExamThatWasGradedIsNotResumed()
-    {
-        for (const bool isGraded : {false, true}) {
-            start();
-            openLesson(exam());
-            drillFirst();
-            if (isGraded) {
-                actions().grade->trigger();
-                expectScore();
-            }
-            const QString journal = killWithJournal();
-            start();
-            if (isGraded) {
-                WAIT_FOR_VALUE(journals("discarded").size(), 1);
-                QVERIFY(!message().contains("an attempt of"));
-            } else {
-                waitForMessage("an attempt of");
-                QVERIFY(QFile::remove(journal));
-            }
-            m_application.reset();
-        }
-    }
-
-    /// Whoever leaves an exam, or has its program killed, could think as long as they like.
+    /// Whoever leaves an exam, or has its program killed, could think as long as they like. A graded exam is not
+    /// resumed.
     void anExamsTimeGoesOnWhileItsStudentIsAway()
     {
         start();
-        openLesson(exam());
+        openLesson(madeLesson(R"({"format": 1, "based_on": "decay-36-2-moderate.lesson.json", "id": "exam-36",
+                                  "exam": true, "minutes": 10})"));
         drillFirst();
         const QString kept = m_folder->filePath("kept.cuspjournal");
         QVERIFY(QFile::rename(killWithJournal(), kept));
@@ -488,6 +441,12 @@ private slots:
         waitForNewTooth([this] { answer(); });
         const auto* left = child<ui::shell::TabularLabel>("lessonTime");
         QTRY_VERIFY2_WITH_TIMEOUT(left->text().startsWith("5:"), qPrintable(left->text()), kPatienceMs);
+        actions().grade->trigger();
+        expectScore();
+        static_cast<void>(killWithJournal());
+        start();
+        WAIT_FOR_VALUE(journals("discarded").size(), 1);
+        QVERIFY(!message().contains("an attempt of"));
     }
 
 private:
@@ -523,16 +482,12 @@ private:
         return path;
     }
 
-    /// Writes an exam and reads it as a lesson.
-    [[nodiscard]] lessons::Lesson exam() const
+    /// Writes a lesson and reads it.
+    [[nodiscard]] lessons::Lesson madeLesson(std::string_view json) const
     {
-        QFile file(m_folder->filePath("exam.lesson.json"));
-        if (!file.open(QIODevice::WriteOnly))
-            qFatal("the exam cannot be written");
-        file.write(R"({"format": 1, "based_on": "decay-36-2-moderate.lesson.json", "id": "exam-36", "exam": true,
-                       "minutes": 10})");
-        file.close();
-        return lessons::readLesson(file.fileName()).lesson.value();
+        const QString path = m_folder->filePath("made.lesson.json");
+        support::write(path, json);
+        return lessons::readLesson(path).lesson.value();
     }
 
     /// Presses on a place of the tooth until the exercise has this title.

@@ -15,61 +15,55 @@ class TestDemoCommand : public QObject
     Q_OBJECT
 
 private slots:
-    void initTestCase();
-    void drawsOnADisplayOfItsOwn();
-    void withoutAPictureAllElseIsThere();
-    void picturesWithoutOpenGlAreRefused();
-    void theSimulatedFalconTakesTheDecayOutToo();
+    /// The one attempt that all look at; offscreen, as scripts set it, is no reason to draw nothing.
+    void initTestCase()
+    {
+        const Ending ending =
+            runCusp({"demo", "--out", m_folder.path()}, {"QT_QPA_PLATFORM=offscreen", "XDG_RUNTIME_DIR="});
+        QVERIFY2(ending.exitCode == 0, ending.error);
+        QCOMPARE(ending.error, QByteArray());
+    }
+
+    void drawsOnADisplayOfItsOwn()
+    {
+        for (const char* name : {"attempt.cusprec", "score.txt", "score.json"})
+            QVERIFY2(QFile::exists(m_folder.filePath(name)), name);
+        QVERIFY(!QImage(m_folder.filePath("picture.png")).isNull());
+    }
+
+    void withoutAPictureAllElseIsThere()
+    {
+        const QTemporaryDir folder;
+        const Ending ending = runCusp({"demo", "--out", folder.path()}, {"PATH=/nowhere"});  // no xvfb-run
+        QCOMPARE(ending.exitCode, 1);
+        QVERIFY2(ending.error.startsWith("cusp: The picture could not be drawn") && ending.error.count('\n') == 1,
+                 ending.error);
+        for (const char* name : {"attempt.cusprec", "score.txt", "score.json"})
+            QVERIFY2(QFile::exists(folder.filePath(name)), name);
+    }
+
+    void picturesWithoutOpenGlAreRefused()
+    {
+        const Ending ending =
+            runCusp({"--recording", m_folder.filePath("attempt.cusprec"), "--picture", m_folder.filePath("none.png")},
+                    {"QT_QPA_PLATFORM=offscreen"});
+        QCOMPARE(ending.exitCode, 1);
+        QVERIFY2(ending.error.contains("cusp: the picture could not be drawn"), ending.error);
+        QVERIFY(!QFile::exists(m_folder.filePath("none.png")));
+    }
+
+    void theSimulatedFalconTakesTheDecayOutToo()
+    {
+        const QTemporaryDir folder;
+        const Ending ending =
+            runCusp({"demo", "--device", "simulated", "--out", folder.path()}, {"PATH=/nowhere"});  // no picture
+        QVERIFY2(ending.out.contains("passed"), ending.out);
+        QCOMPARE(runCusp({"demo", "--device", "robot", "--out", folder.path()}).exitCode, 2);
+    }
 
 private:
     QTemporaryDir m_folder;
 };
-
-/// The one attempt that all look at; offscreen, as scripts set it, is no reason to draw nothing.
-void TestDemoCommand::initTestCase()
-{
-    const Ending ending =
-        runCusp({"demo", "--out", m_folder.path()}, {"QT_QPA_PLATFORM=offscreen", "XDG_RUNTIME_DIR="});
-    QVERIFY2(ending.exitCode == 0, ending.error);
-    QCOMPARE(ending.error, QByteArray());
-}
-
-void TestDemoCommand::drawsOnADisplayOfItsOwn()
-{
-    for (const char* name : {"attempt.cusprec", "score.txt", "score.json"})
-        QVERIFY2(QFile::exists(m_folder.filePath(name)), name);
-    QVERIFY(!QImage(m_folder.filePath("picture.png")).isNull());
-}
-
-void TestDemoCommand::withoutAPictureAllElseIsThere()
-{
-    const QTemporaryDir folder;
-    const Ending ending = runCusp({"demo", "--out", folder.path()}, {"PATH=/nowhere"});  // no xvfb-run
-    QCOMPARE(ending.exitCode, 1);
-    QVERIFY2(ending.error.startsWith("cusp: The picture could not be drawn") && ending.error.count('\n') == 1,
-             ending.error);
-    for (const char* name : {"attempt.cusprec", "score.txt", "score.json"})
-        QVERIFY2(QFile::exists(folder.filePath(name)), name);
-}
-
-void TestDemoCommand::picturesWithoutOpenGlAreRefused()
-{
-    const Ending ending =
-        runCusp({"--recording", m_folder.filePath("attempt.cusprec"), "--picture", m_folder.filePath("none.png")},
-                {"QT_QPA_PLATFORM=offscreen"});
-    QCOMPARE(ending.exitCode, 1);
-    QVERIFY2(ending.error.contains("cusp: the picture could not be drawn"), ending.error);
-    QVERIFY(!QFile::exists(m_folder.filePath("none.png")));
-}
-
-void TestDemoCommand::theSimulatedFalconTakesTheDecayOutToo()
-{
-    const QTemporaryDir folder;
-    const Ending ending =
-        runCusp({"demo", "--device", "simulated", "--out", folder.path()}, {"PATH=/nowhere"});  // no picture
-    QVERIFY2(ending.out.contains("passed"), ending.out);
-    QCOMPARE(runCusp({"demo", "--device", "robot", "--out", folder.path()}).exitCode, 2);
-}
 
 QTEST_GUILESS_MAIN(TestDemoCommand)
 #include "tst_demo_command.moc"

@@ -12,10 +12,54 @@ class TestDemonstration : public QObject
     Q_OBJECT
 
 private slots:
-    void cutsTheIdeal_data();
-    void cutsTheIdeal();
-    void nothingIsShownOfAnExercise();
-    void everyBreachHasAName();
+    void cutsTheIdeal_data()
+    {
+        QTest::addColumn<QString>("lesson");
+        QTest::newRow("Class I") << "class1-24";
+        QTest::newRow("Class II, beside a neighbour") << "class2-36-distal";
+        QTest::newRow("a block") << "block-line";
+        QTest::newRow("decay") << "decay-36-small";
+    }
+
+    /// Nearly full marks, and twice the same attempt, made for the lesson.
+    void cutsTheIdeal()
+    {
+        QFETCH(QString, lesson);
+        const lessons::Assignment assignment = assignmentOf(lesson);
+        const auto first = app::demonstrate(assignment, false);
+        QVERIFY(first.has_value());
+        QCOMPARE(first->recording->lesson(), assignment.lesson->json);
+        const auto marked = lessons::markAgain(*first->recording);
+        QVERIFY(marked.has_value());
+        QVERIFY(marked->outcome.agreesWithWitness);
+        QVERIFY2(marked->mark.sheet.totalTenths >= 980, qPrintable(QString::number(marked->mark.sheet.totalTenths)));
+        QVERIFY(marked->infractions.empty());
+        QVERIFY(first->recording->toBytes().size() < 1'000'000);
+        const auto again = app::demonstrate(assignment, false);
+        QCOMPARE(core::terrain::stateHash(again->tooth), core::terrain::stateHash(first->tooth));
+        QCOMPARE(again->recording->toBytes(), first->recording->toBytes());
+    }
+
+    void nothingIsShownOfAnExercise()
+    {
+        const auto refused = app::demonstrate(assignmentOf("orientation-2-hold"), false);
+        QVERIFY(!refused && refused.error().code == core::ErrorCode::WrongKind);
+        QVERIFY(!lessons::lessonNamed("none").has_value());
+    }
+
+    void everyBreachHasAName()
+    {
+        using core::grading::Breach;
+        QSet<QString> names;
+        constexpr int kBreaches = static_cast<int>(Breach::NeighbourHit) + 1;
+        for (int k = 0; k < kBreaches; ++k) {
+            core::grading::Infraction infraction;
+            infraction.breach = static_cast<Breach>(k);
+            names << app::cli::toJson(std::vector{infraction})[0].toObject()["what"].toString();
+        }
+        QCOMPARE(names.size(), kBreaches);
+        QVERIFY(names.contains("neighbour_hit") && !names.contains(QString()));
+    }
 
 private:
     static lessons::Assignment assignmentOf(const QString& id)
@@ -24,55 +68,6 @@ private:
         return lessons::assign(lesson.value()).value().assignment;
     }
 };
-
-void TestDemonstration::cutsTheIdeal_data()
-{
-    QTest::addColumn<QString>("lesson");
-    QTest::newRow("Class I") << "class1-24";
-    QTest::newRow("Class II, beside a neighbour") << "class2-36-distal";
-    QTest::newRow("a block") << "block-line";
-    QTest::newRow("decay") << "decay-36-small";
-}
-
-/// Nearly full marks, and twice the same attempt, made for the lesson.
-void TestDemonstration::cutsTheIdeal()
-{
-    QFETCH(QString, lesson);
-    const lessons::Assignment assignment = assignmentOf(lesson);
-    const auto first = app::demonstrate(assignment, false);
-    QVERIFY(first.has_value());
-    QCOMPARE(first->recording->lesson(), assignment.lesson->json);
-    const auto marked = lessons::markAgain(*first->recording);
-    QVERIFY(marked.has_value());
-    QVERIFY(marked->outcome.agreesWithWitness);
-    QVERIFY2(marked->mark.sheet.totalTenths >= 980, qPrintable(QString::number(marked->mark.sheet.totalTenths)));
-    QVERIFY(marked->infractions.empty());
-    QVERIFY(first->recording->toBytes().size() < 1'000'000);
-    const auto again = app::demonstrate(assignment, false);
-    QCOMPARE(core::terrain::stateHash(again->tooth), core::terrain::stateHash(first->tooth));
-    QCOMPARE(again->recording->toBytes(), first->recording->toBytes());
-}
-
-void TestDemonstration::nothingIsShownOfAnExercise()
-{
-    const auto refused = app::demonstrate(assignmentOf(QStringLiteral("orientation-2-hold")), false);
-    QVERIFY(!refused && refused.error().code == core::ErrorCode::WrongKind);
-    QVERIFY(!lessons::lessonNamed(QStringLiteral("none")).has_value());
-}
-
-void TestDemonstration::everyBreachHasAName()
-{
-    using core::grading::Breach;
-    QSet<QString> names;
-    constexpr int kBreaches = static_cast<int>(Breach::NeighbourHit) + 1;
-    for (int k = 0; k < kBreaches; ++k) {
-        core::grading::Infraction infraction;
-        infraction.breach = static_cast<Breach>(k);
-        names << app::cli::toJson(std::vector{infraction})[0].toObject()["what"].toString();
-    }
-    QCOMPARE(names.size(), kBreaches);
-    QVERIFY(names.contains("neighbour_hit") && !names.contains(QString()));
-}
 
 QTEST_GUILESS_MAIN(TestDemonstration)
 #include "tst_demonstration.moc"

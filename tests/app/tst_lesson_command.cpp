@@ -22,18 +22,280 @@ class TestLessonCommand : public QObject
 private slots:
     void init() { m_folder.emplace(); }
 
-    void whatIsBegunCanBeGiven_data();
-    void whatIsBegunCanBeGiven();
-    void anExpertAtAnotherToothIsNoted();
-    void aCapturedIdealGoesIntoALesson();
-    void aScanGoesIntoALesson();
-    void checkSaysWhatCannotBeEarned();
-    void captureRefusesWithASentence();
-    void overwritesNothing();
-    void wrongUsage_data();
-    void wrongUsage();
-    void aPackGoesThere();
-    void drawsWhatALessonAsksFor();
+    void whatIsBegunCanBeGiven_data()
+    {
+        QTest::addColumn<QStringList>("options");
+        QTest::newRow("nothing said") << QStringList{};
+        QTest::newRow("decay on 24") << QStringList{"--tooth", "24", "--task", "remove_decay", "--seed", "3"};
+        QTest::newRow("a Class I on 26") << QStringList{"--tooth", "26", "--task", "cut_ideal"};
+        QTest::newRow("an access on 21") << QStringList{"--tooth", "21", "--task", "cut_ideal"};
+        QTest::newRow("a block") << QStringList{"--tooth", "block:cross"};
+        QTest::newRow("from a shipped one") << QStringList{"--from", "class1-36", "--title", "Mine"};
+        QTest::newRow("from a shipped one, on another tooth") << QStringList{"--from", "class1-36", "--tooth", "37"};
+    }
+
+    void whatIsBegunCanBeGiven()
+    {
+        QFETCH(QStringList, options);
+        const QString out = file("mine.lesson.json");
+        const Ending begun = runCusp(QStringList{"lesson", "new", "--id", "mine", "--out", out} + options);
+        QVERIFY2(begun.exitCode == 0, begun.error.constData());
+        const Ending checked = runCusp({"lesson", "check", out, "--json"});
+        QVERIFY2(checked.exitCode == 0, checked.out.constData());
+        const QJsonObject lesson = checked.json()["lessons"].toArray()[0].toObject();
+        QCOMPARE(lesson["id"].toString(), QString("mine"));
+        QVERIFY2(lesson["faults"].toArray().isEmpty(), checked.out.constData());
+    }
+
+    void anExpertAtAnotherToothIsNoted()
+    {
+        QVERIFY(QFile::copy(golden(), file("expert.cusprec")));
+        QFile lesson(file("mine.lesson.json"));
+        QVERIFY(lesson.open(QIODevice::WriteOnly));
+        lesson.write(R"({"format": 1, "based_on": "ideal-1-class1-1-36.lesson.json", "id": "mine",
+                         "expert": {"recording": "expert.cusprec"}})");
+        lesson.close();
+        const Ending checked = runCusp({"lesson", "check", lesson.fileName(), "--json"});
+        QVERIFY2(checked.exitCode == 0, checked.error.constData());
+        const QJsonArray faults = checked.json()["lessons"].toArray()[0].toObject()["faults"].toArray();
+        QCOMPARE(faults.size(), 1);
+        const QJsonObject fault = faults[0].toObject();
+        QCOMPARE(fault["key"].toString(), QString("expert.recording"));
+        QVERIFY2(fault["what"].toString().startsWith("expert.cusprec: the attempt is at the tooth"),
+                 qPrintable(fault["what"].toString()));
+        QVERIFY(!fault["grave"].toBool());
+        const Ending told = runCusp({"lesson", "check", lesson.fileName()});
+        QVERIFY2(told.out.contains("mine.lesson.json, expert.recording: expert.cusprec"), told.out.constData());
+        QVERIFY(told.out.contains("is sound"));
+        // A lesson has an id as well as a file; what is neither is one more line, and no end.
+        const Ending named = runCusp({"lesson", "check", "class1-99", "block-line", "--json"});
+        QCOMPARE(named.exitCode, 1);
+        const QJsonArray both = named.json()["lessons"].toArray();
+        QCOMPARE(both.size(), 2);
+        QVERIFY(!both[0].toObject()["sound"].toBool() && both[1].toObject()["sound"].toBool());
+        QCOMPARE(both[1].toObject()["id"].toString(), QString("block-line"));
+    }
+
+    void aCapturedIdealGoesIntoALesson()
+    {
+        const Ending captured =
+            runCusp({"lesson", "capture", "--out", file("own.cuspideal"), golden(), "--outline", "0.4", "--json"});
+        QVERIFY2(captured.exitCode == 0, captured.error.constData());
+        QCOMPARE(captured.json()["outline_mm"].toDouble(), 0.4);
+        QCOMPARE(captured.json()["sources"].toArray().size(), 1);
+        QVERIFY(captured.json()["columns"].toInt() > 10);
+        // That tooth is none that a lesson could name: it says so, and leaves nothing behind.
+        const QString out = file("mine.lesson.json");
+        const Ending refused = runCusp({"lesson", "new", "--id", "mine", "--from", "class1-36", "--captured",
+                                        file("own.cuspideal"), "--out", out});
+        QCOMPARE(refused.exitCode, 1);
+        QVERIFY2(refused.isOneSentence() &&
+                     refused.error.contains("ideal.captured: \"own.cuspideal\" was captured on the tooth"),
+                 refused.error.constData());
+        QVERIFY(!QFileInfo::exists(out));
+
+        // On one of ours it is there to be cut, whether that is said or not, and its tolerances go along.
+        const QString work = file("work");
+        QVERIFY(runCusp({"demo", "--lesson", "class1-24", "--out", work}).exitCode != 2);
+        QCOMPARE(
+            runCusp({"lesson", "capture", "--out", file("cut.cuspideal"), work + "/attempt.cusprec", "--depth", "0.33"})
+                .exitCode,
+            0);
+        const QStringList begin{"lesson", "new", "--id", "mine", "--captured", file("cut.cuspideal"), "--out", out};
+        const Ending begun = runCusp(begin + QStringList{"--tooth", "24"});
+        QVERIFY2(begun.exitCode == 0, begun.error.constData());
+        QFile lesson(out);
+        QVERIFY(lesson.open(QIODevice::ReadOnly));
+        const QJsonObject written = QJsonDocument::fromJson(lesson.readAll()).object();
+        QCOMPARE(written["task"].toString(), QString("cut_ideal"));
+        const QJsonObject depth = written["rubric"].toObject()["criteria"].toArray()[0].toObject();
+        QCOMPARE(depth["measure"].toString(), QString("depth_error_p95_mm"));
+        QCOMPARE(depth["tolerance"].toDouble(), 0.33);
+        const Ending checked = runCusp({"lesson", "check", out, "--json"});
+        QCOMPARE(checked.exitCode, 0);
+        QVERIFY2(checked.json()["lessons"].toArray()[0].toObject()["faults"].toArray().isEmpty(),
+                 checked.out.constData());
+        QVERIFY(lesson.remove());
+        for (const QStringList& otherwise :
+             {QStringList{"--tooth", "24", "--task", "remove_decay"}, QStringList{"--from", "decay-24-small"}}) {
+            const Ending refusedToo = runCusp(begin + otherwise);
+            QCOMPARE(refusedToo.exitCode, 1);
+            QVERIFY2(refusedToo.isOneSentence() && refusedToo.error.contains("cut_ideal"),
+                     refusedToo.error.constData());
+            QVERIFY(!QFileInfo::exists(out));
+        }
+    }
+
+    void aScanGoesIntoALesson()
+    {
+        // Any mesh of a tooth will do.
+        const QString scan = file("tooth.obj");
+        QCOMPARE(runCusp({"tooth", "36", "--export", scan}).exitCode, 0);
+        const QString out = file("course/scan.lesson.json");
+        QVERIFY(QDir(m_folder->path()).mkdir("course"));
+        const QStringList begin{"lesson", "new", "--id", "scan", "--tooth", scan, "--out", out};
+        const Ending begun = runCusp(begin + QStringList{"--unit", "mm", "--up", "+z", "--fdi", "36"});
+        QVERIFY2(begun.exitCode == 0, begun.error.constData());
+        const Ending checked = runCusp({"lesson", "check", out, "--json"});
+        QVERIFY2(checked.exitCode == 0, checked.out.constData());
+        QCOMPARE(checked.json()["lessons"].toArray()[0].toObject()["tooth"].toString(), QString("tooth.obj"));
+        // A scan of no use is not left beside.
+        QFile noise(file("noise.stl"));
+        QVERIFY(noise.open(QIODevice::WriteOnly) && noise.write("hello") == 5);
+        noise.close();
+        const Ending refused =
+            runCusp({"lesson", "new", "--id", "a", "--tooth", noise.fileName(), "--out", file("course/a.lesson.json")});
+        QVERIFY2(refused.exitCode == 1 && refused.isOneSentence(), refused.error.constData());
+        QVERIFY(!QFileInfo::exists(file("course/noise.stl")) && !QFileInfo::exists(file("course/a.lesson.json")));
+        // One that is spoilt later is told with its key.
+        QFile spoilt(file("course/tooth.obj"));
+        QVERIFY(spoilt.open(QIODevice::WriteOnly) && spoilt.write("hello") == 5);
+        spoilt.close();
+        const Ending told = runCusp({"lesson", "check", out});
+        QVERIFY2(told.exitCode == 1 && told.error.contains("scan.lesson.json tooth.scan: "), told.error.constData());
+    }
+
+    void checkSaysWhatCannotBeEarned()
+    {
+        const auto write = [&](const QString& name, const QByteArray& content) {
+            QFile lesson(file(name));
+            QVERIFY(lesson.open(QIODevice::WriteOnly) && lesson.write(content) == content.size());
+        };
+        write("odd.lesson.json", R"({"format": 1, "based_on": "block-1-line.lesson.json", "id": "odd",
+            "rubric": {"id": "odd", "title": "Odd", "criteria": [
+                {"id": "target", "measure": "target_removed_percent", "side": "under", "target": 100, "weight": 60},
+                {"id": "decay", "measure": "caries_left_percent", "weight": 40}]}})");
+        const Ending noted = runCusp({"lesson", "check", file("odd.lesson.json")});
+        QCOMPARE(noted.exitCode, 0);
+        QVERIFY2(noted.out.contains("gets 60.0 of 100 points, because of decay (cannot be measured here)"),
+                 noted.out.constData());
+        // Decay as well; what is about the way of an attempt, nobody knows beforehand.
+        write("held.lesson.json", R"({"format": 1, "based_on": "decay-36-1-small.lesson.json", "id": "held",
+            "rubric": {"id": "held", "title": "Held", "criteria": [
+                {"id": "left", "measure": "caries_left_percent", "weight": 50},
+                {"id": "start", "measure": "time_to_first_cut_s", "tolerance": 60, "weight": 20},
+                {"id": "hold", "measure": "hold_longest_s", "side": "under", "target": 5, "weight": 30}]}})");
+        const Ending held = runCusp({"lesson", "check", file("held.lesson.json")});
+        QCOMPARE(held.exitCode, 0);
+        QVERIFY2(held.out.contains("gets 70.0 of 100 points, because of hold (cannot be measured here)"),
+                 held.out.constData());
+        // An expert's recording that cannot be replayed: the lesson can be given without it, and the teacher is told.
+        write("expert.cusprec", "CUSPREC");
+        write("led.lesson.json", R"({"format": 1, "based_on": "block-1-line.lesson.json", "id": "led",
+            "expert": {"recording": "expert.cusprec"}})");
+        const Ending led = runCusp({"lesson", "check", file("led.lesson.json")});
+        QCOMPARE(led.exitCode, 0);
+        QVERIFY2(led.out.contains("led.lesson.json, expert.recording: ") && led.out.contains("is not a Cusp recording"),
+                 led.out.constData());
+    }
+
+    void captureRefusesWithASentence()
+    {
+        const QString out = file("own.cuspideal");
+        QFile noise(file("noise.cusprec"));
+        QVERIFY(noise.open(QIODevice::WriteOnly) && noise.write("hello") == 5);
+        noise.close();
+        for (const QStringList& recordings :
+             {QStringList{file("none.cusprec")}, QStringList{golden(), noise.fileName()}}) {
+            const Ending refused = runCusp(QStringList{"lesson", "capture", "--out", out} + recordings);
+            QCOMPARE(refused.exitCode, 1);
+            QVERIFY2(refused.isOneSentence(), refused.error.constData());
+            QVERIFY2(refused.error.contains("cusprec"), refused.error.constData());
+        }
+        QVERIFY(QFile::copy(golden(), file("again.cusprec")));
+        const Ending twice = runCusp({"lesson", "capture", "--out", out, golden(), file("again.cusprec")});
+        QVERIFY2(twice.exitCode == 1 && twice.isOneSentence() && twice.error.contains("once more"),
+                 twice.error.constData());
+        const Ending wide = runCusp({"lesson", "capture", "--out", out, golden(), "--depth", "-1"});
+        QVERIFY2(wide.exitCode == 1 && wide.error.contains("tolerance of the depth"), wide.error.constData());
+        QVERIFY(!QFileInfo::exists(out));
+    }
+
+    void overwritesNothing()
+    {
+        for (const QString name : {"a.lesson.json", "a.cuspideal", "a.cusplessons"}) {
+            QFile there(file(name));
+            QVERIFY(there.open(QIODevice::WriteOnly) && there.write("mine") == 4);
+        }
+        for (const QStringList& command :
+             {QStringList{"new", "--id", "a", "--out", file("a.lesson.json")},
+              QStringList{"capture", golden(), "--out", file("a.cuspideal")},
+              QStringList{"pack", file("a.lesson.json"), "--out", file("a.cusplessons")}}) {
+            const Ending refused = runCusp(QStringList{"lesson"} + command);
+            QCOMPARE(refused.exitCode, 1);
+            QVERIFY2(refused.isOneSentence() && refused.error.contains("is not overwritten"),
+                     refused.error.constData());
+        }
+    }
+
+    void wrongUsage_data()
+    {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::newRow("no id") << QStringList{"new", "--out", "x.lesson.json"};
+        QTest::newRow("a task unheard of") << QStringList{"new", "--id", "a", "--task", "polish"};
+        QTest::newRow("a tooth in words") << QStringList{"new", "--id", "a", "--tooth", "molar"};
+        QTest::newRow("another suffix") << QStringList{"new", "--id", "a", "--out", "a.txt"};
+        QTest::newRow("nothing to pack") << QStringList{"pack", "--out", "a.cusplessons"};
+        QTest::newRow("no pack named") << QStringList{"unpack"};
+        QTest::newRow("no recording") << QStringList{"capture", "--out", "a.cuspideal"};
+        QTest::newRow("a tolerance in words")
+            << QStringList{"capture", "--out", "a.cuspideal", "a.cusprec", "--depth", "x"};
+        QTest::newRow("no picture named") << QStringList{"preview", "a.lesson.json"};
+        QTest::newRow("a picture too small")
+            << QStringList{"preview", "a.lesson.json", "--out", "a.png", "--size", "100x100"};
+    }
+
+    void wrongUsage()
+    {
+        QFETCH(QStringList, arguments);
+        const Ending ending = runCusp(QStringList{"lesson"} + arguments);
+        QCOMPARE(ending.exitCode, 2);
+        QVERIFY2(ending.isOneSentence(), ending.error.constData());
+    }
+
+    void aPackGoesThere()
+    {
+        const QString lesson = file("mine.lesson.json");
+        QCOMPARE(runCusp({"lesson", "new", "--id", "mine", "--from", "class1-36", "--out", lesson}).exitCode, 0);
+        const QString pack = file("course.cusplessons");
+        const Ending packed = runCusp({"lesson", "pack", lesson, "--out", pack});
+        QVERIFY2(packed.exitCode == 0, packed.error.constData());
+        QVERIFY(packed.out.contains("mine.lesson.json"));
+        const Ending unpacked = runCusp({"lesson", "unpack", pack, "--folder", file("theirs")});
+        QVERIFY2(unpacked.exitCode == 0, unpacked.error.constData());
+        QCOMPARE(runCusp({"lesson", "check", file("theirs/mine.lesson.json")}).exitCode, 0);
+        // And without being unpacked, where the packs of a folder are looked for.
+        const Ending listed =
+            runCusp({"lesson", "list", "--folder", m_folder->path(), "--json"}, {"XDG_CACHE_HOME=" + file("cache")});
+        bool offered = false;
+        for (const QJsonValue entry : listed.json()["lessons"].toArray())
+            offered = offered || entry.toObject()["id"].toString() == "mine";
+        QVERIFY(offered);
+        // A damaged one is refused, and nothing is written.
+        QFile damaged(pack);
+        QVERIFY(damaged.resize(damaged.size() / 2));
+        const Ending refused = runCusp({"lesson", "unpack", pack, "--folder", file("nobody")});
+        QVERIFY2(refused.exitCode == 1 && refused.isOneSentence() && refused.error.contains("course.cusplessons"),
+                 refused.error.constData());
+        QVERIFY(!QFileInfo::exists(file("nobody")));
+    }
+
+    void drawsWhatALessonAsksFor()
+    {
+        const QString lesson = file("mine.lesson.json");
+        QCOMPARE(runCusp({"lesson", "new", "--id", "mine", "--from", "class1-36", "--out", lesson}).exitCode, 0);
+        const Ending drawn = runCusp({"lesson", "preview", lesson, "--out", file("a.png"), "--size", "1000x700"});
+        QVERIFY2(drawn.exitCode == 0, drawn.error.constData());
+        const QImage sheet(file("a.png"));
+        QCOMPARE(sheet.size(), QSize(1000, 700));
+        QVERIFY(drawn.out.isEmpty());
+        QFile faulty(file("faulty.lesson.json"));
+        QVERIFY(faulty.open(QIODevice::WriteOnly) && faulty.write("{\"format\": 1}") > 0);
+        faulty.close();
+        const Ending refused = runCusp({"lesson", "preview", faulty.fileName(), "--out", file("b.png")});
+        QVERIFY2(refused.exitCode == 1 && refused.isOneSentence(), refused.error.constData());
+        QVERIFY(!QFileInfo::exists(file("b.png")));
+    }
 
 private:
     QString file(const QString& name) const { return m_folder->filePath(name); }
@@ -41,276 +303,6 @@ private:
 
     std::optional<QTemporaryDir> m_folder;
 };
-
-void TestLessonCommand::whatIsBegunCanBeGiven_data()
-{
-    QTest::addColumn<QStringList>("options");
-    QTest::newRow("nothing said") << QStringList{};
-    QTest::newRow("decay on 24") << QStringList{"--tooth", "24", "--task", "remove_decay", "--seed", "3"};
-    QTest::newRow("a Class I on 26") << QStringList{"--tooth", "26", "--task", "cut_ideal"};
-    QTest::newRow("an access on 21") << QStringList{"--tooth", "21", "--task", "cut_ideal"};
-    QTest::newRow("a block") << QStringList{"--tooth", "block:cross"};
-    QTest::newRow("from a shipped one") << QStringList{"--from", "class1-36", "--title", "Mine"};
-    QTest::newRow("from a shipped one, on another tooth") << QStringList{"--from", "class1-36", "--tooth", "37"};
-}
-
-void TestLessonCommand::whatIsBegunCanBeGiven()
-{
-    QFETCH(QStringList, options);
-    const QString out = file("mine.lesson.json");
-    const Ending begun = runCusp(QStringList{"lesson", "new", "--id", "mine", "--out", out} + options);
-    QVERIFY2(begun.exitCode == 0, begun.error.constData());
-    const Ending checked = runCusp({"lesson", "check", out, "--json"});
-    QVERIFY2(checked.exitCode == 0, checked.out.constData());
-    const QJsonObject lesson = checked.json()["lessons"].toArray()[0].toObject();
-    QCOMPARE(lesson["id"].toString(), QString("mine"));
-    QVERIFY2(lesson["faults"].toArray().isEmpty(), checked.out.constData());
-}
-
-void TestLessonCommand::anExpertAtAnotherToothIsNoted()
-{
-    QVERIFY(QFile::copy(golden(), file("expert.cusprec")));
-    QFile lesson(file("mine.lesson.json"));
-    QVERIFY(lesson.open(QIODevice::WriteOnly));
-    lesson.write(R"({"format": 1, "based_on": "ideal-1-class1-1-36.lesson.json", "id": "mine",
-                     "expert": {"recording": "expert.cusprec"}})");
-    lesson.close();
-    const Ending checked = runCusp({"lesson", "check", lesson.fileName(), "--json"});
-    QVERIFY2(checked.exitCode == 0, checked.error.constData());
-    const QJsonArray faults = checked.json()["lessons"].toArray()[0].toObject()["faults"].toArray();
-    QCOMPARE(faults.size(), 1);
-    const QJsonObject fault = faults[0].toObject();
-    QCOMPARE(fault["key"].toString(), QString("expert.recording"));
-    QVERIFY2(fault["what"].toString().startsWith("expert.cusprec: the attempt is at the tooth"),
-             qPrintable(fault["what"].toString()));
-    QVERIFY(!fault["grave"].toBool());
-    const Ending told = runCusp({"lesson", "check", lesson.fileName()});
-    QVERIFY2(told.out.contains("mine.lesson.json, expert.recording: expert.cusprec"), told.out.constData());
-    QVERIFY(told.out.contains("is sound"));
-    // A lesson has an id as well as a file; what is neither is one more line, and no end.
-    const Ending named = runCusp({"lesson", "check", "class1-99", "block-line", "--json"});
-    QCOMPARE(named.exitCode, 1);
-    const QJsonArray both = named.json()["lessons"].toArray();
-    QCOMPARE(both.size(), 2);
-    QVERIFY(!both[0].toObject()["sound"].toBool() && both[1].toObject()["sound"].toBool());
-    QCOMPARE(both[1].toObject()["id"].toString(), QString("block-line"));
-}
-
-void TestLessonCommand::aCapturedIdealGoesIntoALesson()
-{
-    const Ending captured =
-        runCusp({"lesson", "capture", "--out", file("own.cuspideal"), golden(), "--outline", "0.4", "--json"});
-    QVERIFY2(captured.exitCode == 0, captured.error.constData());
-    QCOMPARE(captured.json()["outline_mm"].toDouble(), 0.4);
-    QCOMPARE(captured.json()["sources"].toArray().size(), 1);
-    QVERIFY(captured.json()["columns"].toInt() > 10);
-    // That tooth is none that a lesson could name: it says so, and leaves nothing behind.
-    const QString out = file("mine.lesson.json");
-    const Ending refused = runCusp(
-        {"lesson", "new", "--id", "mine", "--from", "class1-36", "--captured", file("own.cuspideal"), "--out", out});
-    QCOMPARE(refused.exitCode, 1);
-    QVERIFY2(refused.isOneSentence() &&
-                 refused.error.contains("ideal.captured: \"own.cuspideal\" was captured on the tooth"),
-             refused.error.constData());
-    QVERIFY(!QFileInfo::exists(out));
-
-    // On one of ours it is there to be cut, whether that is said or not, and its tolerances go along.
-    const QString work = file("work");
-    QVERIFY(runCusp({"demo", "--lesson", "class1-24", "--out", work}).exitCode != 2);
-    QCOMPARE(
-        runCusp({"lesson", "capture", "--out", file("cut.cuspideal"), work + "/attempt.cusprec", "--depth", "0.33"})
-            .exitCode,
-        0);
-    const QStringList begin{"lesson", "new", "--id", "mine", "--captured", file("cut.cuspideal"), "--out", out};
-    const Ending begun = runCusp(begin + QStringList{"--tooth", "24"});
-    QVERIFY2(begun.exitCode == 0, begun.error.constData());
-    QFile lesson(out);
-    QVERIFY(lesson.open(QIODevice::ReadOnly));
-    const QJsonObject written = QJsonDocument::fromJson(lesson.readAll()).object();
-    QCOMPARE(written["task"].toString(), QString("cut_ideal"));
-    const QJsonObject depth = written["rubric"].toObject()["criteria"].toArray()[0].toObject();
-    QCOMPARE(depth["measure"].toString(), QString("depth_error_p95_mm"));
-    QCOMPARE(depth["tolerance"].toDouble(), 0.33);
-    const Ending checked = runCusp({"lesson", "check", out, "--json"});
-    QCOMPARE(checked.exitCode, 0);
-    QVERIFY2(checked.json()["lessons"].toArray()[0].toObject()["faults"].toArray().isEmpty(), checked.out.constData());
-    QVERIFY(lesson.remove());
-    for (const QStringList& otherwise :
-         {QStringList{"--tooth", "24", "--task", "remove_decay"}, QStringList{"--from", "decay-24-small"}}) {
-        const Ending refusedToo = runCusp(begin + otherwise);
-        QCOMPARE(refusedToo.exitCode, 1);
-        QVERIFY2(refusedToo.isOneSentence() && refusedToo.error.contains("cut_ideal"), refusedToo.error.constData());
-        QVERIFY(!QFileInfo::exists(out));
-    }
-}
-
-void TestLessonCommand::aScanGoesIntoALesson()
-{
-    // Any mesh of a tooth will do.
-    const QString scan = file("tooth.obj");
-    QCOMPARE(runCusp({"tooth", "36", "--export", scan}).exitCode, 0);
-    const QString out = file("course/scan.lesson.json");
-    QVERIFY(QDir(m_folder->path()).mkdir("course"));
-    const QStringList begin{"lesson", "new", "--id", "scan", "--tooth", scan, "--out", out};
-    const Ending begun = runCusp(begin + QStringList{"--unit", "mm", "--up", "+z", "--fdi", "36"});
-    QVERIFY2(begun.exitCode == 0, begun.error.constData());
-    const Ending checked = runCusp({"lesson", "check", out, "--json"});
-    QVERIFY2(checked.exitCode == 0, checked.out.constData());
-    QCOMPARE(checked.json()["lessons"].toArray()[0].toObject()["tooth"].toString(), QString("tooth.obj"));
-    // A scan of no use is not left beside.
-    QFile noise(file("noise.stl"));
-    QVERIFY(noise.open(QIODevice::WriteOnly) && noise.write("hello") == 5);
-    noise.close();
-    const Ending refused =
-        runCusp({"lesson", "new", "--id", "a", "--tooth", noise.fileName(), "--out", file("course/a.lesson.json")});
-    QVERIFY2(refused.exitCode == 1 && refused.isOneSentence(), refused.error.constData());
-    QVERIFY(!QFileInfo::exists(file("course/noise.stl")) && !QFileInfo::exists(file("course/a.lesson.json")));
-    // One that is spoilt later is told with its key.
-    QFile spoilt(file("course/tooth.obj"));
-    QVERIFY(spoilt.open(QIODevice::WriteOnly) && spoilt.write("hello") == 5);
-    spoilt.close();
-    const Ending told = runCusp({"lesson", "check", out});
-    QVERIFY2(told.exitCode == 1 && told.error.contains("scan.lesson.json tooth.scan: "), told.error.constData());
-}
-
-void TestLessonCommand::checkSaysWhatCannotBeEarned()
-{
-    const auto write = [&](const QString& name, const QByteArray& content) {
-        QFile lesson(file(name));
-        QVERIFY(lesson.open(QIODevice::WriteOnly) && lesson.write(content) == content.size());
-    };
-    write("odd.lesson.json", R"({"format": 1, "based_on": "block-1-line.lesson.json", "id": "odd",
-        "rubric": {"id": "odd", "title": "Odd", "criteria": [
-            {"id": "target", "measure": "target_removed_percent", "side": "under", "target": 100, "weight": 60},
-            {"id": "decay", "measure": "caries_left_percent", "weight": 40}]}})");
-    const Ending noted = runCusp({"lesson", "check", file("odd.lesson.json")});
-    QCOMPARE(noted.exitCode, 0);
-    QVERIFY2(noted.out.contains("gets 60.0 of 100 points, because of decay (cannot be measured here)"),
-             noted.out.constData());
-    // Decay as well; what is about the way of an attempt, nobody knows beforehand.
-    write("held.lesson.json", R"({"format": 1, "based_on": "decay-36-1-small.lesson.json", "id": "held",
-        "rubric": {"id": "held", "title": "Held", "criteria": [
-            {"id": "left", "measure": "caries_left_percent", "weight": 50},
-            {"id": "start", "measure": "time_to_first_cut_s", "tolerance": 60, "weight": 20},
-            {"id": "hold", "measure": "hold_longest_s", "side": "under", "target": 5, "weight": 30}]}})");
-    const Ending held = runCusp({"lesson", "check", file("held.lesson.json")});
-    QCOMPARE(held.exitCode, 0);
-    QVERIFY2(held.out.contains("gets 70.0 of 100 points, because of hold (cannot be measured here)"),
-             held.out.constData());
-    // An expert's recording that cannot be replayed: the lesson can be given without it, and the teacher is told.
-    write("expert.cusprec", "CUSPREC");
-    write("led.lesson.json", R"({"format": 1, "based_on": "block-1-line.lesson.json", "id": "led",
-        "expert": {"recording": "expert.cusprec"}})");
-    const Ending led = runCusp({"lesson", "check", file("led.lesson.json")});
-    QCOMPARE(led.exitCode, 0);
-    QVERIFY2(led.out.contains("led.lesson.json, expert.recording: ") && led.out.contains("is not a Cusp recording"),
-             led.out.constData());
-}
-
-void TestLessonCommand::captureRefusesWithASentence()
-{
-    const QString out = file("own.cuspideal");
-    QFile noise(file("noise.cusprec"));
-    QVERIFY(noise.open(QIODevice::WriteOnly) && noise.write("hello") == 5);
-    noise.close();
-    for (const QStringList& recordings : {QStringList{file("none.cusprec")}, QStringList{golden(), noise.fileName()}}) {
-        const Ending refused = runCusp(QStringList{"lesson", "capture", "--out", out} + recordings);
-        QCOMPARE(refused.exitCode, 1);
-        QVERIFY2(refused.isOneSentence(), refused.error.constData());
-        QVERIFY2(refused.error.contains("cusprec"), refused.error.constData());
-    }
-    QVERIFY(QFile::copy(golden(), file("again.cusprec")));
-    const Ending twice = runCusp({"lesson", "capture", "--out", out, golden(), file("again.cusprec")});
-    QVERIFY2(twice.exitCode == 1 && twice.isOneSentence() && twice.error.contains("once more"),
-             twice.error.constData());
-    const Ending wide = runCusp({"lesson", "capture", "--out", out, golden(), "--depth", "-1"});
-    QVERIFY2(wide.exitCode == 1 && wide.error.contains("tolerance of the depth"), wide.error.constData());
-    QVERIFY(!QFileInfo::exists(out));
-}
-
-void TestLessonCommand::overwritesNothing()
-{
-    for (const QString name : {"a.lesson.json", "a.cuspideal", "a.cusplessons"}) {
-        QFile there(file(name));
-        QVERIFY(there.open(QIODevice::WriteOnly) && there.write("mine") == 4);
-    }
-    for (const QStringList& command : {QStringList{"new", "--id", "a", "--out", file("a.lesson.json")},
-                                       QStringList{"capture", golden(), "--out", file("a.cuspideal")},
-                                       QStringList{"pack", file("a.lesson.json"), "--out", file("a.cusplessons")}}) {
-        const Ending refused = runCusp(QStringList{"lesson"} + command);
-        QCOMPARE(refused.exitCode, 1);
-        QVERIFY2(refused.isOneSentence() && refused.error.contains("is not overwritten"), refused.error.constData());
-    }
-}
-
-void TestLessonCommand::wrongUsage_data()
-{
-    QTest::addColumn<QStringList>("arguments");
-    QTest::newRow("no id") << QStringList{"new", "--out", "x.lesson.json"};
-    QTest::newRow("a task unheard of") << QStringList{"new", "--id", "a", "--task", "polish"};
-    QTest::newRow("a tooth in words") << QStringList{"new", "--id", "a", "--tooth", "molar"};
-    QTest::newRow("another suffix") << QStringList{"new", "--id", "a", "--out", "a.txt"};
-    QTest::newRow("nothing to pack") << QStringList{"pack", "--out", "a.cusplessons"};
-    QTest::newRow("no pack named") << QStringList{"unpack"};
-    QTest::newRow("no recording") << QStringList{"capture", "--out", "a.cuspideal"};
-    QTest::newRow("a tolerance in words")
-        << QStringList{"capture", "--out", "a.cuspideal", "a.cusprec", "--depth", "x"};
-    QTest::newRow("no picture named") << QStringList{"preview", "a.lesson.json"};
-    QTest::newRow("a picture too small") << QStringList{"preview", "a.lesson.json", "--out",
-                                                        "a.png",   "--size",        "100x100"};
-}
-
-void TestLessonCommand::wrongUsage()
-{
-    QFETCH(QStringList, arguments);
-    const Ending ending = runCusp(QStringList{"lesson"} + arguments);
-    QCOMPARE(ending.exitCode, 2);
-    QVERIFY2(ending.isOneSentence(), ending.error.constData());
-}
-
-void TestLessonCommand::aPackGoesThere()
-{
-    const QString lesson = file("mine.lesson.json");
-    QCOMPARE(runCusp({"lesson", "new", "--id", "mine", "--from", "class1-36", "--out", lesson}).exitCode, 0);
-    const QString pack = file("course.cusplessons");
-    const Ending packed = runCusp({"lesson", "pack", lesson, "--out", pack});
-    QVERIFY2(packed.exitCode == 0, packed.error.constData());
-    QVERIFY(packed.out.contains("mine.lesson.json"));
-    const Ending unpacked = runCusp({"lesson", "unpack", pack, "--folder", file("theirs")});
-    QVERIFY2(unpacked.exitCode == 0, unpacked.error.constData());
-    QCOMPARE(runCusp({"lesson", "check", file("theirs/mine.lesson.json")}).exitCode, 0);
-    // And without being unpacked, where the packs of a folder are looked for.
-    const Ending listed =
-        runCusp({"lesson", "list", "--folder", m_folder->path(), "--json"}, {"XDG_CACHE_HOME=" + file("cache")});
-    bool offered = false;
-    for (const QJsonValue entry : listed.json()["lessons"].toArray())
-        offered = offered || entry.toObject()["id"].toString() == "mine";
-    QVERIFY(offered);
-    // A damaged one is refused, and nothing is written.
-    QFile damaged(pack);
-    QVERIFY(damaged.resize(damaged.size() / 2));
-    const Ending refused = runCusp({"lesson", "unpack", pack, "--folder", file("nobody")});
-    QVERIFY2(refused.exitCode == 1 && refused.isOneSentence() && refused.error.contains("course.cusplessons"),
-             refused.error.constData());
-    QVERIFY(!QFileInfo::exists(file("nobody")));
-}
-
-void TestLessonCommand::drawsWhatALessonAsksFor()
-{
-    const QString lesson = file("mine.lesson.json");
-    QCOMPARE(runCusp({"lesson", "new", "--id", "mine", "--from", "class1-36", "--out", lesson}).exitCode, 0);
-    const Ending drawn = runCusp({"lesson", "preview", lesson, "--out", file("a.png"), "--size", "1000x700"});
-    QVERIFY2(drawn.exitCode == 0, drawn.error.constData());
-    const QImage sheet(file("a.png"));
-    QCOMPARE(sheet.size(), QSize(1000, 700));
-    QVERIFY(drawn.out.isEmpty());
-    QFile faulty(file("faulty.lesson.json"));
-    QVERIFY(faulty.open(QIODevice::WriteOnly) && faulty.write("{\"format\": 1}") > 0);
-    faulty.close();
-    const Ending refused = runCusp({"lesson", "preview", faulty.fileName(), "--out", file("b.png")});
-    QVERIFY2(refused.exitCode == 1 && refused.isOneSentence(), refused.error.constData());
-    QVERIFY(!QFileInfo::exists(file("b.png")));
-}
 
 QTEST_GUILESS_MAIN(TestLessonCommand)
 #include "tst_lesson_command.moc"

@@ -42,46 +42,43 @@ class TestLoopThread : public QObject
 {
     Q_OBJECT
 private slots:
-    void beatsUntilItIsAskedToStop();
-    void missedBeatsAreToldAndNotMadeUpFor();
-};
-
-void TestLoopThread::beatsUntilItIsAskedToStop()
-{
-    CountingLoop loop;
+    void beatsUntilItIsAskedToStop()
     {
-        app::LoopThread thread(loop, 1ms, app::LoopThread::Urgency::RealTime);
-        thread.start();
-        QTRY_VERIFY(loop.ticks > 50);
-        QCOMPARE(loop.begins.load(), 1);
-        QCOMPARE(loop.ends.load(), 0);
-    }  // asks and waits
-    QCOMPARE(loop.ends.load(), 1);
-    QVERIFY(loop.onlyWhole);
-    const int stopped = loop.ticks;
-    std::this_thread::sleep_for(20ms);  // in which it would tick 20 times
-    QCOMPARE(loop.ticks.load(), stopped);
-}
+        CountingLoop loop;
+        {
+            app::LoopThread thread(loop, 1ms, app::LoopThread::Urgency::RealTime);
+            thread.start();
+            QTRY_VERIFY(loop.ticks > 50);
+            QCOMPARE(loop.begins.load(), 1);
+            QCOMPARE(loop.ends.load(), 0);
+        }  // asks and waits
+        QCOMPARE(loop.ends.load(), 1);
+        QVERIFY(loop.onlyWhole);
+        const int stopped = loop.ticks;
+        std::this_thread::sleep_for(20ms);  // in which it would tick 20 times
+        QCOMPARE(loop.ticks.load(), stopped);
+    }
 
-void TestLoopThread::missedBeatsAreToldAndNotMadeUpFor()
-{
-    CountingLoop loop;
-    app::LoopThread thread(loop, 1ms, app::LoopThread::Urgency::Normal);
-    const auto start = std::chrono::steady_clock::now();
-    thread.start();
-    QTRY_VERIFY(loop.ticks > 20);
-    loop.sleepMsOnce = 100;
-    QTRY_VERIFY(loop.largestUs >= 100000);
-    const int ticks = loop.ticks;
-    QTRY_VERIFY(loop.ticks > ticks + 20);
-    thread.requestInterruption();
-    thread.wait();
-    const auto passed = std::chrono::steady_clock::now() - start;
-    // Every period is told once: the ticks missed came as one longer step, not as a burst.
-    QVERIFY(loop.toldUs <= std::chrono::duration_cast<std::chrono::microseconds>(passed).count() + 2000);
-    QVERIFY(loop.ticks <= passed / 1ms - 90);
-    QVERIFY(loop.onlyWhole);
-}
+    void missedBeatsAreToldAndNotMadeUpFor()
+    {
+        CountingLoop loop;
+        app::LoopThread thread(loop, 1ms, app::LoopThread::Urgency::Normal);
+        const auto start = std::chrono::steady_clock::now();
+        thread.start();
+        QTRY_VERIFY(loop.ticks > 20);
+        loop.sleepMsOnce = 100;
+        QTRY_VERIFY(loop.largestUs >= 100000);
+        const int ticks = loop.ticks;
+        QTRY_VERIFY(loop.ticks > ticks + 20);
+        thread.requestInterruption();
+        thread.wait();
+        const auto passed = std::chrono::steady_clock::now() - start;
+        // Every period is told once: the ticks missed came as one longer step, not as a burst.
+        QVERIFY(loop.toldUs <= std::chrono::duration_cast<std::chrono::microseconds>(passed).count() + 2000);
+        QVERIFY(loop.ticks <= passed / 1ms - 90);
+        QVERIFY(loop.onlyWhole);
+    }
+};
 
 QTEST_GUILESS_MAIN(TestLoopThread)
 #include "tst_loop_thread.moc"

@@ -45,56 +45,54 @@ struct Row
     const char* name;
     Of of;
     const char* options;
-    QMargins words = {};  ///< in them, which are not compared
+    const char* unlike = nullptr;  ///< a row whose picture is seen to differ from this one
+    QMargins words = {};           ///< in them, which are not compared
 };
 constexpr std::array kRows{
     Row{"tooth", Of::Tooth, ""},
     // From where it is looked at.
     Row{"occlusal", Of::Tooth, "--view occlusal"},
     Row{"buccal", Of::Tooth, "--view buccal"},
-    Row{"lingual", Of::Tooth, "--view lingual"},
+    Row{"lingual", Of::Tooth, "--view lingual", "buccal"},
     Row{"mesial", Of::Tooth, "--view mesial"},
-    Row{"distal", Of::Tooth, "--view distal"},
+    Row{"distal", Of::Tooth, "--view distal", "mesial"},
     Row{"below", Of::Tooth, "--view below"},
-    // Surface.
-    Row{"wet", Of::Tooth, "--show wet"},
-    Row{"distinct", Of::Tooth, "--show distinct"},
     // Orientation.
-    Row{"mirror", Of::Tooth, "--show mirror"},
-    Row{"neighbours", Of::Tooth, "--show neighbours"},
-    Row{"instrument", Of::Cutting, ""},
-    Row{"instrument-away", Of::Cut, ""},
-    Row{"instrument-mirror", Of::Cutting, "--show mirror,neighbours"},
+    Row{"mirror", Of::Tooth, "--show mirror", "tooth"},
+    Row{"neighbours", Of::Tooth, "--show neighbours", "tooth"},
+    Row{"instrument", Of::Cutting, "", "tooth"},
+    Row{"instrument-away", Of::Cut, "", "instrument"},
+    Row{"instrument-mirror", Of::Cutting, "--show mirror,neighbours", "instrument"},
     Row{"hand", Of::Cutting, "--show hand,gizmo"},
     Row{"arrow", Of::Cut, "--show hand --view 20,70,9"},
     Row{"left-hand", Of::Cutting, "--show left-hand,mirror"},
-    Row{"red-cyan", Of::Cutting, "--stereo red-cyan"},
-    Row{"grey", Of::Cutting, "--stereo grey"},
-    Row{"side-by-side", Of::Cutting, "--stereo side-by-side"},
-    Row{"top-bottom", Of::Cutting, "--stereo top-bottom"},
-    Row{"left-right", Of::Cutting, "--flip left-right"},
-    Row{"up-down", Of::Cutting, "--flip up-down"},
-    Row{"both-flips", Of::Cutting, "--flip both"},
+    Row{"red-cyan", Of::Cutting, "--stereo red-cyan", "instrument"},
+    Row{"grey", Of::Cutting, "--stereo grey", "red-cyan"},
+    Row{"side-by-side", Of::Cutting, "--stereo side-by-side", "instrument"},
+    Row{"top-bottom", Of::Cutting, "--stereo top-bottom", "side-by-side"},
+    Row{"left-right", Of::Cutting, "--flip left-right", "instrument"},
+    Row{"up-down", Of::Cutting, "--flip up-down", "instrument"},
+    Row{"both-flips", Of::Cutting, "--flip both", "left-right"},
     Row{"arch", Of::Nothing, "--arch"},
-    Row{"arch-36", Of::Nothing, "--arch --tooth 36"},
+    Row{"arch-36", Of::Nothing, "--arch --tooth 36", "arch"},
     // A drilled cavity, close.
     Row{"cavity", Of::Cut, "--view 20,60,14"},
-    Row{"cavity-distinct", Of::Cut, "--view 20,60,14 --show distinct"},
-    Row{"cavity-wet", Of::Cut, "--view 20,60,14 --show wet"},
-    Row{"cavity-depth", Of::Cut, "--view 20,60,14 --show depth", kScale},
-    Row{"cavity-ideal", Of::Cut, "--view 20,60,14 --show ideal", kScale},
-    Row{"ideal", Of::Tooth, "--show ideal", kScale},
+    Row{"cavity-distinct", Of::Cut, "--view 20,60,14 --show distinct", "cavity"},
+    Row{"cavity-wet", Of::Cut, "--view 20,60,14 --show wet", "cavity"},
+    Row{"cavity-depth", Of::Cut, "--view 20,60,14 --show depth", "cavity", kScale},
+    Row{"cavity-ideal", Of::Cut, "--view 20,60,14 --show ideal", nullptr, kScale},
+    Row{"ideal", Of::Tooth, "--show ideal", nullptr, kScale},
     Row{"drilling", Of::Cutting, "--view 20,40,14"},
-    Row{"drilling-light", Of::Cutting, "--view 20,40,14 --show light"},
+    Row{"drilling-light", Of::Cutting, "--view 20,40,14 --show light", "drilling"},
     // Inside.
-    Row{"section-0", Of::Cutting, "--section 0", kWords},
-    Row{"section-90", Of::Cutting, "--section 90", kWords},
-    Row{"section-distinct", Of::Cutting, "--section 90 --show distinct", kWords},
+    Row{"section-0", Of::Cutting, "--section 0", nullptr, kWords},
+    Row{"section-90", Of::Cutting, "--section 90", "section-0", kWords},
+    Row{"section-distinct", Of::Cutting, "--section 90 --show distinct", "section-90", kWords},
     Row{"xray", Of::Cut, "--xray"},
     Row{"xray-before", Of::Cut, "--xray --show before"},
     Row{"xray-turned", Of::Cut, "--xray --angle 40 --exposure 2"},
     Row{"bitewing", Of::Cut, "--bitewing"},
-    Row{"bitewing-sound", Of::Tooth, "--bitewing --caries none"},
+    Row{"bitewing-sound", Of::Tooth, "--bitewing --caries none", "bitewing"},
 };
 
 struct Difference
@@ -153,7 +151,7 @@ Difference difference(const Row& row, const QImage& one, const QImage& other)
 
 QImage reference(const QString& name)
 {
-    return QImage(kReferences + name + QStringLiteral(".png"));
+    return QImage(kReferences + name + ".png");
 }
 
 bool isRewriting()
@@ -169,197 +167,131 @@ class TestPictures : public QObject
     Q_OBJECT
 
 private slots:
-    void initTestCase();
-    void looksAsItDid_data();
-    void looksAsItDid();
-    void referencesAreOfRows();
-    void noticesWhatIsShownOrNot_data();
-    void noticesWhatIsShownOrNot();
-    void survivesAnotherDriver_data();
-    void survivesAnotherDriver();
+    void initTestCase()
+    {
+        QVERIFY(QDir().mkpath(kFailed));
+        record("cutting", -4.2, true);
+        record("cut", 30.0, false);
+    }
+
+    void looksAsItDid_data()
+    {
+        QTest::addColumn<int>("row");
+        for (std::size_t k = 0; k < kRows.size(); ++k)
+            QTest::newRow(kRows[k].name) << static_cast<int>(k);
+    }
+
+    void looksAsItDid()
+    {
+        QFETCH(int, row);
+        const Row& what = kRows.at(static_cast<std::size_t>(row));
+        const QString name = QString::fromLatin1(what.name);
+        const QString drawn = kFailed + name + ".png";
+        const QString differs = kFailed + name + "-difference.png";
+        const Ending ending = draw(what, drawn);
+        QVERIFY2(ending.exitCode == 0, ending.error);
+        const QImage picture(drawn);
+        if (isRewriting())
+            QVERIFY(picture.save(kReferences + name + ".png", "PNG", 0));
+        const QImage wanted = reference(name);
+        QVERIFY2(!wanted.isNull(), qPrintable(QStringLiteral("there is no %1%2.png; look at %3 and then let "
+                                                             "CUSP_REWRITE_PICTURES=1 make it")
+                                                  .arg(kReferences, name, drawn)));
+        const Difference found = difference(what, picture, wanted);
+        if (!found.isSmall() && !found.picture.isNull())
+            QVERIFY(found.picture.scaled(found.picture.size() * kShrink).save(differs));
+        QVERIFY2(found.isSmall(), qPrintable(QStringLiteral("%1 differ; drawn: %2, difference: %3, reference: %4%5.png")
+                                                 .arg(found.words(), drawn, differs, kReferences, name)));
+        QFile::remove(drawn);
+        QFile::remove(differs);
+        // That somebody would miss what the picture shows is noticed.
+        if (what.unlike != nullptr) {
+            const Difference seen = difference(what, reference(what.unlike), wanted);
+            QVERIFY2(!seen.picture.isNull() && !seen.isSmall(), qPrintable(what.unlike + (": " + seen.words())));
+        }
+    }
+
+    /// A reference that no row draws any more would be looked after for nothing.
+    void referencesAreOfRows()
+    {
+        QStringList rows;
+        for (const Row& row : kRows)
+            rows << QString::fromLatin1(row.name) + ".png";
+        rows.sort();
+        qint64 bytes = 0;
+        const QFileInfoList files = QDir(kReferences).entryInfoList({"*.png"}, QDir::Files, QDir::Name);
+        QStringList names;
+        for (const QFileInfo& file : files) {
+            names << file.fileName();
+            bytes += file.size();
+        }
+        names.sort();
+        QCOMPARE(names, rows);
+        QVERIFY2(bytes < 3'000'000, qPrintable(QString::number(bytes)));
+    }
+
+    /// Mesa's plainest driver draws triangle by triangle and knows no smooth edges. Where Mesa does not draw, the same
+    /// driver draws again.
+    void survivesAnotherDriver()
+    {
+        for (const Row& row : kRows) {
+            if (!QStringList{"tooth", "arch", "drilling-light"}.contains(row.name))
+                continue;
+            const QString file = m_folder.filePath("softpipe.png");
+            if (draw(row, file, {"GALLIUM_DRIVER=softpipe"}).exitCode != 0)
+                QSKIP("This computer has no second driver.");
+            const Difference found = difference(row, QImage(file), reference(row.name));
+            QVERIFY2(found.isSmall(), qPrintable(row.name + (": " + found.words())));
+        }
+    }
 
 private:
-    void record(const QString& name, double atEndMm, bool drilling);
-    [[nodiscard]] Ending draw(const Row& row, const QString& file, const QStringList& environment = {}) const;
+    /// An attempt on tooth 36: a box through enamel and lesion into dentin.
+    /// @param atEndMm  height at which the hand holds the bur at last
+    void record(const QString& name, double atEndMm, bool drilling)
+    {
+        QByteArray path("t_s,x_mm,y_mm,z_mm,drill\n0,-2,0,3,1\n");
+        double t = 0.4;
+        const auto go = [&](double seconds, double x, double y, double z, bool drills) {
+            t += seconds;
+            path += QStringLiteral("%1,%2,%3,%4,%5\n").arg(t).arg(x).arg(y).arg(z).arg(drills ? 1 : 0).toLatin1();
+        };
+        double x = -2.0;
+        for (const double z : {-3.0, -3.6, -4.2}) {
+            for (const double y : {-0.7, -0.35, 0.0, 0.35, 0.7}) {
+                go(0.15, x, y, z, true);
+                x = -x;
+                go(0.8, x, y, z, true);
+            }
+        }
+        go(0.6, 0.4, 0.2, atEndMm, drilling);
+        go(0.2, 0.4, 0.2, atEndMm, drilling);
+        QFile file(m_folder.filePath(name + ".csv"));
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write(path) == path.size());
+        file.close();
+        const Ending ending =
+            runCusp({"simulate", "--tooth", "36", "--path", file.fileName(), "--out",
+                     m_folder.filePath(name + ".trace"), "--record", m_folder.filePath(name + ".cusprec")});
+        QVERIFY2(ending.exitCode == 0, ending.error);
+    }
+
+    [[nodiscard]] Ending draw(const Row& row, const QString& file, const QStringList& environment = {}) const
+    {
+        QStringList arguments{"render", "--size", "480x300", "--out", file};
+        if (row.of == Of::Tooth)
+            arguments << "--tooth"
+                      << "36";
+        if (row.of == Of::Cutting || row.of == Of::Cut)
+            arguments << "--recording" << m_folder.filePath(row.of == Of::Cut ? "cut.cusprec" : "cutting.cusprec");
+        arguments << QString::fromLatin1(row.options).split(u' ', Qt::SkipEmptyParts);
+        QStringList settings = environment;
+        if (const QString display = qEnvironmentVariable("DISPLAY"); !display.isEmpty())
+            settings << "DISPLAY=" + display;
+        return runCusp(arguments, settings);
+    }
 
     QTemporaryDir m_folder;
 };
-
-void TestPictures::initTestCase()
-{
-    QVERIFY(QDir().mkpath(kFailed));
-    record(QStringLiteral("cutting"), -4.2, true);
-    record(QStringLiteral("cut"), 30.0, false);
-}
-
-/// An attempt on tooth 36: a box through enamel and lesion into dentin.
-/// @param atEndMm  height at which the hand holds the bur at last
-void TestPictures::record(const QString& name, double atEndMm, bool drilling)
-{
-    QByteArray path("t_s,x_mm,y_mm,z_mm,drill\n0,-2,0,3,1\n");
-    double t = 0.4;
-    const auto go = [&](double seconds, double x, double y, double z, bool drills) {
-        t += seconds;
-        path += QStringLiteral("%1,%2,%3,%4,%5\n").arg(t).arg(x).arg(y).arg(z).arg(drills ? 1 : 0).toLatin1();
-    };
-    double x = -2.0;
-    for (const double z : {-3.0, -3.6, -4.2}) {
-        for (const double y : {-0.7, -0.35, 0.0, 0.35, 0.7}) {
-            go(0.15, x, y, z, true);
-            x = -x;
-            go(0.8, x, y, z, true);
-        }
-    }
-    go(0.6, 0.4, 0.2, atEndMm, drilling);
-    go(0.2, 0.4, 0.2, atEndMm, drilling);
-    QFile file(m_folder.filePath(name + QStringLiteral(".csv")));
-    QVERIFY(file.open(QIODevice::WriteOnly) && file.write(path) == path.size());
-    file.close();
-    const Ending ending =
-        runCusp({QStringLiteral("simulate"), QStringLiteral("--tooth"), QStringLiteral("36"), QStringLiteral("--path"),
-                 file.fileName(), QStringLiteral("--out"), m_folder.filePath(name + QStringLiteral(".trace")),
-                 QStringLiteral("--record"), m_folder.filePath(name + QStringLiteral(".cusprec"))});
-    QVERIFY2(ending.exitCode == 0, ending.error);
-}
-
-Ending TestPictures::draw(const Row& row, const QString& file, const QStringList& environment) const
-{
-    QStringList arguments{QStringLiteral("render"), QStringLiteral("--size"), QStringLiteral("480x300"),
-                          QStringLiteral("--out"), file};
-    if (row.of == Of::Tooth)
-        arguments << QStringLiteral("--tooth") << QStringLiteral("36");
-    if (row.of == Of::Cutting || row.of == Of::Cut)
-        arguments << QStringLiteral("--recording")
-                  << m_folder.filePath(row.of == Of::Cut ? QStringLiteral("cut.cusprec")
-                                                         : QStringLiteral("cutting.cusprec"));
-    arguments << QString::fromLatin1(row.options).split(u' ', Qt::SkipEmptyParts);
-    QStringList settings = environment;
-    if (const QString display = qEnvironmentVariable("DISPLAY"); !display.isEmpty())
-        settings << QStringLiteral("DISPLAY=") + display;
-    return runCusp(arguments, settings);
-}
-
-void TestPictures::looksAsItDid_data()
-{
-    QTest::addColumn<int>("row");
-    for (std::size_t k = 0; k < kRows.size(); ++k)
-        QTest::newRow(kRows[k].name) << static_cast<int>(k);
-}
-
-void TestPictures::looksAsItDid()
-{
-    QFETCH(int, row);
-    const Row& what = kRows.at(static_cast<std::size_t>(row));
-    const QString name = QString::fromLatin1(what.name);
-    const QString drawn = kFailed + name + QStringLiteral(".png");
-    const QString differs = kFailed + name + QStringLiteral("-difference.png");
-    const Ending ending = draw(what, drawn);
-    QVERIFY2(ending.exitCode == 0, ending.error);
-    const QImage picture(drawn);
-    if (isRewriting())
-        QVERIFY(picture.save(kReferences + name + QStringLiteral(".png"), "PNG", 0));
-    const QImage wanted = reference(name);
-    QVERIFY2(!wanted.isNull(), qPrintable(QStringLiteral("there is no %1%2.png; look at %3 and then let "
-                                                         "CUSP_REWRITE_PICTURES=1 make it")
-                                              .arg(kReferences, name, drawn)));
-    const Difference found = difference(what, picture, wanted);
-    if (!found.isSmall() && !found.picture.isNull())
-        QVERIFY(found.picture.scaled(found.picture.size() * kShrink).save(differs));
-    QVERIFY2(found.isSmall(), qPrintable(QStringLiteral("%1 differ; drawn: %2, difference: %3, reference: %4%5.png")
-                                             .arg(found.words(), drawn, differs, kReferences, name)));
-    QFile::remove(drawn);
-    QFile::remove(differs);
-}
-
-/// A reference that no row draws any more would be looked after for nothing.
-void TestPictures::referencesAreOfRows()
-{
-    QStringList rows;
-    for (const Row& row : kRows)
-        rows << QString::fromLatin1(row.name) + QStringLiteral(".png");
-    rows.sort();
-    qint64 bytes = 0;
-    const QFileInfoList files = QDir(kReferences).entryInfoList({QStringLiteral("*.png")}, QDir::Files, QDir::Name);
-    QStringList names;
-    for (const QFileInfo& file : files) {
-        names << file.fileName();
-        bytes += file.size();
-    }
-    names.sort();
-    QCOMPARE(names, rows);
-    QVERIFY2(bytes < 3'000'000, qPrintable(QString::number(bytes)));
-}
-
-void TestPictures::noticesWhatIsShownOrNot_data()
-{
-    QTest::addColumn<QString>("without");
-    QTest::addColumn<QString>("with");
-    const auto pair = [](const char* without, const char* with) {
-        QTest::addRow("%s, %s", without, with) << QString::fromLatin1(without) << QString::fromLatin1(with);
-    };
-    pair("tooth", "mirror");
-    pair("tooth", "neighbours");
-    pair("tooth", "wet");
-    pair("tooth", "distinct");
-    pair("cavity", "cavity-wet");
-    pair("cavity", "cavity-distinct");
-    pair("cavity", "cavity-depth");
-    pair("tooth", "instrument-away");
-    pair("instrument-away", "instrument");
-    pair("instrument", "instrument-mirror");
-    pair("instrument", "red-cyan");
-    pair("instrument", "grey");
-    pair("red-cyan", "grey");
-    pair("instrument", "side-by-side");
-    pair("side-by-side", "top-bottom");
-    pair("instrument", "left-right");
-    pair("instrument", "up-down");
-    pair("left-right", "both-flips");
-    pair("drilling", "drilling-light");
-    pair("arch", "arch-36");
-    pair("buccal", "lingual");
-    pair("mesial", "distal");
-    pair("section-0", "section-90");
-    pair("section-90", "section-distinct");
-    pair("bitewing", "bitewing-sound");
-}
-
-void TestPictures::noticesWhatIsShownOrNot()
-{
-    QFETCH(QString, without);
-    QFETCH(QString, with);
-    const auto* const row =
-        std::find_if(kRows.begin(), kRows.end(), [&](const Row& each) { return with == QLatin1String(each.name); });
-    QVERIFY(row != kRows.end());
-    const QImage one = reference(without);
-    const QImage other = reference(with);
-    QVERIFY(!one.isNull() && one.size() == other.size());
-    const Difference found = difference(*row, one, other);
-    QVERIFY2(!found.isSmall(), qPrintable(found.words()));
-}
-
-void TestPictures::survivesAnotherDriver_data()
-{
-    QTest::addColumn<int>("row");
-    const QStringList some{"tooth", "instrument-mirror", "red-cyan", "arch", "cavity", "drilling-light"};
-    for (std::size_t k = 0; k < kRows.size(); ++k)
-        if (some.contains(QLatin1String(kRows[k].name)))
-            QTest::newRow(kRows[k].name) << static_cast<int>(k);
-}
-
-/// Mesa's plainest driver draws triangle by triangle and knows no smooth edges. Where Mesa does not draw, the same
-/// driver draws again.
-void TestPictures::survivesAnotherDriver()
-{
-    QFETCH(int, row);
-    const Row& what = kRows.at(static_cast<std::size_t>(row));
-    const QString file = m_folder.filePath(QStringLiteral("softpipe.png"));
-    const Ending ending = draw(what, file, {QStringLiteral("GALLIUM_DRIVER=softpipe")});
-    if (ending.exitCode != 0)
-        QSKIP("This computer has no second driver.");
-    const Difference found = difference(what, QImage(file), reference(QString::fromLatin1(what.name)));
-    QVERIFY2(found.isSmall(), qPrintable(found.words()));
-}
 
 QTEST_GUILESS_MAIN(TestPictures)
 #include "tst_pictures.moc"

@@ -104,301 +104,292 @@ class TestReplayTrack : public QObject
 {
     Q_OBJECT
 private slots:
-    void everyMomentComesToTheViewAsItWas();
-    void showsLargeChangesToo();
-    void theCourseTellsStrokesAndMarks();
-    void pointsAreTouchedInTheirTime();
-    void aLessonsInfractionsAreFound();
-    void playsAtAnySpeedAndStopsAtTheEnd();
-    void showsWhatIsReadyUntilTheRestIs();
-    void anotherBesideIsAtTheSameShareOfItsTime();
-};
-
-void TestReplayTrack::everyMomentComesToTheViewAsItWas()
-{
-    const Recording made = attempt();
-    const auto truth = Player::make(made).value();
-    while (truth->advance(1000)) {
-    }
-    Viewer viewer(made.anatomy());
-    const auto track = trackOf(made, viewer);
-    while (track->prepare(1000)) {
-    }
-    Rng rng(4);
-    int rises = 0;
-    double deepest = 0.0;
-    for (int n = 0; n < 300; ++n) {
-        const double seconds = rng.uniform(0.0, track->lengthS());
-        const std::vector<float> before = viewer.tooth.top;
-        track->show(seconds);
+    void everyMomentComesToTheViewAsItWas()
+    {
+        const Recording made = attempt();
+        const auto truth = Player::make(made).value();
+        while (truth->advance(1000)) {
+        }
+        Viewer viewer(made.anatomy());
+        const auto track = trackOf(made, viewer);
+        while (track->prepare(1000)) {
+        }
+        Rng rng(4);
+        int rises = 0;
+        double deepest = 0.0;
+        for (int n = 0; n < 300; ++n) {
+            const double seconds = rng.uniform(0.0, track->lengthS());
+            const std::vector<float> before = viewer.tooth.top;
+            track->show(seconds);
+            viewer.look();
+            QCOMPARE(viewer.tooth.top, truth->heightsAt(truth->tickAt(seconds)));
+            QVERIFY(std::abs(viewer.shownS() - seconds) < 0.005);
+            const session::ServoState& state = viewer.links->servo.latest();
+            QCOMPARE(state.toothGeneration, kGeneration);
+            const session::ServoState was = truth->stateAt(truth->tickAt(seconds));
+            const session::ServoState next = truth->stateAt(truth->tickAt(seconds) + Player::kTicksAPose);
+            QCOMPARE(state.burIndex, was.burIndex);
+            QVERIFY(state.anchorMm.z >= std::min(was.anchorMm.z, next.anchorMm.z) - 1.0e-9);
+            QVERIFY(state.anchorMm.z <= std::max(was.anchorMm.z, next.anchorMm.z) + 1.0e-9);
+            // The figures beside the tooth are those of this moment.
+            const double removed = viewer.links->session.latest().removedMm3[1];
+            const double still = terrain::volumes(viewer.tooth)[1];
+            const double whole = terrain::volumes(terrain::Tooth(made.anatomy()))[1];
+            QVERIFY(std::abs(removed - (whole - still)) < 1.0e-6);
+            deepest = std::max(deepest, removed);
+            for (std::size_t k = 0; k < before.size(); ++k)
+                if (viewer.tooth.top[k] > before[k]) {
+                    ++rises;
+                    break;
+                }
+        }
+        QVERIFY2(rises > 50, "going back puts material back");
+        QVERIFY(deepest > 0.05);
+        // The very ends.
+        track->show(track->lengthS());
         viewer.look();
-        QCOMPARE(viewer.tooth.top, truth->heightsAt(truth->tickAt(seconds)));
-        QVERIFY(std::abs(viewer.shownS() - seconds) < 0.005);
-        const session::ServoState& state = viewer.links->servo.latest();
-        QCOMPARE(state.toothGeneration, kGeneration);
-        const session::ServoState was = truth->stateAt(truth->tickAt(seconds));
-        const session::ServoState next = truth->stateAt(truth->tickAt(seconds) + Player::kTicksAPose);
-        QCOMPARE(state.burIndex, was.burIndex);
-        QVERIFY(state.anchorMm.z >= std::min(was.anchorMm.z, next.anchorMm.z) - 1.0e-9);
-        QVERIFY(state.anchorMm.z <= std::max(was.anchorMm.z, next.anchorMm.z) + 1.0e-9);
-        // The figures beside the tooth are those of this moment.
-        const double removed = viewer.links->session.latest().removedMm3[1];
-        const double still = terrain::volumes(viewer.tooth)[1];
-        const double whole = terrain::volumes(terrain::Tooth(made.anatomy()))[1];
-        QVERIFY(std::abs(removed - (whole - still)) < 1.0e-6);
-        deepest = std::max(deepest, removed);
-        for (std::size_t k = 0; k < before.size(); ++k)
-            if (viewer.tooth.top[k] > before[k]) {
-                ++rises;
-                break;
-            }
+        QCOMPARE(viewer.tooth.top, made.anatomy()->top);
+        QCOMPARE(viewer.shownS(), track->lengthS());
     }
-    QVERIFY2(rises > 50, "going back puts material back");
-    QVERIFY(deepest > 0.05);
-    // The very ends.
-    track->show(track->lengthS());
-    viewer.look();
-    QCOMPARE(viewer.tooth.top, made.anatomy()->top);
-    QCOMPARE(viewer.shownS(), track->lengthS());
-}
 
-void TestReplayTrack::showsLargeChangesToo()
-{
-    // Everything at once: more tiles than the queue to the view holds, and a view that takes them late.
-    support::Block block;
-    block.side = 512;
-    block.cellMm = 0.02;
-    block.bottomMm = -0.01;  // so thin that the first touch of the bur bores through
-    const auto anatomy = support::makeBlock(block);
-    core::session::ServoSettings settings;
-    settings.hardness.material.fill({100.0, 0.0});
-    core::recording::Recording recording(settings, anatomy);
-    recording.append({core::session::ServoEvent::Kind::Drill, 0, {}, 1});
-    recording.append({core::session::ServoEvent::Kind::Tick, 1000, {-4.5F, 4.5F, 1.0F}, 0});
-    for (int n = 0; n < 4000; ++n)
-        recording.append({core::session::ServoEvent::Kind::Tick,
-                          1000,
-                          {-4.5F + 0.6F * std::floor(static_cast<float>(n) / 250.0F),
-                           4.5F - 0.036F * static_cast<float>(n % 250), -1.0F},
-                          0});
-    const auto outcome = core::recording::replay(recording);
-    core::session::UiLinks links;
-    auto track = app::ReplayTrack::make(recording, links, 1).value();
-    while (track->prepare(1000)) {
-    }
-    core::history::TiledHeights view(anatomy->grid, anatomy->top);
-    int patches = 0;
-    for (int n = 0; n < 20; ++n) {
+    void showsLargeChangesToo()
+    {
+        // Everything at once: more tiles than the queue to the view holds, and a view that takes them late.
+        support::Block block;
+        block.side = 512;
+        block.cellMm = 0.02;
+        block.bottomMm = -0.01;  // so thin that the first touch of the bur bores through
+        const auto anatomy = support::makeBlock(block);
+        core::session::ServoSettings settings;
+        settings.hardness.material.fill({100.0, 0.0});
+        core::recording::Recording recording(settings, anatomy);
+        recording.append({core::session::ServoEvent::Kind::Drill, 0, {}, 1});
+        recording.append({core::session::ServoEvent::Kind::Tick, 1000, {-4.5F, 4.5F, 1.0F}, 0});
+        for (int n = 0; n < 4000; ++n)
+            recording.append({core::session::ServoEvent::Kind::Tick,
+                              1000,
+                              {-4.5F + 0.6F * std::floor(static_cast<float>(n) / 250.0F),
+                               4.5F - 0.036F * static_cast<float>(n % 250), -1.0F},
+                              0});
+        const auto outcome = core::recording::replay(recording);
+        core::session::UiLinks links;
+        auto track = app::ReplayTrack::make(recording, links, 1).value();
+        while (track->prepare(1000)) {
+        }
+        core::history::TiledHeights view(anatomy->grid, anatomy->top);
+        int patches = 0;
+        for (int n = 0; n < 20; ++n) {
+            for (core::session::TilePatch patch; links.patches.tryPop(patch); ++patches)
+                view.setTile(patch.tileX, patch.tileY, patch.top);
+            track->show(60.0);
+        }
         for (core::session::TilePatch patch; links.patches.tryPop(patch); ++patches)
             view.setTile(patch.tileX, patch.tileY, patch.top);
-        track->show(60.0);
+        QVERIFY2(patches > 512, qPrintable(QString::number(patches)));
+        QCOMPARE(view.flat(), outcome->tooth.top);
+        QVERIFY(links.session.latest().perforated);
     }
-    for (core::session::TilePatch patch; links.patches.tryPop(patch); ++patches)
-        view.setTile(patch.tileX, patch.tileY, patch.top);
-    QVERIFY2(patches > 512, qPrintable(QString::number(patches)));
-    QCOMPARE(view.flat(), outcome->tooth.top);
-    QVERIFY(links.session.latest().perforated);
-}
 
-void TestReplayTrack::theCourseTellsStrokesAndMarks()
-{
-    const Recording made = attempt();
-    Viewer viewer(made.anatomy());
-    const auto track = trackOf(made, viewer);
-    QCOMPARE(track->course().lengthS, track->lengthS());
-    QVERIFY(track->course().strokes.empty());
-    while (track->prepare(1000)) {
+    void theCourseTellsStrokesAndMarks()
+    {
+        const Recording made = attempt();
+        Viewer viewer(made.anatomy());
+        const auto track = trackOf(made, viewer);
+        QCOMPARE(track->course().lengthS, track->lengthS());
+        QVERIFY(track->course().strokes.empty());
+        while (track->prepare(1000)) {
+        }
+        const Course course = track->course();
+        QCOMPARE(course.readyS, course.lengthS);
+        QCOMPARE(course.strokes.size(), 3U);
+        QCOMPARE(course.strokes[0].burIndex, course.strokes[1].burIndex);
+        QCOMPARE(course.strokes[2].burIndex, std::uint8_t{3});
+        QList<Mark::Kind> kinds;
+        for (const Mark& mark : course.marks)
+            kinds << mark.kind;
+        QCOMPARE(kinds, (QList<Mark::Kind>{Mark::Kind::Aids, Mark::Kind::Undo, Mark::Kind::Redo, Mark::Kind::Note,
+                                           Mark::Kind::Bur, Mark::Kind::StartAgain}));
+        // Where he was elsewhere is told, and is no mark.
+        QCOMPARE(course.rests.size(), 1U);
+        const auto [restFromS, restToS] = course.rests.front();
+        QVERIFY2(std::abs(restToS - restFromS - 0.05) < 0.02, qPrintable(QString::number(restToS - restFromS)));
+        QVERIFY(restFromS > course.strokes[1].toS && restToS < course.strokes[2].fromS);
+        // Going through it step by step shows each state of the tooth once: whole, one stroke, two, undone, redone, ...
+        std::vector<std::size_t> cut;
+        for (double at = 0.0; at < course.lengthS; at = course.stepAfter(at)) {
+            track->show(at);
+            viewer.look();
+            std::size_t columns = 0;
+            for (std::size_t k = 0; k < viewer.tooth.top.size(); ++k)
+                columns += viewer.tooth.top[k] < made.anatomy()->top[k] ? 1U : 0U;
+            cut.push_back(columns);
+        }
+        QCOMPARE(cut.size(), 7U);
+        QCOMPARE(cut[0], 0U);
+        QVERIFY(cut[1] > 0 && cut[2] > cut[1]);
+        QCOMPARE(cut[3], cut[1]);
+        QCOMPARE(cut[4], cut[2]);
+        QVERIFY(cut[5] > cut[4]);
+        QCOMPARE(cut[6], 0U);
+        // And back.
+        double at = course.lengthS;
+        for (std::size_t n = cut.size(); n-- > 0;)
+            at = course.stepBefore(at);
+        QCOMPARE(at, 0.0);
     }
-    const Course course = track->course();
-    QCOMPARE(course.readyS, course.lengthS);
-    QCOMPARE(course.strokes.size(), 3U);
-    QCOMPARE(course.strokes[0].burIndex, course.strokes[1].burIndex);
-    QCOMPARE(course.strokes[2].burIndex, std::uint8_t{3});
-    QList<Mark::Kind> kinds;
-    for (const Mark& mark : course.marks)
-        kinds << mark.kind;
-    QCOMPARE(kinds, (QList<Mark::Kind>{Mark::Kind::Aids, Mark::Kind::Undo, Mark::Kind::Redo, Mark::Kind::Note,
-                                       Mark::Kind::Bur, Mark::Kind::StartAgain}));
-    // Where he was elsewhere is told, and is no mark.
-    QCOMPARE(course.rests.size(), 1U);
-    const auto [restFromS, restToS] = course.rests.front();
-    QVERIFY2(std::abs(restToS - restFromS - 0.05) < 0.02, qPrintable(QString::number(restToS - restFromS)));
-    QVERIFY(restFromS > course.strokes[1].toS && restToS < course.strokes[2].fromS);
-    // Going through it step by step shows each state of the tooth once: whole, one stroke, two, undone, redone, ...
-    std::vector<std::size_t> cut;
-    for (double at = 0.0; at < course.lengthS; at = course.stepAfter(at)) {
-        track->show(at);
-        viewer.look();
-        std::size_t columns = 0;
-        for (std::size_t k = 0; k < viewer.tooth.top.size(); ++k)
-            columns += viewer.tooth.top[k] < made.anatomy()->top[k] ? 1U : 0U;
-        cut.push_back(columns);
-    }
-    QCOMPARE(cut.size(), 7U);
-    QCOMPARE(cut[0], 0U);
-    QVERIFY(cut[1] > 0 && cut[2] > cut[1]);
-    QCOMPARE(cut[3], cut[1]);
-    QCOMPARE(cut[4], cut[2]);
-    QVERIFY(cut[5] > cut[4]);
-    QCOMPARE(cut[6], 0U);
-    // And back.
-    double at = course.lengthS;
-    for (std::size_t n = cut.size(); n-- > 0;)
-        at = course.stepBefore(at);
-    QCOMPARE(at, 0.0);
-}
 
-void TestReplayTrack::pointsAreTouchedInTheirTime()
-{
-    const auto entries = lessons::readCatalog({});
-    const auto entry = std::find_if(entries.begin(), entries.end(), [](const lessons::CatalogEntry& known) {
-        return known.read.lesson && known.read.lesson->task == lessons::Task::TouchPoints;
-    });
-    QVERIFY(entry != entries.end());
-    const auto assigned = lessons::assign(*entry->read.lesson).value();
-    const auto& asked = std::get<grading::PointsToTouch>(*assigned.assignment.exercise);
-    support::Rig rig;
-    rig.open(assigned.assignment.anatomy, 1, entry->read.lesson->json);
-    rig.run(200);
-    for (const std::size_t point : {2U, 0U}) {
-        rig.lean(asked.pointsMm[point].x, asked.pointsMm[point].y, 0.5, 200);
+    void pointsAreTouchedInTheirTime()
+    {
+        const auto entries = lessons::readCatalog({});
+        const auto entry = std::find_if(entries.begin(), entries.end(), [](const lessons::CatalogEntry& known) {
+            return known.read.lesson && known.read.lesson->task == lessons::Task::TouchPoints;
+        });
+        QVERIFY(entry != entries.end());
+        const auto assigned = lessons::assign(*entry->read.lesson).value();
+        const auto& asked = std::get<grading::PointsToTouch>(*assigned.assignment.exercise);
+        support::Rig rig;
+        rig.open(assigned.assignment.anatomy, 1, entry->read.lesson->json);
+        rig.run(200);
+        for (const std::size_t point : {2U, 0U}) {
+            rig.lean(asked.pointsMm[point].x, asked.pointsMm[point].y, 0.5, 200);
+            rig.lift();
+        }
+        rig.settle();
+        Viewer viewer(assigned.assignment.anatomy);
+        const auto track = trackOf(rig.session->recordingSoFar().value(), viewer);
+        QCOMPARE(track->course().points.size(), asked.pointsMm.size());
+        QVERIFY(!track->course().points[0].touchedAtS);
+        while (track->prepare(100)) {
+        }
+        const Course course = track->course();
+        QVERIFY(course.points[0].touchedAtS && course.points[2].touchedAtS && !course.points[1].touchedAtS);
+        QVERIFY(*course.points[2].touchedAtS < *course.points[0].touchedAtS);
+        QCOMPARE(course.points[0].placeMm, asked.pointsMm[0]);
+        std::vector<std::uint64_t> order;
+        for (const Mark& mark : course.marks)
+            if (mark.kind == Mark::Kind::Touched)
+                order.push_back(mark.value);
+        QCOMPARE(order, (std::vector<std::uint64_t>{2, 0}));
+        QCOMPARE(course.stepAfter(0.0), *course.points[2].touchedAtS);
+    }
+
+    void aLessonsInfractionsAreFound()
+    {
+        const auto entries = lessons::readCatalog({});
+        const auto entry = std::find_if(entries.begin(), entries.end(), [](const lessons::CatalogEntry& known) {
+            return known.read.lesson && known.read.lesson->id == "block-line";
+        });
+        QVERIFY(entry != entries.end());
+        const auto assigned = lessons::assign(*entry->read.lesson).value();
+        support::Rig rig;
+        rig.open(assigned.assignment.anatomy, 1, entry->read.lesson->json);
+        rig.send(session::SetBur{0});
+        rig.send(session::SetDrill{true});
+        rig.run(30);
+        // Far beside the line.
+        rig.lean(3.5, 3.5, 4.0, 1500);
         rig.lift();
+        rig.settle();
+        const Recording made = rig.session->recordingSoFar().value();
+        const auto known = lessons::markAgain(made).value().infractions;
+        QVERIFY(!known.empty());
+        Viewer viewer(made.anatomy());
+        const auto track = trackOf(made, viewer);
+        QVERIFY(track->ideal() != nullptr);
+        while (track->prepare(300)) {
+        }
+        QVERIFY(track->course().infractions == known);
     }
-    rig.settle();
-    Viewer viewer(assigned.assignment.anatomy);
-    const auto track = trackOf(rig.session->recordingSoFar().value(), viewer);
-    QCOMPARE(track->course().points.size(), asked.pointsMm.size());
-    QVERIFY(!track->course().points[0].touchedAtS);
-    while (track->prepare(100)) {
+
+    void playsAtAnySpeedAndStopsAtTheEnd()
+    {
+        const Recording made = attempt();
+        Viewer viewer(made.anatomy());
+        ReplayLoop replay(trackOf(made, viewer));
+        prepareAll(replay);
+        const double lengthS = replay.attempt().lengthS();
+        QVERIFY(lengthS > 1.0);
+        const auto beat = [&](int beats) {
+            for (int n = 0; n < beats; ++n)
+                replay.tick(10ms);
+            viewer.look();
+            return viewer.shownS();
+        };
+        const auto near = [](double a, double b) { return std::abs(a - b) < 0.005; };
+        QVERIFY(near(beat(20), 0.2));
+        replay.setSpeed(0.1);
+        QVERIFY(near(beat(100), 0.3));
+        replay.setPaused(true);
+        QVERIFY(near(beat(100), 0.3));
+        replay.seek(0.9);
+        QVERIFY(near(beat(1), 0.9));
+        QVERIFY(near(beat(50), 0.9));
+        replay.seek(0.1);
+        QVERIFY(near(beat(1), 0.1));
+        replay.setSpeed(16.0);
+        replay.setPaused(false);
+        QVERIFY(near(beat(2), 0.42));
+        QVERIFY(!replay.takeEnd());
+        QCOMPARE(beat(100), lengthS);
+        QVERIFY(replay.takeEnd());
+        QVERIFY2(!replay.takeEnd(), "told once");
+        QCOMPARE(viewer.tooth.top, made.anatomy()->top);  // all was undone
+        // Held at its end it goes back like anywhere else; let go there, it begins anew.
+        replay.setSpeed(1.0);
+        replay.seek(0.5);
+        QVERIFY(near(beat(5), 0.5));
+        replay.seek(lengthS);
+        beat(1);
+        QVERIFY2(!replay.takeEnd(), "who looks at the end has not played to it");
+        replay.setPaused(false);
+        QVERIFY(near(beat(10), 0.09));
     }
-    const Course course = track->course();
-    QVERIFY(course.points[0].touchedAtS && course.points[2].touchedAtS && !course.points[1].touchedAtS);
-    QVERIFY(*course.points[2].touchedAtS < *course.points[0].touchedAtS);
-    QCOMPARE(course.points[0].placeMm, asked.pointsMm[0]);
-    std::vector<std::uint64_t> order;
-    for (const Mark& mark : course.marks)
-        if (mark.kind == Mark::Kind::Touched)
-            order.push_back(mark.value);
-    QCOMPARE(order, (std::vector<std::uint64_t>{2, 0}));
-    QCOMPARE(course.stepAfter(0.0), *course.points[2].touchedAtS);
-}
 
-void TestReplayTrack::aLessonsInfractionsAreFound()
-{
-    const auto entries = lessons::readCatalog({});
-    const auto entry = std::find_if(entries.begin(), entries.end(), [](const lessons::CatalogEntry& known) {
-        return known.read.lesson && known.read.lesson->id == "block-line";
-    });
-    QVERIFY(entry != entries.end());
-    const auto assigned = lessons::assign(*entry->read.lesson).value();
-    support::Rig rig;
-    rig.open(assigned.assignment.anatomy, 1, entry->read.lesson->json);
-    rig.send(session::SetBur{0});
-    rig.send(session::SetDrill{true});
-    rig.run(30);
-    // Far beside the line.
-    rig.lean(3.5, 3.5, 4.0, 1500);
-    rig.lift();
-    rig.settle();
-    const Recording made = rig.session->recordingSoFar().value();
-    const auto known = lessons::markAgain(made).value().infractions;
-    QVERIFY(!known.empty());
-    Viewer viewer(made.anatomy());
-    const auto track = trackOf(made, viewer);
-    QVERIFY(track->ideal() != nullptr);
-    while (track->prepare(300)) {
-    }
-    QVERIFY(track->course().infractions == known);
-}
-
-void TestReplayTrack::playsAtAnySpeedAndStopsAtTheEnd()
-{
-    const Recording made = attempt();
-    Viewer viewer(made.anatomy());
-    ReplayLoop replay(trackOf(made, viewer));
-    prepareAll(replay);
-    const double lengthS = replay.attempt().lengthS();
-    QVERIFY(lengthS > 1.0);
-    const auto beat = [&](int beats) {
-        for (int n = 0; n < beats; ++n)
-            replay.tick(10ms);
-        viewer.look();
-        return viewer.shownS();
-    };
-    const auto near = [](double a, double b) { return std::abs(a - b) < 0.005; };
-    QVERIFY(near(beat(20), 0.2));
-    replay.setSpeed(0.1);
-    QVERIFY(near(beat(100), 0.3));
-    replay.setPaused(true);
-    QVERIFY(near(beat(100), 0.3));
-    replay.seek(0.9);
-    QVERIFY(near(beat(1), 0.9));
-    QVERIFY(near(beat(50), 0.9));
-    replay.seek(0.1);
-    QVERIFY(near(beat(1), 0.1));
-    replay.setSpeed(16.0);
-    replay.setPaused(false);
-    QVERIFY(near(beat(2), 0.42));
-    QVERIFY(!replay.takeEnd());
-    QCOMPARE(beat(100), lengthS);
-    QVERIFY(replay.takeEnd());
-    QVERIFY2(!replay.takeEnd(), "told once");
-    QCOMPARE(viewer.tooth.top, made.anatomy()->top);  // all was undone
-    // Held at its end it goes back like anywhere else; let go there, it begins anew.
-    replay.setSpeed(1.0);
-    replay.seek(0.5);
-    QVERIFY(near(beat(5), 0.5));
-    replay.seek(lengthS);
-    beat(1);
-    QVERIFY2(!replay.takeEnd(), "who looks at the end has not played to it");
-    replay.setPaused(false);
-    QVERIFY(near(beat(10), 0.09));
-}
-
-void TestReplayTrack::showsWhatIsReadyUntilTheRestIs()
-{
-    const Recording made = attempt();
-    Viewer viewer(made.anatomy());
-    ReplayLoop replay(trackOf(made, viewer));
-    replay.setPaused(true);
-    replay.seek(replay.attempt().lengthS() - 0.05);
-    replay.tick(10ms);
-    viewer.look();
-    QVERIFY(viewer.shownS() < 0.01);
-    replay.preparing().tick(5ms);  // a thousand ticks
-    replay.tick(10ms);
-    const double soFar = viewer.shownS();
-    QVERIFY(soFar > 0.9 && soFar <= replay.attempt().readyS() && soFar < replay.attempt().lengthS());
-    prepareAll(replay);
-    replay.tick(10ms);
-    QVERIFY(std::abs(viewer.shownS() - replay.attempt().lengthS() + 0.05) < 0.005);
-}
-
-void TestReplayTrack::anotherBesideIsAtTheSameShareOfItsTime()
-{
-    const Recording made = attempt();
-    support::Rig rig;
-    rig.open(block());
-    rig.send(session::SetDrill{true});
-    rig.lean(0.0, 0.0, 2.0, 300);
-    rig.lift();
-    rig.settle();
-    const Recording shorter = rig.session->recordingSoFar().value();
-    Viewer viewer(made.anatomy());
-    Viewer besideViewer(shorter.anatomy());
-    ReplayLoop replay(trackOf(made, viewer));
-    replay.putBeside(trackOf(shorter, besideViewer));
-    prepareAll(replay);
-    replay.setPaused(true);
-    for (const double share : {0.25, 0.8, 0.5, 1.0}) {
-        replay.seek(share * replay.attempt().lengthS());
+    void showsWhatIsReadyUntilTheRestIs()
+    {
+        const Recording made = attempt();
+        Viewer viewer(made.anatomy());
+        ReplayLoop replay(trackOf(made, viewer));
+        replay.setPaused(true);
+        replay.seek(replay.attempt().lengthS() - 0.05);
         replay.tick(10ms);
-        QVERIFY(std::abs(viewer.shownS() - share * replay.attempt().lengthS()) < 0.005);
-        QVERIFY(std::abs(besideViewer.shownS() - share * replay.beside()->lengthS()) < 0.005);
+        viewer.look();
+        QVERIFY(viewer.shownS() < 0.01);
+        replay.preparing().tick(5ms);  // a thousand ticks
+        replay.tick(10ms);
+        const double soFar = viewer.shownS();
+        QVERIFY(soFar > 0.9 && soFar <= replay.attempt().readyS() && soFar < replay.attempt().lengthS());
+        prepareAll(replay);
+        replay.tick(10ms);
+        QVERIFY(std::abs(viewer.shownS() - replay.attempt().lengthS() + 0.05) < 0.005);
     }
-    besideViewer.look();
-    QCOMPARE(besideViewer.tooth.top, rig.session->toothSoFar()->top);
-}
+
+    void anotherBesideIsAtTheSameShareOfItsTime()
+    {
+        const Recording made = attempt();
+        support::Rig rig;
+        rig.open(block());
+        rig.send(session::SetDrill{true});
+        rig.lean(0.0, 0.0, 2.0, 300);
+        rig.lift();
+        rig.settle();
+        const Recording shorter = rig.session->recordingSoFar().value();
+        Viewer viewer(made.anatomy());
+        Viewer besideViewer(shorter.anatomy());
+        ReplayLoop replay(trackOf(made, viewer));
+        replay.putBeside(trackOf(shorter, besideViewer));
+        prepareAll(replay);
+        replay.setPaused(true);
+        for (const double share : {0.25, 0.8, 0.5, 1.0}) {
+            replay.seek(share * replay.attempt().lengthS());
+            replay.tick(10ms);
+            QVERIFY(std::abs(viewer.shownS() - share * replay.attempt().lengthS()) < 0.005);
+            QVERIFY(std::abs(besideViewer.shownS() - share * replay.beside()->lengthS()) < 0.005);
+        }
+        besideViewer.look();
+        QCOMPARE(besideViewer.tooth.top, rig.session->toothSoFar()->top);
+    }
+};
 
 QTEST_APPLESS_MAIN(TestReplayTrack)
 #include "tst_replay_track.moc"

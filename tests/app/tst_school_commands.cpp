@@ -54,29 +54,480 @@ class TestSchoolCommands : public QObject
     Q_OBJECT
 
 private slots:
-    void initTestCase();
-    void init();
+    void initTestCase()
+    {
+        const Ending made =
+            runCusp({"db", "init", "--db", m_made.filePath("school.sqlite"), "--admin", "admin"}, {}, kPassword);
+        QVERIFY2(made.exitCode == 0, made.error);
+        m_rig.populate();
+        m_peopled = database::sql::backUp(m_rig.school().db, m_made.filePath("b"), m_rig.nowUtc).value();
+    }
 
-    void aSchoolIsMadeAndPeopled();
-    void withoutAFileItIsTheUsersOwn();
-    void aClassListIsTriedAndEntered();
-    void whoseCodeIsLostIsEnteredAllTheSame();
-    void codesAndTablesOverwriteNothingElse();
-    void pipesAndDevicesAreNoFiles();
-    void attemptsAreExported();
-    void whatABackupMissesIsSentAgain();
-    void whatCannotBeRestoredIsRefused();
-    void whatWaitsForASchoolThatWasRenamedIsSent();
-    void aDamagedLetterIsSetAside();
-    void whatWaitsForASchoolMovesWithIt();
-    void aMigrationLetsRowsBeNumberedAgain();
-    void whereTheSchoolCannotBeUsedABackupIsNamed();
-    void aCopyThatFailsLeavesNothingBehind();
-    void whoMayNotReadTheKeyLooksAllTheSame();
-    void namesThatAreNoFilesAreRefused();
-    void whoStopsAtThePasswordSeesWhatHeTypes_data();
-    void whoStopsAtThePasswordSeesWhatHeTypes();
-    void wrongUsageIsExplained();
+    void init()
+    {
+        m_folder = std::make_unique<QTemporaryDir>();
+        for (const char* name : {"school.sqlite", "station.key"})
+            QVERIFY(QFile::copy(m_made.filePath(name), at(name)));
+    }
+
+    void aSchoolIsMadeAndPeopled()
+    {
+        // A password that everybody guesses makes no school.
+        const Ending weak = runCusp({"db", "init", "--db", at("weak.sqlite"), "--admin", "admin"}, {}, "password1\n");
+        QCOMPARE(weak.exitCode, 1);
+        QVERIFY(weak.isOneSentence());
+        QVERIFY(!QFile::exists(at("weak.sqlite")));
+        // Nor does a name that cannot be one.
+        for (const QString& name : {QString("a b"), QString(" "), QString(""), QString(65, 'a')}) {
+            const Ending unfit = runCusp({"db", "init", "--db", at("weak.sqlite"), "--admin", name}, {}, kPassword);
+            QVERIFY2(unfit.exitCode == 1 && unfit.isOneSentence(), unfit.error);
+            QVERIFY(!QFile::exists(at("weak.sqlite")));
+        }
+        // A file that was written on Windows ends its lines in its own way.
+        QCOMPARE(runCusp({"user", "list", "--db", school(), "--as", "admin"}, {}, "correct horse\r\n").exitCode, 0);
+        const Ending added =
+            byAdmin({"user", "add", "s1", "--given", "Sam", "--family", "One", "--role", "student", "--json"});
+        QVERIFY2(added.exitCode == 0, added.error);
+        QVERIFY(added.json()["code"].toString().size() == 14);
+        QCOMPARE(byAdmin({"user", "add", "s1"}).exitCode, 1);
+        QCOMPARE(byAdmin({"user", "add", "x", "--role", "boss"}).exitCode, 2);
+        QVERIFY(byAdmin({"user", "disable", "s1"}).out.contains("can no longer log in"));
+        const QJsonArray people = byAdmin({"user", "list", "--json"}).json()["people"].toArray();
+        QCOMPARE(people.size(), 2);
+        QCOMPARE(people.last().toObject()["disabled"].toBool(), true);
+        QVERIFY(byAdmin({"user", "disable", "s1", "--enable"}).out.contains("s1 can log in"));
+        const Ending reset = byAdmin({"user", "reset", "s1", "--json"});
+        QVERIFY(reset.json()["code"].toString() != added.json()["code"].toString());
+        // Without the password, or the right, nothing is done.
+        const Ending wrong = runCusp({"user", "list", "--db", school(), "--as", "admin"}, {}, "wrong horse\n");
+        QCOMPARE(wrong.exitCode, 1);
+        QVERIFY2(wrong.isOneSentence(), wrong.error);
+        const Ending given = runCusp({"user", "list", "--db", school(), "--as", "admin"}, {}, {});  // as by Ctrl+D
+        QCOMPARE(given.exitCode, 1);
+        QVERIFY2(given.isOneSentence() && given.error.contains("no password was given"), given.error);
+        QVERIFY(onFile({"user", "list"}).error.contains("--as"));
+        QCOMPARE(byAdmin({"user", "disable", "admin"}).exitCode, 1);
+        const QJsonObject checked = onFile({"db", "check", "--json"}).json();
+        QCOMPARE(checked["sound"].toBool(), true);
+        QVERIFY(checked["audit_rows"].toInt() > 5);
+        QVERIFY(onFile({"db", "stats"}).out.contains("students     1"));
+    }
+
+    /// In the folder that the desktop keeps for the data of programs.
+    void withoutAFileItIsTheUsersOwn()
+    {
+        const QStringList where{"XDG_DATA_HOME=" + at("data")};
+        const QString own = at("data/cusp/cusp.sqlite");
+        // Who only looks makes nothing.
+        QCOMPARE(runCusp({"db", "stats"}, where).exitCode, 1);
+        QVERIFY(!QFile::exists(own));
+        const Ending made = runCusp({"db", "init", "--admin", "admin"}, where, kPassword);
+        QVERIFY2(made.exitCode == 0, made.error);
+        QVERIFY(QFile::exists(own));
+        QCOMPARE(runCusp({"db", "stats", "--json"}, where).exitCode, 0);
+        QCOMPARE(
+            runCusp({"user", "list", "--as", "admin", "--json"}, where, kPassword).json()["people"].toArray().size(),
+            1);
+    }
+
+    void aClassListIsTriedAndEntered()
+    {
+        put(at("list.csv"), "username,given_name,family_name,role,class\nn1,Ada,One,,A\nn2,Bo,Two,instructor,A|B\n");
+        const QJsonObject dry = byAdmin({"import", "roster", at("list.csv"), "--dry-run", "--json"}).json();
+        QCOMPARE(dry["dry_run"].toBool(), true);
+        QCOMPARE(dry["people"].toArray().size(), 2);
+        QCOMPARE(byAdmin({"user", "list", "--json"}).json()["people"].toArray().size(), 1);
+        put(at("short.csv"), "username,given_name,family_name,role,class\nn8,Ada,Eight\nn9,Ada,Two,,A\n");
+        const QByteArray shorter = byAdmin({"import", "roster", at("short.csv"), "--dry-run"}).out;
+        QVERIFY2(shorter.contains("fewer fields than the first line names: n8") && !shorter.contains("n9"), shorter);
+        // Codes that go into a file are not told as well.
+        const Ending done = byAdmin({"import", "roster", at("list.csv"), "--codes", at("codes.csv"), "--json"});
+        QVERIFY2(done.exitCode == 0, done.error);
+        QCOMPARE(done.json()["people"].toArray()[0].toObject()["code"].toString(), QString());
+        const QByteArray codes = contentOf(at("codes.csv"));
+        QVERIFY2(codes.contains("n1,Ada One,") && codes.contains("n2,Bo Two,"), codes);
+        QVERIFY(!(QFile::permissions(at("codes.csv")) & (QFile::ReadGroup | QFile::ReadOther)));
+        put(at("nobody.csv"), "username,given_name,family_name,role,class\n");
+        for (const QStringList& way : {QStringList(), QStringList{"--dry-run"}}) {
+            const Ending nobody = byAdmin(QStringList{"import", "roster", at("nobody.csv")} + way);
+            QCOMPARE(nobody.exitCode, 1);
+            QVERIFY2(nobody.error.contains("there is nobody in it") && nobody.out.isEmpty(), nobody.error);
+        }
+        put(at("bad.csv"), "username,role\nn3,boss\n,student\n");
+        const Ending bad = byAdmin({"import", "roster", at("bad.csv")});
+        QCOMPARE(bad.exitCode, 1);
+        QVERIFY2(bad.error.contains("line 2, column role") && bad.error.contains("line 3, column username"), bad.error);
+        QCOMPARE(byAdmin({"user", "list", "--json"}).json()["people"].toArray().size(), 3);
+    }
+
+    /// A full disk takes the answer, and with it the code.
+    void whoseCodeIsLostIsEnteredAllTheSame()
+    {
+        put(at("list.csv"), "username\ns1002\n");
+        const auto toFullDisk = [this](QStringList words) {
+            words << "--db" << school() << "--as"
+                  << "admin";
+            QProcess cusp;
+            cusp.setStandardOutputFile("/dev/full");
+            cusp.start(QStringLiteral(CUSP_BINARY_DIR "/bin/cusp"), words);
+            cusp.write(kPassword);
+            cusp.closeWriteChannel();
+            cusp.waitForFinished();
+            return Ending{cusp.exitCode(), {}, cusp.readAllStandardError(), 0};
+        };
+        for (const auto& [words, said] :
+             {std::pair(QStringList{"user", "add", "s1001"},
+                        "s1001 is entered, but the code is lost: \"cusp user reset s1001\" gives another"),
+              std::pair(QStringList{"user", "reset", "s1001"},
+                        "the password of s1001 is taken away, but the code is lost: \"cusp user reset s1001\" gives "
+                        "another"),
+              std::pair(QStringList{"import", "roster", at("list.csv")},
+                        "the list is entered, but the codes are lost: \"cusp user reset\" gives each of the new ones "
+                        "another")}) {
+            const Ending full = toFullDisk(words);
+            QCOMPARE(full.exitCode, 1);
+            QVERIFY2(full.isOneSentence() && full.error.contains(said), full.error);
+        }
+        // Of what tells no code there is nothing to lose.
+        QVERIFY(!toFullDisk({"user", "list"}).error.contains("code"));
+        QCOMPARE(byAdmin({"user", "list", "--json"}).json().value("people").toArray().size(), 3);
+    }
+
+    void codesAndTablesOverwriteNothingElse()
+    {
+        put(at("list.csv"), "username\nn1\n");
+        const QFile::Permissions others = QFile::ReadGroup | QFile::WriteGroup | QFile::ReadOther | QFile::WriteOther;
+        QVERIFY(QFile::link(m_folder->path(), at("door")));
+        QVERIFY(QFile::link(school(), at("link.csv")) && QFile::link(at("link.csv"), at("twice.csv")));
+        QVERIFY(QFile::link(at("nothing"), at("lost.csv")));
+        for (const QString& target :
+             {at("list.csv"), at("station.key"), school(), QString("/dev/full"), m_folder->path(),
+              school() + "-journal", at("door/school.sqlite-wal"), at("twice.csv"), at("lost.csv")}) {
+            const bool wasThere = QFileInfo::exists(target);
+            const bool isFile = QFileInfo(target).isFile();  // a device has no end
+            const QByteArray before = isFile ? contentOf(target) : QByteArray();
+            for (const QStringList& words : {QStringList{"import", "roster", at("list.csv"), "--codes", target},
+                                             {"export", "attempts", "--csv", target}}) {
+                if (words.contains("export") ? target == at("list.csv") : target == at("lost.csv"))
+                    continue;
+                const Ending refused = byAdmin(words);
+                QVERIFY2(refused.exitCode == 1 && refused.isOneSentence(), qPrintable(words.join(' ')));
+            }
+            QCOMPARE(QFileInfo::exists(target), wasThere);
+            // The login alone is noted in the school.
+            QCOMPARE(QFileInfo(target).isFile(), isFile);
+            QVERIFY(!isFile || contentOf(target).left(16) == before.left(16));
+        }
+        QCOMPARE(byAdmin({"user", "list", "--json"}).json()["people"].toArray().size(), 1);
+        // Last night's table is replaced, also where a link leads; it is for its owner, or for whom somebody has said.
+        put(at("table.csv"), "last night");
+        QVERIFY(QFile::link(at("table.csv"), at("tonight.csv")));
+        QVERIFY(QFile::setPermissions(at("table.csv"), QFile::ReadOwner | QFile::WriteOwner | QFile::ReadGroup));
+        for (const char* name : {"tonight.csv", "new.csv"})
+            QCOMPARE(byAdmin({"export", "attempts", "--csv", at(name)}).exitCode, 0);
+        QVERIFY(QFileInfo(at("tonight.csv")).isSymLink());
+        QVERIFY(!contentOf(at("table.csv")).contains("last night"));
+        QVERIFY(QFile::permissions(at("table.csv")) & QFile::ReadGroup);
+        QVERIFY(!(QFile::permissions(at("new.csv")) & others));
+        QCOMPARE(onFile({"db", "check"}).exitCode, 0);
+    }
+
+    void pipesAndDevicesAreNoFiles()
+    {
+        QCOMPARE(mkfifo(qPrintable(at("pipe")), 0600), 0);
+        const Ending list = byAdmin({"import", "roster", at("pipe")});
+        QVERIFY2(list.exitCode == 1 && list.isOneSentence() && list.error.contains("is no file"), list.error);
+        for (const QString& name : {at("pipe"), QString("/dev/zero"), QString("/dev/null")}) {
+            const Ending stats = runCusp({"db", "stats", "--db", name});
+            QVERIFY2(stats.exitCode == 1 && stats.isOneSentence() && stats.error.contains("is no file"), stats.error);
+        }
+        QVERIFY(QFile::remove(at("station.key")));
+        QCOMPARE(mkfifo(qPrintable(at("station.key")), 0600), 0);
+        const Ending checked = onFile({"db", "check"});
+        QVERIFY2(checked.exitCode == 1 && checked.isOneSentence() && checked.error.contains("is no file"),
+                 checked.error);
+    }
+
+    void attemptsAreExported()
+    {
+        const auto password = support::makeSchool(at("sample.sqlite"), {5, 40});
+        VERIFY_DONE(password);
+        const Ending csv = runCusp({"export", "attempts", "--csv", "-", "--db", at("sample.sqlite"), "--as", "admin"},
+                                   {}, QByteArray::fromStdString(*password) + '\n');
+        QVERIFY2(csv.exitCode == 0, csv.error);
+        QCOMPARE(csv.out.count("\r\n"), 41);
+        const Ending checked = runCusp({"db", "check", "--db", at("sample.sqlite")});
+        QVERIFY2(checked.exitCode == 0, checked.out);
+    }
+
+    /// Attempts that were delivered after the backup was made wait again, for the window to send them.
+    void whatABackupMissesIsSentAgain()
+    {
+        const QString backup = onFile({"db", "backup", "--json"}).json()["backup"].toString();
+        for (const QString& look : {QString("check"), QString("stats")})
+            QCOMPARE(runCusp({"db", look, "--db", backup}).exitCode, 0);
+        QCOMPARE(QFileInfo(backup).dir().entryList(QDir::Files), QStringList{QFileInfo(backup).fileName()});
+        QCOMPARE(byAdmin({"user", "add", "later"}).exitCode, 0);
+        const database::Outbox outbox = outboxOf("school.sqlite");
+        QVERIFY(QDir(m_folder->path()).mkpath("outbox/arrived"));
+        put(at("outbox/arrived/abc.attempt"), "a letter");
+        QVERIFY(outbox.waiting().isEmpty());
+        // By a link it is put where the file is.
+        QVERIFY(QDir(m_folder->path()).mkdir("links") && QFile::link(school(), at("links/link.sqlite")));
+        const Ending restored = onFile({"db", "restore", backup, "--json"});
+        QVERIFY2(restored.exitCode == 0, restored.error);
+        QVERIFY(QFile::exists(restored.json()["replaced"].toString()));
+        QCOMPARE(outbox.waiting().size(), 1);
+        QVERIFY(outbox.arrived().isEmpty());
+        QCOMPARE(onFile({"db", "check"}).exitCode, 0);
+        QCOMPARE(byAdmin({"user", "list", "--json"}).json()["people"].toArray().size(), 1);
+        QCOMPARE(runCusp({"db", "restore", backup, "--db", at("links/link.sqlite")}).exitCode, 0);
+        QVERIFY(QFileInfo(at("links/link.sqlite")).isSymLink());
+        QCOMPARE(QDir(at("links")).entryList(QDir::Files | QDir::Hidden).size(), 1);
+        // Whatever goes wrong behind it: they wait, and it is said where the old file is.
+        outbox.keepArrived(outbox.waiting().front());
+        put(at("station.key"), "noise");
+        const Ending failed = onFile({"db", "restore", backup});
+        QVERIFY2(failed.exitCode == 1 && failed.isOneSentence() && failed.error.contains("replaced-"), failed.error);
+        QCOMPARE(outbox.waiting().size(), 1);
+    }
+
+    void whatCannotBeRestoredIsRefused()
+    {
+        QVERIFY(QDir(m_folder->path()).mkdir("folder.sqlite"));
+        QCOMPARE(mkfifo(qPrintable(at("pipe")), 0600), 0);
+        const QString backup = onFile({"db", "backup", "--to", at("drive"), "--json"}).json()["backup"].toString();
+        const QByteArray before = contentOf(school());
+        for (const auto& [from, to] :
+             {std::pair(m_peopled, school()), std::pair(at("pipe"), school()), std::pair(m_folder->path(), school()),
+              std::pair(at("nothing"), school()), std::pair(school(), school()), std::pair(backup, at("pipe")),
+              std::pair(backup, at("folder.sqlite"))}) {
+            const Ending refused = runCusp({"db", "restore", from, "--db", to});
+            QVERIFY2(refused.exitCode == 1 && refused.isOneSentence(), refused.error);
+        }
+        QCOMPARE(contentOf(school()), before);
+        QVERIFY(QDir(m_folder->path()).entryList({"replaced-*"}).isEmpty());
+    }
+
+    void whatWaitsForASchoolThatWasRenamedIsSent()
+    {
+        QVERIFY(QFile::copy(m_peopled, at("renamed.sqlite")));
+        database::Outbox outbox = outboxOf("older.sqlite");
+        VERIFY_DONE(outbox.put(m_rig.student, SchoolRig::attempt("class1-36", 500), {}));
+        VERIFY_DONE(
+            outbox.put(m_rig.student, database::ExamStart{database::newUid(), "exam-36", "2026-11-20T10:00:00Z"}));
+        // Who sent it is not known in this one.
+        QCOMPARE(onFile({"db", "send", "--json"}).json()["waiting"].toInt(), 2);
+        QCOMPARE(outbox.waiting().size(), 2);
+        const Ending sent = runCusp({"db", "send", "--json", "--db", at("renamed.sqlite")});
+        QVERIFY2(sent.exitCode == 0, sent.error);
+        QCOMPARE(sent.json()["sent"].toInt(), 2);
+        QVERIFY(outbox.waiting().isEmpty());
+        QCOMPARE(outbox.arrived().size(), 2);
+    }
+
+    void aDamagedLetterIsSetAside()
+    {
+        QVERIFY(QDir(m_folder->path()).mkpath("outbox"));
+        put(at("outbox/spoilt.attempt"), "noise");
+        const Ending sent = onFile({"db", "send", "--json"});
+        QVERIFY2(sent.exitCode == 1 && sent.error.contains("kept in the folder \"damaged\""), sent.error);
+        QCOMPARE(sent.json()["damaged"].toInt(), 1);
+        QCOMPARE(contentOf(at("outbox/damaged/spoilt.attempt")), QByteArray("noise"));
+        QCOMPARE(onFile({"db", "send"}).exitCode, 0);
+    }
+
+    /// Beside the copy nobody would look for it.
+    void whatWaitsForASchoolMovesWithIt()
+    {
+        QVERIFY(QDir(m_folder->path()).mkpath("new") && QFile::copy(m_peopled, at("moving.sqlite")));
+        database::Outbox own = outboxOf("moving.sqlite");
+        database::Outbox others = outboxOf("school.sqlite");
+        SchoolRig foreign(false);
+        foreign.populate();
+        for (const auto& [outbox, who] :
+             {std::pair(&own, &m_rig.student), std::pair(&others, &m_rig.student), std::pair(&own, &foreign.student)})
+            VERIFY_DONE(outbox->put(*who, SchoolRig::attempt("class1-36", 500), {}));
+        const Ending copied = runCusp(
+            {"db", "copy", "--json", "--db", at("moving.sqlite"), "--as", "admin", "--to", at("new/copy.sqlite")}, {},
+            kPassword);
+        QVERIFY2(copied.exitCode == 0 && copied.error.contains("1 attempts and beginnings of exams wait beside"),
+                 copied.error);
+        QCOMPARE(copied.json()["sent"].toInt(), 1);
+        QCOMPARE(copied.json()["waiting"].toInt(), 1);
+        QCOMPARE(runCusp({"db", "stats", "--json", "--db", at("new/copy.sqlite")}).json()["attempts"].toInt(), 1);
+        QCOMPARE(own.arrived().size(), 1);
+        const Ending checked = runCusp({"db", "check", "--db", at("new/copy.sqlite")});
+        QVERIFY2(checked.exitCode == 0, checked.out);
+    }
+
+    /// Of a file whose numbers have been used up.
+    void aMigrationLetsRowsBeNumberedAgain()
+    {
+        VERIFY_DONE(database::sql::execute(database::sql::Database::open(school()).value()->handle(),
+                                           "UPDATE sqlite_sequence SET seq = 9223372036854775807", "use them up"));
+        QCOMPARE(byAdmin({"user", "add", "s1"}).exitCode, 1);
+        QVERIFY(onFile({"db", "check"}).out.contains("cusp db migrate"));
+        QCOMPARE(onFile({"db", "migrate"}).exitCode, 0);
+        QCOMPARE(onFile({"db", "check"}).exitCode, 0);
+        QCOMPARE(byAdmin({"user", "add", "s1"}).exitCode, 0);
+    }
+
+    void whereTheSchoolCannotBeUsedABackupIsNamed()
+    {
+        const QByteArray backup = onFile({"db", "backup", "--json"}).json()["backup"].toString().toUtf8();
+        QVERIFY(!onFile({"db", "init"}).error.contains(backup));
+        put(school(), QByteArray(50'000, 'n'));
+        for (const char* how : {"noise", "gone"}) {
+            for (const QStringList& words :
+                 {QStringList{"user", "list"}, {"export", "attempts", "--csv", at("table.csv")}}) {
+                const Ending refused = byAdmin(words);
+                QVERIFY2(refused.exitCode == 1 && refused.isOneSentence() && refused.error.contains(backup), how);
+            }
+            const Ending refused = onFile({"db", "check"});
+            QVERIFY2(refused.exitCode == 1 && refused.error.contains(backup), how);
+            QFile::remove(school());
+        }
+        const Ending made = onFile({"db", "init"});
+        QVERIFY2(made.exitCode == 0 && made.error.contains(backup), made.error);
+    }
+
+    void aCopyThatFailsLeavesNothingBehind()
+    {
+        {
+            const auto opened = database::sql::Database::open(school());
+            VERIFY_DONE(opened);
+            const database::sql::School there{(*opened)->handle(),
+                                              database::StationKey::readOrMake(at("station.key")).value()};
+            const auto admin = database::sql::Logins::login(there, "admin", kPassword.trimmed().toStdString());
+            VERIFY_DONE(admin);
+            VERIFY_DONE(support::addAttempt(there, *admin, SchoolRig::attempt("class1-36", 500), "a recording"));
+        }
+        QVERIFY(QDir(m_folder->path()).mkdir("new"));
+        put(at("new/recordings"), "no folder");
+        QCOMPARE(byAdmin({"db", "copy", "--to", at("new/copy.sqlite")}).exitCode, 1);
+        QCOMPARE(QDir(at("new")).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot),
+                 QStringList{"recordings"});
+        // What was there before stays.
+        QCOMPARE(byAdmin({"db", "copy", "--to", school()}).exitCode, 1);
+        QVERIFY(QFile::exists(at("station.key")));
+        QCOMPARE(onFile({"db", "check"}).exitCode, 0);
+    }
+
+    /// It is its owner's alone.
+    void whoMayNotReadTheKeyLooksAllTheSame()
+    {
+        QCOMPARE(chmod(qPrintable(at("station.key")), 0), 0);
+        QCOMPARE(chmod(qPrintable(school()), 0644), 0);
+        QCOMPARE(chmod(qPrintable(m_folder->path()), 0755), 0);
+        // To root no file is closed.
+        constexpr uid_t kNobody = 65534;
+        const uid_t me = geteuid();
+        QCOMPARE(me == 0 ? seteuid(kNobody) : 0, 0);
+        const auto back = qScopeGuard([me] { QCOMPARE(seteuid(me), 0); });
+        const auto address = database::Address::parse(school());
+        VERIFY_DONE(address);
+        const auto looked = app::cli::openSchool(*address, app::cli::Opening::ToLook);
+        VERIFY_DONE(looked);
+        QVERIFY(!looked->hasStationKey);
+        QVERIFY2(looked->keyFault.find("station.key") != std::string::npos, looked->keyFault.c_str());
+        QVERIFY(!app::cli::openSchool(*address, app::cli::Opening::AsItIs).has_value());
+    }
+
+    void namesThatAreNoFilesAreRefused()
+    {
+        for (const char* name : {":memory:", "file:x?mode=memory", ":x.sqlite", "mysql://x/y", " ",
+                                 "postgresql://x/%00", "postgresql://x%0A/y"}) {
+            const Ending refused = runCusp({"db", "init", "--db", name});
+            QVERIFY2(refused.exitCode == 1 && refused.isOneSentence(), name);
+        }
+        // As a copied address may hold it.
+        for (const char* name :
+             {"postgresql://x%E2%80%8B/y", "postgresql://x/y%E2%80%8B", "postgresql://u%E2%80%8B@x/y"}) {
+            const Ending refused = runCusp({"db", "init", "--db", name});
+            QVERIFY2(refused.exitCode == 1 && refused.error.contains("cannot be seen"), refused.error);
+        }
+    }
+
+    void whoStopsAtThePasswordSeesWhatHeTypes_data()
+    {
+        QTest::addColumn<int>("signal");
+        QTest::newRow("Ctrl+C") << SIGINT;
+        QTest::newRow("ended") << SIGTERM;
+        QTest::newRow("the terminal is closed") << SIGHUP;
+    }
+
+    /// A halt and going on comes first: nothing is shown then, either. As a shell would have begun it, which waits
+    /// beside.
+    void whoStopsAtThePasswordSeesWhatHeTypes()
+    {
+        QFETCH(int, signal);
+        const QByteArray file = school().toLocal8Bit();
+        int terminal = -1;
+        const pid_t shell = forkpty(&terminal, nullptr, nullptr, nullptr);
+        if (shell == 0) {
+            const pid_t cusp = fork();
+            if (cusp == 0) {
+                setpgid(0, 0);
+                ::signal(SIGTTOU, SIG_IGN);
+                tcsetpgrp(STDIN_FILENO, getpid());
+                ::signal(SIGTTOU, SIG_DFL);
+                execl(CUSP_BINARY_DIR "/bin/cusp", "cusp", "user", "list", "--as", "admin", "--db", file.constData(),
+                      nullptr);
+                _exit(127);
+            }
+            int status = 0;
+            waitpid(cusp, &status, 0);
+            _exit(WIFSIGNALED(status) ? WTERMSIG(status) : 0);
+        }
+        const auto closed = qScopeGuard([&] {
+            kill(shell, SIGKILL);
+            waitpid(shell, nullptr, 0);
+            close(terminal);
+        });
+        const auto isShown = [&terminal] {
+            termios now{};
+            return tcgetattr(terminal, &now) == 0 && (now.c_lflag & ECHO) != 0;
+        };
+        QTRY_VERIFY(!isShown());
+        const pid_t cusp = tcgetpgrp(terminal);
+        QVERIFY(cusp > 0 && cusp != shell);
+        QCOMPARE(kill(cusp, SIGTSTP), 0);
+        QTRY_VERIFY(contentOf(QStringLiteral("/proc/%1/stat").arg(cusp)).contains(") T "));
+        QVERIFY(isShown());
+        QCOMPARE(kill(cusp, SIGCONT), 0);
+        QTRY_VERIFY(!isShown());
+        QCOMPARE(kill(cusp, signal), 0);
+        int status = 0;
+        bool isOver = false;
+        QTRY_VERIFY(isOver = isOver || waitpid(shell, &status, WNOHANG) == shell);
+        QVERIFY(WIFEXITED(status));
+        QCOMPARE(WEXITSTATUS(status), signal);
+        QVERIFY(isShown());
+    }
+
+    void wrongUsageIsExplained()
+    {
+        for (const QStringList& words : {QStringList{"db"},
+                                         {"db", "paint"},
+                                         {"db", "restore"},
+                                         {"db", "copy"},
+                                         {"db", "check", "--db", school(), "--witness", "412-9f3ac07be1d"},
+                                         {"db", "copy", "--db", school(), "--to", at("copy.sqlite")},
+                                         {"db", "measure", "--db", school()},
+                                         {"user", "list", "--db", school()},
+                                         {"user", "list", "--db", school(), "--as", ""},
+                                         {"import", "roster", "list.csv", "--db", school()},
+                                         {"export", "attempts", "--csv", "-", "--db", school()},
+                                         {"user"},
+                                         {"user", "add"},
+                                         {"import"},
+                                         {"import", "roster"},
+                                         {"export", "attempts"}}) {
+            const Ending ending = runCusp(words);
+            QVERIFY2(ending.exitCode == 2, qPrintable(words.join(' ')));
+        }
+    }
 
 private:
     [[nodiscard]] QString at(const char* name) const { return m_folder->filePath(QLatin1String(name)); }
@@ -104,476 +555,6 @@ private:
     SchoolRig m_rig{false};
     QString m_peopled;  ///< a backup of the rig's school
 };
-
-void TestSchoolCommands::initTestCase()
-{
-    const Ending made =
-        runCusp({"db", "init", "--db", m_made.filePath("school.sqlite"), "--admin", "admin"}, {}, kPassword);
-    QVERIFY2(made.exitCode == 0, made.error);
-    m_rig.populate();
-    m_peopled = database::sql::backUp(m_rig.school().db, m_made.filePath("b"), m_rig.nowUtc).value();
-}
-
-void TestSchoolCommands::init()
-{
-    m_folder = std::make_unique<QTemporaryDir>();
-    for (const char* name : {"school.sqlite", "station.key"})
-        QVERIFY(QFile::copy(m_made.filePath(name), at(name)));
-}
-
-void TestSchoolCommands::aSchoolIsMadeAndPeopled()
-{
-    // A password that everybody guesses makes no school.
-    const Ending weak = runCusp({"db", "init", "--db", at("weak.sqlite"), "--admin", "admin"}, {}, "password1\n");
-    QCOMPARE(weak.exitCode, 1);
-    QVERIFY(weak.isOneSentence());
-    QVERIFY(!QFile::exists(at("weak.sqlite")));
-    // Nor does a name that cannot be one.
-    for (const QString& name : {QString("a b"), QString(" "), QString(""), QString(65, 'a')}) {
-        const Ending unfit = runCusp({"db", "init", "--db", at("weak.sqlite"), "--admin", name}, {}, kPassword);
-        QVERIFY2(unfit.exitCode == 1 && unfit.isOneSentence(), unfit.error);
-        QVERIFY(!QFile::exists(at("weak.sqlite")));
-    }
-    // A file that was written on Windows ends its lines in its own way.
-    QCOMPARE(runCusp({"user", "list", "--db", school(), "--as", "admin"}, {}, "correct horse\r\n").exitCode, 0);
-    const Ending added =
-        byAdmin({"user", "add", "s1", "--given", "Sam", "--family", "One", "--role", "student", "--json"});
-    QVERIFY2(added.exitCode == 0, added.error);
-    QVERIFY(added.json()["code"].toString().size() == 14);
-    QCOMPARE(byAdmin({"user", "add", "s1"}).exitCode, 1);
-    QCOMPARE(byAdmin({"user", "add", "x", "--role", "boss"}).exitCode, 2);
-    QVERIFY(byAdmin({"user", "disable", "s1"}).out.contains("can no longer log in"));
-    const QJsonArray people = byAdmin({"user", "list", "--json"}).json()["people"].toArray();
-    QCOMPARE(people.size(), 2);
-    QCOMPARE(people.last().toObject()["disabled"].toBool(), true);
-    QVERIFY(byAdmin({"user", "disable", "s1", "--enable"}).out.contains("s1 can log in"));
-    const Ending reset = byAdmin({"user", "reset", "s1", "--json"});
-    QVERIFY(reset.json()["code"].toString() != added.json()["code"].toString());
-    // Without the password, or the right, nothing is done.
-    const Ending wrong = runCusp({"user", "list", "--db", school(), "--as", "admin"}, {}, "wrong horse\n");
-    QCOMPARE(wrong.exitCode, 1);
-    QVERIFY2(wrong.isOneSentence(), wrong.error);
-    const Ending given = runCusp({"user", "list", "--db", school(), "--as", "admin"}, {}, {});  // as by Ctrl+D
-    QCOMPARE(given.exitCode, 1);
-    QVERIFY2(given.isOneSentence() && given.error.contains("no password was given"), given.error);
-    QVERIFY(onFile({"user", "list"}).error.contains("--as"));
-    QCOMPARE(byAdmin({"user", "disable", "admin"}).exitCode, 1);
-    const QJsonObject checked = onFile({"db", "check", "--json"}).json();
-    QCOMPARE(checked["sound"].toBool(), true);
-    QVERIFY(checked["audit_rows"].toInt() > 5);
-    QVERIFY(onFile({"db", "stats"}).out.contains("students     1"));
-}
-
-/// In the folder that the desktop keeps for the data of programs.
-void TestSchoolCommands::withoutAFileItIsTheUsersOwn()
-{
-    const QStringList where{"XDG_DATA_HOME=" + at("data")};
-    const QString own = at("data/cusp/cusp.sqlite");
-    // Who only looks makes nothing.
-    QCOMPARE(runCusp({"db", "stats"}, where).exitCode, 1);
-    QVERIFY(!QFile::exists(own));
-    const Ending made = runCusp({"db", "init", "--admin", "admin"}, where, kPassword);
-    QVERIFY2(made.exitCode == 0, made.error);
-    QVERIFY(QFile::exists(own));
-    QCOMPARE(runCusp({"db", "stats", "--json"}, where).exitCode, 0);
-    QCOMPARE(runCusp({"user", "list", "--as", "admin", "--json"}, where, kPassword).json()["people"].toArray().size(),
-             1);
-}
-
-void TestSchoolCommands::aClassListIsTriedAndEntered()
-{
-    put(at("list.csv"), "username,given_name,family_name,role,class\nn1,Ada,One,,A\nn2,Bo,Two,instructor,A|B\n");
-    const QJsonObject dry = byAdmin({"import", "roster", at("list.csv"), "--dry-run", "--json"}).json();
-    QCOMPARE(dry["dry_run"].toBool(), true);
-    QCOMPARE(dry["people"].toArray().size(), 2);
-    QCOMPARE(byAdmin({"user", "list", "--json"}).json()["people"].toArray().size(), 1);
-    put(at("short.csv"), "username,given_name,family_name,role,class\nn8,Ada,Eight\nn9,Ada,Two,,A\n");
-    const QByteArray shorter = byAdmin({"import", "roster", at("short.csv"), "--dry-run"}).out;
-    QVERIFY2(shorter.contains("fewer fields than the first line names: n8") && !shorter.contains("n9"), shorter);
-    // Codes that go into a file are not told as well.
-    const Ending done = byAdmin({"import", "roster", at("list.csv"), "--codes", at("codes.csv"), "--json"});
-    QVERIFY2(done.exitCode == 0, done.error);
-    QCOMPARE(done.json()["people"].toArray()[0].toObject()["code"].toString(), QString());
-    const QByteArray codes = contentOf(at("codes.csv"));
-    QVERIFY2(codes.contains("n1,Ada One,") && codes.contains("n2,Bo Two,"), codes);
-    QVERIFY(!(QFile::permissions(at("codes.csv")) & (QFile::ReadGroup | QFile::ReadOther)));
-    put(at("nobody.csv"), "username,given_name,family_name,role,class\n");
-    for (const QStringList& way : {QStringList(), QStringList{"--dry-run"}}) {
-        const Ending nobody = byAdmin(QStringList{"import", "roster", at("nobody.csv")} + way);
-        QCOMPARE(nobody.exitCode, 1);
-        QVERIFY2(nobody.error.contains("there is nobody in it") && nobody.out.isEmpty(), nobody.error);
-    }
-    put(at("bad.csv"), "username,role\nn3,boss\n,student\n");
-    const Ending bad = byAdmin({"import", "roster", at("bad.csv")});
-    QCOMPARE(bad.exitCode, 1);
-    QVERIFY2(bad.error.contains("line 2, column role") && bad.error.contains("line 3, column username"), bad.error);
-    QCOMPARE(byAdmin({"user", "list", "--json"}).json()["people"].toArray().size(), 3);
-}
-
-/// A full disk takes the answer, and with it the code.
-void TestSchoolCommands::whoseCodeIsLostIsEnteredAllTheSame()
-{
-    put(at("list.csv"), "username\ns1002\n");
-    const auto toFullDisk = [this](QStringList words) {
-        words << "--db" << school() << "--as"
-              << "admin";
-        QProcess cusp;
-        cusp.setStandardOutputFile("/dev/full");
-        cusp.start(QStringLiteral(CUSP_BINARY_DIR "/bin/cusp"), words);
-        cusp.write(kPassword);
-        cusp.closeWriteChannel();
-        cusp.waitForFinished();
-        return Ending{cusp.exitCode(), {}, cusp.readAllStandardError(), 0};
-    };
-    for (const auto& [words, said] :
-         {std::pair(QStringList{"user", "add", "s1001"},
-                    "s1001 is entered, but the code is lost: \"cusp user reset s1001\" gives another"),
-          std::pair(QStringList{"user", "reset", "s1001"},
-                    "the password of s1001 is taken away, but the code is lost: \"cusp user reset s1001\" gives "
-                    "another"),
-          std::pair(QStringList{"import", "roster", at("list.csv")},
-                    "the list is entered, but the codes are lost: \"cusp user reset\" gives each of the new ones "
-                    "another")}) {
-        const Ending full = toFullDisk(words);
-        QCOMPARE(full.exitCode, 1);
-        QVERIFY2(full.isOneSentence() && full.error.contains(said), full.error);
-    }
-    // Of what tells no code there is nothing to lose.
-    QVERIFY(!toFullDisk({"user", "list"}).error.contains("code"));
-    QCOMPARE(byAdmin({"user", "list", "--json"}).json().value("people").toArray().size(), 3);
-}
-
-void TestSchoolCommands::codesAndTablesOverwriteNothingElse()
-{
-    put(at("list.csv"), "username\nn1\n");
-    const QFile::Permissions others = QFile::ReadGroup | QFile::WriteGroup | QFile::ReadOther | QFile::WriteOther;
-    QVERIFY(QFile::link(m_folder->path(), at("door")));
-    QVERIFY(QFile::link(school(), at("link.csv")) && QFile::link(at("link.csv"), at("twice.csv")));
-    QVERIFY(QFile::link(at("nothing"), at("lost.csv")));
-    for (const QString& target :
-         {at("list.csv"), at("station.key"), school(), QString("/dev/full"), m_folder->path(), school() + "-journal",
-          at("door/school.sqlite-wal"), at("twice.csv"), at("lost.csv")}) {
-        const bool wasThere = QFileInfo::exists(target);
-        const bool isFile = QFileInfo(target).isFile();  // a device has no end
-        const QByteArray before = isFile ? contentOf(target) : QByteArray();
-        for (const QStringList& words : {QStringList{"import", "roster", at("list.csv"), "--codes", target},
-                                         {"export", "attempts", "--csv", target}}) {
-            if (words.contains("export") ? target == at("list.csv") : target == at("lost.csv"))
-                continue;
-            const Ending refused = byAdmin(words);
-            QVERIFY2(refused.exitCode == 1 && refused.isOneSentence(), qPrintable(words.join(' ')));
-        }
-        QCOMPARE(QFileInfo::exists(target), wasThere);
-        // The login alone is noted in the school.
-        QCOMPARE(QFileInfo(target).isFile(), isFile);
-        QVERIFY(!isFile || contentOf(target).left(16) == before.left(16));
-    }
-    QCOMPARE(byAdmin({"user", "list", "--json"}).json()["people"].toArray().size(), 1);
-    // Last night's table is replaced, also where a link leads; it is for its owner, or for whom somebody has said.
-    put(at("table.csv"), "last night");
-    QVERIFY(QFile::link(at("table.csv"), at("tonight.csv")));
-    QVERIFY(QFile::setPermissions(at("table.csv"), QFile::ReadOwner | QFile::WriteOwner | QFile::ReadGroup));
-    for (const char* name : {"tonight.csv", "new.csv"})
-        QCOMPARE(byAdmin({"export", "attempts", "--csv", at(name)}).exitCode, 0);
-    QVERIFY(QFileInfo(at("tonight.csv")).isSymLink());
-    QVERIFY(!contentOf(at("table.csv")).contains("last night"));
-    QVERIFY(QFile::permissions(at("table.csv")) & QFile::ReadGroup);
-    QVERIFY(!(QFile::permissions(at("new.csv")) & others));
-    QCOMPARE(onFile({"db", "check"}).exitCode, 0);
-}
-
-void TestSchoolCommands::pipesAndDevicesAreNoFiles()
-{
-    QCOMPARE(mkfifo(qPrintable(at("pipe")), 0600), 0);
-    const Ending list = byAdmin({"import", "roster", at("pipe")});
-    QVERIFY2(list.exitCode == 1 && list.isOneSentence() && list.error.contains("is no file"), list.error);
-    for (const QString& name : {at("pipe"), QString("/dev/zero"), QString("/dev/null")}) {
-        const Ending stats = runCusp({"db", "stats", "--db", name});
-        QVERIFY2(stats.exitCode == 1 && stats.isOneSentence() && stats.error.contains("is no file"), stats.error);
-    }
-    QVERIFY(QFile::remove(at("station.key")));
-    QCOMPARE(mkfifo(qPrintable(at("station.key")), 0600), 0);
-    const Ending checked = onFile({"db", "check"});
-    QVERIFY2(checked.exitCode == 1 && checked.isOneSentence() && checked.error.contains("is no file"), checked.error);
-}
-
-void TestSchoolCommands::attemptsAreExported()
-{
-    const auto password = support::makeSchool(at("sample.sqlite"), {5, 40});
-    VERIFY_DONE(password);
-    const Ending csv = runCusp({"export", "attempts", "--csv", "-", "--db", at("sample.sqlite"), "--as", "admin"}, {},
-                               QByteArray::fromStdString(*password) + '\n');
-    QVERIFY2(csv.exitCode == 0, csv.error);
-    QCOMPARE(csv.out.count("\r\n"), 41);
-    const Ending checked = runCusp({"db", "check", "--db", at("sample.sqlite")});
-    QVERIFY2(checked.exitCode == 0, checked.out);
-}
-
-/// Of a file whose numbers have been used up.
-void TestSchoolCommands::aMigrationLetsRowsBeNumberedAgain()
-{
-    VERIFY_DONE(database::sql::execute(database::sql::Database::open(school()).value()->handle(),
-                                       "UPDATE sqlite_sequence SET seq = 9223372036854775807", "use them up"));
-    QCOMPARE(byAdmin({"user", "add", "s1"}).exitCode, 1);
-    QVERIFY(onFile({"db", "check"}).out.contains("cusp db migrate"));
-    QCOMPARE(onFile({"db", "migrate"}).exitCode, 0);
-    QCOMPARE(onFile({"db", "check"}).exitCode, 0);
-    QCOMPARE(byAdmin({"user", "add", "s1"}).exitCode, 0);
-}
-
-/// Attempts that were delivered after the backup was made wait again, for the window to send them.
-void TestSchoolCommands::whatABackupMissesIsSentAgain()
-{
-    const QString backup = onFile({"db", "backup", "--json"}).json()["backup"].toString();
-    for (const QString& look : {QString("check"), QString("stats")})
-        QCOMPARE(runCusp({"db", look, "--db", backup}).exitCode, 0);
-    QCOMPARE(QFileInfo(backup).dir().entryList(QDir::Files), QStringList{QFileInfo(backup).fileName()});
-    QCOMPARE(byAdmin({"user", "add", "later"}).exitCode, 0);
-    const database::Outbox outbox = outboxOf("school.sqlite");
-    QVERIFY(QDir(m_folder->path()).mkpath("outbox/arrived"));
-    put(at("outbox/arrived/abc.attempt"), "a letter");
-    QVERIFY(outbox.waiting().isEmpty());
-    // By a link it is put where the file is.
-    QVERIFY(QDir(m_folder->path()).mkdir("links") && QFile::link(school(), at("links/link.sqlite")));
-    const Ending restored = onFile({"db", "restore", backup, "--json"});
-    QVERIFY2(restored.exitCode == 0, restored.error);
-    QVERIFY(QFile::exists(restored.json()["replaced"].toString()));
-    QCOMPARE(outbox.waiting().size(), 1);
-    QVERIFY(outbox.arrived().isEmpty());
-    QCOMPARE(onFile({"db", "check"}).exitCode, 0);
-    QCOMPARE(byAdmin({"user", "list", "--json"}).json()["people"].toArray().size(), 1);
-    QCOMPARE(runCusp({"db", "restore", backup, "--db", at("links/link.sqlite")}).exitCode, 0);
-    QVERIFY(QFileInfo(at("links/link.sqlite")).isSymLink());
-    QCOMPARE(QDir(at("links")).entryList(QDir::Files | QDir::Hidden).size(), 1);
-    // Whatever goes wrong behind it: they wait, and it is said where the old file is.
-    outbox.keepArrived(outbox.waiting().front());
-    put(at("station.key"), "noise");
-    const Ending failed = onFile({"db", "restore", backup});
-    QVERIFY2(failed.exitCode == 1 && failed.isOneSentence() && failed.error.contains("replaced-"), failed.error);
-    QCOMPARE(outbox.waiting().size(), 1);
-}
-
-void TestSchoolCommands::whatCannotBeRestoredIsRefused()
-{
-    QVERIFY(QDir(m_folder->path()).mkdir("folder.sqlite"));
-    QCOMPARE(mkfifo(qPrintable(at("pipe")), 0600), 0);
-    const QString backup = onFile({"db", "backup", "--to", at("drive"), "--json"}).json()["backup"].toString();
-    const QByteArray before = contentOf(school());
-    for (const auto& [from, to] :
-         {std::pair(m_peopled, school()), std::pair(at("pipe"), school()), std::pair(m_folder->path(), school()),
-          std::pair(at("nothing"), school()), std::pair(school(), school()), std::pair(backup, at("pipe")),
-          std::pair(backup, at("folder.sqlite"))}) {
-        const Ending refused = runCusp({"db", "restore", from, "--db", to});
-        QVERIFY2(refused.exitCode == 1 && refused.isOneSentence(), refused.error);
-    }
-    QCOMPARE(contentOf(school()), before);
-    QVERIFY(QDir(m_folder->path()).entryList({"replaced-*"}).isEmpty());
-}
-
-void TestSchoolCommands::whatWaitsForASchoolThatWasRenamedIsSent()
-{
-    QVERIFY(QFile::copy(m_peopled, at("renamed.sqlite")));
-    database::Outbox outbox = outboxOf("older.sqlite");
-    VERIFY_DONE(outbox.put(m_rig.student, SchoolRig::attempt("class1-36", 500), {}));
-    VERIFY_DONE(outbox.put(m_rig.student, database::ExamStart{database::newUid(), "exam-36", "2026-11-20T10:00:00Z"}));
-    // Who sent it is not known in this one.
-    QCOMPARE(onFile({"db", "send", "--json"}).json()["waiting"].toInt(), 2);
-    QCOMPARE(outbox.waiting().size(), 2);
-    const Ending sent = runCusp({"db", "send", "--json", "--db", at("renamed.sqlite")});
-    QVERIFY2(sent.exitCode == 0, sent.error);
-    QCOMPARE(sent.json()["sent"].toInt(), 2);
-    QVERIFY(outbox.waiting().isEmpty());
-    QCOMPARE(outbox.arrived().size(), 2);
-}
-
-void TestSchoolCommands::aDamagedLetterIsSetAside()
-{
-    QVERIFY(QDir(m_folder->path()).mkpath("outbox"));
-    put(at("outbox/spoilt.attempt"), "noise");
-    const Ending sent = onFile({"db", "send", "--json"});
-    QVERIFY2(sent.exitCode == 1 && sent.error.contains("kept in the folder \"damaged\""), sent.error);
-    QCOMPARE(sent.json()["damaged"].toInt(), 1);
-    QCOMPARE(contentOf(at("outbox/damaged/spoilt.attempt")), QByteArray("noise"));
-    QCOMPARE(onFile({"db", "send"}).exitCode, 0);
-}
-
-/// Beside the copy nobody would look for it.
-void TestSchoolCommands::whatWaitsForASchoolMovesWithIt()
-{
-    QVERIFY(QDir(m_folder->path()).mkpath("new") && QFile::copy(m_peopled, at("moving.sqlite")));
-    database::Outbox own = outboxOf("moving.sqlite");
-    database::Outbox others = outboxOf("school.sqlite");
-    SchoolRig foreign(false);
-    foreign.populate();
-    for (const auto& [outbox, who] :
-         {std::pair(&own, &m_rig.student), std::pair(&others, &m_rig.student), std::pair(&own, &foreign.student)})
-        VERIFY_DONE(outbox->put(*who, SchoolRig::attempt("class1-36", 500), {}));
-    const Ending copied =
-        runCusp({"db", "copy", "--json", "--db", at("moving.sqlite"), "--as", "admin", "--to", at("new/copy.sqlite")},
-                {}, kPassword);
-    QVERIFY2(copied.exitCode == 0 && copied.error.contains("1 attempts and beginnings of exams wait beside"),
-             copied.error);
-    QCOMPARE(copied.json()["sent"].toInt(), 1);
-    QCOMPARE(copied.json()["waiting"].toInt(), 1);
-    QCOMPARE(runCusp({"db", "stats", "--json", "--db", at("new/copy.sqlite")}).json()["attempts"].toInt(), 1);
-    QCOMPARE(own.arrived().size(), 1);
-    const Ending checked = runCusp({"db", "check", "--db", at("new/copy.sqlite")});
-    QVERIFY2(checked.exitCode == 0, checked.out);
-}
-
-void TestSchoolCommands::whereTheSchoolCannotBeUsedABackupIsNamed()
-{
-    const QByteArray backup = onFile({"db", "backup", "--json"}).json()["backup"].toString().toUtf8();
-    QVERIFY(!onFile({"db", "init"}).error.contains(backup));
-    put(school(), QByteArray(50'000, 'n'));
-    for (const char* how : {"noise", "gone"}) {
-        for (const QStringList& words :
-             {QStringList{"user", "list"}, {"export", "attempts", "--csv", at("table.csv")}}) {
-            const Ending refused = byAdmin(words);
-            QVERIFY2(refused.exitCode == 1 && refused.isOneSentence() && refused.error.contains(backup), how);
-        }
-        const Ending refused = onFile({"db", "check"});
-        QVERIFY2(refused.exitCode == 1 && refused.error.contains(backup), how);
-        QFile::remove(school());
-    }
-    const Ending made = onFile({"db", "init"});
-    QVERIFY2(made.exitCode == 0 && made.error.contains(backup), made.error);
-}
-
-void TestSchoolCommands::aCopyThatFailsLeavesNothingBehind()
-{
-    {
-        const auto opened = database::sql::Database::open(school());
-        VERIFY_DONE(opened);
-        const database::sql::School there{(*opened)->handle(),
-                                          database::StationKey::readOrMake(at("station.key")).value()};
-        const auto admin = database::sql::Logins::login(there, "admin", kPassword.trimmed().toStdString());
-        VERIFY_DONE(admin);
-        VERIFY_DONE(support::addAttempt(there, *admin, SchoolRig::attempt("class1-36", 500), "a recording"));
-    }
-    QVERIFY(QDir(m_folder->path()).mkdir("new"));
-    put(at("new/recordings"), "no folder");
-    QCOMPARE(byAdmin({"db", "copy", "--to", at("new/copy.sqlite")}).exitCode, 1);
-    QCOMPARE(QDir(at("new")).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot),
-             QStringList{"recordings"});
-    // What was there before stays.
-    QCOMPARE(byAdmin({"db", "copy", "--to", school()}).exitCode, 1);
-    QVERIFY(QFile::exists(at("station.key")));
-    QCOMPARE(onFile({"db", "check"}).exitCode, 0);
-}
-
-/// It is its owner's alone.
-void TestSchoolCommands::whoMayNotReadTheKeyLooksAllTheSame()
-{
-    QCOMPARE(chmod(qPrintable(at("station.key")), 0), 0);
-    QCOMPARE(chmod(qPrintable(school()), 0644), 0);
-    QCOMPARE(chmod(qPrintable(m_folder->path()), 0755), 0);
-    // To root no file is closed.
-    constexpr uid_t kNobody = 65534;
-    const uid_t me = geteuid();
-    QCOMPARE(me == 0 ? seteuid(kNobody) : 0, 0);
-    const auto back = qScopeGuard([me] { QCOMPARE(seteuid(me), 0); });
-    const auto address = database::Address::parse(school());
-    VERIFY_DONE(address);
-    const auto looked = app::cli::openSchool(*address, app::cli::Opening::ToLook);
-    VERIFY_DONE(looked);
-    QVERIFY(!looked->hasStationKey);
-    QVERIFY2(looked->keyFault.find("station.key") != std::string::npos, looked->keyFault.c_str());
-    QVERIFY(!app::cli::openSchool(*address, app::cli::Opening::AsItIs).has_value());
-}
-
-void TestSchoolCommands::namesThatAreNoFilesAreRefused()
-{
-    for (const char* name : {":memory:", "file:x?mode=memory", ":x.sqlite", "mysql://x/y", " ", "postgresql://x/%00",
-                             "postgresql://x%0A/y"}) {
-        const Ending refused = runCusp({"db", "init", "--db", name});
-        QVERIFY2(refused.exitCode == 1 && refused.isOneSentence(), name);
-    }
-    // As a copied address may hold it.
-    for (const char* name : {"postgresql://x%E2%80%8B/y", "postgresql://x/y%E2%80%8B", "postgresql://u%E2%80%8B@x/y"}) {
-        const Ending refused = runCusp({"db", "init", "--db", name});
-        QVERIFY2(refused.exitCode == 1 && refused.error.contains("cannot be seen"), refused.error);
-    }
-}
-
-void TestSchoolCommands::whoStopsAtThePasswordSeesWhatHeTypes_data()
-{
-    QTest::addColumn<int>("signal");
-    QTest::newRow("Ctrl+C") << SIGINT;
-    QTest::newRow("ended") << SIGTERM;
-    QTest::newRow("the terminal is closed") << SIGHUP;
-}
-
-/// A halt and going on comes first: nothing is shown then, either. As a shell would have begun it, which waits beside.
-void TestSchoolCommands::whoStopsAtThePasswordSeesWhatHeTypes()
-{
-    QFETCH(int, signal);
-    const QByteArray file = school().toLocal8Bit();
-    int terminal = -1;
-    const pid_t shell = forkpty(&terminal, nullptr, nullptr, nullptr);
-    if (shell == 0) {
-        const pid_t cusp = fork();
-        if (cusp == 0) {
-            setpgid(0, 0);
-            ::signal(SIGTTOU, SIG_IGN);
-            tcsetpgrp(STDIN_FILENO, getpid());
-            ::signal(SIGTTOU, SIG_DFL);
-            execl(CUSP_BINARY_DIR "/bin/cusp", "cusp", "user", "list", "--as", "admin", "--db", file.constData(),
-                  nullptr);
-            _exit(127);
-        }
-        int status = 0;
-        waitpid(cusp, &status, 0);
-        _exit(WIFSIGNALED(status) ? WTERMSIG(status) : 0);
-    }
-    const auto closed = qScopeGuard([&] {
-        kill(shell, SIGKILL);
-        waitpid(shell, nullptr, 0);
-        close(terminal);
-    });
-    const auto isShown = [&terminal] {
-        termios now{};
-        return tcgetattr(terminal, &now) == 0 && (now.c_lflag & ECHO) != 0;
-    };
-    QTRY_VERIFY(!isShown());
-    const pid_t cusp = tcgetpgrp(terminal);
-    QVERIFY(cusp > 0 && cusp != shell);
-    QCOMPARE(kill(cusp, SIGTSTP), 0);
-    QTRY_VERIFY(contentOf(QStringLiteral("/proc/%1/stat").arg(cusp)).contains(") T "));
-    QVERIFY(isShown());
-    QCOMPARE(kill(cusp, SIGCONT), 0);
-    QTRY_VERIFY(!isShown());
-    QCOMPARE(kill(cusp, signal), 0);
-    int status = 0;
-    bool isOver = false;
-    QTRY_VERIFY(isOver = isOver || waitpid(shell, &status, WNOHANG) == shell);
-    QVERIFY(WIFEXITED(status));
-    QCOMPARE(WEXITSTATUS(status), signal);
-    QVERIFY(isShown());
-}
-
-void TestSchoolCommands::wrongUsageIsExplained()
-{
-    for (const QStringList& words : {QStringList{"db"},
-                                     {"db", "paint"},
-                                     {"db", "restore"},
-                                     {"db", "copy"},
-                                     {"db", "check", "--db", school(), "--witness", "412-9f3ac07be1d"},
-                                     {"db", "copy", "--db", school(), "--to", at("copy.sqlite")},
-                                     {"db", "measure", "--db", school()},
-                                     {"user", "list", "--db", school()},
-                                     {"user", "list", "--db", school(), "--as", ""},
-                                     {"import", "roster", "list.csv", "--db", school()},
-                                     {"export", "attempts", "--csv", "-", "--db", school()},
-                                     {"user"},
-                                     {"user", "add"},
-                                     {"import"},
-                                     {"import", "roster"},
-                                     {"export", "attempts"}}) {
-        const Ending ending = runCusp(words);
-        QVERIFY2(ending.exitCode == 2, qPrintable(words.join(' ')));
-    }
-}
 
 QTEST_GUILESS_MAIN(TestSchoolCommands)
 #include "tst_school_commands.moc"

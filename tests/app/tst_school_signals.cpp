@@ -26,9 +26,93 @@ class TestSchoolSignals : public QObject
 
 private slots:
     void init() { m_folder = std::make_unique<QTemporaryDir>(); }
-    void whatIsSentByManyIsCountedOnce();
-    void aSignalLeavesNothingBehind_data();
-    void aSignalLeavesNothingBehind();
+
+    /// Whoever else delivers at the same time.
+    void whatIsSentByManyIsCountedOnce()
+    {
+        const auto key = database::StationKey::readOrMake(at("station.key"));
+        QVERIFY(key);
+        SchoolRig rig(false);
+        rig.populate();
+        const QString copy = database::sql::backUp(rig.school().db, at("b"), rig.nowUtc).value();
+        QVERIFY(QFile::copy(copy, at("busy.sqlite")));
+        database::Outbox outbox(at("outbox"), *key, "busy.sqlite");
+        constexpr int kLetters = 60;
+        for (int k = 0; k < kLetters; ++k)
+            QVERIFY(outbox.put(rig.student, SchoolRig::attempt("class1-36", 500 + k), {}).has_value());
+        std::vector<std::future<Ending>> all;
+        for (int k = 0; k < 4; ++k)
+            all.push_back(std::async(std::launch::async, [this] {
+                return runCusp({"db", "send", "--json", "--db", at("busy.sqlite")});
+            }));
+        int sent = 0;
+        for (auto& one : all) {
+            const Ending ending = one.get();
+            sent += ending.json()["sent"].toInt();
+        }
+        QVERIFY(outbox.waiting().isEmpty());
+        QCOMPARE(sent, kLetters);
+        QCOMPARE(runCusp({"db", "stats", "--db", at("busy.sqlite"), "--json"}).json()["attempts"].toInt(), kLetters);
+    }
+
+    void aSignalLeavesNothingBehind_data()
+    {
+        QTest::addColumn<QStringList>("words");
+        QTest::newRow("backup") << QStringList{"db", "backup", "--to", "there"};
+        QTest::newRow("restore") << QStringList{"db", "restore", "backup.sqlite"};
+        QTest::newRow("copy") << QStringList{"db", "copy", "--to", "there/copy.sqlite", "--as", "admin"};
+        QTest::newRow("export") << QStringList{"export", "attempts", "--csv", "there/table.csv", "--as", "admin"};
+    }
+
+    /// Whenever it comes: what is there by its name is whole, and nothing half made is there by another.
+    void aSignalLeavesNothingBehind()
+    {
+        QFETCH(QStringList, words);
+        const Ending made =
+            runCusp({"db", "sample", "--db", school(), "--students", "20", "--attempts", "3000", "--json"});
+        QVERIFY2(made.exitCode == 0, made.error);
+        {
+            const auto opened = database::sql::Database::open(school());
+            VERIFY_DONE(opened);
+            for (const char* sql : {"CREATE TABLE ballast (x)", "INSERT INTO ballast VALUES (zeroblob(40000000))"})
+                VERIFY_DONE(database::sql::execute((*opened)->handle(), sql, "make it large"));
+        }
+        const QByteArray password = made.json()["password"].toString().toUtf8() + '\n';
+        const QString backup =
+            runCusp({"db", "backup", "--db", school(), "--to", at("kept"), "--json"}).json()["backup"].toString();
+        QVERIFY(QDir(m_folder->path()).mkdir("there") && QFile::rename(backup, at("backup.sqlite")));
+        const auto half = [this] {
+            QStringList found;
+            for (const char* folder : {"", "there"})
+                found << QDir(at(folder))
+                             .entryList({"*.part-*", "*.restoring*", "cusp-drill-*", "table.csv?*"},
+                                        QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot);
+            return found;
+        };
+        int stopped = 0;
+        for (int round = 0; round < 24; ++round) {
+            QProcess cusp;
+            cusp.setWorkingDirectory(m_folder->path());
+            cusp.start(QStringLiteral(CUSP_BINARY_DIR "/bin/cusp"), words + QStringList{"--db", school()});
+            QVERIFY(cusp.waitForStarted());
+            cusp.write(password);
+            cusp.closeWriteChannel();
+            usleep(static_cast<useconds_t>(round) * 15'000);  // each time a later moment
+            ::kill(static_cast<pid_t>(cusp.processId()), round % 3 == 0 ? SIGINT : round % 3 == 1 ? SIGTERM : SIGHUP);
+            QVERIFY(cusp.waitForFinished());
+            stopped += cusp.exitStatus() == QProcess::CrashExit ? 1 : 0;
+            QVERIFY2(half().isEmpty(), qPrintable(half().join(u' ')));
+            QCOMPARE(runCusp({"db", "stats", "--db", school(), "--json"}).json()["attempts"].toInt(), 3000);
+            const QString copy = at("there/copy.sqlite");
+            if (QFile::exists(copy)) {
+                const Ending there = runCusp({"db", "stats", "--db", copy, "--json"});
+                QVERIFY2(there.exitCode != 0 || there.json()["attempts"].toInt() == 3000, there.out);
+            }
+            QDir(at("there")).removeRecursively();
+            QVERIFY(QDir(m_folder->path()).mkdir("there"));
+        }
+        QVERIFY(stopped > 0);
+    }
 
 private:
     [[nodiscard]] QString at(const char* name) const { return m_folder->filePath(QLatin1String(name)); }
@@ -36,92 +120,6 @@ private:
 
     std::unique_ptr<QTemporaryDir> m_folder;
 };
-
-/// Whoever else delivers at the same time.
-void TestSchoolSignals::whatIsSentByManyIsCountedOnce()
-{
-    const auto key = database::StationKey::readOrMake(at("station.key"));
-    QVERIFY(key);
-    SchoolRig rig(false);
-    rig.populate();
-    const QString copy = database::sql::backUp(rig.school().db, at("b"), rig.nowUtc).value();
-    QVERIFY(QFile::copy(copy, at("busy.sqlite")));
-    database::Outbox outbox(at("outbox"), *key, "busy.sqlite");
-    constexpr int kLetters = 60;
-    for (int k = 0; k < kLetters; ++k)
-        QVERIFY(outbox.put(rig.student, SchoolRig::attempt("class1-36", 500 + k), {}).has_value());
-    std::vector<std::future<Ending>> all;
-    for (int k = 0; k < 4; ++k)
-        all.push_back(std::async(std::launch::async, [this] {
-            return runCusp({"db", "send", "--json", "--db", at("busy.sqlite")});
-        }));
-    int sent = 0;
-    for (auto& one : all) {
-        const Ending ending = one.get();
-        sent += ending.json()["sent"].toInt();
-    }
-    QVERIFY(outbox.waiting().isEmpty());
-    QCOMPARE(sent, kLetters);
-    QCOMPARE(runCusp({"db", "stats", "--db", at("busy.sqlite"), "--json"}).json()["attempts"].toInt(), kLetters);
-}
-
-void TestSchoolSignals::aSignalLeavesNothingBehind_data()
-{
-    QTest::addColumn<QStringList>("words");
-    QTest::newRow("backup") << QStringList{"db", "backup", "--to", "there"};
-    QTest::newRow("restore") << QStringList{"db", "restore", "backup.sqlite"};
-    QTest::newRow("copy") << QStringList{"db", "copy", "--to", "there/copy.sqlite", "--as", "admin"};
-    QTest::newRow("export") << QStringList{"export", "attempts", "--csv", "there/table.csv", "--as", "admin"};
-}
-
-/// Whenever it comes: what is there by its name is whole, and nothing half made is there by another.
-void TestSchoolSignals::aSignalLeavesNothingBehind()
-{
-    QFETCH(QStringList, words);
-    const Ending made = runCusp({"db", "sample", "--db", school(), "--students", "20", "--attempts", "3000", "--json"});
-    QVERIFY2(made.exitCode == 0, made.error);
-    {
-        const auto opened = database::sql::Database::open(school());
-        VERIFY_DONE(opened);
-        for (const char* sql : {"CREATE TABLE ballast (x)", "INSERT INTO ballast VALUES (zeroblob(40000000))"})
-            VERIFY_DONE(database::sql::execute((*opened)->handle(), sql, "make it large"));
-    }
-    const QByteArray password = made.json()["password"].toString().toUtf8() + '\n';
-    const QString backup =
-        runCusp({"db", "backup", "--db", school(), "--to", at("kept"), "--json"}).json()["backup"].toString();
-    QVERIFY(QDir(m_folder->path()).mkdir("there") && QFile::rename(backup, at("backup.sqlite")));
-    const auto half = [this] {
-        QStringList found;
-        for (const char* folder : {"", "there"})
-            found << QDir(at(folder))
-                         .entryList({"*.part-*", "*.restoring*", "cusp-drill-*", "table.csv?*"},
-                                    QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot);
-        return found;
-    };
-    int stopped = 0;
-    for (int round = 0; round < 24; ++round) {
-        QProcess cusp;
-        cusp.setWorkingDirectory(m_folder->path());
-        cusp.start(QStringLiteral(CUSP_BINARY_DIR "/bin/cusp"), words + QStringList{"--db", school()});
-        QVERIFY(cusp.waitForStarted());
-        cusp.write(password);
-        cusp.closeWriteChannel();
-        usleep(static_cast<useconds_t>(round) * 15'000);  // each time a later moment
-        ::kill(static_cast<pid_t>(cusp.processId()), round % 3 == 0 ? SIGINT : round % 3 == 1 ? SIGTERM : SIGHUP);
-        QVERIFY(cusp.waitForFinished());
-        stopped += cusp.exitStatus() == QProcess::CrashExit ? 1 : 0;
-        QVERIFY2(half().isEmpty(), qPrintable(half().join(u' ')));
-        QCOMPARE(runCusp({"db", "stats", "--db", school(), "--json"}).json()["attempts"].toInt(), 3000);
-        const QString copy = at("there/copy.sqlite");
-        if (QFile::exists(copy)) {
-            const Ending there = runCusp({"db", "stats", "--db", copy, "--json"});
-            QVERIFY2(there.exitCode != 0 || there.json()["attempts"].toInt() == 3000, there.out);
-        }
-        QDir(at("there")).removeRecursively();
-        QVERIFY(QDir(m_folder->path()).mkdir("there"));
-    }
-    QVERIFY(stopped > 0);
-}
 
 QTEST_GUILESS_MAIN(TestSchoolSignals)
 #include "tst_school_signals.moc"

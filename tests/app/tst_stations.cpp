@@ -138,478 +138,470 @@ class TestStations : public QObject
     Q_OBJECT
 
 private slots:
-    void manyStationsLoseNothing();
+    void manyStationsLoseNothing()
+    {
+        if (!support::sharedServer().fault().isEmpty())
+            QSKIP(qPrintable(support::sharedServer().fault()));
+        const int stations = fromEnvironment("CUSP_STATIONS", 6);
+        constexpr int kEach = 20;
+        SchoolRig rig(true);
+        QVERIFY(rig.isOpen());
+        rig.populate();
+        for (int k = 0; k < stations; ++k)
+            static_cast<void>(rig.join({"p" + std::to_string(k), "", "", Role::Student}, rig.first));
+        QTemporaryDir folder;
+        std::vector<std::unique_ptr<QProcess>> running;
+        for (int k = 0; k < stations; ++k)
+            running.push_back(
+                startStation(rig, folder.filePath(QString::number(k)), QStringLiteral("p%1").arg(k), kEach));
+        std::vector<double> tookMs;
+        std::set<QString> confirmed;
+        for (const auto& station : running) {
+            QVERIFY(station->waitForFinished(240'000));
+            QCOMPARE(station->exitCode(), 0);
+            const QByteArray output = station->readAllStandardOutput();
+            for (const QString& uid : said(output, "kept "))
+                confirmed.insert(uid);
+            for (const QString& us : said(output, "took "))
+                tookMs.push_back(us.toDouble() * 1e-3);
+        }
+        QCOMPARE(confirmed.size(), static_cast<std::size_t>(stations * kEach));
+        QVERIFY(keptIn(rig.school()) == confirmed);
+        const auto report = checkDatabase(rig.school().db, {});
+        VERIFY_DONE(report);
+        QVERIFY2(report->findings.empty(), qPrintable(support::wordsOf(report->findings)));
+        std::sort(tookMs.begin(), tookMs.end());
+        qInfo("%d stations, %zu attempts, put and delivered: p50 %.1f ms, p99 %.1f ms", stations, tookMs.size(),
+              tookMs[tookMs.size() / 2], tookMs[tookMs.size() * 99 / 100]);
+    }
+
     void killedStationsKeepWhatTheyConfirmed_data() { support::addEngines(); }
-    void killedStationsKeepWhatTheyConfirmed();
-    void aServerThatGoesAwayGetsEverythingOnce();
-    void ofAServerThatWasStartedAnewNobodyHears();
-    void aLetterIsTakenOnceAndOnlyAsItWasWritten();
-    void twoWindowsDeliverWithoutAnAlarm();
-    void aLetterWaitsForItsSchool();
-    void whatAServerAlwaysStopsHoldsNothingUp();
-    void silenceIsToldAndOver();
-    void aCopyOfASchoolGetsNoneOfItsLetters();
-    void aFileThatWasLockedAtTheStartGetsItsLetters();
-};
 
-void TestStations::manyStationsLoseNothing()
-{
-    if (!support::sharedServer().fault().isEmpty())
-        QSKIP(qPrintable(support::sharedServer().fault()));
-    const int stations = fromEnvironment("CUSP_STATIONS", 6);
-    constexpr int kEach = 20;
-    SchoolRig rig(true);
-    QVERIFY(rig.isOpen());
-    rig.populate();
-    for (int k = 0; k < stations; ++k)
-        static_cast<void>(rig.join({"p" + std::to_string(k), "", "", Role::Student}, rig.first));
-    QTemporaryDir folder;
-    std::vector<std::unique_ptr<QProcess>> running;
-    for (int k = 0; k < stations; ++k)
-        running.push_back(startStation(rig, folder.filePath(QString::number(k)), QStringLiteral("p%1").arg(k), kEach));
-    std::vector<double> tookMs;
-    std::set<QString> confirmed;
-    for (const auto& station : running) {
-        QVERIFY(station->waitForFinished(240'000));
-        QCOMPARE(station->exitCode(), 0);
-        const QByteArray output = station->readAllStandardOutput();
-        for (const QString& uid : said(output, "kept "))
-            confirmed.insert(uid);
-        for (const QString& us : said(output, "took "))
-            tookMs.push_back(us.toDouble() * 1e-3);
-    }
-    QCOMPARE(confirmed.size(), static_cast<std::size_t>(stations * kEach));
-    QVERIFY(keptIn(rig.school()) == confirmed);
-    const auto report = checkDatabase(rig.school().db, {});
-    VERIFY_DONE(report);
-    QVERIFY2(report->findings.empty(), qPrintable(support::wordsOf(report->findings)));
-    std::sort(tookMs.begin(), tookMs.end());
-    qInfo("%d stations, %zu attempts, put and delivered: p50 %.1f ms, p99 %.1f ms", stations, tookMs.size(),
-          tookMs[tookMs.size() / 2], tookMs[tookMs.size() * 99 / 100]);
-}
-
-void TestStations::killedStationsKeepWhatTheyConfirmed()
-{
-    SCHOOL_RIG(rig);
-    rig.populate();
-    const int kills = fromEnvironment("CUSP_KILLS", 12);
-    QTemporaryDir folder;
-    std::set<QString> confirmed;
-    core::Rng rng(20261123);
-    for (int round = 0; round < kills; ++round) {
-        const auto station = startStation(rig, folder.filePath("station"), "s1001", 10'000);
-        QVERIFY(station->waitForStarted());
-        QByteArray output;
-        while (!output.contains("kept ")) {
-            QVERIFY(station->waitForReadyRead(60'000));
+    void killedStationsKeepWhatTheyConfirmed()
+    {
+        SCHOOL_RIG(rig);
+        rig.populate();
+        const int kills = fromEnvironment("CUSP_KILLS", 12);
+        QTemporaryDir folder;
+        std::set<QString> confirmed;
+        core::Rng rng(20261123);
+        for (int round = 0; round < kills; ++round) {
+            const auto station = startStation(rig, folder.filePath("station"), "s1001", 10'000);
+            QVERIFY(station->waitForStarted());
+            QByteArray output;
+            while (!output.contains("kept ")) {
+                QVERIFY(station->waitForReadyRead(60'000));
+                output += station->readAllStandardOutput();
+            }
+            QTest::qWait(rng.below(60));  // the moment of the kill is by chance
+            ::kill(static_cast<pid_t>(station->processId()), SIGKILL);
+            QVERIFY(station->waitForFinished(30'000));
             output += station->readAllStandardOutput();
+            // What stands in a line that has come through to its end was confirmed.
+            for (const QString& uid : said(output.left(output.lastIndexOf('\n') + 1), "kept "))
+                confirmed.insert(uid);
         }
-        QTest::qWait(rng.below(60));  // the moment of the kill is by chance
-        ::kill(static_cast<pid_t>(station->processId()), SIGKILL);
-        QVERIFY(station->waitForFinished(30'000));
-        output += station->readAllStandardOutput();
-        // What stands in a line that has come through to its end was confirmed.
-        for (const QString& uid : said(output.left(output.lastIndexOf('\n') + 1), "kept "))
-            confirmed.insert(uid);
+        // The next start delivers what waits.
+        const auto last = startStation(rig, folder.filePath("station"), "s1001", 0);
+        QVERIFY(last->waitForFinished(60'000));
+        QCOMPARE(last->exitCode(), 0);
+        const std::set<QString> kept = keptIn(rig.school());
+        for (const QString& uid : confirmed)
+            QVERIFY2(kept.count(uid) == 1, qPrintable(uid + " was confirmed, and is lost"));
+        rig.reopen();
+        QVERIFY(rig.isOpen());
+        const auto report = checkDatabase(rig.school().db, {});
+        VERIFY_DONE(report);
+        QVERIFY2(report->findings.empty(), qPrintable(support::wordsOf(report->findings)));
+        QVERIFY(!QDir(folder.filePath("station/outbox/damaged")).exists());
+        qInfo("%d kills, %zu attempts confirmed, %zu kept", kills, confirmed.size(), kept.size());
     }
-    // The next start delivers what waits.
-    const auto last = startStation(rig, folder.filePath("station"), "s1001", 0);
-    QVERIFY(last->waitForFinished(60'000));
-    QCOMPARE(last->exitCode(), 0);
-    const std::set<QString> kept = keptIn(rig.school());
-    for (const QString& uid : confirmed)
-        QVERIFY2(kept.count(uid) == 1, qPrintable(uid + " was confirmed, and is lost"));
-    rig.reopen();
-    QVERIFY(rig.isOpen());
-    const auto report = checkDatabase(rig.school().db, {});
-    VERIFY_DONE(report);
-    QVERIFY2(report->findings.empty(), qPrintable(support::wordsOf(report->findings)));
-    QVERIFY(!QDir(folder.filePath("station/outbox/damaged")).exists());
-    qInfo("%d kills, %zu attempts confirmed, %zu kept", kills, confirmed.size(), kept.size());
-}
 
-/// As the window does it: the desk takes what was graded, and the beginning of an exam, whether or not a server
-/// answers.
-void TestStations::aServerThatGoesAwayGetsEverythingOnce()
-{
-    if (!support::sharedServer().fault().isEmpty())
-        QSKIP(qPrintable(support::sharedServer().fault()));
-    SchoolRig rig(true);
-    QVERIFY(rig.isOpen());
-    rig.populate();
-    QTemporaryDir folder;
-    std::set<QString> put;
-    int exams = 0;
-    const auto countExams = [&] { return ask(rig.school().db, "SELECT count(*) FROM exam_starts", "count")->toInt(); };
-    const auto letters = [&] { return Outbox(folder.filePath("outbox"), StationKey::make()).waiting(); };
-    const auto work = [&](app::SchoolDesk& desk) {
-        int kept = 0;
-        const auto count = [&kept](const core::Status& status) {
-            VERIFY_DONE(status);
-            ++kept;
+    /// As the window does it: the desk takes what was graded, and the beginning of an exam, whether or not a server
+    /// answers.
+    void aServerThatGoesAwayGetsEverythingOnce()
+    {
+        if (!support::sharedServer().fault().isEmpty())
+            QSKIP(qPrintable(support::sharedServer().fault()));
+        SchoolRig rig(true);
+        QVERIFY(rig.isOpen());
+        rig.populate();
+        QTemporaryDir folder;
+        std::set<QString> put;
+        int exams = 0;
+        const auto countExams = [&] {
+            return ask(rig.school().db, "SELECT count(*) FROM exam_starts", "count")->toInt();
         };
-        const AttemptRecord attempt = SchoolRig::attempt("class1-36", 500);
-        desk.keep(this, rig.student, ExamStart{newUid(), "exam-36", "2026-11-20T10:00:00Z"}, count);
-        desk.keep(this, rig.student, attempt, ofNothing(), count);
-        put.insert(QString::fromStdString(attempt.uid));
-        ++exams;
-        // What was put there is on the disk before anybody hears of it.
-        QTRY_COMPARE(kept, 2);
-    };
-    {
-        app::SchoolDesk desk(Address::parse(rig.address()).value(), folder.path());
-        desk.open(this, [](const app::SchoolDesk::Opening& opening) { VERIFY_DONE(opening.status); });
-        work(desk);
-        QTRY_VERIFY(letters().isEmpty());
-        support::sharedServer().kill();
-        work(desk);
-        work(desk);
+        const auto letters = [&] { return Outbox(folder.filePath("outbox"), StationKey::make()).waiting(); };
+        const auto work = [&](app::SchoolDesk& desk) {
+            int kept = 0;
+            const auto count = [&kept](const core::Status& status) {
+                VERIFY_DONE(status);
+                ++kept;
+            };
+            const AttemptRecord attempt = SchoolRig::attempt("class1-36", 500);
+            desk.keep(this, rig.student, ExamStart{newUid(), "exam-36", "2026-11-20T10:00:00Z"}, count);
+            desk.keep(this, rig.student, attempt, ofNothing(), count);
+            put.insert(QString::fromStdString(attempt.uid));
+            ++exams;
+            // What was put there is on the disk before anybody hears of it.
+            QTRY_COMPARE(kept, 2);
+        };
+        {
+            app::SchoolDesk desk(Address::parse(rig.address()).value(), folder.path());
+            desk.open(this, [](const app::SchoolDesk::Opening& opening) { VERIFY_DONE(opening.status); });
+            work(desk);
+            QTRY_VERIFY(letters().isEmpty());
+            support::sharedServer().kill();
+            work(desk);
+            work(desk);
+            QCOMPARE(letters().size(), 4);
+            desk.deliver();
+        }
+        // The program ends without a server, and starts without one.
         QCOMPARE(letters().size(), 4);
+        app::SchoolDesk desk(Address::parse(rig.address()).value(), folder.path());
+        bool isAway = false;
+        desk.open(this, [&](const app::SchoolDesk::Opening& opening) { isAway = !opening.status; });
+        QTRY_VERIFY(isAway);
+        QCOMPARE(letters().size(), 4);
+        QVERIFY(support::sharedServer().start());
         desk.deliver();
+        QTRY_VERIFY(letters().isEmpty());
+        VERIFY_DONE(rig.database().reconnect());
+        QVERIFY(keptIn(rig.school()) == put);
+        QCOMPARE(countExams(), exams);
+        QVERIFY(checkDatabase(rig.school().db, {})->findings.empty());
     }
-    // The program ends without a server, and starts without one.
-    QCOMPARE(letters().size(), 4);
-    app::SchoolDesk desk(Address::parse(rig.address()).value(), folder.path());
-    bool isAway = false;
-    desk.open(this, [&](const app::SchoolDesk::Opening& opening) { isAway = !opening.status; });
-    QTRY_VERIFY(isAway);
-    QCOMPARE(letters().size(), 4);
-    QVERIFY(support::sharedServer().start());
-    desk.deliver();
-    QTRY_VERIFY(letters().isEmpty());
-    VERIFY_DONE(rig.database().reconnect());
-    QVERIFY(keptIn(rig.school()) == put);
-    QCOMPARE(countExams(), exams);
-    QVERIFY(checkDatabase(rig.school().db, {})->findings.empty());
-}
 
-/// Between two things that a window asks.
-void TestStations::ofAServerThatWasStartedAnewNobodyHears()
-{
-    auto& server = support::sharedServer();
-    if (!server.fault().isEmpty())
-        QSKIP(qPrintable(server.fault()));
-    SchoolRig rig(true);
-    QVERIFY(rig.isOpen());
-    rig.populate();
-    QTemporaryDir folder;
-    app::SchoolDesk desk(Address::parse(rig.address()).value(), folder.path());
-    std::optional<core::Result<Session>> answered;
-    const auto logIn = [&] {
-        answered.reset();
-        desk.ask(
-            this, [](const School& school) { return Logins::login(school, "s1001", SchoolRig::kPassword); },
-            [&answered](const core::Result<Session>& session) { answered = session; });
-    };
-    logIn();
-    QTRY_VERIFY(answered);
-    VERIFY_DONE(*answered);
-    server.stop();
-    QVERIFY(server.start());
-    logIn();
-    QTRY_VERIFY(answered);
-    VERIFY_DONE(*answered);
-    server.stop();
-    logIn();
-    QTRY_VERIFY(answered);
-    VERIFY_REFUSED(*answered, core::ErrorCode::ConnectionLost);
-    QVERIFY(server.start());
-    logIn();
-    QTRY_VERIFY(answered);
-    VERIFY_DONE(*answered);
-}
-
-void TestStations::aLetterIsTakenOnceAndOnlyAsItWasWritten()
-{
-    SchoolRig rig(false);
-    rig.populate();
-    QTemporaryDir folder;
-    const StationKey key = StationKey::make();
-    Outbox outbox(folder.filePath("outbox"), key, "school.sqlite");
-    std::set<QString> put;
-    const auto keep = [&] {
-        const AttemptRecord attempt = SchoolRig::attempt("class1-36", 500);
-        VERIFY_DONE(outbox.put(rig.student, attempt, "recording"));
-        put.insert(QString::fromStdString(attempt.uid));
-    };
-    const auto deliver = [&]() -> core::Status {
-        for (const QString& file : outbox.waiting()) {
-            const auto letter = outbox.read(file);
-            if (!letter)
-                return tl::unexpected(letter.error());
-            if (const auto id = deliverAttempt(rig.school(), letter->attempt, letter->recording); !id)
-                return tl::unexpected(id.error());
-            outbox.remove(file);
-        }
-        return {};
-    };
-    // An answer that was lost on its way: the same letter again.
-    keep();
-    const QString file = outbox.waiting().front();
-    QVERIFY(QFile::copy(file, file + ".again"));
-    VERIFY_DONE(deliver());
-    QVERIFY(QFile::rename(file + ".again", file));
-    VERIFY_DONE(deliver());
-    QVERIFY(keptIn(rig.school()) == put);
-    // A database that was put back to an older state gets once more what it had got.
-    keep();
-    const QString arrived = outbox.waiting().front();
-    outbox.keepArrived(arrived);
-    QVERIFY(outbox.waiting().isEmpty());
-    QCOMPARE(outbox.arrived().size(), 1);
-    // What another school in this folder has stays with it, as long as that is there.
-    const Outbox ofOther(folder.filePath("outbox"), key, "other.sqlite");
-    QFile school(folder.filePath("school.sqlite"));
-    QVERIFY(school.open(QIODevice::WriteOnly));
-    ofOther.sendAgain();
-    QVERIFY(outbox.waiting().isEmpty());
-    outbox.sendAgain();
-    QCOMPARE(outbox.waiting(), QStringList{arrived});
-    outbox.keepArrived(arrived);
-    QVERIFY(school.remove());
-    ofOther.sendAgain();
-    QCOMPARE(outbox.waiting(), QStringList{arrived});
-    QVERIFY(outbox.arrived().isEmpty());
-    VERIFY_DONE(deliver());
-    QVERIFY(keptIn(rig.school()) == put);
-    // One that was signed with another key waits until that is back.
-    keep();
-    VERIFY_REFUSED(Outbox(folder.filePath("outbox"), StationKey::make()).read(outbox.waiting().front()),
-                   core::ErrorCode::NotAllowed);
-    // A letter that was changed on the way is not taken.
-    QFile changed(outbox.waiting().front());
-    QVERIFY(changed.open(QIODevice::ReadWrite) && changed.seek(400));
-    changed.write("x");
-    changed.close();
-    VERIFY_REFUSED(outbox.read(outbox.waiting().front()), core::ErrorCode::BadStructure);
-    outbox.setAside(outbox.waiting().front());
-    QVERIFY(outbox.waiting().isEmpty());
-    // Nor is one that no database would take, and that others would wait behind.
-    AttemptRecord unfit = SchoolRig::attempt("class1-36", 500);
-    unfit.lessonId += '\0';
-    VERIFY_DONE(outbox.put(rig.student, unfit, "recording"));
-    VERIFY_REFUSED(outbox.read(outbox.waiting().front()), core::ErrorCode::BadStructure);
-    outbox.setAside(outbox.waiting().front());
-    unfit = SchoolRig::attempt("class1-36", 500);
-    unfit.uid.pop_back();
-    VERIFY_DONE(outbox.put(rig.student, unfit, "recording"));
-    VERIFY_REFUSED(outbox.read(outbox.waiting().front()), core::ErrorCode::BadStructure);
-    outbox.setAside(outbox.waiting().front());
-    // One of the other kind is not read as this one.
-    VERIFY_DONE(outbox.put(rig.student, ExamStart{newUid(), "exam-36", "2026-11-20T10:00:00Z"}));
-    QVERIFY(Outbox::isExam(outbox.waiting().front()));
-    QCOMPARE(outbox.readExam(outbox.waiting().front())->personUid, rig.student.uid());
-    VERIFY_REFUSED(outbox.read(outbox.waiting().front()), core::ErrorCode::BadStructure);
-    VERIFY_REFUSED(outbox.put(rig.guest, SchoolRig::attempt("class1-36", 1), {}), core::ErrorCode::NotAllowed);
-}
-
-/// Of one user, from one folder: what the other has delivered is gone, and not damaged.
-void TestStations::twoWindowsDeliverWithoutAnAlarm()
-{
-    SchoolRig rig(false);
-    rig.populate();
-    QTemporaryDir folder;
-    Outbox outbox(folder.filePath("outbox"), StationKey::readOrMake(folder.filePath("station.key")).value());
-    constexpr int kLetters = 150;
-    const QByteArray recording = QByteArray::fromStdString(ofNothing().toBytes());
-    for (int k = 0; k < kLetters; ++k)
-        VERIFY_DONE(outbox.put(rig.student, SchoolRig::attempt("class1-36", k), recording));
-    const QString gone = outbox.waiting().front();
+    /// Between two things that a window asks.
+    void ofAServerThatWasStartedAnewNobodyHears()
     {
-        app::SchoolDesk one(Address::parse(rig.address()).value(), folder.path());
-        app::SchoolDesk other(Address::parse(rig.address()).value(), folder.path());
-        for (app::SchoolDesk* desk : {&one, &other}) {
-            connect(desk, &app::SchoolDesk::damaged, this,
-                    [](const core::Error& error) { QFAIL(error.detail.c_str()); });
-            connect(desk, &app::SchoolDesk::waitOn, this, [](int) { QFAIL("one waits on"); });
-            desk->open(this, [](const app::SchoolDesk::Opening& opening) { VERIFY_DONE(opening.status); });
+        auto& server = support::sharedServer();
+        if (!server.fault().isEmpty())
+            QSKIP(qPrintable(server.fault()));
+        SchoolRig rig(true);
+        QVERIFY(rig.isOpen());
+        rig.populate();
+        QTemporaryDir folder;
+        app::SchoolDesk desk(Address::parse(rig.address()).value(), folder.path());
+        std::optional<core::Result<Session>> answered;
+        const auto logIn = [&] {
+            answered.reset();
+            desk.ask(
+                this, [](const School& school) { return Logins::login(school, "s1001", SchoolRig::kPassword); },
+                [&answered](const core::Result<Session>& session) { answered = session; });
+        };
+        logIn();
+        QTRY_VERIFY(answered);
+        VERIFY_DONE(*answered);
+        server.stop();
+        QVERIFY(server.start());
+        logIn();
+        QTRY_VERIFY(answered);
+        VERIFY_DONE(*answered);
+        server.stop();
+        logIn();
+        QTRY_VERIFY(answered);
+        VERIFY_REFUSED(*answered, core::ErrorCode::ConnectionLost);
+        QVERIFY(server.start());
+        logIn();
+        QTRY_VERIFY(answered);
+        VERIFY_DONE(*answered);
+    }
+
+    void aLetterIsTakenOnceAndOnlyAsItWasWritten()
+    {
+        SchoolRig rig(false);
+        rig.populate();
+        QTemporaryDir folder;
+        const StationKey key = StationKey::make();
+        Outbox outbox(folder.filePath("outbox"), key, "school.sqlite");
+        std::set<QString> put;
+        const auto keep = [&] {
+            const AttemptRecord attempt = SchoolRig::attempt("class1-36", 500);
+            VERIFY_DONE(outbox.put(rig.student, attempt, "recording"));
+            put.insert(QString::fromStdString(attempt.uid));
+        };
+        const auto deliver = [&]() -> core::Status {
+            for (const QString& file : outbox.waiting()) {
+                const auto letter = outbox.read(file);
+                if (!letter)
+                    return tl::unexpected(letter.error());
+                if (const auto id = deliverAttempt(rig.school(), letter->attempt, letter->recording); !id)
+                    return tl::unexpected(id.error());
+                outbox.remove(file);
+            }
+            return {};
+        };
+        // An answer that was lost on its way: the same letter again.
+        keep();
+        const QString file = outbox.waiting().front();
+        QVERIFY(QFile::copy(file, file + ".again"));
+        VERIFY_DONE(deliver());
+        QVERIFY(QFile::rename(file + ".again", file));
+        VERIFY_DONE(deliver());
+        QVERIFY(keptIn(rig.school()) == put);
+        // A database that was put back to an older state gets once more what it had got.
+        keep();
+        const QString arrived = outbox.waiting().front();
+        outbox.keepArrived(arrived);
+        QVERIFY(outbox.waiting().isEmpty());
+        QCOMPARE(outbox.arrived().size(), 1);
+        // What another school in this folder has stays with it, as long as that is there.
+        const Outbox ofOther(folder.filePath("outbox"), key, "other.sqlite");
+        QFile school(folder.filePath("school.sqlite"));
+        QVERIFY(school.open(QIODevice::WriteOnly));
+        ofOther.sendAgain();
+        QVERIFY(outbox.waiting().isEmpty());
+        outbox.sendAgain();
+        QCOMPARE(outbox.waiting(), QStringList{arrived});
+        outbox.keepArrived(arrived);
+        QVERIFY(school.remove());
+        ofOther.sendAgain();
+        QCOMPARE(outbox.waiting(), QStringList{arrived});
+        QVERIFY(outbox.arrived().isEmpty());
+        VERIFY_DONE(deliver());
+        QVERIFY(keptIn(rig.school()) == put);
+        // One that was signed with another key waits until that is back.
+        keep();
+        VERIFY_REFUSED(Outbox(folder.filePath("outbox"), StationKey::make()).read(outbox.waiting().front()),
+                       core::ErrorCode::NotAllowed);
+        // A letter that was changed on the way is not taken.
+        QFile changed(outbox.waiting().front());
+        QVERIFY(changed.open(QIODevice::ReadWrite) && changed.seek(400));
+        changed.write("x");
+        changed.close();
+        VERIFY_REFUSED(outbox.read(outbox.waiting().front()), core::ErrorCode::BadStructure);
+        outbox.setAside(outbox.waiting().front());
+        QVERIFY(outbox.waiting().isEmpty());
+        // Nor is one that no database would take, and that others would wait behind.
+        AttemptRecord unfit = SchoolRig::attempt("class1-36", 500);
+        unfit.lessonId += '\0';
+        VERIFY_DONE(outbox.put(rig.student, unfit, "recording"));
+        VERIFY_REFUSED(outbox.read(outbox.waiting().front()), core::ErrorCode::BadStructure);
+        outbox.setAside(outbox.waiting().front());
+        unfit = SchoolRig::attempt("class1-36", 500);
+        unfit.uid.pop_back();
+        VERIFY_DONE(outbox.put(rig.student, unfit, "recording"));
+        VERIFY_REFUSED(outbox.read(outbox.waiting().front()), core::ErrorCode::BadStructure);
+        outbox.setAside(outbox.waiting().front());
+        // One of the other kind is not read as this one.
+        VERIFY_DONE(outbox.put(rig.student, ExamStart{newUid(), "exam-36", "2026-11-20T10:00:00Z"}));
+        QVERIFY(Outbox::isExam(outbox.waiting().front()));
+        QCOMPARE(outbox.readExam(outbox.waiting().front())->personUid, rig.student.uid());
+        VERIFY_REFUSED(outbox.read(outbox.waiting().front()), core::ErrorCode::BadStructure);
+        VERIFY_REFUSED(outbox.put(rig.guest, SchoolRig::attempt("class1-36", 1), {}), core::ErrorCode::NotAllowed);
+    }
+
+    /// Of one user, from one folder: what the other has delivered is gone, and not damaged.
+    void twoWindowsDeliverWithoutAnAlarm()
+    {
+        SchoolRig rig(false);
+        rig.populate();
+        QTemporaryDir folder;
+        Outbox outbox(folder.filePath("outbox"), StationKey::readOrMake(folder.filePath("station.key")).value());
+        constexpr int kLetters = 150;
+        const QByteArray recording = QByteArray::fromStdString(ofNothing().toBytes());
+        for (int k = 0; k < kLetters; ++k)
+            VERIFY_DONE(outbox.put(rig.student, SchoolRig::attempt("class1-36", k), recording));
+        const QString gone = outbox.waiting().front();
+        {
+            app::SchoolDesk one(Address::parse(rig.address()).value(), folder.path());
+            app::SchoolDesk other(Address::parse(rig.address()).value(), folder.path());
+            for (app::SchoolDesk* desk : {&one, &other}) {
+                connect(desk, &app::SchoolDesk::damaged, this,
+                        [](const core::Error& error) { QFAIL(error.detail.c_str()); });
+                connect(desk, &app::SchoolDesk::waitOn, this, [](int) { QFAIL("one waits on"); });
+                desk->open(this, [](const app::SchoolDesk::Opening& opening) { VERIFY_DONE(opening.status); });
+            }
+            QTRY_VERIFY_WITH_TIMEOUT(outbox.waiting().isEmpty(), 60'000);
         }
-        QTRY_VERIFY_WITH_TIMEOUT(outbox.waiting().isEmpty(), 60'000);
+        QCoreApplication::processEvents();
+        QCOMPARE(keptIn(rig.school()).size(), static_cast<std::size_t>(kLetters));
+        QVERIFY(!QDir(folder.filePath("outbox/damaged")).exists());
+        VERIFY_REFUSED(outbox.read(gone), core::ErrorCode::FileMissing);
     }
-    QCoreApplication::processEvents();
-    QCOMPARE(keptIn(rig.school()).size(), static_cast<std::size_t>(kLetters));
-    QVERIFY(!QDir(folder.filePath("outbox/damaged")).exists());
-    VERIFY_REFUSED(outbox.read(gone), core::ErrorCode::FileMissing);
-}
 
-/// Two schools are used from one folder: what waits for one is not lost in the other.
-void TestStations::aLetterWaitsForItsSchool()
-{
-    SchoolRig mine(false);
-    SchoolRig others(false);
-    mine.populate();
-    others.populate();
-    QTemporaryDir folder;
-    const QString key = folder.filePath("station.key");
-    const Outbox outbox(folder.filePath("outbox"), StationKey::readOrMake(key).value());
-    AttemptRecord attempt = SchoolRig::attempt("class1-36", 500);
-    VERIFY_DONE(Outbox(outbox).put(mine.student, attempt, QByteArray::fromStdString(ofNothing().toBytes())));
-    const auto openOnce = [&](const QString& address) {
-        app::SchoolDesk desk(Address::parse(address).value(), folder.path());
-        int waiting = 0;
-        bool isDelivered = false;
-        connect(&desk, &app::SchoolDesk::waitOn, this, [&](int count) { waiting = count; });
-        connect(&desk, &app::SchoolDesk::delivered, this, [&](const QString&) { isDelivered = true; });
-        desk.open(this, [](const app::SchoolDesk::Opening&) {});
-        [&] { QTRY_VERIFY(waiting > 0 || isDelivered); }();
-        return waiting;
-    };
-    QCOMPARE(openOnce(others.address()), 1);
-    QCOMPARE(outbox.waiting().size(), 1);
-    QCOMPARE(openOnce(mine.address()), 0);
-    QVERIFY(keptIn(mine.school()).count(QString::fromStdString(attempt.uid)) == 1);
-    QVERIFY(outbox.waiting().isEmpty());
-    // It is kept until the next backup; one of the other school changes nothing.
-    const auto made = [&](const SchoolRig& rig, int day) {
-        return app::makeBackup(School{rig.school().db, StationKey::readOrMake(key).value()},
-                               Address::parse(rig.address()).value(), folder.path(), rig.nowUtc.addDays(day));
-    };
-    const Outbox ofMine(folder.filePath("outbox"), StationKey::readOrMake(key).value(),
-                        Outbox::schoolAt(Address::parse(mine.address()).value(), folder.path()));
-    QCOMPARE(ofMine.arrived().size(), 1);
-    VERIFY_DONE(made(mine, 0));
-    QVERIFY(ofMine.arrived().isEmpty());
-    VERIFY_DONE(Outbox(ofMine).put(mine.student, SchoolRig::attempt("class1-36", 600), {}));
-    QVERIFY(ofMine.keepArrived(ofMine.waiting().front()));
-    VERIFY_DONE(made(others, 0));
-    QCOMPARE(ofMine.arrived().size(), 1);
-    VERIFY_DONE(made(mine, 1));
-    QVERIFY(ofMine.arrived().isEmpty());
-}
+    /// Two schools are used from one folder: what waits for one is not lost in the other.
+    void aLetterWaitsForItsSchool()
+    {
+        SchoolRig mine(false);
+        SchoolRig others(false);
+        mine.populate();
+        others.populate();
+        QTemporaryDir folder;
+        const QString key = folder.filePath("station.key");
+        const Outbox outbox(folder.filePath("outbox"), StationKey::readOrMake(key).value());
+        AttemptRecord attempt = SchoolRig::attempt("class1-36", 500);
+        VERIFY_DONE(Outbox(outbox).put(mine.student, attempt, QByteArray::fromStdString(ofNothing().toBytes())));
+        const auto openOnce = [&](const QString& address) {
+            app::SchoolDesk desk(Address::parse(address).value(), folder.path());
+            int waiting = 0;
+            bool isDelivered = false;
+            connect(&desk, &app::SchoolDesk::waitOn, this, [&](int count) { waiting = count; });
+            connect(&desk, &app::SchoolDesk::delivered, this, [&](const QString&) { isDelivered = true; });
+            desk.open(this, [](const app::SchoolDesk::Opening&) {});
+            [&] { QTRY_VERIFY(waiting > 0 || isDelivered); }();
+            return waiting;
+        };
+        QCOMPARE(openOnce(others.address()), 1);
+        QCOMPARE(outbox.waiting().size(), 1);
+        QCOMPARE(openOnce(mine.address()), 0);
+        QVERIFY(keptIn(mine.school()).count(QString::fromStdString(attempt.uid)) == 1);
+        QVERIFY(outbox.waiting().isEmpty());
+        // It is kept until the next backup; one of the other school changes nothing.
+        const auto made = [&](const SchoolRig& rig, int day) {
+            return app::makeBackup(School{rig.school().db, StationKey::readOrMake(key).value()},
+                                   Address::parse(rig.address()).value(), folder.path(), rig.nowUtc.addDays(day));
+        };
+        const Outbox ofMine(folder.filePath("outbox"), StationKey::readOrMake(key).value(),
+                            Outbox::schoolAt(Address::parse(mine.address()).value(), folder.path()));
+        QCOMPARE(ofMine.arrived().size(), 1);
+        VERIFY_DONE(made(mine, 0));
+        QVERIFY(ofMine.arrived().isEmpty());
+        VERIFY_DONE(Outbox(ofMine).put(mine.student, SchoolRig::attempt("class1-36", 600), {}));
+        QVERIFY(ofMine.keepArrived(ofMine.waiting().front()));
+        VERIFY_DONE(made(others, 0));
+        QCOMPARE(ofMine.arrived().size(), 1);
+        VERIFY_DONE(made(mine, 1));
+        QVERIFY(ofMine.arrived().isEmpty());
+    }
 
-/// As a limit of its administrator's does what is very large.
-void TestStations::whatAServerAlwaysStopsHoldsNothingUp()
-{
-    if (!support::sharedServer().fault().isEmpty())
-        QSKIP(qPrintable(support::sharedServer().fault()));
-    SchoolRig rig(true);
-    QVERIFY(rig.isOpen());
-    rig.populate();
-    AttemptRecord first = SchoolRig::attempt("class1-36", 500);
-    first.uid = std::string(first.uid.size(), '0');  // the first by its name, too
-    for (const QString& sql :
-         {QStringLiteral("CREATE FUNCTION stop() RETURNS trigger LANGUAGE plpgsql AS $$ BEGIN RAISE EXCEPTION "
-                         "'canceling statement due to statement timeout' USING ERRCODE = '57014'; END $$"),
-          QStringLiteral("CREATE TRIGGER stop BEFORE INSERT ON attempts FOR EACH ROW WHEN (NEW.uid = '%1') EXECUTE "
-                         "FUNCTION stop()")
-              .arg(QString::fromStdString(first.uid))})
-        VERIFY_DONE(execute(rig.school().db, sql, "set a limit"));
-    QTemporaryDir folder;
-    Outbox outbox(folder.filePath("outbox"), StationKey::readOrMake(folder.filePath("station.key")).value());
-    const QByteArray recording = QByteArray::fromStdString(ofNothing().toBytes());
-    VERIFY_DONE(outbox.put(rig.student, first, recording));
-    app::SchoolDesk desk(Address::parse(rig.address()).value(), folder.path());
-    std::optional<core::Status> opened;
-    desk.open(this, [&](const app::SchoolDesk::Opening& opening) { opened = opening.status; });
-    QTRY_VERIFY(opened.has_value());
-    VERIFY_DONE(*opened);
-    AttemptRecord later = SchoolRig::attempt("class1-36", 600);
-    later.finishedUtc = "2026-11-20T11:00:00Z";
-    VERIFY_DONE(outbox.put(rig.student, later, recording));
-    desk.deliver();
-    desk.deliver();
-    QTRY_COMPARE(outbox.waiting().size(), 1);
-    QVERIFY(keptIn(rig.school()) == std::set<QString>{QString::fromStdString(later.uid)});
-    // And it is tried again.
-    VERIFY_DONE(execute(rig.school().db, "DROP TRIGGER stop ON attempts", "lift the limit"));
-    desk.deliver();
-    QTRY_VERIFY(outbox.waiting().isEmpty());
-    QCOMPARE(keptIn(rig.school()).size(), std::size_t{2});
-}
+    /// As a limit of its administrator's does what is very large.
+    void whatAServerAlwaysStopsHoldsNothingUp()
+    {
+        if (!support::sharedServer().fault().isEmpty())
+            QSKIP(qPrintable(support::sharedServer().fault()));
+        SchoolRig rig(true);
+        QVERIFY(rig.isOpen());
+        rig.populate();
+        AttemptRecord first = SchoolRig::attempt("class1-36", 500);
+        first.uid = std::string(first.uid.size(), '0');  // the first by its name, too
+        for (const QString& sql :
+             {QStringLiteral("CREATE FUNCTION stop() RETURNS trigger LANGUAGE plpgsql AS $$ BEGIN RAISE EXCEPTION "
+                             "'canceling statement due to statement timeout' USING ERRCODE = '57014'; END $$"),
+              QStringLiteral("CREATE TRIGGER stop BEFORE INSERT ON attempts FOR EACH ROW WHEN (NEW.uid = '%1') EXECUTE "
+                             "FUNCTION stop()")
+                  .arg(QString::fromStdString(first.uid))})
+            VERIFY_DONE(execute(rig.school().db, sql, "set a limit"));
+        QTemporaryDir folder;
+        Outbox outbox(folder.filePath("outbox"), StationKey::readOrMake(folder.filePath("station.key")).value());
+        const QByteArray recording = QByteArray::fromStdString(ofNothing().toBytes());
+        VERIFY_DONE(outbox.put(rig.student, first, recording));
+        app::SchoolDesk desk(Address::parse(rig.address()).value(), folder.path());
+        std::optional<core::Status> opened;
+        desk.open(this, [&](const app::SchoolDesk::Opening& opening) { opened = opening.status; });
+        QTRY_VERIFY(opened.has_value());
+        VERIFY_DONE(*opened);
+        AttemptRecord later = SchoolRig::attempt("class1-36", 600);
+        later.finishedUtc = "2026-11-20T11:00:00Z";
+        VERIFY_DONE(outbox.put(rig.student, later, recording));
+        desk.deliver();
+        desk.deliver();
+        QTRY_COMPARE(outbox.waiting().size(), 1);
+        QVERIFY(keptIn(rig.school()) == std::set<QString>{QString::fromStdString(later.uid)});
+        // And it is tried again.
+        VERIFY_DONE(execute(rig.school().db, "DROP TRIGGER stop ON attempts", "lift the limit"));
+        desk.deliver();
+        QTRY_VERIFY(outbox.waiting().isEmpty());
+        QCOMPARE(keptIn(rig.school()).size(), std::size_t{2});
+    }
 
-void TestStations::silenceIsToldAndOver()
-{
-    SchoolRig rig(false);
-    rig.populate();
-    QTemporaryDir folder;
-    app::SchoolDesk desk(Address::parse(rig.address()).value(), folder.path());
-    QStringList told;
-    connect(&desk, &app::SchoolDesk::unanswered, this, [&] { told << "unanswered"; });
-    connect(&desk, &app::SchoolDesk::answered, this, [&] { told << "answered"; });
-    const auto ask = [&](std::atomic<bool>& mayAnswer) {
-        desk.ask(
-            this,
-            [&mayAnswer](const School&) -> core::Result<bool> {
-                mayAnswer.wait(false);
-                return true;
-            },
-            [](const core::Result<bool>&) {});
-    };
-    std::atomic<bool> mayAnswer{true};
-    ask(mayAnswer);
-    QTRY_COMPARE(told, QStringList{"answered"});
-    told.clear();
-    mayAnswer = false;
-    ask(mayAnswer);
-    QTRY_COMPARE_WITH_TIMEOUT(told, QStringList{"unanswered"}, 30'000);
-    mayAnswer = true;
-    mayAnswer.notify_all();
-    QTRY_COMPARE(told, (QStringList{"unanswered", "answered"}));
-}
+    void silenceIsToldAndOver()
+    {
+        SchoolRig rig(false);
+        rig.populate();
+        QTemporaryDir folder;
+        app::SchoolDesk desk(Address::parse(rig.address()).value(), folder.path());
+        QStringList told;
+        connect(&desk, &app::SchoolDesk::unanswered, this, [&] { told << "unanswered"; });
+        connect(&desk, &app::SchoolDesk::answered, this, [&] { told << "answered"; });
+        const auto ask = [&](std::atomic<bool>& mayAnswer) {
+            desk.ask(
+                this,
+                [&mayAnswer](const School&) -> core::Result<bool> {
+                    mayAnswer.wait(false);
+                    return true;
+                },
+                [](const core::Result<bool>&) {});
+        };
+        std::atomic<bool> mayAnswer{true};
+        ask(mayAnswer);
+        QTRY_COMPARE(told, QStringList{"answered"});
+        told.clear();
+        mayAnswer = false;
+        ask(mayAnswer);
+        QTRY_COMPARE_WITH_TIMEOUT(told, QStringList{"unanswered"}, 30'000);
+        mayAnswer = true;
+        mayAnswer.notify_all();
+        QTRY_COMPARE(told, (QStringList{"unanswered", "answered"}));
+    }
 
-/// What was looked into takes nothing away from the school.
-void TestStations::aCopyOfASchoolGetsNoneOfItsLetters()
-{
-    SchoolRig rig(false);
-    rig.populate();
-    QTemporaryDir folder;
-    const QString school = folder.filePath("school.sqlite");
-    const QStringList copies{"trial.sqlite", "backup-2026-11-20-10.15.00.sqlite"};
-    const QString backup = database::sql::backUp(rig.school().db, folder.filePath("b"), rig.nowUtc).value();
-    QVERIFY(QFile::copy(backup, school));
-    for (const QString& copy : copies)
-        QVERIFY(QFile::copy(backup, folder.filePath(copy)));
-    const auto key = StationKey::readOrMake(folder.filePath("station.key")).value();
-    const auto addressOf = [&](const QString& name) { return Address::parse(folder.filePath(name)).value(); };
-    Outbox outbox(folder.filePath("outbox"), key, Outbox::schoolAt(addressOf("school.sqlite"), folder.path()));
-    VERIFY_DONE(outbox.put(rig.student, SchoolRig::attempt("class1-36", 500),
-                           QByteArray::fromStdString(ofNothing().toBytes())));
-    VERIFY_DONE(outbox.put(rig.student, ExamStart{newUid(), "exam-36", "2026-11-20T10:00:00Z"}));
-    for (const QString& copy : copies) {
-        app::SchoolDesk desk(addressOf(copy), folder.path());
-        int waiting = 0;
-        QString whose = "?";
-        connect(&desk, &app::SchoolDesk::waitForOthers, this, [&](int count, const QString& schools) {
-            waiting = count;
-            whose = schools;
-        });
+    /// What was looked into takes nothing away from the school.
+    void aCopyOfASchoolGetsNoneOfItsLetters()
+    {
+        SchoolRig rig(false);
+        rig.populate();
+        QTemporaryDir folder;
+        const QString school = folder.filePath("school.sqlite");
+        const QStringList copies{"trial.sqlite", "backup-2026-11-20-10.15.00.sqlite"};
+        const QString backup = database::sql::backUp(rig.school().db, folder.filePath("b"), rig.nowUtc).value();
+        QVERIFY(QFile::copy(backup, school));
+        for (const QString& copy : copies)
+            QVERIFY(QFile::copy(backup, folder.filePath(copy)));
+        const auto key = StationKey::readOrMake(folder.filePath("station.key")).value();
+        const auto addressOf = [&](const QString& name) { return Address::parse(folder.filePath(name)).value(); };
+        Outbox outbox(folder.filePath("outbox"), key, Outbox::schoolAt(addressOf("school.sqlite"), folder.path()));
+        VERIFY_DONE(outbox.put(rig.student, SchoolRig::attempt("class1-36", 500),
+                               QByteArray::fromStdString(ofNothing().toBytes())));
+        VERIFY_DONE(outbox.put(rig.student, ExamStart{newUid(), "exam-36", "2026-11-20T10:00:00Z"}));
+        for (const QString& copy : copies) {
+            app::SchoolDesk desk(addressOf(copy), folder.path());
+            int waiting = 0;
+            QString whose = "?";
+            connect(&desk, &app::SchoolDesk::waitForOthers, this, [&](int count, const QString& schools) {
+                waiting = count;
+                whose = schools;
+            });
+            desk.open(this, [](const app::SchoolDesk::Opening& opening) { VERIFY_DONE(opening.status); });
+            QTRY_COMPARE(waiting, 2);
+            QCOMPARE(whose, QString("school.sqlite"));
+            QCOMPARE(outbox.waiting().size(), 2);
+        }
+        app::SchoolDesk desk(addressOf("school.sqlite"), folder.path());
         desk.open(this, [](const app::SchoolDesk::Opening& opening) { VERIFY_DONE(opening.status); });
-        QTRY_COMPARE(waiting, 2);
-        QCOMPARE(whose, QString("school.sqlite"));
-        QCOMPARE(outbox.waiting().size(), 2);
+        QTRY_VERIFY(outbox.waiting().isEmpty());
+        QCOMPARE(Outbox::schoolAt(Address::parse("postgresql://me@HOST/a").value(), folder.path()),
+                 Outbox::schoolAt(Address::parse("postgresql://host:5432/a").value(), folder.path()));
+        QVERIFY(Outbox::schoolAt(Address::parse("postgresql://host/a").value(), folder.path()) !=
+                Outbox::schoolAt(Address::parse("postgresql://host/a_trial").value(), folder.path()));
     }
-    app::SchoolDesk desk(addressOf("school.sqlite"), folder.path());
-    desk.open(this, [](const app::SchoolDesk::Opening& opening) { VERIFY_DONE(opening.status); });
-    QTRY_VERIFY(outbox.waiting().isEmpty());
-    QCOMPARE(Outbox::schoolAt(Address::parse("postgresql://me@HOST/a").value(), folder.path()),
-             Outbox::schoolAt(Address::parse("postgresql://host:5432/a").value(), folder.path()));
-    QVERIFY(Outbox::schoolAt(Address::parse("postgresql://host/a").value(), folder.path()) !=
-            Outbox::schoolAt(Address::parse("postgresql://host/a_trial").value(), folder.path()));
-}
 
-/// What waits is tried again, whether or not somebody at the door does.
-void TestStations::aFileThatWasLockedAtTheStartGetsItsLetters()
-{
-    SchoolRig rig(false);
-    rig.populate();
-    QTemporaryDir folder;
-    Outbox outbox(folder.filePath("outbox"), StationKey::readOrMake(folder.filePath("station.key")).value());
-    VERIFY_DONE(outbox.put(rig.student, SchoolRig::attempt("class1-36", 500),
-                           QByteArray::fromStdString(ofNothing().toBytes())));
-    VERIFY_DONE(execute(rig.school().db, "PRAGMA locking_mode = EXCLUSIVE", "lock"));
-    VERIFY_DONE(execute(rig.school().db, "BEGIN EXCLUSIVE", "lock"));
-    Database::Options hasty;
-    hasty.patience = std::chrono::milliseconds(50);
-    app::SchoolDesk desk(Address::parse(rig.address()).value(), folder.path(), hasty);
-    std::optional<core::Status> opened;
-    desk.open(this, [&](const app::SchoolDesk::Opening& opening) { opened = opening.status; });
-    QTRY_VERIFY(opened.has_value());
-    VERIFY_REFUSED(*opened, core::ErrorCode::Busy);
-    rig.close();
-    desk.deliver();
-    QTRY_VERIFY(outbox.waiting().isEmpty());
-    QCOMPARE(outbox.arrived().size(), 1);
-}
+    /// What waits is tried again, whether or not somebody at the door does.
+    void aFileThatWasLockedAtTheStartGetsItsLetters()
+    {
+        SchoolRig rig(false);
+        rig.populate();
+        QTemporaryDir folder;
+        Outbox outbox(folder.filePath("outbox"), StationKey::readOrMake(folder.filePath("station.key")).value());
+        VERIFY_DONE(outbox.put(rig.student, SchoolRig::attempt("class1-36", 500),
+                               QByteArray::fromStdString(ofNothing().toBytes())));
+        VERIFY_DONE(execute(rig.school().db, "PRAGMA locking_mode = EXCLUSIVE", "lock"));
+        VERIFY_DONE(execute(rig.school().db, "BEGIN EXCLUSIVE", "lock"));
+        Database::Options hasty;
+        hasty.patience = std::chrono::milliseconds(50);
+        app::SchoolDesk desk(Address::parse(rig.address()).value(), folder.path(), hasty);
+        std::optional<core::Status> opened;
+        desk.open(this, [&](const app::SchoolDesk::Opening& opening) { opened = opening.status; });
+        QTRY_VERIFY(opened.has_value());
+        VERIFY_REFUSED(*opened, core::ErrorCode::Busy);
+        rig.close();
+        desk.deliver();
+        QTRY_VERIFY(outbox.waiting().isEmpty());
+        QCOMPARE(outbox.arrived().size(), 1);
+    }
+};
 
 int main(int argc, char** argv)
 {
