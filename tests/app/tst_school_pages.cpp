@@ -19,6 +19,7 @@
 #include "tests/database/SchoolRig.h"
 #include "tests/support/Files.h"
 #include "tests/support/OpenGlMain.h"
+#include "ui/admin/BackupPart.h"
 #include "ui/admin/RosterPart.h"
 #include "ui/people/AssignPage.h"
 #include "ui/people/ClassPage.h"
