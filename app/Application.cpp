@@ -68,14 +68,11 @@ constexpr double kMsPerS = 1000.0;
 constexpr int kSpareTooth = 36;  ///< FDI number
 constexpr int kAttemptWatchMs = 50;
 constexpr int kJournalWatchMs = 500;
-constexpr int kOpenWatchMs = 10'000;
 constexpr int kBackupWatchMs = 3'600'000;
-constexpr int kExamRetryMs = 10'000;
 constexpr int kSettleMs = 20;
 constexpr int kMostTakeUpLooks = 250;
 constexpr int kSettledLooks = 3;  ///< in a row that find the bur out of the tooth
 constexpr int kMostSettleLooks = 25;
-constexpr int kLookAgainMs = 10'000;  ///< for what the school could not say yet
 constexpr int kLongestLookMs = 1500;  ///< for how often a lesson may be tried
 constexpr int kDemoBeatMs = 16;
 constexpr int kPictureDelayMs = 200;  ///< between two looks whether the picture is ready
@@ -236,7 +233,7 @@ Application::Application(const WindowOptions& options, std::unique_ptr<core::ses
     connectDoor();
     m_journalWatch.setInterval(kJournalWatchMs);
     connect(&m_journalWatch, &QTimer::timeout, this, &Application::watchJournal);
-    m_lookAgain.setInterval(kLookAgainMs);
+    m_lookAgain.setInterval(m_options.retry);
     m_lookAgain.setSingleShot(true);
     connect(&m_lookAgain, &QTimer::timeout, this, [this] {
         if (!m_unfinished)
@@ -325,7 +322,7 @@ void Application::openDatabase()
     m_address = *address;
     makeStationFolder();
     m_window->setRecoveryFile(QDir(m_stationFolder).filePath(QStringLiteral("unsaved-lessons.json")));
-    m_desk = std::make_unique<SchoolDesk>(*address, m_stationFolder, m_options.opening);
+    m_desk = std::make_unique<SchoolDesk>(*address, m_stationFolder, m_options.opening, m_options.retry);
     m_letters = std::make_unique<Letters>(*m_desk);
     connect(m_letters.get(), &Letters::kept, this, &Application::takeKept);
     connect(m_letters.get(), &Letters::refused, this, &Application::takeRefused);
@@ -417,7 +414,7 @@ void Application::openDatabase()
     m_backupWatch.setObjectName(QStringLiteral("backupWatch"));
     m_backupWatch.setInterval(kBackupWatchMs);
     connect(&m_backupWatch, &QTimer::timeout, this, &Application::backUpToday);
-    m_openWatch.setInterval(kOpenWatchMs);
+    m_openWatch.setInterval(m_options.retry);
     connect(&m_openWatch, &QTimer::timeout, this, &Application::openSchool);
     connect(m_window.get(), &ui::shell::MainWindow::openAgainWanted, this, &Application::openSchool);
     connect(m_window.get(), &ui::shell::MainWindow::restoreWanted, this, [this] { restore(m_who); });
@@ -1334,7 +1331,7 @@ void Application::tellExam(const database::Session& who, const database::ExamSta
 {
     m_desk->keep(this, who, start, [this, who, start](const core::Status& kept) {
         if (!kept)
-            QTimer::singleShot(kExamRetryMs, this, [this, who, start] { tellExam(who, start); });
+            QTimer::singleShot(m_options.retry, this, [this, who, start] { tellExam(who, start); });
     });
 }
 

@@ -50,9 +50,11 @@ struct WindowOptions
     database::sql::Database::Options opening;  ///< for tests
     /// How long the login waits for a database that hangs.
     std::chrono::milliseconds loginPatience{12'000};
-    bool asksWho = false;                      ///< begin at the login; else as a guest
-    bool showsRound = false;                   ///< whoever has not seen the tour
-    QString picture;                           ///< draw the tooth, or the end of the recording, into this file and quit
+    /// After how long the database is asked again for what it did not answer.
+    std::chrono::milliseconds retry = SchoolDesk::kRetry;
+    bool asksWho = false;     ///< begin at the login; else as a guest
+    bool showsRound = false;  ///< whoever has not seen the tour
+    QString picture;          ///< draw the tooth, or the end of the recording, into this file and quit
     /// A simulated hand with a simulated Falcon does the work; the student watches.
     bool simulatedDevice = false;
 };

@@ -2,7 +2,6 @@
 #include "app/PeopleDesk.h"
 
 #include <algorithm>
-#include <chrono>
 #include <climits>
 #include <cmath>
 #include <memory>
@@ -34,8 +33,7 @@
 namespace app {
 namespace {
 
-constexpr std::size_t kMostBesides = 12;    ///< attempts to choose from
-constexpr std::chrono::seconds kAgain{10};  ///< what could not be read is asked for anew
+constexpr std::size_t kMostBesides = 12;  ///< attempts to choose from
 
 namespace text = ui::text;
 using database::sql::School;
@@ -217,7 +215,7 @@ PeopleDesk::PeopleDesk(MainWindow& window, SchoolDesk& desk, std::function<datab
             readLessons([] {});
     });
     m_again.setSingleShot(true);
-    m_again.setInterval(kAgain);
+    m_again.setInterval(desk.retryMs());
     connect(&m_again, &QTimer::timeout, &classes, [&classes] {
         if (classes.isVisible() && !classes.isRead())  // elsewhere it is read when somebody comes back to it
             classes.readAgain();

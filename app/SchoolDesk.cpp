@@ -18,7 +18,6 @@ namespace {
 
 using core::ErrorCode;
 
-constexpr int kRetryMs = 10'000;
 constexpr int kPatienceMs = 5000;  ///< until it is told that there is no answer
 
 /// Of what is no fault of the question: the same may be answered in a while.
@@ -59,13 +58,14 @@ core::Result<LetterDelivery> readLetter(const database::Outbox& letters, const Q
         }};
 }
 
-SchoolDesk::SchoolDesk(database::Address address, QString folder, database::sql::Database::Options options)
+SchoolDesk::SchoolDesk(database::Address address, QString folder, database::sql::Database::Options options,
+                       std::chrono::milliseconds retry)
     : m_address(std::move(address)), m_folder(std::move(folder)), m_options(options)
 {
     m_there.moveToThread(&m_thread);
     m_thread.setObjectName(QStringLiteral("school"));
     m_thread.start();
-    m_retry.setInterval(kRetryMs);
+    m_retry.setInterval(retry);
     QObject::connect(&m_retry, &QTimer::timeout, this, &SchoolDesk::tryAgain);
     m_retry.start();
     m_patience.setInterval(kPatienceMs);

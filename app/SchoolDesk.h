@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -40,10 +41,14 @@ class SchoolDesk final : public QObject
     Q_OBJECT
 
 public:
+    static constexpr std::chrono::seconds kRetry{10};
+
     /// @param address  of the database, which is opened by open()
     /// @param folder  of this station's own files: its key, and attempts on their way
     /// @param options  for tests
-    SchoolDesk(database::Address address, QString folder, database::sql::Database::Options options = {});
+    /// @param retry  after how long what was not answered is asked again
+    SchoolDesk(database::Address address, QString folder, database::sql::Database::Options options = {},
+               std::chrono::milliseconds retry = kRetry);
     ~SchoolDesk() override;
 
     /// What is known of the database after it was opened, or was not.
@@ -135,6 +140,8 @@ public:
 
     /// How many attempts of the session's person wait here.
     void countWaiting(QObject* owner, const database::Session& session, const std::function<void(int)>& done);
+
+    [[nodiscard]] int retryMs() const { return m_retry.interval(); }
 
     /// Tries to deliver what waits.
     void deliver();

@@ -100,6 +100,8 @@ void SchoolWindow::damageSchool() const
 
 void SchoolWindow::start(app::WindowOptions options)
 {
+    if (!m_server.isEmpty())
+        options.retry = std::chrono::milliseconds(300);
     options.source = {36};
     options.database = place();
     options.asksWho = true;

@@ -4,15 +4,12 @@
 #include <QStandardPaths>
 
 #include "database/sql/Classes.h"
-#include "database/sql/Logins.h"
 #include "tests/app/SchoolWindow.h"
 #include "tests/support/OpenGlMain.h"
 #include "tests/support/PostgresServer.h"
 
 using namespace database;
-using support::kPatienceMs;
 using support::OtherStation;
-using ui::people::Door;
 
 class TestSchoolServer : public support::SchoolWindow
 {
@@ -31,8 +28,7 @@ private slots:
     /// The server goes in the middle of the attempt.
     void anAttemptArrivesOnceWhenTheServerReturns()
     {
-        start();
-        logIn("sam");
+        startAs("sam");
         goToTooth();
         drill(-2.0);
         m_postgres.kill();
@@ -43,9 +39,8 @@ private slots:
         QCOMPARE(attempts(), 1);
         // The next start delivers nothing again.
         m_application.reset();
-        start();
-        logIn("sam");
-        actions().attempts->trigger();
+        startAs("sam");
+        openAttempts();
         WAIT_FOR_VALUE(child<QTableView>("attempts")->model()->rowCount(), 1);
         QVERIFY(!child<QLabel>("attemptsWaiting")->isVisible());
         QCOMPARE(attempts(), 1);
@@ -54,8 +49,7 @@ private slots:
     /// Only the school knows whether a graded attempt was saved. Nobody waits for its answer, which comes late.
     void anAttemptOfUnknownFateIsOfferedLate()
     {
-        start();
-        logIn("sam");
+        startAs("sam");
         goToTooth();
         drill(-2.0);
         const QString outbox = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/outbox";
@@ -68,8 +62,7 @@ private slots:
         const OtherStation elsewhere(place());
         elsewhere.execute("BEGIN");
         elsewhere.execute("LOCK TABLE attempts IN ACCESS EXCLUSIVE MODE");
-        start();
-        logIn("sam");
+        startAs("sam");
         WAIT_FOR(child<QListView>("lessonList")->model()->rowCount() > 2);
         QVERIFY(!isUnfinishedOffered());
         elsewhere.execute("ROLLBACK");
@@ -79,8 +72,7 @@ private slots:
     /// By itself, on the page that is open.
     void whatCouldNotBeReadIsReadWhenTheServerReturns()
     {
-        start();
-        logIn("ines");
+        startAs("ines");
         WAIT_FOR_VALUE(studentsShown(), 1);
         m_postgres.stop();
         actions().readAgain->trigger();
@@ -94,26 +86,6 @@ private slots:
         }
         WAIT_FOR_VALUE(studentsShown(), 2);
         WAIT_FOR(message().isEmpty());
-    }
-
-    /// An admin drops the database, and gives its name to that of another school.
-    void anotherSchoolInItsPlaceLetsNobodyStay()
-    {
-        const QString other = m_postgres.newDatabase();
-        QVERIFY(sql::Logins::createFirstAdmin(OtherStation(other).school, {"admin", "", "", Role::Admin},
-                                              support::kPassword, {1, 8192}));
-        start();
-        logIn("ines");
-        WAIT_FOR_VALUE(studentsShown(), 1);
-        const OtherStation beside(m_postgres.newDatabase());
-        const QString name = place().section('/', -1);
-        beside.execute("DROP DATABASE " + name + " WITH (FORCE)");
-        beside.execute("ALTER DATABASE " + other.section('/', -1) + " RENAME TO " + name);
-        actions().classes->trigger();
-        WAIT_FOR(isAtDoor() && door() == Door::Login);
-        waitForDoorToSay("Another school is now where yours was");
-        logIn("admin");
-        QCOMPARE(count("people"), 1);
     }
 
 private:
