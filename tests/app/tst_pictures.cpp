@@ -189,7 +189,7 @@ private slots:
         const QString drawn = kFailed + name + ".png";
         const QString differs = kFailed + name + "-difference.png";
         const Ending ending = draw(what, drawn);
-        QVERIFY2(ending.exitCode == 0, ending.error);
+        expectDone(ending);
         const QImage picture(drawn);
         if (isRewriting())
             QVERIFY(picture.save(kReferences + name + ".png", "PNG", 0));
@@ -269,10 +269,8 @@ private:
         QFile file(m_folder.filePath(name + ".csv"));
         QVERIFY(file.open(QIODevice::WriteOnly) && file.write(path) == path.size());
         file.close();
-        const Ending ending =
-            runCusp({"simulate", "--tooth", "36", "--path", file.fileName(), "--out",
-                     m_folder.filePath(name + ".trace"), "--record", m_folder.filePath(name + ".cusprec")});
-        QVERIFY2(ending.exitCode == 0, ending.error);
+        expectDone(runCusp({"simulate", "--tooth", "36", "--path", file.fileName(), "--out",
+                            m_folder.filePath(name + ".trace"), "--record", m_folder.filePath(name + ".cusprec")}));
     }
 
     [[nodiscard]] Ending draw(const Row& row, const QString& file, const QStringList& environment = {}) const

@@ -39,8 +39,7 @@ private slots:
         QFETCH(QStringList, options);
         QFETCH(QSize, size);
         const QString file = m_folder.filePath("tooth.png");
-        const Ending ending = runCusp(QStringList{"render", "--tooth", "36", "--out", file} + options);
-        QVERIFY2(ending.exitCode == 0, ending.error);
+        expectDone(runCusp(QStringList{"render", "--tooth", "36", "--out", file} + options));
         const QImage picture(file);
         QCOMPARE(picture.size(), size);
         // The room is dark, the tooth in its middle is not.
@@ -64,10 +63,9 @@ private slots:
     {
         QFETCH(QStringList, options);
         const QString recording = QStringLiteral(CUSP_SOURCE_DIR "/tests/golden/attempt.cusprec");
-        const Ending ending =
-            runCusp(QStringList{"render", "--recording", recording, "--out", m_folder.filePath("scan.png")} + options);
-        QCOMPARE(ending.exitCode, 1);
-        QVERIFY2(ending.isOneSentence() && ending.error.contains("'synthetic'"), ending.error);
+        expectRefusal(
+            runCusp(QStringList{"render", "--recording", recording, "--out", m_folder.filePath("scan.png")} + options),
+            "'synthetic'");
     }
 
     void wrongUsage_data()
@@ -117,8 +115,7 @@ private slots:
     {
         const QString folder = m_folder.filePath("there.png");
         QVERIFY(QDir().mkpath(folder));
-        const Ending ending = runCusp({"render", "--tooth", "36", "--size", "64x64", "--out", folder});
-        QVERIFY2(ending.exitCode == 1 && ending.isOneSentence(), ending.error);
+        expectRefusal(runCusp({"render", "--tooth", "36", "--size", "64x64", "--out", folder}));
         QVERIFY(QFileInfo(folder).isDir());
     }
 

@@ -535,13 +535,6 @@ private:
     }
     /// Makes a backup. Returns its file.
     [[nodiscard]] QString backUp() const { return onFile({"db", "backup", "--json"}).json()["backup"].toString(); }
-    static void expectDone(const Ending& ending) { QVERIFY2(ending.exitCode == 0, ending.error + ending.out); }
-    static void expectRefusal(const Ending& ending, const QByteArray& words = {})
-    {
-        QVERIFY2(ending.exitCode == 1 && ending.isOneSentence(), ending.error + ending.out);
-        QVERIFY2(ending.error.contains(words), ending.error);
-    }
-
     [[nodiscard]] database::Outbox outboxOf(const char* name) const
     {
         return {at("outbox"), database::StationKey::readOrMake(at("station.key")).value(), name};

@@ -47,6 +47,16 @@ core::recording::Recording ofNothing()
             .anatomy};
 }
 
+QByteArray recordingOfNothing()
+{
+    return QByteArray::fromStdString(ofNothing().toBytes());
+}
+
+ExamStart anExam()
+{
+    return {newUid(), "exam-36", "2026-11-20T10:00:00Z"};
+}
+
 /// What a station does with its part of the program: logs in, and for each attempt has it kept, says so, waits until it
 /// is delivered, and says how long that took. Arguments: address, folder, user's name, attempts.
 class Station : public QObject
@@ -133,27 +143,32 @@ std::set<QString> keptIn(const School& school)
 
 }  // namespace
 
+/// A school on the server, where there is one.
+#define SERVER_RIG(name)                                                                                               \
+    if (!support::sharedServer().fault().isEmpty())                                                                    \
+        QSKIP(qPrintable(support::sharedServer().fault()));                                                            \
+    SchoolRig name(true);                                                                                              \
+    QVERIFY((name).isOpen());                                                                                          \
+    (name).populate()
+
 class TestStations : public QObject
 {
     Q_OBJECT
 
 private slots:
+    void init() { m_folder = std::make_unique<QTemporaryDir>(); }
+
     void manyStationsLoseNothing()
     {
-        if (!support::sharedServer().fault().isEmpty())
-            QSKIP(qPrintable(support::sharedServer().fault()));
         const int stations = fromEnvironment("CUSP_STATIONS", 6);
         constexpr int kEach = 20;
-        SchoolRig rig(true);
-        QVERIFY(rig.isOpen());
-        rig.populate();
+        SERVER_RIG(rig);
         for (int k = 0; k < stations; ++k)
             static_cast<void>(rig.join({"p" + std::to_string(k), "", "", Role::Student}, rig.first));
-        QTemporaryDir folder;
         std::vector<std::unique_ptr<QProcess>> running;
         for (int k = 0; k < stations; ++k)
             running.push_back(
-                startStation(rig, folder.filePath(QString::number(k)), QStringLiteral("p%1").arg(k), kEach));
+                startStation(rig, m_folder->filePath(QString::number(k)), QStringLiteral("p%1").arg(k), kEach));
         std::vector<double> tookMs;
         std::set<QString> confirmed;
         for (const auto& station : running) {
@@ -167,9 +182,7 @@ private slots:
         }
         QCOMPARE(confirmed.size(), static_cast<std::size_t>(stations * kEach));
         QVERIFY(keptIn(rig.school()) == confirmed);
-        const auto report = checkDatabase(rig.school().db, {});
-        VERIFY_DONE(report);
-        QVERIFY2(report->findings.empty(), qPrintable(support::wordsOf(report->findings)));
+        expectSound(rig);
         std::sort(tookMs.begin(), tookMs.end());
         qInfo("%d stations, %zu attempts, put and delivered: p50 %.1f ms, p99 %.1f ms", stations, tookMs.size(),
               tookMs[tookMs.size() / 2], tookMs[tookMs.size() * 99 / 100]);
@@ -182,11 +195,10 @@ private slots:
         SCHOOL_RIG(rig);
         rig.populate();
         const int kills = fromEnvironment("CUSP_KILLS", 12);
-        QTemporaryDir folder;
         std::set<QString> confirmed;
         core::Rng rng(20261123);
         for (int round = 0; round < kills; ++round) {
-            const auto station = startStation(rig, folder.filePath("station"), "s1001", 10'000);
+            const auto station = startStation(rig, m_folder->filePath("station"), "s1001", 10'000);
             QVERIFY(station->waitForStarted());
             QByteArray output;
             while (!output.contains("kept ")) {
@@ -202,7 +214,7 @@ private slots:
                 confirmed.insert(uid);
         }
         // The next start delivers what waits.
-        const auto last = startStation(rig, folder.filePath("station"), "s1001", 0);
+        const auto last = startStation(rig, m_folder->filePath("station"), "s1001", 0);
         QVERIFY(last->waitForFinished(60'000));
         QCOMPARE(last->exitCode(), 0);
         const std::set<QString> kept = keptIn(rig.school());
@@ -210,10 +222,8 @@ private slots:
             QVERIFY2(kept.count(uid) == 1, qPrintable(uid + " was confirmed, and is lost"));
         rig.reopen();
         QVERIFY(rig.isOpen());
-        const auto report = checkDatabase(rig.school().db, {});
-        VERIFY_DONE(report);
-        QVERIFY2(report->findings.empty(), qPrintable(support::wordsOf(report->findings)));
-        QVERIFY(!QDir(folder.filePath("station/outbox/damaged")).exists());
+        expectSound(rig);
+        QVERIFY(!QDir(m_folder->filePath("station/outbox/damaged")).exists());
         qInfo("%d kills, %zu attempts confirmed, %zu kept", kills, confirmed.size(), kept.size());
     }
 
@@ -221,18 +231,13 @@ private slots:
     /// answers.
     void aServerThatGoesAwayGetsEverythingOnce()
     {
-        if (!support::sharedServer().fault().isEmpty())
-            QSKIP(qPrintable(support::sharedServer().fault()));
-        SchoolRig rig(true);
-        QVERIFY(rig.isOpen());
-        rig.populate();
-        QTemporaryDir folder;
+        SERVER_RIG(rig);
         std::set<QString> put;
         int exams = 0;
         const auto countExams = [&] {
             return ask(rig.school().db, "SELECT count(*) FROM exam_starts", "count")->toInt();
         };
-        const auto letters = [&] { return Outbox(folder.filePath("outbox"), StationKey::make()).waiting(); };
+        const auto letters = [&] { return Outbox(m_folder->filePath("outbox"), StationKey::make()).waiting(); };
         const auto work = [&](app::SchoolDesk& desk) {
             int kept = 0;
             const auto count = [&kept](const core::Status& status) {
@@ -240,7 +245,7 @@ private slots:
                 ++kept;
             };
             const AttemptRecord attempt = SchoolRig::attempt("class1-36", 500);
-            desk.keep(this, rig.student, ExamStart{newUid(), "exam-36", "2026-11-20T10:00:00Z"}, count);
+            desk.keep(this, rig.student, anExam(), count);
             desk.keep(this, rig.student, attempt, ofNothing(), count);
             put.insert(QString::fromStdString(attempt.uid));
             ++exams;
@@ -248,8 +253,8 @@ private slots:
             QTRY_COMPARE(kept, 2);
         };
         {
-            app::SchoolDesk desk(Address::parse(rig.address()).value(), folder.path());
-            desk.open(this, [](const app::SchoolDesk::Opening& opening) { VERIFY_DONE(opening.status); });
+            app::SchoolDesk desk(addressOf(rig), m_folder->path());
+            open(desk);
             work(desk);
             QTRY_VERIFY(letters().isEmpty());
             support::sharedServer().kill();
@@ -260,7 +265,7 @@ private slots:
         }
         // The program ends without a server, and starts without one.
         QCOMPARE(letters().size(), 4);
-        app::SchoolDesk desk(Address::parse(rig.address()).value(), folder.path());
+        app::SchoolDesk desk(addressOf(rig), m_folder->path());
         bool isAway = false;
         desk.open(this, [&](const app::SchoolDesk::Opening& opening) { isAway = !opening.status; });
         QTRY_VERIFY(isAway);
@@ -271,42 +276,34 @@ private slots:
         VERIFY_DONE(rig.database().reconnect());
         QVERIFY(keptIn(rig.school()) == put);
         QCOMPARE(countExams(), exams);
-        QVERIFY(checkDatabase(rig.school().db, {})->findings.empty());
+        expectSound(rig);
     }
 
     /// Between two things that a window asks.
     void ofAServerThatWasStartedAnewNobodyHears()
     {
         auto& server = support::sharedServer();
-        if (!server.fault().isEmpty())
-            QSKIP(qPrintable(server.fault()));
-        SchoolRig rig(true);
-        QVERIFY(rig.isOpen());
-        rig.populate();
-        QTemporaryDir folder;
-        app::SchoolDesk desk(Address::parse(rig.address()).value(), folder.path());
+        SERVER_RIG(rig);
+        app::SchoolDesk desk(addressOf(rig), m_folder->path());
         std::optional<core::Result<Session>> answered;
         const auto logIn = [&] {
             answered.reset();
             desk.ask(
                 this, [](const School& school) { return Logins::login(school, "s1001", SchoolRig::kPassword); },
                 [&answered](const core::Result<Session>& session) { answered = session; });
+            QTRY_VERIFY(answered);
         };
         logIn();
-        QTRY_VERIFY(answered);
         VERIFY_DONE(*answered);
         server.stop();
         QVERIFY(server.start());
         logIn();
-        QTRY_VERIFY(answered);
         VERIFY_DONE(*answered);
         server.stop();
         logIn();
-        QTRY_VERIFY(answered);
         VERIFY_REFUSED(*answered, core::ErrorCode::ConnectionLost);
         QVERIFY(server.start());
         logIn();
-        QTRY_VERIFY(answered);
         VERIFY_DONE(*answered);
     }
 
@@ -314,9 +311,8 @@ private slots:
     {
         SchoolRig rig(false);
         rig.populate();
-        QTemporaryDir folder;
         const StationKey key = StationKey::make();
-        Outbox outbox(folder.filePath("outbox"), key, "school.sqlite");
+        Outbox outbox(m_folder->filePath("outbox"), key, "school.sqlite");
         std::set<QString> put;
         const auto keep = [&] {
             const AttemptRecord attempt = SchoolRig::attempt("class1-36", 500);
@@ -349,8 +345,8 @@ private slots:
         QVERIFY(outbox.waiting().isEmpty());
         QCOMPARE(outbox.arrived().size(), 1);
         // What another school in this folder has stays with it, as long as that is there.
-        const Outbox ofOther(folder.filePath("outbox"), key, "other.sqlite");
-        QFile school(folder.filePath("school.sqlite"));
+        const Outbox ofOther(m_folder->filePath("outbox"), key, "other.sqlite");
+        QFile school(m_folder->filePath("school.sqlite"));
         QVERIFY(school.open(QIODevice::WriteOnly));
         ofOther.sendAgain();
         QVERIFY(outbox.waiting().isEmpty());
@@ -365,29 +361,30 @@ private slots:
         QVERIFY(keptIn(rig.school()) == put);
         // One that was signed with another key waits until that is back.
         keep();
-        VERIFY_REFUSED(Outbox(folder.filePath("outbox"), StationKey::make()).read(outbox.waiting().front()),
+        VERIFY_REFUSED(Outbox(m_folder->filePath("outbox"), StationKey::make()).read(outbox.waiting().front()),
                        core::ErrorCode::NotAllowed);
-        // A letter that was changed on the way is not taken.
+        // A letter that was changed on the way is not taken, nor is one that no database would take, and that others
+        // would wait behind.
+        const auto expectRefusalOfTheFirst = [&] {
+            VERIFY_REFUSED(outbox.read(outbox.waiting().front()), core::ErrorCode::BadStructure);
+            outbox.setAside(outbox.waiting().front());
+        };
         QFile changed(outbox.waiting().front());
         QVERIFY(changed.open(QIODevice::ReadWrite) && changed.seek(400));
         changed.write("x");
         changed.close();
-        VERIFY_REFUSED(outbox.read(outbox.waiting().front()), core::ErrorCode::BadStructure);
-        outbox.setAside(outbox.waiting().front());
+        expectRefusalOfTheFirst();
         QVERIFY(outbox.waiting().isEmpty());
-        // Nor is one that no database would take, and that others would wait behind.
         AttemptRecord unfit = SchoolRig::attempt("class1-36", 500);
         unfit.lessonId += '\0';
         VERIFY_DONE(outbox.put(rig.student, unfit, "recording"));
-        VERIFY_REFUSED(outbox.read(outbox.waiting().front()), core::ErrorCode::BadStructure);
-        outbox.setAside(outbox.waiting().front());
+        expectRefusalOfTheFirst();
         unfit = SchoolRig::attempt("class1-36", 500);
         unfit.uid.pop_back();
         VERIFY_DONE(outbox.put(rig.student, unfit, "recording"));
-        VERIFY_REFUSED(outbox.read(outbox.waiting().front()), core::ErrorCode::BadStructure);
-        outbox.setAside(outbox.waiting().front());
+        expectRefusalOfTheFirst();
         // One of the other kind is not read as this one.
-        VERIFY_DONE(outbox.put(rig.student, ExamStart{newUid(), "exam-36", "2026-11-20T10:00:00Z"}));
+        VERIFY_DONE(outbox.put(rig.student, anExam()));
         QVERIFY(Outbox::isExam(outbox.waiting().front()));
         QCOMPARE(outbox.readExam(outbox.waiting().front())->personUid, rig.student.uid());
         VERIFY_REFUSED(outbox.read(outbox.waiting().front()), core::ErrorCode::BadStructure);
@@ -399,27 +396,25 @@ private slots:
     {
         SchoolRig rig(false);
         rig.populate();
-        QTemporaryDir folder;
-        Outbox outbox(folder.filePath("outbox"), StationKey::readOrMake(folder.filePath("station.key")).value());
-        constexpr int kLetters = 150;
-        const QByteArray recording = QByteArray::fromStdString(ofNothing().toBytes());
+        Outbox outbox = ownOutbox();
+        constexpr int kLetters = 60;
         for (int k = 0; k < kLetters; ++k)
-            VERIFY_DONE(outbox.put(rig.student, SchoolRig::attempt("class1-36", k), recording));
+            VERIFY_DONE(outbox.put(rig.student, SchoolRig::attempt("class1-36", k), recordingOfNothing()));
         const QString gone = outbox.waiting().front();
         {
-            app::SchoolDesk one(Address::parse(rig.address()).value(), folder.path());
-            app::SchoolDesk other(Address::parse(rig.address()).value(), folder.path());
+            app::SchoolDesk one(addressOf(rig), m_folder->path());
+            app::SchoolDesk other(addressOf(rig), m_folder->path());
             for (app::SchoolDesk* desk : {&one, &other}) {
                 connect(desk, &app::SchoolDesk::damaged, this,
                         [](const core::Error& error) { QFAIL(error.detail.c_str()); });
                 connect(desk, &app::SchoolDesk::waitOn, this, [](int) { QFAIL("one waits on"); });
-                desk->open(this, [](const app::SchoolDesk::Opening& opening) { VERIFY_DONE(opening.status); });
+                open(*desk);
             }
             QTRY_VERIFY_WITH_TIMEOUT(outbox.waiting().isEmpty(), 60'000);
         }
         QCoreApplication::processEvents();
         QCOMPARE(keptIn(rig.school()).size(), static_cast<std::size_t>(kLetters));
-        QVERIFY(!QDir(folder.filePath("outbox/damaged")).exists());
+        QVERIFY(!QDir(m_folder->filePath("outbox/damaged")).exists());
         VERIFY_REFUSED(outbox.read(gone), core::ErrorCode::FileMissing);
     }
 
@@ -430,13 +425,12 @@ private slots:
         SchoolRig others(false);
         mine.populate();
         others.populate();
-        QTemporaryDir folder;
-        const QString key = folder.filePath("station.key");
-        const Outbox outbox(folder.filePath("outbox"), StationKey::readOrMake(key).value());
+        const QString key = m_folder->filePath("station.key");
+        const Outbox outbox(m_folder->filePath("outbox"), StationKey::readOrMake(key).value());
         AttemptRecord attempt = SchoolRig::attempt("class1-36", 500);
-        VERIFY_DONE(Outbox(outbox).put(mine.student, attempt, QByteArray::fromStdString(ofNothing().toBytes())));
+        VERIFY_DONE(Outbox(outbox).put(mine.student, attempt, recordingOfNothing()));
         const auto openOnce = [&](const QString& address) {
-            app::SchoolDesk desk(Address::parse(address).value(), folder.path());
+            app::SchoolDesk desk(Address::parse(address).value(), m_folder->path());
             int waiting = 0;
             bool isDelivered = false;
             connect(&desk, &app::SchoolDesk::waitOn, this, [&](int count) { waiting = count; });
@@ -452,11 +446,11 @@ private slots:
         QVERIFY(outbox.waiting().isEmpty());
         // It is kept until the next backup; one of the other school changes nothing.
         const auto made = [&](const SchoolRig& rig, int day) {
-            return app::makeBackup(School{rig.school().db, StationKey::readOrMake(key).value()},
-                                   Address::parse(rig.address()).value(), folder.path(), rig.nowUtc.addDays(day));
+            return app::makeBackup(School{rig.school().db, StationKey::readOrMake(key).value()}, addressOf(rig),
+                                   m_folder->path(), rig.nowUtc.addDays(day));
         };
-        const Outbox ofMine(folder.filePath("outbox"), StationKey::readOrMake(key).value(),
-                            Outbox::schoolAt(Address::parse(mine.address()).value(), folder.path()));
+        const Outbox ofMine(m_folder->filePath("outbox"), StationKey::readOrMake(key).value(),
+                            Outbox::schoolAt(addressOf(mine), m_folder->path()));
         QCOMPARE(ofMine.arrived().size(), 1);
         VERIFY_DONE(made(mine, 0));
         QVERIFY(ofMine.arrived().isEmpty());
@@ -471,11 +465,7 @@ private slots:
     /// As a limit of its administrator's does what is very large.
     void whatAServerAlwaysStopsHoldsNothingUp()
     {
-        if (!support::sharedServer().fault().isEmpty())
-            QSKIP(qPrintable(support::sharedServer().fault()));
-        SchoolRig rig(true);
-        QVERIFY(rig.isOpen());
-        rig.populate();
+        SERVER_RIG(rig);
         AttemptRecord first = SchoolRig::attempt("class1-36", 500);
         first.uid = std::string(first.uid.size(), '0');  // the first by its name, too
         for (const QString& sql :
@@ -485,18 +475,16 @@ private slots:
                              "FUNCTION stop()")
                   .arg(QString::fromStdString(first.uid))})
             VERIFY_DONE(execute(rig.school().db, sql, "set a limit"));
-        QTemporaryDir folder;
-        Outbox outbox(folder.filePath("outbox"), StationKey::readOrMake(folder.filePath("station.key")).value());
-        const QByteArray recording = QByteArray::fromStdString(ofNothing().toBytes());
-        VERIFY_DONE(outbox.put(rig.student, first, recording));
-        app::SchoolDesk desk(Address::parse(rig.address()).value(), folder.path());
+        Outbox outbox = ownOutbox();
+        VERIFY_DONE(outbox.put(rig.student, first, recordingOfNothing()));
+        app::SchoolDesk desk(addressOf(rig), m_folder->path());
         std::optional<core::Status> opened;
         desk.open(this, [&](const app::SchoolDesk::Opening& opening) { opened = opening.status; });
         QTRY_VERIFY(opened.has_value());
         VERIFY_DONE(*opened);
         AttemptRecord later = SchoolRig::attempt("class1-36", 600);
         later.finishedUtc = "2026-11-20T11:00:00Z";
-        VERIFY_DONE(outbox.put(rig.student, later, recording));
+        VERIFY_DONE(outbox.put(rig.student, later, recordingOfNothing()));
         desk.deliver();
         desk.deliver();
         QTRY_COMPARE(outbox.waiting().size(), 1);
@@ -512,8 +500,7 @@ private slots:
     {
         SchoolRig rig(false);
         rig.populate();
-        QTemporaryDir folder;
-        app::SchoolDesk desk(Address::parse(rig.address()).value(), folder.path());
+        app::SchoolDesk desk(addressOf(rig), m_folder->path());
         QStringList told;
         connect(&desk, &app::SchoolDesk::unanswered, this, [&] { told << "unanswered"; });
         connect(&desk, &app::SchoolDesk::answered, this, [&] { told << "answered"; });
@@ -543,39 +530,38 @@ private slots:
     {
         SchoolRig rig(false);
         rig.populate();
-        QTemporaryDir folder;
-        const QString school = folder.filePath("school.sqlite");
+        const QString school = m_folder->filePath("school.sqlite");
         const QStringList copies{"trial.sqlite", "backup-2026-11-20-10.15.00.sqlite"};
-        const QString backup = database::sql::backUp(rig.school().db, folder.filePath("b"), rig.nowUtc).value();
+        const QString backup = database::sql::backUp(rig.school().db, m_folder->filePath("b"), rig.nowUtc).value();
         QVERIFY(QFile::copy(backup, school));
         for (const QString& copy : copies)
-            QVERIFY(QFile::copy(backup, folder.filePath(copy)));
-        const auto key = StationKey::readOrMake(folder.filePath("station.key")).value();
-        const auto addressOf = [&](const QString& name) { return Address::parse(folder.filePath(name)).value(); };
-        Outbox outbox(folder.filePath("outbox"), key, Outbox::schoolAt(addressOf("school.sqlite"), folder.path()));
-        VERIFY_DONE(outbox.put(rig.student, SchoolRig::attempt("class1-36", 500),
-                               QByteArray::fromStdString(ofNothing().toBytes())));
-        VERIFY_DONE(outbox.put(rig.student, ExamStart{newUid(), "exam-36", "2026-11-20T10:00:00Z"}));
+            QVERIFY(QFile::copy(backup, m_folder->filePath(copy)));
+        const auto key = StationKey::readOrMake(m_folder->filePath("station.key")).value();
+        const auto addressOf = [&](const QString& name) { return Address::parse(m_folder->filePath(name)).value(); };
+        Outbox outbox(m_folder->filePath("outbox"), key,
+                      Outbox::schoolAt(addressOf("school.sqlite"), m_folder->path()));
+        VERIFY_DONE(outbox.put(rig.student, SchoolRig::attempt("class1-36", 500), recordingOfNothing()));
+        VERIFY_DONE(outbox.put(rig.student, anExam()));
         for (const QString& copy : copies) {
-            app::SchoolDesk desk(addressOf(copy), folder.path());
+            app::SchoolDesk desk(addressOf(copy), m_folder->path());
             int waiting = 0;
             QString whose = "?";
             connect(&desk, &app::SchoolDesk::waitForOthers, this, [&](int count, const QString& schools) {
                 waiting = count;
                 whose = schools;
             });
-            desk.open(this, [](const app::SchoolDesk::Opening& opening) { VERIFY_DONE(opening.status); });
+            open(desk);
             QTRY_COMPARE(waiting, 2);
             QCOMPARE(whose, QString("school.sqlite"));
             QCOMPARE(outbox.waiting().size(), 2);
         }
-        app::SchoolDesk desk(addressOf("school.sqlite"), folder.path());
-        desk.open(this, [](const app::SchoolDesk::Opening& opening) { VERIFY_DONE(opening.status); });
+        app::SchoolDesk desk(addressOf("school.sqlite"), m_folder->path());
+        open(desk);
         QTRY_VERIFY(outbox.waiting().isEmpty());
-        QCOMPARE(Outbox::schoolAt(Address::parse("postgresql://me@HOST/a").value(), folder.path()),
-                 Outbox::schoolAt(Address::parse("postgresql://host:5432/a").value(), folder.path()));
-        QVERIFY(Outbox::schoolAt(Address::parse("postgresql://host/a").value(), folder.path()) !=
-                Outbox::schoolAt(Address::parse("postgresql://host/a_trial").value(), folder.path()));
+        QCOMPARE(Outbox::schoolAt(Address::parse("postgresql://me@HOST/a").value(), m_folder->path()),
+                 Outbox::schoolAt(Address::parse("postgresql://host:5432/a").value(), m_folder->path()));
+        QVERIFY(Outbox::schoolAt(Address::parse("postgresql://host/a").value(), m_folder->path()) !=
+                Outbox::schoolAt(Address::parse("postgresql://host/a_trial").value(), m_folder->path()));
     }
 
     /// What waits is tried again, whether or not somebody at the door does.
@@ -583,15 +569,13 @@ private slots:
     {
         SchoolRig rig(false);
         rig.populate();
-        QTemporaryDir folder;
-        Outbox outbox(folder.filePath("outbox"), StationKey::readOrMake(folder.filePath("station.key")).value());
-        VERIFY_DONE(outbox.put(rig.student, SchoolRig::attempt("class1-36", 500),
-                               QByteArray::fromStdString(ofNothing().toBytes())));
+        Outbox outbox = ownOutbox();
+        VERIFY_DONE(outbox.put(rig.student, SchoolRig::attempt("class1-36", 500), recordingOfNothing()));
         VERIFY_DONE(execute(rig.school().db, "PRAGMA locking_mode = EXCLUSIVE", "lock"));
         VERIFY_DONE(execute(rig.school().db, "BEGIN EXCLUSIVE", "lock"));
         Database::Options hasty;
         hasty.patience = std::chrono::milliseconds(50);
-        app::SchoolDesk desk(Address::parse(rig.address()).value(), folder.path(), hasty);
+        app::SchoolDesk desk(addressOf(rig), m_folder->path(), hasty);
         std::optional<core::Status> opened;
         desk.open(this, [&](const app::SchoolDesk::Opening& opening) { opened = opening.status; });
         QTRY_VERIFY(opened.has_value());
@@ -601,6 +585,28 @@ private slots:
         QTRY_VERIFY(outbox.waiting().isEmpty());
         QCOMPARE(outbox.arrived().size(), 1);
     }
+
+private:
+    static Address addressOf(const SchoolRig& rig) { return Address::parse(rig.address()).value(); }
+    /// With the station's own key.
+    [[nodiscard]] Outbox ownOutbox() const
+    {
+        return {m_folder->filePath("outbox"), StationKey::readOrMake(m_folder->filePath("station.key")).value()};
+    }
+
+    void open(app::SchoolDesk& desk)
+    {
+        desk.open(this, [](const app::SchoolDesk::Opening& opening) { VERIFY_DONE(opening.status); });
+    }
+
+    static void expectSound(const SchoolRig& rig)
+    {
+        const auto report = checkDatabase(rig.school().db, {});
+        VERIFY_DONE(report);
+        QVERIFY2(report->findings.empty(), qPrintable(support::wordsOf(report->findings)));
+    }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
 };
 
 int main(int argc, char** argv)

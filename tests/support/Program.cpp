@@ -12,6 +12,7 @@
 #include <QFile>
 #include <QJsonDocument>
 #include <QTemporaryDir>
+#include <QTest>
 
 namespace support {
 namespace {
@@ -72,6 +73,19 @@ Ending runCusp(const QStringList& arguments, const QStringList& environment, con
     wait4(child, &status, 0, &usage);
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(outFile), contents(errorFile),
             usage.ru_maxrss / 1024};
+}
+
+void expectDone(const Ending& ending, std::source_location where)
+{
+    QTest::qVerify(ending.exitCode == 0, "exit code 0", (ending.error + ending.out).constData(), where.file_name(),
+                   static_cast<int>(where.line()));
+}
+
+void expectRefusal(const Ending& ending, const QByteArray& words, int exitCode, std::source_location where)
+{
+    QTest::qVerify(ending.exitCode == exitCode && ending.isOneSentence() && ending.error.contains(words),
+                   ("refused: " + words).constData(), (ending.error + ending.out).constData(), where.file_name(),
+                   static_cast<int>(where.line()));
 }
 
 }  // namespace support

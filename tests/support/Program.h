@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <source_location>
+
 #include <QByteArray>
 #include <QJsonObject>
 #include <QStringList>
@@ -27,5 +29,11 @@ struct Ending
 /// @param input  what it reads from standard input
 [[nodiscard]] Ending runCusp(const QStringList& arguments, const QStringList& environment = {},
                              const QByteArray& input = {});
+
+/// It ended without a fault.
+void expectDone(const Ending& ending, std::source_location where = std::source_location::current());
+/// It was refused, in one sentence that contains these words.
+void expectRefusal(const Ending& ending, const QByteArray& words = {}, int exitCode = 1,
+                   std::source_location where = std::source_location::current());
 
 }  // namespace support
