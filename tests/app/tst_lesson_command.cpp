@@ -9,6 +9,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "tests/support/Files.h"
 #include "tests/support/Program.h"
 
 using support::Ending;
@@ -39,31 +40,24 @@ private slots:
         QFETCH(QStringList, options);
         const QString out = file("mine.lesson.json");
         expectDone(runCusp(QStringList{"lesson", "new", "--id", "mine", "--out", out} + options));
-        const Ending checked = runCusp({"lesson", "check", out, "--json"});
-        expectDone(checked);
-        const QJsonObject lesson = checked.json()["lessons"].toArray()[0].toObject();
+        const QJsonObject lesson = checkedLesson(out);
         QCOMPARE(lesson["id"].toString(), QString("mine"));
-        QVERIFY2(lesson["faults"].toArray().isEmpty(), checked.out.constData());
+        QCOMPARE(lesson["faults"].toArray(), QJsonArray());
     }
 
     void anExpertAtAnotherToothIsNoted()
     {
         QVERIFY(QFile::copy(golden(), file("expert.cusprec")));
-        QFile lesson(file("mine.lesson.json"));
-        QVERIFY(lesson.open(QIODevice::WriteOnly));
-        lesson.write(R"({"format": 1, "based_on": "ideal-1-class1-1-36.lesson.json", "id": "mine",
-                         "expert": {"recording": "expert.cusprec"}})");
-        lesson.close();
-        const Ending checked = runCusp({"lesson", "check", lesson.fileName(), "--json"});
-        expectDone(checked);
-        const QJsonArray faults = checked.json()["lessons"].toArray()[0].toObject()["faults"].toArray();
+        const QString lesson = written("mine.lesson.json", R"({"format": 1, "id": "mine",
+            "based_on": "ideal-1-class1-1-36.lesson.json", "expert": {"recording": "expert.cusprec"}})");
+        const QJsonArray faults = checkedLesson(lesson)["faults"].toArray();
         QCOMPARE(faults.size(), 1);
         const QJsonObject fault = faults[0].toObject();
         QCOMPARE(fault["key"].toString(), QString("expert.recording"));
         QVERIFY2(fault["what"].toString().startsWith("expert.cusprec: the attempt is at the tooth"),
                  qPrintable(fault["what"].toString()));
         QVERIFY(!fault["grave"].toBool());
-        const Ending told = runCusp({"lesson", "check", lesson.fileName()});
+        const Ending told = runCusp({"lesson", "check", lesson});
         QVERIFY2(told.out.contains("mine.lesson.json, expert.recording: expert.cusprec"), told.out.constData());
         QVERIFY(told.out.contains("is sound"));
         // A lesson has an id as well as a file; what is neither is one more line, and no end.
@@ -85,12 +79,9 @@ private slots:
         QVERIFY(captured.json()["columns"].toInt() > 10);
         // That tooth is none that a lesson could name: it says so, and leaves nothing behind.
         const QString out = file("mine.lesson.json");
-        const Ending refused = runCusp({"lesson", "new", "--id", "mine", "--from", "class1-36", "--captured",
-                                        file("own.cuspideal"), "--out", out});
-        QCOMPARE(refused.exitCode, 1);
-        QVERIFY2(refused.isOneSentence() &&
-                     refused.error.contains("ideal.captured: \"own.cuspideal\" was captured on the tooth"),
-                 refused.error.constData());
+        expectRefusal(runCusp({"lesson", "new", "--id", "mine", "--from", "class1-36", "--captured",
+                               file("own.cuspideal"), "--out", out}),
+                      "ideal.captured: \"own.cuspideal\" was captured on the tooth");
         QVERIFY(!QFileInfo::exists(out));
 
         // On one of ours it is there to be cut, whether that is said or not, and its tolerances go along.
@@ -100,18 +91,14 @@ private slots:
             {"lesson", "capture", "--out", file("cut.cuspideal"), work + "/attempt.cusprec", "--depth", "0.33"}));
         const QStringList begin{"lesson", "new", "--id", "mine", "--captured", file("cut.cuspideal"), "--out", out};
         expectDone(runCusp(begin + QStringList{"--tooth", "24"}));
-        QFile lesson(out);
-        QVERIFY(lesson.open(QIODevice::ReadOnly));
-        const QJsonObject written = QJsonDocument::fromJson(lesson.readAll()).object();
-        QCOMPARE(written["task"].toString(), QString("cut_ideal"));
-        const QJsonObject depth = written["rubric"].toObject()["criteria"].toArray()[0].toObject();
+        const std::string json = support::bytesOf(out.toStdString());
+        const QJsonObject made = QJsonDocument::fromJson(QByteArray::fromStdString(json)).object();
+        QCOMPARE(made["task"].toString(), QString("cut_ideal"));
+        const QJsonObject depth = made["rubric"].toObject()["criteria"].toArray()[0].toObject();
         QCOMPARE(depth["measure"].toString(), QString("depth_error_p95_mm"));
         QCOMPARE(depth["tolerance"].toDouble(), 0.33);
-        const Ending checked = runCusp({"lesson", "check", out, "--json"});
-        expectDone(checked);
-        QVERIFY2(checked.json()["lessons"].toArray()[0].toObject()["faults"].toArray().isEmpty(),
-                 checked.out.constData());
-        QVERIFY(lesson.remove());
+        QCOMPARE(checkedLesson(out)["faults"].toArray(), QJsonArray());
+        QVERIFY(QFile::remove(out));
         for (const QStringList& otherwise :
              {QStringList{"--tooth", "24", "--task", "remove_decay"}, QStringList{"--from", "decay-24-small"}}) {
             expectRefusal(runCusp(begin + otherwise), "cut_ideal");
@@ -128,83 +115,61 @@ private slots:
         QVERIFY(QDir(m_folder->path()).mkdir("course"));
         const QStringList begin{"lesson", "new", "--id", "scan", "--tooth", scan, "--out", out};
         expectDone(runCusp(begin + QStringList{"--unit", "mm", "--up", "+z", "--fdi", "36"}));
-        const Ending checked = runCusp({"lesson", "check", out, "--json"});
-        expectDone(checked);
-        QCOMPARE(checked.json()["lessons"].toArray()[0].toObject()["tooth"].toString(), QString("tooth.obj"));
+        QCOMPARE(checkedLesson(out)["tooth"].toString(), QString("tooth.obj"));
         // A scan of no use is not left beside.
-        QFile noise(file("noise.stl"));
-        QVERIFY(noise.open(QIODevice::WriteOnly) && noise.write("hello") == 5);
-        noise.close();
-        expectRefusal(runCusp(
-            {"lesson", "new", "--id", "a", "--tooth", noise.fileName(), "--out", file("course/a.lesson.json")}));
+        const QString noise = written("noise.stl", "hello");
+        expectRefusal(runCusp({"lesson", "new", "--id", "a", "--tooth", noise, "--out", file("course/a.lesson.json")}));
         QVERIFY(!QFileInfo::exists(file("course/noise.stl")) && !QFileInfo::exists(file("course/a.lesson.json")));
         // One that is spoilt later is told with its key.
-        QFile spoilt(file("course/tooth.obj"));
-        QVERIFY(spoilt.open(QIODevice::WriteOnly) && spoilt.write("hello") == 5);
-        spoilt.close();
+        written("course/tooth.obj", "hello");
         const Ending told = runCusp({"lesson", "check", out});
         QVERIFY2(told.exitCode == 1 && told.error.contains("scan.lesson.json tooth.scan: "), told.error.constData());
     }
 
     void checkSaysWhatCannotBeEarned()
     {
-        const auto write = [&](const QString& name, const QByteArray& content) {
-            QFile lesson(file(name));
-            QVERIFY(lesson.open(QIODevice::WriteOnly) && lesson.write(content) == content.size());
+        const auto told = [&](const std::string& content) {
+            const Ending ending = runCusp({"lesson", "check", written("a.lesson.json", content)});
+            expectDone(ending);
+            return ending.out;
         };
-        write("odd.lesson.json", R"({"format": 1, "based_on": "block-1-line.lesson.json", "id": "odd",
+        const QByteArray noted = told(R"({"format": 1, "based_on": "block-1-line.lesson.json", "id": "odd",
             "rubric": {"id": "odd", "title": "Odd", "criteria": [
                 {"id": "target", "measure": "target_removed_percent", "side": "under", "target": 100, "weight": 60},
                 {"id": "decay", "measure": "caries_left_percent", "weight": 40}]}})");
-        const Ending noted = runCusp({"lesson", "check", file("odd.lesson.json")});
-        expectDone(noted);
-        QVERIFY2(noted.out.contains("gets 60.0 of 100 points, because of decay (cannot be measured here)"),
-                 noted.out.constData());
+        QVERIFY2(noted.contains("gets 60.0 of 100 points, because of decay (cannot be measured here)"), noted);
         // Decay as well; what is about the way of an attempt, nobody knows beforehand.
-        write("held.lesson.json", R"({"format": 1, "based_on": "decay-36-1-small.lesson.json", "id": "held",
+        const QByteArray held = told(R"({"format": 1, "based_on": "decay-36-1-small.lesson.json", "id": "held",
             "rubric": {"id": "held", "title": "Held", "criteria": [
                 {"id": "left", "measure": "caries_left_percent", "weight": 50},
                 {"id": "start", "measure": "time_to_first_cut_s", "tolerance": 60, "weight": 20},
                 {"id": "hold", "measure": "hold_longest_s", "side": "under", "target": 5, "weight": 30}]}})");
-        const Ending held = runCusp({"lesson", "check", file("held.lesson.json")});
-        expectDone(held);
-        QVERIFY2(held.out.contains("gets 70.0 of 100 points, because of hold (cannot be measured here)"),
-                 held.out.constData());
+        QVERIFY2(held.contains("gets 70.0 of 100 points, because of hold (cannot be measured here)"), held);
         // An expert's recording that cannot be replayed: the lesson can be given without it, and the teacher is told.
-        write("expert.cusprec", "CUSPREC");
-        write("led.lesson.json", R"({"format": 1, "based_on": "block-1-line.lesson.json", "id": "led",
+        written("expert.cusprec", "CUSPREC");
+        const QByteArray led = told(R"({"format": 1, "based_on": "block-1-line.lesson.json", "id": "led",
             "expert": {"recording": "expert.cusprec"}})");
-        const Ending led = runCusp({"lesson", "check", file("led.lesson.json")});
-        expectDone(led);
-        QVERIFY2(led.out.contains("led.lesson.json, expert.recording: ") && led.out.contains("is not a Cusp recording"),
-                 led.out.constData());
+        QVERIFY2(led.contains("a.lesson.json, expert.recording: ") && led.contains("is not a Cusp recording"), led);
     }
 
     void captureRefusesWithASentence()
     {
         const QString out = file("own.cuspideal");
-        QFile noise(file("noise.cusprec"));
-        QVERIFY(noise.open(QIODevice::WriteOnly) && noise.write("hello") == 5);
-        noise.close();
-        for (const QStringList& recordings :
-             {QStringList{file("none.cusprec")}, QStringList{golden(), noise.fileName()}}) {
-            const Ending refused = runCusp(QStringList{"lesson", "capture", "--out", out} + recordings);
-            expectRefusal(refused);
-            QVERIFY2(refused.error.contains("cusprec"), refused.error.constData());
+        const QString noise = written("noise.cusprec", "hello");
+        for (const QStringList& recordings : {QStringList{file("none.cusprec")}, QStringList{golden(), noise}}) {
+            expectRefusal(runCusp(QStringList{"lesson", "capture", "--out", out} + recordings), "cusprec");
         }
         QVERIFY(QFile::copy(golden(), file("again.cusprec")));
         expectRefusal(runCusp({"lesson", "capture", "--out", out, golden(), file("again.cusprec")}), "once more");
-        const Ending wide = runCusp({"lesson", "capture", "--out", out, golden(), "--depth", "-1"});
-        QVERIFY2(wide.exitCode == 1 && wide.error.contains("tolerance of the depth"), wide.error.constData());
+        expectRefusal(runCusp({"lesson", "capture", "--out", out, golden(), "--depth", "-1"}),
+                      "tolerance of the depth");
         QVERIFY(!QFileInfo::exists(out));
     }
 
     void overwritesNothing()
     {
-        for (const QString name : {"a.lesson.json", "a.cuspideal", "a.cusplessons"}) {
-            QFile there(file(name));
-            QVERIFY(there.open(QIODevice::WriteOnly) && there.write("mine") == 4);
-        }
+        for (const char* name : {"a.lesson.json", "a.cuspideal", "a.cusplessons"})
+            written(name, "mine");
         for (const QStringList& command :
              {QStringList{"new", "--id", "a", "--out", file("a.lesson.json")},
               QStringList{"capture", golden(), "--out", file("a.cuspideal")},
@@ -244,8 +209,7 @@ private slots:
         const Ending packed = runCusp({"lesson", "pack", lesson, "--out", pack});
         expectDone(packed);
         QVERIFY(packed.out.contains("mine.lesson.json"));
-        const Ending unpacked = runCusp({"lesson", "unpack", pack, "--folder", file("theirs")});
-        expectDone(unpacked);
+        expectDone(runCusp({"lesson", "unpack", pack, "--folder", file("theirs")}));
         expectDone(runCusp({"lesson", "check", file("theirs/mine.lesson.json")}));
         // And without being unpacked, where the packs of a folder are looked for.
         const Ending listed =
@@ -267,18 +231,27 @@ private slots:
         expectDone(runCusp({"lesson", "new", "--id", "mine", "--from", "class1-36", "--out", lesson}));
         const Ending drawn = runCusp({"lesson", "preview", lesson, "--out", file("a.png"), "--size", "1000x700"});
         expectDone(drawn);
-        const QImage sheet(file("a.png"));
-        QCOMPARE(sheet.size(), QSize(1000, 700));
+        QCOMPARE(QImage(file("a.png")).size(), QSize(1000, 700));
         QVERIFY(drawn.out.isEmpty());
-        QFile faulty(file("faulty.lesson.json"));
-        QVERIFY(faulty.open(QIODevice::WriteOnly) && faulty.write("{\"format\": 1}") > 0);
-        faulty.close();
-        expectRefusal(runCusp({"lesson", "preview", faulty.fileName(), "--out", file("b.png")}));
+        const QString faulty = written("faulty.lesson.json", "{\"format\": 1}");
+        expectRefusal(runCusp({"lesson", "preview", faulty, "--out", file("b.png")}));
         QVERIFY(!QFileInfo::exists(file("b.png")));
     }
 
 private:
     QString file(const QString& name) const { return m_folder->filePath(name); }
+    QString written(const QString& name, const std::string& content) const
+    {
+        support::write(file(name), content);
+        return file(name);
+    }
+    /// What the command says of a lesson that can be given.
+    static QJsonObject checkedLesson(const QString& lesson)
+    {
+        const Ending ending = runCusp({"lesson", "check", lesson, "--json"});
+        expectDone(ending);
+        return ending.json()["lessons"].toArray()[0].toObject();
+    }
     static QString golden() { return QStringLiteral(CUSP_SOURCE_DIR "/tests/golden/attempt.cusprec"); }
 
     std::optional<QTemporaryDir> m_folder;
