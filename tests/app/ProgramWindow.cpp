@@ -14,6 +14,8 @@
 
 #include "core/session/StrokeWatch.h"
 #include "lessons/LessonCatalog.h"
+#include "lessons/LessonReader.h"
+#include "tests/support/Files.h"
 #include "ui/study/Forecast.h"
 #include "ui/study/ScorePage.h"
 #include "ui/tooth/ToothView.h"
@@ -103,6 +105,13 @@ void ProgramWindow::waitForNewTooth(const std::function<void()>& change) const
 void ProgramWindow::openLesson(const lessons::Lesson& lesson) const
 {
     waitForNewTooth([&] { emit window().lessonChosen(lesson); });
+}
+
+void ProgramWindow::openMadeLesson(std::string_view json) const
+{
+    const QString path = m_folder->filePath("made.lesson.json");
+    write(path, json);
+    openLesson(lessons::readLesson(path).lesson.value());
 }
 
 lessons::Lesson ProgramWindow::openLesson(const std::string& id) const

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include <QObject>
 #include <QPushButton>
@@ -84,6 +85,8 @@ protected:
     /// Does what puts another tooth on the table, and waits until the servo has it.
     void waitForNewTooth(const std::function<void()>& change) const;
     void openLesson(const lessons::Lesson& lesson) const;
+    /// Writes a lesson, reads it and opens it.
+    void openMadeLesson(std::string_view json) const;
     /// Opens a shipped lesson, or one in the teacher's folder.
     lessons::Lesson openLesson(const std::string& id) const;
     /// Answers the question before the score, which has to be shown.

@@ -19,7 +19,6 @@
 #include "core/teeth/Block.h"
 #include "database/sql/Database.h"
 #include "database/sql/Statement.h"
-#include "lessons/LessonReader.h"
 #include "tests/app/ProgramWindow.h"
 #include "tests/support/Files.h"
 #include "tests/support/OpenGlMain.h"
@@ -73,8 +72,8 @@ private slots:
         waitForNewTooth([this] { actions().reload->trigger(); });
         WAIT_FOR_VALUE(title(), QString("0 of 6 points touched"));
 
-        openLesson(madeLesson(R"({"format": 1, "based_on": "0-orientation-2-hold.lesson.json", "id": "hold",
-                                  "hold": {"seconds": 2}})"));
+        openMadeLesson(R"({"format": 1, "based_on": "0-orientation-2-hold.lesson.json", "id": "hold",
+                                  "hold": {"seconds": 2}})");
         lookFromAbove();
         WAIT_FOR_VALUE(title(), QString("Hold 1.0 N for 2 s"));
         window().view().setPushForce(1.0);
@@ -423,8 +422,8 @@ private slots:
     void anExamsTimeGoesOnWhileItsStudentIsAway()
     {
         start();
-        openLesson(madeLesson(R"({"format": 1, "based_on": "decay-36-2-moderate.lesson.json", "id": "exam-36",
-                                  "exam": true, "minutes": 10})"));
+        openMadeLesson(R"({"format": 1, "based_on": "decay-36-2-moderate.lesson.json", "id": "exam-36",
+                                  "exam": true, "minutes": 10})");
         drillFirst();
         const QString kept = m_folder->filePath("kept.cuspjournal");
         QVERIFY(QFile::rename(killWithJournal(), kept));
@@ -480,14 +479,6 @@ private:
         if (!QTest::qWaitFor([this] { return message().contains("saved"); }, kPatienceMs))
             qFatal("the recording is not saved");
         return path;
-    }
-
-    /// Writes a lesson and reads it.
-    [[nodiscard]] lessons::Lesson madeLesson(std::string_view json) const
-    {
-        const QString path = m_folder->filePath("made.lesson.json");
-        support::write(path, json);
-        return lessons::readLesson(path).lesson.value();
     }
 
     /// Presses on a place of the tooth until the exercise has this title.

@@ -15,9 +15,9 @@
 
 #include "core/recording/Replay.h"
 #include "core/session/ServoNumbers.h"
-#include "lessons/LessonReader.h"
 #include "lessons/PresetFile.h"
 #include "tests/app/ProgramWindow.h"
+#include "tests/support/Files.h"
 #include "tests/support/OpenGlMain.h"
 #include "tests/support/Solids.h"
 #include "ui/console/Console.h"
@@ -42,24 +42,55 @@ private slots:
 
     void cleanup() { m_application.reset(); }
 
+    /// On a block of whatever teeth are cut by.
     void aPresetIsTriedOnABlockAndKept()
     {
         start();
         QVERIFY(recording().settings().hardness.name.starts_with("natural v1 #"));
-        actions().presets->trigger();
-        QTRY_VERIFY(page().isVisible());
+        openPresets();
         tryOnBlock("presetTry");
         auto* card = child<ui::presets::TrialCard>();
         QVERIFY(card->isVisible());
         QVERIFY(!recording().isRetuned());
-        // A slider is felt at once: it is on the recording, and replays to the bit.
+        // Rates of caries and enamel, as the servo is told them.
+        const auto rates = [this] {
+            const core::recording::Recording made = recording();
+            core::session::ServoSettings settings = made.settings();
+            made.forEach([&](const core::session::ServoEvent& event) {
+                if (event.kind != core::session::ServoEvent::Kind::Number)
+                    return;
+                if (const auto number = core::session::unpackNumber(event.value))
+                    core::session::setServoNumber(settings, *number);
+            });
+            return std::pair(static_cast<float>(settings.hardness.material[0].rateMm3PerNs),
+                             static_cast<float>(settings.hardness.material[1].rateMm3PerNs));
+        };
+        const auto of = [](double caries, double enamel) {
+            return std::pair(static_cast<float>(caries), static_cast<float>(enamel));
+        };
+        auto* block = card->findChild<QComboBox*>("trialBlock");
+        QVERIFY(block->isVisible() && block->count() == 3);
+        const auto choose = [block](int index) {
+            block->setCurrentIndex(index);
+            emit block->activated(index);
+        };
+        const core::settings::FeelPreset preset = lessons::shippedPresets().front();
+        WAIT_FOR_VALUE(rates(), of(preset.softCariesRate, preset.enamelRate));
+        choose(2);
+        WAIT_FOR_VALUE(rates(), of(preset.plasticRate, preset.plasticRate));
+        choose(1);
+        WAIT_FOR_VALUE(rates(), of(preset.firmCariesRate, preset.enamelRate));
+        // A slider is felt at once, on each of them: it is on the recording, and replays to the bit.
         auto* enamel = card->findChild<QSlider*>("dial0");
         enamel->setValue(enamel->maximum());
-        WAIT_FOR(recording().isRetuned());
+        WAIT_FOR_VALUE(rates(), of(preset.firmCariesRate, 0.175));
+        choose(0);
+        WAIT_FOR_VALUE(rates(), of(preset.softCariesRate, 0.175));
+        QVERIFY(recording().isRetuned());
         const auto replayed = core::recording::replay(recording());
         QVERIFY(replayed && replayed->agreesWithWitness);
         QTest::mouseClick(card->findChild<QPushButton*>("trialBack"), Qt::LeftButton);
-        QTRY_VERIFY(page().isVisible());
+        waitForPage<ui::presets::PresetsPage>();
         QCOMPARE(page().draft().enamelRate, 0.175);
         QCOMPARE(child<ui::presets::PresetsPage>()->findChild<QSlider*>("dial0")->value(), enamel->maximum());
         click("presetSave");
@@ -79,57 +110,14 @@ private slots:
         emit window().presetUseWanted(lessons::shippedPresets().front());
     }
 
-    /// Every row of a preset that teeth are cut by can be felt on the block.
-    void theBlockIsOfWhatOneWantsToFeel()
-    {
-        start();
-        actions().presets->trigger();
-        QTRY_VERIFY(page().isVisible());
-        tryOnBlock("presetTry");
-        const core::settings::FeelPreset preset = lessons::shippedPresets().front();
-        auto* block = child<ui::presets::TrialCard>()->findChild<QComboBox*>("trialBlock");
-        QVERIFY(block->isVisible() && block->count() == 3);
-        // Rates of caries and enamel, as the servo is told them.
-        const auto rates = [this] {
-            const core::recording::Recording made = recording();
-            core::session::ServoSettings settings = made.settings();
-            made.forEach([&](const core::session::ServoEvent& event) {
-                if (event.kind != core::session::ServoEvent::Kind::Number)
-                    return;
-                if (const auto number = core::session::unpackNumber(event.value))
-                    core::session::setServoNumber(settings, *number);
-            });
-            return std::pair(static_cast<float>(settings.hardness.material[0].rateMm3PerNs),
-                             static_cast<float>(settings.hardness.material[1].rateMm3PerNs));
-        };
-        const auto of = [](double caries, double enamel) {
-            return std::pair(static_cast<float>(caries), static_cast<float>(enamel));
-        };
-        const auto choose = [block](int index) {
-            block->setCurrentIndex(index);
-            emit block->activated(index);
-        };
-        WAIT_FOR_VALUE(rates(), of(preset.softCariesRate, preset.enamelRate));
-        choose(2);
-        WAIT_FOR_VALUE(rates(), of(preset.plasticRate, preset.plasticRate));
-        choose(1);
-        WAIT_FOR_VALUE(rates(), of(preset.firmCariesRate, preset.enamelRate));
-        // What is turned on it is turned of that.
-        auto* enamel = child<ui::presets::TrialCard>()->findChild<QSlider*>("dial0");
-        enamel->setValue(enamel->maximum());
-        WAIT_FOR_VALUE(rates(), of(preset.firmCariesRate, 0.175));
-        choose(0);
-        WAIT_FOR_VALUE(rates(), of(preset.softCariesRate, 0.175));
-    }
-
     void whatIsTurnedByHandIsNamedAndHoldsForTheNextTooth()
     {
         start();
         actions().console->trigger();
-        QTRY_VERIFY(child<ui::console::Console>()->isVisible());
+        WAIT_FOR(child<ui::console::Console>()->isVisible());
         QVERIFY(answer("set hardness.enamel.rate 5").contains("= 5 mm"));
         WAIT_FOR(recording().isRetuned());
-        QVERIFY(lessons::presetUsed(recording()).isChanged);
+        QVERIFY(used().isChanged);
         chooseTooth(26);
         const core::recording::Recording next = recording();
         QVERIFY(!next.isRetuned());
@@ -138,42 +126,40 @@ private slots:
         QVERIFY2(answer("save mine").contains("mine, version 1"), qPrintable(answer("help")));
         QVERIFY(answer("reset").contains("as the preset says"));
         chooseTooth(36);
-        QVERIFY(!lessons::presetUsed(recording()).isChanged);
+        QVERIFY(!used().isChanged);
         QVERIFY(answer("load mine").contains("mine, version 1"));
         // Nothing is cut yet: the attempt is made with it from the beginning.
-        QTRY_COMPARE(lessons::presetUsed(recording()).name, QString("mine"));
-        QVERIFY(!lessons::presetUsed(recording()).isChanged);
+        WAIT_FOR_VALUE(used().name, QString("mine"));
+        QVERIFY(!used().isChanged);
         QVERIFY(answer("reset").contains("as the preset says"));
-        QTRY_COMPARE(lessons::presetUsed(recording()).name, QString("natural"));
-        QVERIFY(!lessons::presetUsed(recording()).isChanged);
+        WAIT_FOR_VALUE(used().name, QString("natural"));
+        QVERIFY(!used().isChanged);
         QVERIFY(answer("load mine").contains("mine, version 1"));
         chooseTooth(26);
-        QCOMPARE(lessons::presetUsed(recording()).name, QString("mine"));
-        QVERIFY(!lessons::presetUsed(recording()).isChanged);
+        QCOMPARE(used().name, QString("mine"));
+        QVERIFY(!used().isChanged);
         QTest::keyClick(child<QLineEdit>("consoleLine"), Qt::Key_Escape);
-        QTRY_VERIFY(!child<ui::console::Console>()->isVisible());
+        WAIT_FOR(!child<ui::console::Console>()->isVisible());
     }
 
     void whatAScanAsksStaysAskedWhenAPresetIsLoaded()
     {
         start();
         // A millimetre wide, it can be no tooth in millimetres.
-        QFile scan(m_folder->filePath("cap.stl"));
-        QVERIFY(scan.open(QIODevice::WriteOnly));
-        scan.write(QByteArray::fromStdString(support::asBinaryStl(support::sphereCap(0.5F, 0.5F, 40, 10))));
-        scan.close();
+        const QString scan = m_folder->filePath("cap.stl");
+        support::write(scan, support::asBinaryStl(support::sphereCap(0.5F, 0.5F, 40, 10)));
         const auto isAsked = [this] {
             for (const QPushButton* button : child<ui::shell::MessageBar>()->findChildren<QPushButton*>())
                 if (button->isVisible() && button->text() == "Another unit")
                     return true;
             return false;
         };
-        emit window().scanChosen(scan.fileName());
+        emit window().scanChosen(scan);
         WAIT_FOR(isAsked());
         const core::settings::FeelPreset& other = lessons::shippedPresets().back();
         emit window().feelWanted(other);
-        WAIT_FOR_VALUE(lessons::presetUsed(recording()).name, QString::fromStdString(other.name));
-        QVERIFY(!lessons::presetUsed(recording()).isChanged);
+        WAIT_FOR_VALUE(used().name, QString::fromStdString(other.name));
+        QVERIFY(!used().isChanged);
         child<ui::shell::MessageBar>()->dismiss();  // that the recording was saved
         QVERIFY2(isAsked(), qPrintable(message()));
     }
@@ -224,16 +210,14 @@ private slots:
     {
         start();
         actions().presets->trigger();
-        const auto import = [this](const QByteArray& json) {
-            QFile file(m_folder->filePath("slip.json"));
-            QVERIFY(file.open(QIODevice::WriteOnly));
-            file.write(json);
-            file.close();
-            emit window().presetImportWanted(file.fileName());
+        const auto import = [this](const char* json) {
+            const QString path = m_folder->filePath("slip.json");
+            support::write(path, json);
+            emit window().presetImportWanted(path);
         };
         auto* fault = child<QLabel>("presetFault");
         import(R"({"name": "slip", "enamell": {"rate_mm3_per_ns": 3}})");
-        QTRY_COMPARE(page().draft().name, std::string("slip"));
+        WAIT_FOR_VALUE(page().draft().name, std::string("slip"));
         QVERIFY2(fault->text().contains("slip.json, enamell: ") && fault->text().contains("did you mean \"enamel\"?"),
                  qPrintable(fault->text()));
         const QString detail = child<QLabel>("presetFaultDetail")->text();
@@ -256,13 +240,8 @@ private slots:
     {
         start();
         QVERIFY(answer("set force.friction 0.2").contains("0.2"));
-        QFile file(m_folder->filePath("exam.lesson.json"));
-        QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write(R"({"format": 1, "based_on": "decay-36-2-moderate.lesson.json", "id": "exam-36", "exam": true})");
-        file.close();
-        const auto lesson = lessons::readLesson(file.fileName()).lesson;
-        QVERIFY(lesson.has_value());
-        openLesson(*lesson);
+        openMadeLesson(
+            R"({"format": 1, "based_on": "decay-36-2-moderate.lesson.json", "id": "exam-36", "exam": true})");
         WAIT_FOR(answer("set force.friction 0.3").contains("In an exam"));
         const core::recording::Recording exam = recording();
         QCOMPARE(exam.settings().force.friction, core::contact::ForceSettings{}.friction);
@@ -280,11 +259,17 @@ private slots:
         options.source = {36};
         m_application = app::Application::make(options).value();
         m_application->show();
-        QTRY_VERIFY(QFile::exists(m_folder->filePath("cusp/cusp.sqlite")));
+        WAIT_FOR(QFile::exists(m_folder->filePath("cusp/cusp.sqlite")));
     }
 
 private:
     [[nodiscard]] ui::presets::PresetsPage& page() const { return *child<ui::presets::PresetsPage>(); }
+
+    void openPresets() const
+    {
+        actions().presets->trigger();
+        waitForPage<ui::presets::PresetsPage>();
+    }
 
     void start()
     {
@@ -321,6 +306,9 @@ private:
             qFatal("no recording");
         return core::recording::readRecording(path.toStdString()).value();
     }
+
+    /// The preset that the present attempt is made with.
+    [[nodiscard]] lessons::PresetUsed used() const { return lessons::presetUsed(recording()); }
 
     [[nodiscard]] QString answer(const QString& command) const
     {
