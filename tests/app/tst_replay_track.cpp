@@ -92,6 +92,14 @@ std::unique_ptr<ReplayTrack> trackOf(const Recording& recording, Viewer& viewer)
     return ReplayTrack::make(recording, *viewer.links, kGeneration).value();
 }
 
+std::unique_ptr<ReplayTrack> preparedTrackOf(const Recording& recording, Viewer& viewer)
+{
+    auto track = trackOf(recording, viewer);
+    while (track->prepare(1000)) {
+    }
+    return track;
+}
+
 void prepareAll(ReplayLoop& replay)
 {
     for (int n = 0; n < 100; ++n)
@@ -111,9 +119,7 @@ private slots:
         while (truth->advance(1000)) {
         }
         Viewer viewer(made.anatomy());
-        const auto track = trackOf(made, viewer);
-        while (track->prepare(1000)) {
-        }
+        const auto track = preparedTrackOf(made, viewer);
         Rng rng(4);
         int rises = 0;
         double deepest = 0.0;
@@ -160,30 +166,29 @@ private slots:
         block.cellMm = 0.02;
         block.bottomMm = -0.01;  // so thin that the first touch of the bur bores through
         const auto anatomy = support::makeBlock(block);
-        core::session::ServoSettings settings;
+        session::ServoSettings settings;
         settings.hardness.material.fill({100.0, 0.0});
-        core::recording::Recording recording(settings, anatomy);
-        recording.append({core::session::ServoEvent::Kind::Drill, 0, {}, 1});
-        recording.append({core::session::ServoEvent::Kind::Tick, 1000, {-4.5F, 4.5F, 1.0F}, 0});
+        Recording made(settings, anatomy);
+        made.append({session::ServoEvent::Kind::Drill, 0, {}, 1});
+        made.append({session::ServoEvent::Kind::Tick, 1000, {-4.5F, 4.5F, 1.0F}, 0});
         for (int n = 0; n < 4000; ++n)
-            recording.append({core::session::ServoEvent::Kind::Tick,
-                              1000,
-                              {-4.5F + 0.6F * std::floor(static_cast<float>(n) / 250.0F),
-                               4.5F - 0.036F * static_cast<float>(n % 250), -1.0F},
-                              0});
-        const auto outcome = core::recording::replay(recording);
-        core::session::UiLinks links;
-        auto track = app::ReplayTrack::make(recording, links, 1).value();
-        while (track->prepare(1000)) {
-        }
-        core::history::TiledHeights view(anatomy->grid, anatomy->top);
+            made.append({session::ServoEvent::Kind::Tick,
+                         1000,
+                         {-4.5F + 0.6F * std::floor(static_cast<float>(n) / 250.0F),
+                          4.5F - 0.036F * static_cast<float>(n % 250), -1.0F},
+                         0});
+        const auto outcome = recording::replay(made);
+        Viewer viewer(anatomy);
+        const auto track = preparedTrackOf(made, viewer);
+        auto& links = *viewer.links;
+        history::TiledHeights view(anatomy->grid, anatomy->top);
         int patches = 0;
         for (int n = 0; n < 20; ++n) {
-            for (core::session::TilePatch patch; links.patches.tryPop(patch); ++patches)
+            for (session::TilePatch patch; links.patches.tryPop(patch); ++patches)
                 view.setTile(patch.tileX, patch.tileY, patch.top);
             track->show(60.0);
         }
-        for (core::session::TilePatch patch; links.patches.tryPop(patch); ++patches)
+        for (session::TilePatch patch; links.patches.tryPop(patch); ++patches)
             view.setTile(patch.tileX, patch.tileY, patch.top);
         QVERIFY2(patches > 512, qPrintable(QString::number(patches)));
         QCOMPARE(view.flat(), outcome->tooth.top);
@@ -240,15 +245,11 @@ private slots:
 
     void pointsAreTouchedInTheirTime()
     {
-        const auto entries = lessons::readCatalog({});
-        const auto entry = std::find_if(entries.begin(), entries.end(), [](const lessons::CatalogEntry& known) {
-            return known.read.lesson && known.read.lesson->task == lessons::Task::TouchPoints;
-        });
-        QVERIFY(entry != entries.end());
-        const auto assigned = lessons::assign(*entry->read.lesson).value();
+        const lessons::Lesson lesson = lessons::lessonNamed("orientation-1-touch").value();
+        const auto assigned = lessons::assign(lesson).value();
         const auto& asked = std::get<grading::PointsToTouch>(*assigned.assignment.exercise);
         support::Rig rig;
-        rig.open(assigned.assignment.anatomy, 1, entry->read.lesson->json);
+        rig.open(assigned.assignment.anatomy, 1, lesson.json);
         rig.run(200);
         for (const std::size_t point : {2U, 0U}) {
             rig.lean(asked.pointsMm[point].x, asked.pointsMm[point].y, 0.5, 200);
@@ -275,14 +276,10 @@ private slots:
 
     void aLessonsInfractionsAreFound()
     {
-        const auto entries = lessons::readCatalog({});
-        const auto entry = std::find_if(entries.begin(), entries.end(), [](const lessons::CatalogEntry& known) {
-            return known.read.lesson && known.read.lesson->id == "block-line";
-        });
-        QVERIFY(entry != entries.end());
-        const auto assigned = lessons::assign(*entry->read.lesson).value();
+        const lessons::Lesson lesson = lessons::lessonNamed("block-line").value();
+        const auto assigned = lessons::assign(lesson).value();
         support::Rig rig;
-        rig.open(assigned.assignment.anatomy, 1, entry->read.lesson->json);
+        rig.open(assigned.assignment.anatomy, 1, lesson.json);
         rig.send(session::SetBur{0});
         rig.send(session::SetDrill{true});
         rig.run(30);
