@@ -77,7 +77,7 @@ bool sameBits(const Recording& a, const Recording& b)
     const std::vector<ServoEvent> other = eventsOf(b);
     return std::equal(one.begin(), one.end(), other.begin(), other.end(), [](const auto& x, const auto& y) {
         return x.kind == y.kind && x.dtUs == y.dtUs && x.value == y.value &&
-               std::memcmp(&x.deviceMm, &y.deviceMm, sizeof x.deviceMm) == 0;
+               std::memcmp(&x.deviceMm[0], &y.deviceMm[0], sizeof x.deviceMm) == 0;
     });
 }
 
