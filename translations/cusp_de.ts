@@ -1772,10 +1772,6 @@
         <translation>die neueste Zeile des Protokolls wurde mit dem Schlüssel %1 signiert, und das Protokoll kennt keinen Arbeitsplatz, der ihn hat</translation>
     </message>
     <message>
-        <source>new rows of the table %1 are not numbered as this program does, so that perhaps none can be added to it; &quot;cusp db migrate&quot; puts that right</source>
-        <translation>neue Zeilen der Tabelle %1 werden nicht so nummeriert, wie es dieses Programm tut, sodass ihr vielleicht keine hinzugefügt werden kann; „cusp db migrate“ bringt das in Ordnung</translation>
-    </message>
-    <message>
         <source>audit row %1, which a report names, is not there: it was removed, or the code is not typed as it stands there</source>
         <translation>Zeile %1 des Protokolls, die ein Bericht nennt, gibt es nicht: Sie wurde entfernt, oder der Code ist nicht so eingegeben, wie er dort steht</translation>
     </message>

@@ -1772,10 +1772,6 @@
         <translation>la última fila del registro se firmó con la clave %1, y el registro no conoce ningún puesto que la tenga</translation>
     </message>
     <message>
-        <source>new rows of the table %1 are not numbered as this program does, so that perhaps none can be added to it; &quot;cusp db migrate&quot; puts that right</source>
-        <translation>las filas nuevas de la tabla %1 no se numeran como lo hace este programa, de modo que quizá no se pueda añadir ninguna; «cusp db migrate» lo corrige</translation>
-    </message>
-    <message>
         <source>audit row %1, which a report names, is not there: it was removed, or the code is not typed as it stands there</source>
         <translation>la fila %1 del registro, que nombra un informe, no está: se eliminó, o el código no se escribió como figura allí</translation>
     </message>

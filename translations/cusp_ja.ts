@@ -1770,10 +1770,6 @@
         <translation>監査記録の最新の行は鍵 %1 で署名されていますが、その鍵を持つ端末は監査記録にありません</translation>
     </message>
     <message>
-        <source>new rows of the table %1 are not numbered as this program does, so that perhaps none can be added to it; &quot;cusp db migrate&quot; puts that right</source>
-        <translation>表 %1 の新しい行の番号付けがこのプログラムの方式と違うため、行を追加できないことがあります。cusp の db migrate コマンドで直せます</translation>
-    </message>
-    <message>
         <source>audit row %1, which a report names, is not there: it was removed, or the code is not typed as it stands there</source>
         <translation>報告書にある監査記録の %1 行がありません。削除されたか、コードの入力が報告書と違います</translation>
     </message>

@@ -144,8 +144,6 @@ int checkWhole(const QCommandLineParser& parser, const Address& address)
     const auto report = database::sql::checkDatabase(
         open->school->db, witnesses, {},
         address.isServer() || !open->hasStationKey ? std::string() : open->school->key.publicHex());
-    if (const auto stayed = open->database->stayedAsItWas(); !stayed)
-        return failed(stayed.error());
     if (!report)
         return failedWithBackups(report.error(), address);
     QJsonArray findings;
@@ -160,7 +158,7 @@ int checkWhole(const QCommandLineParser& parser, const Address& address)
     const bool isSound = report->findings.empty();
     const QString signedBy = QString::fromStdString(report->signedBy);
     const bool isOwnKey = open->hasStationKey && report->signedBy == open->school->key.publicHex();
-    const char* const signer = !open->keyFault.empty() ? "" : isOwnKey ? ", this computer" : ", another computer";
+    const char* const signer = isOwnKey ? ", this computer" : ", another computer";
     const QJsonObject object{{"database", address.shown()},
                              {"sound", isSound},
                              {"findings", findings},
@@ -181,8 +179,6 @@ int checkWhole(const QCommandLineParser& parser, const Address& address)
                                       ? QString()
                                       : QStringLiteral(", signed by %1%2").arg(signedBy.left(16), signer)));
     warn(notes);
-    if (!open->keyFault.empty())
-        warn({open->keyFault + "; whether this computer signed the head of the audit is not known"});
     if (const std::string way = report->isWhole ? std::string() : wayBack(address); !way.empty())
         warn({way});
     return isSound ? kDone : kFailed;
@@ -199,11 +195,6 @@ int backUpFile(const QCommandLineParser& parser, const Address& address)
     const QString folder = parser.isSet(QStringLiteral("to")) ? parser.value(QStringLiteral("to"))
                                                               : database::sql::backupFolder(address.file);
     const auto made = database::sql::backUp(open->school->db, folder, QDateTime::currentDateTimeUtc(), goesOn);
-    if (const auto stayed = open->database->stayedAsItWas(); !stayed) {
-        if (made)
-            QFile::remove(*made);
-        return failed(stayed.error());
-    }
     if (!made)
         return failedWithBackups(made.error(), address);
     const QStringList gone = database::sql::removeOldBackups(open->school->db, folder);
@@ -252,14 +243,6 @@ int migrateDatabase(const QCommandLineParser& parser, const Address& address)
     const auto open = openSchool(address, Opening::Migrate);
     if (!open)
         return failedWithBackups(open.error(), address);
-    // As after a server's dump that was put back without its sequences.
-    const auto couldLook = database::sql::dialect::repairIds(open->school->db);
-    if (!couldLook)
-        return failed(couldLook.error());
-    if (!*couldLook)
-        warn(
-            {"this user of the server may not see whether new rows still get numbers; if they do not, let the owner of "
-             "the tables type \"cusp db migrate\""});
     const auto version = database::sql::dialect::schemaVersion(open->school->db);
     if (!version)
         return failed(version.error());
@@ -420,8 +403,6 @@ int tellStats(const QCommandLineParser& parser, const Address& address)
         object.insert(QLatin1String(name), count->toLongLong());
         text += QStringLiteral("  %1 %2\n").arg(QLatin1String(name), -12).arg(count->toLongLong());
     }
-    if (const auto stayed = open->database->stayedAsItWas(); !stayed)
-        return failed(stayed.error());
     if (!address.isServer()) {
         object.insert("bytes", QFileInfo(address.file).size());
         object.insert("backups",
@@ -565,8 +546,8 @@ constexpr std::array kParts{
          "copies the file after a good check, and thins out older backups", addBackupFolder, backUpFile},
     Part{"restore", "cusp db restore BACKUP [--db FILE]", "puts a backup in the place of the file", nothing,
          restoreFile, true},
-    Part{"migrate", "cusp db migrate [--db FILE|URL]",
-         "brings an older database to this program's schema; new rows get numbers again", nothing, migrateDatabase},
+    Part{"migrate", "cusp db migrate [--db FILE|URL]", "brings an older database to this program's schema", nothing,
+         migrateDatabase},
     Part{"send", "cusp db send [--db FILE|URL]",
          "delivers what waits on this computer, also what waits for this school under another name", nothing,
          sendWaiting},

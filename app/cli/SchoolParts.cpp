@@ -29,14 +29,6 @@ QString dataFolder()
     return QDir(QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation)).filePath(QStringLiteral("cusp"));
 }
 
-/// A file that this user may not read. A pipe is none: it would let wait for ever.
-bool isClosed(const QString& path)
-{
-    const QFileInfo info(path);
-    QFile file(path);
-    return info.isFile() && !info.isSymLink() && !file.open(QIODevice::ReadOnly);
-}
-
 /// A terminal that does not show what is typed, while this lives. Who stops the program meanwhile has one that does,
 /// and who lets it go on is not shown, either.
 class HiddenTyping
@@ -154,7 +146,6 @@ core::Result<OpenSchool> openSchool(const database::Address& address, Opening ho
     options.mayMigrate = how == Opening::Migrate || mayCreate;
     options.isToBeFilled = how == Opening::ToFill;
     options.mayCreate = mayCreate;
-    options.onlyLooks = how == Opening::ToLook;
     auto database = database::sql::Database::open(address, options);
     if (!database)
         return tl::unexpected(database.error());
@@ -163,12 +154,6 @@ core::Result<OpenSchool> openSchool(const database::Address& address, Opening ho
     open.hasStationKey = how != Opening::ToLook || QFileInfo::exists(keyFile);
     auto key = open.hasStationKey ? database::StationKey::readOrMake(keyFile)
                                   : core::Result<database::StationKey>(database::StationKey::make());
-    // It is its owner's alone. Who may read the database can look at it all the same.
-    if (how == Opening::ToLook && !key && isClosed(keyFile)) {
-        open.keyFault = key.error().detail;
-        open.hasStationKey = false;
-        key = database::StationKey::make();
-    }
     if (!key)
         return tl::unexpected(key.error());
     open.database = std::move(*database);

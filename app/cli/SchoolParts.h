@@ -20,7 +20,6 @@ struct OpenSchool
     std::unique_ptr<database::sql::Database> database;
     std::unique_ptr<database::sql::School> school;
     bool hasStationKey = true;  ///< else one that is forgotten
-    std::string keyFault;       ///< why not, where there is one that only its owner may read
 };
 
 /// Adds --db: the user's own file if not given.
@@ -28,8 +27,7 @@ void addDatabaseOption(QCommandLineParser& parser);
 [[nodiscard]] core::Result<database::Address> databaseAddress(const QCommandLineParser& parser);
 /// What a command may do to a database beside its own work.
 enum class Opening {
-    ToLook,   ///< FileMissing where no file is, OlderVersion where an older program wrote it; makes nothing there, and
-              ///< works where nothing can be written
+    ToLook,   ///< FileMissing where no file is, OlderVersion where an older program wrote it; makes no key there
     AsItIs,   ///< the same; what is written is signed with the station's key, which is made if need be
     Migrate,  ///< bring it to the newest schema
     Create,   ///< where nothing is

@@ -112,7 +112,7 @@ core::Status checkAttempts(const QSqlDatabase& db, CheckReport& report, const Pr
         return read;
     return forEach(db,
                    "SELECT u.object, u.seq FROM audit u WHERE u.action = 'attempt.add' AND NOT EXISTS (SELECT 1 FROM "
-                   "attempts a WHERE a.uid = substr(u.object, 9))",
+                   "attempts a WHERE a.uid = substr(u.object, 9) AND a.person_id IS NOT NULL)",
                    kDoing, {}, [&](const QSqlQuery& row) {
                        say(report, {QT_TRANSLATE_NOOP("Finding", "%1 was removed; row %2 of the audit tells of it"),
                                     {textOf(row, 0), textOf(row, 1)}});
@@ -178,21 +178,6 @@ core::Status checkSums(const QSqlDatabase& db, CheckReport& report)
     return {};
 }
 
-core::Status checkNumbers(const QSqlDatabase& db, CheckReport& report)
-{
-    for (const char* table : dialect::kNumbered) {
-        const auto isFree = dialect::hasNextId(db, QLatin1String(table));
-        if (!isFree)
-            return tl::unexpected(isFree.error());
-        if (!*isFree)
-            say(report,
-                {QT_TRANSLATE_NOOP("Finding", "new rows of the table %1 are not numbered as this program does, so that "
-                                              "perhaps none can be added to it; \"cusp db migrate\" puts that right"),
-                 {table}});
-    }
-    return {};
-}
-
 core::Status checkRecordings(const QSqlDatabase& db, CheckReport& report, const Progress& progress)
 {
     const auto hashes = recordingsNamed(db);
@@ -255,7 +240,6 @@ core::Result<CheckReport> checkDatabase(const QSqlDatabase& db, const std::vecto
         [&] { return checkAttempts(db, report, progress); },
         [&] { return compareWithAudit(db, [&report](const Finding& finding) { say(report, finding); }); },
         [&] { return checkSums(db, report); },
-        [&] { return checkNumbers(db, report); },
         [&] { return checkRecordings(db, report, progress); },
     };
     for (const auto& look : looks) {

@@ -31,7 +31,7 @@ struct CheckReport
 
 /// Looks at everything: tables and triggers, pages and keys (SQLite), the audit's chain and signed head up to the first
 /// row that does not hold, whether each attempt is as the audit says it was when it was kept, what else the audit notes
-/// (see compareWithAudit()), score sheets and standings, whether new rows get numbers, recordings. Does not write.
+/// (see compareWithAudit()), score sheets and standings, recordings. Does not write.
 /// @param witnesses  audit codes of printed reports
 /// @param stationKey  of the only computer that may have written it, 64 hex digits; empty: there are several
 /// @param progress  what is looked at, and how many rows of it so far; false stops it

@@ -85,12 +85,6 @@ core::Status set(const QSqlDatabase& db, const QStringList& settings)
     return {};
 }
 
-/// What holds for the connection only, and writes nothing.
-core::Status configureToLook(const QSqlDatabase& db)
-{
-    return set(db, {"PRAGMA foreign_keys = ON", "PRAGMA trusted_schema = OFF", "PRAGMA cell_size_check = ON"});
-}
-
 core::Status configure(const QSqlDatabase& db, FileSystem fileSystem)
 {
     // synchronous=FULL: with a write-ahead log NORMAL may lose the last commits when the power fails.
@@ -104,7 +98,8 @@ core::Status configure(const QSqlDatabase& db, FileSystem fileSystem)
     if (fileSystem == FileSystem::Network)
         if (auto alone = set(db, {"BEGIN EXCLUSIVE", "COMMIT"}); !alone)
             return alone;
-    if (auto done = configureToLook(db); !done)
+    if (auto done = set(db, {"PRAGMA foreign_keys = ON", "PRAGMA trusted_schema = OFF", "PRAGMA cell_size_check = ON"});
+        !done)
         return done;
     // To set it writes, and who only reads need not wait for a program that is writing.
     const auto application = ask(db, "PRAGMA application_id", "set it up");
@@ -221,9 +216,6 @@ core::Result<std::unique_ptr<Database>> Database::open(const Address& address, c
     auto ready = database->connect();
     if (ready)
         ready = address.isServer() ? database->prepareServer() : database->prepareFile(options);
-    if (!ready && options.onlyLooks && !address.isServer() && ready.error().code == ErrorCode::FileUnwritable &&
-        database->prepareToLook())
-        ready = {};
     if (ready)
         ready = database->bringToNewest(options);
     if (!ready && !address.isServer() && ready.error().code == ErrorCode::FileUnwritable &&
@@ -316,55 +308,6 @@ core::Status Database::prepareFileOn(FileSystem fileSystem)
     if (*version > static_cast<int>(steps->size()))
         return {};
     return configure(db, fileSystem);
-}
-
-/// Where there is no room for what SQLite shares beside the file, or it may not be made there. Who keeps all others out
-/// shares nothing; and where that is refused, too, what lies there whole by itself is read without a lock.
-core::Status Database::prepareToLook()
-{
-    QSqlDatabase db = handle();
-    const auto look = [&db](const QStringList& settings) -> core::Status {
-        if (!db.open())
-            return tl::unexpected(dialect::error(db, db.lastError(), "open it"));
-        if (auto done = set(db, settings); !done)
-            return done;
-        if (auto fit = examine(db); !fit)
-            return fit;
-        return configureToLook(db);
-    };
-    db.close();
-    auto ready = look({"PRAGMA locking_mode = EXCLUSIVE"});
-    m_allowsOthers = !ready;
-    const auto isThere = [this](const char* end) { return QFileInfo(m_address.file + QLatin1String(end)).size() > 0; };
-    if (ready || isThere("-wal") || isThere("-journal"))
-        return ready;
-    db.close();
-    db.setDatabaseName(dialect::uriOf(m_address.file, true));
-    db.setConnectOptions(QStringLiteral("QSQLITE_OPEN_READONLY;QSQLITE_OPEN_URI"));
-    m_readWithoutLock = momentOf(m_address.file);
-    ready = look({});
-    // What is being written looks damaged.
-    const auto stayed = stayedAsItWas();
-    return stayed ? ready : stayed;
-}
-
-Database::FileMoment Database::momentOf(const QString& file)
-{
-    constexpr qint64 kNsInS = 1'000'000'000;
-    struct stat there
-    {};
-    if (stat(QFile::encodeName(file).constData(), &there) != 0)
-        return {};
-    return {there.st_ino, there.st_size, there.st_mtim.tv_sec * kNsInS + there.st_mtim.tv_nsec};
-}
-
-core::Status Database::stayedAsItWas() const
-{
-    if (!m_readWithoutLock || *m_readWithoutLock == momentOf(m_address.file))
-        return {};
-    return core::unexpected(ErrorCode::Busy, head(m_address.file) +
-                                                 "another program has written to it while it was read without a lock, "
-                                                 "since nothing can be made beside it; try again");
 }
 
 core::Status Database::prepareServer()

@@ -4,7 +4,6 @@
 #include <array>
 #include <chrono>
 #include <memory>
-#include <optional>
 #include <string>
 
 #include <QSqlDatabase>
@@ -46,8 +45,6 @@ public:
         bool mayCreate = true;
         /// Where nothing is, leave it so: copySchool() makes the school there.
         bool isToBeFilled = false;
-        /// Only read it: also where the disk is full, or nothing can be written beside it.
-        bool onlyLooks = false;
         /// Where the file lies; for tests. Servers are not asked.
         FileSystem (*fileSystemOf)(const QString& path) = &database::fileSystemOf;
     };
@@ -78,10 +75,6 @@ public:
     /// nobody looks. core::ErrorCode::FileMissing: none is there; core::ErrorCode::WrongKind: another one is.
     [[nodiscard]] core::Status stillThere() const;
 
-    /// Where it could be opened only without a lock: whether nobody has written to the file since. Busy: somebody has,
-    /// and what was read may be of two moments; to be asked before what was found is told.
-    [[nodiscard]] core::Status stayedAsItWas() const;
-
     /// Of a server: whether it answers, and on this connection: one that was started anew meanwhile does not.
     [[nodiscard]] bool answers() const;
 
@@ -94,25 +87,13 @@ private:
     [[nodiscard]] core::Status connect();
     [[nodiscard]] core::Status prepareFile(const Options& options);
     [[nodiscard]] core::Status prepareFileOn(FileSystem fileSystem);
-    [[nodiscard]] core::Status prepareToLook();
     [[nodiscard]] core::Status prepareServer();
     [[nodiscard]] core::Status bringToNewest(const Options& options);
-
-    /// What changes whenever a file is written, or another takes its place.
-    struct FileMoment
-    {
-        quint64 inode = 0;
-        qint64 bytes = 0;
-        qint64 writtenNs = 0;
-        bool operator==(const FileMoment&) const = default;
-    };
-    [[nodiscard]] static FileMoment momentOf(const QString& file);
 
     Address m_address;
     QString m_connection;
     std::string m_notice;
     bool m_allowsOthers = true;
-    std::optional<FileMoment> m_readWithoutLock;  ///< the file as it was opened
     std::chrono::milliseconds m_patience{};
 };
 

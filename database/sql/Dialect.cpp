@@ -168,16 +168,6 @@ QString lockTable(const char* table)
     return QStringLiteral("LOCK TABLE %1 IN SHARE UPDATE EXCLUSIVE MODE").arg(QLatin1String(table));
 }
 
-/// Of a server: what numbers the rows of a table. Null: this user may not look into it.
-core::Result<QVariant> sequenceOf(const QSqlDatabase& db, const QString& table)
-{
-    return ask(db,
-               QStringLiteral("SELECT n FROM pg_get_serial_sequence('%1', 'id') n WHERE has_sequence_privilege(n, "
-                              "'SELECT')")
-                   .arg(table),
-               kNumber);
-}
-
 }  // namespace
 
 bool isPostgres(const QSqlDatabase& db)
@@ -302,80 +292,6 @@ core::Status continueIds(const QSqlDatabase& db, const QString& table)
                        : QStringLiteral("UPDATE sqlite_sequence SET seq = (SELECT COALESCE(MAX(id), 0) FROM %1) WHERE "
                                         "name = '%1'");
     return execute(db, goOn.arg(table), kNumber);
-}
-
-namespace {
-
-/// Somebody may have given a server's sequence other steps or another end. Nobody adds a row before it goes on behind
-/// those that are there.
-core::Status renewIds(const QSqlDatabase& db, const QString& table)
-{
-    if (!isPostgres(db))
-        return continueIds(db, table);
-    return inTransaction(db, kNumber, [&]() -> core::Status {
-        if (auto made = execute(db,
-                                QStringLiteral("ALTER TABLE %1 ALTER COLUMN id SET INCREMENT BY 1 SET NO MINVALUE SET "
-                                               "NO MAXVALUE SET NO CYCLE SET START 1 RESTART")
-                                    .arg(table),
-                                kNumber);
-            !made)
-            return made;
-        return continueIds(db, table);
-    });
-}
-
-}  // namespace
-
-core::Result<bool> hasNextId(const QSqlDatabase& db, const QString& table)
-{
-    QString question = QStringLiteral("SELECT max(COALESCE((SELECT MAX(id) FROM %1), 0), COALESCE((SELECT seq FROM "
-                                      "sqlite_sequence WHERE name = '%1'), 0)) < 9223372036854775807");
-    if (isPostgres(db)) {
-        const auto sequence = sequenceOf(db, table);
-        if (!sequence)
-            return tl::unexpected(sequence.error());
-        if (sequence->isNull())
-            return true;
-        // Counted as numeric: a bigint may be at its end.
-        question = QStringLiteral("SELECT CASE WHEN q.seqincrement = 1 AND NOT q.seqcycle AND s.last_value::numeric + "
-                                  "CASE WHEN s.is_called THEN 1 ELSE 0 END BETWEEN COALESCE((SELECT max(id) FROM %1), "
-                                  "0)::numeric + 1 AND q.seqmax AND q.seqmax = 9223372036854775807 THEN 1 ELSE 0 END "
-                                  "FROM %2 s, pg_catalog.pg_sequence q WHERE q.seqrelid = '%2'::regclass")
-                       .arg(QStringLiteral("%1"), sequence->toString());
-    }
-    const auto isFree = ask(db, question.arg(table), kNumber);
-    if (!isFree)
-        return tl::unexpected(isFree.error());
-    return isFree->toInt() == 1;
-}
-
-core::Result<bool> repairIds(const QSqlDatabase& db)
-{
-    bool couldLook = true;
-    for (const char* name : kNumbered) {
-        const QString table = QLatin1String(name);
-        if (isPostgres(db)) {
-            const auto sequence = sequenceOf(db, table);
-            if (!sequence)
-                return tl::unexpected(sequence.error());
-            couldLook = couldLook && !sequence->isNull();
-        }
-        auto isFree = hasNextId(db, table);
-        if (isFree && !*isFree) {
-            if (auto gone = renewIds(db, table); !gone)
-                return tl::unexpected(gone.error());
-            isFree = hasNextId(db, table);
-        }
-        if (!isFree)
-            return isFree;
-        if (!*isFree)
-            return core::unexpected(ErrorCode::OutOfRange,
-                                    "database " + nameOf(db) + ": the last row of the table " + name +
-                                        " has the highest number that there is, so that none is left for new ones; no "
-                                        "program gives it, so look with \"cusp db check\" what that row is, and remove "
-                                        "it or restore a backup");
-    }
-    return couldLook;
 }
 
 QString uriOf(const QString& file, bool isImmutable)

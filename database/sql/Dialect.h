@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
-
 #include <QSqlDatabase>
 #include <QSqlError>
 #include <QString>
@@ -49,16 +47,6 @@ inline constexpr int kApplicationId = 0x43555350;
 [[nodiscard]] core::Result<int> countTables(const QSqlDatabase& db);
 /// After rows came with ids of their own: the next id is beyond them. On a server it needs no more rights than rows do.
 [[nodiscard]] core::Status continueIds(const QSqlDatabase& db, const QString& table);
-/// The tables whose rows the database numbers: {row_id}.
-inline constexpr std::array kNumbered{"people",   "classes",   "assignments", "attempts",
-                                      "comments", "overrides", "presets"};
-/// Whether the next row of such a table can be numbered. False: the numbers are used up, or those that come next are
-/// taken, as after a dump that was put back without its sequences. True, too, where this user may not see that.
-[[nodiscard]] core::Result<bool> hasNextId(const QSqlDatabase& db, const QString& table);
-/// Where it cannot, the next id is beyond those that are there. False: of some table this user may not see it.
-/// OutOfRange: a row has the highest id there is.
-[[nodiscard]] core::Result<bool> repairIds(const QSqlDatabase& db);
-
 /// Of an SQLite file, for QSQLITE_OPEN_URI. Immutable: nobody changes it, and nothing is made beside it; never where a
 /// part of it lies in a log.
 [[nodiscard]] QString uriOf(const QString& file, bool isImmutable);

@@ -213,18 +213,6 @@ core::Status compare(const QSqlDatabase& db, const Table& table, Rows noted, con
     return {};
 }
 
-/// An attempt that is nobody's counts for nobody. Those from before there were people are called by their number and
-/// come before all others.
-core::Status compareOwners(const QSqlDatabase& db, const Say& say)
-{
-    return forEach(db,
-                   "SELECT 'attempt:' || a.uid FROM attempts a WHERE a.person_id IS NULL AND (EXISTS (SELECT 1 FROM "
-                   "audit u WHERE u.object = 'attempt:' || a.uid AND u.action = 'attempt.add') OR NOT (a.uid = "
-                   "'legacy-' || a.id AND a.id > 0 AND a.id < COALESCE((SELECT MIN(b.id) FROM attempts b WHERE "
-                   "b.person_id IS NOT NULL), a.id + 1)))",
-                   kComparing, {}, [&](const QSqlQuery& row) { say(differs("attempts", textOf(row, 0))); });
-}
-
 }  // namespace
 
 core::Status compareWithAudit(const QSqlDatabase& db, const Say& say)
@@ -247,7 +235,7 @@ core::Status compareWithAudit(const QSqlDatabase& db, const Say& say)
     for (const Table& table : kTables)
         if (auto done = compare(db, table, noted.rowsOf(table.name), say); !done)
             return done;
-    return compareOwners(db, say);
+    return {};
 }
 
 }  // namespace database::sql

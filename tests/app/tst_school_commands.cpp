@@ -344,18 +344,6 @@ private slots:
         expectDone(runCusp({"db", "check", "--db", at("new/copy.sqlite")}));
     }
 
-    /// Of a file whose numbers have been used up.
-    void aMigrationLetsRowsBeNumberedAgain()
-    {
-        VERIFY_DONE(database::sql::execute(database::sql::Database::open(school()).value()->handle(),
-                                           "UPDATE sqlite_sequence SET seq = 9223372036854775807", "use them up"));
-        QCOMPARE(byAdmin({"user", "add", "s1"}).exitCode, 1);
-        QVERIFY(onFile({"db", "check"}).out.contains("cusp db migrate"));
-        expectDone(onFile({"db", "migrate"}));
-        expectDone(onFile({"db", "check"}));
-        expectDone(byAdmin({"user", "add", "s1"}));
-    }
-
     void whereTheSchoolCannotBeUsedABackupIsNamed()
     {
         const QByteArray backup = backUp().toUtf8();
@@ -395,26 +383,6 @@ private slots:
         QCOMPARE(byAdmin({"db", "copy", "--to", school()}).exitCode, 1);
         QVERIFY(QFile::exists(at("station.key")));
         expectDone(onFile({"db", "check"}));
-    }
-
-    /// It is its owner's alone.
-    void whoMayNotReadTheKeyLooksAllTheSame()
-    {
-        QCOMPARE(chmod(qPrintable(at("station.key")), 0), 0);
-        QCOMPARE(chmod(qPrintable(school()), 0644), 0);
-        QCOMPARE(chmod(qPrintable(m_folder->path()), 0755), 0);
-        // To root no file is closed.
-        constexpr uid_t kNobody = 65534;
-        const uid_t me = geteuid();
-        QCOMPARE(me == 0 ? seteuid(kNobody) : 0, 0);
-        const auto back = qScopeGuard([me] { QCOMPARE(seteuid(me), 0); });
-        const auto address = database::Address::parse(school());
-        VERIFY_DONE(address);
-        const auto looked = app::cli::openSchool(*address, app::cli::Opening::ToLook);
-        VERIFY_DONE(looked);
-        QVERIFY(!looked->hasStationKey);
-        QVERIFY2(looked->keyFault.find("station.key") != std::string::npos, looked->keyFault.c_str());
-        QVERIFY(!app::cli::openSchool(*address, app::cli::Opening::AsItIs).has_value());
     }
 
     void namesThatAreNoFilesAreRefused()

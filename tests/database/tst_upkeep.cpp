@@ -199,32 +199,6 @@ private slots:
         QVERIFY(checkDatabase(rig.school().db, {}, [](const char*, std::int64_t) { return false; })->isStopped);
     }
 
-    /// As after a dump that was put back without its sequences; or somebody has set them to their end.
-    void newRowsAreNumberedAgain_data() { support::addEngines(); }
-    void newRowsAreNumberedAgain()
-    {
-        COPY_OF(support::populatedSchool, rig);
-        const QSqlDatabase db = rig.school().db;
-        const QStringList deeds =
-            onServer ? QStringList{"SELECT setval(pg_get_serial_sequence('people', 'id'), 1)",
-                                   "SELECT setval(pg_get_serial_sequence('people', 'id'), 9223372036854775807)",
-                                   "ALTER TABLE people ALTER COLUMN id SET INCREMENT BY -1"}
-                     : QStringList{"UPDATE sqlite_sequence SET seq = 9223372036854775807 WHERE name = 'people'"};
-        for (const QString& deed : deeds) {
-            rig.run({deed});
-            QVERIFY(!addPerson(rig.school(), rig.admin, {"new", "", "", Role::Student}).has_value());
-            QCOMPARE(checkDatabase(db, {})->findings.size(), std::size_t{1});
-            VERIFY_DONE(dialect::repairIds(db));
-            QCOMPARE(support::faultsOf(db), QString());
-        }
-        VERIFY_DONE(addPerson(rig.school(), rig.admin, {"new", "", "", Role::Student}));
-        // Behind the last number there is comes none.
-        rig.run({"UPDATE people SET id = 9223372036854775807 WHERE username = 'new'"});
-        if (onServer)
-            rig.run({"SELECT setval(pg_get_serial_sequence('people', 'id'), 1)"});
-        VERIFY_REFUSED(dialect::repairIds(db), ErrorCode::OutOfRange);
-    }
-
     /// In a spreadsheet no name is a formula.
     void whatASpreadsheetWouldRunIsQuoted()
     {
