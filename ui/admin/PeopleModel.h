@@ -4,7 +4,6 @@
 #include <array>
 
 #include <QAbstractTableModel>
-#include <QFontMetricsF>
 #include <QList>
 #include <QStringList>
 
@@ -31,8 +30,6 @@ public:
 
     void setHeads(const QStringList& heads);
     void setRows(const QList<Row>& rows);
-    /// The widest of a column, as far as the widths of single letters tell: one of them is it.
-    [[nodiscard]] QList<QModelIndex> widest(int column, const QFontMetricsF& letters) const;
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;

@@ -46,9 +46,7 @@ constexpr int kId = Qt::UserRole + 1;  ///< of a class in the list of the form
 constexpr int kFormPx = 340;
 constexpr int kClassListPx = 110;
 constexpr int kTickPx = 28;
-constexpr int kMostFittedPx = 320;  ///< of a column, for the sake of one who is in many classes
-constexpr int kLeastFittedPx = 80;  ///< of one that gives room to others
-constexpr int kSoonMs = 100;        ///< what takes longer is told
+constexpr int kSoonMs = 100;  ///< what takes longer is told
 constexpr std::array kRoles{Role::Student, Role::Instructor, Role::Admin};
 
 QString nameOf(const Person& person)
@@ -132,9 +130,13 @@ QWidget* PeoplePart::makeList()
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
     m_table->verticalHeader()->hide();
-    m_table->horizontalHeader()->setStretchLastSection(true);
+    QHeaderView* const heads = m_table->horizontalHeader();
+    heads->setResizeContentsPrecision(0);  // by the rows in sight: of thousands that takes no time
+    for (int section = 0; section < PeopleModel::Columns; ++section)
+        heads->setSectionResizeMode(section, QHeaderView::ResizeToContents);
+    for (const PeopleModel::Column wide : {PeopleModel::Name, PeopleModel::Username, PeopleModel::Classes})
+        heads->setSectionResizeMode(wide, QHeaderView::Stretch);
     m_table->sortByColumn(PeopleModel::Name, Qt::AscendingOrder);
-    m_table->viewport()->installEventFilter(this);
     column->addWidget(m_table, 1);
     connect(m_search, &QLineEdit::textChanged, this, &PeoplePart::filter);
     connect(m_new, &QPushButton::clicked, this, [this] {
@@ -315,6 +317,11 @@ void PeoplePart::speak()
     name(m_className, tr("Name of a class"));
     m_table->setAccessibleName(tr("People"));
     m_rows->setHeads({tr("Name"), tr("Login"), tr("Role"), tr("Classes"), tr("Last login"), tr("State")});
+    // No column is narrower than a heading: where there is no room for all of them, the list scrolls.
+    int widest = 0;
+    for (const PeopleModel::Column one : {PeopleModel::Name, PeopleModel::Username, PeopleModel::Classes})
+        widest = std::max(widest, m_table->horizontalHeader()->sectionSizeHint(one));
+    m_table->horizontalHeader()->setMinimumSectionSize(widest);
     m_new->setText(tr("New person"));
     m_classesWord->setText(tr("Classes"));
     m_classList->setAccessibleName(tr("Classes"));
@@ -374,7 +381,6 @@ void PeoplePart::fill()
                                  QString::fromStdString(person.lastLoginUtc)};
     }
     m_rows->setRows(rows);
-    fitColumns();
     showFound();
     m_table->doItemsLayout();
     m_table->verticalScrollBar()->setValue(scrolled);
@@ -390,58 +396,6 @@ QModelIndex PeoplePart::rowOf(qint64 person) const
             index.data(PeopleModel::Id).toLongLong() == person)
             return index;
     return {};
-}
-
-/// Of all persons, whoever is searched for.
-void PeoplePart::fitColumns()
-{
-    m_shown->setWords({});
-    m_widths.clear();
-    const QFontMetricsF letters(m_table->font());
-    for (int column = 0; column < PeopleModel::Columns; ++column) {
-        int widest = 0;
-        for (const QModelIndex& one : m_rows->widest(column, letters))
-            widest = std::max(widest, m_table->sizeHintForIndex(m_shown->mapFromSource(one)).width() + 1);
-        m_widths << std::max(m_table->horizontalHeader()->sectionSizeHint(column), std::min(widest, kMostFittedPx));
-    }
-    shareWidth();
-}
-
-/// Where there is too little room for all columns, names and classes give it, the widest first: they are told whole
-/// where the pointer is.
-void PeoplePart::shareWidth()
-{
-    constexpr std::array kGiving{PeopleModel::Name, PeopleModel::Username, PeopleModel::Classes};
-    if (m_widths.size() != PeopleModel::Columns)
-        return;
-    int room = m_table->viewport()->width();
-    for (int column = 0; column < PeopleModel::Columns; ++column)
-        if (std::find(kGiving.begin(), kGiving.end(), column) == kGiving.end())
-            room -= m_widths[column];
-    std::array<int, kGiving.size()> wanted{};
-    std::transform(kGiving.begin(), kGiving.end(), wanted.begin(),
-                   [this](PeopleModel::Column one) { return m_widths[one]; });
-    std::sort(wanted.begin(), wanted.end());
-    int most = wanted.back();
-    for (std::size_t k = 0; k < wanted.size(); ++k) {
-        const int share = room / static_cast<int>(wanted.size() - k);
-        if (wanted.at(k) > share) {
-            most = std::max(share, kLeastFittedPx);
-            break;
-        }
-        room -= wanted.at(k);
-    }
-    for (int column = 0; column < PeopleModel::Columns; ++column)
-        m_table->setColumnWidth(column, std::find(kGiving.begin(), kGiving.end(), column) == kGiving.end()
-                                            ? m_widths[column]
-                                            : std::min(m_widths[column], most));
-}
-
-bool PeoplePart::eventFilter(QObject* watched, QEvent* event)
-{
-    if (watched == m_table->viewport() && event->type() == QEvent::Resize)
-        shareWidth();
-    return QWidget::eventFilter(watched, event);
 }
 
 void PeoplePart::filter()

@@ -72,9 +72,6 @@ signals:
     void classWanted(const QString& name);
     void classNameWanted(qint64 id, const QString& name);
 
-protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
-
 private:
     /// What stands in a form and is not entered.
     struct Typed
@@ -101,8 +98,6 @@ private:
     QWidget* makeForm();
     void speak();
     void fill();
-    void fitColumns();
-    void shareWidth();
     void filter();
     void showFound();
     [[nodiscard]] QModelIndex rowOf(qint64 person) const;
@@ -142,7 +137,6 @@ private:
     QHash<qint64, Code> m_codes;  ///< by whom they let in
     PeopleModel* m_rows = nullptr;
     people::WordFilter* m_shown = nullptr;
-    QList<int> m_widths;  ///< of the columns, where there is room
     QLineEdit* m_search = nullptr;
     people::ListTable* m_table = nullptr;
     QLabel* m_count = nullptr;
