@@ -3,8 +3,9 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
-#include <cstring>
 #include <functional>
 
 #include <zstd.h>
@@ -70,14 +71,18 @@ std::vector<ServoEvent> eventsOf(const Recording& recording)
     return events;
 }
 
+std::array<std::uint32_t, 3> bitsOf(const glm::vec3& v)
+{
+    return {std::bit_cast<std::uint32_t>(v.x), std::bit_cast<std::uint32_t>(v.y), std::bit_cast<std::uint32_t>(v.z)};
+}
+
 /// Equal to the last bit of every position, NaN included.
 bool sameBits(const Recording& a, const Recording& b)
 {
     const std::vector<ServoEvent> one = eventsOf(a);
     const std::vector<ServoEvent> other = eventsOf(b);
     return std::equal(one.begin(), one.end(), other.begin(), other.end(), [](const auto& x, const auto& y) {
-        return x.kind == y.kind && x.dtUs == y.dtUs && x.value == y.value &&
-               std::memcmp(&x.deviceMm[0], &y.deviceMm[0], sizeof x.deviceMm) == 0;
+        return x.kind == y.kind && x.dtUs == y.dtUs && x.value == y.value && bitsOf(x.deviceMm) == bitsOf(y.deviceMm);
     });
 }
 

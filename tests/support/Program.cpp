@@ -75,17 +75,15 @@ Ending runCusp(const QStringList& arguments, const QStringList& environment, con
             usage.ru_maxrss / 1024};
 }
 
-void expectDone(const Ending& ending, std::source_location where)
+void expectDone(const Ending& ending, const char* file, int line)
 {
-    QTest::qVerify(ending.exitCode == 0, "exit code 0", (ending.error + ending.out).constData(), where.file_name(),
-                   static_cast<int>(where.line()));
+    QTest::qVerify(ending.exitCode == 0, "exit code 0", (ending.error + ending.out).constData(), file, line);
 }
 
-void expectRefusal(const Ending& ending, const QByteArray& words, int exitCode, std::source_location where)
+void expectRefusal(const Ending& ending, const QByteArray& words, int exitCode, const char* file, int line)
 {
     QTest::qVerify(ending.exitCode == exitCode && ending.isOneSentence() && ending.error.contains(words),
-                   ("refused: " + words).constData(), (ending.error + ending.out).constData(), where.file_name(),
-                   static_cast<int>(where.line()));
+                   ("refused: " + words).constData(), (ending.error + ending.out).constData(), file, line);
 }
 
 }  // namespace support

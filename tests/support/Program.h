@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <source_location>
-
 #include <QByteArray>
 #include <QJsonObject>
 #include <QStringList>
@@ -30,10 +28,10 @@ struct Ending
 [[nodiscard]] Ending runCusp(const QStringList& arguments, const QStringList& environment = {},
                              const QByteArray& input = {});
 
-/// It ended without a fault.
-void expectDone(const Ending& ending, std::source_location where = std::source_location::current());
+/// It ended without a fault. The place is that of the call: Clang 14 has no std::source_location.
+void expectDone(const Ending& ending, const char* file = __builtin_FILE(), int line = __builtin_LINE());
 /// It was refused, in one sentence that contains these words.
 void expectRefusal(const Ending& ending, const QByteArray& words = {}, int exitCode = 1,
-                   std::source_location where = std::source_location::current());
+                   const char* file = __builtin_FILE(), int line = __builtin_LINE());
 
 }  // namespace support
