@@ -70,7 +70,7 @@ protected:
     /// The visible label, anywhere in the window, that contains these words; null if there is none.
     [[nodiscard]] const QLabel* labelWith(const QString& words) const;
 
-    /// Moves the pointer to a point of the tooth and presses the button. Returns where the pointer is.
+    /// Presses the mouse button over a point of the tooth. Returns the position of the pointer in the view.
     QPoint press(glm::dvec3 pointMm) const;
     void release() const;
     /// Presses until something is removed, releases, and waits until the stroke has ended.

@@ -80,7 +80,9 @@ private slots:
         pressAt({-0.27, 0.64});
         WAIT_FOR_VALUE(title(), QString("Held for 2 s"));
         release();
-        QCOMPARE(graded(), QString("52.0"));  // 60 * 2 / 10 for the time, and all for the rest
+        QCOMPARE(
+            graded(),
+            QString("52.0"));  // holding 2 s of 10 s earns 12 of 60 points, the other criteria earn all of their 40
         actions().back->trigger();
 
         openLesson("orientation-3-layers");

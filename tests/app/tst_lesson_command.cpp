@@ -245,7 +245,7 @@ private:
         support::write(file(name), content);
         return file(name);
     }
-    /// What the command says of a lesson that can be given.
+    /// Returns the output of the command for a valid lesson.
     static QJsonObject checkedLesson(const QString& lesson)
     {
         const Ending ending = runCusp({"lesson", "check", lesson, "--json"});

@@ -258,7 +258,7 @@ private slots:
         QVERIFY(QDir(m_folder->path()).mkpath("outbox/arrived"));
         put(at("outbox/arrived/abc.attempt"), "a letter");
         QVERIFY(outbox.waiting().isEmpty());
-        // By a link it is put where the file is.
+        // If the target is a symbolic link, the file that it points to is replaced.
         QVERIFY(QDir(m_folder->path()).mkdir("links") && QFile::link(school(), at("links/link.sqlite")));
         const Ending restored = onFile({"db", "restore", backup, "--json"});
         expectDone(restored);

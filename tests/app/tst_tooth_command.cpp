@@ -115,7 +115,7 @@ private slots:
 
     void nothingIsMinusZero()
     {
-        // A solid box in another: model and mesh differ by rounding alone.
+        // For a box inside a box, the volumes of model and mesh differ by rounding only.
         const QString file =
             write("two.obj",
                   support::asObj(support::joined(support::box(10.0F, 10.0F, 10.0F),

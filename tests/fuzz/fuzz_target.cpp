@@ -5,7 +5,7 @@
 
 #include "tests/fuzz/Exercises.h"
 
-#ifndef CUSP_EXERCISE  // a checker reads the file without CMake
+#ifndef CUSP_EXERCISE  // clang-tidy compiles this file without the definition from CMake
 #define CUSP_EXERCISE exerciseMesh
 #endif
 

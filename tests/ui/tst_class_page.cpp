@@ -369,7 +369,7 @@ private slots:
         const auto isTold = [this](const char* name) {
             return !ui::charts::stopsOf(child<ChartPanel>(name)->chart()).isEmpty();
         };
-        for (const int people : {4, 5}) {  // nothing is told of fewer than five
+        for (const int people : {4, 5}) {  // a chart hides the results of fewer than five students
             m_page->setResults(results(people), 750, {{"depth", "Pulpal floor"}});
             for (const char* name : {"distribution", "learning", "difficulty"})
                 QCOMPARE(isTold(name), people == 5);

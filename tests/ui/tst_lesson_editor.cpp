@@ -58,8 +58,8 @@ std::unique_ptr<QTranslator> inGerman()
 
 }  // namespace
 
-/// Waits; until the draft has been weighed and this is said of it; until a number is shown; until this is the answer to
-/// what was asked last; and saves.
+// Each waits until a condition holds: any condition, the result of checking the draft, the value of a number field, the
+// message below the form, the message of the sweep. QTRY_SAVE saves the lesson first.
 #define QTRY_LOADED(condition) QTRY_VERIFY_WITH_TIMEOUT(condition, kLoadedMs)
 #define QTRY_CHECKED(part) QTRY_VERIFY2_WITH_TIMEOUT(check().contains(part), qPrintable(check()), kLoadedMs)
 #define QTRY_SHOWS(name, number) QTRY_COMPARE_WITH_TIMEOUT(spin(name)->value(), number, kLoadedMs)

@@ -386,7 +386,7 @@ private slots:
         QCOMPARE(tilted(), 0.0);
         click(Qt::Key_Up, Qt::AltModifier | Qt::ShiftModifier);
         QVERIFY(tilted() > 0.01);
-        // From behind, its back would be seen: it is taken in hand anew.
+        // From behind the camera would see the back of the mirror, so the mirror is held from the other side.
         m_view->turnRound();
         const auto& mirror = *m_view->mirror();
         QVERIFY(glm::dot(mirror.normal, m_view->camera().eyeMm() - mirror.centreMm) > 0.0);
