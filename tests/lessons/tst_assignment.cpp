@@ -412,8 +412,8 @@ private slots:
         QVERIFY(support::isRefused(assign(lesson), "touch.points[1]: there is no tooth at x = 9.5, y = 0 mm"));
     }
 
-    /// Each key of a shipped file stands in the schema.
-    void theSchemaKnowsTheKeysThatAreUsed()
+    /// Each key of a shipped file is in the schema, and the reader knows each key of the schema.
+    void theSchemaKnowsTheKeysThatAreRead()
     {
         const QJsonObject schema = lessonSchema();
         QVERIFY(!schema.isEmpty());
@@ -423,6 +423,30 @@ private slots:
         for (const CatalogEntry& entry : readCatalog({}))
             keysOf(QJsonDocument::fromJson(QByteArray::fromStdString(entry.read.lesson->json)).object(), {}, used);
         QVERIFY2((used - inSchema).isEmpty(), qPrintable(QStringList((used - inSchema).values()).join(' ')));
+
+        // The reader knows each key of the schema: it may complain about the value 1, but it warns of no key.
+        const auto warns = [](const QJsonObject& lesson) {
+            const ReadLesson read = readLessonText(QJsonDocument(lesson).toJson(), QStringLiteral("probe"));
+            return std::any_of(read.faults.begin(), read.faults.end(), [](const Fault& fault) { return !fault.grave; });
+        };
+        for (const QString& path : std::as_const(inSchema)) {
+            const QStringList keys = path.split('.');
+            const bool isBase =
+                keys[0] == "based_on" || path == "rubric.based_on";      // it is looked up before keys are read
+            const bool isSize = keys.size() == 3 && keys[1] == "sizes";  // see theSchemaOffersWhatThereIs()
+            if (isBase || isSize)
+                continue;
+            QJsonValue value = 1;
+            for (qsizetype k = keys.size() - 1; k > 0; --k) {
+                QJsonObject object{{keys[k], value}};
+                if (keys[0] == "tooth" && keys.size() == 2)  // some keys belong to one kind of tooth
+                    object[path == "tooth.seed" || path == "tooth.sizes" ? "block" : "scan"] = "line";
+                value = object;
+                if (keys[k - 1] == "steps" || keys[k - 1] == "criteria")
+                    value = QJsonArray{value};
+            }
+            QVERIFY2(!warns({{"format", 1}, {keys[0], value}}), qPrintable(path));
+        }
     }
 
     /// The numbers and names that editors offer are those that are read.
