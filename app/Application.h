@@ -50,7 +50,7 @@ struct WindowOptions
     database::sql::Database::Options opening;  ///< for tests
     /// How long the login waits for a database that hangs.
     std::chrono::milliseconds loginPatience{12'000};
-    /// After how long the database is asked again for what it did not answer.
+    /// The time after which a failed request to the database is repeated.
     std::chrono::milliseconds retry = SchoolDesk::kRetry;
     bool asksWho = false;     ///< begin at the login; else as a guest
     bool showsRound = false;  ///< whoever has not seen the tour

@@ -46,7 +46,7 @@ public:
     /// @param address  of the database, which is opened by open()
     /// @param folder  of this station's own files: its key, and attempts on their way
     /// @param options  for tests
-    /// @param retry  after how long what was not answered is asked again
+    /// @param retry  the time after which a failed request is repeated
     SchoolDesk(database::Address address, QString folder, database::sql::Database::Options options = {},
                std::chrono::milliseconds retry = kRetry);
     ~SchoolDesk() override;

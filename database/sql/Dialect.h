@@ -47,6 +47,7 @@ inline constexpr int kApplicationId = 0x43555350;
 [[nodiscard]] core::Result<int> countTables(const QSqlDatabase& db);
 /// After rows came with ids of their own: the next id is beyond them. On a server it needs no more rights than rows do.
 [[nodiscard]] core::Status continueIds(const QSqlDatabase& db, const QString& table);
+
 /// Of an SQLite file, for QSQLITE_OPEN_URI. Immutable: nobody changes it, and nothing is made beside it; never where a
 /// part of it lies in a log.
 [[nodiscard]] QString uriOf(const QString& file, bool isImmutable);

@@ -19,7 +19,7 @@
 #include "ui/shell/MessageBar.h"
 #include "ui/shell/TabularLabel.h"
 
-/// As QTRY_VERIFY and QTRY_COMPARE, with the patience that a window needs on a busy machine.
+/// QTRY_VERIFY and QTRY_COMPARE with a timeout that is long enough for a window on a busy machine.
 #define WAIT_FOR(condition) QTRY_VERIFY2_WITH_TIMEOUT(condition, qPrintable(message()), support::kPatienceMs)
 #define WAIT_FOR_VALUE(actual, expected) QTRY_COMPARE_WITH_TIMEOUT(actual, expected, support::kPatienceMs)
 
@@ -49,10 +49,10 @@ protected:
     {
         WAIT_FOR(child<Page>()->isVisible());
     }
-    /// What the message bar says.
+    /// Returns the text in the message bar.
     [[nodiscard]] QString message() const { return child<ui::shell::MessageBar>()->sentence(); }
     void waitForMessage(const QString& words) const { WAIT_FOR(message().contains(words)); }
-    /// The enamel that was removed, as the window shows it.
+    /// Returns the volume of removed enamel that the window shows.
     [[nodiscard]] QString removed() const { return child<ui::shell::TabularLabel>("enamelRemoved")->text(); }
     /// Waits until the button is enabled, and clicks it.
     void click(const char* button) const;

@@ -79,7 +79,7 @@ protected:
     [[nodiscard]] QString place() const { return m_server.isEmpty() ? file() : m_server; }
     /// Moves the file of the school away, with what lies beside it.
     void moveAway() const;
-    /// Puts noise where the file of the school was.
+    /// Overwrites the database file of the school with noise.
     void damageSchool() const;
     /// Starts the program as it starts at a school: with the login.
     void start(app::WindowOptions options = {});
@@ -109,7 +109,7 @@ protected:
     /// What the score page says about where the grade is saved.
     [[nodiscard]] QString saved() const;
     void waitForSaved(const QString& words) const;
-    /// Opens the list of the own attempts. What was asked of the school before has been answered then.
+    /// Opens the list of the user's own attempts, after all earlier requests to the database were answered.
     void openAttempts() const;
     /// The number of rows in the database, as another program reads it; -1 if it cannot be read.
     [[nodiscard]] int count(const QString& rows) const;

@@ -237,7 +237,7 @@ private slots:
         actions().back->trigger();
         WAIT_FOR_VALUE(removed(), own);
 
-        // The recording of the first stroke beside both.
+        // Opens the recording of the first stroke, to compare it with the attempt that has both strokes.
         drillSecond();
         const QString both = removed();
         grade();
@@ -354,7 +354,7 @@ private slots:
     void anUnfinishedAttemptIsOfferedAndResumed()
     {
         const QString own = leaveUnfinished();
-        // A program that dies holds what it has locked until it is gone.
+        // A killed program keeps its locks until its process has ended.
         auto held = core::recording::findAttempt(
             std::filesystem::path(m_folder->filePath("unfinished/1-1.cuspjournal").toStdString()));
         QVERIFY(held && *held);
@@ -419,7 +419,7 @@ private slots:
         QVERIFY(message().contains("cannot be taken up again"));
     }
 
-    /// Whoever leaves an exam, or has its program killed, could think as long as they like. A graded exam is not
+    /// The time of an exam runs on while the student is away or the program does not run. A graded exam is not
     /// resumed.
     void anExamsTimeGoesOnWhileItsStudentIsAway()
     {

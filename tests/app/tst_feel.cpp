@@ -42,7 +42,7 @@ private slots:
 
     void cleanup() { m_application.reset(); }
 
-    /// On a block of whatever teeth are cut by.
+    /// The preset is tried on a block that is drilled by the same rules as a tooth.
     void aPresetIsTriedOnABlockAndKept()
     {
         start();

@@ -204,7 +204,7 @@ private slots:
                                                  .arg(found.words(), drawn, differs, kReferences, name)));
         QFile::remove(drawn);
         QFile::remove(differs);
-        // That somebody would miss what the picture shows is noticed.
+        // The comparison notices if the subject of the picture is missing.
         if (what.unlike != nullptr) {
             const Difference seen = difference(what, reference(what.unlike), wanted);
             QVERIFY2(!seen.picture.isNull() && !seen.isSmall(), qPrintable(what.unlike + (": " + seen.words())));

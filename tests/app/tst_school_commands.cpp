@@ -190,7 +190,7 @@ private slots:
         QVERIFY(QFile::link(m_folder->path(), at("door")));
         QVERIFY(QFile::link(school(), at("link.csv")) && QFile::link(at("link.csv"), at("twice.csv")));
         QVERIFY(QFile::link(at("nothing"), at("lost.csv")));
-        // Each by one of the two commands, which name their file in the same way.
+        // Each target is tried with one of the two commands: both take the name of a file in the same way.
         const auto codes = [this](const QString& target) {
             return QStringList{"import", "roster", at("list.csv"), "--codes", target};
         };
@@ -408,8 +408,8 @@ private slots:
         QTest::newRow("the terminal is closed") << SIGHUP;
     }
 
-    /// A halt and going on comes first: nothing is shown then, either. As a shell would have begun it, which waits
-    /// beside.
+    /// The program is first suspended and resumed, as a shell does it: the password stays hidden. The parent process
+    /// waits meanwhile.
     void whoStopsAtThePasswordSeesWhatHeTypes()
     {
         QFETCH(int, signal);

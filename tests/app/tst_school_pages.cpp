@@ -54,7 +54,7 @@ private slots:
         QVERIFY(QFile::remove(file()));
         start();
         WAIT_FOR_VALUE(door(), Door::NewSchool);
-        // A guest comes back to the same page.
+        // A guest who goes back to the login sees the same page.
         beGuest();
         actions().account->trigger();
         QCOMPARE(door(), Door::NewSchool);
@@ -77,7 +77,7 @@ private slots:
         row("an admin is one no longer", "admin", "role = 'student'", "people", "Your role was changed");
     }
 
-    /// As soon as a page is read again, or something is done there.
+    /// The user is logged out when they reload a page or do something on it.
     void whoMayNotStayIsLoggedOut()
     {
         QFETCH(QString, name);
@@ -159,7 +159,8 @@ private slots:
         unlock();
     }
 
-    /// A database that hangs gives no answer at all: the right password unlocks all the same, and a wrong one does not.
+    /// A hanging database does not answer. The right password unlocks the window nevertheless, and a wrong one does
+    /// not.
     void theLockIsOpenedWhileTheDatabaseHangs()
     {
         app::WindowOptions options;
@@ -219,7 +220,7 @@ private slots:
         QVERIFY(!sql::Logins::login(OtherStation(file()).school, "sam", kPassword));
     }
 
-    /// Somebody else may sit there by then.
+    /// Another user may be at the computer when the answer arrives.
     void aLateLoginLetsNobodyIn()
     {
         start();
@@ -328,7 +329,7 @@ private slots:
         auto* tour = child<ui::shell::Tour>("tour");
         logIn("sam");
         WAIT_FOR(tour->isVisible());
-        // Locking the window is not seeing the tour.
+        // Locking the window during the tour does not count as having seen it.
         actions().lock->trigger();
         QVERIFY(!tour->isVisible());
         QCOMPARE(count("settings WHERE name = 'tour.seen'"), 0);
@@ -680,7 +681,7 @@ private slots:
         clickAtBackups("checkAll", "1 thing");
         QVERIFY(child<QPlainTextEdit>("findings")->isVisible());
         code->clear();
-        // A user who was entered after the backup is gone after the restore, which is asked about.
+        // The restore asks for confirmation. A user who was added after the backup is missing afterwards.
         {
             const OtherStation elsewhere(file());
             QVERIFY(sql::addPerson(elsewhere.school, elsewhere.logIn("admin"), {"tom", "", "", Role::Student}));
@@ -773,8 +774,8 @@ private slots:
         QVERIFY(rows->rowCount() >= 3);
         QVERIFY(!child<QPushButton>("olderAudit")->isEnabled());
         search->clear();
-        // With attempts again, and older rows that are asked for twice come once. The newest row that is shown counts:
-        // the cost of passwords may be raised meanwhile.
+        // Attempts are shown again. Older rows that are requested twice appear once. The newest row is compared,
+        // because a row about the cost of passwords may be added meanwhile.
         child<QAbstractButton>("auditNoAttempts")->click();
         WAIT_FOR_VALUE(rows->rowCount(), 500);
         click("olderAudit");

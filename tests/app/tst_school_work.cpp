@@ -81,8 +81,8 @@ private slots:
         QCOMPARE(attempts(), 1);
     }
 
-    /// Whoever unticks it gets neither the grade nor the tooth, nor does who logs in after a while. An exam is not
-    /// kept: a guest could do it often, and log in for the best.
+    /// The attempt of a guest is not saved if the next user declines it or logs in after some time. An exam is never
+    /// saved: a guest could repeat it and log in for the best result.
     void aGuestsGradeIsOtherwiseNobodys()
     {
         const Exam exam;
@@ -175,7 +175,7 @@ private slots:
         goBackTo<ui::tooth::ToothView>();
     }
 
-    /// A teacher assigns a lesson that was due yesterday, to be tried twice. Neither undo nor a preset gives an attempt
+    /// The assigned lesson was due yesterday and allows two attempts. Neither undo nor another preset gives an attempt
     /// back.
     void aLessonIsDueAndLimited()
     {
@@ -319,7 +319,7 @@ private slots:
         }
     }
 
-    /// Each under the name of who made it, and once, whoever works there by then.
+    /// Each attempt is delivered once and under the name of its own student, whoever is logged in by then.
     void whatTheDiskRefusesIsDeliveredLater()
     {
         beginAs("sam");
@@ -611,7 +611,7 @@ private slots:
         actions().presets->trigger();
         emit window().presetSaveWanted(hard);
         WAIT_FOR_VALUE(count("presets WHERE name = 'hard'"), 1);
-        // One that is not used can be retired, and taken up again.
+        // A preset that is not in use can be retired and offered again.
         click("presetRetire");
         WAIT_FOR(!child<QPushButton>("presetUse")->isEnabled());
         click("presetRetire");
@@ -679,7 +679,7 @@ private:
 
     void freeOutbox() const { QVERIFY(QFile::remove(m_folder->filePath("outbox"))); }
 
-    /// The unfinished attempts of the user have been looked for, and none is offered.
+    /// Checks that the window has looked for unfinished attempts of the user and offers none.
     void expectNothingUnfinished() const
     {
         // The school answers in order: the lessons are read after that. Unfinished attempts are offered on that page.

@@ -314,7 +314,8 @@ private slots:
         QFETCH(std::string, lines);
         QFETCH(int, ticks);
         QFETCH(QStringList, options);
-        // Line by line: what this process holds would count as the program's.
+        // The file is written line by line, because the memory of this process would count for the program that it
+        // starts.
         QFile file(written("long.csv", kHead + lines));
         QVERIFY(file.open(QIODevice::Append));
         for (int tick = 0; tick < ticks; ++tick)

@@ -143,7 +143,7 @@ std::set<QString> keptIn(const School& school)
 
 }  // namespace
 
-/// A school on the server, where there is one.
+/// Declares a school on the PostgreSQL server, or skips the test if there is no server.
 #define SERVER_RIG(name)                                                                                               \
     if (!support::sharedServer().fault().isEmpty())                                                                    \
         QSKIP(qPrintable(support::sharedServer().fault()));                                                            \
@@ -363,7 +363,7 @@ private slots:
         keep();
         VERIFY_REFUSED(Outbox(m_folder->filePath("outbox"), StationKey::make()).read(outbox.waiting().front()),
                        core::ErrorCode::NotAllowed);
-        // A letter that was changed on the way is not taken, nor is one that no database would take, and that others
+        // The database refuses an attempt whose file was changed, and one that it could never store and that others
         // would wait behind.
         const auto expectRefusalOfTheFirst = [&] {
             VERIFY_REFUSED(outbox.read(outbox.waiting().front()), core::ErrorCode::BadStructure);

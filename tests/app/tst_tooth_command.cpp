@@ -201,7 +201,7 @@ private slots:
             "open where its crown should be");
     }
 
-    /// Each reason is tested in core: here it ends the command, in one sentence.
+    /// The tests of core cover the reasons. Here, each one ends the command with one sentence.
     void badFiles()
     {
         QFETCH(QString, name);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Two admins of one school: what one of them did is neither undone by the other nor shown to the other.
+// Two admins of one school: one neither undoes the changes of the other nor sees their one-time codes.
 #include <memory>
 
 #include <QLabel>
@@ -70,7 +70,7 @@ private slots:
                     button->click();
             QTRY_VERIFY_WITH_TIMEOUT(!messages->sentence().isEmpty(), kPatienceMs);
         };
-        // Another admin chose this before, and this window has not read it.
+        // Another admin has chosen this preset, and the window has not read it yet.
         chooseElsewhere("first v1");
         choose();
         undo();

@@ -235,7 +235,7 @@ private slots:
     }
 
     /// QSaveFile::commit() does not notice when the last 16 kB find no room on the disk: it gives an empty file its
-    /// name (Qt 6.4). Who commits flushes before.
+    /// name (Qt 6.4). So each caller of commit() calls flush() before.
     void whatIsSavedWasWritten()
     {
         int files = 0;

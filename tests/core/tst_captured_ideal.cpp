@@ -113,7 +113,7 @@ private slots:
         for (const auto& other : {molar(1), molar(0, 100), teeth::buildTooth({26}, {})->anatomy})
             QVERIFY(
                 support::isRefused(preparationOf(*ideal, *other), "was captured on the tooth '36' (seed 0, grid 150)"));
-        // Decay in it does not matter.
+        // An ideal also fits the tooth with decay.
         QVERIFY(preparationOf(*ideal, *molar(0, 150, teeth::CariesRule::FissureWalk)));
     }
 

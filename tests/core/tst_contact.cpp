@@ -24,7 +24,7 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-/// A tooth, and a method that meets it with a bur from where it starts.
+/// A tooth, a contact method, and a bur at its start position.
 struct Scene
 {
     contact::LiveTooth tooth;
@@ -39,7 +39,7 @@ struct Scene
     glm::dvec3 update(const glm::dvec3& device) { return method->update(tooth, device); }
 };
 
-/// Whether the anchor is over every column, beneath every one, or over some and beneath the others.
+/// Returns whether the bur at the anchor is clear of every column, which it may be above or below.
 bool standsClear(contact::LiveTooth& tooth, const glm::dvec3& anchor)
 {
     const glm::dvec2 at(anchor);
@@ -48,7 +48,7 @@ bool standsClear(contact::LiveTooth& tooth, const glm::dvec3& anchor)
            (anchor.z >= room.floorMm - 1.0e-4 && anchor.z <= room.roofMm + 1.0e-4);
 }
 
-/// A plate 1 mm thick, floating: its bottom is its overhang.
+/// A floating plate that is 1 mm thick, so that its underside is an overhang.
 const support::Block kPlate{.bottomMm = -1.0, .topMm = [](double x, double) { return x > 0.0 ? 0.0 : std::nan(""); }};
 
 /// Largest distance of a method's anchor from where geometry puts a ball pushed 0.4 mm into a plane, in micrometres,
@@ -92,7 +92,7 @@ class TestContact : public QObject
 {
     Q_OBJECT
 private slots:
-    /// Cutting works on eight columns at a time; the result is that of one by one.
+    /// Cutting eight columns at a time gives the same result as cutting one by one.
     void cutsAsColumnByColumn()
     {
         Rng rng(11);
@@ -221,7 +221,7 @@ private slots:
         }
     }
 
-    /// The blocks and the last look spare work; they change no answer, whatever has been cut or looked at before.
+    /// The blocks and the cached last query save work and do not change any result.
     void roomIsThatOfEveryColumn()
     {
         Rng rng(5);
@@ -578,7 +578,7 @@ private slots:
 
     void noWalkLeadsIntoATooth_data() { support::rows<int>("fdi", {31, 36, 21, 24}); }
 
-    /// A hand that wanders about and through a tooth, at 5 to 300 mm/s, and leaves the bur at most 1 mm behind.
+    /// The hand moves around and through a tooth at 5 to 300 mm/s and stays within 1 mm of the bur.
     void noWalkLeadsIntoATooth()
     {
         QFETCH(int, fdi);

@@ -43,7 +43,7 @@ Surface turned(const Surface& surface, double degrees)
     return [=](glm::dvec2 p) { return surface({c * p.x + s * p.y, c * p.y - s * p.x}); };
 }
 
-/// The surface with something added to its depth where it is cut.
+/// Returns the surface, deeper by another surface wherever it is cut.
 Surface changed(const Surface& surface, const Surface& byMm)
 {
     return [=](glm::dvec2 p) {
@@ -141,7 +141,7 @@ Deviation measured(const terrain::Tooth& tooth, const Preparation& preparation)
     return grading::measureDeviation(tooth, preparation).value();
 }
 
-/// Of a tooth cut to one surface, where another one was wanted.
+/// Returns the deviation of a tooth that is cut to the surface `done` from the surface `wanted`.
 Deviation compared(const std::shared_ptr<const terrain::ToothAnatomy>& anatomy, const Surface& done,
                    const Surface& wanted)
 {

@@ -58,7 +58,7 @@ Shadow shadowOf(const Tooth& tooth, const Beam& beam, double pixelMm, const PerM
     return castShadow(one, beam, shadowArea(one, beam, 0.5), pixelMm, perMm);
 }
 
-/// What one ray is weakened by: a pixel so small that its middle is the ray.
+/// Returns the attenuation of one ray, as a picture of one very small pixel.
 Shadow rayThrough(const Tooth& tooth, const Beam& beam, glm::dvec2 at)
 {
     const std::array<XrayedTooth, 1> one{{{&tooth}}};

@@ -55,7 +55,7 @@ Recording shortAttempt()
     return rig.session->recordingSoFar().value();
 }
 
-/// An attempt at a small block in which this happens.
+/// Returns the recording of an attempt at a small block with these events.
 Recording recordingOf(const std::vector<ServoEvent>& events)
 {
     Recording made({}, support::smallBlock());
@@ -451,7 +451,7 @@ private slots:
         QVERIFY(support::isRefused(read(folder.filePath("empty.cusprec")), "empty.cusprec"));
     }
 
-    /// The rest of what may go wrong is tested of writeWhole().
+    /// The tests of writeWhole() cover the other failures.
     void failedWriteKeepsTheOlderFile()
     {
         const QTemporaryDir folder;

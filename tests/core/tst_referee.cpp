@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::chrono::microseconds kTick = 1ms;
 
-/// Whether this breach was found, once and alone.
+/// Returns whether the referee found this breach once and no other.
 bool isOne(const std::vector<Infraction>& found, Breach breach)
 {
     return found.size() == 1 && found.front().breach == breach;

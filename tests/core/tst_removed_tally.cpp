@@ -63,7 +63,7 @@ private slots:
         QVERIFY(tally.of(tiles).volumesMm3[static_cast<std::size_t>(terrain::Material::Dentin)] > 1.0);
     }
 
-    /// Undo goes back to older tiles; the figures shown must be those shown then.
+    /// Undo restores older tiles, and the tally must give the same figures as at that time.
     void answersTheSameWhateverWasAskedBefore()
     {
         terrain::Tooth tooth(support::builtTooth(36));

@@ -93,7 +93,7 @@ session::SessionCommand undoOrRedo(Rng& rng)
     return session::Redo{};
 }
 
-/// Now and then what a user or the console can ask for, and what they cannot.
+/// Returns random commands, valid and invalid. In most ticks there are none.
 std::vector<session::SessionCommand> anything(Rng& rng, const session::ServoSettings& settings,
                                               const std::shared_ptr<const terrain::ToothAnatomy>& anatomy,
                                               std::uint64_t& generation)
@@ -397,7 +397,8 @@ private slots:
         QVERIFY(recording::replay(soFar)->agreesWithWitness);
         const std::uint64_t hash = rig.liveHash();
         const std::uint64_t end = soFar.ticks();
-        // Right; another tooth; true, but not then; at the beginning; at a tick that never comes.
+        // The right hash; the hash of another tooth; a right hash at a wrong tick; at the first tick; at a tick that
+        // never comes.
         for (const auto& [tick, stateHash, isRight] : {std::tuple(end, hash, true),
                                                        {end, hash ^ 1U, false},
                                                        {std::uint64_t{10}, hash, false},

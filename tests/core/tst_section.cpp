@@ -41,7 +41,7 @@ PerMaterial lengths(const MaterialSpans& spans)
     return sum;
 }
 
-/// The same length of each material, to a tolerance.
+/// Returns whether the lengths of all materials agree within the tolerance.
 bool areNear(const PerMaterial& actual, const PerMaterial& expected, double tolerance = 1e-5)
 {
     return std::equal(actual.begin(), actual.end(), expected.begin(),
@@ -226,7 +226,7 @@ private slots:
     {
         const ToothAnatomy& anatomy = *support::builtTooth(36);
         const imaging::PulpChamber pulp(anatomy);
-        // The slow way: the pulp as points, a cell apart sideways and 0.02 mm up and down.
+        // A slow second way to find the distance: the pulp as points, one cell apart sideways and 0.02 mm in height.
         std::vector<glm::dvec3> points;
         support::eachNode(anatomy.grid, [&](std::size_t k, const glm::dvec2& at) {
             for (double z = -14.0; z < 0.0; z += 0.02)
@@ -253,7 +253,8 @@ private slots:
         const auto anatomy = block();
         Tooth tooth(anatomy);
         const imaging::PulpChamber pulp(*anatomy);
-        // Dentin over the pulp, the way down to it and the shortest way to it; none: there is no pulp below.
+        // Expects the dentin above the pulp and the distances to it, straight down and shortest. No value: no pulp
+        // below.
         const auto reads = [&](const glm::dvec3& tip, std::optional<double> dentin, std::optional<double> down,
                                double shortest) {
             const imaging::DepthReading found = imaging::readDepth(tooth, pulp, tip);

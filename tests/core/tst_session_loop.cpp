@@ -49,20 +49,20 @@ std::uint64_t uncutHash()
     return terrain::stateHash(terrain::Tooth(support::smallBlock()));
 }
 
-/// Of a small block whose top map is this.
+/// Returns the state hash of a small block with this top map.
 std::uint64_t hashOf(std::vector<float> top)
 {
     return terrain::stateHash(terrain::restored(support::smallBlock(), std::move(top)));
 }
 
-/// The attempt so far, as it comes out of a replay that agrees with its witness.
+/// Returns whether the recording replays without a mismatch and ends with this hash.
 bool replaysTo(const recording::Recording& made, std::uint64_t hash)
 {
     const auto outcome = recording::replay(made);
     return outcome->agreesWithWitness && outcome->stateHash == hash;
 }
 
-/// What a view makes of the patches it is sent, each group at once.
+/// Applies the patches that the loop sends, a group at a time, as a view does.
 struct View
 {
     history::TiledHeights heights;
@@ -116,7 +116,7 @@ private slots:
             QCOMPARE(rig.liveHash(), hashes[n]);
         }
         QVERIFY(state(rig).removedMm3[1] > 0.01);
-        // A stroke after an undo begins a branch: there is nothing to redo, and the other is a jump away.
+        // A stroke after an undo begins a branch. There is nothing to redo, and a jump reaches the other branch.
         rig.give(Undo{});
         stroke(rig, 2.0);
         QCOMPARE(state(rig).redoSteps, 0);
@@ -197,7 +197,7 @@ private slots:
         // The moment is told when the pause after the stroke has made it one.
         const double ticksS = 0.001 * static_cast<double>(rig.servo->state().tick);
         QVERIFY2(after[1].seconds > 0.15 && after[1].seconds <= ticksS, qPrintable(QString::number(after[1].seconds)));
-        // To begin anew is a step of its own, which can be taken back. The second time there is nothing to do.
+        // Starting again is a step that can be undone. A second time it does nothing.
         for (int n = 0; n < 2; ++n) {
             rig.give(Reload{});
             QCOMPARE(rig.liveHash(), uncutHash());
@@ -372,7 +372,7 @@ private slots:
         QCOMPARE(disagreements.load(), 0);
     }
 
-    /// The same work comes to the same tooth, remembered or not.
+    /// The tooth is the same with and without a history.
     void nothingIsRememberedWhereNobodyAsks()
     {
         Drilling rig({false, 0});

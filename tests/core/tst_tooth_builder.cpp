@@ -36,7 +36,7 @@ bool warns(const BuiltTooth& tooth, const QString& words)
     return QString::fromStdString(warningsOf(tooth)).contains(words);
 }
 
-/// Whether one is the other but for a share of it.
+/// Returns whether two numbers agree within this share of the expected one.
 bool agrees(double actual, double expected, double share)
 {
     return support::near(actual, expected, share * std::abs(expected));
@@ -196,7 +196,7 @@ private slots:
 
     void scanWithoutItsPulpIsToldApart()
     {
-        // Above the chamber, through it, whole.
+        // The tooth ends above the pulp chamber, within it, or is whole.
         for (const auto& [cutMm, hasPulp] : {std::pair(-4.0F, false), {-7.0F, true}, {-100.0F, true}}) {
             const auto tooth = buildFileFrame(support::clampedAt(generateTooth(36, 0).value(), cutMm));
             QVERIFY(tooth);

@@ -66,7 +66,7 @@ struct TopMap
         return (a * (1.0 - u) + b * u) * (1.0 - v) + (d * (1.0 - u) + e * u) * v;
     }
 
-    /// Each node from those of a disc around it, `combine` taking what came out so far and one more.
+    /// Returns the map in which each node combines all nodes of a disc around it.
     template <class Combine>
     [[nodiscard]] TopMap morphed(double radiusMm, Combine&& combine) const
     {

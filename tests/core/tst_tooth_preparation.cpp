@@ -61,7 +61,7 @@ struct Findings
     int holes = 0;    ///< connected pieces of what is not, less one
 };
 
-/// Connected pieces of what is cut, or of what is not.
+/// Returns the number of connected parts of the cut area, or of the uncut area.
 int piecesOf(const Preparation& ideal, const terrain::Grid& grid, bool cut)
 {
     std::vector<std::uint8_t> left(grid.count());
@@ -253,7 +253,7 @@ private slots:
                 const bool isCut = ideal->parts[k] != Part::Keep;
                 const glm::ivec2 at(glm::round(fine->grid.latticeOf(node)));
                 const support::Nodes beside = support::around(fine->grid, at.x, at.y, 1);
-                // Part of those around it lie beside the grid, where nothing is cut.
+                // At the edge, some neighbours are outside the grid, where nothing is cut.
                 bool same = beside.highI - beside.lowI < 2 || beside.highJ - beside.lowJ < 2;
                 support::eachOf(fine->grid, beside,
                                 [&](std::size_t n) { same = same || (onFine->parts[n] != Part::Keep) == isCut; });

@@ -35,7 +35,7 @@ TiledHeights with(TiledHeights map, int tileX, int tileY, float height)
     return map;
 }
 
-/// A whole tooth, moment 1, and after it strokes 1 .. n at these ticks, each so deep.
+/// Returns a tree with a whole tooth as its first moment and n strokes after it.
 UndoTree grown(int strokes)
 {
     UndoTree tree;

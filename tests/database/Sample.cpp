@@ -164,7 +164,7 @@ core::Result<std::string> makeSchool(const QString& where, const SampleSize& siz
     const auto admin = Logins::createFirstAdmin(school, {"admin", "", "", Role::Admin}, password, PasswordCost{});
     if (!admin)
         return tl::unexpected(admin.error());
-    // If the disk fails meanwhile, the school can be made up again.
+    // No sync to the disk: if it fails, the school can be generated again.
     const char* const hurry =
         dialect::isPostgres(school.db) ? "SET synchronous_commit = off" : "PRAGMA synchronous = OFF";
     auto done = execute(school.db, hurry, kDoing);

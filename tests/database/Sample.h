@@ -17,10 +17,9 @@ struct SampleSize
     std::uint64_t seed = 1;
 };
 
-/// Makes up a school in a new file or an empty database: students "s0001" ... in classes with a teacher each
-/// ("teacher1"
-/// ...), who get better and faster at the shipped lessons, each in their own measure. The same seed gives the same
-/// school but for uids. Returns the password of "admin".
+/// Fills a new file or an empty database with a school: students "s0001" to "s0200" and so on, in classes with a
+/// teacher each ("teacher1", "teacher2"), and their attempts at the shipped lessons, in which they get better and
+/// faster. The same seed gives the same school except for its uids. Returns the password of the user "admin".
 [[nodiscard]] core::Result<std::string> makeSchool(const QString& where, const SampleSize& size);
 
 }  // namespace support

@@ -61,14 +61,14 @@ inline QString wordsOf(const std::vector<database::Finding>& findings)
     return lines.join(u'\n');
 }
 
-/// What the check of a database finds; empty: nothing.
+/// Returns the findings of the check of a database. Empty: it is sound.
 inline QString faultsOf(const QSqlDatabase& db)
 {
     const auto report = database::sql::checkDatabase(db, {});
     return report ? wordsOf(report->findings) : QString::fromStdString(report.error().detail);
 }
 
-/// Empty: it was refused with this code, in a sentence that contains these words.
+/// Returns an empty string if the result is an error with this code whose sentence contains these words; else why not.
 template <class T>
 QString whyNotRefused(const core::Result<T>& result, core::ErrorCode code, std::string_view words = {})
 {
@@ -128,13 +128,13 @@ public:
     [[nodiscard]] database::sql::Database& database() { return *m_database; }
     [[nodiscard]] const QString& address() const { return m_address; }
 
-    /// The number of rows; -1 if they cannot be read.
+    /// Returns the number of rows, or -1 if they cannot be read.
     [[nodiscard]] int count(const QString& rows) const
     {
         const auto counted = database::sql::ask(m_school->db, "SELECT count(*) FROM " + rows, "count");
         return counted ? counted->toInt() : -1;
     }
-    /// Executes statements as somebody does who has the database in their hands.
+    /// Executes SQL statements directly, without the checks of the program.
     void run(const QStringList& statements) const
     {
         for (const QString& statement : statements) {
@@ -228,7 +228,7 @@ private:
     std::unique_ptr<database::sql::School> m_school;
 };
 
-/// A connection to a file, without the program's own checks.
+/// A connection to a database file without the checks of the program.
 class RawFile
 {
 public:
@@ -251,7 +251,7 @@ private:
     static constexpr const char* kName = "raw";
 };
 
-/// How many attempts a file holds; -1 if it cannot be opened.
+/// Returns the number of attempts in a file, or -1 if it cannot be opened.
 inline int attemptsIn(const QString& file)
 {
     const auto database = database::sql::Database::open(file);
@@ -301,7 +301,7 @@ private:
 
 }  // namespace support
 
-/// Skips a test where there is no server.
+/// Skips the test if there is no PostgreSQL server.
 #define NEEDS_SERVER()                                                                                                 \
     if (!support::sharedServer().fault().isEmpty())                                                                    \
     QSKIP(qPrintable(support::sharedServer().fault()))
@@ -329,5 +329,5 @@ private:
         QVERIFY2(verifiedResult.has_value(), verifiedResult ? "" : verifiedResult.error().detail.c_str());             \
     } while (false)
 
-/// That it is an error of this code, in a sentence that contains these words, if any are given.
+/// Checks that the result is an error with this code and, if given, these words in its sentence.
 #define VERIFY_REFUSED(expression, ...) QCOMPARE(support::whyNotRefused(expression, __VA_ARGS__), QString())

@@ -23,7 +23,7 @@ namespace {
 
 using Work = std::function<void(School)>;
 
-/// Does each of these at a station of its own, begun when all are there.
+/// Runs each task on its own connection. All of them start at the same time.
 void atOnce(const QString& address, const std::vector<Work>& works)
 {
     std::atomic<std::size_t> ready = 0;

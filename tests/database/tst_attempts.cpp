@@ -618,8 +618,8 @@ private slots:
                 qPrintable(said));
     }
 
-    /// The limit is held where an attempt begins. Where nobody could be asked then, or at two stations at once, one
-    /// more is made: work that was done is never thrown away, and its teacher sees it.
+    /// The limit is checked when an attempt begins. Without a connection, or at two stations at once, one attempt
+    /// more is possible. It is saved, and the teacher sees it.
     void anAttemptBeyondTheLimitIsKept_data() { support::addEngines(); }
     void anAttemptBeyondTheLimitIsKept()
     {

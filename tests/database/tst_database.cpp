@@ -47,7 +47,7 @@ private slots:
         const auto database = Database::open(at("new.db")).value();
         QCOMPARE(ask(*database, "PRAGMA journal_mode").toString(), QStringLiteral("wal"));
         QCOMPARE(ask(*database, "PRAGMA integrity_check").toString(), QStringLiteral("ok"));
-        // Also in a file that is there and empty.
+        // An empty file becomes a database as well.
         write(at("empty.db"), {});
         VERIFY_DONE(Database::open(at("empty.db")));
         for (const auto& [setting, value] :
@@ -113,8 +113,8 @@ private slots:
         QCOMPARE(ask(*next, "PRAGMA journal_mode").toString(), QStringLiteral("wal"));
     }
 
-    /// To close any descriptor of a file drops the locks of the whole program on it: another program that ended then
-    /// took the write-ahead log away beneath this one.
+    /// Closing any descriptor of a file drops all locks of the process on it. Another program that ended then would
+    /// remove the write-ahead log that this one uses.
     void aSecondConnectionTakesNoLockAway()
     {
         const auto first = Database::open(at("held.db")).value();

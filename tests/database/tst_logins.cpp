@@ -61,13 +61,13 @@ FailedLogins timeFailedLogins(SchoolRig& rig)
     return {known[4], unknown[4]};
 }
 
-/// What is kept of Sam.
+/// Returns a column of Sam's row in the database.
 QString kept(const School& school, const QString& column)
 {
     return ask(school.db, "SELECT " + column + " FROM people WHERE username = 's1001'", "look").value().toString();
 }
 
-/// As often as costs no wait.
+/// Fails to log in as often as no waiting time follows.
 void fail(const SchoolRig& rig, const std::string& name)
 {
     for (int k = 0; k < Logins::kFreeFailures; ++k)

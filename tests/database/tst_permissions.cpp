@@ -89,7 +89,7 @@ struct Call
     std::function<core::Status(const Session&, Target)> call;
 };
 
-/// A school in which everybody has something, and all that a session can ask of it.
+/// A school in which every user owns something, and all requests that a session can make.
 class Asked
 {
 public:
@@ -108,7 +108,7 @@ public:
     Asked& operator=(const Asked&) = delete;
 
 private:
-    /// To an admin, who is in no class, everybody's things are a stranger's.
+    /// An admin is in no class, so each other user is a stranger to them.
     [[nodiscard]] PersonId personOf(const Session& me, Target target) const
     {
         return target == Mine ? me.person() : target == Classmates ? m_rig.classmate.person() : m_rig.stranger.person();

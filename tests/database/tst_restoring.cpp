@@ -239,7 +239,7 @@ private slots:
         QCOMPARE(there(), QStringList{"school.sqlite"});
     }
 
-    /// What is younger than a day may be of a backup that another program is making.
+    /// A part that is younger than a day may belong to a backup that another program is making.
     void whatAKilledBackupLeavesGoesWithTheNext()
     {
         const auto leave = [this](const QString& name, int hoursAgo) {

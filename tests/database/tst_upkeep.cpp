@@ -231,7 +231,7 @@ private slots:
         QVERIFY(!renameClass(rig.school(), rig.admin, rig.second, "DEN|101"));
     }
 
-    /// Whatever they have set for themselves.
+    /// A setting of the school applies even if a user has stored one of the same name.
     void nobodySetsForThemselvesWhatTheSchoolSets_data() { support::addEngines(); }
     void nobodySetsForThemselvesWhatTheSchoolSets()
     {

@@ -76,7 +76,7 @@ struct Bare
             tick();
         }
     }
-    /// As told to the others.
+    /// Returns the health flags that the loop publishes.
     [[nodiscard]] std::uint32_t health() { return state.latest().health; }
     [[nodiscard]] bool has(std::uint32_t flag) { return (health() & flag) != 0; }
     [[nodiscard]] double forceN() const { return length(servo.state().forceN); }
@@ -95,7 +95,7 @@ struct Bare
         std::erase_if(events, [kind](const ServoEvent& event) { return event.kind != kind; });
         return events;
     }
-    /// How long each tick was for the servo.
+    /// Returns the length of each tick as the servo measured it.
     std::vector<int> steps() const
     {
         std::vector<int> all;
@@ -126,7 +126,7 @@ struct Bare
     }
 };
 
-/// What ticks allocate and lock.
+/// Counts the allocations and locks of ticks.
 struct Counted
 {
     long allocations = 0;
@@ -313,7 +313,7 @@ private slots:
         bare.device.present = present;
         if (present)
             bare.device.tipMm.x = x;
-        // Perhaps only a damaged packet: letting go for it would throw the hand into the tooth.
+        // It may be one damaged packet. If the force went to zero for it, the hand would fall into the tooth.
         for (int n = 1; n < 10; ++n) {
             bare.tick();
             QVERIFY(bare.forceN() > 3.0);

@@ -219,7 +219,7 @@ private slots:
         QVERIFY2(after / enamel > 1.15, qPrintable(QString("%1 and %2 mm/s").arg(enamel).arg(after)));
     }
 
-    /// With a flat end all of it meets the junction together: half of the change lies within a cell.
+    /// All of a flat end meets the junction at the same time, so half of the change is within one cell.
     void flatEndFeelsTheJunctionWithinACell()
     {
         const std::vector<double> depth = depthsThroughTheJunction(core::drilling::findBur("57").value(), 0.5);

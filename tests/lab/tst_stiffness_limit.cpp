@@ -77,7 +77,7 @@ private slots:
         for (std::size_t hand = 0; hand < haptics::kHands.size(); ++hand)
             for (const double delayMs : {0.0, 1.0, 2.0})
                 QTest::addRow("%zu, %g ms", hand, delayMs) << hand << delayMs;
-        // There the servo loop has halved the spring: what the lightest hand holds is more than twice that.
+        // The servo loop has halved the stiffness there. The lightest hand holds more than twice that.
         QTest::newRow("a slow loop") << std::size_t{0} << 4.0;
     }
 

@@ -18,7 +18,7 @@ inline QString sentencesOf(const lessons::ReadLesson& read)
     return all.join(u'\n');
 }
 
-/// Whether there is a lesson, and nothing is said against it.
+/// Returns whether the lesson was read without faults.
 [[nodiscard]] inline bool isSound(const lessons::ReadLesson& read)
 {
     if (!read.faults.empty())
@@ -26,7 +26,7 @@ inline QString sentencesOf(const lessons::ReadLesson& read)
     return read.lesson && read.faults.empty();
 }
 
-/// Whether one of its faults contains these words.
+/// Returns whether one of the faults contains these words.
 [[nodiscard]] inline bool says(const lessons::ReadLesson& read, const QString& words)
 {
     const bool is = sentencesOf(read).contains(words);
@@ -35,7 +35,7 @@ inline QString sentencesOf(const lessons::ReadLesson& read)
     return is;
 }
 
-/// A teacher's folder.
+/// A temporary folder of lesson files.
 class LessonFolder
 {
 public:

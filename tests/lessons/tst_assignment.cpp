@@ -47,7 +47,7 @@ Assignment assigned(const std::string& id)
     return assign(shipped(id)).value().assignment;
 }
 
-/// What loses points, with the loss and with what was measured.
+/// Lists the criteria that lose points, each with its loss and its measured value.
 QString losses(const Mark& marked)
 {
     QString all;

@@ -12,7 +12,7 @@ using namespace lessons;
 
 namespace {
 
-/// The volume that is removed alone costs points.
+/// Returns a lesson in which only the removed volume costs points.
 Assignment volumeAlone(const std::shared_ptr<const core::terrain::ToothAnatomy>& anatomy, double spanMm3)
 {
     Assignment assignment = practiceOn(anatomy).value();
@@ -86,7 +86,7 @@ private slots:
         QVERIFY(!gridNoise(assignment, tooth)->isUncertain());
     }
 
-    /// What asks for the ideal passes whoever cuts it, however finely that is measured.
+    /// A perfect preparation passes on every grid.
     void idealWorkStaysGoodAtEveryGrid()
     {
         int lesson = 0;

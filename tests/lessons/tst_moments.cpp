@@ -126,13 +126,13 @@ Moments soundMoments(const Assignment& assignment, const Recording& recording)
     return found;
 }
 
-/// What the n-th moment of a criterion is: the stroke and the loss.
+/// Returns whether the moment belongs to this stroke and loses so many points.
 bool isOfStroke(const Moment& moment, int stroke, int lostTenths)
 {
     return moment.kind == Moment::Kind::Stroke && moment.stroke == stroke && moment.lostTenths == lostTenths;
 }
 
-/// Sound tissue alone costs points.
+/// Returns a lesson in which only the removal of sound tissue costs points.
 Assignment soundAlone(double spanMm3 = 2.0)
 {
     return assignmentWith(block(), {rule("sound", "sound_overcut_mm3", 0.0, spanMm3, 1000)});

@@ -43,7 +43,7 @@ QString allFaults(const lessons::ReadPreset& read)
     return text;
 }
 
-/// Whether there is a preset, and nothing is said against it.
+/// Returns whether the preset was read without faults.
 bool isSound(const lessons::ReadPreset& read)
 {
     if (!read.faults.empty())

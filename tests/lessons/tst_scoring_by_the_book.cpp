@@ -363,7 +363,8 @@ Attempt randomAttempt(std::uint64_t seed)
         const Units sign = rule.side == Side::Under || (rule.side == Side::Both && rng.below(2) == 0) ? -1 : 1;
         const double reach = static_cast<double>(rule.span) * (rule.critical ? 0.05 : 1.2);
         const Units beyond = static_cast<Units>(rng.uniform(0.0, 1.0) * reach);
-        // On the tolerance, just beyond it, on the other side, and elsewhere in it; the whole weight, just.
+        // At the tolerance, just beyond it, on its other side and within it; and at the value that just loses the whole
+        // weight.
         const std::array places{sign * free, sign * (free + 1), -sign * free,      sign * std::max<Units>(free - 1, 0),
                                 Units{0},    sign * (free / 2), sign * (free / 3), sign * (free + rule.span)};
         const auto place = static_cast<std::size_t>(rng.below(rule.critical ? 7 : 12));

@@ -28,9 +28,10 @@ struct Ending
 [[nodiscard]] Ending runCusp(const QStringList& arguments, const QStringList& environment = {},
                              const QByteArray& input = {});
 
-/// It ended without a fault. The place is that of the call: Clang 14 has no std::source_location.
+/// Checks that the program ended with exit code 0. A failure names the line of the call; Clang 14 has no
+/// std::source_location.
 void expectDone(const Ending& ending, const char* file = __builtin_FILE(), int line = __builtin_LINE());
-/// It was refused, in one sentence that contains these words.
+/// Checks that the program ended with this exit code and one sentence that contains these words.
 void expectRefusal(const Ending& ending, const QByteArray& words = {}, int exitCode = 1,
                    const char* file = __builtin_FILE(), int line = __builtin_LINE());
 

@@ -25,7 +25,7 @@ public:
     }
 };
 
-/// A servo tick with a tooth, driven by hand: no loop and no device. Its drill is on.
+/// A servo tick with a tooth and without a loop or device. The test sets the position of the bur. The drill is on.
 struct Bench
 {
     std::unique_ptr<core::contact::LiveTooth> tooth;

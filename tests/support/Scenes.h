@@ -5,10 +5,10 @@
 
 #include "core/terrain/Tooth.h"
 
-/// Teeth to measure, and ways to cut them that need no bur.
+/// Teeth for tests of measures, and functions that cut them without a bur.
 namespace support {
 
-/// A tooth of the generator as the program builds it, made once for each set of numbers and kept. Main thread.
+/// Returns a generated tooth as the program builds it. It is built once for each set of arguments. Main thread.
 [[nodiscard]] std::shared_ptr<const core::terrain::ToothAnatomy> builtTooth(int fdi, int side = 150,
                                                                             std::uint64_t seed = 0);
 /// The same without a lesion.
@@ -19,7 +19,7 @@ namespace support {
 /// -1 in the nodes `first` .. `last`, in both directions.
 [[nodiscard]] std::shared_ptr<core::terrain::ToothAnatomy> decayedSlab(int first, int last);
 
-/// Nodes, both ends included.
+/// A rectangle of nodes. Both ends are included.
 struct Nodes
 {
     int lowI = 0;
@@ -28,7 +28,7 @@ struct Nodes
     int highJ = 0;
 };
 
-/// The nodes up to `reach` away from one, in both directions, that a grid has.
+/// Returns the nodes of the grid that are up to `reach` nodes away in each direction.
 [[nodiscard]] Nodes around(const core::terrain::Grid& grid, int i, int j, int reach);
 
 template <class Use>
@@ -39,13 +39,13 @@ void eachOf(const core::terrain::Grid& grid, const Nodes& nodes, Use&& use)
             use(grid.index(i, j));
 }
 
-/// Puts the top of these columns at a height.
+/// Sets the top of these columns to a height.
 void cut(core::terrain::Tooth& tooth, const Nodes& nodes, float toMm);
 
-/// Leaves nothing of column k.
+/// Removes the whole column k.
 void cutThrough(core::terrain::Tooth& tooth, std::size_t k);
 
-/// Where node k of a grid stands.
+/// Returns the position of node k, mm.
 [[nodiscard]] glm::dvec2 placeOf(const core::terrain::Grid& grid, std::size_t k);
 
 }  // namespace support

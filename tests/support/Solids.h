@@ -23,9 +23,9 @@ namespace support {
 [[nodiscard]] core::mesh::TriangleMesh insideOut(core::mesh::TriangleMesh mesh);
 [[nodiscard]] core::mesh::TriangleMesh joined(core::mesh::TriangleMesh mesh, const core::mesh::TriangleMesh& other);
 
-/// Without the faces that lie in its lowest plane: open below.
+/// Returns the mesh without the faces in its lowest plane, so that it is open at the bottom.
 [[nodiscard]] core::mesh::TriangleMesh withoutBase(core::mesh::TriangleMesh mesh);
-/// Pressed flat below a height, as a scan that ends there.
+/// Returns the mesh with all vertices below a height moved up to it, like a scan that ends there.
 [[nodiscard]] core::mesh::TriangleMesh clampedAt(core::mesh::TriangleMesh mesh, float lowestZ);
 
 [[nodiscard]] std::string asObj(const core::mesh::TriangleMesh& mesh);

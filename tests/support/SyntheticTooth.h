@@ -24,7 +24,7 @@ struct Block
 /// Block centred on the origin of the tooth frame.
 [[nodiscard]] std::shared_ptr<const core::terrain::ToothAnatomy> makeBlock(const Block& block);
 
-/// It, uncut.
+/// Returns the block as an uncut tooth.
 [[nodiscard]] core::terrain::Tooth blockTooth(const Block& block);
 
 /// One of enamel, 64 cells a side: quick to work on.
@@ -39,13 +39,13 @@ void eachNode(const core::terrain::Grid& grid, Use&& use)
             use(grid.index(i, j), grid.nodeMm(i, j));
 }
 
-/// The node nearest to a place.
+/// Returns the node that is nearest to a point.
 [[nodiscard]] std::size_t nodeAt(const core::terrain::Grid& grid, glm::dvec2 placeMm);
 
-/// Height of a cut surface; anything above the tooth is uncut.
+/// The height of a cut surface, mm. Where it is above the tooth, nothing is cut.
 using Surface = std::function<double(glm::dvec2)>;
 
-/// The tooth with nothing left above a surface, and its top map alone.
+/// Returns the tooth with everything above a surface removed; loweredTop() returns only its top map.
 [[nodiscard]] core::terrain::Tooth lowered(const std::shared_ptr<const core::terrain::ToothAnatomy>& anatomy,
                                            const Surface& surface);
 [[nodiscard]] std::vector<float> loweredTop(const core::terrain::ToothAnatomy& anatomy, const Surface& surface);

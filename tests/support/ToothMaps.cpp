@@ -32,7 +32,7 @@ core::terrain::Grid gridOver(int side, double left, double right, double front, 
     return grid;
 }
 
-/// The crown's highest point and the middle of the outline come to the origin.
+/// Moves the highest point of the crown to z = 0 and the middle of the outline to x = y = 0.
 ToothMaps mapsOf(core::mesh::TriangleMesh mesh, int side)
 {
     glm::vec3 low = mesh.vertices.front();

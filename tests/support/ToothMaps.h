@@ -45,10 +45,10 @@ struct NamedMaps
 /// formulas, a generated molar and a generated incisor.
 [[nodiscard]] std::vector<NamedMaps> everyTooth(int side);
 
-/// Maps of 64 cells a side as no tooth has them: of nothing, of one needle, full to the edge and so on.
+/// Returns extreme maps of 64 cells a side: empty, one needle, full to the edge and so on.
 [[nodiscard]] std::vector<NamedMaps> oddMaps();
 
-/// Volume of each material, mm3, of maps whose columns stand for whole cells.
+/// Returns the volume of each material, mm3. Each column counts for a whole cell.
 [[nodiscard]] core::terrain::PerMaterial volumesOf(const ToothMaps& maps,
                                                    const std::vector<core::terrain::ColumnLayers>& layers);
 

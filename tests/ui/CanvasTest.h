@@ -13,7 +13,7 @@
 
 namespace support {
 
-/// Tests of what is drawn without a window.
+/// A base class for tests that draw without a window.
 class CanvasTest : public QObject
 {
 protected:
@@ -40,7 +40,7 @@ protected:
         return image;
     }
 
-    /// The tooth is the subject, whole.
+    /// Shows a tooth, uncut.
     void show(const std::shared_ptr<const core::terrain::ToothAnatomy>& tooth)
     {
         m_surface = std::make_unique<ui::render::ToothSurface>(tooth, ui::tooth::operatingLight(false));
@@ -82,7 +82,7 @@ protected:
         return pictures::mean(image, pictures::around(pixel.x, pixel.y, reach));
     }
 
-    // In the order in which they need one another: what is drawn with goes before the context.
+    // The order matters: the renderer is destroyed before the OpenGL context.
     std::unique_ptr<ui::render::Canvas> m_canvas;
     std::unique_ptr<ui::render::ToothRenderer> m_renderer;
     std::unique_ptr<ui::render::ToothSurface> m_surface;

@@ -16,7 +16,7 @@
 
 namespace support {
 
-/// The controls within a widget, itself left out, that a screen reader could not name.
+/// Returns the child controls that have no name for a screen reader.
 inline QStringList controlsWithoutNames(const QWidget& root)
 {
     QStringList found;
@@ -30,7 +30,7 @@ inline QStringList controlsWithoutNames(const QWidget& root)
     return found;
 }
 
-/// Tests of a page that is alone in a window.
+/// A base class for tests of one page in a window of its own.
 template <class Page>
 class PageTest : public QObject
 {

@@ -79,7 +79,7 @@ inline Difference difference(const QImage& a, const QImage& b, int threshold = 1
     return found;
 }
 
-/// How many pixels are as `fits` says.
+/// Returns the number of pixels for which `fits` returns true.
 template <class Fits>
 int count(const QImage& image, const Fits& fits)
 {

@@ -236,7 +236,7 @@ protected:
         m_window->setAssignment(assignment);
         show(assignment.anatomy);
     }
-    /// The lesson allows every aid but this one.
+    /// Begins a lesson that allows every aid except this one.
     void forbid(bool lessons::Aids::*aid) const
     {
         lessons::Aids aids;

@@ -60,7 +60,7 @@ private slots:
         choose(0);
         QVERIFY(showsCode());
         QCOMPARE(textOf("oneTimeCode"), QString("1234-5678"));
-        // It may have been told: another is not made by one key, nor by a double click.
+        // The admin may have told the code to the user, so neither one key nor a double click replaces it.
         QSignalSpy reset(&people(), &PeoplePart::resetWanted);
         click("resetPassword");
         click("resetPassword");

@@ -43,7 +43,7 @@ private slots:
         QVERIFY2(gum / all > 0.08, qPrintable(QString::number(gum / all)));
     }
 
-    /// Seen straight on, with the light from the eye, the picture is its own mirror image.
+    /// From the front and with the light at the camera, the picture is symmetric.
     void mirroredTeethAreLitFromOutside()
     {
         look(0.0, 5.0);

@@ -155,7 +155,7 @@ private slots:
             QCOMPARE(press(key), QString("Attempt 6: 91 points"));
         m_panel->setChart(curve());  // the same once more
         QCOMPARE(m_panel->said(), QString("Attempt 6: 91 points"));
-        // A band without lines is walked itself.
+        // If a chart has a band and no lines, the arrow keys step through the band.
         Chart band = curve();
         std::get<Curve>(band.content).lines.clear();
         m_panel->setChart(band);
@@ -273,7 +273,7 @@ private slots:
             reader.readNext();
         QVERIFY(!reader.hasError() && drawing.contains("Score over attempts"));
         QCOMPARE(written("chart.csv"), csv(tableOf(curve())));
-        // What became of it stands there until a value is told.
+        // The message about the file stays until a value is shown.
         QVERIFY(callout()->isVisible());
         QCOMPARE(callout()->text(), QString("Saved: chart.csv"));
         QTest::keyClick(m_panel.get(), Qt::Key_Home);

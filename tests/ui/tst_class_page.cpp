@@ -235,7 +235,7 @@ private slots:
         QCOMPARE(students(), 5);
     }
 
-    /// An exam that was begun is an attempt; and another class of the student may be allowed more.
+    /// An exam counts as an attempt once it was begun. Another class of the student may allow more attempts.
     void anExamWithoutAScoreIsSeen()
     {
         ClassOverview shown = overview(6, 1);
@@ -255,7 +255,8 @@ private slots:
         QVERIFY(hasNoneLeft(3) && !hasNoneLeft(4) && !hasNoneLeft(5));
         QVERIFY2(tip(4).contains("begun") && !tip(4).contains("no attempts left"), qPrintable(tip(4)));
         QVERIFY(!name(4).contains("out of tries") && !name(5).contains("out of tries"));
-        // Whoever may still go on has not used it up; nobody tells when it is broken off.
+        // A student who can continue an exam has an attempt left. The program does not notice when an exam is
+        // abandoned.
         begun.begunUtc = "2026-11-20T11:20:00Z";
         QVERIFY(!hasNoneLeft(3));
         QVERIFY2(tip(3).contains("begun") && !tip(3).contains("no attempts left"), qPrintable(tip(3)));
@@ -270,7 +271,7 @@ private slots:
         QCOMPARE(wanted[0][0].toLongLong(), 103);
     }
 
-    /// They are listed as disabled and count nowhere.
+    /// Disabled students are listed as disabled and do not count.
     void whoIsDisabledNeedsNobody()
     {
         ClassOverview shown = overview(6, 2);

@@ -179,7 +179,7 @@ private slots:
         QVERIFY(room.answer("set force.stiffness 1").contains("In an exam"));
         QCOMPARE(room.feel.stiffnessNPerMm, 2.0);
         room.refusal.clear();
-        // Nor does the bound of what is stable give way.
+        // The limit for a stable stiffness still applies.
         const QString said = room.answer("set force.stiffness 9");
         QVERIFY2(said.contains("5.37 N/mm"), qPrintable(said));
         QCOMPARE(room.feel.stiffnessNPerMm, 2.0);

@@ -65,7 +65,7 @@ QImage painted(const inside::SectionScene& scene, double pixelRatio = 1.0)
     return image;
 }
 
-/// How many pixels of a part have the colour of a material.
+/// Returns the number of pixels in a rectangle that have the colour of a material.
 int count(const QImage& image, const QRect& part, Material material)
 {
     const QRgb fill = shell::materialLook(material).fill.rgb();
@@ -77,12 +77,12 @@ QRect column(const QImage& image, int x)
     return {x, 0, 1, image.height()};
 }
 
-/// Where X-ray pictures of a tooth are taken.
+/// An X-ray page that takes pictures of a tooth.
 struct Films
 {
     Films() { page.resize(1000, 700); }
 
-    /// The films of a tooth, once they are developed.
+    /// Returns the X-ray picture of a tooth.
     [[nodiscard]] QImage of(const Tooth& tooth)
     {
         page.setTooth(tooth);

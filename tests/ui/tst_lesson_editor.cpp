@@ -46,7 +46,7 @@ QString faultOf(const ::lessons::ReadLesson& read)
     return read.faults.empty() ? QString() : read.faults.front().sentence();
 }
 
-/// The program speaks German as long as this lives.
+/// Sets the language of the program to German until the returned object is deleted.
 std::unique_ptr<QTranslator> inGerman()
 {
     auto german = std::make_unique<QTranslator>();
@@ -372,7 +372,7 @@ private slots:
         QCOMPARE(plain.title(), QString("Yours"));
     }
 
-    /// A lesson whose tooth cannot be made: what is wrong is said, and nothing of another lesson's can be changed in
+    /// If the tooth of a lesson cannot be made, the editor shows why, and no field of the previous lesson is left in
     /// it.
     void nothingOfTheLessonBeforeIsLeft()
     {

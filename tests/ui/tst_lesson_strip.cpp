@@ -61,7 +61,7 @@ private slots:
         QVERIFY(!hint().isChecked());
     }
 
-    /// A screen reader on AT-SPI says what describes the control under the keys, when that changes.
+    /// A screen reader (AT-SPI) reads the description of the focused control when it changes.
     void theKeysStayWithTheStrip()
     {
         const auto press = [](QWidget& control) {

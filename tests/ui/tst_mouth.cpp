@@ -154,7 +154,7 @@ private:
     [[nodiscard]] QPoint at(int fdi) const { return m_mouth->placeOf(fdi).toPoint(); }
     [[nodiscard]] bool shows(int fdi) const { return !at(fdi).isNull(); }
 
-    /// What is chosen after a click.
+    /// Clicks a point and returns the chosen tooth.
     int clicked(QPoint place)
     {
         QTest::mouseClick(m_mouth.get(), Qt::LeftButton, {}, place);

@@ -181,7 +181,7 @@ private slots:
     }
 
 private:
-    /// The mouse is at a pixel.
+    /// Moves the mouse to a pixel.
     void point(glm::dvec2 pixel, glm::dvec3 burMm = {}) { m_control.moveTo(m_camera.rayThrough(pixel), burMm); }
 
     [[nodiscard]] double fromTarget(glm::dvec2 placeMm) const

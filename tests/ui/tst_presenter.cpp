@@ -34,7 +34,7 @@ private slots:
 
     void init() { show(support::syntheticMolar()); }
 
-    /// A mark that is nowhere else: the dark lesion, seen in a mirror above the tooth that looks down on it.
+    /// The dark lesion is a unique mark. It is seen in a mirror above the tooth.
     void theMirrorShowsThePointWhereItsImageStands()
     {
         const glm::dvec3 lesion = onTooth(kLesion);
@@ -196,7 +196,7 @@ private slots:
         const double focus = m_camera.distanceMm();
         const Scene left = Presenter::seenBy(-1, seen, how, focus);
         const Scene right = Presenter::seenBy(1, seen, how, focus);
-        // How far to the right the left eye sees a point of what the right eye sees.
+        // Returns how far right of its position for the right eye the left eye sees a point.
         const auto crossed = [&](double share) {
             const glm::dvec4 point = glm::inverse(seen.eyeFromTooth) * glm::dvec4(1.3, 0.7, -share * focus, 1.0);
             const auto across = [&](const Scene& one) {

@@ -281,7 +281,7 @@ private slots:
         m_page->setPresets(shelf(), *shelf()[0].preset);
         QVERIFY2(shown().contains("hard") && shown().contains("version 2"), qPrintable(shown()));
         QCOMPARE(child<QLineEdit>("presetName")->text(), QString("hard"));
-        // Another that the user looks at stays.
+        // If the user is looking at another preset, the page keeps it.
         m_page->select(*shelf()[1].preset);
         m_page->setPresets(shelf(), shipped());
         QVERIFY2(shown().contains("version 1"), qPrintable(shown()));
@@ -347,7 +347,7 @@ private slots:
         for (int trial = 0; trial < 4; ++trial) {
             const FeelPreset a = felt();
             QVERIFY(presets::isVeiled(a));
-            // There is no answer before the user has cut with both.
+            // The user can answer only after they have drilled with both.
             card.follow(1, 0, 0.0);
             card.follow(1, 0, 0.2);
             QVERIFY(!isEnabled("trialSaysA"));
@@ -439,8 +439,8 @@ private slots:
         list().setCurrentRow(0);
         answer("questionStay");
         QVERIFY(m_page->draft() == changed && list().currentRow() == 2);
-        // A version that is saved meanwhile, or imported, does not take its place; what was changed does when it is
-        // saved.
+        // A version that is saved or imported meanwhile does not replace the changed one. The changed one appears when
+        // it is saved.
         m_page->select(named("hard", 1, 0.5));
         QVERIFY(m_page->draft() == changed);
         list().setCurrentRow(0);
@@ -558,7 +558,7 @@ private:
     [[nodiscard]] bool isEnabled(const char* button) const { return child<QPushButton>(button)->isEnabled(); }
     [[nodiscard]] QListWidget& list() const { return *child<QListWidget>("presetList"); }
     [[nodiscard]] QDoubleSpinBox* spin(const char* number) const { return child<QDoubleSpinBox>(number); }
-    /// The card of a trial, over the page as soon as it has something to show.
+    /// Returns a card for a blind trial. It appears above the page as soon as it has something to show.
     presets::TrialCard& makeCard()
     {
         m_card = new presets::TrialCard(m_window.get());

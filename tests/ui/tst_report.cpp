@@ -252,8 +252,8 @@ private slots:
         QVERIFY(QTest::qWaitForWindowExposed(dialog.get()));
         QVERIFY(!dialog->testOption(QAbstractPrintDialog::PrintToFile));
         QCOMPARE(qgetenv("HOME"), home);
-        // Qt's own dialog opens the file, or this test says nothing. By then ours, which began earlier, would have,
-        // too.
+        // Qt's own dialog must open the file, or the test proves nothing. Our dialog began earlier and would have
+        // opened it, too.
         WatchedHome theirs;
         QVERIFY(theirs.isReady());
         QPrintDialog plain(&printer, &window);
@@ -410,7 +410,7 @@ private slots:
             for (const QImage& page : pagesOf(m_card, paper) + ofClass) {
                 const double inked = inkOf(page);
                 QVERIFY2(inked > 0.002 && inked < 0.35, qPrintable(QString::number(inked)));
-                // Nothing is painted over the line of the foot.
+                // The line above the footer stays free.
                 const int foot = static_cast<int>((paper.height() - 29.0) * kDotsPerPoint);
                 QCOMPARE(inkOf(page.copy(0, foot, page.width(), 1)), 0.0);
             }

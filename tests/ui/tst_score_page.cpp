@@ -189,7 +189,7 @@ private slots:
                 chip->click();
         QCOMPARE(wanted.count(), 1);
         QCOMPARE(wanted.front().front().toDouble(), 48.0);
-        // The others are folded away.
+        // The remaining moments are folded.
         QVERIFY2(chips.back()->text().contains("3"), qPrintable(chips.back()->text()));
         chips.back()->click();
         QTRY_COMPARE(row->findChildren<QPushButton*>().size(), 5);

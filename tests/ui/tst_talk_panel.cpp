@@ -334,7 +334,7 @@ private slots:
         QVERIFY(!fault()->isVisible() && comment()->toPlainText().isEmpty());
     }
 
-    /// Whoever looks at another place, or at the replay, does not mean their comment.
+    /// Looking at another point or at the replay does not change what the comment is pinned to.
     void whatIsTickedStaysWhatItIs()
     {
         comment()->setPlainText("Half a sentence");
@@ -352,7 +352,7 @@ private slots:
         QCOMPARE(atMoment()->text(), QString("at 0:02 of the replay"));
     }
 
-    /// As a place that is clicked on is.
+    /// The moment is ticked in the same way as a point that the user clicks.
     void theMomentOneWentToIsTicked()
     {
         const auto goTo = [this](std::int64_t ms) {
@@ -367,7 +367,7 @@ private slots:
         goTo(34'000);
         QVERIFY(atMoment()->isChecked());
         QCOMPARE(atMoment()->text(), QString("at 0:34 of the replay"));
-        // It stays when the user looks on.
+        // It stays ticked when the user goes to another moment.
         goTo(70'000);
         QVERIFY(atMoment()->isChecked());
         QCOMPARE(atMoment()->text(), QString("at 0:34 of the replay"));
@@ -446,7 +446,7 @@ private:
     [[nodiscard]] QCheckBox* atMoment() const { return get<QCheckBox>("atMoment"); }
     [[nodiscard]] QCheckBox* atPlace() const { return get<QCheckBox>("atPlace"); }
     [[nodiscard]] QLabel* fault() const { return get<QLabel>("fault"); }
-    /// As an attempt of 68.4 points, which did not pass.
+    /// Shows an attempt with 68.4 points, which is not passed.
     void showAttempt(qint64 id) const
     {
         m_panel->setAttempt(id);

@@ -34,10 +34,10 @@ namespace {
 
 constexpr int kCodes = static_cast<int>(ErrorCode::ChangedSince) + 1;
 
-/// Words that no sentence in another language has.
+/// Words that show that a sentence is English.
 const QRegularExpression kEnglish("\\b(is|the|must|there|with|write|missing|leave|which|and|choose|this|from)\\b");
 
-/// The language is spoken as long as this lives.
+/// Sets the language of the program until the returned object is deleted.
 std::unique_ptr<QTranslator> spoken(const QLocale& locale)
 {
     auto words = std::make_unique<QTranslator>();

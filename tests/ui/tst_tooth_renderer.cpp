@@ -37,7 +37,7 @@ private slots:
         QVERIFY(enamel.red > enamel.blue + 8.0);
     }
 
-    /// Seen from above a crown is one piece: in every row of pixels the tooth begins once and ends once.
+    /// From above, a crown has no holes: each row of pixels has one connected run of the tooth.
     void toothHasNoHoles()
     {
         show(support::syntheticMolar());
@@ -60,7 +60,7 @@ private slots:
         QVERIFY2(seams <= 4, qPrintable(QString("%1 rows are broken").arg(seams)));
     }
 
-    /// Beside the lesion: through the enamel into dentin, and over the chamber into the pulp.
+    /// One cut beside the lesion reaches dentin, and one above the pulp chamber reaches the pulp.
     void materialsShowInACutByDepth()
     {
         show(support::syntheticMolar());

@@ -77,7 +77,7 @@ class TestToothSurface : public QObject
     Q_OBJECT
 
 private slots:
-    // The coarsest grid, the usual one, and one that is thinned out.
+    // The coarsest grid, the default grid, and one that is drawn with fewer nodes than it has.
     void isClosedAlongTheRim_data() { support::rows<int>("side", {64, 150, 302}); }
 
     void isClosedAlongTheRim()

@@ -50,7 +50,7 @@ private slots:
         m_view->setSettings({});
         m_view->setLeftHanded(false);
         m_view->setDrillOn(false);
-        // A force that is set is written beside the bur for a while.
+        // The view shows a new force beside the bur for some time.
         if (m_view->pushForce() != PointerControl::kFirstN)
             m_view->setPushForce(PointerControl::kFirstN);
         m_view->setTooth(m_tooth, m_generation += 10);
@@ -350,7 +350,7 @@ private slots:
         QVERIFY(m_view->mirror());
         const glm::dvec3 first = m_view->mirror()->centreMm;
         const auto moved = [&](glm::dvec3 from) { return glm::distance(m_view->mirror()->centreMm, from); };
-        // The middle of the glass may be outside the view.
+        // The middle of the mirror may be outside the view.
         const auto grip = [this] {
             const QPoint middle = pixelOf(m_view->mirror()->centreMm);
             return QPoint(std::clamp(middle.x(), 8, 631), std::clamp(middle.y(), 8, 471));
@@ -400,7 +400,8 @@ private slots:
         QVERIFY(moved(first) < 1e-6);
     }
 
-    /// For a graphics card nothing else need move. A software driver rests, with smooth edges.
+    /// On a graphics card, a running bur turns even if nothing else moves. A software renderer shows a still picture
+    /// with smooth edges.
     void aBurThatRunsIsSeenToTurn()
     {
         for (const ToothView::Way way : {ToothView::Way::Window, ToothView::Way::Image}) {
@@ -423,7 +424,7 @@ private slots:
         }
     }
 
-    /// And every event is survived.
+    /// No event crashes the view.
     void isAnEmptyRoomWithoutATooth()
     {
         UiLinks links;
@@ -532,7 +533,7 @@ private:
         return QTest::qWaitFor([&] { return frames.count() >= count; });
     }
 
-    /// Whether no key moves the bur for some frames.
+    /// Returns whether the bur does not move during some frames.
     [[nodiscard]] bool burRests(int frames)
     {
         const glm::dvec2 rest = pointer().targetMm;

@@ -66,7 +66,7 @@ private slots:
     void keysLeadThroughIt()
     {
         m_window->beginTour();
-        // Keys of the window behind it rest.
+        // The shortcuts of the window are disabled during the tour.
         for (const auto& [key, step] : {std::pair(Qt::Key_Right, 1),
                                         {Qt::Key_Return, 2},
                                         {Qt::Key_X, 2},

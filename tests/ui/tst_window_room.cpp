@@ -56,7 +56,7 @@ private slots:
     {
         using core::settings::findHandpiece;
         press(Qt::Key_9);
-        // A lesson's order is its own: the slow one is its first, and the electric one is not at hand.
+        // The lesson sets the order: the low-speed handpiece is the first, and the electric one is not available.
         m_window->setHandpieces({findHandpiece("low-speed").value(), findHandpiece("turbine").value()});
         for (const Qt::Key key : {Qt::Key_9, Qt::Key_8, Qt::Key_7})
             press(key);
@@ -546,7 +546,7 @@ private:
                 last = aids->aids;
         return last;
     }
-    /// Whether the aids noted since the last call have this one; nothing if none were.
+    /// Returns whether the last noted aids include this one, or nothing if no aids were noted since the last call.
     [[nodiscard]] std::optional<bool> isNoted(int aid) const
     {
         const auto noted = aidsNoted();

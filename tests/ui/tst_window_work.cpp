@@ -90,7 +90,7 @@ private slots:
         QCOMPARE(drillSent(), QList<bool>{false});
         beginLesson(practice);
         QCOMPARE(drillSent(), QList<bool>{true});
-        // A user who has stopped the drill finds it stopped.
+        // If the user has stopped the drill, it stays off.
         actions().drill->setChecked(true);
         m_window->tellInfraction(breach(Breach::BurInAir), false);
         press(Qt::Key_Escape);
@@ -166,7 +166,7 @@ private slots:
         }
     }
 
-    /// The clock of a lesson is that of the work on it; an exam's goes on until there is a grade.
+    /// The clock of a lesson stops while nobody works. The clock of an exam runs until the attempt is graded.
     void aLessonsClockRestsWhereNobodyWorks()
     {
         double recordedS = 0.0;
@@ -198,12 +198,12 @@ private slots:
         QCOMPARE(pass(30.0), QString("1:30"));
         passOnAnotherPage(300.0);
         QCOMPARE(pass(10.0), QString("1:20"));
-        // A tooth that is whole again is still the same attempt, whose time is counted.
+        // Reloading the tooth does not begin a new attempt, so its time goes on.
         actions().reload->trigger();
         QCOMPARE(pass(20.0), QString("1:00"));
         QCOMPARE(passGraded(), QString("1:00"));
         QVERIFY2(!message().contains("time of this lesson"), qPrintable(message()));
-        // An attempt that is resumed has rested before as well.
+        // A resumed attempt keeps the pauses that it had before.
         begin(false);
         m_window->resumeClock(100.0, 40.0);
         recordedS = 100.0;
@@ -281,7 +281,7 @@ private slots:
             const QList<bool> drills = drillSent();
             QVERIFY(!drills.isEmpty() && drills.back());
         }
-        // A student who has cut nothing until the time was over has nothing to be graded, and begins anew.
+        // If the student has cut nothing when the time is over, there is nothing to grade and the exam begins again.
         beginLesson(exam);
         record(overS, 0.0, true);
         QVERIFY2(message().contains("time of this exam is over"), qPrintable(message()));
@@ -334,7 +334,7 @@ private slots:
         QVERIFY(!child<ui::study::LessonEditor>()->isVisible());
         QVERIFY2(message().contains("exam"), qPrintable(message()));
         actions().back->trigger();
-        // Graded, it is over; and in practice nothing is hidden.
+        // After grading, and in a practice attempt, nothing is hidden.
         const QStringList all{"0:20  The pulp is open", "0:20  The pulp is open", "Pulp opened"};
         m_window->showScore(sheet(3.2, 40, 0.5), {});
         actions().back->trigger();
@@ -369,7 +369,7 @@ private slots:
             m_window->setAssignment(*assignment);
             QCOMPARE(isOffered(), std::optional(is));
         }
-        // In a replay it is that of the lesson which is played, whatever lies on the table, but for an exam.
+        // In a replay, the played lesson decides, except during an exam.
         m_window->setReplaying(true, 10.0, nullptr, lessons::Lesson());
         QCOMPARE(isOffered(), std::optional(false));
         m_window->setReplaying(false);
@@ -473,7 +473,7 @@ private slots:
         actions().lessons->trigger();
         QVERIFY(message().isEmpty() && child<QFrame>("continueCard")->isVisible());
         actions().back->trigger();
-        // A closed offer is neither accepted nor declined.
+        // If the user closes the offer, it counts neither as accepted nor as declined.
         offerUnfinished(false);
         press(Qt::Key_Escape);
         QVERIFY(message().isEmpty());
@@ -670,7 +670,7 @@ private:
         press(Qt::Key_T);
         press(Qt::Key_Return);
     }
-    /// The servo says whether the bur turns.
+    /// Sets whether the servo reports a turning bur.
     void turn(bool on) const
     {
         ServoState servo;

@@ -317,7 +317,7 @@ void PeoplePart::speak()
     name(m_className, tr("Name of a class"));
     m_table->setAccessibleName(tr("People"));
     m_rows->setHeads({tr("Name"), tr("Login"), tr("Role"), tr("Classes"), tr("Last login"), tr("State")});
-    // No column is narrower than a heading: where there is no room for all of them, the list scrolls.
+    // No column is narrower than its heading. If there is too little room, the list scrolls.
     int widest = 0;
     for (const PeopleModel::Column one : {PeopleModel::Name, PeopleModel::Username, PeopleModel::Classes})
         widest = std::max(widest, m_table->horizontalHeader()->sectionSizeHint(one));
@@ -491,7 +491,7 @@ PeoplePart::Typed PeoplePart::asEntered(const Person& person)
     return form;
 }
 
-/// What was changed by hand stays; everything else is as it is in the school now.
+/// Returns the person as they are in the school now, with the user's changes applied.
 PeoplePart::Typed PeoplePart::onto(const Person& now, const Typed& typed)
 {
     const Typed before = asEntered(typed.asItWas);
@@ -507,7 +507,7 @@ PeoplePart::Typed PeoplePart::onto(const Person& now, const Typed& typed)
     return form;
 }
 
-/// Shows what there is now, with what was changed by hand.
+/// Fills the form with the person as they are in the school now and keeps the user's changes.
 void PeoplePart::rebase(const Person& now, const Typed& typed)
 {
     const Typed before = asEntered(typed.asItWas);
