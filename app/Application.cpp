@@ -321,7 +321,7 @@ void Application::openDatabase()
     m_stationFolder = address->isServer() ? dataFolder() : QFileInfo(address->file).absolutePath();
     m_address = *address;
     makeStationFolder();
-    m_window->setRecoveryFile(QDir(m_stationFolder).filePath(QStringLiteral("unsaved-lessons.json")));
+    m_window->setRecoveryFolder(m_stationFolder);
     m_desk = std::make_unique<SchoolDesk>(*address, m_stationFolder, m_options.opening, m_options.retry);
     m_letters = std::make_unique<Letters>(*m_desk);
     connect(m_letters.get(), &Letters::kept, this, &Application::takeKept);

@@ -309,8 +309,7 @@ private slots:
     void whatAnotherHasWrittenMeanwhileIsSeenAfterACrash()
     {
         makeOwn();
-        m_editor->setRecoveryFile(recoveryFile());
-        m_editor->recover(m_folder->path());
+        m_editor->recover(m_folder->path(), recoveryFile());
         spin("depth_mm")->setValue(1.5);
         delete m_editor;
         const QJsonObject others = writeElsewhere();
@@ -432,6 +431,13 @@ private slots:
         m_editor->undo();
         QVERIFY(m_editor->unsavedChanges().isEmpty());
         m_editor->redo();
+        // Somebody else takes the locked window: they do not see the draft, and its owner finds it at their next login.
+        m_editor->closeDrafts();
+        m_editor->recover(m_folder->path(), m_folder->filePath("others.json"));
+        QVERIFY(m_editor->unsavedChanges().isEmpty());
+        m_editor->recover(m_folder->path(), recoveryFile());
+        m_editor->edit(shipped("class1-36"), m_folder->path());
+        QCOMPARE(title()->text(), QString("Mine"));
         m_editor->discardChanges();
         QVERIFY(!QFile::exists(recoveryFile()));
         // Of a lesson that is not there, and of what is no draft, none is made.
@@ -656,8 +662,7 @@ private:
     std::unique_ptr<LessonEditor> recovered() const
     {
         auto made = std::make_unique<LessonEditor>(*m_actions, nullptr);
-        made->setRecoveryFile(recoveryFile());
-        made->recover(m_folder->path());
+        made->recover(m_folder->path(), recoveryFile());
         return made;
     }
     void startAgain()

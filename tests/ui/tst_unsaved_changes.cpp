@@ -84,6 +84,10 @@ private slots:
     {
         QFETCH(bool, quits);
         change("people");
+        const QTemporaryDir recovery;
+        m_window->setRecoveryFolder(recovery.path());
+        m_window->setMayEdit(true);
+        change("lesson");
         QSignalSpy leaves(m_window.get(), &MainWindow::logoutWanted);
         m_window->askWho(ui::people::Door::Locked);
         const auto leave = [&] {
@@ -103,6 +107,13 @@ private slots:
         QCOMPARE(leaves.size(), quits ? 0 : 1);
         QCOMPARE(m_window->isVisible(), !quits);
         QVERIFY(unsaved().isEmpty());
+        // The draft of the lesson waits for its owner, and for nobody else.
+        m_window->setWho(school().instructor);
+        m_window->setMayEdit(true);
+        QVERIFY(unsaved().isEmpty());
+        m_window->setWho(school().admin);
+        m_window->setMayEdit(true);
+        QVERIFY(!unsaved().isEmpty());
     }
 
     /// Whoever comes next, however that comes about.

@@ -654,8 +654,11 @@ void MainWindow::setMayEdit(bool may)
     m_mayEdit = may;
     m_actions->editLesson->setVisible(may);
     m_lessonsPage->setMayEdit(may);
-    if (may)
-        m_editor->recover(lessons::teachersFolder());
+    if (may && !m_recoveryFolder.isEmpty())
+        m_editor->recover(lessons::teachersFolder(),
+                          QStringLiteral("%1/unsaved-lessons-%2.json")
+                              .arg(m_recoveryFolder,
+                                   m_who.isGuest() ? QStringLiteral("guest") : QString::fromStdString(m_who.uid())));
     m_lessonsPage->setUnsaved(may ? m_editor->unsavedFiles() : QSet<QString>());
     enableActions();
 }
@@ -1030,11 +1033,6 @@ void MainWindow::editLesson(const lessons::ReadLesson& lesson)
     m_editor->edit(lesson, lessons::teachersFolder());
     emit knownAttemptsWanted(*lesson.lesson);
     goTo(m_editor);
-}
-
-void MainWindow::setRecoveryFile(const QString& file)
-{
-    m_editor->setRecoveryFile(file);
 }
 
 void MainWindow::setKnownAttempts(std::vector<study::MeasuredAttempt> attempts)
@@ -2414,12 +2412,14 @@ void MainWindow::leaveUnsaved(const std::function<void()>& what)
     }
     // Somebody else may be at the locked door: they do not learn what the changes are about.
     const bool isLocked = isAtLockedDoor();
-    ask("unsavedQuestion",
-        UnsavedChanges::question(isLocked ? QString() : unsaved,
-                                 isLocked ? QString::fromStdString(m_who.fullName()) : QString(), [this, what] {
-                                     m_unsaved.discard();
-                                     what();
-                                 }));
+    ask("unsavedQuestion", UnsavedChanges::question(
+                               isLocked ? QString() : unsaved,
+                               isLocked ? QString::fromStdString(m_who.fullName()) : QString(), [this, what, isLocked] {
+                                   if (isLocked)  // the drafts of lessons wait on the disk for their owner
+                                       m_editor->closeDrafts();
+                                   m_unsaved.discard();
+                                   what();
+                               }));
 }
 
 /// What the disk has refused so far, whoever made it: with the program goes who tries it again.

@@ -229,8 +229,8 @@ public slots:
     void showFeel(const core::settings::FeelPreset& now, const core::settings::FeelPreset& usual);
     /// Opens the editor on a sound lesson.
     void editLesson(const lessons::ReadLesson& lesson);
-    /// Where unsaved lessons survive a crash.
-    void setRecoveryFile(const QString& file);
+    /// The folder in which the unsaved lessons of each user survive a crash.
+    void setRecoveryFolder(const QString& folder) { m_recoveryFolder = folder; }
     /// What was measured of attempts at the lesson that is edited, as it is.
     void setKnownAttempts(std::vector<study::MeasuredAttempt> attempts);
     /// A recording of this length drives the bur: the student's own controls rest, the student's own work waits. Call
@@ -540,6 +540,7 @@ private:
     MessageBar* m_messages;
     BusyCard* m_busy;
     UnsavedChanges m_unsaved;
+    QString m_recoveryFolder;
     HelpOverlay* m_help;
     Tour* m_tour;
     QWidget* m_beforeTour = nullptr;  ///< the page where it began

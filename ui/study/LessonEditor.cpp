@@ -625,6 +625,13 @@ QString LessonEditor::unsavedChanges() const
     return count == 0 ? QString() : tr("What you have changed in %n lesson(s) would be lost.", nullptr, count);
 }
 
+void LessonEditor::closeDrafts()
+{
+    keepDrafts();
+    m_recoveryLock.reset();
+    discardChanges();
+}
+
 void LessonEditor::discardChanges()
 {
     for (auto& [from, opened] : m_opened) {
@@ -646,10 +653,13 @@ QSet<QString> LessonEditor::unsavedFiles() const
     return files;
 }
 
-void LessonEditor::recover(const QString& folder)
+void LessonEditor::recover(const QString& folder, const QString& file)
 {
-    if (m_recoveryFile.isEmpty() || m_recoveryLock)
+    if (m_recoveryLock && file == m_recoveryFile)
         return;
+    m_recoveryLock.reset();
+    m_recoveryFile = file;
+    m_kept = {};
     QDir().mkpath(QFileInfo(m_recoveryFile).absolutePath());
     core::FileLock lock((m_recoveryFile + QStringLiteral(".lock")).toStdU16String());
     if (!lock.isHeld())
@@ -662,7 +672,7 @@ void LessonEditor::recover(const QString& folder)
         const QString from = one["from"].toString();
         const ::lessons::ReadLesson read = ::lessons::readLesson(from);
         const QJsonObject object = one["lesson"].toObject();
-        if (!read.lesson || object.isEmpty() || m_opened.contains(from))
+        if (!read.lesson || object.isEmpty() || (m_opened.contains(from) && m_opened.at(from).draft.isChanged()))
             continue;
         Opened& opened = m_opened[from];
         opened.lesson = *read.lesson;

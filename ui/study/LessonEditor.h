@@ -58,12 +58,13 @@ public:
     /// The files that those drafts began from.
     [[nodiscard]] QSet<QString> unsavedFiles() const;
 
-    /// The file into which recover() will write unsaved drafts.
-    void setRecoveryFile(const QString& file) { m_recoveryFile = file; }
-    /// Brings the drafts back that a program left in the recovery file when it crashed, and keeps unsaved drafts there
-    /// from now on. Another window that uses the file already goes on using it.
+    /// Closes all drafts. The unsaved ones stay in the recovery file, from which recover() brings them back.
+    void closeDrafts();
+    /// Restores the unsaved drafts in a recovery file, and writes unsaved drafts there from now on. Does nothing if
+    /// another window uses the file.
     /// @param folder  the teacher's
-    void recover(const QString& folder);
+    /// @param file  the user's own
+    void recover(const QString& folder, const QString& file);
 
     /// What was measured of attempts at the lesson that is edited, as it was when it was opened: they count in the
     /// sweep until its ideal is changed.
