@@ -81,6 +81,9 @@ private slots:
         // The admin logs out.
         showCode(ada);
         QVERIFY(showsCode() && !people().unsavedChanges().isEmpty());
+        // A code that was copied is not lost.
+        click("copyCode");
+        QVERIFY(showsCode() && people().unsavedChanges().isEmpty());
         people().discardChanges();
         QVERIFY(!showsCode() && !state(0).contains("shown here"));
     }

@@ -263,7 +263,10 @@ QWidget* PeoplePart::makeForm()
     connect(m_keep, &QPushButton::clicked, this, keep);
     connect(m_thought, &SecondThought::withdrawn, this, keep);
     connect(m_disable, &QPushButton::clicked, this, &PeoplePart::toggleDisabled);
-    connect(m_copy, &QPushButton::clicked, this, [this] { QGuiApplication::clipboard()->setText(m_code->text()); });
+    connect(m_copy, &QPushButton::clicked, this, [this] {
+        QGuiApplication::clipboard()->setText(m_code->text());
+        m_codes[m_chosen].isCopied = true;
+    });
     const auto addClass = [this] {
         endThought();
         const QString wanted = m_className->text().trimmed();
@@ -566,10 +569,11 @@ QString PeoplePart::unsavedChanges() const
     QStringList sentences;
     if (isHalfFilled())
         sentences << formWords();
-    if (!m_codes.isEmpty()) {
-        QStringList names;
-        for (const Code& one : m_codes)
+    QStringList names;
+    for (const Code& one : m_codes)
+        if (!one.isCopied)
             names << one.fullName;
+    if (!names.isEmpty()) {
         names.sort();
         //: %1: a person, or several
         sentences << tr("%n one-time code(s) are shown under School, and kept nowhere else: %1.", nullptr,

@@ -90,6 +90,7 @@ private:
         QString fullName;
         QString code;
         std::string untilUtc;
+        bool isCopied = false;
     };
     /// What is asked before it is done.
     enum class Question { Password, OwnRole, OwnAccount };
