@@ -142,6 +142,38 @@ std::optional<int> parse(QCommandLineParser& parser, const QStringList& argument
     return wrongUsage(fault + QStringLiteral("; usage: ") + usage);
 }
 
+void addJson(QCommandLineParser& parser)
+{
+    parser.addOption({QStringLiteral("json"), QStringLiteral("Answers in JSON.")});
+}
+
+int runPart(const QString& command, std::span<const CommandPart> parts, const QStringList& arguments)
+{
+    QStringList names;
+    for (const CommandPart& part : parts)
+        names << QLatin1String(part.name);
+    if (arguments.isEmpty())
+        return wrongUsage(
+            QStringLiteral("say what about %1s: %2; \"cusp %1 --help\" explains")
+                .arg(command, names.mid(0, names.size() - 1).join(u", ") + QStringLiteral(" or ") + names.last()));
+    const QString& first = arguments.front();
+    if (first == u"--help" || first == u"-h" || first == u"help") {
+        QString text = QStringLiteral("Usage: cusp %1 PART [OPTIONS]\n\n").arg(command);
+        for (const CommandPart& part : parts)
+            text += QStringLiteral("  cusp %1 %2 %3\n")
+                        .arg(command)
+                        .arg(QLatin1String(part.name), -9)
+                        .arg(QLatin1String(part.summary));
+        printText(text + QStringLiteral("\n\"cusp %1 PART --help\" explains one.\n").arg(command));
+        return kDone;
+    }
+    const qsizetype at = names.indexOf(first);
+    if (at < 0)
+        return wrongUsage(
+            QStringLiteral("cusp %1 has no part \"%2\"; \"cusp %1 --help\" lists them").arg(command, printable(first)));
+    return parts[static_cast<std::size_t>(at)].run(arguments.mid(1));
+}
+
 void addToothOptions(QCommandLineParser& parser)
 {
     const auto add = [&](const char* name, const char* help, const char* value, const char* standard = "") {

@@ -26,6 +26,21 @@ namespace app::cli {
 [[nodiscard]] std::optional<int> parse(QCommandLineParser& parser, const QStringList& arguments, const QString& usage,
                                        const QString& repeatable = {});
 
+/// Adds --json.
+void addJson(QCommandLineParser& parser);
+
+/// A part of a command such as "cusp lesson".
+struct CommandPart
+{
+    const char* name;
+    const char* summary;
+    int (*run)(const QStringList& arguments);
+};
+
+/// Runs the part that the first argument names, or explains the parts.
+/// @param command  its name, "lesson"
+int runPart(const QString& command, std::span<const CommandPart> parts, const QStringList& arguments);
+
 /// Adds --grid --unit --up --fdi --frame --seed --layers --caries --extent: how a tooth is read or made.
 void addToothOptions(QCommandLineParser& parser);
 

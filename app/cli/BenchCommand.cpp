@@ -74,7 +74,7 @@ void addOptions(QCommandLineParser& parser)
                       QStringLiteral("DIR")});
     parser.addOption({QStringLiteral("minutes"), QStringLiteral("Length of the drilling suite (default 10)."),
                       QStringLiteral("N"), QStringLiteral("10")});
-    parser.addOption({QStringLiteral("json"), QStringLiteral("Answers in JSON.")});
+    addJson(parser);
 }
 
 }  // namespace

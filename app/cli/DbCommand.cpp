@@ -198,7 +198,7 @@ int backUpFile(const QCommandLineParser& parser, const Address& address)
     if (!made)
         return failedWithBackups(made.error(), address);
     const QStringList gone = database::sql::removeOldBackups(open->school->db, folder);
-    return answer(parser, QStringLiteral("Backed up to %1, and checked.").arg(*made),
+    return answer(parser, QStringLiteral("Backed up to %1. Its pages and keys are whole.").arg(*made),
                   {{"backup", *made}, {"removed", QJsonArray::fromStringList(gone)}});
 }
 
@@ -524,7 +524,9 @@ void addWitness(QCommandLineParser& parser)
 
 void addBackupFolder(QCommandLineParser& parser)
 {
-    parser.addOption({QStringLiteral("to"), QStringLiteral("The folder; \"backups\" beside the database if not given."),
+    parser.addOption({QStringLiteral("to"),
+                      QStringLiteral("The folder; beside cusp.sqlite \"backups\" if not given, beside X.sqlite "
+                                     "\"X.sqlite-backups\"."),
                       QStringLiteral("FOLDER")});
 }
 
@@ -543,7 +545,8 @@ constexpr std::array kParts{
     Part{"check", "cusp db check [--db FILE|URL] [--witness CODE]... [--json]",
          "looks at everything: pages, keys, audit, attempts; names what was changed", addWitness, checkWhole},
     Part{"backup", "cusp db backup [--db FILE] [--to FOLDER] [--json]",
-         "copies the file after a good check, and thins out older backups", addBackupFolder, backUpFile},
+         "copies the file, checks the pages and keys of the copy, and removes older backups", addBackupFolder,
+         backUpFile},
     Part{"restore", "cusp db restore BACKUP [--db FILE]", "puts a backup in the place of the file", nothing,
          restoreFile, true},
     Part{"migrate", "cusp db migrate [--db FILE|URL]", "brings an older database to this program's schema", nothing,
@@ -580,7 +583,7 @@ int dbCommand(const QStringList& arguments)
     parser.setApplicationDescription(QStringLiteral("%1.").arg(QLatin1String(part->summary)));
     addDatabaseOption(parser);
     part->addOptions(parser);
-    parser.addOption({QStringLiteral("json"), QStringLiteral("Answers in JSON.")});
+    addJson(parser);
     if (const auto code = parse(parser, arguments.mid(1), QLatin1String(part->usage), QStringLiteral("witness")))
         return *code;
     if (parser.positionalArguments().size() != (part->takesFile ? 1 : 0))

@@ -322,7 +322,7 @@ int framesCommand(const QStringList& arguments)
         "what is seen is."));
     parser.addOption({QStringLiteral("size"), QStringLiteral("Of the view in pixels; 1280x800 if not given."),
                       QStringLiteral("WxH"), QStringLiteral("1280x800")});
-    parser.addOption({QStringLiteral("json"), QStringLiteral("Answers in JSON.")});
+    addJson(parser);
     const QString usage = QStringLiteral("cusp frames [--size WxH] [--json]");
     if (const auto code = parse(parser, arguments, usage))
         return *code;

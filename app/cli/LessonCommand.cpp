@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
 #include <array>
 
 #include <QDir>
@@ -60,11 +59,6 @@ QJsonObject toJson(const lessons::ReadLesson& read)
         object.insert("rubric_hash", QString::fromStdString(read.lesson->rubric.hash));
     }
     return object;
-}
-
-void addJson(QCommandLineParser& parser)
-{
-    parser.addOption({QStringLiteral("json"), QStringLiteral("Answers in JSON.")});
 }
 
 void addFolder(QCommandLineParser& parser)
@@ -251,51 +245,22 @@ int listMeasures(const QStringList& arguments)
     return kDone;
 }
 
-struct Part
-{
-    const char* name;
-    const char* summary;
-    int (*run)(const QStringList& arguments);
-};
 constexpr std::array kParts{
-    Part{"list", "the lessons there are", listLessons},
-    Part{"check", "what is wrong with lessons", checkLessons},
-    Part{"new", "writes a lesson to begin with", newLessonPart},
-    Part{"preview", "draws what a lesson asks for", previewLessonPart},
-    Part{"capture", "makes an ideal of recordings", captureLessonPart},
-    Part{"pack", "puts lessons and all they need into one file", packLessonsPart},
-    Part{"unpack", "takes them out again", unpackLessonsPart},
-    Part{"measures", "what a rubric can judge", listMeasures},
+    CommandPart{"list", "the lessons there are", listLessons},
+    CommandPart{"check", "what is wrong with lessons", checkLessons},
+    CommandPart{"new", "writes a lesson to begin with", newLessonPart},
+    CommandPart{"preview", "draws what a lesson asks for", previewLessonPart},
+    CommandPart{"capture", "makes an ideal of recordings", captureLessonPart},
+    CommandPart{"pack", "puts lessons and all they need into one file", packLessonsPart},
+    CommandPart{"unpack", "takes them out again", unpackLessonsPart},
+    CommandPart{"measures", "what a rubric can judge", listMeasures},
 };
-
-QString partsHelp()
-{
-    QString text = QStringLiteral("Usage: cusp lesson PART [OPTIONS]\n\n");
-    for (const Part& part : kParts)
-        text +=
-            QStringLiteral("  cusp lesson %1 %2\n").arg(QLatin1String(part.name), -9).arg(QLatin1String(part.summary));
-    return text + QStringLiteral("\n\"cusp lesson PART --help\" explains one.\n");
-}
 
 }  // namespace
 
 int lessonCommand(const QStringList& arguments)
 {
-    if (arguments.isEmpty())
-        return wrongUsage(
-            QStringLiteral("say what about lessons: list, check, new, preview, capture, pack, unpack or measures; "
-                           "\"cusp lesson --help\" explains"));
-    const QString& first = arguments.front();
-    if (first == u"--help" || first == u"-h" || first == u"help") {
-        printText(partsHelp());
-        return kDone;
-    }
-    const auto* const found =
-        std::find_if(kParts.begin(), kParts.end(), [&](const Part& part) { return first == QLatin1String(part.name); });
-    if (found == kParts.end())
-        return wrongUsage(
-            QStringLiteral("cusp lesson has no part \"%1\"; \"cusp lesson --help\" lists them").arg(printable(first)));
-    return found->run(arguments.mid(1));
+    return runPart(QStringLiteral("lesson"), kParts, arguments);
 }
 
 }  // namespace app::cli

@@ -226,7 +226,7 @@ int captureLessonPart(const QStringList& arguments)
     option("depth", "Tolerance of the floor's depth, mm (0.25).", "MM");
     option("wall", "Tolerance of the walls' angle, degrees (5).", "DEG");
     option("floor", "Tolerance of the floor's evenness, mm (0.1).", "MM");
-    parser.addOption({QStringLiteral("json"), QStringLiteral("Answers in JSON.")});
+    addJson(parser);
     const QString usage = QStringLiteral("cusp lesson capture --out FILE.cuspideal RECORDING ... [OPTIONS]");
     if (const auto code = parse(parser, arguments, usage))
         return *code;

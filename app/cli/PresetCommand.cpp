@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -50,11 +49,6 @@ QString toText(const std::vector<lessons::Fault>& faults)
     for (const lessons::Fault& fault : faults)
         text += printable(fault.sentence()) + u'\n';
     return text;
-}
-
-void addJson(QCommandLineParser& parser)
-{
-    parser.addOption({QStringLiteral("json"), QStringLiteral("Answers in JSON.")});
 }
 
 void addFolder(QCommandLineParser& parser)
@@ -230,41 +224,17 @@ int showPreset(const QStringList& arguments)
     return kDone;
 }
 
-struct Part
-{
-    const char* name;
-    const char* summary;
-    int (*run)(const QStringList& arguments);
-};
 constexpr std::array kParts{
-    Part{"list", "those there are", listPresets},
-    Part{"check", "what is wrong with a preset's file", checkPresets},
-    Part{"show", "the numbers of one", showPreset},
+    CommandPart{"list", "those there are", listPresets},
+    CommandPart{"check", "what is wrong with a preset's file", checkPresets},
+    CommandPart{"show", "the numbers of one", showPreset},
 };
 
 }  // namespace
 
 int presetCommand(const QStringList& arguments)
 {
-    if (arguments.isEmpty())
-        return wrongUsage(
-            QStringLiteral("say what about presets: list, check or show; \"cusp preset --help\" explains"));
-    const QString& first = arguments.front();
-    if (first == u"--help" || first == u"-h" || first == u"help") {
-        QString text = QStringLiteral("Usage: cusp preset PART [OPTIONS]\n\n");
-        for (const Part& part : kParts)
-            text += QStringLiteral("  cusp preset %1 %2\n")
-                        .arg(QLatin1String(part.name), -6)
-                        .arg(QLatin1String(part.summary));
-        printText(text + QStringLiteral("\n\"cusp preset PART --help\" explains one.\n"));
-        return kDone;
-    }
-    const auto* const found =
-        std::find_if(kParts.begin(), kParts.end(), [&](const Part& part) { return first == QLatin1String(part.name); });
-    if (found == kParts.end())
-        return wrongUsage(
-            QStringLiteral("cusp preset has no part \"%1\"; \"cusp preset --help\" lists them").arg(printable(first)));
-    return found->run(arguments.mid(1));
+    return runPart(QStringLiteral("preset"), kParts, arguments);
 }
 
 }  // namespace app::cli

@@ -63,7 +63,7 @@ int replayCommand(const QStringList& arguments)
     parser.addPositionalArgument(QStringLiteral("RECORDING"), QStringLiteral("A file that Cusp has saved."));
     parser.addOption({QStringLiteral("moments"),
                       QStringLiteral("Says when each point was lost, and the score at half and at double the grid.")});
-    parser.addOption({QStringLiteral("json"), QStringLiteral("Answers in JSON.")});
+    addJson(parser);
     const QString usage = QStringLiteral("cusp replay RECORDING [--moments] [--json]");
     if (const auto code = parse(parser, arguments, usage))
         return *code;

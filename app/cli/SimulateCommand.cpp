@@ -147,7 +147,7 @@ void addOptions(QCommandLineParser& parser)
          QStringLiteral("Columns and fins that a cut leaves standing, more than six times as high as wide, "
                         "break off.")});
     option("record", "Saves a recording for cusp replay.", "FILE");
-    parser.addOption({QStringLiteral("json"), QStringLiteral("Answers in JSON.")});
+    addJson(parser);
 }
 
 core::Result<haptics::SimulationOptions> simulationOptions(const QCommandLineParser& parser)

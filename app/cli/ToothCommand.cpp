@@ -148,7 +148,7 @@ int toothCommand(const QStringList& arguments)
     addToothOptions(parser);
     parser.addOption({QStringLiteral("export"), QStringLiteral("Writes the mesh in the tooth frame, in mm."),
                       QStringLiteral("FILE.obj")});
-    parser.addOption({QStringLiteral("json"), QStringLiteral("Answers in JSON.")});
+    addJson(parser);
     const QString usage = QStringLiteral("cusp tooth FILE|FDI [OPTIONS]");
     if (const auto code = parse(parser, arguments, usage))
         return *code;
