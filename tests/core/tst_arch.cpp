@@ -15,6 +15,7 @@
 #include "core/teeth/Arch.h"
 #include "core/teeth/ToothTable.h"
 #include "tests/support/Checks.h"
+#include "tests/support/Suite.h"
 #include "tests/support/Tables.h"
 
 using namespace core::teeth;
@@ -369,5 +370,5 @@ private:
     const Arch m_arch;
 };
 
-QTEST_APPLESS_MAIN(TestArch)
+CUSP_TEST(TestArch)
 #include "tst_arch.moc"

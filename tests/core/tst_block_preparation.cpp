@@ -11,18 +11,18 @@
 #include "core/preparation/BlockPreparation.h"
 #include "core/teeth/ToothBuilder.h"
 #include "tests/support/Checks.h"
+#include "tests/support/Suite.h"
 #include "tests/support/SyntheticTooth.h"
 #include "tests/support/Tables.h"
 
 using namespace core;
 using namespace core::preparation;
 using grading::Part;
+using support::kPi;
 using teeth::BlockDesign;
 using teeth::BlockShape;
 
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 BlockDesign designOf(BlockShape shape)
 {
@@ -328,5 +328,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestBlockPreparation)
+CUSP_TEST(TestBlockPreparation)
 #include "tst_block_preparation.moc"

@@ -8,6 +8,7 @@
 #include "core/recording/Replay.h"
 #include "tests/support/Checks.h"
 #include "tests/support/Rig.h"
+#include "tests/support/Suite.h"
 #include "tests/support/SyntheticTooth.h"
 #include "tests/support/Tables.h"
 
@@ -173,5 +174,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestBreakOff)
+CUSP_TEST(TestBreakOff)
 #include "tst_break_off.moc"

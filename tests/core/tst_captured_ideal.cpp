@@ -14,6 +14,7 @@
 #include "tests/fuzz/Exercises.h"
 #include "tests/support/Checks.h"
 #include "tests/support/Files.h"
+#include "tests/support/Suite.h"
 #include "tests/support/SyntheticTooth.h"
 
 using namespace core;
@@ -264,5 +265,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestCapturedIdeal)
+CUSP_TEST(TestCapturedIdeal)
 #include "tst_captured_ideal.moc"

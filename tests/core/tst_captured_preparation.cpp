@@ -9,6 +9,7 @@
 #include "core/preparation/ToothPreparation.h"
 #include "core/teeth/ToothBuilder.h"
 #include "tests/support/Checks.h"
+#include "tests/support/Suite.h"
 #include "tests/support/SyntheticTooth.h"
 
 using namespace core;
@@ -17,7 +18,7 @@ using grading::Part;
 
 namespace {
 
-Block block(teeth::BlockShape shape = teeth::BlockShape::Line)
+Block practiceBlock(teeth::BlockShape shape = teeth::BlockShape::Line)
 {
     teeth::BlockDesign design;
     design.shape = shape;
@@ -25,12 +26,12 @@ Block block(teeth::BlockShape shape = teeth::BlockShape::Line)
 }
 
 /// The ideal, cut so much too deep.
-terrain::Tooth attemptAt(const Block& block, float tooDeepMm)
+terrain::Tooth attemptAt(const Block& practiceBlock, float tooDeepMm)
 {
-    terrain::Tooth tooth(block.anatomy);
+    terrain::Tooth tooth(practiceBlock.anatomy);
     for (std::size_t k = 0; k < tooth.top.size(); ++k)
-        if (block.ideal.parts[k] != Part::Keep)
-            tooth.top[k] = (*block.ideal.top)[k] - tooDeepMm;
+        if (practiceBlock.ideal.parts[k] != Part::Keep)
+            tooth.top[k] = (*practiceBlock.ideal.top)[k] - tooDeepMm;
     return tooth;
 }
 
@@ -51,7 +52,7 @@ class TestCapturedPreparation : public QObject
 private slots:
     void oneAttemptIsItself()
     {
-        const Block cross = block(teeth::BlockShape::Cross);
+        const Block cross = practiceBlock(teeth::BlockShape::Cross);
         const auto ideal = average({attemptAt(cross, 0.0F)});
         QVERIFY(ideal);
         QVERIFY(*ideal->top == *cross.ideal.top);
@@ -61,7 +62,7 @@ private slots:
 
     void heightsAreTheMean()
     {
-        const Block line = block();
+        const Block line = practiceBlock();
         const auto ideal = average({attemptAt(line, 0.0F), attemptAt(line, 0.1F), attemptAt(line, 0.35F)});
         QVERIFY(ideal);
         for (std::size_t k = 0; k < ideal->parts.size(); ++k)
@@ -73,7 +74,7 @@ private slots:
 
     void mostOfTheAttemptsDecide()
     {
-        const Block line = block();
+        const Block line = practiceBlock();
         terrain::Tooth slipped = attemptAt(line, 0.0F);
         const terrain::Grid& grid = line.anatomy->grid;
         const std::size_t aside = grid.index(grid.side / 2, grid.side / 4);
@@ -102,7 +103,7 @@ private slots:
     void ofTwoTheMeanOutlineDecides()
     {
         // Round cuts, one wider than the other and beside it: theirs is the one between.
-        const Block plain = block();
+        const Block plain = practiceBlock();
         const terrain::Grid& grid = plain.anatomy->grid;
         const glm::dvec2 middle = grid.middleMm();
         const auto round = [&](double radiusMm, double asideMm) {
@@ -130,7 +131,7 @@ private slots:
     void floorIsToldFromWall()
     {
         // A trench whose sides rise at 60 degrees and whose floor slopes at 10.
-        const Block line = block();
+        const Block line = practiceBlock();
         const double steep = std::tan(60.0 * 3.14159265358979 / 180.0);
         const double gentle = std::tan(10.0 * 3.14159265358979 / 180.0);
         const auto floorAt = [&](glm::dvec2 at) { return -2.0 + gentle * at.x; };
@@ -184,15 +185,15 @@ private slots:
 
     void attemptsThatDoNotGoTogetherAreRefused()
     {
-        const Block line = block();
-        const Block cross = block(teeth::BlockShape::Layers);
+        const Block line = practiceBlock();
+        const Block cross = practiceBlock(teeth::BlockShape::Layers);
         QVERIFY(support::isRefused(average({}), "none"));
         QVERIFY(support::isRefused(average({attemptAt(line, 0.0F), terrain::Tooth(cross.anatomy)}), "block:layers"));
         QVERIFY(support::isRefused(average({terrain::Tooth(line.anatomy)}), "no place"));
         // The same tooth built a second time is the same tooth.
-        QVERIFY(average({attemptAt(line, 0.0F), attemptAt(block(), 0.2F)}));
+        QVERIFY(average({attemptAt(line, 0.0F), attemptAt(practiceBlock(), 0.2F)}));
     }
 };
 
-QTEST_GUILESS_MAIN(TestCapturedPreparation)
+CUSP_TEST(TestCapturedPreparation)
 #include "tst_captured_preparation.moc"

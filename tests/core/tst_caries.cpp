@@ -7,6 +7,7 @@
 #include "core/teeth/Caries.h"
 #include "core/teeth/Layers.h"
 #include "tests/support/Checks.h"
+#include "tests/support/Suite.h"
 #include "tests/support/SyntheticTooth.h"
 #include "tests/support/Tables.h"
 #include "tests/support/ToothMaps.h"
@@ -71,7 +72,7 @@ double leastOverPulp(const ToothMaps& maps, const std::vector<ColumnLayers>& lay
     return least;
 }
 
-QString broken(const ToothMaps& maps, const std::vector<ColumnLayers>& layers)
+QString brokenDecay(const ToothMaps& maps, const std::vector<ColumnLayers>& layers)
 {
     for (std::size_t k = 0; k < layers.size(); ++k) {
         if (!hasCaries(layers[k]))
@@ -112,7 +113,7 @@ private slots:
                     if (side == 512 && seed != 3)
                         continue;
                     const auto layers = decay(tooth.maps, tooth.fdi, rule, 1.0, seed);
-                    const QString wrong = broken(tooth.maps, layers);
+                    const QString wrong = brokenDecay(tooth.maps, layers);
                     QVERIFY2(wrong.isEmpty(), qPrintable(tooth.name.c_str() + QStringLiteral(": ") + wrong));
                     QVERIFY2(volume(tooth.maps, layers) > 0.5, tooth.name.c_str());
                     QVERIFY2(leastOverPulp(tooth.maps, layers) >= 0.5, tooth.name.c_str());
@@ -239,9 +240,9 @@ private slots:
     {
         for (const support::NamedMaps& odd : support::oddMaps())
             for (const CariesRule rule : kRules)
-                QVERIFY2(broken(odd.maps, decay(odd.maps, 36, rule, 1.0, 2)).isEmpty(), odd.name.c_str());
+                QVERIFY2(brokenDecay(odd.maps, decay(odd.maps, 36, rule, 1.0, 2)).isEmpty(), odd.name.c_str());
     }
 };
 
-QTEST_GUILESS_MAIN(TestCaries)
+CUSP_TEST(TestCaries)
 #include "tst_caries.moc"

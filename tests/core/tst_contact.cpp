@@ -12,6 +12,7 @@
 #include "core/contact/Kernels.h"
 #include "core/teeth/ToothBuilder.h"
 #include "tests/support/Checks.h"
+#include "tests/support/Suite.h"
 #include "tests/support/SyntheticMolar.h"
 #include "tests/support/SyntheticTooth.h"
 #include "tests/support/Tables.h"
@@ -19,10 +20,9 @@
 
 using namespace core;
 using support::between;
+using support::kDegree;
 
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 /// A tooth, a contact method, and a bur at its start position.
 struct Scene
@@ -677,5 +677,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestContact)
+CUSP_TEST(TestContact)
 #include "tst_contact.moc"

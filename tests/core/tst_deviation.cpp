@@ -16,6 +16,7 @@
 #include "core/grading/IdealCavity.h"
 #include "core/teeth/ToothBuilder.h"
 #include "tests/support/Checks.h"
+#include "tests/support/Suite.h"
 #include "tests/support/SyntheticTooth.h"
 #include "tests/support/Tables.h"
 #include "tests/support/Trials.h"
@@ -26,6 +27,7 @@ using grading::Part;
 using grading::Placed;
 using grading::Preparation;
 using grading::Side;
+using support::kDegree;
 using support::lowered;
 using support::near;
 using support::nodeAt;
@@ -34,9 +36,7 @@ using support::Surface;
 namespace {
 
 constexpr double kExtentMm = 10.5;
-constexpr double kDegree = std::numbers::pi / 180.0;
-
-Surface turned(const Surface& surface, double degrees)
+Surface turnedSurface(const Surface& surface, double degrees)
 {
     const double c = std::cos(degrees * kDegree);
     const double s = std::sin(degrees * kDegree);
@@ -115,8 +115,8 @@ double trenchMm3(double length, double radius, double depth, double degrees)
 }
 
 /// A lie of the lattice under the scene.
-std::shared_ptr<const terrain::ToothAnatomy> block(int side, glm::dvec2 shiftInCells = {0.0, 0.0},
-                                                   double dejMm = -100.0)
+std::shared_ptr<const terrain::ToothAnatomy> slabOf(int side, glm::dvec2 shiftInCells = {0.0, 0.0},
+                                                    double dejMm = -100.0)
 {
     const double cellMm = kExtentMm / side;
     return support::makeBlock({.side = side, .cellMm = cellMm, .shiftMm = shiftInCells * cellMm, .dejMm = dejMm});
@@ -201,12 +201,12 @@ private slots:
         const auto add = [](const char* name, const Surface& surface, double mm3) {
             QTest::newRow(name) << surface << mm3;
         };
-        add("box", turned(box(3.0, 2.0, 1.5), 17.0), 9.0);
+        add("box", turnedSurface(box(3.0, 2.0, 1.5), 17.0), 9.0);
         add("box, 8 degrees", box(3.0, 2.0, 1.5, 8.0), boxMm3(3.0, 2.0, 1.5, 8.0));
         add("cone", round(1.6, 1.6, 45.0), roundMm3(1.6, 1.6, 45.0));
         add("frustum, 10 degrees", round(1.6, 1.5, 10.0), roundMm3(1.6, 1.5, 10.0));
-        add("wedge", turned(wedge(3.0, 2.0, 2.0), 28.0), 6.0);
-        add("trench", turned(trench(3.0, 0.6, 1.5, 0.0), 17.0), trenchMm3(3.0, 0.6, 1.5, 0.0));
+        add("wedge", turnedSurface(wedge(3.0, 2.0, 2.0), 28.0), 6.0);
+        add("trench", turnedSurface(trench(3.0, 0.6, 1.5, 0.0), 17.0), trenchMm3(3.0, 0.6, 1.5, 0.0));
         add("trench, 6 degrees", trench(3.0, 0.6, 1.5, 6.0), trenchMm3(3.0, 0.6, 1.5, 6.0));
     }
 
@@ -218,7 +218,7 @@ private slots:
         for (const auto& [side, percent] : {std::pair(64, 2.0), std::pair(150, 0.5), std::pair(300, 0.15)}) {
             double worst = 0.0;
             for (const glm::dvec2 shift : lies(support::trials(3, 12))) {
-                const Deviation d = compared(block(side, shift), surface, surface);
+                const Deviation d = compared(slabOf(side, shift), surface, surface);
                 worst = std::max(worst, 100.0 * std::abs(d.removedMm3 / mm3 - 1.0));
                 QCOMPARE(d.idealMm3, d.removedMm3);
             }
@@ -235,7 +235,7 @@ private slots:
         double mean = 0.0;
         for (const glm::dvec2 shift : lies(400)) {
             const Surface wanted = box(3.0, 2.0, 1.5);
-            const double mm3 = compared(block(150, shift), wanted, wanted).removedMm3;
+            const double mm3 = compared(slabOf(150, shift), wanted, wanted).removedMm3;
             mean += mm3 / 400.0;
             QVERIFY(mm3 > 1.5 * (3.0 - cell) * (2.0 - cell) && mm3 < 1.5 * (3.0 + cell) * (2.0 + cell));
         }
@@ -246,7 +246,7 @@ private slots:
     {
         // The height of a column that stands for its cell: the share of it under the box, in closed form.
         for (const glm::dvec2 shift : lies(12)) {
-            const auto anatomy = block(150, shift);
+            const auto anatomy = slabOf(150, shift);
             const double cell = anatomy->grid.cellMm;
             const auto covered = [&](double at, double half) {
                 return std::clamp((std::min(at + 0.5 * cell, half) - std::max(at - 0.5 * cell, -half)) / cell, 0.0,
@@ -263,9 +263,9 @@ private slots:
         const double common = 2.8 * 1.9 * 1.5;
         const double all = 3.0 * 2.0 * 1.75;
         for (const glm::dvec2 shift : lies(8)) {
-            const Surface wanted = turned(box(3.0, 2.0, 1.5), 17.0);
-            const Surface done = turned(movedBy(box(3.0, 2.0, 1.5), {0.2, -0.1, -0.25}), 17.0);
-            const Deviation d = compared(block(150, shift), done, wanted);
+            const Surface wanted = turnedSurface(box(3.0, 2.0, 1.5), 17.0);
+            const Surface done = turnedSurface(movedBy(box(3.0, 2.0, 1.5), {0.2, -0.1, -0.25}), 17.0);
+            const Deviation d = compared(slabOf(150, shift), done, wanted);
             QVERIFY(near(d.overcutMm3(), all - common, 0.005 * 9.0));
             QVERIFY(near(d.overcutBelowMm3, 2.8 * 1.9 * 0.25, 0.005 * 9.0));
             QVERIFY(near(d.undercutMm3, 9.0 - common, 0.005 * 9.0));
@@ -311,7 +311,7 @@ private slots:
         const auto slope = [](double x) { return -0.1 + 0.1 * x; };
         for (const int side : {64, 150, 300})
             for (const glm::dvec2 shift : lies(6)) {
-                const auto anatomy = block(side, shift);
+                const auto anatomy = slabOf(side, shift);
                 const Surface wanted = box(4.0, 2.0, 1.5);
                 const Surface done = changed(wanted, [&](glm::dvec2 p) { return slope(p.x); });
                 const grading::DepthError e = compared(anatomy, done, wanted).depth.value();
@@ -332,7 +332,7 @@ private slots:
 
     void aWallASmallWayAsideIsNoErrorOfDepth()
     {
-        const auto anatomy = block(150);
+        const auto anatomy = slabOf(150);
         const Surface wanted = box(3.0, 2.0, 1.5);
         const Deviation aside = compared(anatomy, movedBy(wanted, {0.15, 0.0, -0.1}), wanted);
         QVERIFY(near(aside.depth->meanMm, 0.1, 1.0e-5));
@@ -349,12 +349,12 @@ private slots:
     {
         for (const double degrees : {0.5, 3.0, 10.0})
             for (const glm::dvec2 shift : lies(4)) {
-                const Surface wanted = turned(box(3.0, 2.0, 1.5), 30.0);
+                const Surface wanted = turnedSurface(box(3.0, 2.0, 1.5), 30.0);
                 const Surface tilt = [&](glm::dvec2 p) {
                     return std::tan(degrees * kDegree) * (0.6 * p.x + 0.8 * p.y);
                 };
                 const grading::FloorForm form =
-                    compared(block(150, shift), changed(wanted, tilt), wanted).floor.value();
+                    compared(slabOf(150, shift), changed(wanted, tilt), wanted).floor.value();
                 QVERIFY(near(form.slopeDeg, degrees, 1.0e-4));
                 QVERIFY(near(form.flatnessMm, 0.0, 1.0e-5));
                 QVERIFY(near(form.stepMm.value, 0.0, 1.0e-5));
@@ -364,7 +364,7 @@ private slots:
     void aLedgeIsAStep()
     {
         // 0.3 mm lower in the right half: about the mean of two halves, less what a tilted plane explains of it.
-        const auto anatomy = block(150);
+        const auto anatomy = slabOf(150);
         const Surface wanted = box(4.0, 2.0, 1.5);
         const Surface done = changed(wanted, [](glm::dvec2 p) { return p.x > 0.0 ? -0.3 : 0.0; });
         const grading::FloorForm form = compared(anatomy, done, wanted).floor.value();
@@ -389,7 +389,7 @@ private slots:
         // Ten whole waves of 0.05 mm: rms 0.05 / sqrt 2.
         const Surface wanted = box(4.0, 4.0, 1.5);
         const Surface wave = [](glm::dvec2 p) { return 0.05 * std::sin(2.0 * std::numbers::pi * p.x / 0.36); };
-        const grading::FloorForm form = compared(block(300), changed(wanted, wave), wanted).floor.value();
+        const grading::FloorForm form = compared(slabOf(300), changed(wanted, wave), wanted).floor.value();
         QVERIFY(near(form.flatnessMm, 0.05 / std::numbers::sqrt2, 0.001));
         QVERIFY(near(form.slopeDeg, 0.0, 0.2));
     }
@@ -401,7 +401,7 @@ private slots:
         for (const int side : {64, 150, 300}) {
             const double cell = kExtentMm / side;
             for (const glm::dvec2 shift : lies(8)) {
-                const auto anatomy = block(side, shift);
+                const auto anatomy = slabOf(side, shift);
                 const Surface wanted = round(1.6, 1.5, 0.0);
 
                 const auto wide = compared(anatomy, round(1.9, 1.5, 0.0), wanted).outline.value();
@@ -430,7 +430,7 @@ private slots:
 
     void aMissingArmAndAnExtraOneBothCount()
     {
-        const auto anatomy = block(150);
+        const auto anatomy = slabOf(150);
         const Surface bar = box(4.0, 1.0, 1.5);
         const Surface cross = [&](glm::dvec2 p) { return std::min(bar(p), bar({p.y, p.x})); };
         const auto missing = compared(anatomy, bar, cross).outline.value();
@@ -446,7 +446,7 @@ private slots:
     {
         const Surface wanted = box(2.0, 2.0, 1.5);
         const Surface done = [&](glm::dvec2 p) { return p.x > 2.0 && std::abs(p.y) < 0.5 ? -0.05 : wanted(p); };
-        const Deviation d = compared(block(150), done, wanted);
+        const Deviation d = compared(slabOf(150), done, wanted);
         QCOMPARE(d.outline->overMm.value, 0.0);
         QVERIFY(d.overcutMm3() > 0.1);
     }
@@ -459,15 +459,15 @@ private slots:
         };
         for (const double degrees : {0.0, 2.0, 4.0, 6.0, 8.0, 10.0, 15.0, 30.0}) {
             const QString angle = QString::number(degrees);
-            add("box, turned, " + angle, turned(box(3.0, 2.4, 1.5, degrees), 17.0), degrees);
-            add("box, a little askew, " + angle, turned(box(3.0, 2.4, 1.5, degrees), 3.0), degrees);
-            add("trench, " + angle, turned(trench(3.0, 1.2, 1.5, degrees), -21.0), degrees);
+            add("box, turned, " + angle, turnedSurface(box(3.0, 2.4, 1.5, degrees), 17.0), degrees);
+            add("box, a little askew, " + angle, turnedSurface(box(3.0, 2.4, 1.5, degrees), 3.0), degrees);
+            add("trench, " + angle, turnedSurface(trench(3.0, 1.2, 1.5, degrees), -21.0), degrees);
             add("cone, " + angle, round(1.6, 1.5, degrees), degrees);
             // Along the lattice every row of columns has the same share of the wall. One that is steeper than 7 degrees
             // may have a single column on its slope: then nothing tells how steep it is, to half a cell and more.
             add("box along the lattice, " + angle, box(3.0, 2.4, 1.5, degrees), degrees,
                 degrees > 0.0 && degrees < 7.0 ? 4.0 : 1.0);
-            add("box across the lattice, " + angle, turned(box(3.0, 2.4, 1.5, degrees), 45.0), degrees,
+            add("box across the lattice, " + angle, turnedSurface(box(3.0, 2.4, 1.5, degrees), 45.0), degrees,
                 degrees > 0.0 && degrees < 6.0 ? 4.0 : 1.0);
         }
         add("cone, 45", round(1.6, 1.5, 45.0), 45.0);
@@ -481,7 +481,7 @@ private slots:
         for (const auto& [side, count] :
              {std::pair(150, support::trials(2, 10)), std::pair(300, support::trials(1, 2))})
             for (const glm::dvec2 shift : lies(count)) {
-                const Deviation d = compared(block(side, shift), surface, surface);
+                const Deviation d = compared(slabOf(side, shift), surface, surface);
                 for (const std::optional<Placed>& wall : d.form.wallDeg) {
                     QVERIFY(wall.has_value());
                     QVERIFY(near(wall->value, degrees, tolerance));
@@ -503,8 +503,8 @@ private slots:
             const double north = leaning(1.8 - p.y, 1.5, degrees[3]);
             return std::max({west, east, south, north});
         };
-        const auto anatomy = block(150, {0.3, 0.1});
-        const Surface askew = turned(cavity, 8.0);
+        const auto anatomy = slabOf(150, {0.3, 0.1});
+        const Surface askew = turnedSurface(cavity, 8.0);
         const Deviation d = compared(anatomy, askew, askew);
         for (std::size_t side = 0; side < 4; ++side)
             QVERIFY(near(d.form.wallDeg.at(side)->value, degrees.at(side), 1.0));
@@ -525,13 +525,17 @@ private slots:
         for (const double angle : {0.0, 17.0, 45.0}) {
             double worst = 0.0;
             for (const glm::dvec2 shift : lies(8)) {
-                const auto anatomy = block(150, shift);
-                const Surface surface = turned(rooms, angle);
+                const auto anatomy = slabOf(150, shift);
+                const Surface surface = turnedSurface(rooms, angle);
                 Preparation preparation = ideal(*anatomy, surface);
                 preparation.isthmus =
                     Preparation::Isthmus{{0.0, 0.0}, {-std::sin(angle * kDegree), std::cos(angle * kDegree)}, 1.0};
                 // Cut 0.1 mm wider and 0.3 mm aside.
-                const Surface done = turned([&](glm::dvec2 p) { return rooms({p.x, (p.y - 0.3) * 1.1 / 1.2}); }, angle);
+                const Surface done = turnedSurface(
+                    [&](glm::dvec2 p) {
+                        return rooms({p.x, (p.y - 0.3) * 1.1 / 1.2});
+                    },
+                    angle);
                 const Deviation d = measured(lowered(anatomy, done), preparation);
                 worst = std::max(worst, std::abs(d.idealForm.isthmusMm->value - 1.1));
                 worst = std::max(worst, std::abs(d.form.isthmusMm->value - 1.2));
@@ -543,7 +547,7 @@ private slots:
 
     void anInterruptedIsthmusHasNoWidth()
     {
-        const auto anatomy = block(150);
+        const auto anatomy = slabOf(150);
         Preparation preparation = ideal(*anatomy, box(4.0, 1.2, 1.5));
         preparation.isthmus = Preparation::Isthmus{};
         const Surface halves = [](glm::dvec2 p) { return std::abs(p.x) < 0.3 ? 1.0 : box(4.0, 1.2, 1.5)(p); };
@@ -693,7 +697,7 @@ private slots:
         QVERIFY(near(unsupported(-3.0, 0.0), 32 * 0.01 * 1.5, 1.0e-6));
         QVERIFY(near(unsupported(-3.0, -0.5), 32 * 0.01 * 1.0, 1.0e-6));
         // No enamel on dentin: not measured.
-        const auto plain = block(64);
+        const auto plain = slabOf(64);
         QVERIFY(!measured(terrain::Tooth(plain), ideal(*plain, box(2.0, 2.0, 1.0))).unsupportedEnamelMm3.has_value());
     }
 
@@ -703,9 +707,9 @@ private slots:
         // both ways.
         const grading::Leeway leeway{0.3, 0.2};
         for (const glm::dvec2 shift : lies(8)) {
-            const auto anatomy = block(150, shift);
-            const Surface wanted = turned(box(3.0, 2.0, 1.5), 17.0);
-            const Surface done = turned(box(3.9, 2.0, 1.9), 17.0);
+            const auto anatomy = slabOf(150, shift);
+            const Surface wanted = turnedSurface(box(3.0, 2.0, 1.5), 17.0);
+            const Surface done = turnedSurface(box(3.9, 2.0, 1.9), 17.0);
             const auto d = grading::measureDeviation(lowered(anatomy, done), ideal(*anatomy, wanted), leeway);
             const grading::Zones& z = d->zones.value();
             const double sides = 1.7 * (2.0 * 0.3 * (3.0 + 2.0) + std::numbers::pi * 0.09);
@@ -725,7 +729,7 @@ private slots:
                              z.containerBottomMm3.value + z.containerSidesMm3.value,
                          d->removedMm3, 1.0e-9));
         }
-        const auto anatomy = block(150);
+        const auto anatomy = slabOf(150);
         const auto untouched =
             grading::measureDeviation(terrain::Tooth(anatomy), ideal(*anatomy, box(3.0, 2.0, 1.5)), leeway);
         QCOMPARE(untouched->zones->targetRemovedMm3, 0.0);
@@ -739,12 +743,12 @@ private slots:
         // upright walls.
         for (const double angle : {0.0, 17.0})
             for (const glm::dvec2 shift : lies(3)) {
-                const auto anatomy = block(150, shift);
+                const auto anatomy = slabOf(150, shift);
                 const glm::dvec2 along(std::cos(angle * kDegree), std::sin(angle * kDegree));
                 const glm::dvec3 end(1.5 * along, 0.0);
                 const glm::dvec3 down(0.0, 0.0, -1.5);
                 const terrain::Tooth tooth = drilled(anatomy, "57", {-end, -end + down, end + down});
-                const Surface wanted = turned(trench(3.0, 0.5, 1.5, 0.0), angle);
+                const Surface wanted = turnedSurface(trench(3.0, 0.5, 1.5, 0.0), angle);
                 Preparation preparation = ideal(*anatomy, wanted);
                 preparation.isthmus = Preparation::Isthmus{{0.0, 0.0}, {-along.y, along.x}, 1.0};
                 const Deviation d = measured(tooth, preparation);
@@ -768,7 +772,7 @@ private slots:
     {
         // The same bur, led in rings that narrow as they go down: a frustum of 10 degrees whose wall is stairs of 0.03
         // mm.
-        const auto anatomy = block(150, {0.4, 0.7});
+        const auto anatomy = slabOf(150, {0.4, 0.7});
         std::vector<glm::dvec3> way{{0.0, 0.0, 0.2}};
         for (double z = -0.03; z > -1.51; z -= 0.03)
             for (int n = 0; n <= 60; ++n) {
@@ -792,8 +796,8 @@ private slots:
 
     void theIdealItselfHasNoDeviation()
     {
-        const auto anatomy = block(150, {0.2, 0.6}, -1.2);
-        const Preparation preparation = ideal(*anatomy, turned(box(3.0, 2.0, 1.5, 6.0), 11.0));
+        const auto anatomy = slabOf(150, {0.2, 0.6}, -1.2);
+        const Preparation preparation = ideal(*anatomy, turnedSurface(box(3.0, 2.0, 1.5, 6.0), 11.0));
         const Deviation d = measured(terrain::restored(anatomy, *preparation.top), preparation);
         QCOMPARE(d.overcutMm3(), 0.0);
         QCOMPARE(d.undercutMm3, 0.0);
@@ -811,7 +815,7 @@ private slots:
 
     void nothingCut()
     {
-        const auto anatomy = block(150);
+        const auto anatomy = slabOf(150);
         const Deviation d = measured(terrain::Tooth(anatomy), ideal(*anatomy, box(3.0, 2.0, 1.5)));
         QCOMPARE(d.removedMm3, 0.0);
         QCOMPARE(d.overcutMm3(), 0.0);
@@ -828,7 +832,7 @@ private slots:
 
     void everythingCut()
     {
-        const auto anatomy = block(150, {0.0, 0.0}, -1.0);
+        const auto anatomy = slabOf(150, {0.0, 0.0}, -1.0);
         terrain::Tooth tooth(anatomy);
         tooth.top.assign(tooth.top.size(), terrain::kEmptyTop);
         tooth.bottom.assign(tooth.bottom.size(), terrain::kEmptyBottom);
@@ -843,7 +847,7 @@ private slots:
 
     void anEmptyIdeal()
     {
-        const auto anatomy = block(64);
+        const auto anatomy = slabOf(64);
         const Preparation nothing = ideal(*anatomy, [](glm::dvec2) { return 1.0; });
         const Deviation untouched = measured(terrain::Tooth(anatomy), nothing);
         QVERIFY(!untouched.dice && !untouched.iou && !untouched.depth && !untouched.outline && !untouched.floor);
@@ -860,7 +864,7 @@ private slots:
 
     void refusesWhatIsNoIdealForThisTooth()
     {
-        const auto anatomy = block(150);
+        const auto anatomy = slabOf(150);
         const terrain::Tooth tooth(anatomy);
         const Preparation good = ideal(*anatomy, box(3.0, 2.0, 1.5));
         const auto isRefused = [&](const Preparation& preparation, ErrorCode code,
@@ -868,7 +872,7 @@ private slots:
             return support::isRefused(grading::measureDeviation(tooth, preparation, leeway), code);
         };
         QVERIFY(grading::measureDeviation(tooth, good).has_value());
-        QVERIFY(isRefused(ideal(*block(64), box(3.0, 2.0, 1.5)), ErrorCode::BadStructure));
+        QVERIFY(isRefused(ideal(*slabOf(64), box(3.0, 2.0, 1.5)), ErrorCode::BadStructure));
         QVERIFY(isRefused({}, ErrorCode::BadStructure));
         Preparation partless = good;
         partless.parts.pop_back();
@@ -891,5 +895,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestDeviation)
+CUSP_TEST(TestDeviation)
 #include "tst_deviation.moc"

@@ -7,6 +7,7 @@
 #include "tests/fuzz/Exercises.h"
 #include "tests/support/Checks.h"
 #include "tests/support/Files.h"
+#include "tests/support/Suite.h"
 #include "tests/support/Tables.h"
 
 using namespace core;
@@ -292,5 +293,5 @@ private slots:
     void corpusOfTheFuzzerIsHarmless() { QVERIFY(support::forEachSeed("path", fuzz::exercisePath)); }
 };
 
-QTEST_APPLESS_MAIN(TestDevicePath)
+CUSP_TEST(TestDevicePath)
 #include "tst_device_path.moc"

@@ -11,6 +11,7 @@
 #include "core/teeth/ToothBuilder.h"
 #include "tests/support/Checks.h"
 #include "tests/support/Rig.h"
+#include "tests/support/Suite.h"
 #include "tests/support/SyntheticTooth.h"
 #include "tests/support/Tables.h"
 #include "tests/support/Trials.h"
@@ -18,20 +19,18 @@
 using namespace core;
 using support::Bench;
 using support::between;
-using support::Block;
 using support::blockTooth;
+using support::kDegree;
 
 namespace {
 
 constexpr std::size_t kEnamel = 1;
 constexpr std::size_t kDentin = 2;
-constexpr double kDegree = std::numbers::pi / 180.0;
-
-const Block kDentinBlock{.dejMm = 10.0};
-const Block kCariesBlock{.cariesFloorMm = -100.0};
+const support::Block kDentinBlock{.dejMm = 10.0};
+const support::Block kCariesBlock{.cariesFloorMm = -100.0};
 
 /// Presses straight down with a constant force for some seconds and returns what was removed, all materials together.
-double plunge(const Block& block, const char* bur, double newtons, double seconds,
+double plunge(const support::Block& block, const char* bur, double newtons, double seconds,
               const session::ServoSettings& settings = {})
 {
     constexpr double kX = 0.013;
@@ -245,10 +244,10 @@ private slots:
         QFETCH(QString, method);
         QFETCH(int, side);
         QFETCH(int, bur);
-        const Block block{.side = side, .cellMm = 10.0 / side, .bottomMm = -8.0, .topMm = [](double x, double y) {
-                              return 0.6 * std::sin(2.5 * x) * std::cos(2.0 * y) -
-                                     1.5 * std::exp(-4.0 * (x * x + y * y));
-                          }};
+        const support::Block block{
+            .side = side, .cellMm = 10.0 / side, .bottomMm = -8.0, .topMm = [](double x, double y) {
+                return 0.6 * std::sin(2.5 * x) * std::cos(2.0 * y) - 1.5 * std::exp(-4.0 * (x * x + y * y));
+            }};
         for (const glm::dvec2 at : {glm::dvec2(0.3, -0.1), glm::dvec2(1.4, 1.1)}) {
             session::ServoSettings settings;
             settings.method = method.toStdString();
@@ -377,5 +376,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestDrill)
+CUSP_TEST(TestDrill)
 #include "tst_drill.moc"

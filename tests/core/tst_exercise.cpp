@@ -11,6 +11,7 @@
 #include "haptics/pointer/PointerDevice.h"
 #include "tests/support/Checks.h"
 #include "tests/support/Rig.h"
+#include "tests/support/Suite.h"
 #include "tests/support/SyntheticTooth.h"
 #include "tests/support/Tables.h"
 
@@ -32,18 +33,18 @@ session::ServoState pressing(double newtons, glm::dvec2 at = {0.0, 0.0}, bool dr
     return state;
 }
 
-session::ServoState inAir()
+session::ServoState stateInAir()
 {
     return {};
 }
 
-void give(ExerciseMeter& meter, const session::ServoState& state, int ticks)
+void practise(ExerciseMeter& meter, const session::ServoState& state, int ticks)
 {
     for (int n = 0; n < ticks; ++n)
         meter.take(state, 1ms);
 }
 
-std::optional<double> measured(const char* id, const Practised& practised)
+std::optional<double> measuredOf(const char* id, const Practised& practised)
 {
     Measured all;
     all.practised = practised;
@@ -71,22 +72,22 @@ private slots:
     {
         ExerciseMeter meter(threePoints());
         QVERIFY(!isBegun(meter.practised()));
-        give(meter, inAir(), 1000);
-        give(meter, pressing(0.5, {0.1, 2.8}), 1);
-        give(meter, inAir(), 499);
-        give(meter, pressing(0.5, {0.3, 0.3}), 1000);
+        practise(meter, stateInAir(), 1000);
+        practise(meter, pressing(0.5, {0.1, 2.8}), 1);
+        practise(meter, stateInAir(), 499);
+        practise(meter, pressing(0.5, {0.3, 0.3}), 1000);
         const auto& touched = std::get<Touched>(meter.practised());
         QCOMPARE(touched.atS, (std::vector<std::optional<double>>{1.501, std::nullopt, 1.001}));
-        QCOMPARE(measured("points_touched_percent", meter.practised()), std::optional(100.0 * (2.0 / 3.0)));
-        QCOMPARE(measured("time_to_touch_all_s", meter.practised()), std::nullopt);
+        QCOMPARE(measuredOf("points_touched_percent", meter.practised()), std::optional(100.0 * (2.0 / 3.0)));
+        QCOMPARE(measuredOf("time_to_touch_all_s", meter.practised()), std::nullopt);
         QVERIFY(isBegun(meter.practised()) && !isDone(meter.practised()));
-        give(meter, pressing(0.5, {2.0, -0.4}), 1);
+        practise(meter, pressing(0.5, {2.0, -0.4}), 1);
         QVERIFY(isDone(meter.practised()));
-        QCOMPARE(measured("points_touched_percent", meter.practised()), std::optional(100.0));
-        QCOMPARE(measured("time_to_touch_all_s", meter.practised()), std::optional(2.501));
+        QCOMPARE(measuredOf("points_touched_percent", meter.practised()), std::optional(100.0));
+        QCOMPARE(measuredOf("time_to_touch_all_s", meter.practised()), std::optional(2.501));
         // A second touch is no news.
-        give(meter, pressing(0.5, {0.0, 0.0}), 100);
-        QCOMPARE(measured("time_to_touch_all_s", meter.practised()), std::optional(2.501));
+        practise(meter, pressing(0.5, {0.0, 0.0}), 100);
+        QCOMPARE(measuredOf("time_to_touch_all_s", meter.practised()), std::optional(2.501));
     }
 
     void noTouchCounts_data()
@@ -110,11 +111,11 @@ private slots:
         state.touching = touching;
         state.health = lost ? session::kDeviceLost : 0U;
         ExerciseMeter meter(threePoints());
-        give(meter, state, 1000);
+        practise(meter, state, 1000);
         QCOMPARE(std::get<Touched>(meter.practised()).count(), std::size_t{0});
         // A graze is a force like any other where a force is to be held.
         ExerciseMeter holding(ForceToHold{1.0, 1.0, 10.0});
-        give(holding, state, 12000);
+        practise(holding, state, 12000);
         const bool counts = std::isfinite(newtons) && touching && !drill && !lost;
         QCOMPARE(isBegun(holding.practised()), counts);
         QCOMPARE(held(holding).heldS, counts ? 10.0 : 0.0);
@@ -125,7 +126,7 @@ private slots:
     {
         for (const double at : {0.499, 0.501}) {
             ExerciseMeter meter(PointsToTouch{{{1.0, 1.0}}, 0.5});
-            give(meter, pressing(0.5, {1.0 - at, 1.0}), 1);
+            practise(meter, pressing(0.5, {1.0 - at, 1.0}), 1);
             QCOMPARE(isDone(meter.practised()), at < 0.5);
         }
     }
@@ -133,72 +134,72 @@ private slots:
     void aForceIsHeldToTheTick()
     {
         ExerciseMeter meter(ForceToHold{1.0, 0.2, 10.0});
-        give(meter, pressing(0.7), 500);  // not yet in the band: no contact that counts
-        give(meter, pressing(1.1), 9999);
+        practise(meter, pressing(0.7), 500);  // not yet in the band: no contact that counts
+        practise(meter, pressing(1.1), 9999);
         QVERIFY(!isDone(meter.practised()));
         QCOMPARE(held(meter).longestS, 9.999);
         QCOMPARE(held(meter).nowS, 9.999);
-        give(meter, pressing(1.1), 1);
+        practise(meter, pressing(1.1), 1);
         QVERIFY(isDone(meter.practised()));
-        QCOMPARE(measured("hold_longest_s", meter.practised()), std::optional(10.0));
-        QCOMPARE(measured("hold_within_percent", meter.practised()), std::optional(100.0));
-        QVERIFY(support::near(*measured("hold_error_n", meter.practised()), 0.1));
+        QCOMPARE(measuredOf("hold_longest_s", meter.practised()), std::optional(10.0));
+        QCOMPARE(measuredOf("hold_within_percent", meter.practised()), std::optional(100.0));
+        QVERIFY(support::near(*measuredOf("hold_error_n", meter.practised()), 0.1));
     }
 
     void aTrembleDoesNotEndTheStretchAndALapseDoes()
     {
         ExerciseMeter meter(ForceToHold{1.0, 0.2, 10.0});
-        give(meter, pressing(1.0), 2000);
-        give(meter, pressing(1.5), 200);
-        give(meter, pressing(1.0), 1000);
+        practise(meter, pressing(1.0), 2000);
+        practise(meter, pressing(1.5), 200);
+        practise(meter, pressing(1.0), 1000);
         QCOMPARE(held(meter).nowS, 3.0);  // what was off does not count
-        give(meter, inAir(), 201);
+        practise(meter, stateInAir(), 201);
         QCOMPARE(held(meter).nowS, 0.0);
-        give(meter, pressing(0.9), 500);
+        practise(meter, pressing(0.9), 500);
         QCOMPARE(held(meter).nowS, 0.5);
         QCOMPARE(held(meter).longestS, 3.0);
         QCOMPARE(held(meter).heldS, 3.5);
         QCOMPARE(held(meter).pressedS, 3.7);
-        QCOMPARE(measured("hold_within_percent", meter.practised()), std::optional(100.0 * (3.5 / 3.7)));
+        QCOMPARE(measuredOf("hold_within_percent", meter.practised()), std::optional(100.0 * (3.5 / 3.7)));
     }
 
     void aLostDeviceEndsTheStretch()
     {
-        session::ServoState lost = inAir();
+        session::ServoState lost = stateInAir();
         lost.health = session::kDeviceLost;
         ExerciseMeter meter(ForceToHold{1.0, 0.2, 10.0});
-        give(meter, pressing(1.0), 6000);
-        give(meter, lost, 200);
+        practise(meter, pressing(1.0), 6000);
+        practise(meter, lost, 200);
         QCOMPARE(held(meter).nowS, 6.0);
-        give(meter, lost, 1);
+        practise(meter, lost, 1);
         QCOMPARE(held(meter).nowS, 0.0);
-        give(meter, pressing(1.0), 6000);
+        practise(meter, pressing(1.0), 6000);
         QVERIFY(!isDone(meter.practised()));
         QCOMPARE(held(meter).longestS, 6.0);
-        QCOMPARE(measured("hold_within_percent", meter.practised()), std::optional(100.0));
+        QCOMPARE(measuredOf("hold_within_percent", meter.practised()), std::optional(100.0));
     }
 
     void theMeanErrorIsThatOfTheContact()
     {
         ExerciseMeter meter(ForceToHold{1.0, 0.2, 10.0});
-        QCOMPARE(measured("hold_error_n", meter.practised()), std::nullopt);
-        QCOMPARE(measured("hold_within_percent", meter.practised()), std::nullopt);
-        QCOMPARE(measured("hold_longest_s", meter.practised()), std::optional(0.0));
-        give(meter, pressing(1.0), 1000);
-        give(meter, pressing(2.0), 500);
-        give(meter, pressing(0.5), 500);
-        give(meter, inAir(), 5000);
-        QVERIFY(support::near(*measured("hold_error_n", meter.practised()), (0.5 + 0.25) / 2.0));
-        QCOMPARE(measured("hold_within_percent", meter.practised()), std::optional(50.0));
+        QCOMPARE(measuredOf("hold_error_n", meter.practised()), std::nullopt);
+        QCOMPARE(measuredOf("hold_within_percent", meter.practised()), std::nullopt);
+        QCOMPARE(measuredOf("hold_longest_s", meter.practised()), std::optional(0.0));
+        practise(meter, pressing(1.0), 1000);
+        practise(meter, pressing(2.0), 500);
+        practise(meter, pressing(0.5), 500);
+        practise(meter, stateInAir(), 5000);
+        QVERIFY(support::near(*measuredOf("hold_error_n", meter.practised()), (0.5 + 0.25) / 2.0));
+        QCOMPARE(measuredOf("hold_within_percent", meter.practised()), std::optional(50.0));
     }
 
     void whatComesAfterItWasHeldChangesNothing()
     {
         ExerciseMeter meter(ForceToHold{1.0, 0.2, 2.0});
-        give(meter, pressing(1.05), 2000);
+        practise(meter, pressing(1.05), 2000);
         const Practised then = meter.practised();
         QVERIFY(isDone(then));
-        give(meter, pressing(3.0), 5000);
+        practise(meter, pressing(3.0), 5000);
         QVERIFY(meter.practised() == then);
     }
 
@@ -206,15 +207,15 @@ private slots:
     {
         const PadsToName pads{teeth::padMaterials(3)};
         ExerciseMeter meter(pads);
-        QCOMPARE(measured("layers_named_percent", meter.practised()), std::optional(0.0));
+        QCOMPARE(measuredOf("layers_named_percent", meter.practised()), std::optional(0.0));
         for (std::size_t pad = 0; pad < kPads; ++pad)
             meter.noted(answerNote(pad, pads.madeOf[0]));
         QVERIFY(isDone(meter.practised()));
-        QCOMPARE(measured("layers_named_percent", meter.practised()), std::optional(100.0 * (1.0 / 3.0)));
+        QCOMPARE(measuredOf("layers_named_percent", meter.practised()), std::optional(100.0 * (1.0 / 3.0)));
         meter.noted(answerNote(2, pads.madeOf[2]));
         QCOMPARE(std::get<Named>(meter.practised()).right, std::size_t{2});
         meter.noted(answerNote(1, pads.madeOf[1]));
-        QCOMPARE(measured("layers_named_percent", meter.practised()), std::optional(100.0));
+        QCOMPARE(measuredOf("layers_named_percent", meter.practised()), std::optional(100.0));
         meter.noted(answerNote(0, pads.madeOf[2]));
         QCOMPARE(std::get<Named>(meter.practised()).right, std::size_t{2});
     }
@@ -247,7 +248,7 @@ private slots:
             QStringList ids;
             for (const char* id : {"points_touched_percent", "time_to_touch_all_s", "hold_longest_s",
                                    "hold_within_percent", "hold_error_n", "layers_named_percent"})
-                if (measured(id, practised))
+                if (measuredOf(id, practised))
                     ids << id;
             return ids.join(' ');
         };
@@ -357,5 +358,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestExercise)
+CUSP_TEST(TestExercise)
 #include "tst_exercise.moc"

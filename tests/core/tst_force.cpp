@@ -11,6 +11,7 @@
 #include "core/contact/WorkArea.h"
 #include "tests/support/Checks.h"
 #include "tests/support/Rig.h"
+#include "tests/support/Suite.h"
 #include "tests/support/SyntheticTooth.h"
 #include "tests/support/Tables.h"
 
@@ -452,5 +453,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestForce)
+CUSP_TEST(TestForce)
 #include "tst_force.moc"

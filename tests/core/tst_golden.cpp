@@ -10,6 +10,7 @@
 #include "core/recording/Replay.h"
 #include "tests/support/Checks.h"
 #include "tests/support/Rig.h"
+#include "tests/support/Suite.h"
 #include "tests/support/SyntheticMolar.h"
 
 using namespace core;
@@ -136,5 +137,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestGolden)
+CUSP_TEST(TestGolden)
 #include "tst_golden.moc"

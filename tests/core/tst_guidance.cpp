@@ -7,6 +7,7 @@
 #include "core/guidance/Fixture.h"
 #include "core/guidance/Margin.h"
 #include "tests/support/Checks.h"
+#include "tests/support/Suite.h"
 #include "tests/support/SyntheticTooth.h"
 
 using namespace core;
@@ -148,5 +149,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestGuidance)
+CUSP_TEST(TestGuidance)
 #include "tst_guidance.moc"

@@ -8,6 +8,7 @@
 
 #include "core/base/Rng.h"
 #include "core/contact/HalfSpaces.h"
+#include "tests/support/Suite.h"
 
 using core::contact::HalfSpaces;
 
@@ -82,5 +83,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestHalfSpaces)
+CUSP_TEST(TestHalfSpaces)
 #include "tst_half_spaces.moc"

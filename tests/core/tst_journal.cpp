@@ -10,6 +10,7 @@
 #include "tests/support/Files.h"
 #include "tests/support/FullDisk.h"
 #include "tests/support/Rig.h"
+#include "tests/support/Suite.h"
 #include "tests/support/SyntheticTooth.h"
 #include "tests/support/Tables.h"
 #include "tests/support/Trials.h"
@@ -569,5 +570,5 @@ private:
     fs::path m_path;
 };
 
-QTEST_APPLESS_MAIN(TestJournal)
+CUSP_TEST(TestJournal)
 #include "tst_journal.moc"

@@ -6,6 +6,7 @@
 
 #include "core/teeth/Layers.h"
 #include "tests/support/Checks.h"
+#include "tests/support/Suite.h"
 #include "tests/support/SyntheticTooth.h"
 #include "tests/support/Tables.h"
 #include "tests/support/ToothMaps.h"
@@ -57,7 +58,7 @@ double of(const PerMaterial& volumes, Material material)
 }
 
 /// What must hold on any tooth: the first column where it does not, or nothing.
-QString broken(const ToothMaps& maps, const std::vector<ColumnLayers>& layers)
+QString brokenLayers(const ToothMaps& maps, const std::vector<ColumnLayers>& layers)
 {
     const Grid& grid = maps.grid;
     if (layers.size() != grid.count())
@@ -259,7 +260,7 @@ private slots:
                 if (side == 512 && seed > 1)
                     continue;
                 for (const auto rule : {teeth::LayerRule::Anatomical, teeth::LayerRule::ConstantDepth2011}) {
-                    const QString wrong = broken(tooth.maps, lay(tooth.maps, tooth.fdi, seed, rule));
+                    const QString wrong = brokenLayers(tooth.maps, lay(tooth.maps, tooth.fdi, seed, rule));
                     QVERIFY2(wrong.isEmpty(), qPrintable(tooth.name.c_str() + QStringLiteral(": ") + wrong));
                 }
             }
@@ -343,7 +344,7 @@ private slots:
             }
         }
         const auto layers = lay(maps, fdi);
-        const QString wrong = broken(maps, layers);
+        const QString wrong = brokenLayers(maps, layers);
         QVERIFY2(wrong.isEmpty(), qPrintable(wrong));
         // As much pulp as the whole tooth has above that height.
         const double pulp = of(volumesOf(maps, layers), Material::Pulp);
@@ -458,7 +459,7 @@ private slots:
     void oddMapsAreSurvived()
     {
         for (const support::NamedMaps& odd : support::oddMaps()) {
-            const QString wrong = broken(odd.maps, lay(odd.maps, odd.fdi));
+            const QString wrong = brokenLayers(odd.maps, lay(odd.maps, odd.fdi));
             QVERIFY2(wrong.isEmpty(), qPrintable(odd.name.c_str() + QStringLiteral(": ") + wrong));
         }
     }
@@ -490,5 +491,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestLayers)
+CUSP_TEST(TestLayers)
 #include "tst_layers.moc"

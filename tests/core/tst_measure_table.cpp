@@ -12,6 +12,7 @@
 #include "core/grading/IdealCavity.h"
 #include "core/grading/MeasureTable.h"
 #include "tests/support/Scenes.h"
+#include "tests/support/Suite.h"
 #include "tests/support/SyntheticTooth.h"
 
 using namespace core;
@@ -296,5 +297,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestMeasureTable)
+CUSP_TEST(TestMeasureTable)
 #include "tst_measure_table.moc"

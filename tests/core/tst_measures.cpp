@@ -8,6 +8,7 @@
 #include "core/grading/Measures.h"
 #include "tests/support/Checks.h"
 #include "tests/support/Scenes.h"
+#include "tests/support/Suite.h"
 #include "tests/support/SyntheticTooth.h"
 
 using namespace core;
@@ -18,19 +19,19 @@ using support::cutThrough;
 namespace {
 
 /// 64 x 64 cells of 0.1 mm, decay in the square 28 .. 35.
-std::shared_ptr<ToothAnatomy> block()
+std::shared_ptr<ToothAnatomy> decayedBlock()
 {
     return support::decayedSlab(28, 35);
 }
 
 grading::Measures measuresAfter(const support::Nodes& nodes, float toMm)
 {
-    Tooth tooth(block());
+    Tooth tooth(decayedBlock());
     cut(tooth, nodes, toMm);
     return grading::measure(tooth);
 }
 
-bool near(double actual, double expected, double tolerance = 1e-6)
+bool isNear(double actual, double expected, double tolerance = 1e-6)
 {
     return support::near(actual, expected, tolerance);
 }
@@ -49,7 +50,7 @@ class TestMeasures : public QObject
 private slots:
     void theIdealCavityTakesTheDecayAndNothingBeside()
     {
-        const auto anatomy = block();
+        const auto anatomy = decayedBlock();
         const grading::IdealTop ideal = grading::idealCavity(*anatomy);
         QVERIFY(ideal != nullptr);
         for (int j = 0; j < 64; ++j)
@@ -58,7 +59,7 @@ private slots:
         const grading::Measures measures = grading::measure(restored(anatomy, *ideal));
         QCOMPARE(measures.cariesLeftMm3, 0.0);
         QCOMPARE(measures.overcutMm3, 0.0);
-        QVERIFY(near(removed(measures, Material::Caries), measures.lesionMm3));
+        QVERIFY(isNear(removed(measures, Material::Caries), measures.lesionMm3));
         // Without a lesion nothing is asked; one that goes through leaves nothing; one outside the tooth is none.
         QVERIFY(grading::idealCavity(*support::slab(-2.0F)) == nullptr);
         anatomy->layers[anatomy->grid.index(30, 30)].cariesFloor = -20.0F;
@@ -72,12 +73,12 @@ private slots:
 
     void anUncutToothHasLostNothing()
     {
-        const grading::Measures m = grading::measure(Tooth(block()));
-        QVERIFY(near(m.lesionMm3, 64 * 0.01 * 2.0));
-        QVERIFY(near(m.cariesLeftMm3, m.lesionMm3));
-        QVERIFY(near(m.cariesLeftPercent, 100.0));
-        QVERIFY(near(m.largestIslandMm3, m.lesionMm3));
-        QVERIFY(near(m.accessMm3, 64 * 0.01 * 1.0));
+        const grading::Measures m = grading::measure(Tooth(decayedBlock()));
+        QVERIFY(isNear(m.lesionMm3, 64 * 0.01 * 2.0));
+        QVERIFY(isNear(m.cariesLeftMm3, m.lesionMm3));
+        QVERIFY(isNear(m.cariesLeftPercent, 100.0));
+        QVERIFY(isNear(m.largestIslandMm3, m.lesionMm3));
+        QVERIFY(isNear(m.accessMm3, 64 * 0.01 * 1.0));
         QCOMPARE(m.overcutMm3, 0.0);
         QCOMPARE(m.deepestCutMm, 0.0);
         QCOMPARE(m.pulpExposedMm2, 0.0);
@@ -87,54 +88,54 @@ private slots:
     void clearingTheLesionExactlyIsNoOvercut()
     {
         const grading::Measures m = measuresAfter({28, 35, 28, 35}, -3.0F);
-        QVERIFY(near(m.cariesLeftMm3, 0.0));
-        QVERIFY(near(m.overcutMm3, 0.0));
-        QVERIFY(near(removed(m, Material::Caries), m.lesionMm3));
-        QVERIFY(near(removed(m, Material::Enamel), m.accessMm3));
-        QVERIFY(near(m.deepestCutMm, 3.0));
+        QVERIFY(isNear(m.cariesLeftMm3, 0.0));
+        QVERIFY(isNear(m.overcutMm3, 0.0));
+        QVERIFY(isNear(removed(m, Material::Caries), m.lesionMm3));
+        QVERIFY(isNear(removed(m, Material::Enamel), m.accessMm3));
+        QVERIFY(isNear(m.deepestCutMm, 3.0));
         QVERIFY(m.hasRemainingOverPulp);
-        QVERIFY(near(m.remainingOverPulpMm, 2.0));
+        QVERIFY(isNear(m.remainingOverPulpMm, 2.0));
     }
 
     void whatLiesBesideAndBelowTheLesionIsOvercut()
     {
         // One column wide beside it, half a millimetre below.
         const grading::Measures m = measuresAfter({27, 35, 28, 35}, -3.5F);
-        QVERIFY(near(m.overcutMm3, 0.01 * (8 * 3.5 + 64 * 0.5)));
+        QVERIFY(isNear(m.overcutMm3, 0.01 * (8 * 3.5 + 64 * 0.5)));
         const double sound = removed(m, Material::Enamel) + removed(m, Material::Dentin);
-        QVERIFY(near(sound, m.overcutMm3 + m.accessMm3));
+        QVERIFY(isNear(sound, m.overcutMm3 + m.accessMm3));
     }
 
     void countsTheLargestIsland()
     {
         // A slot leaves three columns of decay on one side and four on the other.
         const grading::Measures m = measuresAfter({31, 31, 28, 35}, -3.0F);
-        QVERIFY(near(m.cariesLeftMm3, 0.01 * 56 * 2.0));
-        QVERIFY(near(m.largestIslandMm3, 0.01 * 32 * 2.0));
+        QVERIFY(isNear(m.cariesLeftMm3, 0.01 * 56 * 2.0));
+        QVERIFY(isNear(m.largestIslandMm3, 0.01 * 32 * 2.0));
         // Neighbours that do not overlap in height are two islands.
-        auto anatomy = block();
+        auto anatomy = decayedBlock();
         support::eachOf(anatomy->grid, {32, 35, 28, 35}, [&](std::size_t k) {
             anatomy->layers[k].cariesRoof = -3.5F;
             anatomy->layers[k].cariesFloor = -4.0F;
         });
-        QVERIFY(near(grading::measure(Tooth(anatomy)).largestIslandMm3, 0.01 * 32 * 2.0));
+        QVERIFY(isNear(grading::measure(Tooth(anatomy)).largestIslandMm3, 0.01 * 32 * 2.0));
     }
 
     void remainingIsTheShortestWayInAnyDirection()
     {
         // Above the pulp; a shaft 4 columns beside it, deeper than its roof; 3 columns aside and 0.4 mm above its roof;
         // far away.
-        QVERIFY(near(measuresAfter({30, 30, 30, 30}, -4.25F).remainingOverPulpMm, 0.75));
-        QVERIFY(near(measuresAfter({16, 16, 30, 30}, -6.0F).remainingOverPulpMm, 0.4));
-        QVERIFY(near(measuresAfter({17, 17, 30, 30}, -4.6F).remainingOverPulpMm, 0.5));
-        QVERIFY(near(measuresAfter({0, 0, 0, 0}, -0.1F).remainingOverPulpMm, 5.0));
+        QVERIFY(isNear(measuresAfter({30, 30, 30, 30}, -4.25F).remainingOverPulpMm, 0.75));
+        QVERIFY(isNear(measuresAfter({16, 16, 30, 30}, -6.0F).remainingOverPulpMm, 0.4));
+        QVERIFY(isNear(measuresAfter({17, 17, 30, 30}, -4.6F).remainingOverPulpMm, 0.5));
+        QVERIFY(isNear(measuresAfter({0, 0, 0, 0}, -0.1F).remainingOverPulpMm, 5.0));
     }
 
     void remainingAgreesWithASlowSearch()
     {
         for (std::uint64_t seed = 1; seed <= 30; ++seed) {
             Rng rng(seed);
-            auto anatomy = block();
+            auto anatomy = decayedBlock();
             for (ColumnLayers& column : anatomy->layers)
                 if (column.pulpRoof > column.pulpFloor)
                     column.pulpRoof = static_cast<float>(rng.uniform(-6.5, -4.5));
@@ -151,7 +152,7 @@ private slots:
                     const glm::dvec2 way = support::placeOf(anatomy->grid, p) - support::placeOf(anatomy->grid, q);
                     slow = std::min(slow, std::hypot(way.x, way.y, std::max(0.0, over)));
                 }
-            QVERIFY2(near(grading::measure(tooth).remainingOverPulpMm, slow),
+            QVERIFY2(isNear(grading::measure(tooth).remainingOverPulpMm, slow),
                      qPrintable(QStringLiteral("seed %1").arg(seed)));
         }
     }
@@ -160,38 +161,38 @@ private slots:
     {
         const grading::Measures m =
             measuresAfter({18, 23, 20, 20}, -5.5F);  // two of the six columns lie beside the pulp
-        QVERIFY(near(m.pulpExposedMm2, 0.04));
-        QVERIFY(near(removed(m, Material::Pulp), 0.04 * 0.5));
+        QVERIFY(isNear(m.pulpExposedMm2, 0.04));
+        QVERIFY(isNear(removed(m, Material::Pulp), 0.04 * 0.5));
         QCOMPARE(m.remainingOverPulpMm, 0.0);
     }
 
     void aColumnCutThroughCountsToItsBottom()
     {
-        Tooth tooth(block());
+        Tooth tooth(decayedBlock());
         cutThrough(tooth, tooth.grid().index(30, 30));
         const grading::Measures m = grading::measure(tooth);
-        QVERIFY(near(m.deepestCutMm, 10.0));
-        QVERIFY(near(m.pulpExposedMm2, 0.01));
-        QVERIFY(near(m.cariesLeftMm3, m.lesionMm3 - 0.02));
-        QVERIFY(near(m.overcutMm3, 0.01 * (10.0 - 3.0 - 2.0)));
+        QVERIFY(isNear(m.deepestCutMm, 10.0));
+        QVERIFY(isNear(m.pulpExposedMm2, 0.01));
+        QVERIFY(isNear(m.cariesLeftMm3, m.lesionMm3 - 0.02));
+        QVERIFY(isNear(m.overcutMm3, 0.01 * (10.0 - 3.0 - 2.0)));
     }
 
     void aPerforationIsTheAreaOfItsHole()
     {
-        Tooth tooth(block());
+        Tooth tooth(decayedBlock());
         for (int i = 10; i < 13; ++i)
             cutThrough(tooth, tooth.grid().index(i, 50));
-        QVERIFY(near(grading::measure(tooth).perforatedMm2, 0.03));
+        QVERIFY(isNear(grading::measure(tooth).perforatedMm2, 0.03));
         cut(tooth, {40, 45, 40, 45}, -9.5F);  // deep, not through
-        QVERIFY(near(grading::measure(tooth).perforatedMm2, 0.03));
+        QVERIFY(isNear(grading::measure(tooth).perforatedMm2, 0.03));
 
         // Where the ideal goes through, a hole is none, nor is what hangs together with it; one elsewhere is.
         auto ideal = std::make_shared<std::vector<float>>(tooth.anatomy->top);
         (*ideal)[tooth.grid().index(11, 50)] = kEmptyTop;
-        QVERIFY(near(grading::measure(tooth, ideal).perforatedMm2, 0.0));
+        QVERIFY(isNear(grading::measure(tooth, ideal).perforatedMm2, 0.0));
         cutThrough(tooth, tooth.grid().index(30, 30));
-        QVERIFY(near(grading::measure(tooth, ideal).perforatedMm2, 0.01));
-        QVERIFY(near(grading::measure(tooth).perforatedMm2, 0.04));
+        QVERIFY(isNear(grading::measure(tooth, ideal).perforatedMm2, 0.01));
+        QVERIFY(isNear(grading::measure(tooth).perforatedMm2, 0.04));
     }
 
     void aToothWithoutLesionOrPulpGivesZeros()
@@ -204,14 +205,14 @@ private slots:
         QCOMPARE(m.largestIslandMm3, 0.0);
         QCOMPARE(m.pulpExposedMm2, 0.0);
         QVERIFY(!m.hasRemainingOverPulp);
-        QVERIFY(near(m.overcutMm3, 0.01 * 121 * 9.0, 1e-5));
+        QVERIFY(isNear(m.overcutMm3, 0.01 * 121 * 9.0, 1e-5));
     }
 
     void volumesAddUpOnRandomCuts()
     {
         for (std::uint64_t seed = 1; seed <= 50; ++seed) {
             Rng rng(seed);
-            Tooth tooth(block());
+            Tooth tooth(decayedBlock());
             for (float& top : tooth.top)
                 top = static_cast<float>(rng.uniform(-9.9, 0.0));
             const grading::Measures m = grading::measure(tooth);
@@ -227,13 +228,13 @@ private slots:
                         slow += 0.01 * 0.01;
                 }
             }
-            QVERIFY2(near(m.overcutMm3, slow, 0.05), qPrintable(QStringLiteral("seed %1").arg(seed)));
-            QVERIFY(near(removed(m, Material::Caries) + m.cariesLeftMm3, m.lesionMm3, 1e-4));
+            QVERIFY2(isNear(m.overcutMm3, slow, 0.05), qPrintable(QStringLiteral("seed %1").arg(seed)));
+            QVERIFY(isNear(removed(m, Material::Caries) + m.cariesLeftMm3, m.lesionMm3, 1e-4));
             QVERIFY(m.largestIslandMm3 <= m.cariesLeftMm3 + 1e-9);
             QVERIFY(m == grading::measure(tooth));
         }
     }
 };
 
-QTEST_GUILESS_MAIN(TestMeasures)
+CUSP_TEST(TestMeasures)
 #include "tst_measures.moc"

@@ -16,15 +16,15 @@
 #include "core/mesh/Weld.h"
 #include "tests/support/Checks.h"
 #include "tests/support/Solids.h"
+#include "tests/support/Suite.h"
 #include "tests/support/Tables.h"
 #include "tests/support/ToothMaps.h"
 #include "tests/support/Trials.h"
 
 using namespace core::mesh;
+using support::kPi;
 
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;  // moc of Qt 6.4 stumbles over <numbers>
 
 MeshFacts factsOf(TriangleMesh& mesh)
 {
@@ -364,5 +364,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestMeshAnalysis)
+CUSP_TEST(TestMeshAnalysis)
 #include "tst_mesh_analysis.moc"

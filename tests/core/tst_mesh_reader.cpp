@@ -15,6 +15,7 @@
 #include "tests/support/Checks.h"
 #include "tests/support/Files.h"
 #include "tests/support/Solids.h"
+#include "tests/support/Suite.h"
 #include "tests/support/Tables.h"
 
 using core::ErrorCode;
@@ -442,5 +443,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestMeshReader)
+CUSP_TEST(TestMeshReader)
 #include "tst_mesh_reader.moc"

@@ -9,6 +9,7 @@
 #include "core/mesh/ObjWriter.h"
 #include "tests/support/Checks.h"
 #include "tests/support/Files.h"
+#include "tests/support/Suite.h"
 
 namespace {
 
@@ -58,5 +59,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestObjWriter)
+CUSP_TEST(TestObjWriter)
 #include "tst_obj_writer.moc"

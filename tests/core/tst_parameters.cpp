@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/settings/Parameters.h"
+#include "tests/support/Suite.h"
 
 using core::settings::Parameter;
 using core::settings::Parameters;
@@ -110,5 +111,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestParameters)
+CUSP_TEST(TestParameters)
 #include "tst_parameters.moc"

@@ -12,6 +12,7 @@
 #include "tests/support/Allocations.h"
 #include "tests/support/Checks.h"
 #include "tests/support/Rig.h"
+#include "tests/support/Suite.h"
 #include "tests/support/SyntheticTooth.h"
 
 using namespace core;
@@ -20,10 +21,9 @@ using grading::ProcessMeter;
 using session::ServoState;
 using support::near;
 using namespace std::chrono_literals;
+using support::kPi;
 
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 ServoState cutting(glm::dvec3 at = {0.0, 0.0, 0.0}, double newtons = 1.0)
 {
@@ -348,5 +348,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestProcess)
+CUSP_TEST(TestProcess)
 #include "tst_process.moc"

@@ -14,6 +14,7 @@
 #include "core/teeth/ToothBuilder.h"
 #include "tests/support/Checks.h"
 #include "tests/support/Scenes.h"
+#include "tests/support/Suite.h"
 #include "tests/support/SyntheticTooth.h"
 #include "tests/support/Tables.h"
 
@@ -27,7 +28,7 @@ namespace {
 constexpr double kQuarter = std::numbers::pi / 2.0;
 
 /// 64 x 64 cells of 0.1 mm around the origin, top 0, bottom -10, all enamel: 6.4 x 6.4 x 10 mm.
-std::shared_ptr<ToothAnatomy> block()
+std::shared_ptr<ToothAnatomy> enamelBlock()
 {
     return support::slab(-10.0F);
 }
@@ -119,7 +120,7 @@ private slots:
         QFETCH(double, u);
         QFETCH(double, v);
         QFETCH(double, throughMm);
-        const Shadow shadow = rayThrough(Tooth(block()), {angleRad, tiltRad}, {u, v});
+        const Shadow shadow = rayThrough(Tooth(enamelBlock()), {angleRad, tiltRad}, {u, v});
         QVERIFY(near(static_cast<double>(shadow.at(0, 0)), 0.28 * throughMm, 1.0e-5));
         const float quanta = quantaOn(shadow, {}).front();
         QVERIFY(near(static_cast<double>(quanta) / (kQuantaPerMm2 * 1.0e-6), std::exp(-0.28 * throughMm), 1.0e-5));
@@ -191,7 +192,7 @@ private slots:
 
     void mesialIsLeftAndUpIsUp()
     {
-        Tooth tooth(block());
+        Tooth tooth(enamelBlock());
         support::cut(tooth, {32, 63, 0, 63}, -4.0F);  // the distal half, x > 0
         const Shadow shadow = shadowOf(tooth, {}, 0.05);
         QVERIFY(at(shadow, -1.0, -2.0) > 1.0F);
@@ -203,7 +204,7 @@ private slots:
     void eachTissueHasItsTone()
     {
         // Four quarters along x, of enamel, dentin, decay and pulp all through, and air beside them.
-        auto anatomy = block();
+        auto anatomy = enamelBlock();
         const ColumnLayers quarters[]{
             {0.0F, 0.0F, 10.0F, 0.0F, 0.0F}, {1.0F, -11.0F, 10.0F, 0.0F, 0.0F}, {0.0F, 0.0F, 10.0F, 1.0F, -11.0F}};
         for (int n = 1; const ColumnLayers& quarter : quarters) {
@@ -219,7 +220,7 @@ private slots:
 
     void aCavityIsDarkerThanBefore()
     {
-        const Tooth before(block());
+        const Tooth before(enamelBlock());
         Tooth now = before;
         support::cut(now, {25, 38, 20, 43}, -3.0F);
         const Shadow whole = shadowOf(before, {}, 0.05);
@@ -234,7 +235,7 @@ private slots:
 
     void noiseGrowsWithTheSquareRoot()
     {
-        const Tooth tooth(block());
+        const Tooth tooth(enamelBlock());
         const std::array<XrayedTooth, 1> one{{{&tooth}}};
         // Inside the block every ray runs through 6.4 mm.
         const Shadow shadow = castShadow(one, {}, {{-3.0, -9.0}, {3.0, -1.0}}, 0.02);
@@ -259,7 +260,7 @@ private slots:
 
     void theSameSeedGivesTheSameFilm()
     {
-        const Shadow shadow = shadowOf(Tooth(block()), {}, 0.1);
+        const Shadow shadow = shadowOf(Tooth(enamelBlock()), {}, 0.1);
         QVERIFY(quantaOn(shadow, {1.0, 5}) == quantaOn(shadow, {1.0, 5}));
         QVERIFY(quantaOn(shadow, {1.0, 5}) != quantaOn(shadow, {1.0, 6}));
         QVERIFY(quantaOn(shadow, {1.0, 5}) != quantaOn(shadow, {}));
@@ -326,7 +327,7 @@ private slots:
 
     void aScanHasNoNeighbours()
     {
-        auto scan = block();
+        auto scan = enamelBlock();
         scan->fdi = 36;
         scan->name = "lower molar.stl";
         QVERIFY(!teeth::isGenerated(*scan));
@@ -334,5 +335,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestRadiograph)
+CUSP_TEST(TestRadiograph)
 #include "tst_radiograph.moc"

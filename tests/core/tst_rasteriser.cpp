@@ -8,17 +8,18 @@
 #include "core/base/Rng.h"
 #include "core/terrain/Rasteriser.h"
 #include "core/terrain/Tooth.h"
+#include "tests/support/Checks.h"
 #include "tests/support/Scenes.h"
 #include "tests/support/Solids.h"
+#include "tests/support/Suite.h"
 #include "tests/support/SyntheticTooth.h"
 #include "tests/support/Tables.h"
 
 using namespace core::terrain;
 using core::mesh::TriangleMesh;
+using support::kPi;
 
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;  // moc of Qt 6.4 stumbles over <numbers>
 
 Grid gridAround(const TriangleMesh& mesh, int side)
 {
@@ -250,5 +251,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestRasteriser)
+CUSP_TEST(TestRasteriser)
 #include "tst_rasteriser.moc"

@@ -19,6 +19,7 @@
 #include "tests/support/Files.h"
 #include "tests/support/FullDisk.h"
 #include "tests/support/Rig.h"
+#include "tests/support/Suite.h"
 #include "tests/support/SyntheticMolar.h"
 #include "tests/support/SyntheticTooth.h"
 #include "tests/support/Tables.h"
@@ -64,7 +65,7 @@ Recording recordingOf(const std::vector<ServoEvent>& events)
     return made;
 }
 
-std::vector<ServoEvent> eventsOf(const Recording& recording)
+std::vector<ServoEvent> allEvents(const Recording& recording)
 {
     std::vector<ServoEvent> events;
     recording.forEach([&](const ServoEvent& event) { events.push_back(event); });
@@ -79,8 +80,8 @@ std::array<std::uint32_t, 3> bitsOf(const glm::vec3& v)
 /// Equal to the last bit of every position, NaN included.
 bool sameBits(const Recording& a, const Recording& b)
 {
-    const std::vector<ServoEvent> one = eventsOf(a);
-    const std::vector<ServoEvent> other = eventsOf(b);
+    const std::vector<ServoEvent> one = allEvents(a);
+    const std::vector<ServoEvent> other = allEvents(b);
     return std::equal(one.begin(), one.end(), other.begin(), other.end(), [](const auto& x, const auto& y) {
         return x.kind == y.kind && x.dtUs == y.dtUs && x.value == y.value && bitsOf(x.deviceMm) == bitsOf(y.deviceMm);
     });
@@ -351,7 +352,7 @@ private slots:
         const auto read = Recording::fromBytes(changed);
         QVERIFY(support::succeeds(read));
         QVERIFY(read->isRetuned());
-        QCOMPARE(eventsOf(*read), eventsOf(made));
+        QCOMPARE(allEvents(*read), allEvents(made));
         for (const std::uint64_t bad : {std::uint64_t{session::kServoNumbers} << 32U, session::packNumber({9, 1.0e9F}),
                                         session::packNumber({0, -1.0F}), ~std::uint64_t{0}}) {
             Recording wrong = shortAttempt();
@@ -491,5 +492,5 @@ private slots:
     void corpusOfTheFuzzerIsHarmless() { QVERIFY(support::forEachSeed("recording", fuzz::exerciseRecording)); }
 };
 
-QTEST_APPLESS_MAIN(TestRecording)
+CUSP_TEST(TestRecording)
 #include "tst_recording.moc"

@@ -9,6 +9,7 @@
 #include "tests/support/Checks.h"
 #include "tests/support/Rig.h"
 #include "tests/support/Scenes.h"
+#include "tests/support/Suite.h"
 #include "tests/support/SyntheticMolar.h"
 
 using namespace core;
@@ -350,5 +351,5 @@ private:
     int m_middle = 0;
 };
 
-QTEST_GUILESS_MAIN(TestReferee)
+CUSP_TEST(TestReferee)
 #include "tst_referee.moc"

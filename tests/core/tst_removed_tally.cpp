@@ -6,6 +6,7 @@
 #include "core/grading/Measures.h"
 #include "core/history/RemovedTally.h"
 #include "tests/support/Scenes.h"
+#include "tests/support/Suite.h"
 #include "tests/support/Tables.h"
 
 using namespace core;
@@ -82,5 +83,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestRemovedTally)
+CUSP_TEST(TestRemovedTally)
 #include "tst_removed_tally.moc"

@@ -6,6 +6,7 @@
 #include "core/session/ServoNumbers.h"
 #include "tests/support/Checks.h"
 #include "tests/support/Rig.h"
+#include "tests/support/Suite.h"
 #include "tests/support/SyntheticTooth.h"
 #include "tests/support/Tables.h"
 
@@ -81,9 +82,12 @@ session::ServoSettings settingsOf(const QString& method)
 }
 
 /// Drills a layered tooth of this many nodes a side.
-struct Drilling : support::Rig
+struct ReplayedDrilling : support::Rig
 {
-    explicit Drilling(int side, const session::ServoSettings& wanted = {}) : Rig(wanted) { drill(layeredTooth(side)); }
+    explicit ReplayedDrilling(int side, const session::ServoSettings& wanted = {}) : Rig(wanted)
+    {
+        drill(layeredTooth(side));
+    }
 };
 
 session::SessionCommand undoOrRedo(Rng& rng)
@@ -148,7 +152,7 @@ private slots:
     /// Enamel grows softer and the spring stiffer in mid-stroke: the replay feels it at the same tick.
     void changesOfFeel()
     {
-        Drilling rig(64);
+        ReplayedDrilling rig(64);
         rig.lean(0.0, 0.0, 1.0, 100);
         const double before = removedMm3(rig);
         const session::ServoNumbers was = session::numbersOf({});
@@ -176,7 +180,7 @@ private slots:
     {
         QFETCH(QString, method);
         QFETCH(int, side);
-        Drilling rig(side, settingsOf(method));
+        ReplayedDrilling rig(side, settingsOf(method));
         support::RestlessHand hand(static_cast<std::uint64_t>(side));
         rig.follow(hand, 3000);
         QVERIFY2(removedMm3(rig) > 0.2, qPrintable(QString::number(removedMm3(rig))));
@@ -185,7 +189,7 @@ private slots:
 
     void everythingElseThatHappens()
     {
-        Drilling rig(100, withHandpieces());
+        ReplayedDrilling rig(100, withHandpieces());
         for (std::uint8_t bur = 0; bur < 4; ++bur) {
             rig.send(session::SetBur{bur});
             rig.lean(0.8 * bur - 1.2, 0.3, 1.5, 200);
@@ -211,7 +215,7 @@ private slots:
 
     void undoAtOnceAfterTheLastTick()
     {
-        Drilling rig(64);
+        ReplayedDrilling rig(64);
         const std::uint64_t uncut = rig.liveHash();
         rig.lean(0.0, 0.0, 2.0, 100);
         rig.lift();
@@ -229,7 +233,7 @@ private slots:
 
     void missedPeriods()
     {
-        Drilling rig(100);
+        ReplayedDrilling rig(100);
         support::RestlessHand hand(9);
         Rng rng(10);
         for (int n = 0; n < 1500; ++n) {
@@ -260,7 +264,7 @@ private slots:
         QFETCH(int, seed);
         session::ServoSettings settings = withHandpieces();
         settings.method = method.toStdString();
-        Drilling rig(side, settings);
+        ReplayedDrilling rig(side, settings);
         const auto anatomy = rig.live().anatomy;
         Rng rng(static_cast<std::uint64_t>(seed));
         support::RestlessHand hand(static_cast<std::uint64_t>(seed) + 100);
@@ -322,7 +326,7 @@ private slots:
 
     void secondToothHasItsOwnRecording()
     {
-        Drilling rig(64);
+        ReplayedDrilling rig(64);
         rig.send(session::SetBur{2});
         rig.lean(0.0, 0.0, 2.0, 200);
         // In the middle of a cut; bur and drill stay as they were.
@@ -338,7 +342,7 @@ private slots:
 
     void sameToothAgainHasItsOwnRecording()
     {
-        Drilling rig(64);
+        ReplayedDrilling rig(64);
         const auto anatomy = rig.live().anatomy;
         rig.lean(0.0, 0.0, 2.0, 200);
         rig.settle();
@@ -357,7 +361,7 @@ private slots:
 
     void recordingEndsWhereTicksAreMissing()
     {
-        Drilling rig(64);
+        ReplayedDrilling rig(64);
         rig.lean(0.0, 0.0, 1.0, 100);
         rig.lift();
         const std::uint64_t kept = rig.liveHash();
@@ -390,7 +394,7 @@ private slots:
 
     void wrongWitnessIsNoticed()
     {
-        Drilling rig(64);
+        ReplayedDrilling rig(64);
         rig.lean(0.0, 0.0, 2.0, 100);
         rig.lift();
         Recording soFar = rig.session->recordingSoFar().value();
@@ -420,5 +424,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestReplay)
+CUSP_TEST(TestReplay)
 #include "tst_replay.moc"

@@ -7,6 +7,7 @@
 #include "core/grading/Columns.h"
 #include "core/grading/Measures.h"
 #include "core/terrain/Resample.h"
+#include "tests/support/Suite.h"
 #include "tests/support/SyntheticTooth.h"
 
 using core::terrain::Sampling;
@@ -77,5 +78,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestResample)
+CUSP_TEST(TestResample)
 #include "tst_resample.moc"

@@ -8,6 +8,7 @@
 #include "core/base/Rng.h"
 #include "core/terrain/Rim.h"
 #include "core/terrain/Tooth.h"
+#include "tests/support/Suite.h"
 
 using namespace core::terrain;
 
@@ -154,5 +155,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestRim)
+CUSP_TEST(TestRim)
 #include "tst_rim.moc"

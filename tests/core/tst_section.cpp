@@ -11,6 +11,7 @@
 #include "core/imaging/Section.h"
 #include "tests/support/Checks.h"
 #include "tests/support/Scenes.h"
+#include "tests/support/Suite.h"
 #include "tests/support/SyntheticTooth.h"
 
 using namespace core;
@@ -19,15 +20,15 @@ using imaging::SectionPlane;
 
 namespace {
 
-constexpr double kQuarter = std::numbers::pi / 2.0;
+constexpr double kRightAngle = std::numbers::pi / 2.0;
 
 /// Its pulp is a box from -1.2 to 1.2, its decay one from -0.2 to 0.2.
-std::shared_ptr<ToothAnatomy> block()
+std::shared_ptr<ToothAnatomy> blockWithPulp()
 {
     return support::decayedSlab(30, 33);
 }
 
-bool near(double actual, double expected, double tolerance = 1e-5)
+bool isClose(double actual, double expected, double tolerance = 1e-5)
 {
     return support::near(actual, expected, tolerance);
 }
@@ -45,7 +46,7 @@ PerMaterial lengths(const MaterialSpans& spans)
 bool areNear(const PerMaterial& actual, const PerMaterial& expected, double tolerance = 1e-5)
 {
     return std::equal(actual.begin(), actual.end(), expected.begin(),
-                      [&](double a, double b) { return near(a, b, tolerance); });
+                      [&](double a, double b) { return isClose(a, b, tolerance); });
 }
 
 }  // namespace
@@ -112,7 +113,7 @@ private slots:
             if (!tooth.isSolid(k))
                 continue;
             ++solid;
-            QVERIFY(near(sample.originalTopMm, anatomy->top[k]));
+            QVERIFY(isClose(sample.originalTopMm, anatomy->top[k]));
             QVERIFY(areNear(lengths(sample.present), lengthsBetween(anatomy->layers[k], tooth.bottom[k], tooth.top[k]),
                             1e-4));
         }
@@ -121,7 +122,7 @@ private slots:
 
     void betweenNodesHeightsAreLinear()
     {
-        const auto anatomy = block();
+        const auto anatomy = blockWithPulp();
         Tooth tooth(anatomy);
         // A ramp of 30 degrees or so along a direction that is no axis.
         const auto ramp = [](glm::dvec2 at) { return -1.0 + 0.5 * at.x - 0.25 * at.y; };
@@ -133,8 +134,8 @@ private slots:
             const glm::dvec2 at = plane.pointMm(section.fromMm + static_cast<double>(k) * section.stepMm);
             const imaging::SectionSample& sample = section.samples.at(k);
             QVERIFY(sample.present.count > 0);
-            QVERIFY(near(std::prev(sample.present.end())->highMm, ramp(at)));
-            QVERIFY(near(sample.originalTopMm, 0.0));
+            QVERIFY(isClose(std::prev(sample.present.end())->highMm, ramp(at)));
+            QVERIFY(isClose(sample.originalTopMm, 0.0));
         }
     }
 
@@ -143,11 +144,11 @@ private slots:
         // Mesio-distal, bucco-lingual, half way.
         for (const auto& [angleRad, throughY, point, along] :
              {std::tuple(0.0, -0.7, glm::dvec2(1.5, -0.7), 1.5),
-              {kQuarter, -0.7, glm::dvec2(0.4, 2.5), 2.5},
-              {kQuarter / 2, -0.4, glm::dvec2(0.9, 0.1), 1.0 / std::numbers::sqrt2}}) {
+              {kRightAngle, -0.7, glm::dvec2(0.4, 2.5), 2.5},
+              {kRightAngle / 2, -0.4, glm::dvec2(0.9, 0.1), 1.0 / std::numbers::sqrt2}}) {
             const SectionPlane plane{{0.4, throughY}, angleRad};
-            QVERIFY(near(plane.alongMm(point), along));
-            QVERIFY(near(glm::distance(plane.pointMm(along), point), 0.0));
+            QVERIFY(isClose(plane.alongMm(point), along));
+            QVERIFY(isClose(glm::distance(plane.pointMm(along), point), 0.0));
         }
     }
 
@@ -172,12 +173,12 @@ private slots:
             }
         }
         for (std::size_t m = 0; m < sum.size(); ++m)
-            QVERIFY(near(sum[m], expected[m], 0.01 * expected[m] + 0.02));
+            QVERIFY(isClose(sum[m], expected[m], 0.01 * expected[m] + 0.02));
     }
 
     void theIdealSurfaceIsCutAsTheOthers()
     {
-        const auto anatomy = block();
+        const auto anatomy = blockWithPulp();
         const Tooth tooth(anatomy);
         std::vector<float> ideal = anatomy->top;
         for (int i = 0; i < 64; ++i)
@@ -187,8 +188,8 @@ private slots:
         const glm::dvec2 at = anatomy->grid.nodeMm(10, 32);
         const double half = 0.5 * anatomy->grid.cellMm;
         const imaging::Section section = imaging::sectionOf(tooth, {at, 0.0}, at.x, at.x + half, 2, &ideal);
-        QVERIFY(near(section.samples[0].idealTopMm, section.samples[0].originalTopMm - 0.1F));
-        QVERIFY(near(section.samples[1].idealTopMm, section.samples[1].originalTopMm - 0.105F));
+        QVERIFY(isClose(section.samples[0].idealTopMm, section.samples[0].originalTopMm - 0.1F));
+        QVERIFY(isClose(section.samples[1].idealTopMm, section.samples[1].originalTopMm - 0.105F));
         // What is to be cut through has no height, and gives its neighbours none.
         const glm::dvec2 hole = anatomy->grid.nodeMm(40, 32);
         const imaging::Section through = imaging::sectionOf(tooth, {hole, 0.0}, hole.x - 0.8 * half, hole.x, 2, &ideal);
@@ -198,7 +199,7 @@ private slots:
 
     void whereItIsCutThroughNothingIsLeft()
     {
-        Tooth tooth(block());
+        Tooth tooth(blockWithPulp());
         support::eachOf(tooth.grid(), {10, 10, 0, 63}, [&](std::size_t k) { support::cutThrough(tooth, k); });
         const glm::dvec2 hole = tooth.grid().nodeMm(10, 32);
         const imaging::Section section = imaging::sectionOf(tooth, {hole, 0.0}, hole.x - 0.1, hole.x + 0.1, 3);
@@ -212,14 +213,14 @@ private slots:
 
     void nearestPulpIsFoundInEveryDirection()
     {
-        const imaging::PulpChamber pulp(*block());
+        const imaging::PulpChamber pulp(*blockWithPulp());
         for (const auto& [where, point, distance] : {std::tuple("above", glm::dvec3(0.3, -0.8, -1.5), 3.5),
                                                      {"below", glm::dvec3(0.0, 0.0, -9.0), 2.0},
                                                      {"beside", glm::dvec3(2.2, 0.5, -6.0), 1.0},
                                                      {"over an edge", glm::dvec3(-1.5, 0.0, -4.6), 0.5},
                                                      {"over a corner", glm::dvec3(1.4, 1.5, -4.4), 0.7},
                                                      {"inside", glm::dvec3(1.1, -1.1, -6.9), 0.0}})
-            QVERIFY2(near(glm::distance(pulp.nearest(point).value(), point), distance), where);
+            QVERIFY2(isClose(glm::distance(pulp.nearest(point).value(), point), distance), where);
     }
 
     void nearestPulpAgreesWithASlowSearch()
@@ -250,7 +251,7 @@ private slots:
 
     void depthIsReadUnderTheTip()
     {
-        const auto anatomy = block();
+        const auto anatomy = blockWithPulp();
         Tooth tooth(anatomy);
         const imaging::PulpChamber pulp(*anatomy);
         // Expects the dentin above the pulp and the distances to it, straight down and shortest. No value: no pulp
@@ -260,15 +261,16 @@ private slots:
             const imaging::DepthReading found = imaging::readDepth(tooth, pulp, tip);
             return found.overTooth && found.dentinOverPulpMm.has_value() == dentin.has_value() &&
                    found.downToPulpMm.has_value() == down.has_value() &&
-                   near(found.dentinOverPulpMm.value_or(0.0), dentin.value_or(0.0)) &&
-                   near(found.downToPulpMm.value_or(0.0), down.value_or(0.0)) && near(found.toPulpMm.value(), shortest);
+                   isClose(found.dentinOverPulpMm.value_or(0.0), dentin.value_or(0.0)) &&
+                   isClose(found.downToPulpMm.value_or(0.0), down.value_or(0.0)) &&
+                   isClose(found.toPulpMm.value(), shortest);
         };
         // Over the middle, beside the decay: a cut down to -2.5 leaves 2.5 mm of dentin over the pulp.
         const glm::dvec2 at = anatomy->grid.nodeMm(25, 32);
         float& top = tooth.top[anatomy->grid.index(25, 32)];
         top = -2.5F;
         QVERIFY(reads({at, -2.5}, 2.5, 2.5, 2.5));
-        QVERIFY(near(imaging::readDepth(tooth, pulp, {at, -2.5}).depthMm, 2.5));
+        QVERIFY(isClose(imaging::readDepth(tooth, pulp, {at, -2.5}).depthMm, 2.5));
         // Decay between is no dentin: under it 2 mm are left, 4 mm down from -1.
         QVERIFY(reads({anatomy->grid.nodeMm(31, 31), -1.0}, 2.0, 4.0, 4.0));
         // In the pulp nothing is left.
@@ -281,7 +283,7 @@ private slots:
 
     void besideTheToothNothingIsRead()
     {
-        const auto anatomy = block();
+        const auto anatomy = blockWithPulp();
         const imaging::PulpChamber pulp(*anatomy);
         const imaging::DepthReading reading = imaging::readDepth(Tooth(anatomy), pulp, {12.0, 0.0, 1.0});
         QVERIFY(!reading.overTooth);
@@ -293,5 +295,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestSection)
+CUSP_TEST(TestSection)
 #include "tst_section.moc"

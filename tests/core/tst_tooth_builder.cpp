@@ -14,6 +14,7 @@
 #include "tests/support/Checks.h"
 #include "tests/support/Files.h"
 #include "tests/support/Solids.h"
+#include "tests/support/Suite.h"
 #include "tests/support/SyntheticTooth.h"
 #include "tests/support/Tables.h"
 #include "tests/support/ToothMaps.h"
@@ -370,5 +371,5 @@ private:
     QTemporaryDir m_folder;
 };
 
-QTEST_APPLESS_MAIN(TestToothBuilder)
+CUSP_TEST(TestToothBuilder)
 #include "tst_tooth_builder.moc"

@@ -20,6 +20,7 @@
 #include "core/terrain/Tooth.h"
 #include "tests/support/Checks.h"
 #include "tests/support/Scenes.h"
+#include "tests/support/Suite.h"
 #include "tests/support/Tables.h"
 #include "tests/support/ToothMaps.h"
 #include "tests/support/Trials.h"
@@ -487,5 +488,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestToothGenerator)
+CUSP_TEST(TestToothGenerator)
 #include "tst_tooth_generator.moc"

@@ -15,6 +15,7 @@
 #include "core/teeth/ToothGenerator.h"
 #include "tests/support/Checks.h"
 #include "tests/support/Scenes.h"
+#include "tests/support/Suite.h"
 #include "tests/support/SyntheticTooth.h"
 #include "tests/support/Tables.h"
 #include "tests/support/Trials.h"
@@ -499,5 +500,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestToothPreparation)
+CUSP_TEST(TestToothPreparation)
 #include "tst_tooth_preparation.moc"

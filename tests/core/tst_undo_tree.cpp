@@ -6,6 +6,7 @@
 
 #include "core/base/Rng.h"
 #include "core/history/UndoTree.h"
+#include "tests/support/Suite.h"
 #include "tests/support/Tables.h"
 
 using namespace core;
@@ -338,5 +339,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestUndoTree)
+CUSP_TEST(TestUndoTree)
 #include "tst_undo_tree.moc"

@@ -9,16 +9,18 @@
 #include "core/contact/LiveTooth.h"
 #include "core/drilling/Bur.h"
 #include "lab/Block.h"
+#include "tests/support/Checks.h"
 #include "tests/support/Scenes.h"
+#include "tests/support/Suite.h"
 #include "tests/support/Tables.h"
 #include <glm/geometric.hpp>
 
 using core::contact::Edges;
 using core::contact::LiveTooth;
+using support::kDegree;
 
 namespace {
 
-constexpr double kDegree = 3.14159265358979 / 180.0;
 constexpr double kWallMm = 3.0;
 
 /// A floor at 0 with a wall where `across` is positive.
@@ -196,5 +198,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestUprightSides)
+CUSP_TEST(TestUprightSides)
 #include "tst_upright_sides.moc"

@@ -12,6 +12,7 @@
 #include "tests/support/Checks.h"
 #include "tests/support/Files.h"
 #include "tests/support/FullDisk.h"
+#include "tests/support/Suite.h"
 
 using core::isSameFile;
 using core::writeWhole;
@@ -112,5 +113,5 @@ private:
     QTemporaryDir m_folder;
 };
 
-QTEST_APPLESS_MAIN(TestWholeFile)
+CUSP_TEST(TestWholeFile)
 #include "tst_whole_file.moc"

@@ -11,6 +11,7 @@
 #include "database/sql/Dialect.h"
 #include "database/sql/Roster.h"
 #include "tests/database/SchoolRig.h"
+#include "tests/support/Suite.h"
 
 using namespace database;
 using namespace database::sql;
@@ -251,5 +252,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestAtOnce)
+CUSP_TEST(TestAtOnce)
 #include "tst_at_once.moc"

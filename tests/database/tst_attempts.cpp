@@ -20,6 +20,7 @@
 #include "lessons/Stuck.h"
 #include "tests/database/SchoolRig.h"
 #include "tests/support/FullDisk.h"
+#include "tests/support/Suite.h"
 
 using namespace database;
 using namespace database::sql;
@@ -807,5 +808,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestAttempts)
+CUSP_TEST(TestAttempts)
 #include "tst_attempts.moc"

@@ -13,6 +13,7 @@
 #include "database/sql/ExamStarts.h"
 #include "database/sql/Presets.h"
 #include "tests/database/SchoolRig.h"
+#include "tests/support/Suite.h"
 #include "tests/support/Tables.h"
 
 using namespace database;
@@ -503,5 +504,5 @@ private:
     std::array<std::unique_ptr<SchoolRig>, 2> m_full;
 };
 
-QTEST_GUILESS_MAIN(TestAudit)
+CUSP_TEST(TestAudit)
 #include "tst_audit.moc"

@@ -16,6 +16,7 @@
 #include "database/sql/Migrations.h"
 #include "database/sql/Statement.h"
 #include "tests/database/SchoolRig.h"
+#include "tests/support/Suite.h"
 #include "tests/support/Tables.h"
 
 using namespace database;
@@ -417,5 +418,5 @@ private:
     std::optional<QTemporaryDir> m_folder;
 };
 
-QTEST_GUILESS_MAIN(TestDatabase)
+CUSP_TEST(TestDatabase)
 #include "tst_database.moc"

@@ -10,6 +10,7 @@
 
 #include "database/sql/Roster.h"
 #include "tests/database/SchoolRig.h"
+#include "tests/support/Suite.h"
 
 using namespace database;
 using namespace database::sql;
@@ -504,5 +505,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestLogins)
+CUSP_TEST(TestLogins)
 #include "tst_logins.moc"

@@ -22,6 +22,7 @@
 #include "database/sql/Presets.h"
 #include "database/sql/Roster.h"
 #include "tests/database/SchoolRig.h"
+#include "tests/support/Suite.h"
 
 using namespace database;
 using namespace database::sql;
@@ -363,5 +364,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestPermissions)
+CUSP_TEST(TestPermissions)
 #include "tst_permissions.moc"

@@ -21,6 +21,7 @@
 #include "database/sql/Statement.h"
 #include "tests/database/SchoolRig.h"
 #include "tests/support/FullDisk.h"
+#include "tests/support/Suite.h"
 
 using namespace database;
 using namespace database::sql;
@@ -554,5 +555,5 @@ private:
     const QDateTime m_now = QDateTime(QDate(2026, 11, 21), QTime(12, 0), Qt::UTC);
 };
 
-QTEST_GUILESS_MAIN(TestRestoring)
+CUSP_TEST(TestRestoring)
 #include "tst_restoring.moc"

@@ -13,6 +13,7 @@
 #include "database/sql/Overview.h"
 #include "database/sql/Roster.h"
 #include "tests/database/SchoolRig.h"
+#include "tests/support/Suite.h"
 #include "tests/support/Tables.h"
 
 using namespace database;
@@ -370,5 +371,5 @@ private:
     SchoolRig m_rig{false};
 };
 
-QTEST_GUILESS_MAIN(TestUpkeep)
+CUSP_TEST(TestUpkeep)
 #include "tst_upkeep.moc"

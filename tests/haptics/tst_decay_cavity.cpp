@@ -7,6 +7,7 @@
 
 #include "core/drilling/Bur.h"
 #include "haptics/simulated/DecayCavity.h"
+#include "tests/support/Suite.h"
 #include "tests/support/SyntheticTooth.h"
 
 using core::drilling::Bur;
@@ -101,5 +102,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestDecayCavity)
+CUSP_TEST(TestDecayCavity)
 #include "tst_decay_cavity.moc"

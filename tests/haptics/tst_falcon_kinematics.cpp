@@ -6,6 +6,7 @@
 
 #include "core/base/Rng.h"
 #include "haptics/falcon/Kinematics.h"
+#include "tests/support/Suite.h"
 #include "tests/support/Tables.h"
 
 using namespace haptics::falcon;
@@ -106,5 +107,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestFalconKinematics)
+CUSP_TEST(TestFalconKinematics)
 #include "tst_falcon_kinematics.moc"

@@ -11,6 +11,7 @@
 #include "haptics/simulated/SimulatedFalcon.h"
 #include "tests/support/Allocations.h"
 #include "tests/support/Rig.h"
+#include "tests/support/Suite.h"
 #include "tests/support/Tables.h"
 
 using namespace std::chrono_literals;
@@ -321,5 +322,5 @@ private:
     }
 };
 
-QTEST_APPLESS_MAIN(TestGuideLoop)
+CUSP_TEST(TestGuideLoop)
 #include "tst_guide_loop.moc"

@@ -6,6 +6,7 @@
 
 #include "core/session/ServoTick.h"
 #include "haptics/simulated/GuidedFalcon.h"
+#include "tests/support/Suite.h"
 #include "tests/support/SyntheticTooth.h"
 
 using namespace core;
@@ -14,7 +15,7 @@ using namespace std::chrono_literals;
 namespace {
 
 /// The simulated handpiece over a block of enamel.
-struct Bench
+struct GuidedFalcon
 {
     rt::TripleBuffer<session::PointerInput> input;
     std::unique_ptr<contact::LiveTooth> tooth =
@@ -23,7 +24,7 @@ struct Bench
     haptics::GuidedFalcon device{input, contact::ForceSettings{}.stiffnessNPerMm, 0.001};
     session::PointerInput want;
 
-    Bench() { servo->swapTooth(tooth.get(), true); }
+    GuidedFalcon() { servo->swapTooth(tooth.get(), true); }
     glm::vec3 tick()
     {
         input.publish(want);
@@ -41,7 +42,7 @@ class TestGuidedFalcon : public QObject
 private slots:
     void goesWhereItIsWanted()
     {
-        Bench bench;
+        GuidedFalcon bench;
         for (const glm::dvec2 target : {glm::dvec2(2.0, -1.0), glm::dvec2(-1.5, 0.5)}) {
             bench.want.targetMm = target;
             for (int n = 0; n < 3000; ++n)
@@ -53,7 +54,7 @@ private slots:
 
     void leansAsHardAsItIsWanted()
     {
-        Bench bench;
+        GuidedFalcon bench;
         bench.want.hoverMm = 0.5;
         bench.want.pushing = true;
         for (int n = 0; n < 4000; ++n)
@@ -67,5 +68,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestGuidedFalcon)
+CUSP_TEST(TestGuidedFalcon)
 #include "tst_guided_falcon.moc"

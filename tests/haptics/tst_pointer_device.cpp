@@ -7,6 +7,7 @@
 
 #include "core/session/ServoTick.h"
 #include "haptics/pointer/PointerDevice.h"
+#include "tests/support/Suite.h"
 #include "tests/support/SyntheticTooth.h"
 #include "tests/support/Tables.h"
 
@@ -197,5 +198,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestPointerDevice)
+CUSP_TEST(TestPointerDevice)
 #include "tst_pointer_device.moc"

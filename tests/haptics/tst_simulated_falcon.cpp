@@ -12,6 +12,7 @@
 #include "haptics/simulated/SimulatedFalcon.h"
 #include "tests/support/Allocations.h"
 #include "tests/support/Locks.h"
+#include "tests/support/Suite.h"
 #include "tests/support/Tables.h"
 #include "tests/support/Trials.h"
 
@@ -346,5 +347,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestSimulatedFalcon)
+CUSP_TEST(TestSimulatedFalcon)
 #include "tst_simulated_falcon.moc"

@@ -7,6 +7,7 @@
 
 #include "core/base/Rng.h"
 #include "haptics/simulated/TickTimes.h"
+#include "tests/support/Suite.h"
 
 class TestTickTimes : public QObject
 {
@@ -41,5 +42,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestTickTimes)
+CUSP_TEST(TestTickTimes)
 #include "tst_tick_times.moc"

@@ -7,6 +7,7 @@
 
 #include "core/drilling/Bur.h"
 #include "lab/ContactScene.h"
+#include "tests/support/Suite.h"
 #include "tests/support/Tables.h"
 
 namespace {
@@ -88,5 +89,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestContactScene)
+CUSP_TEST(TestContactScene)
 #include "tst_contact_scene.moc"

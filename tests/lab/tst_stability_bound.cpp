@@ -4,6 +4,7 @@
 #include "core/settings/StabilityBound.h"
 #include "lab/Stability.h"
 #include "lab/StiffnessLimit.h"
+#include "tests/support/Suite.h"
 #include "tests/support/Tables.h"
 #include "tests/support/Trials.h"
 
@@ -126,5 +127,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestStabilityBound)
+CUSP_TEST(TestStabilityBound)
 #include "tst_stability_bound.moc"

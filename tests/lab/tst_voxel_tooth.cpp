@@ -12,6 +12,7 @@
 #include "lab/Block.h"
 #include "lab/ModelCost.h"
 #include "lab/VoxelTooth.h"
+#include "tests/support/Suite.h"
 
 namespace {
 
@@ -118,5 +119,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestVoxelTooth)
+CUSP_TEST(TestVoxelTooth)
 #include "tst_voxel_tooth.moc"

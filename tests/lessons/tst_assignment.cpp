@@ -17,6 +17,7 @@
 #include "lessons/LessonCatalog.h"
 #include "tests/support/Checks.h"
 #include "tests/support/Files.h"
+#include "tests/support/Suite.h"
 #include "tests/support/Tables.h"
 #include "tests/support/Trials.h"
 
@@ -481,5 +482,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestAssignment)
+CUSP_TEST(TestAssignment)
 #include "tst_assignment.moc"

@@ -5,6 +5,7 @@
 
 #include "lessons/GridNoise.h"
 #include "lessons/LessonCatalog.h"
+#include "tests/support/Suite.h"
 #include "tests/support/SyntheticTooth.h"
 #include "tests/support/Trials.h"
 
@@ -110,5 +111,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestGridNoise)
+CUSP_TEST(TestGridNoise)
 #include "tst_grid_noise.moc"

@@ -15,6 +15,7 @@
 #include "tests/fuzz/Exercises.h"
 #include "tests/lessons/LessonFolder.h"
 #include "tests/support/Checks.h"
+#include "tests/support/Suite.h"
 #include "tests/support/Tables.h"
 
 using namespace lessons;
@@ -451,5 +452,5 @@ private:
     std::optional<support::LessonFolder> m_folder;
 };
 
-QTEST_GUILESS_MAIN(TestLessonPack)
+CUSP_TEST(TestLessonPack)
 #include "tst_lesson_pack.moc"

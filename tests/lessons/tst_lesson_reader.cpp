@@ -10,6 +10,7 @@
 #include "lessons/RubricReader.h"
 #include "tests/lessons/LessonFolder.h"
 #include "tests/support/Checks.h"
+#include "tests/support/Suite.h"
 #include "tests/support/Tables.h"
 #include "tests/support/Trials.h"
 
@@ -559,5 +560,5 @@ private:
     std::optional<support::LessonFolder> m_folder;
 };
 
-QTEST_GUILESS_MAIN(TestLessonReader)
+CUSP_TEST(TestLessonReader)
 #include "tst_lesson_reader.moc"

@@ -7,6 +7,7 @@
 #include "lessons/LessonCatalog.h"
 #include "lessons/Moments.h"
 #include "tests/support/Rig.h"
+#include "tests/support/Suite.h"
 #include "tests/support/SyntheticTooth.h"
 
 using namespace lessons;
@@ -427,5 +428,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestMoments)
+CUSP_TEST(TestMoments)
 #include "tst_moments.moc"

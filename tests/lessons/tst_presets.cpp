@@ -9,6 +9,7 @@
 #include "lessons/PresetShelf.h"
 #include "tests/lessons/LessonFolder.h"
 #include "tests/support/Checks.h"
+#include "tests/support/Suite.h"
 #include "tests/support/Tables.h"
 
 using core::settings::FeelPreset;
@@ -411,5 +412,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestPresets)
+CUSP_TEST(TestPresets)
 #include "tst_presets.moc"

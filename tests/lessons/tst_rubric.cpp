@@ -13,6 +13,7 @@
 #include "lessons/RubricReader.h"
 #include "lessons/ScoreSheetJson.h"
 #include "tests/support/Checks.h"
+#include "tests/support/Suite.h"
 #include "tests/support/Tables.h"
 
 using namespace lessons;
@@ -331,5 +332,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestRubric)
+CUSP_TEST(TestRubric)
 #include "tst_rubric.moc"

@@ -17,6 +17,7 @@
 #include "core/base/Rng.h"
 #include "core/grading/MeasureTable.h"
 #include "lessons/Rubric.h"
+#include "tests/support/Suite.h"
 
 using namespace lessons;
 
@@ -588,5 +589,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestScoringByTheBook)
+CUSP_TEST(TestScoringByTheBook)
 #include "tst_scoring_by_the_book.moc"

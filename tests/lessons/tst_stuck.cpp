@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "lessons/Stuck.h"
+#include "tests/support/Suite.h"
 #include "tests/support/Tables.h"
 
 using lessons::isStuck;
@@ -63,5 +64,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestStuck)
+CUSP_TEST(TestStuck)
 #include "tst_stuck.moc"

@@ -11,6 +11,9 @@
 /// Checks that print what they found where it is not what they look for.
 namespace support {
 
+inline constexpr double kPi = 3.14159265358979323846;  // moc of Qt 6.4 stumbles over <numbers>
+inline constexpr double kDegree = kPi / 180.0;
+
 [[nodiscard]] inline bool near(double actual, double expected, double tolerance = 1.0e-9)
 {
     const bool isNear = std::abs(actual - expected) <= tolerance;

@@ -7,6 +7,7 @@
 #include <QSignalSpy>
 #include <QTableView>
 
+#include "tests/support/Suite.h"
 #include "tests/ui/PageTest.h"
 #include "ui/admin/AdminPage.h"
 #include "ui/admin/AuditPart.h"
@@ -336,5 +337,5 @@ private:
     }
 };
 
-QTEST_MAIN(TestAdminPage)
+CUSP_TEST(TestAdminPage)
 #include "tst_admin_page.moc"

@@ -8,6 +8,7 @@
 #include <QSpinBox>
 #include <QTableView>
 
+#include "tests/support/Suite.h"
 #include "tests/support/Tables.h"
 #include "tests/ui/PageTest.h"
 #include "ui/people/AssignPage.h"
@@ -21,11 +22,11 @@ Q_DECLARE_METATYPE(QList<ui::people::AssignmentChange>)
 
 namespace {
 
-const QDateTime kNow(QDate(2026, 11, 20), QTime(12, 0), Qt::UTC);
+const QDateTime kToday(QDate(2026, 11, 20), QTime(12, 0), Qt::UTC);
 constexpr database::ClassId kClass{7};
 
 /// Four students. Lesson "a" was passed by two of them and tried by three.
-database::ClassOverview overview()
+database::ClassOverview classOf()
 {
     database::ClassOverview made{kClass, "DEN101-A", {}, {"a", "b"}, {}};
     for (int k = 0; k < 4; ++k) {
@@ -66,8 +67,8 @@ private slots:
                             {"c", "Class I", "Lower left first molar (36)", "Cavities", {}},
                             {"d", "Cross", "Practice block", "Blocks", "/lessons of ines/cross.lesson.json"}});
         m_page->setAssignments(
-            overview(), {{1, kClass, "a", "2026-11-15T23:59:59Z", 3}, {2, {8}, "c", "", 0}, {3, kClass, "b", "", 0}},
-            kNow);
+            classOf(), {{1, kClass, "a", "2026-11-15T23:59:59Z", 3}, {2, {8}, "c", "", 0}, {3, kClass, "b", "", 0}},
+            kToday);
     }
 
     void severalLessonsAreGivenAtOnce()
@@ -123,7 +124,7 @@ private slots:
         // What is ticked stays when the class is told again, unless it has been given meanwhile.
         tick("Class I");
         tick("Cross");
-        m_page->setAssignments(overview(), {{4, kClass, "c", "", 0}}, kNow);
+        m_page->setAssignments(classOf(), {{4, kClass, "c", "", 0}}, kToday);
         QCOMPARE(child<QPushButton>("assignTicked")->text(), QString("Assign 1 lesson(s)"));
         QCOMPARE(offer("Cross").data(Qt::CheckStateRole).toInt(), int(Qt::Checked));
     }
@@ -211,12 +212,12 @@ private slots:
         m_page->confirm({{once, ClassAssignment{1, kClass, "a", "", 2}}});
         QVERIFY2(!said().contains("student(s)"), qPrintable(said()));
         // Of two lessons everybody is counted once: another is stuck at each, and one at both.
-        database::ClassOverview two = overview();
+        database::ClassOverview two = classOf();
         two.lessons = {"a", "b"};
         two.cells.assign(two.students.size(), std::vector<database::MatrixCell>(2));
         for (const auto& [student, lesson] : {std::pair(0, 0), std::pair(1, 1), std::pair(2, 0), std::pair(2, 1)})
             two.cells[static_cast<std::size_t>(student)][static_cast<std::size_t>(lesson)].attempts = 1;
-        m_page->setAssignments(two, {given}, kNow);
+        m_page->setAssignments(two, {given}, kToday);
         m_page->confirm({{given, once}, {{}, ClassAssignment{2, kClass, "b", "", 1}}});
         QVERIFY2(said().contains("3 student(s) who have not passed"), qPrintable(said()));
     }
@@ -235,10 +236,10 @@ private slots:
             first<QSpinBox>("attemptLimit")->setValue(3);
             m_page->forget();
         }
-        database::ClassOverview other = overview();
+        database::ClassOverview other = classOf();
         other.id = {8};
         other.name = "DEN101-B";
-        m_page->setAssignments(other, {}, kNow);
+        m_page->setAssignments(other, {}, kToday);
         QVERIFY(textOf("givenTitle").contains("DEN101-B"));
         QVERIFY(child<QLabel>("nothingGiven")->isVisible() && textOf("assignSaid").isEmpty());
         QVERIFY(!child<QPushButton>("undoAssign")->isVisible() && !child<QPushButton>("assignTicked")->isEnabled());
@@ -296,5 +297,5 @@ private:
     }
 };
 
-QTEST_MAIN(TestAssignPage)
+CUSP_TEST(TestAssignPage)
 #include "tst_assign_page.moc"

@@ -6,6 +6,7 @@
 #include <QTest>
 
 #include "tests/support/Checks.h"
+#include "tests/support/Suite.h"
 #include "tests/support/Tables.h"
 #include "ui/tooth/Camera.h"
 
@@ -172,5 +173,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestCamera)
+CUSP_TEST(TestCamera)
 #include "tst_camera.moc"

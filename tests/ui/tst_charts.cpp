@@ -16,6 +16,7 @@
 
 #include "tests/support/Files.h"
 #include "tests/support/FullDisk.h"
+#include "tests/support/Suite.h"
 #include "ui/charts/ChartPanel.h"
 #include "ui/charts/SaveButton.h"
 #include "ui/charts/Table.h"
@@ -440,5 +441,5 @@ private:
     std::unique_ptr<ChartPanel> m_panel;
 };
 
-QTEST_MAIN(TestCharts)
+CUSP_TEST(TestCharts)
 #include "tst_charts.moc"

@@ -10,6 +10,7 @@
 #include <QTemporaryDir>
 
 #include "tests/support/Files.h"
+#include "tests/support/Suite.h"
 #include "tests/ui/PageTest.h"
 #include "ui/charts/ChartPanel.h"
 #include "ui/people/ClassPage.h"
@@ -448,5 +449,5 @@ private:
     }
 };
 
-QTEST_MAIN(TestClassPage)
+CUSP_TEST(TestClassPage)
 #include "tst_class_page.moc"

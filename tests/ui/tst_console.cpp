@@ -18,6 +18,7 @@
 #include <cmath>
 #include <memory>
 
+#include "tests/support/Suite.h"
 #include "ui/console/Console.h"
 #include "ui/console/Registration.h"
 #include "ui/console/WatchPanel.h"
@@ -549,5 +550,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestConsole)
+CUSP_TEST(TestConsole)
 #include "tst_console.moc"

@@ -18,6 +18,7 @@
 #include <tuple>
 
 #include "tests/support/Files.h"
+#include "tests/support/Suite.h"
 #include "ui/shell/FileDialog.h"
 
 namespace {
@@ -158,5 +159,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestFileDialog)
+CUSP_TEST(TestFileDialog)
 #include "tst_file_dialog.moc"

@@ -7,6 +7,7 @@
 #include <QTest>
 
 #include "core/terrain/Tooth.h"
+#include "tests/support/Suite.h"
 #include "tests/support/SyntheticTooth.h"
 #include "ui/render/Flanks.h"
 #include "ui/render/Junction.h"
@@ -16,12 +17,12 @@ using ui::render::Flanks;
 
 namespace {
 
-const Grid kGrid{150, 0.07, {-5.2, -5.17}};
+const Grid kFlankGrid{150, 0.07, {-5.2, -5.17}};
 
 struct Maps
 {
-    std::vector<float> tops = std::vector<float>(kGrid.count(), core::terrain::kEmptyTop);
-    std::vector<float> bottoms = std::vector<float>(kGrid.count(), core::terrain::kEmptyBottom);
+    std::vector<float> tops = std::vector<float>(kFlankGrid.count(), core::terrain::kEmptyTop);
+    std::vector<float> bottoms = std::vector<float>(kFlankGrid.count(), core::terrain::kEmptyBottom);
 };
 
 /// A body turned about its middle: heights by the distance from there.
@@ -29,7 +30,7 @@ template <class Top, class Bottom>
 Maps turned(double radiusMm, Top&& top, Bottom&& bottom)
 {
     Maps maps;
-    support::eachNode(kGrid, [&](std::size_t k, glm::dvec2 place) {
+    support::eachNode(kFlankGrid, [&](std::size_t k, glm::dvec2 place) {
         const double away = glm::length(place);
         if (away >= radiusMm)
             return;
@@ -55,10 +56,10 @@ private slots:
         const Maps ball = turned(
             kRadiusMm, [&](double away) { return kContourMm + rise(away); },
             [&](double away) { return kContourMm - rise(away); });
-        const Flanks flanks(kGrid, ball.tops, ball.bottoms, ball.tops, ball.bottoms);
+        const Flanks flanks(kFlankGrid, ball.tops, ball.bottoms, ball.tops, ball.bottoms);
         int taken = 0;
         double worst = 0.0;
-        support::eachNode(kGrid, [&](std::size_t k, glm::dvec2 place) {
+        support::eachNode(kFlankGrid, [&](std::size_t k, glm::dvec2 place) {
             if (ball.tops[k] <= ball.bottoms[k])
                 return;
             for (const Flanks::Side side : {Flanks::Side::Upper, Flanks::Side::Lower}) {
@@ -85,16 +86,16 @@ private slots:
         const auto bottom = [](double away) { return kLineMm + kSteep * (away - kNeckMm); };
         const Maps tooth = turned(
             3.6, [](double) { return 0.0; }, bottom);
-        std::vector<float> junction(kGrid.count(), 0.0F);
+        std::vector<float> junction(kFlankGrid.count(), 0.0F);
         for (std::size_t k = 0; k < junction.size(); ++k)
             junction[k] = tooth.bottoms[k] < static_cast<float>(kLineMm) ? -5.0F : tooth.bottoms[k] - 1.0F;
-        const std::vector<float> drawn = ui::render::drawnJunction(kGrid, tooth.tops, tooth.bottoms, junction);
+        const std::vector<float> drawn = ui::render::drawnJunction(kFlankGrid, tooth.tops, tooth.bottoms, junction);
         int crossings = 0;
         double sum = 0.0;
-        for (int j = 0; j < kGrid.side; ++j) {
-            for (int i = 0; i + 1 < kGrid.side; ++i) {
-                const std::size_t a = kGrid.index(i, j);
-                const std::size_t b = kGrid.index(i + 1, j);
+        for (int j = 0; j < kFlankGrid.side; ++j) {
+            for (int i = 0; i + 1 < kFlankGrid.side; ++i) {
+                const std::size_t a = kFlankGrid.index(i, j);
+                const std::size_t b = kFlankGrid.index(i + 1, j);
                 if (tooth.tops[a] <= tooth.bottoms[a] || tooth.tops[b] <= tooth.bottoms[b])
                     continue;
                 const float over = tooth.bottoms[a] - drawn[a];
@@ -115,12 +116,13 @@ private slots:
     {
         const Maps tooth = turned(
             4.0, [](double) { return 0.0; }, [](double) { return -5.0; });
-        const std::vector<float> drawn = ui::render::drawnJunction(kGrid, tooth.tops, tooth.bottoms, tooth.bottoms);
+        const std::vector<float> drawn =
+            ui::render::drawnJunction(kFlankGrid, tooth.tops, tooth.bottoms, tooth.bottoms);
         for (std::size_t k = 0; k < drawn.size(); ++k)
             if (tooth.tops[k] > tooth.bottoms[k])
                 QVERIFY(drawn[k] < tooth.bottoms[k] - 0.1F);
     }
 };
 
-QTEST_APPLESS_MAIN(TestFlanks)
+CUSP_TEST(TestFlanks)
 #include "tst_flanks.moc"

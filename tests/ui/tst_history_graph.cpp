@@ -3,6 +3,7 @@
 #include <set>
 
 #include "core/base/Rng.h"
+#include "tests/support/Suite.h"
 #include "ui/replay/HistoryGraph.h"
 
 using core::history::MomentInfo;
@@ -101,5 +102,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestHistoryGraph)
+CUSP_TEST(TestHistoryGraph)
 #include "tst_history_graph.moc"

@@ -4,6 +4,7 @@
 #include <QSignalSpy>
 #include <QTableView>
 
+#include "tests/support/Suite.h"
 #include "tests/ui/PageTest.h"
 #include "ui/charts/ChartPanel.h"
 #include "ui/charts/Table.h"
@@ -17,7 +18,7 @@ using ui::people::HistoryPage;
 namespace {
 
 /// So many attempts at three lessons in turn, newest first, better and quicker each time.
-QList<AttemptRecord> attempts(int count)
+QList<AttemptRecord> attemptRecords(int count)
 {
     QList<AttemptRecord> made;
     const QDateTime first(QDate(2026, 9, 1), QTime(9, 0), Qt::UTC);
@@ -67,7 +68,7 @@ private slots:
         auto* words = child<QLabel>("emptyWords");
         m_page->setHistory({});
         QVERIFY(words->isVisible());
-        m_page->setHistory(attempts(30));
+        m_page->setHistory(attemptRecords(30));
         QVERIFY(!words->isVisible());
         QCOMPARE(table()->model()->rowCount(), 30);
         QCOMPARE(m_page->chosen(), 30);
@@ -75,13 +76,13 @@ private slots:
         // What is chosen stays.
         table()->selectRow(7);
         const auto kept = m_page->chosen();
-        m_page->setHistory(attempts(31));
+        m_page->setHistory(attemptRecords(31));
         QCOMPARE(m_page->chosen(), kept);
     }
 
     void aLessonFiltersListAndCharts()
     {
-        m_page->setHistory(attempts(1200));
+        m_page->setHistory(attemptRecords(1200));
         QSignalSpy lesson(m_page, &HistoryPage::lessonChosen);
         auto* combo = child<QComboBox>("lessonFilter");
         QCOMPARE(combo->count(), 4);
@@ -98,7 +99,7 @@ private slots:
 
     void aTableOfSeveralLessonsNamesThem()
     {
-        m_page->setHistory(attempts(3));
+        m_page->setHistory(attemptRecords(3));
         ui::charts::Table table = ui::charts::tableOf(scores());
         QCOMPARE(table.heads.size(), 4);
         QCOMPARE(table.heads.back(), QString("Lesson"));
@@ -116,7 +117,7 @@ private slots:
 
     void listsAreSortedByKeys()
     {
-        QList<AttemptRecord> some = attempts(9);
+        QList<AttemptRecord> some = attemptRecords(9);
         some[3].durationMs = 3'700'000;  // "1:01:40" is more than "9:59"
         some[4].scoreTenths = 1000;      // and "100.0" more than "99.0"
         some[5].meanForceMn = 10'500;
@@ -140,7 +141,7 @@ private slots:
 
     void theBandNeedsFivePeople()
     {
-        m_page->setHistory(attempts(30));
+        m_page->setHistory(attemptRecords(30));
         m_page->setLesson("c1-36");
         const auto slices = [&] { return std::get<ui::charts::Curve>(scores().content).band.slices.size(); };
         m_page->setBand(band(4));
@@ -160,7 +161,7 @@ private slots:
 
     void anAttemptOpens()
     {
-        m_page->setHistory(attempts(30));
+        m_page->setHistory(attemptRecords(30));
         QSignalSpy opened(m_page, &HistoryPage::attemptOpenWanted);
         QSignalSpy replayed(m_page, &HistoryPage::replayWanted);
         auto* replay = child<QPushButton>("replayAttempt");
@@ -187,7 +188,7 @@ private slots:
 
     void anInstructorsScoreCounts()
     {
-        QList<AttemptRecord> some = attempts(3);
+        QList<AttemptRecord> some = attemptRecords(3);
         some[0].givenTenths = 885;
         m_page->setHistory(some);
         QCOMPARE(cell(0, 2), QString("88.5"));
@@ -198,7 +199,7 @@ private slots:
 
     void whatCostMostIsFirstThoughItHasNoWeight()
     {
-        QList<AttemptRecord> some = attempts(3);
+        QList<AttemptRecord> some = attemptRecords(3);
         for (AttemptRecord& one : some)
             one.criteria = {{"caries_left", 300, 300}, {"pulp_opened", 609, 0}, {"pulp_grazed", 0, 0}};
         m_page->setHistory(some);
@@ -214,7 +215,7 @@ private slots:
     {
         m_page->setCriterionNames({{"c1-36", {{"left", "Part of the ideal"}, {"walls", "Walls"}}},
                                    {"decay-26", {{"left", "Part of the opening"}, {"sides", "Walls"}}}});
-        QList<AttemptRecord> some = attempts(2);
+        QList<AttemptRecord> some = attemptRecords(2);
         some[0].criteria = {{"left", 100, 300}, {"sides", 60, 300}};
         some[1].criteria = {{"left", 200, 300}, {"walls", 40, 300}};
         QCOMPARE(some[1].lessonId, std::string("c1-36"));
@@ -241,5 +242,5 @@ private:
     }
 };
 
-QTEST_MAIN(TestHistoryPage)
+CUSP_TEST(TestHistoryPage)
 #include "tst_history_page.moc"

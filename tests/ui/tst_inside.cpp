@@ -13,6 +13,7 @@
 
 #include "core/teeth/ToothBuilder.h"
 #include "tests/support/Checks.h"
+#include "tests/support/Suite.h"
 #include "tests/support/SyntheticMolar.h"
 #include "tests/support/SyntheticTooth.h"
 #include "tests/support/Tables.h"
@@ -338,5 +339,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestInside)
+CUSP_TEST(TestInside)
 #include "tst_inside.moc"

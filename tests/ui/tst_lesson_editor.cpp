@@ -20,6 +20,7 @@
 #include "lessons/NewLesson.h"
 #include "tests/support/Checks.h"
 #include "tests/support/Files.h"
+#include "tests/support/Suite.h"
 #include "tests/ui/WindowTest.h"
 #include "ui/charts/SaveButton.h"
 #include "ui/shell/Actions.h"
@@ -736,5 +737,5 @@ private:
     LessonEditor* m_editor = nullptr;
 };
 
-QTEST_MAIN(TestLessonEditor)
+CUSP_TEST(TestLessonEditor)
 #include "tst_lesson_editor.moc"

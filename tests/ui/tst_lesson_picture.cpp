@@ -5,6 +5,7 @@
 #include <QtTest>
 
 #include "lessons/LessonCatalog.h"
+#include "tests/support/Suite.h"
 #include "ui/study/LessonPicture.h"
 
 using lessons::Lesson;
@@ -128,5 +129,5 @@ private:
     std::unique_ptr<LessonPicture> m_picture;
 };
 
-QTEST_MAIN(TestLessonPicture)
+CUSP_TEST(TestLessonPicture)
 #include "tst_lesson_picture.moc"

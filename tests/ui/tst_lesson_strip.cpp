@@ -5,6 +5,7 @@
 #include <QTest>
 #include <QToolButton>
 
+#include "tests/support/Suite.h"
 #include "ui/shell/TabularLabel.h"
 #include "ui/study/LessonStrip.h"
 
@@ -122,5 +123,5 @@ private:
     std::unique_ptr<LessonStrip> m_strip;
 };
 
-QTEST_MAIN(TestLessonStrip)
+CUSP_TEST(TestLessonStrip)
 #include "tst_lesson_strip.moc"

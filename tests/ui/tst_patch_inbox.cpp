@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QTest>
 
+#include "tests/support/Suite.h"
 #include "tests/support/SyntheticTooth.h"
 #include "ui/tooth/PatchInbox.h"
 
@@ -102,5 +103,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestPatchInbox)
+CUSP_TEST(TestPatchInbox)
 #include "tst_patch_inbox.moc"

@@ -5,6 +5,7 @@
 
 #include <QTest>
 
+#include "tests/support/Suite.h"
 #include "tests/support/SyntheticMolar.h"
 #include "tests/support/Tables.h"
 #include "ui/tooth/Camera.h"
@@ -194,5 +195,5 @@ private:
     PointerControl m_control;
 };
 
-QTEST_APPLESS_MAIN(TestPointerControl)
+CUSP_TEST(TestPointerControl)
 #include "tst_pointer_control.moc"

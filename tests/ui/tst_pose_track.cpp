@@ -6,6 +6,7 @@
 
 #include <QTest>
 
+#include "tests/support/Suite.h"
 #include "ui/tooth/PoseTrack.h"
 
 using core::session::Pose;
@@ -125,5 +126,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestPoseTrack)
+CUSP_TEST(TestPoseTrack)
 #include "tst_pose_track.moc"

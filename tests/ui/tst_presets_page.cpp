@@ -13,6 +13,7 @@
 #include "core/settings/StabilityBound.h"
 #include "tests/support/Checks.h"
 #include "tests/support/Files.h"
+#include "tests/support/Suite.h"
 #include "tests/ui/PageTest.h"
 #include "ui/charts/SaveButton.h"
 #include "ui/presets/BlindTrial.h"
@@ -32,7 +33,7 @@ Q_DECLARE_METATYPE(core::settings::FeelPreset)
 
 namespace {
 
-FeelPreset named(const char* name, int version, double enamelRate)
+FeelPreset presetNamed(const char* name, int version, double enamelRate)
 {
     FeelPreset preset;
     preset.name = name;
@@ -48,8 +49,8 @@ const FeelPreset& shipped()
 
 std::vector<lessons::ReadPreset> shelf()
 {
-    return {{"/a", named("hard", 2, 0.4), {}},
-            {"/b", named("hard", 1, 0.5), {}},
+    return {{"/a", presetNamed("hard", 2, 0.4), {}},
+            {"/b", presetNamed("hard", 1, 0.5), {}},
             {{}, shipped(), {}},
             {"/bad.cusppreset", {}, {{"/bad.cusppreset", {}, {"is empty"}, true}}}};
 }
@@ -139,8 +140,8 @@ private slots:
 
     void blindTrialCountsWhatWasBehindTheLetters()
     {
-        const FeelPreset first = named("a, \"b\"", 1, 0.5);
-        const FeelPreset second = named("plain", 2, 0.7);
+        const FeelPreset first = presetNamed("a, \"b\"", 1, 0.5);
+        const FeelPreset second = presetNamed("plain", 2, 0.7);
         int asA = 0;
         for (std::uint64_t seed = 0; seed < 40; ++seed) {
             BlindTrial trial(first, second, 10, seed);
@@ -176,7 +177,7 @@ private slots:
         list().setCurrentRow(0);
         QVERIFY(!save->isEnabled());
         list().setCurrentRow(1);
-        QVERIFY(m_page->draft() == named("hard", 1, 0.5));
+        QVERIFY(m_page->draft() == presetNamed("hard", 1, 0.5));
         QVERIFY(save->isEnabled() && save->text().startsWith("Restore"));  // an older version
         QSignalSpy use(m_page, &presets::PresetsPage::useWanted);
         click("presetUse");
@@ -319,7 +320,7 @@ private slots:
         emit other->activated(1);
         click("presetCompare");
         QCOMPARE(compared[0][0].value<FeelPreset>().name, std::string("natural"));
-        QVERIFY(compared[0][1].value<FeelPreset>() == named("hard", 1, 0.5));
+        QVERIFY(compared[0][1].value<FeelPreset>() == presetNamed("hard", 1, 0.5));
         QCOMPARE(compared[0][2].toInt(), 8);
     }
 
@@ -341,8 +342,8 @@ private slots:
         QVERIFY(feed->isVisible() && feed->words(1.0).contains("Enamel 0.4 mm/s"));
         QVERIFY(card.findChild<QLabel*>("feedWords")->text().contains("dashed"));
 
-        const FeelPreset first = named("hard", 1, 0.3);
-        card.compare(BlindTrial(first, named("soft", 1, 0.9), 4, 3));
+        const FeelPreset first = presetNamed("hard", 1, 0.3);
+        card.compare(BlindTrial(first, presetNamed("soft", 1, 0.9), 4, 3));
         QVERIFY(!card.tuned());
         for (int trial = 0; trial < 4; ++trial) {
             const FeelPreset a = felt();
@@ -380,7 +381,7 @@ private slots:
         card.tune(FeelPreset{}, FeelPreset{});
         QVERIFY(!end->isVisible() && back->isVisible());
         for (const int answers : {0, 1}) {
-            card.compare(BlindTrial(named("hard", 1, 0.3), named("soft", 1, 0.9), 4, 3));
+            card.compare(BlindTrial(presetNamed("hard", 1, 0.3), presetNamed("soft", 1, 0.9), 4, 3));
             // Nobody leaves it by a button that says nothing of it.
             QVERIFY(card.isComparing() && end->isVisible() && !back->isVisible());
             for (int trial = 0; trial < answers; ++trial) {
@@ -410,7 +411,7 @@ private slots:
     void allAsItWasUndoesTheConsoleToo()
     {
         presets::TrialCard& card = makeCard();
-        const FeelPreset base = named("hard", 1, 0.3);
+        const FeelPreset base = presetNamed("hard", 1, 0.3);
         card.tune(base, base);
         FeelPreset byHand = base;
         byHand.stiffnessNPerMm = 1.7654;  // no dial comes there
@@ -441,11 +442,11 @@ private slots:
         QVERIFY(m_page->draft() == changed && list().currentRow() == 2);
         // A version that is saved or imported meanwhile does not replace the changed one. The changed one appears when
         // it is saved.
-        m_page->select(named("hard", 1, 0.5));
+        m_page->select(presetNamed("hard", 1, 0.5));
         QVERIFY(m_page->draft() == changed);
         list().setCurrentRow(0);
         answer("questionDiscard");
-        QVERIFY(m_page->draft() == named("hard", 2, 0.4) && list().currentRow() == 0);
+        QVERIFY(m_page->draft() == presetNamed("hard", 2, 0.4) && list().currentRow() == 0);
         QVERIFY(m_page->unsavedChanges().isEmpty());
         child<QSlider>("dial1")->setValue(5);
         m_page->setMayKeep(false);
@@ -456,7 +457,7 @@ private slots:
 
     void whatWasLoadedInATrialIsThatPreset()
     {
-        FeelPreset loaded = named("hard", 2, 0.4);
+        FeelPreset loaded = presetNamed("hard", 2, 0.4);
         loaded.stiffnessNPerMm = 1.5;
         loaded.hash.clear();
         m_page->setDraft(loaded);
@@ -550,7 +551,7 @@ private slots:
         QCOMPARE(wanted[1], (QVariantList{"hard", true}));
         // In use it stays to be seen by everybody.
         m_page->setMayRetire(false);
-        m_page->setPresets(all, named("hard", 1, 0.5));
+        m_page->setPresets(all, presetNamed("hard", 1, 0.5));
         QCOMPARE(list().count(), 3);
     }
 
@@ -574,5 +575,5 @@ private:
     std::optional<QSignalSpy> m_felt;
 };
 
-QTEST_MAIN(TestPresetsPage)
+CUSP_TEST(TestPresetsPage)
 #include "tst_presets_page.moc"

@@ -21,6 +21,7 @@
 #include <unistd.h>
 
 #include "tests/support/Files.h"
+#include "tests/support/Suite.h"
 #include "tests/support/Tables.h"
 #include "tests/ui/PseudoLanguage.h"
 #include "tests/ui/WindowTest.h"
@@ -445,5 +446,5 @@ private:
     ScoreCard m_card;
 };
 
-QTEST_MAIN(TestReport)
+CUSP_TEST(TestReport)
 #include "tst_report.moc"

@@ -13,6 +13,7 @@
 
 #include "tests/support/Checks.h"
 #include "tests/support/Files.h"
+#include "tests/support/Suite.h"
 #include "tests/ui/PageTest.h"
 #include "tests/ui/WindowTest.h"
 #include "ui/charts/SaveButton.h"
@@ -508,5 +509,5 @@ private:
     }
 };
 
-QTEST_MAIN(TestScorePage)
+CUSP_TEST(TestScorePage)
 #include "tst_score_page.moc"

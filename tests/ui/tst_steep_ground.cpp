@@ -10,6 +10,7 @@
 #include <QTest>
 
 #include "core/terrain/Tooth.h"
+#include "tests/support/Suite.h"
 #include "tests/support/SyntheticTooth.h"
 #include "tests/support/Tables.h"
 #include "ui/render/SteepGround.h"
@@ -176,5 +177,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestSteepGround)
+CUSP_TEST(TestSteepGround)
 #include "tst_steep_ground.moc"

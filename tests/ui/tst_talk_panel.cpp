@@ -13,6 +13,7 @@
 #include <memory>
 #include <tuple>
 
+#include "tests/support/Suite.h"
 #include "ui/people/TalkPanel.h"
 #include "ui/shell/Theme.h"
 
@@ -463,5 +464,5 @@ private:
     std::unique_ptr<TalkPanel> m_panel;
 };
 
-QTEST_MAIN(TestTalkPanel)
+CUSP_TEST(TestTalkPanel)
 #include "tst_talk_panel.moc"

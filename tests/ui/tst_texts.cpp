@@ -19,6 +19,7 @@
 #include "lessons/LessonReader.h"
 #include "lessons/PresetFile.h"
 #include "lessons/Rubric.h"
+#include "tests/support/Suite.h"
 #include "tests/support/Tables.h"
 #include "ui/admin/AdminWords.h"
 #include "ui/people/PeopleWords.h"
@@ -580,5 +581,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestTexts)
+CUSP_TEST(TestTexts)
 #include "tst_texts.moc"

@@ -10,6 +10,7 @@
 
 #include "core/teeth/ToothBuilder.h"
 #include "tests/support/Checks.h"
+#include "tests/support/Suite.h"
 #include "tests/support/SyntheticMolar.h"
 #include "tests/support/SyntheticTooth.h"
 #include "tests/support/Tables.h"
@@ -380,5 +381,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestToothSurface)
+CUSP_TEST(TestToothSurface)
 #include "tst_tooth_surface.moc"

@@ -5,6 +5,7 @@
 #include <QTest>
 #include <QVBoxLayout>
 
+#include "tests/support/Suite.h"
 #include "tests/support/SyntheticMolar.h"
 #include "ui/shell/Actions.h"
 #include "ui/shell/ArchView.h"
@@ -91,5 +92,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestToothViewWithoutOpenGl)
+CUSP_TEST(TestToothViewWithoutOpenGl)
 #include "tst_tooth_view_without_opengl.moc"

@@ -2,6 +2,7 @@
 #include <QLabel>
 #include <QPushButton>
 
+#include "tests/support/Suite.h"
 #include "tests/ui/WindowTest.h"
 #include "ui/people/Door.h"
 #include "ui/shell/HelpOverlay.h"
@@ -157,5 +158,5 @@ private:
     }
 };
 
-QTEST_MAIN(TestTour)
+CUSP_TEST(TestTour)
 #include "tst_tour.moc"

@@ -4,6 +4,7 @@
 #include <QPlainTextEdit>
 #include <QTableView>
 
+#include "tests/support/Suite.h"
 #include "tests/support/Tables.h"
 #include "tests/ui/WindowTest.h"
 #include "ui/admin/AdminPage.h"
@@ -18,7 +19,7 @@ using ui::shell::MainWindow;
 
 namespace {
 
-database::Person someone(qint64 id, const std::string& given, bool hasPassword = true)
+database::Person user(qint64 id, const std::string& given, bool hasPassword = true)
 {
     return {{id}, std::to_string(id), given, given, "Berg", database::Role::Student, false, hasPassword, "", "", {}};
 }
@@ -38,7 +39,7 @@ private slots:
         m_window->setPresets({{{}, lessons::shippedPresets().front(), {}}}, lessons::shippedPresets().front());
         m_window->setWho(school().admin);
         m_window->setMayEdit(true);
-        m_window->adminPage().people().setPeople({someone(1, "Ada"), someone(2, "Bob")}, {});
+        m_window->adminPage().people().setPeople({user(1, "Ada"), user(2, "Bob")}, {});
     }
     void cleanup()
     {
@@ -173,7 +174,7 @@ private:
             child<QTableView>("people")->selectRow(0);
             QTest::keyClicks(child<QLineEdit>("personGiven"), "lina");
         } else if (page == "code") {
-            m_window->adminPage().people().showCode(someone(1, "Ada", false), "1234-5678");
+            m_window->adminPage().people().showCode(user(1, "Ada", false), "1234-5678");
         } else if (page == "class list") {
             m_window->adminPage().roster().showOutcome(
                 {{}, {{"eve", "Eve Berg", database::Role::Student, {}, true, "1234-5678", {}}}, {}}, "class.csv", true);
@@ -201,5 +202,5 @@ private:
     QTemporaryDir m_folder;
 };
 
-QTEST_MAIN(TestUnsavedChanges)
+CUSP_TEST(TestUnsavedChanges)
 #include "tst_unsaved_changes.moc"

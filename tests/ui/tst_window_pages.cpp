@@ -9,6 +9,7 @@
 #include <QPushButton>
 #include <QSlider>
 
+#include "tests/support/Suite.h"
 #include "tests/ui/WindowTest.h"
 #include "ui/console/Console.h"
 #include "ui/console/WatchPanel.h"
@@ -461,5 +462,5 @@ private:
     [[nodiscard]] QString lessonTitle() const { return child<QLabel>("lessonTitle")->text(); }
 };
 
-QTEST_MAIN(TestWindowPages)
+CUSP_TEST(TestWindowPages)
 #include "tst_window_pages.moc"

@@ -8,6 +8,7 @@
 #include <QSlider>
 
 #include "core/drilling/Bur.h"
+#include "tests/support/Suite.h"
 #include "tests/ui/WindowTest.h"
 #include "ui/console/Console.h"
 #include "ui/inside/SectionView.h"
@@ -554,5 +555,5 @@ private:
     }
 };
 
-QTEST_MAIN(TestWindowRoom)
+CUSP_TEST(TestWindowRoom)
 #include "tst_window_room.moc"

@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QPushButton>
 
+#include "tests/support/Suite.h"
 #include "tests/support/Tables.h"
 #include "tests/ui/WindowTest.h"
 #include "ui/inside/SectionView.h"
@@ -698,5 +699,5 @@ private:
     const QString m_file = m_folder.filePath("mine.cusprec");
 };
 
-QTEST_MAIN(TestWindowWork)
+CUSP_TEST(TestWindowWork)
 #include "tst_window_work.moc"
