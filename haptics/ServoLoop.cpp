@@ -113,8 +113,20 @@ void ServoLoop::apply(const SetBur& bur) noexcept
 
 void ServoLoop::apply(const SetDrill& drill) noexcept
 {
-    m_tick->setDrill(drill.on);
-    record({ServoEvent::Kind::Drill, 0, glm::vec3(0.0F), drill.on ? 1U : 0U});
+    m_drillIsOn = drill.on;
+    const bool turns = m_drillIsOn && !m_pedalIsUp;
+    m_tick->setDrill(turns);
+    record({ServoEvent::Kind::Drill, 0, glm::vec3(0.0F), turns ? 1U : 0U});
+}
+
+void ServoLoop::runDrill(const std::optional<bool>& pedal) noexcept
+{
+    m_pedalIsUp = pedal && !*pedal;
+    const bool turns = m_drillIsOn && !m_pedalIsUp;
+    if (!pedal || turns == m_tick->state().drillOn)
+        return;
+    m_tick->setDrill(turns);
+    record({ServoEvent::Kind::Drill, 0, glm::vec3(0.0F), turns ? 1U : 0U});
 }
 
 void ServoLoop::apply(const SetHandpiece& handpiece) noexcept
@@ -195,12 +207,14 @@ void ServoLoop::tick(std::chrono::microseconds dt) noexcept
 
     m_missedPeriods += static_cast<std::uint64_t>(std::max<std::int64_t>(0, dt / m_period - 1));
     const std::chrono::microseconds step = std::min(dt, std::max(kLongestStep, m_period));
+    m_device.seeBur(m_tick->state().anchorMm);
     const DeviceSample sample =
         m_device.exchange(clamped(m_tick->state().forceN + m_guideN, m_tick->settings().force.clampN));
     const auto taken = std::chrono::steady_clock::now().time_since_epoch();
     if (m_tick->tooth() != nullptr) {
         if (sample.present)
             watchDelay(sample.delayS, static_cast<double>(step.count()) * 1.0e-6);
+        runDrill(sample.pedal);
         m_tick->step(sample.present ? &sample.tipInToothMm : nullptr, step);
         record({sample.present ? ServoEvent::Kind::Tick : ServoEvent::Kind::NoDevice,
                 static_cast<std::uint16_t>(step.count()), sample.tipInToothMm, 0});
@@ -218,6 +232,7 @@ void ServoLoop::tick(std::chrono::microseconds dt) noexcept
     ServoState& out = m_stateOut.back();
     out = state;
     out.trail = m_trail;
+    out.drillSwitchedOn = m_drillIsOn || state.drillOn;
     out.toothGeneration = m_generation;
     out.missedPeriods = m_missedPeriods;
     out.health |= m_health | (m_springPercent < 100 ? core::session::kLoopIsSlow : 0U) |

@@ -189,6 +189,26 @@ core::Result<Assigned> assign(const Lesson& lesson, std::uint64_t drawn)
     return Assigned{std::move(*assignment), std::move(built->report)};
 }
 
+double depthToCutMm(const Assignment& assignment)
+{
+    constexpr double kUsualMm = 1.5;
+    const core::grading::IdealTop ideal = assignment.anatomy ? assignment.shownIdeal() : nullptr;
+    if (ideal == nullptr)
+        return kUsualMm;
+    std::vector<double> depths;
+    for (std::size_t k = 0; k < ideal->size(); ++k)
+        if (assignment.anatomy->top[k] > assignment.anatomy->bottom[k] && (*ideal)[k] < assignment.anatomy->top[k])
+            depths.push_back(static_cast<double>(assignment.anatomy->top[k]) -
+                             static_cast<double>(std::max((*ideal)[k], assignment.anatomy->bottom[k])));
+    if (depths.empty())
+        return kUsualMm;
+    const double deepest = *std::max_element(depths.begin(), depths.end());
+    std::erase_if(depths, [&](double depth) { return depth < 0.5 * deepest; });
+    const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
+    std::nth_element(depths.begin(), middle, depths.end());
+    return *middle;
+}
+
 core::Result<Rubric> practiceRubric()
 {
     return shippedRubric(kFreeRubric);

@@ -58,6 +58,10 @@ servoSettings(const Lesson* lesson, core::session::ServoSettings usual,
 ///               recording, so that every replay asks the same
 [[nodiscard]] core::Result<Assigned> assign(const Lesson& lesson, std::uint64_t drawn = 0);
 
+/// How deep the ideal lies below the original surface where it is deep: half of what is cut deeper than half the
+/// deepest is no deeper, mm. 1.5 where no ideal is shown. The first value of a depth stop.
+[[nodiscard]] double depthToCutMm(const Assignment& assignment);
+
 /// What a tooth without a lesson is marked by: removal of decay.
 [[nodiscard]] core::Result<Rubric> practiceRubric();
 /// A tooth without a lesson.

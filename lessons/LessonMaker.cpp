@@ -105,6 +105,8 @@ public:
         });
         lesson.minutes = m_keys.number("minutes", 0.0, 600.0, "minutes", 0.0);
         lesson.exam = m_keys.flag("exam", false);
+        lesson.aids.depthStop =
+            m_keys.names("aids").contains(QStringLiteral("depth_stop")) || (lesson.aids.depthGauge && !lesson.exam);
         if (!m_keys.has("rubric"))
             m_keys.fault("rubric", {QT_TRANSLATE_NOOP("Fault", "is missing")});
         else if (m_keys.object("rubric"))
@@ -425,7 +427,7 @@ private:
             else
                 m_keys.fault(
                     "aids", {QT_TRANSLATE_NOOP("Fault", "\"%1\" is no aid; there are section, depth_gauge, radiograph, "
-                                                        "heat_map, mirror, ideal, bur_colour, fixture"),
+                                                        "heat_map, mirror, ideal, bur_colour, fixture, depth_stop"),
                              {noted(name.left(40))}});
         }
     }
@@ -435,7 +437,7 @@ private:
         const std::pair<const char*, bool*> known[] = {
             {"section", &aids.section},      {"depth_gauge", &aids.depthGauge}, {"radiograph", &aids.radiograph},
             {"heat_map", &aids.heatMap},     {"mirror", &aids.mirror},          {"ideal", &aids.ideal},
-            {"bur_colour", &aids.burColour}, {"fixture", &aids.fixture}};
+            {"bur_colour", &aids.burColour}, {"fixture", &aids.fixture},        {"depth_stop", &aids.depthStop}};
         for (const auto& [id, aid] : known)
             if (name == QLatin1String(id))
                 return aid;

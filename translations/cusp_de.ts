@@ -1198,8 +1198,8 @@
         <translation>hat eigene Werte für Karies und Kunststoff; lassen Sie es weg, oder lassen Sie „caries“ und „plastic“ weg</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no aid; there are section, depth_gauge, radiograph, heat_map, mirror, ideal, bur_colour, fixture</source>
-        <translation>„%1“ ist keine Hilfe; es gibt section, depth_gauge, radiograph, heat_map, mirror, ideal, bur_colour, fixture</translation>
+        <source>&quot;%1&quot; is no aid; there are section, depth_gauge, radiograph, heat_map, mirror, ideal, bur_colour, fixture, depth_stop</source>
+        <translation>„%1“ ist keine Hilfe; es gibt section, depth_gauge, radiograph, heat_map, mirror, ideal, bur_colour, fixture, depth_stop</translation>
     </message>
     <message>
         <source>only a tooth of ours has neighbours; write false</source>
@@ -1944,6 +1944,10 @@
     <message>
         <source>guided hand</source>
         <translation>geführte Hand</translation>
+    </message>
+    <message>
+        <source>depth stop</source>
+        <translation>Tiefenanschlag</translation>
     </message>
     <message>
         <source>%1, give or take %2, costs nothing</source>
@@ -6927,6 +6931,53 @@ ungesichert</translation>
     </message>
 </context>
 <context>
+    <name>ui::shell::HandControls</name>
+    <message>
+        <source>Feed</source>
+        <translation>Vorschub</translation>
+    </message>
+    <message>
+        <source>Feed, millimetres per second</source>
+        <translation>Vorschub in Millimetern pro Sekunde</translation>
+    </message>
+    <message>
+        <source>How fast the bur goes down at most while you press</source>
+        <translation>So schnell geht der Bohrer höchstens tiefer, solange Sie drücken</translation>
+    </message>
+    <message>
+        <source>Depth stop</source>
+        <translation>Tiefenanschlag</translation>
+    </message>
+    <message>
+        <source>The bur stops at this depth below the original surface</source>
+        <translation>In dieser Tiefe unter der ursprünglichen Oberfläche hält der Bohrer an</translation>
+    </message>
+    <message>
+        <source>Depth stop, millimetres</source>
+        <translation>Tiefenanschlag in Millimetern</translation>
+    </message>
+    <message>
+        <source>Turn the wheel while you press, or with Shift, to change the depth</source>
+        <translation>Drehen Sie das Mausrad beim Drücken oder mit der Umschalttaste, um die Tiefe zu ändern</translation>
+    </message>
+    <message>
+        <source>Push with</source>
+        <translation>Anpresskraft</translation>
+    </message>
+    <message>
+        <source>Push with, newtons</source>
+        <translation>Anpresskraft in Newton</translation>
+    </message>
+    <message>
+        <source>How hard the mouse and the keys push the bur against the tooth at most</source>
+        <translation>So stark drücken Maus und Tasten den Bohrer höchstens gegen den Zahn</translation>
+    </message>
+    <message>
+        <source>mm/s</source>
+        <translation>mm/s</translation>
+    </message>
+</context>
+<context>
     <name>ui::shell::HandpieceChooser</name>
     <message>
         <source>Handpieces</source>
@@ -6970,6 +7021,22 @@ ungesichert</translation>
     <message>
         <source>Push harder, softer</source>
         <translation>Stärker, schwächer</translation>
+    </message>
+    <message>
+        <source>Depth stop</source>
+        <translation>Tiefenanschlag</translation>
+    </message>
+    <message>
+        <source>wheel while pressed</source>
+        <translation>Mausrad beim Drücken</translation>
+    </message>
+    <message>
+        <source>Shift + wheel</source>
+        <translation>Umschalt + Mausrad</translation>
+    </message>
+    <message>
+        <source>Insert, Delete</source>
+        <translation>Einfg, Entf</translation>
     </message>
     <message>
         <source>Ctrl + wheel</source>
@@ -7565,18 +7632,6 @@ ungesichert</translation>
     <message>
         <source>Bur</source>
         <translation>Bohrer</translation>
-    </message>
-    <message>
-        <source>Push with</source>
-        <translation>Anpresskraft</translation>
-    </message>
-    <message>
-        <source>Push with, newtons</source>
-        <translation>Anpresskraft in Newton</translation>
-    </message>
-    <message>
-        <source>How hard the mouse and the keys push the bur against the tooth</source>
-        <translation>Wie stark Maus und Tasten den Bohrer an den Zahn drücken</translation>
     </message>
     <message>
         <source>Air</source>
@@ -9320,6 +9375,16 @@ ungesichert</translation>
     <message>
         <source>This computer offers no OpenGL 3.3, so the tooth cannot be shown. Install or update the graphics driver (on Debian: libgl1-mesa-dri), then start Cusp again.</source>
         <translation>Dieser Rechner bietet kein OpenGL 3.3, darum kann der Zahn nicht gezeigt werden. Installieren oder aktualisieren Sie den Grafiktreiber (unter Debian: libgl1-mesa-dri) und starten Sie Cusp neu.</translation>
+    </message>
+    <message>
+        <source>%1 / %2 mm</source>
+        <extracomment>Depth of the tip of the bur, and of the stop below it, millimetres</extracomment>
+        <translation>%1 / %2 mm</translation>
+    </message>
+    <message>
+        <source>Stop %1 mm</source>
+        <extracomment>The depth at which the bur will stop</extracomment>
+        <translation>Anschlag %1 mm</translation>
     </message>
 </context>
 </TS>

@@ -1198,8 +1198,8 @@
         <translation>tiene sus propios valores de caries y plástico; quítelo o quite «caries» y «plastic»</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no aid; there are section, depth_gauge, radiograph, heat_map, mirror, ideal, bur_colour, fixture</source>
-        <translation>«%1» no es una ayuda; hay section, depth_gauge, radiograph, heat_map, mirror, ideal, bur_colour, fixture</translation>
+        <source>&quot;%1&quot; is no aid; there are section, depth_gauge, radiograph, heat_map, mirror, ideal, bur_colour, fixture, depth_stop</source>
+        <translation>«%1» no es una ayuda; hay section, depth_gauge, radiograph, heat_map, mirror, ideal, bur_colour, fixture, depth_stop</translation>
     </message>
     <message>
         <source>only a tooth of ours has neighbours; write false</source>
@@ -1944,6 +1944,10 @@
     <message>
         <source>guided hand</source>
         <translation>mano guiada</translation>
+    </message>
+    <message>
+        <source>depth stop</source>
+        <translation>tope de profundidad</translation>
     </message>
     <message>
         <source>%1, give or take %2, costs nothing</source>
@@ -6927,6 +6931,53 @@ sin guardar</translation>
     </message>
 </context>
 <context>
+    <name>ui::shell::HandControls</name>
+    <message>
+        <source>Feed</source>
+        <translation>Avance</translation>
+    </message>
+    <message>
+        <source>Feed, millimetres per second</source>
+        <translation>Avance, milímetros por segundo</translation>
+    </message>
+    <message>
+        <source>How fast the bur goes down at most while you press</source>
+        <translation>Velocidad máxima a la que baja la fresa mientras presiona</translation>
+    </message>
+    <message>
+        <source>Depth stop</source>
+        <translation>Tope de profundidad</translation>
+    </message>
+    <message>
+        <source>The bur stops at this depth below the original surface</source>
+        <translation>La fresa se detiene a esta profundidad bajo la superficie original</translation>
+    </message>
+    <message>
+        <source>Depth stop, millimetres</source>
+        <translation>Tope de profundidad, milímetros</translation>
+    </message>
+    <message>
+        <source>Turn the wheel while you press, or with Shift, to change the depth</source>
+        <translation>Gire la rueda mientras presiona, o con Mayús, para cambiar la profundidad</translation>
+    </message>
+    <message>
+        <source>Push with</source>
+        <translation>Presionar con</translation>
+    </message>
+    <message>
+        <source>Push with, newtons</source>
+        <translation>Presionar con, newtons</translation>
+    </message>
+    <message>
+        <source>How hard the mouse and the keys push the bur against the tooth at most</source>
+        <translation>Fuerza máxima con la que el ratón y las teclas empujan la fresa contra el diente</translation>
+    </message>
+    <message>
+        <source>mm/s</source>
+        <translation>mm/s</translation>
+    </message>
+</context>
+<context>
     <name>ui::shell::HandpieceChooser</name>
     <message>
         <source>Handpieces</source>
@@ -6970,6 +7021,22 @@ sin guardar</translation>
     <message>
         <source>Push harder, softer</source>
         <translation>Apretar más, menos</translation>
+    </message>
+    <message>
+        <source>Depth stop</source>
+        <translation>Tope de profundidad</translation>
+    </message>
+    <message>
+        <source>wheel while pressed</source>
+        <translation>rueda mientras presiona</translation>
+    </message>
+    <message>
+        <source>Shift + wheel</source>
+        <translation>Mayús + rueda</translation>
+    </message>
+    <message>
+        <source>Insert, Delete</source>
+        <translation>Insertar, Suprimir</translation>
     </message>
     <message>
         <source>Ctrl + wheel</source>
@@ -7565,18 +7632,6 @@ sin guardar</translation>
     <message>
         <source>Bur</source>
         <translation>Fresa</translation>
-    </message>
-    <message>
-        <source>Push with</source>
-        <translation>Presionar con</translation>
-    </message>
-    <message>
-        <source>Push with, newtons</source>
-        <translation>Presionar con, newtons</translation>
-    </message>
-    <message>
-        <source>How hard the mouse and the keys push the bur against the tooth</source>
-        <translation>Con cuánta fuerza el ratón y las teclas aprietan la fresa contra el diente</translation>
     </message>
     <message>
         <source>Air</source>
@@ -9320,6 +9375,16 @@ sin guardar</translation>
     <message>
         <source>This computer offers no OpenGL 3.3, so the tooth cannot be shown. Install or update the graphics driver (on Debian: libgl1-mesa-dri), then start Cusp again.</source>
         <translation>Este ordenador no ofrece OpenGL 3.3, así que no se puede mostrar el diente. Instale o actualice el controlador gráfico (en Debian: libgl1-mesa-dri) y vuelva a abrir Cusp.</translation>
+    </message>
+    <message>
+        <source>%1 / %2 mm</source>
+        <extracomment>Depth of the tip of the bur, and of the stop below it, millimetres</extracomment>
+        <translation>%1 / %2 mm</translation>
+    </message>
+    <message>
+        <source>Stop %1 mm</source>
+        <extracomment>The depth at which the bur will stop</extracomment>
+        <translation>Tope %1 mm</translation>
     </message>
 </context>
 </TS>

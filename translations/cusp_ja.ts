@@ -1196,8 +1196,8 @@
         <translation>う蝕とプラスチックの値を自分で持っています。これを消すか、「caries」と「plastic」を消してください</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no aid; there are section, depth_gauge, radiograph, heat_map, mirror, ideal, bur_colour, fixture</source>
-        <translation>「%1」という補助はありません。あるもの：section、depth_gauge、radiograph、heat_map、mirror、ideal、bur_colour、fixture</translation>
+        <source>&quot;%1&quot; is no aid; there are section, depth_gauge, radiograph, heat_map, mirror, ideal, bur_colour, fixture, depth_stop</source>
+        <translation>「%1」という補助はありません。あるもの：section、depth_gauge、radiograph、heat_map、mirror、ideal、bur_colour、fixture、depth_stop</translation>
     </message>
     <message>
         <source>only a tooth of ours has neighbours; write false</source>
@@ -1922,6 +1922,10 @@
     <message>
         <source>guided hand</source>
         <translation>手の誘導</translation>
+    </message>
+    <message>
+        <source>depth stop</source>
+        <translation>深さストップ</translation>
     </message>
     <message>
         <source>all</source>
@@ -6877,6 +6881,53 @@ unsaved</source>
     </message>
 </context>
 <context>
+    <name>ui::shell::HandControls</name>
+    <message>
+        <source>Feed</source>
+        <translation>送り速度</translation>
+    </message>
+    <message>
+        <source>Feed, millimetres per second</source>
+        <translation>送り速度（mm/秒）</translation>
+    </message>
+    <message>
+        <source>How fast the bur goes down at most while you press</source>
+        <translation>押している間にバーが下がる最大速度</translation>
+    </message>
+    <message>
+        <source>Depth stop</source>
+        <translation>深さストップ</translation>
+    </message>
+    <message>
+        <source>The bur stops at this depth below the original surface</source>
+        <translation>元の表面からこの深さでバーが止まります</translation>
+    </message>
+    <message>
+        <source>Depth stop, millimetres</source>
+        <translation>深さストップ（mm）</translation>
+    </message>
+    <message>
+        <source>Turn the wheel while you press, or with Shift, to change the depth</source>
+        <translation>押しながら、またはShiftキーとともにホイールを回すと深さが変わります</translation>
+    </message>
+    <message>
+        <source>Push with</source>
+        <translation>押す力</translation>
+    </message>
+    <message>
+        <source>Push with, newtons</source>
+        <translation>押す力（ニュートン）</translation>
+    </message>
+    <message>
+        <source>How hard the mouse and the keys push the bur against the tooth at most</source>
+        <translation>マウスとキーがバーを歯に押し付ける最大の力</translation>
+    </message>
+    <message>
+        <source>mm/s</source>
+        <translation>mm/s</translation>
+    </message>
+</context>
+<context>
     <name>ui::shell::HandpieceChooser</name>
     <message>
         <source>Handpieces</source>
@@ -6928,6 +6979,22 @@ unsaved</source>
     <message>
         <source>Push harder, softer</source>
         <translation>強く・弱く押す</translation>
+    </message>
+    <message>
+        <source>Depth stop</source>
+        <translation>深さストップ</translation>
+    </message>
+    <message>
+        <source>wheel while pressed</source>
+        <translation>押しながらホイール</translation>
+    </message>
+    <message>
+        <source>Shift + wheel</source>
+        <translation>Shift + ホイール</translation>
+    </message>
+    <message>
+        <source>Insert, Delete</source>
+        <translation>Insert、Delete</translation>
     </message>
     <message>
         <source>Ctrl + wheel</source>
@@ -7537,18 +7604,6 @@ unsaved</source>
     <message>
         <source>Turns of the bur a minute: a load slows it, until it stalls</source>
         <translation>バーの毎分回転数：負荷で遅くなり、やがて止まります</translation>
-    </message>
-    <message>
-        <source>Push with</source>
-        <translation>押す力</translation>
-    </message>
-    <message>
-        <source>Push with, newtons</source>
-        <translation>押す力（ニュートン）</translation>
-    </message>
-    <message>
-        <source>How hard the mouse and the keys push the bur against the tooth</source>
-        <translation>マウスとキーがバーを歯に押し当てる強さ</translation>
     </message>
     <message>
         <source>Handpiece</source>
@@ -9252,6 +9307,16 @@ unsaved</source>
         <source>%1 N</source>
         <extracomment>A force in newtons, beside the bur</extracomment>
         <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>%1 / %2 mm</source>
+        <extracomment>Depth of the tip of the bur, and of the stop below it, millimetres</extracomment>
+        <translation>%1 / %2 mm</translation>
+    </message>
+    <message>
+        <source>Stop %1 mm</source>
+        <extracomment>The depth at which the bur will stop</extracomment>
+        <translation>ストップ %1 mm</translation>
     </message>
 </context>
 </TS>

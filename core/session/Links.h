@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <type_traits>
 #include <variant>
@@ -51,7 +52,8 @@ struct ServoState
     glm::dvec3 anchorMm{0.0, 0.0, 10.0};  ///< tip of the bur as it is drawn: never inside the tooth
     glm::dvec3 forceN{0.0};               ///< on the hand
     bool touching = false;
-    bool drillOn = false;
+    bool drillOn = false;           ///< the bur turns
+    bool drillSwitchedOn = false;   ///< by SetDrill; with a pedal the bur turns only while that is down
     bool cutting = false;           ///< material came away this tick
     bool handpieceOnCrown = false;  ///< the crown holds the handpiece up: what is pushed beyond presses on no bur
     std::uint8_t burIndex = 0;
@@ -92,6 +94,11 @@ struct PointerInput
     double hoverMm = 4.0;           ///< height of the tip while not pushing, tooth frame z
     bool pushing = false;           ///< button held: lean on the tooth
     double pushForceN = 1.0;        ///< how hard
+    /// How fast the bur goes down at most while pushing, mm/s. 0: as fast as the force drives it.
+    double feedMmPerS = 0.0;
+    double stopMm = -std::numeric_limits<double>::infinity();  ///< tooth frame z that the tip does not go below
+    bool buttonIsPedal = false;                                ///< the bur turns only while pushing
+    bool operator==(const PointerInput&) const = default;
 };
 
 /// What the ui asks of the session. Ui writes, session reads and passes on what concerns the servo.

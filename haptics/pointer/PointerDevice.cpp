@@ -18,10 +18,18 @@ constexpr double kGlideMmPerS = 400.0;           ///< fastest travel in the air
 constexpr double kFeltN = 0.05;                  ///< less than this is no contact to a hand (haptics.md section 7)
 constexpr double kDragMmPerS = 40.0;             ///< fastest travel while leaning
 
+// Of a hand with a feed.
+constexpr double kFirmness = 10.0;         ///< it leans so much farther than the bur stands above its level
+constexpr double kTouchMm = 1.0e-3;        ///< between hand and bur: less is rounding
+constexpr double kYieldsMm = 0.15;         ///< a bur that is lifted farther takes the level with it
+constexpr double kComesDownMmPerS = 10.0;  ///< in the air
+constexpr double kFreeS = 0.05;            ///< without contact for so long, the bur is in the air
+constexpr double kPedalLiftsAfterS = 0.3;  ///< in the air for so long, it stops, as a foot would stop it
+
 bool isFinite(const core::session::PointerInput& input)
 {
     return std::isfinite(input.targetMm.x) && std::isfinite(input.targetMm.y) && std::isfinite(input.hoverMm) &&
-           std::isfinite(input.pushForceN);
+           std::isfinite(input.pushForceN) && std::isfinite(input.feedMmPerS) && !std::isnan(input.stopMm);
 }
 
 }  // namespace
@@ -35,39 +43,83 @@ DeviceSample PointerDevice::exchange(const glm::dvec3& forceOnHandN) noexcept
 {
     if (const core::session::PointerInput& asked = m_input.latest(); isFinite(asked))
         m_want = asked;
-    const core::session::PointerInput& want = m_want;
     const double force = std::sqrt(glm::dot(forceOnHandN, forceOnHandN));
+    const glm::dvec3 stretch = m_burMm - m_tip;
+    m_freeS = glm::dot(stretch, stretch) > kTouchMm * kTouchMm ? 0.0 : m_freeS + m_period;
+    moveAside(forceOnHandN, force);
+    if (!m_want.pushing)
+        lift();
+    else if (m_want.feedMmPerS > 0.0)
+        lower();
+    else
+        lean(force);
+    m_idleS = m_want.pushing && m_freeS > 0.0 ? m_idleS + m_period : 0.0;
+    DeviceSample sample{glm::vec3(m_tip), true};
+    if (m_want.buttonIsPedal)
+        sample.pedal = m_want.pushing && m_idleS < kPedalLiftsAfterS;
+    return sample;
+}
 
-    // Sideways. A wall that pushes back as hard as the hand would lean holds it: it does not wind the spring up
-    // further.
-    const double glide = std::min(1.0, m_period / kGlideLagS);
-    m_between += (want.targetMm - m_between) * glide;
+/// A wall that pushes back as hard as the hand would lean holds it: it does not wind the spring up further.
+void PointerDevice::moveAside(const glm::dvec3& forceOnHandN, double forceN) noexcept
+{
+    const bool isFree = m_want.feedMmPerS > 0.0 && m_freeS > kFreeS;
+    const double glide = isFree ? 1.0 : std::min(1.0, m_period / kGlideLagS);
+    m_between += (m_want.targetMm - m_between) * glide;
     glm::dvec2 step = (m_between - glm::dvec2(m_tip.x, m_tip.y)) * glide;
-    const double most = (want.pushing ? kDragMmPerS : kGlideMmPerS) * m_period;
+    const double most = (m_want.pushing ? kDragMmPerS : kGlideMmPerS) * m_period;
     const double length = std::sqrt(glm::dot(step, step));
     if (length > most)
         step *= most / length;
-    const double limit = want.pushForceN * 1.5;
+    const double limit = m_want.pushForceN * 1.5;
     const glm::dvec2 side(forceOnHandN.x, forceOnHandN.y);
     const double against = -glm::dot(side, step);
-    if (force > want.pushForceN && against > 0.0)
-        step *= std::clamp((limit - force) / (limit - want.pushForceN), 0.0, 1.0);
+    if (forceN > m_want.pushForceN && against > 0.0)
+        step *= std::clamp((limit - forceN) / (limit - m_want.pushForceN), 0.0, 1.0);
     m_tip.x += step.x;
     m_tip.y += step.y;
+}
 
-    if (want.pushing) {
-        const double missing = want.pushForceN - force;
-        const double sink = missing / (m_stiffness * kPushLagS);
-        // What the bur gives way to is no missing force. Learnt in contact only: the approach is no cut.
-        if (force > kFeltN)
-            m_followMmPerS += sink * m_period / kFollowLagS;
-        m_followMmPerS = std::clamp(m_followMmPerS, 0.0, kDragMmPerS);
-        m_tip.z -= std::min(sink + m_followMmPerS, kApproachMmPerS) * m_period;
-    } else {
-        m_followMmPerS = 0.0;
-        m_tip.z += (want.hoverMm - m_tip.z) * std::min(1.0, m_period / kLiftLagS);
-    }
-    return {glm::vec3(m_tip), true};
+void PointerDevice::lean(double forceN) noexcept
+{
+    const double missing = m_want.pushForceN - forceN;
+    const double sink = missing / (m_stiffness * kPushLagS);
+    // What the bur gives way to is no missing force. Learnt in contact only: the approach is no cut.
+    if (forceN > kFeltN)
+        m_followMmPerS += sink * m_period / kFollowLagS;
+    m_followMmPerS = std::clamp(m_followMmPerS, 0.0, kDragMmPerS);
+    m_tip.z -= std::min(sink + m_followMmPerS, kApproachMmPerS) * m_period;
+    m_levelMm = m_burMm.z;
+    m_isInAir = false;
+}
+
+void PointerDevice::lower() noexcept
+{
+    const double mostLeanMm = m_want.pushForceN / m_stiffness;
+    const double aboveMm = m_burMm.z - m_levelMm;
+    const bool wasInAir = m_isInAir;
+    m_isInAir = m_freeS > kFreeS;
+    if (wasInAir && !m_isInAir)
+        m_levelMm = m_burMm.z;  // it begins without leaning
+    if (m_isInAir)
+        m_levelMm -= kComesDownMmPerS * m_period;
+    else if (aboveMm > kYieldsMm)
+        m_levelMm = m_burMm.z - kYieldsMm;
+    else if (aboveMm < mostLeanMm / kFirmness)
+        m_levelMm -= m_want.feedMmPerS * m_period;
+    m_levelMm = std::max(m_levelMm, m_want.stopMm);
+    const double lean = m_isInAir ? 0.0 : std::min(kFirmness * std::max(0.0, m_burMm.z - m_levelMm), mostLeanMm);
+    m_tip.z = lean > 0.0 ? m_burMm.z - lean : m_levelMm;
+}
+
+void PointerDevice::lift() noexcept
+{
+    m_followMmPerS = 0.0;
+    const double most = kGlideMmPerS * m_period;
+    m_tip.z += m_want.feedMmPerS > 0.0 ? std::clamp(m_want.hoverMm - m_tip.z, -most, most)
+                                       : (m_want.hoverMm - m_tip.z) * std::min(1.0, m_period / kLiftLagS);
+    m_levelMm = m_tip.z;
+    m_isInAir = true;
 }
 
 }  // namespace haptics

@@ -8,12 +8,18 @@
 namespace haptics {
 
 /// A mouse, pen or keyboard as a haptic device: a simulated hand that goes where the pointer points and, while the
-/// button is held, leans on the tooth until the tooth pushes back with the wanted force.
+/// button is held, works on the tooth.
+///
+/// With a feed the hand is a supported finger: it has a level, which goes down at the feed, stops at the depth stop and
+/// waits while the bur cannot follow. It leans on the bur in proportion to what the bur stands above the level, up to
+/// the wanted force. So the pace is the same in every tissue, and a bur that moves sideways keeps its depth.
+///
+/// Without a feed the hand leans until the tooth pushes back with the wanted force. It is an admittance: its speed is
+/// proportional to the force still missing, so the force builds up over about kPushLagS and the hand follows the bur
+/// into the cut. To the pace at which the bur sinks into a cut it adds up by and by.
 ///
 /// Sideways the hand glides to the target through two first-order lags, so that the steps of a 60 Hz mouse are not
-/// felt. Downwards it is an admittance: its speed is proportional to the force still missing, so the force builds up
-/// over about kPushLagS and the hand follows the bur into the cut, over cusps and along walls alike. To the pace at
-/// which the bur sinks into a cut it adds up by and by, so that while drilling, too, the force is the wanted one.
+/// felt. A supported finger that touches nothing follows at once.
 class PointerDevice final : public HapticDevice
 {
 public:
@@ -22,14 +28,25 @@ public:
     PointerDevice(core::rt::TripleBuffer<core::session::PointerInput>& input, double stiffnessNPerMm,
                   double periodS) noexcept;
 
+    void seeBur(const glm::dvec3& tipMm) noexcept override { m_burMm = tipMm; }
     DeviceSample exchange(const glm::dvec3& forceOnHandN) noexcept override;
 
 private:
+    void moveAside(const glm::dvec3& forceOnHandN, double forceN) noexcept;
+    void lean(double forceN) noexcept;
+    void lower() noexcept;
+    void lift() noexcept;
+
     core::rt::TripleBuffer<core::session::PointerInput>& m_input;
     double m_stiffness;
     double m_period;
     core::session::PointerInput m_want;  ///< the newest that was finite
-    double m_followMmPerS = 0.0;         ///< pace of the bur into the cut
+    glm::dvec3 m_burMm{0.0, 0.0, 4.0};
+    double m_followMmPerS = 0.0;  ///< pace of the bur into the cut
+    double m_levelMm = 4.0;       ///< of a hand with a feed, tooth frame z
+    bool m_isInAir = true;        ///< as of the last tick of such a hand
+    double m_idleS = 0.0;         ///< for so long the button is down and nothing is touched
+    double m_freeS = 1.0;         ///< for so long the bur has touched nothing
     glm::dvec3 m_tip{0.0, 0.0, 4.0};
     glm::dvec2 m_between{0.0, 0.0};  ///< target after the first lag
 };

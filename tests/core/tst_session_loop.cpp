@@ -129,6 +129,26 @@ private slots:
         QVERIFY(replaysTo(rig.session->recordingSoFar().value(), hashes[4]));
     }
 
+    void withAPedalTheBurTurnsWhileItIsDown()
+    {
+        Drilling rig;
+        rig.device.pedal = false;
+        rig.run(20);
+        const ServoState& servo = rig.uiLinks->servo.latest();
+        QVERIFY(!servo.drillOn && servo.drillSwitchedOn);
+        rig.lean(0.0, 0.0, 1.0, 200);
+        QCOMPARE(rig.servo->state().removedMm3[1], 0.0);
+        rig.device.pedal = true;
+        rig.lean(0.0, 0.0, 1.0, 200);
+        const double removed = rig.servo->state().removedMm3[1];
+        QVERIFY(removed > 0.001);
+        rig.give(SetDrill{false});
+        rig.lean(0.0, 0.0, 1.0, 200);
+        QVERIFY(!rig.servo->state().drillOn);
+        rig.lift();
+        QVERIFY(replaysTo(rig.session->recordingSoFar().value(), rig.liveHash()));
+    }
+
     void undoInMidStrokeTakesBackWhatIsCutSoFar()
     {
         Drilling rig;

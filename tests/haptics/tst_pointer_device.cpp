@@ -25,6 +25,7 @@ struct Bench
     haptics::PointerDevice device{input, contact::ForceSettings{}.stiffnessNPerMm, 0.001};
     session::PointerInput want;
     glm::vec3 tipMm{0.0F};
+    std::optional<bool> pedal;
 
     explicit Bench(const support::Block& block, bool drill = false)
         : tooth(std::make_unique<contact::LiveTooth>(terrain::Tooth(support::makeBlock(block))))
@@ -39,7 +40,10 @@ struct Bench
         double most = 0.0;
         for (int n = 0; n < ticks; ++n) {
             input.publish(want);
-            tipMm = device.exchange(servo->state().forceN).tipInToothMm;
+            device.seeBur(servo->state().anchorMm);
+            const haptics::DeviceSample sample = device.exchange(servo->state().forceN);
+            tipMm = sample.tipInToothMm;
+            pedal = sample.pedal;
             servo->step(&tipMm, 1ms);
             most = std::max(most, force());
         }
@@ -170,6 +174,121 @@ private slots:
         bench.want.pushing = false;
         bench.run(2000);
         QVERIFY(!bench.servo->state().handpieceOnCrown);
+    }
+
+    void theFeedIsTheSameInEveryTissue_data()
+    {
+        support::columns<double, double, double>("dejMm", "cariesFloorMm", "feed");
+        for (const double feed : {0.1, 0.5, 1.0}) {
+            QTest::addRow("enamel, %g mm/s", feed) << -100.0 << 100.0 << feed;
+            QTest::addRow("dentin, %g mm/s", feed) << 10.0 << 100.0 << feed;
+            QTest::addRow("decay, %g mm/s", feed) << -100.0 << -100.0 << feed;
+        }
+    }
+
+    void theFeedIsTheSameInEveryTissue()
+    {
+        QFETCH(double, dejMm);
+        QFETCH(double, cariesFloorMm);
+        QFETCH(double, feed);
+        support::Block block;
+        block.bottomMm = -13.0;
+        block.dejMm = dejMm;
+        block.cariesFloorMm = cariesFloorMm;
+        Bench bench(block, true);
+        bench.want.feedMmPerS = feed;
+        bench.want.pushForceN = 3.0;
+        bench.want.hoverMm = 0.5;
+        bench.run(200);
+        bench.want.pushing = true;
+        while (!bench.servo->state().cutting)
+            bench.run(1);
+        double before = bench.servo->state().anchorMm.z;
+        const double begin = before;
+        for (int n = 0; n < 20; ++n) {
+            bench.run(100);
+            const double fell = before - bench.servo->state().anchorMm.z;
+            QVERIFY2(fell < 0.12 * feed + 0.005, qPrintable(QString::number(fell)));
+            before = bench.servo->state().anchorMm.z;
+        }
+        QVERIFY2(std::abs(begin - before - 2.0 * feed) < 0.05 * feed + 0.02, qPrintable(QString::number(begin - before)));
+    }
+
+    void aHandWithAFeedPressesNoHarderThanAsked()
+    {
+        Bench bench({});
+        bench.want.feedMmPerS = 0.5;
+        bench.want.pushForceN = 0.8;
+        bench.want.pushing = true;
+        const double most = bench.run(3000);
+        QVERIFY2(most < 1.25 * 0.8, qPrintable(QString::number(most)));
+        QVERIFY(std::abs(bench.force() - 0.8) < 0.05);
+    }
+
+    void theStopMakesAFlatFloor()
+    {
+        support::Block block;
+        block.bottomMm = -13.0;
+        block.topMm = [](double x, double) { return 0.15 * std::sin(2.0 * x); };
+        Bench bench(block, true);
+        bench.want.feedMmPerS = 1.0;
+        bench.want.pushForceN = 1.5;
+        bench.want.stopMm = -1.2;
+        bench.want.targetMm = {-1.0, 0.0};
+        bench.want.pushing = true;
+        bench.run(3000);
+        QVERIFY2(std::abs(bench.servo->state().anchorMm.z + 1.2) < 0.01,
+                 qPrintable(QString::number(bench.servo->state().anchorMm.z)));
+        double lowest = 0.0;
+        for (int n = 0; n < 24000; ++n) {
+            bench.want.targetMm.x = -1.0 + 2.0 * (n < 12000 ? n : 24000 - n) / 12000.0;
+            bench.run(1);
+            lowest = std::min(lowest, bench.servo->state().anchorMm.z);
+        }
+        QVERIFY2(lowest > -1.205, qPrintable(QString::number(lowest)));
+        const terrain::Tooth& tooth = bench.tooth->tooth();
+        for (double x = -0.9; x < 0.91; x += 0.1) {
+            const glm::dvec2 at = tooth.grid().latticeOf({x, 0.0});
+            const float top = tooth.top[tooth.grid().index(static_cast<int>(at.x + 0.5), static_cast<int>(at.y + 0.5))];
+            QVERIFY2(std::abs(top + 1.2F) < 0.05F, qPrintable(QStringLiteral("%1 at %2").arg(top).arg(x)));
+        }
+    }
+
+    void theButtonIsThePedal()
+    {
+        Bench bench({}, true);
+        bench.run(10);
+        QVERIFY(!bench.pedal);
+        bench.want.buttonIsPedal = true;
+        bench.want.hoverMm = 0.5;
+        bench.want.feedMmPerS = 0.5;
+        bench.run(10);
+        QVERIFY(bench.pedal && !*bench.pedal);
+        bench.want.pushing = true;
+        bench.run(400);
+        QVERIFY(*bench.pedal);
+        bench.want.pushing = false;
+        bench.run(10);
+        QVERIFY(!*bench.pedal);
+        // A button that is held beside the tooth does not let the bur run in the air.
+        bench.want.targetMm = {20.0, 20.0};
+        bench.run(500);
+        bench.want.pushing = true;
+        bench.run(100);
+        QVERIFY(*bench.pedal);
+        bench.run(300);
+        QVERIFY(!*bench.pedal);
+    }
+
+    void aFreeHandWithAFeedFollowsAtOnce()
+    {
+        Bench bench({});
+        bench.want.feedMmPerS = 0.5;
+        bench.want.hoverMm = 1.0;
+        bench.run(500);
+        bench.want.targetMm = {0.3, -0.2};
+        bench.run(2);
+        QVERIFY(glm::length(glm::vec2(bench.tipMm) - glm::vec2(0.3F, -0.2F)) < 1.0e-4F);
     }
 
     void aWishThatIsNoNumberIsPassedOver()

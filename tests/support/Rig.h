@@ -16,12 +16,13 @@ public:
     glm::vec3 tipMm{0.0F, 0.0F, 5.0F};
     bool present = true;
     float delayS = 0.0F;
+    std::optional<bool> pedal;
     glm::dvec3 forceN{0.0};  ///< as last given to the hand
 
     haptics::DeviceSample exchange(const glm::dvec3& forceOnHandN) noexcept override
     {
         forceN = forceOnHandN;
-        return {tipMm, present, delayS};
+        return {tipMm, present, delayS, pedal};
     }
 };
 

@@ -78,47 +78,95 @@ private slots:
         }
     }
 
-    void pressingDoesNotMoveTheTarget()
+    void pressingAimsWhereTheRayMeetsTheTooth()
     {
         point({480.0, 390.0});
         const glm::dvec2 before = m_control.input().targetMm;
         m_control.push(true);
-        point({480.0, 390.0}, {before, -4.0});
-        QVERIFY(fromTarget(before) < 1e-9);
+        point({480.0, 390.0}, {before, -1.0});
+        const glm::dvec2 target = m_control.input().targetMm;
+        QVERIFY(glm::distance(m_camera.pixelOf({target, m_surface.heightMm(target)}), {480.0, 390.0}) < 1.0);
         QVERIFY(m_control.input().pushing);
         m_control.push(false);
         QVERIFY(!m_control.input().pushing);
     }
 
-    void pushedTargetMovesWithTheCursorAndStaysCalmOverAWall()
+    void theHoveringTipIsOnTheRay()
     {
-        point({500.0, 400.0});
-        m_control.push(true);
-        const glm::dvec2 start = m_control.input().targetMm;
-        glm::dvec2 last = start;
-        double shortest = 1.0e9;
-        double longest = 0.0;
-        for (int k = 1; k <= 200; ++k) {
-            point({500.0 + k, 400.0}, {last, -2.5});
-            const double step = fromTarget(last);
-            shortest = std::min(shortest, step);
-            longest = std::max(longest, step);
-            last = m_control.input().targetMm;
+        for (const double elevation : {88.0, 48.0, 25.0}) {
+            m_camera.set(10.0, elevation, m_camera.fittingMm());
+            for (double x = 150.0; x < 850.0; x += 23.0) {
+                const glm::dvec2 pixel(x, 380.0);
+                point(pixel);
+                const PointerInput wish = m_control.input();
+                QVERIFY(glm::distance(m_camera.pixelOf({wish.targetMm, wish.hoverMm}), pixel) < 1.0);
+            }
         }
-        QVERIFY(longest < 1.1 * shortest);
-        QVERIFY(glm::dot(last - start, m_camera.rightOnTooth()) > 1.0);
     }
 
-    void targetWaitsForABurHeldByAWall()
+    void theBurComesDownOnlyWhereThePointerIs()
     {
         point({500.0, 400.0});
         m_control.push(true);
-        const glm::dvec3 held(m_control.input().targetMm, -2.5);
-        for (int k = 1; k <= 300; ++k)
-            point({500.0 + k, 400.0}, held);
-        QVERIFY(fromTarget(held) < PointerControl::kLeashMm + 1e-9);
-        point({760.0, 400.0}, held);
-        QVERIFY(fromTarget(held) < PointerControl::kLeashMm - 0.3);
+        point({500.0, 400.0}, {3.0, 3.0, 2.0});
+        QVERIFY(!m_control.input(glm::dvec3(3.0, 3.0, 2.0)).pushing);
+        const glm::dvec2 target = m_control.input().targetMm;
+        QVERIFY(m_control.input(glm::dvec3(target, 2.0)).pushing);
+    }
+
+    void whatRestsMovesNothingAndAStrokeBringsTheBurBack()
+    {
+        point({500.0, 400.0});
+        m_control.push(true);
+        point({500.0, 400.0});
+        const glm::dvec2 start = m_control.input().targetMm;
+        touch({start, -2.0}, 0.0);
+        // As it is driven in, the ray meets its height elsewhere.
+        point({500.0, 400.0}, {start, -3.5});
+        QCOMPARE(fromTarget(start), 0.0);
+        glm::dvec2 last = start;
+        for (int k = 1; k <= 200; ++k) {
+            point({500.0 + k, 400.0}, {last, -3.5});
+            const double step = fromTarget(last);
+            QVERIFY2(step < 0.1, qPrintable(QString::number(step)));
+            last = m_control.input().targetMm;
+        }
+        QVERIFY(glm::distance(m_camera.pixelOf({last, -3.5}), {700.0, 400.0}) < 3.0);
+    }
+
+    void theDepthStopIsAPlaneOfTheCavity()
+    {
+        m_control.setStopOn(true);
+        m_control.setStopDepth(1.5);
+        m_control.push(true);
+        QVERIFY(!m_control.stopMm());
+        const double surface = m_surface.heightMm({0.0, 0.0});
+        touch({0.0, 0.0, surface + 0.1}, 0.0);
+        QVERIFY(isAt(surface - 1.5));
+        QCOMPARE(m_control.input().stopMm, *m_control.stopMm());
+        QVERIFY(std::abs(*m_control.depthMm(surface - 0.6) - 0.6) < 0.02);
+        m_control.setStopDepth(1.6);
+        QVERIFY(isAt(surface - 1.6));
+        // The next press is within the cavity, where the surface was lower.
+        m_control.push(false);
+        m_control.push(true);
+        touch({0.5, 0.0, surface - 1.0}, 0.7);
+        QVERIFY(isAt(surface - 1.6));
+        // And one beside it.
+        m_control.push(false);
+        m_control.push(true);
+        touch({2.0, 0.0, m_surface.heightMm({2.0, 0.0})}, 0.0);
+        QVERIFY(isAt(m_surface.heightMm({2.0, 0.0}) - 1.6));
+        m_control.setStopOn(false);
+        QVERIFY(!m_control.stopMm() && std::isinf(m_control.input().stopMm));
+        for (const double asked : {-1.0, 100.0}) {
+            m_control.setStopDepth(asked);
+            m_control.setFeed(asked);
+            QVERIFY(m_control.stopDepthMm() >= PointerControl::kShallowestMm &&
+                    m_control.stopDepthMm() <= PointerControl::kDeepestMm);
+            QVERIFY(m_control.feedMmPerS() >= PointerControl::kSlowestMmPerS &&
+                    m_control.feedMmPerS() <= PointerControl::kFastestMmPerS);
+        }
     }
 
     void liftsOverACuspBeforeGoingBehindIt()
@@ -141,6 +189,7 @@ private slots:
         QCOMPARE(there.hoverMm, far.hoverMm);
         // Leaning on the tooth nothing is lifted for.
         m_control.push(true);
+        touch({fossa, low}, 0.0);
         QCOMPARE(m_control.input(glm::dvec3(fossa, low)).targetMm.x, far.targetMm.x);
     }
 
@@ -184,6 +233,20 @@ private slots:
 private:
     /// Moves the mouse to a pixel.
     void point(glm::dvec2 pixel, glm::dvec3 burMm = {}) { m_control.moveTo(m_camera.rayThrough(pixel), burMm); }
+
+    /// The bur touches the tooth with its tip so far below the original surface.
+    void touch(glm::dvec3 burMm, double depthMm)
+    {
+        core::session::ServoState servo;
+        servo.anchorMm = burMm;
+        servo.depthMm = depthMm;
+        servo.hasDepth = true;
+        servo.touching = true;
+        m_control.follow(servo);
+    }
+
+    /// Returns whether the depth stop is at this height.
+    [[nodiscard]] bool isAt(double heightMm) const { return std::abs(*m_control.stopMm() - heightMm) < 0.02; }
 
     [[nodiscard]] double fromTarget(glm::dvec2 placeMm) const
     {

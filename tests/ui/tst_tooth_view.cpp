@@ -158,7 +158,8 @@ private slots:
         const glm::dvec2 wanted(-1.5, 2.0);
         const QPoint at = pixelOf({wanted, -2.0});
         move(at);
-        QVERIFY(glm::distance(pointer().targetMm, wanted) < 0.15);
+        QVERIFY(near(pixelOf({pointer().targetMm, pointer().hoverMm}).x(), at.x(), 2.0));
+        QVERIFY(near(pixelOf({pointer().targetMm, pointer().hoverMm}).y(), at.y(), 2.0));
         QVERIFY(!pointer().pushing);
         QVERIFY(pointer().hoverMm > -3.3);
         QTest::mousePress(m_view.get(), Qt::LeftButton, {}, at);
@@ -166,6 +167,62 @@ private slots:
         QCOMPARE(pointer().pushForceN, PointerControl::kFirstN);
         QTest::mouseRelease(m_view.get(), Qt::LeftButton, {}, at);
         QVERIFY(!pointer().pushing);
+    }
+
+    void theBurStaysUnderAPointerThatRests()
+    {
+        // The simulated bur is where the view asks for it, as a free hand is within a tick.
+        look(20.0, 48.0);
+        const QPoint at = pixelOf({0.0, 1.0, -2.5});
+        move(at);
+        const auto offPx = [&] {
+            ServoState state = burAt({pointer().targetMm, pointer().hoverMm});
+            m_links->servo.publish(state);
+            return QLineF(pixelOf(state.anchorMm), at).length();
+        };
+        QVERIFY(offPx() < 2.0);
+        look(60.0, 80.0);
+        QTRY_VERIFY(offPx() < 2.0);
+        QTest::keyClick(m_view.get(), Qt::Key_Plus);
+        QTRY_VERIFY(m_view->camera().distanceMm() < 50.0 && offPx() < 2.0);
+        ServoState state = burAt({});
+        state.burIndex = 0;
+        m_links->servo.publish(state);
+        QTRY_VERIFY(offPx() < 2.0);
+    }
+
+    void aPressBeforeTheBurHasArrivedWaitsForIt()
+    {
+        look(0.0, 80.0);
+        const QPoint at = pixelOf({2.0, 2.0, -2.0});
+        m_links->servo.publish(burAt({-3.0, -2.0, 3.0}));
+        QSignalSpy frames(m_view.get(), &ToothView::frameAdvanced);
+        QVERIFY(frames.wait());
+        QTest::mousePress(m_view.get(), Qt::LeftButton, {}, at);
+        QVERIFY(!pointer().pushing);
+        m_links->servo.publish(burAt({pointer().targetMm, 3.0}));
+        QTRY_VERIFY(pointer().pushing);
+        QTest::mouseRelease(m_view.get(), Qt::LeftButton, {}, at);
+    }
+
+    void theWheelMovesTheDepthStopWhilePressed()
+    {
+        look(0.0, 80.0);
+        const QPoint at = pixelOf({0.0, 1.0, -2.5});
+        m_view->setDepthStop(true, 1.5);
+        const double distance = m_view->camera().distanceMm();
+        QTest::mousePress(m_view.get(), Qt::LeftButton, {}, at);
+        wheel(-1, Qt::NoModifier);
+        QVERIFY(near(m_view->hand().stopDepthMm(), 1.6));
+        QTest::mouseRelease(m_view.get(), Qt::LeftButton, {}, at);
+        wheel(1, Qt::ShiftModifier);
+        QVERIFY(near(m_view->hand().stopDepthMm(), 1.5));
+        QTest::keyClick(m_view.get(), Qt::Key_Delete);
+        QVERIFY(near(m_view->hand().stopDepthMm(), 1.6));
+        QCOMPARE(m_view->camera().distanceMm(), distance);
+        m_view->setDepthStop(false, 1.5);
+        QTest::keyClick(m_view.get(), Qt::Key_Delete);
+        QVERIFY(near(m_view->hand().stopDepthMm(), 1.5));
     }
 
     void pecksAreNoDoubleClick()
@@ -197,11 +254,6 @@ private slots:
 
     void wheelZoomsAndWithControlSetsTheForce()
     {
-        const auto wheel = [&](int notches, Qt::KeyboardModifiers keys) {
-            QWheelEvent event({300, 200}, m_view->mapToGlobal(QPointF(300, 200)), {}, {0, 120 * notches}, Qt::NoButton,
-                              keys, Qt::NoScrollPhase, false);
-            QCoreApplication::sendEvent(m_view.get(), &event);
-        };
         const double far = m_view->camera().distanceMm();
         wheel(2, Qt::NoModifier);
         QTRY_VERIFY(m_view->camera().distanceMm() < 0.9 * far);
@@ -482,6 +534,14 @@ private slots:
 
 private:
     static constexpr glm::dvec2 kCusp{-2.6, -2.6};
+
+    /// Turns the wheel over the middle of the view.
+    void wheel(int notches, Qt::KeyboardModifiers keys)
+    {
+        QWheelEvent event({300, 200}, m_view->mapToGlobal(QPointF(300, 200)), {}, {0, 120 * notches}, Qt::NoButton,
+                          keys, Qt::NoScrollPhase, false);
+        QCoreApplication::sendEvent(m_view.get(), &event);
+    }
 
     [[nodiscard]] PointerInput pointer() { return m_links->pointer.latest(); }
 

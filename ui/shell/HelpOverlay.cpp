@@ -43,6 +43,8 @@ QList<Gesture> gestures()
         {HelpOverlay::tr("Lift it"), {HelpOverlay::tr("Page Up")}},
         {HelpOverlay::tr("Push harder, softer"),
          {HelpOverlay::tr("Ctrl + wheel"), QStringLiteral("."), QStringLiteral(",")}},
+        {HelpOverlay::tr("Depth stop"),
+         {HelpOverlay::tr("wheel while pressed"), HelpOverlay::tr("Shift + wheel"), HelpOverlay::tr("Insert, Delete")}},
         {HelpOverlay::tr("Turn the view"), {HelpOverlay::tr("right or middle drag"), HelpOverlay::tr("Ctrl + arrows")}},
         {HelpOverlay::tr("Turn the handpiece"), {HelpOverlay::tr("the same with Shift")}},
         // The left button on the tooth drills, however quickly it is pressed twice.

@@ -58,6 +58,7 @@
 #include "ui/shell/BusyCard.h"
 #include "ui/shell/FileDialog.h"
 #include "ui/shell/Folders.h"
+#include "ui/shell/HandControls.h"
 #include "ui/shell/HelpOverlay.h"
 #include "ui/shell/LineIcon.h"
 #include "ui/shell/Memory.h"
@@ -1367,7 +1368,6 @@ void MainWindow::connectView()
 {
     connect(m_room, &PracticeRoom::viewAreaChanged, this, &MainWindow::placeOverlays);
     connect(m_view, &tooth::ToothView::frameAdvanced, this, &MainWindow::takeFrame);
-    connect(m_view, &tooth::ToothView::pushForceChanged, &m_room->panel(), &SidePanel::setPushForce);
     connect(m_view, &tooth::ToothView::pushRefused, this, [this] {
         if (!std::exchange(m_knowsTheFarSide, true))
             showMessage(tr("From below nothing is drilled: the bur works on the other side of the tooth. Turn it back, "
@@ -1393,8 +1393,7 @@ void MainWindow::connectView()
         m_stereoCard->hide();
         m_view->setFocus();
     });
-    connect(&m_room->panel(), &SidePanel::pushForceChosen, m_view, &tooth::ToothView::setPushForce);
-    m_room->panel().setPushForce(m_view->pushForce());
+    m_room->panel().hand().control(*m_view);
 }
 
 void MainWindow::takeFrame(const core::session::ServoState& servo)
@@ -1432,10 +1431,10 @@ void MainWindow::takeFrame(const core::session::ServoState& servo)
     // Before its first tick the servo has said nothing yet.
     if (servo.tick == 0)
         return;
-    if (mayAnswer(m_drillWish, servo.drillOn ? 1 : 0) && m_actions->drill->isChecked() != servo.drillOn) {
-        m_actions->drill->setChecked(servo.drillOn);
-        m_view->setDrillOn(servo.drillOn);
-    }
+    const bool isOn = servo.drillSwitchedOn || servo.drillOn;
+    if (mayAnswer(m_drillWish, isOn ? 1 : 0) && m_actions->drill->isChecked() != isOn)
+        m_actions->drill->setChecked(isOn);
+    m_view->setDrillOn(servo.drillOn);
     if (servo.burIndex < m_actions->burs.size() && mayAnswer(m_burWish, servo.burIndex))
         m_actions->burs[servo.burIndex]->setChecked(true);
     if (servo.handpieceIndex < m_handpieces.size() && mayAnswer(m_handpieceWish, servo.handpieceIndex))
@@ -1565,7 +1564,6 @@ void MainWindow::wishDrill(bool on)
     }
     m_drillWish.value = on ? 1 : 0;
     m_drillWish.since.start();
-    m_view->setDrillOn(on);
 }
 
 void MainWindow::wishBur(int index)
@@ -2195,6 +2193,9 @@ void MainWindow::setAssignment(const lessons::Assignment& assignment)
     m_room->panel().setAsked(askedOf(lessonShown()));
     m_actions->fixture->setChecked(false);
     m_lessonsPage->setPresent(assignment.lesson ? assignment.lesson->id : std::string());
+    const bool hasStop = m_aids.depthStop && !assignment.exercise;
+    m_room->panel().hand().setStopAllowed(hasStop);
+    m_room->panel().hand().setStop(hasStop, lessons::depthToCutMm(assignment));
     setDrillFor(assignment.lesson ? assignment.lesson->task : lessons::Task::RemoveDecay);
     showHistory();
     if (!assignment.lesson)

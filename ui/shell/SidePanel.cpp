@@ -9,13 +9,13 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QSlider>
 #include <QVBoxLayout>
 
 #include "ui/shell/Actions.h"
 #include "ui/shell/BurChooser.h"
 #include "ui/shell/DrillSwitch.h"
 #include "ui/shell/ForceBar.h"
+#include "ui/shell/HandControls.h"
 #include "ui/shell/HandpieceChooser.h"
 #include "ui/shell/MaterialSwatch.h"
 #include "ui/shell/ScrollPane.h"
@@ -76,6 +76,8 @@ SidePanel::SidePanel(const Actions& actions, QWidget* parent) : QFrame(parent)
     column->setSpacing(kSpace2);
 
     column->addWidget(new DrillSwitch(actions.drill, content));
+    m_hand = new HandControls(content);
+    column->addWidget(m_hand);
     column->addSpacing(kSpace1);
 
     m_swatch = new MaterialSwatch(28, content);
@@ -166,35 +168,13 @@ SidePanel::SidePanel(const Actions& actions, QWidget* parent) : QFrame(parent)
     column->addLayout(burRow);
     column->addWidget(new BurChooser(actions.burs, content));
     column->addWidget(new HandpieceChooser(actions.handpieces, content));
-
-    auto* pushRow = new QHBoxLayout;
-    auto* pushLabel = quietLabel(content);
-    m_pushText = new TabularLabel(content);
-    m_pushText->setFont(typeface(kBody, QFont::Medium));
-    pushRow->setSpacing(kSpace2);
-    pushRow->addWidget(pushLabel);
-    m_push = new QSlider(Qt::Horizontal, content);
-    m_push->setRange(static_cast<int>(std::lround(tooth::PointerControl::kWeakestN / tooth::PointerControl::kStepN)),
-                     static_cast<int>(std::lround(tooth::PointerControl::kStrongestN / tooth::PointerControl::kStepN)));
-    m_push->setPageStep(5);
-    m_push->setFocusPolicy(Qt::TabFocus);
-    m_push->setObjectName(QStringLiteral("pushForce"));
-    pushLabel->setBuddy(m_push);
-    connect(m_push, &QSlider::valueChanged, this, [this](int steps) {
-        setPushForce(steps * tooth::PointerControl::kStepN);
-        emit pushForceChosen(m_pushN);
-    });
-    pushRow->addWidget(m_push, 1);
-    pushRow->addWidget(m_pushText);
-    column->addLayout(pushRow);
     column->addStretch(1);
 
     auto* fill = new QVBoxLayout(this);
     fill->setContentsMargins(0, 0, 0, 0);
     fill->addWidget(new ScrollPane(content, QPalette::Base, this));
 
-    setPushForce(1.0);
-    text::inEveryLanguage(this, [this, removed, pulp, bur, pushLabel] {
+    text::inEveryLanguage(this, [this, removed, pulp, bur] {
         name(m_material, tr("Under the bur"));
         name(m_force, tr("Force"));
         name(m_depth, tr("Depth"));
@@ -215,11 +195,6 @@ SidePanel::SidePanel(const Actions& actions, QWidget* parent) : QFrame(parent)
             brokenIntoLines(tr("Volume of pulp cut away. The grade looks at the area that lies open, in mm².")));
         bur->setText(tr("Bur"));
         m_rpm->setToolTip(brokenIntoLines(tr("Turns of the bur a minute: a load slows it, until it stalls")));
-        pushLabel->setText(tr("Push with"));
-        m_push->setAccessibleName(tr("Push with, newtons"));
-        m_push->setToolTip(tr("How hard the mouse and the keys push the bur against the tooth"));
-        m_push->setStatusTip(m_push->toolTip());
-        setPushForce(m_pushN);
         setAsked(m_asked);
         // The newest figures come with the next frame.
         m_sinceWords.invalidate();
@@ -301,7 +276,7 @@ void SidePanel::setFigures(const core::session::ServoState& servo, const core::s
     const double feltN = glm::length(servo.forceN);
     const double forceN = servo.touching || feltN > kTrembleN ? feltN : 0.0;
     const bool limited = (servo.health & core::session::kForceClamped) != 0;
-    m_forceBar->setForce(forceN, m_pushN, limited);
+    m_forceBar->setForce(forceN, m_hand->pushForce(), limited);
     if (m_sinceWords.isValid() && m_sinceWords.elapsed() < kWordsEveryMs)
         return;
     m_sinceWords.start();
@@ -410,14 +385,6 @@ void SidePanel::setGuide(const std::optional<double>& marginMm, const std::optio
         setFigure(m_decay, dash(), {}, quiet);
         m_overcut->setText(dash(), {});
     }
-}
-
-void SidePanel::setPushForce(double newtons)
-{
-    m_pushN = std::clamp(newtons, tooth::PointerControl::kWeakestN, tooth::PointerControl::kStrongestN);
-    const QSignalBlocker silent(m_push);
-    m_push->setValue(static_cast<int>(std::lround(m_pushN / tooth::PointerControl::kStepN)));
-    m_pushText->setText(text::number(m_pushN, 1), QStringLiteral("N"));
 }
 
 }  // namespace ui::shell

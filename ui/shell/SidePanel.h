@@ -12,7 +12,6 @@
 #include "ui/render/Look.h"
 
 class QLabel;
-class QSlider;
 class QBoxLayout;
 
 namespace ui::shell {
@@ -20,10 +19,11 @@ namespace ui::shell {
 class Actions;
 class DrillSwitch;
 class ForceBar;
+class HandControls;
 class MaterialSwatch;
 class TabularLabel;
 
-/// Beside the tooth: whether the bur turns, the live figures, the burs, and how hard the pointer pushes.
+/// Beside the tooth: whether the bur turns, how the pointer holds it, the live figures and the burs.
 class SidePanel : public QFrame
 {
     Q_OBJECT
@@ -45,13 +45,7 @@ public:
     void setTold(bool depth, bool dentin);
     /// Tissues are to be told by feel: nothing of what would name them is shown.
     void setBlindfold(bool on);
-    /// Shows this push force without announcing it.
-    void setPushForce(double newtons);
-    [[nodiscard]] double pushForce() const { return m_pushN; }
-
-signals:
-    /// The person moved the slider.
-    void pushForceChosen(double newtons);
+    [[nodiscard]] HandControls& hand() { return *m_hand; }
 
 private:
     void showFigures();
@@ -86,9 +80,7 @@ private:
     bool m_tellsDepth = true;
     bool m_tellsDentin = true;
     bool m_blindfold = false;
-    QSlider* m_push = nullptr;
-    TabularLabel* m_pushText = nullptr;
-    double m_pushN = 1.0;
+    HandControls* m_hand = nullptr;
     QElapsedTimer m_sinceWords;
 };
 

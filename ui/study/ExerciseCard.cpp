@@ -215,8 +215,8 @@ void ExerciseCard::setServo(const core::session::ServoState& servo)
         m_gauge->setForce(newtons);
         m_force->setText(text::number(newtons, 2), QStringLiteral("N"));
     }
-    if (servo.drillOn != m_drillIsOn) {
-        m_drillIsOn = servo.drillOn;
+    if (const bool isOn = servo.drillSwitchedOn || servo.drillOn; isOn != m_drillIsOn) {
+        m_drillIsOn = isOn;
         showAdvice();
     }
 }

@@ -157,6 +157,7 @@ QString aidWords(const ::lessons::Aids& aids)
     add(aids.ideal, QT_TRANSLATE_NOOP("Lesson", "ideal preparation"));
     add(aids.burColour, QT_TRANSLATE_NOOP("Lesson", "bur that changes colour"));
     add(aids.fixture, QT_TRANSLATE_NOOP("Lesson", "guided hand"));
+    add(aids.depthStop, QT_TRANSLATE_NOOP("Lesson", "depth stop"));
     if (aids == ::lessons::Aids{})
         return QCoreApplication::translate("Lesson", "all");
     return names.isEmpty() ? QCoreApplication::translate("Lesson", "none") : names.join(QStringLiteral(", "));

@@ -9,7 +9,12 @@
 namespace ui::tooth {
 namespace {
 
-constexpr double kRoamMm = 5.0;  ///< how far beside the tooth the bur may go
+constexpr double kRoamMm = 5.0;     ///< how far beside the tooth the bur may go
+constexpr double kMarchMm = 0.04;   ///< upwards along a ray, looking for room for the bur
+constexpr double kRecoverMm = 1.5;  ///< of movement, over which a bur comes back under the pointer
+constexpr double kUncutMm = 0.05;   ///< less than this below the original surface is not cut yet
+constexpr double kThereMm = 0.05;   ///< from where the pointer is
+constexpr double kJumpMm = 0.5;     ///< farther than this, the bur is lifted over what lies between
 
 }  // namespace
 
@@ -18,35 +23,86 @@ void PointerControl::setSurface(const render::ToothSurface* surface)
     m_surface = surface;
     m_hasRay = false;
     m_pushing = false;
+    m_surfaceMm.reset();
+    m_hoverMm = core::terrain::kEmptyTop;
     setTarget(m_targetMm);
+}
+
+/// The first place on the ray, from the tooth towards the eye, where the bur has room.
+void PointerControl::hoverOn(const render::Ray& ray)
+{
+    glm::dvec3 place;
+    if (m_surface == nullptr || !m_surface->meet(ray, place))
+        return;
+    const glm::dvec3 up = ray.direction * (kMarchMm / std::min(ray.direction.z, -0.02));
+    const double highest = m_surface->highestMm().z + kClearanceMm;
+    const auto lacksMm = [&] {
+        return m_surface->highestBetweenMm(glm::dvec2(place), glm::dvec2(place), m_burRadiusMm) + kClearanceMm -
+               place.z;
+    };
+    for (double lacks = lacksMm(); lacks > 0.0 && place.z < highest; lacks = lacksMm())
+        place += up * std::max(1.0, 0.25 * lacks / kMarchMm);
+    setTarget(glm::dvec2(place));
+    m_hoverMm = place.z;
 }
 
 void PointerControl::moveTo(const render::Ray& ray, glm::dvec3 anchorMm)
 {
     glm::dvec3 now;
-    if (m_pushing) {
-        glm::dvec3 before;
-        if (m_hasRay && render::ToothSurface::meetPlane(m_lastRay, anchorMm.z, before) &&
-            render::ToothSurface::meetPlane(ray, anchorMm.z, now)) {
-            // On a leash: what a wall holds up must answer at once when the hand turns back.
-            const glm::dvec2 ahead = m_targetMm + glm::dvec2(now - before) - glm::dvec2(anchorMm);
-            const double length = glm::length(ahead);
-            setTarget(glm::dvec2(anchorMm) + (length > kLeashMm ? ahead * (kLeashMm / length) : ahead));
-        }
-    } else if (m_surface != nullptr && m_surface->meet(ray, now)) {
-        setTarget(glm::dvec2(now));
+    glm::dvec3 before;
+    if (!m_pushing) {
+        hoverOn(ray);
+    } else if (!m_hasTouched) {
+        if (m_surface != nullptr && m_surface->meet(ray, now))
+            setTarget(glm::dvec2(now));
+    } else if (m_hasRay && render::ToothSurface::meetPlane(ray, anchorMm.z, now) &&
+               render::ToothSurface::meetPlane(m_lastRay, anchorMm.z, before)) {
+        const glm::dvec2 by(now - before);
+        setTarget(glm::mix(m_targetMm + by, glm::dvec2(now), std::min(1.0, glm::length(by) / kRecoverMm)));
     }
     m_lastRay = ray;
     m_hasRay = true;
 }
 
+void PointerControl::follow(const core::session::ServoState& servo)
+{
+    if (!m_pushing || !servo.touching || m_hasTouched)
+        return;
+    m_hasTouched = true;
+    if (m_surfaceMm && servo.hasDepth && servo.depthMm >= kUncutMm)
+        return;
+    // Beside a wall the bur touches the tooth while its tip is still above the surface.
+    m_surfaceMm = servo.anchorMm.z;
+    if (servo.hasDepth && m_surface != nullptr)
+        *m_surfaceMm += m_surface->belowUncutMm(servo.anchorMm);
+}
+
+std::optional<double> PointerControl::depthMm(double tipMm) const
+{
+    // Before the first touch of a press nobody knows whether it keeps the plane.
+    if (!m_surfaceMm || !m_hasTouched)
+        return std::nullopt;
+    return std::max(0.0, *m_surfaceMm - tipMm);
+}
+
+std::optional<double> PointerControl::stopMm() const
+{
+    if (!m_stopIsOn || !m_surfaceMm || (m_pushing && !m_hasTouched))
+        return std::nullopt;
+    return *m_surfaceMm - m_stopDepthMm;
+}
+
 void PointerControl::moveBy(glm::dvec2 stepMm)
 {
     setTarget(m_targetMm + stepMm);
+    m_hoverMm = core::terrain::kEmptyTop;
+    m_hasRay = false;
 }
 
 void PointerControl::push(bool pushing)
 {
+    if (pushing != m_pushing)
+        m_hasTouched = false;
     m_pushing = pushing;
     m_pressure = 1.0;
 }
@@ -56,24 +112,42 @@ void PointerControl::setForce(double newtons)
     m_forceN = std::clamp(newtons, kWeakestN, kStrongestN);
 }
 
+void PointerControl::setFeed(double mmPerS)
+{
+    m_feedMmPerS = std::clamp(mmPerS, kSlowestMmPerS, kFastestMmPerS);
+}
+
+void PointerControl::setStopDepth(double depthMm)
+{
+    m_stopDepthMm = std::clamp(depthMm, kShallowestMm, kDeepestMm);
+}
+
 core::session::PointerInput PointerControl::input(std::optional<glm::dvec3> anchorMm) const
 {
     core::session::PointerInput wish;
     wish.targetMm = m_targetMm;
-    wish.pushing = m_pushing && !m_lifted;
+    // The bur comes down where the pointer is, and not on its way there.
+    const bool isThere = m_hasTouched || !anchorMm || glm::distance(glm::dvec2(*anchorMm), m_targetMm) < kThereMm;
+    wish.pushing = m_pushing && !m_lifted && isThere;
     wish.pushForceN = m_forceN * m_pressure;
+    wish.feedMmPerS = m_feedMmPerS;
+    wish.buttonIsPedal = true;
+    if (const std::optional<double> stop = stopMm())
+        wish.stopMm = *stop;
     if (m_surface == nullptr)
         return wish;
     if (m_lifted) {
         wish.hoverMm = m_surface->highestMm().z + kLiftMm;
         return wish;
     }
-    const glm::dvec2 from = anchorMm ? glm::dvec2(*anchorMm) : m_targetMm;
+    glm::dvec2 from = anchorMm ? glm::dvec2(*anchorMm) : m_targetMm;
+    if (glm::distance(from, m_targetMm) < kJumpMm)
+        from = m_targetMm;
     const double highest = m_surface->highestBetweenMm(from, m_targetMm, m_burRadiusMm);
-    wish.hoverMm = highest + kClearanceMm;
+    wish.hoverMm = std::max(highest + kClearanceMm, m_hoverMm);
     // Straight out of a cavity the bur would cut through its wall.
     if (!wish.pushing && anchorMm && anchorMm->z < highest)
-        wish.targetMm = from;
+        wish.targetMm = glm::dvec2(*anchorMm);
     return wish;
 }
 

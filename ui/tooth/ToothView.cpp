@@ -43,6 +43,11 @@ constexpr double kNearestMirrorMm = 12.0;  ///< to the eye
 constexpr double kBeforeMm = 0.6;          ///< what is seen so far before a point hides it
 constexpr double kHeightBesidePx = 60.0;   ///< of the bur
 constexpr int kForceToldMs = 1200;
+constexpr double kNearStopMm = 0.1;  ///< the ring and the figure change colour
+constexpr double kStopRing = 1.35;   ///< radii of the head
+constexpr int kStopCorners = 48;
+constexpr double kPlateAsidePx = 56.0;
+constexpr double kPlateBelowPx = 26.0;
 constexpr double kLiftFollowS = 0.05;
 constexpr double kTurnRadPerS = 55.0;  ///< of a bur that runs: as fast as an eye can follow, a real one is a blur
 constexpr int kTurnEveryMs = 33;       ///< while nothing else asks for a picture
@@ -163,8 +168,42 @@ void ToothView::setPushForce(double newtons)
     emit pushForceChanged(m_control.forceN());
 }
 
+void ToothView::setFeed(double mmPerS)
+{
+    m_control.setFeed(mmPerS);
+    publishPointer();
+}
+
+void ToothView::setDepthStop(bool on, double depthMm)
+{
+    m_control.setStopOn(on);
+    m_control.setStopDepth(depthMm);
+    publishPointer();
+    redraw();
+}
+
+void ToothView::moveStop(double stepMm)
+{
+    if (!m_control.isStopOn())
+        return;
+    setDepthStop(true, m_control.stopDepthMm() + stepMm);
+    m_sinceStopSet.start();
+    m_stopTold = true;
+    emit depthStopChanged(m_control.stopDepthMm());
+}
+
+/// The bur stays under a pointer that rests, whatever moves the view or changes the bur.
+void ToothView::aim()
+{
+    m_control.follow(m_servo);
+    if (m_pointerAims && !m_pointerHasLeft && !m_mirrorHeld && m_turning == Qt::NoButton)
+        m_control.moveTo(rayAt(m_pointer), m_servo.anchorMm);
+}
+
 void ToothView::setDrillOn(bool on)
 {
+    if (on == m_drillOn)
+        return;
     m_drillOn = on;
     redraw();
 }
@@ -389,6 +428,7 @@ void ToothView::paintMarks(QPainter& painter)
             drawPins(painter);
         }
         drawForce(painter);
+        drawStop(painter);
         if (m_surface && core::teeth::isGenerated(m_surface->anatomy()))
             drawGizmo(painter);
         if (!showsInstrument())
@@ -536,6 +576,43 @@ void ToothView::drawForce(QPainter& painter)
     }
 }
 
+/// A ring round the bur at the height of the stop, and the depth of the tip and of the stop beside it.
+void ToothView::drawStop(QPainter& painter)
+{
+    const bool isSeen = m_published.pushing || m_stopTold;
+    if (!showsInstrument() || !m_control.isStopOn() || !isSeen || !m_exercise.pads.empty())
+        return;
+    const std::optional<double> stopMm = m_control.stopMm();
+    const double leftMm = stopMm ? m_pose.anchorMm.z - *stopMm : m_control.stopDepthMm();
+    const QColor colour = leftMm < kNearStopMm ? QColor(0xFF, 0xC2, 0x4B) : QColor(0xF2, 0xF2, 0xEE);
+    if (stopMm) {
+        const double radiusMm = kStopRing * core::drilling::burs()[m_servo.burIndex].headRadiusMm;
+        QPolygonF ring;
+        for (int k = 0; k <= kStopCorners; ++k) {
+            const double angle = 2.0 * std::numbers::pi * k / kStopCorners;
+            const glm::dvec2 at = m_camera.pixelOf({m_pose.anchorMm.x + radiusMm * std::cos(angle),
+                                                    m_pose.anchorMm.y + radiusMm * std::sin(angle), *stopMm});
+            ring << QPointF(at.x, at.y);
+        }
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(QColor(16, 18, 20, 150), 4.0));
+        painter.drawPolyline(ring);
+        painter.setPen(QPen(colour, 2.0));
+        painter.drawPolyline(ring);
+    }
+    const auto figure = [](double mm, int places) { return QLocale().toString(mm, 'f', places); };
+    const QString words =
+        stopMm && m_published.pushing
+            //: Depth of the tip of the bur, and of the stop below it, millimetres
+            ? tr("%1 / %2 mm")
+                  .arg(figure(m_control.stopDepthMm() - std::max(0.0, leftMm), 2), figure(m_control.stopDepthMm(), 1))
+            //: The depth at which the bur will stop
+            : tr("Stop %1 mm").arg(figure(m_control.stopDepthMm(), 1));
+    const glm::dvec2 tip = m_camera.pixelOf(m_pose.anchorMm);
+    paintPlate(painter, QPointF(tip.x + (m_leftHanded ? -kPlateAsidePx : kPlateAsidePx), tip.y + kPlateBelowPx), words,
+               m_leftHanded);
+}
+
 void ToothView::advanceFrame()
 {
     const double seconds = std::min(0.1, static_cast<double>(m_sinceFrame.nsecsElapsed()) * 1.0e-9);
@@ -551,10 +628,13 @@ void ToothView::advanceFrame()
         m_sinceLight.start();
     }
     moveByKeys(seconds);
+    aim();
     publishPointer();
     const double glidingS = m_settings.movesLittle ? kAtOnceS : seconds;
-    if (m_camera.advance(glidingS))
+    if (m_camera.advance(glidingS)) {
+        m_control.forgetRay();
         redrawMoving();
+    }
     if (m_drillOn && !m_settings.movesLittle && showsInstrument()) {
         m_turnRad = std::fmod(m_turnRad + kTurnRadPerS * seconds, 2.0 * std::numbers::pi);
         // A software driver would never come to smooth edges; there a bur that rests is a blur, as a real one is.
@@ -567,6 +647,10 @@ void ToothView::advanceFrame()
     const double rest = (m_liftMm - lift) * std::exp(-glidingS / kLiftFollowS);
     if (const double next = std::abs(rest) < 0.01 ? lift : lift + rest; next != m_liftMm) {
         m_liftMm = next;
+        redraw();
+    }
+    if (m_stopTold && m_sinceStopSet.elapsed() > kForceToldMs) {
+        m_stopTold = false;
         redraw();
     }
     if (m_forceTold && m_sinceForceSet.elapsed() > kForceToldMs) {
@@ -617,9 +701,7 @@ void ToothView::publishPointer()
 {
     const core::session::PointerInput wish =
         m_control.input(m_servo.tick > 0 ? std::optional(m_servo.anchorMm) : std::nullopt);
-    const bool same = wish.targetMm == m_published.targetMm && wish.hoverMm == m_published.hoverMm &&
-                      wish.pushing == m_published.pushing && wish.pushForceN == m_published.pushForceN;
-    if (same)
+    if (wish == m_published)
         return;
     if (wish.pushing != m_published.pushing)
         redraw();
@@ -635,6 +717,7 @@ render::Ray ToothView::rayAt(QPointF position) const
 void ToothView::turnCamera(double azimuthDeg, double elevationDeg)
 {
     m_camera.turn(azimuthDeg, elevationDeg);
+    m_control.forgetRay();
     redrawMoving();
 }
 
@@ -695,13 +778,14 @@ void ToothView::pushMirror(double millimetres)
 /// Mouse and pen. Seen from below, the bur is on the far side of the tooth.
 void ToothView::pushAt(QPointF position)
 {
+    pointAt(position);
     const render::Ray ray = rayAt(position);
     if (ray.direction.z >= 0.0) {
         emit pushRefused();
         return;
     }
-    m_control.moveTo(ray, m_servo.anchorMm);
     m_control.push(true);
+    m_control.moveTo(ray, m_servo.anchorMm);
 }
 
 void ToothView::mousePressEvent(QMouseEvent* event)
@@ -726,6 +810,7 @@ void ToothView::pointAt(QPointF position)
 {
     m_pointer = position;
     m_pointerHasLeft = false;
+    m_pointerAims = true;
     if (m_settings.look.depthColours != render::DepthColours::Off)
         redraw();
 }
@@ -786,10 +871,14 @@ void ToothView::wheelEvent(QWheelEvent* event)
     const double notches = event->angleDelta().y() / 120.0;
     if (event->modifiers().testFlag(Qt::ControlModifier)) {
         setPushForce(m_control.forceN() + PointerControl::kStepN * notches);
+    } else if (m_control.isPushing() || event->modifiers().testFlag(Qt::ShiftModifier)) {
+        // A wheel that is turned towards the person takes the stop down.
+        moveStop(PointerControl::kStepMm * -notches);
     } else if (isOnMirror(event->position())) {
         pushMirror(-kMirrorStepMm * notches);
     } else {
         m_camera.zoom(notches, m_surface ? m_surface->meetTooth(rayAt(event->position())) : std::nullopt);
+        m_control.forgetRay();
         redraw();
     }
     event->accept();
@@ -885,6 +974,12 @@ void ToothView::keyPressEvent(QKeyEvent* event)
     case Qt::Key_Period:
         setPushForce(m_control.forceN() + PointerControl::kStepN);
         break;
+    case Qt::Key_Insert:
+        moveStop(-PointerControl::kStepMm);
+        break;
+    case Qt::Key_Delete:
+        moveStop(PointerControl::kStepMm);
+        break;
     case Qt::Key_Plus:
     case Qt::Key_Equal:
         m_camera.zoom(1.0);
@@ -941,6 +1036,7 @@ void ToothView::stepByKey(int key, double lengthMm)
 {
     const glm::dvec2 right = m_camera.rightOnTooth() * lengthMm;
     const glm::dvec2 away = m_camera.awayOnTooth() * lengthMm;
+    m_pointerAims = false;
     m_control.moveBy(key == Qt::Key_Left ? -right : key == Qt::Key_Right ? right : key == Qt::Key_Up ? away : -away);
 }
 

@@ -33,11 +33,12 @@ namespace ui::tooth {
 /// pointer device asks for.
 ///
 /// Mouse: the bur follows; left button pushes; right or middle drag turns the view, wheel zooms to what is under the
-/// pointer, Ctrl + wheel sets how hard to push; a double click of the right or middle button, or of the left beside the
-/// tooth, resets the view.
-/// Keys: arrows move the bur (Shift: finely), page down pushes while held, page up lifts while held, comma and full
-/// stop push weaker and harder, Ctrl + arrows turn the view, plus and minus zoom, Home resets the view. With Shift, a
-/// right drag and Ctrl + arrows turn the tooth about its axis under the handpiece: that swings round the bur.
+/// pointer. The wheel sets the depth stop while the left button is down or with Shift, and how hard to push with Ctrl.
+/// A double click of the right or middle button, or of the left beside the tooth, resets the view. Keys: arrows move
+/// the bur (Shift: finely), page down pushes while held, page up lifts while held, comma and full stop push weaker and
+/// harder, Insert and Delete move the depth stop up and down, Ctrl + arrows turn the view, plus and minus zoom, Home
+/// resets the view. With Shift, a right drag and Ctrl + arrows turn the tooth about its axis under the handpiece: that
+/// swings round the bur.
 ///
 /// Ui thread. It is the one reader of `servo` and `patches` and the one writer of `pointer`; it polls them 60 times a
 /// second and repaints only when something that shows has changed.
@@ -59,6 +60,12 @@ public:
     /// How hard the button pushes, newtons: 0.2 .. 3, 0.6 to begin with.
     void setPushForce(double newtons);
     [[nodiscard]] double pushForce() const { return m_control.forceN(); }
+    /// How fast the bur goes down at most while it is pushed, mm/s.
+    void setFeed(double mmPerS);
+    /// So far below the original surface the pushed bur stops, mm. Nothing is stopped while the stop is off.
+    void setDepthStop(bool on, double depthMm);
+    /// Feed, depth stop and force of the hand.
+    [[nodiscard]] const PointerControl& hand() const { return m_control; }
     /// Nothing is pushed or turned any more, whatever is held down.
     void release();
     /// For the look of the bur only.
@@ -111,6 +118,8 @@ signals:
     /// Once a frame, with the newest state of the servo.
     void frameAdvanced(const core::session::ServoState& state);
     void pushForceChanged(double newtons);
+    /// Emitted when the wheel or a key has moved the depth stop.
+    void depthStopChanged(double depthMm);
     /// The bur was to push while the tooth is seen from below: it did not, as it would drill where nobody looks.
     void pushRefused();
 
@@ -144,6 +153,9 @@ private:
     void turnHandpiece(double degrees);
     void showNeighbours();
     void drawForce(QPainter& painter);
+    void drawStop(QPainter& painter);
+    void moveStop(double stepMm);
+    void aim();
     void drawGizmo(QPainter& painter);
     void drawPoints(QPainter& painter);
     void drawPins(QPainter& painter);
@@ -174,7 +186,8 @@ private:
     bool m_mirrorHeld = false;
     bool m_mirrorIsPlaced = false;  ///< by a person
     QPointF m_pointer;              ///< where the mouse was last
-    bool m_pointerHasLeft = false;
+    bool m_pointerHasLeft = true;
+    bool m_pointerAims = false;  ///< the pointer, and not the keys, has moved the bur last
     PatchInbox m_inbox;
     Camera m_camera;
     PointerControl m_control;
@@ -207,6 +220,8 @@ private:
     QTimer m_frame;
     QElapsedTimer m_sinceFrame;
     QElapsedTimer m_sinceForceSet;
+    QElapsedTimer m_sinceStopSet;
+    bool m_stopTold = false;   ///< the depth of the stop is written beside the bur
     bool m_forceTold = false;  ///< the set force is written beside the bur
 };
 

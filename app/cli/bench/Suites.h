@@ -63,6 +63,10 @@ struct Context
 /// Largest stiffness that a simulated Falcon and hand keep still, by method, hand and delay.
 [[nodiscard]] core::Result<Figures> stiffnessSuite(const Context& context);
 
+/// A simulated person at a mouse: how deep a plunge goes too far, how flat a slot becomes, whether a lesion comes out
+/// without the pulp, and how near the bur stays to the pointer.
+[[nodiscard]] core::Result<Figures> pointerSuite(const Context& context);
+
 /// A recording of continuous drilling played to its end, and looked at here and there.
 [[nodiscard]] core::Result<Figures> replaySuite(const Context& context);
 /// A servo in its thread at 1 kHz, by turns alone and with the live measures of a lesson beside it, and what those

@@ -1,0 +1,476 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <glm/geometric.hpp>
+
+#include "app/cli/bench/Contestants.h"
+#include "app/cli/bench/InParallel.h"
+#include "app/cli/bench/MousePerson.h"
+#include "app/cli/bench/Suites.h"
+#include "core/drilling/Bur.h"
+#include "core/teeth/ToothBuilder.h"
+#include "lessons/Assignment.h"
+#include "lessons/LessonCatalog.h"
+#include "ui/tooth/PointerControl.h"
+
+namespace app::cli::bench {
+namespace {
+
+using core::terrain::Material;
+using core::terrain::ToothAnatomy;
+using Anatomy = std::shared_ptr<const ToothAnatomy>;
+
+constexpr std::size_t kPlunges = 100;
+constexpr std::size_t kSeeds = 30;
+constexpr double kDepthMm = 1.5;
+constexpr std::array kTeeth{36, 26, 24, 21};
+constexpr std::array kFeedsMmPerS{0.1, 0.2, 0.3, 0.5, 0.7, 1.0, 1.5, 2.0};
+constexpr std::array kForcesN{0.3, 0.6, 1.0, 1.5};
+constexpr glm::dvec2 kScreenPx{900.0, 700.0};  ///< of the tooth view in a window of 1280 x 800
+constexpr double kAboveDeg = 80.0;
+constexpr double kHalfSlotMm = 1.2;
+constexpr double kSlotPxPerS = 25.0;
+constexpr int kSlotPasses = 4;
+constexpr double kAheadPx = 25.0;  ///< the hand waits for a bur that is farther behind
+constexpr double kGivesUpS = 400.0;
+constexpr double kLayerMm = 0.3;  ///< by which the person lowers the stop where it is still brown
+constexpr double kFirstLayerMm = 0.6;
+constexpr double kLooksS = 0.5;  ///< before the stop is lowered again
+constexpr double kOutPercent = 5.0;  ///< of the decay may be left in a lesion that is out
+
+ui::tooth::Camera cameraOver(double elevationDeg)
+{
+    ui::tooth::Camera camera;
+    camera.setViewport(kScreenPx);
+    camera.setSubject({0.0, 0.0, -2.0}, 7.0);
+    camera.set(0.0, elevationDeg, camera.fittingMm());
+    return camera;
+}
+
+core::Result<Anatomy> soundTooth(int fdi, std::uint64_t seed)
+{
+    core::teeth::BuildOptions options;
+    options.seed = seed;
+    options.caries.reset();
+    auto built = core::teeth::buildTooth({fdi}, options);
+    if (!built)
+        return tl::unexpected(built.error());
+    return built->anatomy;
+}
+
+/// A place near the middle where the junction lies 0.6 to 1.2 mm below a surface that is not steep.
+glm::dvec3 plungePlace(const ToothAnatomy& anatomy)
+{
+    const core::terrain::Grid& grid = anatomy.grid;
+    glm::dvec3 best(0.0);
+    double least = std::numeric_limits<double>::max();
+    for (int j = 1; j + 1 < grid.side; ++j)
+        for (int i = 1; i + 1 < grid.side; ++i) {
+            const std::size_t k = grid.index(i, j);
+            const double enamel = static_cast<double>(anatomy.top[k] - anatomy.layers[k].dej);
+            const double rise = std::hypot(anatomy.top[grid.index(i + 1, j)] - anatomy.top[grid.index(i - 1, j)],
+                                           anatomy.top[grid.index(i, j + 1)] - anatomy.top[grid.index(i, j - 1)]) /
+                                (2.0 * grid.cellMm);
+            const glm::dvec2 at = grid.nodeMm(i, j);
+            const double cost = glm::length(at) + 3.0 * rise;
+            if (!(anatomy.top[k] > anatomy.bottom[k]) || enamel < 0.6 || enamel > 1.2 || cost >= least)
+                continue;
+            least = cost;
+            best = glm::dvec3(at, anatomy.top[k]);
+        }
+    return best;
+}
+
+struct Plunge
+{
+    double overMm = 0.0;
+    double seconds = 0.0;  ///< from the press to the release
+};
+
+/// Presses until the figure says 1.5 mm, then lets go.
+core::Result<Plunge> plunge(const MouseHand& hand, std::uint64_t seed)
+{
+    const auto anatomy = soundTooth(36, seed);
+    if (!anatomy)
+        return tl::unexpected(anatomy.error());
+    const glm::dvec3 place = plungePlace(**anatomy);
+    const ui::tooth::Camera camera = cameraOver(kAboveDeg);
+    Person person(seed);
+    double pressedS = -1.0;
+    double releasedS = -1.0;
+    const auto decide = [&](const Sight& now) {
+        const Sight* seen = person.see(now);
+        Deed deed{person.aim(camera.pixelOf(place)), false, kDepthMm, false};
+        // At a depth stop the figure does not grow beyond it.
+        const bool isDeep = seen && seen->depthMm.value_or(0.0) > kDepthMm - 0.01;
+        if (pressedS < 0.0 && now.seconds > 0.6)
+            pressedS = now.seconds;
+        if (pressedS >= 0.0 && releasedS < 0.0 && isDeep)
+            releasedS = now.seconds;
+        deed.pressed = pressedS >= 0.0 && releasedS < 0.0;
+        deed.isDone = releasedS >= 0.0 && now.seconds > releasedS + 0.3;
+        return deed;
+    };
+    const auto doing = work(*anatomy, {}, 1, hand, camera, 60.0, decide);
+    if (!doing)
+        return tl::unexpected(doing.error());
+    return Plunge{doing->deepestMm - kDepthMm, (releasedS < 0.0 ? doing->seconds : releasedS) - pressedS};
+}
+
+struct Slot
+{
+    double rmsMm = 0.0;
+    double offMm = 0.0;  ///< of its mean depth
+};
+
+/// Plunges to the stop, then moves to and fro along the fissure.
+core::Result<Slot> slot(const MouseHand& hand, std::uint64_t seed)
+{
+    const auto anatomy = soundTooth(36, seed);
+    if (!anatomy)
+        return tl::unexpected(anatomy.error());
+    const ui::tooth::Camera camera = cameraOver(kAboveDeg);
+    const glm::dvec3 place = plungePlace(**anatomy);
+    const glm::dvec3 from = place - glm::dvec3(kHalfSlotMm, 0.0, 0.0);
+    const glm::dvec3 to = place + glm::dvec3(kHalfSlotMm, 0.0, 0.0);
+    const double lengthPx = glm::distance(camera.pixelOf(from), camera.pixelOf(to));
+    Person person(seed);
+    bool isDeep = false;
+    double wayPx = 0.0;
+    double endedS = -1.0;
+    double surfaceMm = 0.0;
+    const auto decide = [&](const Sight& now) {
+        const Sight* seen = person.see(now);
+        const double share = wayPx / lengthPx;
+        const double phase = std::fmod(share, 2.0);
+        const glm::dvec2 meant = glm::mix(camera.pixelOf(from), camera.pixelOf(to), phase < 1.0 ? phase : 2.0 - phase);
+        if (now.depthMm)
+            surfaceMm = now.burMm.z + *now.depthMm;
+        isDeep = isDeep || (seen && seen->depthMm.value_or(0.0) > kDepthMm - 0.05);
+        if (isDeep && seen && glm::distance(seen->burPx, meant) < kAheadPx)
+            wayPx += kSlotPxPerS * 0.016;
+        if (share >= kSlotPasses && endedS < 0.0)
+            endedS = now.seconds;
+        return Deed{person.aim(meant), now.seconds > 0.6 && endedS < 0.0, kDepthMm,
+                    endedS >= 0.0 && now.seconds > endedS + 0.3};
+    };
+    const auto doing = work(*anatomy, {}, 1, hand, camera, kGivesUpS, decide);
+    if (!doing)
+        return tl::unexpected(doing.error());
+    const core::terrain::Grid& grid = (*anatomy)->grid;
+    double sum = 0.0;
+    double squares = 0.0;
+    int count = 0;
+    for (int j = 0; j < grid.side; ++j)
+        for (int i = 0; i < grid.side; ++i) {
+            const glm::dvec2 at = grid.nodeMm(i, j) - glm::dvec2(place);
+            if (std::abs(at.x) > kHalfSlotMm - 0.2 || std::abs(at.y) > 0.15)
+                continue;
+            const double high = static_cast<double>(doing->tooth.top[grid.index(i, j)]) - (surfaceMm - kDepthMm);
+            sum += high;
+            squares += high * high;
+            ++count;
+        }
+    const double mean = sum / count;
+    return Slot{std::sqrt(std::max(0.0, squares / count - mean * mean)), mean};
+}
+
+/// Where decay is seen from above: on the floor, or on a wall that a cut beside it has laid open.
+std::vector<std::size_t> brownColumns(const ToothAnatomy& anatomy, const std::vector<float>& tops)
+{
+    const core::terrain::Grid& grid = anatomy.grid;
+    std::vector<std::size_t> brown;
+    for (int j = 1; j + 1 < grid.side; ++j)
+        for (int i = 1; i + 1 < grid.side; ++i) {
+            const std::size_t k = grid.index(i, j);
+            const core::terrain::ColumnLayers& layers = anatomy.layers[k];
+            if (!(tops[k] > anatomy.bottom[k]) || !(layers.cariesRoof > layers.cariesFloor) ||
+                tops[k] <= layers.cariesFloor)
+                continue;
+            bool isSeen = tops[k] <= layers.cariesRoof;
+            for (const std::size_t beside : {k - 1, k + 1, grid.index(i, j - 1), grid.index(i, j + 1)})
+                isSeen = isSeen || tops[beside] < layers.cariesRoof - 0.05F;
+            if (isSeen)
+                brown.push_back(k);
+        }
+    return brown;
+}
+
+struct Removal
+{
+    bool isPulpOpen = false;
+    double leftPercent = 100.0;
+    double seconds = 0.0;
+};
+
+/// Goes over what is brown, and lowers the depth stop where it still is. Without a stop: presses while it is brown
+/// under the bur.
+core::Result<Removal> removeLesion(int fdi, const MouseHand& hand, std::uint64_t seed)
+{
+    auto lesson = lessons::lessonNamed(QStringLiteral("decay-%1-moderate").arg(fdi));
+    if (!lesson)
+        return tl::unexpected(lesson.error());
+    if (auto* made = std::get_if<lessons::MadeTooth>(&lesson->tooth))
+        made->seed = seed;
+    const auto assigned = lessons::assign(*lesson);
+    if (!assigned)
+        return tl::unexpected(assigned.error());
+    const Anatomy& anatomy = assigned->assignment.anatomy;
+    const core::terrain::Grid& grid = anatomy->grid;
+    const std::size_t bur = lesson->burs.empty() ? 1 : core::drilling::findBur(lesson->burs.front()).value_or(1);
+    const ui::tooth::Camera camera = cameraOver(kAboveDeg);
+    Person person(seed);
+    double stopMm = kFirstLayerMm;
+    std::optional<glm::dvec3> goal;
+    double loweredS = 0.0;
+    double cleanS = 0.0;
+    double surfaceMm = std::numeric_limits<double>::lowest();  ///< where the depth figure counts from
+    std::shared_ptr<const std::vector<float>> lookedAt;
+    std::vector<std::size_t> brown;
+    const auto placeOf = [&](std::size_t k, const std::vector<float>& tops) {
+        const auto side = static_cast<std::size_t>(grid.side);
+        return glm::dvec3(grid.nodeMm(static_cast<int>(k % side), static_cast<int>(k / side)), tops[k]);
+    };
+    glm::dvec2 meant = kScreenPx / 2.0;
+    const auto decide = [&](const Sight& now) {
+        const Sight* seen = person.see(now);
+        Deed deed{meant, false, stopMm, false};
+        if (seen == nullptr)
+            return deed;
+        if (seen->depthMm)
+            surfaceMm = seen->burMm.z + *seen->depthMm;
+        if (seen->tops != lookedAt || (!goal && now.seconds > loweredS + kLooksS)) {
+            lookedAt = seen->tops;
+            brown = brownColumns(*anatomy, *lookedAt);
+            const glm::dvec2 at(seen->burMm);
+            goal.reset();
+            double least = std::numeric_limits<double>::max();
+            for (const std::size_t k : brown) {
+                const glm::dvec3 place = placeOf(k, *lookedAt);
+                // The ring shows how far down this layer goes.
+                const bool isReachable = !hand.stopMm || lookedAt->at(k) > surfaceMm - stopMm + 0.05;
+                const double far = glm::distance(glm::dvec2(place), at);
+                if (isReachable && far < least) {
+                    least = far;
+                    goal = place;
+                }
+            }
+            if (!goal && !brown.empty() && stopMm < ui::tooth::PointerControl::kDeepestMm) {
+                stopMm += kLayerMm;
+                loweredS = now.seconds;
+            }
+        }
+        cleanS = brown.empty() ? cleanS + 0.016 : 0.0;
+        if (goal && glm::distance(meant, camera.pixelOf(*goal)) > 0.5) {
+            // The hand moves at a pace that the eye can follow.
+            const glm::dvec2 way = camera.pixelOf(*goal) - meant;
+            meant += way * std::min(1.0, 4.0 / glm::length(way));
+        }
+        const bool isOnGoal = goal && glm::distance(seen->burPx, meant) < kAheadPx;
+        const bool isBrownUnder =
+            !hand.stopMm && seen->under && *seen->under != Material::Caries && seen->depthMm.value_or(0.0) > 0.3;
+        deed = {person.aim(meant), isOnGoal && !isBrownUnder && !brown.empty(), stopMm,
+                cleanS > 1.0 || now.seconds > kGivesUpS - 1.0};
+        return deed;
+    };
+    const auto doing = work(anatomy, lessons::servoSettings(&*lesson, {}), bur, hand, camera, kGivesUpS, decide);
+    if (!doing)
+        return tl::unexpected(doing.error());
+    const core::terrain::PerMaterial whole = core::terrain::volumes(core::terrain::Tooth(anatomy));
+    const core::terrain::PerMaterial gone = core::terrain::removedVolumes(doing->tooth);
+    constexpr auto kCaries = static_cast<std::size_t>(Material::Caries);
+    return Removal{gone[static_cast<std::size_t>(Material::Pulp)] > 0.0,
+                   100.0 * (whole[kCaries] - gone[kCaries]) / whole[kCaries], doing->seconds};
+}
+
+/// Strokes at 200 pixels a second and leaps of the pointer over the tooth, button up.
+core::Result<double> mostOffRayPx(double elevationDeg)
+{
+    const auto anatomy = soundTooth(36, 0);
+    if (!anatomy)
+        return tl::unexpected(anatomy.error());
+    const auto decide = [](const Sight& now) {
+        const double leap = std::floor(now.seconds / 2.0);
+        const double along = std::fmod(now.seconds, 2.0) * 200.0;
+        const double x = 250.0 + (std::fmod(leap, 2.0) < 1.0 ? along : 400.0 - along);
+        return Deed{{x, 240.0 + 25.0 * std::fmod(leap * 7.0, 10.0)}, false, kDepthMm, now.seconds > 20.0};
+    };
+    const auto doing = work(*anatomy, {}, 1, {}, cameraOver(elevationDeg), 30.0, decide);
+    if (!doing)
+        return tl::unexpected(doing.error());
+    return doing->mostOffRayPx;
+}
+
+double percentile(std::vector<double> values, double share)
+{
+    std::sort(values.begin(), values.end());
+    const auto at = static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size())));
+    return values[std::clamp<std::size_t>(at, 1, values.size()) - 1];
+}
+
+/// Many plunges; the first error where there is one.
+core::Result<std::vector<Plunge>> plunges(const MouseHand& hand, std::size_t count)
+{
+    std::vector<core::Result<Plunge>> all(count, Plunge{});
+    inParallel(
+        count, [&](std::size_t k) { all[k] = plunge(hand, k + 1); }, [](std::size_t) {});
+    std::vector<Plunge> made;
+    for (const core::Result<Plunge>& one : all) {
+        if (!one)
+            return tl::unexpected(one.error());
+        made.push_back(*one);
+    }
+    return made;
+}
+
+double overMm(const std::vector<Plunge>& all, double share)
+{
+    std::vector<double> over;
+    for (const Plunge& one : all)
+        over.push_back(one.overMm);
+    return percentile(over, share);
+}
+
+double medianS(const std::vector<Plunge>& all)
+{
+    std::vector<double> seconds;
+    for (const Plunge& one : all)
+        seconds.push_back(one.seconds);
+    return percentile(seconds, 0.5);
+}
+
+/// How far a plunge goes too far against the time it takes, for each way to hold the hand.
+core::Status showPace(const Context& context)
+{
+    ui::charts::Curve curve;
+    curve.x = {QStringLiteral("Time to 1.5 mm, s (median)"), 0.1, 30.0};
+    curve.x.base = 10.0;
+    curve.y = {QStringLiteral("Beyond 1.5 mm, mm (95 of 100 stay below)"), 0.0, 1.5};
+    const auto add = [&](const QString& name, LookIndex look, const auto& values, const auto& handOf,
+                         const char* unit) {
+        ui::charts::Line line = lineOf(name, look);
+        for (const double value : values) {
+            context.progress(name, 0, 1);
+            const auto made = plunges(handOf(value), kSeeds);
+            if (!made)
+                return core::Status(tl::unexpected(made.error()));
+            line.dots << pointAt(medianS(*made), std::max(0.0, overMm(*made, 0.95)),
+                                 QStringLiteral("%1 %2").arg(value).arg(QLatin1String(unit)));
+        }
+        curve.lines << line;
+        return core::Status{};
+    };
+    if (auto added = add(
+            QStringLiteral("Feed, depth stop off"), 0, kFeedsMmPerS,
+            [](double feed) {
+                return MouseHand{feed, {}, 0.6};
+            },
+            "mm/s");
+        !added)
+        return added;
+    if (auto added = add(
+            QStringLiteral("Feed, depth stop on"), 1, kFeedsMmPerS,
+            [](double feed) {
+                return MouseHand{feed, kDepthMm, 0.6};
+            },
+            "mm/s");
+        !added)
+        return added;
+    if (auto added = add(
+            QStringLiteral("Button pushes with a force"), 2, kForcesN,
+            [](double newtons) {
+                return MouseHand{0.0, {}, newtons};
+            },
+            "N");
+        !added)
+        return added;
+    ui::charts::Chart chart;
+    chart.title = QStringLiteral("A person at a mouse drills 1.5 mm deep");
+    chart.content = curve;
+    context.show({QStringLiteral("pointer-plunge"), chart});
+    return {};
+}
+
+}  // namespace
+
+core::Result<Figures> pointerSuite(const Context& context)
+{
+    Figures figures;
+    const auto add = [&](const QString& key, const QString& what, double value, const char* unit, const char* reach) {
+        figures << Figure{QStringLiteral("pointer_") + key, what, value, QLatin1String(unit), QLatin1String(reach)};
+    };
+    context.progress(QStringLiteral("plunges"), 0, 10);
+    const auto without = plunges({0.5, {}, 0.6}, kPlunges);
+    const auto with = plunges({0.5, kDepthMm, 0.6}, kPlunges);
+    const auto rival = plunges({0.0, {}, 0.6}, kPlunges);
+    for (const auto* made : {&without, &with, &rival})
+        if (!*made)
+            return tl::unexpected(made->error());
+    add(QStringLiteral("plunge_over_p95_mm"), QStringLiteral("beyond 1.5 mm, depth stop off, 95 of 100"),
+        overMm(*without, 0.95), "mm", "0.25");
+    add(QStringLiteral("plunge_median_s"), QStringLiteral("time it takes, half of them"), medianS(*without), "s", "");
+    add(QStringLiteral("stop_over_most_mm"), QStringLiteral("beyond 1.5 mm, depth stop on, all"), overMm(*with, 1.0),
+        "mm", "0.05");
+    add(QStringLiteral("force_over_p95_mm"), QStringLiteral("beyond 1.5 mm, button pushes with 0.6 N, 95 of 100"),
+        overMm(*rival, 0.95), "mm", "");
+
+    context.progress(QStringLiteral("slots"), 2, 10);
+    std::vector<core::Result<Slot>> cuts(kSeeds, Slot{});
+    inParallel(
+        kSeeds, [&](std::size_t k) { cuts[k] = slot({}, k + 1); }, [](std::size_t) {});
+    std::vector<double> rms;
+    std::vector<double> off;
+    for (const core::Result<Slot>& one : cuts) {
+        if (!one)
+            return tl::unexpected(one.error());
+        rms.push_back(one->rmsMm);
+        off.push_back(std::abs(one->offMm));
+    }
+    add(QStringLiteral("slot_floor_rms_mm"), QStringLiteral("floor of a slot, from its mean, the worst"),
+        percentile(rms, 1.0), "mm", "0.1");
+    add(QStringLiteral("slot_depth_off_mm"), QStringLiteral("its mean depth from 1.5 mm, the worst"),
+        percentile(off, 1.0), "mm", "");
+
+    for (std::size_t n = 0; n < kTeeth.size(); ++n) {
+        const int fdi = kTeeth[n];
+        context.progress(QStringLiteral("lesions of %1").arg(fdi), 3 + static_cast<int>(n), 10);
+        std::vector<core::Result<Removal>> removals(kSeeds, Removal{});
+        inParallel(
+            kSeeds, [&](std::size_t k) { removals[k] = removeLesion(fdi, {}, k + 1); }, [](std::size_t) {});
+        int opened = 0;
+        int out = 0;
+        std::vector<double> seconds;
+        for (const core::Result<Removal>& one : removals) {
+            if (!one)
+                return tl::unexpected(one.error());
+            opened += one->isPulpOpen ? 1 : 0;
+            out += !one->isPulpOpen && one->leftPercent <= kOutPercent ? 1 : 0;
+            seconds.push_back(one->seconds);
+        }
+        add(QStringLiteral("pulp_opened_%1").arg(fdi),
+            QStringLiteral("moderate lesion of %1: pulp opened, of 30").arg(fdi), opened, "", "1");
+        add(QStringLiteral("lesion_out_%1").arg(fdi), QStringLiteral("the lesion is out and the pulp closed, of 30"),
+            out, "", "29");
+        add(QStringLiteral("lesion_median_s_%1").arg(fdi), QStringLiteral("time it takes, half of them"),
+            percentile(seconds, 0.5), "s", "60 to 180");
+    }
+
+    context.progress(QStringLiteral("aim"), 8, 10);
+    double most = 0.0;
+    for (const double elevation : {ui::tooth::Camera::kStartElevationDeg, kAboveDeg}) {
+        const auto offPx = mostOffRayPx(elevation);
+        if (!offPx)
+            return tl::unexpected(offPx.error());
+        most = std::max(most, *offPx);
+    }
+    add(QStringLiteral("ray_most_px"), QStringLiteral("bur from pointer, strokes of 200 px/s"), most, "px", "1");
+    if (context.show)
+        if (const auto shown = showPace(context); !shown)
+            return tl::unexpected(shown.error());
+    return figures;
+}
+
+}  // namespace app::cli::bench

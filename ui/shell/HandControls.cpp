@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/shell/HandControls.h"
+
+#include <cmath>
+
+#include <QCheckBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QSlider>
+
+#include "ui/shell/TabularLabel.h"
+#include "ui/shell/Theme.h"
+#include "ui/text/EveryLanguage.h"
+#include "ui/text/Texts.h"
+#include "ui/tooth/ToothView.h"
+
+namespace ui::shell {
+namespace {
+
+using tooth::PointerControl;
+
+int stepsOf(double value, double step)
+{
+    return static_cast<int>(std::lround(value / step));
+}
+
+}  // namespace
+
+HandControls::HandControls(QWidget* parent) : QWidget(parent)
+{
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(kSpace2);
+    grid->setVerticalSpacing(kSpace1);
+    grid->setColumnStretch(1, 1);
+    const auto addRow = [&](int row, QWidget* caption, const char* name, double low, double high, double step) {
+        caption->setFont(typeface(kSmall));
+        caption->setForegroundRole(QPalette::PlaceholderText);
+        auto* slider = new QSlider(Qt::Horizontal, this);
+        slider->setRange(stepsOf(low, step), stepsOf(high, step));
+        slider->setPageStep(5);
+        slider->setFocusPolicy(Qt::TabFocus);
+        slider->setObjectName(QLatin1String(name));
+        auto* text = new TabularLabel(this);
+        text->setFont(typeface(kBody, QFont::Medium));
+        text->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+        grid->addWidget(caption, row, 0);
+        grid->addWidget(slider, row, 1);
+        grid->addWidget(text, row, 2);
+        return std::pair(slider, text);
+    };
+    auto* feed = new QLabel(this);
+    m_stopOn = new QCheckBox(this);
+    m_stopOn->setObjectName(QStringLiteral("depthStopOn"));
+    auto* push = new QLabel(this);
+    std::tie(m_feed, m_feedText) = addRow(0, feed, "feed", PointerControl::kSlowestMmPerS,
+                                          PointerControl::kFastestMmPerS, PointerControl::kStepMmPerS);
+    std::tie(m_stop, m_stopText) = addRow(1, m_stopOn, "depthStop", PointerControl::kShallowestMm,
+                                          PointerControl::kDeepestMm, PointerControl::kStepMm);
+    std::tie(m_push, m_pushText) =
+        addRow(2, push, "pushForce", PointerControl::kWeakestN, PointerControl::kStrongestN, PointerControl::kStepN);
+    feed->setBuddy(m_feed);
+    push->setBuddy(m_push);
+    text::inEveryLanguage(this, [this, feed, push] {
+        feed->setText(tr("Feed"));
+        m_feed->setAccessibleName(tr("Feed, millimetres per second"));
+        m_feed->setToolTip(tr("How fast the bur goes down at most while you press"));
+        m_stopOn->setText(tr("Depth stop"));
+        m_stopOn->setToolTip(tr("The bur stops at this depth below the original surface"));
+        m_stop->setAccessibleName(tr("Depth stop, millimetres"));
+        m_stop->setToolTip(tr("Turn the wheel while you press, or with Shift, to change the depth"));
+        push->setText(tr("Push with"));
+        m_push->setAccessibleName(tr("Push with, newtons"));
+        m_push->setToolTip(tr("How hard the mouse and the keys push the bur against the tooth at most"));
+        for (QSlider* slider : {m_feed, m_stop, m_push})
+            slider->setStatusTip(slider->toolTip());
+        showHand();
+    });
+}
+
+void HandControls::control(tooth::ToothView& view)
+{
+    m_view = &view;
+    connect(m_feed, &QSlider::valueChanged, this, [this](int steps) {
+        m_view->setFeed(steps * PointerControl::kStepMmPerS);
+        showHand();
+    });
+    connect(m_stop, &QSlider::valueChanged, this,
+            [this](int steps) { setStop(m_stopOn->isChecked(), steps * PointerControl::kStepMm); });
+    connect(m_stopOn, &QCheckBox::toggled, this, [this](bool on) { setStop(on, m_view->hand().stopDepthMm()); });
+    connect(m_push, &QSlider::valueChanged, this,
+            [this](int steps) { m_view->setPushForce(steps * PointerControl::kStepN); });
+    connect(m_view, &tooth::ToothView::pushForceChanged, this, &HandControls::showHand);
+    connect(m_view, &tooth::ToothView::depthStopChanged, this, &HandControls::showHand);
+    showHand();
+}
+
+void HandControls::setStopAllowed(bool allowed)
+{
+    m_stopOn->setEnabled(allowed);
+    if (!allowed)
+        setStop(false, m_view->hand().stopDepthMm());
+}
+
+void HandControls::setStop(bool on, double depthMm)
+{
+    m_view->setDepthStop(on, depthMm);
+    showHand();
+}
+
+double HandControls::pushForce() const
+{
+    return m_view != nullptr ? m_view->pushForce() : PointerControl::kFirstN;
+}
+
+void HandControls::showHand()
+{
+    if (m_view == nullptr)
+        return;
+    const PointerControl& hand = m_view->hand();
+    const QSignalBlocker silent[]{QSignalBlocker(m_feed), QSignalBlocker(m_stop), QSignalBlocker(m_stopOn),
+                                  QSignalBlocker(m_push)};
+    m_feed->setValue(stepsOf(hand.feedMmPerS(), PointerControl::kStepMmPerS));
+    m_feedText->setText(text::number(hand.feedMmPerS(), 1), tr("mm/s"));
+    m_stopOn->setChecked(hand.isStopOn());
+    m_stop->setEnabled(hand.isStopOn());
+    m_stop->setValue(stepsOf(hand.stopDepthMm(), PointerControl::kStepMm));
+    m_stopText->setText(text::number(hand.stopDepthMm(), 1), QStringLiteral("mm"));
+    m_push->setValue(stepsOf(hand.forceN(), PointerControl::kStepN));
+    m_pushText->setText(text::number(hand.forceN(), 1), QStringLiteral("N"));
+}
+
+}  // namespace ui::shell
