@@ -211,7 +211,8 @@ private slots:
             QVERIFY2(fell < 0.12 * feed + 0.005, qPrintable(QString::number(fell)));
             before = bench.servo->state().anchorMm.z;
         }
-        QVERIFY2(std::abs(begin - before - 2.0 * feed) < 0.05 * feed + 0.02, qPrintable(QString::number(begin - before)));
+        QVERIFY2(std::abs(begin - before - 2.0 * feed) < 0.05 * feed + 0.02,
+                 qPrintable(QString::number(begin - before)));
     }
 
     void aHandWithAFeedPressesNoHarderThanAsked()
@@ -249,7 +250,8 @@ private slots:
         const terrain::Tooth& tooth = bench.tooth->tooth();
         for (double x = -0.9; x < 0.91; x += 0.1) {
             const glm::dvec2 at = tooth.grid().latticeOf({x, 0.0});
-            const float top = tooth.top[tooth.grid().index(static_cast<int>(at.x + 0.5), static_cast<int>(at.y + 0.5))];
+            const float top =
+                tooth.top[tooth.grid().index(static_cast<int>(std::lround(at.x)), static_cast<int>(std::lround(at.y)))];
             QVERIFY2(std::abs(top + 1.2F) < 0.05F, qPrintable(QStringLiteral("%1 at %2").arg(top).arg(x)));
         }
     }

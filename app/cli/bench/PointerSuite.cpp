@@ -4,7 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 #include "app/cli/bench/Contestants.h"
 #include "app/cli/bench/InParallel.h"
@@ -38,7 +40,7 @@ constexpr double kAheadPx = 25.0;  ///< the hand waits for a bur that is farther
 constexpr double kGivesUpS = 400.0;
 constexpr double kLayerMm = 0.3;  ///< by which the person lowers the stop where it is still brown
 constexpr double kFirstLayerMm = 0.6;
-constexpr double kLooksS = 0.5;  ///< before the stop is lowered again
+constexpr double kLooksS = 0.5;      ///< before the stop is lowered again
 constexpr double kOutPercent = 5.0;  ///< of the decay may be left in a lesion that is out
 
 ui::tooth::Camera cameraOver(double elevationDeg)
@@ -120,6 +122,27 @@ core::Result<Plunge> plunge(const MouseHand& hand, std::uint64_t seed)
     return Plunge{doing->deepestMm - kDepthMm, (releasedS < 0.0 ? doing->seconds : releasedS) - pressedS};
 }
 
+/// The way through a place, half a slot to each side, that stays lowest: along the fissure.
+glm::dvec2 fissureThrough(const ToothAnatomy& anatomy, const glm::dvec3& place)
+{
+    glm::dvec2 best(1.0, 0.0);
+    float least = std::numeric_limits<float>::max();
+    for (int degrees = 0; degrees < 180; degrees += 10) {
+        const glm::dvec2 way(std::cos(glm::radians(1.0 * degrees)), std::sin(glm::radians(1.0 * degrees)));
+        float highest = core::terrain::kEmptyTop;
+        for (double along = -kHalfSlotMm - 0.5; along <= kHalfSlotMm + 0.5; along += anatomy.grid.cellMm) {
+            const glm::ivec2 at(glm::floor(anatomy.grid.latticeOf(glm::dvec2(place) + way * along) + 0.5));
+            if (anatomy.grid.contains(at.x, at.y))
+                highest = std::max(highest, anatomy.top[anatomy.grid.index(at.x, at.y)]);
+        }
+        if (highest < least) {
+            least = highest;
+            best = way;
+        }
+    }
+    return best;
+}
+
 struct Slot
 {
     double rmsMm = 0.0;
@@ -134,8 +157,9 @@ core::Result<Slot> slot(const MouseHand& hand, std::uint64_t seed)
         return tl::unexpected(anatomy.error());
     const ui::tooth::Camera camera = cameraOver(kAboveDeg);
     const glm::dvec3 place = plungePlace(**anatomy);
-    const glm::dvec3 from = place - glm::dvec3(kHalfSlotMm, 0.0, 0.0);
-    const glm::dvec3 to = place + glm::dvec3(kHalfSlotMm, 0.0, 0.0);
+    const glm::dvec2 way = fissureThrough(**anatomy, place);
+    const glm::dvec3 from = place - glm::dvec3(way * kHalfSlotMm, 0.0);
+    const glm::dvec3 to = place + glm::dvec3(way * kHalfSlotMm, 0.0);
     const double lengthPx = glm::distance(camera.pixelOf(from), camera.pixelOf(to));
     Person person(seed);
     bool isDeep = false;
@@ -167,7 +191,7 @@ core::Result<Slot> slot(const MouseHand& hand, std::uint64_t seed)
     for (int j = 0; j < grid.side; ++j)
         for (int i = 0; i < grid.side; ++i) {
             const glm::dvec2 at = grid.nodeMm(i, j) - glm::dvec2(place);
-            if (std::abs(at.x) > kHalfSlotMm - 0.2 || std::abs(at.y) > 0.15)
+            if (std::abs(glm::dot(at, way)) > kHalfSlotMm - 0.2 || std::abs(at.x * way.y - at.y * way.x) > 0.15)
                 continue;
             const double high = static_cast<double>(doing->tooth.top[grid.index(i, j)]) - (surfaceMm - kDepthMm);
             sum += high;
@@ -329,6 +353,7 @@ core::Result<std::vector<Plunge>> plunges(const MouseHand& hand, std::size_t cou
 double overMm(const std::vector<Plunge>& all, double share)
 {
     std::vector<double> over;
+    over.reserve(all.size());
     for (const Plunge& one : all)
         over.push_back(one.overMm);
     return percentile(over, share);
@@ -337,6 +362,7 @@ double overMm(const std::vector<Plunge>& all, double share)
 double medianS(const std::vector<Plunge>& all)
 {
     std::vector<double> seconds;
+    seconds.reserve(all.size());
     for (const Plunge& one : all)
         seconds.push_back(one.seconds);
     return percentile(seconds, 0.5);
@@ -346,7 +372,7 @@ double medianS(const std::vector<Plunge>& all)
 core::Status showPace(const Context& context)
 {
     ui::charts::Curve curve;
-    curve.x = {QStringLiteral("Time to 1.5 mm, s (median)"), 0.1, 30.0};
+    curve.x = {QStringLiteral("Time to 1.5 mm, s (median)"), 1.0, 30.0};
     curve.x.base = 10.0;
     curve.y = {QStringLiteral("Beyond 1.5 mm, mm (95 of 100 stay below)"), 0.0, 1.5};
     const auto add = [&](const QString& name, LookIndex look, const auto& values, const auto& handOf,
