@@ -171,8 +171,10 @@ private slots:
         QTest::keyClick(line, Qt::Key_Return);
         const double usualN = m_window->view().pushForce();
         m_window->view().setPushForce(usualN + 1.0);
+        m_window->view().setFeed(2.0);
         m_window->leaveAll();
         QCOMPARE(m_window->view().pushForce(), usualN);
+        QCOMPARE(m_window->view().hand().feedMmPerS(), ui::tooth::PointerControl::kFirstMmPerS);
         QVERIFY(!console->isVisible());
         QVERIFY(child<ui::console::WatchPanel>()->names().isEmpty());
         actions().console->trigger();

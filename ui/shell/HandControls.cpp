@@ -109,6 +109,13 @@ void HandControls::setStop(bool on, double depthMm)
     showHand();
 }
 
+void HandControls::reset()
+{
+    m_view->setFeed(PointerControl::kFirstMmPerS);
+    m_view->setPushForce(PointerControl::kFirstN);
+    showHand();
+}
+
 double HandControls::pushForce() const
 {
     return m_view != nullptr ? m_view->pushForce() : PointerControl::kFirstN;

@@ -27,6 +27,8 @@ public:
     void setStopAllowed(bool allowed);
     /// Switches the stop on or off, at this depth.
     void setStop(bool on, double depthMm);
+    /// Feed and force as they are for a new user.
+    void reset();
     [[nodiscard]] double pushForce() const;
 
 private:

@@ -77,7 +77,6 @@
 #include "ui/study/Limit.h"
 #include "ui/study/ScorePage.h"
 #include "ui/text/EveryLanguage.h"
-#include "ui/tooth/PointerControl.h"
 #include "ui/tooth/ToothView.h"
 
 namespace ui::shell {
@@ -725,7 +724,7 @@ void MainWindow::leaveAll()
     m_classes->forget();
     m_assign->forget();
     m_console->forget();
-    m_view->setPushForce(tooth::PointerControl::kFirstN);
+    m_room->panel().hand().reset();
     for (const auto topic : {MessageBar::Topic::Tooth, MessageBar::Topic::Unfinished, MessageBar::Topic::General,
                              MessageBar::Topic::Keeping, MessageBar::Topic::Journal, MessageBar::Topic::Preset,
                              MessageBar::Topic::School, MessageBar::Topic::Page})
