@@ -13,7 +13,7 @@ struct DeviceSample
     glm::vec3 tipInToothMm{0.0F};
     bool present = true;  ///< false: no reading this tick, or none newer than 10 ms; the servo waits 10 ms more for one
     float delayS = 0.0F;  ///< measured, from a reading until the force that answers it acts; 0 if there is none
-    std::optional<bool> pedal{};  ///< whether it is down; empty: the device has no pedal
+    std::optional<bool> pedal{};  ///< true while the pedal is down; empty if there is no pedal
 };
 
 /// Anything a hand can hold, or that plays a hand. Called from the servo thread only, once a tick.

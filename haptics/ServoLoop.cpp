@@ -114,19 +114,22 @@ void ServoLoop::apply(const SetBur& bur) noexcept
 void ServoLoop::apply(const SetDrill& drill) noexcept
 {
     m_drillIsOn = drill.on;
-    const bool turns = m_drillIsOn && !m_pedalIsUp;
-    m_tick->setDrill(turns);
-    record({ServoEvent::Kind::Drill, 0, glm::vec3(0.0F), turns ? 1U : 0U});
+    turnBur(m_drillIsOn && !m_pedalIsUp);
 }
 
-void ServoLoop::runDrill(const std::optional<bool>& pedal) noexcept
+/// Starts and stops the bur with the pedal, if the device has one.
+void ServoLoop::followPedal(const std::optional<bool>& pedal) noexcept
 {
     m_pedalIsUp = pedal && !*pedal;
     const bool turns = m_drillIsOn && !m_pedalIsUp;
-    if (!pedal || turns == m_tick->state().drillOn)
-        return;
-    m_tick->setDrill(turns);
-    record({ServoEvent::Kind::Drill, 0, glm::vec3(0.0F), turns ? 1U : 0U});
+    if (pedal && turns != m_tick->state().drillOn)
+        turnBur(turns);
+}
+
+void ServoLoop::turnBur(bool on) noexcept
+{
+    m_tick->setDrill(on);
+    record({ServoEvent::Kind::Drill, 0, glm::vec3(0.0F), on ? 1U : 0U});
 }
 
 void ServoLoop::apply(const SetHandpiece& handpiece) noexcept
@@ -214,7 +217,7 @@ void ServoLoop::tick(std::chrono::microseconds dt) noexcept
     if (m_tick->tooth() != nullptr) {
         if (sample.present)
             watchDelay(sample.delayS, static_cast<double>(step.count()) * 1.0e-6);
-        runDrill(sample.pedal);
+        followPedal(sample.pedal);
         m_tick->step(sample.present ? &sample.tipInToothMm : nullptr, step);
         record({sample.present ? ServoEvent::Kind::Tick : ServoEvent::Kind::NoDevice,
                 static_cast<std::uint16_t>(step.count()), sample.tipInToothMm, 0});

@@ -42,7 +42,8 @@ private:
     void apply(const core::session::SetFixture& fixture) noexcept;
     void apply(const core::session::BringHome& home) noexcept;
     void apply(const core::session::SetNumber& number) noexcept;
-    void runDrill(const std::optional<bool>& pedal) noexcept;
+    void followPedal(const std::optional<bool>& pedal) noexcept;
+    void turnBur(bool on) noexcept;
     void guide(double seconds) noexcept;
     void watchDelay(float delayS, double seconds) noexcept;
     void record(const core::session::ServoEvent& event) noexcept;
@@ -65,7 +66,7 @@ private:
     std::size_t m_nextLate = 0;
     float m_delayS = 0.0F;  ///< longest of late
     std::uint64_t m_springPercent = 100;
-    bool m_drillIsOn = false;  ///< switched on; with a pedal, the bur turns while it is down
+    bool m_drillIsOn = false;  ///< switched on by SetDrill
     bool m_pedalIsUp = false;
     std::unique_ptr<const core::guidance::Fixture> m_fixture;  ///< null: the hand goes where it likes
     double m_fixtureShare = 0.0;                               ///< of its force: it comes softly

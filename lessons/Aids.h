@@ -14,7 +14,7 @@ struct Aids
     bool ideal = true;       ///< the ideal preparation, in section and colours
     bool burColour = true;   ///< the bur coloured by what is left to the limit
     bool fixture = true;     ///< a force that resists leaving the outline of the ideal
-    bool depthStop = true;   ///< a depth that a pointer's hand does not go beyond; comes with depthGauge but in an exam
+    bool depthStop = true;   ///< the depth stop of a mouse; follows depthGauge, but must be named in an exam
 
     [[nodiscard]] static constexpr Aids none()
     {

@@ -58,8 +58,8 @@ servoSettings(const Lesson* lesson, core::session::ServoSettings usual,
 ///               recording, so that every replay asks the same
 [[nodiscard]] core::Result<Assigned> assign(const Lesson& lesson, std::uint64_t drawn = 0);
 
-/// How deep the ideal lies below the original surface where it is deep: half of what is cut deeper than half the
-/// deepest is no deeper, mm. 1.5 where no ideal is shown. The first value of a depth stop.
+/// Returns the depth of the ideal floor below the original surface, mm: the median over the columns that are cut deeper
+/// than half of the largest depth. Returns 1.5 if no ideal is shown. This is the first value of the depth stop.
 [[nodiscard]] double depthToCutMm(const Assignment& assignment);
 
 /// What a tooth without a lesson is marked by: removal of decay.

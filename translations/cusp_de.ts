@@ -6957,8 +6957,8 @@ ungesichert</translation>
         <translation>Tiefenanschlag in Millimetern</translation>
     </message>
     <message>
-        <source>Turn the wheel while you press, or with Shift, to change the depth</source>
-        <translation>Drehen Sie das Mausrad beim Drücken oder mit der Umschalttaste, um die Tiefe zu ändern</translation>
+        <source>To change the depth, turn the mouse wheel while you press the button or hold Shift</source>
+        <translation>Um die Tiefe zu ändern, drehen Sie das Mausrad bei gedrückter Maustaste oder gedrückter Umschalttaste</translation>
     </message>
     <message>
         <source>Push with</source>

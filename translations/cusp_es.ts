@@ -6957,8 +6957,8 @@ sin guardar</translation>
         <translation>Tope de profundidad, milímetros</translation>
     </message>
     <message>
-        <source>Turn the wheel while you press, or with Shift, to change the depth</source>
-        <translation>Gire la rueda mientras presiona, o con Mayús, para cambiar la profundidad</translation>
+        <source>To change the depth, turn the mouse wheel while you press the button or hold Shift</source>
+        <translation>Para cambiar la profundidad, gire la rueda mientras mantiene pulsado el botón o la tecla Mayús</translation>
     </message>
     <message>
         <source>Push with</source>

@@ -6907,8 +6907,8 @@ unsaved</source>
         <translation>深さストップ（mm）</translation>
     </message>
     <message>
-        <source>Turn the wheel while you press, or with Shift, to change the depth</source>
-        <translation>押しながら、またはShiftキーとともにホイールを回すと深さが変わります</translation>
+        <source>To change the depth, turn the mouse wheel while you press the button or hold Shift</source>
+        <translation>深さを変えるには、ボタンまたはShiftキーを押したままホイールを回します</translation>
     </message>
     <message>
         <source>Push with</source>

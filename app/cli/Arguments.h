@@ -29,7 +29,7 @@ namespace app::cli {
 /// Adds --json.
 void addJson(QCommandLineParser& parser);
 
-/// A part of a command such as "cusp lesson".
+/// A subcommand, such as "list" in "cusp lesson list".
 struct CommandPart
 {
     const char* name;
@@ -37,8 +37,10 @@ struct CommandPart
     int (*run)(const QStringList& arguments);
 };
 
-/// Runs the part that the first argument names, or explains the parts.
-/// @param command  its name, "lesson"
+/// Runs the subcommand that is named by the first argument. Prints the list of subcommands for "--help", and an error
+/// if there is no such subcommand.
+/// @param command  name of the command, such as "lesson"
+/// @returns the exit status of the program
 int runPart(const QString& command, std::span<const CommandPart> parts, const QStringList& arguments);
 
 /// Adds --grid --unit --up --fdi --frame --seed --layers --caries --extent: how a tooth is read or made.

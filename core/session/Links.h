@@ -53,7 +53,7 @@ struct ServoState
     glm::dvec3 forceN{0.0};               ///< on the hand
     bool touching = false;
     bool drillOn = false;           ///< the bur turns
-    bool drillSwitchedOn = false;   ///< by SetDrill; with a pedal the bur turns only while that is down
+    bool drillSwitchedOn = false;   ///< with a pedal, the bur turns only while the pedal is down
     bool cutting = false;           ///< material came away this tick
     bool handpieceOnCrown = false;  ///< the crown holds the handpiece up: what is pushed beyond presses on no bur
     std::uint8_t burIndex = 0;

@@ -18,13 +18,13 @@ constexpr double kGlideMmPerS = 400.0;           ///< fastest travel in the air
 constexpr double kFeltN = 0.05;                  ///< less than this is no contact to a hand (haptics.md section 7)
 constexpr double kDragMmPerS = 40.0;             ///< fastest travel while leaning
 
-// Of a hand with a feed.
-constexpr double kFirmness = 10.0;         ///< it leans so much farther than the bur stands above its level
-constexpr double kTouchMm = 1.0e-3;        ///< between hand and bur: less is rounding
-constexpr double kYieldsMm = 0.15;         ///< a bur that is lifted farther takes the level with it
-constexpr double kComesDownMmPerS = 10.0;  ///< in the air
-constexpr double kFreeS = 0.05;            ///< without contact for so long, the bur is in the air
-constexpr double kPedalLiftsAfterS = 0.3;  ///< in the air for so long, it stops, as a foot would stop it
+// The hand with a feed.
+constexpr double kFirmness = 10.0;         ///< ratio of the lean to the height of the bur above the level
+constexpr double kTouchMm = 1.0e-3;        ///< a smaller distance between hand and bur is rounding
+constexpr double kYieldsMm = 0.15;         ///< the level rises with a bur that is lifted farther above it
+constexpr double kComesDownMmPerS = 10.0;  ///< speed of the approach
+constexpr double kFreeS = 0.05;            ///< the bur counts as in the air after this time without contact
+constexpr double kPedalLiftsAfterS = 0.3;  ///< a pressed bur stops turning after this time without contact
 
 bool isFinite(const core::session::PointerInput& input)
 {
@@ -60,7 +60,7 @@ DeviceSample PointerDevice::exchange(const glm::dvec3& forceOnHandN) noexcept
     return sample;
 }
 
-/// A wall that pushes back as hard as the hand would lean holds it: it does not wind the spring up further.
+/// Stops at a wall that pushes back with the wanted force, so that the spring is not stretched further.
 void PointerDevice::moveAside(const glm::dvec3& forceOnHandN, double forceN) noexcept
 {
     const bool isFree = m_want.feedMmPerS > 0.0 && m_freeS > kFreeS;
@@ -89,8 +89,6 @@ void PointerDevice::lean(double forceN) noexcept
         m_followMmPerS += sink * m_period / kFollowLagS;
     m_followMmPerS = std::clamp(m_followMmPerS, 0.0, kDragMmPerS);
     m_tip.z -= std::min(sink + m_followMmPerS, kApproachMmPerS) * m_period;
-    m_levelMm = m_burMm.z;
-    m_isInAir = false;
 }
 
 void PointerDevice::lower() noexcept
@@ -100,7 +98,7 @@ void PointerDevice::lower() noexcept
     const bool wasInAir = m_isInAir;
     m_isInAir = m_freeS > kFreeS;
     if (wasInAir && !m_isInAir)
-        m_levelMm = m_burMm.z;  // it begins without leaning
+        m_levelMm = m_burMm.z;  // the force starts at zero
     if (m_isInAir)
         m_levelMm -= kComesDownMmPerS * m_period;
     else if (aboveMm > kYieldsMm)

@@ -10,16 +10,17 @@ namespace haptics {
 /// A mouse, pen or keyboard as a haptic device: a simulated hand that goes where the pointer points and, while the
 /// button is held, works on the tooth.
 ///
-/// With a feed the hand is a supported finger: it has a level, which goes down at the feed, stops at the depth stop and
-/// waits while the bur cannot follow. It leans on the bur in proportion to what the bur stands above the level, up to
-/// the wanted force. So the pace is the same in every tissue, and a bur that moves sideways keeps its depth.
+/// With a feed, the hand behaves like a supported finger. It has a level that goes down at the feed, stops at the depth
+/// stop, and waits while the bur cannot follow. The hand leans on the bur in proportion to the height of the bur above
+/// the level, up to the wanted force. So the speed is the same in every tissue, and a bur that moves sideways keeps its
+/// depth.
 ///
-/// Without a feed the hand leans until the tooth pushes back with the wanted force. It is an admittance: its speed is
-/// proportional to the force still missing, so the force builds up over about kPushLagS and the hand follows the bur
-/// into the cut. To the pace at which the bur sinks into a cut it adds up by and by.
+/// Without a feed, the hand leans until the tooth pushes back with the wanted force. It is an admittance: its speed is
+/// proportional to the missing force, so the force builds up over about kPushLagS. While the bur sinks into a cut, the
+/// hand learns the speed of the bur and adds it.
 ///
-/// Sideways the hand glides to the target through two first-order lags, so that the steps of a 60 Hz mouse are not
-/// felt. A supported finger that touches nothing follows at once.
+/// Sideways, the hand follows the target through two first-order lags, so that the steps of a 60 Hz mouse are not felt.
+/// A hand with a feed that touches nothing follows at once.
 class PointerDevice final : public HapticDevice
 {
 public:
@@ -43,10 +44,10 @@ private:
     core::session::PointerInput m_want;  ///< the newest that was finite
     glm::dvec3 m_burMm{0.0, 0.0, 4.0};
     double m_followMmPerS = 0.0;  ///< pace of the bur into the cut
-    double m_levelMm = 4.0;       ///< of a hand with a feed, tooth frame z
-    bool m_isInAir = true;        ///< as of the last tick of such a hand
-    double m_idleS = 0.0;         ///< for so long the button is down and nothing is touched
-    double m_freeS = 1.0;         ///< for so long the bur has touched nothing
+    double m_levelMm = 4.0;       ///< level of a hand with a feed, tooth frame z
+    bool m_isInAir = true;        ///< in the last tick of a hand with a feed
+    double m_idleS = 0.0;         ///< time without contact while the button is down
+    double m_freeS = 1.0;         ///< time without contact
     glm::dvec3 m_tip{0.0, 0.0, 4.0};
     glm::dvec2 m_between{0.0, 0.0};  ///< target after the first lag
 };

@@ -66,9 +66,9 @@ core::Result<SimulationOutcome> simulate(
             after(tick, servo.state());
         if (tick % kTicksPerSession == kTicksPerSession - 1) {
             session.tick(period);
-            for (TilePatch patch; uiLinks->patches.tryPop(patch);) {
-                // nobody watches
-            }
+            for (TilePatch patch; uiLinks->patches.tryPop(patch);)
+                if (options.onPatch)
+                    options.onPatch(patch);
         }
     }
     session.tick(period);

@@ -23,6 +23,7 @@ struct SimulationOptions
     double rateHz = 1000.0;
     std::string lesson;   ///< what the attempt is made for, for the recording; may be empty
     bool record = false;  ///< keeps a recording, which grows with every tick
+    std::function<void(const core::session::TilePatch&)> onPatch;  ///< called with each cut tile; may be empty
 };
 
 struct SimulationOutcome

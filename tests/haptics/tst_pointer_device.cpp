@@ -226,11 +226,22 @@ private slots:
         QVERIFY(std::abs(bench.force() - 0.8) < 0.05);
     }
 
+    void theStopMakesAFlatFloor_data()
+    {
+        support::columns<double, double, double>("wave", "slope", "beyondMm");
+        QTest::newRow("waves") << 0.15 << 0.0 << 0.005;
+        QTest::newRow("slope up") << 0.0 << 0.5 << 0.005;
+        QTest::newRow("slope down") << 0.0 << -0.5 << 0.01;
+    }
+
     void theStopMakesAFlatFloor()
     {
+        QFETCH(double, wave);
+        QFETCH(double, slope);
+        QFETCH(double, beyondMm);
         support::Block block;
         block.bottomMm = -13.0;
-        block.topMm = [](double x, double) { return 0.15 * std::sin(2.0 * x); };
+        block.topMm = [=](double x, double) { return wave * std::sin(2.0 * x) + slope * (x + 1.0); };
         Bench bench(block, true);
         bench.want.feedMmPerS = 1.0;
         bench.want.pushForceN = 1.5;
@@ -246,7 +257,7 @@ private slots:
             bench.run(1);
             lowest = std::min(lowest, bench.servo->state().anchorMm.z);
         }
-        QVERIFY2(lowest > -1.205, qPrintable(QString::number(lowest)));
+        QVERIFY2(lowest > -1.2 - beyondMm, qPrintable(QString::number(lowest)));
         const terrain::Tooth& tooth = bench.tooth->tooth();
         for (double x = -0.9; x < 0.91; x += 0.1) {
             const glm::dvec2 at = tooth.grid().latticeOf({x, 0.0});

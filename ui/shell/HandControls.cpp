@@ -2,6 +2,8 @@
 #include "ui/shell/HandControls.h"
 
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 #include <QCheckBox>
 #include <QGridLayout>
@@ -69,7 +71,7 @@ HandControls::HandControls(QWidget* parent) : QWidget(parent)
         m_stopOn->setText(tr("Depth stop"));
         m_stopOn->setToolTip(tr("The bur stops at this depth below the original surface"));
         m_stop->setAccessibleName(tr("Depth stop, millimetres"));
-        m_stop->setToolTip(tr("Turn the wheel while you press, or with Shift, to change the depth"));
+        m_stop->setToolTip(tr("To change the depth, turn the mouse wheel while you press the button or hold Shift"));
         push->setText(tr("Push with"));
         m_push->setAccessibleName(tr("Push with, newtons"));
         m_push->setToolTip(tr("How hard the mouse and the keys push the bur against the tooth at most"));
@@ -96,11 +98,10 @@ void HandControls::control(tooth::ToothView& view)
     showHand();
 }
 
-void HandControls::setStopAllowed(bool allowed)
+void HandControls::begin(bool stopIsAllowed, double depthMm)
 {
-    m_stopOn->setEnabled(allowed);
-    if (!allowed)
-        setStop(false, m_view->hand().stopDepthMm());
+    m_stopOn->setEnabled(stopIsAllowed);
+    setStop(stopIsAllowed, depthMm);
 }
 
 void HandControls::setStop(bool on, double depthMm)

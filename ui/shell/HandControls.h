@@ -14,28 +14,26 @@ namespace ui::shell {
 
 class TabularLabel;
 
-/// How the pointer holds the handpiece: how fast it goes down, where it stops and how hard it pushes.
+/// Sliders for the hand of a pointer: feed, depth stop and force.
 class HandControls : public QWidget
 {
     Q_OBJECT
 public:
     explicit HandControls(QWidget* parent);
 
-    /// Sets the hand of this view from now on, and shows what it is set to elsewhere.
+    /// Connects the sliders with the hand of a view, both ways. Call this once.
     void control(tooth::ToothView& view);
-    /// Without it, there is no depth stop to switch on: an exam.
-    void setStopAllowed(bool allowed);
-    /// Switches the stop on or off, at this depth.
-    void setStop(bool on, double depthMm);
-    /// Feed and force as they are for a new user.
+    /// Switches the depth stop on at this depth. If it is not allowed, as in an exam, switches it off for good.
+    void begin(bool stopIsAllowed, double depthMm);
+    /// Restores the default feed and force.
     void reset();
     [[nodiscard]] double pushForce() const;
 
 private:
+    void setStop(bool on, double depthMm);
     void showHand();
 
     tooth::ToothView* m_view = nullptr;
-    QWidget* m_stopRow = nullptr;
     QSlider* m_feed = nullptr;
     QCheckBox* m_stopOn = nullptr;
     QSlider* m_stop = nullptr;

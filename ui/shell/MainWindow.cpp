@@ -2192,9 +2192,7 @@ void MainWindow::setAssignment(const lessons::Assignment& assignment)
     m_room->panel().setAsked(askedOf(lessonShown()));
     m_actions->fixture->setChecked(false);
     m_lessonsPage->setPresent(assignment.lesson ? assignment.lesson->id : std::string());
-    const bool hasStop = m_aids.depthStop && !assignment.exercise;
-    m_room->panel().hand().setStopAllowed(hasStop);
-    m_room->panel().hand().setStop(hasStop, lessons::depthToCutMm(assignment));
+    m_room->panel().hand().begin(m_aids.depthStop && !assignment.exercise, lessons::depthToCutMm(assignment));
     setDrillFor(assignment.lesson ? assignment.lesson->task : lessons::Task::RemoveDecay);
     showHistory();
     if (!assignment.lesson)

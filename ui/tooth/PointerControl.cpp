@@ -10,11 +10,11 @@ namespace ui::tooth {
 namespace {
 
 constexpr double kRoamMm = 5.0;     ///< how far beside the tooth the bur may go
-constexpr double kMarchMm = 0.04;   ///< upwards along a ray, looking for room for the bur
-constexpr double kRecoverMm = 1.5;  ///< of movement, over which a bur comes back under the pointer
-constexpr double kUncutMm = 0.05;   ///< less than this below the original surface is not cut yet
-constexpr double kThereMm = 0.05;   ///< from where the pointer is
-constexpr double kJumpMm = 0.5;     ///< farther than this, the bur is lifted over what lies between
+constexpr double kMarchMm = 0.04;   ///< step of the search for a hovering height
+constexpr double kRecoverMm = 1.5;  ///< travel of the pointer that brings the bur back under it
+constexpr double kUncutMm = 0.05;   ///< a place that is cut less deep counts as uncut
+constexpr double kThereMm = 0.05;   ///< the bur counts as under the pointer within this distance
+constexpr double kJumpMm = 0.5;     ///< on a longer way the bur is lifted over what lies between
 
 }  // namespace
 
@@ -28,7 +28,7 @@ void PointerControl::setSurface(const render::ToothSurface* surface)
     setTarget(m_targetMm);
 }
 
-/// The first place on the ray, from the tooth towards the eye, where the bur has room.
+/// Follows the ray from the tooth towards the eye to the first place where the bur has kClearanceMm below it.
 void PointerControl::hoverOn(const render::Ray& ray)
 {
     glm::dvec3 place;
@@ -37,8 +37,7 @@ void PointerControl::hoverOn(const render::Ray& ray)
     const glm::dvec3 up = ray.direction * (kMarchMm / std::min(ray.direction.z, -0.02));
     const double highest = m_surface->highestMm().z + kClearanceMm;
     const auto lacksMm = [&] {
-        return m_surface->highestBetweenMm(glm::dvec2(place), glm::dvec2(place), m_burRadiusMm) + kClearanceMm -
-               place.z;
+        return m_surface->highestWithinMm(glm::dvec2(place), m_burRadiusMm) + kClearanceMm - place.z;
     };
     for (double lacks = lacksMm(); lacks > 0.0 && place.z < highest; lacks = lacksMm())
         place += up * std::max(1.0, 0.25 * lacks / kMarchMm);
@@ -71,7 +70,7 @@ void PointerControl::follow(const core::session::ServoState& servo)
     m_hasTouched = true;
     if (m_surfaceMm && servo.hasDepth && servo.depthMm >= kUncutMm)
         return;
-    // Beside a wall the bur touches the tooth while its tip is still above the surface.
+    // A bur that touches a wall may still have its tip above the surface.
     m_surfaceMm = servo.anchorMm.z;
     if (servo.hasDepth && m_surface != nullptr)
         *m_surfaceMm += m_surface->belowUncutMm(servo.anchorMm);
@@ -79,7 +78,7 @@ void PointerControl::follow(const core::session::ServoState& servo)
 
 std::optional<double> PointerControl::depthMm(double tipMm) const
 {
-    // Before the first touch of a press nobody knows whether it keeps the plane.
+    // Until the contact it is not known whether this press keeps the plane.
     if (!m_surfaceMm || !m_hasTouched)
         return std::nullopt;
     return std::max(0.0, *m_surfaceMm - tipMm);
@@ -126,7 +125,7 @@ core::session::PointerInput PointerControl::input(std::optional<glm::dvec3> anch
 {
     core::session::PointerInput wish;
     wish.targetMm = m_targetMm;
-    // The bur comes down where the pointer is, and not on its way there.
+    // The bur does not come down before it has arrived under the pointer.
     const bool isThere = m_hasTouched || !anchorMm || glm::distance(glm::dvec2(*anchorMm), m_targetMm) < kThereMm;
     wish.pushing = m_pushing && !m_lifted && isThere;
     wish.pushForceN = m_forceN * m_pressure;

@@ -14,12 +14,12 @@ namespace ui::tooth {
 
 /// Turns rays of sight, a button and steps of keys into what the pointer device asks for. No widgets, no OpenGL.
 ///
-/// With the button up, the tip of the bur hovers on the ray, kClearanceMm over the tooth. With the button down it comes
-/// down along the ray. Once it has touched, a ray that rests moves nothing, so that a bur is driven in straight; a ray
-/// that moves takes the bur along and brings it back under itself.
+/// While the button is up, the tip of the bur hovers on the ray, kClearanceMm above the tooth. When the button is
+/// pressed, the bur comes down where the ray meets the tooth. After it has touched the tooth, a resting pointer does not
+/// move the bur, so the bur goes straight down. A moving pointer moves the bur and reduces the distance between them.
 ///
-/// The depth stop is a plane: so far below the original surface where the bur has touched it. A press within what has
-/// been cut keeps the plane, so that a cavity that is cut in several presses gets one floor.
+/// The depth stop is a horizontal plane at a set depth below the original surface at the first contact. A press inside
+/// the cavity keeps the plane, so a cavity that is cut in several presses has one floor.
 class PointerControl
 {
 public:
@@ -31,26 +31,27 @@ public:
     static constexpr double kStrongestN = 3.0;
     static constexpr double kStepN = 0.1;  ///< of wheel, keys and slider
 
-    static constexpr double kSlowestMmPerS = 0.1;  ///< of the feed
-    static constexpr double kFirstMmPerS = 0.5;    ///< what a person who reacts after 0.3 s stops within 0.25 mm
-    static constexpr double kFastestMmPerS = 2.0;
-    static constexpr double kStepMmPerS = 0.1;
+    static constexpr double kSlowestMmPerS = 0.1;  ///< lowest feed
+    static constexpr double kFirstMmPerS = 0.5;    ///< default feed: the bur stops within 0.25 mm of a late reaction
+    static constexpr double kFastestMmPerS = 2.0;  ///< highest feed
+    static constexpr double kStepMmPerS = 0.1;     ///< of the slider
 
-    static constexpr double kShallowestMm = 0.1;  ///< of the depth stop
-    static constexpr double kFirstMm = 1.5;
-    static constexpr double kDeepestMm = 9.0;
-    static constexpr double kStepMm = 0.1;
+    static constexpr double kShallowestMm = 0.1;  ///< smallest depth of the depth stop
+    static constexpr double kFirstMm = 1.5;       ///< default depth
+    static constexpr double kDeepestMm = 9.0;     ///< largest depth
+    static constexpr double kStepMm = 0.1;        ///< of wheel, keys and slider
 
     /// @param surface  null: there is no tooth; else must outlive the next call of setSurface()
     void setSurface(const render::ToothSurface* surface);
     void setBurRadius(double radiusMm) { m_burRadiusMm = radiusMm; }
+    [[nodiscard]] double burRadiusMm() const { return m_burRadiusMm; }
 
-    /// The pointer is on this ray. Call it when the pointer or the view has moved, and once a frame while `anchorMm`,
-    /// where the bur is, may have.
+    /// Sets the ray under the pointer. Call this when the pointer or the view has moved, and once a frame.
+    /// @param anchorMm  position of the bur
     void moveTo(const render::Ray& ray, glm::dvec3 anchorMm);
-    /// The view has turned under a pressed button: the next ray does not move the bur.
+    /// Call this when the view has moved: the next ray then does not move a pressed bur.
     void forgetRay() { m_hasRay = false; }
-    /// The newest state of the bur, once a frame: a press takes the depth stop from the first touch.
+    /// Takes the newest state of the bur, once a frame. The first contact of a press places the depth stop.
     void follow(const core::session::ServoState& servo);
     /// Keys: the target moves by a vector of the tooth's x, y plane.
     void moveBy(glm::dvec2 stepMm);
@@ -61,17 +62,17 @@ public:
     /// Of the set force, what a pen presses: 0 .. 1.
     void setPressure(double share) { m_pressure = share; }
     [[nodiscard]] double forceN() const { return m_forceN; }
-    /// How fast the bur goes down at most, kept within kSlowestMmPerS .. kFastestMmPerS.
+    /// Sets the largest speed at which the bur goes down, kept within kSlowestMmPerS .. kFastestMmPerS.
     void setFeed(double mmPerS);
     [[nodiscard]] double feedMmPerS() const { return m_feedMmPerS; }
-    /// Below the original surface; kept within kShallowestMm .. kDeepestMm.
+    /// Sets the depth below the original surface, kept within kShallowestMm .. kDeepestMm.
     void setStopDepth(double depthMm);
     [[nodiscard]] double stopDepthMm() const { return m_stopDepthMm; }
     void setStopOn(bool on) { m_stopIsOn = on; }
     [[nodiscard]] bool isStopOn() const { return m_stopIsOn; }
-    /// Height of the stop, tooth frame z. Empty while it is off or no press has touched the tooth yet.
+    /// Returns the height of the stop, tooth frame z. Empty if the stop is off, or if there has been no contact yet.
     [[nodiscard]] std::optional<double> stopMm() const;
-    /// Of a tip at this height below the original surface where the press has touched it; empty before.
+    /// Returns the depth of a tip at this height, below the original surface at the contact. Empty before the contact.
     [[nodiscard]] std::optional<double> depthMm(double tipMm) const;
     [[nodiscard]] bool isPushing() const { return m_pushing; }
 
@@ -88,18 +89,18 @@ private:
     const render::ToothSurface* m_surface = nullptr;
     double m_burRadiusMm = 0.5;
     glm::dvec2 m_targetMm{0.0};
-    double m_hoverMm = core::terrain::kEmptyTop;  ///< on the ray, over the target
+    double m_hoverMm = core::terrain::kEmptyTop;  ///< height at which the ray passes over the target
     render::Ray m_lastRay;
     bool m_hasRay = false;
     bool m_pushing = false;
-    bool m_hasTouched = false;  ///< since the button went down
+    bool m_hasTouched = false;  ///< there has been contact since the button was pressed
     bool m_lifted = false;
     double m_forceN = kFirstN;
     double m_pressure = 1.0;
     double m_feedMmPerS = kFirstMmPerS;
     double m_stopDepthMm = kFirstMm;
     bool m_stopIsOn = false;
-    std::optional<double> m_surfaceMm;  ///< original surface from which the depth stop counts, tooth frame z
+    std::optional<double> m_surfaceMm;  ///< height from which the depth is counted, tooth frame z
 };
 
 }  // namespace ui::tooth

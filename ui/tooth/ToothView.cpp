@@ -43,8 +43,8 @@ constexpr double kNearestMirrorMm = 12.0;  ///< to the eye
 constexpr double kBeforeMm = 0.6;          ///< what is seen so far before a point hides it
 constexpr double kHeightBesidePx = 60.0;   ///< of the bur
 constexpr int kForceToldMs = 1200;
-constexpr double kNearStopMm = 0.1;  ///< the ring and the figure change colour
-constexpr double kStopRing = 1.35;   ///< radii of the head
+constexpr double kNearStopMm = 0.1;  ///< nearer to the stop the ring changes colour
+constexpr double kStopRing = 1.35;   ///< radius of the ring in radii of the bur
 constexpr int kStopCorners = 48;
 constexpr double kPlateAsidePx = 56.0;
 constexpr double kPlateBelowPx = 26.0;
@@ -188,11 +188,11 @@ void ToothView::moveStop(double stepMm)
         return;
     setDepthStop(true, m_control.stopDepthMm() + stepMm);
     m_sinceStopSet.start();
-    m_stopTold = true;
+    m_showsStop = true;
     emit depthStopChanged(m_control.stopDepthMm());
 }
 
-/// The bur stays under a pointer that rests, whatever moves the view or changes the bur.
+/// Keeps the bur under a resting pointer when the view or the bur changes.
 void ToothView::aim()
 {
     m_control.follow(m_servo);
@@ -576,17 +576,17 @@ void ToothView::drawForce(QPainter& painter)
     }
 }
 
-/// A ring round the bur at the height of the stop, and the depth of the tip and of the stop beside it.
+/// Draws a ring around the bur at the depth stop, and beside it the depth of the tip and of the stop.
 void ToothView::drawStop(QPainter& painter)
 {
-    const bool isSeen = m_published.pushing || m_stopTold;
+    const bool isSeen = m_published.pushing || m_showsStop;
     if (!showsInstrument() || !m_control.isStopOn() || !isSeen || !m_exercise.pads.empty())
         return;
     const std::optional<double> stopMm = m_control.stopMm();
     const double leftMm = stopMm ? m_pose.anchorMm.z - *stopMm : m_control.stopDepthMm();
     const QColor colour = leftMm < kNearStopMm ? QColor(0xFF, 0xC2, 0x4B) : QColor(0xF2, 0xF2, 0xEE);
     if (stopMm) {
-        const double radiusMm = kStopRing * core::drilling::burs()[m_servo.burIndex].headRadiusMm;
+        const double radiusMm = kStopRing * m_control.burRadiusMm();
         QPolygonF ring;
         for (int k = 0; k <= kStopCorners; ++k) {
             const double angle = 2.0 * std::numbers::pi * k / kStopCorners;
@@ -649,8 +649,8 @@ void ToothView::advanceFrame()
         m_liftMm = next;
         redraw();
     }
-    if (m_stopTold && m_sinceStopSet.elapsed() > kForceToldMs) {
-        m_stopTold = false;
+    if (m_showsStop && m_sinceStopSet.elapsed() > kForceToldMs) {
+        m_showsStop = false;
         redraw();
     }
     if (m_forceTold && m_sinceForceSet.elapsed() > kForceToldMs) {

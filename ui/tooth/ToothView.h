@@ -60,11 +60,11 @@ public:
     /// How hard the button pushes, newtons: 0.2 .. 3, 0.6 to begin with.
     void setPushForce(double newtons);
     [[nodiscard]] double pushForce() const { return m_control.forceN(); }
-    /// How fast the bur goes down at most while it is pushed, mm/s.
+    /// Sets the largest speed at which the pushed bur goes down, mm/s.
     void setFeed(double mmPerS);
-    /// So far below the original surface the pushed bur stops, mm. Nothing is stopped while the stop is off.
+    /// Switches the depth stop and sets its depth below the original surface, mm.
     void setDepthStop(bool on, double depthMm);
-    /// Feed, depth stop and force of the hand.
+    /// Returns the settings of the hand: feed, depth stop and force.
     [[nodiscard]] const PointerControl& hand() const { return m_control; }
     /// Nothing is pushed or turned any more, whatever is held down.
     void release();
@@ -187,7 +187,7 @@ private:
     bool m_mirrorIsPlaced = false;  ///< by a person
     QPointF m_pointer;              ///< where the mouse was last
     bool m_pointerHasLeft = true;
-    bool m_pointerAims = false;  ///< the pointer, and not the keys, has moved the bur last
+    bool m_pointerAims = false;  ///< the bur was last moved with the pointer, not with keys
     PatchInbox m_inbox;
     Camera m_camera;
     PointerControl m_control;
@@ -221,7 +221,7 @@ private:
     QElapsedTimer m_sinceFrame;
     QElapsedTimer m_sinceForceSet;
     QElapsedTimer m_sinceStopSet;
-    bool m_stopTold = false;   ///< the depth of the stop is written beside the bur
+    bool m_showsStop = false;  ///< true for a moment after the depth stop was moved
     bool m_forceTold = false;  ///< the set force is written beside the bur
 };
 

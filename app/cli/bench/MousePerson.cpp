@@ -16,40 +16,13 @@
 namespace app::cli::bench {
 namespace {
 
-using core::session::kTileSide;
-
 constexpr std::uint64_t kTicksPerPicture = 16;
-constexpr int kPicturesPerSight = 6;  ///< between two looks at the whole tooth
+constexpr int kPicturesPerSight = 6;  ///< pictures between two looks at the whole tooth
 constexpr double kPictureS = 0.016;
 constexpr double kTremblePx = 2.0;
-constexpr double kTrembleS = 0.3;      ///< over which a tremble is forgotten
-constexpr double kHasArrivedS = 0.25;  ///< without a leap of the pointer, the bur is where it points
-constexpr double kLeapPx = 20.0;
-
-/// Brings the surface that rays meet up to date, tile by tile as the program does.
-void show(const core::terrain::Tooth& tooth, std::vector<float>& shown, ui::render::ToothSurface& surface)
-{
-    const int side = tooth.grid().side;
-    for (int y = 0; y * kTileSide < side; ++y)
-        for (int x = 0; x * kTileSide < side; ++x) {
-            core::session::TilePatch patch;
-            patch.tileX = static_cast<std::uint16_t>(x);
-            patch.tileY = static_cast<std::uint16_t>(y);
-            const int columns = std::min(kTileSide, side - x * kTileSide);
-            bool isSame = true;
-            for (int j = y * kTileSide; j < std::min(side, (y + 1) * kTileSide); ++j) {
-                const auto first = static_cast<std::ptrdiff_t>(tooth.grid().index(x * kTileSide, j));
-                const auto begin = tooth.top.begin() + first;
-                isSame = isSame && std::equal(begin, begin + columns, shown.begin() + first);
-                std::copy_n(begin, columns, shown.begin() + first);
-                std::copy_n(begin, columns,
-                            patch.top.begin() + static_cast<std::ptrdiff_t>((j - y * kTileSide) * kTileSide));
-            }
-            if (!isSame)
-                surface.write(patch);
-        }
-    static_cast<void>(surface.refresh(true));
-}
+constexpr double kTrembleS = 0.3;      ///< correlation time of the tremble
+constexpr double kHasArrivedS = 0.25;  ///< the bur has arrived under the pointer after this time
+constexpr double kLeapPx = 20.0;       ///< a longer step of the pointer in one picture is a jump
 
 }  // namespace
 
@@ -68,12 +41,11 @@ core::Result<Doing> work(const std::shared_ptr<const core::terrain::ToothAnatomy
     core::rt::TripleBuffer<core::session::PointerInput> input;
     haptics::PointerDevice device(input, settings.force.stiffnessNPerMm, 1.0e-3);
 
-    auto shown = std::make_shared<std::vector<float>>(anatomy->top);
-    std::vector<float> drawn = anatomy->top;
+    auto shown = std::make_shared<const std::vector<float>>(anatomy->top);
     int picture = 0;
     double arrivingS = 0.0;
     glm::dvec2 pointer{-1000.0};
-    std::optional<double> surfaceMm;  ///< where the press touched it
+    std::optional<double> surfaceMm;  ///< original surface at the contact
     double deepestMm = 0.0;
     double mostOffRayPx = 0.0;
     double seconds = 0.0;
@@ -84,14 +56,14 @@ core::Result<Doing> work(const std::shared_ptr<const core::terrain::ToothAnatomy
         seconds = static_cast<double>(tick) * 1.0e-3;
         control.follow(state);
         if (picture++ % kPicturesPerSight == 0 && tooth.top != *shown) {
-            show(tooth, drawn, *surface);
-            shown = std::make_shared<std::vector<float>>(tooth.top);
+            static_cast<void>(surface->refresh(true));
+            shown = std::make_shared<const std::vector<float>>(tooth.top);
         }
         Sight sight{seconds, camera.pixelOf(state.anchorMm), state.anchorMm, control.depthMm(state.anchorMm.z), {},
                     shown};
         if (state.touching)
             sight.under = state.materialUnderBur;
-        // The picture shows the pointer where it was when the bur was last asked to follow.
+        // The bur is compared with the last position of the pointer that the program was told.
         arrivingS += kPictureS;
         if (!control.isPushing() && arrivingS > kHasArrivedS)
             mostOffRayPx = std::max(mostOffRayPx, glm::distance(sight.burPx, pointer));
@@ -114,6 +86,7 @@ core::Result<Doing> work(const std::shared_ptr<const core::terrain::ToothAnatomy
     haptics::SimulationOptions options;
     options.settings = settings;
     options.burIndex = bur;
+    options.onPatch = [&](const core::session::TilePatch& patch) { surface->write(patch); };
     const auto after = [&](std::uint64_t, const core::session::ServoState& state) {
         if (surfaceMm && state.cutting)
             deepestMm = std::max(deepestMm, *surfaceMm - state.anchorMm.z);

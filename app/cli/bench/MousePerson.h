@@ -14,46 +14,46 @@
 
 namespace app::cli::bench {
 
-/// How the hand behind the mouse is set.
+/// Settings of the hand behind the mouse.
 struct MouseHand
 {
-    double feedMmPerS = 0.5;             ///< 0: no feed, the button pushes with the force (the way before the feed)
-    std::optional<double> stopMm = 1.5;  ///< depth stop; empty: off
+    double feedMmPerS = 0.5;             ///< 0: no feed, the button pushes with the force
+    std::optional<double> stopMm = 1.5;  ///< depth of the depth stop; empty if it is off
     double forceN = 0.6;
 };
 
-/// What the screen shows a person in one picture.
+/// What a person can see in one picture.
 struct Sight
 {
     double seconds = 0.0;
-    glm::dvec2 burPx{0.0};  ///< where the tip of the bur is seen
+    glm::dvec2 burPx{0.0};  ///< position of the tip in the picture
     glm::dvec3 burMm{0.0};
-    std::optional<double> depthMm;                   ///< the figure beside the bur
-    std::optional<core::terrain::Material> under;    ///< colour under the bur; empty: it touches nothing
-    std::shared_ptr<const std::vector<float>> tops;  ///< the tooth as it is seen, a tenth of a second old at most
+    std::optional<double> depthMm;                   ///< the depth shown beside the bur
+    std::optional<core::terrain::Material> under;    ///< the tissue shown under the bur; empty in the air
+    std::shared_ptr<const std::vector<float>> tops;  ///< the cut surface, up to 0.1 s old
 };
 
-/// What the person does until the next picture.
+/// What the hand does until the next picture.
 struct Deed
 {
     glm::dvec2 pointerPx{0.0};
     bool pressed = false;
-    double stopMm = 1.5;  ///< turned to with the wheel
+    double stopMm = 1.5;  ///< depth of the depth stop, set with the wheel
     bool isDone = false;
 };
 
-/// What came of it.
+/// The result of a task.
 struct Doing
 {
     core::terrain::Tooth tooth;
     core::session::ServoState last;
     double seconds = 0.0;
-    double deepestMm = 0.0;     ///< of the tip, below the original surface where the first press touched it
-    double mostOffRayPx = 0.0;  ///< of the tip from the pointer, while the bur is free and has arrived
+    double deepestMm = 0.0;     ///< largest depth of the tip below the original surface at the first contact
+    double mostOffRayPx = 0.0;  ///< largest distance of the tip from the pointer, button up
 };
 
-/// A bur under the mouse: the program's own camera, PointerControl, PointerDevice and servo, at 60 pictures a second.
-/// @param decide  called once a picture with what the screen shows; answers what the hand does from then on
+/// Runs a task with the program's own camera, PointerControl, PointerDevice and servo, at 60 pictures a second.
+/// @param decide  called once for each picture; returns what the hand does until the next one
 [[nodiscard]] core::Result<Doing> work(const std::shared_ptr<const core::terrain::ToothAnatomy>& anatomy,
                                        const core::session::ServoSettings& settings, std::size_t bur,
                                        const MouseHand& hand, const ui::tooth::Camera& camera, double mostSeconds,
@@ -66,14 +66,15 @@ class Person
 public:
     explicit Person(std::uint64_t seed);
 
-    /// Takes in a picture and returns the newest one that is old enough to be acted on; null at the beginning.
+    /// Stores a picture and returns the newest stored picture that is older than the reaction time. Returns null as
+    /// long as there is none.
     [[nodiscard]] const Sight* see(const Sight& sight);
-    /// Where the pointer is when the hand means it to be there.
+    /// Returns the position of the pointer when the hand aims at a position: with tremble.
     [[nodiscard]] glm::dvec2 aim(glm::dvec2 meantPx);
 
 private:
     core::Rng m_rng;
-    std::deque<Sight> m_seen;  ///< too young to be acted on
+    std::deque<Sight> m_seen;  ///< younger than the reaction time
     std::optional<Sight> m_minded;
     double m_delayS;
     glm::dvec2 m_tremblePx{0.0};

@@ -31,17 +31,17 @@ constexpr double kDepthMm = 1.5;
 constexpr std::array kTeeth{36, 26, 24, 21};
 constexpr std::array kFeedsMmPerS{0.1, 0.2, 0.3, 0.5, 0.7, 1.0, 1.5, 2.0};
 constexpr std::array kForcesN{0.3, 0.6, 1.0, 1.5};
-constexpr glm::dvec2 kScreenPx{900.0, 700.0};  ///< of the tooth view in a window of 1280 x 800
+constexpr glm::dvec2 kScreenPx{900.0, 700.0};  ///< size of the tooth view in a window of 1280 x 800
 constexpr double kAboveDeg = 80.0;
 constexpr double kHalfSlotMm = 1.2;
 constexpr double kSlotPxPerS = 25.0;
 constexpr int kSlotPasses = 4;
-constexpr double kAheadPx = 25.0;  ///< the hand waits for a bur that is farther behind
+constexpr double kAheadPx = 25.0;  ///< the hand waits if the bur is farther behind
 constexpr double kGivesUpS = 400.0;
-constexpr double kLayerMm = 0.3;  ///< by which the person lowers the stop where it is still brown
+constexpr double kLayerMm = 0.3;  ///< step by which the person lowers the depth stop
 constexpr double kFirstLayerMm = 0.6;
-constexpr double kLooksS = 0.5;      ///< before the stop is lowered again
-constexpr double kOutPercent = 5.0;  ///< of the decay may be left in a lesion that is out
+constexpr double kLooksS = 0.5;      ///< time before the stop is lowered again
+constexpr double kOutPercent = 5.0;  ///< a lesion with less decay left counts as removed
 
 ui::tooth::Camera cameraOver(double elevationDeg)
 {
@@ -63,7 +63,7 @@ core::Result<Anatomy> soundTooth(int fdi, std::uint64_t seed)
     return built->anatomy;
 }
 
-/// A place near the middle where the junction lies 0.6 to 1.2 mm below a surface that is not steep.
+/// Returns a place near the middle that is not steep and has 0.6 to 1.2 mm of enamel.
 glm::dvec3 plungePlace(const ToothAnatomy& anatomy)
 {
     const core::terrain::Grid& grid = anatomy.grid;
@@ -89,10 +89,10 @@ glm::dvec3 plungePlace(const ToothAnatomy& anatomy)
 struct Plunge
 {
     double overMm = 0.0;
-    double seconds = 0.0;  ///< from the press to the release
+    double seconds = 0.0;  ///< time from the press to the release
 };
 
-/// Presses until the figure says 1.5 mm, then lets go.
+/// Presses until the screen shows 1.5 mm, then releases the button.
 core::Result<Plunge> plunge(const MouseHand& hand, std::uint64_t seed)
 {
     const auto anatomy = soundTooth(36, seed);
@@ -106,8 +106,8 @@ core::Result<Plunge> plunge(const MouseHand& hand, std::uint64_t seed)
     const auto decide = [&](const Sight& now) {
         const Sight* seen = person.see(now);
         Deed deed{person.aim(camera.pixelOf(place)), false, kDepthMm, false};
-        // At a depth stop the figure does not grow beyond it.
-        const bool isDeep = seen && seen->depthMm.value_or(0.0) > kDepthMm - 0.01;
+        // With the depth stop on, the figure ends just below 1.5 mm.
+        const bool isDeep = seen && seen->depthMm.value_or(0.0) >= (hand.stopMm ? kDepthMm - 0.01 : kDepthMm);
         if (pressedS < 0.0 && now.seconds > 0.6)
             pressedS = now.seconds;
         if (pressedS >= 0.0 && releasedS < 0.0 && isDeep)
@@ -122,7 +122,7 @@ core::Result<Plunge> plunge(const MouseHand& hand, std::uint64_t seed)
     return Plunge{doing->deepestMm - kDepthMm, (releasedS < 0.0 ? doing->seconds : releasedS) - pressedS};
 }
 
-/// The way through a place, half a slot to each side, that stays lowest: along the fissure.
+/// Returns the direction along the fissure: the line through a place whose highest point is lowest.
 glm::dvec2 fissureThrough(const ToothAnatomy& anatomy, const glm::dvec3& place)
 {
     glm::dvec2 best(1.0, 0.0);
@@ -146,10 +146,10 @@ glm::dvec2 fissureThrough(const ToothAnatomy& anatomy, const glm::dvec3& place)
 struct Slot
 {
     double rmsMm = 0.0;
-    double offMm = 0.0;  ///< of its mean depth
+    double offMm = 0.0;  ///< mean height above the depth stop
 };
 
-/// Plunges to the stop, then moves to and fro along the fissure.
+/// Goes down to the depth stop, then moves to and fro along the fissure.
 core::Result<Slot> slot(const MouseHand& hand, std::uint64_t seed)
 {
     const auto anatomy = soundTooth(36, seed);
@@ -184,13 +184,17 @@ core::Result<Slot> slot(const MouseHand& hand, std::uint64_t seed)
     const auto doing = work(*anatomy, {}, 1, hand, camera, kGivesUpS, decide);
     if (!doing)
         return tl::unexpected(doing.error());
+    // The floor lies under the pointer: on the rays through the line, and not straight below it.
+    glm::dvec3 middle = place;
+    static_cast<void>(
+        ui::render::ToothSurface::meetPlane(camera.rayThrough(camera.pixelOf(place)), surfaceMm - kDepthMm, middle));
     const core::terrain::Grid& grid = (*anatomy)->grid;
     double sum = 0.0;
     double squares = 0.0;
     int count = 0;
     for (int j = 0; j < grid.side; ++j)
         for (int i = 0; i < grid.side; ++i) {
-            const glm::dvec2 at = grid.nodeMm(i, j) - glm::dvec2(place);
+            const glm::dvec2 at = grid.nodeMm(i, j) - glm::dvec2(middle);
             if (std::abs(glm::dot(at, way)) > kHalfSlotMm - 0.2 || std::abs(at.x * way.y - at.y * way.x) > 0.15)
                 continue;
             const double high = static_cast<double>(doing->tooth.top[grid.index(i, j)]) - (surfaceMm - kDepthMm);
@@ -199,10 +203,14 @@ core::Result<Slot> slot(const MouseHand& hand, std::uint64_t seed)
             ++count;
         }
     const double mean = sum / count;
+    fprintf(stderr,
+            "slot %d rms %.3f mean %.3f secs %.1f way %.0f/%.0f surface %.2f place %.2f %.2f deep %d way %.2f %.2f\n",
+            int(seed), std::sqrt(std::max(0.0, squares / count - mean * mean)), mean, doing->seconds, wayPx, lengthPx,
+            surfaceMm, place.x, place.y, isDeep, way.x, way.y);
     return Slot{std::sqrt(std::max(0.0, squares / count - mean * mean)), mean};
 }
 
-/// Where decay is seen from above: on the floor, or on a wall that a cut beside it has laid open.
+/// Returns the columns whose decay can be seen: on the floor, or on the wall beside a deeper column.
 std::vector<std::size_t> brownColumns(const ToothAnatomy& anatomy, const std::vector<float>& tops)
 {
     const core::terrain::Grid& grid = anatomy.grid;
@@ -274,7 +282,7 @@ core::Result<Removal> removeLesion(int fdi, const MouseHand& hand, std::uint64_t
             double least = std::numeric_limits<double>::max();
             for (const std::size_t k : brown) {
                 const glm::dvec3 place = placeOf(k, *lookedAt);
-                // The ring shows how far down this layer goes.
+                // The ring shows the depth of this layer.
                 const bool isReachable = !hand.stopMm || lookedAt->at(k) > surfaceMm - stopMm + 0.05;
                 const double far = glm::distance(glm::dvec2(place), at);
                 if (isReachable && far < least) {
@@ -289,7 +297,7 @@ core::Result<Removal> removeLesion(int fdi, const MouseHand& hand, std::uint64_t
         }
         cleanS = brown.empty() ? cleanS + 0.016 : 0.0;
         if (goal && glm::distance(meant, camera.pixelOf(*goal)) > 0.5) {
-            // The hand moves at a pace that the eye can follow.
+            // The hand moves by 4 pixels a picture at most.
             const glm::dvec2 way = camera.pixelOf(*goal) - meant;
             meant += way * std::min(1.0, 4.0 / glm::length(way));
         }
@@ -310,7 +318,7 @@ core::Result<Removal> removeLesion(int fdi, const MouseHand& hand, std::uint64_t
                    100.0 * (whole[kCaries] - gone[kCaries]) / whole[kCaries], doing->seconds};
 }
 
-/// Strokes at 200 pixels a second and leaps of the pointer over the tooth, button up.
+/// Moves the pointer over the tooth at 200 px/s, with jumps between the strokes, button up.
 core::Result<double> mostOffRayPx(double elevationDeg)
 {
     const auto anatomy = soundTooth(36, 0);
@@ -335,7 +343,7 @@ double percentile(std::vector<double> values, double share)
     return values[std::clamp<std::size_t>(at, 1, values.size()) - 1];
 }
 
-/// Many plunges; the first error where there is one.
+/// Runs plunges with different seeds. Returns the first error if there is one.
 core::Result<std::vector<Plunge>> plunges(const MouseHand& hand, std::size_t count)
 {
     std::vector<core::Result<Plunge>> all(count, Plunge{});
@@ -368,7 +376,7 @@ double medianS(const std::vector<Plunge>& all)
     return percentile(seconds, 0.5);
 }
 
-/// How far a plunge goes too far against the time it takes, for each way to hold the hand.
+/// Draws the overshoot of a plunge over the time it takes, for each setting of the hand.
 core::Status showPace(const Context& context)
 {
     ui::charts::Curve curve;
