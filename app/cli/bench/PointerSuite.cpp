@@ -203,10 +203,6 @@ core::Result<Slot> slot(const MouseHand& hand, std::uint64_t seed)
             ++count;
         }
     const double mean = sum / count;
-    fprintf(stderr,
-            "slot %d rms %.3f mean %.3f secs %.1f way %.0f/%.0f surface %.2f place %.2f %.2f deep %d way %.2f %.2f\n",
-            int(seed), std::sqrt(std::max(0.0, squares / count - mean * mean)), mean, doing->seconds, wayPx, lengthPx,
-            surfaceMm, place.x, place.y, isDeep, way.x, way.y);
     return Slot{std::sqrt(std::max(0.0, squares / count - mean * mean)), mean};
 }
 
