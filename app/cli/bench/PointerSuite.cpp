@@ -234,8 +234,8 @@ struct Removal
     double seconds = 0.0;
 };
 
-/// Goes over what is brown, and lowers the depth stop where it still is. Without a stop: presses while it is brown
-/// under the bur.
+/// Moves the bur over the visible decay, and lowers the depth stop where decay remains. Without a stop, presses only
+/// while the tissue under the bur is decay.
 core::Result<Removal> removeLesion(int fdi, const MouseHand& hand, std::uint64_t seed)
 {
     auto lesson = lessons::lessonNamed(QStringLiteral("decay-%1-moderate").arg(fdi));
@@ -253,6 +253,7 @@ core::Result<Removal> removeLesion(int fdi, const MouseHand& hand, std::uint64_t
     Person person(seed);
     double stopMm = kFirstLayerMm;
     std::optional<glm::dvec3> goal;
+    double lookedS = 0.0;
     double loweredS = 0.0;
     double cleanS = 0.0;
     double surfaceMm = std::numeric_limits<double>::lowest();  ///< where the depth figure counts from
@@ -270,7 +271,8 @@ core::Result<Removal> removeLesion(int fdi, const MouseHand& hand, std::uint64_t
             return deed;
         if (seen->depthMm)
             surfaceMm = seen->burMm.z + *seen->depthMm;
-        if (seen->tops != lookedAt || (!goal && now.seconds > loweredS + kLooksS)) {
+        if (seen->tops != lookedAt || now.seconds > lookedS + kLooksS) {
+            lookedS = now.seconds;
             lookedAt = seen->tops;
             brown = brownColumns(*anatomy, *lookedAt);
             const glm::dvec2 at(seen->burMm);
@@ -286,7 +288,8 @@ core::Result<Removal> removeLesion(int fdi, const MouseHand& hand, std::uint64_t
                     goal = place;
                 }
             }
-            if (!goal && !brown.empty() && stopMm < ui::tooth::PointerControl::kDeepestMm) {
+            if (!goal && !brown.empty() && now.seconds > loweredS + kLooksS &&
+                stopMm < ui::tooth::PointerControl::kDeepestMm) {
                 stopMm += kLayerMm;
                 loweredS = now.seconds;
             }
