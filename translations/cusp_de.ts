@@ -3061,9 +3061,9 @@
         <translation>Die Daten der Schule liegen in %1. An jedem Tag, an dem das Programm benutzt wird, entsteht eine Sicherung. Alle der letzten zwei Tage bleiben, danach je eine von 12 Tagen, 10 Wochen und 9 Monaten.</translation>
     </message>
     <message>
-        <source>Restore the backup of %1? What was entered after it will be missing; attempts of this computer are brought in again, and the present file is kept beside it.</source>
+        <source>Restore the backup of %1? What was entered after it will be missing. Attempts of this computer that are in no backup are entered again. The present file is kept beside it.</source>
         <extracomment>%1: when a backup was made</extracomment>
-        <translation>Die Sicherung vom %1 zurückspielen? Was danach eingetragen wurde, fehlt dann; Versuche dieses Computers werden wieder eingebracht, und die jetzige Datei bleibt daneben erhalten.</translation>
+        <translation>Die Sicherung vom %1 zurückspielen? Was danach eingetragen wurde, fehlt dann. Versuche dieses Computers, die in keiner Sicherung sind, werden wieder eingetragen. Die jetzige Datei bleibt daneben erhalten.</translation>
     </message>
     <message>
         <source>Audit code of a report (optional):</source>
@@ -5041,8 +5041,8 @@ load NAME        lässt eine behaltene Härte-Voreinstellung fühlen</translatio
         <translation>Sicherung zurückspielen (%1)</translation>
     </message>
     <message>
-        <source>Attempts of this computer are brought in again. What teachers and admins have entered since then is missing. The file that is there now is kept beside it.</source>
-        <translation>Versuche dieses Computers werden wieder eingebracht. Was Lehrkräfte und Admins seither eingetragen haben, fehlt. Die Datei, die jetzt dort liegt, bleibt daneben erhalten.</translation>
+        <source>Attempts of this computer that are in no backup are entered again. What teachers and admins have entered since then is missing. The file that is there now is kept beside it.</source>
+        <translation>Versuche dieses Computers, die in keiner Sicherung sind, werden wieder eingetragen. Was Lehrkräfte und Admins seither eingetragen haben, fehlt. Die Datei, die jetzt dort liegt, bleibt daneben erhalten.</translation>
     </message>
     <message>
         <source>Change your password</source>

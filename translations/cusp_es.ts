@@ -3061,9 +3061,9 @@
         <translation>Los datos de la escuela están en %1. Cada día que se usa el programa se hace una copia de seguridad. Se conservan todas las de los dos últimos días y después una de cada uno de 12 días, 10 semanas y 9 meses.</translation>
     </message>
     <message>
-        <source>Restore the backup of %1? What was entered after it will be missing; attempts of this computer are brought in again, and the present file is kept beside it.</source>
+        <source>Restore the backup of %1? What was entered after it will be missing. Attempts of this computer that are in no backup are entered again. The present file is kept beside it.</source>
         <extracomment>%1: when a backup was made</extracomment>
-        <translation>¿Restaurar la copia de %1? Faltará lo que se registró después; los intentos de este ordenador se vuelven a incorporar, y el archivo actual se conserva al lado.</translation>
+        <translation>¿Restaurar la copia de %1? Faltará lo que se registró después. Los intentos de este ordenador que no están en ninguna copia se vuelven a registrar. El archivo actual se conserva al lado.</translation>
     </message>
     <message>
         <source>Audit code of a report (optional):</source>
@@ -5041,8 +5041,8 @@ load NOMBRE        hace sentir un ajuste de dureza conservado</translation>
         <translation>Restaurar copia (%1)</translation>
     </message>
     <message>
-        <source>Attempts of this computer are brought in again. What teachers and admins have entered since then is missing. The file that is there now is kept beside it.</source>
-        <translation>Los intentos de este ordenador se vuelven a incorporar. Falta lo que docentes y administradores hayan registrado desde entonces. El archivo actual se conserva a su lado.</translation>
+        <source>Attempts of this computer that are in no backup are entered again. What teachers and admins have entered since then is missing. The file that is there now is kept beside it.</source>
+        <translation>Los intentos de este ordenador que no están en ninguna copia se vuelven a registrar. Falta lo que docentes y administradores hayan registrado desde entonces. El archivo actual se conserva a su lado.</translation>
     </message>
     <message>
         <source>Change your password</source>

@@ -3045,9 +3045,9 @@
         <translation>学校のデータは %1 にあります。プログラムを使った日ごとにバックアップを作ります。最近2日分はすべて残し、その後は12日、10週、9か月のそれぞれに1つを残します。</translation>
     </message>
     <message>
-        <source>Restore the backup of %1? What was entered after it will be missing; attempts of this computer are brought in again, and the present file is kept beside it.</source>
+        <source>Restore the backup of %1? What was entered after it will be missing. Attempts of this computer that are in no backup are entered again. The present file is kept beside it.</source>
         <extracomment>%1: when a backup was made</extracomment>
-        <translation>%1のバックアップを復元しますか。それ以降に登録された内容は失われます。このコンピューターの試行は再び取り込まれ、現在のファイルは隣に残ります。</translation>
+        <translation>%1のバックアップを復元しますか。それ以降に登録された内容は失われます。このコンピューターの試行のうち、どのバックアップにもないものは再び登録されます。現在のファイルは隣に残ります。</translation>
     </message>
     <message>
         <source>Audit code of a report (optional):</source>
@@ -5001,8 +5001,8 @@ load 名前        保存済みの硬さのプリセットを使います</trans
         <translation>バックアップを復元 (%1)</translation>
     </message>
     <message>
-        <source>Attempts of this computer are brought in again. What teachers and admins have entered since then is missing. The file that is there now is kept beside it.</source>
-        <translation>このコンピューターの試行は再び取り込まれます。それ以降に教員や管理者が登録したものは失われます。今のファイルは横に残ります。</translation>
+        <source>Attempts of this computer that are in no backup are entered again. What teachers and admins have entered since then is missing. The file that is there now is kept beside it.</source>
+        <translation>このコンピューターの試行のうち、どのバックアップにもないものは再び登録されます。それ以降に教員や管理者が登録したものは失われます。今のファイルは横に残ります。</translation>
     </message>
     <message>
         <source>Change your password</source>

@@ -185,8 +185,8 @@ void BackupPart::tell()
     if (isAsked)
         m_said->setText(
             //: %1: when a backup was made
-            tr("Restore the backup of %1? What was entered after it will be missing; attempts of this computer are "
-               "brought in again, and the present file is kept beside it.")
+            tr("Restore the backup of %1? What was entered after it will be missing. Attempts of this computer that "
+               "are in no backup are entered again. The present file is kept beside it.")
                 .arg(chosenRow().data().toString()));
     else if (!m_isBusy)
         tellEnd();

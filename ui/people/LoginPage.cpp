@@ -302,9 +302,9 @@ void LoginPage::speak()
     //: %1: day and time
     m_restore->setText(
         tr("Restore backup (%1)").arg(QLocale().toString(m_backupMade.toLocalTime(), QLocale::ShortFormat)));
-    m_restore->setToolTip(brokenIntoLines(tr("Attempts of this computer are brought in again. What teachers and admins "
-                                             "have entered since then is missing. The file that is there now is kept "
-                                             "beside it.")));
+    m_restore->setToolTip(brokenIntoLines(
+        tr("Attempts of this computer that are in no backup are entered again. What teachers and admins have entered "
+           "since then is missing. The file that is there now is kept beside it.")));
     for (QPushButton* button : {m_go, m_other, m_guest, m_tryAgain, m_restore})
         button->setAccessibleName(button->text());
     m_waiting->setText(m_isOpening ? tr("The school's data are being opened …")
