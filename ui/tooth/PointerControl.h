@@ -15,8 +15,9 @@ namespace ui::tooth {
 /// Turns rays of sight, a button and steps of keys into what the pointer device asks for. No widgets, no OpenGL.
 ///
 /// While the button is up, the tip of the bur hovers on the ray, kClearanceMm above the tooth. When the button is
-/// pressed, the bur comes down where the ray meets the tooth. After it has touched the tooth, a resting pointer does not
-/// move the bur, so the bur goes straight down. A moving pointer moves the bur and reduces the distance between them.
+/// pressed, the bur comes down where the ray meets the tooth. After it has touched the tooth, a resting pointer does
+/// not move the bur, so the bur goes straight down. A moving pointer moves the bur and reduces the distance between
+/// them.
 ///
 /// The depth stop is a horizontal plane at a set depth below the original surface at the first contact. A press inside
 /// the cavity keeps the plane, so a cavity that is cut in several presses has one floor.
