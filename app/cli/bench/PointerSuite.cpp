@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -28,9 +27,8 @@ using Anatomy = std::shared_ptr<const ToothAnatomy>;
 constexpr std::size_t kPlunges = 100;
 constexpr std::size_t kSeeds = 30;
 constexpr double kDepthMm = 1.5;
-constexpr std::array kTeeth{36, 26, 24, 21};
-constexpr std::array kFeedsMmPerS{0.1, 0.2, 0.3, 0.5, 0.7, 1.0, 1.5, 2.0};
-constexpr std::array kForcesN{0.3, 0.6, 1.0, 1.5};
+constexpr double kFeedMmPerS = ui::tooth::PointerControl::kFirstMmPerS;
+constexpr double kForceN = ui::tooth::PointerControl::kFirstN;
 constexpr glm::dvec2 kScreenPx{900.0, 700.0};  ///< size of the tooth view in a window of 1280 x 800
 constexpr double kAboveDeg = 80.0;
 constexpr double kHalfSlotMm = 1.2;
@@ -146,7 +144,7 @@ glm::dvec2 fissureThrough(const ToothAnatomy& anatomy, const glm::dvec3& place)
 struct Slot
 {
     double rmsMm = 0.0;
-    double offMm = 0.0;  ///< mean height above the depth stop
+    double offMm = 0.0;  ///< distance of its mean from the depth stop
 };
 
 /// Goes down to the depth stop, then moves to and fro along the fissure.
@@ -203,7 +201,7 @@ core::Result<Slot> slot(const MouseHand& hand, std::uint64_t seed)
             ++count;
         }
     const double mean = sum / count;
-    return Slot{std::sqrt(std::max(0.0, squares / count - mean * mean)), mean};
+    return Slot{std::sqrt(std::max(0.0, squares / count - mean * mean)), std::abs(mean)};
 }
 
 /// Returns the columns whose decay can be seen: on the floor, or on the wall beside a deeper column.
@@ -335,91 +333,85 @@ core::Result<double> mostOffRayPx(double elevationDeg)
     return doing->mostOffRayPx;
 }
 
-double percentile(std::vector<double> values, double share)
+/// Runs a trial with each of the seeds 1 to count, two at a time. Returns the first error if there is one.
+template <class Trial>
+auto forSeeds(std::size_t count, const Trial& trial)
+    -> core::Result<std::vector<typename decltype(trial(std::uint64_t{}))::value_type>>
 {
+    std::vector<decltype(trial(std::uint64_t{}))> tried(count);
+    inParallel(
+        count, [&](std::size_t k) { tried[k] = trial(k + 1); }, [](std::size_t) {});
+    std::vector<typename decltype(trial(std::uint64_t{}))::value_type> results;
+    results.reserve(count);
+    for (const auto& one : tried) {
+        if (!one)
+            return tl::unexpected(one.error());
+        results.push_back(*one);
+    }
+    return results;
+}
+
+core::Result<std::vector<Plunge>> plunges(const MouseHand& hand, std::size_t count)
+{
+    return forSeeds(count, [&](std::uint64_t seed) { return plunge(hand, seed); });
+}
+
+/// Returns the value that a share of the results does not exceed.
+template <class Result>
+double percentile(const std::vector<Result>& results, double Result::*value, double share)
+{
+    std::vector<double> values;
+    values.reserve(results.size());
+    for (const Result& one : results)
+        values.push_back(one.*value);
     std::sort(values.begin(), values.end());
     const auto at = static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size())));
     return values[std::clamp<std::size_t>(at, 1, values.size()) - 1];
 }
 
-/// Runs plunges with different seeds. Returns the first error if there is one.
-core::Result<std::vector<Plunge>> plunges(const MouseHand& hand, std::size_t count)
-{
-    std::vector<core::Result<Plunge>> all(count, Plunge{});
-    inParallel(
-        count, [&](std::size_t k) { all[k] = plunge(hand, k + 1); }, [](std::size_t) {});
-    std::vector<Plunge> made;
-    for (const core::Result<Plunge>& one : all) {
-        if (!one)
-            return tl::unexpected(one.error());
-        made.push_back(*one);
-    }
-    return made;
-}
-
-double overMm(const std::vector<Plunge>& all, double share)
-{
-    std::vector<double> over;
-    over.reserve(all.size());
-    for (const Plunge& one : all)
-        over.push_back(one.overMm);
-    return percentile(over, share);
-}
-
-double medianS(const std::vector<Plunge>& all)
-{
-    std::vector<double> seconds;
-    seconds.reserve(all.size());
-    for (const Plunge& one : all)
-        seconds.push_back(one.seconds);
-    return percentile(seconds, 0.5);
-}
-
 /// Draws the overshoot of a plunge over the time it takes, for each setting of the hand.
 core::Status showPace(const Context& context)
 {
+    struct Way
+    {
+        const char* name;
+        const char* unit;
+        std::vector<double> values;
+        MouseHand (*handOf)(double value);
+    };
+    const std::vector<double> feeds{0.1, 0.2, 0.3, 0.5, 0.7, 1.0, 1.5, 2.0};
+    const Way ways[] = {
+        {"Feed, depth stop off", "mm/s", feeds,
+         [](double feed) {
+             return MouseHand{feed, {}, kForceN};
+         }},
+        {"Feed, depth stop on", "mm/s", feeds,
+         [](double feed) {
+             return MouseHand{feed, kDepthMm, kForceN};
+         }},
+        {"Button pushes with a force",
+         "N",
+         {0.3, 0.6, 1.0, 1.5},
+         [](double newtons) {
+             return MouseHand{0.0, {}, newtons};
+         }},
+    };
     ui::charts::Curve curve;
     curve.x = {QStringLiteral("Time to 1.5 mm, s (median)"), 1.0, 30.0};
     curve.x.base = 10.0;
     curve.y = {QStringLiteral("Beyond 1.5 mm, mm (95 of 100 stay below)"), 0.0, 1.5};
-    const auto add = [&](const QString& name, LookIndex look, const auto& values, const auto& handOf,
-                         const char* unit) {
-        ui::charts::Line line = lineOf(name, look);
-        for (const double value : values) {
-            context.progress(name, 0, 1);
-            const auto made = plunges(handOf(value), kSeeds);
+    for (const Way& way : ways) {
+        ui::charts::Line line = lineOf(QLatin1String(way.name), static_cast<LookIndex>(curve.lines.size()));
+        for (const double value : way.values) {
+            const auto made = plunges(way.handOf(value), kSeeds);
             if (!made)
-                return core::Status(tl::unexpected(made.error()));
-            line.dots << pointAt(medianS(*made), std::max(0.0, overMm(*made, 0.95)),
-                                 QStringLiteral("%1 %2").arg(value).arg(QLatin1String(unit)));
+                return tl::unexpected(made.error());
+            line.dots << pointAt(percentile(*made, &Plunge::seconds, 0.5),
+                                 std::max(0.0, percentile(*made, &Plunge::overMm, 0.95)),
+                                 QStringLiteral("%1 %2").arg(value).arg(QLatin1String(way.unit)));
         }
         curve.lines << line;
-        return core::Status{};
-    };
-    if (auto added = add(
-            QStringLiteral("Feed, depth stop off"), 0, kFeedsMmPerS,
-            [](double feed) {
-                return MouseHand{feed, {}, 0.6};
-            },
-            "mm/s");
-        !added)
-        return added;
-    if (auto added = add(
-            QStringLiteral("Feed, depth stop on"), 1, kFeedsMmPerS,
-            [](double feed) {
-                return MouseHand{feed, kDepthMm, 0.6};
-            },
-            "mm/s");
-        !added)
-        return added;
-    if (auto added = add(
-            QStringLiteral("Button pushes with a force"), 2, kForcesN,
-            [](double newtons) {
-                return MouseHand{0.0, {}, newtons};
-            },
-            "N");
-        !added)
-        return added;
+    }
     ui::charts::Chart chart;
     chart.title = QStringLiteral("A person at a mouse drills 1.5 mm deep");
     chart.content = curve;
@@ -427,71 +419,64 @@ core::Status showPace(const Context& context)
     return {};
 }
 
-}  // namespace
-
-core::Result<Figures> pointerSuite(const Context& context)
+void add(Figures& figures, const QString& key, const QString& what, double value, const char* unit,
+         const char* reach = "")
 {
-    Figures figures;
-    const auto add = [&](const QString& key, const QString& what, double value, const char* unit, const char* reach) {
-        figures << Figure{QStringLiteral("pointer_") + key, what, value, QLatin1String(unit), QLatin1String(reach)};
-    };
-    context.progress(QStringLiteral("plunges"), 0, 10);
-    const auto without = plunges({0.5, {}, 0.6}, kPlunges);
-    const auto with = plunges({0.5, kDepthMm, 0.6}, kPlunges);
-    const auto rival = plunges({0.0, {}, 0.6}, kPlunges);
+    figures << Figure{QStringLiteral("pointer_") + key, what, value, QLatin1String(unit), QLatin1String(reach)};
+}
+
+core::Status addPlunges(Figures& figures)
+{
+    const auto without = plunges({kFeedMmPerS, {}, kForceN}, kPlunges);
+    const auto with = plunges({kFeedMmPerS, kDepthMm, kForceN}, kPlunges);
+    const auto rival = plunges({0.0, {}, kForceN}, kPlunges);
     for (const auto* made : {&without, &with, &rival})
         if (!*made)
             return tl::unexpected(made->error());
-    add(QStringLiteral("plunge_over_p95_mm"), QStringLiteral("beyond 1.5 mm, depth stop off, 95 of 100"),
-        overMm(*without, 0.95), "mm", "0.25");
-    add(QStringLiteral("plunge_median_s"), QStringLiteral("time it takes, half of them"), medianS(*without), "s", "");
-    add(QStringLiteral("stop_over_most_mm"), QStringLiteral("beyond 1.5 mm, depth stop on, all"), overMm(*with, 1.0),
-        "mm", "0.05");
-    add(QStringLiteral("force_over_p95_mm"), QStringLiteral("beyond 1.5 mm, button pushes with 0.6 N, 95 of 100"),
-        overMm(*rival, 0.95), "mm", "");
+    add(figures, QStringLiteral("plunge_over_p95_mm"), QStringLiteral("beyond 1.5 mm, depth stop off, 95 of 100"),
+        percentile(*without, &Plunge::overMm, 0.95), "mm", "0.25");
+    add(figures, QStringLiteral("plunge_median_s"), QStringLiteral("time it takes, half of them"),
+        percentile(*without, &Plunge::seconds, 0.5), "s");
+    add(figures, QStringLiteral("stop_over_most_mm"), QStringLiteral("beyond 1.5 mm, depth stop on, all"),
+        percentile(*with, &Plunge::overMm, 1.0), "mm", "0.05");
+    add(figures, QStringLiteral("force_over_p95_mm"), QStringLiteral("beyond 1.5 mm, no feed, 0.6 N, 95 of 100"),
+        percentile(*rival, &Plunge::overMm, 0.95), "mm");
+    return {};
+}
 
-    context.progress(QStringLiteral("slots"), 2, 10);
-    std::vector<core::Result<Slot>> cuts(kSeeds, Slot{});
-    inParallel(
-        kSeeds, [&](std::size_t k) { cuts[k] = slot({}, k + 1); }, [](std::size_t) {});
-    std::vector<double> rms;
-    std::vector<double> off;
-    for (const core::Result<Slot>& one : cuts) {
-        if (!one)
-            return tl::unexpected(one.error());
-        rms.push_back(one->rmsMm);
-        off.push_back(std::abs(one->offMm));
-    }
-    add(QStringLiteral("slot_floor_rms_mm"), QStringLiteral("floor of a slot, from its mean, the worst"),
-        percentile(rms, 1.0), "mm", "0.1");
-    add(QStringLiteral("slot_depth_off_mm"), QStringLiteral("its mean depth from 1.5 mm, the worst"),
-        percentile(off, 1.0), "mm", "");
+core::Status addSlots(Figures& figures)
+{
+    const auto cuts = forSeeds(kSeeds, [](std::uint64_t seed) { return slot({}, seed); });
+    if (!cuts)
+        return tl::unexpected(cuts.error());
+    add(figures, QStringLiteral("slot_floor_rms_mm"), QStringLiteral("floor of a slot, from its mean, the worst"),
+        percentile(*cuts, &Slot::rmsMm, 1.0), "mm", "0.1");
+    add(figures, QStringLiteral("slot_depth_off_mm"), QStringLiteral("its mean depth from 1.5 mm, the worst"),
+        percentile(*cuts, &Slot::offMm, 1.0), "mm");
+    return {};
+}
 
-    for (std::size_t n = 0; n < kTeeth.size(); ++n) {
-        const int fdi = kTeeth[n];
-        context.progress(QStringLiteral("lesions of %1").arg(fdi), 3 + static_cast<int>(n), 10);
-        std::vector<core::Result<Removal>> removals(kSeeds, Removal{});
-        inParallel(
-            kSeeds, [&](std::size_t k) { removals[k] = removeLesion(fdi, {}, k + 1); }, [](std::size_t) {});
-        int opened = 0;
-        int out = 0;
-        std::vector<double> seconds;
-        for (const core::Result<Removal>& one : removals) {
-            if (!one)
-                return tl::unexpected(one.error());
-            opened += one->isPulpOpen ? 1 : 0;
-            out += !one->isPulpOpen && one->leftPercent <= kOutPercent ? 1 : 0;
-            seconds.push_back(one->seconds);
-        }
-        add(QStringLiteral("pulp_opened_%1").arg(fdi),
-            QStringLiteral("moderate lesion of %1: pulp opened, of 30").arg(fdi), opened, "", "1");
-        add(QStringLiteral("lesion_out_%1").arg(fdi), QStringLiteral("the lesion is out and the pulp closed, of 30"),
-            out, "", "29");
-        add(QStringLiteral("lesion_median_s_%1").arg(fdi), QStringLiteral("time it takes, half of them"),
-            percentile(seconds, 0.5), "s", "60 to 180");
-    }
+core::Status addLesions(Figures& figures, int fdi)
+{
+    const auto removals = forSeeds(kSeeds, [&](std::uint64_t seed) { return removeLesion(fdi, {}, seed); });
+    if (!removals)
+        return tl::unexpected(removals.error());
+    const auto opened =
+        std::count_if(removals->begin(), removals->end(), [](const Removal& one) { return one.isPulpOpen; });
+    const auto out = std::count_if(removals->begin(), removals->end(), [](const Removal& one) {
+        return !one.isPulpOpen && one.leftPercent <= kOutPercent;
+    });
+    add(figures, QStringLiteral("pulp_opened_%1").arg(fdi),
+        QStringLiteral("moderate lesion of %1: pulp opened, of 30").arg(fdi), static_cast<double>(opened), "", "1");
+    add(figures, QStringLiteral("lesion_out_%1").arg(fdi),
+        QStringLiteral("the lesion is out and the pulp closed, of 30"), static_cast<double>(out), "", "29");
+    add(figures, QStringLiteral("lesion_median_s_%1").arg(fdi), QStringLiteral("time it takes, half of them"),
+        percentile(*removals, &Removal::seconds, 0.5), "s", "60 to 180");
+    return {};
+}
 
-    context.progress(QStringLiteral("aim"), 8, 10);
+core::Status addAim(Figures& figures)
+{
     double most = 0.0;
     for (const double elevation : {ui::tooth::Camera::kStartElevationDeg, kAboveDeg}) {
         const auto offPx = mostOffRayPx(elevation);
@@ -499,10 +484,33 @@ core::Result<Figures> pointerSuite(const Context& context)
             return tl::unexpected(offPx.error());
         most = std::max(most, *offPx);
     }
-    add(QStringLiteral("ray_most_px"), QStringLiteral("bur from pointer, strokes of 200 px/s"), most, "px", "1");
+    add(figures, QStringLiteral("ray_most_px"), QStringLiteral("bur from pointer, strokes of 200 px/s"), most, "px",
+        "1");
+    return {};
+}
+
+}  // namespace
+
+core::Result<Figures> pointerSuite(const Context& context)
+{
+    struct Step
+    {
+        QString what;
+        std::function<core::Status(Figures& figures)> run;
+    };
+    QList<Step> steps{{QStringLiteral("plunges"), addPlunges}, {QStringLiteral("slots"), addSlots}};
+    for (const int fdi : {36, 26, 24, 21})
+        steps << Step{QStringLiteral("lesions of %1").arg(fdi),
+                      [fdi](Figures& figures) { return addLesions(figures, fdi); }};
+    steps << Step{QStringLiteral("aim"), addAim};
     if (context.show)
-        if (const auto shown = showPace(context); !shown)
-            return tl::unexpected(shown.error());
+        steps << Step{QStringLiteral("chart"), [&](Figures&) { return showPace(context); }};
+    Figures figures;
+    for (qsizetype n = 0; n < steps.size(); ++n) {
+        context.progress(steps[n].what, static_cast<int>(n), static_cast<int>(steps.size()));
+        if (const auto done = steps[n].run(figures); !done)
+            return tl::unexpected(done.error());
+    }
     return figures;
 }
 
