@@ -15,6 +15,7 @@ using core::session::ServoEvent;
 
 constexpr std::uint64_t kTicksAMark = 1000;  ///< in a stroke that goes on
 constexpr std::uint64_t kTicksALook = 10;    ///< at time, force and the like
+constexpr double kFeedOverS = 0.1;           ///< the feed is the way down in so long a time
 
 /// The tenths that are lost now, each with the moment since when it has been: those lost last are won back first.
 class Losses
@@ -155,6 +156,7 @@ private:
             if (!m_part)
                 m_part = Moment{Moment::Kind::Stroke, 0, tick, began, m_strokes};
         }
+        lookAtTheFeed(cut);
         if (m_part && (ended || tick - m_part->tick + 1 >= kTicksAMark))
             if (auto marked = endPart(); !marked)
                 return marked;
@@ -194,6 +196,21 @@ private:
         m_sheet = std::move(marked->sheet);
         m_measured = marked->measured;
         return {};
+    }
+
+    /// The way down in each tenth of a second that begins and ends with cutting.
+    void lookAtTheFeed(bool cut)
+    {
+        if (!cut)
+            return;
+        const double z = m_servo.state().anchorMm.z;
+        const double sinceS = secondsNow() - m_feedSinceS;
+        if (sinceS < kFeedOverS)
+            return;
+        if (m_part && sinceS < 2.0 * kFeedOverS)
+            m_part->feedMmPerS = std::max(m_part->feedMmPerS, (m_feedFromMm - z) / sinceS);
+        m_feedFromMm = z;
+        m_feedSinceS = secondsNow();
     }
 
     void lookAtTheWay()
@@ -252,6 +269,8 @@ private:
     std::optional<Moment> m_part;          ///< what has been cut since then began here
     std::chrono::microseconds m_time{0};
     int m_strokes = 0;
+    double m_feedFromMm = 0.0;  ///< height of the bur when the tenth of a second began
+    double m_feedSinceS = 0.0;
 };
 
 }  // namespace

@@ -7989,6 +7989,121 @@ ungesichert</translation>
     </message>
 </context>
 <context>
+    <name>ui::study::AdviceWords</name>
+    <message>
+        <source>You drilled right through the tooth. Check the depth in the section while you go down.</source>
+        <translation>Sie haben den Zahn durchbohrt. Prüfen Sie beim Absenken die Tiefe im Schnitt.</translation>
+    </message>
+    <message>
+        <source>The bur went down at %1 mm/s when it opened the pulp. Go down slowly, and stop when the floor is firm dentin.</source>
+        <translation>Der Bohrer ging mit %1 mm/s nach unten, als er die Pulpa eröffnete. Gehen Sie langsam tiefer und halten Sie an, wenn der Boden festes Dentin ist.</translation>
+    </message>
+    <message>
+        <source>You opened the pulp. Check in the section how much dentin is left before you go deeper, and stop when the floor is firm dentin.</source>
+        <translation>Sie haben die Pulpa eröffnet. Prüfen Sie im Schnitt, wie viel Dentin übrig ist, bevor Sie tiefer gehen, und halten Sie an, wenn der Boden festes Dentin ist.</translation>
+    </message>
+    <message>
+        <source>The pulp chamber is not open yet. Go on at the place that the X-ray shows until its roof is gone.</source>
+        <translation>Die Pulpakammer ist noch nicht eröffnet. Arbeiten Sie an der Stelle weiter, die das Röntgenbild zeigt, bis ihr Dach entfernt ist.</translation>
+    </message>
+    <message>
+        <source>%1 % of the decay is still in the tooth. Clean the walls first and then the floor, until no brown is left.</source>
+        <translation>%1 % der Karies sind noch im Zahn. Säubern Sie zuerst die Wände und dann den Boden, bis kein Braun mehr zu sehen ist.</translation>
+    </message>
+    <message>
+        <source>The bur went down at %1 mm/s into sound tissue. Lift it as soon as the figure turns yellow.</source>
+        <translation>Der Bohrer ging mit %1 mm/s in gesundes Gewebe. Heben Sie ihn ab, sobald die Zahl gelb wird.</translation>
+    </message>
+    <message>
+        <source>You removed %1 mm³ of sound tissue. Follow the brown edge, and take a smaller bur near it.</source>
+        <translation>Sie haben %1 mm³ gesundes Gewebe entfernt. Folgen Sie dem braunen Rand und nehmen Sie in seiner Nähe einen kleineren Bohrer.</translation>
+    </message>
+    <message>
+        <source>Enamel is left without dentin under it. Remove the overhanging edge.</source>
+        <translation>Unter dem Schmelz fehlt stellenweise Dentin. Entfernen Sie den überhängenden Rand.</translation>
+    </message>
+    <message>
+        <source>The bur went down at %1 mm/s and past the floor. Go down slowly, or set the depth stop.</source>
+        <translation>Der Bohrer ging mit %1 mm/s über den Boden hinaus. Gehen Sie langsam tiefer oder stellen Sie den Tiefenanschlag ein.</translation>
+    </message>
+    <message>
+        <source>The floor is up to %1 mm too deep. Set the depth stop to the depth that the lesson asks for.</source>
+        <translation>Der Boden ist bis zu %1 mm zu tief. Stellen Sie den Tiefenanschlag auf die Tiefe ein, die die Lektion verlangt.</translation>
+    </message>
+    <message>
+        <source>The floor is too deep. Set the depth stop to the depth that the lesson asks for.</source>
+        <translation>Der Boden ist zu tief. Stellen Sie den Tiefenanschlag auf die Tiefe ein, die die Lektion verlangt.</translation>
+    </message>
+    <message>
+        <source>The floor is up to %1 mm too high. Lower it with the depth stop at the depth that the lesson asks for.</source>
+        <translation>Der Boden ist bis zu %1 mm zu hoch. Senken Sie ihn mit dem Tiefenanschlag auf der Tiefe, die die Lektion verlangt.</translation>
+    </message>
+    <message>
+        <source>%1 % of the preparation is still standing. Compare with the outline and cut what is left inside it.</source>
+        <translation>%1 % der Präparation stehen noch. Vergleichen Sie mit dem Umriss und entfernen Sie, was darin übrig ist.</translation>
+    </message>
+    <message>
+        <source>You cut up to %1 mm outside the outline. Keep the edge of the bur, not its middle, on the line.</source>
+        <translation>Sie haben bis zu %1 mm außerhalb des Umrisses geschnitten. Führen Sie den Rand des Bohrers, nicht seine Mitte, an der Linie.</translation>
+    </message>
+    <message>
+        <source>You cut outside the outline. Keep the edge of the bur, not its middle, on the line.</source>
+        <translation>Sie haben außerhalb des Umrisses geschnitten. Führen Sie den Rand des Bohrers, nicht seine Mitte, an der Linie.</translation>
+    </message>
+    <message>
+        <source>The outline stays up to %1 mm inside the ideal one. Widen the cavity to the line.</source>
+        <translation>Der Umriss bleibt bis zu %1 mm innerhalb des idealen. Erweitern Sie die Kavität bis zur Linie.</translation>
+    </message>
+    <message>
+        <source>The marginal ridge is only %1 mm wide; it should keep %2 mm. Stop earlier on the way to the ridge.</source>
+        <translation>Die Randleiste ist nur %1 mm breit; %2 mm sollen stehen bleiben. Halten Sie auf dem Weg zur Randleiste früher an.</translation>
+    </message>
+    <message>
+        <source>The isthmus is %1 mm too wide. Go through it once, with a bur that is not wider than it.</source>
+        <translation>Der Isthmus ist %1 mm zu breit. Fahren Sie einmal hindurch, mit einem Bohrer, der nicht breiter ist.</translation>
+    </message>
+    <message>
+        <source>The isthmus is %1 mm too narrow. Widen it evenly on both sides.</source>
+        <translation>Der Isthmus ist %1 mm zu schmal. Erweitern Sie ihn auf beiden Seiten gleichmäßig.</translation>
+    </message>
+    <message>
+        <source>A wall leans %1° from the ideal. Move the bur along the wall in one stroke at full depth.</source>
+        <translation>Eine Wand weicht um %1° vom Ideal ab. Führen Sie den Bohrer in einem Zug auf voller Tiefe an der Wand entlang.</translation>
+    </message>
+    <message>
+        <source>The floor is uneven. Keep the depth stop on, and sweep the floor in strokes that overlap.</source>
+        <translation>Der Boden ist uneben. Lassen Sie den Tiefenanschlag eingeschaltet und führen Sie den Bohrer in überlappenden Zügen über den Boden.</translation>
+    </message>
+    <message>
+        <source>Too little is done to judge this. Finish the preparation first.</source>
+        <translation>Es ist zu wenig getan, um das zu beurteilen. Beenden Sie zuerst die Präparation.</translation>
+    </message>
+    <message>
+        <source>You pushed too hard. Let the bur do the work.</source>
+        <translation>Sie haben zu stark gedrückt. Lassen Sie den Bohrer arbeiten.</translation>
+    </message>
+    <message>
+        <source>Watch the gauge and change the force slowly until it stays in the range.</source>
+        <translation>Beobachten Sie die Anzeige und ändern Sie die Kraft langsam, bis sie im Bereich bleibt.</translation>
+    </message>
+    <message>
+        <source>You took longer than asked. Plan the strokes before you begin.</source>
+        <translation>Sie haben länger gebraucht als verlangt. Planen Sie die Züge, bevor Sie beginnen.</translation>
+    </message>
+    <message>
+        <source>Some points are not touched yet. The ring marks one of them.</source>
+        <translation>Einige Punkte sind noch nicht berührt. Der Ring markiert einen davon.</translation>
+    </message>
+    <message>
+        <source>Touch each pad slowly again: enamel is hardest, dentin yields, decay is soft.</source>
+        <translation>Berühren Sie jede Fläche noch einmal langsam: Schmelz ist am härtesten, Dentin gibt nach, Karies ist weich.</translation>
+    </message>
+    <message>
+        <source>You cut the tooth. In this exercise the bur only touches it: do not press the drill.</source>
+        <translation>Sie haben den Zahn angeschnitten. In dieser Übung berührt ihn der Bohrer nur: Schalten Sie den Bohrer nicht ein.</translation>
+    </message>
+</context>
+<context>
     <name>ui::study::ConductNotes</name>
     <message>
         <source>No breach of the rules</source>
@@ -9169,6 +9284,26 @@ ungesichert</translation>
     <message>
         <source>This grade is not kept: it will not be here next time.</source>
         <translation>Diese Bewertung wird nicht aufbewahrt: Beim nächsten Mal ist sie nicht mehr da.</translation>
+    </message>
+    <message>
+        <source>Next time</source>
+        <translation>Beim nächsten Mal</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>Einzelheiten</translation>
+    </message>
+    <message>
+        <source>How the points add up, and by which rules</source>
+        <translation>Wie sich die Punkte zusammensetzen und nach welchen Regeln</translation>
+    </message>
+    <message>
+        <source>Show how it ended</source>
+        <translation>Zeigen, wie es endete</translation>
+    </message>
+    <message>
+        <source>Show it at %1</source>
+        <translation>Bei %1 zeigen</translation>
     </message>
 </context>
 <context>

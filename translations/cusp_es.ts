@@ -7989,6 +7989,121 @@ sin guardar</translation>
     </message>
 </context>
 <context>
+    <name>ui::study::AdviceWords</name>
+    <message>
+        <source>You drilled right through the tooth. Check the depth in the section while you go down.</source>
+        <translation>Ha perforado el diente de lado a lado. Compruebe la profundidad en el corte mientras baja.</translation>
+    </message>
+    <message>
+        <source>The bur went down at %1 mm/s when it opened the pulp. Go down slowly, and stop when the floor is firm dentin.</source>
+        <translation>La fresa bajaba a %1 mm/s cuando abrió la pulpa. Baje despacio y pare cuando el piso sea dentina firme.</translation>
+    </message>
+    <message>
+        <source>You opened the pulp. Check in the section how much dentin is left before you go deeper, and stop when the floor is firm dentin.</source>
+        <translation>Ha abierto la pulpa. Compruebe en el corte cuánta dentina queda antes de profundizar y pare cuando el piso sea dentina firme.</translation>
+    </message>
+    <message>
+        <source>The pulp chamber is not open yet. Go on at the place that the X-ray shows until its roof is gone.</source>
+        <translation>La cámara pulpar aún no está abierta. Siga en el lugar que muestra la radiografía hasta eliminar su techo.</translation>
+    </message>
+    <message>
+        <source>%1 % of the decay is still in the tooth. Clean the walls first and then the floor, until no brown is left.</source>
+        <translation>Queda un %1 % de la caries en el diente. Limpie primero las paredes y luego el piso, hasta que no quede nada marrón.</translation>
+    </message>
+    <message>
+        <source>The bur went down at %1 mm/s into sound tissue. Lift it as soon as the figure turns yellow.</source>
+        <translation>La fresa bajó a %1 mm/s en tejido sano. Levántela en cuanto la cifra se ponga amarilla.</translation>
+    </message>
+    <message>
+        <source>You removed %1 mm³ of sound tissue. Follow the brown edge, and take a smaller bur near it.</source>
+        <translation>Ha eliminado %1 mm³ de tejido sano. Siga el borde marrón y use una fresa más pequeña cerca de él.</translation>
+    </message>
+    <message>
+        <source>Enamel is left without dentin under it. Remove the overhanging edge.</source>
+        <translation>Queda esmalte sin dentina debajo. Elimine el borde que sobresale.</translation>
+    </message>
+    <message>
+        <source>The bur went down at %1 mm/s and past the floor. Go down slowly, or set the depth stop.</source>
+        <translation>La fresa bajó a %1 mm/s y pasó del piso. Baje despacio o ajuste el tope de profundidad.</translation>
+    </message>
+    <message>
+        <source>The floor is up to %1 mm too deep. Set the depth stop to the depth that the lesson asks for.</source>
+        <translation>El piso es hasta %1 mm demasiado profundo. Ponga el tope de profundidad en la que pide la lección.</translation>
+    </message>
+    <message>
+        <source>The floor is too deep. Set the depth stop to the depth that the lesson asks for.</source>
+        <translation>El piso es demasiado profundo. Ponga el tope de profundidad en la que pide la lección.</translation>
+    </message>
+    <message>
+        <source>The floor is up to %1 mm too high. Lower it with the depth stop at the depth that the lesson asks for.</source>
+        <translation>El piso está hasta %1 mm demasiado alto. Bájelo con el tope en la profundidad que pide la lección.</translation>
+    </message>
+    <message>
+        <source>%1 % of the preparation is still standing. Compare with the outline and cut what is left inside it.</source>
+        <translation>Queda en pie el %1 % de la preparación. Compare con el contorno y talle lo que queda dentro.</translation>
+    </message>
+    <message>
+        <source>You cut up to %1 mm outside the outline. Keep the edge of the bur, not its middle, on the line.</source>
+        <translation>Ha tallado hasta %1 mm fuera del contorno. Lleve el borde de la fresa, no su centro, por la línea.</translation>
+    </message>
+    <message>
+        <source>You cut outside the outline. Keep the edge of the bur, not its middle, on the line.</source>
+        <translation>Ha tallado fuera del contorno. Lleve el borde de la fresa, no su centro, por la línea.</translation>
+    </message>
+    <message>
+        <source>The outline stays up to %1 mm inside the ideal one. Widen the cavity to the line.</source>
+        <translation>El contorno queda hasta %1 mm por dentro del ideal. Amplíe la cavidad hasta la línea.</translation>
+    </message>
+    <message>
+        <source>The marginal ridge is only %1 mm wide; it should keep %2 mm. Stop earlier on the way to the ridge.</source>
+        <translation>La cresta marginal mide solo %1 mm; deben quedar %2 mm. Deténgase antes al acercarse a la cresta.</translation>
+    </message>
+    <message>
+        <source>The isthmus is %1 mm too wide. Go through it once, with a bur that is not wider than it.</source>
+        <translation>El istmo es %1 mm demasiado ancho. Páselo una sola vez con una fresa que no sea más ancha.</translation>
+    </message>
+    <message>
+        <source>The isthmus is %1 mm too narrow. Widen it evenly on both sides.</source>
+        <translation>El istmo es %1 mm demasiado estrecho. Ensánchelo por igual a ambos lados.</translation>
+    </message>
+    <message>
+        <source>A wall leans %1° from the ideal. Move the bur along the wall in one stroke at full depth.</source>
+        <translation>Una pared se desvía %1° del ideal. Recorra la pared con la fresa de una vez a toda la profundidad.</translation>
+    </message>
+    <message>
+        <source>The floor is uneven. Keep the depth stop on, and sweep the floor in strokes that overlap.</source>
+        <translation>El piso es irregular. Deje puesto el tope de profundidad y pase por el piso con pasadas que se solapen.</translation>
+    </message>
+    <message>
+        <source>Too little is done to judge this. Finish the preparation first.</source>
+        <translation>Se ha hecho demasiado poco para juzgarlo. Termine primero la preparación.</translation>
+    </message>
+    <message>
+        <source>You pushed too hard. Let the bur do the work.</source>
+        <translation>Ha apretado demasiado. Deje que trabaje la fresa.</translation>
+    </message>
+    <message>
+        <source>Watch the gauge and change the force slowly until it stays in the range.</source>
+        <translation>Observe el indicador y cambie la fuerza despacio hasta que se mantenga en el intervalo.</translation>
+    </message>
+    <message>
+        <source>You took longer than asked. Plan the strokes before you begin.</source>
+        <translation>Ha tardado más de lo pedido. Planifique las pasadas antes de empezar.</translation>
+    </message>
+    <message>
+        <source>Some points are not touched yet. The ring marks one of them.</source>
+        <translation>Faltan puntos por tocar. El anillo marca uno de ellos.</translation>
+    </message>
+    <message>
+        <source>Touch each pad slowly again: enamel is hardest, dentin yields, decay is soft.</source>
+        <translation>Toque de nuevo cada zona despacio: el esmalte es lo más duro, la dentina cede, la caries es blanda.</translation>
+    </message>
+    <message>
+        <source>You cut the tooth. In this exercise the bur only touches it: do not press the drill.</source>
+        <translation>Ha cortado el diente. En este ejercicio la fresa solo lo toca: no accione la fresa.</translation>
+    </message>
+</context>
+<context>
     <name>ui::study::ConductNotes</name>
     <message>
         <source>No breach of the rules</source>
@@ -9169,6 +9284,26 @@ sin guardar</translation>
     <message>
         <source>This grade is not kept: it will not be here next time.</source>
         <translation>Esta calificación no se conserva: no estará aquí la próxima vez.</translation>
+    </message>
+    <message>
+        <source>Next time</source>
+        <translation>La próxima vez</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>Detalles</translation>
+    </message>
+    <message>
+        <source>How the points add up, and by which rules</source>
+        <translation>Cómo se suman los puntos y con qué reglas</translation>
+    </message>
+    <message>
+        <source>Show how it ended</source>
+        <translation>Mostrar cómo terminó</translation>
+    </message>
+    <message>
+        <source>Show it at %1</source>
+        <translation>Mostrar en %1</translation>
     </message>
 </context>
 <context>

@@ -7937,6 +7937,121 @@ unsaved</source>
     </message>
 </context>
 <context>
+    <name>ui::study::AdviceWords</name>
+    <message>
+        <source>You drilled right through the tooth. Check the depth in the section while you go down.</source>
+        <translation>歯を貫通しました。下げながら断面で深さを確かめてください。</translation>
+    </message>
+    <message>
+        <source>The bur went down at %1 mm/s when it opened the pulp. Go down slowly, and stop when the floor is firm dentin.</source>
+        <translation>バーは毎秒%1 mmで下がり、歯髄を露出させました。ゆっくり下げ、窩底が硬い象牙質になったら止めてください。</translation>
+    </message>
+    <message>
+        <source>You opened the pulp. Check in the section how much dentin is left before you go deeper, and stop when the floor is firm dentin.</source>
+        <translation>歯髄を露出させました。さらに深く削る前に断面で残りの象牙質を確かめ、窩底が硬い象牙質になったら止めてください。</translation>
+    </message>
+    <message>
+        <source>The pulp chamber is not open yet. Go on at the place that the X-ray shows until its roof is gone.</source>
+        <translation>髄室がまだ開いていません。エックス線写真が示す場所で、天蓋がなくなるまで続けてください。</translation>
+    </message>
+    <message>
+        <source>%1 % of the decay is still in the tooth. Clean the walls first and then the floor, until no brown is left.</source>
+        <translation>う蝕の%1 %が残っています。まず側壁、次に窩底を、茶色がなくなるまで取り除いてください。</translation>
+    </message>
+    <message>
+        <source>The bur went down at %1 mm/s into sound tissue. Lift it as soon as the figure turns yellow.</source>
+        <translation>バーは毎秒%1 mmで健全な歯質に入りました。数字が黄色になったらすぐに上げてください。</translation>
+    </message>
+    <message>
+        <source>You removed %1 mm³ of sound tissue. Follow the brown edge, and take a smaller bur near it.</source>
+        <translation>健全な歯質を%1 mm³削りました。茶色の縁に沿って進み、その近くでは小さいバーを使ってください。</translation>
+    </message>
+    <message>
+        <source>Enamel is left without dentin under it. Remove the overhanging edge.</source>
+        <translation>下に象牙質のないエナメル質が残っています。張り出した縁を取り除いてください。</translation>
+    </message>
+    <message>
+        <source>The bur went down at %1 mm/s and past the floor. Go down slowly, or set the depth stop.</source>
+        <translation>バーは毎秒%1 mmで窩底を越えました。ゆっくり下げるか、深さストップを設定してください。</translation>
+    </message>
+    <message>
+        <source>The floor is up to %1 mm too deep. Set the depth stop to the depth that the lesson asks for.</source>
+        <translation>窩底が最大%1 mm深すぎます。深さストップをレッスンが求める深さに設定してください。</translation>
+    </message>
+    <message>
+        <source>The floor is too deep. Set the depth stop to the depth that the lesson asks for.</source>
+        <translation>窩底が深すぎます。深さストップをレッスンが求める深さに設定してください。</translation>
+    </message>
+    <message>
+        <source>The floor is up to %1 mm too high. Lower it with the depth stop at the depth that the lesson asks for.</source>
+        <translation>窩底が最大%1 mm浅すぎます。深さストップをレッスンが求める深さにして下げてください。</translation>
+    </message>
+    <message>
+        <source>%1 % of the preparation is still standing. Compare with the outline and cut what is left inside it.</source>
+        <translation>形成すべき部分の%1 %が残っています。外形と比べ、その内側に残った部分を削ってください。</translation>
+    </message>
+    <message>
+        <source>You cut up to %1 mm outside the outline. Keep the edge of the bur, not its middle, on the line.</source>
+        <translation>外形の外側を最大%1 mm削りました。バーの中心ではなく縁を線に合わせてください。</translation>
+    </message>
+    <message>
+        <source>You cut outside the outline. Keep the edge of the bur, not its middle, on the line.</source>
+        <translation>外形の外側を削りました。バーの中心ではなく縁を線に合わせてください。</translation>
+    </message>
+    <message>
+        <source>The outline stays up to %1 mm inside the ideal one. Widen the cavity to the line.</source>
+        <translation>外形が理想より最大%1 mm内側です。線まで窩洞を広げてください。</translation>
+    </message>
+    <message>
+        <source>The marginal ridge is only %1 mm wide; it should keep %2 mm. Stop earlier on the way to the ridge.</source>
+        <translation>辺縁隆線の幅が%1 mmしかありません。%2 mm残してください。隆線の手前で早めに止めてください。</translation>
+    </message>
+    <message>
+        <source>The isthmus is %1 mm too wide. Go through it once, with a bur that is not wider than it.</source>
+        <translation>イスムスが%1 mm広すぎます。幅を越えないバーで一度だけ通してください。</translation>
+    </message>
+    <message>
+        <source>The isthmus is %1 mm too narrow. Widen it evenly on both sides.</source>
+        <translation>イスムスが%1 mm狭すぎます。両側を均等に広げてください。</translation>
+    </message>
+    <message>
+        <source>A wall leans %1° from the ideal. Move the bur along the wall in one stroke at full depth.</source>
+        <translation>側壁が理想から%1°傾いています。十分な深さで壁に沿って一続きに動かしてください。</translation>
+    </message>
+    <message>
+        <source>The floor is uneven. Keep the depth stop on, and sweep the floor in strokes that overlap.</source>
+        <translation>窩底が平らではありません。深さストップを入れたまま、重なるように窩底を掃いてください。</translation>
+    </message>
+    <message>
+        <source>Too little is done to judge this. Finish the preparation first.</source>
+        <translation>評価するには作業が足りません。まず形成を終えてください。</translation>
+    </message>
+    <message>
+        <source>You pushed too hard. Let the bur do the work.</source>
+        <translation>押す力が強すぎます。バーに任せてください。</translation>
+    </message>
+    <message>
+        <source>Watch the gauge and change the force slowly until it stays in the range.</source>
+        <translation>ゲージを見ながら、範囲内に収まるまで力をゆっくり変えてください。</translation>
+    </message>
+    <message>
+        <source>You took longer than asked. Plan the strokes before you begin.</source>
+        <translation>求められた時間より長くかかりました。始める前に動きを考えてください。</translation>
+    </message>
+    <message>
+        <source>Some points are not touched yet. The ring marks one of them.</source>
+        <translation>まだ触れていない点があります。その一つに輪が付いています。</translation>
+    </message>
+    <message>
+        <source>Touch each pad slowly again: enamel is hardest, dentin yields, decay is soft.</source>
+        <translation>各面にもう一度ゆっくり触れてください。エナメル質が最も硬く、象牙質は少し沈み、う蝕は軟らかいです。</translation>
+    </message>
+    <message>
+        <source>You cut the tooth. In this exercise the bur only touches it: do not press the drill.</source>
+        <translation>歯を削りました。この練習ではバーで触れるだけです。回転させないでください。</translation>
+    </message>
+</context>
+<context>
     <name>ui::study::ConductNotes</name>
     <message>
         <source>%1 in all, %2 of it cutting</source>
@@ -9105,6 +9220,26 @@ unsaved</source>
     <message>
         <source>This grade is not kept: it will not be here next time.</source>
         <translation>この成績は保存されません。次回はここに表示されません。</translation>
+    </message>
+    <message>
+        <source>Next time</source>
+        <translation>次回は</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>詳細</translation>
+    </message>
+    <message>
+        <source>How the points add up, and by which rules</source>
+        <translation>得点の内訳と評価規則</translation>
+    </message>
+    <message>
+        <source>Show how it ended</source>
+        <translation>終わりの様子を見る</translation>
+    </message>
+    <message>
+        <source>Show it at %1</source>
+        <translation>%1の場面を見る</translation>
     </message>
 </context>
 <context>

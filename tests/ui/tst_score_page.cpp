@@ -217,6 +217,40 @@ private slots:
                                             {Kind::Way, 2, 14000, 14.0, 0}}));
     }
 
+    void theAdviceComesFirstAndLeadsToItsMoment()
+    {
+        Faulty made = faulty("class1-36");
+        m_page->setScore([] { return QString(); }, made.sheet, {}, {}, made.work);
+        const auto* advice = child<QLabel>("advice");
+        auto* button = child<QPushButton>("showMoment");
+        QVERIFY(advice->isVisible() && !advice->text().isEmpty());
+        QVERIFY(!button->isVisible());  // the moments are not known yet
+        m_page->setMoments(parts(made.sheet));
+        QVERIFY(button->isVisible());
+        // The row that cost most is chosen, and says the same.
+        const auto worst = std::max_element(made.sheet.criteria.begin(), made.sheet.criteria.end(),
+                                            [](const auto& a, const auto& b) { return a.lostTenths < b.lostTenths; });
+        QCOMPARE(textOf(("advice_" + worst->id).c_str()), advice->text());
+        QSignalSpy wanted(m_page, &ScorePage::momentWanted);
+        button->click();
+        QCOMPARE(wanted.count(), 1);
+        QCOMPARE(wanted.front().front().toDouble(), 64.0);
+    }
+
+    void sumsAreFoldedAway()
+    {
+        show(faulty("class1-36"));
+        auto* details = child<QToolButton>("scoreDetails");
+        for (const char* name : {"sum", "rubric"})
+            QVERIFY(!child<QLabel>(name)->isVisible());
+        details->click();
+        for (const char* name : {"sum", "rubric"})
+            QVERIFY(child<QLabel>(name)->isVisible());
+        QVERIFY(child<CriterionRow>("criterion_depth")->findChild<QLabel*>("worked_depth") != nullptr);
+        details->click();
+        QVERIFY(!child<QLabel>("sum")->isVisible());
+    }
+
     void breachesLeadToTheirMoments()
     {
         using core::grading::Breach;
@@ -299,6 +333,7 @@ private slots:
     void itSaysWhenTheGridDecides()
     {
         m_page->setScore([] { return QString(); }, faulty("decay-36-moderate").sheet, {}, {}, {});
+        child<QToolButton>("scoreDetails")->setChecked(true);
         QVERIFY(!child<QLabel>("noise")->isVisible());
         m_page->setNoise({{834, true}, {829, true}, {{836, true}}});
         QVERIFY2(textOf("noise").contains("82.9") && textOf("noise").contains("83.6") &&

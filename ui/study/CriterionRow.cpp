@@ -132,17 +132,40 @@ CriterionRow::CriterionRow(const ::lessons::Criterion& criterion, ::lessons::Ver
                          ? tr("Fails the attempt and takes all points that are left")
                          : tr("At most %1 points can be lost here").arg(text::points(criterion.weightTenths)));
     m_slot->addWidget(lost, 0, 2);
+    m_advice = words({}, kBody, QFont::Normal, QPalette::WindowText, this);
+    m_advice->setWordWrap(true);
+    m_advice->setMinimumHeight(1);
+    m_advice->setObjectName(QStringLiteral("advice_") + id);
+    m_slot->addWidget(m_advice, 2, 0, 1, 3);
     m_worked = words(text::criterionWorked(criterion, verdict), kSmall, QFont::Normal, QPalette::PlaceholderText, this);
     m_worked->setWordWrap(true);
     m_worked->setMinimumHeight(1);
     m_worked->setObjectName(QStringLiteral("worked_") + id);
-    m_worked->hide();
-    m_slot->addWidget(m_worked, 2, 0, 1, 3);
-    connect(this, &CriterionRow::toggled, m_worked, &QLabel::setVisible);
+    m_slot->addWidget(m_worked, 3, 0, 1, 3);
+    connect(this, &CriterionRow::toggled, this, &CriterionRow::showWords);
+    showWords();
 
     //: A row of a score, for the screen reader: %1 a criterion, %2 what was measured, %3 the points it cost
     setAccessibleName(tr("%1: %2, %3 points").arg(text::criterionName(criterion), measured->text(), lost->text()));
     setToolTip(tr("Show where this was worst"));
+}
+
+void CriterionRow::setAdvice(const QString& words)
+{
+    m_advice->setText(words);
+    showWords();
+}
+
+void CriterionRow::setDetailed(bool detailed)
+{
+    m_isDetailed = detailed;
+    showWords();
+}
+
+void CriterionRow::showWords()
+{
+    m_advice->setVisible(isChecked() && !m_advice->text().isEmpty());
+    m_worked->setVisible(isChecked() && m_isDetailed);
 }
 
 void CriterionRow::setMoments(const std::vector<Moment>& moments)

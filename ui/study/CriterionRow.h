@@ -23,6 +23,10 @@ public:
     [[nodiscard]] const ::lessons::Criterion& criterion() const { return m_criterion; }
     /// @param moments  as lessons::momentsOf() finds them
     void setMoments(const std::vector<::lessons::Moment>& moments);
+    /// What to do better here, which is shown while the row is chosen; empty: nothing.
+    void setAdvice(const QString& words);
+    /// Shows how the points were worked out, too, while the row is chosen.
+    void setDetailed(bool detailed);
 
 signals:
     void momentWanted(double seconds);
@@ -35,9 +39,12 @@ protected:
 
 private:
     void fillMoments(bool all);
+    void showWords();
 
     ::lessons::Criterion m_criterion;
+    QLabel* m_advice = nullptr;
     QLabel* m_worked = nullptr;
+    bool m_isDetailed = false;
     QGridLayout* m_slot = nullptr;
     QWidget* m_chips = nullptr;
     std::vector<::lessons::Moment> m_moments;  ///< as they are read: neighbours together

@@ -37,6 +37,7 @@
 #include "ui/shell/ScrollPane.h"
 #include "ui/shell/TabularLabel.h"
 #include "ui/shell/Theme.h"
+#include "ui/study/AdviceWords.h"
 #include "ui/study/ConductNotes.h"
 #include "ui/study/CriterionRow.h"
 #include "ui/study/ExerciseCard.h"
@@ -356,18 +357,9 @@ QWidget* ScorePage::makeResult()
     m_expected = scoreLabel({}, kBody, QFont::Normal, QPalette::WindowText, frame);
     fold(m_expected);
     m_expected->setObjectName(QStringLiteral("expectation"));
-    m_noise = scoreLabel({}, kBody, QFont::Normal, QPalette::WindowText, frame);
-    fold(m_noise);
-    m_noise->setObjectName(QStringLiteral("noise"));
-    text::inEveryLanguage(m_noise, [this] {
-        m_noise->setToolTip(brokenIntoLines(
-            tr("The finished tooth is measured again with half and with double the number of columns along "
-               "a side. That tells how far the number hangs on the grid. It tells nothing about the hand, "
-               "or about what you would do on another day.")));
-    });
     words->addStretch(1);
+    words->addWidget(makeAdvice());
     words->addWidget(m_expected);
-    words->addWidget(m_noise);
     m_unrecorded = scoreLabel({}, kBody, QFont::Normal, QPalette::WindowText, frame);
     fold(m_unrecorded);
     m_unrecorded->setObjectName(QStringLiteral("unrecorded"));
@@ -409,19 +401,92 @@ QWidget* ScorePage::makeCriteria()
 
     column->addStretch(1);
     column->addWidget(line(frame));
-    m_sum = scoreLabel({}, kSmall, QFont::DemiBold, QPalette::WindowText, frame);
+    m_presetWarning = scoreLabel({}, kSmall, QFont::Normal, QPalette::WindowText, frame);
+    fold(m_presetWarning);
+    m_presetWarning->setContentsMargins(kSpace2, 0, kSpace2, 0);
+    m_presetWarning->setObjectName(QStringLiteral("presetWarning"));
+    column->addWidget(m_presetWarning);
+    m_detailsButton = new QToolButton(frame);
+    m_detailsButton->setObjectName(QStringLiteral("scoreDetails"));
+    m_detailsButton->setCheckable(true);
+    m_detailsButton->setAutoRaise(true);
+    m_detailsButton->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    text::inEveryLanguage(m_detailsButton, [this] {
+        m_detailsButton->setText(tr("Details"));
+        m_detailsButton->setToolTip(tr("How the points add up, and by which rules"));
+    });
+    connect(m_detailsButton, &QToolButton::toggled, this, &ScorePage::showDetails);
+    column->addWidget(m_detailsButton, 0, Qt::AlignLeft);
+    column->addWidget(makeDetails());
+    showDetails(false);
+    return frame;
+}
+
+/// Makes the one thing to do better, with a button that shows it.
+QWidget* ScorePage::makeAdvice()
+{
+    m_adviceBox = new QWidget(this);
+    auto* column = new QVBoxLayout(m_adviceBox);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(kSpace1);
+    QLabel* title = scoreLabel({}, kSmall, QFont::DemiBold, QPalette::PlaceholderText, m_adviceBox);
+    text::inEveryLanguage(title, [title] { title->setText(tr("Next time")); });
+    column->addWidget(title);
+    m_advice = scoreLabel({}, kBody, QFont::Medium, QPalette::WindowText, m_adviceBox);
+    m_advice->setObjectName(QStringLiteral("advice"));
+    fold(m_advice);
+    column->addWidget(m_advice);
+    m_showMoment = new QPushButton(m_adviceBox);
+    m_showMoment->setObjectName(QStringLiteral("showMoment"));
+    m_showMoment->setProperty("kind", "chip");
+    m_showMoment->setFont(typeface(kSmall, QFont::Medium));
+    m_showMoment->setAutoDefault(true);
+    connect(m_showMoment, &QPushButton::clicked, this, [this] { emit momentWanted(m_adviceAtS); });
+    column->addWidget(m_showMoment, 0, Qt::AlignLeft);
+    return m_adviceBox;
+}
+
+/// Makes what only who doubts the score wants to read.
+QWidget* ScorePage::makeDetails()
+{
+    auto* box = new QWidget(this);
+    m_details = box;
+    auto* column = new QVBoxLayout(box);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(kSpace1);
+    m_sum = scoreLabel({}, kSmall, QFont::DemiBold, QPalette::WindowText, box);
     fold(m_sum);
     m_sum->setAlignment(Qt::AlignRight);
     m_sum->setContentsMargins(kSpace2, 0, kSpace2, 0);
     m_sum->setObjectName(QStringLiteral("sum"));
     column->addWidget(m_sum);
-    m_rubric = scoreLabel({}, kSmall, QFont::Normal, QPalette::PlaceholderText, frame);
+    m_rubric = scoreLabel({}, kSmall, QFont::Normal, QPalette::PlaceholderText, box);
     fold(m_rubric);
     m_rubric->setContentsMargins(kSpace2, 0, kSpace2, 0);
     m_rubric->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_rubric->setObjectName(QStringLiteral("rubric"));
     column->addWidget(m_rubric);
-    return frame;
+    m_noise = scoreLabel({}, kSmall, QFont::Normal, QPalette::WindowText, box);
+    fold(m_noise);
+    m_noise->setAlignment(Qt::AlignRight);
+    m_noise->setContentsMargins(kSpace2, 0, kSpace2, 0);
+    m_noise->setObjectName(QStringLiteral("noise"));
+    text::inEveryLanguage(m_noise, [this] {
+        m_noise->setToolTip(brokenIntoLines(
+            tr("The finished tooth is measured again with half and with double the number of columns along "
+               "a side. That tells how far the number hangs on the grid. It tells nothing about the hand, "
+               "or about what you would do on another day.")));
+    });
+    column->addWidget(m_noise);
+    return box;
+}
+
+void ScorePage::showDetails(bool shown)
+{
+    m_details->setVisible(shown);
+    m_detailsButton->setArrowType(shown ? Qt::DownArrow : Qt::RightArrow);
+    for (CriterionRow* row : m_rows)
+        row->setDetailed(shown);
 }
 
 QWidget* ScorePage::makePlace()
@@ -631,14 +696,17 @@ void ScorePage::speak()
             (expectation(m_expectation->tenths, total) + u' ' + expectedWorst(m_expectation->worst, m_sheet))
                 .trimmed());
     QString how = m_sheet.rubricId.empty() ? QString() : rubricWords(m_sheet);
+    QString preset;
     if (m_scored && m_scored->preset)
         //: %1 is a hardness preset with its version
-        how += (m_scored->preset->isChanged ? QStringLiteral("\n⚠ ") : QStringLiteral(" ")) +
-               tr("Drilled with the hardness preset %1.").arg(presets::presetWords(*m_scored->preset));
+        preset = tr("Drilled with the hardness preset %1.").arg(presets::presetWords(*m_scored->preset));
+    // A student who made the tooth softer must not be taken for one with a better hand.
+    const bool isOtherFeel = m_scored && m_scored->preset && m_scored->preset->isChanged;
+    m_presetWarning->setVisible(isOtherFeel);
+    m_presetWarning->setText(QStringLiteral("⚠ ") + preset);
+    if (!isOtherFeel && !preset.isEmpty())
+        how += u' ' + preset;
     m_rubric->setText(how);
-    // Who turned the tooth softer is not to be taken for a better hand.
-    m_rubric->setForegroundRole(
-        m_scored && m_scored->preset && m_scored->preset->isChanged ? QPalette::WindowText : QPalette::PlaceholderText);
     const Tones tone = tones(palette());
     m_total->setText(text::points(total), tr("of 100"));
     const bool passed = m_given ? *m_given >= m_sheet.passMarkTenths : m_sheet.passed();
@@ -713,6 +781,30 @@ void ScorePage::tellMoments()
 {
     for (qsizetype k = 0; k < std::min(m_rows.size(), static_cast<qsizetype>(m_moments.size())); ++k)
         m_rows[k]->setMoments(m_moments[static_cast<std::size_t>(k)]);
+    tellAdvice();
+}
+
+void ScorePage::tellAdvice()
+{
+    const auto all = ::lessons::adviceOn(m_sheet, m_scored ? m_scored->measured : core::grading::Measured{}, m_moments);
+    for (CriterionRow* row : m_rows)
+        row->setAdvice({});
+    for (const ::lessons::Advice& advice : all)
+        m_rows[static_cast<qsizetype>(advice.criterion)]->setAdvice(
+            adviceWords(advice, m_sheet.criteria[advice.criterion]));
+    m_adviceBox->setVisible(m_scored && !all.empty());
+    if (all.empty())
+        return;
+    const ::lessons::Advice& first = all.front();
+    m_advice->setText(adviceWords(first, m_sheet.criteria[first.criterion]));
+    m_showMoment->setVisible(first.moment.has_value());
+    if (!first.moment)
+        return;
+    m_adviceAtS = first.moment->seconds;
+    //: %1: minutes and seconds of the attempt
+    m_showMoment->setText(first.moment->kind == ::lessons::Moment::Kind::Never
+                              ? tr("Show how it ended")
+                              : tr("Show it at %1").arg(text::duration(std::floor(m_adviceAtS))));
 }
 
 void ScorePage::fillCriteria()
@@ -743,6 +835,7 @@ void ScorePage::fillCriteria()
     m_criteriaSlot->addWidget(m_criteria);
     m_sum->setText(sumWords(m_sheet, m_given));
     tellMoments();
+    showDetails(m_detailsButton->isChecked());
     if (chosen != nullptr)
         chosen->setChecked(true);
 }

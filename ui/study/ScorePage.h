@@ -20,6 +20,7 @@ class QHBoxLayout;
 class QLabel;
 class QProgressBar;
 class QPushButton;
+class QToolButton;
 
 namespace ui::shell {
 class HistoryChart;
@@ -128,6 +129,8 @@ private:
     void showForm();
     QWidget* makeResult();
     QWidget* makeCriteria();
+    QWidget* makeAdvice();
+    QWidget* makeDetails();
     QWidget* makePlace();
     QWidget* makeHistory();
     QWidget* makeTalk();
@@ -140,6 +143,8 @@ private:
     void showPlace(const CriterionRow& row);
     void showPin(const std::optional<std::array<double, 3>>& placeMm);
     void tellKeeping();
+    void tellAdvice();
+    void showDetails(bool shown);
     void tellNoise();
     void tellUnrecorded();
     void tellMoments();
@@ -179,6 +184,13 @@ private:
     QLabel* m_verdictIcon = nullptr;
     QLabel* m_verdict = nullptr;
     QLabel* m_expected = nullptr;
+    QWidget* m_adviceBox = nullptr;  ///< the one thing to do better
+    QLabel* m_advice = nullptr;
+    QPushButton* m_showMoment = nullptr;
+    double m_adviceAtS = 0.0;
+    QToolButton* m_detailsButton = nullptr;
+    QWidget* m_details = nullptr;
+    QLabel* m_presetWarning = nullptr;
     QLabel* m_noise = nullptr;
     QLabel* m_unrecorded = nullptr;
     QLabel* m_rubric = nullptr;

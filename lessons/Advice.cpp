@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "lessons/Advice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+namespace lessons {
+namespace {
+
+using core::grading::Measured;
+using Rule = Advice::Rule;
+
+struct Finding
+{
+    Rule rule;
+    double amount = 0.0;
+};
+
+bool isOneOf(std::string_view measure, std::initializer_list<std::string_view> prefixes)
+{
+    return std::any_of(prefixes.begin(), prefixes.end(),
+                       [&](std::string_view prefix) { return measure.starts_with(prefix); });
+}
+
+/// Returns the moment that lost most of a criterion's points.
+const Moment* worstOf(const std::vector<Moment>& moments)
+{
+    const auto worst = std::max_element(moments.begin(), moments.end(),
+                                        [](const Moment& a, const Moment& b) { return a.lostTenths < b.lostTenths; });
+    return worst == moments.end() ? nullptr : &*worst;
+}
+
+/// Returns how far the floor lies below the ideal one and above it, mm.
+std::pair<double, double> depthOf(const Measured& measured)
+{
+    if (!measured.deviation || !measured.deviation->depth)
+        return {0.0, 0.0};
+    return {measured.deviation->depth->tooDeepMm.value, measured.deviation->depth->tooShallowMm.value};
+}
+
+/// Returns how far the outline goes beyond the ideal one and stays behind it, mm.
+std::pair<double, double> outlineOf(const Measured& measured)
+{
+    if (!measured.deviation || !measured.deviation->outline)
+        return {0.0, 0.0};
+    return {measured.deviation->outline->overMm.value, measured.deviation->outline->underMm.value};
+}
+
+Finding tooDeep(const Measured& measured, double feed)
+{
+    return feed >= kFastFeedMmPerS ? Finding{Rule::TooDeepFast, feed} : Finding{Rule::TooDeep, depthOf(measured).first};
+}
+
+/// What happened to the tooth as tissue.
+std::optional<Finding> ofTissue(const Criterion& line, const Measured& measured, double feed)
+{
+    const std::string_view id = line.measure;
+    if (id == "perforated_mm2")
+        return Finding{Rule::Perforated};
+    if (id == "pulp_exposed_mm2" && line.side == Side::Under)
+        return Finding{Rule::PulpNotReached};
+    if (isOneOf(id, {"pulp_", "remaining_over_pulp"}))
+        return feed >= kFastFeedMmPerS ? Finding{Rule::PulpOpenedFast, feed} : Finding{Rule::PulpOpened};
+    if (id.starts_with("caries_")) {
+        const core::grading::Measures& all = measured.measures;
+        return Finding{Rule::DecayLeft, all.lesionMm3 > 0.0 ? 100.0 * all.cariesLeftMm3 / all.lesionMm3 : 0.0};
+    }
+    if (id == "sound_overcut_mm3")
+        return feed >= kFastFeedMmPerS ? Finding{Rule::SoundTissueFast, feed}
+                                       : Finding{Rule::SoundTissue, line.measured.value_or(0.0)};
+    if (id == "unsupported_enamel_mm3")
+        return Finding{Rule::UnsupportedEnamel};
+    return std::nullopt;
+}
+
+/// What the cavity is like beside the ideal one.
+std::optional<Finding> ofForm(const Criterion& line, const Measured& measured, double feed)
+{
+    const std::string_view id = line.measure;
+    const double value = line.measured.value_or(0.0);
+    const auto [deep, shallow] = depthOf(measured);
+    const auto [beyond, behind] = outlineOf(measured);
+    if (isOneOf(id, {"depth_too_deep", "overcut_below", "leeway_bottom", "container_bottom"}))
+        return tooDeep(measured, feed);
+    if (id.starts_with("depth_"))
+        return deep >= shallow && id != "depth_too_shallow_mm" ? tooDeep(measured, feed)
+                                                               : Finding{Rule::TooShallow, shallow};
+    if (isOneOf(id, {"undercut_", "ideal_cut", "target_removed"}))
+        return Finding{Rule::NotAllCut, id == "undercut_percent" ? value : std::max(0.0, 100.0 - value)};
+    if (isOneOf(id, {"outline_over", "overcut_", "leeway_sides", "container_sides"}))
+        return Finding{Rule::OutlineBeyond, beyond};
+    if (id.starts_with("outline_"))
+        return beyond >= behind && id != "outline_under_mm" ? Finding{Rule::OutlineBeyond, beyond}
+                                                            : Finding{Rule::OutlineShort, behind};
+    if (id.starts_with("ridge_"))
+        return Finding{Rule::RidgeThin, value};
+    if (id == "isthmus_error_mm")
+        return Finding{value > 0.0 ? Rule::IsthmusWide : Rule::IsthmusNarrow, std::abs(value)};
+    if (id.starts_with("wall_"))
+        return Finding{Rule::WallsLean, std::abs(value)};
+    if (id.starts_with("floor_"))
+        return Finding{Rule::FloorUneven, value};
+    return std::nullopt;
+}
+
+/// How it was done, and what an exercise asks for.
+std::optional<Finding> ofTheWay(const Criterion& line)
+{
+    const std::string_view id = line.measure;
+    if (id.starts_with("force_"))
+        return Finding{Rule::PushedTooHard};
+    if (id.starts_with("hold_"))
+        return Finding{Rule::ForceNotHeld};
+    if (id.starts_with("time_"))
+        return Finding{Rule::TooSlow};
+    if (id == "points_touched_percent")
+        return Finding{Rule::NotTouched};
+    if (id == "layers_named_percent")
+        return Finding{Rule::NotNamed};
+    if (id == "removed_mm3")
+        return Finding{Rule::CutInExercise, line.measured.value_or(0.0)};
+    return std::nullopt;
+}
+
+std::optional<Finding> findingOf(const Criterion& line, const Measured& measured, double feed)
+{
+    if (line.isTooEarly)
+        return Finding{Rule::TooLittleDone, line.onceMeasured.value_or(0.0)};
+    if (!line.measured)
+        return std::nullopt;
+    if (const auto found = ofTissue(line, measured, feed))
+        return found;
+    if (const auto found = ofForm(line, measured, feed))
+        return found;
+    return ofTheWay(line);
+}
+
+}  // namespace
+
+std::vector<Advice> adviceOn(const ScoreSheet& sheet, const Measured& measured,
+                             const std::vector<std::vector<Moment>>& moments)
+{
+    std::vector<Advice> all;
+    for (std::size_t k = 0; k < sheet.criteria.size(); ++k) {
+        const Criterion& line = sheet.criteria[k];
+        const bool hasFailed = line.critical && line.share > 0.0;
+        if (line.lostTenths == 0 && !hasFailed)
+            continue;
+        const Moment* worst = k < moments.size() ? worstOf(moments[k]) : nullptr;
+        if (const auto found = findingOf(line, measured, worst != nullptr ? worst->feedMmPerS : 0.0))
+            all.push_back({found->rule, k, found->amount, worst != nullptr ? std::optional(*worst) : std::nullopt});
+    }
+    std::stable_sort(all.begin(), all.end(), [&](const Advice& a, const Advice& b) {
+        const Criterion& first = sheet.criteria[a.criterion];
+        const Criterion& second = sheet.criteria[b.criterion];
+        return first.critical != second.critical ? first.critical : first.lostTenths > second.lostTenths;
+    });
+    return all;
+}
+
+}  // namespace lessons

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/grading/MeasureTable.h"
+#include "lessons/Moments.h"
+
+namespace lessons {
+
+/// What to do better in the next attempt, for one criterion that lost points.
+struct Advice
+{
+    enum class Rule : std::uint8_t {
+        TooLittleDone,  ///< a criterion cannot be judged yet; amount: the share that was reached, of `once`
+        Perforated,
+        PulpOpenedFast,  ///< amount: feed, mm/s
+        PulpOpened,
+        PulpNotReached,   ///< of an access cavity
+        DecayLeft,        ///< amount: per cent of the lesion
+        SoundTissueFast,  ///< amount: feed, mm/s
+        SoundTissue,      ///< amount: mm3
+        TooDeepFast,      ///< amount: feed, mm/s
+        TooDeep,          ///< amount: mm, or the unit of the criterion where no depth was measured
+        TooShallow,       ///< amount: mm
+        NotAllCut,        ///< amount: per cent of the preparation that still stands
+        OutlineBeyond,    ///< amount: mm, 0 where no outline was measured
+        OutlineShort,     ///< amount: mm
+        RidgeThin,        ///< amount: mm
+        IsthmusWide,      ///< amount: mm
+        IsthmusNarrow,    ///< amount: mm
+        WallsLean,        ///< amount: degrees from the ideal
+        FloorUneven,      ///< amount: mm
+        UnsupportedEnamel,
+        PushedTooHard,
+        ForceNotHeld,
+        TooSlow,
+        NotTouched,     ///< points of an exercise
+        NotNamed,       ///< layers of an exercise
+        CutInExercise,  ///< amount: mm3
+    };
+    Rule rule = Rule::TooLittleDone;
+    std::size_t criterion = 0;     ///< index in the sheet
+    double amount = 0.0;           ///< as the rule says
+    std::optional<Moment> moment;  ///< when most was lost; nothing: by no single moment, or not found yet
+    bool operator==(const Advice&) const = default;
+};
+
+/// From this feed on, the advice is to go slower. A pointer starts with 0.5 mm/s.
+inline constexpr double kFastFeedMmPerS = 0.8;
+
+/// Finds what to do better: one piece of advice for each criterion that lost points and for which there is a rule.
+/// Critical errors come first, then what lost most. Pure; any thread.
+/// @param moments  of the criteria of the sheet, in their order; empty while they are not known
+[[nodiscard]] std::vector<Advice> adviceOn(const ScoreSheet& sheet, const core::grading::Measured& measured,
+                                           const std::vector<std::vector<Moment>>& moments);
+
+}  // namespace lessons

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QTest>
+
+#include <cmath>
+
+#include "lessons/Advice.h"
+#include "lessons/LessonCatalog.h"
+#include "tests/support/Rig.h"
+#include "tests/support/Scenes.h"
+#include "tests/support/Suite.h"
+#include "tests/support/SyntheticTooth.h"
+
+using namespace lessons;
+using Rule = Advice::Rule;
+
+namespace {
+
+Assignment classOne()
+{
+    for (const CatalogEntry& entry : readCatalog({}))
+        if (entry.read.lesson && entry.read.lesson->id == "class1-36")
+            return assign(*entry.read.lesson).value().assignment;
+    qFatal("the lesson class1-36 is gone");
+}
+
+/// A slab with decay in the middle and pulp below it, marked as free practice is.
+Assignment decayed()
+{
+    return practiceOn(support::decayedSlab(26, 37)).value();
+}
+
+std::vector<Advice> adviceFor(const Assignment& assignment, const core::terrain::Tooth& tooth)
+{
+    const Mark marked = mark(assignment, tooth).value();
+    return adviceOn(marked.sheet, marked.measured, {});
+}
+
+const Advice* find(const std::vector<Advice>& all, Rule rule)
+{
+    const auto found = std::find_if(all.begin(), all.end(), [&](const Advice& a) { return a.rule == rule; });
+    return found == all.end() ? nullptr : &*found;
+}
+
+/// The ideal preparation with the height of each of its columns changed.
+using Change = std::function<float(const Assignment&, std::size_t k, glm::dvec2 atMm, float idealMm)>;
+
+core::terrain::Tooth changed(const Assignment& assignment, const Change& change)
+{
+    std::vector<float> top = *assignment.ideal->top;
+    support::eachNode(assignment.anatomy->grid, [&](std::size_t k, glm::dvec2 at) {
+        top[k] = std::min(assignment.anatomy->top[k], change(assignment, k, at, top[k]));
+    });
+    return core::terrain::restored(assignment.anatomy, top);
+}
+
+bool isCut(const Assignment& assignment, std::size_t k)
+{
+    return (*assignment.ideal->top)[k] < assignment.anatomy->top[k] - 0.3F;
+}
+
+/// Shifts the ideal cavity by whole nodes, and cuts what either of the two asks for.
+core::terrain::Tooth widened(const Assignment& assignment, int nodes)
+{
+    const core::terrain::Grid& grid = assignment.anatomy->grid;
+    std::vector<float> top = *assignment.ideal->top;
+    const std::vector<float>& ideal = *assignment.ideal->top;
+    for (int j = nodes; j < grid.side - nodes; ++j)
+        for (int i = nodes; i < grid.side - nodes; ++i)
+            for (const int step : {-nodes, nodes}) {
+                const std::size_t from = grid.index(i, j + step);
+                if (isCut(assignment, from))
+                    top[grid.index(i, j)] = std::min(top[grid.index(i, j)], ideal[from]);
+            }
+    return core::terrain::restored(assignment.anatomy, top);
+}
+
+struct PlungeAttempt
+{
+    Assignment assignment = decayed();
+    support::Rig rig;
+
+    PlungeAttempt()
+    {
+        rig.drill(assignment.anatomy);
+        rig.run(1500);
+    }
+    /// Goes straight down to a height at so many mm/s, and lifts.
+    void plunge(double toMm, double mmPerS)
+    {
+        for (double z = 0.3; z > toMm; z -= 1.0e-3 * mmPerS) {
+            rig.device.tipMm = glm::vec3(0.0, 0.0, z);
+            rig.run(1);
+        }
+        rig.lift();
+    }
+    [[nodiscard]] std::vector<Advice> advice() const
+    {
+        const Moments found = momentsOf(assignment, rig.session->recordingSoFar().value()).value().value();
+        return adviceOn(found.sheet, mark(assignment, rig.live()).value().measured, found.ofCriteria);
+    }
+};
+
+}  // namespace
+
+class TestAdvice : public QObject
+{
+    Q_OBJECT
+private slots:
+    void aPerfectPreparationNeedsNone()
+    {
+        const Assignment assignment = classOne();
+        QVERIFY(adviceFor(assignment, changed(assignment, [](auto&, auto, auto, float z) { return z; })).empty());
+    }
+
+    void aFormThatIsOff_data()
+    {
+        QTest::addColumn<Change>("change");
+        QTest::addColumn<int>("rule");
+        const auto row = [](const char* name, Rule rule, Change change) {
+            QTest::newRow(name) << std::move(change) << static_cast<int>(rule);
+        };
+        row("0.6 mm too deep", Rule::TooDeep,
+            [](const Assignment& a, std::size_t k, auto, float z) { return isCut(a, k) ? z - 0.6F : z; });
+        row("0.6 mm too shallow", Rule::TooShallow,
+            [](const Assignment& a, std::size_t k, auto, float z) { return isCut(a, k) ? z + 0.6F : z; });
+        row("nothing cut", Rule::TooLittleDone,
+            [](const Assignment& a, std::size_t k, auto, float) { return a.anatomy->top[k]; });
+        row("half of it left", Rule::NotAllCut, [](const Assignment& a, std::size_t k, glm::dvec2 at, float z) {
+            return at.x > 0.0 ? a.anatomy->top[k] : z;
+        });
+        row("a step in the floor", Rule::FloorUneven, [](const Assignment& a, std::size_t k, glm::dvec2 at, float z) {
+            return isCut(a, k) && std::fmod(std::abs(at.x), 1.0) < 0.5 ? z + 0.5F : z;
+        });
+        row("through the ridges", Rule::RidgeThin, [](const Assignment& a, std::size_t k, glm::dvec2 at, float z) {
+            return std::abs(at.y) < 0.6 && std::abs(at.x) < 4.6 ? std::min(z, a.anatomy->top[k] - 1.0F) : z;
+        });
+        row("through the bottom", Rule::Perforated, [](const Assignment& a, std::size_t k, glm::dvec2 at, float z) {
+            return glm::length(at) < 0.5 ? core::terrain::kEmptyTop + 0.0F * a.anatomy->top[k] : z;
+        });
+    }
+    void aFormThatIsOff()
+    {
+        QFETCH(const Change, change);
+        QFETCH(const int, rule);
+        const Assignment assignment = classOne();
+        const auto advice = adviceFor(assignment, changed(assignment, change));
+        const Advice* found = find(advice, static_cast<Rule>(rule));
+        QVERIFY(found != nullptr);
+        QVERIFY(!found->moment);
+    }
+
+    void anOutlineTooWide()
+    {
+        const Assignment assignment = classOne();
+        const auto advice = adviceFor(assignment, widened(assignment, 8));
+        const Advice* outline = find(advice, Rule::OutlineBeyond);
+        const Advice* isthmus = find(advice, Rule::IsthmusWide);
+        QVERIFY(outline != nullptr && isthmus != nullptr);
+        const double wideMm = 8 * assignment.anatomy->grid.cellMm;
+        QVERIFY(std::abs(outline->amount - wideMm) < 0.3);
+        QVERIFY(std::abs(isthmus->amount - 2.0 * wideMm) < 0.3);
+    }
+
+    void anOutlineTooNarrow()
+    {
+        const Assignment assignment = classOne();
+        const auto advice =
+            adviceFor(assignment, changed(assignment, [](const Assignment& a, std::size_t k, glm::dvec2 at, float z) {
+                          return std::abs(at.x) > 2.0 ? a.anatomy->top[k] : z;
+                      }));
+        QVERIFY(find(advice, Rule::OutlineShort) != nullptr);
+        QVERIFY(find(advice, Rule::OutlineBeyond) == nullptr);
+    }
+
+    void aPlungeIntoThePulpWasTooFast()
+    {
+        PlungeAttempt attempt;
+        attempt.plunge(-6.0, 2.0);
+        const auto advice = attempt.advice();
+        QVERIFY(!advice.empty());
+        QCOMPARE(advice.front().rule, Rule::PulpOpenedFast);
+        QVERIFY(advice.front().amount >= kFastFeedMmPerS);
+        QCOMPARE(advice.front().amount, advice.front().moment->feedMmPerS);
+        QVERIFY(advice.front().moment && advice.front().moment->stroke == 1);
+    }
+
+    void aSlowOneWasTooDeep()
+    {
+        PlungeAttempt attempt;
+        attempt.plunge(-6.0, 0.3);
+        const auto advice = attempt.advice();
+        QVERIFY(!advice.empty());
+        QCOMPARE(advice.front().rule, Rule::PulpOpened);
+        QVERIFY(advice.front().moment && advice.front().moment->feedMmPerS < 0.5);
+    }
+
+    void decayThatIsLeft()
+    {
+        PlungeAttempt attempt;
+        attempt.plunge(-1.2, 0.3);
+        const auto advice = attempt.advice();
+        QVERIFY(!advice.empty());
+        QCOMPARE(advice.front().rule, Rule::DecayLeft);
+        QVERIFY(advice.front().amount > 80.0);
+        QVERIFY(find(advice, Rule::TooLittleDone) != nullptr);
+    }
+
+    void soundTissueBesideCleanDecay()
+    {
+        const Assignment assignment = decayed();
+        const auto advice = adviceFor(assignment, support::lowered(assignment.anatomy, [](glm::dvec2 at) {
+                                          return glm::length(at) < 2.2 ? -3.6 : 1.0;
+                                      }));
+        QCOMPARE(advice.size(), std::size_t(1));
+        QCOMPARE(advice.front().rule, Rule::SoundTissue);
+        QVERIFY(advice.front().amount > 10.0);
+    }
+};
+
+CUSP_TEST(TestAdvice)
+#include "tst_advice.moc"
