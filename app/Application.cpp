@@ -2177,7 +2177,7 @@ void Application::discardUnfinished()
 }
 
 /// The student's own attempt stays in the two loops, which rest meanwhile.
-bool Application::play(const core::recording::Recording& recording, std::optional<double> heldAtS, const QString& whose)
+bool Application::play(const core::recording::Recording& recording, std::optional<double> momentS, const QString& whose)
 {
     auto replay = ReplayDesk::make(recording, m_links, *m_window, m_generation + 1,
                                    m_options.simulatedDevice ? m_device.get() : nullptr);
@@ -2200,19 +2200,19 @@ bool Application::play(const core::recording::Recording& recording, std::optiona
     m_window->showTooth(m_replayed, m_generation, {});
     if (!m_options.picture.isEmpty())
         m_replay->goToEnd();
-    if (heldAtS)
-        m_replay->holdAt(*heldAtS);
+    if (momentS)
+        m_replay->playTo(*momentS);
     m_replay->start();
     return true;
 }
 
-/// Of the attempt that was graded, a little before that moment, held.
+/// Plays the attempt that was graded from a little before that moment on.
 void Application::showMoment(double seconds)
 {
     if (m_opened)
-        playOpened(std::max(0.0, seconds - ui::replay::kLeadUpS));
+        playOpened(seconds);
     else if (m_graded && !m_replay && !isOldShown()) {
-        if (!play(m_graded->recording, std::max(0.0, seconds - ui::replay::kLeadUpS)))
+        if (!play(m_graded->recording, seconds))
             return;
         m_playedFrom = PlayedFrom::ScoreCard;
         if (m_people)
@@ -2221,9 +2221,9 @@ void Application::showMoment(double seconds)
 }
 
 /// The attempt whose score card is open; the way back leads there.
-void Application::playOpened(std::optional<double> heldAtS)
+void Application::playOpened(std::optional<double> momentS)
 {
-    if (!play(*m_opened, heldAtS, m_people->whoseIsTalkedAbout()))
+    if (!play(*m_opened, momentS, m_people->whoseIsTalkedAbout()))
         return;
     m_playedFrom = PlayedFrom::ScoreCard;
     m_people->followReplay(m_people->talkedAbout());

@@ -183,11 +183,11 @@ private:
     void rebuildUnfinished(int load);
     void takeUp(std::unique_ptr<core::session::Unfinished> attempt);
     void discardUnfinished();
-    /// @param heldAtS  this moment is shown and held; nothing: it is played from its beginning
+    /// @param momentS  it is played from a little before this moment; nothing: from its beginning
     /// @returns whether it is played; else it was said why not
-    bool play(const core::recording::Recording& recording, std::optional<double> heldAtS = {},
+    bool play(const core::recording::Recording& recording, std::optional<double> momentS = {},
               const QString& whose = {});
-    void playOpened(std::optional<double> heldAtS);
+    void playOpened(std::optional<double> momentS);
     void putReplayAway();
     void stopReplay();
     void drawPicture();

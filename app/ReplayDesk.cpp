@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/ReplayDesk.h"
 
+#include <algorithm>
 #include <utility>
+
+#include "ui/tooth/ToothView.h"
 
 namespace app {
 namespace {
@@ -70,11 +73,19 @@ void ReplayDesk::stopThreads()
     m_preparing.reset();
 }
 
-void ReplayDesk::holdAt(double seconds)
+void ReplayDesk::playTo(double momentS)
 {
-    m_loop.seek(seconds);
-    m_loop.setPaused(true);
-    m_window.showReplayPaused(true);
+    m_momentS = std::min(momentS, attempt().lengthS());
+    m_loop.seek(std::max(0.0, *m_momentS - ui::replay::kBeforeMomentS));
+}
+
+/// Turns the view to the place where the bur was. What is known of the moment is known once it is prepared.
+void ReplayDesk::lookAtMoment()
+{
+    if (!m_momentS || attempt().readyS() < *m_momentS)
+        return;
+    m_window.view().lookAt(attempt().sightAt(*m_momentS), attempt().burAtMm(*m_momentS));
+    m_momentS.reset();
 }
 
 core::Status ReplayDesk::putBeside(const core::recording::Recording& recording, const QString& name)
@@ -127,6 +138,7 @@ void ReplayDesk::watch()
         m_toldReadyS = readyS;
         m_window.setReplayCourse(attempt().course());
     }
+    lookAtMoment();
     if (const ReplayTrack* beside = m_loop.beside(); beside != nullptr && beside->readyS() != m_toldBesideS) {
         m_toldBesideS = beside->readyS();
         m_window.setBesideCourse(beside->course());

@@ -31,8 +31,8 @@ public:
     void start();
     /// Before start(): works all of it out and shows its end.
     void goToEnd() { m_loop.goToEnd(); }
-    /// Shows a moment, and holds it.
-    void holdAt(double seconds);
+    /// Plays from a little before a moment, seen as the student saw that moment.
+    void playTo(double momentS);
 
     /// Shows another attempt beside this one, in the place of what is there.
     [[nodiscard]] core::Status putBeside(const core::recording::Recording& recording, const QString& name);
@@ -49,12 +49,14 @@ private:
     void lead(bool wanted);
     void watch();
     void watchHand();
+    void lookAtMoment();
 
     ui::shell::MainWindow& m_window;
     ReplayLoop m_loop;
     QTimer m_watch;
     double m_toldReadyS = -1.0;  ///< as the window knows the course
     double m_toldBesideS = -1.0;
+    std::optional<double> m_momentS;                        ///< to be looked at once the replay is prepared so far
     std::unique_ptr<core::session::UiLinks> m_besideLinks;  ///< of the attempt beside
     haptics::HapticDevice* m_device;
     haptics::GuideLinks m_guideLinks;

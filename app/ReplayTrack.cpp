@@ -26,10 +26,10 @@ std::uint64_t patchAfter(std::uint64_t tick)
     return (tick + Player::kTicksAPatch - 1) / Player::kTicksAPatch * Player::kTicksAPatch + kMarginTicks;
 }
 
-/// Nothing happens to the tooth then.
-bool isRest(std::uint64_t note)
+/// A note that is for the program and has no place on the time line.
+bool isSilent(std::uint64_t note)
 {
-    return note == core::session::kRestNote || note == core::session::kWorkNote;
+    return note == core::session::kRestNote || note == core::session::kWorkNote || core::session::sightOf(note);
 }
 
 /// The events in words of a time line. A bur that is taken again and aids that stay the same are no news.
@@ -48,7 +48,7 @@ public:
         case ServoEvent::Kind::Handpiece:
             return ifNews(marked, m_handpiece, Mark::Kind::Handpiece);
         case ServoEvent::Kind::Note:
-            return isRest(marked.event.value) ? std::nullopt : std::optional(Mark::Kind::Note);
+            return isSilent(marked.event.value) ? std::nullopt : std::optional(Mark::Kind::Note);
         case ServoEvent::Kind::Home:
             return Mark::Kind::Home;
         case ServoEvent::Kind::Resume:
@@ -172,6 +172,24 @@ Course ReplayTrack::course() const
     std::stable_sort(course.marks.begin(), course.marks.end(),
                      [](const Mark& a, const Mark& b) { return a.atS < b.atS; });
     return course;
+}
+
+std::optional<Sight> ReplayTrack::sightAt(double seconds) const
+{
+    std::optional<Sight> sight;
+    for (const MarkedEvent& marked : m_player->marks()) {
+        if (m_player->secondsAt(marked.tick) > seconds)
+            break;
+        if (marked.event.kind == ServoEvent::Kind::Note)
+            if (const auto seen = sightOf(marked.event.value))
+                sight = seen;
+    }
+    return sight;
+}
+
+glm::dvec3 ReplayTrack::burAtMm(double seconds) const
+{
+    return m_player->stateAt(m_player->tickAt(seconds)).anchorMm;
 }
 
 /// As core::session::Rests leaves it out; one that nothing ends lasts to the end.

@@ -12,6 +12,7 @@
 #include "core/recording/Player.h"
 #include "core/session/Examiner.h"
 #include "core/session/Links.h"
+#include "core/session/Sight.h"
 #include "lessons/Lesson.h"
 #include "ui/replay/Course.h"
 
@@ -39,6 +40,11 @@ public:
     [[nodiscard]] double readyS() const;
     /// Any thread.
     [[nodiscard]] ui::replay::Course course() const;
+
+    /// Where the student looked from at a moment; nothing if the recording does not tell. Any thread.
+    [[nodiscard]] std::optional<core::session::Sight> sightAt(double seconds) const;
+    /// Where the tip of the bur was at a moment, tooth frame, mm. Any thread.
+    [[nodiscard]] glm::dvec3 burAtMm(double seconds) const;
 
     /// Shows the student's hand in place of the recorded one; nothing: the recorded. The thread that shows.
     void setHand(const std::optional<glm::dvec3>& tipMm) { m_hand = tipMm; }

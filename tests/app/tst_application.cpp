@@ -138,6 +138,7 @@ private slots:
         }
         // Moments and other grids come when they are found; shown again, the same grade has them at once; a click on a
         // moment plays the attempt from there.
+        window().view().setCamera(40.0, 70.0, 35.0);
         drill({0.0, -2.0, -1.0});
         const QString own = removed();
         actions().grade->trigger();
@@ -149,6 +150,7 @@ private slots:
             return found;
         };
         WAIT_FOR_VALUE(moments().size(), 1);
+        child<QToolButton>("scoreDetails")->setChecked(true);
         WAIT_FOR(child<QLabel>("noise")->isVisible());
         QVERIFY2(child<QLabel>("noise")->text().contains("At half the grid"),
                  qPrintable(child<QLabel>("noise")->text()));
@@ -158,10 +160,14 @@ private slots:
         waitForPage<ui::study::ScorePage>();
         QCOMPARE(moments().size(), 1);
         QVERIFY(child<QLabel>("noise")->isVisible());
+        window().view().setCamera(-140.0, 20.0, 35.0);
         QTest::mouseClick(moments().front(), Qt::LeftButton);
         waitForReplay();
         QVERIFY(!child<ui::study::ScorePage>()->isVisible());
         WAIT_FOR_VALUE(removed(), own);  // how it ended
+        // The eye is where the student had it while they drilled.
+        WAIT_FOR(std::abs(window().view().camera().elevationDeg() - 70.0) < 0.1);
+        QVERIFY(std::abs(window().view().camera().azimuthDeg() - 40.0) < 0.1);
     }
 
     void stoppingAReplayBringsTheOwnWorkBack()
@@ -206,8 +212,8 @@ private slots:
         waitForTicks(1500);  // an attempt of more than a second
         grade();
         m_application->showMoment(1.0e6);
-        // Held, a moment before its end.
-        QVERIFY(actions().pauseReplay->text().startsWith("Resume"));
+        // It plays the last seconds and rests at the end.
+        WAIT_FOR(actions().pauseReplay->text().startsWith("Resume"));
         const auto time = [this] { return child<ui::shell::TabularLabel>("replayTime")->text(); };
         // To a second, for the words are rounded.
         const auto seconds = [&](int part) {
@@ -311,8 +317,8 @@ private slots:
             actions().replayBegin->trigger();
             actions().along->trigger();
             WAIT_FOR(apartMm() < 3.0);
-            if (tries == 0)
-                actions().pauseReplay->trigger();  // it goes on
+            if (actions().pauseReplay->text().startsWith("Resume"))
+                actions().pauseReplay->trigger();
             const auto isOneSecondOn = [this] {
                 return child<ui::shell::TabularLabel>("replayTime")->text().startsWith("0:01");
             };

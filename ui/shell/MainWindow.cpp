@@ -1484,6 +1484,8 @@ void MainWindow::takeSession()
         enableActions();
     tellAids();
     tellRest();
+    if (!m_replaying && m_tooth != nullptr)
+        m_sights.look(m_view->camera(), m_ownGeneration, m_view->hand().isPushing());
 }
 
 /// Which aids are in use goes on the recording.

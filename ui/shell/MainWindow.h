@@ -41,6 +41,7 @@
 #include "ui/study/ToleranceSweep.h"
 #include "ui/text/Texts.h"
 #include "ui/tooth/ExerciseMarks.h"
+#include "ui/tooth/SightNotes.h"
 
 class QStackedWidget;
 
@@ -505,6 +506,7 @@ private:
     void openFile(const QString& path);
 
     core::session::UiLinks& m_links;
+    tooth::SightNotes m_sights{m_links};
     Actions* m_actions;
     bool m_mayEdit = true;
     ViewMenu* m_viewMenu;

@@ -17,6 +17,8 @@ constexpr double kPerNotch = 0.88;      ///< distance after one notch of the whe
 constexpr double kFollowS = 0.07;       ///< time constant of the zoom
 constexpr double kClosest = 0.22;       ///< of the fitting distance
 constexpr double kFurthest = 2.5;
+constexpr double kDownDeg = 75.0;   ///< elevation of the eye that looks down at a place
+constexpr double kDownShare = 0.6;  ///< its distance, of the fitting one
 
 }  // namespace
 
@@ -66,6 +68,22 @@ void Camera::lookAs(const Camera& other)
     m_distanceMm = other.m_distanceMm;
     m_wantedMm = other.m_wantedMm;
     m_fitted = false;
+}
+
+void Camera::lookFrom(const core::session::Sight& sight)
+{
+    set(sight.azimuthDeg, sight.elevationDeg, sight.distanceMm);
+    m_lookAtMm = m_towardsMm = sight.lookAtMm;
+}
+
+core::session::Sight Camera::sight() const
+{
+    return {m_azimuthDeg, m_elevationDeg, m_distanceMm, m_lookAtMm};
+}
+
+void Camera::lookDownAt(glm::dvec3 placeMm)
+{
+    lookFrom({m_startDeg, kDownDeg, kDownShare * fittingMm(), placeMm});
 }
 
 void Camera::set(double azimuthDeg, double elevationDeg, double distanceMm)

@@ -7,6 +7,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "core/session/Sight.h"
 #include "ui/render/ToothSurface.h"
 
 namespace ui::tooth {
@@ -37,6 +38,12 @@ public:
     void reset();
     /// From where another camera looks, at what it looks at.
     void lookAs(const Camera& other);
+    /// From where a student looked.
+    void lookFrom(const core::session::Sight& sight);
+    /// Returns where it looks from, for lookFrom().
+    [[nodiscard]] core::session::Sight sight() const;
+    /// From above, near to a place: whatever stands on the tooth, the place can be seen.
+    void lookDownAt(glm::dvec3 placeMm);
     void set(double azimuthDeg, double elevationDeg, double distanceMm);
     void turn(double azimuthDeg, double elevationDeg);
     /// Closer by `steps` notches of a wheel, further when negative. Reached smoothly, see advance(). Closer,

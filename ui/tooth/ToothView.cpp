@@ -292,6 +292,19 @@ void ToothView::lookAs(const Camera& camera)
     redrawMoving();
 }
 
+void ToothView::lookAt(const std::optional<core::session::Sight>& sight, glm::dvec3 placeMm)
+{
+    constexpr double kInFrontMm = 2.0;  // what stands so far before the place hides it
+    if (sight)
+        m_camera.lookFrom(*sight);
+    const glm::dvec3 eye = m_camera.eyeMm();
+    const auto seen = m_surface ? m_surface->meetTooth({eye, glm::normalize(placeMm - eye)}) : std::nullopt;
+    const bool isHidden = seen && glm::distance(eye, *seen) < glm::distance(eye, placeMm) - kInFrontMm;
+    if (!sight || isHidden)
+        m_camera.lookDownAt(placeMm);
+    redrawMoving();
+}
+
 ToothView::Uploads ToothView::uploads() const
 {
     Uploads uploads = m_uploads;

@@ -91,6 +91,9 @@ public:
     void setCamera(double azimuthDeg, double elevationDeg, double distanceMm);
     /// From where another view looks.
     void lookAs(const Camera& camera);
+    /// Looks at a place on the tooth as the student did; from above if they had not been seen to look anywhere, or if
+    /// the place is hidden from there.
+    void lookAt(const std::optional<core::session::Sight>& sight, glm::dvec3 placeMm);
     /// What is shown now, in device pixels.
     [[nodiscard]] QImage picture();
     /// The same without the instrument: what has become of the tooth.
